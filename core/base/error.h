@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace cvo {
+
+// Bad input or a broken invariant. The message is one line: where (file, line or field),
+// what was found, what was expected.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Concatenates its arguments as an output stream would print them.
+template <typename... Args>
+std::string StrCat(const Args&... args) {
+  std::ostringstream out;
+  (out << ... << args);
+  return out.str();
+}
+
+// Throws Error("<where>: found <found>, expected <expected>").
+[[noreturn]] void ThrowError(const std::string& where, const std::string& found,
+                             const std::string& expected);
+
+// Throws Error if a condition that callers must guarantee does not hold, in every build type.
+void Require(bool condition, const char* message);
+
+}  // namespace cvo

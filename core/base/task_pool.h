@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace cvo {
+
+// Runs tasks on `threads` threads in all: threads - 1 workers and whoever waits. With one thread a
+// task runs when it is waited for, so results must not depend on the order in which tasks run.
+class TaskPool {
+  struct Task;
+
+ public:
+  // A task that was submitted; Wait on it exactly once.
+  using Ticket = std::shared_ptr<Task>;
+
+  explicit TaskPool(int threads);
+  // Drops tasks that have not started and waits for those that have.
+  ~TaskPool();
+  TaskPool(const TaskPool&) = delete;
+  TaskPool& operator=(const TaskPool&) = delete;
+
+  Ticket Submit(std::function<void()> work);
+  // Returns when the task has ended; runs it, or others meanwhile, on the calling thread if no
+  // worker has taken it. Rethrows what the task threw.
+  void Wait(const Ticket& ticket);
+  // work(0) ... work(count - 1), in any order; returns when all have ended. Rethrows the first
+  // error by index.
+  void ParallelFor(int count, const std::function<void(int)>& work);
+
+ private:
+  struct Task {
+    std::function<void()> work;
+    std::exception_ptr error;
+    bool done = false;
+  };
+
+  void RunWorker();
+  void RunTask(const Ticket& task, std::unique_lock<std::mutex>& lock);
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Ticket> waiting_;
+  bool stopping_ = false;
+  std::vector<std::thread> workers_;
+};
+
+}  // namespace cvo

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/options.h"
+
+namespace cvo {
+
+struct OrbOptions {
+  int features = 2000;         // per image
+  int levels = 8;              // of the pyramid
+  double scale_factor = 1.2;   // between levels
+  int cell_px = 30;            // side of a detection cell
+  int fast_threshold = 20;     // grey levels
+  int fast_threshold_min = 7;  // where a cell has no corner above fast_threshold
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor& visit) {
+    visit.Field("features", self.features,
+                {"1", 100, 20000, "corners kept per image; more cost time in every stage",
+                 "estimator.md 13"});
+    visit.Field("levels", self.levels,
+                {"1", 1, 16, "pyramid levels; fewer lose scale invariance", "estimator.md 13"});
+    visit.Field("scale_factor", self.scale_factor,
+                {"1", 1.01, 2.0, "scale between pyramid levels", "estimator.md 13"});
+    visit.Field("cell_px", self.cell_px,
+                {"px", 8, 200, "side of a detection cell; smaller spreads corners more evenly",
+                 "estimator.md 11"});
+    visit.Field("fast_threshold", self.fast_threshold,
+                {"grey levels", 1, 255, "FAST threshold", "estimator.md 13"});
+    visit.Field(
+        "fast_threshold_min", self.fast_threshold_min,
+        {"grey levels", 1, 255, "FAST threshold in cells without a corner", "estimator.md 13"});
+  }
+};
+
+struct StereoMatchOptions {
+  int max_hamming = 75;                  // of 256 bits
+  double uniqueness = 0.9;               // best / second best distance
+  double left_right_tolerance_px = 1.0;  // at level scale
+  int patch_radius_px = 5;               // SAD patch
+  int search_radius_px = 5;              // SAD search
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor& visit) {
+    visit.Field("max_hamming", self.max_hamming,
+                {"bits", 1, 256, "largest descriptor distance of a pair", "estimator.md 11"});
+    visit.Field("uniqueness", self.uniqueness,
+                {"1", 0.1, 1.0, "largest ratio of the best to the second best distance",
+                 "estimator.md 11"});
+    visit.Field("left_right_tolerance_px", self.left_right_tolerance_px,
+                {"px", 0.0, 10.0, "largest left-right disagreement, at the corner's scale",
+                 "estimator.md 11"});
+    visit.Field("patch_radius_px", self.patch_radius_px,
+                {"px", 2, 15, "radius of the patch that is aligned", "estimator.md 11"});
+    visit.Field("search_radius_px", self.search_radius_px,
+                {"px", 1, 20, "alignment search around the matched corner", "estimator.md 11"});
+  }
+};
+
+}  // namespace cvo

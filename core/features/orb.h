@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "core/features/options.h"
+#include "core/features/stereo_feature.h"
+
+namespace cvo {
+
+struct OrbKeypoint {
+  float u_px = 0.0F;  // in the full image
+  float v_px = 0.0F;
+  int octave = 0;
+  float angle_rad = 0.0F;
+  float response = 0.0F;
+  Descriptor descriptor{};
+};
+
+// Corners of one image, sorted by (v, u, octave), and the pyramid they were found in.
+struct OrbImage {
+  std::vector<OrbKeypoint> keypoints;
+  std::vector<cv::Mat> pyramid;  // CV_8UC1, level 0 first
+};
+
+// ORB corners spread over the image (estimator.md 11). `image` is CV_8UC1. Pure: the same image
+// gives the same corners on any thread.
+OrbImage ExtractOrb(const cv::Mat& image, const OrbOptions& options);
+
+}  // namespace cvo

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace cvo {
+
+// 256-bit binary descriptor (rBRIEF).
+using Descriptor = std::array<std::uint64_t, 4>;
+
+// A corner of the left image that was found in the right one: z of the paper's section 3.
+struct StereoFeature {
+  Eigen::Vector3d z_px = Eigen::Vector3d::Zero();  // (u_left, v, u_right), u_left > u_right
+  int octave = 0;                                  // pyramid level, scale = scale_factor^octave
+  float angle_rad = 0.0F;                          // orientation of the patch
+  float response = 0.0F;                           // corner strength, comparable within an image
+  Descriptor descriptor{};                         // of the left patch
+};
+
+}  // namespace cvo

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+namespace cvo {
+
+// Rectified stereo pair (estimator.md section 0). The camera frame is the left camera's: x right, y
+// down, z forward, metres. A measurement is z = (u_left, v, u_right) in pixels, pixel centres at
+// integers.
+struct StereoCamera {
+  double fx = 0.0;          // px
+  double fy = 0.0;          // px
+  double cx = 0.0;          // px
+  double cy = 0.0;          // px
+  double baseline_m = 0.0;  // > 0
+  int width_px = 0;
+  int height_px = 0;
+
+  // Throws Error naming the field that cannot be.
+  void Check() const;
+
+  // pi(p): empty where the point is nearer than kMinDepth_m or behind the camera.
+  [[nodiscard]] std::optional<Eigen::Vector3d> Project(const Eigen::Vector3d& p_in_camera) const;
+  // d pi / d p, 3x3, for a point with positive depth.
+  Eigen::Matrix3d ProjectionJacobian(const Eigen::Vector3d& p_in_camera) const;
+  // pi^-1(z): empty where the disparity is not positive.
+  [[nodiscard]] std::optional<Eigen::Vector3d> BackProject(const Eigen::Vector3d& z_px) const;
+  // d pi^-1 / d z for a positive disparity.
+  Eigen::Matrix3d BackProjectionJacobian(const Eigen::Vector3d& z_px) const;
+  // Covariance of pi^-1(z) for a measurement covariance in px^2 (section 3 of the paper), m^2.
+  Eigen::Matrix3d PointCovariance(const Eigen::Vector3d& z_px,
+                                  const Eigen::Matrix3d& measurement_covariance_px2) const;
+
+  // Left pixel within the image.
+  bool InImage(double u_px, double v_px) const {
+    return u_px >= 0.0 && v_px >= 0.0 && u_px <= width_px - 1 && v_px <= height_px - 1;
+  }
+
+  static constexpr double kMinDepth_m = 0.05;
+};
+
+}  // namespace cvo

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/stage_times.h"
+#include "core/base/task_pool.h"
+#include "core/geometry/stereo_camera.h"
+#include "core/odometry/frame.h"
+#include "core/odometry/options.h"
+
+namespace cvo {
+
+struct OdometrySetup {
+  StereoCamera camera;
+  Options options;
+  std::uint64_t seed = 0;  // of the estimator's own draws (RANSAC)
+};
+
+// The estimator seen from outside; the only virtual call, once per frame.
+class Odometry {
+ public:
+  virtual ~Odometry() = default;
+
+  // One stereo frame in, its report out. Timestamps must increase strictly: throws Error otherwise.
+  virtual FrameReport Process(const StereoFrame& frame, StageTimes& times) = 0;
+
+  // A frame whose images are missing: the camera is predicted, the map is left alone.
+  virtual FrameReport Skip(std::int64_t timestamp_ns) = 0;
+
+  // world_from_camera of every frame so far, skipped ones included: as last estimated, that is, a
+  // frame that left the window keeps the pose it had then.
+  virtual std::vector<RigidTransform> Trajectory() const = 0;
+};
+
+}  // namespace cvo

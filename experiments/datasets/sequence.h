@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/geometry/rigid_transform.h"
+#include "core/geometry/stereo_camera.h"
+
+namespace cvo {
+
+// One row of a KITTI label or detection file. Frames are counted from the start of the folder's
+// sequence; boxes are in pixels of `camera`.
+struct ObjectBox {
+  int frame = 0;
+  int track = -1;  // -1 where the file has none; never shown to the estimator
+  std::string type;
+  double truncation = -1.0;
+  int occlusion = -1;
+  double left_px = 0.0;
+  double top_px = 0.0;
+  double right_px = 0.0;
+  double bottom_px = 0.0;
+  // 3D box in rectified camera 0 where the file has one (labels): height, width, length (m), centre
+  // of the bottom face (m), heading about the y axis (rad).
+  struct Box3d {
+    double height_m, width_m, length_m;
+    Eigen::Vector3d bottom_in_camera;
+    double heading_rad;
+  };
+  std::optional<Box3d> box3d;
+  std::optional<double> score;
+};
+
+struct StereoPaths {
+  std::filesystem::path left;
+  std::filesystem::path right;
+};
+
+// A stereo sequence on disk, its images still undecoded. All vectors over frames have the same
+// length and start at `first_frame` of the folder.
+struct Sequence {
+  std::string name;  // "2011_09_26_drive_0001", "odometry_06", "tracking_0005"
+  std::string type;  // "kitti-raw", "kitti-odometry", "kitti-tracking"
+  std::filesystem::path folder;
+  std::string pair;  // "grey" or "colour"
+  int first_frame = 0;
+  int total_frames = 0;  // in the folder, before --frames
+  StereoCamera camera;   // left camera of the pair that is read
+  std::vector<StereoPaths> images;
+  std::vector<std::int64_t> timestamps_ns;  // strictly increasing
+
+  // Ground truth of the left camera of the pair; empty where a frame has none.
+  std::string groundtruth;  // "devkit", "interpolated", "official" or "none"
+  std::vector<std::optional<RigidTransform>> groundtruth_world_from_camera;
+
+  std::vector<ObjectBox> labels;
+  std::vector<ObjectBox> detections;
+  // Text files that determine what was read besides the images (calibration, times, OxTS, labels,
+  // detections), in a fixed order: they are part of the sequence's identity.
+  std::vector<std::filesystem::path> text_files;
+  std::vector<std::string> missing;  // what a complete folder would also hold, one line each
+};
+
+// What a user asks for; empty means: decide from the folder.
+struct SequenceRequest {
+  std::filesystem::path folder;
+  std::string type;                    // "", "kitti-raw", "kitti-odometry", "kitti-tracking"
+  std::string pair;                    // "", "grey", "colour"
+  std::string groundtruth = "devkit";  // KITTI raw and tracking: "devkit" or "interpolated"
+  int begin_frame = 0;                 // half-open range; end -1: to the last
+  int end_frame = -1;
+  std::filesystem::path labels_file;
+  std::filesystem::path detections_file;
+  int detections_camera = -1;  // image_0X the boxes were detected in; -1: the left image read
+  double min_score = -1e300;   // detections below are left out
+};
+
+// Reads everything but the images, and checks all of it: image files exist on both sides, in equal
+// numbers and with equal sizes (from their headers). Throws Error.
+Sequence OpenSequence(const SequenceRequest& request);
+
+// Folders below `root` (or `root` itself) that hold a sequence, sorted by path, with their type.
+// KITTI tracking keeps several sequences in one folder: these are named <training folder>/<number>.
+struct FoundSequence {
+  std::filesystem::path folder;
+  std::string type;
+};
+std::vector<FoundSequence> FindSequences(const std::filesystem::path& root);
+
+}  // namespace cvo

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "core/odometry/odometry.h"
+
+namespace cvo {
+
+struct VariantInfo {
+  std::string_view name;
+  std::string_view changes;  // what it changes, one line
+  std::unique_ptr<Odometry> (*make)(const OdometrySetup& setup, TaskPool& pool);
+};
+
+// Every variant in the program, in the order in which they are listed to users.
+std::span<const VariantInfo> Variants();
+
+// Throws Error naming the variants there are.
+const VariantInfo& FindVariant(std::string_view name);
+
+}  // namespace cvo
