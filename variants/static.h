@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
 #include <string_view>
 
 #include "core/estimation/window_policies.h"
@@ -16,7 +15,7 @@ struct Static {
   using MarginalizationRule = MarginalizeLost;
   using Gauge = FixOldestFrame;
   using SpatialTrack = PromoteDistant;
-  using Calibration = EstimateRightShift;
+  using Calibration = TrustCalibration;
 };
 
 }  // namespace cvo
