@@ -32,7 +32,7 @@ constexpr VariantInfo AblationOf() {
 constexpr std::array kVariants = {
     InfoOf<Static>(),
     AblationOf<Static, StaticNoMarginalization>(),
-    AblationOf<Static, StaticMarginalizeUnseen>(),
+    AblationOf<Static, StaticMarginalizeLost>(),
     AblationOf<Static, StaticPriorGauge>(),
     AblationOf<Static, StaticNoSpatialTrack>(),
     AblationOf<Static, StaticSelfCalibration>(),

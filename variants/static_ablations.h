@@ -14,11 +14,11 @@ struct StaticNoMarginalization : Static {
   using MarginalizationRule = MarginalizeNothing;
 };
 
-struct StaticMarginalizeUnseen : Static {
-  static constexpr std::string_view kName = "static_marginalize_unseen";
+struct StaticMarginalizeLost : Static {
+  static constexpr std::string_view kName = "static_marginalize_lost";
   static constexpr std::string_view kChanges =
-      "static; marginalises what the newest frame does not see (the paper's rule)";
-  using MarginalizationRule = MarginalizeUnseenByNewest;
+      "static; marginalises what the last window.lost_frames frames do not see";
+  using MarginalizationRule = MarginalizeLost;
 };
 
 struct StaticPriorGauge : Static {

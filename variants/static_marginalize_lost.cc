@@ -5,7 +5,7 @@
 
 namespace cvo {
 
-template std::unique_ptr<Odometry> MakeVariant<StaticMarginalizeUnseen>(const OdometrySetup&,
+template std::unique_ptr<Odometry> MakeVariant<StaticMarginalizeLost>(const OdometrySetup&,
                                                                         TaskPool&);
 
 }  // namespace cvo
