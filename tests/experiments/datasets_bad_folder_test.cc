@@ -100,7 +100,7 @@ TEST_F(BadRawDrive, BaselineThatIsNotPositive) {
 
 TEST_F(BadRawDrive, CalibrationTwice) {
   Calibrate("P_rect_01", ProjectionRow(-0.5) + "\nP_rect_01: " + ProjectionRow(-0.4));
-  EXPECT_THAT(Error(), Says("calib_cam_to_cam.txt:9", "P_rect_01 a second time", "once"));
+  EXPECT_THAT(Error(), Says("calib_cam_to_cam.txt:9", "\"P_rect_01\" a second time", "once"));
 }
 
 TEST_F(BadRawDrive, RotationThatIsNone) {
@@ -216,6 +216,30 @@ TEST_F(BadRawDrive, UnrectifiedDrive) {
   const fs::path renamed = folder_.parent_path() / "2011_09_26_drive_0001_extract";
   fs::rename(folder_, renamed);
   EXPECT_THAT(OpenError({.folder = renamed}), Says("_extract", "an unrectified drive", "_sync"));
+}
+
+TEST_F(BadRawDrive, CalibrationCutAnywhereIsReadOrRefused) {
+  const fs::path path = folder_.parent_path() / "calib_cam_to_cam.txt";
+  std::ifstream in(path);
+  const std::string whole((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  in.close();
+  int refused = 0, sizes = 0;
+  for (std::size_t size = 0; size < whole.size(); size += 11, ++sizes) {
+    root_.Write("2011_09_26/calib_cam_to_cam.txt", whole.substr(0, size));
+    refused += Error().empty() ? 0 : 1;
+  }
+  // The lines of cameras 2 and 3, which nobody asked for, may be absent but not broken.
+  EXPECT_GT(refused, sizes / 2);
+}
+
+TEST_F(BadRawDrive, BinaryFileInsteadOfText) {
+  Write("image_00/timestamps.txt", GreyPng(300, 300));
+  EXPECT_THAT(Error(), Says("image_00/timestamps.txt:1", "\"?PNG", "YYYY-MM-DD"));
+  root_.Write("2011_09_26/calib_velo_to_cam.txt", GreyPng(300, 300));
+  Write("image_00/timestamps.txt",
+        DateTimeRow(0) + DateTimeRow(1) + DateTimeRow(2) + DateTimeRow(3));
+  EXPECT_THAT(Error(), Says("calib_velo_to_cam.txt", "", ""));
+  EXPECT_LT(Error().size(), 400u);
 }
 
 TEST_F(BadRawDrive, OptionsThatAreNone) {

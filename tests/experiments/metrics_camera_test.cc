@@ -209,6 +209,17 @@ TEST(CameraMetrics, RefuseLengthsThatDiffer) {
               HasSubstr("found 0 estimated frames, expected 1"));
 }
 
+TEST(CameraMetrics, RefuseWhatIsNotFinite) {
+  EXPECT_THAT(ErrorMessage([] {
+                EvaluateCamera({At(0), At(1)}, {At(0), At(std::nan(""))});
+              }),
+              HasSubstr("estimate of frame 1: found a pose that is not finite"));
+  EXPECT_THAT(ErrorMessage([] {
+                EvaluateCamera({At(0), At(1)}, {At(0), At(1e300)});
+              }),
+              HasSubstr("camera_ate: found an overflow"));
+}
+
 TEST(CameraMetrics, EachSaysWhatItMeans) {
   OptionalPoses truth, estimate;
   for (int i = 0; i < 150; ++i) truth.push_back(At(0, 0, i)), estimate.push_back(At(0, 0, i));

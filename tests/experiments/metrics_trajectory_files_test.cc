@@ -109,8 +109,8 @@ TEST_F(TumTrajectory, RefusesQuaternionsThatAreNotUnit) {
 
 TEST_F(TumTrajectory, RefusesTimesThatDoNotIncrease) {
   EXPECT_THAT(ReadError("1 0 0 0 0 0 0 1\n1.0 0 0 0 0 0 0 1\n"),
-              AllOf(HasSubstr(":2: found time 1.0"), HasSubstr("after 1.000000000")));
-  EXPECT_THAT(ReadError("2 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n"), HasSubstr(":2: found time 1"));
+              AllOf(HasSubstr(":2: found time \"1.0\""), HasSubstr("after 1.000000000")));
+  EXPECT_THAT(ReadError("2 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n"), HasSubstr(":2: found time \"1\""));
 }
 
 TEST_F(TumTrajectory, MissingFileIsNamed) {
