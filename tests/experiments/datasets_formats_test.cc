@@ -218,6 +218,15 @@ TEST(Oxts, MetresInEveryDirection) {
   EXPECT_NEAR((poses[3].translation() - Eigen::Vector3d(0, 0, 10)).norm(), 0.0, 1e-9);
 }
 
+TEST(Oxts, ScaleIsThatOfTheFirstLatitude) {
+  constexpr double kRadius_m = 6378137.0, kDegree = std::numbers::pi / 180.0;
+  const OxtsPacket start{49.0, 8.0, 100.0, 0.0, 0.0, 0.0};
+  OxtsPacket east = start, far_north = start;
+  east.longitude_deg += 10.0 / (kRadius_m * std::cos(49.0 * kDegree) * kDegree);
+  far_north.latitude_deg = 60.0;
+  EXPECT_NEAR(ImuPoses({start, east, far_north})[1].translation().x(), 10.0, 1e-6);
+}
+
 TEST(Oxts, AnglesAreYawThenPitchThenRoll) {
   const OxtsPacket start{49.0, 8.0, 100.0, 0.0, 0.0, 0.0};
   OxtsPacket turned = start;

@@ -264,6 +264,16 @@ TEST_F(Sequences, FindsThoseWithImages) {
   EXPECT_THAT(FindSequences(root_.path() / "other"), IsEmpty());
 }
 
+TEST_F(Sequences, FindsDrivesWithEitherPairButNotWithHalfAPair) {
+  const fs::path folder = WriteRawDrive(root_);
+  fs::remove_all(folder / "image_01");
+  EXPECT_THAT(FindSequences(root_.path()), IsEmpty());
+  fs::create_directories(folder / "image_02/data");
+  EXPECT_THAT(FindSequences(root_.path()), IsEmpty());
+  fs::create_directories(folder / "image_03/data");
+  EXPECT_EQ(FindSequences(root_.path()).size(), 1u);
+}
+
 TEST_F(Sequences, FindStopsAtCirclesOfLinks) {
   WriteOdometrySequence(root_);
   fs::create_directory_symlink(root_.path(), root_.path() / "again");

@@ -43,9 +43,9 @@ TEST(Association, ToleranceIsInclusive) {
 }
 
 TEST(Association, NearestWinsAndIsOneToOne) {
-  // 10 is nearest to 12; 18 is left with nothing although 12 is within its tolerance.
-  const TimeAssociation a = AssociateByTime(At({10, 18}), At({12}));
-  EXPECT_THAT(a.pairs, ElementsAre(Pair(0, 0)));
+  // 12 is nearest to 10; 2 is left with nothing although 10 is within its tolerance.
+  const TimeAssociation a = AssociateByTime(At({2, 12}), At({10}));
+  EXPECT_THAT(a.pairs, ElementsAre(Pair(1, 0)));
   EXPECT_EQ(a.unmatched_a, 1u);
   EXPECT_EQ(a.unmatched_b, 0u);
 }

@@ -84,6 +84,13 @@ TEST(Ate, OnePointOff) {
   EXPECT_NEAR(Value(metrics, "camera_ate_max"), 2.0 / 3.0, 1e-12);
 }
 
+TEST(Ate, MedianOfAnEvenNumberIsTheMeanOfTheMiddleTwo) {
+  // Ahead by 0, 1, 3 and 8 m, so by 3 m in the mean: errors 3, 2, 0 and 5.
+  const OptionalPoses truth = {At(0), At(10), At(20), At(30)};
+  const OptionalPoses estimate = {At(0), At(11), At(23), At(38)};
+  EXPECT_NEAR(Value(EvaluateCamera(truth, estimate), "camera_ate_median"), 2.5, 1e-12);
+}
+
 TEST(Ate, IsZeroForARigidlyMovedTruthButNotForAScaledOne) {
   const Pair pair = RandomPair(3, 50);
   const RigidTransform motion = Pose({1.0, -2.0, 0.5}, {100.0, -7.0, 3.0});
