@@ -89,6 +89,8 @@ TEST_F(BadRawDrive, CalibrationThatIsNoRectifiedCamera) {
   EXPECT_THAT(Error(), Says("P_rect_00", "focal lengths -10", "positive"));
   Calibrate("P_rect_00", "11 0 6 0 0 10 4 0 0 0 1 0");
   EXPECT_THAT(Error(), Says("P_rect_00 and P_rect_01", "different focal lengths", "equal ones"));
+  Calibrate("P_rect_00", "10 0 6.1 0 0 10 4 0 0 0 1 0");
+  EXPECT_THAT(Error(), Says("P_rect_00 and P_rect_01", "different focal lengths", "equal ones"));
 }
 
 TEST_F(BadRawDrive, BaselineThatIsNotPositive) {

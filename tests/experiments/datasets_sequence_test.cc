@@ -242,6 +242,17 @@ TEST_F(Sequences, BoxesOfOtherFilesAndCameras) {
   EXPECT_EQ(s.labels[1].left_px, 1.0);
 }
 
+TEST_F(Sequences, BoxesOfTheLeftImageReadStayWhereTheyAre) {
+  const fs::path labels = root_.Write("labels.txt", kCarLabel);
+  const Sequence s = OpenSequence({.folder = WriteRawDrive(root_),
+                                   .labels_file = labels,
+                                   .labels_camera = 0,
+                                   .detections_file = labels});
+  EXPECT_EQ(s.labels[0].left_px, 4.5);
+  EXPECT_EQ(s.detections[0].left_px, 4.5);
+  EXPECT_EQ(s.detections_offset_m, 0.0);
+}
+
 TEST_F(Sequences, FindsThoseWithImages) {
   WriteRawDrive(root_);
   WriteOdometrySequence(root_);

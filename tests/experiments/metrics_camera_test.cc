@@ -256,8 +256,10 @@ TEST(KittiDrift, ScaleErrorOfOnePercent) {
   EXPECT_EQ(drift->segments, 1);
   EXPECT_NEAR(drift->translation_percent, 1.01, 1e-9);
   EXPECT_NEAR(drift->rotation_deg_per_100m, 0.0, 1e-9);
-  // Starts 0, ..., 110 reach 100 m; starts 0 and 10 reach 200 m too.
-  EXPECT_EQ(ComputeKittiDrift(Straight(212, 1.0), Straight(212, 1.01))->segments, 12 + 2);
+  // Starts 0, ..., 110 reach 100 m; starts 0 and 10 reach 200 m too, after 201 m.
+  const auto longer = ComputeKittiDrift(Straight(212, 1.0), Straight(212, 1.01));
+  EXPECT_EQ(longer->segments, 12 + 2);
+  EXPECT_NEAR(longer->translation_percent, (12 * 1.01 + 2 * 1.005) / 14, 1e-9);
 }
 
 TEST(KittiDrift, ConstantTurn) {
