@@ -14,7 +14,8 @@ namespace cvo::test {
 
 using VectorFunction = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
-// df/dx at x by central differences with one Richardson step: error of order step^4.
+// df/dx at x by central differences with one Richardson step: error of order step^4, so the step
+// (in the units of x) may be large enough to keep rounding out.
 Eigen::MatrixXd NumericJacobian(const VectorFunction& f, const Eigen::VectorXd& x,
                                 double step = 1e-3);
 
