@@ -37,7 +37,7 @@ inline std::string GreyPng(int width_px = kTestWidth_px, int height_px = kTestHe
   return EncodePng(image);
 }
 
-inline void WriteImages(const TempFolder& root, const std::string& folder, int count, int digits) {
+inline void WriteImages(const test::TempFolder& root, const std::string& folder, int count, int digits) {
   for (int i = 0; i < count; ++i) root.Write(folder + "/" + Digits(i, digits) + ".png", GreyPng());
 }
 
@@ -64,7 +64,7 @@ inline std::string DateTimeRow(int frame, int offset_us = 0) {
 
 // <root>/2011_09_26/2011_09_26_drive_0001_sync with calibration; x forwards is camera z as on the
 // KITTI vehicle.
-inline std::filesystem::path WriteRawDrive(const TempFolder& root, int frames = 3) {
+inline std::filesystem::path WriteRawDrive(const test::TempFolder& root, int frames = 3) {
   const std::string date = "2011_09_26/";
   const std::string drive = date + "2011_09_26_drive_0001_sync/";
   std::string calibration = "calib_time: 09-Jan-2012 13:57:47\ncorner_dist: 9.950000e-02\n";
@@ -92,7 +92,7 @@ inline std::filesystem::path WriteRawDrive(const TempFolder& root, int frames = 
 }
 
 // <root>/sequences/06 and <root>/poses/06.txt: 1 m forwards per frame.
-inline std::filesystem::path WriteOdometrySequence(const TempFolder& root, int frames = 3) {
+inline std::filesystem::path WriteOdometrySequence(const test::TempFolder& root, int frames = 3) {
   const std::string folder = "sequences/06/";
   std::string times, poses;
   for (int i = 0; i < frames; ++i) {
@@ -127,7 +127,7 @@ constexpr const char* kCarLabel =
     "1 -1 DontCare -1 -1 -10 1 1 2 2 -1000 -1000 -1000 -10 -1 -1 -1\n";
 
 // <root>/training with sequence 0005 in colour folders.
-inline std::filesystem::path WriteTrackingSequence(const TempFolder& root, int frames = 3) {
+inline std::filesystem::path WriteTrackingSequence(const test::TempFolder& root, int frames = 3) {
   std::string oxts;
   for (int i = 0; i < frames; ++i) oxts += OxtsPacketText(i);
   root.Write("training/oxts/0005.txt", oxts);

@@ -84,7 +84,7 @@ TEST(Timestamp, NominalTimesAreTenHertz) {
 }
 
 TEST(Timestamp, FilesMayEndWithCarriageReturnsAndBlankLines) {
-  const TempFolder folder;
+  const test::TempFolder folder;
   const auto path = folder.Write("t.txt",
                                  "1970-01-01 00:00:00.000000001\r\n"
                                  "1970-01-01 00:00:00.000000002 \n\n\n");
@@ -122,7 +122,7 @@ class Boxes : public testing::Test {
   std::string LabelError(const std::string& text) {
     return ErrorMessage([&] { ReadLabels(folder_.Write("boxes.txt", text), 10); });
   }
-  TempFolder folder_;
+  test::TempFolder folder_;
 };
 
 TEST_F(Boxes, LabelRow) {

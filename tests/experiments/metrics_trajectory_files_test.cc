@@ -32,7 +32,7 @@ class TumTrajectory : public testing::Test {
   std::string ReadError(const std::string& text) {
     return ErrorMessage([&] { Read(text); });
   }
-  TempFolder folder_;
+  test::TempFolder folder_;
 };
 
 TEST_F(TumTrajectory, ReadsPosesAndComments) {
