@@ -14,6 +14,9 @@ struct OrbOptions {
   int fast_threshold = 20;     // grey levels
   int fast_threshold_min = 7;  // where a cell has no corner above fast_threshold
 
+  // Throws Error naming the field that cannot be.
+  void Check() const;
+
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
     visit.Field("features", self.features,
@@ -38,8 +41,15 @@ struct StereoMatchOptions {
   int max_hamming = 75;                  // of 256 bits
   double uniqueness = 0.9;               // best / second best distance
   double left_right_tolerance_px = 1.0;  // at level scale
-  int patch_radius_px = 5;               // SAD patch
-  int search_radius_px = 5;              // SAD search
+  double row_tolerance_px = 2.0;         // between the rows of a pair, at level scale
+  double min_depth_baselines = 3.0;      // nearest point
+  double min_disparity_px = 0.1;         // farthest point
+  int patch_radius_px = 5;               // patch that is aligned
+  int search_radius_px = 5;              // columns searched for it
+  double max_cost_medians = 4.4;         // of the patches' squared difference
+
+  // Throws Error naming the field that cannot be.
+  void Check() const;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
@@ -51,10 +61,21 @@ struct StereoMatchOptions {
     visit.Field("left_right_tolerance_px", self.left_right_tolerance_px,
                 {"px", 0.0, 10.0, "largest left-right disagreement, at the corner's scale",
                  "estimator.md 11"});
+    visit.Field("row_tolerance_px", self.row_tolerance_px,
+                {"px", 0.5, 10.0, "largest difference in rows of a pair, at the corner's scale",
+                 "estimator.md 11"});
+    visit.Field("min_depth_baselines", self.min_depth_baselines,
+                {"baselines", 0.5, 100.0, "depth of the nearest point; larger leaves fewer rivals",
+                 "estimator.md 11"});
+    visit.Field("min_disparity_px", self.min_disparity_px,
+                {"px", 1e-3, 10.0, "disparity of the farthest point", "estimator.md 11"});
     visit.Field("patch_radius_px", self.patch_radius_px,
                 {"px", 2, 15, "radius of the patch that is aligned", "estimator.md 11"});
     visit.Field("search_radius_px", self.search_radius_px,
                 {"px", 1, 20, "alignment search around the matched corner", "estimator.md 11"});
+    visit.Field("max_cost_medians", self.max_cost_medians,
+                {"1", 1.0, 1000.0, "largest squared patch difference, over the median of all",
+                 "estimator.md 11: (1.5 * 1.4)^2, as it is squared"});
   }
 };
 

@@ -3,14 +3,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
-#include <cstdint>
-#include <vector>
+
+#include "core/features/descriptor.h"
 
 namespace cvo {
-
-// 256-bit binary descriptor (rBRIEF).
-using Descriptor = std::array<std::uint64_t, 4>;
 
 // A corner of the left image that was found in the right one: z of the paper's section 3.
 struct StereoFeature {

@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+# SPDX-License-Identifier: Apache-2.0
+# The front door: every target installs, configures and builds what it needs, and does none of it
+# twice. `make` lists the targets.
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+.NOTPARALLEL:
+.PHONY: help deps build table test bench asan format format-check lint clean
+
+release := build/release
+asan := build/asan
+folders := $(wildcard core variants experiments synth reports tests)
+sources = $(shell find $(folders) -name '*.h' -o -name '*.cc')
+# Compilers to run at once; empty: one per processor.
+JOBS ?=
+jobs := $(if $(JOBS),--parallel $(JOBS))
+
+help: ## list the targets
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1|\2/p' Makefile | awk -F'|' '{printf "%-18s %s\n", $$1, $$2}'
+
+deps: ## install the Debian packages that are missing (packages.txt)
+	@.ci/install-packages
+
+# Ninja configures again by itself when a CMakeLists.txt changes.
+build/%/build.ninja: CMakePresets.json | deps
+	cmake --preset $* -DCMAKE_CXX_COMPILER_LAUNCHER="$$(command -v ccache)"
+
+build: $(release)/build.ninja ## build everything, Release
+	cmake --build --preset release $(jobs)
+
+table: $(if $(DATA),build) ## DATA=<KITTI folder>: run its sequences, print and write the table of errors
+	$(if $(DATA),,$(error make table: give DATA=<KITTI folder>, there are no synthetic scenes yet))
+	$(release)/bin/clustervo table "$(DATA)" -o results/table
+
+test: build ## run the tests; CLUSTERVO_DATA=<folder> adds those on real data
+	ctest --preset release
+
+bench: build ## run the benchmarks, JSON to build/release/bench
+	cmake --build --preset release --target run_benchmarks
+
+asan: $(asan)/build.ninja ## build with address and undefined-behaviour sanitizers, run the tests
+	cmake --build --preset asan $(jobs)
+	ctest --preset asan
+
+format: deps ## format all C++ sources in place
+	@clang-format -i $(sources)
+
+format-check: deps ## fail where a source is not formatted
+	@clang-format --dry-run -Werror $(sources)
+
+lint: build ## run clang-tidy on all C++ sources (minutes)
+	@.ci/install-packages clang-tidy
+	run-clang-tidy -quiet -p $(release) '$(CURDIR)/($(subst $() ,|,$(strip $(folders))))/'
+
+clean: ## remove everything that was built
+	rm -rf build

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/estimation/camera_ransac.h"
+
+#include <array>
+
+namespace cvo {
+namespace {
+
+// A minimal sample carries its three points' noise: its inliers are counted within a wider gate.
+constexpr double kHypothesisGateFactor = 4.0;
+
+std::array<std::size_t, 3> DrawSample(std::size_t n, Rng& rng) {
+  std::array<std::size_t, 3> sample{};
+  sample[0] = rng.UniformInt(n);
+  do sample[1] = rng.UniformInt(n);
+  while (sample[1] == sample[0]);
+  do sample[2] = rng.UniformInt(n);
+  while (sample[2] == sample[0] || sample[2] == sample[1]);
+  return sample;
+}
+
+int CountInliers(const StereoCamera& camera, std::span<const PointMeasurement> measurements,
+                 const RigidTransform& world_from_camera, double gate) {
+  const RigidTransform camera_from_world = world_from_camera.Inverse();
+  int inliers = 0;
+  for (const PointMeasurement& m : measurements) {
+    const auto error = WhitenedError(camera, m, camera_from_world);
+    inliers += error && error->squaredNorm() <= gate;
+  }
+  return inliers;
+}
+
+}  // namespace
+
+std::optional<CameraSolution> SolveCameraRansac(const StereoCamera& camera,
+                                                std::span<const PointMeasurement> measurements,
+                                                const NoiseOptions& noise, int iterations,
+                                                int min_inliers, Rng& rng) {
+  if (measurements.size() < 3) return std::nullopt;
+  RigidTransform best;
+  int best_inliers = 0;
+  for (int iteration = 0; iteration < iterations; ++iteration) {
+    Eigen::Matrix3Xd in_camera(3, 3);
+    Eigen::Matrix3Xd in_world(3, 3);
+    const auto sample = DrawSample(measurements.size(), rng);
+    bool valid = true;
+    for (int k = 0; k < 3; ++k) {
+      const auto point = camera.BackProject(measurements[sample[k]].z_px);
+      valid = valid && point;
+      if (point) in_camera.col(k) = *point;
+      in_world.col(k) = measurements[sample[k]].p_in_world;
+    }
+    if (!valid) continue;
+    const RigidTransform world_from_camera = AlignPoints(in_camera, in_world);
+    const int inliers =
+        CountInliers(camera, measurements, world_from_camera, kHypothesisGateFactor * noise.gate);
+    if (inliers > best_inliers) {
+      best_inliers = inliers;
+      best = world_from_camera;
+    }
+  }
+  if (best_inliers < 3) return std::nullopt;
+
+  // Refined on the hypothesis' own inliers only: SolveCamera starts by trusting all it is given.
+  std::vector<PointMeasurement> close;
+  const RigidTransform camera_from_world = best.Inverse();
+  for (const PointMeasurement& m : measurements) {
+    const auto error = WhitenedError(camera, m, camera_from_world);
+    if (error && error->squaredNorm() <= kHypothesisGateFactor * noise.gate) close.push_back(m);
+  }
+  const RigidTransform refined = SolveCamera(camera, close, best, noise).world_from_camera;
+  CameraSolution solution = ClassifyMeasurements(camera, measurements, refined, noise.gate);
+  if (solution.inliers < min_inliers) return std::nullopt;
+  return solution;
+}
+
+}  // namespace cvo

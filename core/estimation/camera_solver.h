@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/estimation/measurement_noise.h"
+#include "core/geometry/rigid_transform.h"
+#include "core/geometry/stereo_camera.h"
+
+namespace cvo {
+
+// A point of known position, seen in the frame whose camera is wanted.
+struct PointMeasurement {
+  Eigen::Vector3d p_in_world = Eigen::Vector3d::Zero();
+  Eigen::Vector3d z_px = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d sqrt_information = Eigen::Matrix3d::Identity();
+};
+
+struct CameraSolution {
+  RigidTransform world_from_camera;
+  std::vector<char> is_inlier;  // by measurement: squared whitened error within the gate
+  int inliers = 0;
+};
+
+// min over the camera of sum rho(||z - pi(camera_from_world p)||^2), points held: Gauss-Newton with
+// Huber's loss; measurements outside the gate are left out from the second round on and may return.
+CameraSolution SolveCamera(const StereoCamera& camera,
+                           std::span<const PointMeasurement> measurements,
+                           const RigidTransform& initial, const NoiseOptions& noise);
+
+// Which measurements a given camera explains.
+CameraSolution ClassifyMeasurements(const StereoCamera& camera,
+                                    std::span<const PointMeasurement> measurements,
+                                    const RigidTransform& world_from_camera, double gate);
+
+// Whitened residual of one measurement; empty where the point is behind the camera.
+std::optional<Eigen::Vector3d> WhitenedError(const StereoCamera& camera,
+                                             const PointMeasurement& measurement,
+                                             const RigidTransform& camera_from_world);
+
+}  // namespace cvo

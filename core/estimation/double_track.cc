@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/estimation/double_track.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/estimation/window_problem.h"
+
+namespace cvo {
+
+bool PromoteDistant::Promotes(const Window& window, const WindowFrame& frame,
+                              const WindowOptions& options) {
+  if (window.spatial.empty()) return true;
+  const WindowFrame& reference = window.spatial.back();
+  const RigidTransform motion = reference.world_from_camera.Inverse() * frame.world_from_camera;
+  if (RotationAngle(Eigen::Quaterniond(motion.rotation())) > options.promote_rotation_rad) {
+    return true;
+  }
+  if (motion.translation().norm() >
+      options.promote_translation * window.MedianDepth(reference.id)) {
+    return true;
+  }
+  return window.CountCommonLandmarks(reference.id, frame.id) <
+         options.promote_common * window.CountLandmarks(reference.id);
+}
+
+WindowProblem CollectMarginalized(const Window& window, const PosePrior& prior,
+                                  const std::vector<LandmarkId>& landmarks,
+                                  const NoiseOptions& noise, double scale_factor) {
+  WindowProblem problem = MakeFrames(window);
+  problem.prior = prior;
+  for (const Landmark& landmark : window.landmarks) {
+    if (std::binary_search(landmarks.begin(), landmarks.end(), landmark.id)) {
+      AddLandmark(landmark, noise, scale_factor, problem);
+    }
+  }
+  return problem;
+}
+
+}  // namespace cvo

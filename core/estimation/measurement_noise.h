@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/base/options.h"
+
+namespace cvo {
+
+// Noise of z = (u_left, v, u_right). The corner's own error moves u_left and u_right together,
+// because u_right is found by aligning the patch around that same corner; the disparity has a
+// smaller error of its own. Both grow with the pyramid level.
+struct NoiseOptions {
+  double corner_px = 0.8;
+  double disparity_px = 0.4;
+  double huber = 2.796;
+  double gate = 7.815;
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor& visit) {
+    visit.Field(
+        "corner_px", self.corner_px,
+        {"px", 0.01, 10, "standard deviation of u_left and v at level 0", "estimator.md 0"});
+    visit.Field(
+        "disparity_px", self.disparity_px,
+        {"px", 0.01, 10, "standard deviation of u_left - u_right at level 0", "estimator.md 0"});
+    visit.Field("huber", self.huber,
+                {"standard deviations", 0.1, 1e6, "where the loss turns linear: sqrt(7.815)",
+                 "estimator.md 4.5"});
+    visit.Field("gate", self.gate,
+                {"1", 0.1, 1e6, "largest squared whitened error of an inlier: 95 % of chi^2, 3 dof",
+                 "estimator.md 3.2"});
+  }
+};
+
+// W with W^T W = inverse covariance of z; `scale` = scale_factor^octave.
+Eigen::Matrix3d SqrtInformation(const NoiseOptions& noise, double scale);
+
+// The covariance itself, px^2.
+Eigen::Matrix3d MeasurementCovariance(const NoiseOptions& noise, double scale);
+
+// Weight of a residual with this squared whitened norm under Huber's loss: rho'(s).
+double HuberWeight(double squared_norm, double huber);
+
+}  // namespace cvo

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/base/ids.h"
+#include "core/features/stereo_feature.h"
+#include "core/geometry/rigid_transform.h"
+
+namespace cvo {
+
+// A landmark seen in a frame of the window.
+struct Observation {
+  FrameId frame;
+  Eigen::Vector3d z_px = Eigen::Vector3d::Zero();  // (u_left, v, u_right)
+  int octave = 0;
+};
+
+// A point of the static scene (q = 0 in the paper).
+struct Landmark {
+  LandmarkId id;
+  Eigen::Vector3d p_in_world = Eigen::Vector3d::Zero();
+  std::vector<Observation> observations;  // in frames of the window, oldest first
+  Descriptor descriptor{};                // of the last observation
+  double depth_m = 0.0;                   // at the last observation: predicts the octave
+  FrameId last_seen;
+};
+
+struct WindowFrame {
+  FrameId id;
+  RigidTransform world_from_camera;
+};
+
+// Frames T_s (spatial track, sparse and old) and T_t (temporal track, the latest ones), and the
+// landmarks they see (section 3.3 of the paper). Landmarks are sorted by id.
+struct Window {
+  std::vector<WindowFrame> spatial;   // oldest first
+  std::vector<WindowFrame> temporal;  // oldest first
+  std::vector<Landmark> landmarks;
+
+  std::vector<const WindowFrame*> Frames() const;  // T_s then T_t, oldest first
+  const WindowFrame* Find(FrameId id) const;       // null where the frame is not in the window
+  // Landmarks with an observation in both frames.
+  int CountCommonLandmarks(FrameId a, FrameId b) const;
+  int CountLandmarks(FrameId frame) const;
+  // Median distance along the optical axis of the landmarks seen in the frame; 0 where it sees
+  // none.
+  double MedianDepth(FrameId frame) const;
+
+  void RemoveObservations(FrameId frame);
+  // Landmarks without observations go.
+  void RemoveUnobserved();
+};
+
+// The landmark's observation in the frame; null where there is none.
+const Observation* FindObservation(const Landmark& landmark, FrameId frame);
+
+}  // namespace cvo

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/estimation/window_problem.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+
+namespace cvo {
+
+WindowProblem MakeFrames(const Window& window) {
+  WindowProblem problem;
+  for (const WindowFrame* frame : window.Frames()) {
+    problem.frames.push_back(frame->id);
+    problem.world_from_camera.push_back(frame->world_from_camera);
+  }
+  problem.is_fixed.assign(problem.frames.size(), 0);
+  return problem;
+}
+
+void AddLandmark(const Landmark& landmark, const NoiseOptions& noise, double scale_factor,
+                 WindowProblem& problem) {
+  const int point = static_cast<int>(problem.points.size());
+  problem.points.push_back(landmark.p_in_world);
+  for (const Observation& observation : landmark.observations) {
+    const auto it =
+        std::lower_bound(problem.frames.begin(), problem.frames.end(), observation.frame);
+    Require(it != problem.frames.end() && *it == observation.frame,
+            "AddLandmark: observation of a frame outside the window");
+    const double scale = std::pow(scale_factor, observation.octave);
+    problem.factors.push_back({static_cast<int>(it - problem.frames.begin()), point,
+                               observation.z_px, SqrtInformation(noise, scale)});
+  }
+}
+
+std::vector<int> SelectLandmarks(const Window& window, int max_points) {
+  std::vector<int> selected;
+  for (int i = 0; i < static_cast<int>(window.landmarks.size()); ++i) {
+    if (window.landmarks[i].observations.size() >= 2) selected.push_back(i);
+  }
+  if (static_cast<int>(selected.size()) > max_points) {
+    std::stable_sort(selected.begin(), selected.end(), [&](int a, int b) {
+      return window.landmarks[a].observations.size() > window.landmarks[b].observations.size();
+    });
+    selected.resize(static_cast<std::size_t>(max_points));
+    std::sort(selected.begin(), selected.end());
+  }
+  return selected;
+}
+
+}  // namespace cvo

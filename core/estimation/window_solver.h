@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "core/estimation/measurement_noise.h"
+#include "core/estimation/pose_prior.h"
+#include "core/geometry/stereo_camera.h"
+
+namespace cvo {
+
+// One observation: point `point` seen in pose `pose` of a problem.
+struct ReprojectionFactor {
+  int pose = 0;
+  int point = 0;
+  Eigen::Vector3d z_px = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d sqrt_information = Eigen::Matrix3d::Identity();
+};
+
+// The static energy of the paper's section 3.3 over the frames and points of the window, as plain
+// arrays. The prior's frames are all among `frames`.
+struct WindowProblem {
+  std::vector<FrameId> frames;  // ascending
+  std::vector<RigidTransform> world_from_camera;
+  std::vector<char> is_fixed;               // by frame: held constant
+  std::vector<Eigen::Vector3d> points;      // p_in_world
+  std::vector<ReprojectionFactor> factors;  // by point, then by pose
+  PosePrior prior;
+};
+
+struct SolverOptions {
+  int iterations = 4;
+  double function_tolerance = 1e-4;
+  int max_points = 600;
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor& visit) {
+    visit.Field("iterations", self.iterations,
+                {"1", 1, 100, "Levenberg-Marquardt steps per frame", "estimator.md 4.5"});
+    visit.Field("function_tolerance", self.function_tolerance,
+                {"1", 0, 1, "stops where a step lowers the energy by less than this fraction",
+                 "estimator.md 4.5"});
+    visit.Field("max_points", self.max_points,
+                {"1", 10, 100000, "landmarks optimised with the window, the longest seen first",
+                 "measured: accuracy is flat above, time grows with it"});
+  }
+};
+
+struct SolverSummary {
+  int iterations = 0;
+  double initial_cost = 0.0;
+  double final_cost = 0.0;
+};
+
+// Minimises the energy in place: Ceres, dense Schur complement, one thread.
+SolverSummary SolveWindow(const StereoCamera& camera, const NoiseOptions& noise,
+                          const SolverOptions& options, WindowProblem& problem);
+
+}  // namespace cvo

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/features/brief.h"
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "core/base/rng.h"
+
+namespace cvo {
+namespace {
+
+constexpr int kTests = 256;
+constexpr int kAngleBins = 64;
+constexpr int kSide = 2 * kOrbPatchRadius + 1;
+
+// 255 inside the disc. The 32nd column is padding.
+struct DiscMask {
+  std::uint8_t rows[kOrbPatchRadius + 1][kSide + 1];  // by |y|
+
+  constexpr DiscMask() : rows() {
+    for (int y = 0; y <= kOrbPatchRadius; ++y) {
+      for (int x = -kOrbPatchRadius; x <= kOrbPatchRadius; ++x) {
+        const bool inside = x * x + y * y <= kOrbPatchRadius * (kOrbPatchRadius + 1);
+        rows[y][x + kOrbPatchRadius] = inside ? 255 : 0;
+      }
+    }
+  }
+};
+constexpr DiscMask kDisc;
+
+// ---- The pattern ----
+
+constexpr double kCorrelationLength_px = 8.0;
+constexpr double kFirstLimit = 0.2;  // of |correlation|, loosened where no draw meets it
+constexpr double kLimitStep = 0.02;
+constexpr int kDrawsPerLimit = 3000;
+constexpr double kSpread_px = 7.0;  // of the ends around the corner, standard deviation
+constexpr int kMaxEnd_px = 14;      // leaves 1 px for rounding after rotation
+
+struct Point {
+  int x, y;
+};
+
+// Correlation of two pixels of the model, by squared distance.
+class PixelModel {
+ public:
+  PixelModel() {
+    for (std::size_t i = 0; i < by_square_.size(); ++i) {
+      by_square_[i] = std::exp(-std::sqrt(static_cast<double>(i)) / kCorrelationLength_px);
+    }
+  }
+  double operator()(Point a, Point b) const {
+    const int dx = a.x - b.x;
+    const int dy = a.y - b.y;
+    return by_square_[static_cast<std::size_t>(dx * dx + dy * dy)];
+  }
+
+ private:
+  std::array<double, 2 * (2 * kOrbPatchRadius) * (2 * kOrbPatchRadius) + 1> by_square_;
+};
+
+// Covariance of a pixel with the patch's moment along x, scaled to the moment's own deviation.
+class MomentModel {
+ public:
+  explicit MomentModel(const PixelModel& rho) {
+    constexpr int r = kOrbPatchRadius;
+    double variance = 0.0;
+    for (int y = -r; y <= r; ++y) {
+      for (int x = -r; x <= r; ++x) {
+        double& sum = covariance_[(y + r) * kSide + x + r] = 0.0;
+        for (int v = -r; v <= r; ++v) {
+          for (int u = -r; u <= r; ++u) {
+            if (kDisc.rows[std::abs(v)][u + r] != 0) sum += u * rho({x, y}, {u, v});
+          }
+        }
+        if (kDisc.rows[std::abs(y)][x + r] != 0) variance += x * sum;
+      }
+    }
+    for (double& value : covariance_) value /= std::sqrt(variance);
+  }
+  double operator()(Point p) const {
+    return covariance_[(p.y + kOrbPatchRadius) * kSide + p.x + kOrbPatchRadius];
+  }
+
+ private:
+  std::array<double, kSide * kSide> covariance_;
+};
+
+struct Pair {
+  Point a, b;
+};
+
+double Correlation(const PixelModel& rho, const Pair& s, const Pair& t) {
+  const double covariance = rho(s.a, t.a) - rho(s.a, t.b) - rho(s.b, t.a) + rho(s.b, t.b);
+  return covariance / (2.0 * std::sqrt((1.0 - rho(s.a, s.b)) * (1.0 - rho(t.a, t.b))));
+}
+
+Point DrawPoint(Rng& rng) {
+  while (true) {
+    const Point p{static_cast<int>(std::lround(kSpread_px * rng.Normal())),
+                  static_cast<int>(std::lround(kSpread_px * rng.Normal()))};
+    if (p.x * p.x + p.y * p.y <= kMaxEnd_px * kMaxEnd_px) return p;
+  }
+}
+
+bool IsNew(const PixelModel& rho, const std::vector<Pair>& accepted, const Pair& pair,
+           double limit) {
+  for (const Pair& other : accepted) {
+    if (std::abs(Correlation(rho, pair, other)) > limit) return false;
+  }
+  return true;
+}
+
+std::vector<BriefTest> DesignPattern() {
+  const PixelModel rho;
+  const MomentModel moment(rho);
+  Rng rng(1, "brief pattern");
+  std::vector<Pair> accepted;
+  double limit = kFirstLimit;
+  int draws = 0;
+  while (accepted.size() < kTests) {
+    if (++draws % kDrawsPerLimit == 0) limit += kLimitStep;
+    const Pair pair{DrawPoint(rng), DrawPoint(rng)};
+    const double variance = 2.0 * (1.0 - rho(pair.a, pair.b));
+    if (variance <= 0.0) continue;
+    const double bias = (moment(pair.a) - moment(pair.b)) / std::sqrt(variance);
+    if (std::abs(bias) > limit || !IsNew(rho, accepted, pair, limit)) continue;
+    accepted.push_back(pair);
+  }
+  std::vector<BriefTest> pattern;
+  for (const Pair& pair : accepted) {
+    pattern.push_back({static_cast<float>(pair.a.x), static_cast<float>(pair.a.y),
+                       static_cast<float>(pair.b.x), static_cast<float>(pair.b.y)});
+  }
+  return pattern;
+}
+
+}  // namespace
+
+const std::vector<BriefTest>& BriefPattern() {
+  static const std::vector<BriefTest> pattern = DesignPattern();
+  return pattern;
+}
+
+float PatchAngle(const cv::Mat& image, int x, int y) {
+  constexpr int r = kOrbPatchRadius;
+  // By column: sum of I, and of y I; both fit into 16 bits.
+  std::array<std::int16_t, kSide + 1> sum{};
+  std::array<std::int16_t, kSide + 1> moment{};
+  for (int v = 0; v <= r; ++v) {
+    const std::uint8_t* below = image.ptr<std::uint8_t>(y + v) + x - r;
+    const std::uint8_t* above = image.ptr<std::uint8_t>(y - v) + x - r;
+    const std::uint8_t* mask = kDisc.rows[v];
+    const int once = v == 0 ? 0 : 255;  // the row through the corner is both
+    for (int u = 0; u <= kSide; ++u) {
+      const int lower = below[u] & mask[u];
+      const int upper = above[u] & mask[u] & once;
+      sum[u] = static_cast<std::int16_t>(sum[u] + lower + upper);
+      moment[u] = static_cast<std::int16_t>(moment[u] + v * (lower - upper));
+    }
+  }
+  int m10 = 0;
+  int m01 = 0;
+  for (int u = 0; u < kSide; ++u) {
+    m10 += (u - r) * sum[u];
+    m01 += moment[u];
+  }
+  return std::atan2(static_cast<float>(m01), static_cast<float>(m10));
+}
+
+BriefDescriber::BriefDescriber(std::size_t row_stride) : offsets_(kAngleBins * kTests * 2) {
+  const auto stride = static_cast<long>(row_stride);
+  std::size_t next = 0;
+  for (int bin = 0; bin < kAngleBins; ++bin) {
+    const double angle = 2.0 * std::numbers::pi * bin / kAngleBins;
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    const auto offset = [&](double x, double y) {
+      return static_cast<std::int32_t>(std::lround(s * x + c * y) * stride +
+                                       std::lround(c * x - s * y));
+    };
+    for (const BriefTest& test : BriefPattern()) {
+      offsets_[next++] = offset(test.x0, test.y0);
+      offsets_[next++] = offset(test.x1, test.y1);
+    }
+  }
+}
+
+Descriptor BriefDescriber::Describe(const cv::Mat& blurred, int x, int y, float angle_rad) const {
+  const double turns = angle_rad / (2.0 * std::numbers::pi);
+  const auto bin = static_cast<int>(std::lround(turns * kAngleBins)) & (kAngleBins - 1);
+  const std::int32_t* offset = &offsets_[static_cast<std::size_t>(bin) * kTests * 2];
+  const std::uint8_t* centre = blurred.ptr<std::uint8_t>(y) + x;
+  Descriptor descriptor{};
+  for (std::uint64_t& word : descriptor) {
+    std::uint64_t bits = 0;
+    for (int bit = 0; bit < 64; ++bit, offset += 2) {
+      bits |= static_cast<std::uint64_t>(centre[offset[0]] < centre[offset[1]]) << bit;
+    }
+    word = bits;
+  }
+  return descriptor;
+}
+
+}  // namespace cvo

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/features/corner_score.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/base/error.h"
+
+namespace cvo {
+namespace {
+
+constexpr int kRing = 16;
+constexpr int kRadius = 3;
+constexpr int kRingX[kRing] = {0, 1, 2, 3, 3, 3, 2, 1, 0, -1, -2, -3, -3, -3, -2, -1};
+constexpr int kRingY[kRing] = {3, 3, 2, 1, 0, -1, -2, -3, -3, -3, -2, -1, 0, 1, 2, 3};
+
+using Byte = std::uint8_t;
+
+// Written so that the compiler turns it into byte-wise minima and maxima of whole registers.
+[[gnu::always_inline]] inline Byte Min(Byte a, Byte b) { return a < b ? a : b; }
+[[gnu::always_inline]] inline Byte Max(Byte a, Byte b) { return a > b ? a : b; }
+[[gnu::always_inline]] inline Byte Less(Byte a, Byte b) { return static_cast<Byte>(a - b); }
+
+// Largest over the 16 arcs of 9 of the smallest d in the arc. Two arcs share their 8 middle pixels.
+[[gnu::always_inline]] inline Byte BestArc(const Byte (&d)[kRing]) {
+  Byte pairs[8];
+  Byte fours[8];
+  for (int i = 0; i < 8; ++i) pairs[i] = Min(d[2 * i + 1], d[(2 * i + 2) % kRing]);
+  for (int i = 0; i < 8; ++i) fours[i] = Min(pairs[i], pairs[(i + 1) % 8]);
+  Byte best = 0;
+  for (int i = 0; i < 8; ++i) {
+    const Byte eight = Min(fours[i], fours[(i + 2) % 8]);
+    best = Max(best, Min(eight, Max(d[2 * i], d[(2 * i + 9) % kRing])));
+  }
+  return best;
+}
+
+[[gnu::always_inline]] inline void ScoreRow(const Byte* row, const std::ptrdiff_t (&ring)[kRing],
+                                            int count, Byte* __restrict scores) {
+  for (int x = 0; x < count; ++x) {
+    const Byte centre = row[x];
+    Byte brighter[kRing];
+    Byte darker[kRing];
+    for (int k = 0; k < kRing; ++k) {
+      const Byte value = row[x + ring[k]];
+      const Byte larger = Max(value, centre);
+      brighter[k] = Less(larger, centre);
+      darker[k] = Less(larger, value);
+    }
+    scores[x] = Max(BestArc(brighter), BestArc(darker));
+  }
+}
+
+using RowKernel = void (*)(const Byte*, const std::ptrdiff_t (&)[kRing], int, Byte*);
+
+void ScoreRowPlain(const Byte* row, const std::ptrdiff_t (&ring)[kRing], int count, Byte* scores) {
+  ScoreRow(row, ring, count, scores);
+}
+
+#if defined(__x86_64__)
+__attribute__((target("avx2"))) void ScoreRowAvx2(const Byte* row,
+                                                  const std::ptrdiff_t (&ring)[kRing], int count,
+                                                  Byte* scores) {
+  ScoreRow(row, ring, count, scores);
+}
+#endif
+
+void ScoreImage(const cv::Mat& image, cv::Mat& scores, RowKernel score_row) {
+  Require(image.type() == CV_8UC1 && scores.type() == CV_8UC1 && image.size() == scores.size(),
+          "ComputeFastScores: needs two CV_8UC1 images of one size");
+  std::ptrdiff_t ring[kRing];
+  for (int k = 0; k < kRing; ++k) {
+    ring[k] = kRingY[k] * static_cast<std::ptrdiff_t>(image.step) + kRingX[k];
+  }
+  const int inner = image.cols - 2 * kRadius;
+  for (int y = 0; y < image.rows; ++y) {
+    Byte* out = scores.ptr<Byte>(y);
+    if (inner <= 0 || y < kRadius || y >= image.rows - kRadius) {
+      std::memset(out, 0, static_cast<std::size_t>(image.cols));
+      continue;
+    }
+    std::memset(out, 0, kRadius);
+    score_row(image.ptr<Byte>(y) + kRadius, ring, inner, out + kRadius);
+    std::memset(out + kRadius + inner, 0, kRadius);
+  }
+}
+
+// marks[x] = the score at x if it is a maximum and above the threshold, else 0.
+void MarkMaxima(const cv::Mat& scores, int y, int threshold, int first, int last,
+                std::vector<Byte>& marks) {
+  const Byte* above = scores.ptr<Byte>(y - 1);
+  const Byte* row = scores.ptr<Byte>(y);
+  const Byte* below = scores.ptr<Byte>(y + 1);
+  const Byte least = static_cast<Byte>(threshold);
+  Byte* __restrict out = marks.data();
+  for (int x = first; x < last; ++x) {
+    const Byte before = Max(Max(above[x - 1], above[x]), Max(above[x + 1], row[x - 1]));
+    const Byte after = Max(Max(row[x + 1], below[x - 1]), Max(below[x], below[x + 1]));
+    const Byte score = row[x];
+    const bool is_corner = (score > Max(before, least)) & (score >= after);
+    out[x] = is_corner ? score : Byte{0};
+  }
+}
+
+void AppendMarked(const std::vector<Byte>& marks, int y, int first, int last,
+                  std::vector<Corner>& corners) {
+  int x = first;
+  while (x < last) {
+    std::uint64_t eight = 0;
+    if (x + 8 <= last) {
+      std::memcpy(&eight, &marks[x], 8);
+      if (eight == 0) {
+        x += 8;
+        continue;
+      }
+    }
+    const int end = std::min(x + 8, last);
+    for (; x < end; ++x) {
+      if (marks[x] != 0) corners.push_back({x, y, marks[x]});
+    }
+  }
+}
+
+}  // namespace
+
+void ComputeFastScores(const cv::Mat& image, cv::Mat& scores) {
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx2")) {
+    ScoreImage(image, scores, ScoreRowAvx2);
+    return;
+  }
+#endif
+  ComputeFastScoresPlain(image, scores);
+}
+
+void ComputeFastScoresPlain(const cv::Mat& image, cv::Mat& scores) {
+  ScoreImage(image, scores, ScoreRowPlain);
+}
+
+std::vector<Corner> FindCorners(const cv::Mat& scores, const CornerSearch& search) {
+  const int first = search.border_px;
+  const int last_x = scores.cols - search.border_px;
+  const int last_y = scores.rows - search.border_px;
+  std::vector<Corner> all;
+  if (last_x <= first || last_y <= first) return all;
+  std::vector<Byte> marks(static_cast<std::size_t>(scores.cols));
+  const int columns = (last_x - first + search.cell_px - 1) / search.cell_px;
+  const int rows = (last_y - first + search.cell_px - 1) / search.cell_px;
+  const auto cell = [&](const Corner& corner) {
+    return (corner.y - first) / search.cell_px * columns + (corner.x - first) / search.cell_px;
+  };
+  for (int y = first; y < last_y; ++y) {
+    MarkMaxima(scores, y, search.min_threshold, first, last_x, marks);
+    AppendMarked(marks, y, first, last_x, all);
+  }
+  std::vector<char> has_strong(static_cast<std::size_t>(columns * rows), 0);
+  for (const Corner& corner : all) {
+    if (corner.score > search.threshold) has_strong[cell(corner)] = 1;
+  }
+  std::erase_if(all, [&](const Corner& corner) {
+    return corner.score <= search.threshold && has_strong[cell(corner)] != 0;
+  });
+  return all;
+}
+
+}  // namespace cvo

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/features/front_end.h"
+
+#include <array>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/features/orb.h"
+#include "core/features/stereo_matcher.h"
+
+namespace cvo {
+namespace {
+
+std::string Describe(const cv::Mat& image) {
+  if (image.empty()) return "no pixels";
+  return StrCat(image.cols, " x ", image.rows, " ", cv::typeToString(image.type()));
+}
+
+void CheckImage(const char* name, const cv::Mat& image, const StereoCamera& camera) {
+  if (image.type() == CV_8UC1 && image.cols == camera.width_px && image.rows == camera.height_px &&
+      !image.empty()) {
+    return;
+  }
+  ThrowError(StrCat("stereo pair: ", name, " image"), Describe(image),
+             StrCat(camera.width_px, " x ", camera.height_px, " CV_8UC1, as the camera has it"));
+}
+
+}  // namespace
+
+std::vector<StereoFeature> ExtractStereoFeatures(const cv::Mat& left, const cv::Mat& right,
+                                                 const StereoCamera& camera, const OrbOptions& orb,
+                                                 const StereoMatchOptions& stereo, TaskPool& pool) {
+  CheckImage("left", left, camera);
+  CheckImage("right", right, camera);
+  std::array<OrbImage, 2> extracted;
+  pool.ParallelFor(2, [&](int i) { extracted[i] = ExtractOrb(i == 0 ? left : right, orb); });
+  return MatchStereo(extracted[0], extracted[1], camera, orb, stereo);
+}
+
+}  // namespace cvo

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "core/base/task_pool.h"
+#include "core/features/options.h"
+#include "core/features/stereo_feature.h"
+#include "core/geometry/stereo_camera.h"
+
+namespace cvo {
+
+// Corners of the left image with their columns in the right one, sorted by (v, u, octave). Images
+// are CV_8UC1 and of the camera's size: throws Error otherwise. Uses two threads of the pool; the
+// result does not depend on their number.
+std::vector<StereoFeature> ExtractStereoFeatures(const cv::Mat& left, const cv::Mat& right,
+                                                 const StereoCamera& camera, const OrbOptions& orb,
+                                                 const StereoMatchOptions& stereo, TaskPool& pool);
+
+}  // namespace cvo

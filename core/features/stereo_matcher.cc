@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/features/stereo_matcher.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "core/features/patch_alignment.h"
+#include "core/features/pyramid.h"
+
+namespace cvo {
+namespace {
+
+constexpr int kNone = -1;
+
+// A left corner's candidates are a range of the right corners, which are sorted by v.
+class RowTable {
+ public:
+  explicit RowTable(const OrbImage& image) : first_(image.pyramid[0].rows + 1, 0) {
+    for (const OrbKeypoint& keypoint : image.keypoints) ++first_[Row(keypoint.v_px) + 1];
+    for (std::size_t row = 1; row < first_.size(); ++row) first_[row] += first_[row - 1];
+  }
+  // Index of the first corner in the row of v or below it.
+  int First(double v) const { return first_[Row(v)]; }
+  int End(double v) const { return first_[Row(v) + 1]; }
+
+ private:
+  int Row(double v) const {
+    return std::clamp(static_cast<int>(std::floor(v)), 0, static_cast<int>(first_.size()) - 2);
+  }
+  std::vector<int> first_;
+};
+
+// The pair that looks best to the left corner, and how good the next best place is.
+struct Choice {
+  int right = kNone;
+  int distance = 0;
+  int second_distance = 0;
+};
+
+struct Candidate {
+  int right;
+  int distance;
+};
+
+class PairFinder {
+ public:
+  PairFinder(const OrbImage& left, const OrbImage& right, const StereoCamera& camera,
+             const OrbOptions& orb, const StereoMatchOptions& options)
+      : left_(left.keypoints),
+        right_(right.keypoints),
+        rows_(right),
+        options_(options),
+        max_disparity_(camera.fx / options.min_depth_baselines),
+        best_left_(right.keypoints.size(), kNone),
+        best_left_distance_(right.keypoints.size(), std::numeric_limits<int>::max()) {
+    for (int level = 0; level <= orb.levels; ++level) {
+      scales_.push_back(std::pow(orb.scale_factor, level));
+    }
+    for (std::size_t i = 0; i < left_.size(); ++i) choices_.push_back(Choose(static_cast<int>(i)));
+  }
+
+  // The right corner of a left one, if both choose each other and there is no second like it.
+  std::optional<int> Find(int left) const {
+    const Choice& choice = choices_[left];
+    if (choice.right == kNone || choice.distance > options_.max_hamming) return std::nullopt;
+    if (choice.distance > options_.uniqueness * choice.second_distance) return std::nullopt;
+    const OrbKeypoint& other = left_[best_left_[choice.right]];
+    const double tolerance = options_.left_right_tolerance_px * scales_[left_[left].octave];
+    if (std::abs(other.u_px - left_[left].u_px) > tolerance) return std::nullopt;
+    return choice.right;
+  }
+
+ private:
+  Choice Choose(int left) {
+    CollectCandidates(left);
+    Choice choice;
+    for (const Candidate& candidate : candidates_) {
+      if (choice.right == kNone || candidate.distance < choice.distance) {
+        choice.right = candidate.right;
+        choice.distance = candidate.distance;
+      }
+    }
+    if (choice.right == kNone) return choice;
+    // The same corner found at another octave is not a rival.
+    const double same_place = kSamePlace_px * scales_[left_[left].octave];
+    choice.second_distance = 256;
+    for (const Candidate& candidate : candidates_) {
+      const double apart = std::abs(right_[candidate.right].u_px - right_[choice.right].u_px);
+      if (apart > same_place) {
+        choice.second_distance = std::min(choice.second_distance, candidate.distance);
+      }
+    }
+    return choice;
+  }
+
+  void CollectCandidates(int left) {
+    candidates_.clear();
+    const OrbKeypoint& corner = left_[left];
+    const double widest = options_.row_tolerance_px * scales_[corner.octave + 1];
+    const double nearest_u = corner.u_px + options_.row_tolerance_px * scales_[corner.octave];
+    const int end = rows_.End(corner.v_px + widest);
+    for (int i = rows_.First(corner.v_px - widest); i < end; ++i) {
+      const OrbKeypoint& other = right_[i];
+      if (std::abs(other.octave - corner.octave) > 1) continue;
+      if (other.u_px > nearest_u || other.u_px < corner.u_px - max_disparity_) continue;
+      const double scale = scales_[std::max(corner.octave, other.octave)];
+      if (std::abs(other.v_px - corner.v_px) > options_.row_tolerance_px * scale) continue;
+      const int distance = HammingDistance(corner.descriptor, other.descriptor);
+      candidates_.push_back({i, distance});
+      if (distance < best_left_distance_[i]) {
+        best_left_distance_[i] = distance;
+        best_left_[i] = left;
+      }
+    }
+  }
+
+  static constexpr double kSamePlace_px = 3.0;
+
+  const std::vector<OrbKeypoint>& left_;
+  const std::vector<OrbKeypoint>& right_;
+  const RowTable rows_;
+  const StereoMatchOptions& options_;
+  const double max_disparity_;
+  std::vector<double> scales_;
+  std::vector<int> best_left_;  // of each right corner
+  std::vector<int> best_left_distance_;
+  std::vector<Candidate> candidates_;  // of the left corner at hand
+  std::vector<Choice> choices_;        // of each left corner
+};
+
+struct AlignedFeature {
+  StereoFeature feature;
+  double cost;
+};
+
+std::optional<AlignedFeature> Align(const OrbImage& left, const OrbImage& right,
+                                    const OrbKeypoint& corner, const OrbKeypoint& other,
+                                    const StereoMatchOptions& options) {
+  const LevelCoordinates coordinates(left.pyramid, corner.octave);
+  PatchQuery query;
+  query.u_left = coordinates.LevelU(corner.u_px);
+  query.v = coordinates.LevelV(corner.v_px);
+  query.u_right = coordinates.LevelU(other.u_px);
+  query.patch_radius = options.patch_radius_px;
+  query.search_radius = options.search_radius_px;
+  const std::optional<PatchMatch> match =
+      AlignPatch(left.pyramid[corner.octave], right.pyramid[corner.octave], query);
+  if (!match) return std::nullopt;
+  const double u_right = coordinates.FullU(match->u_right);
+  if (corner.u_px - u_right < options.min_disparity_px) return std::nullopt;
+  StereoFeature feature;
+  feature.z_px = {corner.u_px, corner.v_px, u_right};
+  feature.octave = corner.octave;
+  feature.angle_rad = corner.angle_rad;
+  feature.response = corner.response;
+  feature.descriptor = corner.descriptor;
+  return AlignedFeature{feature, match->cost};
+}
+
+// Features whose patches differ far more than the median of all are dropped.
+std::vector<StereoFeature> DropOutliers(const std::vector<AlignedFeature>& aligned,
+                                        double max_cost_medians) {
+  std::vector<StereoFeature> features;
+  if (aligned.empty()) return features;
+  std::vector<double> costs;
+  for (const AlignedFeature& a : aligned) costs.push_back(a.cost);
+  const auto middle = costs.begin() + static_cast<std::ptrdiff_t>(costs.size() / 2);
+  std::nth_element(costs.begin(), middle, costs.end());
+  const double max_cost = max_cost_medians * *middle;
+  for (const AlignedFeature& a : aligned) {
+    if (a.cost <= max_cost) features.push_back(a.feature);
+  }
+  return features;
+}
+
+}  // namespace
+
+std::vector<StereoFeature> MatchStereo(const OrbImage& left, const OrbImage& right,
+                                       const StereoCamera& camera, const OrbOptions& orb,
+                                       const StereoMatchOptions& options) {
+  options.Check();
+  if (left.keypoints.empty() || right.keypoints.empty()) return {};
+  const PairFinder finder(left, right, camera, orb, options);
+  std::vector<AlignedFeature> aligned;
+  for (std::size_t i = 0; i < left.keypoints.size(); ++i) {
+    const std::optional<int> j = finder.Find(static_cast<int>(i));
+    if (!j) continue;
+    const auto feature = Align(left, right, left.keypoints[i], right.keypoints[*j], options);
+    if (feature) aligned.push_back(*feature);
+  }
+  return DropOutliers(aligned, options.max_cost_medians);
+}
+
+}  // namespace cvo

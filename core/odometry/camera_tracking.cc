@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/odometry/camera_tracking.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/association/descriptor_matching.h"
+#include "core/estimation/camera_ransac.h"
+
+namespace cvo {
+namespace {
+
+// Landmarks that a lost frame is compared with: seen in so many latest frames.
+constexpr int kRecoveryFrames = 5;
+
+struct Visible {
+  std::vector<ProjectedLandmark> projected;
+  std::vector<int> landmark;  // index into window.landmarks, by projected
+};
+
+Visible ProjectLandmarks(const StereoCamera& camera, const Options& options, const Window& window,
+                         const RigidTransform& world_from_camera) {
+  const RigidTransform camera_from_world = world_from_camera.Inverse();
+  const double log_scale = std::log(options.orb.scale_factor);
+  Visible visible;
+  for (int i = 0; i < static_cast<int>(window.landmarks.size()); ++i) {
+    const Landmark& landmark = window.landmarks[i];
+    const Eigen::Vector3d p_in_camera = camera_from_world * landmark.p_in_world;
+    const auto zeta = camera.Project(p_in_camera);
+    if (!zeta || !camera.InImage((*zeta)[0], (*zeta)[1])) continue;
+    const int octave =
+        landmark.observations.back().octave +
+        static_cast<int>(std::lround(std::log(landmark.depth_m / p_in_camera.z()) / log_scale));
+    visible.projected.push_back(
+        {*zeta, std::clamp(octave, 0, options.orb.levels - 1), landmark.descriptor});
+    visible.landmark.push_back(i);
+  }
+  return visible;
+}
+
+std::vector<PointMeasurement> Measurements(const Options& options, const Window& window,
+                                           const FeatureGrid& grid,
+                                           const std::vector<Match>& matches) {
+  std::vector<PointMeasurement> measurements;
+  measurements.reserve(matches.size());
+  for (const Match& match : matches) {
+    const StereoFeature& feature = grid.features()[match.feature];
+    const double scale = std::pow(options.orb.scale_factor, feature.octave);
+    measurements.push_back({window.landmarks[match.landmark].p_in_world, feature.z_px,
+                            SqrtInformation(options.noise, scale)});
+  }
+  return measurements;
+}
+
+// Matches of landmarks (indices into window.landmarks) around a camera.
+std::vector<Match> SearchAround(const StereoCamera& camera, const Options& options,
+                                const Window& window, const FeatureGrid& grid,
+                                const RigidTransform& world_from_camera, double radius_px) {
+  const Visible visible = ProjectLandmarks(camera, options, window, world_from_camera);
+  std::vector<Match> matches = MatchProjected(visible.projected, grid, radius_px,
+                                              options.orb.scale_factor, options.matching);
+  for (Match& match : matches) match.landmark = visible.landmark[match.landmark];
+  return matches;
+}
+
+std::optional<RigidTransform> FindWithoutPrediction(const StereoCamera& camera,
+                                                    const Options& options, const Window& window,
+                                                    const FeatureGrid& grid, Rng& rng) {
+  std::vector<Descriptor> descriptors;
+  std::vector<int> landmark;
+  const FrameId newest = window.temporal.back().id;
+  for (int i = 0; i < static_cast<int>(window.landmarks.size()); ++i) {
+    if (window.landmarks[i].last_seen.value <= newest.value - kRecoveryFrames) continue;
+    descriptors.push_back(window.landmarks[i].descriptor);
+    landmark.push_back(i);
+  }
+  std::vector<Match> matches =
+      MatchDescriptors(descriptors, grid.features(), options.tracking.recovery_hamming,
+                       options.tracking.recovery_ratio);
+  for (Match& match : matches) match.landmark = landmark[match.landmark];
+  const auto solution =
+      SolveCameraRansac(camera, Measurements(options, window, grid, matches), options.noise,
+                        options.tracking.recovery_iterations, options.tracking.min_inliers, rng);
+  if (!solution) return std::nullopt;
+  return solution->world_from_camera;
+}
+
+}  // namespace
+
+std::optional<CameraTrack> TrackCamera(const StereoCamera& camera, const Options& options,
+                                       const Window& window, const FeatureGrid& grid,
+                                       const RigidTransform& predicted_world_from_camera,
+                                       Rng& rng) {
+  const auto solve = [&](const std::vector<Match>& matches, const RigidTransform& initial) {
+    return SolveCamera(camera, Measurements(options, window, grid, matches), initial,
+                       options.noise);
+  };
+  const std::vector<Match> wide = SearchAround(
+      camera, options, window, grid, predicted_world_from_camera, options.matching.wide_radius_px);
+  const CameraSolution first = solve(wide, predicted_world_from_camera);
+  RigidTransform around = first.world_from_camera;
+  // Half of the matches being wrong means that the search looked in the wrong places.
+  if (first.inliers < options.tracking.min_inliers ||
+      first.inliers < static_cast<int>(wide.size()) / 2) {
+    const auto found = FindWithoutPrediction(camera, options, window, grid, rng);
+    if (found)
+      around = *found;
+    else if (first.inliers < options.tracking.min_inliers)
+      return std::nullopt;
+  }
+  const std::vector<Match> narrow =
+      SearchAround(camera, options, window, grid, around, options.matching.narrow_radius_px);
+  const CameraSolution second = solve(narrow, around);
+  if (second.inliers < options.tracking.min_inliers) return std::nullopt;
+  CameraTrack track{second.world_from_camera, {}, static_cast<int>(narrow.size())};
+  for (std::size_t i = 0; i < narrow.size(); ++i) {
+    if (second.is_inlier[i]) track.inliers.push_back(narrow[i]);
+  }
+  return track;
+}
+
+}  // namespace cvo

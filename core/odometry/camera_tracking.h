@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/association/feature_grid.h"
+#include "core/association/match.h"
+#include "core/base/rng.h"
+#include "core/estimation/window.h"
+#include "core/geometry/stereo_camera.h"
+#include "core/odometry/options.h"
+
+namespace cvo {
+
+struct CameraTrack {
+  RigidTransform world_from_camera;
+  std::vector<Match> inliers;  // indices into window.landmarks and the frame's features
+  int matches = 0;             // before the geometric check
+};
+
+// The camera of a frame from the landmarks of the window: windowed search around the predicted
+// camera, robust solve, a second, narrower search around the solution, solve again. Where the first
+// search finds too little, all recent descriptors are compared instead and RANSAC finds the camera.
+// Empty where fewer than tracking.min_inliers landmarks agree.
+std::optional<CameraTrack> TrackCamera(const StereoCamera& camera, const Options& options,
+                                       const Window& window, const FeatureGrid& grid,
+                                       const RigidTransform& predicted_world_from_camera, Rng& rng);
+
+}  // namespace cvo

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/odometry/frame.h"
+
+#include "core/base/error.h"
+
+namespace cvo {
+
+const char* ToString(FrameStatus status) {
+  switch (status) {
+    case FrameStatus::kFirst:
+      return "first";
+    case FrameStatus::kTracked:
+      return "tracked";
+    case FrameStatus::kRecovered:
+      return "recovered";
+    case FrameStatus::kLost:
+      return "lost";
+    case FrameStatus::kSkipped:
+      return "skipped";
+  }
+  throw Error("ToString(FrameStatus): not a status");
+}
+
+}  // namespace cvo

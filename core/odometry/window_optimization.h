@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/estimation/pose_prior.h"
+#include "core/estimation/window.h"
+#include "core/estimation/window_problem.h"
+#include "core/odometry/options.h"
+
+namespace cvo {
+
+struct WindowReport {
+  int landmarks = 0;
+  int iterations = 0;
+  double mean_error_px = 0.0;
+};
+
+// Writes a solved problem back: frames, and the positions of the landmarks it was made from.
+// Removes observations outside the gate, and returns the RMS whitened error of those that stay.
+double ApplySolution(const StereoCamera& camera, const NoiseOptions& noise,
+                     const WindowProblem& problem, const std::vector<int>& landmarks,
+                     Window& window);
+
+// Bundle adjustment of the window (static energy of the paper's section 3.3); `Gauge` says which
+// frames are held.
+template <typename Gauge>
+WindowReport OptimizeWindow(const StereoCamera& camera, const Options& options,
+                            const PosePrior& prior, Window& window) {
+  WindowProblem problem = MakeFrames(window);
+  problem.prior = prior;
+  for (std::size_t i = 0; i < problem.frames.size(); ++i) {
+    problem.is_fixed[i] = Gauge::Fixes(static_cast<int>(i), prior);
+  }
+  const std::vector<int> landmarks = SelectLandmarks(window, options.solver.max_points);
+  for (const int i : landmarks) {
+    AddLandmark(window.landmarks[i], options.noise, options.orb.scale_factor, problem);
+  }
+  WindowReport report;
+  report.landmarks = static_cast<int>(landmarks.size());
+  if (landmarks.empty()) return report;
+  report.iterations = SolveWindow(camera, options.noise, options.solver, problem).iterations;
+  report.mean_error_px = ApplySolution(camera, options.noise, problem, landmarks, window);
+  return report;
+}
+
+}  // namespace cvo

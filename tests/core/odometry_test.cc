@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/odometry/motion_model.h"
+#include "tests/support/feature_world.h"
+#include "variants/registry.h"
+
+namespace cvo {
+namespace {
+
+using testing::FeatureWorld;
+
+constexpr std::int64_t kInterval_ns = 100'000'000;
+
+// Runs a variant over frames of a world; `change` may spoil a frame before the estimator sees it.
+struct Run {
+  std::vector<FrameReport> reports;
+  std::vector<RigidTransform> trajectory;
+};
+
+template <typename Change>
+Run RunWorld(std::string_view variant, int frames, double noise_px, Change change,
+             std::uint64_t seed = 0) {
+  FeatureWorld world(7);
+  TaskPool pool(1);
+  const auto odometry = FindVariant(variant).make({world.camera(), Options(), seed}, pool);
+  Run run;
+  StageTimes times;
+  for (int i = 0; i < frames; ++i) {
+    StereoFrame frame = world.Observe(FeatureWorld::CameraAt(i), i * kInterval_ns, noise_px);
+    change(i, frame);
+    run.reports.push_back(odometry->Process(frame, times));
+  }
+  run.trajectory = odometry->Trajectory();
+  return run;
+}
+
+const auto kUnchanged = [](int, StereoFrame&) {};
+
+double PositionError(const RigidTransform& estimate, int frame) {
+  return (estimate.translation() - FeatureWorld::CameraAt(frame).translation()).norm();
+}
+
+class EveryVariant : public ::testing::TestWithParam<std::string_view> {};
+
+std::vector<std::string_view> VariantNames() {
+  std::vector<std::string_view> names;
+  for (const VariantInfo& variant : Variants()) names.push_back(variant.name);
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Odometry, EveryVariant, ::testing::ValuesIn(VariantNames()),
+                         [](const auto& info) { return std::string(info.param); });
+
+TEST_P(EveryVariant, FollowsANoiseFreeCameraExactly) {
+  const Run run = RunWorld(GetParam(), 40, 0.0, kUnchanged);
+  for (int i = 0; i < 40; ++i) {
+    EXPECT_EQ(run.reports[i].status, i == 0 ? FrameStatus::kFirst : FrameStatus::kTracked);
+    EXPECT_LT(PositionError(run.trajectory[i], i), 1e-4) << "frame " << i;
+  }
+}
+
+TEST_P(EveryVariant, StaysNearTheTruthUnderPixelNoise) {
+  const Run run = RunWorld(GetParam(), 60, 0.5, kUnchanged);
+  // 18 m driven; 0.3 % of it is what half a pixel on 500 features leaves room for.
+  EXPECT_LT(PositionError(run.trajectory.back(), 59), 0.054);
+}
+
+TEST_P(EveryVariant, RepeatsItselfToTheLastBit) {
+  const Run first = RunWorld(GetParam(), 30, 0.5, kUnchanged);
+  const Run second = RunWorld(GetParam(), 30, 0.5, kUnchanged);
+  for (int i = 0; i < 30; ++i) {
+    for (int k = 0; k < 7; ++k) {
+      EXPECT_EQ(first.trajectory[i].data()[k], second.trajectory[i].data()[k]) << "frame " << i;
+    }
+  }
+}
+
+TEST_P(EveryVariant, KeepsTheWindowWithinItsSize) {
+  const Run run = RunWorld(GetParam(), 60, 0.3, kUnchanged);
+  const WindowOptions defaults;
+  for (const FrameReport& report : run.reports) {
+    EXPECT_LE(report.window_frames, defaults.spatial + defaults.temporal);
+  }
+  EXPECT_GE(run.reports.back().window_frames, defaults.temporal);
+}
+
+TEST_P(EveryVariant, BridgesLostFramesAndRecovers) {
+  const auto blind = [](int i, StereoFrame& frame) {
+    if (i >= 20 && i < 23) frame.features.clear();
+  };
+  const Run run = RunWorld(GetParam(), 30, 0.3, blind);
+  for (int i = 20; i < 23; ++i) EXPECT_EQ(run.reports[i].status, FrameStatus::kLost);
+  EXPECT_EQ(run.reports[23].status, FrameStatus::kRecovered);
+  EXPECT_EQ(run.reports[24].status, FrameStatus::kTracked);
+  EXPECT_LT(PositionError(run.trajectory[29], 29), 0.05);
+  // While lost the camera is predicted from its velocity.
+  EXPECT_LT(PositionError(run.trajectory[21], 21), 0.1);
+}
+
+TEST_P(EveryVariant, StartsAnewAfterTwentyLostFrames) {
+  const auto blind = [](int i, StereoFrame& frame) {
+    if (i >= 10 && i < 30) frame.features.clear();
+  };
+  const Run run = RunWorld(GetParam(), 36, 0.3, blind);
+  for (int i = 10; i < 30; ++i) EXPECT_EQ(run.reports[i].status, FrameStatus::kLost);
+  EXPECT_EQ(run.reports[30].status, FrameStatus::kFirst);
+  EXPECT_EQ(run.reports[35].status, FrameStatus::kTracked);
+}
+
+TEST_P(EveryVariant, FindsItselfAfterAJumpThatNoPredictionCovers) {
+  FeatureWorld world(7);
+  TaskPool pool(1);
+  const auto odometry = FindVariant(GetParam()).make({world.camera(), Options(), 0}, pool);
+  StageTimes times;
+  for (int i = 0; i < 10; ++i) {
+    odometry->Process(world.Observe(FeatureWorld::CameraAt(i), i * kInterval_ns, 0.3), times);
+  }
+  const RigidTransform jumped =
+      FeatureWorld::CameraAt(10) *
+      RigidTransform(ExpSo3({0.0, 0.25, 0.0}), Eigen::Vector3d(0.8, 0.1, 0.5));
+  const FrameReport report =
+      odometry->Process(world.Observe(jumped, 10 * kInterval_ns, 0.3), times);
+  EXPECT_EQ(report.status, FrameStatus::kTracked);
+  EXPECT_LT((report.world_from_camera.translation() - jumped.translation()).norm(), 0.05);
+}
+
+TEST_P(EveryVariant, PredictsASkippedFrame) {
+  FeatureWorld world(7);
+  TaskPool pool(1);
+  const auto odometry = FindVariant(GetParam()).make({world.camera(), Options(), 0}, pool);
+  StageTimes times;
+  for (int i = 0; i < 10; ++i) {
+    odometry->Process(world.Observe(FeatureWorld::CameraAt(i), i * kInterval_ns, 0.1), times);
+  }
+  const FrameReport skipped = odometry->Skip(10 * kInterval_ns);
+  EXPECT_EQ(skipped.status, FrameStatus::kSkipped);
+  EXPECT_LT(PositionError(skipped.world_from_camera, 10), 0.02);
+  const FrameReport next = odometry->Process(
+      world.Observe(FeatureWorld::CameraAt(11), 11 * kInterval_ns, 0.1), times);
+  EXPECT_EQ(next.status, FrameStatus::kTracked);
+  EXPECT_EQ(odometry->Trajectory().size(), 12u);
+}
+
+TEST_P(EveryVariant, RefusesTimeThatStandsStill) {
+  FeatureWorld world(7);
+  TaskPool pool(1);
+  const auto odometry = FindVariant(GetParam()).make({world.camera(), Options(), 0}, pool);
+  StageTimes times;
+  const StereoFrame frame = world.Observe(FeatureWorld::CameraAt(0), 0, 0.1);
+  odometry->Process(frame, times);
+  EXPECT_THROW(odometry->Process(frame, times), Error);
+}
+
+TEST_P(EveryVariant, IgnoresABodyThatMovesOnItsOwn) {
+  // A third of the features belong to something that slides to the side.
+  const auto sliding = [](int i, StereoFrame& frame) {
+    for (std::size_t k = 0; k < frame.features.size(); k += 3) {
+      frame.features[k].z_px += Eigen::Vector3d(6.0 * i, 0.0, 6.0 * i);
+    }
+  };
+  const Run run = RunWorld(GetParam(), 20, 0.3, sliding);
+  EXPECT_LT(PositionError(run.trajectory.back(), 19), 0.05);
+}
+
+TEST(MotionModel, ContinuesATurnAtAnyInterval) {
+  const RigidTransform step(ExpSo3({0.0, 0.1, 0.0}), Eigen::Vector3d(0.0, 0.0, 1.0));
+  MotionModel model;
+  model.Update(0, RigidTransform());
+  model.Update(kInterval_ns, step);
+  EXPECT_LT((step * step).Minus(model.Predict(2 * kInterval_ns)).norm(), 1e-12);
+  const RigidTransform half(ExpSo3({0.0, 0.05, 0.0}), Eigen::Vector3d(0.0, 0.0, 0.5));
+  EXPECT_LT((step * half).Minus(model.Predict(3 * kInterval_ns / 2)).norm(), 1e-12);
+}
+
+TEST(Variants, UnknownNameListsThoseThereAre) {
+  try {
+    FindVariant("statik");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("statik"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("one of: static"));
+  }
+}
+
+}  // namespace
+}  // namespace cvo

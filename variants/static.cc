@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "variants/static.h"
+
+#include "core/odometry/visual_odometry.h"
+#include "variants/make.h"
+
+namespace cvo {
+
+template std::unique_ptr<Odometry> MakeVariant<Static>(const OdometrySetup&, TaskPool&);
+
+}  // namespace cvo
