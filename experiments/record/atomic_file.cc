@@ -112,18 +112,24 @@ void WriteFilesAtomically(const fs::path& folder, const std::vector<NamedContent
   SyncFolder(folder);
 }
 
-void PrepareFolder(const fs::path& folder, const std::vector<std::string>& names) {
+OutputFolder::OutputFolder(fs::path folder, const std::vector<std::string>& names)
+    : folder_(std::move(folder)) {
   std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) ThrowErrno(folder, "create the folder", error.value());
-  if (!fs::is_directory(folder)) ThrowError(folder.string(), "a file", "a folder");
+  created_ = fs::create_directories(folder_, error);
+  if (error) ThrowErrno(folder_, "create the folder", error.value());
   for (const std::string& name : names) {
-    const fs::file_status status = fs::status(folder / name, error);
-    if (fs::exists(status) && !fs::is_regular_file(status)) {
-      ThrowError((folder / name).string(), "something that is not a file", "a file or nothing");
+    const fs::file_status status = fs::symlink_status(folder_ / name, error);
+    if (fs::exists(status) && fs::is_directory(status)) {
+      ThrowError((folder_ / name).string(), "a folder", "a file or nothing");
     }
   }
-  const StagedFile probe(folder, {names.empty() ? "probe" : names.front(), std::string(4096, '\n')});
+  const StagedFile probe(folder_,
+                         {names.empty() ? "probe" : names.front(), std::string(4096, '\n')});
+}
+
+OutputFolder::~OutputFolder() {
+  std::error_code ignored;
+  if (created_) fs::remove(folder_, ignored);  // refuses where it is not empty
 }
 
 }  // namespace cvo

@@ -20,8 +20,21 @@ struct NamedContent {
 void WriteFilesAtomically(const std::filesystem::path& folder,
                           const std::vector<NamedContent>& files);
 
-// Creates the folder where there is none, and proves that files of these names can be written to
-// it. Throws Error naming what is in the way.
-void PrepareFolder(const std::filesystem::path& folder, const std::vector<std::string>& names);
+// A folder that results will be written to. Creates it where there is none, and proves that files
+// of these names can be written: throws Error naming what is in the way. A folder that it created
+// and that is still empty at the end goes away again.
+class OutputFolder {
+ public:
+  OutputFolder(std::filesystem::path folder, const std::vector<std::string>& names);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  const std::filesystem::path& path() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_;
+  bool created_ = false;
+};
 
 }  // namespace cvo

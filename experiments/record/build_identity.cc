@@ -20,8 +20,8 @@ constexpr char kRecordedLevel[] = "avx2";
 // Asks OpenCV, whose code it is about and whose answer OPENCV_CPU_DISABLE changes. The C library
 // uses fused multiply-add in its own functions where the CPU has it.
 std::string CpuLevel() {
-  const bool recorded = cv::checkHardwareSupport(CV_CPU_AVX2) &&
-                        cv::checkHardwareSupport(CV_CPU_FMA3);
+  const bool recorded =
+      cv::checkHardwareSupport(CV_CPU_AVX2) && cv::checkHardwareSupport(CV_CPU_FMA3);
   return recorded ? kRecordedLevel : "below avx2";
 }
 
@@ -32,8 +32,7 @@ Json IdentityFields(const BuildIdentity& build) {
           {"compiler", build.compiler},
           {"build_type", build.build_type},
           {"flags", build.flags},
-          {"libraries",
-           {{"opencv", build.opencv}, {"eigen", build.eigen}, {"ceres", build.ceres}}},
+          {"libraries", {{"opencv", build.opencv}, {"eigen", build.eigen}, {"ceres", build.ceres}}},
           {"cpu_level", build.cpu_level}};
 }
 

@@ -71,8 +71,8 @@ class Writer {
       WriteNumber(value.get<double>(), path);
     } else if (value.is_structured()) {
       const bool scalars = std::all_of(value.begin(), value.end(), IsScalar);
-      const bool one_line = value.empty() || (value.is_array() && scalars) ||
-                            (is_row && FitsOneRow(value));
+      const bool one_line =
+          value.empty() || (value.is_array() && scalars) || (is_row && FitsOneRow(value));
       WriteContainer(value, path, indent, one_line);
     } else {
       text_ += DumpScalar(value);

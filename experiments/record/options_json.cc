@@ -22,9 +22,8 @@ const OptionLeaf* FindLeaf(std::string_view path, const std::vector<OptionLeaf>&
 }
 
 bool IsGroup(const std::string& path, const std::vector<OptionLeaf>& leaves) {
-  return std::any_of(leaves.begin(), leaves.end(), [&path](const OptionLeaf& leaf) {
-    return leaf.path.starts_with(path + ".");
-  });
+  return std::any_of(leaves.begin(), leaves.end(),
+                     [&path](const OptionLeaf& leaf) { return leaf.path.starts_with(path + "."); });
 }
 
 [[noreturn]] void ThrowUnknown(const std::string& where, std::string_view path,

@@ -56,7 +56,11 @@ Options ResolveOptions(const std::filesystem::path& config_file,
     MergeOptions(ReadJson(config_file), config_file.string(), leaves);
   }
   for (const std::string& assignment : assignments) SetOption(assignment, leaves);
-  CheckRanges(options);
+  if constexpr (requires { options.Check(); }) {
+    options.Check();
+  } else {
+    CheckRanges(options);
+  }
   return options;
 }
 

@@ -43,9 +43,9 @@ Json SequenceToJson(const Sequence& sequence, const RunResult& run) {
 
 Json CountsToJson(const RunResult& run) {
   Json counts = Json::object();
-  for (const FrameStatus status : {FrameStatus::kFirst, FrameStatus::kTracked,
-                                   FrameStatus::kRecovered, FrameStatus::kLost,
-                                   FrameStatus::kSkipped}) {
+  for (const FrameStatus status :
+       {FrameStatus::kFirst, FrameStatus::kTracked, FrameStatus::kRecovered, FrameStatus::kLost,
+        FrameStatus::kSkipped}) {
     counts[ToString(status)] = 0;
   }
   for (const FrameRecord& frame : run.frames) {
@@ -119,23 +119,22 @@ std::string RecordedJob(const RunRecord& record) {
 std::string ResultFile(const RunRecord& record) {
   Json frames = Json::array();
   for (const FrameRecord& frame : record.run.frames) frames.push_back(FrameToJson(frame));
-  return DumpJson(
-      {{"schema_version", kResultSchemaVersion},
-       {"kind", "run"},
-       {"job", RecordedJob(record)},
-       {"status", ToString(record.run.status)},
-       {"message", record.run.message},
-       {"variant", record.variant},
-       {"seed", record.seed},
-       {"sequence", SequenceToJson(record.sequence, record.run)},
-       {"options", record.options},
-       {"build", record.build.ToJson()},
-       {"metrics", record.metrics},
-       {"frame_counts", CountsToJson(record.run)},
-       {"undecodable", UndecodableToJson(record.run)},
-       {"trajectories", TrajectoriesToJson(record.run)},
-       {"pose_layout", {"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"}},
-       {"frames", frames}});
+  return DumpJson({{"schema_version", kResultSchemaVersion},
+                   {"kind", "run"},
+                   {"job", RecordedJob(record)},
+                   {"status", ToString(record.run.status)},
+                   {"message", record.run.message},
+                   {"variant", record.variant},
+                   {"seed", record.seed},
+                   {"sequence", SequenceToJson(record.sequence, record.run)},
+                   {"options", record.options},
+                   {"build", record.build.ToJson()},
+                   {"metrics", record.metrics},
+                   {"frame_counts", CountsToJson(record.run)},
+                   {"undecodable", UndecodableToJson(record.run)},
+                   {"trajectories", TrajectoriesToJson(record.run)},
+                   {"pose_layout", {"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"}},
+                   {"frames", frames}});
 }
 
 }  // namespace cvo

@@ -102,21 +102,21 @@ std::string TimingFile(const RunResult& run, const RunContext& context) {
     frames.push_back(std::move(row));
   }
   const double count = static_cast<double>(run.frames.size());
-  return DumpJson({{"schema_version", 1},
-                   {"kind", "timing"},
-                   {"job", context.job},
-                   {"date", context.date},
-                   {"host", context.host},
-                   {"cpu", context.cpu},
-                   {"cpus", std::thread::hardware_concurrency()},
-                   {"threads", context.threads},
-                   {"paths",
-                    {{"sequence", context.sequence_folder}, {"output", context.output_folder}}},
-                   {"peak_memory_mb", context.peak_memory_mb},
-                   {"wall_s", run.wall_s},
-                   {"frames_per_second", run.wall_s > 0.0 ? count / run.wall_s : 0.0},
-                   {"stages", stages},
-                   {"frames", frames}});
+  return DumpJson(
+      {{"schema_version", 1},
+       {"kind", "timing"},
+       {"job", context.job},
+       {"date", context.date},
+       {"host", context.host},
+       {"cpu", context.cpu},
+       {"cpus", std::thread::hardware_concurrency()},
+       {"threads", context.threads},
+       {"paths", {{"sequence", context.sequence_folder}, {"output", context.output_folder}}},
+       {"peak_memory_mb", context.peak_memory_mb},
+       {"wall_s", run.wall_s},
+       {"frames_per_second", run.wall_s > 0.0 ? count / run.wall_s : 0.0},
+       {"stages", stages},
+       {"frames", frames}});
 }
 
 }  // namespace cvo

@@ -24,7 +24,8 @@ std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>
     text_files.push_back(HashFile(file));
   }
   Json image_files = Json::array();
-  for (const ImageHashes& pair : images) image_files.push_back(Json::array({pair.left, pair.right}));
+  for (const ImageHashes& pair : images)
+    image_files.push_back(Json::array({pair.left, pair.right}));
   const StereoCamera& camera = sequence.camera;
   return Sha256Hex(DumpJson({{"name", sequence.name},
                              {"type", sequence.type},

@@ -69,8 +69,8 @@ struct LookAhead::Slot {
   void Match(const Sequence& sequence, const Options& options) {
     if (BothFine()) {
       const ScopedStage stage(match_times_s, "match_stereo");
-      features = MatchStereo(sides[0].orb, sides[1].orb, sequence.camera, options.orb,
-                             options.stereo);
+      features =
+          MatchStereo(sides[0].orb, sides[1].orb, sequence.camera, options.orb, options.stereo);
     }
     for (Side& side : sides) side.orb = {};
   }
@@ -88,13 +88,13 @@ void LookAhead::SubmitNext() {
   next.slot = std::make_shared<Slot>();
   for (std::size_t side = 0; side < 2; ++side) {
     // The slot is kept alive by its tasks: they may still run when an error has ended the run.
-    next.tickets[side] = pool_.Submit([slot = next.slot, side, &sequence = sequence_,
-                                       &options = options_,
-                                       &path = side == 0 ? paths.left : paths.right] {
-      slot->sides[side] = PrepareSide(path, sequence.camera, options.orb);
-      // Whichever image is ready last matches the pair; an error leaves the count above zero.
-      if (slot->unfinished.fetch_sub(1) == 1) slot->Match(sequence, options);
-    });
+    next.tickets[side] =
+        pool_.Submit([slot = next.slot, side, &sequence = sequence_, &options = options_,
+                      &path = side == 0 ? paths.left : paths.right] {
+          slot->sides[side] = PrepareSide(path, sequence.camera, options.orb);
+          // Whichever image is ready last matches the pair; an error leaves the count above zero.
+          if (slot->unfinished.fetch_sub(1) == 1) slot->Match(sequence, options);
+        });
   }
   ahead_.push_back(std::move(next));
 }
@@ -116,8 +116,8 @@ PreparedFrame LookAhead::Next() {
   for (std::size_t side = 0; side < 2; ++side) {
     AddTimes(slot.sides[side].times_s, prepared.times_s);
     if (slot.sides[side].problem.empty()) continue;
-    prepared.problems.push_back(ProblemWithin(sequence_, side == 0 ? paths.left : paths.right,
-                                              slot.sides[side].problem));
+    prepared.problems.push_back(
+        ProblemWithin(sequence_, side == 0 ? paths.left : paths.right, slot.sides[side].problem));
   }
   SubmitNext();
   return prepared;

@@ -11,8 +11,8 @@
 
 #include "core/base/stage_times.h"
 #include "core/base/task_pool.h"
-#include "core/odometry/options.h"
 #include "core/odometry/frame.h"
+#include "core/odometry/options.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/record/run_record.h"
 #include "experiments/runner/content_hash.h"

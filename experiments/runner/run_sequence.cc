@@ -33,9 +33,8 @@ void Estimate(const PreparedFrame& prepared, Odometry& odometry, FrameRecord& re
               RunResult& result) {
   try {
     const ScopedStage stage(record.times_s, "estimate");
-    record.report = prepared.problems.empty()
-                        ? odometry.Process(prepared.frame, record.times_s)
-                        : odometry.Skip(prepared.frame.timestamp_ns);
+    record.report = prepared.problems.empty() ? odometry.Process(prepared.frame, record.times_s)
+                                              : odometry.Skip(prepared.frame.timestamp_ns);
   } catch (const Error& error) {
     result.status = RunStatus::kFailed;
     result.message = StrCat("frame ", record.frame, ": ", error.what());

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+namespace cvo {
+
+// A subcommand: its flags are parsed into what `run` holds, and `run` returns the exit code.
+struct Command {
+  CLI::App* app = nullptr;
+  std::function<int()> run;
+};
+
+Command AddRunCommand(CLI::App& program);
+Command AddEvalCommand(CLI::App& program);
+Command AddInfoCommand(CLI::App& program);
+Command AddVariantsCommand(CLI::App& program);
+Command AddOptionsCommand(CLI::App& program);
+
+// What `clustervo --version` prints.
+std::string VersionText();
+
+}  // namespace cvo

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "core/base/error.h"
+#include "experiments/cli/command.h"
+#include "experiments/cli/metric_table.h"
+#include "experiments/cli/progress.h"
+#include "experiments/cli/sequence_flags.h"
+#include "experiments/cli/stop_signal.h"
+#include "experiments/record/atomic_file.h"
+#include "experiments/record/metrics_json.h"
+#include "experiments/record/options_json.h"
+#include "experiments/runner/run_sequence.h"
+#include "experiments/runner/score_run.h"
+#include "experiments/runner/write_run.h"
+
+namespace cvo {
+namespace {
+
+constexpr int kStopped = 130;
+
+struct RunFlags {
+  SequenceFlags sequence;
+  std::string variant = "static";
+  std::string output;
+  std::string config;
+  std::vector<std::string> set;
+  int threads = 1;
+  std::uint64_t seed = 0;
+  bool strict = false;
+  bool quiet = false;
+};
+
+void PrintSummary(const Sequence& sequence, const RunResult& run, const RunScores& scores,
+                  const RunContext& context) {
+  std::cout << sequence.name << ": " << run.frames.size() << " frames in " << run.wall_s << " s ("
+            << static_cast<double>(run.frames.size()) / run.wall_s << " frames/s), "
+            << context.peak_memory_mb << " MB, status " << ToString(run.status)
+            << (run.message.empty() ? "" : ": ") << run.message << '\n';
+  for (const FrameRecord& frame : run.frames) {
+    for (const ImageProblem& problem : frame.problems) {
+      std::cout << "frame " << frame.frame << " skipped: " << problem.image << ": "
+                << problem.reason << '\n';
+    }
+  }
+  std::vector<Metric> metrics = scores.refined;
+  metrics.insert(metrics.end(), scores.causal.begin(), scores.causal.end());
+  if (metrics.empty()) {
+    std::cout << "nothing to score: ground truth " << sequence.groundtruth << '\n';
+    return;
+  }
+  std::cout << '\n';
+  PrintMetrics(metrics, std::cout);
+}
+
+std::optional<RunResult> RunWithProgress(const RunFlags& flags, const Sequence& sequence,
+                                         const VariantInfo& variant, const Options& options) {
+  const StopSignal stop;
+  Progress progress(sequence.images.size(), flags.quiet);
+  return RunSequence({.sequence = sequence,
+                      .variant = variant,
+                      .options = options,
+                      .seed = flags.seed,
+                      .threads = flags.threads,
+                      .strict = flags.strict,
+                      .progress = [&progress](std::size_t done) { progress.Report(done); },
+                      .stop = [&stop] { return stop.Requested(); }});
+}
+
+int Run(const RunFlags& flags) {
+  const BuildIdentity build = ThisBuild();
+  RequireRecordedCpu(build);
+  const VariantInfo& variant = FindVariant(flags.variant);
+  Options options = ResolveOptions<Options>(flags.config, flags.set);
+  const Sequence sequence = OpenSequence(flags.sequence.Request());
+  const OutputFolder output(flags.output, RunFileNames());
+
+  const std::optional<RunResult> run = RunWithProgress(flags, sequence, variant, options);
+  if (!run) {
+    std::cerr << "clustervo: stopped, nothing was written\n";
+    return kStopped;
+  }
+  const RunScores scores = ScoreRun(sequence, *run);
+  Json metrics = MetricsToJson(scores.refined, "refined");
+  for (Json& metric : MetricsToJson(scores.causal, "causal")) metrics.push_back(std::move(metric));
+  const RunRecord record{
+      sequence, build, std::string(variant.name), OptionsToJson(OptionLeaves(options)), flags.seed,
+      metrics,  *run};
+  RunContext context = ThisProcess();
+  context.job = RecordedJob(record);
+  context.threads = flags.threads;
+  context.sequence_folder = std::filesystem::absolute(sequence.folder).string();
+  context.output_folder = std::filesystem::absolute(output.path()).string();
+  WriteRun(output.path(), record, context);
+  if (run->status == RunStatus::kFailed) throw Error(run->message);
+  PrintSummary(sequence, *run, scores, context);
+  return 0;
+}
+
+}  // namespace
+
+Command AddRunCommand(CLI::App& program) {
+  CLI::App* app =
+      program.add_subcommand("run", "Estimate the camera's trajectory on a sequence and score it");
+  const auto flags = std::make_shared<RunFlags>();
+  flags->threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  flags->sequence.AddTo(*app);
+  app->add_option("-o,--output", flags->output,
+                  "folder for result.json, timing.json, camera.tum and camera.kitti")
+      ->required();
+  app->add_option("--variant", flags->variant, "estimator, one of: clustervo variants")
+      ->capture_default_str();
+  app->add_option("--set", flags->set, "PATH=VALUE changes one option (clustervo options); repeat")
+      ->allow_extra_args(false);
+  app->add_option("--config", flags->config,
+                  "JSON file with options as nested objects; --set goes over it");
+  app->add_option("--seed", flags->seed, "of the estimator's random draws")->capture_default_str();
+  app->add_option("--threads", flags->threads, "results do not depend on it")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app->add_flag("--strict", flags->strict,
+                "an image that cannot be decoded is an error; else its frame is skipped");
+  app->add_flag("-q,--quiet", flags->quiet, "no progress on stderr");
+  app->footer(
+      "camera.kitti has one line per frame, skipped frames with their predicted pose (listed in\n"
+      "result.json); camera.tum leaves skipped frames out. Poses are world_from_camera, as last\n"
+      "estimated. result.json and the trajectories are the same bytes on every run.\n"
+      "Examples:\n"
+      "  clustervo run kitti_raw/2011_09_26/2011_09_26_drive_0001_sync -o results/0001\n"
+      "  clustervo run kitti_odometry/sequences/06 -o results/06 --frames 0:51 \\\n"
+      "      --set window.spatial=5 --set orb.features=1500");
+  return {app, [flags] { return Run(*flags); }};
+}
+
+}  // namespace cvo
