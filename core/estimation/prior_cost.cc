@@ -18,7 +18,8 @@ bool PriorCost::Evaluate(double const* const* blocks, double* residuals, double*
     dx.segment<6>(6 * i) = PoseFromBlock(blocks[i]).Minus(prior_->linearization_point[i]);
   }
   const Eigen::Index rows = prior_->r0.size();
-  Eigen::Map<Eigen::VectorXd>(residuals, rows) = prior_->r0 + prior_->J0 * dx;
+  Eigen::Map<Eigen::VectorXd> r(residuals, rows);
+  r = prior_->r0 + prior_->J0 * dx;
   if (!jacobians) return true;
   for (int i = 0; i < frames; ++i) {
     if (!jacobians[i]) continue;

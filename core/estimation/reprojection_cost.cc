@@ -30,7 +30,8 @@ bool ReprojectionCost::Evaluate(double const* const* blocks, double* residuals,
   const ReprojectionResidual value = EvaluateReprojection(
       *camera_, z_px_, sqrt_information_,
       RigidTransform(Eigen::Quaterniond(q), Eigen::Vector3d(position)), p_in_world);
-  Eigen::Map<Eigen::Vector3d>(residuals) = value.r;
+  Eigen::Map<Eigen::Vector3d> r(residuals);
+  r = value.r;
   if (!jacobians) return true;
   if (jacobians[0]) {
     Eigen::Map<Eigen::Matrix<double, 3, 7, Eigen::RowMajor>> J(jacobians[0]);

@@ -8,6 +8,7 @@
 #include <ceres/solver.h>
 
 #include <algorithm>
+#include <deque>
 #include <memory>
 
 #include "core/base/error.h"
@@ -59,8 +60,7 @@ SolverSummary SolveWindow(const StereoCamera& camera, const NoiseOptions& noise,
                           const SolverOptions& options, WindowProblem& problem) {
   PoseManifold manifold;
   ceres::HuberLoss loss(noise.huber);
-  std::vector<ReprojectionCost> costs;
-  costs.reserve(problem.factors.size());
+  std::deque<ReprojectionCost> costs;  // never moves its elements
   PriorCost prior_cost(problem.prior);
   ceres::Problem ceres_problem(BorrowEverything());
   for (std::size_t i = 0; i < problem.frames.size(); ++i) {

@@ -17,9 +17,8 @@ void Observe(const StereoFeature& feature, const WindowFrame& frame, double dept
 
 }  // namespace
 
-void AddObservations(const StereoCamera& camera, const WindowFrame& frame,
-                     std::span<const StereoFeature> features, const std::vector<Match>& matches,
-                     Window& window) {
+void AddObservations(const WindowFrame& frame, std::span<const StereoFeature> features,
+                     const std::vector<Match>& matches, Window& window) {
   const RigidTransform camera_from_world = frame.world_from_camera.Inverse();
   for (const Match& match : matches) {
     Landmark& landmark = window.landmarks[match.landmark];

@@ -12,9 +12,8 @@
 namespace cvo {
 
 // Appends the matched features to their landmarks as observations of `frame`.
-void AddObservations(const StereoCamera& camera, const WindowFrame& frame,
-                     std::span<const StereoFeature> features, const std::vector<Match>& matches,
-                     Window& window);
+void AddObservations(const WindowFrame& frame, std::span<const StereoFeature> features,
+                     const std::vector<Match>& matches, Window& window);
 
 // Makes a landmark of each feature that is not in `matches` and has the disparity for it; ids
 // follow next_id. Returns how many.

@@ -45,7 +45,7 @@ class VisualOdometry final : public Odometry {
       const ScopedStage stage(times, "window");
       if (!track) Restart();
       const std::vector<Match> matches = track ? track->inliers : std::vector<Match>();
-      AddObservations(camera_, entering, frame.features, matches, window_);
+      AddObservations(entering, frame.features, matches, window_);
       report.new_landmarks =
           AddLandmarks(camera_, entering, frame.features, matches,
                        options_.tracking.min_disparity_px, next_landmark_, window_);
