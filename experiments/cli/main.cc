@@ -29,8 +29,8 @@ int Fail(std::string message, int exit_code) {
 
 // A first word that is no subcommand, which the parser would only call unexpected.
 void CheckSubcommand(int argc, char** argv, const std::vector<Command>& commands) {
-  const std::string_view word = argc > 1 ? argv[1] : "--help";
-  if (word.starts_with('-')) return;
+  const std::string_view word = argc > 1 ? argv[1] : "";
+  if (word.empty() || word.starts_with('-')) return;
   std::vector<std::string> names;
   for (const Command& command : commands) names.push_back(command.app->get_name());
   if (std::find(names.begin(), names.end(), word) != names.end()) return;

@@ -44,12 +44,16 @@ int ListOptions(bool json) {
     std::cout << DumpJson(list);
     return 0;
   }
-  TextTable table({"option", "default", "unit", "range", "meaning", "source"});
+  TextTable table({"option", "default", "unit", "range"});
   for (const OptionLeaf& leaf : leaves) {
-    table.Add({leaf.path, DefaultText(leaf), leaf.info.unit, Range(leaf), leaf.info.meaning,
-               leaf.info.source});
+    table.Add({leaf.path, DefaultText(leaf), leaf.info.unit, Range(leaf)});
   }
-  table.Print(std::cout);
+  const std::vector<std::string> lines = table.Lines();
+  std::cout << lines.front() << '\n';
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    std::cout << lines[i + 1] << "\n    " << leaves[i].info.meaning << "  ["
+              << leaves[i].info.source << "]\n";
+  }
   return 0;
 }
 

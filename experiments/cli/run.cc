@@ -9,10 +9,10 @@
 
 #include "core/base/error.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/metric_table.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/sequence_flags.h"
 #include "experiments/cli/stop_signal.h"
+#include "experiments/cli/text_table.h"
 #include "experiments/record/atomic_file.h"
 #include "experiments/record/metrics_json.h"
 #include "experiments/record/options_json.h"
@@ -39,24 +39,29 @@ struct RunFlags {
 
 void PrintSummary(const Sequence& sequence, const RunResult& run, const RunScores& scores,
                   const RunContext& context) {
-  std::cout << sequence.name << ": " << run.frames.size() << " frames in " << run.wall_s << " s ("
-            << static_cast<double>(run.frames.size()) / run.wall_s << " frames/s), "
-            << context.peak_memory_mb << " MB, status " << ToString(run.status)
-            << (run.message.empty() ? "" : ": ") << run.message << '\n';
+  const double rate = static_cast<double>(run.frames.size()) / run.wall_s;
+  std::cout << sequence.name << ": " << run.frames.size() << " frames in " << ForPeople(run.wall_s)
+            << " s, " << ForPeople(rate) << " frames/s, " << ForPeople(context.peak_memory_mb)
+            << " MB, status " << ToString(run.status) << (run.message.empty() ? "" : ": ")
+            << run.message << '\n';
   for (const FrameRecord& frame : run.frames) {
     for (const ImageProblem& problem : frame.problems) {
       std::cout << "frame " << frame.frame << " skipped: " << problem.image << ": "
                 << problem.reason << '\n';
     }
   }
-  std::vector<Metric> metrics = scores.refined;
-  metrics.insert(metrics.end(), scores.causal.begin(), scores.causal.end());
-  if (metrics.empty()) {
+  if (scores.refined.empty()) {
     std::cout << "nothing to score: ground truth " << sequence.groundtruth << '\n';
     return;
   }
   std::cout << '\n';
-  PrintMetrics(metrics, std::cout);
+  TextTable table({"metric", "refined", "causal", "unit", "n"});
+  for (std::size_t i = 0; i < scores.refined.size(); ++i) {
+    const Metric& refined = scores.refined[i];
+    table.Add({refined.name, ForPeople(refined.value), ForPeople(scores.causal[i].value),
+               refined.unit, std::to_string(refined.n)});
+  }
+  table.Print(std::cout);
 }
 
 std::optional<RunResult> RunWithProgress(const RunFlags& flags, const Sequence& sequence,

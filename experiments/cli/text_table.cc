@@ -25,23 +25,30 @@ void TextTable::Add(std::vector<std::string> row) {
   rows_.push_back(std::move(row));
 }
 
-void TextTable::Print(std::ostream& out) const {
+std::vector<std::string> TextTable::Lines() const {
   std::vector<std::size_t> widths(rows_.front().size(), 0);
   for (const std::vector<std::string>& row : rows_) {
     for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], Width(row[i]));
   }
+  std::vector<std::string> lines;
   for (const std::vector<std::string>& row : rows_) {
+    std::string line;
     for (std::size_t i = 0; i < row.size(); ++i) {
-      out << row[i];
-      if (i + 1 < row.size()) out << std::string(widths[i] - Width(row[i]) + 2, ' ');
+      line += row[i];
+      if (i + 1 < row.size()) line.append(widths[i] - Width(row[i]) + 2, ' ');
     }
-    out << '\n';
+    lines.push_back(std::move(line));
   }
+  return lines;
+}
+
+void TextTable::Print(std::ostream& out) const {
+  for (const std::string& line : Lines()) out << line << '\n';
 }
 
 std::string ForPeople(double value) {
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.5g", value);
+  std::snprintf(text.data(), text.size(), "%.4g", value);
   return text.data();
 }
 

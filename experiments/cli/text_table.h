@@ -15,13 +15,15 @@ class TextTable {
 
   // As many cells as the header has.
   void Add(std::vector<std::string> row);
+  // One line per row, the header first.
+  std::vector<std::string> Lines() const;
   void Print(std::ostream& out) const;
 
  private:
   std::vector<std::vector<std::string>> rows_;
 };
 
-// A number for people, with five significant digits.
+// A number for people, with four significant digits.
 std::string ForPeople(double value);
 
 }  // namespace cvo

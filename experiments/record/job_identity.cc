@@ -21,7 +21,7 @@ std::string DetectionsHash(const Sequence& sequence) {
     boxes.push_back({box.frame, box.type, box.left_px, box.top_px, box.right_px, box.bottom_px,
                      box.score ? Json(*box.score) : Json(nullptr)});
   }
-  return Sha256Hex(DumpJson(boxes));
+  return Sha256Hex(DumpJson({{"offset_m", sequence.detections_offset_m}, {"boxes", boxes}}));
 }
 
 }  // namespace cvo

@@ -61,12 +61,15 @@ double Quantile(std::vector<double> samples, double q) {
   return samples[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
 }
 
+// Whole microseconds: more digits are noise.
+double Milliseconds(double seconds) { return std::round(1e6 * seconds) / 1e3; }
+
 Json Summary(const std::vector<double>& samples_ms) {
-  const double total = std::accumulate(samples_ms.begin(), samples_ms.end(), 0.0);
+  const double total_s = 1e-3 * std::accumulate(samples_ms.begin(), samples_ms.end(), 0.0);
   return {{"median_ms", Quantile(samples_ms, 0.5)},
-          {"mean_ms", total / static_cast<double>(samples_ms.size())},
+          {"mean_ms", Milliseconds(total_s / static_cast<double>(samples_ms.size()))},
           {"p95_ms", Quantile(samples_ms, 0.95)},
-          {"total_ms", total}};
+          {"total_ms", Milliseconds(total_s)}};
 }
 
 // Samples by stage; a frame without the stage counts as zero.
@@ -75,7 +78,7 @@ std::map<std::string, std::vector<double>> StageSamples(const RunResult& run) {
   for (std::size_t i = 0; i < run.frames.size(); ++i) {
     for (const auto& [stage, seconds] : run.frames[i].times_s) {
       auto [entry, added] = samples.try_emplace(stage, run.frames.size(), 0.0);
-      entry->second[i] = 1e3 * seconds;
+      entry->second[i] = Milliseconds(seconds);
     }
   }
   return samples;
@@ -98,7 +101,7 @@ std::string TimingFile(const RunResult& run, const RunContext& context) {
   Json frames = Json::array();
   for (const FrameRecord& frame : run.frames) {
     Json row = {{"frame", frame.frame}};
-    for (const auto& [stage, seconds] : frame.times_s) row[stage + "_ms"] = 1e3 * seconds;
+    for (const auto& [stage, seconds] : frame.times_s) row[stage + "_ms"] = Milliseconds(seconds);
     frames.push_back(std::move(row));
   }
   const double count = static_cast<double>(run.frames.size());

@@ -25,20 +25,29 @@ double SecondsSince(std::chrono::steady_clock::time_point start) {
 void RefuseProblems(const Sequence& sequence, const PreparedFrame& prepared) {
   if (prepared.problems.empty()) return;
   const ImageProblem& problem = prepared.problems.front();
-  throw Error(StrCat((sequence.folder / problem.image).string(), ": ", problem.reason));
+  throw Error(
+      StrCat((sequence.folder / problem.image).lexically_normal().string(), ": ", problem.reason));
 }
 
-// Lets the estimator work on one frame. Its Error ends the run, but is a result.
-void Estimate(const PreparedFrame& prepared, Odometry& odometry, FrameRecord& record,
-              RunResult& result) {
+// Lets the estimator work on one frame and adds it to the result. An Error of the estimator makes
+// the result a failed one without the frame.
+void Estimate(int frame, PreparedFrame prepared, Odometry& odometry, RunResult& result) {
+  FrameRecord record;
+  record.frame = frame;
+  record.timestamp_ns = prepared.frame.timestamp_ns;
+  record.problems = std::move(prepared.problems);
+  record.times_s = std::move(prepared.times_s);
   try {
     const ScopedStage stage(record.times_s, "estimate");
-    record.report = prepared.problems.empty() ? odometry.Process(prepared.frame, record.times_s)
-                                              : odometry.Skip(prepared.frame.timestamp_ns);
+    record.report = record.problems.empty() ? odometry.Process(prepared.frame, record.times_s)
+                                            : odometry.Skip(record.timestamp_ns);
   } catch (const Error& error) {
     result.status = RunStatus::kFailed;
-    result.message = StrCat("frame ", record.frame, ": ", error.what());
+    result.message = StrCat("frame ", frame, ": ", error.what());
+    return;
   }
+  record.refined_world_from_camera = record.report.world_from_camera;
+  result.frames.push_back(std::move(record));
 }
 
 // The poses as they stand at the end; those of a failed run stay what they were.
@@ -87,21 +96,12 @@ std::optional<RunResult> RunSequence(const RunRequest& request) {
   for (std::size_t i = 0; i < sequence.images.size(); ++i) {
     const auto frame_start = std::chrono::steady_clock::now();
     PreparedFrame prepared = look_ahead.Next();
-    const double waited_s = SecondsSince(frame_start);
+    prepared.times_s["wait_for_features"] = SecondsSince(frame_start);
     if (request.strict) RefuseProblems(sequence, prepared);
     hashes.push_back(prepared.hashes);
-
-    FrameRecord record;
-    record.frame = sequence.first_frame + static_cast<int>(i);
-    record.timestamp_ns = prepared.frame.timestamp_ns;
-    record.times_s = prepared.times_s;
-    record.times_s["wait_for_features"] = waited_s;
-    Estimate(prepared, *odometry, record, result);
+    Estimate(sequence.first_frame + static_cast<int>(i), std::move(prepared), *odometry, result);
     if (result.status == RunStatus::kFailed) break;
-    record.refined_world_from_camera = record.report.world_from_camera;
-    record.problems = std::move(prepared.problems);
-    record.times_s["frame"] = SecondsSince(frame_start);
-    result.frames.push_back(std::move(record));
+    result.frames.back().times_s["frame"] = SecondsSince(frame_start);
     request.progress(i + 1);
     if (request.stop()) return std::nullopt;
   }
