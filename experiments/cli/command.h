@@ -20,6 +20,9 @@ Command AddInfoCommand(CLI::App& program);
 Command AddVariantsCommand(CLI::App& program);
 Command AddOptionsCommand(CLI::App& program);
 
+// A check for numbers, which the parser lets be NaN and infinite: what is wrong, or empty.
+std::string FiniteProblem(const std::string& text);
+
 // What `clustervo --version` prints.
 std::string VersionText();
 

@@ -133,7 +133,8 @@ Command AddEvalCommand(CLI::App& program) {
       ->check(CLI::IsMember({"tum", "kitti"}));
   app->add_option("--max-time-difference", flags->max_time_difference_s,
                   "s; TUM poses further apart in time do not match")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(CLI::Range(0.0, 1e6).description(""))
+      ->check(FiniteProblem)
       ->capture_default_str();
   app->add_flag("--json", flags->json, "print JSON, with the contract of each metric");
   app->footer(

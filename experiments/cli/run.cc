@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <charconv>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -36,6 +37,16 @@ struct RunFlags {
   bool strict = false;
   bool quiet = false;
 };
+
+// The parser itself would wrap, saturate or read octal.
+std::uint64_t ParseSeed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (error != std::errc{} || end != text.data() + text.size()) {
+    throw CLI::ValidationError("--seed", "found '" + text + "', expected an integer in [0, 2^64)");
+  }
+  return seed;
+}
 
 void PrintSummary(const Sequence& sequence, const RunResult& run, const RunScores& scores,
                   const RunContext& context) {
@@ -116,19 +127,24 @@ Command AddRunCommand(CLI::App& program) {
   const auto flags = std::make_shared<RunFlags>();
   flags->threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   flags->sequence.AddTo(*app);
-  app->add_option("-o,--output", flags->output,
-                  "folder for result.json, timing.json, camera.tum and camera.kitti")
+  const auto add = [app](const char* flag, auto& value, const char* kind, const char* meaning) {
+    return app->add_option(flag, value, meaning)->type_name(kind);
+  };
+  add("-o,--output", flags->output, "FOLDER",
+      "for result.json, timing.json, camera.tum and camera.kitti")
       ->required();
-  app->add_option("--variant", flags->variant, "estimator, one of: clustervo variants")
+  add("--variant", flags->variant, "NAME", "estimator: clustervo variants lists them")
       ->capture_default_str();
-  app->add_option("--set", flags->set, "PATH=VALUE changes one option (clustervo options); repeat")
+  add("--set", flags->set, "PATH=VALUE", "changes one option (clustervo options); can be repeated")
       ->allow_extra_args(false);
-  app->add_option("--config", flags->config,
-                  "JSON file with options as nested objects; --set goes over it");
-  app->add_option("--seed", flags->seed, "of the estimator's random draws")->capture_default_str();
-  app->add_option("--threads", flags->threads, "results do not depend on it")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  add("--config", flags->config, "FILE", "JSON with options as nested objects; --set goes over it");
+  app->add_option_function<std::string>(
+         "--seed", [flags](const std::string& text) { flags->seed = ParseSeed(text); },
+         "of the estimator's random draws; default: 0")
+      ->type_name("N");
+  add("--threads", flags->threads, "N",
+      "threads in all; results do not depend on it; default: CPUs")
+      ->check(CLI::Range(1, 1024).description(""));
   app->add_flag("--strict", flags->strict,
                 "an image that cannot be decoded is an error; else its frame is skipped");
   app->add_flag("-q,--quiet", flags->quiet, "no progress on stderr");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/cli/sequence_flags.h"
 
+#include "experiments/cli/command.h"
 #include "experiments/datasets/frame_range.h"
 
 namespace cvo {
@@ -9,27 +10,28 @@ namespace cvo {
 void SequenceFlags::AddTo(CLI::App& app) {
   app.add_option(
          "SEQUENCE", folder,
-         "folder of a KITTI raw drive (synced and rectified), a KITTI odometry sequence, or "
-         "<training>/<number> of KITTI tracking")
+         "folder of a KITTI raw drive (synced and rectified), of a KITTI odometry sequence, "
+         "or <training>/<number> of KITTI tracking")
+      ->type_name("")
       ->required();
-  app.add_option("--type", type,
-                 "kitti-raw, kitti-odometry or kitti-tracking; default: as the "
-                 "folder looks");
-  app.add_option("--pair", pair, "images to read: grey or colour; default: grey where there is");
-  app.add_option("--groundtruth", groundtruth,
-                 "KITTI raw: devkit (OxTS packets as they stand) or interpolated (OxTS at the "
-                 "image's time)")
+  const auto add = [&app](const char* flag, auto& value, const char* kind, const char* meaning) {
+    return app.add_option(flag, value, meaning)->type_name(kind);
+  };
+  add("--type", type, "NAME", "kitti-raw, kitti-odometry or kitti-tracking; default: by its looks");
+  add("--pair", pair, "NAME",
+      "images to read, grey or colour; default: grey if there, else colour");
+  add("--groundtruth", groundtruth, "NAME",
+      "KITTI raw: devkit (OxTS packets as they stand) or interpolated (OxTS at image times)")
       ->capture_default_str();
-  app.add_option("--frames", frames, "A:B reads frames A to B-1, counted from 0; default: all");
-  app.add_option("--labels", labels, "KITTI label file in place of the folder's own");
-  app.add_option("--labels-camera", labels_camera,
-                 "number X of the image_0X the labels were drawn in; default: 2, or the left image "
-                 "for KITTI odometry");
-  app.add_option("--detections", detections, "file of 2D boxes in KITTI format");
-  app.add_option("--detections-camera", detections_camera,
-                 "number X of the image_0X the boxes were detected in; default: the left image");
-  app.add_option("--min-score", min_score,
-                 "leave out detections with a lower score; default: none");
+  add("--frames", frames, "A:B", "frames A to B-1, counted from 0; default: all");
+  add("--labels", labels, "FILE", "KITTI label file in place of the folder's own");
+  add("--labels-camera", labels_camera, "X",
+      "labels were drawn in image_0X; default: 2, KITTI odometry: the left image read");
+  add("--detections", detections, "FILE", "2D boxes in KITTI format; default: none");
+  add("--detections-camera", detections_camera, "X",
+      "boxes were detected in image_0X; default: the left image read");
+  add("--min-score", min_score, "SCORE", "leaves out detections below it; default: none")
+      ->check(FiniteProblem);
 }
 
 SequenceRequest SequenceFlags::Request() const {

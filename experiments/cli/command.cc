@@ -1,10 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/error.h"
 #include "experiments/cli/command.h"
+
+#include <optional>
+
+#include "core/base/error.h"
+#include "experiments/datasets/text/number.h"
 #include "experiments/record/build_identity.h"
 
 namespace cvo {
+
+std::string FiniteProblem(const std::string& text) {
+  const std::optional<double> number = ParseDouble(text);
+  return number ? "" : StrCat("found '", text, "', expected a finite number");
+}
 
 std::string VersionText() {
   const BuildIdentity build = ThisBuild();
