@@ -15,10 +15,12 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Concatenates its arguments as an output stream would print them.
+// Concatenates its arguments as an output stream would print them, floating point with up to twelve
+// digits: a message must tell 1.0000001 from 1.
 template <typename... Args>
 std::string StrCat(const Args&... args) {
   std::ostringstream out;
+  out.precision(12);
   (out << ... << args);
   return out.str();
 }

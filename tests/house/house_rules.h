@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cvo::test {
+
+// A text file of the project. The path is relative to its top, with '/'.
+struct SourceFile {
+  std::string path;
+  std::string content;
+};
+
+// Each check returns one line "<path>:<line>: <what is wrong>" per violation.
+
+// The arrows between the parts: core/base <- geometry <- features <- association <- clustering <-
+// estimation <- odometry <- variants <- experiments; reports and synth beside them. Also the
+// system and library headers that a part must not use (files, JSON, clocks in the estimator).
+std::vector<std::string> CheckIncludes(const SourceFile& file);
+
+// The two-line SPDX header, after an interpreter line if there is one.
+std::vector<std::string> CheckLicense(const SourceFile& file);
+
+// Sources of at most 400 lines.
+std::vector<std::string> CheckLength(const SourceFile& file);
+
+// Text that has no place in a part: preprocessor branches and macros in the estimator, flags that
+// change arithmetic, printing or ending the process in libraries, mutable statics, sleeps.
+std::vector<std::string> CheckForbiddenText(const SourceFile& file);
+
+// Every .cc is named by the CMakeLists.txt of its folder or of a folder above it.
+std::vector<std::string> CheckRegistered(const std::vector<SourceFile>& files);
+
+}  // namespace cvo::test

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// The rules themselves: each must catch what it is for, or the test of the sources proves nothing.
+#include "tests/house/house_rules.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace cvo::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+std::vector<std::string> Include(const std::string& path, const std::string& header) {
+  return CheckIncludes({path, "#pragma once\n\n  #  include " + header + "  // why\n"});
+}
+
+TEST(Includes, ArrowsOfTheEstimator) {
+  EXPECT_THAT(Include("core/geometry/a.h", "\"core/base/error.h\""), IsEmpty());
+  EXPECT_THAT(Include("core/base/a.h", "\"core/geometry/rigid_transform.h\""),
+              ElementsAre("core/base/a.h:3: core/base/ must not include "
+                          "core/geometry/rigid_transform.h"));
+  EXPECT_THAT(Include("core/features/a.cc", "\"core/estimation/window.h\""), SizeIs(1));
+  EXPECT_THAT(Include("core/association/a.cc", "\"core/odometry/frame.h\""), SizeIs(1));
+  EXPECT_THAT(Include("core/odometry/a.cc", "\"variants/registry.h\""), SizeIs(1));
+  EXPECT_THAT(Include("core/odometry/a.cc", "\"experiments/datasets/sequence.h\""), SizeIs(1));
+  EXPECT_THAT(Include("variants/a.cc", "\"core/odometry/frame.h\""), IsEmpty());
+  EXPECT_THAT(Include("variants/a.cc", "\"experiments/runner/suite.h\""), SizeIs(1));
+}
+
+TEST(Includes, TheEstimatorKnowsNoFilesNoJsonNoClock) {
+  for (const char* header : {"<fstream>", "<filesystem>", "<nlohmann/json.hpp>", "<CLI/CLI.hpp>",
+                             "<opencv2/imgcodecs.hpp>", "<random>", "<chrono>"}) {
+    EXPECT_THAT(Include("core/estimation/a.cc", header), SizeIs(1)) << header;
+  }
+  EXPECT_THAT(Include("core/estimation/a.cc", "<ceres/problem.h>"), IsEmpty());
+  EXPECT_THAT(Include("core/base/stage_times.h", "<chrono>"), IsEmpty());
+}
+
+TEST(Includes, ArrowsOfTheExperiments) {
+  EXPECT_THAT(Include("experiments/metrics/a.cc", "\"experiments/record/json.h\""), SizeIs(1));
+  EXPECT_THAT(Include("experiments/datasets/a.cc", "\"experiments/runner/a.h\""), SizeIs(1));
+  EXPECT_THAT(Include("experiments/record/a.cc", "\"experiments/cli/a.h\""), SizeIs(1));
+  EXPECT_THAT(Include("experiments/runner/a.cc", "\"reports/tables/table.h\""), SizeIs(1));
+  EXPECT_THAT(Include("experiments/cli/a.cc", "\"reports/tables/table.h\""), IsEmpty());
+  EXPECT_THAT(Include("experiments/record/a.cc", "\"build_sources.h\""), IsEmpty());
+}
+
+TEST(Includes, ReportsReadFilesOnly) {
+  EXPECT_THAT(Include("reports/tables/a.cc", "\"core/base/error.h\""), IsEmpty());
+  EXPECT_THAT(Include("reports/tables/a.cc", "\"core/geometry/rigid_transform.h\""), SizeIs(1));
+  EXPECT_THAT(Include("reports/tables/a.cc", "\"experiments/record/json.h\""), SizeIs(1));
+  EXPECT_THAT(Include("reports/tables/a.cc", "<Eigen/Core>"), SizeIs(1));
+}
+
+TEST(Includes, SynthKnowsGeometryOnlyAndNobodyTheTests) {
+  EXPECT_THAT(Include("synth/scene/a.cc", "\"core/geometry/stereo_camera.h\""), IsEmpty());
+  EXPECT_THAT(Include("synth/scene/a.cc", "\"core/features/orb.h\""), SizeIs(1));
+  EXPECT_THAT(Include("experiments/cli/a.cc", "\"tests/support/temp_folder.h\""), SizeIs(1));
+  EXPECT_THAT(Include("tests/core/a.cc", "\"experiments/cli/a.h\""), IsEmpty());
+  EXPECT_THAT(Include("tools/a.cc", "\"core/base/error.h\""), SizeIs(1));
+}
+
+const char kHeader[] =
+    "// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors\n"
+    "// SPDX-License-Identifier: Apache-2.0\n";
+
+TEST(License, TwoLinesAtTheTop) {
+  EXPECT_THAT(CheckLicense({"a.cc", kHeader}), IsEmpty());
+  EXPECT_THAT(CheckLicense({"a.cc", ""}), SizeIs(1));
+  EXPECT_THAT(CheckLicense({"a.cc", std::string("\n") + kHeader}), SizeIs(1));
+  EXPECT_THAT(CheckLicense({"CMakeLists.txt", kHeader}), SizeIs(1));
+  EXPECT_THAT(CheckLicense({"run",
+                            "#!/bin/sh\n# SPDX-FileCopyrightText: 2026 A\n"
+                            "# SPDX-License-Identifier: Apache-2.0\n"}),
+              IsEmpty());
+}
+
+TEST(Length, FourHundredLines) {
+  EXPECT_THAT(CheckLength({"a.cc", std::string(400, '\n')}), IsEmpty());
+  EXPECT_THAT(CheckLength({"a.cc", std::string(401, '\n')}), SizeIs(1));
+}
+
+std::vector<std::string> Text(const std::string& path, const std::string& line) {
+  return CheckForbiddenText({path, "\n" + line + "\n"});
+}
+
+TEST(ForbiddenText, MacrosInTheEstimator) {
+  EXPECT_THAT(Text("core/base/a.h", "#pragma once"), IsEmpty());
+  EXPECT_THAT(Text("core/base/a.h", "#ifdef X"), ElementsAre(HasSubstr("core/base/a.h:2: ")));
+  EXPECT_THAT(Text("variants/a.cc", "  # if X"), SizeIs(1));
+  EXPECT_THAT(Text("core/base/a.h", "#if defined(X)"), SizeIs(1));
+  EXPECT_THAT(Text("core/base/a.h", "#if defined(__x86_64__)"), IsEmpty());
+  EXPECT_THAT(Text("core/base/a.h", "#define X 1"), SizeIs(1));
+  EXPECT_THAT(Text("core/base/a.h", "// #define X 1"), IsEmpty());
+}
+
+TEST(ForbiddenText, FlagsAnywhere) {
+  EXPECT_THAT(Text("CMakeLists.txt",
+                   "add_compile_options(-march=nat"
+                   "ive)"),
+              SizeIs(1));
+  EXPECT_THAT(Text("Makefile",
+                   "CXXFLAGS += -ffast-ma"
+                   "th"),
+              SizeIs(1));
+  EXPECT_THAT(Text("CMakeLists.txt", "add_compile_options(-mavx2)"), IsEmpty());
+}
+
+TEST(ForbiddenText, LibrariesNeitherPrintNorEndTheProcess) {
+  EXPECT_THAT(Text("core/base/a.cc", "  std::cout << 1;"), SizeIs(1));
+  EXPECT_THAT(Text("reports/tables/a.cc", "  printf(\"x\");"), SizeIs(1));
+  EXPECT_THAT(Text("reports/tables/a.cc", "  std::snprintf(buffer, 5, \"x\");"), IsEmpty());
+  EXPECT_THAT(Text("experiments/runner/a.cc", "  std::exit(1);"), SizeIs(1));
+  EXPECT_THAT(Text("experiments/cli/main.cc", "  std::cerr << 1;"), IsEmpty());
+}
+
+TEST(ForbiddenText, MutableStaticsAndSleeps) {
+  EXPECT_THAT(Text("core/base/a.cc", "  static int count = 0;"), SizeIs(1));
+  EXPECT_THAT(Text("core/base/a.cc", "  static std::vector<int> cache;"), SizeIs(1));
+  EXPECT_THAT(Text("core/base/a.cc", "thread_local bool x{};"), SizeIs(1));
+  EXPECT_THAT(Text("core/base/a.cc", "  static const std::vector<int> table = Make();"), IsEmpty());
+  EXPECT_THAT(Text("core/base/a.cc", "  static constexpr int kX = 1;"), IsEmpty());
+  EXPECT_THAT(Text("core/base/a.h", "  static Foo Create(int a) {"), IsEmpty());
+  EXPECT_THAT(Text("core/base/a.cc", "  static_assert(true);"), IsEmpty());
+  EXPECT_THAT(Text("core/base/a.cc", "  std::this_thread::sleep_for(1s);"), SizeIs(1));
+  EXPECT_THAT(Text("core/base/a.cc", "  const double x = Operand();"), IsEmpty());
+}
+
+TEST(Registered, EverySourceIsNamedByACMakeLists) {
+  const SourceFile named{"tests/core/a_test.cc", ""};
+  const SourceFile nested{"tests/core/deep/b_test.cc", ""};
+  const SourceFile forgotten{"tests/core/a_test2.cc", ""};
+  const SourceFile cmake{"tests/core/CMakeLists.txt",
+                         "cvo_test(x SOURCES a_test.cc\n  deep/b_test.cc)"};
+  EXPECT_THAT(CheckRegistered({named, nested, cmake}), IsEmpty());
+  EXPECT_THAT(CheckRegistered({named, forgotten, cmake}),
+              ElementsAre("tests/core/a_test2.cc:1: named by no CMakeLists.txt"));
+  EXPECT_THAT(CheckRegistered({named}), SizeIs(1));
+}
+
+}  // namespace
+}  // namespace cvo::test

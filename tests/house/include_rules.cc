@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <regex>
+#include <span>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "tests/house/house_rules.h"
+
+namespace cvo::test {
+namespace {
+
+// What the files below `folder` may include, by the first characters of the included path.
+struct Part {
+  std::string folder;
+  std::vector<std::string> may_include;
+  std::vector<std::string> banned_system;  // regular expressions on what is between < and >
+};
+
+const std::vector<std::string>& NoFiles() {
+  static const std::vector<std::string> headers = {
+      "fstream", "filesystem",          "iostream",          "cstdio", "nlohmann/.*", "CLI/.*",
+      "random",  "opencv2/imgcodecs.*", "opencv2/highgui.*", "ctime"};
+  return headers;
+}
+
+// The layers of the estimator, each on those before it.
+std::vector<Part> CoreParts() {
+  std::vector<Part> parts;
+  std::vector<std::string> below;
+  for (const char* layer :
+       {"base", "geometry", "features", "association", "clustering", "estimation", "odometry"}) {
+    below.push_back(StrCat("core/", layer, "/"));
+    std::vector<std::string> banned = NoFiles();
+    if (layer != std::string("base")) banned.push_back("chrono");  // no clock steers a result
+    parts.push_back({below.back(), below, banned});
+  }
+  return parts;
+}
+
+std::vector<Part> MakeParts() {
+  std::vector<Part> parts = CoreParts();
+  parts.push_back({"variants/", {"core/", "variants/"}, NoFiles()});
+  parts.push_back({"synth/", {"core/base/", "core/geometry/", "synth/"}, {"random"}});
+  const std::vector<std::string> readers = {"core/", "experiments/datasets/",
+                                            "experiments/metrics/"};
+  parts.push_back({"experiments/datasets/", readers, {}});
+  parts.push_back({"experiments/metrics/", readers, {}});
+  parts.push_back({"experiments/record/",
+                   {"core/", "variants/", "experiments/datasets/", "experiments/metrics/",
+                    "experiments/record/"},
+                   {}});
+  parts.push_back({"experiments/runner/",
+                   {"core/", "variants/", "experiments/datasets/", "experiments/metrics/",
+                    "experiments/record/", "experiments/runner/"},
+                   {}});
+  parts.push_back(
+      {"experiments/cli/", {"core/", "variants/", "experiments/", "reports/", "synth/"}, {}});
+  parts.push_back({"reports/", {"core/base/", "reports/"}, {"opencv2/.*", "ceres/.*", "Eigen/.*"}});
+  parts.push_back({"tests/", {""}, {}});
+  return parts;
+}
+
+bool StartsWithAny(const std::string& text, const std::vector<std::string>& prefixes) {
+  return std::any_of(prefixes.begin(), prefixes.end(),
+                     [&](const std::string& prefix) { return text.starts_with(prefix); });
+}
+
+const Part* FindPart(const std::string& path) {
+  static const std::vector<Part> parts = MakeParts();
+  for (const Part& part : parts) {
+    if (path.starts_with(part.folder)) return &part;
+  }
+  return nullptr;
+}
+
+// A header made by the build has no folder.
+bool IsAllowed(const Part& part, const std::string& included, bool system) {
+  if (!system) {
+    return included.find('/') == std::string::npos || StartsWithAny(included, part.may_include);
+  }
+  return std::none_of(
+      part.banned_system.begin(), part.banned_system.end(),
+      [&](const std::string& banned) { return std::regex_match(included, std::regex(banned)); });
+}
+
+}  // namespace
+
+std::vector<std::string> CheckIncludes(const SourceFile& file) {
+  if (!file.path.ends_with(".h") && !file.path.ends_with(".cc")) return {};
+  const Part* part = FindPart(file.path);
+  if (part == nullptr) return {StrCat(file.path, ":1: in no part of the project")};
+  static const std::regex include(R"re(^\s*#\s*include\s*([<"])([^>"]+)[>"].*)re");
+  std::vector<std::string> violations;
+  std::istringstream lines(file.content);
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    std::smatch match;
+    if (!std::regex_match(line, match, include)) continue;
+    if (!IsAllowed(*part, match[2], match[1] == "<")) {
+      violations.push_back(
+          StrCat(file.path, ":", number, ": ", part->folder, " must not include ", match[2].str()));
+    }
+  }
+  return violations;
+}
+
+}  // namespace cvo::test

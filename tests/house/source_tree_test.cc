@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// The rules of the house on the sources as they are.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "tests/house/house_rules.h"
+#include "tests/support/temp_folder.h"
+
+namespace cvo::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::IsEmpty;
+
+const fs::path kTop = CVO_SOURCE_DIR;
+
+bool IsSource(const fs::path& path) {
+  const fs::path extension = path.extension();
+  return extension == ".h" || extension == ".cc" || extension == ".cmake" || extension == ".in" ||
+         extension == ".sh" || path.filename() == "CMakeLists.txt";
+}
+
+std::vector<SourceFile> Sources() {
+  std::vector<fs::path> paths = {kTop / "CMakeLists.txt", kTop / "Makefile", kTop / ".ci/run",
+                                 kTop / ".ci/install-packages"};
+  for (const char* folder : {"core", "variants", "experiments", "synth", "reports", "tests"}) {
+    if (!fs::is_directory(kTop / folder)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(kTop / folder)) {
+      if (entry.is_regular_file() && IsSource(entry.path())) paths.push_back(entry.path());
+    }
+  }
+  std::sort(paths.begin(), paths.end());
+  std::vector<SourceFile> files;
+  for (const fs::path& path : paths) {
+    files.push_back({path.lexically_relative(kTop).generic_string(), ReadFile(path)});
+  }
+  return files;
+}
+
+template <typename Check>
+std::vector<std::string> OnAll(Check check) {
+  std::vector<std::string> violations;
+  for (const SourceFile& file : Sources()) {
+    for (std::string& violation : check(file)) violations.push_back(std::move(violation));
+  }
+  return violations;
+}
+
+TEST(SourceTree, IsFound) { EXPECT_GT(Sources().size(), 50u); }
+
+TEST(SourceTree, IncludesFollowTheArrows) { EXPECT_THAT(OnAll(CheckIncludes), IsEmpty()); }
+
+TEST(SourceTree, FilesHaveTheirLicense) { EXPECT_THAT(OnAll(CheckLicense), IsEmpty()); }
+
+TEST(SourceTree, FilesAreShort) { EXPECT_THAT(OnAll(CheckLength), IsEmpty()); }
+
+TEST(SourceTree, NothingForbidden) { EXPECT_THAT(OnAll(CheckForbiddenText), IsEmpty()); }
+
+TEST(SourceTree, EverySourceIsBuilt) { EXPECT_THAT(CheckRegistered(Sources()), IsEmpty()); }
+
+}  // namespace
+}  // namespace cvo::test
