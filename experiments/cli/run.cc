@@ -15,11 +15,9 @@
 #include "experiments/cli/stop_signal.h"
 #include "experiments/cli/text_table.h"
 #include "experiments/record/atomic_file.h"
-#include "experiments/record/metrics_json.h"
+#include "experiments/record/build_identity.h"
 #include "experiments/record/options_json.h"
-#include "experiments/runner/run_sequence.h"
-#include "experiments/runner/score_run.h"
-#include "experiments/runner/write_run.h"
+#include "experiments/runner/run_job.h"
 
 namespace cvo {
 namespace {
@@ -48,19 +46,20 @@ std::uint64_t ParseSeed(const std::string& text) {
   return seed;
 }
 
-void PrintSummary(const Sequence& sequence, const RunResult& run, const RunScores& scores,
-                  const RunContext& context) {
+void PrintSummary(const Sequence& sequence, const JobOutcome& outcome) {
+  const RunResult& run = outcome.run;
   const double rate = static_cast<double>(run.frames.size()) / run.wall_s;
   std::cout << sequence.name << ": " << run.frames.size() << " frames in " << ForPeople(run.wall_s)
-            << " s, " << ForPeople(rate) << " frames/s, " << ForPeople(context.peak_memory_mb)
-            << " MB, status " << ToString(run.status) << (run.message.empty() ? "" : ": ")
-            << run.message << '\n';
+            << " s, " << ForPeople(rate) << " frames/s, "
+            << ForPeople(outcome.context.peak_memory_mb) << " MB, status " << ToString(run.status)
+            << (run.message.empty() ? "" : ": ") << run.message << '\n';
   for (const FrameRecord& frame : run.frames) {
     for (const ImageProblem& problem : frame.problems) {
       std::cout << "frame " << frame.frame << " skipped: " << problem.image << ": "
                 << problem.reason << '\n';
     }
   }
+  const RunScores& scores = outcome.scores;
   if (scores.refined.empty()) {
     std::cout << "nothing to score: ground truth " << sequence.groundtruth << '\n';
     return;
@@ -75,47 +74,33 @@ void PrintSummary(const Sequence& sequence, const RunResult& run, const RunScore
   table.Print(std::cout);
 }
 
-std::optional<RunResult> RunWithProgress(const RunFlags& flags, const Sequence& sequence,
-                                         const VariantInfo& variant, const Options& options) {
-  const StopSignal stop;
-  Progress progress(sequence.images.size(), flags.quiet);
-  return RunSequence({.sequence = sequence,
+int Run(const RunFlags& flags) {
+  RequireRecordedCpu(ThisBuild());
+  const VariantInfo& variant = FindVariant(flags.variant);
+  const Options options = ResolveOptions<Options>(flags.config, flags.set);
+  const Sequence sequence = OpenSequence(flags.sequence.Request());
+  const OutputFolder output(flags.output, RunFileNames());
+
+  std::optional<JobOutcome> outcome;
+  {
+    const StopSignal stop;
+    Progress progress(sequence.images.size(), flags.quiet);
+    outcome = RunJob({.sequence = sequence,
                       .variant = variant,
                       .options = options,
                       .seed = flags.seed,
                       .threads = flags.threads,
                       .strict = flags.strict,
                       .progress = [&progress](std::size_t done) { progress.Report(done); },
-                      .stop = [&stop] { return stop.Requested(); }});
-}
-
-int Run(const RunFlags& flags) {
-  const BuildIdentity build = ThisBuild();
-  RequireRecordedCpu(build);
-  const VariantInfo& variant = FindVariant(flags.variant);
-  Options options = ResolveOptions<Options>(flags.config, flags.set);
-  const Sequence sequence = OpenSequence(flags.sequence.Request());
-  const OutputFolder output(flags.output, RunFileNames());
-
-  const std::optional<RunResult> run = RunWithProgress(flags, sequence, variant, options);
-  if (!run) {
+                      .stop = [&stop] { return stop.Requested(); }},
+                     output.path());
+  }
+  if (!outcome) {
     std::cerr << "clustervo: stopped, nothing was written\n";
     return kStopped;
   }
-  const RunScores scores = ScoreRun(sequence, *run);
-  Json metrics = MetricsToJson(scores.refined, "refined");
-  for (Json& metric : MetricsToJson(scores.causal, "causal")) metrics.push_back(std::move(metric));
-  const RunRecord record{
-      sequence, build, std::string(variant.name), OptionsToJson(OptionLeaves(options)), flags.seed,
-      metrics,  *run};
-  RunContext context = ThisProcess();
-  context.job = RecordedJob(record);
-  context.threads = flags.threads;
-  context.sequence_folder = std::filesystem::absolute(sequence.folder).string();
-  context.output_folder = std::filesystem::absolute(output.path()).string();
-  WriteRun(output.path(), record, context);
-  if (run->status == RunStatus::kFailed) throw Error(run->message);
-  PrintSummary(sequence, *run, scores, context);
+  if (outcome->run.status == RunStatus::kFailed) throw Error(outcome->run.message);
+  PrintSummary(sequence, *outcome);
   return 0;
 }
 
