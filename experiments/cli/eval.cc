@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "core/base/error.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/metric_table.h"
+#include "experiments/datasets/text/text_file.h"
 #include "experiments/metrics/association.h"
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/metrics/kitti_poses.h"
@@ -38,22 +38,20 @@ struct PairedPoses {
 };
 
 // "tum" or "kitti", by the number of columns in the first line that is no comment.
-std::string DetectFormat(const std::string& file) {
-  std::ifstream in(file);
-  int number = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++number;
-    std::istringstream words(line);
+std::string DetectFormat(const std::string& path) {
+  const TextFile file(path);
+  for (std::size_t i = 0; i < file.size(); ++i) {
+    std::istringstream words(file.line(i));
     std::string word;
     int columns = 0;
     while (words >> word && !word.starts_with('#')) ++columns;
     if (columns == 0) continue;
     if (columns == 8) return "tum";
     if (columns == 12) return "kitti";
-    ThrowError(StrCat(file, ":", number), StrCat(columns, " columns"),
+    ThrowError(file.Where(i), StrCat(columns, " columns"),
                "8 (TUM: time tx ty tz qx qy qz qw) or 12 (KITTI: rows of [R t])");
   }
-  ThrowError(file, "no pose that can be read", "a TUM or KITTI trajectory");
+  ThrowError(path, "no pose", "a TUM or KITTI trajectory");
 }
 
 std::string FormatOfBoth(const EvalFlags& flags) {

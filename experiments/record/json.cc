@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <vector>
 
 #include "core/base/error.h"
+#include "experiments/datasets/text/text_file.h"
 
 namespace cvo {
 namespace {
@@ -137,12 +136,7 @@ Json ParseJson(std::string_view text, const std::string& where) {
 }
 
 Json ReadJson(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in.is_open() || in.bad() || std::filesystem::is_directory(file)) {
-    ThrowError(file.string(), "no file that can be read", "a JSON file");
-  }
-  return ParseJson(text, file.string());
+  return ParseJson(ReadFileBytes(file), file.string());
 }
 
 std::string DumpJson(const Json& value) {

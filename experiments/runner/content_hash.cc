@@ -3,25 +3,27 @@
 #include "experiments/runner/content_hash.h"
 
 #include <fstream>
-#include <iterator>
+#include <sstream>
 
 #include "core/base/error.h"
 #include "experiments/datasets/sha256.h"
+#include "experiments/datasets/text/text_file.h"
 #include "experiments/record/json.h"
 
 namespace cvo {
 
-std::string HashFile(const std::filesystem::path& file) {
+std::string HashImage(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  return in.is_open() && !in.bad() ? Sha256Hex(bytes) : "";
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  return in.is_open() && !in.bad() && !bytes.bad() ? Sha256Hex(bytes.str()) : "";
 }
 
 std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>& images) {
   Require(images.size() == sequence.images.size(), "ContentHash: one entry per frame");
   Json text_files = Json::array();
   for (const std::filesystem::path& file : sequence.text_files) {
-    text_files.push_back(HashFile(file));
+    text_files.push_back(Sha256Hex(ReadFileBytes(file)));
   }
   Json image_files = Json::array();
   for (const ImageHashes& pair : images)

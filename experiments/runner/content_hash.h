@@ -19,7 +19,7 @@ struct ImageHashes {
 // sequence, but not where they lie. One entry per frame of the sequence.
 std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>& images);
 
-// Hash of a file's bytes; empty where it cannot be read.
-std::string HashFile(const std::filesystem::path& file);
+// Hash of an image file's bytes; empty where it cannot be read.
+std::string HashImage(const std::filesystem::path& file);
 
 }  // namespace cvo

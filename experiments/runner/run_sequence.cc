@@ -77,7 +77,7 @@ void JudgeStatus(RunResult& result) {
 // The identity of the input does not depend on how far the run came.
 void HashRest(const Sequence& sequence, std::vector<ImageHashes>& hashes) {
   for (std::size_t i = hashes.size(); i < sequence.images.size(); ++i) {
-    hashes.push_back({HashFile(sequence.images[i].left), HashFile(sequence.images[i].right)});
+    hashes.push_back({HashImage(sequence.images[i].left), HashImage(sequence.images[i].right)});
   }
 }
 
