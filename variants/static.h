@@ -5,7 +5,7 @@
 #include <memory>
 #include <string_view>
 
-#include "core/estimation/double_track.h"
+#include "core/estimation/window_policies.h"
 
 namespace cvo {
 
@@ -16,6 +16,7 @@ struct Static {
   using MarginalizationRule = MarginalizeLost;
   using Gauge = FixOldestFrame;
   using SpatialTrack = PromoteDistant;
+  using Calibration = EstimateRightShift;
 };
 
 }  // namespace cvo

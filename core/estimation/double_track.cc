@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/base/error.h"
+#include "core/estimation/marginalization.h"
 #include "core/estimation/window_problem.h"
 
 namespace cvo {
@@ -25,17 +25,15 @@ bool PromoteDistant::Promotes(const Window& window, const WindowFrame& frame,
          options.promote_common * window.CountLandmarks(reference.id);
 }
 
-WindowProblem CollectMarginalized(const Window& window, const PosePrior& prior,
-                                  const std::vector<LandmarkId>& landmarks,
-                                  const NoiseOptions& noise, double scale_factor) {
+void MarginalizeFrame(FrameId frame, const std::vector<LandmarkId>& landmarks,
+                      const NoiseOptions& noise, double scale_factor, Window& window) {
   WindowProblem problem = MakeFrames(window);
-  problem.prior = prior;
   for (const Landmark& landmark : window.landmarks) {
     if (std::binary_search(landmarks.begin(), landmarks.end(), landmark.id)) {
       AddLandmark(landmark, noise, scale_factor, problem);
     }
   }
-  return problem;
+  window.prior = Marginalize(noise, problem, frame);
 }
 
 }  // namespace cvo

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/error.h"
 #include "core/estimation/reprojection_cost.h"
 
 namespace cvo {
@@ -14,11 +13,17 @@ namespace {
 
 constexpr double kRelativeRank = 1e-10;
 
-// H dx = -b around the problem's state; six rows per frame.
-struct PoseSystem {
+// H dx = -b around the problem's state: six rows per frame, then one for right_shift_px.
+struct LinearSystem {
   Eigen::MatrixXd H;
   Eigen::VectorXd b;
+
+  Eigen::Index shift_row() const { return b.size() - 1; }
 };
+
+void AppendPoseRows(Eigen::Index pose, std::vector<Eigen::Index>& rows) {
+  for (Eigen::Index k = 0; k < 6; ++k) rows.push_back(6 * pose + k);
+}
 
 // M^+ of a symmetric positive semi-definite matrix.
 Eigen::MatrixXd PseudoInverse(const Eigen::MatrixXd& M) {
@@ -33,67 +38,56 @@ Eigen::MatrixXd PseudoInverse(const Eigen::MatrixXd& M) {
 }
 
 // Adds the factors [begin, end) of one point, the point eliminated.
-void AddPoint(const StereoCamera& camera, const NoiseOptions& noise, const WindowProblem& problem,
-              std::size_t begin, std::size_t end, PoseSystem& system) {
+void AddPoint(const NoiseOptions& noise, const WindowProblem& problem, std::size_t begin,
+              std::size_t end, LinearSystem& system) {
   const int n = static_cast<int>(end - begin);
-  Eigen::Matrix3d H_pp = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d b_p = Eigen::Vector3d::Zero();
-  Eigen::Matrix<double, Eigen::Dynamic, 3> H_cp(6 * n, 3);
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(3 * n, 6 * n + 1);
+  Eigen::MatrixXd J_point(3 * n, 3);
+  Eigen::VectorXd r(3 * n);
+  std::vector<Eigen::Index> rows;  // of the system, by column of J
   for (int i = 0; i < n; ++i) {
     const ReprojectionFactor& factor = problem.factors[begin + i];
     const ReprojectionResidual value =
-        EvaluateReprojection(camera, factor.z_px, factor.sqrt_information,
+        EvaluateReprojection(problem.camera, factor.z_px, factor.sqrt_information,
                              problem.world_from_camera[factor.pose], problem.points[factor.point]);
-    const double weight = HuberWeight(value.r.squaredNorm(), noise.huber);
-    const int at = 6 * factor.pose;
-    system.H.block<6, 6>(at, at).noalias() += weight * value.J_pose.transpose() * value.J_pose;
-    system.b.segment<6>(at).noalias() += weight * value.J_pose.transpose() * value.r;
-    H_cp.middleRows<6>(6 * i).noalias() = weight * value.J_pose.transpose() * value.J_point;
-    H_pp.noalias() += weight * value.J_point.transpose() * value.J_point;
-    b_p.noalias() += weight * value.J_point.transpose() * value.r;
+    const double root = std::sqrt(HuberWeight(value.r.squaredNorm(), noise.huber));
+    J.block<3, 6>(3 * i, 6 * i) = root * value.J_pose;
+    J.block<3, 1>(3 * i, 6 * n) = root * value.J_shift;
+    J_point.middleRows<3>(3 * i) = root * value.J_point;
+    r.segment<3>(3 * i) = root * value.r;
+    AppendPoseRows(factor.pose, rows);
   }
-  const Eigen::Matrix3d inverse = PseudoInverse(H_pp);
-  for (int i = 0; i < n; ++i) {
-    const Eigen::Matrix<double, 6, 3> left = H_cp.middleRows<6>(6 * i) * inverse;
-    const int row = 6 * problem.factors[begin + i].pose;
-    system.b.segment<6>(row).noalias() -= left * b_p;
-    for (int j = 0; j < n; ++j) {
-      const int column = 6 * problem.factors[begin + j].pose;
-      system.H.block<6, 6>(row, column).noalias() -= left * H_cp.middleRows<6>(6 * j).transpose();
-    }
-  }
+  rows.push_back(system.shift_row());
+  const Eigen::MatrixXd coupling = J.transpose() * J_point;
+  const Eigen::MatrixXd left = coupling * PseudoInverse(J_point.transpose() * J_point);
+  system.H(rows, rows) += J.transpose() * J - left * coupling.transpose();
+  system.b(rows) += J.transpose() * r - left * (J_point.transpose() * r);
 }
 
-// Adds a prior, linearised anew at the problem's state.
-void AddPrior(const WindowProblem& problem, PoseSystem& system) {
-  const PosePrior& prior = problem.prior;
+// Adds the prior, linearised anew at the problem's state.
+void AddPrior(const WindowProblem& problem, LinearSystem& system) {
+  const WindowPrior& prior = problem.prior;
   const int n = static_cast<int>(prior.frames.size());
-  std::vector<int> pose(n);
-  Eigen::VectorXd dx(6 * n);
+  std::vector<Eigen::Index> rows;
+  Eigen::VectorXd dx(6 * n + 1);
   Eigen::MatrixXd J = prior.J0;
   for (int i = 0; i < n; ++i) {
-    const auto it = std::lower_bound(problem.frames.begin(), problem.frames.end(), prior.frames[i]);
-    Require(it != problem.frames.end() && *it == prior.frames[i],
-            "Marginalize: the prior names unknown frames");
-    pose[i] = static_cast<int>(it - problem.frames.begin());
-    dx.segment<6>(6 * i) = problem.world_from_camera[pose[i]].Minus(prior.linearization_point[i]);
+    const Eigen::Index pose = FrameIndex(problem, prior.frames[i]);
+    dx.segment<6>(6 * i) = problem.world_from_camera[pose].Minus(prior.linearization_point[i]);
     J.middleCols<3>(6 * i) =
         prior.J0.middleCols<3>(6 * i) * InverseRightJacobianSo3(dx.segment<3>(6 * i));
+    AppendPoseRows(pose, rows);
   }
+  dx[6 * n] = problem.camera.right_shift_px - prior.right_shift_point_px;
+  rows.push_back(system.shift_row());
   const Eigen::VectorXd r = prior.r0 + prior.J0 * dx;
-  const Eigen::MatrixXd H = J.transpose() * J;
-  const Eigen::VectorXd b = J.transpose() * r;
-  for (int i = 0; i < n; ++i) {
-    system.b.segment<6>(6 * pose[i]) += b.segment<6>(6 * i);
-    for (int j = 0; j < n; ++j) {
-      system.H.block<6, 6>(6 * pose[i], 6 * pose[j]) += H.block<6, 6>(6 * i, 6 * j);
-    }
-  }
+  system.H(rows, rows) += J.transpose() * J;
+  system.b(rows) += J.transpose() * r;
 }
 
 // Frames that the system says something about, the removed one not among them.
 std::vector<int> KeptPoses(const WindowProblem& problem, FrameId removed,
-                           const PoseSystem& system) {
+                           const LinearSystem& system) {
   std::vector<int> kept;
   for (int i = 0; i < static_cast<int>(problem.frames.size()); ++i) {
     if (problem.frames[i] == removed) continue;
@@ -102,34 +96,25 @@ std::vector<int> KeptPoses(const WindowProblem& problem, FrameId removed,
   return kept;
 }
 
-// The system over `kept`, the pose `removed` (an index, or -1) eliminated.
-PoseSystem Reduce(const PoseSystem& system, const std::vector<int>& kept, int removed) {
-  const int n = static_cast<int>(kept.size());
-  PoseSystem reduced{Eigen::MatrixXd(6 * n, 6 * n), Eigen::VectorXd(6 * n)};
-  Eigen::MatrixXd H_kr = Eigen::MatrixXd::Zero(6 * n, 6);
-  for (int i = 0; i < n; ++i) {
-    reduced.b.segment<6>(6 * i) = system.b.segment<6>(6 * kept[i]);
-    if (removed >= 0) H_kr.middleRows<6>(6 * i) = system.H.block<6, 6>(6 * kept[i], 6 * removed);
-    for (int j = 0; j < n; ++j) {
-      reduced.H.block<6, 6>(6 * i, 6 * j) = system.H.block<6, 6>(6 * kept[i], 6 * kept[j]);
-    }
-  }
-  if (removed >= 0) {
-    const Eigen::MatrixXd inverse = PseudoInverse(system.H.block<6, 6>(6 * removed, 6 * removed));
-    reduced.H -= H_kr * inverse * H_kr.transpose();
-    reduced.b -= H_kr * inverse * system.b.segment<6>(6 * removed);
-  }
-  return reduced;
+// The system over the poses `kept` and right_shift_px, the pose `removed` eliminated.
+LinearSystem Reduce(const LinearSystem& system, const std::vector<int>& kept, int removed) {
+  std::vector<Eigen::Index> rows;
+  for (const int pose : kept) AppendPoseRows(pose, rows);
+  rows.push_back(system.shift_row());
+  const auto six = Eigen::seqN(6 * removed, 6);
+  const Eigen::MatrixXd coupling = system.H(rows, six);
+  const Eigen::MatrixXd left = coupling * PseudoInverse(system.H(six, six));
+  return {system.H(rows, rows) - left * coupling.transpose(),
+          system.b(rows) - left * system.b(six)};
 }
 
 // H = J0^T J0 and b = J0^T r0: H is singular, so its square root comes from its eigenvectors.
-void TakeSquareRoot(const PoseSystem& system, PosePrior& prior) {
+void TakeSquareRoot(const LinearSystem& system, WindowPrior& prior) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 *
                                                              (system.H + system.H.transpose()));
   const Eigen::VectorXd& values = eigen.eigenvalues();  // ascending
   const double smallest = kRelativeRank * values[values.size() - 1];
-  const Eigen::Index first = (values.array() <= smallest).count();
-  const Eigen::Index rank = values.size() - first;
+  const Eigen::Index rank = (values.array() > smallest).count();
   const Eigen::VectorXd roots = values.tail(rank).cwiseSqrt();
   const Eigen::MatrixXd V_transposed = eigen.eigenvectors().rightCols(rank).transpose();
   prior.J0 = roots.asDiagonal() * V_transposed;
@@ -138,29 +123,24 @@ void TakeSquareRoot(const PoseSystem& system, PosePrior& prior) {
 
 }  // namespace
 
-PosePrior Marginalize(const StereoCamera& camera, const NoiseOptions& noise,
-                      const WindowProblem& problem, FrameId removed) {
-  const int size = 6 * static_cast<int>(problem.frames.size());
-  PoseSystem system{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
+WindowPrior Marginalize(const NoiseOptions& noise, const WindowProblem& problem, FrameId removed) {
+  const int size = 6 * static_cast<int>(problem.frames.size()) + 1;
+  LinearSystem system{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
   for (std::size_t begin = 0; begin < problem.factors.size();) {
     std::size_t end = begin;
     while (end < problem.factors.size() &&
            problem.factors[end].point == problem.factors[begin].point) {
       ++end;
     }
-    AddPoint(camera, noise, problem, begin, end, system);
+    AddPoint(noise, problem, begin, end, system);
     begin = end;
   }
-  if (!problem.prior.empty()) AddPrior(problem, system);
+  AddPrior(problem, system);
 
-  PosePrior prior;
   const std::vector<int> kept = KeptPoses(problem, removed, system);
-  if (kept.empty()) return prior;
-  const auto it = std::find(problem.frames.begin(), problem.frames.end(), removed);
-  const int removed_pose =
-      it == problem.frames.end() ? -1 : static_cast<int>(it - problem.frames.begin());
-  TakeSquareRoot(Reduce(system, kept, removed_pose), prior);
-  if (prior.r0.size() == 0) return prior;
+  WindowPrior prior;
+  TakeSquareRoot(Reduce(system, kept, FrameIndex(problem, removed)), prior);
+  prior.right_shift_point_px = problem.camera.right_shift_px;
   for (const int i : kept) {
     prior.frames.push_back(problem.frames[i]);
     prior.linearization_point.push_back(problem.world_from_camera[i]);

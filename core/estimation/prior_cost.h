@@ -4,19 +4,20 @@
 
 #include <ceres/cost_function.h>
 
-#include "core/estimation/pose_prior.h"
+#include "core/estimation/window_prior.h"
 
 namespace cvo {
 
-// r = r0 + J0 dx of a PosePrior; one 7-block per frame, in the prior's order. The tangent's
-// rotation part is differentiated exactly (inverse right Jacobian). `prior` must outlive it.
+// r = r0 + J0 dx of a WindowPrior; one 7-block per frame, in the prior's order, then
+// right_shift_px. The tangent's rotation part is differentiated exactly (inverse right Jacobian).
+// `prior` must outlive it.
 class PriorCost final : public ceres::CostFunction {
  public:
-  explicit PriorCost(const PosePrior& prior);
+  explicit PriorCost(const WindowPrior& prior);
   bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override;
 
  private:
-  const PosePrior* prior_;
+  const WindowPrior* prior_;
 };
 
 }  // namespace cvo

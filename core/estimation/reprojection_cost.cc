@@ -19,6 +19,7 @@ ReprojectionResidual EvaluateReprojection(const StereoCamera& camera, const Eige
   result.J_point = WJ * R;
   result.J_pose.leftCols<3>() = WJ * Skew(c);
   result.J_pose.rightCols<3>() = -result.J_point;
+  result.J_shift = sqrt_information.col(2);
   return result;
 }
 
@@ -27,8 +28,10 @@ bool ReprojectionCost::Evaluate(double const* const* blocks, double* residuals,
   const Eigen::Map<const Eigen::Quaterniond> q(blocks[0]);
   const Eigen::Map<const Eigen::Vector3d> position(blocks[0] + 4);
   const Eigen::Map<const Eigen::Vector3d> p_in_world(blocks[1]);
+  StereoCamera camera = camera_;
+  camera.right_shift_px = blocks[2][0];
   const ReprojectionResidual value = EvaluateReprojection(
-      *camera_, z_px_, sqrt_information_,
+      camera, z_px_, sqrt_information_,
       RigidTransform(Eigen::Quaterniond(q), Eigen::Vector3d(position)), p_in_world);
   Eigen::Map<Eigen::Vector3d> r(residuals);
   r = value.r;
@@ -40,6 +43,10 @@ bool ReprojectionCost::Evaluate(double const* const* blocks, double* residuals,
   if (jacobians[1]) {
     Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> J(jacobians[1]);
     J = value.J_point;
+  }
+  if (jacobians[2]) {
+    Eigen::Map<Eigen::Vector3d> J(jacobians[2]);
+    J = value.J_shift;
   }
   return true;
 }

@@ -9,31 +9,33 @@
 
 namespace cvo {
 
-// r = W (pi(camera_from_world p) - z), the reprojection term of the paper's static energy.
-// J_pose is 3x6 in the tangent of world_from_camera, J_point 3x3. A point nearer than
-// StereoCamera::kMinDepth_m is projected from that depth instead, so that r stays finite.
+// r = W (pi(camera_from_world p) - z), the reprojection term of the paper's static energy. J_pose
+// is 3x6 in the tangent of world_from_camera, J_point 3x3, J_shift by camera.right_shift_px. A
+// point nearer than StereoCamera::kMinDepth_m is projected from that depth instead, so that r stays
+// finite.
 struct ReprojectionResidual {
   Eigen::Vector3d r;
   Eigen::Matrix<double, 3, 6> J_pose;
   Eigen::Matrix3d J_point;
+  Eigen::Vector3d J_shift;
 };
 ReprojectionResidual EvaluateReprojection(const StereoCamera& camera, const Eigen::Vector3d& z_px,
                                           const Eigen::Matrix3d& sqrt_information,
                                           const RigidTransform& world_from_camera,
                                           const Eigen::Vector3d& p_in_world);
 
-// The same for Ceres; blocks: world_from_camera (7, PoseManifold), p_in_world (3). `camera` must
-// outlive it.
-class ReprojectionCost final : public ceres::SizedCostFunction<3, 7, 3> {
+// The same for Ceres; blocks: world_from_camera (7, PoseManifold), p_in_world (3),
+// right_shift_px (1), which takes the place of the camera's own.
+class ReprojectionCost final : public ceres::SizedCostFunction<3, 7, 3, 1> {
  public:
   ReprojectionCost(const StereoCamera& camera, const Eigen::Vector3d& z_px,
                    const Eigen::Matrix3d& sqrt_information)
-      : camera_(&camera), z_px_(z_px), sqrt_information_(sqrt_information) {}
+      : camera_(camera), z_px_(z_px), sqrt_information_(sqrt_information) {}
 
   bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override;
 
  private:
-  const StereoCamera* camera_;
+  StereoCamera camera_;
   Eigen::Vector3d z_px_;
   Eigen::Matrix3d sqrt_information_;
 };

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "core/base/ids.h"
+#include "core/estimation/window_prior.h"
 #include "core/features/stereo_feature.h"
-#include "core/geometry/rigid_transform.h"
+#include "core/geometry/stereo_camera.h"
 
 namespace cvo {
 
@@ -33,9 +34,12 @@ struct WindowFrame {
   RigidTransform world_from_camera;
 };
 
-// Frames T_s (spatial track, sparse and old) and T_t (temporal track, the latest ones), and the
-// landmarks they see (section 3.3 of the paper). Landmarks are sorted by id.
+// The estimator's state of the static world: frames T_s (spatial track, sparse and old) and T_t
+// (temporal track, the latest ones), and the landmarks they see (section 3.3 of the paper).
+// Landmarks are sorted by id.
 struct Window {
+  StereoCamera camera;  // as calibrated, right_shift_px as estimated so far
+  WindowPrior prior;
   std::vector<WindowFrame> spatial;   // oldest first
   std::vector<WindowFrame> temporal;  // oldest first
   std::vector<Landmark> landmarks;

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/error.h"
-
 namespace cvo {
 
 WindowProblem MakeFrames(const Window& window) {
   WindowProblem problem;
+  problem.camera = window.camera;
+  problem.prior = window.prior;
   for (const WindowFrame* frame : window.Frames()) {
     problem.frames.push_back(frame->id);
     problem.world_from_camera.push_back(frame->world_from_camera);
@@ -24,13 +24,9 @@ void AddLandmark(const Landmark& landmark, const NoiseOptions& noise, double sca
   const int point = static_cast<int>(problem.points.size());
   problem.points.push_back(landmark.p_in_world);
   for (const Observation& observation : landmark.observations) {
-    const auto it =
-        std::lower_bound(problem.frames.begin(), problem.frames.end(), observation.frame);
-    Require(it != problem.frames.end() && *it == observation.frame,
-            "AddLandmark: observation of a frame outside the window");
     const double scale = std::pow(scale_factor, observation.octave);
-    problem.factors.push_back({static_cast<int>(it - problem.frames.begin()), point,
-                               observation.z_px, SqrtInformation(noise, scale)});
+    problem.factors.push_back({FrameIndex(problem, observation.frame), point, observation.z_px,
+                               SqrtInformation(noise, scale)});
   }
 }
 

@@ -7,7 +7,7 @@
 
 namespace cvo {
 
-// The window's frames, none of them fixed, no points.
+// The window's camera, prior and frames, none of these fixed; no points.
 WindowProblem MakeFrames(const Window& window);
 
 // Adds the landmark as the problem's next point, with all its observations.

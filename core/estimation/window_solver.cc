@@ -31,10 +31,9 @@ ceres::Problem::Options BorrowEverything() {
 void AddPrior(WindowProblem& problem, PriorCost& cost, ceres::Problem& ceres_problem) {
   std::vector<double*> blocks;
   for (const FrameId id : problem.prior.frames) {
-    const auto it = std::lower_bound(problem.frames.begin(), problem.frames.end(), id);
-    Require(it != problem.frames.end() && *it == id, "SolveWindow: the prior names unknown frames");
-    blocks.push_back(problem.world_from_camera[it - problem.frames.begin()].data());
+    blocks.push_back(problem.world_from_camera[FrameIndex(problem, id)].data());
   }
+  blocks.push_back(&problem.camera.right_shift_px);
   ceres_problem.AddResidualBlock(&cost, nullptr, blocks);
 }
 
@@ -50,14 +49,21 @@ ceres::Solver::Options CeresOptions(const SolverOptions& options, WindowProblem&
   for (RigidTransform& pose : problem.world_from_camera) {
     ordering->AddElementToGroup(pose.data(), 1);
   }
+  ordering->AddElementToGroup(&problem.camera.right_shift_px, 1);
   ceres_options.linear_solver_ordering = ordering;
   return ceres_options;
 }
 
 }  // namespace
 
-SolverSummary SolveWindow(const StereoCamera& camera, const NoiseOptions& noise,
-                          const SolverOptions& options, WindowProblem& problem) {
+int FrameIndex(const WindowProblem& problem, FrameId frame) {
+  const auto it = std::lower_bound(problem.frames.begin(), problem.frames.end(), frame);
+  Require(it != problem.frames.end() && *it == frame, "WindowProblem: no such frame");
+  return static_cast<int>(it - problem.frames.begin());
+}
+
+SolverSummary SolveWindow(const NoiseOptions& noise, const SolverOptions& options,
+                          WindowProblem& problem) {
   PoseManifold manifold;
   ceres::HuberLoss loss(noise.huber);
   std::deque<ReprojectionCost> costs;  // never moves its elements
@@ -68,14 +74,17 @@ SolverSummary SolveWindow(const StereoCamera& camera, const NoiseOptions& noise,
     ceres_problem.AddParameterBlock(block, 7, &manifold);
     if (problem.is_fixed[i]) ceres_problem.SetParameterBlockConstant(block);
   }
+  double* right_shift = &problem.camera.right_shift_px;
+  ceres_problem.AddParameterBlock(right_shift, 1);
+  if (problem.is_right_shift_fixed) ceres_problem.SetParameterBlockConstant(right_shift);
   for (Eigen::Vector3d& point : problem.points) ceres_problem.AddParameterBlock(point.data(), 3);
   for (const ReprojectionFactor& factor : problem.factors) {
-    costs.emplace_back(camera, factor.z_px, factor.sqrt_information);
+    costs.emplace_back(problem.camera, factor.z_px, factor.sqrt_information);
     ceres_problem.AddResidualBlock(&costs.back(), &loss,
                                    problem.world_from_camera[factor.pose].data(),
-                                   problem.points[factor.point].data());
+                                   problem.points[factor.point].data(), right_shift);
   }
-  if (!problem.prior.empty()) AddPrior(problem, prior_cost, ceres_problem);
+  AddPrior(problem, prior_cost, ceres_problem);
 
   ceres::Solver::Summary summary;
   ceres::Solve(CeresOptions(options, problem), &ceres_problem, &summary);

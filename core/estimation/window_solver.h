@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/estimation/measurement_noise.h"
-#include "core/estimation/pose_prior.h"
+#include "core/estimation/window_prior.h"
 #include "core/geometry/stereo_camera.h"
 
 namespace cvo {
@@ -21,12 +21,14 @@ struct ReprojectionFactor {
 // The static energy of the paper's section 3.3 over the frames and points of the window, as plain
 // arrays. The prior's frames are all among `frames`.
 struct WindowProblem {
+  StereoCamera camera;  // its right_shift_px is a variable
+  bool is_right_shift_fixed = false;
   std::vector<FrameId> frames;  // ascending
   std::vector<RigidTransform> world_from_camera;
   std::vector<char> is_fixed;               // by frame: held constant
   std::vector<Eigen::Vector3d> points;      // p_in_world
   std::vector<ReprojectionFactor> factors;  // by point, then by pose
-  PosePrior prior;
+  WindowPrior prior;
 };
 
 struct SolverOptions {
@@ -53,8 +55,11 @@ struct SolverSummary {
   double final_cost = 0.0;
 };
 
+// Index of a frame of the problem; throws Error where it has no such frame.
+int FrameIndex(const WindowProblem& problem, FrameId frame);
+
 // Minimises the energy in place: Ceres, dense Schur complement, one thread.
-SolverSummary SolveWindow(const StereoCamera& camera, const NoiseOptions& noise,
-                          const SolverOptions& options, WindowProblem& problem);
+SolverSummary SolveWindow(const NoiseOptions& noise, const SolverOptions& options,
+                          WindowProblem& problem);
 
 }  // namespace cvo

@@ -8,8 +8,10 @@
 
 namespace cvo {
 
-// At most `quota` corners, spread evenly: the image is divided as a quadtree, breadth first, until
-// it has as many occupied leaves, and each leaf keeps its strongest corner. In reading order.
+// At most `quota` corners, spread evenly: strongest first, none nearer to another than a distance
+// that is chosen so that about `quota` remain (adaptive non-maximal suppression, Brown et al.
+// 2005). In reading order. Unlike a grid or a quadtree it moves with the image, so that the same
+// corners are chosen again in the other image and in the next one.
 std::vector<Corner> SelectEvenly(std::vector<Corner> corners, int quota);
 
 }  // namespace cvo

@@ -33,7 +33,7 @@ std::optional<Eigen::Vector3d> StereoCamera::Project(const Eigen::Vector3d& p_in
   const double inverse_z = 1.0 / p_in_camera.z();
   return Eigen::Vector3d(fx * p_in_camera.x() * inverse_z + cx,
                          fy * p_in_camera.y() * inverse_z + cy,
-                         fx * (p_in_camera.x() - baseline_m) * inverse_z + cx);
+                         fx * (p_in_camera.x() - baseline_m) * inverse_z + cx + right_shift_px);
 }
 
 Eigen::Matrix3d StereoCamera::ProjectionJacobian(const Eigen::Vector3d& p_in_camera) const {
@@ -48,14 +48,14 @@ Eigen::Matrix3d StereoCamera::ProjectionJacobian(const Eigen::Vector3d& p_in_cam
 }
 
 std::optional<Eigen::Vector3d> StereoCamera::BackProject(const Eigen::Vector3d& z_px) const {
-  const double disparity = z_px[0] - z_px[2];
+  const double disparity = Disparity(z_px);
   if (!(disparity > 0.0)) return std::nullopt;
   const double depth = fx * baseline_m / disparity;
   return Eigen::Vector3d((z_px[0] - cx) * depth / fx, (z_px[1] - cy) * depth / fy, depth);
 }
 
 Eigen::Matrix3d StereoCamera::BackProjectionJacobian(const Eigen::Vector3d& z_px) const {
-  const double disparity = z_px[0] - z_px[2];
+  const double disparity = Disparity(z_px);
   const double depth = fx * baseline_m / disparity;
   const double x = (z_px[0] - cx) / fx;
   const double y = (z_px[1] - cy) / fy;

@@ -18,9 +18,14 @@ struct StereoCamera {
   double baseline_m = 0.0;  // > 0
   int width_px = 0;
   int height_px = 0;
+  // Rectification error: u_right is seen this much further right than a perfect pair would see it.
+  double right_shift_px = 0.0;
 
   // Throws Error naming the field that cannot be.
   void Check() const;
+
+  // u_left - u_right of a perfect pair, px: fx baseline / depth.
+  double Disparity(const Eigen::Vector3d& z_px) const { return z_px[0] - z_px[2] + right_shift_px; }
 
   // pi(p): empty where the point is nearer than kMinDepth_m or behind the camera.
   [[nodiscard]] std::optional<Eigen::Vector3d> Project(const Eigen::Vector3d& p_in_camera) const;

@@ -19,7 +19,7 @@ struct Visible {
   std::vector<int> landmark;  // index into window.landmarks, by projected
 };
 
-Visible ProjectLandmarks(const StereoCamera& camera, const Options& options, const Window& window,
+Visible ProjectLandmarks(const Options& options, const Window& window,
                          const RigidTransform& world_from_camera) {
   const RigidTransform camera_from_world = world_from_camera.Inverse();
   const double log_scale = std::log(options.orb.scale_factor);
@@ -27,8 +27,8 @@ Visible ProjectLandmarks(const StereoCamera& camera, const Options& options, con
   for (int i = 0; i < static_cast<int>(window.landmarks.size()); ++i) {
     const Landmark& landmark = window.landmarks[i];
     const Eigen::Vector3d p_in_camera = camera_from_world * landmark.p_in_world;
-    const auto zeta = camera.Project(p_in_camera);
-    if (!zeta || !camera.InImage((*zeta)[0], (*zeta)[1])) continue;
+    const auto zeta = window.camera.Project(p_in_camera);
+    if (!zeta || !window.camera.InImage((*zeta)[0], (*zeta)[1])) continue;
     const int octave =
         landmark.observations.back().octave +
         static_cast<int>(std::lround(std::log(landmark.depth_m / p_in_camera.z()) / log_scale));
@@ -54,18 +54,17 @@ std::vector<PointMeasurement> Measurements(const Options& options, const Window&
 }
 
 // Matches of landmarks (indices into window.landmarks) around a camera.
-std::vector<Match> SearchAround(const StereoCamera& camera, const Options& options,
-                                const Window& window, const FeatureGrid& grid,
-                                const RigidTransform& world_from_camera, double radius_px) {
-  const Visible visible = ProjectLandmarks(camera, options, window, world_from_camera);
+std::vector<Match> SearchAround(const Options& options, const Window& window,
+                                const FeatureGrid& grid, const RigidTransform& world_from_camera,
+                                double radius_px) {
+  const Visible visible = ProjectLandmarks(options, window, world_from_camera);
   std::vector<Match> matches = MatchProjected(visible.projected, grid, radius_px,
                                               options.orb.scale_factor, options.matching);
   for (Match& match : matches) match.landmark = visible.landmark[match.landmark];
   return matches;
 }
 
-std::optional<RigidTransform> FindWithoutPrediction(const StereoCamera& camera,
-                                                    const Options& options, const Window& window,
+std::optional<RigidTransform> FindWithoutPrediction(const Options& options, const Window& window,
                                                     const FeatureGrid& grid, Rng& rng) {
   std::vector<Descriptor> descriptors;
   std::vector<int> landmark;
@@ -80,7 +79,7 @@ std::optional<RigidTransform> FindWithoutPrediction(const StereoCamera& camera,
                        options.tracking.recovery_ratio);
   for (Match& match : matches) match.landmark = landmark[match.landmark];
   const auto solution =
-      SolveCameraRansac(camera, Measurements(options, window, grid, matches), options.noise,
+      SolveCameraRansac(window.camera, Measurements(options, window, grid, matches), options.noise,
                         options.tracking.recovery_iterations, options.tracking.min_inliers, rng);
   if (!solution) return std::nullopt;
   return solution->world_from_camera;
@@ -88,29 +87,29 @@ std::optional<RigidTransform> FindWithoutPrediction(const StereoCamera& camera,
 
 }  // namespace
 
-std::optional<CameraTrack> TrackCamera(const StereoCamera& camera, const Options& options,
-                                       const Window& window, const FeatureGrid& grid,
+std::optional<CameraTrack> TrackCamera(const Options& options, const Window& window,
+                                       const FeatureGrid& grid,
                                        const RigidTransform& predicted_world_from_camera,
                                        Rng& rng) {
   const auto solve = [&](const std::vector<Match>& matches, const RigidTransform& initial) {
-    return SolveCamera(camera, Measurements(options, window, grid, matches), initial,
+    return SolveCamera(window.camera, Measurements(options, window, grid, matches), initial,
                        options.noise);
   };
   const std::vector<Match> wide = SearchAround(
-      camera, options, window, grid, predicted_world_from_camera, options.matching.wide_radius_px);
+      options, window, grid, predicted_world_from_camera, options.matching.wide_radius_px);
   const CameraSolution first = solve(wide, predicted_world_from_camera);
   RigidTransform around = first.world_from_camera;
   // Half of the matches being wrong means that the search looked in the wrong places.
   if (first.inliers < options.tracking.min_inliers ||
       first.inliers < static_cast<int>(wide.size()) / 2) {
-    const auto found = FindWithoutPrediction(camera, options, window, grid, rng);
+    const auto found = FindWithoutPrediction(options, window, grid, rng);
     if (found)
       around = *found;
     else if (first.inliers < options.tracking.min_inliers)
       return std::nullopt;
   }
   const std::vector<Match> narrow =
-      SearchAround(camera, options, window, grid, around, options.matching.narrow_radius_px);
+      SearchAround(options, window, grid, around, options.matching.narrow_radius_px);
   const CameraSolution second = solve(narrow, around);
   if (second.inliers < options.tracking.min_inliers) return std::nullopt;
   CameraTrack track{second.world_from_camera, {}, static_cast<int>(narrow.size())};

@@ -24,8 +24,8 @@ struct CameraTrack {
 // camera, robust solve, a second, narrower search around the solution, solve again. Where the first
 // search finds too little, all recent descriptors are compared instead and RANSAC finds the camera.
 // Empty where fewer than tracking.min_inliers landmarks agree.
-std::optional<CameraTrack> TrackCamera(const StereoCamera& camera, const Options& options,
-                                       const Window& window, const FeatureGrid& grid,
+std::optional<CameraTrack> TrackCamera(const Options& options, const Window& window,
+                                       const FeatureGrid& grid,
                                        const RigidTransform& predicted_world_from_camera, Rng& rng);
 
 }  // namespace cvo

@@ -33,10 +33,11 @@ struct FrameReport {
   int matches = 0;                   // landmarks found in the frame
   int inliers = 0;                   // of these, consistent with the camera pose
   int new_landmarks = 0;
-  int window_frames = 0;       // spatial and temporal track together, this frame included
-  int window_landmarks = 0;    // optimised with the window
-  int window_iterations = 0;   // of the bundle adjustment
-  double mean_error_px = 0.0;  // RMS whitened reprojection error of the inliers after it
+  int window_frames = 0;        // spatial and temporal track together, this frame included
+  int window_landmarks = 0;     // optimised with the window
+  int window_iterations = 0;    // of the bundle adjustment
+  double right_shift_px = 0.0;  // as estimated so far (StereoCamera)
+  double mean_error_px = 0.0;   // RMS whitened reprojection error of the inliers after it
 };
 
 }  // namespace cvo

@@ -27,16 +27,16 @@ void AddObservations(const WindowFrame& frame, std::span<const StereoFeature> fe
   }
 }
 
-int AddLandmarks(const StereoCamera& camera, const WindowFrame& frame,
-                 std::span<const StereoFeature> features, const std::vector<Match>& matches,
-                 double min_disparity_px, LandmarkId& next_id, Window& window) {
+int AddLandmarks(const WindowFrame& frame, std::span<const StereoFeature> features,
+                 const std::vector<Match>& matches, double min_disparity_px, LandmarkId& next_id,
+                 Window& window) {
   std::vector<char> is_matched(features.size(), 0);
   for (const Match& match : matches) is_matched[match.feature] = 1;
   int added = 0;
   for (std::size_t i = 0; i < features.size(); ++i) {
     const Eigen::Vector3d& z = features[i].z_px;
-    if (is_matched[i] || z[0] - z[2] < min_disparity_px) continue;
-    const auto p_in_camera = camera.BackProject(z);
+    if (is_matched[i] || window.camera.Disparity(z) < min_disparity_px) continue;
+    const auto p_in_camera = window.camera.BackProject(z);
     if (!p_in_camera) continue;
     Landmark landmark;
     landmark.id = next_id;

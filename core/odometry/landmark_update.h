@@ -17,9 +17,9 @@ void AddObservations(const WindowFrame& frame, std::span<const StereoFeature> fe
 
 // Makes a landmark of each feature that is not in `matches` and has the disparity for it; ids
 // follow next_id. Returns how many.
-int AddLandmarks(const StereoCamera& camera, const WindowFrame& frame,
-                 std::span<const StereoFeature> features, const std::vector<Match>& matches,
-                 double min_disparity_px, LandmarkId& next_id, Window& window);
+int AddLandmarks(const WindowFrame& frame, std::span<const StereoFeature> features,
+                 const std::vector<Match>& matches, double min_disparity_px, LandmarkId& next_id,
+                 Window& window);
 
 // Removes landmarks that were seen once and then not in the latest `frames` frames.
 void RemoveUnconfirmed(FrameId newest, int frames, Window& window);

@@ -4,8 +4,8 @@
 
 #include "core/association/projected_matching.h"
 #include "core/base/options.h"
-#include "core/estimation/double_track.h"
 #include "core/estimation/measurement_noise.h"
+#include "core/estimation/window_policies.h"
 #include "core/estimation/window_solver.h"
 #include "core/features/options.h"
 

@@ -4,6 +4,7 @@
 
 #include "core/association/feature_grid.h"
 #include "core/base/rng.h"
+#include "core/estimation/double_track.h"
 #include "core/odometry/camera_tracking.h"
 #include "core/odometry/landmark_update.h"
 #include "core/odometry/motion_model.h"
@@ -20,7 +21,7 @@ class VisualOdometry final : public Odometry {
       : camera_(setup.camera),
         options_(setup.options),
         rng_(setup.seed, "odometry"),
-        double_track_(camera_, options_.window, options_.noise, options_.orb.scale_factor) {
+        double_track_(options_.window, options_.noise, options_.orb.scale_factor) {
     camera_.Check();
     options_.Check();
   }
@@ -35,7 +36,7 @@ class VisualOdometry final : public Odometry {
     std::optional<CameraTrack> track;
     if (!window_.temporal.empty()) {
       const ScopedStage stage(times, "track");
-      track = TrackCamera(camera_, options_, window_, grid, predicted, rng_);
+      track = TrackCamera(options_, window_, grid, predicted, rng_);
     }
     if (!track && !StartsMap(report.features)) return EndLost(predicted, report);
 
@@ -47,20 +48,21 @@ class VisualOdometry final : public Odometry {
       const std::vector<Match> matches = track ? track->inliers : std::vector<Match>();
       AddObservations(entering, frame.features, matches, window_);
       report.new_landmarks =
-          AddLandmarks(camera_, entering, frame.features, matches,
-                       options_.tracking.min_disparity_px, next_landmark_, window_);
+          AddLandmarks(entering, frame.features, matches, options_.tracking.min_disparity_px,
+                       next_landmark_, window_);
       RemoveUnconfirmed(newest_, options_.window.lost_frames, window_);
-      double_track_.Advance(entering, window_, prior_);
+      double_track_.Advance(entering, window_);
     }
 
     // Bundle adjustment with the prior (3.3, static scene and camera pose).
     {
       const ScopedStage stage(times, "optimize");
       const WindowReport window =
-          OptimizeWindow<typename Variant::Gauge>(camera_, options_, prior_, window_);
+          OptimizeWindow<typename Variant::Gauge, typename Variant::Calibration>(options_, window_);
       report.window_landmarks = window.landmarks;
       report.window_iterations = window.iterations;
       report.mean_error_px = window.mean_error_px;
+      report.right_shift_px = window_.camera.right_shift_px;
     }
     report.status = !track ? FrameStatus::kFirst
                            : (lost_ > 0 ? FrameStatus::kRecovered : FrameStatus::kTracked);
@@ -95,8 +97,7 @@ class VisualOdometry final : public Odometry {
   }
 
   void Restart() {
-    window_ = Window();
-    prior_ = PosePrior();
+    window_ = Window{camera_, CalibrationPrior(options_.noise.right_shift_px), {}, {}, {}};
   }
 
   FrameReport EndLost(const RigidTransform& predicted, FrameReport report) {
@@ -125,7 +126,6 @@ class VisualOdometry final : public Odometry {
   DoubleTrack<typename Variant::MarginalizationRule, typename Variant::SpatialTrack> double_track_;
 
   Window window_;
-  PosePrior prior_;
   MotionModel motion_;
   std::vector<RigidTransform> trajectory_;
   FrameId newest_;

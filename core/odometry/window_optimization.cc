@@ -19,9 +19,9 @@ void CopyFrames(const WindowProblem& problem, Window& window) {
 
 }  // namespace
 
-double ApplySolution(const StereoCamera& camera, const NoiseOptions& noise,
-                     const WindowProblem& problem, const std::vector<int>& landmarks,
-                     Window& window) {
+double ApplySolution(const NoiseOptions& noise, const WindowProblem& problem,
+                     const std::vector<int>& landmarks, Window& window) {
+  window.camera = problem.camera;
   CopyFrames(problem, window);
   std::vector<RigidTransform> camera_from_world;
   for (const RigidTransform& pose : problem.world_from_camera) {
@@ -37,7 +37,7 @@ double ApplySolution(const StereoCamera& camera, const NoiseOptions& noise,
     for (const Observation& observation : landmark.observations) {
       const ReprojectionFactor& factor = problem.factors[next++];
       const auto error =
-          WhitenedError(camera, {landmark.p_in_world, factor.z_px, factor.sqrt_information},
+          WhitenedError(problem.camera, {landmark.p_in_world, factor.z_px, factor.sqrt_information},
                         camera_from_world[factor.pose]);
       if (!error || error->squaredNorm() > noise.gate) continue;
       kept.push_back(observation);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/estimation/pose_prior.h"
 #include "core/estimation/window.h"
 #include "core/estimation/window_problem.h"
 #include "core/odometry/options.h"
@@ -15,22 +14,21 @@ struct WindowReport {
   double mean_error_px = 0.0;
 };
 
-// Writes a solved problem back: frames, and the positions of the landmarks it was made from.
-// Removes observations outside the gate, and returns the RMS whitened error of those that stay.
-double ApplySolution(const StereoCamera& camera, const NoiseOptions& noise,
-                     const WindowProblem& problem, const std::vector<int>& landmarks,
-                     Window& window);
+// Writes a solved problem back: camera, frames, and the positions of the landmarks it was made
+// from. Removes observations outside the gate, and returns the RMS whitened error of those that
+// stay.
+double ApplySolution(const NoiseOptions& noise, const WindowProblem& problem,
+                     const std::vector<int>& landmarks, Window& window);
 
-// Bundle adjustment of the window (static energy of the paper's section 3.3); `Gauge` says which
-// frames are held.
-template <typename Gauge>
-WindowReport OptimizeWindow(const StereoCamera& camera, const Options& options,
-                            const PosePrior& prior, Window& window) {
+// Bundle adjustment of the window (static energy of the paper's section 3.3). `Gauge` says which
+// frames are held, `Calibration` whether camera.right_shift_px is.
+template <typename Gauge, typename Calibration>
+WindowReport OptimizeWindow(const Options& options, Window& window) {
   WindowProblem problem = MakeFrames(window);
-  problem.prior = prior;
   for (std::size_t i = 0; i < problem.frames.size(); ++i) {
-    problem.is_fixed[i] = Gauge::Fixes(static_cast<int>(i), prior);
+    problem.is_fixed[i] = Gauge::Fixes(static_cast<int>(i), problem.prior);
   }
+  problem.is_right_shift_fixed = Calibration::kFixesRightShift;
   const std::vector<int> landmarks = SelectLandmarks(window, options.solver.max_points);
   for (const int i : landmarks) {
     AddLandmark(window.landmarks[i], options.noise, options.orb.scale_factor, problem);
@@ -38,8 +36,8 @@ WindowReport OptimizeWindow(const StereoCamera& camera, const Options& options,
   WindowReport report;
   report.landmarks = static_cast<int>(landmarks.size());
   if (landmarks.empty()) return report;
-  report.iterations = SolveWindow(camera, options.noise, options.solver, problem).iterations;
-  report.mean_error_px = ApplySolution(camera, options.noise, problem, landmarks, window);
+  report.iterations = SolveWindow(options.noise, options.solver, problem).iterations;
+  report.mean_error_px = ApplySolution(options.noise, problem, landmarks, window);
   return report;
 }
 

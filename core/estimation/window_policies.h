@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/options.h"
+#include "core/estimation/window.h"
+
+namespace cvo {
+
+struct WindowOptions {
+  int spatial = 5;
+  int temporal = 15;
+  double promote_translation = 0.12;
+  double promote_rotation_rad = 0.1745;
+  double promote_common = 0.6;
+  int lost_frames = 3;
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor& visit) {
+    visit.Field("spatial", self.spatial,
+                {"frames", 1, 100, "frames in the spatial track, |T_s|", "paper, section 4.1"});
+    visit.Field("temporal", self.temporal,
+                {"frames", 2, 200, "frames in the temporal track, |T_t|", "paper, section 4.1"});
+    visit.Field("promote_translation", self.promote_translation,
+                {"median depths", 0, 100,
+                 "a frame this far from the newest one in T_s is promoted; larger spans more time "
+                 "with less overlap",
+                 "estimator.md 4.1"});
+    visit.Field("promote_rotation_rad", self.promote_rotation_rad,
+                {"rad", 0, 3.15, "a frame turned this far from the newest one in T_s is promoted",
+                 "estimator.md 4.1"});
+    visit.Field(
+        "promote_common", self.promote_common,
+        {"1", 0, 1,
+         "a frame sharing less than this fraction of landmarks with the newest one in T_s is "
+         "promoted",
+         "estimator.md 4.1"});
+    visit.Field("lost_frames", self.lost_frames,
+                {"frames", 1, 100,
+                 "a landmark unseen in this many latest frames is lost: its observations are "
+                 "marginalised with the frame they leave with",
+                 "estimator.md 4.3"});
+  }
+};
+
+// What becomes of a landmark seen by the frame that leaves T_s: marginalised with all its
+// observations, or only that observation deleted (estimator.md 4.3).
+// Policy: unseen in the last lost_frames frames -> marginalised.
+struct MarginalizeLost {
+  static constexpr bool kKeepsPrior = true;
+  static bool Marginalizes(const Landmark& landmark, FrameId newest, const WindowOptions& options) {
+    return landmark.last_seen.value <= newest.value - options.lost_frames;
+  }
+};
+// Policy: unseen by the newest frame -> marginalised, the paper's rule.
+struct MarginalizeUnseenByNewest {
+  static constexpr bool kKeepsPrior = true;
+  static bool Marginalizes(const Landmark& landmark, FrameId newest, const WindowOptions&) {
+    return landmark.last_seen < newest;
+  }
+};
+// Policy: nothing is marginalised, there is no prior.
+struct MarginalizeNothing {
+  static constexpr bool kKeepsPrior = false;
+  static bool Marginalizes(const Landmark&, FrameId, const WindowOptions&) { return false; }
+};
+
+// What holds the window in the world. Policy: its oldest frame is held constant.
+struct FixOldestFrame {
+  static bool Fixes(int index, const WindowPrior&) { return index == 0; }
+};
+// Policy: the prior alone, once there is one (the paper's).
+struct PriorHoldsGauge {
+  static bool Fixes(int index, const WindowPrior& prior) {
+    return index == 0 && prior.frames.empty();
+  }
+};
+
+// Whether a frame leaving T_t joins T_s. Policy: far from the newest frame in T_s.
+struct PromoteDistant {
+  static bool Promotes(const Window& window, const WindowFrame& frame,
+                       const WindowOptions& options);
+};
+// Policy: never; T_s stays empty.
+struct PromoteNever {
+  static bool Promotes(const Window&, const WindowFrame&, const WindowOptions&) { return false; }
+};
+
+// Whether the rig's calibration is believed. Policy: right_shift_px is estimated with the window;
+// noise.right_shift_px says how far the calibration is trusted.
+struct EstimateRightShift {
+  static constexpr bool kFixesRightShift = false;
+};
+// Policy: the calibration is taken as it is.
+struct TrustCalibration {
+  static constexpr bool kFixesRightShift = true;
+};
+
+}  // namespace cvo

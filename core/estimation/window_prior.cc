@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/estimation/window_prior.h"
+
+namespace cvo {
+
+WindowPrior CalibrationPrior(double deviation_px) {
+  WindowPrior prior;
+  prior.J0 = Eigen::MatrixXd::Constant(1, 1, 1.0 / deviation_px);
+  prior.r0 = Eigen::VectorXd::Zero(1);
+  return prior;
+}
+
+}  // namespace cvo

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/base/ids.h"
+#include "core/geometry/rigid_transform.h"
+
+namespace cvo {
+
+// What is known of the window apart from the observations in it: what marginalised variables said
+// of the frames they were connected to, and how far the calibration is trusted. The energy 1/2 ||r0
+// + J0 dx||^2, dx = stacked world_from_camera [-] linearization_point of the frames, then
+// right_shift_px - right_shift_point_px (the last term of the paper's static energy; one joint
+// term, estimator.md 4.2).
+struct WindowPrior {
+  std::vector<FrameId> frames;  // ascending
+  std::vector<RigidTransform> linearization_point;
+  double right_shift_point_px = 0.0;
+  Eigen::MatrixXd J0;  // rows x (6 frames + 1)
+  Eigen::VectorXd r0;
+};
+
+// The calibration alone: right_shift_px ~ N(0, deviation_px^2).
+WindowPrior CalibrationPrior(double deviation_px);
+
+}  // namespace cvo
