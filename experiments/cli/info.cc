@@ -9,6 +9,7 @@
 #include "experiments/cli/sequence_flags.h"
 #include "experiments/cli/text_table.h"
 #include "experiments/datasets/sequence.h"
+#include "experiments/datasets/sequence_type.h"
 #include "experiments/record/json.h"
 
 namespace cvo {
@@ -111,11 +112,9 @@ int ListSequences(const std::vector<FoundSequence>& found, bool json) {
 
 int ShowInfo(const SequenceFlags& flags, bool json) {
   const SequenceRequest request = flags.Request();
-  if (request.type.empty()) {
+  if (request.type.empty() && DetectSequenceType(NormalFolder(request.folder)).empty()) {
     const std::vector<FoundSequence> found = FindSequences(request.folder);
-    const bool is_sequence =
-        found.size() == 1 && std::filesystem::equivalent(found.front().folder, request.folder);
-    if (!found.empty() && !is_sequence) return ListSequences(found, json);
+    if (!found.empty()) return ListSequences(found, json);
   }
   const Sequence sequence = OpenSequence(request);
   if (json) {

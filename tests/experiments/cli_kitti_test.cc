@@ -148,5 +148,19 @@ TEST_F(CliKitti, ADamagedImageIsSkippedAndStrictRefusesIt) {
   EXPECT_FALSE(fs::exists(out("strict")));
 }
 
+TEST_F(CliKitti, InfoOfEverySequence) {
+  const ProcessResult list = RunProgram({"info", data_->string(), "--json"});
+  ASSERT_EQ(list.exit_code, 0) << list.err;
+  const Json sequences = ParseJson(list.out, "info");
+  EXPECT_GE(sequences.size(), 4U);
+  for (const Json& sequence : sequences) {
+    const ProcessResult info = RunProgram({"info", sequence["folder"], "--json"});
+    ASSERT_EQ(info.exit_code, 0) << info.err;
+    const Json json = ParseJson(info.out, "info");
+    EXPECT_EQ(json["type"], sequence["type"]);
+    EXPECT_EQ(json["groundtruth_frames"], json["frames"]);
+  }
+}
+
 }  // namespace
 }  // namespace cvo

@@ -53,7 +53,8 @@ TEST(BuildIdentity, RecordedRunsNeedTheCpuLevel) {
 
 TEST(JobIdentity, IsStable) {
   // A change here orphans every recorded result: raise the schema version with it.
-  EXPECT_EQ(JobIdentity(SomeJob()), "c82cefd48c40d01a9a34f1a64e9fac5f85fd8e7181aeb5aecc0b0a749fbb5f3c");
+  EXPECT_EQ(JobIdentity(SomeJob()),
+            "c82cefd48c40d01a9a34f1a64e9fac5f85fd8e7181aeb5aecc0b0a749fbb5f3c");
 }
 
 TEST(JobIdentity, DependsOnEveryPart) {
