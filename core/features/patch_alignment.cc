@@ -68,11 +68,12 @@ std::optional<PatchMatch> AlignPatch(const cv::Mat& left, const cv::Mat& right,
   const double whole_disparity = std::round(query.u_left - query.u_right);
   const double u_left = query.u_left - query.patch_radius;
   const double u_right = u_left - whole_disparity - query.search_radius;
-  const double v = query.v - query.patch_radius;
+  const double v_left = query.v_left - query.patch_radius;
+  const double v_right = query.v_right - query.patch_radius;
   Samples patch;
   Samples strip;
-  if (!SampleGrid(left, u_left, v, side, side, patch) ||
-      !SampleGrid(right, u_right, v, side + shifts - 1, side, strip)) {
+  if (!SampleGrid(left, u_left, v_left, side, side, patch) ||
+      !SampleGrid(right, u_right, v_right, side + shifts - 1, side, strip)) {
     return std::nullopt;
   }
   std::vector<float> costs;

@@ -10,8 +10,9 @@ namespace cvo {
 // A corner and where to look for it in the other image, pixels of one pyramid level.
 struct PatchQuery {
   double u_left = 0.0;
-  double v = 0.0;
+  double v_left = 0.0;
   double u_right = 0.0;
+  double v_right = 0.0;
   int patch_radius = 0;
   int search_radius = 0;
 };
