@@ -46,7 +46,7 @@ struct StereoMatchOptions {
   double max_row_correction_px = 0.0;    // of the rows in which patches are compared
   double min_depth_baselines = 3.0;      // nearest point
   double min_disparity_px = 0.1;         // farthest point
-  int patch_radius_px = 5;               // patch that is aligned
+  int patch_radius_px = 6;               // patch that is aligned
   int search_radius_px = 5;              // columns searched for it
   double max_cost_medians = 4.4;         // of the patches' squared difference
 
