@@ -14,7 +14,7 @@
 namespace cvo {
 
 // One row of a KITTI label or detection file. Frames are counted from the start of the folder's
-// sequence; boxes are in pixels of `camera`.
+// sequence.
 struct ObjectBox {
   int frame = 0;
   int track = -1;  // -1 where the file has none; never shown to the estimator
@@ -25,8 +25,8 @@ struct ObjectBox {
   double top_px = 0.0;
   double right_px = 0.0;
   double bottom_px = 0.0;
-  // 3D box in rectified camera 0 where the file has one (labels): height, width, length (m), centre
-  // of the bottom face (m), heading about the y axis (rad).
+  // 3D box in rectified camera 0 (see Sequence::left_offset_m) where the file has one (labels):
+  // height, width, length (m), centre of the bottom face (m), heading about the y axis (rad).
   struct Box3d {
     double height_m, width_m, length_m;
     Eigen::Vector3d bottom_in_camera;
@@ -58,8 +58,15 @@ struct Sequence {
   std::string groundtruth;  // "devkit", "interpolated", "official" or "none"
   std::vector<std::optional<RigidTransform>> groundtruth_world_from_camera;
 
+  // A point seen from the left camera read is p_in_camera0 + (left_offset_m, 0, 0).
+  double left_offset_m = 0.0;
+  // In pixels of the left image read: labels with a 3D box were moved there by their own depth;
+  // those without (DontCare) stay in pixels of the image they were drawn in.
   std::vector<ObjectBox> labels;
+  // In pixels of the image they were detected in, where a point seen from the left camera read is
+  // at p_in_camera + (detections_offset_m, 0, 0): see ShiftBox.
   std::vector<ObjectBox> detections;
+  double detections_offset_m = 0.0;
   // Text files that determine what was read besides the images (calibration, times, OxTS, labels,
   // detections), in a fixed order: they are part of the sequence's identity.
   std::vector<std::filesystem::path> text_files;
@@ -68,14 +75,15 @@ struct Sequence {
 
 // What a user asks for; empty means: decide from the folder.
 struct SequenceRequest {
-  std::filesystem::path folder;
-  std::string type;                    // "", "kitti-raw", "kitti-odometry", "kitti-tracking"
-  std::string pair;                    // "", "grey", "colour"
-  std::string groundtruth = "devkit";  // KITTI raw and tracking: "devkit" or "interpolated"
+  std::filesystem::path folder = {};
+  std::string type = {};               // "", "kitti-raw", "kitti-odometry", "kitti-tracking"
+  std::string pair = {};               // "", "grey", "colour"
+  std::string groundtruth = "devkit";  // KITTI raw: "devkit" or "interpolated"; others: "devkit"
   int begin_frame = 0;                 // half-open range; end -1: to the last
   int end_frame = -1;
-  std::filesystem::path labels_file;
-  std::filesystem::path detections_file;
+  std::filesystem::path labels_file = {};  // instead of the folder's own
+  int labels_camera = -1;                  // -1: image_02; in KITTI odometry the left image read
+  std::filesystem::path detections_file = {};
   int detections_camera = -1;  // image_0X the boxes were detected in; -1: the left image read
   double min_score = -1e300;   // detections below are left out
 };
@@ -84,8 +92,9 @@ struct SequenceRequest {
 // numbers and with equal sizes (from their headers). Throws Error.
 Sequence OpenSequence(const SequenceRequest& request);
 
-// Folders below `root` (or `root` itself) that hold a sequence, sorted by path, with their type.
-// KITTI tracking keeps several sequences in one folder: these are named <training folder>/<number>.
+// Folders below `root` (or `root` itself) that hold the images of a sequence, sorted by path, with
+// their type. KITTI tracking keeps several sequences in one folder: these are named <training
+// folder>/<number>.
 struct FoundSequence {
   std::filesystem::path folder;
   std::string type;

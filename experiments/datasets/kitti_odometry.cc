@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+
+// KITTI odometry: <sequences>/<number>/{image_0..3/,times.txt,calib.txt}, poses in
+// <sequences>/../poses/<number>.txt or, as our synthetic scenes have them, in poses.txt beside the
+// images.
+
+#include "core/base/error.h"
+#include "experiments/datasets/sequence_parts.h"
+#include "experiments/datasets/timestamps.h"
+#include "experiments/metrics/kitti_poses.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+// "odometry_06" in the layout of KITTI; elsewhere the folder's own name.
+std::string SequenceName(const fs::path& folder) {
+  const std::string name = folder.filename().string();
+  return folder.parent_path().filename() == "sequences" ? "odometry_" + name : name;
+}
+
+fs::path FindPoses(const fs::path& folder) {
+  const fs::path beside = folder / "poses.txt";
+  const fs::path apart =
+      folder.parent_path().parent_path() / "poses" / (folder.filename().string() + ".txt");
+  if (fs::exists(beside)) return beside;
+  return fs::exists(apart) ? apart : fs::path();
+}
+
+// The file has poses of camera 0, relative to its first frame.
+void AddTruth(Sequence& sequence) {
+  const fs::path path = FindPoses(sequence.folder);
+  if (path.empty()) {
+    sequence.missing.push_back("poses: no ground truth of the camera");
+    return;
+  }
+  const std::vector<RigidTransform> poses = ReadKittiPoses(path);
+  sequence.text_files.push_back(path);
+  const std::size_t frames = sequence.images.size();
+  if (poses.size() > frames) {
+    ThrowError(StrCat(path.string(), ":", frames + 1), StrCat(poses.size(), " poses"),
+               StrCat(frames, ", as many as images"));
+  }
+  if (poses.size() < frames) {
+    sequence.missing.push_back(StrCat(path.string(), ": poses of the last ", frames - poses.size(),
+                                      " of ", frames, " frames"));
+  }
+  std::vector<std::optional<RigidTransform>> truth(poses.begin(), poses.end());
+  truth.resize(frames);
+  AddOxtsTruth(truth, RigidTransform(), sequence);
+  sequence.groundtruth = "official";
+}
+
+}  // namespace
+
+Sequence ReadKittiOdometry(const SequenceRequest& request) {
+  RequireDevkitTruth(request, "KITTI odometry comes with one set of poses");
+  Sequence sequence;
+  sequence.folder = request.folder;
+  sequence.name = SequenceName(request.folder);
+  const auto images = [&](const char* image) { return request.folder / image; };
+  const CameraPair pair =
+      ChoosePair(request, {{"grey", 0, 1, images("image_0"), images("image_1")},
+                           {"colour", 2, 3, images("image_2"), images("image_3")}});
+
+  const CalibrationFile calibration(request.folder / "calib.txt");
+  const CameraRig rig(calibration, "P");
+  sequence.text_files.push_back(calibration.path());
+  AddImages(pair, rig, sequence);
+
+  const fs::path times_file = request.folder / "times.txt";
+  AddTimes(times_file, ReadSecondsTimes(times_file), sequence);
+  AddTruth(sequence);
+  AddBoxes(request, {.file = {}, .camera = pair.left}, rig, pair.left, sequence);
+  return sequence;
+}
+
+}  // namespace cvo

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+
+// KITTI tracking: <training>/{image_02,image_03}/<number>/ and one file per sequence in
+// <training>/{calib,oxts,label_02}/<number>.txt. A sequence is addressed as <training>/<number> or
+// <training>/image_02/<number>.
+
+#include "core/base/error.h"
+#include "experiments/datasets/oxts.h"
+#include "experiments/datasets/sequence_parts.h"
+#include "experiments/datasets/timestamps.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+// "tracking_0005"; the test set has the same numbers: "tracking_testing_0005".
+std::string SequenceName(const fs::path& set_folder, const std::string& number) {
+  return (set_folder.filename() == "testing" ? "tracking_testing_" : "tracking_") + number;
+}
+
+RigidTransform ReadCamera0FromImu(const CalibrationFile& file) {
+  const RigidTransform rectification(file.Rotation(file.FirstOf({"R0_rect", "R_rect"})),
+                                     Eigen::Vector3d::Zero());
+  return rectification * file.Transform(file.FirstOf({"Tr_velo_to_cam", "Tr_velo_cam"})) *
+         file.Transform(file.FirstOf({"Tr_imu_to_velo", "Tr_imu_velo"}));
+}
+
+void AddTruth(const fs::path& oxts_file, const CalibrationFile& calibration, Sequence& sequence) {
+  if (!fs::exists(oxts_file)) {
+    sequence.missing.push_back(oxts_file.string() + ": no ground truth of the camera");
+    return;
+  }
+  const std::vector<RigidTransform> poses = ImuPoses(ReadOxtsPackets(oxts_file));
+  if (poses.size() != sequence.images.size()) {
+    ThrowError(oxts_file.string(), StrCat(poses.size(), " packets"),
+               StrCat(sequence.images.size(), ", as many as images"));
+  }
+  sequence.text_files.push_back(oxts_file);
+  AddOxtsTruth({poses.begin(), poses.end()}, ReadCamera0FromImu(calibration), sequence);
+  sequence.groundtruth = "devkit";
+}
+
+}  // namespace
+
+Sequence ReadKittiTracking(const SequenceRequest& request) {
+  RequireDevkitTruth(request, "KITTI tracking has no timestamps to interpolate at");
+  const std::string number = request.folder.filename().string();
+  const bool in_images = request.folder.parent_path().filename().string().starts_with("image_0");
+  const fs::path set_folder =
+      in_images ? request.folder.parent_path().parent_path() : request.folder.parent_path();
+  Sequence sequence;
+  sequence.folder = set_folder / number;
+  sequence.name = SequenceName(set_folder, number);
+  const CameraPair pair = ChoosePair(request, {{"colour", 2, 3, set_folder / "image_02" / number,
+                                                set_folder / "image_03" / number}});
+
+  const CalibrationFile calibration(set_folder / "calib" / (number + ".txt"));
+  const CameraRig rig(calibration, "P");
+  sequence.text_files.push_back(calibration.path());
+  AddImages(pair, rig, sequence);
+  sequence.timestamps_ns = NominalTimes(sequence.images.size());
+  AddTruth(set_folder / "oxts" / (number + ".txt"), calibration, sequence);
+
+  LabelSource labels = {set_folder / "label_02" / (number + ".txt"), 2};
+  if (!fs::exists(labels.file)) {
+    if (request.labels_file.empty())
+      sequence.missing.push_back(labels.file.string() + ": no labels");
+    labels.file.clear();
+  }
+  AddBoxes(request, labels, rig, pair.left, sequence);
+  return sequence;
+}
+
+}  // namespace cvo

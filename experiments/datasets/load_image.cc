@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/datasets/load_image.h"
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+
+#include "core/base/error.h"
+#include "experiments/datasets/png.h"
+#include "experiments/datasets/sha256.h"
+#include "experiments/datasets/text/text_file.h"
+
+namespace cvo {
+namespace {
+
+// Grey is converted here and not by the PNG library, whose arithmetic depends on its version.
+cv::Mat DecodeGrey(const std::string& bytes) {
+  const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
+  const cv::Mat decoded = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
+  if (decoded.empty() || decoded.depth() != CV_8U || decoded.channels() == 1) return decoded;
+  cv::Mat grey;
+  cv::cvtColor(decoded, grey, decoded.channels() == 4 ? cv::COLOR_BGRA2GRAY : cv::COLOR_BGR2GRAY);
+  return grey;
+}
+
+}  // namespace
+
+LoadedImage LoadGrey(const std::filesystem::path& path) {
+  LoadedImage image;
+  const auto fail = [&](const std::string& found) {
+    image.grey.release();
+    image.problem = StrCat(path.string(), ": found ", found, ", expected a whole PNG image");
+    return image;
+  };
+  std::string bytes;
+  try {
+    bytes = ReadFileBytes(path);
+  } catch (const Error& error) {
+    image.problem = error.what();
+    return image;
+  }
+  image.sha256 = Sha256Hex(bytes);
+  if (const std::optional<std::string> damage = FindPngDamage(bytes)) return fail(*damage);
+  try {
+    image.grey = DecodeGrey(bytes);
+  } catch (const cv::Exception& error) {
+    return fail(StrCat("one that OpenCV refuses (", error.err, ")"));
+  }
+  if (image.grey.empty()) return fail("one that cannot be decoded");
+  if (image.grey.type() != CV_8UC1) return fail("one that has not 8 bits per channel");
+  return image;
+}
+
+}  // namespace cvo

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "experiments/datasets/sequence.h"
+
+namespace cvo {
+
+// KITTI tracking label files: 17 columns per row, frames below `frame_count`. Throws Error with
+// file and line.
+std::vector<ObjectBox> ReadLabels(const std::filesystem::path& path, int frame_count);
+
+// KITTI tracking result files: the same with a score as the 18th column, or as the last of 19
+// (files that carry one value more before it); every row of a file has the same number. Label files
+// pass too, without scores.
+std::vector<ObjectBox> ReadDetections(const std::filesystem::path& path, int frame_count);
+
+// The box as seen from a camera `offset_m` to the left: p_in_given = p_in_result + (offset_m, 0,
+// 0). A point at depth z moves by -fx offset / z pixels in u. Throws Error unless depth_m > 0.
+ObjectBox ShiftBox(const ObjectBox& box, double offset_m, double fx, double depth_m);
+
+}  // namespace cvo

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/error.h"
+#include "experiments/datasets/sequence_parts.h"
+#include "experiments/datasets/sequence_type.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string AllTypes() {
+  return StrCat(kKittiRaw, " (image_00/data, oxts), ", kKittiOdometry, " (image_0, times.txt) or ",
+                kKittiTracking, " (<training>/<number>)");
+}
+
+std::string TypeOf(const SequenceRequest& request) {
+  if (!request.type.empty()) return request.type;
+  const fs::path& folder = request.folder;
+  const std::string type = DetectSequenceType(folder);
+  if (!type.empty()) return type;
+  if (IsTrackingSet(folder)) {
+    const std::vector<fs::path> sequences = TrackingSequences(folder);
+    ThrowError(folder.string(), "a folder of several KITTI tracking sequences",
+               sequences.empty() ? "one with images"
+                                 : StrCat("one of them, such as ", sequences.front().string()));
+  }
+  ThrowError(folder.string(), fs::exists(folder) ? "a folder of no known type" : "no such folder",
+             "a sequence: " + AllTypes());
+}
+
+Sequence ReadSequence(const SequenceRequest& request) {
+  if (request.type == kKittiRaw) return ReadKittiRaw(request);
+  if (request.type == kKittiOdometry) return ReadKittiOdometry(request);
+  if (request.type == kKittiTracking) return ReadKittiTracking(request);
+  ThrowError("option --type", "\"" + request.type + "\"", AllTypes());
+}
+
+}  // namespace
+
+fs::path NormalFolder(const fs::path& folder) {
+  fs::path normal = folder.lexically_normal();
+  if (!normal.has_filename()) normal = normal.parent_path();
+  const bool named = normal.has_filename() && normal.filename() != "." && normal.filename() != "..";
+  if (named && normal.has_parent_path()) return normal;
+  normal = fs::absolute(folder).lexically_normal();
+  return normal.has_filename() ? normal : normal.parent_path();
+}
+
+Sequence OpenSequence(const SequenceRequest& request) try {
+  SequenceRequest resolved = request;
+  resolved.folder = NormalFolder(request.folder);
+  resolved.type = TypeOf(resolved);
+  Sequence sequence = ReadSequence(resolved);
+  sequence.type = resolved.type;
+  if (sequence.groundtruth.empty()) sequence.groundtruth = "none";
+  sequence.groundtruth_world_from_camera.resize(sequence.images.size());
+  CutFrames(resolved, sequence);
+  return sequence;
+} catch (const fs::filesystem_error& error) {
+  ThrowError(error.path1().string(), error.code().message(), "a folder or file that can be read");
+}
+
+}  // namespace cvo

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "core/geometry/rigid_transform.h"
+
+namespace cvo {
+
+// What the devkit reads of one GPS/IMU packet. Angles as in the file: latitude and longitude in
+// degrees, roll, pitch and yaw in radians.
+struct OxtsPacket {
+  double latitude_deg = 0.0;
+  double longitude_deg = 0.0;
+  double altitude_m = 0.0;
+  double roll_rad = 0.0;
+  double pitch_rad = 0.0;
+  double yaw_rad = 0.0;
+};
+
+// KITTI raw: one packet per file; KITTI tracking: one per line. Each has 30 finite numbers.
+OxtsPacket ReadOxtsPacket(const std::filesystem::path& path);
+std::vector<OxtsPacket> ReadOxtsPackets(const std::filesystem::path& path);
+
+// The devkit's convertOxtsToPose: imu_0_from_imu_i with a Mercator projection whose scale is that
+// of the first packet's latitude.
+std::vector<RigidTransform> ImuPoses(const std::vector<OxtsPacket>& packets);
+
+// The pose at a time: position linear, rotation on the shortest arc. Times strictly increasing, as
+// many as poses. Empty outside their range.
+[[nodiscard]] std::optional<RigidTransform> InterpolatePose(
+    const std::vector<std::int64_t>& times_ns, const std::vector<RigidTransform>& poses,
+    std::int64_t time_ns);
+
+}  // namespace cvo

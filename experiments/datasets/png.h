@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace cvo {
+
+struct PngHeader {
+  int width_px = 0;
+  int height_px = 0;
+  bool grey = false;  // grey or grey with alpha; else colour or palette
+};
+
+// The header of a PNG file with 8 bits per channel, from its first bytes alone. Throws Error naming
+// `path` for anything else, JPEG included.
+PngHeader ReadPngHeader(const std::filesystem::path& path);
+
+// What is wrong with the bytes of a PNG file: a bad signature, a chunk cut short or with a wrong
+// CRC, no image data, no end. Empty where the file is whole. Decoders may return half an image.
+[[nodiscard]] std::optional<std::string> FindPngDamage(std::string_view bytes);
+
+}  // namespace cvo

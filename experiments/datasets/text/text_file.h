@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cvo {
+
+// A file read whole. Throws Error where it cannot be read.
+std::string ReadFileBytes(const std::filesystem::path& path);
+// Replaces the file. Throws Error where it cannot be written whole.
+void WriteFileBytes(const std::filesystem::path& path, std::string_view bytes);
+
+// Text from a file for a message: in quotes, at most 60 characters, on one line whatever it holds.
+std::string Quoted(std::string_view text);
+
+// A text file as lines without their ends ("\n" or "\r\n"; the last may have none). Blank lines at
+// the end are dropped.
+class TextFile {
+ public:
+  explicit TextFile(std::filesystem::path path);
+
+  const std::filesystem::path& path() const { return path_; }
+  std::size_t size() const { return lines_.size(); }
+  const std::string& line(std::size_t index) const { return lines_[index]; }
+  // "<path>:<line number from 1>"
+  std::string Where(std::size_t index) const;
+  // Whether the line is the last one and has no line end, as in a file that is half-written.
+  bool Unterminated(std::size_t index) const;
+
+ private:
+  std::filesystem::path path_;
+  std::vector<std::string> lines_;
+  bool ends_with_newline_ = true;
+};
+
+// One line of a TextFile in columns separated by blanks. What it cannot read it throws as Error
+// with file, line, column, what was found and what was expected. The file must outlive it.
+class TextRow {
+ public:
+  TextRow(const TextFile& file, std::size_t index);
+
+  std::size_t size() const { return columns_.size(); }
+  void ExpectColumns(std::size_t count, const std::string& what) const;
+  std::string_view Text(std::size_t column) const { return columns_[column]; }
+  double Number(std::size_t column) const;  // finite
+  int Integer(std::size_t column) const;
+  std::int64_t SecondsNs(std::size_t column) const;
+  [[noreturn]] void Fail(const std::string& found, const std::string& expected) const;
+
+ private:
+  [[noreturn]] void FailColumn(std::size_t column, const char* expected) const;
+
+  const TextFile& file_;
+  std::size_t index_;
+  std::vector<std::string_view> columns_;
+};
+
+}  // namespace cvo
