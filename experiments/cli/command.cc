@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/cli/command.h"
+
+#include <optional>
+
+#include "core/base/error.h"
+#include "experiments/datasets/text/number.h"
+#include "experiments/record/build_identity.h"
+
+namespace cvo {
+
+std::string FiniteProblem(const std::string& text) {
+  const std::optional<double> number = ParseDouble(text);
+  return number ? "" : StrCat("found '", text, "', expected a finite number");
+}
+
+std::string VersionText() {
+  const BuildIdentity build = ThisBuild();
+  return StrCat("clustervo ", build.version, "\nbuild      ", build.Hash(), "\nestimator  ",
+                build.estimator_sources, "\nevaluation ", build.evaluation_sources, "\ncommit     ",
+                build.commit, "\ncompiler   ", build.compiler, ", ", build.build_type, ", ",
+                build.flags, "\nlibraries  OpenCV ", build.opencv, ", Eigen ", build.eigen,
+                ", Ceres ", build.ceres, "\nCPU level  ", build.cpu_level);
+}
+
+}  // namespace cvo

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+namespace cvo {
+
+// A subcommand: its flags are parsed into what `run` holds, and `run` returns the exit code.
+struct Command {
+  CLI::App* app = nullptr;
+  std::function<int()> run;
+};
+
+Command AddRunCommand(CLI::App& program);
+Command AddEvalCommand(CLI::App& program);
+Command AddInfoCommand(CLI::App& program);
+Command AddVariantsCommand(CLI::App& program);
+Command AddOptionsCommand(CLI::App& program);
+
+// A check for numbers, which the parser lets be NaN and infinite: what is wrong, or empty.
+std::string FiniteProblem(const std::string& text);
+
+// What `clustervo --version` prints.
+std::string VersionText();
+
+}  // namespace cvo

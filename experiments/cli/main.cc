@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <opencv2/core/utility.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "experiments/cli/command.h"
+#include "experiments/record/closest_names.h"
+
+namespace cvo {
+namespace {
+
+constexpr int kBadInput = 1;
+constexpr int kUsage = 2;
+constexpr int kInternal = 3;
+
+// One line on stderr, whatever the message holds.
+int Fail(std::string message, int exit_code) {
+  std::replace_if(
+      message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  std::cerr << "clustervo: error: " << message << '\n';
+  return exit_code;
+}
+
+// A first word that is no subcommand, which the parser would only call unexpected.
+void CheckSubcommand(int argc, char** argv, const std::vector<Command>& commands) {
+  const std::string_view word = argc > 1 ? argv[1] : "";
+  if (word.empty() || word.starts_with('-')) return;
+  std::vector<std::string> names;
+  for (const Command& command : commands) names.push_back(command.app->get_name());
+  if (std::find(names.begin(), names.end(), word) != names.end()) return;
+  throw CLI::ExtrasError(StrCat("no subcommand \"", word, "\"", DidYouMean(word, names)),
+                         CLI::ExitCodes::ExtrasError);
+}
+
+int UsageError(const CLI::App& program, const CLI::ParseError& error) {
+  const std::vector<CLI::App*> parsed = program.get_subcommands();
+  const std::string name = parsed.empty() ? "" : " " + parsed.front()->get_name();
+  return Fail(StrCat(error.what(), " (see clustervo", name, " --help)"), kUsage);
+}
+
+int Main(int argc, char** argv) {
+  cv::setNumThreads(1);  // the program's own threads are enough, and OpenCV's cost determinism
+
+  CLI::App program(
+      "Stereo visual odometry on recorded drives, and its errors under a stated "
+      "contract.");
+  program.name("clustervo");
+  program.set_version_flag("--version", VersionText);
+  program.require_subcommand(1);
+  program.footer(
+      "Start with: clustervo info SEQUENCE, then clustervo run SEQUENCE -o OUT.\n"
+      "Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 internal error, 130 stopped.");
+  const std::vector<Command> commands = {AddRunCommand(program), AddEvalCommand(program),
+                                         AddInfoCommand(program), AddVariantsCommand(program),
+                                         AddOptionsCommand(program)};
+  try {
+    CheckSubcommand(argc, argv, commands);
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // Help and version are thrown too.
+    return error.get_exit_code() == 0 ? program.exit(error) : UsageError(program, error);
+  }
+  for (const Command& command : commands) {
+    if (command.app->parsed()) return command.run();
+  }
+  return kUsage;
+}
+
+}  // namespace
+}  // namespace cvo
+
+int main(int argc, char** argv) {
+  try {
+    return cvo::Main(argc, argv);
+  } catch (const cvo::Error& error) {
+    return cvo::Fail(error.what(), cvo::kBadInput);
+  } catch (const std::exception& error) {
+    return cvo::Fail(cvo::StrCat("internal: ", error.what()), cvo::kInternal);
+  } catch (...) {
+    return cvo::Fail("internal: unknown exception", cvo::kInternal);
+  }
+}

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+
+namespace cvo {
+
+// How far a run has come, on stderr: a bar with frame rate and time left on a terminal, otherwise a
+// line every tenth of the way.
+class Progress {
+ public:
+  Progress(std::size_t total, bool quiet);
+  ~Progress();  // takes the bar off the terminal
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void Report(std::size_t done);
+
+ private:
+  enum class Style { kNone, kBar, kLines };
+
+  void PrintBar(std::size_t done, double rate);
+  void PrintLine(std::size_t done, double rate);
+
+  std::size_t total_;
+  Style style_;
+  std::chrono::steady_clock::time_point start_;
+  std::chrono::steady_clock::time_point shown_;
+  std::size_t shown_tenths_ = 0;
+};
+
+}  // namespace cvo

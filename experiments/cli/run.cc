@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <charconv>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "core/base/error.h"
+#include "experiments/cli/command.h"
+#include "experiments/cli/progress.h"
+#include "experiments/cli/sequence_flags.h"
+#include "experiments/cli/stop_signal.h"
+#include "experiments/cli/text_table.h"
+#include "experiments/record/atomic_file.h"
+#include "experiments/record/build_identity.h"
+#include "experiments/record/options_json.h"
+#include "experiments/runner/run_job.h"
+
+namespace cvo {
+namespace {
+
+constexpr int kStopped = 130;
+
+struct RunFlags {
+  SequenceFlags sequence;
+  std::string variant = "static";
+  std::string output;
+  std::string config;
+  std::vector<std::string> set;
+  int threads = 1;
+  std::uint64_t seed = 0;
+  bool strict = false;
+  bool quiet = false;
+};
+
+// The parser itself would wrap, saturate or read octal.
+std::uint64_t ParseSeed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (error != std::errc{} || end != text.data() + text.size()) {
+    throw CLI::ValidationError("--seed", "found '" + text + "', expected an integer in [0, 2^64)");
+  }
+  return seed;
+}
+
+void PrintSummary(const Sequence& sequence, const JobOutcome& outcome) {
+  const RunResult& run = outcome.run;
+  const double rate = static_cast<double>(run.frames.size()) / run.wall_s;
+  std::cout << sequence.name << ": " << run.frames.size() << " frames in " << ForPeople(run.wall_s)
+            << " s, " << ForPeople(rate) << " frames/s, "
+            << ForPeople(outcome.context.peak_memory_mb) << " MB, status " << ToString(run.status)
+            << (run.message.empty() ? "" : ": ") << run.message << '\n';
+  for (const FrameRecord& frame : run.frames) {
+    for (const ImageProblem& problem : frame.problems) {
+      std::cout << "frame " << frame.frame << " skipped: " << problem.image << ": "
+                << problem.reason << '\n';
+    }
+  }
+  const RunScores& scores = outcome.scores;
+  if (scores.refined.empty()) {
+    std::cout << "nothing to score: ground truth " << sequence.groundtruth << '\n';
+    return;
+  }
+  std::cout << '\n';
+  TextTable table({"metric", "refined", "causal", "unit", "n"});
+  for (std::size_t i = 0; i < scores.refined.size(); ++i) {
+    const Metric& refined = scores.refined[i];
+    table.Add({refined.name, ForPeople(refined.value), ForPeople(scores.causal[i].value),
+               refined.unit, std::to_string(refined.n)});
+  }
+  table.Print(std::cout);
+}
+
+int Run(const RunFlags& flags) {
+  RequireRecordedCpu(ThisBuild());
+  const VariantInfo& variant = FindVariant(flags.variant);
+  const Options options = ResolveOptions<Options>(flags.config, flags.set);
+  const Sequence sequence = OpenSequence(flags.sequence.Request());
+  const OutputFolder output(flags.output, RunFileNames());
+
+  std::optional<JobOutcome> outcome;
+  {
+    const StopSignal stop;
+    Progress progress(sequence.images.size(), flags.quiet);
+    outcome = RunJob({.sequence = sequence,
+                      .variant = variant,
+                      .options = options,
+                      .seed = flags.seed,
+                      .threads = flags.threads,
+                      .strict = flags.strict,
+                      .progress = [&progress](std::size_t done) { progress.Report(done); },
+                      .stop = [&stop] { return stop.Requested(); }},
+                     output.path());
+  }
+  if (!outcome) {
+    std::cerr << "clustervo: stopped, nothing was written\n";
+    return kStopped;
+  }
+  if (outcome->run.status == RunStatus::kFailed) throw Error(outcome->run.message);
+  PrintSummary(sequence, *outcome);
+  return 0;
+}
+
+}  // namespace
+
+Command AddRunCommand(CLI::App& program) {
+  CLI::App* app =
+      program.add_subcommand("run", "Estimate the camera's trajectory on a sequence and score it");
+  const auto flags = std::make_shared<RunFlags>();
+  flags->threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  flags->sequence.AddTo(*app);
+  const auto add = [app](const char* flag, auto& value, const char* kind, const char* meaning) {
+    return app->add_option(flag, value, meaning)->type_name(kind);
+  };
+  add("-o,--output", flags->output, "FOLDER",
+      "for result.json, timing.json, camera.tum and camera.kitti")
+      ->required();
+  add("--variant", flags->variant, "NAME", "estimator: clustervo variants lists them")
+      ->capture_default_str();
+  add("--set", flags->set, "PATH=VALUE", "changes one option (clustervo options); can be repeated")
+      ->allow_extra_args(false);
+  add("--config", flags->config, "FILE", "JSON with options as nested objects; --set goes over it");
+  app->add_option_function<std::string>(
+         "--seed", [flags](const std::string& text) { flags->seed = ParseSeed(text); },
+         "of the estimator's random draws; default: 0")
+      ->type_name("N");
+  add("--threads", flags->threads, "N",
+      "threads in all; results do not depend on it; default: CPUs")
+      ->check(CLI::Range(1, 1024).description(""));
+  app->add_flag("--strict", flags->strict,
+                "an image that cannot be decoded is an error; else its frame is skipped");
+  app->add_flag("-q,--quiet", flags->quiet, "no progress on stderr");
+  app->footer(
+      "camera.kitti has one line per frame, skipped frames with their predicted pose (listed in\n"
+      "result.json); camera.tum leaves skipped frames out. Poses are world_from_camera, as last\n"
+      "estimated. result.json and the trajectories are the same bytes on every run.\n"
+      "Examples:\n"
+      "  clustervo run kitti_raw/2011_09_26/2011_09_26_drive_0001_sync -o results/0001\n"
+      "  clustervo run kitti_odometry/sequences/06 -o results/06 --frames 0:51 \\\n"
+      "      --set window.spatial=5 --set orb.features=1500");
+  return {app, [flags] { return Run(*flags); }};
+}
+
+}  // namespace cvo

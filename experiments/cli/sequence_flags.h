@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "experiments/datasets/sequence.h"
+
+namespace cvo {
+
+// The flags that say which sequence to read, and which part of it.
+struct SequenceFlags {
+  std::string folder;
+  std::string type;
+  std::string pair;
+  std::string groundtruth = "devkit";
+  std::string frames;
+  std::string labels;
+  std::string detections;
+  int labels_camera = -1;
+  int detections_camera = -1;
+  double min_score = -1e300;
+
+  void AddTo(CLI::App& app);
+  // Throws Error for a range of frames that is none.
+  SequenceRequest Request() const;
+};
+
+}  // namespace cvo

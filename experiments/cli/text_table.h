@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace cvo {
+
+// Columns of text, aligned with blanks.
+class TextTable {
+ public:
+  explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
+
+  // As many cells as the header has.
+  void Add(std::vector<std::string> row);
+  // One line per row, the header first.
+  std::vector<std::string> Lines() const;
+  void Print(std::ostream& out) const;
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+// A number for people, with four significant digits.
+std::string ForPeople(double value);
+
+}  // namespace cvo

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace cvo {
+
+struct NamedContent {
+  std::string name;  // within the folder
+  std::string content;
+};
+
+// Writes files that belong together: each under a temporary name in the folder, checked and synced
+// to the disk; only when all of them are complete are they renamed, the last of the list last.
+// Throws Error naming the file and why. A final name holds either what it held before or the
+// complete new content, and no temporary is left behind.
+void WriteFilesAtomically(const std::filesystem::path& folder,
+                          const std::vector<NamedContent>& files);
+
+// A folder that results will be written to. Creates it where there is none, and proves that files
+// of these names can be written: throws Error naming what is in the way. A folder that it created
+// and that is still empty at the end goes away again.
+class OutputFolder {
+ public:
+  OutputFolder(std::filesystem::path folder, const std::vector<std::string>& names);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  const std::filesystem::path& path() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_;
+  bool created_ = false;
+};
+
+}  // namespace cvo

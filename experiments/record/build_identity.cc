@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/record/build_identity.h"
+
+#include <ceres/version.h>
+
+#include <Eigen/Core>
+#include <opencv2/core/utility.hpp>
+
+#include "build_sources.h"
+#include "build_tools.h"
+#include "core/base/error.h"
+#include "experiments/datasets/sha256.h"
+
+namespace cvo {
+namespace {
+
+constexpr char kRecordedLevel[] = "avx2";
+
+// Asks OpenCV, whose code it is about and whose answer OPENCV_CPU_DISABLE changes. The C library
+// uses fused multiply-add in its own functions where the CPU has it.
+std::string CpuLevel() {
+  const bool recorded =
+      cv::checkHardwareSupport(CV_CPU_AVX2) && cv::checkHardwareSupport(CV_CPU_FMA3);
+  return recorded ? kRecordedLevel : "below avx2";
+}
+
+Json IdentityFields(const BuildIdentity& build) {
+  return {{"version", build.version},
+          {"estimator_sources", build.estimator_sources},
+          {"evaluation_sources", build.evaluation_sources},
+          {"compiler", build.compiler},
+          {"build_type", build.build_type},
+          {"flags", build.flags},
+          {"libraries", {{"opencv", build.opencv}, {"eigen", build.eigen}, {"ceres", build.ceres}}},
+          {"cpu_level", build.cpu_level}};
+}
+
+}  // namespace
+
+std::string BuildIdentity::Hash() const { return Sha256Hex(DumpJson(IdentityFields(*this))); }
+
+Json BuildIdentity::ToJson() const {
+  Json json = IdentityFields(*this);
+  json["identity"] = Hash();
+  json["commit"] = commit;
+  return json;
+}
+
+BuildIdentity ThisBuild() {
+  BuildIdentity build;
+  build.version = kVersion;
+  build.estimator_sources = kEstimatorSources;
+  build.evaluation_sources = kEvaluationSources;
+  build.compiler = kCompiler;
+  build.build_type = kBuildType;
+  build.flags = kFlags;
+  build.opencv = cv::getVersionString();
+  build.eigen = StrCat(EIGEN_WORLD_VERSION, ".", EIGEN_MAJOR_VERSION, ".", EIGEN_MINOR_VERSION);
+  build.ceres = CERES_VERSION_STRING;
+  build.cpu_level = CpuLevel();
+  build.commit = kCommit;
+  return build;
+}
+
+void RequireRecordedCpu(const BuildIdentity& build) {
+  if (build.cpu_level != kRecordedLevel) {
+    ThrowError("this CPU", build.cpu_level,
+               "AVX2 and FMA: without them OpenCV computes other ORB descriptors, and a recorded "
+               "run could not be compared with others");
+  }
+}
+
+}  // namespace cvo

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "experiments/datasets/sequence.h"
+#include "experiments/record/json.h"
+
+namespace cvo {
+
+// Everything that decides the bytes of a result.
+struct Job {
+  std::string build;  // BuildIdentity::Hash()
+  std::string variant;
+  Json options;            // resolved
+  std::string content;     // of the sequence
+  std::string detections;  // DetectionsHash
+  std::uint64_t seed = 0;
+};
+
+// Jobs with the same identity have the same result.
+std::string JobIdentity(const Job& job);
+
+// Hash of the boxes that the estimator is given, whatever file they came from.
+std::string DetectionsHash(const Sequence& sequence);
+
+}  // namespace cvo

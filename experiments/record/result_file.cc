@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/record/result_file.h"
+
+#include <array>
+
+#include "core/base/error.h"
+#include "experiments/record/job_identity.h"
+
+namespace cvo {
+namespace {
+
+Json PoseToJson(const RigidTransform& world_from_camera) {
+  const auto t = world_from_camera.translation();
+  const auto q = world_from_camera.rotation();
+  return {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
+}
+
+Json CameraToJson(const StereoCamera& camera) {
+  return {{"fx_px", camera.fx},
+          {"fy_px", camera.fy},
+          {"cx_px", camera.cx},
+          {"cy_px", camera.cy},
+          {"baseline_m", camera.baseline_m},
+          {"width_px", camera.width_px},
+          {"height_px", camera.height_px}};
+}
+
+Json SequenceToJson(const Sequence& sequence, const RunResult& run) {
+  return {{"name", sequence.name},
+          {"type", sequence.type},
+          {"pair", sequence.pair},
+          {"groundtruth", sequence.groundtruth},
+          {"first_frame", sequence.first_frame},
+          {"frames", sequence.images.size()},
+          {"total_frames", sequence.total_frames},
+          {"labels", sequence.labels.size()},
+          {"detections", sequence.detections.size()},
+          {"detections_hash", DetectionsHash(sequence)},
+          {"content", run.content},
+          {"camera", CameraToJson(sequence.camera)}};
+}
+
+Json CountsToJson(const RunResult& run) {
+  Json counts = Json::object();
+  for (const FrameStatus status :
+       {FrameStatus::kFirst, FrameStatus::kTracked, FrameStatus::kRecovered, FrameStatus::kLost,
+        FrameStatus::kSkipped}) {
+    counts[ToString(status)] = 0;
+  }
+  for (const FrameRecord& frame : run.frames) {
+    Json& count = counts[ToString(frame.report.status)];
+    count = count.get<int>() + 1;
+  }
+  return counts;
+}
+
+Json UndecodableToJson(const RunResult& run) {
+  Json images = Json::array();
+  for (const FrameRecord& frame : run.frames) {
+    for (const ImageProblem& problem : frame.problems) {
+      images.push_back(
+          {{"frame", frame.frame}, {"image", problem.image}, {"reason", problem.reason}});
+    }
+  }
+  return images;
+}
+
+// What the trajectory files beside the result hold.
+Json TrajectoriesToJson(const RunResult& run) {
+  Json predicted = Json::array();
+  Json omitted = Json::array();
+  for (std::size_t row = 0; row < run.frames.size(); ++row) {
+    if (IsPredicted(run.frames[row])) predicted.push_back(row);
+    if (run.frames[row].report.status == FrameStatus::kSkipped) {
+      omitted.push_back(run.frames[row].frame);
+    }
+  }
+  return {{"camera.kitti", {{"pose", "refined"}, {"predicted_rows", predicted}}},
+          {"camera.tum", {{"pose", "refined"}, {"omitted_frames", omitted}}}};
+}
+
+Json FrameToJson(const FrameRecord& frame) {
+  const FrameReport& report = frame.report;
+  return {{"frame", frame.frame},
+          {"timestamp_ns", frame.timestamp_ns},
+          {"status", ToString(report.status)},
+          {"causal", PoseToJson(report.world_from_camera)},
+          {"refined", PoseToJson(frame.refined_world_from_camera)},
+          {"features", report.features},
+          {"matches", report.matches},
+          {"inliers", report.inliers},
+          {"new_landmarks", report.new_landmarks},
+          {"window_frames", report.window_frames},
+          {"window_landmarks", report.window_landmarks},
+          {"window_iterations", report.window_iterations},
+          {"mean_error_px", report.mean_error_px}};
+}
+
+}  // namespace
+
+const char* ToString(RunStatus status) {
+  switch (status) {
+    case RunStatus::kOk:
+      return "ok";
+    case RunStatus::kLost:
+      return "lost";
+    case RunStatus::kFailed:
+      return "failed";
+  }
+  throw Error("RunStatus: not one of the enumerators");
+}
+
+std::string RecordedJob(const RunRecord& record) {
+  return JobIdentity({record.build.Hash(), record.variant, record.options, record.run.content,
+                      DetectionsHash(record.sequence), record.seed});
+}
+
+std::string ResultFile(const RunRecord& record) {
+  Json frames = Json::array();
+  for (const FrameRecord& frame : record.run.frames) frames.push_back(FrameToJson(frame));
+  return DumpJson({{"schema_version", kResultSchemaVersion},
+                   {"kind", "run"},
+                   {"job", RecordedJob(record)},
+                   {"status", ToString(record.run.status)},
+                   {"message", record.run.message},
+                   {"variant", record.variant},
+                   {"seed", record.seed},
+                   {"sequence", SequenceToJson(record.sequence, record.run)},
+                   {"options", record.options},
+                   {"build", record.build.ToJson()},
+                   {"metrics", record.metrics},
+                   {"frame_counts", CountsToJson(record.run)},
+                   {"undecodable", UndecodableToJson(record.run)},
+                   {"trajectories", TrajectoriesToJson(record.run)},
+                   {"pose_layout", {"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"}},
+                   {"frames", frames}});
+}
+
+}  // namespace cvo

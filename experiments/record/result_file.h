@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "experiments/datasets/sequence.h"
+#include "experiments/record/build_identity.h"
+#include "experiments/record/json.h"
+#include "experiments/record/run_record.h"
+
+namespace cvo {
+
+inline constexpr int kResultSchemaVersion = 1;
+
+// A run with everything that decided it.
+struct RunRecord {
+  const Sequence& sequence;
+  BuildIdentity build;
+  std::string variant;
+  Json options;  // resolved
+  std::uint64_t seed = 0;
+  Json metrics;  // as MetricsToJson gives them
+  const RunResult& run;
+};
+
+std::string RecordedJob(const RunRecord& record);
+
+// The content of result.json: the same bytes for the same job, whatever the time, host, paths and
+// number of threads. Throws Error naming a field that is not finite.
+std::string ResultFile(const RunRecord& record);
+
+}  // namespace cvo

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/stage_times.h"
+#include "core/geometry/rigid_transform.h"
+#include "core/odometry/frame.h"
+
+namespace cvo {
+
+// An image that could not be decoded.
+struct ImageProblem {
+  std::string image;   // its path within the sequence's folder
+  std::string reason;  // what was found and what was expected
+};
+
+// One frame of a run.
+struct FrameRecord {
+  int frame = 0;  // counted in the folder
+  std::int64_t timestamp_ns = 0;
+  FrameReport report;                        // with the pose as estimated when the frame came
+  RigidTransform refined_world_from_camera;  // as last estimated, at the end of the run
+  std::vector<ImageProblem> problems;        // why the frame was skipped
+  StageTimes times_s;                        // measured, so never part of a result
+};
+
+enum class RunStatus {
+  kOk,
+  kLost,    // some frames have only a predicted pose though their images are fine
+  kFailed,  // the estimator gave up; the frames before are there
+};
+const char* ToString(RunStatus status);
+
+struct RunResult {
+  RunStatus status = RunStatus::kOk;
+  std::string message;  // empty where ok
+  std::string content;  // hash of the sequence: images, text files and parameters
+  std::vector<FrameRecord> frames;
+  double wall_s = 0.0;
+};
+
+// No pose was estimated for the frame: it stands in the trajectory with a predicted one.
+inline bool IsPredicted(const FrameRecord& frame) {
+  return frame.report.status == FrameStatus::kLost || frame.report.status == FrameStatus::kSkipped;
+}
+
+}  // namespace cvo

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/record/timing_file.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <ctime>
+#include <fstream>
+#include <map>
+#include <numeric>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "experiments/record/json.h"
+
+namespace cvo {
+namespace {
+
+// The text after "name" and a colon in a file like /proc/cpuinfo; empty where there is none.
+std::string ProcValue(const char* file, std::string_view name) {
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t colon = line.find(':');
+    if (!line.starts_with(name) || colon == std::string::npos) continue;
+    const std::size_t begin = line.find_first_not_of(" \t", colon + 1);
+    return begin == std::string::npos ? "" : line.substr(begin);
+  }
+  return "";
+}
+
+double PeakMemoryMb() {
+  const std::string text = ProcValue("/proc/self/status", "VmHWM");  // "398204 kB"
+  double kibibytes = 0.0;
+  std::from_chars(text.data(), text.data() + text.size(), kibibytes);
+  return kibibytes * 1024.0 / 1e6;
+}
+
+std::string UtcNow() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text.data();
+}
+
+std::string HostName() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+// The value that the fraction q of the samples do not exceed (nearest rank).
+double Quantile(std::vector<double> samples, double q) {
+  std::sort(samples.begin(), samples.end());
+  const double rank = std::ceil(q * static_cast<double>(samples.size()));
+  return samples[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+}
+
+// Whole microseconds: more digits are noise.
+double Milliseconds(double seconds) { return std::round(1e6 * seconds) / 1e3; }
+
+Json Summary(const std::vector<double>& samples_ms) {
+  const double total_s = 1e-3 * std::accumulate(samples_ms.begin(), samples_ms.end(), 0.0);
+  return {{"median_ms", Quantile(samples_ms, 0.5)},
+          {"mean_ms", Milliseconds(total_s / static_cast<double>(samples_ms.size()))},
+          {"p95_ms", Quantile(samples_ms, 0.95)},
+          {"total_ms", Milliseconds(total_s)}};
+}
+
+// Samples by stage; a frame without the stage counts as zero.
+std::map<std::string, std::vector<double>> StageSamples(const RunResult& run) {
+  std::map<std::string, std::vector<double>> samples;
+  for (std::size_t i = 0; i < run.frames.size(); ++i) {
+    for (const auto& [stage, seconds] : run.frames[i].times_s) {
+      auto [entry, added] = samples.try_emplace(stage, run.frames.size(), 0.0);
+      entry->second[i] = Milliseconds(seconds);
+    }
+  }
+  return samples;
+}
+
+}  // namespace
+
+RunContext ThisProcess() {
+  RunContext context;
+  context.date = UtcNow();
+  context.host = HostName();
+  context.cpu = ProcValue("/proc/cpuinfo", "model name");
+  context.peak_memory_mb = PeakMemoryMb();
+  return context;
+}
+
+std::string TimingFile(const RunResult& run, const RunContext& context) {
+  Json stages = Json::object();
+  for (const auto& [stage, samples] : StageSamples(run)) stages[stage] = Summary(samples);
+  Json frames = Json::array();
+  for (const FrameRecord& frame : run.frames) {
+    Json row = {{"frame", frame.frame}};
+    for (const auto& [stage, seconds] : frame.times_s) row[stage + "_ms"] = Milliseconds(seconds);
+    frames.push_back(std::move(row));
+  }
+  const double count = static_cast<double>(run.frames.size());
+  return DumpJson(
+      {{"schema_version", 1},
+       {"kind", "timing"},
+       {"job", context.job},
+       {"date", context.date},
+       {"host", context.host},
+       {"cpu", context.cpu},
+       {"cpus", std::thread::hardware_concurrency()},
+       {"threads", context.threads},
+       {"paths", {{"sequence", context.sequence_folder}, {"output", context.output_folder}}},
+       {"peak_memory_mb", context.peak_memory_mb},
+       {"wall_s", run.wall_s},
+       {"frames_per_second", run.wall_s > 0.0 ? count / run.wall_s : 0.0},
+       {"stages", stages},
+       {"frames", frames}});
+}
+
+}  // namespace cvo

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "experiments/record/run_record.h"
+
+namespace cvo {
+
+// Where and when a run was made; nothing of it is in a result.
+struct RunContext {
+  std::string job;
+  std::string date;  // UTC, ISO 8601
+  std::string host;
+  std::string cpu;
+  int threads = 1;
+  std::string sequence_folder;
+  std::string output_folder;
+  double peak_memory_mb = 0.0;  // 10^6 bytes, of the whole process
+};
+
+// The date, host, CPU and peak memory of the running process; the rest is left empty.
+RunContext ThisProcess();
+
+// The content of timing.json: wall ms per frame by stage, frames per second, and the context.
+std::string TimingFile(const RunResult& run, const RunContext& context);
+
+}  // namespace cvo

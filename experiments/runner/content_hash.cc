@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/runner/content_hash.h"
+
+#include <fstream>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "experiments/datasets/sha256.h"
+#include "experiments/datasets/text/text_file.h"
+#include "experiments/record/json.h"
+
+namespace cvo {
+
+std::string HashImage(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  return in.is_open() && !in.bad() && !bytes.bad() ? Sha256Hex(bytes.str()) : "";
+}
+
+std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>& images) {
+  Require(images.size() == sequence.images.size(), "ContentHash: one entry per frame");
+  Json text_files = Json::array();
+  for (const std::filesystem::path& file : sequence.text_files) {
+    text_files.push_back(Sha256Hex(ReadFileBytes(file)));
+  }
+  Json image_files = Json::array();
+  for (const ImageHashes& pair : images)
+    image_files.push_back(Json::array({pair.left, pair.right}));
+  const StereoCamera& camera = sequence.camera;
+  return Sha256Hex(DumpJson({{"name", sequence.name},
+                             {"type", sequence.type},
+                             {"pair", sequence.pair},
+                             {"groundtruth", sequence.groundtruth},
+                             {"first_frame", sequence.first_frame},
+                             {"total_frames", sequence.total_frames},
+                             {"camera",
+                              {camera.fx, camera.fy, camera.cx, camera.cy, camera.baseline_m,
+                               camera.width_px, camera.height_px}},
+                             {"timestamps_ns", sequence.timestamps_ns},
+                             {"text_files", text_files},
+                             {"images", image_files}}));
+}
+
+}  // namespace cvo

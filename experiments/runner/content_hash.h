@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/datasets/sequence.h"
+
+namespace cvo {
+
+// SHA-256 of the two files of a stereo pair; empty where a file cannot be read.
+struct ImageHashes {
+  std::string left;
+  std::string right;
+};
+
+// Identity of what a run reads: the bytes of the images and text files and the parameters of the
+// sequence, but not where they lie. One entry per frame of the sequence.
+std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>& images);
+
+// Hash of an image file's bytes; empty where it cannot be read.
+std::string HashImage(const std::filesystem::path& file);
+
+}  // namespace cvo

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/runner/look_ahead.h"
+
+#include <atomic>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/features/orb.h"
+#include "core/features/stereo_matcher.h"
+#include "experiments/datasets/load_image.h"
+
+namespace cvo {
+namespace {
+
+// One image of a pair, worked on by one task.
+struct Side {
+  OrbImage orb;
+  std::string sha256;
+  std::string problem;
+  StageTimes times_s;
+};
+
+Side PrepareSide(const std::filesystem::path& path, const StereoCamera& camera,
+                 const OrbOptions& options) {
+  Side side;
+  LoadedImage image;
+  {
+    const ScopedStage stage(side.times_s, "decode");
+    image = LoadGrey(path);
+  }
+  side.sha256 = image.sha256;
+  side.problem = image.problem;
+  if (!image.ok()) return side;
+  if (image.grey.cols != camera.width_px || image.grey.rows != camera.height_px) {
+    side.problem = StrCat(path.string(), ": found ", image.grey.cols, "x", image.grey.rows,
+                          " px, expected ", camera.width_px, "x", camera.height_px, " px");
+    return side;
+  }
+  const ScopedStage stage(side.times_s, "extract");
+  side.orb = ExtractOrb(image.grey, options);
+  return side;
+}
+
+void AddTimes(const StageTimes& from, StageTimes& to) {
+  for (const auto& [stage, seconds] : from) to[stage] += seconds;
+}
+
+// The path below the sequence's folder, and the problem without the path before it.
+ImageProblem ProblemWithin(const Sequence& sequence, const std::filesystem::path& path,
+                           const std::string& problem) {
+  const std::string prefix = path.string() + ": ";
+  const bool has_prefix = problem.starts_with(prefix);
+  return {path.lexically_relative(sequence.folder).generic_string(),
+          has_prefix ? problem.substr(prefix.size()) : problem};
+}
+
+}  // namespace
+
+struct LookAhead::Slot {
+  std::array<Side, 2> sides;
+  std::vector<StereoFeature> features;
+  StageTimes match_times_s;
+  std::atomic<int> unfinished = 2;
+
+  bool BothFine() const { return sides[0].problem.empty() && sides[1].problem.empty(); }
+
+  // The pyramids are of no use once matched; frames wait here without them.
+  void Match(const Sequence& sequence, const Options& options) {
+    if (BothFine()) {
+      const ScopedStage stage(match_times_s, "match_stereo");
+      features =
+          MatchStereo(sides[0].orb, sides[1].orb, sequence.camera, options.orb, options.stereo);
+    }
+    for (Side& side : sides) side.orb = {};
+  }
+};
+
+LookAhead::LookAhead(const Sequence& sequence, const Options& options, TaskPool& pool)
+    : sequence_(sequence), options_(options), pool_(pool) {
+  for (std::size_t i = 0; i < kFrames; ++i) SubmitNext();
+}
+
+void LookAhead::SubmitNext() {
+  if (submitted_ == sequence_.images.size()) return;
+  const StereoPaths& paths = sequence_.images[submitted_++];
+  Submitted next;
+  next.slot = std::make_shared<Slot>();
+  for (std::size_t side = 0; side < 2; ++side) {
+    // The slot is kept alive by its tasks: they may still run when an error has ended the run.
+    next.tickets[side] =
+        pool_.Submit([slot = next.slot, side, &sequence = sequence_, &options = options_,
+                      &path = side == 0 ? paths.left : paths.right] {
+          slot->sides[side] = PrepareSide(path, sequence.camera, options.orb);
+          // Whichever image is ready last matches the pair; an error leaves the count above zero.
+          if (slot->unfinished.fetch_sub(1) == 1) slot->Match(sequence, options);
+        });
+  }
+  ahead_.push_back(std::move(next));
+}
+
+PreparedFrame LookAhead::Next() {
+  Require(!ahead_.empty(), "LookAhead::Next: no frame is left");
+  const std::size_t index = submitted_ - ahead_.size();
+  const Submitted submitted = std::move(ahead_.front());
+  ahead_.pop_front();
+  for (const TaskPool::Ticket& ticket : submitted.tickets) pool_.Wait(ticket);
+
+  Slot& slot = *submitted.slot;
+  PreparedFrame prepared;
+  prepared.frame.timestamp_ns = sequence_.timestamps_ns[index];
+  prepared.frame.features = std::move(slot.features);
+  prepared.hashes = {slot.sides[0].sha256, slot.sides[1].sha256};
+  prepared.times_s = slot.match_times_s;
+  const StereoPaths& paths = sequence_.images[index];
+  for (std::size_t side = 0; side < 2; ++side) {
+    AddTimes(slot.sides[side].times_s, prepared.times_s);
+    if (slot.sides[side].problem.empty()) continue;
+    prepared.problems.push_back(
+        ProblemWithin(sequence_, side == 0 ? paths.left : paths.right, slot.sides[side].problem));
+  }
+  SubmitNext();
+  return prepared;
+}
+
+}  // namespace cvo

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/runner/run_job.h"
+
+#include <utility>
+
+#include "experiments/metrics/kitti_poses.h"
+#include "experiments/metrics/trajectory.h"
+#include "experiments/metrics/tum_trajectory.h"
+#include "experiments/record/atomic_file.h"
+#include "experiments/record/build_identity.h"
+#include "experiments/record/metrics_json.h"
+#include "experiments/record/options_json.h"
+#include "experiments/record/result_file.h"
+
+namespace cvo {
+namespace {
+
+Json ScoresToJson(const RunScores& scores) {
+  Json metrics = MetricsToJson(scores.refined, "refined");
+  for (Json& metric : MetricsToJson(scores.causal, "causal")) metrics.push_back(std::move(metric));
+  return metrics;
+}
+
+void WriteRun(const std::filesystem::path& folder, const RunRecord& record,
+              const RunContext& context) {
+  Trajectory timed;
+  std::vector<RigidTransform> every_frame;
+  for (const FrameRecord& frame : record.run.frames) {
+    every_frame.push_back(frame.refined_world_from_camera);
+    if (frame.report.status == FrameStatus::kSkipped) continue;
+    timed.push_back({frame.timestamp_ns, frame.refined_world_from_camera});
+  }
+  // The result last: where it is complete, so is all else.
+  WriteFilesAtomically(folder, {{"camera.tum", FormatTumTrajectory(timed)},
+                                {"camera.kitti", FormatKittiPoses(every_frame)},
+                                {"timing.json", TimingFile(record.run, context)},
+                                {"result.json", ResultFile(record)}});
+}
+
+}  // namespace
+
+std::vector<std::string> RunFileNames() {
+  return {"camera.tum", "camera.kitti", "timing.json", "result.json"};
+}
+
+std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesystem::path& folder) {
+  const BuildIdentity build = ThisBuild();
+  RequireRecordedCpu(build);
+  std::optional<RunResult> run = RunSequence(request);
+  if (!run) return std::nullopt;
+
+  JobOutcome outcome{std::move(*run), {}, ThisProcess()};
+  outcome.scores = ScoreRun(request.sequence, outcome.run);
+  Options options = request.options;
+  const RunRecord record{.sequence = request.sequence,
+                         .build = build,
+                         .variant = std::string(request.variant.name),
+                         .options = OptionsToJson(OptionLeaves(options)),
+                         .seed = request.seed,
+                         .metrics = ScoresToJson(outcome.scores),
+                         .run = outcome.run};
+  outcome.context.job = RecordedJob(record);
+  outcome.context.threads = request.threads;
+  outcome.context.sequence_folder = std::filesystem::absolute(request.sequence.folder).string();
+  outcome.context.output_folder = std::filesystem::absolute(folder).string();
+  WriteRun(folder, record, outcome.context);
+  return outcome;
+}
+
+}  // namespace cvo

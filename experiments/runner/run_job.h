@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/record/timing_file.h"
+#include "experiments/runner/run_sequence.h"
+#include "experiments/runner/score_run.h"
+
+namespace cvo {
+
+// result.json, timing.json, camera.tum and camera.kitti.
+std::vector<std::string> RunFileNames();
+
+struct JobOutcome {
+  RunResult run;
+  RunScores scores;
+  RunContext context;
+};
+
+// Runs, scores, and writes the four files to a folder that exists: all complete, or none (see
+// WriteFilesAtomically). Empty where the request's `stop` ended the run: nothing is written then.
+// Throws Error on a CPU below the level of recorded runs.
+[[nodiscard]] std::optional<JobOutcome> RunJob(const RunRequest& request,
+                                               const std::filesystem::path& folder);
+
+}  // namespace cvo

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/runner/run_sequence.h"
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/stage_times.h"
+#include "core/base/task_pool.h"
+#include "core/odometry/odometry.h"
+#include "experiments/runner/content_hash.h"
+#include "experiments/runner/look_ahead.h"
+
+namespace cvo {
+namespace {
+
+double SecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void RefuseProblems(const Sequence& sequence, const PreparedFrame& prepared) {
+  if (prepared.problems.empty()) return;
+  const ImageProblem& problem = prepared.problems.front();
+  throw Error(
+      StrCat((sequence.folder / problem.image).lexically_normal().string(), ": ", problem.reason));
+}
+
+// Lets the estimator work on one frame and adds it to the result. An Error of the estimator makes
+// the result a failed one without the frame.
+void Estimate(int frame, PreparedFrame prepared, Odometry& odometry, RunResult& result) {
+  FrameRecord record;
+  record.frame = frame;
+  record.timestamp_ns = prepared.frame.timestamp_ns;
+  record.problems = std::move(prepared.problems);
+  record.times_s = std::move(prepared.times_s);
+  try {
+    const ScopedStage stage(record.times_s, "estimate");
+    record.report = record.problems.empty() ? odometry.Process(prepared.frame, record.times_s)
+                                            : odometry.Skip(record.timestamp_ns);
+  } catch (const Error& error) {
+    result.status = RunStatus::kFailed;
+    result.message = StrCat("frame ", frame, ": ", error.what());
+    return;
+  }
+  record.refined_world_from_camera = record.report.world_from_camera;
+  result.frames.push_back(std::move(record));
+}
+
+// The poses as they stand at the end; those of a failed run stay what they were.
+void Refine(const Odometry& odometry, RunResult& result) {
+  if (result.status == RunStatus::kFailed) return;
+  const std::vector<RigidTransform> trajectory = odometry.Trajectory();
+  Require(trajectory.size() == result.frames.size(), "Odometry::Trajectory: one pose per frame");
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    result.frames[i].refined_world_from_camera = trajectory[i];
+  }
+}
+
+void JudgeStatus(RunResult& result) {
+  if (result.status == RunStatus::kFailed) return;
+  int lost = 0;
+  int first_lost = 0;
+  for (const FrameRecord& frame : result.frames) {
+    if (frame.report.status != FrameStatus::kLost) continue;
+    if (lost++ == 0) first_lost = frame.frame;
+  }
+  if (lost == 0) return;
+  result.status = RunStatus::kLost;
+  result.message =
+      StrCat(lost, " of ", result.frames.size(), " frames lost, the first is frame ", first_lost);
+}
+
+// The identity of the input does not depend on how far the run came.
+void HashRest(const Sequence& sequence, std::vector<ImageHashes>& hashes) {
+  for (std::size_t i = hashes.size(); i < sequence.images.size(); ++i) {
+    hashes.push_back({HashImage(sequence.images[i].left), HashImage(sequence.images[i].right)});
+  }
+}
+
+}  // namespace
+
+std::optional<RunResult> RunSequence(const RunRequest& request) {
+  const Sequence& sequence = request.sequence;
+  const auto run_start = std::chrono::steady_clock::now();
+  TaskPool pool(request.threads);
+  const std::unique_ptr<Odometry> odometry =
+      request.variant.make({sequence.camera, request.options, request.seed}, pool);
+  LookAhead look_ahead(sequence, request.options, pool);
+
+  RunResult result;
+  std::vector<ImageHashes> hashes;
+  for (std::size_t i = 0; i < sequence.images.size(); ++i) {
+    const auto frame_start = std::chrono::steady_clock::now();
+    PreparedFrame prepared = look_ahead.Next();
+    prepared.times_s["wait_for_features"] = SecondsSince(frame_start);
+    if (request.strict) RefuseProblems(sequence, prepared);
+    hashes.push_back(prepared.hashes);
+    Estimate(sequence.first_frame + static_cast<int>(i), std::move(prepared), *odometry, result);
+    if (result.status == RunStatus::kFailed) break;
+    result.frames.back().times_s["frame"] = SecondsSince(frame_start);
+    request.progress(i + 1);
+    if (request.stop()) return std::nullopt;
+  }
+  result.wall_s = SecondsSince(run_start);
+  Refine(*odometry, result);
+  JudgeStatus(result);
+  HashRest(sequence, hashes);
+  result.content = ContentHash(sequence, hashes);
+  return result;
+}
+
+}  // namespace cvo

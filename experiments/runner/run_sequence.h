@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "core/odometry/options.h"
+#include "experiments/datasets/sequence.h"
+#include "experiments/record/run_record.h"
+#include "variants/registry.h"
+
+namespace cvo {
+
+struct RunRequest {
+  const Sequence& sequence;
+  const VariantInfo& variant;
+  Options options;
+  std::uint64_t seed = 0;
+  int threads = 1;      // results do not depend on it
+  bool strict = false;  // an image that cannot be decoded is an error in place of a skipped frame
+  std::function<void(std::size_t done)> progress = [](std::size_t) {};
+  std::function<bool()> stop = [] { return false; };  // asked after every frame
+};
+
+// Runs the variant over every frame of the sequence. Empty where `stop` ended it. An Error of the
+// estimator itself is a result too (status failed, frames so far); all others are thrown.
+[[nodiscard]] std::optional<RunResult> RunSequence(const RunRequest& request);
+
+}  // namespace cvo

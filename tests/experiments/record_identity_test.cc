@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "experiments/record/build_identity.h"
+#include "experiments/record/job_identity.h"
+
+namespace cvo {
+namespace {
+
+using testing::MatchesRegex;
+
+const std::string kAnother = "another";
+
+BuildIdentity SomeBuild() {
+  BuildIdentity build = ThisBuild();
+  build.cpu_level = "avx2";
+  return build;
+}
+
+Job SomeJob() {
+  return {"build", "static", {{"window", {{"spatial", 5}}}}, "content", "detections", 0};
+}
+
+TEST(BuildIdentity, IsComplete) {
+  const BuildIdentity build = ThisBuild();
+  EXPECT_THAT(build.estimator_sources, MatchesRegex("[0-9a-f]{64}"));
+  EXPECT_THAT(build.evaluation_sources, MatchesRegex("[0-9a-f]{64}"));
+  EXPECT_NE(build.estimator_sources, build.evaluation_sources);
+  for (const std::string& field : {build.version, build.compiler, build.build_type, build.flags,
+                                   build.opencv, build.eigen, build.ceres, build.commit}) {
+    EXPECT_FALSE(field.empty());
+  }
+}
+
+TEST(BuildIdentity, TheCommitTakesNoPart) {
+  BuildIdentity build = SomeBuild();
+  const std::string hash = build.Hash();
+  build.commit = kAnother;
+  EXPECT_EQ(build.Hash(), hash);
+  build.flags += " -O0";
+  EXPECT_NE(build.Hash(), hash);
+}
+
+TEST(BuildIdentity, RecordedRunsNeedTheCpuLevel) {
+  BuildIdentity build = SomeBuild();
+  EXPECT_NO_THROW(RequireRecordedCpu(build));
+  build.cpu_level = "below avx2";
+  EXPECT_THROW(RequireRecordedCpu(build), Error);
+}
+
+TEST(JobIdentity, IsStable) {
+  // A change here orphans every recorded result: raise the schema version with it.
+  EXPECT_EQ(JobIdentity(SomeJob()),
+            "c82cefd48c40d01a9a34f1a64e9fac5f85fd8e7181aeb5aecc0b0a749fbb5f3c");
+}
+
+TEST(JobIdentity, DependsOnEveryPart) {
+  const std::string identity = JobIdentity(SomeJob());
+  EXPECT_EQ(JobIdentity(SomeJob()), identity);
+  for (const auto& change : std::vector<void (*)(Job&)>{
+           [](Job& job) { job.build = kAnother; }, [](Job& job) { job.variant = kAnother; },
+           [](Job& job) { job.options["window"]["spatial"] = 6; },
+           [](Job& job) { job.content = kAnother; }, [](Job& job) { job.detections = kAnother; },
+           [](Job& job) { job.seed = 1; }}) {
+    Job job = SomeJob();
+    change(job);
+    EXPECT_NE(JobIdentity(job), identity);
+  }
+}
+
+TEST(DetectionsHash, DependsOnWhatTheEstimatorIsGiven) {
+  Sequence sequence;
+  const std::string none = DetectionsHash(sequence);
+  ObjectBox box;
+  box.type = "Car";
+  box.score = 0.5;
+  sequence.detections = {box};
+  const std::string one = DetectionsHash(sequence);
+  EXPECT_NE(one, none);
+  sequence.detections[0].track = 7;  // never shown to the estimator
+  EXPECT_EQ(DetectionsHash(sequence), one);
+  sequence.detections[0].left_px = 1.0;
+  EXPECT_NE(DetectionsHash(sequence), one);
+  sequence.detections[0].left_px = 0.0;
+  sequence.detections_offset_m = 0.06;
+  EXPECT_NE(DetectionsHash(sequence), one);
+}
+
+}  // namespace
+}  // namespace cvo

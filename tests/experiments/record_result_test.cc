@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/error.h"
+#include "experiments/record/metrics_json.h"
+#include "experiments/record/result_file.h"
+#include "experiments/record/timing_file.h"
+
+namespace cvo {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+// Frames 4 to 7 of a folder: first, tracked, skipped, lost.
+class Result : public testing::Test {
+ protected:
+  Result() {
+    sequence_.name = "tiny";
+    sequence_.type = "kitti-raw";
+    sequence_.folder = "/secret/place/tiny";
+    sequence_.first_frame = 4;
+    sequence_.total_frames = 20;
+    sequence_.images.resize(4);
+    sequence_.camera = {100, 100, 50, 40, 0.5, 100, 80};
+    const FrameStatus status[] = {FrameStatus::kFirst, FrameStatus::kTracked, FrameStatus::kSkipped,
+                                  FrameStatus::kLost};
+    for (int i = 0; i < 4; ++i) {
+      FrameRecord frame;
+      frame.frame = 4 + i;
+      frame.timestamp_ns = 1'000'000'000LL + i;
+      frame.report.status = status[i];
+      frame.times_s = {{"decode", 0.001 * (i + 1)}};
+      run_.frames.push_back(frame);
+    }
+    run_.frames[2].problems = {{"image_00/data/6.png", "found half a file, expected PNG"}};
+    run_.content = "content";
+    run_.wall_s = 2.0;
+  }
+
+  std::string File(const Json& metrics = Json::array()) {
+    return ResultFile({sequence_, build_, "static", {{"a", 1}}, 3, metrics, run_});
+  }
+
+  Sequence sequence_;
+  BuildIdentity build_ = ThisBuild();
+  RunResult run_;
+};
+
+TEST_F(Result, SaysWhatHappenedToEachFrame) {
+  const Json json = ParseJson(File(), "result");
+  EXPECT_EQ(json["schema_version"], kResultSchemaVersion);
+  EXPECT_EQ(json["kind"], "run");
+  EXPECT_EQ(json["status"], "ok");
+  EXPECT_EQ(json["seed"], 3);
+  EXPECT_EQ(json["sequence"]["frames"], 4);
+  EXPECT_EQ(json["sequence"]["total_frames"], 20);
+  EXPECT_EQ(json["frames"].size(), 4U);
+  EXPECT_EQ(json["frames"][1]["frame"], 5);
+  EXPECT_EQ(json["frames"][1]["status"], ToString(FrameStatus::kTracked));
+  EXPECT_EQ(json["frame_counts"][ToString(FrameStatus::kSkipped)], 1);
+  EXPECT_EQ(json["undecodable"][0]["frame"], 6);
+  EXPECT_EQ(json["undecodable"][0]["reason"], "found half a file, expected PNG");
+  EXPECT_EQ(json["trajectories"]["camera.kitti"]["predicted_rows"], Json({2, 3}));
+  EXPECT_EQ(json["trajectories"]["camera.tum"]["omitted_frames"], Json::array({6}));
+}
+
+TEST_F(Result, KeepsBothPosesOfAFrame) {
+  run_.frames[1].report.world_from_camera =
+      RigidTransform(Eigen::Quaterniond::Identity(), Eigen::Vector3d(1, 2, 3));
+  run_.frames[1].refined_world_from_camera =
+      RigidTransform(Eigen::Quaterniond::Identity(), Eigen::Vector3d(4, 5, 6));
+  const Json frame = ParseJson(File(), "result")["frames"][1];
+  EXPECT_EQ(frame["causal"], Json({1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 1.0}));
+  EXPECT_EQ(frame["refined"], Json({4.0, 5.0, 6.0, 0.0, 0.0, 0.0, 1.0}));
+}
+
+TEST_F(Result, HoldsNothingOfTimeHostOrPaths) {
+  const std::string before = File();
+  EXPECT_THAT(before, Not(HasSubstr("secret")));
+  run_.wall_s = 7.0;
+  run_.frames[0].times_s = {{"decode", 1.0}};
+  sequence_.folder = "/elsewhere";
+  EXPECT_EQ(File(), before);
+}
+
+TEST_F(Result, NamesTheJobItBelongsTo) {
+  const RunRecord record{sequence_, build_, "static", {{"a", 1}}, 3, Json::array(), run_};
+  const RunRecord other{sequence_, build_, "static", {{"a", 1}}, 4, Json::array(), run_};
+  EXPECT_EQ(ParseJson(ResultFile(record), "result")["job"], RecordedJob(record));
+  EXPECT_NE(RecordedJob(record), RecordedJob(other));
+}
+
+TEST_F(Result, RefusesNanAndNamesTheField) {
+  run_.frames[3].report.mean_error_px = std::nan("");
+  try {
+    File();
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("frames[3].mean_error_px: found nan"));
+  }
+}
+
+TEST_F(Result, RefusesAMetricThatIsNotFinite) {
+  const Metric metric{"camera_ate", std::nan(""), "m", 3, {}};
+  EXPECT_THROW(File(MetricsToJson({metric}, "refined")), Error);
+}
+
+TEST_F(Result, MetricsCarryTheirContract) {
+  Metric metric{"camera_ate", 0.5, "m", 3, {}};
+  metric.contract.truth = "devkit";
+  const Json json = ParseJson(File(MetricsToJson({metric}, "causal")), "result")["metrics"][0];
+  EXPECT_EQ(json["value"], 0.5);
+  EXPECT_EQ(json["contract"]["truth"], "devkit");
+  EXPECT_EQ(json["contract"]["poses"], "causal");
+}
+
+TEST_F(Result, TimingHasQuantilesAndContext) {
+  RunContext context = ThisProcess();
+  context.job = "job";
+  context.threads = 2;
+  const Json json = ParseJson(TimingFile(run_, context), "timing");
+  EXPECT_EQ(json["frames_per_second"], 2.0);
+  EXPECT_EQ(json["threads"], 2);
+  EXPECT_EQ(json["job"], "job");
+  EXPECT_GT(json["peak_memory_mb"], 1.0);
+  const Json decode = json["stages"]["decode"];
+  EXPECT_EQ(decode["median_ms"], 2.0);
+  EXPECT_EQ(decode["mean_ms"], 2.5);
+  EXPECT_EQ(decode["p95_ms"], 4.0);
+  EXPECT_EQ(decode["total_ms"], 10.0);
+  EXPECT_EQ(json["frames"].size(), 4U);
+}
+
+TEST(Timing, OfNoFrames) { EXPECT_NO_THROW(TimingFile(RunResult{}, ThisProcess())); }
+
+}  // namespace
+}  // namespace cvo
