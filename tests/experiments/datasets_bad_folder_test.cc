@@ -51,7 +51,7 @@ class BadRawDrive : public testing::Test {
     root_.Write("2011_09_26/calib_cam_to_cam.txt", text);
   }
 
-  TempFolder root_;
+  test::TempFolder root_;
   fs::path folder_ = WriteRawDrive(root_, 4);
 };
 
@@ -285,7 +285,7 @@ class BadOdometry : public testing::Test {
  protected:
   std::string Error() const { return OpenError({.folder = folder_}); }
 
-  TempFolder root_;
+  test::TempFolder root_;
   fs::path folder_ = WriteOdometrySequence(root_);
 };
 
@@ -334,7 +334,7 @@ class BadTracking : public testing::Test {
  protected:
   std::string Error() const { return OpenError({.folder = folder_}); }
 
-  TempFolder root_;
+  test::TempFolder root_;
   fs::path folder_ = WriteTrackingSequence(root_);
 };
 
@@ -378,7 +378,7 @@ TEST_F(BadTracking, FolderOfSeveralSequences) {
 }
 
 TEST(BadFolder, OfNoKnownType) {
-  const TempFolder root;
+  const test::TempFolder root;
   EXPECT_THAT(OpenError({.folder = root.path()}),
               AllOf(Says(root.path().string(), "a folder of no known type", "kitti-raw"),
                     HasSubstr("kitti-odometry"), HasSubstr("kitti-tracking")));

@@ -40,7 +40,7 @@ class LoadGreyTest : public testing::Test {
                                      HasSubstr("expected a whole PNG image")));
   }
 
-  TempFolder folder_;
+  test::TempFolder folder_;
 };
 
 TEST_F(LoadGreyTest, DecodesAndHashes) {
@@ -120,7 +120,7 @@ TEST_F(LoadGreyTest, MissingFileIsAProblemAndNoError) {
 }
 
 TEST(PngHeader, ReadsSizeAndColour) {
-  const TempFolder folder;
+  const test::TempFolder folder;
   const PngHeader grey = ReadPngHeader(folder.Write("a.png", GreyPng(1242, 375)));
   EXPECT_EQ(grey.width_px, 1242);
   EXPECT_EQ(grey.height_px, 375);

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <opencv2/core.hpp>
 #include <set>
@@ -19,6 +18,7 @@
 #include "experiments/datasets/oxts.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/camera_metrics.h"
+#include "tests/support/real_data.h"
 
 namespace cvo {
 namespace {
@@ -29,10 +29,9 @@ using testing::HasSubstr;
 class KittiData : public testing::Test {
  protected:
   void SetUp() override {
-    const char* folder = std::getenv("CLUSTERVO_DATA");
-    if (folder == nullptr) GTEST_SKIP() << "CLUSTERVO_DATA does not name a folder with KITTI data";
-    data_ = folder;
-    ASSERT_TRUE(fs::is_directory(data_)) << "CLUSTERVO_DATA is no folder: " << data_;
+    const auto folder = test::RealData();
+    if (!folder) GTEST_SKIP() << "CLUSTERVO_DATA does not name a folder with KITTI data";
+    data_ = *folder;
   }
 
   fs::path Drive(const std::string& number) const {

@@ -19,7 +19,7 @@ using testing::IsEmpty;
 
 class Sequences : public testing::Test {
  protected:
-  TempFolder root_;
+  test::TempFolder root_;
 };
 
 TEST_F(Sequences, RawDrive) {
