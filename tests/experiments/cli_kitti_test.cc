@@ -121,7 +121,8 @@ TEST_F(CliKitti, EvalScoresTheWrittenTrajectoryAlike) {
                                          (out("06") / "camera.kitti").string(), "--json"});
   ASSERT_EQ(eval.exit_code, 0) << eval.err;
   const std::map<std::string, double> metrics = MetricsOf(out("06"));
-  for (const Json& metric : ParseJson(eval.out, "eval")["metrics"]) {
+  const Json evaluation = ParseJson(eval.out, "eval");
+  for (const Json& metric : evaluation["metrics"]) {
     const double recorded = metrics.at(metric["name"]);
     EXPECT_NEAR(metric["value"].get<double>(), recorded, 1e-9) << metric["name"];
   }
