@@ -6,12 +6,14 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "variants/make.h"
-#include "variants/static.h"
+#include "variants/differences.h"
+#include "variants/static_ablations.h"
 
 namespace cvo {
 
-extern template std::unique_ptr<Odometry> MakeVariant<Static>(const OdometrySetup&, TaskPool&);
+// Instantiated in the variant's own .cc.
+template <typename Variant>
+std::unique_ptr<Odometry> MakeVariant(const OdometrySetup& setup, TaskPool& pool);
 
 namespace {
 
@@ -20,7 +22,21 @@ constexpr VariantInfo InfoOf() {
   return {Variant::kName, Variant::kChanges, &MakeVariant<Variant>};
 }
 
-constexpr std::array kVariants = {InfoOf<Static>()};
+// A variant that changes exactly one axis of Base.
+template <typename Base, typename Variant>
+constexpr VariantInfo AblationOf() {
+  static_assert(CountDifferences<Base, Variant>() == 1);
+  return InfoOf<Variant>();
+}
+
+constexpr std::array kVariants = {
+    InfoOf<Static>(),
+    AblationOf<Static, StaticNoMarginalization>(),
+    AblationOf<Static, StaticMarginalizeLost>(),
+    AblationOf<Static, StaticPriorGauge>(),
+    AblationOf<Static, StaticNoSpatialTrack>(),
+    AblationOf<Static, StaticSelfCalibration>(),
+};
 
 }  // namespace
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "variants/static.h"
 
-#include "core/odometry/visual_odometry.h"
 #include "variants/make.h"
 
 namespace cvo {

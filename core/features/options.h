@@ -42,9 +42,11 @@ struct StereoMatchOptions {
   double uniqueness = 0.9;               // best / second best distance
   double left_right_tolerance_px = 1.0;  // at level scale
   double row_tolerance_px = 2.0;         // between the rows of a pair, at level scale
+  double max_row_error_px = 1.5;         // after correction, at level scale
+  double max_row_correction_px = 0.0;    // of the rows in which patches are compared
   double min_depth_baselines = 3.0;      // nearest point
   double min_disparity_px = 0.1;         // farthest point
-  int patch_radius_px = 5;               // patch that is aligned
+  int patch_radius_px = 6;               // patch that is aligned
   int search_radius_px = 5;              // columns searched for it
   double max_cost_medians = 4.4;         // of the patches' squared difference
 
@@ -64,6 +66,15 @@ struct StereoMatchOptions {
     visit.Field("row_tolerance_px", self.row_tolerance_px,
                 {"px", 0.5, 10.0, "largest difference in rows of a pair, at the corner's scale",
                  "estimator.md 11"});
+    visit.Field(
+        "max_row_error_px", self.max_row_error_px,
+        {"px", 0.1, 10.0, "the same after the rows of the image pair have been aligned as a whole",
+         "measured on KITTI"});
+    visit.Field(
+        "max_row_correction_px", self.max_row_correction_px,
+        {"px", 0.0, 10.0,
+         "largest shift of rows by which patches follow a faulty rectification; 0 trusts it",
+         "measured on KITTI"});
     visit.Field("min_depth_baselines", self.min_depth_baselines,
                 {"baselines", 0.5, 100.0, "depth of the nearest point; larger leaves fewer rivals",
                  "estimator.md 11"});

@@ -10,19 +10,27 @@ namespace cvo {
 // A corner and where to look for it in the other image, pixels of one pyramid level.
 struct PatchQuery {
   double u_left = 0.0;
-  double v = 0.0;
+  double v_left = 0.0;
   double u_right = 0.0;
-  int patch_radius = 0;
-  int search_radius = 0;
+  double v_right = 0.0;
+  int patch_radius = 0;   // <= kMaxPatchRadius_px
+  int search_radius = 0;  // <= kMaxSearchRadius_px
 };
+
+inline constexpr int kMaxPatchRadius_px = 15;
+inline constexpr int kMaxSearchRadius_px = 20;
 
 struct PatchMatch {
   double u_right = 0.0;
-  double cost = 0.0;  // mean squared difference after the mean brightness is removed
+  double sigma = 0.0;     // of u_right as the residuals have it, px
+  double cost = 0.0;      // mean squared difference of the aligned patches, brightness aside
+  double contrast = 0.0;  // variance of the left patch
 };
 
-// The column at which the right image looks most like the patch of the left one, along the row.
-// Empty where a patch leaves its image or the best column lies at the end of the search.
+// The column at which the right image looks like the patch of the left one: whole columns first,
+// then Gauss-Newton steps over the disparity, its change from row to row (the ground) and the
+// brightness. Empty where a patch leaves its image, the best column lies at the end of the search,
+// or the steps lead away from it.
 [[nodiscard]] std::optional<PatchMatch> AlignPatch(const cv::Mat& left, const cv::Mat& right,
                                                    const PatchQuery& query);
 

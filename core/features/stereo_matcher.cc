@@ -9,11 +9,13 @@
 
 #include "core/features/patch_alignment.h"
 #include "core/features/pyramid.h"
+#include "core/features/row_offset.h"
 
 namespace cvo {
 namespace {
 
 constexpr int kNone = -1;
+constexpr double kRowSigma_px = 0.4;  // of the rows of a pair, at level scale
 
 // A left corner's candidates are a range of the right corners, which are sorted by v.
 class RowTable {
@@ -131,19 +133,35 @@ class PairFinder {
   std::vector<Choice> choices_;        // of each left corner
 };
 
+struct Pair {
+  const OrbKeypoint* left;
+  const OrbKeypoint* right;
+};
+
+RowOffset FitRowOffset(const std::vector<Pair>& pairs, const cv::Mat& image, double scale_factor) {
+  std::vector<RowOffsetSample> samples;
+  for (const Pair& pair : pairs) {
+    const double sigma = kRowSigma_px * std::pow(scale_factor, pair.left->octave);
+    samples.push_back(
+        {pair.left->u_px, pair.left->v_px, pair.right->v_px - pair.left->v_px, sigma});
+  }
+  return {samples, static_cast<double>(image.cols), static_cast<double>(image.rows)};
+}
+
 struct AlignedFeature {
   StereoFeature feature;
   double cost;
 };
 
-std::optional<AlignedFeature> Align(const OrbImage& left, const OrbImage& right,
-                                    const OrbKeypoint& corner, const OrbKeypoint& other,
-                                    const StereoMatchOptions& options) {
+std::optional<AlignedFeature> Align(const OrbImage& left, const OrbImage& right, const Pair& pair,
+                                    double row_offset_px, const StereoMatchOptions& options) {
+  const OrbKeypoint& corner = *pair.left;
   const LevelCoordinates coordinates(left.pyramid, corner.octave);
   PatchQuery query;
   query.u_left = coordinates.LevelU(corner.u_px);
-  query.v = coordinates.LevelV(corner.v_px);
-  query.u_right = coordinates.LevelU(other.u_px);
+  query.v_left = coordinates.LevelV(corner.v_px);
+  query.u_right = coordinates.LevelU(pair.right->u_px);
+  query.v_right = coordinates.LevelV(corner.v_px + row_offset_px);
   query.patch_radius = options.patch_radius_px;
   query.search_radius = options.search_radius_px;
   const std::optional<PatchMatch> match =
@@ -184,11 +202,21 @@ std::vector<StereoFeature> MatchStereo(const OrbImage& left, const OrbImage& rig
   options.Check();
   if (left.keypoints.empty() || right.keypoints.empty()) return {};
   const PairFinder finder(left, right, camera, orb, options);
-  std::vector<AlignedFeature> aligned;
+  std::vector<Pair> pairs;
   for (std::size_t i = 0; i < left.keypoints.size(); ++i) {
     const std::optional<int> j = finder.Find(static_cast<int>(i));
-    if (!j) continue;
-    const auto feature = Align(left, right, left.keypoints[i], right.keypoints[*j], options);
+    if (j) pairs.push_back({&left.keypoints[i], &right.keypoints[*j]});
+  }
+  const RowOffset row_offset = FitRowOffset(pairs, left.pyramid[0], orb.scale_factor);
+  std::vector<AlignedFeature> aligned;
+  for (const Pair& pair : pairs) {
+    const double offset = row_offset.At(pair.left->u_px, pair.left->v_px);
+    const double error = pair.right->v_px - pair.left->v_px - offset;
+    const double scale = std::pow(orb.scale_factor, pair.left->octave);
+    if (std::abs(error) > options.max_row_error_px * scale) continue;
+    const double applied =
+        std::clamp(offset, -options.max_row_correction_px, options.max_row_correction_px);
+    const auto feature = Align(left, right, pair, applied, options);
     if (feature) aligned.push_back(*feature);
   }
   return DropOutliers(aligned, options.max_cost_medians);

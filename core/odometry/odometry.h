@@ -30,8 +30,8 @@ class Odometry {
   // A frame whose images are missing: the camera is predicted, the map is left alone.
   virtual FrameReport Skip(std::int64_t timestamp_ns) = 0;
 
-  // world_from_camera of every frame so far, skipped ones included: as last estimated, that is, a
-  // frame that left the window keeps the pose it had then.
+  // world_from_camera of every frame so far, skipped ones included: a frame keeps the
+  // pose it had when it left the temporal track, |T_t| frames after it came.
   virtual std::vector<RigidTransform> Trajectory() const = 0;
 };
 

@@ -111,8 +111,8 @@ class VisualOdometry final : public Odometry {
   FrameReport EndTracked(std::int64_t timestamp_ns, FrameReport report) {
     lost_ = 0;
     trajectory_.resize(static_cast<std::size_t>(newest_.value) + 1);
-    for (const WindowFrame* frame : window_.Frames()) {
-      trajectory_[frame->id.value] = frame->world_from_camera;
+    for (const WindowFrame& frame : window_.temporal) {
+      trajectory_[frame.id.value] = frame.world_from_camera;
     }
     report.world_from_camera = trajectory_.back();
     report.window_frames = static_cast<int>(window_.spatial.size() + window_.temporal.size());

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <set>
 #include <system_error>
 
 #include "core/base/error.h"
@@ -49,7 +50,11 @@ bool HoldsImages(const fs::path& folder, const std::string& type) {
                  folder.filename());
 }
 
-void Collect(const fs::path& folder, int depth, std::vector<FoundSequence>& found) {
+// Each folder once, so that circles of symbolic links end.
+void Collect(const fs::path& folder, std::set<fs::path>& visited,
+             std::vector<FoundSequence>& found) {
+  std::error_code error;
+  if (!visited.insert(fs::weakly_canonical(folder, error)).second) return;
   const std::string type = DetectSequenceType(folder);
   if (!type.empty()) {
     if (HoldsImages(folder, type)) found.push_back({folder, type});
@@ -61,10 +66,8 @@ void Collect(const fs::path& folder, int depth, std::vector<FoundSequence>& foun
     }
     return;
   }
-  constexpr int kMaxDepth = 8;  // symbolic links may form circles
-  if (depth == kMaxDepth) return;
   for (const fs::path& child : SubFolders(folder)) {
-    if (!child.filename().string().starts_with('.')) Collect(child, depth + 1, found);
+    if (!child.filename().string().starts_with('.')) Collect(child, visited, found);
   }
 }
 
@@ -103,7 +106,8 @@ std::string DetectSequenceType(const fs::path& folder) {
 std::vector<FoundSequence> FindSequences(const fs::path& root) {
   const fs::path folder = NormalFolder(root);
   std::vector<FoundSequence> found;
-  Collect(folder, 0, found);
+  std::set<fs::path> visited;
+  Collect(folder, visited, found);
   if (found.empty() && !fs::exists(folder)) {
     ThrowError(root.string(), "no such folder", "a folder to look for sequences in");
   }

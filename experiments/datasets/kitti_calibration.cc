@@ -16,7 +16,7 @@ CalibrationFile::CalibrationFile(const std::filesystem::path& path) : file_(path
     std::string key(row.Text(0));
     if (key.ends_with(':')) key.pop_back();
     if (!line_of_key_.emplace(key, i).second) {
-      row.Fail(StrCat(key, " a second time"), "each name once");
+      row.Fail(Quoted(key) + " a second time", "each name once");
     }
   }
 }

@@ -71,8 +71,7 @@ Sequence ReadKittiOdometry(const SequenceRequest& request) {
   AddImages(pair, rig, sequence);
 
   const fs::path times_file = request.folder / "times.txt";
-  sequence.timestamps_ns = ReadSecondsTimes(times_file);
-  sequence.text_files.push_back(times_file);
+  AddTimes(times_file, ReadSecondsTimes(times_file), sequence);
   AddTruth(sequence);
   AddBoxes(request, {.file = {}, .camera = pair.left}, rig, pair.left, sequence);
   return sequence;

@@ -4,6 +4,8 @@
 // KITTI raw, synced and rectified: <date>/<drive>_sync/{image_00..03,oxts}/{data/,timestamps.txt}
 // and <date>/calib_*.txt.
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "experiments/datasets/image_files.h"
 #include "experiments/datasets/oxts.h"
@@ -75,6 +77,12 @@ ImuTruth InterpolatedTruth(const std::vector<RigidTransform>& poses, const fs::p
   for (const std::int64_t time_ns : sequence.timestamps_ns) {
     truth.push_back(InterpolatePose(times_ns, poses, time_ns));
   }
+  const auto outside =
+      std::count_if(truth.begin(), truth.end(), [](const auto& pose) { return !pose; });
+  if (outside > 0) {
+    sequence.missing.push_back(StrCat("oxts: no ground truth for ", outside, " of ", truth.size(),
+                                      " images, taken before the first or after the last packet"));
+  }
   return truth;
 }
 
@@ -120,8 +128,7 @@ Sequence ReadKittiRaw(const SequenceRequest& request) {
   CheckRectifiedSize(cameras, pair.left, sequence.camera);
 
   const fs::path times_file = pair.left_folder.parent_path() / "timestamps.txt";
-  sequence.timestamps_ns = ReadDateTimes(times_file);
-  sequence.text_files.push_back(times_file);
+  AddTimes(times_file, ReadDateTimes(times_file), sequence);
   AddTruth(request, date_folder, cameras, sequence);
   AddBoxes(request, {.file = {}, .camera = 2}, rig, pair.left, sequence);
   return sequence;

@@ -47,7 +47,7 @@ fs::path NormalFolder(const fs::path& folder) {
   return normal.has_filename() ? normal : normal.parent_path();
 }
 
-Sequence OpenSequence(const SequenceRequest& request) {
+Sequence OpenSequence(const SequenceRequest& request) try {
   SequenceRequest resolved = request;
   resolved.folder = NormalFolder(request.folder);
   resolved.type = TypeOf(resolved);
@@ -55,13 +55,10 @@ Sequence OpenSequence(const SequenceRequest& request) {
   sequence.type = resolved.type;
   if (sequence.groundtruth.empty()) sequence.groundtruth = "none";
   sequence.groundtruth_world_from_camera.resize(sequence.images.size());
-  if (sequence.timestamps_ns.size() != sequence.images.size()) {
-    ThrowError("times of " + sequence.folder.string(),
-               StrCat(sequence.timestamps_ns.size(), " times"),
-               StrCat(sequence.images.size(), ", as many as images"));
-  }
   CutFrames(resolved, sequence);
   return sequence;
+} catch (const fs::filesystem_error& error) {
+  ThrowError(error.path1().string(), error.code().message(), "a folder or file that can be read");
 }
 
 }  // namespace cvo

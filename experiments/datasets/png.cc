@@ -17,22 +17,38 @@ constexpr std::size_t kHeaderBytes = 26;
 constexpr int kColourTypeGrey = 0;
 constexpr int kColourTypeGreyAlpha = 4;
 
-constexpr std::array<std::uint32_t, 256> MakeCrcTable() {
-  std::array<std::uint32_t, 256> table{};
+// table[k][n]: the CRC of byte n followed by k zero bytes, to take eight bytes at a time.
+using CrcTables = std::array<std::array<std::uint32_t, 256>, 8>;
+
+constexpr CrcTables MakeCrcTables() {
+  CrcTables table{};
   for (std::uint32_t n = 0; n < 256; ++n) {
     std::uint32_t c = n;
     for (int k = 0; k < 8; ++k) c = (c & 1) ? 0xEDB88320u ^ (c >> 1) : c >> 1;
-    table[n] = c;
+    table[0][n] = c;
+  }
+  for (std::size_t k = 1; k < table.size(); ++k) {
+    for (std::size_t n = 0; n < 256; ++n) {
+      const std::uint32_t c = table[k - 1][n];
+      table[k][n] = table[0][c & 0xFF] ^ (c >> 8);
+    }
   }
   return table;
 }
-constexpr std::array<std::uint32_t, 256> kCrcTable = MakeCrcTable();
+constexpr CrcTables kCrc = MakeCrcTables();
 
 std::uint32_t Crc32(std::string_view bytes) {
   std::uint32_t c = 0xFFFFFFFFu;
-  for (const char byte : bytes) {
-    c = kCrcTable[(c ^ static_cast<unsigned char>(byte)) & 0xFF] ^ (c >> 8);
+  const auto byte = [&](std::size_t i) {
+    return static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i]));
+  };
+  std::size_t i = 0;
+  for (; i + 8 <= bytes.size(); i += 8) {
+    c ^= byte(i) | byte(i + 1) << 8 | byte(i + 2) << 16 | byte(i + 3) << 24;
+    c = kCrc[7][c & 0xFF] ^ kCrc[6][c >> 8 & 0xFF] ^ kCrc[5][c >> 16 & 0xFF] ^ kCrc[4][c >> 24] ^
+        kCrc[3][byte(i + 4)] ^ kCrc[2][byte(i + 5)] ^ kCrc[1][byte(i + 6)] ^ kCrc[0][byte(i + 7)];
   }
+  for (; i < bytes.size(); ++i) c = kCrc[0][(c ^ byte(i)) & 0xFF] ^ (c >> 8);
   return c ^ 0xFFFFFFFFu;
 }
 

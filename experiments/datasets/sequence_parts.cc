@@ -3,6 +3,7 @@
 #include "experiments/datasets/sequence_parts.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/error.h"
 #include "experiments/datasets/frame_range.h"
@@ -79,6 +80,15 @@ void AddImages(const CameraPair& pair, const CameraRig& rig, Sequence& sequence)
   sequence.camera = rig.Stereo(pair.left, pair.right, images.width_px, images.height_px);
   sequence.camera.Check();
   sequence.left_offset_m = rig.Offset_m(pair.left);
+}
+
+void AddTimes(const fs::path& file, std::vector<std::int64_t> times_ns, Sequence& sequence) {
+  if (times_ns.size() != sequence.images.size()) {
+    ThrowError(file.string(), StrCat(times_ns.size(), " times"),
+               StrCat(sequence.images.size(), ", as many as images"));
+  }
+  sequence.timestamps_ns = std::move(times_ns);
+  sequence.text_files.push_back(file);
 }
 
 void AddOxtsTruth(const std::vector<std::optional<RigidTransform>>& imu_poses,

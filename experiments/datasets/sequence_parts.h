@@ -29,8 +29,10 @@ struct CameraPair {
 // one exists. Throws Error for a pair that the data set does not have.
 CameraPair ChoosePair(const SequenceRequest& request, const std::vector<CameraPair>& pairs);
 
-// Images and camera of the pair, over all frames.
+// Images and camera of the pair, and one time per image, over all frames.
 void AddImages(const CameraPair& pair, const CameraRig& rig, Sequence& sequence);
+void AddTimes(const std::filesystem::path& file, std::vector<std::int64_t> times_ns,
+              Sequence& sequence);
 
 // Ground truth from OxTS: pose i, empty or imu_0_from_imu_i, belongs to frame i.
 void AddOxtsTruth(const std::vector<std::optional<RigidTransform>>& imu_poses,

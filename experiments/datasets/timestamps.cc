@@ -26,8 +26,8 @@ bool HasShape(std::string_view text) {
 void CheckIncreasing(const TextFile& file, const std::vector<std::int64_t>& times) {
   for (std::size_t i = 1; i < times.size(); ++i) {
     if (times[i] <= times[i - 1]) {
-      ThrowError(file.Where(i), StrCat("\"", file.line(i), "\""),
-                 StrCat("a time after that of the line before, \"", file.line(i - 1), "\""));
+      ThrowError(file.Where(i), Quoted(file.line(i)),
+                 "a time after that of the line before, " + Quoted(file.line(i - 1)));
     }
   }
 }
@@ -62,8 +62,7 @@ std::vector<std::int64_t> ReadDateTimes(const std::filesystem::path& path) {
   for (std::size_t i = 0; i < file.size(); ++i) {
     const std::optional<std::int64_t> time = ParseDateTimeNs(TrimEnd(file.line(i)));
     if (!time) {
-      ThrowError(file.Where(i), StrCat("\"", file.line(i), "\""),
-                 "a time YYYY-MM-DD HH:MM:SS.nnnnnnnnn");
+      ThrowError(file.Where(i), Quoted(file.line(i)), "a time YYYY-MM-DD HH:MM:SS.nnnnnnnnn");
     }
     times.push_back(*time);
   }

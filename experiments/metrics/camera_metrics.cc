@@ -121,6 +121,9 @@ std::vector<Metric> EvaluateCamera(const OptionalPoses& truth, const OptionalPos
   AddAte(poses, frames, metrics);
   AddRpe(poses, frames, metrics);
   if (const auto drift = ComputeKittiDrift(truth, estimate)) AddDrift(*drift, frames, metrics);
+  for (const Metric& metric : metrics) {
+    if (!std::isfinite(metric.value)) ThrowError(metric.name, "an overflow", "a finite number");
+  }
   return metrics;
 }
 

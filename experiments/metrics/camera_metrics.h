@@ -14,6 +14,7 @@ namespace cvo {
 // with _mean, _median and _max, camera_{r,t}rpe_all_pairs, camera_{r,t}rpe_1_frame and
 // camera_{t,r}_drift. Poses are world_from_camera per frame, empty where there is none; equal
 // lengths. A metric that the frames do not determine is absent. `truth_name` enters the contracts.
+// Throws Error for poses that are not finite.
 std::vector<Metric> EvaluateCamera(const OptionalPoses& truth, const OptionalPoses& estimate,
                                    const std::string& truth_name = "");
 

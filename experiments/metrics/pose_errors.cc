@@ -26,6 +26,11 @@ std::optional<RelativeErrors> RootMeanSquares(double rotation_sum, double transl
   return RelativeErrors{std::sqrt(rotation_sum / n), std::sqrt(translation_sum / n), pairs};
 }
 
+void CheckFinite(const char* name, std::size_t frame, const RigidTransform& pose) {
+  if (pose.Matrix().allFinite()) return;
+  ThrowError(StrCat(name, " of frame ", frame), "a pose that is not finite", "finite numbers");
+}
+
 }  // namespace
 
 CommonPoses FindCommonPoses(const OptionalPoses& truth, const OptionalPoses& estimate) {
@@ -35,6 +40,8 @@ CommonPoses FindCommonPoses(const OptionalPoses& truth, const OptionalPoses& est
   }
   CommonPoses common;
   for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (truth[i]) CheckFinite("truth", i, *truth[i]);
+    if (estimate[i]) CheckFinite("estimate", i, *estimate[i]);
     if (!truth[i] || !estimate[i]) continue;
     common.frames.push_back(static_cast<int>(i));
     common.truth.push_back(*truth[i]);

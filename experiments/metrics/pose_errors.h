@@ -20,7 +20,7 @@ struct CommonPoses {
 
   std::size_t size() const { return frames.size(); }
 };
-// Throws Error where the lengths differ.
+// Throws Error where the lengths differ or a pose is not finite.
 CommonPoses FindCommonPoses(const OptionalPoses& truth, const OptionalPoses& estimate);
 
 // Position errors (m) after the SE(3) alignment of the estimate's positions to the truth's.

@@ -40,7 +40,7 @@ Trajectory ReadTumTrajectory(const std::filesystem::path& path) {
     row.ExpectColumns(8, "time tx ty tz qx qy qz qw");
     const std::int64_t time_ns = row.SecondsNs(0);
     if (!trajectory.empty() && time_ns <= trajectory.back().timestamp_ns) {
-      row.Fail(StrCat("time ", row.Text(0)),
+      row.Fail("time " + Quoted(row.Text(0)),
                StrCat("one after ", FormatSecondsNs(trajectory.back().timestamp_ns)));
     }
     trajectory.push_back({time_ns, ReadPose(row)});

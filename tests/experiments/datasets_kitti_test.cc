@@ -107,10 +107,15 @@ TEST_F(KittiData, InterpolatedTruthDiffersByCentimetresAndEndsAtThePackets) {
       EvaluateCamera(devkit.groundtruth_world_from_camera, moved.groundtruth_world_from_camera);
   EXPECT_GT(Value(metrics, "camera_ate"), 0.005);
   EXPECT_LT(Value(metrics, "camera_ate"), 0.06);
+  // The last image was taken 0.02 ms after the last packet.
+  EXPECT_EQ(FramesWithTruth(moved), 107u);
+  EXPECT_FALSE(moved.groundtruth_world_from_camera.back().has_value());
   // The first image of drive 0013 was taken 1.1 ms before its first packet.
-  const Sequence late = OpenSequence({.folder = Drive("0013"), .groundtruth = "interpolated"});
-  EXPECT_FALSE(late.groundtruth_world_from_camera.front().has_value());
-  EXPECT_TRUE(late.groundtruth_world_from_camera[1].has_value());
+  const Sequence both = OpenSequence({.folder = Drive("0013"), .groundtruth = "interpolated"});
+  EXPECT_EQ(FramesWithTruth(both), 70u);
+  EXPECT_FALSE(both.groundtruth_world_from_camera.front().has_value());
+  ASSERT_EQ(both.missing.size(), 1u);
+  EXPECT_THAT(both.missing[0], HasSubstr("no ground truth for 2 of 72 images"));
 }
 
 TEST_F(KittiData, TruthDoesNotDependOnTheFramesAskedFor) {

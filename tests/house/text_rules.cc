@@ -60,7 +60,9 @@ std::string WithoutComment(const std::string& line) { return line.substr(0, line
 }  // namespace
 
 std::vector<std::string> CheckLicense(const SourceFile& file) {
-  const std::string mark = IsCode(file.path) || file.path.ends_with(".h.in") ? "// " : "# ";
+  const bool is_code =
+      IsCode(file.path) || file.path.ends_with(".h.in") || file.path.ends_with(".cc.in");
+  const std::string mark = is_code ? "// " : "# ";
   const std::vector<std::string> lines = Lines(file.content);
   const std::size_t first = !lines.empty() && lines[0].starts_with("#!") ? 1 : 0;
   const bool good = lines.size() >= first + 2 &&

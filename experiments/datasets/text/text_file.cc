@@ -18,8 +18,10 @@ std::string ReadFileBytes(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path, ignored)) {
     ThrowError(path.string(), "no such file", "a file that can be read");
   }
-  if (std::filesystem::is_directory(path, ignored)) {
-    ThrowError(path.string(), "a folder", "a file that can be read");
+  if (!std::filesystem::is_regular_file(path, ignored)) {
+    ThrowError(path.string(),
+               std::filesystem::is_directory(path, ignored) ? "a folder" : "a pipe or a device",
+               "a file that can be read");
   }
   std::ifstream in(path, std::ios::binary | std::ios::ate);
   if (!in) ThrowError(path.string(), "a file that cannot be opened", "a file that can be read");
@@ -35,6 +37,13 @@ void WriteFileBytes(const std::filesystem::path& path, std::string_view bytes) {
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   out.close();
   if (!out) ThrowError(path.string(), "an error while writing", "a file that can be written");
+}
+
+std::string Quoted(std::string_view text) {
+  constexpr std::size_t kLongest = 60;
+  std::string quoted = "\"";
+  for (const char c : text.substr(0, kLongest)) quoted += c >= ' ' && c <= '~' ? c : '?';
+  return quoted + (text.size() > kLongest ? "...\"" : "\"");
 }
 
 TextFile::TextFile(std::filesystem::path path) : path_(std::move(path)) {
@@ -105,7 +114,7 @@ void TextRow::Fail(const std::string& found, const std::string& expected) const 
 }
 
 void TextRow::FailColumn(std::size_t column, const char* expected) const {
-  Fail(StrCat("\"", columns_[column], "\" in column ", column + 1), expected);
+  Fail(StrCat(Quoted(columns_[column]), " in column ", column + 1), expected);
 }
 
 }  // namespace cvo

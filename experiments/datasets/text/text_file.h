@@ -15,6 +15,9 @@ std::string ReadFileBytes(const std::filesystem::path& path);
 // Replaces the file. Throws Error where it cannot be written whole.
 void WriteFileBytes(const std::filesystem::path& path, std::string_view bytes);
 
+// Text from a file for a message: in quotes, at most 60 characters, on one line whatever it holds.
+std::string Quoted(std::string_view text);
+
 // A text file as lines without their ends ("\n" or "\r\n"; the last may have none). Blank lines at
 // the end are dropped.
 class TextFile {

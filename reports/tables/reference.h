@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reports/tables/contract.h"
+
+namespace cvo::reports {
+
+struct ReferenceSource {
+  std::string id;
+  std::string source;  // as a reader would cite it
+  std::string kind;    // "published" or "measured"
+  std::string caveat;
+  std::string pair;  // images that were used; empty: not known
+};
+
+// One number that others reach on some frames of a sequence.
+struct ReferenceFigure {
+  std::size_t source = 0;  // index
+  std::string sequence;
+  int first_frame = 0;
+  int frames = 0;
+  std::string system;
+  std::string metric;
+  double value = 0.0;
+  std::string unit;
+  Contract contract;                  // fields that the source does not state are empty
+  std::vector<std::string> inferred;  // fields that follow from its figures, not from its text
+};
+
+struct Reference {
+  std::vector<ReferenceSource> sources;
+  std::vector<ReferenceFigure> figures;
+};
+
+// Adds what a file of reference figures holds. Throws Error naming `where` and the field.
+void AddReference(std::string_view json, const std::string& where, Reference& reference);
+
+// All figures that ship with the program.
+Reference ShippedReference();
+
+}  // namespace cvo::reports

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "reports/tables/contract.h"
+
+namespace cvo::reports {
+
+inline constexpr int kRunSchemaVersion = 1;
+
+struct SequenceInfo {
+  std::string name;
+  std::string type;
+  std::string pair;  // "grey" or "colour"
+  int first_frame = 0;
+  int frames = 0;
+  int total_frames = 0;  // in the folder
+};
+
+struct MetricValue {
+  std::string name;
+  double value = 0.0;
+  std::string unit;
+  std::int64_t n = 0;
+  Contract contract;
+};
+
+// What a table needs of one result.json.
+struct RunSummary {
+  std::filesystem::path file;
+  std::string job;
+  std::string variant;
+  std::uint64_t seed = 0;
+  std::string status;  // "ok", "lost", "failed"
+  std::string message;
+  SequenceInfo sequence;
+  std::vector<MetricValue> metrics;
+  std::string options;  // resolved, as JSON text
+  std::string build;    // identity
+};
+
+// Throws Error naming the file and the field: another schema version, half-written, not a run.
+RunSummary ReadRun(const std::filesystem::path& result_file);
+
+// nullptr where the run has no such metric.
+const MetricValue* FindMetric(const RunSummary& run, const std::string& name);
+
+}  // namespace cvo::reports

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "reports/tables/table.h"
+
+namespace cvo::reports {
+
+// Aligned columns with their units, then footnotes. `dim`: figures that do not compare are faint as
+// well as in brackets, by terminal codes.
+std::string TableText(const Table& table, bool dim);
+
+// The same as a Markdown table and list.
+std::string TableMarkdown(const Table& table);
+
+}  // namespace cvo::reports

@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/base/rng.h"
+#include "experiments/metrics/camera_metrics.h"
+#include "experiments/metrics/kitti_drift.h"
+#include "tests/support/error_message.h"
+
+namespace cvo {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+RigidTransform Pose(const Eigen::Vector3d& rotation, const Eigen::Vector3d& translation) {
+  return {ExpSo3(rotation), translation};
+}
+
+RigidTransform At(double x, double y = 0.0, double z = 0.0) {
+  return Pose(Eigen::Vector3d::Zero(), {x, y, z});
+}
+
+double Value(const std::vector<Metric>& metrics, const std::string& name) {
+  const Metric* metric = FindMetric(metrics, name);
+  return metric == nullptr ? std::nan("") : metric->value;
+}
+
+std::int64_t Count(const std::vector<Metric>& metrics, const std::string& name) {
+  const Metric* metric = FindMetric(metrics, name);
+  return metric == nullptr ? -1 : metric->n;
+}
+
+Eigen::Vector3d RandomVector(Rng& rng, double scale) {
+  return scale * Eigen::Vector3d(rng.Normal(), rng.Normal(), rng.Normal());
+}
+
+// A random walk, and the same with noise on each step.
+struct Pair {
+  OptionalPoses truth, estimate;
+};
+Pair RandomPair(std::uint64_t seed, int frames) {
+  Rng rng(seed, "trajectories");
+  Pair pair;
+  RigidTransform truth, estimate = Pose(RandomVector(rng, 1.0), RandomVector(rng, 10.0));
+  for (int i = 0; i < frames; ++i) {
+    pair.truth.push_back(truth);
+    pair.estimate.push_back(estimate);
+    const Eigen::Vector3d turn = RandomVector(rng, 0.1), move = RandomVector(rng, 1.0);
+    truth = truth * Pose(turn, move);
+    estimate = estimate * Pose(turn + RandomVector(rng, 0.01), move + RandomVector(rng, 0.05));
+  }
+  return pair;
+}
+
+TEST(Ate, SquareThatIsTooLarge) {
+  // The best alignment is the identity; every corner is off by 0.1 sqrt(2).
+  OptionalPoses truth, estimate;
+  for (const auto& [x, y] : {std::pair{1, 1}, {1, -1}, {-1, -1}, {-1, 1}}) {
+    truth.push_back(At(x, y));
+    estimate.push_back(At(1.1 * x, 1.1 * y));
+  }
+  const auto metrics = EvaluateCamera(truth, estimate);
+  for (const char* name :
+       {"camera_ate", "camera_ate_mean", "camera_ate_median", "camera_ate_max"}) {
+    EXPECT_NEAR(Value(metrics, name), 0.1 * std::numbers::sqrt2, 1e-12) << name;
+    EXPECT_EQ(Count(metrics, name), 4) << name;
+  }
+}
+
+TEST(Ate, OnePointOff) {
+  // On a line, where only the offset along it can be aligned: errors -1/3, -1/3, 2/3 with one of
+  // three points 1 m ahead.
+  const OptionalPoses truth = {At(0), At(10), At(20)};
+  const OptionalPoses estimate = {At(0), At(10), At(21)};
+  const auto metrics = EvaluateCamera(truth, estimate);
+  EXPECT_NEAR(Value(metrics, "camera_ate"), std::sqrt(6.0 / 27.0), 1e-12);
+  EXPECT_NEAR(Value(metrics, "camera_ate_mean"), 4.0 / 9.0, 1e-12);
+  EXPECT_NEAR(Value(metrics, "camera_ate_median"), 1.0 / 3.0, 1e-12);
+  EXPECT_NEAR(Value(metrics, "camera_ate_max"), 2.0 / 3.0, 1e-12);
+}
+
+TEST(Ate, MedianOfAnEvenNumberIsTheMeanOfTheMiddleTwo) {
+  // Ahead by 0, 1, 3 and 8 m, so by 3 m in the mean: errors 3, 2, 0 and 5.
+  const OptionalPoses truth = {At(0), At(10), At(20), At(30)};
+  const OptionalPoses estimate = {At(0), At(11), At(23), At(38)};
+  EXPECT_NEAR(Value(EvaluateCamera(truth, estimate), "camera_ate_median"), 2.5, 1e-12);
+}
+
+TEST(Ate, IsZeroForARigidlyMovedTruthButNotForAScaledOne) {
+  const Pair pair = RandomPair(3, 50);
+  const RigidTransform motion = Pose({1.0, -2.0, 0.5}, {100.0, -7.0, 3.0});
+  OptionalPoses moved, scaled;
+  for (const auto& pose : pair.truth) {
+    moved.push_back(motion * *pose);
+    scaled.push_back(RigidTransform(Eigen::Quaterniond(pose->rotation()),
+                                    Eigen::Vector3d(2.0 * pose->translation())));
+  }
+  EXPECT_NEAR(Value(EvaluateCamera(pair.truth, moved), "camera_ate"), 0.0, 1e-12);
+  EXPECT_GT(Value(EvaluateCamera(pair.truth, scaled), "camera_ate"), 0.5);
+}
+
+TEST(CameraMetrics, DoNotDependOnTheWorldFrameOfTheEstimate) {
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    const Pair pair = RandomPair(seed, 60);
+    Rng rng(seed, "motion");
+    const RigidTransform motion = Pose(RandomVector(rng, 1.0), RandomVector(rng, 100.0));
+    OptionalPoses moved;
+    for (const auto& pose : pair.estimate) moved.push_back(motion * *pose);
+    const auto a = EvaluateCamera(pair.truth, pair.estimate);
+    const auto b = EvaluateCamera(pair.truth, moved);
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      EXPECT_NEAR(a[i].value, b[i].value, 1e-9) << a[i].name;
+    }
+  }
+}
+
+TEST(AllPairsRpe, HandComputed) {
+  // Distances 1, 1, 2 and angles 0.1, 0.2, 0.3, each in both directions.
+  const OptionalPoses truth = {At(0), At(0), At(0)};
+  const OptionalPoses estimate = {At(0), Pose({0, 0, 0.1}, {1, 0, 0}),
+                                  Pose({0, 0, 0.3}, {2, 0, 0})};
+  const auto metrics = EvaluateCamera(truth, estimate);
+  EXPECT_NEAR(Value(metrics, "camera_trpe_all_pairs"), std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(Value(metrics, "camera_rrpe_all_pairs"), std::sqrt(0.14 / 3.0), 1e-12);
+  EXPECT_EQ(Count(metrics, "camera_trpe_all_pairs"), 6);
+}
+
+TEST(AllPairsRpe, EqualsItsDefinition) {
+  const Pair pair = RandomPair(7, 25);
+  double rotation = 0.0, translation = 0.0;
+  int pairs = 0;
+  for (std::size_t i = 0; i < 25; ++i) {
+    for (std::size_t j = 0; j < 25; ++j) {
+      if (i == j) continue;
+      const RigidTransform G = pair.truth[i]->Inverse() * *pair.truth[j];
+      const RigidTransform P = pair.estimate[i]->Inverse() * *pair.estimate[j];
+      const RigidTransform E = G.Inverse() * P;
+      rotation += std::pow(RotationAngle(E.rotation()), 2);
+      translation += E.translation().squaredNorm();
+      ++pairs;
+    }
+  }
+  const auto metrics = EvaluateCamera(pair.truth, pair.estimate);
+  EXPECT_NEAR(Value(metrics, "camera_rrpe_all_pairs"), std::sqrt(rotation / pairs), 1e-12);
+  EXPECT_NEAR(Value(metrics, "camera_trpe_all_pairs"), std::sqrt(translation / pairs), 1e-10);
+}
+
+TEST(AllPairsRpe, TranslationIsAtLeastTheAte) {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const Pair pair = RandomPair(seed, 3 + static_cast<int>(seed));
+    const auto metrics = EvaluateCamera(pair.truth, pair.estimate);
+    EXPECT_GE(Value(metrics, "camera_trpe_all_pairs"), Value(metrics, "camera_ate")) << seed;
+  }
+}
+
+TEST(OneFrameRpe, HandComputed) {
+  const OptionalPoses truth = {At(0), At(1), At(2)};
+  const OptionalPoses estimate = {At(0), At(1.5), Pose({0, 0.1, 0}, {2.5, 0, 0})};
+  const auto metrics = EvaluateCamera(truth, estimate);
+  EXPECT_NEAR(Value(metrics, "camera_trpe_1_frame"), std::sqrt(0.25 / 2.0), 1e-12);
+  EXPECT_NEAR(Value(metrics, "camera_rrpe_1_frame"), std::sqrt(0.01 / 2.0), 1e-12);
+  EXPECT_EQ(Count(metrics, "camera_trpe_1_frame"), 2);
+}
+
+TEST(OneFrameRpe, SkipsGaps) {
+  // Frames 0, 1, 3, 4: the pair (1, 3) is no pair of consecutive frames.
+  const OptionalPoses truth = {At(0), At(1), At(2), At(3), At(4)};
+  const OptionalPoses estimate = {At(0), At(1), std::nullopt, At(50), At(51)};
+  const auto metrics = EvaluateCamera(truth, estimate);
+  EXPECT_EQ(Count(metrics, "camera_trpe_1_frame"), 2);
+  EXPECT_NEAR(Value(metrics, "camera_trpe_1_frame"), 0.0, 1e-12);
+  const OptionalPoses every_second = {At(0), std::nullopt, At(2), std::nullopt, At(4)};
+  EXPECT_EQ(FindMetric(EvaluateCamera(truth, every_second), "camera_trpe_1_frame"), nullptr);
+}
+
+TEST(Coverage, CountsFramesWithTruthAlone) {
+  const OptionalPoses truth = {std::nullopt, At(1), At(2), At(3), At(4)};
+  const OptionalPoses estimate = {At(0), At(1), std::nullopt, At(3), At(4)};
+  const auto metrics = EvaluateCamera(truth, estimate, "interpolated");
+  EXPECT_EQ(Value(metrics, "camera_coverage"), 0.75);
+  EXPECT_EQ(Count(metrics, "camera_coverage"), 4);
+  const Metric* ate = FindMetric(metrics, "camera_ate");
+  ASSERT_NE(ate, nullptr);
+  EXPECT_EQ(ate->n, 3);
+  EXPECT_EQ(ate->contract.truth, "interpolated");
+  EXPECT_EQ(ate->contract.left_out,
+            "1 of 5 frames without truth, 1 with truth but without an estimate");
+}
+
+TEST(CameraMetrics, DegenerateInputsLeaveMetricsOut) {
+  EXPECT_THAT(EvaluateCamera({}, {}), IsEmpty());
+  EXPECT_THAT(EvaluateCamera({std::nullopt}, {At(0)}), IsEmpty());
+  const auto lost = EvaluateCamera({At(0), At(1)}, {std::nullopt, std::nullopt});
+  ASSERT_EQ(lost.size(), 1u);
+  EXPECT_EQ(Value(lost, "camera_coverage"), 0.0);
+  const auto one = EvaluateCamera({At(0), At(1)}, {At(0), std::nullopt});
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_EQ(Value(one, "camera_coverage"), 0.5);
+}
+
+TEST(CameraMetrics, AreFiniteForACameraThatStandsStill) {
+  const OptionalPoses still(10, At(0));
+  const auto metrics = EvaluateCamera(still, still);
+  EXPECT_EQ(metrics.size(), 9u);
+  for (const Metric& metric : metrics) EXPECT_TRUE(std::isfinite(metric.value)) << metric.name;
+}
+
+TEST(CameraMetrics, RefuseLengthsThatDiffer) {
+  EXPECT_THAT(ErrorMessage([] { EvaluateCamera({At(0)}, {}); }),
+              HasSubstr("found 0 estimated frames, expected 1"));
+}
+
+TEST(CameraMetrics, RefuseWhatIsNotFinite) {
+  EXPECT_THAT(ErrorMessage([] {
+                EvaluateCamera({At(0), At(1)}, {At(0), At(std::nan(""))});
+              }),
+              HasSubstr("estimate of frame 1: found a pose that is not finite"));
+  EXPECT_THAT(ErrorMessage([] {
+                EvaluateCamera({At(0), At(1)}, {At(0), At(1e300)});
+              }),
+              HasSubstr("camera_ate: found an overflow"));
+}
+
+TEST(CameraMetrics, EachSaysWhatItMeans) {
+  OptionalPoses truth, estimate;
+  for (int i = 0; i < 150; ++i) truth.push_back(At(0, 0, i)), estimate.push_back(At(0, 0, i));
+  const auto metrics = EvaluateCamera(truth, estimate, "devkit");
+  EXPECT_EQ(metrics.size(), 11u);
+  for (const Metric& metric : metrics) {
+    EXPECT_FALSE(metric.unit.empty()) << metric.name;
+    EXPECT_GT(metric.n, 0) << metric.name;
+    const MetricContract& c = metric.contract;
+    for (const std::string& field :
+         {c.frame, c.truth, c.alignment, c.pairing, c.delta, c.aggregation, c.left_out}) {
+      EXPECT_FALSE(field.empty()) << metric.name;
+    }
+  }
+}
+
+OptionalPoses Straight(int frames, double step_m) {
+  OptionalPoses poses;
+  for (int i = 0; i < frames; ++i) poses.push_back(At(0, 0, step_m * i));
+  return poses;
+}
+
+TEST(KittiDrift, ScaleErrorOfOnePercent) {
+  // With 1 m per frame a sub-sequence of 100 m ends at the first frame beyond it, after 101 m.
+  const auto drift = ComputeKittiDrift(Straight(111, 1.0), Straight(111, 1.01));
+  ASSERT_TRUE(drift.has_value());
+  EXPECT_EQ(drift->segments, 1);
+  EXPECT_NEAR(drift->translation_percent, 1.01, 1e-9);
+  EXPECT_NEAR(drift->rotation_deg_per_100m, 0.0, 1e-9);
+  // Starts 0, ..., 110 reach 100 m; starts 0 and 10 reach 200 m too, after 201 m.
+  const auto longer = ComputeKittiDrift(Straight(212, 1.0), Straight(212, 1.01));
+  EXPECT_EQ(longer->segments, 12 + 2);
+  EXPECT_NEAR(longer->translation_percent, (12 * 1.01 + 2 * 1.005) / 14, 1e-9);
+}
+
+TEST(KittiDrift, ConstantTurn) {
+  OptionalPoses estimate;
+  for (int i = 0; i < 111; ++i) estimate.push_back(Pose({0, 0.001 * i, 0}, {0, 0, 1.0 * i}));
+  const auto drift = ComputeKittiDrift(Straight(111, 1.0), estimate);
+  ASSERT_TRUE(drift.has_value());
+  EXPECT_NEAR(drift->rotation_deg_per_100m, 0.101 * 180.0 / std::numbers::pi, 1e-9);
+}
+
+TEST(KittiDrift, IsAbsentOnAShortPath) {
+  EXPECT_FALSE(ComputeKittiDrift(Straight(101, 1.0), Straight(101, 1.0)).has_value());
+  EXPECT_FALSE(ComputeKittiDrift({}, {}).has_value());
+  EXPECT_EQ(FindMetric(EvaluateCamera(Straight(50, 1.0), Straight(50, 1.0)), "camera_t_drift"),
+            nullptr);
+}
+
+TEST(KittiDrift, LeavesOutSegmentsWithoutEstimate) {
+  OptionalPoses estimate = Straight(121, 1.0);
+  estimate[10].reset();
+  const auto drift = ComputeKittiDrift(Straight(121, 1.0), estimate);
+  ASSERT_TRUE(drift.has_value());
+  EXPECT_EQ(drift->segments, 1);
+  EXPECT_EQ(drift->segments_without_estimate, 1);
+}
+
+TEST(KittiDrift, BridgesFramesWithoutTruth) {
+  OptionalPoses truth = Straight(121, 1.0);
+  truth[10].reset();   // no sub-sequence starts here
+  truth[101].reset();  // the one from 0 ends a frame later, after 102 m
+  const auto drift = ComputeKittiDrift(truth, Straight(121, 1.01));
+  ASSERT_TRUE(drift.has_value());
+  EXPECT_EQ(drift->segments, 1);
+  EXPECT_NEAR(drift->translation_percent, 1.02, 1e-9);
+}
+
+}  // namespace
+}  // namespace cvo
