@@ -139,18 +139,6 @@ Moments Difference(const Patches& p, int shift) {
   return {SumOfWeights(p), WeightedSum(p, first), WeightedSum(p, second)};
 }
 
-double Contrast(const Patches& p) {
-  Lanes first = {};
-  Lanes second = {};
-  for (int y = 0; y < p.side; ++y) {
-    for (int x = 0; x < p.lanes; ++x) {
-      first[x] += p.weight[y] * p.left[y][x];
-      second[x] += p.weight[y] * p.left[y][x] * p.left[y][x];
-    }
-  }
-  return Moments{SumOfWeights(p), WeightedSum(p, first), WeightedSum(p, second)}.Variance();
-}
-
 // Shift of the smallest difference with the vertex of the parabola through it and its neighbours.
 std::optional<double> SearchShift(const Patches& p) {
   double costs[2 * kMaxSearchRadius_px + 1];
@@ -252,9 +240,7 @@ std::optional<PatchMatch> AlignPatch(const cv::Mat& left, const cv::Mat& right,
   }
   PatchMatch match;
   match.u_right = query.u_left - whole_disparity - query.search_radius + warp[0];
-  match.cost = residuals->moments.Variance();
-  match.contrast = Contrast(p);
-  match.sigma = std::sqrt(match.cost * covariance(0, 0));
+  match.sigma = std::sqrt(residuals->moments.Variance() * covariance(0, 0));
   return match;
 }
 

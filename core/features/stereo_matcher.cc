@@ -15,7 +15,8 @@ namespace cvo {
 namespace {
 
 constexpr int kNone = -1;
-constexpr double kRowSigma_px = 0.4;  // of the rows of a pair, at level scale
+constexpr double kSurelyGoodSigma_px = 0.02;  // kept where nearly all are perfect
+constexpr double kRowSigma_px = 0.4;          // of the rows of a pair, at level scale
 
 // A left corner's candidates are a range of the right corners, which are sorted by v.
 class RowTable {
@@ -150,7 +151,7 @@ RowOffset FitRowOffset(const std::vector<Pair>& pairs, const cv::Mat& image, dou
 
 struct AlignedFeature {
   StereoFeature feature;
-  double cost;
+  double sigma;  // of the column in the right image, px of the level
 };
 
 std::optional<AlignedFeature> Align(const OrbImage& left, const OrbImage& right, const Pair& pair,
@@ -175,21 +176,22 @@ std::optional<AlignedFeature> Align(const OrbImage& left, const OrbImage& right,
   feature.angle_rad = corner.angle_rad;
   feature.response = corner.response;
   feature.descriptor = corner.descriptor;
-  return AlignedFeature{feature, match->cost};
+  return AlignedFeature{feature, match->sigma};
 }
 
-// Features whose patches differ far more than the median of all are dropped.
-std::vector<StereoFeature> DropOutliers(const std::vector<AlignedFeature>& aligned,
-                                        double max_cost_medians) {
+// Features whose disparity is far less certain than the median of all are dropped: patches that
+// differ, as on the edge of an object, or that have little structure along the row.
+std::vector<StereoFeature> DropUncertain(const std::vector<AlignedFeature>& aligned,
+                                         double max_sigma_medians) {
   std::vector<StereoFeature> features;
   if (aligned.empty()) return features;
-  std::vector<double> costs;
-  for (const AlignedFeature& a : aligned) costs.push_back(a.cost);
-  const auto middle = costs.begin() + static_cast<std::ptrdiff_t>(costs.size() / 2);
-  std::nth_element(costs.begin(), middle, costs.end());
-  const double max_cost = max_cost_medians * *middle;
+  std::vector<double> sigmas;
+  for (const AlignedFeature& a : aligned) sigmas.push_back(a.sigma);
+  const auto middle = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2);
+  std::nth_element(sigmas.begin(), middle, sigmas.end());
+  const double max_sigma = std::max(max_sigma_medians * *middle, kSurelyGoodSigma_px);
   for (const AlignedFeature& a : aligned) {
-    if (a.cost <= max_cost) features.push_back(a.feature);
+    if (a.sigma <= max_sigma) features.push_back(a.feature);
   }
   return features;
 }
@@ -219,7 +221,7 @@ std::vector<StereoFeature> MatchStereo(const OrbImage& left, const OrbImage& rig
     const auto feature = Align(left, right, pair, applied, options);
     if (feature) aligned.push_back(*feature);
   }
-  return DropOutliers(aligned, options.max_cost_medians);
+  return DropUncertain(aligned, options.max_sigma_medians);
 }
 
 }  // namespace cvo
