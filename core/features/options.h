@@ -48,7 +48,7 @@ struct StereoMatchOptions {
   double min_depth_baselines = 3.0;      // nearest point
   double min_disparity_px = 0.1;         // farthest point
   int patch_radius_px = 6;               // patch that is aligned
-  int search_radius_px = 5;              // columns searched for it
+  int search_radius_px = 3;              // columns searched for it
   double max_sigma_medians = 2.1;        // of the disparity's standard deviation
 
   // Throws Error naming the field that cannot be.

@@ -11,9 +11,10 @@
 namespace cvo {
 namespace {
 
-constexpr int kSteps = 3;
-constexpr double kMaxMove_px = 1.0;  // from the best whole column
-constexpr double kMaxShear = 0.6;    // px per row; the ground has baseline / height, 0.33 on KITTI
+constexpr int kMaxSteps = 3;
+constexpr double kSmallStep_px = 0.02;  // the next one would be far smaller
+constexpr double kMaxMove_px = 1.0;     // from the best whole column
+constexpr double kMaxShear = 0.6;  // px per row; the ground has baseline / height, 0.33 on KITTI
 // Information on the shear before the patch is seen: noise of 5 grey levels over 0.5 px per row.
 constexpr double kShearInformation = 100.0;
 constexpr double kWindowSigma = 0.7;  // of the patch radius
@@ -231,9 +232,11 @@ std::optional<PatchMatch> AlignPatch(const cv::Mat& left, const cv::Mat& right,
   // Gauss-Newton with the left patch's slopes, which do not change from step to step.
   Vector warp(*start, 0.0, 0.0);
   std::optional<Residuals> residuals = Evaluate(p, warp);
-  for (int step = 0; step < kSteps && residuals; ++step) {
-    warp -= covariance * residuals->gradient;
+  for (int step = 0; step < kMaxSteps && residuals; ++step) {
+    const Vector change = covariance * residuals->gradient;
+    warp -= change;
     residuals = Evaluate(p, warp);
+    if (std::abs(change[0]) < kSmallStep_px) break;
   }
   if (!residuals || std::abs(warp[0] - *start) > kMaxMove_px || std::abs(warp[1]) > kMaxShear) {
     return std::nullopt;
