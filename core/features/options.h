@@ -41,6 +41,7 @@ struct StereoMatchOptions {
   double right_features = 1.5;           // corners of the right image per corner of the left
   int max_hamming = 90;                  // of 256 bits
   double uniqueness = 0.9;               // best / second best distance
+  int min_margin_bits = 16;              // second best - best distance
   double left_right_tolerance_px = 1.0;  // at level scale
   double row_tolerance_px = 2.0;         // between the rows of a pair, at level scale
   double max_row_error_px = 1.5;         // after correction, at level scale
@@ -66,6 +67,11 @@ struct StereoMatchOptions {
     visit.Field("uniqueness", self.uniqueness,
                 {"1", 0.1, 1.0, "largest ratio of the best to the second best distance",
                  "estimator.md 11"});
+    visit.Field("min_margin_bits", self.min_margin_bits,
+                {"bits", 0, 256,
+                 "least difference of the second best to the best distance: where texture repeats, "
+                 "noise alone passes the ratio",
+                 "measured on KITTI: 16 costs 2 % of the features"});
     visit.Field("left_right_tolerance_px", self.left_right_tolerance_px,
                 {"px", 0.0, 10.0, "largest left-right disagreement, at the corner's scale",
                  "estimator.md 11"});

@@ -79,6 +79,7 @@ class PairFinder {
     const Choice& choice = choices_[left];
     if (choice.right == kNone || choice.distance > options_.max_hamming) return std::nullopt;
     if (choice.distance > options_.uniqueness * choice.second_distance) return std::nullopt;
+    if (choice.distance + options_.min_margin_bits > choice.second_distance) return std::nullopt;
     const OrbKeypoint& other = left_[best_left_[choice.right]];
     const double tolerance = options_.left_right_tolerance_px * scales_[left_[left].octave];
     if (std::abs(other.u_px - left_[left].u_px) > tolerance) return std::nullopt;
