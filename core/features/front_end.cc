@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/features/front_end.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -37,7 +38,8 @@ std::vector<StereoFeature> ExtractStereoFeatures(const cv::Mat& left, const cv::
   orb.Check();
   stereo.Check();
   OrbOptions right_orb = orb;
-  right_orb.features = static_cast<int>(std::lround(orb.features * stereo.right_features));
+  right_orb.features = std::min(static_cast<int>(std::lround(orb.features * stereo.right_features)),
+                                OrbOptions::kMaxFeatures);
   std::array<OrbImage, 2> extracted;
   pool.ParallelFor(2, [&](int i) {
     extracted[i] = i == 0 ? ExtractOrb(left, orb) : ExtractOrb(right, right_orb);

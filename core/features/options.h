@@ -7,6 +7,8 @@
 namespace cvo {
 
 struct OrbOptions {
+  static constexpr int kMaxFeatures = 100000;
+
   int features = 2000;         // per image
   int levels = 8;              // of the pyramid
   double scale_factor = 1.2;   // between levels
@@ -20,7 +22,7 @@ struct OrbOptions {
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
     visit.Field("features", self.features,
-                {"1", 10, 50000, "corners kept per image; more cost time in every stage",
+                {"1", 10, kMaxFeatures, "corners kept per image; more cost time in every stage",
                  "estimator.md 13"});
     visit.Field("levels", self.levels,
                 {"1", 1, 16, "pyramid levels; fewer lose scale invariance", "estimator.md 13"});
@@ -58,7 +60,7 @@ struct StereoMatchOptions {
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
     visit.Field("right_features", self.right_features,
-                {"1", 0.1, 10.0,
+                {"1", 1.0, 5.0,
                  "corners sought in the right image over orb.features; more find more partners",
                  "measured on KITTI: 1.5 gives 7 % more features than 1, no more outliers"});
     visit.Field("max_hamming", self.max_hamming,

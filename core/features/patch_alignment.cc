@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/base/error.h"
+
 namespace cvo {
 namespace {
 
@@ -221,6 +223,9 @@ std::optional<Residuals> Evaluate(const Patches& p, const Vector& warp) {
 
 std::optional<PatchMatch> AlignPatch(const cv::Mat& left, const cv::Mat& right,
                                      const PatchQuery& query) {
+  Require(query.patch_radius >= 1 && query.patch_radius <= kMaxPatchRadius_px &&
+              query.search_radius >= 1 && query.search_radius <= kMaxSearchRadius_px,
+          "AlignPatch: radius out of range");
   Patches p;
   const double whole_disparity = std::round(query.u_left - query.u_right);
   if (!SamplePatches(left, right, query, whole_disparity, p)) return std::nullopt;
