@@ -34,7 +34,7 @@ struct WindowProblem {
 struct SolverOptions {
   int iterations = 4;
   double function_tolerance = 1e-4;
-  int max_points = 600;
+  int max_points = 4000;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
@@ -43,9 +43,12 @@ struct SolverOptions {
     visit.Field("function_tolerance", self.function_tolerance,
                 {"1", 0, 1, "stops where a step lowers the energy by less than this fraction",
                  "estimator.md 4.5"});
-    visit.Field("max_points", self.max_points,
-                {"1", 10, 100000, "landmarks optimised with the window, the longest seen first",
-                 "measured: accuracy is flat above, time grows with it"});
+    visit.Field(
+        "max_points", self.max_points,
+        {"1", 10, 100000,
+         "landmarks optimised with the window, the longest seen first; fewer cost less time "
+         "and tilt the choice towards far ones, which biases the scale",
+         "measured: KITTI fills 2700-3500; 600 double the one-frame error on odometry 06"});
   }
 };
 

@@ -3,103 +3,107 @@
 #include "core/features/corner_selection.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 namespace cvo {
 namespace {
 
-constexpr int kNone = -1;
 constexpr double kExcess = 1.05;  // that many times the quota is near enough; the weakest are cut
-constexpr int kMaxBisections = 12;
+constexpr int kMaxTrials = 12;
 
-bool ComesFirst(const Corner& a, const Corner& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; }
-
-bool IsStronger(const Corner& a, const Corner& b) {
-  return a.score != b.score ? a.score > b.score : ComesFirst(a, b);
+// Strongest first; equally strong ones stay in their order. Scores are 0 ... 255.
+std::vector<Corner> SortByScore(const std::vector<Corner>& corners) {
+  std::array<int, 257> begin{};  // of the corners with score 255 - i
+  for (const Corner& corner : corners) ++begin[256 - corner.score];
+  for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
+  std::vector<Corner> sorted(corners.size());
+  for (const Corner& corner : corners) sorted[begin[255 - corner.score]++] = corner;
+  return sorted;
 }
 
-// Corners at least `distance` apart, strongest first, on a grid of cells of that side.
+// Corners at least a distance apart, strongest first. Keeps a picture of what the discs around
+// those already chosen cover.
 class Spreader {
  public:
   explicit Spreader(const std::vector<Corner>& strongest_first) : corners_(strongest_first) {
+    x0_ = x1_ = corners_[0].x;
+    y0_ = y1_ = corners_[0].y;
     for (const Corner& corner : corners_) {
-      width_ = std::max(width_, corner.x + 1);
-      height_ = std::max(height_, corner.y + 1);
+      x0_ = std::min(x0_, corner.x);
+      x1_ = std::max(x1_, corner.x);
+      y0_ = std::min(y0_, corner.y);
+      y1_ = std::max(y1_, corner.y);
     }
   }
 
-  double LargestDistance() const { return std::hypot(width_, height_); }
+  int width() const { return x1_ - x0_ + 1; }
+  int height() const { return y1_ - y0_ + 1; }
 
   // Stops at `limit` corners.
-  const std::vector<Corner>& Spread(double distance, int limit) {
-    chosen_.clear();
-    next_.clear();
-    columns_ = static_cast<int>(width_ / distance) + 1;
-    rows_ = static_cast<int>(height_ / distance) + 1;
-    first_.assign(static_cast<std::size_t>(columns_) * rows_, kNone);
-    for (const Corner& corner : corners_) {
-      if (static_cast<int>(chosen_.size()) >= limit) break;
-      const int column = static_cast<int>(corner.x / distance);
-      const int row = static_cast<int>(corner.y / distance);
-      if (IsNearAny(corner, column, row, distance * distance)) continue;
-      int& first = first_[static_cast<std::size_t>(row) * columns_ + column];
-      next_.push_back(first);
-      first = static_cast<int>(chosen_.size());
-      chosen_.push_back(corner);
+  std::vector<Corner> Spread(double distance, int limit) {
+    covered_.assign(static_cast<std::size_t>(width()) * height(), 0);
+    std::vector<int> half_widths;  // of the disc's rows, by |y|
+    for (int y = 0; y < distance; ++y) {
+      const int half = static_cast<int>(std::ceil(std::sqrt(distance * distance - y * y))) - 1;
+      half_widths.push_back(half);
     }
-    return chosen_;
+    std::vector<Corner> chosen;
+    for (const Corner& corner : corners_) {
+      if (static_cast<int>(chosen.size()) >= limit) break;
+      const std::size_t row = static_cast<std::size_t>(corner.y - y0_);
+      if (covered_[row * width() + (corner.x - x0_)] != 0) continue;
+      chosen.push_back(corner);
+      Cover(corner, half_widths);
+    }
+    return chosen;
   }
 
  private:
-  bool IsNearAny(const Corner& corner, int column, int row, double square) const {
-    for (int y = std::max(0, row - 1); y <= std::min(rows_ - 1, row + 1); ++y) {
-      for (int x = std::max(0, column - 1); x <= std::min(columns_ - 1, column + 1); ++x) {
-        for (int i = first_[static_cast<std::size_t>(y) * columns_ + x]; i != kNone; i = next_[i]) {
-          const int dx = chosen_[i].x - corner.x;
-          const int dy = chosen_[i].y - corner.y;
-          if (dx * dx + dy * dy < square) return true;
-        }
-      }
+  void Cover(const Corner& corner, const std::vector<int>& half_widths) {
+    const int reach = static_cast<int>(half_widths.size()) - 1;
+    for (int y = std::max(y0_, corner.y - reach); y <= std::min(y1_, corner.y + reach); ++y) {
+      const int half = half_widths[std::abs(y - corner.y)];
+      const int left = std::max(x0_, corner.x - half);
+      const int right = std::min(x1_, corner.x + half);
+      std::memset(&covered_[static_cast<std::size_t>(y - y0_) * width() + (left - x0_)], 1,
+                  static_cast<std::size_t>(right - left + 1));
     }
-    return false;
   }
 
   const std::vector<Corner>& corners_;
-  int width_ = 0;
-  int height_ = 0;
-  int columns_ = 0;
-  int rows_ = 0;
-  std::vector<Corner> chosen_;
-  std::vector<int> first_;  // chosen corner of a cell
-  std::vector<int> next_;   // chosen corner of the same cell
+  int x0_, x1_, y0_, y1_;
+  std::vector<std::uint8_t> covered_;
 };
 
 }  // namespace
 
-std::vector<Corner> SelectEvenly(std::vector<Corner> corners, int quota) {
+std::vector<Corner> SelectEvenly(const std::vector<Corner>& corners, int quota) {
   if (quota <= 0) return {};
   if (static_cast<int>(corners.size()) <= quota) return corners;
-  std::sort(corners.begin(), corners.end(), IsStronger);
-  Spreader spreader(corners);
+  const std::vector<Corner> sorted = SortByScore(corners);
+  Spreader spreader(sorted);
   const int enough = static_cast<int>(quota * kExcess) + 1;
   double low = 1.0;  // leaves all of them, as no two share a pixel
-  double high = spreader.LargestDistance();
-  std::vector<Corner> selected = corners;
-  for (int i = 0; i < kMaxBisections; ++i) {
-    // Counts fall with the square of the distance, so bisect geometrically.
-    const double distance = std::sqrt(low * high);
-    const std::vector<Corner>& spread = spreader.Spread(distance, enough);
+  double high = std::hypot(spreader.width(), spreader.height());
+  double distance = std::sqrt(static_cast<double>(spreader.width()) * spreader.height() / quota);
+  std::vector<Corner> selected = sorted;
+  for (int trial = 0; trial < kMaxTrials; ++trial) {
+    // Counts fall with the square of the distance.
+    if (!(distance > low && distance < high)) distance = std::sqrt(low * high);
+    std::vector<Corner> spread = spreader.Spread(distance, 2 * quota);
     const int count = static_cast<int>(spread.size());
-    if (count < quota) {
-      high = distance;
-      continue;
-    }
-    low = distance;
-    selected = spread;
-    if (count < enough) break;
+    (count < quota ? high : low) = distance;
+    distance *= std::sqrt(count / (0.5 * (quota + enough)));
+    if (count < quota) continue;
+    selected = std::move(spread);
+    if (count <= enough) break;
   }
   selected.resize(static_cast<std::size_t>(quota));
-  std::sort(selected.begin(), selected.end(), ComesFirst);
+  std::sort(selected.begin(), selected.end(),
+            [](const Corner& a, const Corner& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
   return selected;
 }
 

@@ -12,6 +12,6 @@ namespace cvo {
 // that is chosen so that about `quota` remain (adaptive non-maximal suppression, Brown et al.
 // 2005). In reading order. Unlike a grid or a quadtree it moves with the image, so that the same
 // corners are chosen again in the other image and in the next one.
-std::vector<Corner> SelectEvenly(std::vector<Corner> corners, int quota);
+std::vector<Corner> SelectEvenly(const std::vector<Corner>& corners, int quota);
 
 }  // namespace cvo

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/features/front_end.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "core/base/error.h"
@@ -33,8 +35,15 @@ std::vector<StereoFeature> ExtractStereoFeatures(const cv::Mat& left, const cv::
                                                  const StereoMatchOptions& stereo, TaskPool& pool) {
   CheckImage("left", left, camera);
   CheckImage("right", right, camera);
+  orb.Check();
+  stereo.Check();
+  OrbOptions right_orb = orb;
+  right_orb.features = std::min(static_cast<int>(std::lround(orb.features * stereo.right_features)),
+                                OrbOptions::kMaxFeatures);
   std::array<OrbImage, 2> extracted;
-  pool.ParallelFor(2, [&](int i) { extracted[i] = ExtractOrb(i == 0 ? left : right, orb); });
+  pool.ParallelFor(2, [&](int i) {
+    extracted[i] = i == 0 ? ExtractOrb(left, orb) : ExtractOrb(right, right_orb);
+  });
   return MatchStereo(extracted[0], extracted[1], camera, orb, stereo);
 }
 

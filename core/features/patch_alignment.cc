@@ -8,12 +8,15 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/base/error.h"
+
 namespace cvo {
 namespace {
 
-constexpr int kSteps = 3;
-constexpr double kMaxMove_px = 1.0;  // from the best whole column
-constexpr double kMaxShear = 0.6;    // px per row; the ground has baseline / height, 0.33 on KITTI
+constexpr int kMaxSteps = 3;
+constexpr double kSmallStep_px = 0.02;  // the next one would be far smaller
+constexpr double kMaxMove_px = 1.0;     // from the best whole column
+constexpr double kMaxShear = 0.6;  // px per row; the ground has baseline / height, 0.33 on KITTI
 // Information on the shear before the patch is seen: noise of 5 grey levels over 0.5 px per row.
 constexpr double kShearInformation = 100.0;
 constexpr double kWindowSigma = 0.7;  // of the patch radius
@@ -139,18 +142,6 @@ Moments Difference(const Patches& p, int shift) {
   return {SumOfWeights(p), WeightedSum(p, first), WeightedSum(p, second)};
 }
 
-double Contrast(const Patches& p) {
-  Lanes first = {};
-  Lanes second = {};
-  for (int y = 0; y < p.side; ++y) {
-    for (int x = 0; x < p.lanes; ++x) {
-      first[x] += p.weight[y] * p.left[y][x];
-      second[x] += p.weight[y] * p.left[y][x] * p.left[y][x];
-    }
-  }
-  return Moments{SumOfWeights(p), WeightedSum(p, first), WeightedSum(p, second)}.Variance();
-}
-
 // Shift of the smallest difference with the vertex of the parabola through it and its neighbours.
 std::optional<double> SearchShift(const Patches& p) {
   double costs[2 * kMaxSearchRadius_px + 1];
@@ -232,6 +223,9 @@ std::optional<Residuals> Evaluate(const Patches& p, const Vector& warp) {
 
 std::optional<PatchMatch> AlignPatch(const cv::Mat& left, const cv::Mat& right,
                                      const PatchQuery& query) {
+  Require(query.patch_radius >= 1 && query.patch_radius <= kMaxPatchRadius_px &&
+              query.search_radius >= 1 && query.search_radius <= kMaxSearchRadius_px,
+          "AlignPatch: radius out of range");
   Patches p;
   const double whole_disparity = std::round(query.u_left - query.u_right);
   if (!SamplePatches(left, right, query, whole_disparity, p)) return std::nullopt;
@@ -243,18 +237,18 @@ std::optional<PatchMatch> AlignPatch(const cv::Mat& left, const cv::Mat& right,
   // Gauss-Newton with the left patch's slopes, which do not change from step to step.
   Vector warp(*start, 0.0, 0.0);
   std::optional<Residuals> residuals = Evaluate(p, warp);
-  for (int step = 0; step < kSteps && residuals; ++step) {
-    warp -= covariance * residuals->gradient;
+  for (int step = 0; step < kMaxSteps && residuals; ++step) {
+    const Vector change = covariance * residuals->gradient;
+    warp -= change;
     residuals = Evaluate(p, warp);
+    if (std::abs(change[0]) < kSmallStep_px) break;
   }
   if (!residuals || std::abs(warp[0] - *start) > kMaxMove_px || std::abs(warp[1]) > kMaxShear) {
     return std::nullopt;
   }
   PatchMatch match;
   match.u_right = query.u_left - whole_disparity - query.search_radius + warp[0];
-  match.cost = residuals->moments.Variance();
-  match.contrast = Contrast(p);
-  match.sigma = std::sqrt(match.cost * covariance(0, 0));
+  match.sigma = std::sqrt(residuals->moments.Variance() * covariance(0, 0));
   return match;
 }
 

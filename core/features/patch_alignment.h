@@ -22,9 +22,7 @@ inline constexpr int kMaxSearchRadius_px = 20;
 
 struct PatchMatch {
   double u_right = 0.0;
-  double sigma = 0.0;     // of u_right as the residuals have it, px
-  double cost = 0.0;      // mean squared difference of the aligned patches, brightness aside
-  double contrast = 0.0;  // variance of the left patch
+  double sigma = 0.0;  // of u_right, from how much the patches differ and from their slopes
 };
 
 // The column at which the right image looks like the patch of the left one: whole columns first,

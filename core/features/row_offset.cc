@@ -8,6 +8,8 @@ namespace cvo {
 namespace {
 
 constexpr int kIterations = 8;
+constexpr int kWideIterations = 3;
+constexpr double kWide = 4.0;
 constexpr double kPriorSigma_px = 1.0;  // of each coefficient
 
 }  // namespace
@@ -15,13 +17,16 @@ constexpr double kPriorSigma_px = 1.0;  // of each coefficient
 RowOffset::RowOffset(const std::vector<RowOffsetSample>& samples, double width_px, double height_px)
     : width_px_(width_px), height_px_(height_px) {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
-  // Iteratively reweighted least squares with Geman and McClure's weights.
+  // Iteratively reweighted least squares with Geman and McClure's weights, at first wide ones so
+  // that samples far from zero have a say.
   for (int i = 0; i < kIterations; ++i) {
+    const double width = i < kWideIterations ? kWide : 1.0;
     Matrix6 H = Matrix6::Identity() / (kPriorSigma_px * kPriorSigma_px);
     Vector6 b = Vector6::Zero();
     for (const RowOffsetSample& sample : samples) {
       const Vector6 basis = Basis(sample.u_px, sample.v_px);
-      const double error = (sample.offset_px - coefficients_.dot(basis)) / sample.sigma_px;
+      const double error =
+          (sample.offset_px - coefficients_.dot(basis)) / (width * sample.sigma_px);
       const double root = 1.0 / (1.0 + error * error);
       const double weight = root * root / (sample.sigma_px * sample.sigma_px);
       H.noalias() += weight * basis * basis.transpose();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "core/features/patch_alignment.h"
 #include "core/features/pyramid.h"
@@ -15,23 +16,32 @@ namespace cvo {
 namespace {
 
 constexpr int kNone = -1;
-constexpr double kRowSigma_px = 0.4;  // of the rows of a pair, at level scale
+constexpr double kSurelyGoodSigma_px = 0.02;  // kept where nearly all are perfect
+constexpr double kRowSigma_px = 0.4;          // of the rows of a pair, at level scale
 
-// A left corner's candidates are a range of the right corners, which are sorted by v.
+// The corners of one octave by image row. Corners come sorted by v.
 class RowTable {
  public:
-  explicit RowTable(const OrbImage& image) : first_(image.pyramid[0].rows + 1, 0) {
-    for (const OrbKeypoint& keypoint : image.keypoints) ++first_[Row(keypoint.v_px) + 1];
+  RowTable(const OrbImage& image, int octave) : first_(image.pyramid[0].rows + 1, 0) {
+    for (std::size_t i = 0; i < image.keypoints.size(); ++i) {
+      if (image.keypoints[i].octave != octave) continue;
+      corners_.push_back(static_cast<int>(i));
+      ++first_[Row(image.keypoints[i].v_px) + 1];
+    }
     for (std::size_t row = 1; row < first_.size(); ++row) first_[row] += first_[row - 1];
   }
-  // Index of the first corner in the row of v or below it.
-  int First(double v) const { return first_[Row(v)]; }
-  int End(double v) const { return first_[Row(v) + 1]; }
+
+  // Indices of the corners in the rows from v_from to v_to.
+  std::span<const int> Between(double v_from, double v_to) const {
+    const int begin = first_[Row(v_from)];
+    return std::span(corners_).subspan(begin, first_[Row(v_to) + 1] - begin);
+  }
 
  private:
   int Row(double v) const {
     return std::clamp(static_cast<int>(std::floor(v)), 0, static_cast<int>(first_.size()) - 2);
   }
+  std::vector<int> corners_;
   std::vector<int> first_;
 };
 
@@ -53,13 +63,13 @@ class PairFinder {
              const OrbOptions& orb, const StereoMatchOptions& options)
       : left_(left.keypoints),
         right_(right.keypoints),
-        rows_(right),
         options_(options),
         max_disparity_(camera.fx / options.min_depth_baselines),
         best_left_(right.keypoints.size(), kNone),
         best_left_distance_(right.keypoints.size(), std::numeric_limits<int>::max()) {
-    for (int level = 0; level <= orb.levels; ++level) {
-      scales_.push_back(std::pow(orb.scale_factor, level));
+    for (int octave = 0; octave < orb.levels; ++octave) {
+      scales_.push_back(std::pow(orb.scale_factor, octave));
+      rows_.emplace_back(right, octave);
     }
     for (std::size_t i = 0; i < left_.size(); ++i) choices_.push_back(Choose(static_cast<int>(i)));
   }
@@ -69,6 +79,7 @@ class PairFinder {
     const Choice& choice = choices_[left];
     if (choice.right == kNone || choice.distance > options_.max_hamming) return std::nullopt;
     if (choice.distance > options_.uniqueness * choice.second_distance) return std::nullopt;
+    if (choice.distance + options_.min_margin_bits > choice.second_distance) return std::nullopt;
     const OrbKeypoint& other = left_[best_left_[choice.right]];
     const double tolerance = options_.left_right_tolerance_px * scales_[left_[left].octave];
     if (std::abs(other.u_px - left_[left].u_px) > tolerance) return std::nullopt;
@@ -100,16 +111,20 @@ class PairFinder {
 
   void CollectCandidates(int left) {
     candidates_.clear();
+    const int octave = left_[left].octave;
+    const int last = std::min(octave + 1, static_cast<int>(rows_.size()) - 1);
+    for (int other = std::max(octave - 1, 0); other <= last; ++other) CollectAt(left, other);
+  }
+
+  void CollectAt(int left, int octave) {
     const OrbKeypoint& corner = left_[left];
-    const double widest = options_.row_tolerance_px * scales_[corner.octave + 1];
-    const double nearest_u = corner.u_px + options_.row_tolerance_px * scales_[corner.octave];
-    const int end = rows_.End(corner.v_px + widest);
-    for (int i = rows_.First(corner.v_px - widest); i < end; ++i) {
+    const double tolerance = options_.row_tolerance_px * scales_[std::max(corner.octave, octave)];
+    const double farthest_u = corner.u_px + options_.row_tolerance_px * scales_[corner.octave];
+    const double nearest_u = corner.u_px - max_disparity_;
+    for (const int i : rows_[octave].Between(corner.v_px - tolerance, corner.v_px + tolerance)) {
       const OrbKeypoint& other = right_[i];
-      if (std::abs(other.octave - corner.octave) > 1) continue;
-      if (other.u_px > nearest_u || other.u_px < corner.u_px - max_disparity_) continue;
-      const double scale = scales_[std::max(corner.octave, other.octave)];
-      if (std::abs(other.v_px - corner.v_px) > options_.row_tolerance_px * scale) continue;
+      if (other.u_px > farthest_u || other.u_px < nearest_u) continue;
+      if (std::abs(other.v_px - corner.v_px) > tolerance) continue;
       const int distance = HammingDistance(corner.descriptor, other.descriptor);
       candidates_.push_back({i, distance});
       if (distance < best_left_distance_[i]) {
@@ -123,10 +138,10 @@ class PairFinder {
 
   const std::vector<OrbKeypoint>& left_;
   const std::vector<OrbKeypoint>& right_;
-  const RowTable rows_;
   const StereoMatchOptions& options_;
   const double max_disparity_;
-  std::vector<double> scales_;
+  std::vector<double> scales_;  // of the octaves
+  std::vector<RowTable> rows_;  // of the right corners, by octave
   std::vector<int> best_left_;  // of each right corner
   std::vector<int> best_left_distance_;
   std::vector<Candidate> candidates_;  // of the left corner at hand
@@ -150,7 +165,7 @@ RowOffset FitRowOffset(const std::vector<Pair>& pairs, const cv::Mat& image, dou
 
 struct AlignedFeature {
   StereoFeature feature;
-  double cost;
+  double sigma;  // of the column in the right image, px of the level
 };
 
 std::optional<AlignedFeature> Align(const OrbImage& left, const OrbImage& right, const Pair& pair,
@@ -175,21 +190,22 @@ std::optional<AlignedFeature> Align(const OrbImage& left, const OrbImage& right,
   feature.angle_rad = corner.angle_rad;
   feature.response = corner.response;
   feature.descriptor = corner.descriptor;
-  return AlignedFeature{feature, match->cost};
+  return AlignedFeature{feature, match->sigma};
 }
 
-// Features whose patches differ far more than the median of all are dropped.
-std::vector<StereoFeature> DropOutliers(const std::vector<AlignedFeature>& aligned,
-                                        double max_cost_medians) {
+// Features whose disparity is far less certain than the median of all are dropped: patches that
+// differ, as on the edge of an object, or that have little structure along the row.
+std::vector<StereoFeature> DropUncertain(const std::vector<AlignedFeature>& aligned,
+                                         double max_sigma_medians) {
   std::vector<StereoFeature> features;
   if (aligned.empty()) return features;
-  std::vector<double> costs;
-  for (const AlignedFeature& a : aligned) costs.push_back(a.cost);
-  const auto middle = costs.begin() + static_cast<std::ptrdiff_t>(costs.size() / 2);
-  std::nth_element(costs.begin(), middle, costs.end());
-  const double max_cost = max_cost_medians * *middle;
+  std::vector<double> sigmas;
+  for (const AlignedFeature& a : aligned) sigmas.push_back(a.sigma);
+  const auto middle = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2);
+  std::nth_element(sigmas.begin(), middle, sigmas.end());
+  const double max_sigma = std::max(max_sigma_medians * *middle, kSurelyGoodSigma_px);
   for (const AlignedFeature& a : aligned) {
-    if (a.cost <= max_cost) features.push_back(a.feature);
+    if (a.sigma <= max_sigma) features.push_back(a.feature);
   }
   return features;
 }
@@ -219,7 +235,7 @@ std::vector<StereoFeature> MatchStereo(const OrbImage& left, const OrbImage& rig
     const auto feature = Align(left, right, pair, applied, options);
     if (feature) aligned.push_back(*feature);
   }
-  return DropOutliers(aligned, options.max_cost_medians);
+  return DropUncertain(aligned, options.max_sigma_medians);
 }
 
 }  // namespace cvo

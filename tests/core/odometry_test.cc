@@ -23,7 +23,7 @@ struct WorldRun {
 
 template <typename Change>
 WorldRun RunWorld(std::string_view variant, int frames, double noise_px, Change change,
-             std::uint64_t seed = 0) {
+                  std::uint64_t seed = 0) {
   FeatureWorld world(7);
   TaskPool pool(1);
   const auto odometry = FindVariant(variant).make({world.camera(), Options(), seed}, pool);
@@ -139,8 +139,8 @@ TEST_P(EveryVariant, PredictsASkippedFrame) {
   const FrameReport skipped = odometry->Skip(10 * kInterval_ns);
   EXPECT_EQ(skipped.status, FrameStatus::kSkipped);
   EXPECT_LT(PositionError(skipped.world_from_camera, 10), 0.02);
-  const FrameReport next = odometry->Process(
-      world.Observe(FeatureWorld::CameraAt(11), 11 * kInterval_ns, 0.1), times);
+  const FrameReport next =
+      odometry->Process(world.Observe(FeatureWorld::CameraAt(11), 11 * kInterval_ns, 0.1), times);
   EXPECT_EQ(next.status, FrameStatus::kTracked);
   EXPECT_EQ(odometry->Trajectory().size(), 12u);
 }

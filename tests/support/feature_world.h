@@ -10,8 +10,8 @@
 
 namespace cvo::testing {
 
-// A static world of points with distinct descriptors, seen without images: stereo frames for tests of
-// everything behind the front end.
+// A static world of points with distinct descriptors, seen without images: stereo frames for tests
+// of everything behind the front end.
 class FeatureWorld {
  public:
   // Points around the path of a camera that drives along z.

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "core/base/rng.h"
+#include "core/estimation/camera_ransac.h"
+
+namespace cvo {
+namespace {
+
+const StereoCamera kCamera = {.fx = 700,
+                              .fy = 700,
+                              .cx = 620,
+                              .cy = 187,
+                              .baseline_m = 0.54,
+                              .width_px = 1242,
+                              .height_px = 375};
+
+const RigidTransform kTruth(ExpSo3({0.02, -0.05, 0.01}), Eigen::Vector3d(0.4, -0.1, 1.3));
+
+// Points in front of kTruth and where it sees them; the first `outliers` are moved at random.
+std::vector<PointMeasurement> Measure(int count, int outliers, double noise_px, Rng& rng) {
+  std::vector<PointMeasurement> measurements;
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector3d p_in_camera(rng.Uniform(-8, 8), rng.Uniform(-2, 2), rng.Uniform(5, 40));
+    Eigen::Vector3d z = *kCamera.Project(p_in_camera);
+    for (int k = 0; k < 3; ++k) z[k] += noise_px * rng.Normal();
+    if (i < outliers) z += Eigen::Vector3d(rng.Uniform(20, 80), rng.Uniform(-40, 40), 30.0);
+    measurements.push_back({kTruth * p_in_camera, z, Eigen::Matrix3d::Identity()});
+  }
+  return measurements;
+}
+
+TEST(SolveCamera, FindsTheCameraExactlyWithoutNoise) {
+  Rng rng(1, "camera");
+  const auto solution = SolveCamera(kCamera, Measure(50, 0, 0.0, rng), RigidTransform(), {});
+  EXPECT_LT(kTruth.Minus(solution.world_from_camera).norm(), 1e-9);
+  EXPECT_EQ(solution.inliers, 50);
+}
+
+TEST(SolveCamera, LeavesThirtyPercentOfOutliersOut) {
+  Rng rng(2, "camera");
+  const auto solution = SolveCamera(kCamera, Measure(200, 60, 0.0, rng), RigidTransform(), {});
+  EXPECT_LT(kTruth.Minus(solution.world_from_camera).norm(), 1e-6);
+  EXPECT_EQ(solution.inliers, 140);
+  for (int i = 0; i < 60; ++i) EXPECT_FALSE(solution.is_inlier[i]);
+}
+
+TEST(SolveCamera, ErrorFallsWithTheSquareRootOfTheMeasurements) {
+  double few = 0.0;
+  double many = 0.0;
+  for (int trial = 0; trial < 20; ++trial) {
+    Rng rng(static_cast<std::uint64_t>(trial), "camera");
+    few +=
+        kTruth.Minus(SolveCamera(kCamera, Measure(40, 0, 0.5, rng), kTruth, {}).world_from_camera)
+            .norm();
+    many +=
+        kTruth.Minus(SolveCamera(kCamera, Measure(1000, 0, 0.5, rng), kTruth, {}).world_from_camera)
+            .norm();
+  }
+  EXPECT_NEAR(few / many, 5.0, 1.5);
+}
+
+TEST(SolveCamera, KeepsTheInitialCameraWithoutMeasurements) {
+  const auto solution = SolveCamera(kCamera, {}, kTruth, {});
+  EXPECT_EQ(kTruth.Minus(solution.world_from_camera).norm(), 0.0);
+  EXPECT_EQ(solution.inliers, 0);
+}
+
+TEST(SolveCameraRansac, FindsTheCameraAmongSixtyPercentOfOutliers) {
+  Rng rng(3, "ransac");
+  const auto measurements = Measure(150, 90, 0.3, rng);
+  const auto solution = SolveCameraRansac(kCamera, measurements, {}, 300, 20, rng);
+  ASSERT_TRUE(solution);
+  EXPECT_LT(kTruth.Minus(solution->world_from_camera).norm(), 0.02);
+  EXPECT_GE(solution->inliers, 55);
+}
+
+TEST(SolveCameraRansac, GivesNothingWhereNothingAgrees) {
+  Rng rng(4, "ransac");
+  EXPECT_FALSE(SolveCameraRansac(kCamera, Measure(60, 60, 0.3, rng), {}, 300, 20, rng));
+  EXPECT_FALSE(SolveCameraRansac(kCamera, Measure(2, 0, 0.3, rng), {}, 300, 3, rng));
+}
+
+TEST(SolveCameraRansac, SameSeedSameCamera) {
+  Rng data(5, "ransac");
+  const auto measurements = Measure(100, 50, 0.3, data);
+  Rng first(9, "draws");
+  Rng second(9, "draws");
+  const auto a = SolveCameraRansac(kCamera, measurements, {}, 50, 20, first);
+  const auto b = SolveCameraRansac(kCamera, measurements, {}, 50, 20, second);
+  ASSERT_TRUE(a && b);
+  for (int k = 0; k < 7; ++k) {
+    EXPECT_EQ(a->world_from_camera.data()[k], b->world_from_camera.data()[k]);
+  }
+}
+
+}  // namespace
+}  // namespace cvo

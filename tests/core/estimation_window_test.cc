@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "core/base/error.h"
+#include "core/base/rng.h"
+#include "core/estimation/double_track.h"
+#include "core/estimation/marginalization.h"
+#include "core/estimation/window_problem.h"
+
+namespace cvo {
+namespace {
+
+const StereoCamera kCamera = {.fx = 500,
+                              .fy = 500,
+                              .cx = 320,
+                              .cy = 240,
+                              .baseline_m = 0.5,
+                              .width_px = 640,
+                              .height_px = 480};
+
+RigidTransform CameraAt(int frame) {
+  return {ExpSo3({0.0, 0.01 * frame, 0.0}), Eigen::Vector3d(0.05 * frame, 0.0, 0.4 * frame)};
+}
+
+// A problem at its truth, every point seen by every frame, observations with noise.
+WindowProblem MakeProblem(int frames, int points, double noise_px, Rng& rng) {
+  WindowProblem problem;
+  problem.camera = kCamera;
+  problem.prior = CalibrationPrior(kCamera, 1.0);
+  problem.is_right_shift_fixed = true;
+  for (int i = 0; i < frames; ++i) {
+    problem.frames.push_back(FrameId{10 + i});
+    problem.world_from_camera.push_back(CameraAt(i));
+  }
+  problem.is_fixed.assign(problem.frames.size(), 0);
+  problem.is_fixed[0] = 1;
+  for (int p = 0; p < points; ++p) {
+    problem.points.emplace_back(rng.Uniform(-3, 3), rng.Uniform(-2, 2), rng.Uniform(6, 12));
+    for (int i = 0; i < frames; ++i) {
+      const auto z = kCamera.Project(problem.world_from_camera[i].Inverse() * problem.points[p]);
+      const Eigen::Vector3d noise(rng.Normal(), rng.Normal(), rng.Normal());
+      problem.factors.push_back({i, p, *z + noise_px * noise, Eigen::Matrix3d::Identity()});
+    }
+  }
+  return problem;
+}
+
+void Disturb(WindowProblem& problem, double size, Rng& rng) {
+  for (std::size_t i = 1; i < problem.frames.size(); ++i) {
+    const Vector6d step = Vector6d::NullaryExpr([&] { return size * rng.Normal(); });
+    problem.world_from_camera[i] = problem.world_from_camera[i].Plus(step);
+  }
+  for (Eigen::Vector3d& point : problem.points) {
+    point += size * Eigen::Vector3d(rng.Normal(), rng.Normal(), rng.Normal());
+  }
+}
+
+const SolverOptions kToTheEnd = {.iterations = 60, .function_tolerance = 1e-14};
+
+TEST(SolveWindow, ReturnsToTheTruth) {
+  Rng rng(1, "window");
+  WindowProblem problem = MakeProblem(5, 60, 0.0, rng);
+  const WindowProblem truth = problem;
+  Disturb(problem, 0.02, rng);
+  SolveWindow({}, kToTheEnd, problem);
+  for (std::size_t i = 0; i < problem.frames.size(); ++i) {
+    EXPECT_LT(problem.world_from_camera[i].Minus(truth.world_from_camera[i]).norm(), 1e-6);
+  }
+}
+
+TEST(SolveWindow, FindsTheRightShiftThatThePixelsCarry) {
+  Rng rng(2, "window");
+  WindowProblem problem = MakeProblem(6, 150, 0.0, rng);
+  for (ReprojectionFactor& factor : problem.factors) factor.z_px[2] += 0.3;
+  problem.is_right_shift_fixed = false;
+  problem.prior = CalibrationPrior(kCamera, 100.0);
+  SolveWindow({}, kToTheEnd, problem);
+  EXPECT_NEAR(problem.camera.right_shift_px, 0.3, 1e-3);
+  EXPECT_LT(problem.world_from_camera.back().Minus(CameraAt(5)).norm(), 1e-3);
+}
+
+TEST(SolveWindow, RefusesAPriorAboutAFrameItDoesNotHave) {
+  Rng rng(3, "window");
+  WindowProblem problem = MakeProblem(2, 10, 0.0, rng);
+  problem.prior.frames = {FrameId{99}};
+  problem.prior.linearization_point = {RigidTransform()};
+  problem.prior.J0 = Eigen::MatrixXd::Zero(1, 7);
+  EXPECT_THROW(SolveWindow({}, kToTheEnd, problem), Error);
+}
+
+// The window without the marginalised frame and points but with their prior, against all of it.
+TEST(Marginalize, LeavesTheOptimumOfTheOthersWhereItWas) {
+  Rng rng(4, "window");
+  WindowProblem batch = MakeProblem(5, 60, 0.3, rng);
+  batch.is_fixed.assign(5, 0);
+  batch.is_fixed[4] = 1;
+  SolveWindow({}, kToTheEnd, batch);
+
+  // Frame 10 goes, with the points 0 to 29; its observations of the others were never made.
+  std::erase_if(batch.factors, [](const auto& f) { return f.point >= 30 && f.pose == 0; });
+  SolveWindow({}, kToTheEnd, batch);
+  WindowProblem removed = batch;
+  std::erase_if(removed.factors, [](const auto& f) { return f.point >= 30; });
+  WindowProblem rest = batch;
+  rest.prior = Marginalize({}, removed, FrameId{10});
+  std::erase_if(rest.factors, [](const auto& f) { return f.point < 30; });
+  for (ReprojectionFactor& factor : rest.factors) {
+    factor.point -= 30;
+    factor.pose -= 1;
+  }
+  rest.points.erase(rest.points.begin(), rest.points.begin() + 30);
+  rest.frames.erase(rest.frames.begin());
+  rest.world_from_camera.erase(rest.world_from_camera.begin());
+  rest.is_fixed.erase(rest.is_fixed.begin());
+  const WindowProblem before = rest;
+  Disturb(rest, 1e-4, rng);
+  rest.world_from_camera[3] = before.world_from_camera[3];
+  SolveWindow({}, kToTheEnd, rest);
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_LT(rest.world_from_camera[i].Minus(batch.world_from_camera[i + 1]).norm(), 2e-6);
+  }
+}
+
+TEST(Marginalize, PriorOfAFreeWindowHasSixFreeDirections) {
+  Rng rng(5, "window");
+  const WindowProblem problem = MakeProblem(4, 40, 0.2, rng);
+  const WindowPrior prior = Marginalize({}, problem, FrameId{10});
+  ASSERT_EQ(prior.frames.size(), 3u);
+  EXPECT_EQ(prior.J0.cols(), 6 * 3 + 1);
+  const Eigen::MatrixXd H = prior.J0.transpose() * prior.J0;
+  const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(H).eigenvalues();
+  EXPECT_EQ((values.array() < 1e-8 * values.maxCoeff()).count(), 6);
+}
+
+TEST(Marginalize, KnowsOnlyFramesThatSawSomething) {
+  Rng rng(6, "window");
+  WindowProblem problem = MakeProblem(4, 20, 0.2, rng);
+  std::erase_if(problem.factors, [](const auto& f) { return f.pose == 2; });
+  const WindowPrior prior = Marginalize({}, problem, FrameId{10});
+  EXPECT_EQ(prior.frames, (std::vector<FrameId>{FrameId{11}, FrameId{13}}));
+}
+
+// A window in which landmark k is seen in the frames of its list.
+Window MakeWindow(const std::vector<std::vector<int>>& seen) {
+  Window window{kCamera, CalibrationPrior(kCamera, 1.0), {}, {}, {}};
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    Landmark landmark;
+    landmark.id = LandmarkId{static_cast<std::int64_t>(k)};
+    landmark.p_in_world = {0.1 * static_cast<double>(k), 0.2, 10.0};
+    for (const int frame : seen[k]) {
+      const auto z = kCamera.Project(CameraAt(frame).Inverse() * landmark.p_in_world);
+      landmark.observations.push_back({FrameId{frame}, *z, 0});
+      landmark.last_seen = FrameId{frame};
+    }
+    window.landmarks.push_back(landmark);
+  }
+  return window;
+}
+
+TEST(DoubleTrack, PromotesDistantFramesAndMarginalisesTheOldest) {
+  const WindowOptions options = {.spatial = 2, .temporal = 3};
+  const DoubleTrack<MarginalizeUnseenByNewest, PromoteDistant> track(options, {}, 1.2);
+  std::vector<int> all;
+  for (int i = 0; i < 12; ++i) all.push_back(4 * i);
+  Window window = MakeWindow({all, {0, 4, 8}, {0, 4}, all});
+  for (int i = 0; i < 12; ++i) {
+    // Landmarks may only hold observations of frames in the window.
+    Window full = MakeWindow({all, {0, 4, 8}, {0, 4}, all});
+    window.landmarks.clear();
+    window.temporal.size();
+    for (Landmark landmark : full.landmarks) {
+      std::erase_if(landmark.observations, [&](const Observation& o) {
+        return o.frame.value != 4 * i && !window.Find(o.frame);
+      });
+      if (landmark.observations.empty()) continue;
+      landmark.last_seen = landmark.observations.back().frame;
+      window.landmarks.push_back(landmark);
+    }
+    track.Advance({FrameId{4 * i}, CameraAt(4 * i)}, window);
+    EXPECT_LE(window.spatial.size(), 2u);
+    EXPECT_LE(window.temporal.size(), 3u);
+  }
+  EXPECT_EQ(window.spatial.size(), 2u);
+  EXPECT_EQ(window.temporal.back().id, FrameId{44});
+  EXPECT_FALSE(window.prior.frames.empty());
+}
+
+TEST(DoubleTrack, DiscardsEverythingWithoutASpatialTrack) {
+  const WindowOptions options = {.spatial = 2, .temporal = 3};
+  const DoubleTrack<MarginalizeUnseenByNewest, PromoteNever> track(options, {}, 1.2);
+  Window window = MakeWindow({});
+  for (int i = 0; i < 8; ++i) track.Advance({FrameId{i}, CameraAt(i)}, window);
+  EXPECT_TRUE(window.spatial.empty());
+  EXPECT_EQ(window.temporal.front().id, FrameId{5});
+  EXPECT_TRUE(window.prior.frames.empty());
+}
+
+TEST(SelectLandmarks, TakesTheLongestSeenFirst) {
+  const Window window = MakeWindow({{0}, {0, 1}, {0, 1, 2}, {1, 2}, {0, 1, 2, 3}});
+  EXPECT_EQ(SelectLandmarks(window, 10), (std::vector<int>{1, 2, 3, 4}));
+  EXPECT_EQ(SelectLandmarks(window, 2), (std::vector<int>{2, 4}));
+}
+
+}  // namespace
+}  // namespace cvo
