@@ -16,18 +16,18 @@ using testing::FeatureWorld;
 constexpr std::int64_t kInterval_ns = 100'000'000;
 
 // Runs a variant over frames of a world; `change` may spoil a frame before the estimator sees it.
-struct Run {
+struct WorldRun {
   std::vector<FrameReport> reports;
   std::vector<RigidTransform> trajectory;
 };
 
 template <typename Change>
-Run RunWorld(std::string_view variant, int frames, double noise_px, Change change,
+WorldRun RunWorld(std::string_view variant, int frames, double noise_px, Change change,
              std::uint64_t seed = 0) {
   FeatureWorld world(7);
   TaskPool pool(1);
   const auto odometry = FindVariant(variant).make({world.camera(), Options(), seed}, pool);
-  Run run;
+  WorldRun run;
   StageTimes times;
   for (int i = 0; i < frames; ++i) {
     StereoFrame frame = world.Observe(FeatureWorld::CameraAt(i), i * kInterval_ns, noise_px);
@@ -53,10 +53,10 @@ std::vector<std::string_view> VariantNames() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Odometry, EveryVariant, ::testing::ValuesIn(VariantNames()),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& variant) { return std::string(variant.param); });
 
 TEST_P(EveryVariant, FollowsANoiseFreeCameraExactly) {
-  const Run run = RunWorld(GetParam(), 40, 0.0, kUnchanged);
+  const WorldRun run = RunWorld(GetParam(), 40, 0.0, kUnchanged);
   for (int i = 0; i < 40; ++i) {
     EXPECT_EQ(run.reports[i].status, i == 0 ? FrameStatus::kFirst : FrameStatus::kTracked);
     EXPECT_LT(PositionError(run.trajectory[i], i), 1e-4) << "frame " << i;
@@ -64,14 +64,14 @@ TEST_P(EveryVariant, FollowsANoiseFreeCameraExactly) {
 }
 
 TEST_P(EveryVariant, StaysNearTheTruthUnderPixelNoise) {
-  const Run run = RunWorld(GetParam(), 60, 0.5, kUnchanged);
+  const WorldRun run = RunWorld(GetParam(), 60, 0.5, kUnchanged);
   // 18 m driven; 0.3 % of it is what half a pixel on 500 features leaves room for.
   EXPECT_LT(PositionError(run.trajectory.back(), 59), 0.054);
 }
 
 TEST_P(EveryVariant, RepeatsItselfToTheLastBit) {
-  const Run first = RunWorld(GetParam(), 30, 0.5, kUnchanged);
-  const Run second = RunWorld(GetParam(), 30, 0.5, kUnchanged);
+  const WorldRun first = RunWorld(GetParam(), 30, 0.5, kUnchanged);
+  const WorldRun second = RunWorld(GetParam(), 30, 0.5, kUnchanged);
   for (int i = 0; i < 30; ++i) {
     for (int k = 0; k < 7; ++k) {
       EXPECT_EQ(first.trajectory[i].data()[k], second.trajectory[i].data()[k]) << "frame " << i;
@@ -80,7 +80,7 @@ TEST_P(EveryVariant, RepeatsItselfToTheLastBit) {
 }
 
 TEST_P(EveryVariant, KeepsTheWindowWithinItsSize) {
-  const Run run = RunWorld(GetParam(), 60, 0.3, kUnchanged);
+  const WorldRun run = RunWorld(GetParam(), 60, 0.3, kUnchanged);
   const WindowOptions defaults;
   for (const FrameReport& report : run.reports) {
     EXPECT_LE(report.window_frames, defaults.spatial + defaults.temporal);
@@ -92,7 +92,7 @@ TEST_P(EveryVariant, BridgesLostFramesAndRecovers) {
   const auto blind = [](int i, StereoFrame& frame) {
     if (i >= 20 && i < 23) frame.features.clear();
   };
-  const Run run = RunWorld(GetParam(), 30, 0.3, blind);
+  const WorldRun run = RunWorld(GetParam(), 30, 0.3, blind);
   for (int i = 20; i < 23; ++i) EXPECT_EQ(run.reports[i].status, FrameStatus::kLost);
   EXPECT_EQ(run.reports[23].status, FrameStatus::kRecovered);
   EXPECT_EQ(run.reports[24].status, FrameStatus::kTracked);
@@ -105,7 +105,7 @@ TEST_P(EveryVariant, StartsAnewAfterTwentyLostFrames) {
   const auto blind = [](int i, StereoFrame& frame) {
     if (i >= 10 && i < 30) frame.features.clear();
   };
-  const Run run = RunWorld(GetParam(), 36, 0.3, blind);
+  const WorldRun run = RunWorld(GetParam(), 36, 0.3, blind);
   for (int i = 10; i < 30; ++i) EXPECT_EQ(run.reports[i].status, FrameStatus::kLost);
   EXPECT_EQ(run.reports[30].status, FrameStatus::kFirst);
   EXPECT_EQ(run.reports[35].status, FrameStatus::kTracked);
@@ -162,7 +162,7 @@ TEST_P(EveryVariant, IgnoresABodyThatMovesOnItsOwn) {
       frame.features[k].z_px += Eigen::Vector3d(6.0 * i, 0.0, 6.0 * i);
     }
   };
-  const Run run = RunWorld(GetParam(), 20, 0.3, sliding);
+  const WorldRun run = RunWorld(GetParam(), 20, 0.3, sliding);
   EXPECT_LT(PositionError(run.trajectory.back(), 19), 0.05);
 }
 

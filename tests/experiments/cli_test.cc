@@ -193,7 +193,8 @@ TEST_F(Eval, ReadsKittiPosesLineByLine) {
   const std::string truth = (fs::path(tiny()) / "poses.txt").string();
   const ProcessResult same = Evaluate(truth, truth, {"--json"});
   ASSERT_EQ(same.exit_code, 0) << same.err;
-  for (const Json& metric : ParseJson(same.out, "evaluation")["metrics"]) {
+  const Json evaluation = ParseJson(same.out, "evaluation");
+  for (const Json& metric : evaluation["metrics"]) {
     if (metric["name"] == "camera_ate") {
       EXPECT_LT(metric["value"].get<double>(), 1e-9);
     }
