@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "experiments/datasets/sequence.h"
 #include "tests/experiments/datasets_folders.h"
 #include "tests/support/error_message.h"
