@@ -4,8 +4,9 @@
 
 namespace cvo {
 
-WindowPrior CalibrationPrior(double deviation_px) {
+WindowPrior CalibrationPrior(const StereoCamera& camera, double deviation_px) {
   WindowPrior prior;
+  prior.right_shift_point_px = camera.right_shift_px;
   prior.J0 = Eigen::MatrixXd::Constant(1, 1, 1.0 / deviation_px);
   prior.r0 = Eigen::VectorXd::Zero(1);
   return prior;

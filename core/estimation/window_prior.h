@@ -7,6 +7,7 @@
 
 #include "core/base/ids.h"
 #include "core/geometry/rigid_transform.h"
+#include "core/geometry/stereo_camera.h"
 
 namespace cvo {
 
@@ -23,7 +24,7 @@ struct WindowPrior {
   Eigen::VectorXd r0;
 };
 
-// The calibration alone: right_shift_px ~ N(0, deviation_px^2).
-WindowPrior CalibrationPrior(double deviation_px);
+// The calibration alone: right_shift_px ~ N(camera.right_shift_px, deviation_px^2).
+WindowPrior CalibrationPrior(const StereoCamera& camera, double deviation_px);
 
 }  // namespace cvo

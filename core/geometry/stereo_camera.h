@@ -18,7 +18,8 @@ struct StereoCamera {
   double baseline_m = 0.0;  // > 0
   int width_px = 0;
   int height_px = 0;
-  // Rectification error: u_right is seen this much further right than a perfect pair would see it.
+  // Error of the rectification: u_right is seen this much further right than a perfect pair would
+  // see it. A hundredth of a degree of vergence is 0.13 px at KITTI's focal length.
   double right_shift_px = 0.0;
 
   // Throws Error naming the field that cannot be.

@@ -97,7 +97,7 @@ class VisualOdometry final : public Odometry {
   }
 
   void Restart() {
-    window_ = Window{camera_, CalibrationPrior(options_.noise.right_shift_px), {}, {}, {}};
+    window_ = Window{camera_, CalibrationPrior(camera_, options_.noise.right_shift_px), {}, {}, {}};
   }
 
   FrameReport EndLost(const RigidTransform& predicted, FrameReport report) {

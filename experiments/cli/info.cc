@@ -11,6 +11,7 @@
 #include "experiments/datasets/sequence.h"
 #include "experiments/datasets/sequence_type.h"
 #include "experiments/record/json.h"
+#include "experiments/record/result_file.h"
 
 namespace cvo {
 namespace {
@@ -53,14 +54,7 @@ Json InfoJson(const Sequence& sequence) {
           {"duration_s", rate.duration_s},
           {"median_rate_hz", rate.median_hz},
           {"longest_gap_s", rate.longest_gap_s},
-          {"camera",
-           {{"width_px", camera.width_px},
-            {"height_px", camera.height_px},
-            {"fx_px", camera.fx},
-            {"fy_px", camera.fy},
-            {"cx_px", camera.cx},
-            {"cy_px", camera.cy},
-            {"baseline_m", camera.baseline_m}}},
+          {"camera", CameraToJson(camera)},
           {"groundtruth", sequence.groundtruth},
           {"groundtruth_frames", FramesWithTruth(sequence)},
           {"labels", sequence.labels.size()},
@@ -81,9 +75,11 @@ void PrintInfo(const Sequence& sequence) {
   table.Add({"rate", StrCat(ForPeople(rate.median_hz), " Hz, ", ForPeople(rate.duration_s),
                             " s, longest gap ", ForPeople(rate.longest_gap_s), " s")});
   table.Add({"images", StrCat(sequence.pair, ", ", camera.width_px, "x", camera.height_px, " px")});
-  table.Add({"calibration", StrCat("fx ", ForPeople(camera.fx), ", fy ", ForPeople(camera.fy),
-                                   ", cx ", ForPeople(camera.cx), ", cy ", ForPeople(camera.cy),
-                                   " px, baseline ", ForPeople(camera.baseline_m), " m")});
+  table.Add(
+      {"calibration", StrCat("fx ", ForPeople(camera.fx), ", fy ", ForPeople(camera.fy), ", cx ",
+                             ForPeople(camera.cx), ", cy ", ForPeople(camera.cy), " px, baseline ",
+                             ForPeople(camera.baseline_m), " m, u_right shifted by ",
+                             ForPeople(camera.right_shift_px), " px")});
   table.Add(
       {"ground truth", StrCat(sequence.groundtruth, ", ", FramesWithTruth(sequence), " frames")});
   table.Add({"labels", StrCat(sequence.labels.size(), " boxes")});

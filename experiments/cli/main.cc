@@ -56,9 +56,9 @@ int Main(int argc, char** argv) {
   program.footer(
       "Start with: clustervo info SEQUENCE, then clustervo run SEQUENCE -o OUT.\n"
       "Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 internal error, 130 stopped.");
-  const std::vector<Command> commands = {AddRunCommand(program), AddEvalCommand(program),
-                                         AddInfoCommand(program), AddVariantsCommand(program),
-                                         AddOptionsCommand(program)};
+  const std::vector<Command> commands = {AddRunCommand(program),      AddEvalCommand(program),
+                                         AddTableCommand(program),    AddInfoCommand(program),
+                                         AddVariantsCommand(program), AddOptionsCommand(program)};
   try {
     CheckSubcommand(argc, argv, commands);
     program.parse(argc, argv);

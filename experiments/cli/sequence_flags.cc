@@ -30,6 +30,11 @@ void SequenceFlags::AddTo(CLI::App& app) {
   add("--detections", detections, "FILE", "2D boxes in KITTI format; default: none");
   add("--detections-camera", detections_camera, "X",
       "boxes were detected in image_0X; default: the left image read");
+  add("--right-shift", right_shift_px, "PX",
+      "rectification error: u_right is seen this much too far right; default: 0.16 for KITTI's "
+      "grey "
+      "images, else 0")
+      ->check(FiniteProblem);
   add("--min-score", min_score, "SCORE", "leaves out detections below it; default: none")
       ->check(FiniteProblem);
 }
@@ -50,6 +55,7 @@ SequenceRequest SequenceFlags::Request() const {
   request.detections_file = detections;
   request.detections_camera = detections_camera;
   request.min_score = min_score;
+  request.right_shift_px = right_shift_px;
   return request;
 }
 

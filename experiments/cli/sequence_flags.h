@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
 #include "experiments/datasets/sequence.h"
@@ -21,6 +22,7 @@ struct SequenceFlags {
   int labels_camera = -1;
   int detections_camera = -1;
   double min_score = -1e300;
+  std::optional<double> right_shift_px;
 
   void AddTo(CLI::App& app);
   // Throws Error for a range of frames that is none.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/error.h"
+#include "experiments/datasets/rectification_error.h"
 #include "experiments/datasets/sequence_parts.h"
 #include "experiments/datasets/sequence_type.h"
 
@@ -53,6 +54,8 @@ Sequence OpenSequence(const SequenceRequest& request) try {
   resolved.type = TypeOf(resolved);
   Sequence sequence = ReadSequence(resolved);
   sequence.type = resolved.type;
+  sequence.camera.right_shift_px =
+      request.right_shift_px ? *request.right_shift_px : KnownRightShift(sequence);
   if (sequence.groundtruth.empty()) sequence.groundtruth = "none";
   sequence.groundtruth_world_from_camera.resize(sequence.images.size());
   CutFrames(resolved, sequence);

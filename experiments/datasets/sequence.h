@@ -86,6 +86,8 @@ struct SequenceRequest {
   std::filesystem::path detections_file = {};
   int detections_camera = -1;  // image_0X the boxes were detected in; -1: the left image read
   double min_score = -1e300;   // detections below are left out
+  // Of the camera (StereoCamera); empty: what is known of the data set's rectification.
+  std::optional<double> right_shift_px = {};
 };
 
 // Reads everything but the images, and checks all of it: image files exist on both sides, in equal

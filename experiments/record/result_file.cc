@@ -16,16 +16,6 @@ Json PoseToJson(const RigidTransform& world_from_camera) {
   return {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
 }
 
-Json CameraToJson(const StereoCamera& camera) {
-  return {{"fx_px", camera.fx},
-          {"fy_px", camera.fy},
-          {"cx_px", camera.cx},
-          {"cy_px", camera.cy},
-          {"baseline_m", camera.baseline_m},
-          {"width_px", camera.width_px},
-          {"height_px", camera.height_px}};
-}
-
 Json SequenceToJson(const Sequence& sequence, const RunResult& run) {
   return {{"name", sequence.name},
           {"type", sequence.type},
@@ -98,6 +88,17 @@ Json FrameToJson(const FrameRecord& frame) {
 }
 
 }  // namespace
+
+Json CameraToJson(const StereoCamera& camera) {
+  return {{"width_px", camera.width_px},
+          {"height_px", camera.height_px},
+          {"fx_px", camera.fx},
+          {"fy_px", camera.fy},
+          {"cx_px", camera.cx},
+          {"cy_px", camera.cy},
+          {"baseline_m", camera.baseline_m},
+          {"right_shift_px", camera.right_shift_px}};
+}
 
 const char* ToString(RunStatus status) {
   switch (status) {

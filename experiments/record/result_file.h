@@ -26,6 +26,9 @@ struct RunRecord {
   const RunResult& run;
 };
 
+// A rig as JSON, units in the names.
+Json CameraToJson(const StereoCamera& camera);
+
 std::string RecordedJob(const RunRecord& record);
 
 // The content of result.json: the same bytes for the same job, whatever the time, host, paths and

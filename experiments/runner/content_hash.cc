@@ -37,7 +37,7 @@ std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>
                              {"total_frames", sequence.total_frames},
                              {"camera",
                               {camera.fx, camera.fy, camera.cx, camera.cy, camera.baseline_m,
-                               camera.width_px, camera.height_px}},
+                               camera.width_px, camera.height_px, camera.right_shift_px}},
                              {"timestamps_ns", sequence.timestamps_ns},
                              {"text_files", text_files},
                              {"images", image_files}}));

@@ -9,9 +9,11 @@
 #include "experiments/metrics/tum_trajectory.h"
 #include "experiments/record/atomic_file.h"
 #include "experiments/record/build_identity.h"
+#include "experiments/record/job_identity.h"
 #include "experiments/record/metrics_json.h"
 #include "experiments/record/options_json.h"
 #include "experiments/record/result_file.h"
+#include "experiments/runner/content_hash.h"
 
 namespace cvo {
 namespace {
@@ -38,10 +40,25 @@ void WriteRun(const std::filesystem::path& folder, const RunRecord& record,
                                 {"result.json", ResultFile(record)}});
 }
 
+Json ResolvedOptions(const RunRequest& request) {
+  Options options = request.options;
+  return OptionsToJson(OptionLeaves(options));
+}
+
 }  // namespace
 
 std::vector<std::string> RunFileNames() {
   return {"camera.tum", "camera.kitti", "timing.json", "result.json"};
+}
+
+std::string IdentifyJob(const RunRequest& request) {
+  std::vector<ImageHashes> images;
+  for (const StereoPaths& pair : request.sequence.images) {
+    images.push_back({HashImage(pair.left), HashImage(pair.right)});
+  }
+  return JobIdentity({ThisBuild().Hash(), std::string(request.variant.name),
+                      ResolvedOptions(request), ContentHash(request.sequence, images),
+                      DetectionsHash(request.sequence), request.seed});
 }
 
 std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesystem::path& folder) {
@@ -52,11 +69,10 @@ std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesyste
 
   JobOutcome outcome{std::move(*run), {}, ThisProcess()};
   outcome.scores = ScoreRun(request.sequence, outcome.run);
-  Options options = request.options;
   const RunRecord record{.sequence = request.sequence,
                          .build = build,
                          .variant = std::string(request.variant.name),
-                         .options = OptionsToJson(OptionLeaves(options)),
+                         .options = ResolvedOptions(request),
                          .seed = request.seed,
                          .metrics = ScoresToJson(outcome.scores),
                          .run = outcome.run};

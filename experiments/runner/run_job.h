@@ -22,6 +22,9 @@ struct JobOutcome {
   RunContext context;
 };
 
+// JobIdentity of what RunJob would do, from the bytes of the sequence's files; nothing is decoded.
+std::string IdentifyJob(const RunRequest& request);
+
 // Runs, scores, and writes the four files to a folder that exists: all complete, or none (see
 // WriteFilesAtomically). Empty where the request's `stop` ended the run: nothing is written then.
 // Throws Error on a CPU below the level of recorded runs.
