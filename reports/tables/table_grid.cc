@@ -84,7 +84,7 @@ std::vector<std::string> Reasons(const Table& table, std::size_t source) {
 
 void AddReferenceNotes(const Table& table, std::vector<std::string>& footnotes) {
   if (table.sources.empty()) return;
-  footnotes.push_back(
+  footnotes.emplace_back(
       "(in brackets): not comparable with ours: other frames or images, or a metric that differs "
       "or that the source does not define");
   for (std::size_t i = 0; i < table.sources.size(); ++i) {

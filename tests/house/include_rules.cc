@@ -33,7 +33,7 @@ std::vector<Part> CoreParts() {
        {"base", "geometry", "features", "association", "clustering", "estimation", "odometry"}) {
     below.push_back(StrCat("core/", layer, "/"));
     std::vector<std::string> banned = NoFiles();
-    if (layer != std::string("base")) banned.push_back("chrono");  // no clock steers a result
+    if (layer != std::string("base")) banned.emplace_back("chrono");  // no clock steers a result
     parts.push_back({below.back(), below, banned});
   }
   return parts;
