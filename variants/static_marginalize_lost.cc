@@ -6,6 +6,6 @@
 namespace cvo {
 
 template std::unique_ptr<Odometry> MakeVariant<StaticMarginalizeLost>(const OdometrySetup&,
-                                                                        TaskPool&);
+                                                                      TaskPool&);
 
 }  // namespace cvo

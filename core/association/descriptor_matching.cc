@@ -29,8 +29,7 @@ std::vector<Match> MatchDescriptors(std::span<const Descriptor> landmarks,
         second = hamming;
       }
     }
-    if (best <= max_hamming && best <= ratio * second)
-      candidates.push_back({i, best_feature, best});
+    if (best <= max_hamming && best < ratio * second) candidates.push_back({i, best_feature, best});
   }
   std::erase_if(candidates,
                 [&](const Match& match) { return match.hamming > best_of_feature[match.feature]; });

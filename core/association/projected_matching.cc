@@ -46,7 +46,7 @@ std::vector<Match> MatchProjected(std::span<const ProjectedLandmark> landmarks,
     const double radius = radius_px * std::pow(scale_factor, landmarks[i].octave);
     const Nearest nearest = FindNearest(landmarks[i], grid, radius);
     if (nearest.hamming > options.max_hamming) continue;
-    if (nearest.hamming > options.ratio * nearest.second) continue;
+    if (nearest.hamming >= options.ratio * nearest.second) continue;
     candidates.push_back({i, nearest.feature, nearest.hamming});
   }
   return KeepOneToOne(std::move(candidates), static_cast<int>(landmarks.size()),

@@ -37,7 +37,7 @@ struct MatchingOptions {
     visit.Field("max_hamming", self.max_hamming,
                 {"bits", 1, 256, "largest descriptor distance of a match", "estimator.md 3.3"});
     visit.Field("ratio", self.ratio,
-                {"1", 0.1, 1.0, "largest ratio of the best to the second best distance",
+                {"1", 0.1, 1.0, "best distance must be below this fraction of the second best",
                  "estimator.md 3.3"});
   }
 };

@@ -95,8 +95,8 @@ std::optional<CameraTrack> TrackCamera(const Options& options, const Window& win
     return SolveCamera(window.camera, Measurements(options, window, grid, matches), initial,
                        options.noise);
   };
-  const std::vector<Match> wide = SearchAround(
-      options, window, grid, predicted_world_from_camera, options.matching.wide_radius_px);
+  const std::vector<Match> wide = SearchAround(options, window, grid, predicted_world_from_camera,
+                                               options.matching.wide_radius_px);
   const CameraSolution first = solve(wide, predicted_world_from_camera);
   RigidTransform around = first.world_from_camera;
   // Half of the matches being wrong means that the search looked in the wrong places.

@@ -160,32 +160,42 @@ Window MakeWindow(const std::vector<std::vector<int>>& seen) {
   return window;
 }
 
-TEST(DoubleTrack, PromotesDistantFramesAndMarginalisesTheOldest) {
+// Frames 0, 4, ... 20 through tracks of two and three: frame 0 leaves when frame 20 comes.
+TEST(DoubleTrack, MarginalisesWhatTheNewestFrameDoesNotSee) {
+  const std::vector<int> all = {0, 4, 8, 12, 16, 20};
+  Window window = MakeWindow({all, {0, 4, 8}, {0, 4}, all, {0}});
+  for (int i = 0; i < 5; ++i) {
+    const WindowFrame frame = {FrameId{4 * i}, CameraAt(4 * i)};
+    (i < 2 ? window.spatial : window.temporal).push_back(frame);
+  }
   const WindowOptions options = {.spatial = 2, .temporal = 3};
   const DoubleTrack<MarginalizeUnseenByNewest, PromoteDistant> track(options, {}, 1.2);
-  std::vector<int> all;
-  for (int i = 0; i < 12; ++i) all.push_back(4 * i);
-  Window window = MakeWindow({all, {0, 4, 8}, {0, 4}, all});
-  for (int i = 0; i < 12; ++i) {
-    // Landmarks may only hold observations of frames in the window.
-    Window full = MakeWindow({all, {0, 4, 8}, {0, 4}, all});
-    window.landmarks.clear();
-    window.temporal.size();
-    for (Landmark landmark : full.landmarks) {
-      std::erase_if(landmark.observations, [&](const Observation& o) {
-        return o.frame.value != 4 * i && !window.Find(o.frame);
-      });
-      if (landmark.observations.empty()) continue;
-      landmark.last_seen = landmark.observations.back().frame;
-      window.landmarks.push_back(landmark);
-    }
-    track.Advance({FrameId{4 * i}, CameraAt(4 * i)}, window);
-    EXPECT_LE(window.spatial.size(), 2u);
-    EXPECT_LE(window.temporal.size(), 3u);
-  }
-  EXPECT_EQ(window.spatial.size(), 2u);
-  EXPECT_EQ(window.temporal.back().id, FrameId{44});
-  EXPECT_FALSE(window.prior.frames.empty());
+  track.Advance({FrameId{20}, CameraAt(20)}, window);
+
+  ASSERT_EQ(window.spatial.size(), 2u);
+  EXPECT_EQ(window.spatial[0].id, FrameId{4});
+  EXPECT_EQ(window.spatial[1].id, FrameId{8});
+  ASSERT_EQ(window.temporal.size(), 3u);
+  EXPECT_EQ(window.temporal[2].id, FrameId{20});
+  EXPECT_EQ(window.prior.frames, (std::vector<FrameId>{FrameId{4}, FrameId{8}}));
+  // Landmarks 1 and 2 are in the prior; 4 was seen by frame 0 alone; of 0 and 3 that frame's
+  // observation is deleted.
+  ASSERT_EQ(window.landmarks.size(), 2u);
+  EXPECT_EQ(window.landmarks[0].id, LandmarkId{0});
+  EXPECT_EQ(window.landmarks[1].id, LandmarkId{3});
+  EXPECT_EQ(window.landmarks[0].observations.size(), 5u);
+}
+
+TEST(DoubleTrack, KeepsNoPriorWhereNothingIsMarginalised) {
+  Window window = MakeWindow({{0, 4, 8}, {0, 4}});
+  window.spatial = {{FrameId{0}, CameraAt(0)}, {FrameId{4}, CameraAt(4)}};
+  window.temporal = {{FrameId{8}, CameraAt(8)}};
+  const WindowOptions options = {.spatial = 2, .temporal = 1};
+  const DoubleTrack<MarginalizeNothing, PromoteDistant> track(options, {}, 1.2);
+  track.Advance({FrameId{12}, CameraAt(12)}, window);
+  EXPECT_EQ(window.spatial[0].id, FrameId{4});
+  EXPECT_TRUE(window.prior.frames.empty());
+  EXPECT_EQ(window.landmarks.size(), 2u);
 }
 
 TEST(DoubleTrack, DiscardsEverythingWithoutASpatialTrack) {

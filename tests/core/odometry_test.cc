@@ -101,14 +101,30 @@ TEST_P(EveryVariant, BridgesLostFramesAndRecovers) {
   EXPECT_LT(PositionError(run.trajectory[21], 21), 0.1);
 }
 
-TEST_P(EveryVariant, StartsAnewAfterTwentyLostFrames) {
+TEST_P(EveryVariant, KnowsThePlaceAgainAfterTwentyLostFrames) {
   const auto blind = [](int i, StereoFrame& frame) {
     if (i >= 10 && i < 30) frame.features.clear();
   };
   const WorldRun run = RunWorld(GetParam(), 36, 0.3, blind);
   for (int i = 10; i < 30; ++i) EXPECT_EQ(run.reports[i].status, FrameStatus::kLost);
-  EXPECT_EQ(run.reports[30].status, FrameStatus::kFirst);
-  EXPECT_EQ(run.reports[35].status, FrameStatus::kTracked);
+  EXPECT_EQ(run.reports[30].status, FrameStatus::kRecovered);
+  EXPECT_LT(PositionError(run.trajectory[35], 35), 0.1);
+}
+
+TEST_P(EveryVariant, StartsAnewAtThePredictedCameraInAPlaceItDoesNotKnow) {
+  const auto move = [](int i, StereoFrame& frame) {
+    if (i < 10) return;
+    for (StereoFeature& feature : frame.features) {
+      for (std::uint64_t& word : feature.descriptor) word = ~word;
+    }
+  };
+  const WorldRun run = RunWorld(GetParam(), 24, 0.3, move);
+  const int restart = 10 + TrackingOptions().restart_after;
+  for (int i = 10; i < restart; ++i) EXPECT_EQ(run.reports[i].status, FrameStatus::kLost);
+  EXPECT_EQ(run.reports[restart].status, FrameStatus::kFirst);
+  EXPECT_EQ(run.reports[restart + 1].status, FrameStatus::kTracked);
+  EXPECT_LT(PositionError(run.trajectory[restart], restart), 0.5);
+  EXPECT_LT(PositionError(run.trajectory[23], 23), 1.0);
 }
 
 TEST_P(EveryVariant, FindsItselfAfterAJumpThatNoPredictionCovers) {

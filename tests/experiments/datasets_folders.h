@@ -37,7 +37,8 @@ inline std::string GreyPng(int width_px = kTestWidth_px, int height_px = kTestHe
   return EncodePng(image);
 }
 
-inline void WriteImages(const test::TempFolder& root, const std::string& folder, int count, int digits) {
+inline void WriteImages(const test::TempFolder& root, const std::string& folder, int count,
+                        int digits) {
   for (int i = 0; i < count; ++i) root.Write(folder + "/" + Digits(i, digits) + ".png", GreyPng());
 }
 
