@@ -33,7 +33,7 @@ fs::path FindPoses(const fs::path& folder) {
 void AddTruth(Sequence& sequence) {
   const fs::path path = FindPoses(sequence.folder);
   if (path.empty()) {
-    sequence.missing.push_back("poses: no ground truth of the camera");
+    sequence.missing.emplace_back("poses: no ground truth of the camera");
     return;
   }
   const std::vector<RigidTransform> poses = ReadKittiPoses(path);

@@ -94,7 +94,7 @@ void AddTruth(const SequenceRequest& request, const fs::path& date_folder,
   }
   const fs::path oxts_folder = sequence.folder / "oxts";
   if (!fs::exists(oxts_folder) && !interpolated) {
-    sequence.missing.push_back("oxts: no ground truth of the camera");
+    sequence.missing.emplace_back("oxts: no ground truth of the camera");
     return;
   }
   std::vector<OxtsPacket> packets;

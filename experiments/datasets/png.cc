@@ -92,7 +92,7 @@ PngHeader ReadPngHeader(const std::filesystem::path& path) {
   if (bytes[24] != 8) {
     ThrowError(path.string(), StrCat(static_cast<int>(bytes[24]), " bits per channel"), expected);
   }
-  const int colour_type = bytes[25];
+  const int colour_type = static_cast<unsigned char>(bytes[25]);
   return {static_cast<int>(width), static_cast<int>(height),
           colour_type == kColourTypeGrey || colour_type == kColourTypeGreyAlpha};
 }
