@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -36,6 +37,7 @@ struct TableFlags {
   std::string output;
   std::string config;
   std::vector<std::string> set;
+  std::optional<double> right_shift_px;
   int threads = 1;
   bool quiet = false;
 };
@@ -98,7 +100,8 @@ int MakeTable(const TableFlags& flags) {
     for (const VariantInfo* variant : variants) {
       std::string name = found.folder.filename().string();
       try {
-        const Sequence sequence = OpenSequence({.folder = found.folder, .type = found.type});
+        const Sequence sequence = OpenSequence(
+            {.folder = found.folder, .type = found.type, .right_shift_px = flags.right_shift_px});
         name = sequence.name;
         const fs::path folder = output.path() / StrCat(name, "-", variant->name);
         const bool done = RunCell(folder,
@@ -143,6 +146,9 @@ Command AddTableCommand(CLI::App& program) {
   add("--set", flags->set, "PATH=VALUE", "changes one option (clustervo options); can be repeated")
       ->allow_extra_args(false);
   add("--config", flags->config, "FILE", "JSON with options as nested objects; --set goes over it");
+  add("--right-shift", flags->right_shift_px, "PX",
+      "as of clustervo run; 0: the calibration as published")
+      ->check(FiniteProblem);
   add("--threads", flags->threads, "N", "threads in all; default: CPUs")
       ->check(CLI::Range(1, 1024).description(""));
   app->add_flag("-q,--quiet", flags->quiet, "no progress on stderr");

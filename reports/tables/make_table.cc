@@ -127,6 +127,18 @@ Row MakeRow(const Group& group, const std::vector<Column>& columns, const TableR
   return row;
 }
 
+// What a reader must know to compare a row with others.
+void AddCalibrationNotes(const std::vector<const RunSummary*>& runs,
+                         std::vector<std::string>& notes) {
+  for (const RunSummary* run : runs) {
+    if (run->sequence.right_shift_px == 0.0) continue;
+    const std::string note =
+        StrCat(run->sequence.name, ": calibration corrected, u_right by ",
+               run->sequence.right_shift_px, " px; figures of others use it as published");
+    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+  }
+}
+
 // Rows of one variant that were not made alike.
 void AddNotes(const std::vector<const RunSummary*>& runs, std::vector<std::string>& notes) {
   const auto add = [&](const RunSummary& a, const RunSummary& b, const char* what) {
@@ -161,6 +173,7 @@ Table MakeTable(const TableRequest& request, const Reference& reference) {
   table.title = request.title;
   table.columns = MakeColumns(request.metrics, runs);
   for (const Group& group : groups) table.rows.push_back(MakeRow(group, table.columns, request));
+  AddCalibrationNotes(runs, table.notes);
   AddNotes(runs, table.notes);
   AddReferenceRows(reference, table);
   return table;

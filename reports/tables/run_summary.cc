@@ -17,6 +17,9 @@ SequenceInfo ReadSequence(const Fields& fields) {
   sequence.first_frame = static_cast<int>(fields.Integer("first_frame"));
   sequence.frames = static_cast<int>(fields.Integer("frames"));
   sequence.total_frames = static_cast<int>(fields.Integer("total_frames"));
+  if (fields.Has("camera") && fields.Object("camera").Has("right_shift_px")) {
+    sequence.right_shift_px = fields.Object("camera").Number("right_shift_px");
+  }
   return sequence;
 }
 

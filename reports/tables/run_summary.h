@@ -19,7 +19,8 @@ struct SequenceInfo {
   std::string pair;  // "grey" or "colour"
   int first_frame = 0;
   int frames = 0;
-  int total_frames = 0;  // in the folder
+  int total_frames = 0;         // in the folder
+  double right_shift_px = 0.0;  // correction of the published calibration; 0: as published
 };
 
 struct MetricValue {

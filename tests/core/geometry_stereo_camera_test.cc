@@ -58,6 +58,17 @@ TEST(StereoCamera, BackProjectUndoesProject) {
   }
 }
 
+TEST(StereoCamera, RightShiftMovesTheRightColumnAndIsTakenBack) {
+  StereoCamera camera = Camera();
+  const Eigen::Vector3d p(1.0, -2.0, 10.0);
+  const Eigen::Vector3d perfect = camera.Project(p).value();
+  camera.right_shift_px = 0.25;
+  const Eigen::Vector3d seen = camera.Project(p).value();
+  EXPECT_LT((seen - perfect - Eigen::Vector3d(0.0, 0.0, 0.25)).norm(), 1e-12);
+  EXPECT_NEAR(camera.Disparity(seen), perfect[0] - perfect[2], 1e-12);
+  EXPECT_LT((camera.BackProject(seen).value() - p).norm(), 1e-11);
+}
+
 TEST(StereoCamera, ProjectionJacobianMatchesCentralDifferences) {
   Rng rng(2, "projection");
   const auto project = [](const Eigen::VectorXd& p) -> Eigen::VectorXd {

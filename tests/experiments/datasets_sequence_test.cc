@@ -67,6 +67,16 @@ TEST_F(Sequences, InterpolatedTruthIsThatOfTheImageTimes) {
   EXPECT_THAT(s.missing, ElementsAre(HasSubstr("no ground truth for 1 of 3 images")));
 }
 
+TEST_F(Sequences, RightShiftIsKnownForGreyKittiOnlyAndCanBeGiven) {
+  const fs::path raw = WriteRawDrive(root_);
+  const fs::path odometry = WriteOdometrySequence(root_);
+  EXPECT_EQ(OpenSequence({.folder = raw}).camera.right_shift_px, 0.16);
+  EXPECT_EQ(OpenSequence({.folder = raw, .right_shift_px = 0.0}).camera.right_shift_px, 0.0);
+  EXPECT_EQ(OpenSequence({.folder = odometry}).camera.right_shift_px, 0.16);
+  fs::rename(odometry, root_.path() / "scene");
+  EXPECT_EQ(OpenSequence({.folder = root_.path() / "scene"}).camera.right_shift_px, 0.0);
+}
+
 TEST_F(Sequences, RawDriveInColour) {
   const fs::path folder = WriteRawDrive(root_);
   for (const char* image : {"image_00", "image_01"}) fs::remove_all(folder / image);
@@ -80,6 +90,7 @@ TEST_F(Sequences, RawDriveInColour) {
   EXPECT_EQ(s.pair, "colour");
   EXPECT_NEAR(s.camera.baseline_m, 0.5, 1e-15);
   EXPECT_NEAR(s.left_offset_m, 0.06, 1e-15);
+  EXPECT_EQ(s.camera.right_shift_px, 0.0);
   EXPECT_NEAR(s.groundtruth_world_from_camera[0]->translation().norm(), 0.0, 1e-12);
 }
 

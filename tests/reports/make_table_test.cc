@@ -42,6 +42,14 @@ class MakeTableTest : public testing::Test {
   std::vector<TableEntry> entries_;
 };
 
+TEST_F(MakeTableTest, SaysWhereTheCalibrationWasCorrected) {
+  Json corrected = Result();
+  corrected["sequence"]["camera"]["right_shift_px"] = 0.16;
+  Add("a", corrected);
+  Add("b", Result("2011_09_26_drive_0013", 72));
+  EXPECT_THAT(Make().notes, ElementsAre(AllOf(HasSubstr("drive_0001"), HasSubstr("0.16 px"))));
+}
+
 TEST_F(MakeTableTest, OneRun) {
   Add("a", Result());
   const Table table = Make();
