@@ -37,8 +37,8 @@ struct WindowOptions {
          "estimator.md 4.1"});
     visit.Field("lost_frames", self.lost_frames,
                 {"frames", 1, 100,
-                 "a landmark unseen in this many latest frames is lost: its observations are "
-                 "marginalised with the frame they leave with",
+                 "a landmark seen once and then not in so many frames is forgotten; under the rule "
+                 "MarginalizeLost, unseen in so many it is marginalised with the frame that leaves",
                  "estimator.md 4.3"});
   }
 };

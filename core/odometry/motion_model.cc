@@ -5,22 +5,14 @@
 namespace cvo {
 
 void MotionModel::Update(std::int64_t timestamp_ns, const RigidTransform& world_from_camera) {
-  const RigidTransform previous = world_from_camera_;
-  interval_s_ = 1e-9 * static_cast<double>(timestamp_ns - timestamp_ns_);
+  if (updates_++ > 0) {
+    const double interval_s = 1e-9 * static_cast<double>(timestamp_ns - timestamp_ns_);
+    const RigidTransform motion = world_from_camera_.Inverse() * world_from_camera;
+    velocity_ << LogSo3(Eigen::Quaterniond(motion.rotation())), motion.translation();
+    velocity_ /= interval_s;
+  }
   timestamp_ns_ = timestamp_ns;
   world_from_camera_ = world_from_camera;
-  if (updates_++ > 0) SetVelocity(previous);
-}
-
-void MotionModel::Correct(const RigidTransform& previous, const RigidTransform& world_from_camera) {
-  world_from_camera_ = world_from_camera;
-  SetVelocity(previous);
-}
-
-void MotionModel::SetVelocity(const RigidTransform& previous) {
-  const RigidTransform motion = previous.Inverse() * world_from_camera_;
-  velocity_ << LogSo3(Eigen::Quaterniond(motion.rotation())), motion.translation();
-  velocity_ /= interval_s_;
 }
 
 RigidTransform MotionModel::Predict(std::int64_t timestamp_ns) const {

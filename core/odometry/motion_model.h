@@ -13,18 +13,12 @@ class MotionModel {
  public:
   // The camera was at `world_from_camera`; timestamps must increase.
   void Update(std::int64_t timestamp_ns, const RigidTransform& world_from_camera);
-  // The same place, estimated anew: the velocity follows, `previous` being where it was one update
-  // earlier.
-  void Correct(const RigidTransform& previous, const RigidTransform& world_from_camera);
   // Identity before the first update.
   RigidTransform Predict(std::int64_t timestamp_ns) const;
 
  private:
-  void SetVelocity(const RigidTransform& previous);
-
   int updates_ = 0;
   std::int64_t timestamp_ns_ = 0;
-  double interval_s_ = 0.0;
   RigidTransform world_from_camera_;
   Vector6d velocity_ =
       Vector6d::Zero();  // [rotation, translation] of camera_from_camera per second

@@ -57,6 +57,7 @@ struct Options {
   void Check() const {
     CheckRanges(*this);
     orb.Check();
+    stereo.Check();
   }
 
   template <typename Self, typename Visitor>
