@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <map>
 
 #include "core/base/error.h"
 
@@ -110,20 +111,31 @@ void AddColumnNotes(const Table& table, std::vector<std::string>& footnotes) {
   }
 }
 
+// Intervals one by one; what is missing once per reason, with the columns it is about.
+void AddCellNotes(const Row& row, const std::vector<Column>& columns,
+                  std::vector<std::string>& footnotes) {
+  std::map<std::string, std::string> missing;
+  for (std::size_t i = 0; i < row.cells.size(); ++i) {
+    const Cell& cell = row.cells[i];
+    const Column& column = columns[i];
+    if (!cell.present) {
+      std::string& labels = missing[cell.message];
+      labels += (labels.empty() ? "" : ", ") + column.label;
+    } else if (cell.interval) {
+      footnotes.push_back(StrCat(
+          row.sequence.name, ", ", column.label, ": ", OurValue(cell.interval->low, column.unit),
+          " to ", OurValue(cell.interval->high, column.unit), " (", cell.interval->meaning, ")"));
+    }
+  }
+  for (const auto& [message, labels] : missing) {
+    footnotes.push_back(StrCat(row.sequence.name, ": ", message, ": ", labels));
+  }
+}
+
 void AddRowNotes(const Table& table, std::vector<std::string>& footnotes) {
   for (const Row& row : table.rows) {
     if (!row.message.empty()) footnotes.push_back(row.sequence.name + ": " + row.message);
-    for (std::size_t i = 0; i < row.cells.size(); ++i) {
-      const Cell& cell = row.cells[i];
-      const std::string where = StrCat(row.sequence.name, ", ", table.columns[i].label, ": ");
-      if (cell.interval) {
-        footnotes.push_back(StrCat(where, OurValue(cell.interval->low, table.columns[i].unit),
-                                   " to ", OurValue(cell.interval->high, table.columns[i].unit),
-                                   " (", cell.interval->meaning, ")"));
-      } else if (!cell.present && !row.links.empty()) {
-        footnotes.push_back(where + cell.message);
-      }
-    }
+    if (!row.links.empty()) AddCellNotes(row, table.columns, footnotes);
   }
 }
 

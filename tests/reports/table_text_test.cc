@@ -74,7 +74,7 @@ TEST(TableText, SaysWhatIsMissing) {
   table.rows[0].message = "3 frames predicted";
   EXPECT_THAT(TableText(table, false),
               AllOf(HasSubstr("static (lost)"), HasSubstr("drive_1: 3 frames predicted\n"),
-                    HasSubstr("drive_1, ATE: not in the result\n")));
+                    HasSubstr("drive_1: not in the result: ATE\n")));
 }
 
 TEST(TableText, ShowsTheIntervalOfSeeds) {
