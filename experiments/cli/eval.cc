@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/metric_table.h"
-#include "experiments/datasets/text/text_file.h"
+#include "experiments/files/text_file.h"
 #include "experiments/metrics/association.h"
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/metrics/kitti_poses.h"

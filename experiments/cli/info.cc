@@ -10,7 +10,7 @@
 #include "experiments/cli/text_table.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/datasets/sequence_type.h"
-#include "experiments/record/json.h"
+#include "experiments/files/json.h"
 #include "experiments/record/result_file.h"
 
 namespace cvo {

@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "experiments/cli/command.h"
-#include "experiments/record/closest_names.h"
+#include "experiments/files/closest_names.h"
 
 namespace cvo {
 namespace {

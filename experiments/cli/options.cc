@@ -8,7 +8,7 @@
 
 #include "experiments/cli/command.h"
 #include "experiments/cli/text_table.h"
-#include "experiments/record/options_json.h"
+#include "experiments/files/options_json.h"
 
 namespace cvo {
 namespace {

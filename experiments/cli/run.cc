@@ -14,9 +14,9 @@
 #include "experiments/cli/sequence_flags.h"
 #include "experiments/cli/stop_signal.h"
 #include "experiments/cli/text_table.h"
-#include "experiments/record/atomic_file.h"
+#include "experiments/files/atomic_file.h"
+#include "experiments/files/options_json.h"
 #include "experiments/record/build_identity.h"
-#include "experiments/record/options_json.h"
 #include "experiments/runner/run_job.h"
 
 namespace cvo {

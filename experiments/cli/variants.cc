@@ -5,7 +5,7 @@
 
 #include "experiments/cli/command.h"
 #include "experiments/cli/text_table.h"
-#include "experiments/record/json.h"
+#include "experiments/files/json.h"
 #include "variants/registry.h"
 
 namespace cvo {

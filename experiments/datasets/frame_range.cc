@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "experiments/datasets/text/number.h"
+#include "experiments/files/number.h"
 
 namespace cvo {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "experiments/datasets/png.h"
-#include "experiments/datasets/text/number.h"
+#include "experiments/files/number.h"
 
 namespace cvo {
 namespace {

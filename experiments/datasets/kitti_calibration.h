@@ -13,7 +13,7 @@
 
 #include "core/geometry/rigid_transform.h"
 #include "core/geometry/stereo_camera.h"
-#include "experiments/datasets/text/text_file.h"
+#include "experiments/files/text_file.h"
 
 namespace cvo {
 

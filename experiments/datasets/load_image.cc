@@ -8,8 +8,8 @@
 
 #include "core/base/error.h"
 #include "experiments/datasets/png.h"
-#include "experiments/datasets/sha256.h"
-#include "experiments/datasets/text/text_file.h"
+#include "experiments/files/sha256.h"
+#include "experiments/files/text_file.h"
 
 namespace cvo {
 namespace {

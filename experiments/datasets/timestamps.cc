@@ -6,8 +6,8 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "experiments/datasets/text/number.h"
-#include "experiments/datasets/text/text_file.h"
+#include "experiments/files/number.h"
+#include "experiments/files/text_file.h"
 
 namespace cvo {
 namespace {

@@ -5,8 +5,8 @@
 #include <Eigen/LU>
 
 #include "core/base/error.h"
-#include "experiments/datasets/text/number.h"
-#include "experiments/datasets/text/text_file.h"
+#include "experiments/files/number.h"
+#include "experiments/files/text_file.h"
 
 namespace cvo {
 namespace {

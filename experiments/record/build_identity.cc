@@ -10,7 +10,7 @@
 #include "build_sources.h"
 #include "build_tools.h"
 #include "core/base/error.h"
-#include "experiments/datasets/sha256.h"
+#include "experiments/files/sha256.h"
 
 namespace cvo {
 namespace {

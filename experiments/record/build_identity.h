@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "experiments/record/json.h"
+#include "experiments/files/json.h"
 
 namespace cvo {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "experiments/datasets/sequence.h"
-#include "experiments/record/json.h"
+#include "experiments/files/json.h"
 
 namespace cvo {
 

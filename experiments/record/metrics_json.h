@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/files/json.h"
 #include "experiments/metrics/metric.h"
-#include "experiments/record/json.h"
 
 namespace cvo {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "experiments/datasets/sequence.h"
+#include "experiments/files/json.h"
 #include "experiments/record/build_identity.h"
-#include "experiments/record/json.h"
 #include "experiments/record/run_record.h"
 
 namespace cvo {

@@ -16,7 +16,7 @@
 #include <thread>
 #include <vector>
 
-#include "experiments/record/json.h"
+#include "experiments/files/json.h"
 
 namespace cvo {
 namespace {

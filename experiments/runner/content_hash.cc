@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "experiments/datasets/sha256.h"
-#include "experiments/datasets/text/text_file.h"
-#include "experiments/record/json.h"
+#include "experiments/files/json.h"
+#include "experiments/files/sha256.h"
+#include "experiments/files/text_file.h"
 
 namespace cvo {
 

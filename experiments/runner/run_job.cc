@@ -4,14 +4,14 @@
 
 #include <utility>
 
+#include "experiments/files/atomic_file.h"
+#include "experiments/files/options_json.h"
 #include "experiments/metrics/kitti_poses.h"
 #include "experiments/metrics/trajectory.h"
 #include "experiments/metrics/tum_trajectory.h"
-#include "experiments/record/atomic_file.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/record/job_identity.h"
 #include "experiments/record/metrics_json.h"
-#include "experiments/record/options_json.h"
 #include "experiments/record/result_file.h"
 #include "experiments/runner/content_hash.h"
 

@@ -8,7 +8,7 @@
 #include <map>
 #include <optional>
 
-#include "experiments/record/json.h"
+#include "experiments/files/json.h"
 #include "tests/experiments/cli_process.h"
 #include "tests/support/real_data.h"
 #include "tests/support/temp_folder.h"

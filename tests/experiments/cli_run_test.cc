@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiments/record/json.h"
+#include "experiments/files/json.h"
 #include "tests/experiments/cli_process.h"
 #include "tests/experiments/runner_tiny_sequence.h"
 #include "tests/support/temp_folder.h"

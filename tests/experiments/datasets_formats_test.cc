@@ -11,8 +11,8 @@
 #include "experiments/datasets/frame_range.h"
 #include "experiments/datasets/object_boxes.h"
 #include "experiments/datasets/oxts.h"
-#include "experiments/datasets/text/number.h"
 #include "experiments/datasets/timestamps.h"
+#include "experiments/files/number.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 

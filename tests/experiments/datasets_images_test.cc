@@ -5,7 +5,7 @@
 
 #include "experiments/datasets/load_image.h"
 #include "experiments/datasets/png.h"
-#include "experiments/datasets/sha256.h"
+#include "experiments/files/sha256.h"
 #include "tests/experiments/datasets_folders.h"
 
 namespace cvo {

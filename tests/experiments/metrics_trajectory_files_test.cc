@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/base/rng.h"
-#include "experiments/datasets/text/text_file.h"
+#include "experiments/files/text_file.h"
 #include "experiments/metrics/kitti_poses.h"
 #include "experiments/metrics/tum_trajectory.h"
 #include "tests/support/error_message.h"

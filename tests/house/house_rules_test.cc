@@ -41,7 +41,10 @@ TEST(Includes, TheEstimatorKnowsNoFilesNoJsonNoClock) {
 }
 
 TEST(Includes, ArrowsOfTheExperiments) {
-  EXPECT_THAT(Include("experiments/metrics/a.cc", "\"experiments/record/json.h\""), SizeIs(1));
+  EXPECT_THAT(Include("experiments/metrics/a.cc", "\"experiments/record/job_identity.h\""),
+              SizeIs(1));
+  EXPECT_THAT(Include("experiments/files/a.cc", "\"experiments/datasets/sequence.h\""), SizeIs(1));
+  EXPECT_THAT(Include("experiments/datasets/a.cc", "\"experiments/files/json.h\""), IsEmpty());
   EXPECT_THAT(Include("experiments/datasets/a.cc", "\"experiments/runner/a.h\""), SizeIs(1));
   EXPECT_THAT(Include("experiments/record/a.cc", "\"experiments/cli/a.h\""), SizeIs(1));
   EXPECT_THAT(Include("experiments/runner/a.cc", "\"reports/tables/table.h\""), SizeIs(1));
@@ -52,12 +55,14 @@ TEST(Includes, ArrowsOfTheExperiments) {
 TEST(Includes, ReportsReadFilesOnly) {
   EXPECT_THAT(Include("reports/tables/a.cc", "\"core/base/error.h\""), IsEmpty());
   EXPECT_THAT(Include("reports/tables/a.cc", "\"core/geometry/rigid_transform.h\""), SizeIs(1));
-  EXPECT_THAT(Include("reports/tables/a.cc", "\"experiments/record/json.h\""), SizeIs(1));
+  EXPECT_THAT(Include("reports/tables/a.cc", "\"experiments/files/json.h\""), SizeIs(1));
   EXPECT_THAT(Include("reports/tables/a.cc", "<Eigen/Core>"), SizeIs(1));
 }
 
 TEST(Includes, SynthKnowsGeometryOnlyAndNobodyTheTests) {
   EXPECT_THAT(Include("synth/scene/a.cc", "\"core/geometry/stereo_camera.h\""), IsEmpty());
+  EXPECT_THAT(Include("synth/scene/a.cc", "\"experiments/files/json.h\""), IsEmpty());
+  EXPECT_THAT(Include("synth/scene/a.cc", "\"experiments/datasets/sequence.h\""), SizeIs(1));
   EXPECT_THAT(Include("synth/scene/a.cc", "\"core/features/orb.h\""), SizeIs(1));
   EXPECT_THAT(Include("experiments/cli/a.cc", "\"tests/support/temp_folder.h\""), SizeIs(1));
   EXPECT_THAT(Include("tests/core/a.cc", "\"experiments/cli/a.h\""), IsEmpty());

@@ -42,18 +42,20 @@ std::vector<Part> CoreParts() {
 std::vector<Part> MakeParts() {
   std::vector<Part> parts = CoreParts();
   parts.push_back({"variants/", {"core/", "variants/"}, NoFiles()});
-  parts.push_back({"synth/", {"core/base/", "core/geometry/", "synth/"}, {"random"}});
-  const std::vector<std::string> readers = {"core/", "experiments/datasets/",
+  parts.push_back({"experiments/files/", {"core/base/", "experiments/files/"}, {}});
+  parts.push_back(
+      {"synth/", {"core/base/", "core/geometry/", "experiments/files/", "synth/"}, {"random"}});
+  const std::vector<std::string> readers = {"core/", "experiments/files/", "experiments/datasets/",
                                             "experiments/metrics/"};
   parts.push_back({"experiments/datasets/", readers, {}});
   parts.push_back({"experiments/metrics/", readers, {}});
   parts.push_back({"experiments/record/",
-                   {"core/", "variants/", "experiments/datasets/", "experiments/metrics/",
-                    "experiments/record/"},
+                   {"core/", "variants/", "experiments/files/", "experiments/datasets/",
+                    "experiments/metrics/", "experiments/record/"},
                    {}});
   parts.push_back({"experiments/runner/",
-                   {"core/", "variants/", "experiments/datasets/", "experiments/metrics/",
-                    "experiments/record/", "experiments/runner/"},
+                   {"core/", "variants/", "experiments/files/", "experiments/datasets/",
+                    "experiments/metrics/", "experiments/record/", "experiments/runner/"},
                    {}});
   parts.push_back(
       {"experiments/cli/", {"core/", "variants/", "experiments/", "reports/", "synth/"}, {}});

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/datasets/sha256.h"
+#include "experiments/files/sha256.h"
 
 #include <openssl/evp.h>
 

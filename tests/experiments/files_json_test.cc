@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "experiments/record/json.h"
+#include "experiments/files/json.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo {

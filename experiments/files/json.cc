@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/record/json.h"
+#include "experiments/files/json.h"
 
 #include <algorithm>
 #include <charconv>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "experiments/datasets/text/text_file.h"
+#include "experiments/files/text_file.h"
 
 namespace cvo {
 namespace {

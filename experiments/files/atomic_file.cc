@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/record/atomic_file.h"
+#include "experiments/files/atomic_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/datasets/text/text_file.h"
+#include "experiments/files/text_file.h"
 
 #include <algorithm>
 #include <fstream>
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "experiments/datasets/text/number.h"
+#include "experiments/files/number.h"
 
 namespace cvo {
 

@@ -11,7 +11,7 @@
 #include <functional>
 
 #include "core/base/error.h"
-#include "experiments/record/atomic_file.h"
+#include "experiments/files/atomic_file.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo {

@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "core/base/error.h"
-#include "experiments/record/closest_names.h"
-#include "experiments/record/options_json.h"
+#include "experiments/files/closest_names.h"
+#include "experiments/files/options_json.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo {

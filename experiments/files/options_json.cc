@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/record/options_json.h"
+#include "experiments/files/options_json.h"
 
 #include <algorithm>
 #include <charconv>
@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "experiments/record/closest_names.h"
+#include "experiments/files/closest_names.h"
 
 namespace cvo {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/options.h"
-#include "experiments/record/json.h"
+#include "experiments/files/json.h"
 
 namespace cvo {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/record/closest_names.h"
+#include "experiments/files/closest_names.h"
 
 #include <algorithm>
 #include <numeric>

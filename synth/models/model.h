@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "core/geometry/rigid_transform.h"
+#include "synth/scene/mesh.h"
+
+namespace cvo::synth {
+
+// A mesh with its texture.
+struct Part {
+  Mesh mesh;        // in the model's frame
+  cv::Mat texture;  // CV_8UC3, RGB, sides are powers of two; parts may share one
+  float gloss = 0;  // 0 ... 1
+  bool casts_shadow = true;
+};
+
+// A convex piece of what other things must not enter: a ball where radius_m > 0, else a box.
+struct CollisionShape {
+  RigidTransform model_from_shape;
+  Eigen::Vector3d half_size_m = Eigen::Vector3d::Zero();
+  double radius_m = 0.0;
+};
+
+// x forward, y left, z up, the origin in the middle of the box that holds all parts.
+struct Model {
+  std::vector<Part> parts;
+  std::vector<CollisionShape> shapes;
+  Eigen::Vector3d size_m = Eigen::Vector3d::Zero();  // of that box
+};
+
+// A model that stays where it is.
+struct PlacedModel {
+  Model model;
+  RigidTransform world_from_model;
+};
+
+}  // namespace cvo::synth

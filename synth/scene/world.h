@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <string>
+#include <vector>
+
+#include "core/geometry/stereo_camera.h"
+#include "synth/scene/mesh.h"
+#include "synth/scene/motion.h"
+
+namespace cvo::synth {
+
+// What is drawn in one call: a mesh with one texture.
+struct Drawable {
+  int mesh = 0;     // into World::meshes
+  int texture = 0;  // into World::textures
+  int body = 0;     // 0: background, at rest in world; else Body::id, drawn at world_from_body
+  float gloss = 0;  // strength of the highlight of the directional light, 0 ... 1
+  bool casts_shadow = true;
+};
+
+// A thing of a class that a detector knows, moving or not. Its frame: x forward, y left, z up, the
+// origin in the middle of its box.
+struct Body {
+  int id = 0;              // 1, 2, ... in the order of World::bodies; the value in instance masks
+  std::string name;        // "ball_1"
+  std::string category;    // "Ball", "Chair", "Block", "Car", ...: the type in labels
+  Eigen::Vector3d size_m;  // of its box along x, y, z
+  std::shared_ptr<const Motion> motion;
+};
+
+struct Light {
+  Eigen::Vector3d direction = {0.3, 0.2, -1.0};  // in which the directional light travels, in world
+  double directional = 0.7;                      // irradiance of a surface facing it
+  double ambient = 0.45;                         // from everywhere, a third less from below
+  Eigen::Vector3d sky_rgb = {0.75, 0.82, 0.9};   // colour where there is no surface
+  double shadow_range_m = 8.0;                   // shadows are drawn this far around the camera
+};
+
+// A scene as built: everything that a renderer and the ground truth need. Camera frames as in
+// StereoCamera (x right, y down, z forward); `camera` moves the left one.
+struct World {
+  std::string name;
+  StereoCamera rig;
+  int frames = 0;
+  double rate_hz = 0.0;
+  std::vector<Mesh> meshes;
+  std::vector<cv::Mat> textures;  // CV_8UC3, RGB, sides are powers of two
+  std::vector<Drawable> drawables;
+  std::vector<Body> bodies;
+  std::shared_ptr<const Motion> camera;
+  Light light;
+
+  double Time_s(int frame) const { return frame / rate_hz; }
+};
+
+}  // namespace cvo::synth
