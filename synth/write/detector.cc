@@ -178,6 +178,7 @@ DetectorOptions Oracle() {
   oracle.jitter_width = oracle.jitter_height = oracle.jitter_floor_px = 0.0;
   oracle.miss_rate = oracle.miss_size_px = oracle.miss_visible = oracle.burst_rate_hz = 0.0;
   oracle.false_positives = oracle.merge_rate = 0.0;
+  oracle.min_visible_px = 1;
   oracle.score_mean = 1.0;
   oracle.score_spread = 0.0;
   return oracle;
