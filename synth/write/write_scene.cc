@@ -21,7 +21,8 @@ DatasetSource SourceOf(const SceneDescription& scene, const RenderRequest& reque
     return DrawingTools{[renderer](const View& view) { return renderer->Draw(view); },
                         [renderer](const View& view, cv::Mat& left, cv::Mat& right) {
                           renderer->DrawImages(view, left, right);
-                        }};
+                        },
+                        nullptr};
   };
   return source;
 }
