@@ -27,7 +27,8 @@ void SequenceFlags::AddTo(CLI::App& app) {
   add("--labels", labels, "FILE", "KITTI label file in place of the folder's own");
   add("--labels-camera", labels_camera, "X",
       "labels were drawn in image_0X; default: 2, KITTI odometry: the left image read");
-  add("--detections", detections, "FILE", "2D boxes in KITTI format; default: none");
+  add("--detections", detections, "FILE",
+      "2D boxes in KITTI format, or a synthetic scene's level (oracle, good, poor); default: none");
   add("--detections-camera", detections_camera, "X",
       "boxes were detected in image_0X; default: the left image read");
   add("--right-shift", right_shift_px, "PX",
