@@ -31,12 +31,16 @@ void SequenceFlags::AddTo(CLI::App& app) {
       "2D boxes in KITTI format, or a synthetic scene's level (oracle, good, poor); default: none");
   add("--detections-camera", detections_camera, "X",
       "boxes were detected in image_0X; default: the left image read");
-  add("--right-shift", right_shift_px, "PX",
-      "rectification error: u_right is seen this much too far right; default: 0.16 for KITTI's "
-      "grey "
-      "images, else 0")
-      ->check(FiniteProblem);
+  AddRightShift(app, right_shift_px);
   add("--min-score", min_score, "SCORE", "leaves out detections below it; default: none")
+      ->check(FiniteProblem);
+}
+
+void AddRightShift(CLI::App& app, std::optional<double>& right_shift_px) {
+  app.add_option("--right-shift", right_shift_px,
+                 "rectification error: u_right is seen this much too far right; default: 0.16 for "
+                 "KITTI's grey images, else 0")
+      ->type_name("PX")
       ->check(FiniteProblem);
 }
 

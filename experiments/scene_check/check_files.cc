@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include <map>
 #include <set>
 #include <system_error>
 
@@ -16,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ListedFile {
-  std::string path;
+  std::string name;
   std::uint64_t bytes = 0;
   std::string sha256;
 };
@@ -26,11 +25,11 @@ std::vector<ListedFile> ReadManifest(const fs::path& path) {
   std::vector<ListedFile> files;
   try {
     for (const Json& file : manifest.at("files")) {
-      files.push_back({file.at("path"), file.at("bytes"), file.at("sha256")});
+      files.push_back({file.at("name"), file.at("size_bytes"), file.at("sha256")});
     }
   } catch (const Json::exception& error) {
     ThrowError(path.string(), StrCat("no list of files (", error.what(), ")"),
-               "\"files\": [{\"path\", \"bytes\", \"sha256\"}, ...]");
+               "\"files\": [{\"name\", \"size_bytes\", \"sha256\"}, ...]");
   }
   return files;
 }
@@ -38,10 +37,10 @@ std::vector<ListedFile> ReadManifest(const fs::path& path) {
 // What is wrong with a listed file; empty where nothing is.
 std::string FindFault(const fs::path& folder, const ListedFile& file) {
   std::error_code error;
-  const std::uint64_t size = fs::file_size(folder / file.path, error);
+  const std::uint64_t size = fs::file_size(folder / file.name, error);
   if (error) return "missing";
   if (size != file.bytes) return StrCat(size, " bytes, listed with ", file.bytes);
-  return Sha256Hex(ReadFileBytes(folder / file.path)) == file.sha256 ? "" : "other SHA-256";
+  return Sha256Hex(ReadFileBytes(folder / file.name)) == file.sha256 ? "" : "other SHA-256";
 }
 
 std::set<std::string> FilesIn(const fs::path& folder) {
@@ -69,9 +68,9 @@ std::vector<SceneCheck> CheckFiles(const fs::path& folder, TaskPool& pool) {
   std::set<std::string> present = FilesIn(folder);
   present.erase("manifest.json");
   for (std::size_t i = 0; i < listed.size(); ++i) {
-    present.erase(listed[i].path);
+    present.erase(listed[i].name);
     if (faults[i].empty()) continue;
-    if (changed++ == 0) first_changed = listed[i].path + ": " + faults[i];
+    if (changed++ == 0) first_changed = listed[i].name + ": " + faults[i];
   }
   return {CountOf("manifest_changed_files", changed, first_changed),
           CountOf("manifest_unlisted_files", static_cast<int>(present.size()),

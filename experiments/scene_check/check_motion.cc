@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "core/base/error.h"
 #include "experiments/scene_check/checks.h"
@@ -18,6 +19,8 @@ struct BodyMotion {
   int frame = 0;
   ImageShift shift;
   double median_depth_error_px = 0.0;
+  double median_residual = 0.0;  // grey levels
+  double noise = 0.0;            // of the difference of both images
 };
 
 RigidTransform NextFromThis(const SceneFolder& scene, int frame, int body) {
@@ -41,6 +44,7 @@ std::vector<BodyMotion> CompareFrames(const SceneFolder& scene, int frame) {
   const cv::Mat next_image = ReadGrey(scene.sequence.images[i + 1].left);
   const Surface surface = {scene.Depth(frame), scene.Instances(frame)};
   const Surface next = {scene.Depth(frame + 1), scene.Instances(frame + 1)};
+  const double noise = std::hypot(EstimateNoise(image), EstimateNoise(next_image));
   std::vector<BodyMotion> motions;
   for (int body = 0; body <= static_cast<int>(scene.bodies[i].size()); ++body) {
     std::vector<float> depth_errors;
@@ -48,10 +52,10 @@ std::vector<BodyMotion> CompareFrames(const SceneFolder& scene, int frame) {
         PredictNext(scene.sequence.camera, surface, next, body, NextFromThis(scene, frame, body),
                     body == 0 ? 2 : 1, depth_errors);
     if (static_cast<int>(predictions.size()) < limits::kMinShiftPixels) continue;
-    BodyMotion motion{body, frame, EstimateShift(image, next_image, predictions),
-                      Median(std::move(depth_errors))};
-    motion.shift.residuals.clear();
-    motions.push_back(std::move(motion));
+    ImageShift shift = EstimateShift(image, next_image, predictions);
+    const double residual = Median(std::exchange(shift.residuals, {}));
+    motions.push_back(
+        {body, frame, std::move(shift), Median(std::move(depth_errors)), residual, noise});
   }
   return motions;
 }
@@ -69,14 +73,20 @@ std::vector<SceneCheck> CheckMotion(const SceneFolder& scene, TaskPool& pool) {
       static_cast<int>(frames.size()), pool,
       [&](int i) { return CompareFrames(scene, frames[static_cast<std::size_t>(i)]); });
 
-  Worst depth_background, depth_bodies;
+  Worst depths, background_shift, background_residual, body_residual;
   std::map<int, std::vector<ImageShift>> shifts;
   for (const std::vector<BodyMotion>& motions : results) {
     for (const BodyMotion& motion : motions) {
-      Worst& depth = motion.body == 0 ? depth_background : depth_bodies;
-      depth.Add(motion.median_depth_error_px,
-                StrCat(NameOf(scene, motion.body), ", frame ", motion.frame));
+      const std::string place = StrCat(NameOf(scene, motion.body), ", frame ", motion.frame);
+      depths.Add(motion.median_depth_error_px, place);
       shifts[motion.body].push_back(motion.shift);
+      const bool background = motion.body == 0;
+      if (background) background_shift.Add(motion.shift.shift_px.norm(), place);
+      const double allowed = limits::kMedianResidual_sigmas * motion.noise +
+                             (background ? limits::kInterpolation_grey : limits::kShading_grey);
+      (background ? background_residual : body_residual)
+          .Add(motion.median_residual / allowed,
+               StrCat(place, ": ", motion.median_residual, " grey levels"));
     }
   }
   Worst bodies;
@@ -92,12 +102,14 @@ std::vector<SceneCheck> CheckMotion(const SceneFolder& scene, TaskPool& pool) {
   return {
       {"motion_pixels_background", static_cast<double>(background.pixels), "px", Bound::kNone, 0.0,
        ""},
-      depth_background.AtMost("motion_depth_background", "px", limits::kDepthMotion_px),
+      {"motion_bodies_measured", static_cast<double>(measured), "bodies", Bound::kNone, 0.0, ""},
+      depths.AtMost("motion_depth", "px", limits::kDepthMotion_px),
       {"motion_shift_background", background.shift_px.norm(), "px", Bound::kAtMost,
        limits::kShift_px, "all frames together"},
-      {"motion_bodies_measured", static_cast<double>(measured), "bodies", Bound::kNone, 0.0, ""},
-      depth_bodies.AtMost("motion_depth_bodies", "px", limits::kDepthMotion_px),
-      bodies.AtMost("motion_shift_bodies", "px", limits::kShift_px)};
+      background_shift.AtMost("motion_shift_background_worst", "px", limits::kFrameShift_px),
+      background_residual.AtMost("motion_residual_background", "of allowed", 1.0),
+      bodies.AtMost("motion_shift_bodies", "px", limits::kShift_px),
+      body_residual.AtMost("motion_residual_bodies", "of allowed", 1.0)};
 }
 
 namespace {
