@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "synth/scene/scene_parts.h"
+
+namespace cvo::synth {
+
+// world_from_left along the camera's route, level but for its shake, which `look_seed` decides.
+// Throws Error for a route shorter than the way travelled.
+std::shared_ptr<const Motion> MakeCameraMotion(const CameraDescription& camera, double duration_s,
+                                               std::uint64_t look_seed);
+
+}  // namespace cvo::synth

@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "synth/scene/check_world.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "core/base/task_pool.h"
+#include "synth/scene/separation.h"
+
+namespace cvo::synth {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kTolerance_m = 1e-3;
+constexpr double kLongestStep_m = 0.02;  // of what nearly touches
+constexpr double kWallStep_m = 0.05;     // nothing comes out on the other side of a wall
+constexpr double kNever_s = std::numeric_limits<double>::infinity();
+
+// A solid with what spares looking at it closely.
+struct Moving {
+  const Solid* solid = nullptr;
+  double radius_m = 0.0;      // around the origin
+  double fastest_mps = 0.0;   // of any of its points
+  double least_half_m = 0.0;  // of its pieces
+  Eigen::AlignedBox3d swept;  // everywhere it comes
+
+  RigidTransform At(double time_s) const {
+    return solid->motion ? solid->motion->At(time_s).world_from_body : solid->world_from_model;
+  }
+};
+
+double LeastHalf_m(const std::vector<CollisionShape>& shapes) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const CollisionShape& shape : shapes) {
+    least = std::min(least, shape.radius_m > 0.0 ? shape.radius_m : shape.half_size_m.minCoeff());
+  }
+  return least;
+}
+
+Moving MakeMoving(const Solid& solid, double duration_s) {
+  constexpr double kSample_s = 1.0 / 60.0;
+  Moving moving{&solid, BoundingRadius_m(solid.shapes), 0.0, LeastHalf_m(solid.shapes), {}};
+  if (!solid.motion) {
+    moving.swept.extend(Vector3d(solid.world_from_model.translation()));
+  } else {
+    const int samples = 1 + static_cast<int>(std::ceil(duration_s / kSample_s));
+    for (int i = 0; i <= samples; ++i) {
+      const MotionState state = solid.motion->At(duration_s * i / samples);
+      const double turning = state.angular_velocity_in_world.norm() * moving.radius_m;
+      moving.fastest_mps = std::max(moving.fastest_mps, state.velocity_in_world.norm() + turning);
+      moving.swept.extend(Vector3d(state.world_from_body.translation()));
+    }
+    // Between samples the speed may be somewhat higher.
+    if (moving.fastest_mps > 0.0) moving.fastest_mps = 1.1 * moving.fastest_mps + 0.01;
+  }
+  const double margin = moving.radius_m + moving.fastest_mps * kSample_s + kTolerance_m;
+  moving.swept.min().array() -= margin;
+  moving.swept.max().array() += margin;
+  return moving;
+}
+
+// Where two things are too near for their bounding balls to say how near.
+double SeparationOf(const Moving& a, const Moving& b, double time_s) {
+  constexpr double kFar_m = 0.5;
+  const RigidTransform at_a = a.At(time_s);
+  const RigidTransform at_b = b.At(time_s);
+  const double around = (at_a.translation() - at_b.translation()).norm() - a.radius_m - b.radius_m;
+  if (around > kFar_m) return around;
+  double least = std::numeric_limits<double>::infinity();
+  for (const CollisionShape& shape_a : a.solid->shapes) {
+    for (const CollisionShape& shape_b : b.solid->shapes) {
+      least = std::min(least, Separation(shape_a, at_a, shape_b, at_b));
+    }
+  }
+  return least;
+}
+
+double SeparationOf(const Moving& a, const Eigen::Vector4d& plane, double time_s) {
+  const RigidTransform at = a.At(time_s);
+  double least = std::numeric_limits<double>::infinity();
+  for (const CollisionShape& shape : a.solid->shapes) {
+    least = std::min(least, PlaneSeparation(shape, at, plane));
+  }
+  return least;
+}
+
+struct Offence {
+  double time_s = kNever_s;
+  double depth_m = 0.0;
+  double worst_time_s = 0.0;
+  double worst_depth_m = 0.0;
+};
+
+// Steps through time by what the present separation allows at the greatest closing speed, so that
+// nothing is missed but what moves less than the shortest step within another.
+template <typename SeparationAt>
+Offence FindOffence(const SeparationAt& separation_at, double closing_mps, double shortest_step_m,
+                    double duration_s) {
+  Offence offence;
+  for (double time_s = 0.0; time_s <= duration_s;) {
+    const double separation = separation_at(time_s);
+    if (separation < -kTolerance_m) {
+      if (offence.time_s == kNever_s) offence = {time_s, -separation, time_s, -separation};
+      if (-separation > offence.worst_depth_m) {
+        offence.worst_time_s = time_s;
+        offence.worst_depth_m = -separation;
+      }
+    } else if (offence.time_s != kNever_s) {
+      break;
+    }
+    if (closing_mps <= 0.0) break;
+    time_s += std::max(separation, shortest_step_m) / closing_mps;
+  }
+  return offence;
+}
+
+// A pair of solids, or a solid and a wall.
+struct Meeting {
+  std::size_t first = 0;
+  std::size_t second = 0;
+  bool with_wall = false;
+};
+
+std::vector<Meeting> FindMeetings(const std::vector<Moving>& solids,
+                                  const std::vector<Eigen::Vector4d>& walls) {
+  std::vector<Meeting> meetings;
+  std::vector<std::size_t> order(solids.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return solids[i].swept.min().x() < solids[j].swept.min().x();
+  });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Moving& a = solids[order[i]];
+    for (std::size_t j = i + 1; j < order.size(); ++j) {
+      const Moving& b = solids[order[j]];
+      if (b.swept.min().x() > a.swept.max().x()) break;
+      const bool both_stay = !a.solid->motion && !b.solid->motion;
+      if (both_stay || !a.swept.intersects(b.swept)) continue;
+      meetings.push_back({std::min(order[i], order[j]), std::max(order[i], order[j]), false});
+    }
+  }
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    if (!solids[i].solid->motion) continue;
+    for (std::size_t wall = 0; wall < walls.size(); ++wall) meetings.push_back({i, wall, true});
+  }
+  return meetings;
+}
+
+double ShortestStep_m(double least_half_m) { return std::min(kLongestStep_m, 0.1 * least_half_m); }
+
+Offence FindOffence(const Meeting& meeting, const std::vector<Moving>& solids,
+                    const std::vector<Eigen::Vector4d>& walls, double duration_s) {
+  const Moving& a = solids[meeting.first];
+  if (meeting.with_wall) {
+    const auto separation = [&](double t) { return SeparationOf(a, walls[meeting.second], t); };
+    return FindOffence(separation, a.fastest_mps, kWallStep_m, duration_s);
+  }
+  const Moving& b = solids[meeting.second];
+  const auto separation = [&](double t) { return SeparationOf(a, b, t); };
+  return FindOffence(separation, a.fastest_mps + b.fastest_mps,
+                     ShortestStep_m(std::min(a.least_half_m, b.least_half_m)), duration_s);
+}
+
+std::string WallName(const Eigen::Vector4d& wall) {
+  if (wall[2] > 0.7) return "the floor";
+  return wall[2] < -0.7 ? "the ceiling" : "a wall";
+}
+
+std::string Fixed(double value, int digits) {
+  std::ostringstream out;
+  out << std::fixed;
+  out.precision(digits);
+  out << value;
+  return out.str();
+}
+
+[[noreturn]] void ThrowOffence(const std::string& where, const std::string& first,
+                               const std::string& second, const Offence& offence) {
+  std::string found = StrCat(first, " and ", second, " overlap by ", Fixed(offence.depth_m, 3),
+                             " m at ", Fixed(offence.time_s, 2), " s");
+  if (offence.worst_time_s > offence.time_s) {
+    found += StrCat(" (by ", Fixed(offence.worst_depth_m, 2), " m at ",
+                    Fixed(offence.worst_time_s, 2), " s)");
+  }
+  ThrowError(where, found, "nothing that goes through another thing");
+}
+
+// Whether a ball may touch the left camera's field of view.
+bool MayShow(const StereoCamera& rig, const Vector3d& centre, double radius_m) {
+  if (centre.z() + radius_m <= StereoCamera::kMinDepth_m) return false;
+  const double left = (-0.5 - rig.cx) / rig.fx, right = (rig.width_px - 0.5 - rig.cx) / rig.fx;
+  const double top = (-0.5 - rig.cy) / rig.fy, bottom = (rig.height_px - 0.5 - rig.cy) / rig.fy;
+  for (const Vector3d& inward : {Vector3d(1, 0, -left), Vector3d(-1, 0, right),
+                                 Vector3d(0, 1, -top), Vector3d(0, -1, bottom)}) {
+    if (inward.normalized().dot(centre) < -radius_m) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void CheckCollisions(const std::vector<Solid>& solids, const std::vector<Eigen::Vector4d>& walls,
+                     double duration_s, int threads, const std::string& where) {
+  TaskPool pool(threads);
+  std::vector<Moving> moving(solids.size());
+  pool.ParallelFor(static_cast<int>(solids.size()),
+                   [&](int i) { moving[i] = MakeMoving(solids[i], duration_s); });
+  const std::vector<Meeting> meetings = FindMeetings(moving, walls);
+  std::vector<Offence> offences(meetings.size());
+  pool.ParallelFor(static_cast<int>(meetings.size()), [&](int i) {
+    offences[i] = FindOffence(meetings[i], moving, walls, duration_s);
+  });
+  const auto first =
+      std::min_element(offences.begin(), offences.end(),
+                       [](const Offence& a, const Offence& b) { return a.time_s < b.time_s; });
+  if (first == offences.end() || first->time_s == kNever_s) return;
+  const Meeting& meeting = meetings[first - offences.begin()];
+  ThrowOffence(where, solids[meeting.first].name,
+               meeting.with_wall ? WallName(walls[meeting.second]) : solids[meeting.second].name,
+               *first);
+}
+
+void CheckInView(const World& world, const std::string& where) {
+  std::vector<bool> seen(world.bodies.size(), false);
+  for (int frame = 0; frame < world.frames; ++frame) {
+    const double time_s = world.Time_s(frame);
+    const RigidTransform left_from_world = world.camera->At(time_s).world_from_body.Inverse();
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      if (seen[i]) continue;
+      const Body& body = world.bodies[i];
+      const Vector3d centre = body.motion->At(time_s).world_from_body.translation();
+      seen[i] = MayShow(world.rig, left_from_world * centre, 0.5 * body.size_m.norm());
+    }
+  }
+  const auto unseen = std::find(seen.begin(), seen.end(), false);
+  if (unseen == seen.end()) return;
+  ThrowError(where, world.bodies[unseen - seen.begin()].name + " never in front of the camera",
+             "bodies that at least one frame may show");
+}
+
+}  // namespace cvo::synth

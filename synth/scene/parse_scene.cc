@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "synth/scene/parse_scene.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "core/base/error.h"
+
+namespace cvo::synth {
+namespace {
+
+constexpr Range kPlace = {-1e5, 1e5};
+constexpr Range kUnit = {0.0, 1.0};
+constexpr double kMostCount = 1000;
+
+// Names become file names and parts of other names.
+std::string ParseName(ObjectReader& reader) {
+  const std::string name = reader.Text("name");
+  const bool good = !name.empty() && name.size() <= 64 &&
+                    std::all_of(name.begin(), name.end(), [](unsigned char c) {
+                      return (c < 128 && std::isalnum(c) != 0) || c == '_' || c == '-';
+                    });
+  if (!good) {
+    ThrowError(reader.Where("name"), '"' + name + '"', "1 to 64 letters, digits, _ and -");
+  }
+  return name;
+}
+
+StereoCamera ParseRig(ObjectReader reader) {
+  StereoCamera rig;
+  rig.width_px = reader.Integer("width_px", {16, 8192});
+  rig.height_px = reader.Integer("height_px", {16, 8192});
+  rig.fx = rig.fy = reader.Number("focal_px", {1.0, 1e5});
+  rig.cx = reader.NumberOr("cx_px", kPlace, 0.5 * (rig.width_px - 1));
+  rig.cy = reader.NumberOr("cy_px", kPlace, 0.5 * (rig.height_px - 1));
+  rig.baseline_m = reader.Number("baseline_m", {1e-3, 10.0});
+  reader.Finish();
+  return rig;
+}
+
+RoomDescription ParseRoom(ObjectReader reader) {
+  RoomDescription room;
+  room.size_m = reader.Vector3Or("size_m", {1.0, 200.0}, room.size_m);
+  room.shelves = reader.IntegerOr("shelves", {0, kMostCount}, room.shelves);
+  room.tables = reader.IntegerOr("tables", {0, kMostCount}, room.tables);
+  room.crates = reader.IntegerOr("crates", {0, kMostCount}, room.crates);
+  room.posters = reader.IntegerOr("posters", {0, kMostCount}, room.posters);
+  room.furniture_depth_m = reader.NumberOr("furniture_depth_m", {0.1, 5.0}, room.furniture_depth_m);
+  reader.Finish();
+  return room;
+}
+
+StreetDescription ParseStreet(ObjectReader reader) {
+  StreetDescription street;
+  reader.Value("roads");
+  for (ObjectReader& road : reader.ObjectsOr("roads")) {
+    RoadDescription parsed;
+    for (const std::vector<double>& row : road.Rows("points", kPlace, 2, 2)) {
+      parsed.points.emplace_back(row[0], row[1]);
+    }
+    parsed.width_m = road.NumberOr("width_m", {1.0, 100.0}, parsed.width_m);
+    road.Finish();
+    street.roads.push_back(parsed);
+  }
+  street.pavement_m = reader.NumberOr("pavement_m", {0.0, 50.0}, street.pavement_m);
+  street.building_height_m =
+      reader.NumberOr("building_height_m", {1.0, 200.0}, street.building_height_m);
+  street.trees_per_100m = reader.NumberOr("trees_per_100m", {0.0, 100.0}, street.trees_per_100m);
+  reader.Finish();
+  return street;
+}
+
+Light ParseLight(ObjectReader reader) {
+  Light light;
+  light.direction = reader.Vector3Or("direction", {-1e3, 1e3}, light.direction);
+  if (light.direction.norm() < 1e-6) {
+    ThrowError(reader.Where("direction"), "a vector of length zero", "a direction");
+  }
+  light.directional = reader.NumberOr("directional", {0.0, 10.0}, light.directional);
+  light.ambient = reader.NumberOr("ambient", {0.0, 10.0}, light.ambient);
+  light.sky_rgb = reader.Vector3Or("sky_rgb", kUnit, light.sky_rgb);
+  light.shadow_range_m = reader.NumberOr("shadow_range_m", {0.5, 1e3}, light.shadow_range_m);
+  reader.Finish();
+  return light;
+}
+
+std::string DefaultCategory(std::string kind) {
+  if (!kind.empty()) kind[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(kind[0])));
+  return kind;
+}
+
+ModelDescription ParseModel(ObjectReader& reader, const std::filesystem::path& folder) {
+  constexpr Range kSize = {0.01, 200.0};
+  ModelDescription model;
+  model.kind = reader.Text("model");
+  if (reader.Has("size_m")) {
+    model.size_m = reader.Value("size_m").is_array()
+                       ? reader.Vector3("size_m", kSize)
+                       : Eigen::Vector3d::Constant(reader.Number("size_m", kSize)).eval();
+  }
+  model.material = reader.TextOr("material", "");
+  if (model.kind == "mesh") {
+    model.file = folder / reader.Text("file");
+    if (!std::filesystem::is_regular_file(model.file)) {
+      ThrowError(reader.Where("file"), "no file " + model.file.string(), "a mesh file");
+    }
+  }
+  return model;
+}
+
+struct Copies {
+  int count = 1;
+  double spacing_m = 0.0;
+  std::optional<double> direction_rad;
+};
+
+Copies ParseCopies(ObjectReader reader) {
+  Copies copies;
+  copies.count = reader.Integer("count", {1, 70000});
+  copies.spacing_m = reader.Number("spacing_m", {0.01, 1e4});
+  if (reader.Has("direction_deg")) {
+    copies.direction_rad =
+        reader.Number("direction_deg", {-3600.0, 3600.0}) * std::numbers::pi / 180.0;
+  }
+  reader.Finish();
+  return copies;
+}
+
+// The path of the copy that is `way_m` further: along the route, else in a straight line.
+struct MovedOn {
+  double way_m;
+  std::optional<double> direction_rad;
+
+  Eigen::Vector2d Step(double default_rad) const {
+    const double direction = direction_rad.value_or(default_rad);
+    return way_m * Eigen::Vector2d(std::cos(direction), std::sin(direction));
+  }
+  PathDescription operator()(StillDescription still) const {
+    still.at += Step(still.heading_rad);
+    return still;
+  }
+  PathDescription operator()(RouteDescription route) const {
+    route.start_m += way_m;
+    return route;
+  }
+  PathDescription operator()(SwingDescription swing) const {
+    swing.pivot.head<2>() += Step(swing.plane_rad + 0.5 * std::numbers::pi);
+    return swing;
+  }
+};
+
+void ParseObject(ObjectReader& reader, const std::filesystem::path& folder, SceneParts& scene) {
+  ObjectDescription object;
+  object.where = reader.Where("");
+  object.name = ParseName(reader);
+  object.model = ParseModel(reader, folder);
+  object.category = reader.TextOr("category", DefaultCategory(object.model.kind));
+  const bool plain = std::none_of(object.category.begin(), object.category.end(),
+                                  [](unsigned char c) { return std::isspace(c) != 0; });
+  if (object.category.empty() || !plain) {
+    ThrowError(reader.Where("category"), '"' + object.category + '"', "one word");
+  }
+  object.path = ParsePath(reader.Object("path"));
+  const bool repeated = reader.Has("copies");
+  const Copies copies = repeated ? ParseCopies(reader.Object("copies")) : Copies{};
+  reader.Finish();
+  for (int i = 0; i < copies.count; ++i) {
+    ObjectDescription copy = object;
+    if (repeated) copy.name += StrCat("_", i + 1);
+    copy.path = std::visit(MovedOn{i * copies.spacing_m, copies.direction_rad}, object.path);
+    scene.objects.push_back(copy);
+  }
+}
+
+void CheckObjects(const SceneParts& scene, const std::string& where) {
+  constexpr std::size_t kMostBodies = 65535;  // instance masks have 16 bits
+  if (scene.objects.size() > kMostBodies) {
+    ThrowError(where + ", objects", StrCat(scene.objects.size(), " bodies"),
+               StrCat("at most ", kMostBodies));
+  }
+  std::set<std::string> names;
+  for (const ObjectDescription& object : scene.objects) {
+    if (!names.insert(object.name).second) {
+      ThrowError(object.where + ".name", object.name + " for the second time",
+                 "another name for each body");
+    }
+  }
+}
+
+}  // namespace
+
+SceneParts ParseScene(const Json& json, const std::string& where,
+                      const std::filesystem::path& folder) {
+  ObjectReader reader(json, where, "");
+  SceneParts scene;
+  scene.name = ParseName(reader);
+  scene.about = reader.TextOr("about", "");
+  scene.seed = reader.SeedOr("seed", 0);
+  scene.look_seed = reader.SeedOr("look_seed", 0);
+  scene.rig = ParseRig(reader.Object("rig"));
+  scene.frames = reader.Integer("frames", {1, 1e6});
+  scene.rate_hz = reader.Number("rate_hz", {0.1, 1000.0});
+  if (reader.OneOf({"room", "street"}) == "room") {
+    scene.surroundings = ParseRoom(reader.Object("room"));
+  } else {
+    scene.surroundings = ParseStreet(reader.Object("street"));
+  }
+  if (reader.Has("light")) scene.light = ParseLight(reader.Object("light"));
+  scene.camera = ParseCamera(reader.Object("camera"));
+  for (ObjectReader& object : reader.ObjectsOr("objects")) ParseObject(object, folder, scene);
+  for (const char* key : {"sensor", "detector"}) {
+    if (!reader.Has(key)) continue;
+    reader.Object(key);  // an object; what is in it, its readers check
+    (std::string(key) == "sensor" ? scene.sensor : scene.detector) = reader.Value(key);
+  }
+  reader.Finish();
+  CheckObjects(scene, where);
+  return scene;
+}
+
+}  // namespace cvo::synth

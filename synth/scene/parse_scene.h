@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "synth/scene/object_reader.h"
+#include "synth/scene/scene_parts.h"
+
+namespace cvo::synth {
+
+// Mesh files are meant relative to `folder`. Throws Error naming `where` and the key.
+SceneParts ParseScene(const Json& json, const std::string& where,
+                      const std::filesystem::path& folder);
+
+// Paths of bodies and of the camera, for ParseScene.
+RouteDescription ParseRoute(ObjectReader route);  // without lateral_m, bottom_m and heading
+PathDescription ParsePath(ObjectReader path);
+CameraDescription ParseCamera(ObjectReader camera);
+
+}  // namespace cvo::synth

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+#include "core/base/task_pool.h"
+#include "synth/render/renderer.h"
+#include "synth/write/folder_build.h"
+#include "synth/write/sensor.h"
+
+namespace cvo::synth {
+
+// The user asked to stop; nothing was left that looks complete.
+class Stopped : public Error {
+ public:
+  using Error::Error;
+};
+
+// How work tells of itself. Called one at a time.
+struct WorkHooks {
+  std::function<void(int done, int total, const std::string& stage)> progress;
+  std::function<bool()> stop;                      // asked for each frame
+  std::function<void(const std::string&)> notice;  // one line for the user
+
+  void Report(int done, int total, const std::string& stage) const {
+    if (progress) progress(done, total, stage);
+  }
+  void ThrowIfStopped() const {
+    if (stop && stop()) throw Stopped("stopped before the sequence was complete");
+  }
+};
+
+// A renderer, or what stands in for one.
+struct DrawingTools {
+  std::function<Rendering(const View&)> draw;
+  std::function<void(const View&, cv::Mat& left, cv::Mat& right)> draw_images;
+  RendererVersion version;
+};
+
+struct CleanRender {
+  int first_frame = 0;
+  int frames = 0;
+  bool flow = false;
+  MotionBlurOptions motion_blur;
+};
+
+View ViewAt(const World& world, double time_s);
+
+// Everything of a sequence that no seed touches: clean images, depth, masks, flow, poses, tables.
+// Draws on the calling thread while the pool encodes and writes earlier frames, a few at a time.
+void WriteCleanRender(const World& world, const CleanRender& render, const DrawingTools& tools,
+                      TaskPool& pool, const WorkHooks& hooks, FolderBuild& out);
+
+}  // namespace cvo::synth

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "synth/write/dataset.h"
+
+#include <algorithm>
+#include <opencv2/imgcodecs.hpp>
+
+#include "experiments/files/sha256.h"
+#include "experiments/files/text_file.h"
+#include "synth/write/detector.h"
+#include "synth/write/fixed_number.h"
+#include "synth/write/image_encoding.h"
+#include "synth/write/object_table.h"
+#include "synth/write/render_cache.h"
+#include "synth_sources.h"
+
+namespace cvo::synth {
+namespace fs = std::filesystem;
+namespace {
+
+void RequireReplaceable(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder, ignored)) return;
+  const char* expected = "a new folder or a sequence that this program wrote";
+  if (!fs::is_directory(folder, ignored)) ThrowError(folder.string(), "a file", expected);
+  if (fs::is_empty(folder, ignored)) return;
+  try {
+    ReadManifest(folder);
+  } catch (const Error&) {
+    ThrowError(folder.string(), "other things in it", expected);
+  }
+}
+
+std::string CacheKey(const DatasetSource& source, const RenderRequest& request) {
+  return Sha256Hex(StrCat("clustervo render 1\n", source.render_key, "\nframes ",
+                          request.frames.first, ":", request.frames.end.value_or(-1), "\nflow ",
+                          request.flow, "\n", kSynthSources, "\n", source.version.gl, "\n",
+                          source.version.renderer));
+}
+
+CleanRender ChooseFrames(const DatasetSource& source, const RenderRequest& request,
+                         const World& world) {
+  const int end = request.frames.end.value_or(world.frames);
+  if (request.frames.first < 0 || end > world.frames || request.frames.first >= end) {
+    ThrowError(source.scene + ", frames", StrCat(request.frames.first, ":", end),
+               StrCat("a range within 0:", world.frames));
+  }
+  return {request.frames.first, end - request.frames.first, request.flow,
+          source.sensor.motion_blur};
+}
+
+CachedRender Draw(const DatasetSource& source, const RenderRequest& request, const fs::path& cache,
+                  const std::string& key, TaskPool& pool) {
+  const World world = source.build_world();
+  const CleanRender render = ChooseFrames(source, request, world);
+  return AddCachedRender(cache, key, [&](FolderBuild& build) {
+    WriteCleanRender(world, render, source.open_tools(world), pool, request.hooks, build);
+    Manifest manifest;
+    manifest.scene = source.scene;
+    manifest.first_frame = render.first_frame;
+    manifest.frames = render.frames;
+    manifest.width_px = world.rig.width_px;
+    manifest.height_px = world.rig.height_px;
+    manifest.renderer = source.version;
+    manifest.program_sources = kSynthSources;
+    return manifest;
+  });
+}
+
+cv::Mat ReadClean(const fs::path& path) {
+  cv::Mat image = cv::imread(path.string(), cv::IMREAD_UNCHANGED);
+  if (image.empty() || image.type() != CV_8UC1)
+    ThrowError(path.string(), "no grey image", "a clean render");
+  return image;
+}
+
+// Both images of all frames; a few at a time, so that a stop comes through.
+void WriteImages(const DatasetSource& source, const RenderRequest& request, std::uint64_t seed,
+                 const CachedRender& clean, TaskPool& pool, FolderBuild& build) {
+  const int total = clean.manifest.frames;
+  const int batch = 4 * request.threads;
+  for (int begin = 0; begin < total; begin += batch) {
+    request.hooks.ThrowIfStopped();
+    const int count = std::min(batch, total - begin);
+    pool.ParallelFor(2 * count, [&](int i) {
+      const int camera = i % 2;
+      const int frame = begin + i / 2;
+      const std::string name = StrCat("image_", camera, "/", SixDigits(frame), ".png");
+      build.Write(name, EncodePng(ApplySensor(ReadClean(clean.folder / name), source.sensor, seed,
+                                              camera, clean.manifest.first_frame + frame)));
+    });
+    request.hooks.Report(begin + count, total, "apply the sensor");
+  }
+}
+
+std::vector<double> ReadTimes_s(const fs::path& path) {
+  const TextFile file(path);
+  std::vector<double> times_s;
+  for (std::size_t i = 0; i < file.size(); ++i) times_s.push_back(TextRow(file, i).Number(0));
+  return times_s;
+}
+
+void WriteDetections(const DatasetSource& source, std::uint64_t seed, const CachedRender& clean,
+                     FolderBuild& build) {
+  const ObjectTable table =
+      ReadObjectTable(clean.folder / "objects.csv", ReadTimes_s(clean.folder / "times.txt"));
+  const DetectorInput input = {clean.manifest.width_px, clean.manifest.height_px, table.categories,
+                               table.frames};
+  for (const NamedDetector& detector : source.detectors) {
+    build.Write("detections/" + detector.name + ".txt",
+                FormatDetections(Detect(input, detector.options, seed)));
+  }
+}
+
+bool IsSensorImage(const std::string& name) {
+  return name.starts_with("image_0/") || name.starts_with("image_1/");
+}
+
+}  // namespace
+
+void WriteDataset(const DatasetSource& source, const RenderRequest& request,
+                  const fs::path& folder) {
+  RequireReplaceable(folder);
+  TaskPool pool(request.threads);
+  const fs::path cache = CacheFolder();
+  const std::string key = CacheKey(source, request);
+  std::optional<CachedRender> found = FindCachedRender(cache, key, pool, request.hooks);
+  const CachedRender clean = found ? *found : Draw(source, request, cache, key, pool);
+
+  const std::uint64_t seed = request.seed.value_or(source.seed);
+  const bool images_as_drawn = ChangesNothing(source.sensor);
+  FolderBuild build(folder);
+  for (const FileRecord& file : clean.manifest.files) {
+    if (images_as_drawn || !IsSensorImage(file.name)) build.Link(clean.folder, file);
+  }
+  if (!images_as_drawn) WriteImages(source, request, seed, clean, pool, build);
+  WriteDetections(source, seed, clean, build);
+  Json description = source.description;
+  description["seed"] = seed;
+  build.Write("scene.json", DumpJson(description));
+  request.hooks.ThrowIfStopped();
+  Manifest manifest = clean.manifest;
+  manifest.scene = source.scene;
+  manifest.seed = seed;
+  build.Commit(manifest, Existing::kReplace);
+}
+
+}  // namespace cvo::synth

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/files/json.h"
+#include "synth/write/clean_render.h"
+#include "synth/write/dataset_settings.h"
+
+namespace cvo::synth {
+
+// Frames [first, end) of a scene; no end: to its last.
+struct SceneFrames {
+  int first = 0;
+  std::optional<int> end;
+};
+
+struct RenderRequest {
+  SceneFrames frames;
+  std::optional<std::uint64_t> seed;         // instead of the scene's
+  std::vector<std::string> detector_levels;  // empty: all
+  bool flow = false;
+  int threads = 2;
+  WorkHooks hooks;
+};
+
+// A scene as WriteDataset needs it; what draws is asked for only where the cache has nothing.
+struct DatasetSource {
+  std::string scene;
+  Json description;        // for scene.json
+  std::string render_key;  // text that decides what is drawn, but frames and program
+  std::uint64_t seed = 0;
+  SensorOptions sensor;
+  std::vector<NamedDetector> detectors;
+  RendererVersion version;
+  std::function<World()> build_world;
+  std::function<DrawingTools(const World&)> open_tools;
+};
+
+// Writes a folder in the layout of KITTI odometry with the ground truth beside it
+// (synth/README.md), from the cache where it holds the clean render. The folder appears complete or
+// not at all; one that is not such a data set (or empty) is never replaced: throws Error. Throws
+// Stopped.
+void WriteDataset(const DatasetSource& source, const RenderRequest& request,
+                  const std::filesystem::path& folder);
+
+}  // namespace cvo::synth

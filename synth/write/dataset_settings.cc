@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "synth/write/dataset_settings.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "experiments/files/closest_names.h"
+#include "experiments/files/options_json.h"
+#include "experiments/files/text_file.h"
+
+namespace cvo::synth {
+
+SensorOptions ReadSensor(const Json& section, const std::string& where) {
+  SensorOptions options;
+  MergeOptions(section, where + ": sensor", OptionLeaves(options));
+  return options;
+}
+
+std::vector<NamedDetector> ReadDetectors(const Json& section, const std::string& where,
+                                         const std::vector<std::string>& chosen) {
+  Json values = section;
+  std::string level = "good";
+  if (section.contains("level")) {
+    if (!section["level"].is_string()) {
+      ThrowError(where + ": detector.level", section["level"].dump(), "a name");
+    }
+    level = section["level"];
+    values.erase("level");
+  }
+  DetectorOptions custom = DetectorLevel(level);
+  MergeOptions(values, where + ": detector", OptionLeaves(custom));
+
+  std::vector<NamedDetector> detectors;
+  std::vector<std::string> names = DetectorLevels();
+  for (const std::string& name : names) detectors.push_back({name, DetectorLevel(name)});
+  if (!values.empty()) {
+    detectors.push_back({"custom", custom});
+    names.emplace_back("custom");
+  }
+  const auto among = [](const std::vector<std::string>& list, const std::string& name) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+  };
+  for (const std::string& name : chosen) {
+    if (among(names, name)) continue;
+    ThrowError("detector level", Quoted(name) + DidYouMean(name, names),
+               names.size() > 3 ? "oracle, good, poor or custom" : "oracle, good or poor");
+  }
+  if (!chosen.empty()) {
+    std::erase_if(detectors, [&](const NamedDetector& d) { return !among(chosen, d.name); });
+  }
+  return detectors;
+}
+
+}  // namespace cvo::synth
