@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "core/base/error.h"
 #include "experiments/datasets/object_boxes.h"
@@ -115,12 +116,17 @@ std::vector<SceneCheck> Describe(const std::string& level, const VisibleBoxes& v
 
 std::vector<SceneCheck> CheckDetections(const SceneFolder& scene, TaskPool&) {
   const VisibleBoxes visible = FindVisible(scene);
+  std::set<std::filesystem::path> files;  // as many levels as the scene was written with
+  for (const auto& entry : std::filesystem::directory_iterator(scene.path / "detections")) {
+    files.insert(entry.path());
+  }
   std::vector<SceneCheck> checks;
-  for (const char* level : {"oracle", "good", "poor"}) {
-    const std::filesystem::path file = scene.path / "detections" / (std::string(level) + ".txt");
+  for (const std::filesystem::path& file : files) {
     const auto boxes = ByFrame(ReadDetections(file, scene.frame_count()), scene.frame_count());
-    if (level == std::string("oracle")) checks.push_back(CheckOracle(visible, boxes));
-    for (SceneCheck& check : Describe(level, visible, boxes)) checks.push_back(std::move(check));
+    if (file.stem() == "oracle") checks.push_back(CheckOracle(visible, boxes));
+    for (SceneCheck& check : Describe(file.stem(), visible, boxes)) {
+      checks.push_back(std::move(check));
+    }
   }
   return checks;
 }

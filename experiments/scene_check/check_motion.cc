@@ -86,7 +86,7 @@ std::vector<SceneCheck> CheckMotion(const SceneFolder& scene, TaskPool& pool) {
                              (background ? limits::kInterpolation_grey : limits::kShading_grey);
       (background ? background_residual : body_residual)
           .Add(motion.median_residual / allowed,
-               StrCat(place, ": ", motion.median_residual, " grey levels"));
+               StrCat(place, ": ", Short(motion.median_residual), " grey levels"));
     }
   }
   Worst bodies;

@@ -3,6 +3,7 @@
 #include "experiments/scene_check/check_scene.h"
 
 #include <array>
+#include <exception>
 #include <functional>
 #include <utility>
 
@@ -19,7 +20,11 @@ void AddGroup(const char* name, const std::function<Checks()>& group, Checks& ch
   try {
     Checks added = group();
     checks.insert(checks.end(), added.begin(), added.end());
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
+    if (dynamic_cast<const Error*>(&error) == nullptr &&
+        dynamic_cast<const std::filesystem::filesystem_error*>(&error) == nullptr) {
+      throw;
+    }
     checks.push_back({StrCat(name, "_unreadable"), 1, "files", Bound::kAtMost, 0, error.what()});
   }
 }

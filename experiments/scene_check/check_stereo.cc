@@ -58,10 +58,10 @@ std::vector<SceneCheck> CheckStereo(const SceneFolder& scene, TaskPool& pool) {
     // As shares of what is allowed, which the noise decides.
     median.Add(result.median /
                    (limits::kMedianResidual_sigmas * result.noise + limits::kInterpolation_grey),
-               StrCat(place, ": ", result.median, " grey levels"));
+               StrCat(place, ": ", Short(result.median), " grey levels"));
     tail.Add(result.tail /
                  (limits::kTailResidual_sigmas * result.noise + limits::kTailInterpolation_grey),
-             StrCat(place, ": ", result.tail, " grey levels"));
+             StrCat(place, ": ", Short(result.tail), " grey levels"));
     if (result.shift.pixels < limits::kMinShiftPixels) continue;
     across.Add(std::abs(result.shift.shift_px.x()), place);
     down.Add(std::abs(result.shift.shift_px.y()), place);

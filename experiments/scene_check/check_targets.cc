@@ -84,7 +84,7 @@ struct MeanError {
             "px",
             Bound::kAtMost,
             limits::kTargetCorner_px,
-            StrCat("mean ", mean.x(), ", ", mean.y())};
+            StrCat("mean ", Short(mean.x()), ", ", Short(mean.y()))};
   }
 };
 

@@ -63,7 +63,13 @@ void Worst::Add(double candidate, const std::string& place) {
 }
 
 SceneCheck Worst::AtMost(const std::string& name, const std::string& unit, double limit) const {
-  return {name, figure, unit, Bound::kAtMost, limit, where};
+  return {name, figure, unit, Bound::kAtMost, limit, figure == 0.0 ? "" : where};
+}
+
+std::string Short(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
 }
 
 }  // namespace cvo

@@ -48,6 +48,9 @@ struct Worst {
   SceneCheck AtMost(const std::string& name, const std::string& unit, double limit) const;
 };
 
+// Three significant digits, for places where a figure is one word of several.
+std::string Short(double value);
+
 // results[i] = work(i) on all threads of the pool.
 template <typename Result, typename Work>
 std::vector<Result> ForAll(int count, TaskPool& pool, const Work& work) {
