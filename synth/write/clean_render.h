@@ -37,7 +37,6 @@ struct WorkHooks {
 struct DrawingTools {
   std::function<Rendering(const View&)> draw;
   std::function<void(const View&, cv::Mat& left, cv::Mat& right)> draw_images;
-  RendererVersion version;
 };
 
 struct CleanRender {

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "synth/scene/world.h"
+
+namespace cvo::synth {
+
+// One colour (BGR) for each body, neighbours well apart.
+std::vector<cv::Scalar> BodyColours(std::size_t bodies);
+
+// The scene from above, world's x to the right and y up: paths of the camera (black, with where it
+// looks at its start) and of the bodies (in their colours, with their boxes at the start, a dot at
+// the end) over frames [first, end), and a scale bar. Fills `canvas` (CV_8UC3).
+void DrawPathMap(const World& world, int first, int end, const std::vector<cv::Scalar>& colours,
+                 cv::Mat canvas);
+
+}  // namespace cvo::synth

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <opencv2/core/mat.hpp>
+
+#include "synth/write/clean_render.h"
+
+namespace cvo::synth {
+
+// A contact sheet, CV_8UC3 (BGR): eleven frames spread over the scene's frames [first, end), left
+// images in colour with tinted masks, visible boxes (solid), amodal boxes (dashed) and names, and
+// a map of the camera's and the bodies' paths from above. Throws Stopped.
+cv::Mat MakeContactSheet(const World& world, int first, int end, const DrawingTools& tools,
+                         const WorkHooks& hooks);
+
+}  // namespace cvo::synth
