@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "synth/render/passes.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "synth/render/shaders.h"
+#include "synth/render/view_geometry.h"
+
+namespace cvo::synth {
+namespace {
+
+constexpr int kStencilValues = 255;
+
+void CheckWorld(const World& world) {
+  world.rig.Check();
+  const auto is_index = [](int i, std::size_t size) {
+    return i >= 0 && static_cast<std::size_t>(i) < size;
+  };
+  for (const Drawable& drawable : world.drawables) {
+    Require(is_index(drawable.mesh, world.meshes.size()) &&
+                is_index(drawable.texture, world.textures.size()) &&
+                is_index(drawable.body, world.bodies.size() + 1),
+            "drawable: its mesh, texture and body are in the world");
+  }
+}
+
+}  // namespace
+
+Passes::Passes(const World& world, int threads)
+    : context_(threads), gl_(context_.gl()), rig_(world.rig), light_(world.light) {
+  CheckWorld(world);
+  for (const Mesh& mesh : world.meshes) meshes_.push_back(UploadMesh(gl_, mesh));
+  for (const cv::Mat& texture : world.textures) textures_.push_back(UploadTexture(gl_, texture));
+  for (const Drawable& drawable : world.drawables) {
+    if (meshes_[static_cast<std::size_t>(drawable.mesh)].indices > 0) {
+      drawables_.push_back(drawable);
+    }
+  }
+  queries_.resize(world.bodies.size());
+  if (!queries_.empty()) {
+    gl_.CreateQueries(GL_SAMPLES_PASSED, static_cast<GLsizei>(queries_.size()), queries_.data());
+  }
+  gl_.CreateVertexArrays(1, &sky_vertices_);
+  colour_program_ = CompileProgram(gl_, kColourVertexShader, kColourFragmentShader);
+  sky_program_ = CompileProgram(gl_, kSkyVertexShader, kSkyFragmentShader);
+  ground_truth_program_ = CompileProgram(gl_, kPositionVertexShader, kGroundTruthFragmentShader);
+  position_program_ = CompileProgram(gl_, kPositionVertexShader, kEmptyFragmentShader);
+  targets_ = MakeTargets(gl_, rig_.width_px, rig_.height_px, kShadowSide_px);
+  gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  CheckGl(gl_, "preparing to render");
+}
+
+void Passes::Begin(const View& view) {
+  Require(view.world_from_body.size() == queries_.size(), "view: one pose for each body");
+  context_.MakeCurrent();
+  world_from_left_ = view.world_from_left;
+  const Eigen::Matrix4d left_from_world = world_from_left_.Inverse().Matrix();
+  clip_from_world_[kLeft] = ClipFromLeft(rig_) * left_from_world;
+  clip_from_world_[kRight] = ClipFromRight(rig_) * left_from_world;
+  const Eigen::Vector3d camera_in_world = world_from_left_.translation();
+  shadow_clip_from_world_ = ShadowClipFromWorld(light_, camera_in_world, kShadowSide_px);
+  Eigen::Matrix4d map_from_clip = Eigen::Matrix4d::Identity();
+  map_from_clip.topLeftCorner<2, 2>() *= 0.5;
+  map_from_clip.topRightCorner<2, 1>().setConstant(0.5);
+  shadow_map_from_world_ = map_from_clip * shadow_clip_from_world_;
+
+  placed_.clear();
+  for (const Drawable& drawable : drawables_) {
+    const GlMesh& mesh = meshes_[static_cast<std::size_t>(drawable.mesh)];
+    RigidTransform world_from_body;
+    if (drawable.body > 0) {
+      world_from_body = view.world_from_body[static_cast<std::size_t>(drawable.body - 1)];
+    }
+    const Eigen::Vector3d from_camera = world_from_body * mesh.sphere.centre - camera_in_world;
+    placed_.push_back(
+        {&drawable, &mesh, world_from_body.Matrix(), from_camera.norm() + mesh.sphere.radius});
+  }
+  std::stable_sort(placed_.begin(), placed_.end(),
+                   [](const Placed& a, const Placed& b) { return a.farthest_m < b.farthest_m; });
+}
+
+void Passes::SetMatrix(int location, const Eigen::Matrix4d& matrix) {
+  const Eigen::Matrix4f values = matrix.cast<float>();
+  gl_.UniformMatrix4fv(location, 1, GL_FALSE, values.data());
+}
+
+void Passes::SetVector(int location, const Eigen::Vector3d& vector) {
+  const Eigen::Vector3f values = vector.cast<float>();
+  gl_.Uniform3fv(location, 1, values.data());
+}
+
+void Passes::DrawMesh(const GlMesh& mesh) {
+  gl_.BindVertexArray(mesh.vertex_array);
+  gl_.DrawElements(GL_TRIANGLES, mesh.indices, GL_UNSIGNED_INT, nullptr);
+}
+
+// Clears depth, where there is some, to infinitely far.
+void Passes::UseTarget(GLuint framebuffer, int width_px, int height_px) {
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl_.Viewport(0, 0, width_px, height_px);
+  gl_.Disable(GL_STENCIL_TEST);
+  gl_.Enable(GL_DEPTH_TEST);
+  gl_.DepthFunc(GL_GREATER);
+  const float far = 0.0F;
+  gl_.ClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far);
+}
+
+void Passes::DrawShadows() {
+  UseTarget(targets_.shadow, kShadowSide_px, kShadowSide_px);
+  gl_.UseProgram(position_program_);
+  for (const Placed& placed : placed_) {
+    const Eigen::Matrix4d clip_from_body = shadow_clip_from_world_ * placed.world_from_body;
+    if (!placed.drawable->casts_shadow || !MayBeVisible(clip_from_body, placed.mesh->sphere)) {
+      continue;
+    }
+    SetMatrix(uniform::kClipFromBody, clip_from_body);
+    DrawMesh(*placed.mesh);
+  }
+}
+
+void Passes::SetLighting(const Placed& placed, Eye eye) {
+  const Eigen::Matrix3d body_from_world = placed.world_from_body.topLeftCorner<3, 3>().transpose();
+  const Eigen::Vector3d eye_in_left(eye == kLeft ? 0.0 : rig_.baseline_m, 0.0, 0.0);
+  const Eigen::Vector3d body_in_world = placed.world_from_body.topRightCorner<3, 1>();
+  SetMatrix(uniform::kShadowFromBody, shadow_map_from_world_ * placed.world_from_body);
+  SetVector(uniform::kEyeInBody,
+            body_from_world * (world_from_left_ * eye_in_left - body_in_world));
+  SetVector(uniform::kLightInBody, body_from_world * -light_.direction.normalized());
+  SetVector(uniform::kUpInBody, body_from_world.col(2));
+  gl_.Uniform1f(uniform::kGloss, placed.drawable->gloss);
+}
+
+void Passes::DrawColour(Eye eye) {
+  const GLuint target = targets_.samples[eye];
+  UseTarget(target, rig_.width_px, rig_.height_px);
+  gl_.UseProgram(colour_program_);
+  gl_.Uniform1f(uniform::kDirectional, static_cast<float>(light_.directional));
+  gl_.Uniform1f(uniform::kAmbient, static_cast<float>(light_.ambient));
+  gl_.Uniform1f(uniform::kNormalOffset,
+                static_cast<float>(2.0 * light_.shadow_range_m / kShadowSide_px));
+  gl_.BindTextureUnit(kShadowUnit, targets_.shadow_map);
+  for (const Placed& placed : placed_) {
+    const Eigen::Matrix4d clip_from_body = clip_from_world_[eye] * placed.world_from_body;
+    if (!MayBeVisible(clip_from_body, placed.mesh->sphere)) continue;
+    SetMatrix(uniform::kClipFromBody, clip_from_body);
+    SetLighting(placed, eye);
+    gl_.BindTextureUnit(kSurfaceUnit,
+                        textures_[static_cast<std::size_t>(placed.drawable->texture)]);
+    DrawMesh(*placed.mesh);
+  }
+  DrawSky(eye);
+  gl_.BlitNamedFramebuffer(target, targets_.colour[eye], 0, 0, rig_.width_px, rig_.height_px, 0, 0,
+                           rig_.width_px, rig_.height_px, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+void Passes::DrawSky(Eye eye) {
+  const Eigen::Matrix4d clip_from_left = eye == kLeft ? ClipFromLeft(rig_) : ClipFromRight(rig_);
+  Eigen::Matrix3d ndc_from_left;
+  ndc_from_left << clip_from_left.topLeftCorner<2, 3>(), clip_from_left.block<1, 3>(3, 0);
+  Eigen::Matrix4d world_from_ndc = Eigen::Matrix4d::Identity();
+  world_from_ndc.topLeftCorner<3, 3>() =
+      world_from_left_.RotationMatrix() * ndc_from_left.inverse();
+  gl_.DepthFunc(GL_GEQUAL);
+  gl_.UseProgram(sky_program_);
+  SetMatrix(uniform::kWorldFromNdc, world_from_ndc);
+  SetVector(uniform::kSky, light_.sky_rgb);
+  gl_.BindVertexArray(sky_vertices_);
+  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void Passes::DrawGroundTruth() {
+  UseTarget(targets_.ground_truth, rig_.width_px, rig_.height_px);
+  const float nothing[4] = {};
+  const GLuint background[4] = {};
+  gl_.ClearNamedFramebufferfv(targets_.ground_truth, GL_COLOR, 0, nothing);
+  gl_.ClearNamedFramebufferuiv(targets_.ground_truth, GL_COLOR, 1, background);
+  gl_.UseProgram(ground_truth_program_);
+  for (const Placed& placed : placed_) {
+    const Eigen::Matrix4d clip_from_body = clip_from_world_[kLeft] * placed.world_from_body;
+    if (!MayBeVisible(clip_from_body, placed.mesh->sphere)) continue;
+    SetMatrix(uniform::kClipFromBody, clip_from_body);
+    gl_.Uniform1ui(uniform::kBody, static_cast<GLuint>(placed.drawable->body));
+    DrawMesh(*placed.mesh);
+  }
+}
+
+// Each body marks its pixels with a value of its own in the stencil, so that a pixel counts once
+// however many of its triangles cover it.
+void Passes::DrawSilhouettes() {
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, targets_.silhouette);
+  gl_.Viewport(0, 0, rig_.width_px, rig_.height_px);
+  gl_.Disable(GL_DEPTH_TEST);
+  gl_.Enable(GL_STENCIL_TEST);
+  gl_.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  gl_.UseProgram(position_program_);
+  query_is_set_.assign(queries_.size(), false);
+  int value = kStencilValues;
+  for (std::size_t i = 0; i < queries_.size(); ++i) {
+    for (const Placed& placed : placed_) {
+      if (static_cast<std::size_t>(placed.drawable->body) != i + 1) continue;
+      const Eigen::Matrix4d clip_from_body = clip_from_world_[kLeft] * placed.world_from_body;
+      if (!MayBeVisible(clip_from_body, placed.mesh->sphere)) continue;
+      if (!query_is_set_[i]) {
+        if (value == kStencilValues) {
+          value = 0;
+          gl_.ClearNamedFramebufferiv(targets_.silhouette, GL_STENCIL, 0, &value);
+        }
+        gl_.StencilFunc(GL_NOTEQUAL, ++value, 0xff);
+        gl_.BeginQuery(GL_SAMPLES_PASSED, queries_[i]);
+        query_is_set_[i] = true;
+      }
+      SetMatrix(uniform::kClipFromBody, clip_from_body);
+      DrawMesh(*placed.mesh);
+    }
+    if (query_is_set_[i]) gl_.EndQuery(GL_SAMPLES_PASSED);
+  }
+}
+
+cv::Mat Passes::Read(GLuint framebuffer, GLenum attachment, GLenum format, GLenum gl_type,
+                     int type) {
+  cv::Mat image(rig_.height_px, rig_.width_px, type);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl_.NamedFramebufferReadBuffer(framebuffer, attachment);
+  gl_.ReadPixels(0, 0, image.cols, image.rows, format, gl_type, image.data);
+  return image;
+}
+
+cv::Mat Passes::ReadColour(Eye eye) {
+  return Read(targets_.colour[eye], GL_COLOR_ATTACHMENT0, GL_RGBA, GL_UNSIGNED_BYTE, CV_8UC4);
+}
+
+cv::Mat Passes::ReadDepth() {
+  return Read(targets_.ground_truth, GL_COLOR_ATTACHMENT0, GL_RED, GL_FLOAT, CV_32FC1);
+}
+
+cv::Mat Passes::ReadInstances() {
+  return Read(targets_.ground_truth, GL_COLOR_ATTACHMENT1, GL_RED_INTEGER, GL_UNSIGNED_SHORT,
+              CV_16UC1);
+}
+
+std::vector<int> Passes::ReadAlone() {
+  std::vector<int> alone_px(queries_.size(), 0);
+  for (std::size_t i = 0; i < queries_.size(); ++i) {
+    GLuint pixels = 0;
+    if (query_is_set_[i]) gl_.GetQueryObjectuiv(queries_[i], GL_QUERY_RESULT, &pixels);
+    alone_px[i] = static_cast<int>(pixels);
+  }
+  return alone_px;
+}
+
+void Passes::Check() { CheckGl(gl_, "rendering"); }
+
+}  // namespace cvo::synth

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// In place of renderer.cc where there is no OSMesa: everything else builds and works.
+#include "core/base/error.h"
+#include "synth/render/renderer.h"
+
+namespace cvo::synth {
+namespace {
+
+[[noreturn]] void ThrowMissing() {
+  ThrowError("synthetic scenes", "this build has no OSMesa",
+             "libosmesa6-dev installed and -DCVO_OSMESA=ON when configuring");
+}
+
+}  // namespace
+
+struct Renderer::State {};
+
+Renderer::Renderer(const World&, int) { ThrowMissing(); }
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+Rendering Renderer::Draw(const View&) { ThrowMissing(); }
+void Renderer::DrawImages(const View&, cv::Mat&, cv::Mat&) { ThrowMissing(); }
+RendererVersion FindRendererVersion() { ThrowMissing(); }
+
+}  // namespace cvo::synth
