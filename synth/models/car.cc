@@ -114,11 +114,10 @@ void AddWheels(Part& tyre, Part& hub, const Vector3d& size) {
       AddCylinder(tyre.mesh, pen, wheel);
       AddCylinderEnds(hub.mesh, pen, wheel);
       // The dark of the wheel arch, just outside of the painted side.
-      const Cylinder arch{1.2 * radius, 1.2 * radius, 0.92 * width, 20};
+      const Cylinder arch{1.12 * radius, 1.12 * radius, 0.92 * width, 20};
       pen.model_from_piece =
-          RigidTransform(ExpSo3(Vector3d(turn, 0, 0)), Vector3d(x, inner, 1.1 * radius));
+          RigidTransform(ExpSo3(Vector3d(turn, 0, 0)), Vector3d(x, inner, 1.08 * radius));
       AddCylinder(tyre.mesh, pen, arch);
-      Mesh ends;
       AddCylinderEnds(tyre.mesh, pen, arch);
     }
   }

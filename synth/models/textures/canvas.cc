@@ -146,27 +146,35 @@ void DrawLine(cv::Mat& canvas, cv::Point2f a, cv::Point2f b, double width, const
 }
 
 cv::Point2f RandomPoint(cv::Size size, Rng& rng) {
-  const double x = rng.Uniform(0.0, size.width);
-  const double y = rng.Uniform(0.0, size.height);
+  return RandomPoint(
+      cv::Rect2f(0, 0, static_cast<float>(size.width), static_cast<float>(size.height)), rng);
+}
+
+cv::Point2f RandomPoint(const cv::Rect2f& box, Rng& rng) {
+  const double x = rng.Uniform(box.x, box.x + box.width);
+  const double y = rng.Uniform(box.y, box.y + box.height);
   return {static_cast<float>(x), static_cast<float>(y)};
+}
+
+void DrawStamp(cv::Mat& canvas, const Stamp& stamp, Rng& rng) {
+  FillPolygon(canvas, RandomShape(stamp.centre, stamp.radius, stamp.angle_rad, rng), stamp.colour);
 }
 
 void DrawCollage(cv::Mat& canvas, const cv::Rect2f& area, const CollageOptions& options,
                  const Palette& palette, Rng& rng) {
-  // Areas covered per octave of radius are alike where the density falls with the radius cubed.
-  const double ratio = options.smallest_px / options.largest_px;
   std::vector<double> radii(options.shapes);
   for (double& radius : radii) {
     const double t = rng.Uniform();
-    radius = options.smallest_px / std::sqrt(1.0 - t * (1.0 - ratio * ratio));
+    radius = options.smallest_px * std::pow(options.largest_px / options.smallest_px, t * t);
   }
   std::sort(radii.rbegin(), radii.rend());
   for (const double radius : radii) {
     const auto x = static_cast<float>(rng.Uniform(area.x, area.x + area.width));
     const auto y = static_cast<float>(rng.Uniform(area.y, area.y + area.height));
     const double angle = rng.Uniform() < 0.5 ? 0.0 : rng.Uniform(0.0, 6.28);
+    const Rgb& colour = palette.Any(rng);
     const auto shape = RandomShape({x, y}, radius, angle, rng);
-    FillPolygon(canvas, shape, Vary(palette.Any(rng), 0.1, rng));
+    FillPolygon(canvas, shape, Vary(colour, 0.1, rng));
   }
 }
 
