@@ -73,10 +73,10 @@ Texture PaintBrick(Rng& rng) {
                         : kind > 0.85 ? Mix(clay, {235, 215, 190}, 0.55)
                                       : Vary(clay, 0.22, rng);
       FillBox(canvas, box, brick);
-      const int chips = static_cast<int>(rng.UniformInt(3));
+      const int chips = static_cast<int>(rng.UniformInt(4));
       for (int i = 0; i < chips; ++i) {
         const cv::Point2f at = RandomPoint(box, rng);
-        const double radius = rng.Uniform(2.0, 5.0);
+        const double radius = rng.Uniform(2.5, 6.0);
         const Rgb chip = rng.Uniform() < 0.5 ? brick * 0.45f : Rgb(214, 202, 186);
         FillPolygon(canvas, RandomBlob(at, radius, rng), chip);
       }

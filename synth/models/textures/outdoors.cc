@@ -20,7 +20,7 @@ Texture PaintAsphalt(Rng& rng) {
     FillBox(canvas, {at.x, at.y, w, h}, patch * 0.6f);
     FillBox(canvas, {at.x + 3, at.y + 3, w - 6, h - 6}, patch);
   }
-  Scatter(canvas, {900, 4.0, 22.0}, {base * 0.5f, base * 0.68f, base * 1.45f, base * 1.7f}, rng);
+  Scatter(canvas, {900, 4.0, 22.0}, {base * 0.5f, base * 0.68f, base * 1.3f, base * 1.5f}, rng);
   for (int i = 0; i < 26; ++i) {
     const cv::Point2f from = RandomPoint(canvas.size(), rng);
     const double length = rng.Uniform(120.0, 420.0);
@@ -91,7 +91,7 @@ Texture PaintBark(Rng& rng) {
   cv::Mat canvas = MakeCanvas({256, 256}, base);
   Stain(canvas, MakeNoise(canvas.size(), {24, 8}, 3, rng), 0.1, 0.06, base * 0.5f, 1.0);
   Stain(canvas, MakeNoise(canvas.size(), {24, 8}, 3, rng), 0.12, 0.06, base * 1.5f, 1.0);
-  Scatter(canvas, {200, 4.0, 14.0}, {base * 0.45f, base * 1.6f, {150, 158, 128}}, rng);
+  Scatter(canvas, {170, 4.0, 12.0}, {base * 0.5f, base * 1.4f, {128, 132, 104}}, rng);
   return {canvas, {1.6, 1.6}};
 }
 
