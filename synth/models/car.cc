@@ -128,16 +128,16 @@ void AddLights(Part& white, Part& red, Part& plate, const Vector3d& size) {
   for (const double side : {-1.0, 1.0}) {
     const double y = side * 0.3 * size.y();
     const Vector3d half(0.012 * size.x(), 0.07 * size.y(), 0.045 * size.z());
-    const Vector3d head(front - half.x(), y, 0.36 * size.z());
+    const Vector3d head(front + 0.012 - half.x(), y, 0.36 * size.z());
     AddBox(white.mesh, {}, head - half, head + half);
-    const Vector3d tail(-front + half.x(), y, 0.46 * size.z());
+    const Vector3d tail(-front - 0.012 + half.x(), y, 0.46 * size.z());
     AddBox(red.mesh, {}, tail - half, tail + half);
   }
   const double w = 0.145 * size.y();
   const double z = 0.3 * size.z();
   const Vector3d down(0, 0, -0.08 * size.z());
-  AddPicture(plate.mesh, {}, {{front - 0.001, -w, z}, {0, 2 * w, 0}, down});
-  AddPicture(plate.mesh, {}, {{-front + 0.001, w, z}, {0, -2 * w, 0}, down});
+  AddPicture(plate.mesh, {}, {{front + 0.008, -w, z}, {0, 2 * w, 0}, down});
+  AddPicture(plate.mesh, {}, {{-front - 0.008, w, z}, {0, -2 * w, 0}, down});
 }
 
 }  // namespace

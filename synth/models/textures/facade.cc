@@ -116,8 +116,8 @@ void DrawWall(cv::Mat& canvas, const FacadeColours& colours, Rng& rng) {
     }
   }
   Stain(canvas, MakeNoise(canvas.size(), {12, 6}, 4, rng), 0.25, 0.2, colours.wall * 0.6f, 0.8);
-  Scatter(canvas, {320, 5.0, 17.0}, {colours.wall * 0.62f, colours.wall * 0.75f, colours.frame},
-          rng);
+  Scatter(canvas, {320, 5.0, 17.0},
+          {colours.wall * 0.62f, colours.wall * 0.75f, colours.wall * 1.3f}, rng);
   for (int floor = 0; floor < kFloors; ++floor) {
     FillBox(canvas, {0, static_cast<float>(floor) * kFloor, kSide, 12}, colours.frame * 0.85f);
   }

@@ -134,7 +134,7 @@ Texture PaintWallpaper(Rng& rng) {
 Texture PaintPoster(Rng& rng) {
   const Palette& palette = RandomPalette(rng);
   cv::Mat canvas = MakeCanvas({256, 256}, Vary(palette.Any(rng), 0.1, rng));
-  DrawCollage(canvas, {0, 0, 256, 256}, {5.0, 90.0, 170}, palette, rng);
+  DrawCollage(canvas, {0, 0, 256, 256}, {6.0, 100.0, 110}, palette, rng);
   Shade(canvas, MakeNoise(canvas.size(), {4, 4}, 3, rng), 0.2);
   const Rgb frame = rng.Uniform() < 0.5 ? palette.light() : palette.dark();
   for (const cv::Rect2f& edge : {cv::Rect2f(0, 0, 256, 9), cv::Rect2f(0, 247, 256, 9),
@@ -147,7 +147,7 @@ Texture PaintPoster(Rng& rng) {
 Texture PaintBlock(Rng& rng) {
   const Palette& palette = RandomPalette(rng);
   cv::Mat canvas = MakeCanvas({256, 256}, palette.Mid(rng));
-  DrawCollage(canvas, {0, 0, 256, 256}, {5.0, 60.0, 220}, palette, rng);
+  DrawCollage(canvas, {0, 0, 256, 256}, {6.0, 75.0, 130}, palette, rng);
   Shade(canvas, MakeNoise(canvas.size(), {6, 6}, 3, rng), 0.25);
   return {canvas, {0.6, 0.6}};
 }
