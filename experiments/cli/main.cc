@@ -27,20 +27,31 @@ int Fail(std::string message, int exit_code) {
   return exit_code;
 }
 
-// A first word that is no subcommand, which the parser would only call unexpected.
-void CheckSubcommand(int argc, char** argv, const std::vector<Command>& commands) {
-  const std::string_view word = argc > 1 ? argv[1] : "";
-  if (word.empty() || word.starts_with('-')) return;
-  std::vector<std::string> names;
-  for (const Command& command : commands) names.push_back(command.app->get_name());
-  if (std::find(names.begin(), names.end(), word) != names.end()) return;
-  throw CLI::ExtrasError(StrCat("no subcommand \"", word, "\"", DidYouMean(word, names)),
-                         CLI::ExitCodes::ExtrasError);
+// A word that is no subcommand where one must be, which the parser would only call unexpected.
+void CheckSubcommand(int argc, char** argv, const CLI::App& program) {
+  const CLI::App* app = &program;
+  for (int i = 1; i < argc; ++i) {
+    const std::vector<const CLI::App*> known =
+        app->get_subcommands([](const CLI::App*) { return true; });
+    const std::string_view word = argv[i];
+    if (known.empty() || word.empty() || word.starts_with('-')) return;
+    std::vector<std::string> names;
+    for (const CLI::App* command : known) names.push_back(command->get_name());
+    const auto found = std::find(names.begin(), names.end(), word);
+    if (found == names.end()) {
+      throw CLI::ExtrasError(StrCat("no subcommand \"", word, "\"", DidYouMean(word, names)),
+                             CLI::ExitCodes::ExtrasError);
+    }
+    app = known[static_cast<std::size_t>(found - names.begin())];
+  }
 }
 
 int UsageError(const CLI::App& program, const CLI::ParseError& error) {
-  const std::vector<CLI::App*> parsed = program.get_subcommands();
-  const std::string name = parsed.empty() ? "" : " " + parsed.front()->get_name();
+  std::string name;
+  for (auto parsed = program.get_subcommands(); !parsed.empty();
+       parsed = parsed.front()->get_subcommands()) {
+    name += " " + parsed.front()->get_name();
+  }
   return Fail(StrCat(error.what(), " (see clustervo", name, " --help)"), kUsage);
 }
 
@@ -58,9 +69,10 @@ int Main(int argc, char** argv) {
       "Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 internal error, 130 stopped.");
   const std::vector<Command> commands = {AddRunCommand(program),      AddEvalCommand(program),
                                          AddTableCommand(program),    AddInfoCommand(program),
-                                         AddVariantsCommand(program), AddOptionsCommand(program)};
+                                         AddVariantsCommand(program), AddOptionsCommand(program),
+                                         AddSynthCommand(program)};
   try {
-    CheckSubcommand(argc, argv, commands);
+    CheckSubcommand(argc, argv, program);
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     // Help and version are thrown too.

@@ -1,21 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-#include <charconv>
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include "core/base/error.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/progress.h"
+#include "experiments/cli/run_flags.h"
 #include "experiments/cli/sequence_flags.h"
 #include "experiments/cli/stop_signal.h"
 #include "experiments/cli/text_table.h"
 #include "experiments/files/atomic_file.h"
-#include "experiments/files/options_json.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/runner/run_job.h"
 
@@ -24,27 +21,14 @@ namespace {
 
 constexpr int kStopped = 130;
 
-struct RunFlags {
+struct Flags {
   SequenceFlags sequence;
+  RunFlags run;
   std::string variant = "static";
   std::string output;
-  std::string config;
-  std::vector<std::string> set;
-  int threads = 1;
   std::uint64_t seed = 0;
   bool strict = false;
-  bool quiet = false;
 };
-
-// The parser itself would wrap, saturate or read octal.
-std::uint64_t ParseSeed(const std::string& text) {
-  std::uint64_t seed = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-  if (error != std::errc{} || end != text.data() + text.size()) {
-    throw CLI::ValidationError("--seed", "found '" + text + "', expected an integer in [0, 2^64)");
-  }
-  return seed;
-}
 
 void PrintSummary(const Sequence& sequence, const JobOutcome& outcome) {
   const RunResult& run = outcome.run;
@@ -74,22 +58,22 @@ void PrintSummary(const Sequence& sequence, const JobOutcome& outcome) {
   table.Print(std::cout);
 }
 
-int Run(const RunFlags& flags) {
+int Run(const Flags& flags) {
   RequireRecordedCpu(ThisBuild());
   const VariantInfo& variant = FindVariant(flags.variant);
-  const Options options = ResolveOptions<Options>(flags.config, flags.set);
+  const Options options = flags.run.Resolve();
   const Sequence sequence = OpenSequence(flags.sequence.Request());
   const OutputFolder output(flags.output, RunFileNames());
 
   std::optional<JobOutcome> outcome;
   {
     const StopSignal stop;
-    Progress progress(sequence.images.size(), flags.quiet);
+    Progress progress(sequence.images.size(), flags.run.quiet);
     outcome = RunJob({.sequence = sequence,
                       .variant = variant,
                       .options = options,
                       .seed = flags.seed,
-                      .threads = flags.threads,
+                      .threads = flags.run.threads,
                       .strict = flags.strict,
                       .progress = [&progress](std::size_t done) { progress.Report(done); },
                       .stop = [&stop] { return stop.Requested(); }},
@@ -109,8 +93,7 @@ int Run(const RunFlags& flags) {
 Command AddRunCommand(CLI::App& program) {
   CLI::App* app =
       program.add_subcommand("run", "Estimate the camera's trajectory on a sequence and score it");
-  const auto flags = std::make_shared<RunFlags>();
-  flags->threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const auto flags = std::make_shared<Flags>();
   flags->sequence.AddTo(*app);
   const auto add = [app](const char* flag, auto& value, const char* kind, const char* meaning) {
     return app->add_option(flag, value, meaning)->type_name(kind);
@@ -120,19 +103,13 @@ Command AddRunCommand(CLI::App& program) {
       ->required();
   add("--variant", flags->variant, "NAME", "estimator: clustervo variants lists them")
       ->capture_default_str();
-  add("--set", flags->set, "PATH=VALUE", "changes one option (clustervo options); can be repeated")
-      ->allow_extra_args(false);
-  add("--config", flags->config, "FILE", "JSON with options as nested objects; --set goes over it");
+  flags->run.AddTo(*app);
   app->add_option_function<std::string>(
          "--seed", [flags](const std::string& text) { flags->seed = ParseSeed(text); },
          "of the estimator's random draws; default: 0")
       ->type_name("N");
-  add("--threads", flags->threads, "N",
-      "threads in all; results do not depend on it; default: CPUs")
-      ->check(CLI::Range(1, 1024).description(""));
   app->add_flag("--strict", flags->strict,
                 "an image that cannot be decoded is an error; else its frame is skipped");
-  app->add_flag("-q,--quiet", flags->quiet, "no progress on stderr");
   app->footer(
       "camera.kitti has one line per frame, skipped frames with their predicted pose (listed in\n"
       "result.json); camera.tum leaves skipped frames out. Poses are world_from_camera, as last\n"

@@ -27,15 +27,20 @@ void SequenceFlags::AddTo(CLI::App& app) {
   add("--labels", labels, "FILE", "KITTI label file in place of the folder's own");
   add("--labels-camera", labels_camera, "X",
       "labels were drawn in image_0X; default: 2, KITTI odometry: the left image read");
-  add("--detections", detections, "FILE", "2D boxes in KITTI format; default: none");
+  add("--detections", detections, "FILE",
+      "2D boxes in KITTI format, or a synthetic scene's level (oracle, good, poor); default: none");
   add("--detections-camera", detections_camera, "X",
       "boxes were detected in image_0X; default: the left image read");
-  add("--right-shift", right_shift_px, "PX",
-      "rectification error: u_right is seen this much too far right; default: 0.16 for KITTI's "
-      "grey "
-      "images, else 0")
-      ->check(FiniteProblem);
+  AddRightShift(app, right_shift_px);
   add("--min-score", min_score, "SCORE", "leaves out detections below it; default: none")
+      ->check(FiniteProblem);
+}
+
+void AddRightShift(CLI::App& app, std::optional<double>& right_shift_px) {
+  app.add_option("--right-shift", right_shift_px,
+                 "rectification error: u_right is seen this much too far right; default: 0.16 for "
+                 "KITTI's grey images, else 0")
+      ->type_name("PX")
       ->check(FiniteProblem);
 }
 

@@ -29,4 +29,6 @@ struct SequenceFlags {
   SequenceRequest Request() const;
 };
 
+void AddRightShift(CLI::App& app, std::optional<double>& right_shift_px);
+
 }  // namespace cvo

@@ -2,20 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <unistd.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include "core/base/error.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/progress.h"
+#include "experiments/cli/run_flags.h"
+#include "experiments/cli/sequence_flags.h"
 #include "experiments/cli/stop_signal.h"
 #include "experiments/files/atomic_file.h"
-#include "experiments/files/options_json.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/runner/run_job.h"
 #include "reports/tables/make_table.h"
@@ -35,11 +34,8 @@ struct TableFlags {
   std::vector<std::string> folders;
   std::vector<std::string> variants = {"static"};
   std::string output;
-  std::string config;
-  std::vector<std::string> set;
   std::optional<double> right_shift_px;
-  int threads = 1;
-  bool quiet = false;
+  RunFlags run;
 };
 
 // The folder's result is of this very job and complete.
@@ -89,7 +85,7 @@ void WriteTable(const TableFlags& flags, const reports::Table& table) {
 
 int MakeTable(const TableFlags& flags) {
   RequireRecordedCpu(ThisBuild());
-  const Options options = ResolveOptions<Options>(flags.config, flags.set);
+  const Options options = flags.run.Resolve();
   std::vector<const VariantInfo*> variants;
   for (const std::string& name : flags.variants) variants.push_back(&FindVariant(name));
   const OutputFolder output(flags.output, {"table.json", "table.md"});
@@ -108,9 +104,9 @@ int MakeTable(const TableFlags& flags) {
                                   {.sequence = sequence,
                                    .variant = *variant,
                                    .options = options,
-                                   .threads = flags.threads,
+                                   .threads = flags.run.threads,
                                    .stop = [&stop] { return stop.Requested(); }},
-                                  flags.quiet);
+                                  flags.run.quiet);
         if (!done) {
           std::cerr << "clustervo: stopped; what is done is kept\n";
           return kStopped;
@@ -133,7 +129,6 @@ Command AddTableCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "table", "Run all sequences below folders, and print and write the table of their errors");
   const auto flags = std::make_shared<TableFlags>();
-  flags->threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   app->add_option("FOLDER", flags->folders, "folders with KITTI sequences below them")
       ->type_name("")
       ->required();
@@ -143,15 +138,8 @@ Command AddTableCommand(CLI::App& program) {
   add("-o,--output", flags->output, "FOLDER", "for table.json, table.md and one folder per run")
       ->required();
   add("--variant", flags->variants, "NAME", "estimators; default: static");
-  add("--set", flags->set, "PATH=VALUE", "changes one option (clustervo options); can be repeated")
-      ->allow_extra_args(false);
-  add("--config", flags->config, "FILE", "JSON with options as nested objects; --set goes over it");
-  add("--right-shift", flags->right_shift_px, "PX",
-      "as of clustervo run; 0: the calibration as published")
-      ->check(FiniteProblem);
-  add("--threads", flags->threads, "N", "threads in all; default: CPUs")
-      ->check(CLI::Range(1, 1024).description(""));
-  app->add_flag("-q,--quiet", flags->quiet, "no progress on stderr");
+  AddRightShift(*app, flags->right_shift_px);
+  flags->run.AddTo(*app);
   app->footer(
       "A result that is there and of the same build, options and input is not computed again.\n"
       "Example: clustervo table kitti_raw kitti_odometry -o results/table");

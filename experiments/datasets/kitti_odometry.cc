@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // KITTI odometry: <sequences>/<number>/{image_0..3/,times.txt,calib.txt}, poses in
-// <sequences>/../poses/<number>.txt or, as our synthetic scenes have them, in poses.txt beside the
-// images.
+// <sequences>/../poses/<number>.txt. Our synthetic scenes have them in poses.txt beside the images,
+// with labels.txt and detections/<level>.txt.
 
 #include "core/base/error.h"
 #include "experiments/datasets/sequence_parts.h"
@@ -53,6 +53,17 @@ void AddTruth(Sequence& sequence) {
   sequence.groundtruth = "official";
 }
 
+// The name of a level stands for the folder's own file of it.
+SequenceRequest WithLevel(const SequenceRequest& request) {
+  SequenceRequest resolved = request;
+  const fs::path own = request.folder / "detections" / (request.detections_file.string() + ".txt");
+  if (!request.detections_file.empty() && !fs::exists(request.detections_file) &&
+      fs::is_regular_file(own)) {
+    resolved.detections_file = own;
+  }
+  return resolved;
+}
+
 }  // namespace
 
 Sequence ReadKittiOdometry(const SequenceRequest& request) {
@@ -73,7 +84,10 @@ Sequence ReadKittiOdometry(const SequenceRequest& request) {
   const fs::path times_file = request.folder / "times.txt";
   AddTimes(times_file, ReadSecondsTimes(times_file), sequence);
   AddTruth(sequence);
-  AddBoxes(request, {.file = {}, .camera = pair.left}, rig, pair.left, sequence);
+  const fs::path labels = request.folder / "labels.txt";
+  AddBoxes(WithLevel(request),
+           {.file = fs::exists(labels) ? labels : fs::path(), .camera = pair.left}, rig, pair.left,
+           sequence);
   return sequence;
 }
 

@@ -95,7 +95,7 @@ void AddFrame(Mesh& mesh, const Pen& pen, const Wall& wall, const Area& hole) {
 
 void AddShell(RoomState& state, Rng& look) {
   const Vector3d& size = state.room.size_m;
-  const Texture floor = MakeTexture(look.Uniform() < 0.6 ? "parquet" : "tiles", look);
+  const Texture floor = MakeTexture(look.Uniform() < 0.75 ? "parquet" : "tiles", look);
   const Texture ceiling = MakeTexture("plaster", look);
   const Texture trim = MakeTexture("wood", look);
   Part ground = MakeShellPart(floor);

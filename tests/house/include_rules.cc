@@ -49,6 +49,11 @@ std::vector<Part> MakeParts() {
                                             "experiments/metrics/"};
   parts.push_back({"experiments/datasets/", readers, {}});
   parts.push_back({"experiments/metrics/", readers, {}});
+  // Reads files only, so that it cannot share a mistake with what wrote them.
+  parts.push_back({"experiments/scene_check/",
+                   {"core/", "experiments/files/", "experiments/datasets/", "experiments/metrics/",
+                    "experiments/scene_check/"},
+                   {}});
   parts.push_back({"experiments/record/",
                    {"core/", "variants/", "experiments/files/", "experiments/datasets/",
                     "experiments/metrics/", "experiments/record/"},

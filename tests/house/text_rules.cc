@@ -32,7 +32,7 @@ struct TextRule {
 const std::vector<TextRule>& TextRules() {
   static const std::regex estimator(R"((core|variants)/.*\.(h|cc))");
   static const std::regex library(
-      R"((core|variants|synth|reports|experiments/(datasets|metrics|record|runner))/.*\.(h|cc))");
+      R"((core|variants|synth|reports|experiments/(datasets|metrics|record|runner|scene_check))/.*\.(h|cc))");
   static const std::regex any(".*");
   // A kernel of its own for a CPU, chosen at run time, may ask for the architecture.
   static const std::vector<TextRule> rules = {

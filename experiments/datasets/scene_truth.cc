@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/datasets/scene_truth.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "experiments/datasets/csv_file.h"
+
+namespace cvo {
+
+const std::string_view kObjectsHeader =
+    "frame,id,name,category,x,y,z,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz,length_m,width_m,height_m,"
+    "visible_px,alone_px,visible_fraction,truncation,visible_left,visible_top,visible_right,"
+    "visible_bottom,amodal_left,amodal_top,amodal_right,amodal_bottom";
+const std::string_view kTargetsHeader = "frame,corner,x,y,z";
+
+namespace {
+
+Eigen::Vector3d ReadVector(const CsvFile& file, std::size_t row, std::size_t column) {
+  return {file.Number(row, column), file.Number(row, column + 1), file.Number(row, column + 2)};
+}
+
+Eigen::Quaterniond ReadRotation(const CsvFile& file, std::size_t row, std::size_t column) {
+  constexpr double kTolerance = 1e-6;
+  const Eigen::Quaterniond rotation(file.Number(row, column + 3), file.Number(row, column),
+                                    file.Number(row, column + 1), file.Number(row, column + 2));
+  if (std::abs(rotation.norm() - 1.0) > kTolerance) {
+    file.Fail(row, StrCat("a quaternion of length ", rotation.norm()), "one of length 1");
+  }
+  return rotation;
+}
+
+// Four numbers, or four empty cells.
+std::optional<TruthBox> ReadBox(const CsvFile& file, std::size_t row, std::size_t column) {
+  int empty = 0;
+  for (std::size_t i = 0; i < 4; ++i) empty += file.Empty(row, column + i) ? 1 : 0;
+  if (empty == 4) return std::nullopt;
+  const TruthBox box = {file.Number(row, column), file.Number(row, column + 1),
+                        file.Number(row, column + 2), file.Number(row, column + 3)};
+  if (box.right_px < box.left_px || box.bottom_px < box.top_px) {
+    file.Fail(row,
+              StrCat("a box of ", box.right_px - box.left_px, " x ", box.bottom_px - box.top_px),
+              "left <= right and top <= bottom");
+  }
+  return box;
+}
+
+void CheckFraction(const CsvFile& file, std::size_t row, const char* name, double value) {
+  if (value < 0.0 || value > 1.0) file.Fail(row, StrCat(name, " ", value), "a value in [0, 1]");
+}
+
+SceneBody ReadBody(const CsvFile& file, std::size_t row) {
+  SceneBody body;
+  body.id = file.Integer(row, 1);
+  body.name = file.Text(row, 2);
+  body.category = file.Text(row, 3);
+  body.world_from_object = {ReadRotation(file, row, 7), ReadVector(file, row, 4)};
+  body.velocity_in_world = ReadVector(file, row, 11);
+  body.angular_velocity_in_world = ReadVector(file, row, 14);
+  body.size_m = ReadVector(file, row, 17);
+  body.visible_px = file.Integer(row, 20);
+  body.alone_px = file.Integer(row, 21);
+  body.visible_fraction = file.Number(row, 22);
+  body.truncation = file.Number(row, 23);
+  body.visible_box = ReadBox(file, row, 24);
+  body.amodal_box = ReadBox(file, row, 28);
+  if (!(body.size_m.minCoeff() > 0.0)) {
+    file.Fail(row, StrCat("a size of ", body.size_m.transpose(), " m"), "positive sizes");
+  }
+  if (body.visible_px < 0 || body.alone_px < body.visible_px) {
+    file.Fail(row, StrCat(body.visible_px, " visible pixels of ", body.alone_px),
+              "0 <= visible_px <= alone_px");
+  }
+  if (body.visible_box.has_value() != (body.visible_px > 0)) {
+    file.Fail(row,
+              StrCat(body.visible_px, " visible pixels and ",
+                     body.visible_box ? "a visible box" : "no visible box"),
+              "a visible box where there are visible pixels");
+  }
+  CheckFraction(file, row, "visible_fraction", body.visible_fraction);
+  CheckFraction(file, row, "truncation", body.truncation);
+  return body;
+}
+
+void CheckSame(const CsvFile& file, std::size_t row, const SceneBody& body,
+               const SceneBody& first) {
+  if (body.name == first.name && body.category == first.category && body.size_m == first.size_m) {
+    return;
+  }
+  file.Fail(row, StrCat(body.name, ", ", body.category, ", ", body.size_m.transpose()),
+            StrCat("body ", body.id, " as in frame 0: ", first.name, ", ", first.category, ", ",
+                   first.size_m.transpose()));
+}
+
+}  // namespace
+
+std::vector<std::vector<SceneBody>> ReadSceneBodies(const std::filesystem::path& path,
+                                                    int frame_count) {
+  const CsvFile file(path, kObjectsHeader);
+  const std::size_t frames = static_cast<std::size_t>(frame_count);
+  if (frames == 0 || file.rows() % frames != 0) {
+    ThrowError(path.string(), StrCat(file.rows(), " rows"),
+               StrCat("as many for each of ", frame_count, " frames"));
+  }
+  const std::size_t bodies = file.rows() / frames;
+  std::vector<std::vector<SceneBody>> truth(frames);
+  for (std::size_t row = 0; row < file.rows(); ++row) {
+    const int frame = static_cast<int>(row / bodies);
+    const int id = static_cast<int>(row % bodies) + 1;
+    SceneBody body = ReadBody(file, row);
+    if (file.Integer(row, 0) != frame || body.id != id) {
+      file.Fail(row, StrCat("frame ", file.Integer(row, 0), ", body ", body.id),
+                StrCat("frame ", frame, ", body ", id, ": all bodies of a frame, then the next"));
+    }
+    if (frame > 0) CheckSame(file, row, body, truth[0][static_cast<std::size_t>(id) - 1]);
+    truth[static_cast<std::size_t>(frame)].push_back(std::move(body));
+  }
+  return truth;
+}
+
+bool IsMover(const std::vector<std::vector<SceneBody>>& bodies, int id) {
+  constexpr double kSlowest = 1e-3;  // m/s and rad/s
+  const std::size_t index = static_cast<std::size_t>(id) - 1;
+  return std::any_of(bodies.begin(), bodies.end(), [&](const std::vector<SceneBody>& frame) {
+    return frame[index].velocity_in_world.norm() > kSlowest ||
+           frame[index].angular_velocity_in_world.norm() > kSlowest;
+  });
+}
+
+std::vector<TargetCorner> ReadTargetCorners(const std::filesystem::path& path) {
+  const CsvFile file(path, kTargetsHeader);
+  std::vector<TargetCorner> corners;
+  for (std::size_t row = 0; row < file.rows(); ++row) {
+    const TargetCorner corner = {file.Integer(row, 0), file.Integer(row, 1),
+                                 ReadVector(file, row, 2)};
+    if (corner.frame < 0 || corner.corner < 0 || !(corner.p_in_left.z() > 0.0)) {
+      file.Fail(row,
+                StrCat("frame ", corner.frame, ", corner ", corner.corner, ", depth ",
+                       corner.p_in_left.z()),
+                "numbers from 0 and a positive depth");
+    }
+    corners.push_back(corner);
+  }
+  return corners;
+}
+
+}  // namespace cvo

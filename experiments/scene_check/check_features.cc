@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/features/front_end.h"
+#include "experiments/scene_check/checks.h"
+#include "experiments/scene_check/limits.h"
+
+namespace cvo {
+namespace {
+
+struct FrameFeatures {
+  int matches = 0;
+  std::vector<int> on_body;                // [id - 1]
+  std::vector<float> disparity_errors_px;  // signed, matched - true
+  int in_boxes = 0;
+  int background_in_boxes = 0;
+};
+
+FrameFeatures FindFeatures(const SceneFolder& scene, int frame, TaskPool& pool) {
+  const auto index = static_cast<std::size_t>(frame);
+  const StereoPaths& paths = scene.sequence.images[index];
+  const StereoCamera& camera = scene.sequence.camera;
+  const std::vector<StereoFeature> features =
+      ExtractStereoFeatures(ReadGrey(paths.left), ReadGrey(paths.right), camera, OrbOptions(),
+                            StereoMatchOptions(), pool);
+  const cv::Mat depth = scene.Depth(frame);
+  const cv::Mat instances = scene.Instances(frame);
+  FrameFeatures result;
+  result.matches = static_cast<int>(features.size());
+  result.on_body.resize(scene.bodies[index].size());
+  for (const StereoFeature& feature : features) {
+    const int u = static_cast<int>(std::lround(feature.z_px[0]));
+    const int v = static_cast<int>(std::lround(feature.z_px[1]));
+    if (u < 0 || v < 0 || u >= depth.cols || v >= depth.rows) continue;
+    const std::size_t body = instances.at<std::uint16_t>(v, u);
+    if (body > 0 && body <= result.on_body.size()) ++result.on_body[body - 1];
+    const double z_m = depth.at<float>(v, u);
+    if (z_m > 0.0) {
+      const double true_px = camera.fx * camera.baseline_m / z_m;
+      result.disparity_errors_px.push_back(
+          static_cast<float>(camera.Disparity(feature.z_px) - true_px));
+    }
+    const bool in_box = std::any_of(scene.bodies[index].begin(), scene.bodies[index].end(),
+                                    [&](const SceneBody& other) {
+                                      const auto& box = other.visible_box;
+                                      return box && u >= box->left_px && u <= box->right_px &&
+                                             v >= box->top_px && v <= box->bottom_px;
+                                    });
+    if (in_box) ++result.in_boxes;
+    if (in_box && body == 0) ++result.background_in_boxes;
+  }
+  return result;
+}
+
+float MedianOf(std::vector<float> values) {
+  if (values.empty()) return std::numeric_limits<float>::quiet_NaN();
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+std::vector<SceneCheck> CheckDisparities(const std::vector<FrameFeatures>& results) {
+  std::vector<float> errors;
+  for (const FrameFeatures& result : results) {
+    errors.insert(errors.end(), result.disparity_errors_px.begin(),
+                  result.disparity_errors_px.end());
+  }
+  const double bias_px = MedianOf(errors);
+  for (float& error : errors) error = std::abs(error);
+  return {{"match_disparity_bias", std::abs(bias_px), "px", Bound::kAtMost,
+           limits::kMatchDisparityBias_px, ""},
+          {"match_disparity_median", MedianOf(errors), "px", Bound::kAtMost,
+           limits::kMatchDisparity_px, ""}};
+}
+
+// The mover with the fewest matches per pixel, over its frames with enough pixels.
+SceneCheck CheckMovers(const SceneFolder& scene, const std::vector<FrameFeatures>& results) {
+  SceneCheck least = {"mover_matches_per_200_px",
+                      std::numeric_limits<double>::infinity(),
+                      "matches",
+                      Bound::kAtLeast,
+                      1.0,
+                      "no mover is large enough"};
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const auto frame = static_cast<std::size_t>(scene.image_frames[i]);
+    for (const SceneBody& body : scene.bodies[frame]) {
+      if (body.visible_px < limits::kMinMoverPixels || !IsMover(scene.bodies, body.id)) continue;
+      const int matches = results[i].on_body[static_cast<std::size_t>(body.id) - 1];
+      const double figure = limits::kPixelsPerMatch * matches / body.visible_px;
+      if (figure >= least.figure) continue;
+      least.figure = figure;
+      least.where =
+          StrCat(body.name, ", frame ", frame, ": ", matches, " on ", body.visible_px, " px");
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
+std::vector<SceneCheck> CheckFeatures(const SceneFolder& scene, TaskPool& pool) {
+  const std::vector<FrameFeatures> results =
+      ForAll<FrameFeatures>(static_cast<int>(scene.image_frames.size()), pool, [&](int i) {
+        TaskPool alone(1);  // a task must not wait on the pool that runs it
+        return FindFeatures(scene, scene.image_frames[static_cast<std::size_t>(i)], alone);
+      });
+  SceneCheck fewest = {
+      "matches_fewest", std::numeric_limits<double>::infinity(), "matches", Bound::kNone, 0.0, ""};
+  int enough = 0, in_boxes = 0, background = 0;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (results[i].matches >= limits::kMatches) ++enough;
+    in_boxes += results[i].in_boxes;
+    background += results[i].background_in_boxes;
+    if (results[i].matches >= fewest.figure) continue;
+    fewest.figure = results[i].matches;
+    fewest.where = StrCat("frame ", scene.image_frames[i]);
+  }
+  std::vector<SceneCheck> checks = {
+      {"frames_with_600_matches", enough / static_cast<double>(results.size()), "of frames",
+       Bound::kAtLeast, limits::kFramesWithMatches, ""},
+      fewest,
+      CheckMovers(scene, results)};
+  for (SceneCheck& check : CheckDisparities(results)) checks.push_back(std::move(check));
+  checks.push_back({"background_matches_in_boxes",
+                    in_boxes > 0 ? static_cast<double>(background) / in_boxes : 0.0, "of matches",
+                    Bound::kNone, 0.0, ""});
+  return checks;
+}
+
+}  // namespace cvo

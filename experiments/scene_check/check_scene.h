@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include "experiments/scene_check/report.h"
+
+namespace cvo {
+
+// Compares the files of a rendered scene with each other: nothing but what is in the folder. The
+// report does not depend on the number of threads. A file that cannot be read is a failed check;
+// throws Error only where the folder is not one of a rendered scene.
+SceneCheckReport CheckScene(const std::filesystem::path& folder, int threads);
+
+}  // namespace cvo

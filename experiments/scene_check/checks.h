@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The groups of checks that CheckScene runs. Each throws Error for a file that it cannot read.
+
+#include <filesystem>
+#include <vector>
+
+#include "core/base/task_pool.h"
+#include "experiments/scene_check/report.h"
+#include "experiments/scene_check/scene_folder.h"
+
+namespace cvo {
+
+// Every file of the folder against the manifest.
+std::vector<SceneCheck> CheckFiles(const std::filesystem::path& folder, TaskPool& pool);
+// The right images predicted from the left ones and depth.
+std::vector<SceneCheck> CheckStereo(const SceneFolder& scene, TaskPool& pool);
+// Poses of cameras and bodies, among each other and against images, depth and flow.
+std::vector<SceneCheck> CheckPoses(const SceneFolder& scene, TaskPool& pool);
+std::vector<SceneCheck> CheckMotion(const SceneFolder& scene, TaskPool& pool);
+std::vector<SceneCheck> CheckFlow(const SceneFolder& scene, TaskPool& pool);
+// Masks against 3D boxes, depth, visible boxes and pixel counts, in all frames.
+std::vector<SceneCheck> CheckMasks(const SceneFolder& scene, TaskPool& pool);
+// labels.txt and detections/*.txt against objects.csv.
+std::vector<SceneCheck> CheckLabels(const SceneFolder& scene, TaskPool& pool);
+std::vector<SceneCheck> CheckDetections(const SceneFolder& scene, TaskPool& pool);
+// Corners of the calibration targets against their projection through calib.txt.
+std::vector<SceneCheck> CheckTargets(const SceneFolder& scene, TaskPool& pool);
+// What our own front end finds.
+std::vector<SceneCheck> CheckFeatures(const SceneFolder& scene, TaskPool& pool);
+
+}  // namespace cvo
