@@ -114,11 +114,10 @@ void AddWheels(Part& tyre, Part& hub, const Vector3d& size) {
       AddCylinder(tyre.mesh, pen, wheel);
       AddCylinderEnds(hub.mesh, pen, wheel);
       // The dark of the wheel arch, just outside of the painted side.
-      const Cylinder arch{1.2 * radius, 1.2 * radius, 0.92 * width, 20};
+      const Cylinder arch{1.12 * radius, 1.12 * radius, 0.92 * width, 20};
       pen.model_from_piece =
-          RigidTransform(ExpSo3(Vector3d(turn, 0, 0)), Vector3d(x, inner, 1.1 * radius));
+          RigidTransform(ExpSo3(Vector3d(turn, 0, 0)), Vector3d(x, inner, 1.08 * radius));
       AddCylinder(tyre.mesh, pen, arch);
-      Mesh ends;
       AddCylinderEnds(tyre.mesh, pen, arch);
     }
   }
@@ -129,16 +128,16 @@ void AddLights(Part& white, Part& red, Part& plate, const Vector3d& size) {
   for (const double side : {-1.0, 1.0}) {
     const double y = side * 0.3 * size.y();
     const Vector3d half(0.012 * size.x(), 0.07 * size.y(), 0.045 * size.z());
-    const Vector3d head(front - half.x(), y, 0.36 * size.z());
+    const Vector3d head(front + 0.012 - half.x(), y, 0.36 * size.z());
     AddBox(white.mesh, {}, head - half, head + half);
-    const Vector3d tail(-front + half.x(), y, 0.46 * size.z());
+    const Vector3d tail(-front - 0.012 + half.x(), y, 0.46 * size.z());
     AddBox(red.mesh, {}, tail - half, tail + half);
   }
   const double w = 0.145 * size.y();
   const double z = 0.3 * size.z();
   const Vector3d down(0, 0, -0.08 * size.z());
-  AddPicture(plate.mesh, {}, {{front - 0.001, -w, z}, {0, 2 * w, 0}, down});
-  AddPicture(plate.mesh, {}, {{-front + 0.001, w, z}, {0, -2 * w, 0}, down});
+  AddPicture(plate.mesh, {}, {{front + 0.008, -w, z}, {0, 2 * w, 0}, down});
+  AddPicture(plate.mesh, {}, {{-front - 0.008, w, z}, {0, -2 * w, 0}, down});
 }
 
 }  // namespace

@@ -161,12 +161,15 @@ void AddLattice(Mesh& mesh, const Pen& pen, const Lattice& lattice) {
                 std::clamp(c, 0, lattice.columns - 1)];
   };
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  std::vector<double> along(lattice.columns, 0.0);
   for (int r = 0; r < lattice.rows; ++r) {
+    double across = 0.0;
     for (int c = 0; c < lattice.columns; ++c) {
+      along[c] += (at(r, c) - at(r - 1, c)).norm();
+      across += (at(r, c) - at(r, c - 1)).norm();
       Vector3d normal = (at(r + 1, c) - at(r - 1, c)).cross(at(r, c + 1) - at(r, c - 1));
       if (normal.norm() < 1e-12) normal = Vector3d::UnitZ();
-      AddVertex(mesh, pen, at(r, c), normal.normalized(),
-                InMetres(pen, BoxMapping(at(r, c), normal)));
+      AddVertex(mesh, pen, at(r, c), normal.normalized(), InMetres(pen, {along[c], across}));
     }
   }
   AddGridIndices(mesh, first, lattice.rows, lattice.columns);

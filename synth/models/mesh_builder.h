@@ -46,7 +46,7 @@ struct Cylinder {
 void AddCylinder(Mesh& mesh, const Pen& pen, const Cylinder& cylinder);
 // The unit circle's picture on both ends of that cylinder.
 void AddCylinderEnds(Mesh& mesh, const Pen& pen, const Cylinder& cylinder);
-// A grid of points, rows x columns, with smooth normals; uv from two of the coordinates.
+// A grid of points, rows x columns, with smooth normals; uv by the lengths along its lines.
 struct Lattice {
   int rows;
   int columns;

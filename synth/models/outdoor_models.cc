@@ -114,13 +114,13 @@ Model MakeSign(const Texture& picture, const Texture& metal, Rng& look) {
   Part board = MakePart(picture);
   const Pen pen{metal.size_m, {0, 0}, {}};
   AddCylinder(post.mesh, pen, {0.05, 0.05, height - 0.02, 8});
-  AddBox(post.mesh, pen, {0.03, -0.62, height - 1.22}, {0.07, 0.62, height});
-  const Vector3d low(0.02, -0.58, height - 1.18);
-  const Vector3d high(0.08, 0.58, height - 0.04);
+  AddBox(post.mesh, pen, {0.05, -0.62, height - 1.22}, {0.09, 0.62, height});
+  const Vector3d low(0.04, -0.58, height - 1.18);
+  const Vector3d high(0.1, 0.58, height - 0.04);
   for (int face = 0; face < 2; ++face) AddPicture(board.mesh, {}, BoxFace(low, high, face));
   model.parts = {std::move(post), std::move(board)};
   model.shapes.push_back(MakeBoxShape({-0.08, -0.62, 0}, {0.08, 0.62, height}));
-  FitTo(model, {0.13, 1.24, height});
+  FitTo(model, {0.15, 1.24, height});
   return model;
 }
 

@@ -174,7 +174,8 @@ void AddHedges(StreetState& state, const Side& side, Rng& look) {
   const auto points = state.map.roads[side.road].line.size();
   for (std::size_t index = 2; index < points; index += 4) {
     const Place place = PlaceAt(state, side, index);
-    const Vector3d size(0.7, look.Uniform(3.2, 3.9), look.Uniform(0.8, 1.5));
+    const double length = look.Uniform(3.2, 3.9);
+    const Vector3d size(0.7, length, look.Uniform(0.8, 1.5));
     const Vector2d middle = place.kerb + (state.map.pavement_m + 0.5 + 0.5 * size.x()) * place.away;
     const Plot plot{middle, -place.away, {0.5 * size.x(), 0.5 * size.y()}};
     if (!state.map.IsFree(plot, state.map.pavement_m + 0.1)) continue;

@@ -54,16 +54,15 @@ bool Covers(const SphereLeaf& leaf, const Eigen::Vector3f& direction) {
 // From the top to the bottom: the last, larger than the sphere's half, is the ground.
 std::vector<SphereLeaf> MakeLeaves(Rng& rng) {
   const Palette& palette = RandomPalette(rng);
-  constexpr double kSmallest = 0.045;
-  constexpr double kLargest = 0.55;
-  std::vector<SphereLeaf> leaves(420);
+  constexpr double kSmallest = 0.05;
+  constexpr double kLargest = 0.6;
+  std::vector<SphereLeaf> leaves(300);
   for (SphereLeaf& leaf : leaves) {
     leaf.centre = RandomDirection(rng);
     leaf.across = leaf.centre.cross(RandomDirection(rng)).normalized();
     leaf.up = leaf.centre.cross(leaf.across);
-    const double ratio = kSmallest / kLargest;
-    leaf.radius =
-        static_cast<float>(kSmallest / std::sqrt(1.0 - rng.Uniform() * (1.0 - ratio * ratio)));
+    const double t = rng.Uniform();
+    leaf.radius = static_cast<float>(kSmallest * std::pow(kLargest / kSmallest, t * t));
     leaf.kind = static_cast<int>(rng.UniformInt(6));
     const Rgb colour = Vary(palette.Any(rng), 0.1, rng);
     for (int c = 0; c < 3; ++c) leaf.colour[c] = cv::saturate_cast<uchar>(colour[c]);

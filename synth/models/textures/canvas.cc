@@ -88,9 +88,9 @@ const std::vector<Palette>& Palettes() {
       {{{{240, 234, 214}, {33, 45, 64}, {196, 78, 58}, {224, 164, 88}, {92, 130, 140}}}},
       {{{{245, 240, 228}, {44, 36, 48}, {122, 70, 92}, {214, 158, 140}, {104, 128, 92}}}},
       {{{{236, 232, 222}, {28, 42, 48}, {38, 98, 110}, {214, 140, 62}, {170, 190, 170}}}},
-      {{{{242, 238, 226}, {56, 40, 30}, {150, 92, 54}, {206, 172, 120}, {84, 104, 86}}}},
+      {{{{250, 244, 230}, {36, 52, 70}, {232, 112, 78}, {120, 176, 158}, {246, 206, 120}}}},
       {{{{238, 240, 242}, {26, 34, 52}, {52, 88, 140}, {226, 190, 86}, {178, 66, 62}}}},
-      {{{{244, 236, 220}, {40, 48, 38}, {98, 122, 66}, {214, 186, 96}, {172, 88, 58}}}},
+      {{{{248, 242, 226}, {42, 54, 60}, {124, 160, 92}, {240, 196, 96}, {206, 88, 72}}}},
       {{{{250, 238, 222}, {48, 34, 62}, {94, 72, 136}, {222, 132, 112}, {150, 178, 190}}}},
       {{{{232, 238, 232}, {22, 50, 58}, {58, 124, 128}, {164, 196, 176}, {226, 120, 86}}}}};
   return palettes;
@@ -146,27 +146,35 @@ void DrawLine(cv::Mat& canvas, cv::Point2f a, cv::Point2f b, double width, const
 }
 
 cv::Point2f RandomPoint(cv::Size size, Rng& rng) {
-  const double x = rng.Uniform(0.0, size.width);
-  const double y = rng.Uniform(0.0, size.height);
+  return RandomPoint(
+      cv::Rect2f(0, 0, static_cast<float>(size.width), static_cast<float>(size.height)), rng);
+}
+
+cv::Point2f RandomPoint(const cv::Rect2f& box, Rng& rng) {
+  const double x = rng.Uniform(box.x, box.x + box.width);
+  const double y = rng.Uniform(box.y, box.y + box.height);
   return {static_cast<float>(x), static_cast<float>(y)};
+}
+
+void DrawStamp(cv::Mat& canvas, const Stamp& stamp, Rng& rng) {
+  FillPolygon(canvas, RandomShape(stamp.centre, stamp.radius, stamp.angle_rad, rng), stamp.colour);
 }
 
 void DrawCollage(cv::Mat& canvas, const cv::Rect2f& area, const CollageOptions& options,
                  const Palette& palette, Rng& rng) {
-  // Areas covered per octave of radius are alike where the density falls with the radius cubed.
-  const double ratio = options.smallest_px / options.largest_px;
   std::vector<double> radii(options.shapes);
   for (double& radius : radii) {
     const double t = rng.Uniform();
-    radius = options.smallest_px / std::sqrt(1.0 - t * (1.0 - ratio * ratio));
+    radius = options.smallest_px * std::pow(options.largest_px / options.smallest_px, t * t);
   }
   std::sort(radii.rbegin(), radii.rend());
   for (const double radius : radii) {
     const auto x = static_cast<float>(rng.Uniform(area.x, area.x + area.width));
     const auto y = static_cast<float>(rng.Uniform(area.y, area.y + area.height));
     const double angle = rng.Uniform() < 0.5 ? 0.0 : rng.Uniform(0.0, 6.28);
+    const Rgb& colour = palette.Any(rng);
     const auto shape = RandomShape({x, y}, radius, angle, rng);
-    FillPolygon(canvas, shape, Vary(palette.Any(rng), 0.1, rng));
+    FillPolygon(canvas, shape, Vary(colour, 0.1, rng));
   }
 }
 

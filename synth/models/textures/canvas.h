@@ -34,11 +34,32 @@ void FillBox(cv::Mat& canvas, const cv::Rect2f& box, const Rgb& colour);
 void DrawLine(cv::Mat& canvas, cv::Point2f a, cv::Point2f b, double width, const Rgb& colour);
 
 cv::Point2f RandomPoint(cv::Size size, Rng& rng);
+cv::Point2f RandomPoint(const cv::Rect2f& box, Rng& rng);
 // A triangle, box, star, cross, half disc, letter, ... around `centre`, turned by `angle_rad`.
 std::vector<cv::Point2f> RandomShape(cv::Point2f centre, double radius, double angle_rad, Rng& rng);
 
+struct Stamp {
+  cv::Point2f centre;
+  double radius;
+  double angle_rad;
+  Rgb colour;
+};
+// A random shape.
+void DrawStamp(cv::Mat& canvas, const Stamp& stamp, Rng& rng);
+// A rounded patch without straight edges.
+std::vector<cv::Point2f> RandomBlob(cv::Point2f centre, double radius, Rng& rng);
+
+struct ScatterOptions {
+  int count;
+  double smallest_px;  // radii; small ones are more frequent
+  double largest_px;
+};
+// Blobs of these colours all over the canvas.
+void Scatter(cv::Mat& canvas, const ScatterOptions& options, const std::vector<Rgb>& colours,
+             Rng& rng);
+
 struct CollageOptions {
-  double smallest_px = 4.0;  // radii follow a power law from here
+  double smallest_px = 4.0;  // radii; as many per octave, more of the small ones
   double largest_px = 60.0;
   int shapes = 300;
 };

@@ -37,10 +37,10 @@ void DrawFlowerBox(cv::Mat& canvas, const cv::Rect2f& window, const Palette& pal
   const float y = window.y + window.height;
   FillBox(canvas, {window.x, y, window.width, 14}, {96, 72, 56});
   for (int i = 0; i < 16; ++i) {
-    const cv::Point2f at(window.x + static_cast<float>(rng.Uniform(0.0, window.width)),
-                         y - static_cast<float>(rng.Uniform(-2.0, 20.0)));
-    FillDisc(canvas, at, rng.Uniform(4.0, 9.0),
-             rng.Uniform() < 0.5 ? Vary({72, 104, 52}, 0.3, rng) : palette.Any(rng));
+    const cv::Point2f at = RandomPoint(cv::Rect2f(window.x, y - 20.0f, window.width, 22.0f), rng);
+    const double radius = rng.Uniform(4.0, 9.0);
+    const Rgb colour = rng.Uniform() < 0.5 ? Vary({72, 104, 52}, 0.3, rng) : palette.Any(rng);
+    FillDisc(canvas, at, radius, colour);
   }
 }
 
@@ -80,14 +80,13 @@ void DrawShop(cv::Mat& canvas, const cv::Rect2f& bay, const Palette& palette, Rn
   FillBox(canvas, {bay.x + 6, bay.y + 70, bay.width - 12, bay.height - 84}, {40, 46, 54});
   const cv::Rect2f goods(bay.x + 16, bay.y + 90, bay.width - 32, bay.height - 120);
   for (int i = 0; i < 14; ++i) {
-    const cv::Point2f at(goods.x + static_cast<float>(rng.Uniform(0.1, 0.9)) * goods.width,
-                         goods.y + static_cast<float>(rng.Uniform(0.2, 0.95)) * goods.height);
-    FillPolygon(canvas, RandomShape(at, rng.Uniform(8.0, 26.0), 0.0, rng), palette.Any(rng));
+    const cv::Point2f at = RandomPoint(goods, rng);
+    DrawStamp(canvas, {at, rng.Uniform(8.0, 26.0), 0.0, palette.Any(rng)}, rng);
   }
   FillBox(canvas, {bay.x, bay.y + 26, bay.width, 48}, Vary(palette.Mid(rng), 0.2, rng));
   for (float x = bay.x + 24; x < bay.x + bay.width - 20; x += 27) {
-    FillPolygon(canvas, RandomShape({x, bay.y + 50}, 14.0, 0.0, rng),
-                rng.Uniform() < 0.7 ? palette.light() : palette.dark());
+    const Rgb& print = rng.Uniform() < 0.7 ? palette.light() : palette.dark();
+    DrawStamp(canvas, {{x, bay.y + 50}, 14.0, 0.0, print}, rng);
   }
 }
 
@@ -117,6 +116,8 @@ void DrawWall(cv::Mat& canvas, const FacadeColours& colours, Rng& rng) {
     }
   }
   Stain(canvas, MakeNoise(canvas.size(), {12, 6}, 4, rng), 0.25, 0.2, colours.wall * 0.6f, 0.8);
+  Scatter(canvas, {320, 5.0, 17.0},
+          {colours.wall * 0.62f, colours.wall * 0.75f, colours.wall * 1.3f}, rng);
   for (int floor = 0; floor < kFloors; ++floor) {
     FillBox(canvas, {0, static_cast<float>(floor) * kFloor, kSide, 12}, colours.frame * 0.85f);
   }
@@ -126,7 +127,8 @@ void DrawWall(cv::Mat& canvas, const FacadeColours& colours, Rng& rng) {
 
 Texture PaintFacade(Rng& rng) {
   const Palette& palette = RandomPalette(rng);
-  const Rgb wall = Mix(palette.Mid(rng), palette.light(), rng.Uniform(0.2, 0.7));
+  const Rgb& tone = palette.Mid(rng);
+  const Rgb wall = Mix(tone, palette.light(), rng.Uniform(0.2, 0.7));
   FacadeColours colours{&palette, wall, Mix(palette.light(), {255, 255, 255}, 0.3)};
   cv::Mat canvas = MakeCanvas({static_cast<int>(kSide), static_cast<int>(kSide)}, wall * 0.75f);
   DrawWall(canvas, colours, rng);

@@ -9,9 +9,10 @@ namespace {
 
 // One of a handful of patterns of cement tiles, in a random turn and colours.
 void DrawTile(cv::Mat& canvas, const cv::Rect2f& box, const Palette& palette, Rng& rng) {
-  FillBox(canvas, box, Vary(palette.Any(rng), 0.12, rng));
-  const Rgb figure = Vary(palette.Any(rng), 0.12, rng);
-  const Rgb second = Vary(palette.Any(rng), 0.12, rng);
+  const Rgb ground = Mix(palette.Any(rng), palette.light(), 0.5);
+  FillBox(canvas, box, Vary(ground, 0.08, rng));
+  const Rgb figure = Mix(palette.Any(rng), palette.light(), 0.25);
+  const Rgb second = Mix(palette.Any(rng), palette.light(), 0.25);
   const cv::Point2f middle = 0.5f * (box.tl() + box.br());
   const double half = 0.5 * box.width;
   switch (rng.UniformInt(5)) {
@@ -29,10 +30,8 @@ void DrawTile(cv::Mat& canvas, const cv::Rect2f& box, const Palette& palette, Rn
       }
       break;
     default:
-      FillPolygon(
-          canvas,
-          RandomShape(middle, 0.85 * half, 0.785 * static_cast<double>(rng.UniformInt(4)), rng),
-          figure);
+      DrawStamp(canvas,
+                {middle, 0.85 * half, 0.785 * static_cast<double>(rng.UniformInt(4)), figure}, rng);
       FillDisc(canvas, middle, 0.3 * half, second);
   }
 }
@@ -60,7 +59,7 @@ Texture PaintBrick(Rng& rng) {
   constexpr int kRows = 24;
   constexpr int kColumns = 8;
   const std::vector<Rgb> clays = {{168, 88, 64}, {150, 74, 58}, {186, 128, 92}, {132, 92, 78}};
-  const Rgb clay = clays[rng.UniformInt(clays.size())];
+  const Rgb& clay = clays[rng.UniformInt(clays.size())];
   cv::Mat canvas = MakeCanvas({512, 512}, {204, 196, 184});
   const float height = 512.0f / kRows;
   const float width = 512.0f / kColumns;
@@ -74,12 +73,12 @@ Texture PaintBrick(Rng& rng) {
                         : kind > 0.85 ? Mix(clay, {235, 215, 190}, 0.55)
                                       : Vary(clay, 0.22, rng);
       FillBox(canvas, box, brick);
-      const int chips = static_cast<int>(rng.UniformInt(3));
+      const int chips = static_cast<int>(rng.UniformInt(4));
       for (int i = 0; i < chips; ++i) {
-        const cv::Point2f at(box.x + static_cast<float>(rng.Uniform(0.0, box.width)),
-                             box.y + static_cast<float>(rng.Uniform(0.0, box.height)));
-        FillPolygon(canvas, RandomShape(at, rng.Uniform(2.0, 5.0), rng.Uniform(0.0, 6.28), rng),
-                    rng.Uniform() < 0.5 ? brick * 0.45f : Rgb(214, 202, 186));
+        const cv::Point2f at = RandomPoint(box, rng);
+        const double radius = rng.Uniform(2.5, 6.0);
+        const Rgb chip = rng.Uniform() < 0.5 ? brick * 0.45f : Rgb(214, 202, 186);
+        FillPolygon(canvas, RandomBlob(at, radius, rng), chip);
       }
     }
   }
@@ -89,20 +88,16 @@ Texture PaintBrick(Rng& rng) {
 
 Texture PaintPlaster(Rng& rng) {
   const Palette& palette = RandomPalette(rng);
-  const Rgb base = Mix(palette.light(), palette.Mid(rng), rng.Uniform(0.0, 0.3));
+  const Rgb base = Vary(Mix(palette.light(), palette.Mid(rng), 0.15), 0.05, rng);
   cv::Mat canvas = MakeCanvas({512, 512}, base);
-  Stain(canvas, MakeNoise(canvas.size(), {16, 16}, 3, rng), 0.18, 0.05, base * 0.78f, 1.0);
+  Stain(canvas, MakeNoise(canvas.size(), {16, 16}, 3, rng), 0.22, 0.05, base * 0.84f, 1.0);
   Stain(canvas, MakeNoise(canvas.size(), {24, 24}, 3, rng), 0.22, 0.05,
         Mix(base, {255, 255, 255}, 0.5), 1.0);
-  for (int i = 0; i < 260; ++i) {
-    FillPolygon(canvas,
-                RandomShape(RandomPoint(canvas.size(), rng), rng.Uniform(3.0, 7.0),
-                            rng.Uniform(0.0, 6.28), rng),
-                base * static_cast<float>(rng.Uniform(0.5, 0.75)));
-  }
-  for (int i = 0; i < 14; ++i) {
-    DrawCrack(canvas, RandomPoint(canvas.size(), rng), rng.Uniform(40.0, 150.0), 2.4, base * 0.5f,
-              rng);
+  Scatter(canvas, {160, 3.0, 7.0}, {base * 0.62f, base * 0.75f}, rng);
+  for (int i = 0; i < 6; ++i) {
+    const cv::Point2f from = RandomPoint(canvas.size(), rng);
+    const double length = rng.Uniform(40.0, 150.0);
+    DrawCrack(canvas, from, length, 2.4, base * 0.5f, rng);
   }
   Shade(canvas, MakeNoise(canvas.size(), {4, 4}, 4, rng), 0.12);
   return {canvas, {1.6, 1.6}};
@@ -120,15 +115,11 @@ Texture PaintConcrete(Rng& rng) {
   }
   Stain(canvas, MakeNoise(canvas.size(), {10, 10}, 4, rng), 0.2, 0.06, base * 0.66f, 0.9);
   Stain(canvas, MakeNoise(canvas.size(), {14, 14}, 4, rng), 0.22, 0.06, {214, 210, 202}, 0.9);
-  for (int i = 0; i < 240; ++i) {
-    FillPolygon(canvas,
-                RandomShape(RandomPoint(canvas.size(), rng), rng.Uniform(3.0, 9.0),
-                            rng.Uniform(0.0, 6.28), rng),
-                base * static_cast<float>(rng.Uniform(0.35, 0.7)));
-  }
+  Scatter(canvas, {240, 3.0, 9.0}, {base * 0.4f, base * 0.6f, base * 1.3f}, rng);
   for (int i = 0; i < 8; ++i) {
-    DrawCrack(canvas, RandomPoint(canvas.size(), rng), rng.Uniform(60.0, 200.0), 3.0, base * 0.4f,
-              rng);
+    const cv::Point2f from = RandomPoint(canvas.size(), rng);
+    const double length = rng.Uniform(60.0, 200.0);
+    DrawCrack(canvas, from, length, 3.0, base * 0.4f, rng);
   }
   Shade(canvas, MakeNoise(canvas.size(), {64, 64}, 2, rng), 0.15);
   return {canvas, {2.4, 2.4}};
@@ -136,7 +127,7 @@ Texture PaintConcrete(Rng& rng) {
 
 Texture PaintRoof(Rng& rng) {
   const std::vector<Rgb> clays = {{150, 78, 58}, {96, 92, 96}, {122, 84, 66}};
-  const Rgb clay = clays[rng.UniformInt(clays.size())];
+  const Rgb& clay = clays[rng.UniformInt(clays.size())];
   cv::Mat canvas = MakeCanvas({256, 256}, clay * 0.5f);
   for (int row = 0; row < 16; ++row) {
     for (int column = 0; column < 16; ++column) {

@@ -5,28 +5,6 @@
 #include "synth/models/textures/painters.h"
 
 namespace cvo::synth {
-namespace {
-
-struct ScatterOptions {
-  int count;
-  double smallest_px;
-  double largest_px;
-};
-
-// Shapes of one family of colours all over the canvas, small ones more often.
-void Scatter(cv::Mat& canvas, const ScatterOptions& options, const std::vector<Rgb>& colours,
-             Rng& rng) {
-  for (int i = 0; i < options.count; ++i) {
-    const double t = rng.Uniform();
-    const double radius =
-        options.smallest_px + t * t * t * (options.largest_px - options.smallest_px);
-    FillPolygon(canvas,
-                RandomShape(RandomPoint(canvas.size(), rng), radius, rng.Uniform(0.0, 6.28), rng),
-                Vary(colours[rng.UniformInt(colours.size())], 0.12, rng));
-  }
-}
-
-}  // namespace
 
 Texture PaintAsphalt(Rng& rng) {
   const Rgb base = {112, 112, 114};
@@ -42,10 +20,11 @@ Texture PaintAsphalt(Rng& rng) {
     FillBox(canvas, {at.x, at.y, w, h}, patch * 0.6f);
     FillBox(canvas, {at.x + 3, at.y + 3, w - 6, h - 6}, patch);
   }
-  Scatter(canvas, {900, 4.0, 22.0}, {base * 0.5f, base * 0.68f, base * 1.45f, base * 1.7f}, rng);
+  Scatter(canvas, {900, 4.0, 22.0}, {base * 0.5f, base * 0.68f, base * 1.3f, base * 1.5f}, rng);
   for (int i = 0; i < 26; ++i) {
-    DrawCrack(canvas, RandomPoint(canvas.size(), rng), rng.Uniform(120.0, 420.0), 4.0, base * 0.4f,
-              rng);
+    const cv::Point2f from = RandomPoint(canvas.size(), rng);
+    const double length = rng.Uniform(120.0, 420.0);
+    DrawCrack(canvas, from, length, 4.0, base * 0.4f, rng);
   }
   for (int i = 0; i < 5; ++i) {
     const cv::Point2f at = RandomPoint(canvas.size(), rng);
@@ -94,7 +73,8 @@ Texture PaintLeaves(Rng& rng) {
   cv::Mat canvas = MakeCanvas({256, 256}, green * 0.4f);
   for (int i = 0; i < 950; ++i) {
     const double depth = static_cast<double>(i) / 950;  // later ones lie nearer to the light
-    const auto gain = static_cast<float>(rng.Uniform(0.45, 0.9) + depth * rng.Uniform(0.0, 1.1));
+    const double shade = rng.Uniform(0.45, 0.9);
+    const auto gain = static_cast<float>(shade + depth * rng.Uniform(0.0, 1.1));
     const cv::Point2f at = RandomPoint(canvas.size(), rng);
     const double angle = rng.Uniform(0.0, 6.28);
     const double length = rng.Uniform(5.0, 12.0);
@@ -111,7 +91,7 @@ Texture PaintBark(Rng& rng) {
   cv::Mat canvas = MakeCanvas({256, 256}, base);
   Stain(canvas, MakeNoise(canvas.size(), {24, 8}, 3, rng), 0.1, 0.06, base * 0.5f, 1.0);
   Stain(canvas, MakeNoise(canvas.size(), {24, 8}, 3, rng), 0.12, 0.06, base * 1.5f, 1.0);
-  Scatter(canvas, {200, 4.0, 14.0}, {base * 0.45f, base * 1.6f, {150, 158, 128}}, rng);
+  Scatter(canvas, {170, 4.0, 12.0}, {base * 0.5f, base * 1.4f, {128, 132, 104}}, rng);
   return {canvas, {1.6, 1.6}};
 }
 
@@ -124,7 +104,7 @@ Texture PaintCarPaint(Rng& rng) {
     const auto height = static_cast<float>(rng.Uniform(14.0, 40.0));
     FillBox(canvas, {0, y, 512, height}, palette.Any(rng));
   }
-  DrawCollage(canvas, {0, 0, 512, 512}, {7.0, 42.0, 330}, palette, rng);
+  DrawCollage(canvas, {0, 0, 512, 512}, {8.0, 40.0, 200}, palette, rng);
   Stain(canvas, MakeNoise(canvas.size(), {8, 8}, 4, rng), 0.3, 0.3, {120, 104, 84}, 0.7);
   return {canvas, {2.56, 2.56}};
 }

@@ -118,4 +118,34 @@ std::vector<cv::Point2f> RandomShape(cv::Point2f centre, double radius, double a
   return outline;
 }
 
+std::vector<cv::Point2f> RandomBlob(cv::Point2f centre, double radius, Rng& rng) {
+  const int corners = 7 + static_cast<int>(rng.UniformInt(5));
+  const double stretch = rng.Uniform(0.5, 1.0);
+  const double turn = rng.Uniform(0.0, 6.28);
+  const double c = std::cos(turn);
+  const double s = std::sin(turn);
+  Outline outline;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2.0 * 3.14159265358979 * i / corners;
+    const double r = radius * rng.Uniform(0.65, 1.15);
+    const double x = r * std::cos(angle);
+    const double y = stretch * r * std::sin(angle);
+    outline.push_back(
+        centre + cv::Point2f(static_cast<float>(c * x - s * y), static_cast<float>(s * x + c * y)));
+  }
+  return outline;
+}
+
+void Scatter(cv::Mat& canvas, const ScatterOptions& options, const std::vector<Rgb>& colours,
+             Rng& rng) {
+  for (int i = 0; i < options.count; ++i) {
+    const double t = rng.Uniform();
+    const double radius =
+        options.smallest_px + t * t * t * (options.largest_px - options.smallest_px);
+    const cv::Point2f at = RandomPoint(canvas.size(), rng);
+    const Rgb colour = Vary(colours[rng.UniformInt(colours.size())], 0.12, rng);
+    FillPolygon(canvas, RandomBlob(at, radius, rng), colour);
+  }
+}
+
 }  // namespace cvo::synth

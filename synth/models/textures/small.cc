@@ -30,10 +30,9 @@ Texture MakeWindowViewTexture(Rng& look) {
     }
   }
   for (int i = 0; i < 260; ++i) {
-    FillDisc(canvas,
-             {static_cast<float>(own.Uniform(6.0, 250.0)),
-              static_cast<float>(own.Uniform(200.0, 248.0))},
-             own.Uniform(3.0, 8.0), Vary({76, 108, 58}, 0.45, own));
+    const cv::Point2f at = RandomPoint(cv::Rect2f(6, 200, 244, 48), own);
+    const double radius = own.Uniform(3.0, 8.0);
+    FillDisc(canvas, at, radius, Vary({76, 108, 58}, 0.45, own));
   }
   return {canvas, {1.0, 1.0}};
 }
@@ -48,7 +47,7 @@ Texture MakeDoorTexture(Rng& look) {
     const float y = 16.0f + static_cast<float>(i / 2) * 82.0f;
     FillBox(canvas, {x, y, 86, 66}, wood * 0.62f);
     FillBox(canvas, {x + 8, y + 5, 70, 56}, Vary(wood, 0.12, own));
-    FillPolygon(canvas, RandomShape({x + 43, y + 33}, 20.0, 0.0, own), palette.Any(own));
+    DrawStamp(canvas, {{x + 43, y + 33}, 20.0, 0.0, palette.Any(own)}, own);
   }
   FillDisc(canvas, {238, 130}, 8.0, palette.dark());
   Shade(canvas, MakeNoise(canvas.size(), {48, 6}, 2, own), 0.14);
@@ -61,10 +60,9 @@ Texture MakeCarGlassTexture(Rng& look) {
   Stain(canvas, MakeNoise(canvas.size(), {6, 6}, 3, own), 0.05, 0.1, {96, 112, 126}, 1.0);
   for (int i = 0; i < 26; ++i) {
     const Rgb colour = own.Uniform() < 0.5 ? Rgb(20, 24, 28) : Rgb(148, 164, 176);
-    FillPolygon(canvas,
-                RandomShape(RandomPoint(canvas.size(), own), own.Uniform(3.0, 12.0),
-                            own.Uniform(0.0, 6.28), own),
-                Vary(colour, 0.2, own));
+    const cv::Point2f at = RandomPoint(canvas.size(), own);
+    const double radius = own.Uniform(3.0, 12.0);
+    FillPolygon(canvas, RandomBlob(at, radius, own), Vary(colour, 0.2, own));
   }
   return {canvas, {1.6, 1.6}};
 }
@@ -101,7 +99,7 @@ Texture MakeBooksTexture(Rng& look) {
     FillBox(canvas, {x, y + band, 32, static_cast<float>(own.Uniform(14.0, 40.0))}, title);
     FillBox(canvas, {x, y + 212, 32, 10}, title);
     for (float at = band + 50; at < 200; at += 24) {
-      FillPolygon(canvas, RandomShape({x + 16, y + at}, own.Uniform(8.0, 13.0), 0.0, own), print);
+      DrawStamp(canvas, {{x + 16, y + at}, own.Uniform(8.0, 13.0), 0.0, print}, own);
     }
     FillBox(canvas, {x, y, 1.5f, 256}, cloth * 0.4f);
   }

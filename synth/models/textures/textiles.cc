@@ -38,9 +38,8 @@ void DrawMotifs(cv::Mat& canvas, int cells, const Palette& palette, Rng& rng) {
                                static_cast<float>((row + 0.5) * cell));
       const cv::Point2f at = centre + Jitter(0.14 * cell, rng);
       const double radius = cell * rng.Uniform(0.3, 0.5);
-      FillPolygon(canvas, RandomShape(at, radius, rng.Uniform(0.0, 6.28), rng), palette.Any(rng));
-      FillPolygon(canvas, RandomShape(at, 0.45 * radius, rng.Uniform(0.0, 6.28), rng),
-                  palette.Any(rng));
+      DrawStamp(canvas, {at, radius, rng.Uniform(0.0, 6.28), palette.Any(rng)}, rng);
+      DrawStamp(canvas, {at, 0.45 * radius, rng.Uniform(0.0, 6.28), palette.Any(rng)}, rng);
     }
   }
 }
@@ -70,7 +69,7 @@ struct KilimRow {
 
 void DrawKilimRow(cv::Mat& canvas, const KilimRow& row, const Palette& palette, Rng& rng) {
   const auto side = static_cast<float>(canvas.cols);
-  FillBox(canvas, {0, row.top, side, row.height}, Vary(palette.Any(rng), 0.12, rng));
+  FillBox(canvas, {0, row.top, side, row.height}, Mix(palette.Any(rng), palette.dark(), 0.2));
   const float width = side / static_cast<float>(row.shapes);
   for (int i = 0; i < row.shapes; ++i) {
     const cv::Point2f at((static_cast<float>(i) + 0.5f) * width, row.top + 0.5f * row.height);
@@ -111,19 +110,21 @@ Texture PaintCarpet(Rng& rng) {
 
 Texture PaintWallpaper(Rng& rng) {
   const Palette& palette = RandomPalette(rng);
-  const Rgb base = Mix(palette.light(), palette.Mid(rng), rng.Uniform(0.0, 0.35));
+  const Rgb base = Vary(Mix(palette.light(), palette.Mid(rng), 0.12), 0.05, rng);
   const Rgb stem = Mix(base, palette.dark(), 0.45);
   cv::Mat canvas = MakeCanvas({1024, 1024}, base);
-  constexpr int kCells = 28;
+  constexpr int kCells = 24;
   constexpr float kCell = 1024.0f / kCells;
   for (int row = 0; row < kCells; ++row) {
     for (int column = 0; column < kCells; ++column) {
       const cv::Point2f centre((static_cast<float>(column) + (row % 2 == 0 ? 0.3f : 0.8f)) * kCell,
                                (static_cast<float>(row) + 0.5f) * kCell);
       const cv::Point2f at = centre + Jitter(0.22 * kCell, rng);
-      const Rgb petal = Mix(base, rng.Uniform() < 0.75 ? palette.Mid(rng) : palette.dark(), 0.8);
+      const Rgb petal = Mix(base, rng.Uniform() < 0.8 ? palette.Mid(rng) : palette.dark(), 0.6);
       if (rng.Uniform() < 0.6) DrawLine(canvas, at, centre + Jitter(kCell, rng), 2.5, stem);
-      DrawFlower(canvas, at, kCell * rng.Uniform(0.32, 0.58), petal, palette.Any(rng), rng);
+      const double radius = kCell * rng.Uniform(0.3, 0.55);
+      const Rgb heart = Mix(base, palette.Any(rng), 0.7);
+      DrawFlower(canvas, at, radius, petal, heart, rng);
     }
   }
   Shade(canvas, MakeNoise(canvas.size(), {4, 4}, 3, rng), 0.1);
@@ -133,7 +134,7 @@ Texture PaintWallpaper(Rng& rng) {
 Texture PaintPoster(Rng& rng) {
   const Palette& palette = RandomPalette(rng);
   cv::Mat canvas = MakeCanvas({256, 256}, Vary(palette.Any(rng), 0.1, rng));
-  DrawCollage(canvas, {0, 0, 256, 256}, {5.0, 90.0, 170}, palette, rng);
+  DrawCollage(canvas, {0, 0, 256, 256}, {6.0, 100.0, 110}, palette, rng);
   Shade(canvas, MakeNoise(canvas.size(), {4, 4}, 3, rng), 0.2);
   const Rgb frame = rng.Uniform() < 0.5 ? palette.light() : palette.dark();
   for (const cv::Rect2f& edge : {cv::Rect2f(0, 0, 256, 9), cv::Rect2f(0, 247, 256, 9),
@@ -146,7 +147,7 @@ Texture PaintPoster(Rng& rng) {
 Texture PaintBlock(Rng& rng) {
   const Palette& palette = RandomPalette(rng);
   cv::Mat canvas = MakeCanvas({256, 256}, palette.Mid(rng));
-  DrawCollage(canvas, {0, 0, 256, 256}, {5.0, 60.0, 220}, palette, rng);
+  DrawCollage(canvas, {0, 0, 256, 256}, {6.0, 75.0, 130}, palette, rng);
   Shade(canvas, MakeNoise(canvas.size(), {6, 6}, 3, rng), 0.25);
   return {canvas, {0.6, 0.6}};
 }

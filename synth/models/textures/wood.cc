@@ -31,11 +31,12 @@ void DrawKnot(cv::Mat& canvas, cv::Point2f centre, double radius, const Rgb& tim
 
 // Short dark strokes along the grain.
 void DrawFlecks(cv::Mat& canvas, const cv::Rect2f& board, const Rgb& timber, Rng& rng) {
-  const int flecks = static_cast<int>(board.area() / 300.0f);
+  const int flecks = static_cast<int>(board.area() / 520.0f);
   for (int i = 0; i < flecks; ++i) {
     const double length = rng.Uniform(6.0, 22.0);
-    const cv::Point2f at(board.x + static_cast<float>(rng.Uniform(0.0, board.width - length)),
-                         board.y + static_cast<float>(rng.Uniform(4.0, board.height - 4.0)));
+    const cv::Rect2f within(board.x, board.y + 4.0f, board.width - static_cast<float>(length),
+                            board.height - 8.0f);
+    const cv::Point2f at = RandomPoint(within, rng);
     const auto gain = static_cast<float>(rng.Uniform() < 0.7 ? rng.Uniform(0.4, 0.65) : 1.4);
     DrawLine(canvas, at, at + cv::Point2f(static_cast<float>(length), 0.0f), rng.Uniform(2.0, 4.5),
              timber * gain);
@@ -48,9 +49,10 @@ void DrawBoard(cv::Mat& canvas, const cv::Rect2f& board, const Rgb& timber, Rng&
   const int knots = static_cast<int>(board.area() / 5000.0f + rng.Uniform());
   for (int i = 0; i < knots; ++i) {
     const double radius = rng.Uniform(0.1, 0.24) * board.height;
-    const cv::Point2f at(
-        board.x + static_cast<float>(rng.Uniform(2.0 * radius, board.width - 2.0 * radius)),
-        board.y + static_cast<float>(rng.Uniform(1.3 * radius, board.height - 1.3 * radius)));
+    const auto r = static_cast<float>(radius);
+    const cv::Rect2f within(board.x + 2.0f * r, board.y + 1.3f * r, board.width - 4.0f * r,
+                            board.height - 2.6f * r);
+    const cv::Point2f at = RandomPoint(within, rng);
     DrawKnot(canvas, at, radius, timber, rng);
   }
   const Rgb gap = timber * 0.35f;
