@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "synth/models/street_map.h"
+
+namespace cvo::synth {
+
+// Grass, carriageways at z = 0 with markings, kerbs and raised pavements: in world, no shadows.
+std::vector<Part> MakeStreetGround(const StreetMap& map, Rng& look);
+
+}  // namespace cvo::synth
