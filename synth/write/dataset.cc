@@ -121,6 +121,7 @@ bool IsSensorImage(const std::string& name) {
 void WriteDataset(const DatasetSource& source, const RenderRequest& request,
                   const fs::path& folder) {
   RequireReplaceable(folder);
+  FolderBuild build(folder);  // first: where nothing can be written nothing need be drawn
   TaskPool pool(request.threads);
   const fs::path cache = CacheFolder();
   const std::string key = CacheKey(source, request);
@@ -129,7 +130,6 @@ void WriteDataset(const DatasetSource& source, const RenderRequest& request,
 
   const std::uint64_t seed = request.seed.value_or(source.seed);
   const bool images_as_drawn = ChangesNothing(source.sensor);
-  FolderBuild build(folder);
   for (const FileRecord& file : clean.manifest.files) {
     if (images_as_drawn || !IsSensorImage(file.name)) build.Link(clean.folder, file);
   }

@@ -11,6 +11,25 @@
 
 namespace cvo::synth {
 
+namespace {
+
+bool Among(const std::vector<std::string>& list, const std::string& name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+// Of the scene, by name; the rest of its section stays in `values`.
+DetectorOptions TakeLevel(const std::string& where, Json& values) {
+  if (!values.contains("level")) return DetectorLevel("good");
+  const Json level = values["level"];
+  values.erase("level");
+  if (!level.is_string() || !Among(DetectorLevels(), level)) {
+    ThrowError(where + ": detector.level", level.dump(), "\"oracle\", \"good\" or \"poor\"");
+  }
+  return DetectorLevel(level);
+}
+
+}  // namespace
+
 SensorOptions ReadSensor(const Json& section, const std::string& where) {
   SensorOptions options;
   MergeOptions(section, where + ": sensor", OptionLeaves(options));
@@ -20,15 +39,7 @@ SensorOptions ReadSensor(const Json& section, const std::string& where) {
 std::vector<NamedDetector> ReadDetectors(const Json& section, const std::string& where,
                                          const std::vector<std::string>& chosen) {
   Json values = section;
-  std::string level = "good";
-  if (section.contains("level")) {
-    if (!section["level"].is_string()) {
-      ThrowError(where + ": detector.level", section["level"].dump(), "a name");
-    }
-    level = section["level"];
-    values.erase("level");
-  }
-  DetectorOptions custom = DetectorLevel(level);
+  DetectorOptions custom = TakeLevel(where, values);
   MergeOptions(values, where + ": detector", OptionLeaves(custom));
 
   std::vector<NamedDetector> detectors;
@@ -38,16 +49,13 @@ std::vector<NamedDetector> ReadDetectors(const Json& section, const std::string&
     detectors.push_back({"custom", custom});
     names.emplace_back("custom");
   }
-  const auto among = [](const std::vector<std::string>& list, const std::string& name) {
-    return std::find(list.begin(), list.end(), name) != list.end();
-  };
   for (const std::string& name : chosen) {
-    if (among(names, name)) continue;
+    if (Among(names, name)) continue;
     ThrowError("detector level", Quoted(name) + DidYouMean(name, names),
                names.size() > 3 ? "oracle, good, poor or custom" : "oracle, good or poor");
   }
   if (!chosen.empty()) {
-    std::erase_if(detectors, [&](const NamedDetector& d) { return !among(chosen, d.name); });
+    std::erase_if(detectors, [&](const NamedDetector& d) { return !Among(chosen, d.name); });
   }
   return detectors;
 }

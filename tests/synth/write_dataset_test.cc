@@ -232,6 +232,15 @@ TEST_F(WriteDatasetTest, ForeignFolderIsRefusedBeforeAnythingIsDrawn) {
   EXPECT_EQ(draws_, 0);
 }
 
+TEST_F(WriteDatasetTest, UnwritablePlaceIsNamedBeforeAnythingIsDrawn) {
+  temp_.Write("file", "");
+  EXPECT_THAT(ErrorMessage([&] { Write("file/set"); }), HasSubstr("file"));
+  EXPECT_EQ(draws_, 0);
+  UseCache("file");
+  EXPECT_THAT(ErrorMessage([&] { Write("set"); }), HasSubstr("file"));
+  EXPECT_THAT(FilesIn(temp_.path()), ElementsAre("file"));
+}
+
 TEST_F(WriteDatasetTest, OwnFolderIsReplaced) {
   Write("set");
   request_.frames = {0, 2};

@@ -217,5 +217,27 @@ TEST(ReadDetectors, CustomOnlyWhereTheSceneChangesValues) {
   EXPECT_EQ(detectors[0].options.jitter_width, DetectorLevel("poor").jitter_width);
 }
 
+TEST(ReadDetectors, WrongSettingsAreNamed) {
+  const auto message = [](const Json& section, const std::vector<std::string>& chosen) {
+    return ErrorMessage([&] { ReadDetectors(section, "x.json", chosen); });
+  };
+  EXPECT_EQ(message({{"level", "gud"}}, {}),
+            "x.json: detector.level: found \"gud\", expected \"oracle\", \"good\" or \"poor\"");
+  EXPECT_THAT(message({{"mis_rate", 0.1}}, {}), testing::HasSubstr("x.json: detector"));
+  EXPECT_THAT(message({{"miss_rate", 2}}, {}), testing::HasSubstr("miss_rate"));
+  EXPECT_THAT(message(Json::object(), {"custom"}), testing::HasSubstr("\"custom\""));
+  EXPECT_THAT(message(Json::object(), {"god"}), testing::HasSubstr("did you mean good"));
+}
+
+TEST(ReadSensor, OverDefaults) {
+  const SensorOptions options = ReadSensor({{"read_noise", 2}}, "x.json");
+  EXPECT_EQ(options.read_noise, 2.0);
+  EXPECT_EQ(options.vignetting, SensorOptions().vignetting);
+  EXPECT_THAT(ErrorMessage([] {
+                ReadSensor({{"reed_noise", 2}}, "x.json");
+              }),
+              testing::HasSubstr("reed_noise"));
+}
+
 }  // namespace
 }  // namespace cvo::synth
