@@ -143,6 +143,21 @@ void WriteTables(const World& world, const std::vector<FrameTruth>& truths, Fold
   out.Write("objects.csv", objects);
 }
 
+void WriteTargets(const std::vector<TargetImages>& targets, FolderBuild& out) {
+  std::string corners = "frame,corner,x,y,z\n";
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const std::string number = SixDigits(static_cast<int>(i));
+    out.Write("calibration/image_0/" + number + ".png", EncodePng(targets[i].left));
+    out.Write("calibration/image_1/" + number + ".png", EncodePng(targets[i].right));
+    for (std::size_t k = 0; k < targets[i].corners_in_left.size(); ++k) {
+      const Eigen::Vector3d& p = targets[i].corners_in_left[k];
+      corners += StrCat(i, ",", k, ",", FormatDouble(p.x()), ",", FormatDouble(p.y()), ",",
+                        FormatDouble(p.z()), "\n");
+    }
+  }
+  out.Write("calibration/targets.csv", corners);
+}
+
 }  // namespace
 
 View ViewAt(const World& world, double time_s) {
@@ -170,6 +185,7 @@ void WriteCleanRender(const World& world, const CleanRender& render, const Drawi
     hooks.Report(i + 1, render.frames, "render");
   }
   in_flight.WaitForAll();
+  if (tools.draw_targets) WriteTargets(tools.draw_targets(), out);
   WriteTables(world, truths, out);
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "core/base/task_pool.h"
 #include "synth/render/renderer.h"
@@ -33,10 +34,18 @@ struct WorkHooks {
   }
 };
 
+// A known target as both cameras see it, CV_8UC1, and where its corners are.
+struct TargetImages {
+  cv::Mat left;
+  cv::Mat right;
+  std::vector<Eigen::Vector3d> corners_in_left;
+};
+
 // A renderer, or what stands in for one.
 struct DrawingTools {
   std::function<Rendering(const View&)> draw;
   std::function<void(const View&, cv::Mat& left, cv::Mat& right)> draw_images;
+  std::function<std::vector<TargetImages>()> draw_targets;  // may be none
 };
 
 struct CleanRender {
@@ -48,7 +57,8 @@ struct CleanRender {
 
 View ViewAt(const World& world, double time_s);
 
-// Everything of a sequence that no seed touches: clean images, depth, masks, flow, poses, tables.
+// Everything of a sequence that no seed touches: clean images, depth, masks, flow, poses, tables,
+// calibration targets.
 // Draws on the calling thread while the pool encodes and writes earlier frames, a few at a time.
 void WriteCleanRender(const World& world, const CleanRender& render, const DrawingTools& tools,
                       TaskPool& pool, const WorkHooks& hooks, FolderBuild& out);

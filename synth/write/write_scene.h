@@ -9,6 +9,9 @@
 
 namespace cvo::synth {
 
+// A renderer of the world, which must outlive it; belongs to the calling thread.
+DrawingTools OpenRenderer(const World& world, int threads);
+
 // The scene with its sensor and detectors read: throws Error for what those sections have wrong,
 // and where nothing can draw (Renderer).
 DatasetSource SourceOf(const SceneDescription& scene, const RenderRequest& request);
