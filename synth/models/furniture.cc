@@ -184,7 +184,7 @@ Model BuildShelf(const BuildRequest& request, Rng& look) {
   Part frame = MakePart(wood);
   Part books = MakePart(MakeBooksTexture(look));
   const Pen pen = PenFor(wood, look);
-  AddBox(frame.mesh, pen, {0, 0, 0}, {0.02, size.y(), size.z()});
+  AddBox(frame.mesh, pen, {0.003, board, 0}, {0.02, size.y() - board, size.z() - 0.01});
   for (const double y : {0.0, size.y() - board}) {
     AddBox(frame.mesh, pen, {0, y, 0}, {size.x(), y + board, size.z()});
   }

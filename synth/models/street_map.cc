@@ -30,8 +30,13 @@ double DistanceToPlot(const Plot& plot, const Vector2d& point) {
 void CheckStreet(const StreetDescription& street) {
   if (street.roads.empty()) ThrowError("street.roads", "none", "one or more");
   for (const RoadDescription& road : street.roads) {
-    if (!(road.width_m >= 2.0))
+    if (!(road.width_m >= 2.0)) {
       ThrowError("street.roads.width_m", StrCat(road.width_m), "2 or more");
+    }
+    if (!(road.corner_radius_m >= 0.5 * road.width_m)) {
+      ThrowError("street.roads.corner_radius_m", StrCat(road.corner_radius_m),
+                 "half the width or more");
+    }
   }
   if (!(street.pavement_m >= 0.5)) {
     ThrowError("street.pavement_m", StrCat(street.pavement_m), "0.5 or more");
@@ -83,7 +88,7 @@ StreetMap MakeStreetMap(const StreetDescription& street) {
   for (const RoadDescription& description : street.roads) {
     Road road;
     road.half_width_m = 0.5 * description.width_m;
-    road.line = RoundedPolyline(description.points, StreetMap::CornerRadius(road));
+    road.line = RoundedPolyline(description.points, description.corner_radius_m);
     road.tangents = TangentsOf(road.line);
     map.roads.push_back(std::move(road));
   }

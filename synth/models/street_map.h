@@ -31,8 +31,6 @@ struct StreetMap {
   double pavement_m = 0.0;
   std::vector<Plot> plots;
 
-  // Radius of the arcs at a road's corners.
-  static double CornerRadius(const Road& road) { return 2.0 * road.half_width_m; }
   // Within `margin_m` of the carriageway of a road other than `own` (-1: of any).
   bool IsOnRoad(const Eigen::Vector2d& point, double margin_m, int own) const;
   // Keeps off all roads by `margin_m` and off all plots.

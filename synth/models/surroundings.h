@@ -21,10 +21,11 @@ struct RoomDescription {
   double furniture_depth_m = 0.55;
 };
 
-// A road along a polyline through `points` (m, corners rounded), in the plane z = 0.
+// A road along RoundedPolyline(points, corner_radius_m) of polyline.h, in the plane z = 0.
 struct RoadDescription {
   std::vector<Eigen::Vector2d> points;
   double width_m = 8.0;
+  double corner_radius_m = 15.0;  // of its centre line; less where the legs are short
 };
 
 // Roads with pavements, buildings and trees on both sides, none of them on any road.

@@ -9,11 +9,12 @@
 namespace cvo::synth {
 namespace {
 
-constexpr int kColumns = 9;  // of squares
-constexpr int kRows = 7;
+constexpr int kColumns = 7;  // of squares
+constexpr int kRows = 5;
 constexpr double kSquare_m = 0.1;
 constexpr int kSquare_px = 64;  // of the texture
-constexpr double kRamp_px = 14.0;
+constexpr double kRamp_px = 5.0;
+constexpr double kSmallestSquare_px = 24.0;  // in the image: windows must not touch
 constexpr int kTextureSide_px = 1024;
 // Grey levels with room for noise and interpolation on both sides.
 constexpr int kDark = 40;
@@ -61,7 +62,7 @@ Mesh BoardMesh() {
 }
 
 // Where the board is in the picture: its middle in the left image as a part of the image's size,
-// how many pixels a square has when seen from the front, and how the board is turned, degrees.
+// the side of a square seen from the front, and how the board is turned, degrees.
 struct Placement {
   double u;
   double v;
@@ -71,17 +72,18 @@ struct Placement {
   double roll_deg;
 };
 
-constexpr std::array<Placement, 8> kPlacements = {{{0.50, 0.50, 0.095, 0.0, 0.0, 7.0},
-                                                   {0.50, 0.50, 0.060, 35.0, 0.0, 13.0},
-                                                   {0.52, 0.48, 0.060, 0.0, 40.0, -11.0},
-                                                   {0.30, 0.32, 0.050, 20.0, -25.0, 33.0},
-                                                   {0.72, 0.30, 0.050, -25.0, 20.0, -29.0},
-                                                   {0.32, 0.70, 0.050, -30.0, -15.0, 17.0},
-                                                   {0.70, 0.68, 0.045, 25.0, 30.0, 41.0},
-                                                   {0.55, 0.45, 0.035, 10.0, -10.0, 22.0}}};
+constexpr std::array<Placement, 8> kPlacements = {{{0.50, 0.50, 0.100, 0.0, 0.0, 7.0},
+                                                   {0.50, 0.50, 0.070, 35.0, 0.0, 13.0},
+                                                   {0.52, 0.48, 0.070, 0.0, 40.0, -11.0},
+                                                   {0.30, 0.32, 0.055, 20.0, -25.0, 33.0},
+                                                   {0.72, 0.30, 0.055, -25.0, 20.0, -29.0},
+                                                   {0.32, 0.70, 0.055, -30.0, -15.0, 17.0},
+                                                   {0.70, 0.68, 0.055, 25.0, 30.0, 41.0},
+                                                   {0.55, 0.45, 0.050, 10.0, -10.0, 22.0}}};
 
 View Place(const StereoCamera& rig, const Placement& placement) {
-  const double depth = rig.fy * kSquare_m / (placement.square * rig.height_px);
+  const double square_px = std::max(kSmallestSquare_px, placement.square * rig.height_px);
+  const double depth = rig.fy * kSquare_m / square_px;
   const Eigen::Vector3d board_in_left((placement.u * rig.width_px - rig.cx) / rig.fx * depth,
                                       (placement.v * rig.height_px - rig.cy) / rig.fy * depth,
                                       depth);

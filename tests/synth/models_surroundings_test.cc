@@ -112,7 +112,7 @@ TEST(MakeRoom, BadRooms) {
 
 StreetDescription Crossing() {
   StreetDescription street;
-  street.roads = {{{{-60, 0}, {40, 0}, {40, 60}}, 8.0}, {{{-20, -50}, {-20, 50}}, 7.0}};
+  street.roads = {{{{-60, 0}, {40, 0}, {40, 60}}, 8.0, 15.0}, {{{-20, -50}, {-20, 50}}, 7.0, 15.0}};
   return street;
 }
 
@@ -126,7 +126,7 @@ TEST(MakeStreet, NothingStandsOnARoad) {
   const Surroundings made = Street(1);
   EXPECT_GT(made.placed.size(), 60u);
   for (const RoadDescription& road : street.roads) {
-    const std::vector<Vector2d> line = RoundedPolyline(road.points, road.width_m);
+    const std::vector<Vector2d> line = RoundedPolyline(road.points, road.corner_radius_m);
     for (const PlacedModel& placed : made.placed) {
       for (const CollisionShape& shape : placed.model.shapes) {
         for (int corner = 0; corner < 4; ++corner) {
@@ -172,6 +172,9 @@ TEST(MakeStreet, BadStreets) {
   StreetDescription street = Crossing();
   street.roads[0].points.resize(1);
   EXPECT_THAT(ErrorMessage([&] { Street(1, street); }), HasSubstr("1 points"));
+  street = Crossing();
+  street.roads[0].corner_radius_m = 1.0;
+  EXPECT_THAT(ErrorMessage([&] { Street(1, street); }), HasSubstr("corner_radius_m"));
   street = Crossing();
   street.pavement_m = 0.0;
   EXPECT_THAT(ErrorMessage([&] { Street(1, street); }), HasSubstr("street.pavement_m"));
