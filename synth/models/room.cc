@@ -195,42 +195,46 @@ bool TryPlace(RoomState& state, const Piece& piece, std::size_t index, double at
   return true;
 }
 
-void Place(RoomState& state, const Piece& piece, Rng& look) {
+bool Place(RoomState& state, const Piece& piece, Rng& look) {
   for (int attempt = 0; attempt < 200; ++attempt) {
     const std::size_t index = look.UniformInt(4);
     const double room = state.walls[index].length_m - piece.size_m.y() - 0.06;
     if (room < 0.0) continue;
-    if (TryPlace(state, piece, index, 0.03 + look.Uniform(0.0, room), look)) return;
+    if (TryPlace(state, piece, index, 0.03 + look.Uniform(0.0, room), look)) return true;
   }
   for (std::size_t index = 0; index < 4; ++index) {
     const double room = state.walls[index].length_m - piece.size_m.y() - 0.06;
     for (double at = 0.0; at <= room; at += 0.05) {
-      if (TryPlace(state, piece, index, 0.03 + at, look)) return;
+      if (TryPlace(state, piece, index, 0.03 + at, look)) return true;
     }
   }
-  ThrowError("room", "no free place along the walls for a " + piece.kind,
-             "a larger room or less furniture");
+  return false;
 }
 
-void AddFurniture(RoomState& state, Rng& look) {
+// False where something finds no place.
+bool AddFurniture(RoomState& state, Rng& look) {
   const RoomDescription& room = state.room;
   const double depth = room.furniture_depth_m - 0.03;
   const double tallest = room.size_m.z() - 0.25;
   for (int i = 0; i < room.shelves; ++i) {
     const double x = std::min(depth, look.Uniform(0.28, 0.36));
     const double y = look.Uniform(0.8, 1.15);
-    Place(state, {"shelf", {x, y, std::min(tallest, look.Uniform(1.4, 2.1))}}, look);
+    if (!Place(state, {"shelf", {x, y, std::min(tallest, look.Uniform(1.4, 2.1))}}, look))
+      return false;
   }
   for (int i = 0; i < room.tables; ++i) {
     const double x = std::min(depth, look.Uniform(0.45, 0.6));
     const double y = look.Uniform(0.9, 1.25);
-    Place(state, {"table", {x, y, std::min(tallest, look.Uniform(0.85, 0.98))}}, look);
+    if (!Place(state, {"table", {x, y, std::min(tallest, look.Uniform(0.85, 0.98))}}, look))
+      return false;
   }
   for (int i = 0; i < room.crates; ++i) {
     const double x = std::min(depth, look.Uniform(0.32, 0.46));
     const double y = look.Uniform(0.35, 0.6);
-    Place(state, {"crate", {x, y, std::min(tallest, look.Uniform(0.3, 0.5))}}, look);
+    if (!Place(state, {"crate", {x, y, std::min(tallest, look.Uniform(0.3, 0.5))}}, look))
+      return false;
   }
+  return true;
 }
 
 // Where the wall is free; a poster that finds no place is left out.
@@ -278,14 +282,23 @@ void CheckRoom(const RoomDescription& room) {
 Surroundings MakeRoom(const RoomDescription& room, Rng& look) {
   CheckRoom(room);
   Rng own(look.NextU64(), "room");
-  RoomState state{room, MakeWalls(room.size_m), {}, {}, {}};
-  state.wall_taken.resize(state.walls.size());
-  AddShell(state, own);
-  AddCarpet(state, own);
-  AddOpenings(state, own);
-  AddFurniture(state, own);
-  AddPosters(state, own);
-  return std::move(state.out);
+  // Doors and windows may leave too little of the walls: others then.
+  const double least_m = 0.8 * room.shelves + 0.9 * room.tables + 0.35 * room.crates;
+  const int attempts = least_m < 2.0 * (room.size_m.x() + room.size_m.y()) ? 12 : 0;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    RoomState state{room, MakeWalls(room.size_m), {}, {}, {}};
+    state.wall_taken.resize(state.walls.size());
+    AddOpenings(state, own);
+    if (!AddFurniture(state, own)) continue;
+    AddShell(state, own);
+    AddCarpet(state, own);
+    AddPosters(state, own);
+    return std::move(state.out);
+  }
+  ThrowError("room",
+             StrCat("no place along the walls for ", room.shelves, " shelves, ", room.tables,
+                    " tables and ", room.crates, " crates"),
+             "a larger room or less furniture");
 }
 
 }  // namespace cvo::synth
