@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/rng.h"
+#include "core/base/task_pool.h"
+#include "synth/scene/camera_motion.h"
+#include "synth/scene/check_world.h"
+#include "synth/scene/description.h"
+#include "synth/scene/paths.h"
+
+namespace cvo::synth {
+namespace {
+
+struct Models {
+  Surroundings surroundings;
+  std::vector<Model> objects;
+};
+
+Surroundings MakeSurroundings(const SceneParts& scene, Rng look) {
+  const RoomDescription* room = std::get_if<RoomDescription>(&scene.surroundings);
+  if (room != nullptr) return MakeRoom(*room, look);
+  return MakeStreet(std::get<StreetDescription>(scene.surroundings), look);
+}
+
+// Each from a stream of its own, so that one thing more changes no other. `where` names the scene.
+Models MakeModels(const SceneParts& scene, const std::string& where, TaskPool& pool) {
+  Models models;
+  models.objects.resize(scene.objects.size());
+  pool.ParallelFor(1 + static_cast<int>(scene.objects.size()), [&](int i) {
+    const ObjectDescription* object = i == 0 ? nullptr : &scene.objects[i - 1];
+    try {
+      if (object == nullptr) {
+        models.surroundings = MakeSurroundings(scene, Rng(scene.look_seed, "surroundings"));
+      } else {
+        Rng look(scene.look_seed, "object/" + object->name);
+        models.objects[i - 1] = MakeModel(object->model, look);
+      }
+    } catch (const Error& error) {
+      throw Error((object == nullptr ? where : object->where) + ", " + error.what());
+    }
+  });
+  return models;
+}
+
+// Collects what is drawn; the same picture in memory becomes the same texture.
+class Scenery {
+ public:
+  explicit Scenery(World& world) : world_(world) {}
+
+  void AddBody(const Model& model, int body) {
+    for (const Part& part : model.parts) {
+      world_.drawables.push_back({static_cast<int>(world_.meshes.size()), Texture(part.texture),
+                                  body, part.gloss, part.casts_shadow});
+      world_.meshes.push_back(part.mesh);
+    }
+  }
+
+  // What is drawn alike becomes one mesh.
+  void AddBackground(const Part& part, const RigidTransform& world_from_part) {
+    const int texture = Texture(part.texture);
+    const auto [merged, is_new] = background_.try_emplace(
+        std::make_tuple(texture, part.gloss, part.casts_shadow), world_.meshes.size());
+    if (is_new) {
+      world_.drawables.push_back(
+          {static_cast<int>(merged->second), texture, 0, part.gloss, part.casts_shadow});
+      world_.meshes.emplace_back();
+    }
+    Append(part.mesh, world_from_part, world_.meshes[merged->second]);
+  }
+
+ private:
+  int Texture(const cv::Mat& texture) {
+    const auto [known, is_new] =
+        textures_.try_emplace(texture.data, static_cast<int>(world_.textures.size()));
+    if (is_new) world_.textures.push_back(texture);
+    return known->second;
+  }
+
+  static void Append(const Mesh& mesh, const RigidTransform& world_from_mesh, Mesh& merged) {
+    const Eigen::Matrix3f rotation = world_from_mesh.RotationMatrix().cast<float>();
+    const Eigen::Vector3f translation = world_from_mesh.translation().cast<float>();
+    const auto first = static_cast<std::uint32_t>(merged.vertices.size());
+    for (const Vertex& vertex : mesh.vertices) {
+      merged.vertices.push_back(
+          {rotation * vertex.position + translation, rotation * vertex.normal, vertex.uv});
+    }
+    for (const std::uint32_t index : mesh.indices) merged.indices.push_back(first + index);
+  }
+
+  World& world_;
+  // Found by address, numbered in the order of the parts.
+  std::map<const unsigned char*, int> textures_;
+  std::map<std::tuple<int, float, bool>, std::size_t> background_;
+};
+
+BodyShape ShapeOf(const Model& model) {
+  const bool is_ball = model.shapes.size() == 1 && model.shapes[0].radius_m > 0.0;
+  return {0.5 * model.size_m.z(), is_ball ? model.shapes[0].radius_m : 0.0};
+}
+
+std::vector<Solid> MakeSolids(const SceneParts& scene, const World& world, const Models& models) {
+  constexpr double kCameraRadius_m = 0.15;
+  std::vector<Solid> solids;
+  CollisionShape camera;
+  camera.radius_m = kCameraRadius_m;
+  solids.push_back({"the camera", {camera}, world.camera, {}});
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    solids.push_back({world.bodies[i].name, models.objects[i].shapes, world.bodies[i].motion, {}});
+  }
+  const bool indoors = std::holds_alternative<RoomDescription>(scene.surroundings);
+  for (const PlacedModel& placed : models.surroundings.placed) {
+    const Eigen::Vector3d at = placed.world_from_model.translation();
+    const auto tenths = [](double value) { return std::round(10.0 * value) / 10.0; };
+    solids.push_back({StrCat(indoors ? "furniture" : "roadside", " at (", tenths(at.x()), ", ",
+                             tenths(at.y()), ")"),
+                      placed.model.shapes, nullptr, placed.world_from_model});
+  }
+  return solids;
+}
+
+std::vector<Eigen::Vector4d> WallsAndFloor(const Surroundings& surroundings) {
+  std::vector<Eigen::Vector4d> walls = surroundings.walls;
+  const bool has_floor = std::any_of(walls.begin(), walls.end(),
+                                     [](const Eigen::Vector4d& wall) { return wall[2] > 0.99; });
+  if (!has_floor) walls.emplace_back(0.0, 0.0, 1.0, 0.0);
+  return walls;
+}
+
+}  // namespace
+
+World BuildWorld(const SceneDescription& description, int threads) {
+  const SceneParts& scene = description.parts();
+  World world;
+  world.name = scene.name;
+  world.rig = scene.rig;
+  world.rig.Check();
+  world.frames = scene.frames;
+  world.rate_hz = scene.rate_hz;
+  world.light = scene.light;
+  world.light.direction.normalize();
+  world.camera = MakeCameraMotion(scene.camera, scene.Duration_s(), scene.look_seed);
+  TaskPool pool(threads);
+  const Models models = MakeModels(scene, description.where(), pool);
+  Scenery scenery(world);
+  for (const Part& part : models.surroundings.shell) scenery.AddBackground(part, {});
+  for (const PlacedModel& placed : models.surroundings.placed) {
+    for (const Part& part : placed.model.parts) {
+      scenery.AddBackground(part, placed.world_from_model);
+    }
+  }
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const ObjectDescription& object = scene.objects[i];
+    const Model& model = models.objects[i];
+    const int id = static_cast<int>(i) + 1;
+    world.bodies.push_back({id, object.name, object.category, model.size_m,
+                            MakeMotion(object.path, ShapeOf(model), scene.Duration_s())});
+    scenery.AddBody(model, id);
+  }
+  CheckCollisions(MakeSolids(scene, world, models), WallsAndFloor(models.surroundings),
+                  scene.Duration_s(), threads, description.where());
+  CheckInView(world, description.where());
+  return world;
+}
+
+}  // namespace cvo::synth
