@@ -171,7 +171,7 @@ Curve::Piece Curve::Line(const Vector3d& from, const Vector3d& to) {
 // A Bezier curve of degree seven: four control points on each leg make curvature and its derivative
 // vanish at both ends.
 Curve::Piece Curve::Bend(const Vector3d& corner, const Vector3d& from, const Vector3d& to) {
-  constexpr double kReach = 0.8;  // of the legs that control points cover
+  constexpr double kReach = 0.62;  // of the legs that control points cover: nearest to an arc
   std::array<Vector3d, 8> controls;
   for (std::size_t i = 0; i < 4; ++i) {
     const double part = kReach * static_cast<double>(i) / 3.0;

@@ -63,6 +63,7 @@ StreetDescription ParseStreet(ObjectReader reader) {
       parsed.points.emplace_back(row[0], row[1]);
     }
     parsed.width_m = road.NumberOr("width_m", {1.0, 100.0}, parsed.width_m);
+    parsed.corner_radius_m = road.NumberOr("corner_radius_m", {0.5, 1e3}, parsed.corner_radius_m);
     road.Finish();
     street.roads.push_back(parsed);
   }

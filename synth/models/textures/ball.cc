@@ -54,9 +54,9 @@ bool Covers(const SphereLeaf& leaf, const Eigen::Vector3f& direction) {
 // From the top to the bottom: the last, larger than the sphere's half, is the ground.
 std::vector<SphereLeaf> MakeLeaves(Rng& rng) {
   const Palette& palette = RandomPalette(rng);
-  constexpr double kSmallest = 0.05;
-  constexpr double kLargest = 0.6;
-  std::vector<SphereLeaf> leaves(300);
+  constexpr double kSmallest = 0.045;
+  constexpr double kLargest = 0.45;
+  std::vector<SphereLeaf> leaves(700);
   for (SphereLeaf& leaf : leaves) {
     leaf.centre = RandomDirection(rng);
     leaf.across = leaf.centre.cross(RandomDirection(rng)).normalized();

@@ -90,7 +90,7 @@ Texture PaintFabric(Rng& rng) {
   const Palette& palette = RandomPalette(rng);
   cv::Mat canvas = MakeCanvas({256, 256}, Vary(palette.Mid(rng), 0.15, rng));
   DrawPlaid(canvas, palette, rng);
-  DrawMotifs(canvas, 9, palette, rng);
+  DrawMotifs(canvas, 12, palette, rng);
   Shade(canvas, MakeNoise(canvas.size(), {64, 64}, 2, rng), 0.16);
   return {canvas, {0.64, 0.64}};
 }
@@ -113,7 +113,7 @@ Texture PaintWallpaper(Rng& rng) {
   const Rgb base = Vary(Mix(palette.light(), palette.Mid(rng), 0.12), 0.05, rng);
   const Rgb stem = Mix(base, palette.dark(), 0.45);
   cv::Mat canvas = MakeCanvas({1024, 1024}, base);
-  constexpr int kCells = 24;
+  constexpr int kCells = 12;
   constexpr float kCell = 1024.0f / kCells;
   for (int row = 0; row < kCells; ++row) {
     for (int column = 0; column < kCells; ++column) {
@@ -121,8 +121,8 @@ Texture PaintWallpaper(Rng& rng) {
                                (static_cast<float>(row) + 0.5f) * kCell);
       const cv::Point2f at = centre + Jitter(0.22 * kCell, rng);
       const Rgb petal = Mix(base, rng.Uniform() < 0.8 ? palette.Mid(rng) : palette.dark(), 0.6);
-      if (rng.Uniform() < 0.6) DrawLine(canvas, at, centre + Jitter(kCell, rng), 2.5, stem);
-      const double radius = kCell * rng.Uniform(0.3, 0.55);
+      if (rng.Uniform() < 0.5) DrawLine(canvas, at, centre + Jitter(0.6 * kCell, rng), 3.0, stem);
+      const double radius = kCell * rng.Uniform(0.2, 0.36);
       const Rgb heart = Mix(base, palette.Any(rng), 0.7);
       DrawFlower(canvas, at, radius, petal, heart, rng);
     }
