@@ -11,8 +11,6 @@
 namespace cvo {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 // "48 s", "3:07 min".
 std::string Duration(double seconds) {
   const long whole = std::lround(std::ceil(seconds));
@@ -23,12 +21,12 @@ std::string Duration(double seconds) {
 
 }  // namespace
 
-Progress::Progress(std::size_t total, bool quiet)
+Progress::Progress(std::size_t total, bool quiet, Clock::time_point start)
     : total_(total),
       style_(quiet                     ? Style::kNone
              : ::isatty(STDERR_FILENO) ? Style::kBar
                                        : Style::kLines),
-      start_(Clock::now()),
+      start_(start),
       shown_(start_) {}
 
 Progress::~Progress() {

@@ -11,7 +11,10 @@ namespace cvo {
 // line every tenth of the way.
 class Progress {
  public:
-  Progress(std::size_t total, bool quiet);
+  using Clock = std::chrono::steady_clock;
+
+  // `start`: when the work began, where that was before its amount was known.
+  Progress(std::size_t total, bool quiet, Clock::time_point start = Clock::now());
   ~Progress();  // takes the bar off the terminal
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -26,8 +29,8 @@ class Progress {
 
   std::size_t total_;
   Style style_;
-  std::chrono::steady_clock::time_point start_;
-  std::chrono::steady_clock::time_point shown_;
+  Clock::time_point start_;
+  Clock::time_point shown_;
   std::size_t shown_tenths_ = 0;
 };
 

@@ -11,7 +11,8 @@ Command AddSynthCommand(CLI::App& program) {
       "synth",
       "Synthetic scenes: list, render, preview and check stereo sequences with exact truth");
   app->require_subcommand(1);
-  const std::vector<Command> commands = {AddSynthListCommand(*app), AddSynthCheckCommand(*app)};
+  const std::vector<Command> commands = {AddSynthListCommand(*app), AddSynthRenderCommand(*app),
+                                         AddSynthPreviewCommand(*app), AddSynthCheckCommand(*app)};
   app->footer(
       "Start with: clustervo synth render indoor_1 -o indoor_1, then clustervo synth check "
       "indoor_1\n"

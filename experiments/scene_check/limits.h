@@ -58,7 +58,9 @@ constexpr double kVelocityShare = 0.02;
 constexpr double kTargetCorner_px = 0.05;
 constexpr double kMinTargetCorners = 50;
 
-// What the front end must find: the estimators are tuned for such numbers.
+// What the front end must find: the estimators are tuned for such numbers. Of 2000 corners spread
+// evenly over 640x480 about 1200 find a partner, one per 260 px: a mover needs more texture than
+// its surroundings.
 constexpr double kMatches = 600;
 constexpr double kFramesWithMatches = 0.95;
 constexpr int kMinMoverPixels = 2400;
