@@ -125,7 +125,7 @@ Model BuildChair(const BuildRequest& request, Rng& look) {
     AddBox(frame.mesh, pen, {-x, middle - 0.5 * leg, seat - 0.03},
            {-x + leg, middle + 0.5 * leg, size.z()});
   }
-  AddBox(cushion.mesh, PenFor(cloth, look), {-x + 0.05 * leg, -y + leg, 0.8 * size.z()},
+  AddBox(cushion.mesh, PenFor(cloth, look), {-x + 0.05 * leg, -y + leg, 0.74 * size.z()},
          {-x + 1.1 * leg, y - leg, size.z() - 0.01});
   AddBox(frame.mesh, pen, {-x + 0.1 * leg, -y + leg, seat + 0.09},
          {-x + 0.9 * leg, y - leg, seat + 0.13});
@@ -133,7 +133,7 @@ Model BuildChair(const BuildRequest& request, Rng& look) {
   for (int i = 1; i <= slats; ++i) {
     const double at = -y + leg + (2.0 * y - 2.0 * leg) * i / (slats + 1);
     AddBox(frame.mesh, pen, {-x + 0.2 * leg, at - 0.55 * leg, seat + 0.1},
-           {-x + 0.7 * leg, at + 0.55 * leg, 0.82 * size.z()});
+           {-x + 0.7 * leg, at + 0.55 * leg, 0.76 * size.z()});
   }
   model.shapes.push_back(MakeBoxShape({-x, -y, seat}, {-x + 1.1 * leg, y, size.z()}));
   model.parts = {std::move(frame), std::move(cushion)};

@@ -38,8 +38,11 @@ void DrawMotifs(cv::Mat& canvas, int cells, const Palette& palette, Rng& rng) {
                                static_cast<float>((row + 0.5) * cell));
       const cv::Point2f at = centre + Jitter(0.14 * cell, rng);
       const double radius = cell * rng.Uniform(0.3, 0.5);
-      DrawStamp(canvas, {at, radius, rng.Uniform(0.0, 6.28), palette.Any(rng)}, rng);
-      DrawStamp(canvas, {at, 0.45 * radius, rng.Uniform(0.0, 6.28), palette.Any(rng)}, rng);
+      const bool bright = rng.Uniform() < 0.5;  // one on the other, so that grey shows both
+      const Rgb outer = Vary(bright ? palette.light() : palette.dark(), 0.2, rng);
+      const Rgb inner = Mix(bright ? palette.dark() : palette.light(), palette.Any(rng), 0.3);
+      DrawStamp(canvas, {at, radius, rng.Uniform(0.0, 6.28), outer}, rng);
+      DrawStamp(canvas, {at, 0.5 * radius, rng.Uniform(0.0, 6.28), inner}, rng);
     }
   }
 }
@@ -99,9 +102,9 @@ Texture PaintCarpet(Rng& rng) {
   const Palette& palette = RandomPalette(rng);
   cv::Mat canvas = MakeCanvas({512, 512}, palette.dark());
   for (float y = 0; y < 512.0f;) {
-    auto height = static_cast<float>(16.0 * (1.0 + static_cast<double>(rng.UniformInt(3))));
+    auto height = static_cast<float>(32.0 * (1.0 + static_cast<double>(rng.UniformInt(3))));
     height = std::min(height, 512.0f - y);
-    DrawKilimRow(canvas, {y, height, 10 + static_cast<int>(rng.UniformInt(12))}, palette, rng);
+    DrawKilimRow(canvas, {y, height, 6 + static_cast<int>(rng.UniformInt(6))}, palette, rng);
     y += height;
   }
   Shade(canvas, MakeNoise(canvas.size(), {24, 96}, 2, rng), 0.2);

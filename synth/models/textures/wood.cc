@@ -30,8 +30,9 @@ void DrawKnot(cv::Mat& canvas, cv::Point2f centre, double radius, const Rgb& tim
 }
 
 // Short dark strokes along the grain.
-void DrawFlecks(cv::Mat& canvas, const cv::Rect2f& board, const Rgb& timber, Rng& rng) {
-  const int flecks = static_cast<int>(board.area() / 520.0f);
+void DrawFlecks(cv::Mat& canvas, const cv::Rect2f& board, const Rgb& timber, float flecks_per_px2,
+                Rng& rng) {
+  const int flecks = static_cast<int>(board.area() * flecks_per_px2);
   for (int i = 0; i < flecks; ++i) {
     const double length = rng.Uniform(6.0, 22.0);
     const cv::Rect2f within(board.x, board.y + 4.0f, board.width - static_cast<float>(length),
@@ -43,10 +44,20 @@ void DrawFlecks(cv::Mat& canvas, const cv::Rect2f& board, const Rgb& timber, Rng
   }
 }
 
-void DrawBoard(cv::Mat& canvas, const cv::Rect2f& board, const Rgb& timber, Rng& rng) {
+struct BoardOptions {
+  float height_px;
+  double shortest_px;
+  double longest_px;
+  double tint;  // how much boards differ
+  float flecks_per_px2;
+  float knots_per_px2;
+};
+
+void DrawBoard(cv::Mat& canvas, const cv::Rect2f& board, const Rgb& timber,
+               const BoardOptions& options, Rng& rng) {
   FillBox(canvas, board, timber);
-  DrawFlecks(canvas, board, timber, rng);
-  const int knots = static_cast<int>(board.area() / 5000.0f + rng.Uniform());
+  DrawFlecks(canvas, board, timber, options.flecks_per_px2, rng);
+  const int knots = static_cast<int>(board.area() * options.knots_per_px2 + rng.Uniform());
   for (int i = 0; i < knots; ++i) {
     const double radius = rng.Uniform(0.1, 0.24) * board.height;
     const auto r = static_cast<float>(radius);
@@ -60,13 +71,6 @@ void DrawBoard(cv::Mat& canvas, const cv::Rect2f& board, const Rgb& timber, Rng&
   FillBox(canvas, {board.x, board.y, 2.5f, board.height}, gap);
 }
 
-struct BoardOptions {
-  float height_px;
-  double shortest_px;
-  double longest_px;
-  double tint;  // how much boards differ
-};
-
 cv::Mat PaintBoards(cv::Size size, const BoardOptions& options, Rng& rng) {
   const Rgb timber = RandomTimber(rng);
   cv::Mat canvas = MakeCanvas(size, timber);
@@ -76,8 +80,9 @@ cv::Mat PaintBoards(cv::Size size, const BoardOptions& options, Rng& rng) {
     for (float x = 0; x < width;) {
       auto length = static_cast<float>(rng.Uniform(options.shortest_px, options.longest_px));
       if (width - x - length < options.shortest_px) length = width - x;
-      DrawBoard(canvas, {start + x, y, length, options.height_px}, Vary(timber, options.tint, rng),
-                rng);
+      const Rgb tint = Vary(timber, options.tint, rng);
+      DrawBoard(canvas, {start + x, y, length, options.height_px}, tint, options, rng);
+
       x += length;
     }
   }
@@ -88,11 +93,15 @@ cv::Mat PaintBoards(cv::Size size, const BoardOptions& options, Rng& rng) {
 }  // namespace
 
 Texture PaintWood(Rng& rng) {
-  return {PaintBoards({512, 512}, {42.66667f, 90.0, 300.0, 0.26}, rng), {1.28, 1.28}};
+  return {
+      PaintBoards({512, 512}, {42.66667f, 90.0, 300.0, 0.26, 1.0f / 520.0f, 1.0f / 5000.0f}, rng),
+      {1.28, 1.28}};
 }
 
 Texture PaintParquet(Rng& rng) {
-  return {PaintBoards({1024, 1024}, {32.0f, 70.0, 190.0, 0.28}, rng), {2.56, 2.56}};
+  // Large calm boards: what moves on them must stand out.
+  const BoardOptions boards = {64.0f, 200.0, 480.0, 0.28, 1.0f / 3000.0f, 1.0f / 24000.0f};
+  return {PaintBoards({1024, 1024}, boards, rng), {2.56, 2.56}};
 }
 
 }  // namespace cvo::synth
