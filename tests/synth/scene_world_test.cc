@@ -7,6 +7,7 @@
 #include <set>
 
 #include "synth/scene/description.h"
+#include "synth/scene/shipped_scenes.h"
 #include "tests/support/error_message.h"
 #include "tests/synth/scene_examples.h"
 
@@ -42,6 +43,12 @@ TEST(BuildWorld, TinyHasWhatItsFileSays) {
   std::set<const unsigned char*> pictures;
   for (const cv::Mat& texture : world.textures) pictures.insert(texture.data);
   EXPECT_EQ(pictures.size(), world.textures.size());
+}
+
+TEST(BuildWorld, ShippedScenesCanBe) {
+  for (const ShippedScene& shipped : ShippedScenes()) {
+    EXPECT_EQ(ErrorMessage([&] { BuildWorld(SceneDescription::Load(shipped.name, {}), 2); }), "");
+  }
 }
 
 TEST(BuildWorld, TheSameForEveryNumberOfThreads) {
