@@ -5,12 +5,12 @@
 #include "synth/render/gl_context.h"
 #include "synth/render/passes.h"
 
-// What is guaranteed. The same bytes from run to run, for any number of threads of the rasteriser
-// and on any processor with AVX, with the same Mesa and LLVM: Mesa is held to AVX and to vectors of
-// 256 bits, and gallivm divides and takes roots with IEEE instructions. Not guaranteed: the same
-// bytes with another version of Mesa or LLVM, without AVX (a clear error) or on other
-// architectures. GL_RENDERER shows the width but not the instruction set: a process that made a
-// context of its own before, with other settings, is not noticed.
+// What is guaranteed, and tested: the same bytes from run to run and for any number of threads of
+// the rasteriser, with the same Mesa and LLVM on the same processor. Mesa is held to AVX and to
+// vectors of 256 bits so that other processors with AVX should give these bytes as well; that has
+// not been tried. Not guaranteed: another version of Mesa or LLVM, another architecture. Without
+// AVX there is an error. GL_RENDERER shows the width but not the instruction set: a process that
+// made a context of its own before, with other settings, is not noticed.
 namespace cvo::synth {
 
 struct Renderer::State {
