@@ -36,8 +36,8 @@ struct Body {
 
 struct Light {
   Eigen::Vector3d direction = {0.3, 0.2, -1.0};  // in which the directional light travels, in world
-  double directional = 0.7;                      // irradiance of a surface facing it
-  double ambient = 0.45;                         // from everywhere, a third less from below
+  double directional = 0.65;                     // irradiance of a surface facing it
+  double ambient = 0.62;                         // from everywhere, a third less from below
   Eigen::Vector3d sky_rgb = {0.75, 0.82, 0.9};   // colour where there is no surface
   double shadow_range_m = 8.0;                   // shadows are drawn this far around the camera
 };

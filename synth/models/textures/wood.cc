@@ -82,7 +82,6 @@ cv::Mat PaintBoards(cv::Size size, const BoardOptions& options, Rng& rng) {
       if (width - x - length < options.shortest_px) length = width - x;
       const Rgb tint = Vary(timber, options.tint, rng);
       DrawBoard(canvas, {start + x, y, length, options.height_px}, tint, options, rng);
-
       x += length;
     }
   }
