@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
 #include "core/features/front_end.h"
@@ -14,11 +16,29 @@ namespace {
 
 struct FrameFeatures {
   int matches = 0;
-  std::vector<int> on_body;                // [id - 1]
+  std::vector<int> on_body;                // [id - 1], where FindMatchable says
+  std::vector<int> matchable_px;           // [id - 1]
   std::vector<float> disparity_errors_px;  // signed, matched - true
   int in_boxes = 0;
   int background_in_boxes = 0;
 };
+
+// Pixels of each body where a match can be: both cameras see them, not nearer to their images'
+// edges than a descriptor reaches.
+std::vector<int> CountMatchable(const StereoCamera& camera, const cv::Mat& depth,
+                                const cv::Mat& instances, std::size_t bodies) {
+  const int border = limits::kDescriptorBorder_px;
+  std::vector<int> counts(bodies);
+  for (int v = border; v < depth.rows - border; ++v) {
+    for (int u = border; u < depth.cols - border; ++u) {
+      const std::size_t body = instances.at<std::uint16_t>(v, u);
+      if (body == 0 || body > bodies) continue;
+      const double disparity_px = camera.fx * camera.baseline_m / depth.at<float>(v, u);
+      if (u - disparity_px >= border) ++counts[body - 1];
+    }
+  }
+  return counts;
+}
 
 FrameFeatures FindFeatures(const SceneFolder& scene, int frame, TaskPool& pool) {
   const auto index = static_cast<std::size_t>(frame);
@@ -32,12 +52,16 @@ FrameFeatures FindFeatures(const SceneFolder& scene, int frame, TaskPool& pool) 
   FrameFeatures result;
   result.matches = static_cast<int>(features.size());
   result.on_body.resize(scene.bodies[index].size());
+  const cv::Mat matchable = FindMatchable(camera, depth, instances);
+  result.matchable_px = CountBodies(instances, matchable, result.on_body.size());
   for (const StereoFeature& feature : features) {
     const int u = static_cast<int>(std::lround(feature.z_px[0]));
     const int v = static_cast<int>(std::lround(feature.z_px[1]));
     if (u < 0 || v < 0 || u >= depth.cols || v >= depth.rows) continue;
     const std::size_t body = instances.at<std::uint16_t>(v, u);
-    if (body > 0 && body <= result.on_body.size()) ++result.on_body[body - 1];
+    if (body > 0 && body <= result.on_body.size() && matchable.at<std::uint8_t>(v, u) != 0) {
+      ++result.on_body[body - 1];
+    }
     const double z_m = depth.at<float>(v, u);
     if (z_m > 0.0) {
       const double true_px = camera.fx * camera.baseline_m / z_m;
@@ -77,27 +101,50 @@ std::vector<SceneCheck> CheckDisparities(const std::vector<FrameFeatures>& resul
            limits::kMatchDisparity_px, ""}};
 }
 
-// The mover with the fewest matches per pixel, over its frames with enough pixels.
-SceneCheck CheckMovers(const SceneFolder& scene, const std::vector<FrameFeatures>& results) {
-  SceneCheck least = {"mover_matches_per_200_px",
-                      std::numeric_limits<double>::infinity(),
-                      "matches",
-                      Bound::kAtLeast,
-                      1.0,
+struct MoverMatches {
+  double matches = 0.0;
+  double pixels = 0.0;
+  std::string name;
+};
+
+// Matches per pixel of the mover that has the fewest over all its frames, and of the worst single
+// frame. Only frames that show enough of it, next to nothing hidden: what is left of a body beside
+// another one is edges, where patches hold both.
+std::vector<SceneCheck> CheckMovers(const SceneFolder& scene,
+                                    const std::vector<FrameFeatures>& results) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  SceneCheck least = {"mover_matches_per_200_px", kNone, "matches", Bound::kAtLeast, 1.0,
                       "no mover is large enough"};
+  SceneCheck worst = {"the_same_in_one_frame", kNone, "matches", Bound::kNone, 0.0, ""};
+  std::map<int, MoverMatches> movers;  // by id
   for (std::size_t i = 0; i < results.size(); ++i) {
     const auto frame = static_cast<std::size_t>(scene.image_frames[i]);
     for (const SceneBody& body : scene.bodies[frame]) {
-      if (body.visible_px < limits::kMinMoverPixels || !IsMover(scene.bodies, body.id)) continue;
-      const int matches = results[i].on_body[static_cast<std::size_t>(body.id) - 1];
-      const double figure = limits::kPixelsPerMatch * matches / body.visible_px;
-      if (figure >= least.figure) continue;
-      least.figure = figure;
-      least.where =
-          StrCat(body.name, ", frame ", frame, ": ", matches, " on ", body.visible_px, " px");
+      const auto at = static_cast<std::size_t>(body.id) - 1;
+      const int pixels = results[i].matchable_px[at];
+      if (pixels < limits::kMinMoverPixels || body.visible_fraction < limits::kUnhidden ||
+          !IsMover(scene.bodies, body.id)) {
+        continue;
+      }
+      const int matches = results[i].on_body[at];
+      MoverMatches& mover = movers[body.id];
+      mover.name = body.name;
+      mover.matches += matches;
+      mover.pixels += pixels;
+      const double figure = limits::kPixelsPerMatch * matches / pixels;
+      if (figure >= worst.figure) continue;
+      worst.figure = figure;
+      worst.where = StrCat(body.name, ", frame ", frame, ": ", matches, " on ", pixels, " px");
     }
   }
-  return least;
+  for (const auto& [id, mover] : movers) {
+    const double figure = limits::kPixelsPerMatch * mover.matches / mover.pixels;
+    if (figure >= least.figure) continue;
+    least.figure = figure;
+    least.where = mover.name;
+  }
+  if (movers.empty()) return {least};
+  return {least, worst};
 }
 
 }  // namespace
@@ -122,8 +169,8 @@ std::vector<SceneCheck> CheckFeatures(const SceneFolder& scene, TaskPool& pool) 
   std::vector<SceneCheck> checks = {
       {"frames_with_600_matches", enough / static_cast<double>(results.size()), "of frames",
        Bound::kAtLeast, limits::kFramesWithMatches, ""},
-      fewest,
-      CheckMovers(scene, results)};
+      fewest};
+  for (SceneCheck& check : CheckMovers(scene, results)) checks.push_back(std::move(check));
   for (SceneCheck& check : CheckDisparities(results)) checks.push_back(std::move(check));
   checks.push_back({"background_matches_in_boxes",
                     in_boxes > 0 ? static_cast<double>(background) / in_boxes : 0.0, "of matches",

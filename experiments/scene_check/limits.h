@@ -65,6 +65,11 @@ constexpr double kMatches = 600;
 constexpr double kFramesWithMatches = 0.95;
 constexpr int kMinMoverPixels = 2400;
 constexpr double kPixelsPerMatch = 200;
+constexpr double kUnhidden = 0.9;
+// Of the descriptors, at the finest level.
+constexpr int kDescriptorBorder_px = 16;
+// The ring of the corner detector and one pixel more.
+constexpr int kCornerRadius_px = 4;
 // Median over all matches; the spread of single matches is 0.1 to 0.3 px.
 constexpr double kMatchDisparityBias_px = 0.1;
 constexpr double kMatchDisparity_px = 0.3;

@@ -102,41 +102,33 @@ Model BuildCrate(const BuildRequest& request, Rng& look) {
   return model;
 }
 
+// Upholstered, as thin bars alone would hardly show in a stereo pair; legs and the room above the
+// seat leave much of its box to the background.
 Model BuildChair(const BuildRequest& request, Rng& look) {
   const Texture wood = MaterialOr(request, "wood", look);
   const Texture cloth = MakeTexture("fabric", look);
   const Vector3d& size = request.size_m;
-  const double leg = 0.09 * std::min(size.x(), size.y());
-  const double seat = 0.47 * size.z();
+  const double leg = 0.1 * std::min(size.x(), size.y());
   const double x = 0.5 * size.x();
   const double y = 0.5 * size.y();
+  const double seat_bottom = 0.3 * size.z();
+  const double seat_top = 0.5 * size.z();
+  const double back_bottom = 0.6 * size.z();
+  const double back = -x + 0.22 * size.x();
   Model model;
   Part frame = MakePart(wood);
-  Part cushion = MakePart(cloth);
-  const Pen pen = PenFor(wood, look);
-  AddLegs(frame, model, pen, {size.x(), size.y(), seat - 0.07}, leg);
-  AddBox(frame.mesh, pen, {-x, -y, seat - 0.07}, {x, y, seat - 0.03});
-  AddBox(cushion.mesh, PenFor(cloth, look), {-x + 0.3 * leg, -y + 0.2 * leg, seat - 0.03},
-         {x, y - 0.2 * leg, seat + 0.02});
-  model.shapes.push_back(MakeBoxShape({-x, -y, seat - 0.07}, {x, y, seat + 0.02}));
-  // The back: two posts, a padded rail on top, one in the middle, slats between.
+  AddLegs(frame, model, PenFor(wood, look), {size.x(), size.y(), seat_bottom}, leg);
   for (const double side : {-1.0, 1.0}) {
-    const double middle = side * (y - 0.5 * leg);
-    AddBox(frame.mesh, pen, {-x, middle - 0.5 * leg, seat - 0.03},
-           {-x + leg, middle + 0.5 * leg, size.z()});
+    const double middle = side * (y - leg);
+    AddBox(frame.mesh, PenFor(wood, look), {-x + 0.02, middle - 0.5 * leg, seat_top},
+           {-x + 0.02 + leg, middle + 0.5 * leg, back_bottom});
   }
-  AddBox(cushion.mesh, PenFor(cloth, look), {-x + 0.05 * leg, -y + leg, 0.74 * size.z()},
-         {-x + 1.1 * leg, y - leg, size.z() - 0.01});
-  AddBox(frame.mesh, pen, {-x + 0.1 * leg, -y + leg, seat + 0.09},
-         {-x + 0.9 * leg, y - leg, seat + 0.13});
-  const int slats = 3;
-  for (int i = 1; i <= slats; ++i) {
-    const double at = -y + leg + (2.0 * y - 2.0 * leg) * i / (slats + 1);
-    AddBox(frame.mesh, pen, {-x + 0.2 * leg, at - 0.55 * leg, seat + 0.1},
-           {-x + 0.7 * leg, at + 0.55 * leg, 0.76 * size.z()});
-  }
-  model.shapes.push_back(MakeBoxShape({-x, -y, seat}, {-x + 1.1 * leg, y, size.z()}));
-  model.parts = {std::move(frame), std::move(cushion)};
+  Part cushions = MakePart(cloth);
+  AddBox(cushions.mesh, PenFor(cloth, look), {-x, -y, seat_bottom}, {x, y, seat_top});
+  AddBox(cushions.mesh, PenFor(cloth, look), {-x, -y, back_bottom}, {back, y, size.z()});
+  model.shapes.push_back(MakeBoxShape({-x, -y, seat_bottom}, {x, y, seat_top}));
+  model.shapes.push_back(MakeBoxShape({-x, -y, seat_top}, {back, y, size.z()}));
+  model.parts = {std::move(frame), std::move(cushions)};
   return model;
 }
 

@@ -14,6 +14,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+constexpr double kRail_m = 1.0;
 constexpr double kCell_m = 1.0;
 
 // A wall seen from inside: `start` is its lower left corner.
@@ -97,7 +98,7 @@ void AddShell(RoomState& state, Rng& look) {
   const Vector3d& size = state.room.size_m;
   const Texture floor = MakeTexture(look.Uniform() < 0.75 ? "parquet" : "tiles", look);
   const Texture ceiling = MakeTexture("plaster", look);
-  const Texture trim = MakeTexture("wood", look);
+  const Texture trim = MakeSolidTexture({104, 74, 52}, look);
   Part ground = MakeShellPart(floor);
   Part above = MakeShellPart(ceiling);
   Part skirting = MakeShellPart(trim);
@@ -108,14 +109,23 @@ void AddShell(RoomState& state, Rng& look) {
                BoxFace(low, {high.x(), high.y(), 0.0}, 4));
   AddRectangle(above.mesh, {ceiling.size_m, {0, 0}, {}, kCell_m},
                BoxFace({low.x(), low.y(), high.z()}, high, 5));
+  // Flowers behind what moves, a calm wall above: corners are spread over all that has texture.
   const Texture paper = MakeTexture("wallpaper", look);
+  const Texture calm = MakeTexture("embossed", look);
+  const double rail = std::min(kRail_m, size.z());
   for (const Wall& wall : state.walls) {
-    Part side = MakeShellPart(paper);
-    const Pen pen{paper.size_m, {look.Uniform(), look.Uniform()}, {}, kCell_m};
-    AddRectangle(side.mesh, pen, OnWall(wall, {{0, 0}, {wall.length_m, size.z()}}, 0.0));
-    AddBoard(skirting.mesh, {trim.size_m, {look.Uniform(), 0}, {}, kCell_m}, wall,
-             {{0, 0}, {wall.length_m, 0.09}}, 0.015);
-    state.out.shell.push_back(std::move(side));
+    const Eigen::Vector2d offset(look.Uniform(), look.Uniform());
+    Part lower = MakeShellPart(paper);
+    AddRectangle(lower.mesh, {paper.size_m, offset, {}, kCell_m},
+                 OnWall(wall, {{0, 0}, {wall.length_m, rail}}, 0.0));
+    Part upper = MakeShellPart(calm);
+    AddRectangle(upper.mesh, {calm.size_m, offset, {}, kCell_m},
+                 OnWall(wall, {{0, rail}, {wall.length_m, size.z()}}, 0.0));
+    const Pen trim_pen{trim.size_m, {look.Uniform(), 0}, {}, kCell_m};
+    AddBoard(skirting.mesh, trim_pen, wall, {{0, 0}, {wall.length_m, 0.09}}, 0.015);
+    AddBoard(skirting.mesh, trim_pen, wall, {{0, rail}, {wall.length_m, rail + 0.05}}, 0.012);
+    state.out.shell.push_back(std::move(lower));
+    state.out.shell.push_back(std::move(upper));
     Eigen::Vector4d plane;
     plane << wall.inward, -wall.inward.dot(wall.start);
     state.out.walls.push_back(plane);
@@ -137,7 +147,7 @@ void AddCarpet(RoomState& state, Rng& look) {
 // A door in one wall, windows in the others; furniture does not stand before the door.
 void AddOpenings(RoomState& state, Rng& look) {
   const double height = state.room.size_m.z();
-  Part frames = MakeShellPart(MakeTexture("wood", look));
+  Part frames = MakeShellPart(MakeSolidTexture({104, 74, 52}, look));
   const Pen pen{{1.28, 1.28}, {0, 0}, {}};
   const std::size_t first = look.UniformInt(4);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -15,6 +15,7 @@ Texture PaintCarpet(Rng& rng);
 Texture PaintTiles(Rng& rng);
 Texture PaintPoster(Rng& rng);
 Texture PaintWallpaper(Rng& rng);
+Texture PaintEmbossed(Rng& rng);
 Texture PaintPlaster(Rng& rng);
 Texture PaintBlock(Rng& rng);
 

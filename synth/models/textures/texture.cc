@@ -15,13 +15,13 @@ struct Material {
 };
 
 constexpr Material kMaterials[] = {
-    {"asphalt", PaintAsphalt},     {"ball", MakeBallTexture},   {"bark", PaintBark},
-    {"block", PaintBlock},         {"brick", PaintBrick},       {"carpet", PaintCarpet},
-    {"concrete", PaintConcrete},   {"fabric", PaintFabric},     {"facade", PaintFacade},
-    {"grass", PaintGrass},         {"leaves", PaintLeaves},     {"paint", PaintCarPaint},
-    {"parquet", PaintParquet},     {"pavement", PaintPavement}, {"plaster", PaintPlaster},
-    {"poster", PaintPoster},       {"roof", PaintRoof},         {"tiles", PaintTiles},
-    {"wallpaper", PaintWallpaper}, {"wood", PaintWood}};
+    {"asphalt", PaintAsphalt},   {"ball", MakeBallTexture},     {"bark", PaintBark},
+    {"block", PaintBlock},       {"brick", PaintBrick},         {"carpet", PaintCarpet},
+    {"concrete", PaintConcrete}, {"embossed", PaintEmbossed},   {"fabric", PaintFabric},
+    {"facade", PaintFacade},     {"grass", PaintGrass},         {"leaves", PaintLeaves},
+    {"paint", PaintCarPaint},    {"parquet", PaintParquet},     {"pavement", PaintPavement},
+    {"plaster", PaintPlaster},   {"poster", PaintPoster},       {"roof", PaintRoof},
+    {"tiles", PaintTiles},       {"wallpaper", PaintWallpaper}, {"wood", PaintWood}};
 
 }  // namespace
 
