@@ -23,18 +23,32 @@ struct FrameFeatures {
   int background_in_boxes = 0;
 };
 
-// Pixels of each body where a match can be: both cameras see them, not nearer to their images'
-// edges than a descriptor reaches.
-std::vector<int> CountMatchable(const StereoCamera& camera, const cv::Mat& depth,
-                                const cv::Mat& instances, std::size_t bodies) {
+// Where a match can be: both cameras see the pixel, not nearer to their images' edges than a
+// descriptor reaches, and what is around it is of the same body, for a corner that holds two depths
+// has no partner. 255 there, else 0.
+cv::Mat FindMatchable(const StereoCamera& camera, const cv::Mat& depth, const cv::Mat& instances) {
   const int border = limits::kDescriptorBorder_px;
-  std::vector<int> counts(bodies);
+  const int side = 2 * limits::kCornerRadius_px + 1;
+  cv::Mat lowest, highest;
+  cv::erode(instances, lowest, cv::Mat::ones(side, side, CV_8U));
+  cv::dilate(instances, highest, cv::Mat::ones(side, side, CV_8U));
+  cv::Mat matchable = cv::Mat::zeros(depth.size(), CV_8U);
   for (int v = border; v < depth.rows - border; ++v) {
     for (int u = border; u < depth.cols - border; ++u) {
-      const std::size_t body = instances.at<std::uint16_t>(v, u);
-      if (body == 0 || body > bodies) continue;
       const double disparity_px = camera.fx * camera.baseline_m / depth.at<float>(v, u);
-      if (u - disparity_px >= border) ++counts[body - 1];
+      const bool within = lowest.at<std::uint16_t>(v, u) == highest.at<std::uint16_t>(v, u);
+      if (within && u - disparity_px >= border) matchable.at<std::uint8_t>(v, u) = 255;
+    }
+  }
+  return matchable;
+}
+
+std::vector<int> CountBodies(const cv::Mat& instances, const cv::Mat& mask, std::size_t bodies) {
+  std::vector<int> counts(bodies);
+  for (int v = 0; v < mask.rows; ++v) {
+    for (int u = 0; u < mask.cols; ++u) {
+      const std::size_t body = instances.at<std::uint16_t>(v, u);
+      if (body > 0 && body <= bodies && mask.at<std::uint8_t>(v, u) != 0) ++counts[body - 1];
     }
   }
   return counts;
