@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synth/render/renderer.h"
 
+#include "synth/render/edge_depth.h"
 #include "synth/render/gl_context.h"
 #include "synth/render/passes.h"
 
@@ -15,9 +16,12 @@ namespace cvo::synth {
 
 struct Renderer::State {
   Passes passes;
+  StereoCamera rig;
+  std::vector<Body> bodies;
 };
 
-Renderer::Renderer(const World& world, int threads) : state_(new State{Passes(world, threads)}) {}
+Renderer::Renderer(const World& world, int threads)
+    : state_(new State{Passes(world, threads), world.rig, world.bodies}) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
@@ -37,6 +41,7 @@ Rendering Renderer::Draw(const View& view) {
   rendering.instances = passes.ReadInstances();
   rendering.alone_px = passes.ReadAlone();
   passes.Check();
+  CorrectEdgeDepth(state_->rig, state_->bodies, view, rendering);
   return rendering;
 }
 

@@ -27,10 +27,10 @@ struct Drawable {
 // A thing of a class that a detector knows, moving or not. Its frame: x forward, y left, z up, the
 // origin in the middle of its box.
 struct Body {
-  int id = 0;              // 1, 2, ... in the order of World::bodies; the value in instance masks
-  std::string name;        // "ball_1"
-  std::string category;    // "Ball", "Chair", "Block", "Car", ...: the type in labels
-  Eigen::Vector3d size_m;  // of its box along x, y, z
+  int id = 0;            // 1, 2, ... in the order of World::bodies; the value in instance masks
+  std::string name;      // "ball_1"
+  std::string category;  // "Ball", "Chair", "Block", "Car", ...: the type in labels
+  Eigen::Vector3d size_m = Eigen::Vector3d::Zero();  // of its box along x, y, z
   std::shared_ptr<const Motion> motion;
 };
 
