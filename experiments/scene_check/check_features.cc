@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/features/front_end.h"
@@ -19,8 +21,7 @@ struct FrameFeatures {
   std::vector<int> on_body;                // [id - 1], where FindMatchable says
   std::vector<int> matchable_px;           // [id - 1]
   std::vector<float> disparity_errors_px;  // signed, matched - true
-  int in_boxes = 0;
-  int background_in_boxes = 0;
+  std::vector<double> foreign;  // of each visible box with enough matches, the part not on its body
 };
 
 // Where a match can be: both cameras see the pixel, not nearer to their images' edges than a
@@ -54,6 +55,28 @@ std::vector<int> CountBodies(const cv::Mat& instances, const cv::Mat& mask, std:
   return counts;
 }
 
+// Of the matches in the body's visible box, the part that is not on the body.
+std::optional<double> ForeignPart(const std::vector<StereoFeature>& features,
+                                  const cv::Mat& instances, const SceneBody& body) {
+  if (!body.visible_box) return std::nullopt;
+  int inside = 0;
+  int own = 0;
+  for (const StereoFeature& feature : features) {
+    const double u = feature.z_px[0];
+    const double v = feature.z_px[1];
+    if (u < body.visible_box->left_px || u > body.visible_box->right_px ||
+        v < body.visible_box->top_px || v > body.visible_box->bottom_px) {
+      continue;
+    }
+    ++inside;
+    const auto id = instances.at<std::uint16_t>(static_cast<int>(std::lround(v)),
+                                                static_cast<int>(std::lround(u)));
+    if (id == body.id) ++own;
+  }
+  if (inside < limits::kMinBoxMatches) return std::nullopt;
+  return 1.0 - static_cast<double>(own) / inside;
+}
+
 FrameFeatures FindFeatures(const SceneFolder& scene, int frame, TaskPool& pool) {
   const auto index = static_cast<std::size_t>(frame);
   const StereoPaths& paths = scene.sequence.images[index];
@@ -82,14 +105,10 @@ FrameFeatures FindFeatures(const SceneFolder& scene, int frame, TaskPool& pool) 
       result.disparity_errors_px.push_back(
           static_cast<float>(camera.Disparity(feature.z_px) - true_px));
     }
-    const bool in_box = std::any_of(scene.bodies[index].begin(), scene.bodies[index].end(),
-                                    [&](const SceneBody& other) {
-                                      const auto& box = other.visible_box;
-                                      return box && u >= box->left_px && u <= box->right_px &&
-                                             v >= box->top_px && v <= box->bottom_px;
-                                    });
-    if (in_box) ++result.in_boxes;
-    if (in_box && body == 0) ++result.background_in_boxes;
+  }
+  for (const SceneBody& body : scene.bodies[index]) {
+    const std::optional<double> part = ForeignPart(features, instances, body);
+    if (part) result.foreign.push_back(*part);
   }
   return result;
 }
@@ -171,11 +190,11 @@ std::vector<SceneCheck> CheckFeatures(const SceneFolder& scene, TaskPool& pool) 
       });
   SceneCheck fewest = {
       "matches_fewest", std::numeric_limits<double>::infinity(), "matches", Bound::kNone, 0.0, ""};
-  int enough = 0, in_boxes = 0, background = 0;
+  int enough = 0;
+  std::vector<double> foreign;
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (results[i].matches >= limits::kMatches) ++enough;
-    in_boxes += results[i].in_boxes;
-    background += results[i].background_in_boxes;
+    foreign.insert(foreign.end(), results[i].foreign.begin(), results[i].foreign.end());
     if (results[i].matches >= fewest.figure) continue;
     fewest.figure = results[i].matches;
     fewest.where = StrCat("frame ", scene.image_frames[i]);
@@ -186,9 +205,10 @@ std::vector<SceneCheck> CheckFeatures(const SceneFolder& scene, TaskPool& pool) 
       fewest};
   for (SceneCheck& check : CheckMovers(scene, results)) checks.push_back(std::move(check));
   for (SceneCheck& check : CheckDisparities(results)) checks.push_back(std::move(check));
-  checks.push_back({"background_matches_in_boxes",
-                    in_boxes > 0 ? static_cast<double>(background) / in_boxes : 0.0, "of matches",
-                    Bound::kNone, 0.0, ""});
+  const double sum = std::accumulate(foreign.begin(), foreign.end(), 0.0);
+  checks.push_back({"foreign_matches_in_boxes",
+                    foreign.empty() ? 0.0 : sum / static_cast<double>(foreign.size()), "of matches",
+                    Bound::kNone, 0.0, "mean over boxes"});
   return checks;
 }
 

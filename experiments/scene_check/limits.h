@@ -70,6 +70,8 @@ constexpr double kUnhidden = 0.9;
 constexpr int kDescriptorBorder_px = 16;
 // The ring of the corner detector and one pixel more.
 constexpr int kCornerRadius_px = 4;
+// Fewer matches in a box say nothing about what they are on.
+constexpr int kMinBoxMatches = 10;
 // Median over all matches; the spread of single matches is 0.1 to 0.3 px.
 constexpr double kMatchDisparityBias_px = 0.1;
 constexpr double kMatchDisparity_px = 0.3;

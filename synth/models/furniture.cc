@@ -111,10 +111,10 @@ Model BuildChair(const BuildRequest& request, Rng& look) {
   const double leg = 0.1 * std::min(size.x(), size.y());
   const double x = 0.5 * size.x();
   const double y = 0.5 * size.y();
-  const double seat_bottom = 0.3 * size.z();
+  const double seat_bottom = 0.36 * size.z();
   const double seat_top = 0.5 * size.z();
-  const double back_bottom = 0.6 * size.z();
-  const double back = -x + 0.22 * size.x();
+  const double back_bottom = 0.7 * size.z();
+  const double back = -x + 0.2 * size.x();
   Model model;
   Part frame = MakePart(wood);
   AddLegs(frame, model, PenFor(wood, look), {size.x(), size.y(), seat_bottom}, leg);

@@ -56,7 +56,7 @@ std::vector<SphereLeaf> MakeLeaves(Rng& rng) {
   const Palette& palette = RandomPalette(rng);
   constexpr double kSmallest = 0.045;
   constexpr double kLargest = 0.45;
-  std::vector<SphereLeaf> leaves(240);
+  std::vector<SphereLeaf> leaves(190);
   for (SphereLeaf& leaf : leaves) {
     leaf.centre = RandomDirection(rng);
     leaf.across = leaf.centre.cross(RandomDirection(rng)).normalized();

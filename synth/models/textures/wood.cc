@@ -99,7 +99,7 @@ Texture PaintWood(Rng& rng) {
 
 Texture PaintParquet(Rng& rng) {
   // Large calm boards: what moves on them must stand out.
-  const BoardOptions boards = {64.0f, 200.0, 480.0, 0.28, 1.0f / 1000.0f, 1.0f / 10000.0f};
+  const BoardOptions boards = {64.0f, 200.0, 480.0, 0.28, 1.0f / 650.0f, 1.0f / 8000.0f};
   return {PaintBoards({1024, 1024}, boards, rng), {2.56, 2.56}};
 }
 
