@@ -62,8 +62,8 @@ void DrawBadge(cv::Mat& canvas, cv::Point2f middle, const Livery& livery, Rng& r
     const auto half = static_cast<float>(radius);
     FillBox(canvas, {middle.x - half, middle.y - 0.8f * half, 2.0f * half, 1.6f * half}, colour);
   }
-  DrawStamp(canvas, {middle, 0.62 * radius, 0.7854 * static_cast<double>(rng.UniformInt(8)),
-                     livery.ground},
+  DrawStamp(canvas,
+            {middle, 0.62 * radius, 0.7854 * static_cast<double>(rng.UniformInt(8)), livery.ground},
             rng);
 }
 
