@@ -34,7 +34,7 @@ constexpr std::array<Station, 13> kStations = {{{-0.5, 0.52, 0.86},
                                                 {0.5, 0.4, 0.84}}};
 constexpr int kColumns = 9;
 
-// From the left sill over the roof to the right sill.
+// From the right sill over the roof to the left sill.
 std::vector<Vector3d> CutAt(const Station& station, const Vector3d& size) {
   const double x = station.x * size.x();
   const double half = 0.5 * size.y() * station.width;
@@ -42,14 +42,14 @@ std::vector<Vector3d> CutAt(const Station& station, const Vector3d& size) {
   const double belt = std::min(kBelt * size.z(), 0.94 * top);
   const double rise = top - belt;
   const double inset = std::min(0.3 * half, 0.55 * rise + 0.04 * half);
-  const std::array<Eigen::Vector2d, 5> left = {{{0.96 * half, kSill * size.z()},
-                                                {half, 0.5 * belt + 0.5 * kSill * size.z()},
-                                                {0.985 * half, belt},
-                                                {half - inset, top - 0.12 * rise},
-                                                {0.0, top}}};
+  const std::array<Eigen::Vector2d, 5> half_cut = {{{0.96 * half, kSill * size.z()},
+                                                    {half, 0.5 * belt + 0.5 * kSill * size.z()},
+                                                    {0.985 * half, belt},
+                                                    {half - inset, top - 0.12 * rise},
+                                                    {0.0, top}}};
   std::vector<Vector3d> cut;
-  for (const Eigen::Vector2d& p : left) cut.emplace_back(x, p.x(), p.y());
-  for (int i = 3; i >= 0; --i) cut.emplace_back(x, -left[i].x(), left[i].y());
+  for (const Eigen::Vector2d& p : half_cut) cut.emplace_back(x, -p.x(), p.y());
+  for (int i = 3; i >= 0; --i) cut.emplace_back(x, half_cut[i].x(), half_cut[i].y());
   return cut;
 }
 

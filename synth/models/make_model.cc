@@ -89,6 +89,8 @@ Model MakeModel(const ModelDescription& description, Rng& look) {
   const Eigen::Vector3d size_m = FindSize(description, kind);
   Rng own(look.NextU64(), description.kind);
   Model model = kind.build({size_m, description.material, description.file}, own);
+  const bool ours = description.kind != "mesh";  // closed, with normals that point outward
+  for (Part& part : model.parts) part.mesh.two_sided = !ours;
   FitTo(model, size_m.isZero(0.0) ? BoundsOf(model) : size_m);
   return model;
 }

@@ -206,7 +206,7 @@ void AddBlob(Mesh& mesh, const Pen& pen, const Vector3d& radii_m, double roughne
     for (const Vector3d& bump : bumps) height = std::max(height, 6.0 * out.dot(bump) - 5.0);
     return (1.0 + roughness * height) * out.cwiseProduct(radii_m);
   };
-  constexpr int kCells = 4;
+  constexpr int kCells = 3;
   for (int face = 0; face < 6; ++face) {
     for (int r = 0; r < kCells; ++r) {
       for (int c = 0; c < kCells; ++c) {

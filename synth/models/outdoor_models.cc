@@ -32,9 +32,9 @@ Model MakeTree(const Vector3d& size_m, const Texture& leaves, const Texture& bar
   AddCylinder(stem.mesh, PenFor(bark, look), {trunk, 0.6 * trunk, 0.75 * size_m.z(), 10});
   const Vector3d half(0.5 * size_m.x(), 0.5 * size_m.y(), 0.5 * (size_m.z() - crown));
   const Vector3d middle(0, 0, crown + half.z());
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < 5; ++i) {
     Pen pen = PenFor(leaves, look);
-    const double angle = 1.05 * i + look.Uniform(-0.4, 0.4);
+    const double angle = 1.57 * i + look.Uniform(-0.4, 0.4);
     const double out = i == 0 ? 0.0 : look.Uniform(0.3, 0.45);
     const double up = i == 0 ? 0.3 : look.Uniform(-0.4, 0.15);
     const double part = i == 0 ? 0.7 : look.Uniform(0.5, 0.62);

@@ -32,10 +32,27 @@ Vector2d Beside(const Road& road, std::size_t index, double left_m) {
 Vector3d At(const Vector2d& p, double z) { return {p.x(), p.y(), z}; }
 
 // The cell between two points of the centre line and two distances to the left of it.
+std::vector<Vector3d> Cell(const Road& road, std::size_t index, std::size_t end, double from_m,
+                           double to_m, double z) {
+  return {At(Beside(road, index, from_m), z), At(Beside(road, end, from_m), z),
+          At(Beside(road, end, to_m), z), At(Beside(road, index, to_m), z)};
+}
+
 std::vector<Vector3d> Cell(const Road& road, std::size_t index, double from_m, double to_m,
                            double z) {
-  return {At(Beside(road, index, from_m), z), At(Beside(road, index + 1, from_m), z),
-          At(Beside(road, index + 1, to_m), z), At(Beside(road, index, to_m), z)};
+  return Cell(road, index, index + 1, from_m, to_m, z);
+}
+
+// Where a straight stretch of the road that begins at `index` ends, within a few metres.
+std::size_t EndOfStretch(const Road& road, std::size_t index) {
+  constexpr std::size_t kLongest = 8;
+  std::size_t end = index + 1;
+  while (end + 1 < road.line.size() && end < index + kLongest &&
+         road.tangents[end + 1].dot(road.tangents[index]) > 1.0 - 1e-9 &&
+         road.tangents[end].dot(road.tangents[index]) > 1.0 - 1e-9) {
+    ++end;
+  }
+  return end;
 }
 
 Vector2d MiddleOf(const std::vector<Vector3d>& corners) {
@@ -51,13 +68,9 @@ Part MakeCarriageways(const StreetMap& map, const Texture& asphalt) {
   Part part = MakeGroundPart(asphalt);
   for (const Road& road : map.roads) {
     const double edge = road.half_width_m + 0.6;
-    constexpr int kStrips = 4;
-    for (std::size_t i = 0; i + 1 < road.line.size(); ++i) {
-      for (int strip = 0; strip < kStrips; ++strip) {
-        const double from = edge * (2.0 * strip / kStrips - 1.0);
-        AddGround(part.mesh, PenFor(asphalt),
-                  Cell(road, i, from, from + 2.0 * edge / kStrips, 0.0));
-      }
+    for (std::size_t i = 0, end = 0; i + 1 < road.line.size(); i = end) {
+      end = EndOfStretch(road, i);
+      AddGround(part.mesh, PenFor(asphalt), Cell(road, i, end, -edge, edge, 0.0));
     }
   }
   return part;
@@ -75,7 +88,18 @@ Part MakePavements(const StreetMap& map, const Texture& slabs) {
   const double width = map.pavement_m / strips;
   for (int r = 0; r < static_cast<int>(map.roads.size()); ++r) {
     const Road& road = map.roads[r];
-    for (std::size_t i = 0; i + 1 < road.line.size(); ++i) {
+    const double far = road.half_width_m + map.pavement_m;
+    for (std::size_t i = 0, end = 0; i + 1 < road.line.size(); i = end) {
+      end = EndOfStretch(road, i);
+      // As a whole, unless another road's carriageway may be cut out.
+      if (!map.IsOnRoad(MiddleOf(Cell(road, i, end, -1.0, 1.0, 0.0)), far + 5.0, r)) {
+        AddGround(part.mesh, PenFor(slabs),
+                  Cell(road, i, end, road.half_width_m, far, kPavement_m));
+        AddGround(part.mesh, PenFor(slabs),
+                  Cell(road, i, end, -far, -road.half_width_m, kPavement_m));
+        continue;
+      }
+      end = i + 1;
       for (int strip = 0; strip < strips; ++strip) {
         const double near = road.half_width_m + strip * width;
         AddPavementCell(part.mesh, slabs, map, r, Cell(road, i, near, near + width, kPavement_m));
@@ -103,8 +127,8 @@ Part MakeKerbs(const StreetMap& map, const Texture& stone) {
         Pen pen = PenFor(stone);
         pen.uv_offset.x() = along / stone.size_m.x();
         AddRectangle(part.mesh, pen,
-                     {At(left ? b : a, kPavement_m + 0.02),
-                      At(left ? a - b : b - a, 0.0),
+                     {At(left ? a : b, kPavement_m + 0.02),
+                      At(left ? b - a : a - b, 0.0),
                       {0, 0, -kPavement_m - 0.02}});
         const double edge = sign * road.half_width_m;
         AddGround(part.mesh, pen,

@@ -72,6 +72,7 @@ void LoadStateAndWork(Gl& gl) {
   Load(gl.Viewport, "glViewport");
   Load(gl.DepthFunc, "glDepthFunc");
   Load(gl.ClipControl, "glClipControl");
+  Load(gl.CullFace, "glCullFace");
   Load(gl.StencilFunc, "glStencilFunc");
   Load(gl.StencilOp, "glStencilOp");
   Load(gl.PixelStorei, "glPixelStorei");

@@ -91,6 +91,19 @@ void CheckComplete(const Gl& gl, GLuint framebuffer, const char* name) {
   }
 }
 
+// Counter-clockwise seen from the side that the normals point to.
+std::vector<std::uint32_t> OrientedIndices(const Mesh& mesh) {
+  std::vector<std::uint32_t> indices = mesh.indices;
+  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+    const Vertex& a = mesh.vertices[indices[i]];
+    const Vertex& b = mesh.vertices[indices[i + 1]];
+    const Vertex& c = mesh.vertices[indices[i + 2]];
+    const Eigen::Vector3f face = (b.position - a.position).cross(c.position - a.position);
+    if (face.dot(a.normal + b.normal + c.normal) < 0.0F) std::swap(indices[i + 1], indices[i + 2]);
+  }
+  return indices;
+}
+
 }  // namespace
 
 GlMesh UploadMesh(const Gl& gl, const Mesh& mesh) {
@@ -101,14 +114,16 @@ GlMesh UploadMesh(const Gl& gl, const Mesh& mesh) {
   GlMesh uploaded;
   uploaded.indices = static_cast<GLsizei>(mesh.indices.size());
   uploaded.sphere = BoundingSphere(mesh);
+  uploaded.two_sided = mesh.two_sided;
   if (mesh.indices.empty()) return uploaded;
   gl.CreateVertexArrays(1, &uploaded.vertex_array);
   const GLuint vertices =
       MakeBuffer(gl, mesh.vertices.data(), mesh.vertices.size() * sizeof(Vertex));
   gl.VertexArrayVertexBuffer(uploaded.vertex_array, 0, vertices, 0, sizeof(Vertex));
+  const std::vector<std::uint32_t> indices = OrientedIndices(mesh);
   gl.VertexArrayElementBuffer(
       uploaded.vertex_array,
-      MakeBuffer(gl, mesh.indices.data(), mesh.indices.size() * sizeof(std::uint32_t)));
+      MakeBuffer(gl, indices.data(), indices.size() * sizeof(std::uint32_t)));
   AddAttribute(gl, uploaded.vertex_array, 0, 3, offsetof(Vertex, position));
   AddAttribute(gl, uploaded.vertex_array, 1, 3, offsetof(Vertex, normal));
   AddAttribute(gl, uploaded.vertex_array, 2, 2, offsetof(Vertex, uv));

@@ -15,6 +15,7 @@ struct GlMesh {
   GLuint vertex_array = 0;
   GLsizei indices = 0;
   Sphere sphere;  // in the body's frame
+  bool two_sided = true;
 };
 
 // Throws Error for indices outside the vertices.

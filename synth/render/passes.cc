@@ -93,7 +93,10 @@ void Passes::SetVector(int location, const Eigen::Vector3d& vector) {
   gl_.Uniform3fv(location, 1, values.data());
 }
 
+// The back of what has no inside to be seen costs as much as its front: the rasteriser shades
+// hidden pixels too where there are several samples in each.
 void Passes::DrawMesh(const GlMesh& mesh) {
+  mesh.two_sided ? gl_.Disable(GL_CULL_FACE) : gl_.Enable(GL_CULL_FACE);
   gl_.BindVertexArray(mesh.vertex_array);
   gl_.DrawElements(GL_TRIANGLES, mesh.indices, GL_UNSIGNED_INT, nullptr);
 }
@@ -105,12 +108,14 @@ void Passes::UseTarget(GLuint framebuffer, int width_px, int height_px) {
   gl_.Disable(GL_STENCIL_TEST);
   gl_.Enable(GL_DEPTH_TEST);
   gl_.DepthFunc(GL_GREATER);
+  gl_.CullFace(GL_FRONT);  // counter-clockwise triangles are clockwise where rows go down
   const float far = 0.0F;
   gl_.ClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far);
 }
 
 void Passes::DrawShadows() {
   UseTarget(targets_.shadow, kShadowSide_px, kShadowSide_px);
+  gl_.CullFace(GL_BACK);
   gl_.UseProgram(position_program_);
   for (const Placed& placed : placed_) {
     const Eigen::Matrix4d clip_from_body = shadow_clip_from_world_ * placed.world_from_body;
@@ -168,6 +173,7 @@ void Passes::DrawSky(Eye eye) {
   gl_.UseProgram(sky_program_);
   SetMatrix(uniform::kWorldFromNdc, world_from_ndc);
   SetVector(uniform::kSky, light_.sky_rgb);
+  gl_.Disable(GL_CULL_FACE);
   gl_.BindVertexArray(sky_vertices_);
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 }

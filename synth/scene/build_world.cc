@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <tuple>
 #include <utility>
 
 #include "core/base/error.h"
@@ -13,6 +11,7 @@
 #include "synth/scene/check_world.h"
 #include "synth/scene/description.h"
 #include "synth/scene/paths.h"
+#include "synth/scene/scenery.h"
 
 namespace cvo::synth {
 namespace {
@@ -47,57 +46,6 @@ Models MakeModels(const SceneParts& scene, const std::string& where, TaskPool& p
   });
   return models;
 }
-
-// Collects what is drawn; the same picture in memory becomes the same texture.
-class Scenery {
- public:
-  explicit Scenery(World& world) : world_(world) {}
-
-  void AddBody(const Model& model, int body) {
-    for (const Part& part : model.parts) {
-      world_.drawables.push_back({static_cast<int>(world_.meshes.size()), Texture(part.texture),
-                                  body, part.gloss, part.casts_shadow});
-      world_.meshes.push_back(part.mesh);
-    }
-  }
-
-  // What is drawn alike becomes one mesh.
-  void AddBackground(const Part& part, const RigidTransform& world_from_part) {
-    const int texture = Texture(part.texture);
-    const auto [merged, is_new] = background_.try_emplace(
-        std::make_tuple(texture, part.gloss, part.casts_shadow), world_.meshes.size());
-    if (is_new) {
-      world_.drawables.push_back(
-          {static_cast<int>(merged->second), texture, 0, part.gloss, part.casts_shadow});
-      world_.meshes.emplace_back();
-    }
-    Append(part.mesh, world_from_part, world_.meshes[merged->second]);
-  }
-
- private:
-  int Texture(const cv::Mat& texture) {
-    const auto [known, is_new] =
-        textures_.try_emplace(texture.data, static_cast<int>(world_.textures.size()));
-    if (is_new) world_.textures.push_back(texture);
-    return known->second;
-  }
-
-  static void Append(const Mesh& mesh, const RigidTransform& world_from_mesh, Mesh& merged) {
-    const Eigen::Matrix3f rotation = world_from_mesh.RotationMatrix().cast<float>();
-    const Eigen::Vector3f translation = world_from_mesh.translation().cast<float>();
-    const auto first = static_cast<std::uint32_t>(merged.vertices.size());
-    for (const Vertex& vertex : mesh.vertices) {
-      merged.vertices.push_back(
-          {rotation * vertex.position + translation, rotation * vertex.normal, vertex.uv});
-    }
-    for (const std::uint32_t index : mesh.indices) merged.indices.push_back(first + index);
-  }
-
-  World& world_;
-  // Found by address, numbered in the order of the parts.
-  std::map<const unsigned char*, int> textures_;
-  std::map<std::tuple<int, float, bool>, std::size_t> background_;
-};
 
 BodyShape ShapeOf(const Model& model) {
   const bool is_ball = model.shapes.size() == 1 && model.shapes[0].radius_m > 0.0;

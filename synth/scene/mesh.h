@@ -14,10 +14,11 @@ struct Vertex {
   Eigen::Vector2f uv;        // texture coordinates; textures repeat
 };
 
-// Triangles as triples of vertex indices. Drawn from both sides.
+// Triangles as triples of vertex indices, in any order around them.
 struct Mesh {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
+  bool two_sided = true;  // false: not drawn where its normals point away from the viewer
 };
 
 }  // namespace cvo::synth

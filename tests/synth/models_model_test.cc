@@ -77,6 +77,29 @@ bool SameModel(const Model& a, const Model& b) {
   return true;
 }
 
+// By the divergence theorem, with the sides that the normals tell.
+double Volume(const Mesh& mesh) {
+  double volume = 0.0;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const Vertex& a = mesh.vertices[mesh.indices[i]];
+    const Vertex& b = mesh.vertices[mesh.indices[i + 1]];
+    const Vertex& c = mesh.vertices[mesh.indices[i + 2]];
+    const Eigen::Vector3f face = (b.position - a.position).cross(c.position - a.position);
+    const float side = face.dot(a.normal + b.normal + c.normal) > 0.0f ? 1.0f : -1.0f;
+    volume += side * face.dot(a.position) / 6.0f;
+  }
+  return volume;
+}
+
+TEST(MakeModel, NormalsPointOutward) {
+  for (const std::string& kind : OwnKinds()) {
+    for (const Part& part : Make(kind, 1).parts) {
+      EXPECT_FALSE(part.mesh.two_sided) << kind;
+      EXPECT_GT(Volume(part.mesh), 0.0) << kind;
+    }
+  }
+}
+
 TEST(MakeModel, EveryKindIsSoundInItsUsualSizeAndInAnother) {
   for (const std::string& kind : OwnKinds()) {
     ExpectSound(Make(kind, 1), kind);

@@ -106,6 +106,22 @@ TEST_F(Shadow, NoSurfaceShadowsItself) {
   EXPECT_LT(cv::countNonZero(darker > 6), 12) << "of the ball's pixels";
 }
 
+TEST(Mesh, OneSidedIsNotDrawnFromBehind) {
+  World world = EmptyWorld();
+  AddBackground(world, Quad({3, -5, -5}, {0, 0, 10}, {0, 10, 0}));  // its normal is towards us
+  std::reverse(world.meshes[0].indices.begin(), world.meshes[0].indices.end());
+  const auto covered = [&] {
+    return cv::countNonZero(Renderer(world, 2).Draw(ViewOf(world)).depth);
+  };
+  EXPECT_EQ(covered(), 160 * 120);
+  world.meshes[0].two_sided = false;
+  EXPECT_EQ(covered(), 160 * 120);
+  for (Vertex& vertex : world.meshes[0].vertices) vertex.normal = -vertex.normal;
+  EXPECT_EQ(covered(), 0);
+  world.meshes[0].two_sided = true;
+  EXPECT_EQ(covered(), 160 * 120);
+}
+
 TEST(Light, ReachesBothSidesOfASurface) {
   World world = EmptyWorld();
   world.textures[0].setTo(cv::Scalar::all(150));

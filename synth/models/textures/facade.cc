@@ -110,14 +110,12 @@ void DrawWall(cv::Mat& canvas, const FacadeColours& colours, Rng& rng) {
   for (float y = 0; y < kSide; y += height) {
     const float shift = std::fmod(y / height, 2.0f) < 0.5f ? 0.0f : 0.5f * width;
     for (float x = 0; x < kSide - 1; x += width) {
-      const auto gain = static_cast<float>(rng.Uniform() < 0.12 ? rng.Uniform(0.55, 0.75)
-                                                                : rng.Uniform(0.87, 1.13));
+      const auto gain = static_cast<float>(rng.Uniform() < 0.05 ? rng.Uniform(0.8, 0.88)
+                                                                : rng.Uniform(0.96, 1.04));
       FillBox(canvas, {x + shift + 1, y + 1, width - 2, height - 2}, colours.wall * gain);
     }
   }
-  Stain(canvas, MakeNoise(canvas.size(), {12, 6}, 4, rng), 0.25, 0.2, colours.wall * 0.6f, 0.8);
-  Scatter(canvas, {320, 5.0, 17.0},
-          {colours.wall * 0.62f, colours.wall * 0.75f, colours.wall * 1.3f}, rng);
+  Stain(canvas, MakeNoise(canvas.size(), {8, 4}, 4, rng), 0.1, 0.5, colours.wall * 0.7f, 0.7);
   for (int floor = 0; floor < kFloors; ++floor) {
     FillBox(canvas, {0, static_cast<float>(floor) * kFloor, kSide, 12}, colours.frame * 0.85f);
   }
@@ -130,7 +128,7 @@ Texture PaintFacade(Rng& rng) {
   const Rgb& tone = palette.Mid(rng);
   const Rgb wall = Mix(tone, palette.light(), rng.Uniform(0.2, 0.7));
   FacadeColours colours{&palette, wall, Mix(palette.light(), {255, 255, 255}, 0.3)};
-  cv::Mat canvas = MakeCanvas({static_cast<int>(kSide), static_cast<int>(kSide)}, wall * 0.75f);
+  cv::Mat canvas = MakeCanvas({static_cast<int>(kSide), static_cast<int>(kSide)}, wall * 0.9f);
   DrawWall(canvas, colours, rng);
   const bool shops = rng.Uniform() < 0.6;
   const bool shutters = rng.Uniform() < 0.4;

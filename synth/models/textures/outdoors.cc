@@ -6,51 +6,51 @@
 
 namespace cvo::synth {
 
+// Calm, as a road is: the corners that a front end looks for are to be found on what drives there.
 Texture PaintAsphalt(Rng& rng) {
-  const Rgb base = {112, 112, 114};
+  const Rgb base = {104, 104, 107};
   cv::Mat canvas = MakeCanvas({1024, 1024}, base);
-  Stain(canvas, MakeNoise(canvas.size(), {10, 10}, 4, rng), 0.15, 0.1, base * 0.75f, 1.0);
-  Stain(canvas, MakeNoise(canvas.size(), {14, 14}, 4, rng), 0.18, 0.1, base * 1.3f, 0.8);
-  for (int i = 0; i < 34; ++i) {
+  Stain(canvas, MakeNoise(canvas.size(), {5, 5}, 4, rng), 0.0, 0.5, base * 0.8f, 0.7);
+  Stain(canvas, MakeNoise(canvas.size(), {4, 4}, 4, rng), 0.0, 0.5, base * 1.2f, 0.7);
+  for (int i = 0; i < 7; ++i) {
     const cv::Point2f at = RandomPoint(canvas.size(), rng);
-    const auto w = static_cast<float>(rng.Uniform(30.0, 150.0));
-    const auto h = static_cast<float>(rng.Uniform(30.0, 110.0));
-    const Rgb patch =
-        base * static_cast<float>(rng.Uniform() < 0.6 ? rng.Uniform(0.55, 0.8) : 1.25);
-    FillBox(canvas, {at.x, at.y, w, h}, patch * 0.6f);
+    const auto w = static_cast<float>(rng.Uniform(60.0, 220.0));
+    const auto h = static_cast<float>(rng.Uniform(50.0, 130.0));
+    const Rgb patch = base * static_cast<float>(rng.Uniform(0.76, 0.88));
+    FillBox(canvas, {at.x, at.y, w, h}, patch * 0.75f);
     FillBox(canvas, {at.x + 3, at.y + 3, w - 6, h - 6}, patch);
   }
-  Scatter(canvas, {900, 4.0, 22.0}, {base * 0.5f, base * 0.68f, base * 1.3f, base * 1.5f}, rng);
-  for (int i = 0; i < 26; ++i) {
+  Scatter(canvas, {60, 4.0, 18.0}, {base * 0.7f, base * 0.8f}, rng);
+  for (int i = 0; i < 7; ++i) {
     const cv::Point2f from = RandomPoint(canvas.size(), rng);
     const double length = rng.Uniform(120.0, 420.0);
-    DrawCrack(canvas, from, length, 4.0, base * 0.4f, rng);
+    DrawCrack(canvas, from, length, 3.0, base * 0.6f, rng);
   }
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < 2; ++i) {
     const cv::Point2f at = RandomPoint(canvas.size(), rng);
     FillDisc(canvas, at, 26.0, base * 0.5f);
     FillDisc(canvas, at, 21.0, base * 0.85f);
     FillPolygon(canvas, RandomShape(at, 15.0, 0.0, rng), base * 0.5f);
   }
-  Shade(canvas, MakeNoise(canvas.size(), {128, 128}, 2, rng), 0.18);
+  Shade(canvas, MakeNoise(canvas.size(), {256, 256}, 1, rng), 0.05);
   return {canvas, {12.8, 12.8}};
 }
 
 Texture PaintPavement(Rng& rng) {
-  const Rgb base = Vary({170, 164, 152}, 0.08, rng);
-  cv::Mat canvas = MakeCanvas({512, 512}, base * 0.55f);
+  const Rgb base = Vary({168, 163, 152}, 0.06, rng);
+  cv::Mat canvas = MakeCanvas({512, 512}, base * 0.82f);
   for (int row = 0; row < 16; ++row) {
     for (int column = 0; column < 16; ++column) {
       const float shift = row % 2 == 0 ? 0.0f : 16.0f;
-      const auto gain = static_cast<float>(rng.Uniform() < 0.15 ? 0.6 : rng.Uniform(0.8, 1.2));
+      const auto gain = static_cast<float>(rng.Uniform() < 0.08 ? 0.8 : rng.Uniform(0.95, 1.05));
       FillBox(canvas,
               {static_cast<float>(32 * column) + shift + 1.0f, static_cast<float>(32 * row) + 1.0f,
                30, 30},
               base * gain);
     }
   }
-  Scatter(canvas, {420, 2.5, 13.0}, {base * 0.5f, base * 0.7f, base * 1.35f}, rng);
-  Shade(canvas, MakeNoise(canvas.size(), {8, 8}, 4, rng), 0.3);
+  Scatter(canvas, {50, 2.5, 11.0}, {base * 0.65f, base * 0.78f}, rng);
+  Shade(canvas, MakeNoise(canvas.size(), {6, 6}, 3, rng), 0.2);
   return {canvas, {8.0, 8.0}};
 }
 
@@ -70,11 +70,11 @@ Texture PaintGrass(Rng& rng) {
 Texture PaintLeaves(Rng& rng) {
   const std::vector<Rgb> greens = {{58, 92, 44}, {72, 104, 48}, {88, 104, 40}, {52, 88, 60}};
   const Rgb green = greens[rng.UniformInt(greens.size())];
-  cv::Mat canvas = MakeCanvas({256, 256}, green * 0.4f);
+  cv::Mat canvas = MakeCanvas({256, 256}, green * 0.55f);
   for (int i = 0; i < 950; ++i) {
     const double depth = static_cast<double>(i) / 950;  // later ones lie nearer to the light
-    const double shade = rng.Uniform(0.45, 0.9);
-    const auto gain = static_cast<float>(shade + depth * rng.Uniform(0.0, 1.1));
+    const double shade = rng.Uniform(0.6, 0.8);
+    const auto gain = static_cast<float>(shade + depth * rng.Uniform(0.0, 0.45));
     const cv::Point2f at = RandomPoint(canvas.size(), rng);
     const double angle = rng.Uniform(0.0, 6.28);
     const double length = rng.Uniform(5.0, 12.0);
@@ -93,20 +93,6 @@ Texture PaintBark(Rng& rng) {
   Stain(canvas, MakeNoise(canvas.size(), {24, 8}, 3, rng), 0.12, 0.06, base * 1.5f, 1.0);
   Scatter(canvas, {170, 4.0, 12.0}, {base * 0.5f, base * 1.4f, {128, 132, 104}}, rng);
   return {canvas, {1.6, 1.6}};
-}
-
-Texture PaintCarPaint(Rng& rng) {
-  const Palette& palette = RandomPalette(rng);
-  const Rgb base = rng.Uniform() < 0.25 ? palette.light() : palette.Mid(rng);
-  cv::Mat canvas = MakeCanvas({512, 512}, base);
-  for (int i = 0; i < 3; ++i) {
-    const auto y = static_cast<float>(rng.Uniform(0.0, 512.0));
-    const auto height = static_cast<float>(rng.Uniform(14.0, 40.0));
-    FillBox(canvas, {0, y, 512, height}, palette.Any(rng));
-  }
-  DrawCollage(canvas, {0, 0, 512, 512}, {8.0, 40.0, 200}, palette, rng);
-  Stain(canvas, MakeNoise(canvas.size(), {8, 8}, 4, rng), 0.3, 0.3, {120, 104, 84}, 0.7);
-  return {canvas, {2.56, 2.56}};
 }
 
 }  // namespace cvo::synth

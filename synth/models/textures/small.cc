@@ -54,15 +54,17 @@ Texture MakeDoorTexture(Rng& look) {
   return {canvas, {1.0, 1.0}};
 }
 
+// Dark, with the bright sky and what stands along the road mirrored in it, and a few stickers.
 Texture MakeCarGlassTexture(Rng& look) {
   Rng own(look.NextU64(), "car glass");
-  cv::Mat canvas = MakeCanvas({128, 128}, {44, 52, 60});
-  Stain(canvas, MakeNoise(canvas.size(), {6, 6}, 3, own), 0.05, 0.1, {96, 112, 126}, 1.0);
-  for (int i = 0; i < 26; ++i) {
-    const Rgb colour = own.Uniform() < 0.5 ? Rgb(20, 24, 28) : Rgb(148, 164, 176);
+  cv::Mat canvas = MakeCanvas({256, 256}, {40, 48, 58});
+  Stain(canvas, MakeNoise(canvas.size(), {6, 6}, 3, own), 0.05, 0.1, {92, 108, 124}, 1.0);
+  for (int i = 0; i < 70; ++i) {
     const cv::Point2f at = RandomPoint(canvas.size(), own);
-    const double radius = own.Uniform(3.0, 12.0);
-    FillPolygon(canvas, RandomBlob(at, radius, own), Vary(colour, 0.2, own));
+    const Rgb colour = i % 2 == 0 ? Rgb(16, 20, 26) : Rgb(164, 184, 200);
+    const double radius = own.Uniform(6.0, 16.0);
+    const double angle = own.Uniform(0.0, 6.28);
+    DrawStamp(canvas, {at, radius, angle, Vary(colour, 0.2, own)}, own);
   }
   return {canvas, {1.6, 1.6}};
 }

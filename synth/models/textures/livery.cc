@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "synth/models/textures/painters.h"
+
+namespace cvo::synth {
+namespace {
+
+constexpr int kSide_px = 512;
+constexpr int kCells = 10;  // along each side, a decal in each
+constexpr float kCell_px = static_cast<float>(kSide_px) / kCells;
+
+// What a car is painted with: the prints differ much from the ground in brightness.
+struct Livery {
+  Rgb ground;
+  Rgb band;
+  std::array<Rgb, 3> prints;
+  const Rgb& Print(Rng& rng) const { return prints[rng.UniformInt(3)]; }
+};
+
+float GreyOf(const Rgb& rgb) { return 0.299f * rgb[0] + 0.587f * rgb[1] + 0.114f * rgb[2]; }
+
+Livery MakeLivery(Rng& rng) {
+  const std::vector<Rgb> grounds = {{236, 234, 228}, {214, 60, 48},   {40, 74, 140},
+                                    {240, 190, 60},  {34, 110, 104},  {168, 176, 184},
+                                    {120, 40, 60},   {232, 128, 56},  {88, 132, 80},
+                                    {52, 56, 66},    {120, 170, 206}, {226, 214, 184}};
+  const Palette& palette = RandomPalette(rng);
+  Livery livery;
+  livery.ground = Vary(grounds[rng.UniformInt(grounds.size())], 0.06, rng);
+  const bool is_light = GreyOf(livery.ground) > 120.0f;
+  livery.band = Mix(palette.Mid(rng), livery.ground, 0.3);
+  const Rgb accent = palette.Mid(rng) * (is_light ? 0.6f : 1.35f);
+  livery.prints = is_light ? std::array<Rgb, 3>{Rgb(22, 26, 36), palette.dark(), accent}
+                           : std::array<Rgb, 3>{Rgb(250, 248, 240), palette.light(), accent};
+  return livery;
+}
+
+// Letters in a line, upright or lying.
+void DrawWord(cv::Mat& canvas, cv::Point2f middle, const Rgb& colour, Rng& rng) {
+  const int letters = 3 + static_cast<int>(rng.UniformInt(2));
+  const auto radius = static_cast<float>(rng.Uniform(5.0, 7.0));
+  const bool lies = rng.Uniform() < 0.5;
+  for (int i = 0; i < letters; ++i) {
+    const float along = (static_cast<float>(i) - 0.5f * static_cast<float>(letters - 1)) * 2.1f;
+    const cv::Point2f at =
+        middle + radius * (lies ? cv::Point2f(0.0f, along) : cv::Point2f(along, 0.0f));
+    DrawStamp(canvas, {at, radius, lies ? 1.5708 : 0.0, colour}, rng);
+  }
+}
+
+// A disc or a plate with a sign on it.
+void DrawBadge(cv::Mat& canvas, cv::Point2f middle, const Livery& livery, Rng& rng) {
+  const double radius = rng.Uniform(12.0, 19.0);
+  const Rgb& colour = livery.Print(rng);
+  if (rng.Uniform() < 0.5) {
+    FillDisc(canvas, middle, radius, colour);
+  } else {
+    const auto half = static_cast<float>(radius);
+    FillBox(canvas, {middle.x - half, middle.y - 0.8f * half, 2.0f * half, 1.6f * half}, colour);
+  }
+  DrawStamp(canvas,
+            {middle, 0.62 * radius, 0.7854 * static_cast<double>(rng.UniformInt(8)), livery.ground},
+            rng);
+}
+
+void DrawDecal(cv::Mat& canvas, cv::Point2f middle, const Livery& livery, Rng& rng) {
+  const double kind = rng.Uniform();
+  if (kind < 0.35) {
+    DrawWord(canvas, middle, livery.Print(rng), rng);
+  } else if (kind < 0.6) {
+    DrawBadge(canvas, middle, livery, rng);
+  } else {
+    const double radius = rng.Uniform(9.0, 18.0);
+    DrawStamp(canvas, {middle, radius, rng.Uniform(0.0, 6.28), livery.Print(rng)}, rng);
+    const cv::Point2f beside = middle + cv::Point2f(static_cast<float>(rng.Uniform(-20.0, 20.0)),
+                                                    static_cast<float>(rng.Uniform(-20.0, 20.0)));
+    DrawStamp(canvas, {beside, rng.Uniform(4.0, 8.0), rng.Uniform(0.0, 6.28), livery.Print(rng)},
+              rng);
+  }
+}
+
+}  // namespace
+
+// A car that carries advertisements all over: nothing smaller would give the corners by which a
+// body of some hundred pixels is tracked.
+Texture PaintCarPaint(Rng& rng) {
+  const Livery livery = MakeLivery(rng);
+  cv::Mat canvas = MakeCanvas({kSide_px, kSide_px}, livery.ground);
+  for (int i = 0; i < 2; ++i) {
+    const auto y = static_cast<float>(rng.Uniform(0.0, kSide_px));
+    FillBox(canvas, {0, y, kSide_px, static_cast<float>(rng.Uniform(20.0, 50.0))}, livery.band);
+  }
+  Stain(canvas, MakeNoise(canvas.size(), {6, 6}, 4, rng), 0.15, 0.4, {120, 108, 92}, 0.45);
+  for (int row = 0; row < kCells; ++row) {
+    for (int column = 0; column < kCells; ++column) {
+      const cv::Point2f middle((static_cast<float>(column) + 0.5f) * kCell_px,
+                               (static_cast<float>(row) + 0.5f) * kCell_px);
+      const cv::Point2f shift(static_cast<float>(rng.Uniform(-9.0, 9.0)),
+                              static_cast<float>(rng.Uniform(-9.0, 9.0)));
+      DrawDecal(canvas, middle + shift, livery, rng);
+    }
+  }
+  return {canvas, {2.56, 2.56}};
+}
+
+}  // namespace cvo::synth
