@@ -131,7 +131,7 @@ TEST(Light, ReachesBothSidesOfASurface) {
   for (Vertex& vertex : world.meshes[0].vertices) vertex.normal = -vertex.normal;
   const cv::Mat back = LumaOf(Renderer(world, 2).Draw(ViewOf(world)).left);
   EXPECT_EQ(cv::norm(front, back, cv::NORM_INF), 0.0);
-  EXPECT_NEAR(cv::mean(front)[0], 150 * (0.7 + 0.45 * 5.0 / 6.0), 2.0);
+  EXPECT_NEAR(cv::mean(front)[0], 150 * (0.65 + 0.62 * 5.0 / 6.0), 2.0);
 }
 
 }  // namespace

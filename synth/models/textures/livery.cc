@@ -32,17 +32,18 @@ Livery MakeLivery(Rng& rng) {
   Livery livery;
   livery.ground = Vary(grounds[rng.UniformInt(grounds.size())], 0.06, rng);
   const bool is_light = GreyOf(livery.ground) > 120.0f;
-  livery.band = Mix(palette.Mid(rng), livery.ground, 0.3);
-  const Rgb accent = palette.Mid(rng) * (is_light ? 0.6f : 1.35f);
-  livery.prints = is_light ? std::array<Rgb, 3>{Rgb(22, 26, 36), palette.dark(), accent}
-                           : std::array<Rgb, 3>{Rgb(250, 248, 240), palette.light(), accent};
+  const Rgb ink = is_light ? Rgb(22, 26, 36) : Rgb(250, 248, 240);
+  livery.band = Mix(livery.ground, is_light ? Rgb(255, 255, 255) : Rgb(0, 0, 0), 0.25);
+  Rgb accent = palette.Mid(rng);
+  while (std::abs(GreyOf(accent) - GreyOf(livery.ground)) < 90.0f) accent = Mix(accent, ink, 0.25);
+  livery.prints = {ink, is_light ? palette.dark() : palette.light(), accent};
   return livery;
 }
 
 // Letters in a line, upright or lying.
-void DrawWord(cv::Mat& canvas, cv::Point2f middle, const Rgb& colour, Rng& rng) {
+void DrawWord(cv::Mat& canvas, cv::Point2f middle, double radius_px, const Rgb& colour, Rng& rng) {
   const int letters = 3 + static_cast<int>(rng.UniformInt(2));
-  const auto radius = static_cast<float>(rng.Uniform(5.0, 7.0));
+  const auto radius = static_cast<float>(radius_px);
   const bool lies = rng.Uniform() < 0.5;
   for (int i = 0; i < letters; ++i) {
     const float along = (static_cast<float>(i) - 0.5f * static_cast<float>(letters - 1)) * 2.1f;
@@ -70,7 +71,7 @@ void DrawBadge(cv::Mat& canvas, cv::Point2f middle, const Livery& livery, Rng& r
 void DrawDecal(cv::Mat& canvas, cv::Point2f middle, const Livery& livery, Rng& rng) {
   const double kind = rng.Uniform();
   if (kind < 0.35) {
-    DrawWord(canvas, middle, livery.Print(rng), rng);
+    DrawWord(canvas, middle, rng.Uniform(5.0, 7.0), livery.Print(rng), rng);
   } else if (kind < 0.6) {
     DrawBadge(canvas, middle, livery, rng);
   } else {
@@ -95,6 +96,10 @@ Texture PaintCarPaint(Rng& rng) {
     FillBox(canvas, {0, y, kSide_px, static_cast<float>(rng.Uniform(20.0, 50.0))}, livery.band);
   }
   Stain(canvas, MakeNoise(canvas.size(), {6, 6}, 4, rng), 0.15, 0.4, {120, 108, 92}, 0.45);
+  for (int i = 0; i < 110; ++i) {
+    const cv::Point2f at = RandomPoint(canvas.size(), rng);
+    DrawWord(canvas, at, rng.Uniform(2.6, 4.2), livery.Print(rng), rng);
+  }
   for (int row = 0; row < kCells; ++row) {
     for (int column = 0; column < kCells; ++column) {
       const cv::Point2f middle((static_cast<float>(column) + 0.5f) * kCell_px,

@@ -59,10 +59,10 @@ Texture MakeCarGlassTexture(Rng& look) {
   Rng own(look.NextU64(), "car glass");
   cv::Mat canvas = MakeCanvas({256, 256}, {40, 48, 58});
   Stain(canvas, MakeNoise(canvas.size(), {6, 6}, 3, own), 0.05, 0.1, {92, 108, 124}, 1.0);
-  for (int i = 0; i < 70; ++i) {
+  for (int i = 0; i < 130; ++i) {
     const cv::Point2f at = RandomPoint(canvas.size(), own);
     const Rgb colour = i % 2 == 0 ? Rgb(16, 20, 26) : Rgb(164, 184, 200);
-    const double radius = own.Uniform(6.0, 16.0);
+    const double radius = own.Uniform(3.5, 12.0);
     const double angle = own.Uniform(0.0, 6.28);
     DrawStamp(canvas, {at, radius, angle, Vary(colour, 0.2, own)}, own);
   }
