@@ -29,7 +29,7 @@ build: $(release)/build.ninja ## build everything, Release
 	cmake --build --preset release $(jobs)
 
 table: $(if $(DATA),build) ## DATA=<KITTI folder>: run its sequences, print and write the table of errors
-	$(if $(DATA),,$(error make table: give DATA=<KITTI folder>, there are no synthetic scenes yet))
+	$(if $(DATA),,$(error make table: give DATA=<KITTI folder>))
 	$(release)/bin/clustervo table "$(DATA)" -o results/table
 
 test: build ## run the tests; CLUSTERVO_DATA=<folder> adds those on real data
