@@ -13,11 +13,18 @@
 namespace cvo {
 namespace {
 
+// Parked cars stand on a route with speed 0.
+bool Moves(const synth::PathDescription& path) {
+  if (const auto* route = std::get_if<synth::RouteDescription>(&path)) {
+    return std::any_of(route->speed.begin(), route->speed.end(),
+                       [](const auto& knot) { return knot.speed_mps > 0.0; });
+  }
+  return std::holds_alternative<synth::SwingDescription>(path);
+}
+
 std::ptrdiff_t CountMovers(const synth::SceneParts& parts) {
   return std::count_if(parts.objects.begin(), parts.objects.end(),
-                       [](const synth::ObjectDescription& object) {
-                         return !std::holds_alternative<synth::StillDescription>(object.path);
-                       });
+                       [](const synth::ObjectDescription& object) { return Moves(object.path); });
 }
 
 int List() {

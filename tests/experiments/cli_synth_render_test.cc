@@ -31,7 +31,7 @@ constexpr int kFrames = 6;
 const std::map<std::string, std::string>& GoldenHashes() {
   static const std::map<std::string, std::string> hashes = {
       {"4.5 (Core Profile) Mesa 22.3.6, llvmpipe (LLVM 15.0.6, 256 bits)",
-       "fe95d2a104925407f42145472e239fde61ad72084bacf7f167e87f9049e6867b"}};
+       "d384855d0af353ec932b11646acb149ee9e561cdf342d3de7032e9253ddbfc97"}};
   return hashes;
 }
 
