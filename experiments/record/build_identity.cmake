@@ -2,23 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Run at build time: cmake -D ROOT= -D OUTPUT= -D ESTIMATOR= -D EVALUATION= -P build_identity.cmake
 # Writes a header with the hash of two sets of sources (folders below ROOT, comma-separated) and the
-# git commit. A set's hash covers the path and content of each file, in the order of the paths.
-function(hash_sources folders result)
-  string(REPLACE "," ";" folders "${folders}")
-  set(files)
-  foreach(folder IN LISTS folders)
-    file(GLOB_RECURSE found RELATIVE "${ROOT}" "${ROOT}/${folder}/*.h" "${ROOT}/${folder}/*.cc")
-    list(APPEND files ${found})
-  endforeach()
-  list(SORT files COMPARE STRING)
-  set(listing "")
-  foreach(file IN LISTS files)
-    file(SHA256 "${ROOT}/${file}" hash)
-    string(APPEND listing "${hash}  ${file}\n")
-  endforeach()
-  string(SHA256 hash "${listing}")
-  set(${result} ${hash} PARENT_SCOPE)
-endfunction()
+# git commit.
+include("${CMAKE_CURRENT_LIST_DIR}/../files/hash_sources.cmake")
 
 # The commit is for people. "+changes": sources that are hashed differ from it.
 function(describe_commit folders result)
