@@ -30,8 +30,15 @@ bool IsGroup(const std::string& path, const std::vector<OptionLeaf>& leaves) {
                                const std::vector<OptionLeaf>& leaves) {
   std::vector<std::string> known;
   for (const OptionLeaf& leaf : leaves) known.push_back(leaf.path);
-  ThrowError(where, StrCat("unknown option ", path),
-             "one of those that `clustervo options` lists" + DidYouMean(path, known));
+  // A short list says more than where to find it.
+  constexpr std::size_t kShort = 20;
+  std::string expected = "one of those that `clustervo options` lists";
+  if (known.size() <= kShort) {
+    expected = "one of";
+    for (const std::string& name : known) expected += (&name == &known[0] ? " " : ", ") + name;
+  }
+  expected += DidYouMean(path, known);
+  ThrowError(where, StrCat("unknown option ", path), expected);
 }
 
 // As the source wrote it, cut to fit a line.
