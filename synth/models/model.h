@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/geometry/rigid_transform.h"
-#include "synth/scene/mesh.h"
+#include "synth/models/mesh.h"
 
 namespace cvo::synth {
 

@@ -64,6 +64,8 @@ TEST(Includes, SynthKnowsGeometryOnlyAndNobodyTheTests) {
   EXPECT_THAT(Include("synth/scene/a.cc", "\"experiments/files/json.h\""), IsEmpty());
   EXPECT_THAT(Include("synth/scene/a.cc", "\"experiments/datasets/sequence.h\""), SizeIs(1));
   EXPECT_THAT(Include("synth/scene/a.cc", "\"core/features/orb.h\""), SizeIs(1));
+  EXPECT_THAT(Include("synth/render/a.cc", "\"synth/scene/world.h\""), IsEmpty());
+  EXPECT_THAT(Include("synth/models/a.cc", "\"synth/scene/world.h\""), SizeIs(1));
   EXPECT_THAT(Include("experiments/cli/a.cc", "\"tests/support/temp_folder.h\""), SizeIs(1));
   EXPECT_THAT(Include("tests/core/a.cc", "\"experiments/cli/a.h\""), IsEmpty());
   EXPECT_THAT(Include("tools/a.cc", "\"core/base/error.h\""), SizeIs(1));

@@ -39,12 +39,22 @@ std::vector<Part> CoreParts() {
   return parts;
 }
 
+// From what things are made of to folders of images, each on those before it.
+std::vector<Part> SynthParts() {
+  std::vector<Part> parts;
+  std::vector<std::string> below = {"core/base/", "core/geometry/", "experiments/files/"};
+  for (const char* layer : {"models", "scene", "render", "write"}) {
+    below.push_back(StrCat("synth/", layer, "/"));
+    parts.push_back({below.back(), below, {"random"}});
+  }
+  return parts;
+}
+
 std::vector<Part> MakeParts() {
   std::vector<Part> parts = CoreParts();
   parts.push_back({"variants/", {"core/", "variants/"}, NoFiles()});
   parts.push_back({"experiments/files/", {"core/base/", "experiments/files/"}, {}});
-  parts.push_back(
-      {"synth/", {"core/base/", "core/geometry/", "experiments/files/", "synth/"}, {"random"}});
+  for (const Part& part : SynthParts()) parts.push_back(part);
   const std::vector<std::string> readers = {"core/", "experiments/files/", "experiments/datasets/",
                                             "experiments/metrics/"};
   parts.push_back({"experiments/datasets/", readers, {}});
