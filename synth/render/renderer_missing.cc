@@ -8,7 +8,7 @@ namespace cvo::synth {
 namespace {
 
 [[noreturn]] void ThrowMissing() {
-  ThrowError("synthetic scenes", "this build has no OSMesa",
+  ThrowError("synthetic scenes", "no OSMesa in this build",
              "libosmesa6-dev installed and -DCVO_OSMESA=ON when configuring");
 }
 
