@@ -200,7 +200,8 @@ TEST_F(SceneCheckTest, ABodyThatTurnsOtherThanItsTextureIsFound) {
     const test::RayScene scene;
     const auto text = [&](const RigidTransform& pose) {
       std::string cells;
-      for (const double value : pose.rotation().coeffs()) cells += FormatDouble(value) + ",";
+      const Eigen::Vector4d quaternion = pose.rotation().coeffs();
+      for (const double value : quaternion) cells += FormatDouble(value) + ",";
       return cells;
     };
     Replace("objects.csv", text(scene.WorldFromObject(1, i)),
