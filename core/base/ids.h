@@ -18,5 +18,9 @@ struct StrongId {
 
 using FrameId = StrongId<struct FrameTag>;
 using LandmarkId = StrongId<struct LandmarkTag>;
+using ClusterId = StrongId<struct ClusterTag>;  // moving bodies count from 1
+
+// The static scene, q = 0 of the paper. An invalid id is a landmark of no body (outlier class).
+inline constexpr ClusterId kStaticScene{0};
 
 }  // namespace cvo

@@ -22,4 +22,14 @@ const char* ToString(FrameStatus status) {
   throw Error("ToString(FrameStatus): not a status");
 }
 
+const char* ToString(ClusterStatus status) {
+  switch (status) {
+    case ClusterStatus::kTracked:
+      return "tracked";
+    case ClusterStatus::kPredicted:
+      return "predicted";
+  }
+  throw Error("ToString(ClusterStatus): not a status");
+}
+
 }  // namespace cvo

@@ -3,17 +3,40 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "core/association/image_box.h"
+#include "core/base/ids.h"
 #include "core/features/stereo_feature.h"
 #include "core/geometry/rigid_transform.h"
 
 namespace cvo {
 
+// A body that a detector found in the left image (B_t^m of the paper).
+struct Detection {
+  ImageBox box;
+  std::string category;  // "Car", "chair": what an object of it is reported as
+  double score = 1.0;
+};
+
+// What is known of a frame from elsewhere and taken as it is in place of an estimate: a camera from
+// another odometry, instance segmentation, a tracker of boxes. All of it is optional. Bodies are
+// named by numbers of the giver: 0 the static scene, 1, 2, ... the same body in all frames, -1 not
+// known.
+struct GivenKnowledge {
+  std::optional<RigidTransform> world_from_camera;  // world = left camera of the first frame
+  std::vector<int> feature_body;                    // by feature; empty: nothing is given
+  std::vector<int> detection_body;                  // by detection; empty: nothing is given
+};
+
 // What the front end makes of one stereo pair; what the estimator is given.
 struct StereoFrame {
   std::int64_t timestamp_ns = 0;  // strictly increasing from frame to frame
   std::vector<StereoFeature> features;
+  std::vector<Detection> detections;
+  GivenKnowledge given;
 };
 
 enum class FrameStatus {
@@ -25,6 +48,42 @@ enum class FrameStatus {
 };
 const char* ToString(FrameStatus status);
 
+enum class ClusterStatus {
+  kTracked,    // at least clusters.min_observed of its landmarks are seen in the frame
+  kPredicted,  // fewer: the pose is predicted by the motion model
+};
+const char* ToString(ClusterStatus status);
+
+// A moving or movable rigid body in one frame. Its frame is arbitrary (estimator.md 6.1) and the
+// same at all times.
+struct ClusterReport {
+  ClusterId id;
+  std::string category;  // of the detections it was found in
+  ClusterStatus status = ClusterStatus::kTracked;
+  RigidTransform world_from_object;
+  Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  // of the centre, in world
+  // Box around its landmarks along the axes of its frame: centre and half sides.
+  Eigen::Vector3d center_in_object = Eigen::Vector3d::Zero();
+  Eigen::Vector3d half_size_m = Eigen::Vector3d::Zero();
+  int observed_landmarks = 0;
+  int detection = -1;  // index of the detection it was associated with; -1: none
+  double score = 0.0;  // of the last one, decayed by clusters.score_decay per frame since
+};
+
+// A landmark seen in the frame, static or not.
+struct LandmarkReport {
+  LandmarkId id;
+  int feature = 0;     // index into StereoFrame::features
+  ClusterId cluster;   // assigned, q^i; invalid: none
+  ClusterId inferred;  // by the CRF in this frame; invalid: outlier
+  int confidence = 0;  // w^i
+  Eigen::Vector3d p_in_world = Eigen::Vector3d::Zero();
+  // Unary energies of the inferred label, nats: 2D box, 3D affinity, motion.
+  double energy_2d = 0.0;
+  double energy_3d = 0.0;
+  double energy_motion = 0.0;
+};
+
 // What the estimator says of one frame.
 struct FrameReport {
   FrameStatus status = FrameStatus::kFirst;
@@ -33,11 +92,13 @@ struct FrameReport {
   int matches = 0;                   // landmarks found in the frame
   int inliers = 0;                   // of these, consistent with the camera pose
   int new_landmarks = 0;
-  int window_frames = 0;        // spatial and temporal track together, this frame included
-  int window_landmarks = 0;     // optimised with the window
-  int window_iterations = 0;    // of the bundle adjustment
-  double right_shift_px = 0.0;  // as estimated so far (StereoCamera)
-  double mean_error_px = 0.0;   // RMS whitened reprojection error of the inliers after it
+  int window_frames = 0;                // spatial and temporal track together, this frame included
+  int window_landmarks = 0;             // optimised with the window
+  int window_iterations = 0;            // of the bundle adjustment
+  double right_shift_px = 0.0;          // as estimated so far (StereoCamera)
+  double mean_error_px = 0.0;           // RMS whitened reprojection error of the inliers after it
+  std::vector<ClusterReport> clusters;  // live ones, by id
+  std::vector<LandmarkReport> landmarks;  // seen in the frame, static ones included, by feature
 };
 
 }  // namespace cvo

@@ -81,6 +81,8 @@ class VisualOdometry final : public Odometry {
 
   std::vector<RigidTransform> Trajectory() const override { return trajectory_; }
 
+  std::vector<ClusterTrajectory> ClusterTrajectories() const override { return {}; }
+
  private:
   FrameReport Begin(std::int64_t timestamp_ns) {
     Require(!newest_.valid() || timestamp_ns > timestamp_ns_,
