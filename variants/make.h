@@ -10,8 +10,8 @@ namespace cvo {
 
 // Instantiated once per variant, in the variant's own .cc.
 template <typename Variant>
-std::unique_ptr<Odometry> MakeVariant(const OdometrySetup& setup, TaskPool&) {
-  return std::make_unique<VisualOdometry<Variant>>(setup);
+std::unique_ptr<Odometry> MakeVariant(const OdometrySetup& setup, TaskPool& pool) {
+  return std::make_unique<VisualOdometry<Variant>>(setup, pool);
 }
 
 }  // namespace cvo

@@ -22,15 +22,26 @@ constexpr VariantInfo InfoOf() {
   return {Variant::kName, Variant::kChanges, &MakeVariant<Variant>};
 }
 
-// A variant that changes exactly one axis of Base.
-template <typename Base, typename Variant>
+// A variant that changes so many axes of Base.
+template <typename Base, typename Variant, int kAxes = 1>
 constexpr VariantInfo AblationOf() {
-  static_assert(CountDifferences<Base, Variant>() == 1);
+  static_assert(CountDifferences<Base, Variant>() == kAxes);
   return InfoOf<Variant>();
 }
 
 constexpr std::array kVariants = {
-    InfoOf<Static>(),
+    InfoOf<Full>(),
+    AblationOf<Full, Only2d, 2>(),
+    AblationOf<Full, Only2d3d>(),
+    AblationOf<Full, NoGpPrior>(),
+    AblationOf<Full, NoPairwiseTerm>(),
+    AblationOf<Full, NoProbabilisticAssociation>(),
+    AblationOf<Full, WithoutBoxRematch>(),
+    AblationOf<Full, NoMarginalization>(),
+    AblationOf<Full, NoSpatialTrack>(),
+    AblationOf<Full, NoLabelConfidence>(),
+    AblationOf<Full, PaperLiteral, 10>(),
+    AblationOf<Full, Static>(),
     AblationOf<Static, StaticNoMarginalization>(),
     AblationOf<Static, StaticMarginalizeLost>(),
     AblationOf<Static, StaticPriorGauge>(),

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "variants/static.h"
-
+#include "variants/ablations.h"
 #include "variants/make.h"
 
 namespace cvo {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "variants/static.h"
+#include "variants/ablations.h"
 
 namespace cvo {
 

@@ -6,32 +6,16 @@
 #include <vector>
 
 #include "core/base/ids.h"
+#include "core/estimation/landmark.h"
 #include "core/estimation/window_prior.h"
-#include "core/features/stereo_feature.h"
 #include "core/geometry/stereo_camera.h"
 
 namespace cvo {
 
-// A landmark seen in a frame of the window.
-struct Observation {
-  FrameId frame;
-  Eigen::Vector3d z_px = Eigen::Vector3d::Zero();  // (u_left, v, u_right)
-  int octave = 0;
-};
-
-// A point of the static scene (q = 0 in the paper).
-struct Landmark {
-  LandmarkId id;
-  Eigen::Vector3d p_in_world = Eigen::Vector3d::Zero();
-  std::vector<Observation> observations;  // in frames of the window, oldest first
-  Descriptor descriptor{};                // of the last observation
-  double depth_m = 0.0;                   // at the last observation: predicts the octave
-  FrameId last_seen;
-};
-
 struct WindowFrame {
   FrameId id;
   RigidTransform world_from_camera;
+  bool is_given = false;  // the pose is held as it is (GivenKnowledge)
 };
 
 // The estimator's state of the static world: frames T_s (spatial track, sparse and old) and T_t
@@ -57,8 +41,5 @@ struct Window {
   // Landmarks without observations go.
   void RemoveUnobserved();
 };
-
-// The landmark's observation in the frame; null where there is none.
-const Observation* FindObservation(const Landmark& landmark, FrameId frame);
 
 }  // namespace cvo

@@ -22,7 +22,7 @@ WindowProblem MakeFrames(const Window& window) {
 void AddLandmark(const Landmark& landmark, const NoiseOptions& noise, double scale_factor,
                  WindowProblem& problem) {
   const int point = static_cast<int>(problem.points.size());
-  problem.points.push_back(landmark.p_in_world);
+  problem.points.push_back(landmark.p_in_body);
   for (const Observation& observation : landmark.observations) {
     const double scale = std::pow(scale_factor, observation.octave);
     problem.factors.push_back({FrameIndex(problem, observation.frame), point, observation.z_px,

@@ -26,11 +26,11 @@ Visible ProjectLandmarks(const Options& options, const Window& window,
   Visible visible;
   for (int i = 0; i < static_cast<int>(window.landmarks.size()); ++i) {
     const Landmark& landmark = window.landmarks[i];
-    const Eigen::Vector3d p_in_camera = camera_from_world * landmark.p_in_world;
+    const Eigen::Vector3d p_in_camera = camera_from_world * landmark.p_in_body;
     const auto zeta = window.camera.Project(p_in_camera);
     if (!zeta || !window.camera.InImage((*zeta)[0], (*zeta)[1])) continue;
     const int octave =
-        landmark.observations.back().octave +
+        landmark.last_octave +
         static_cast<int>(std::lround(std::log(landmark.depth_m / p_in_camera.z()) / log_scale));
     visible.projected.push_back(
         {*zeta, std::clamp(octave, 0, options.orb.levels - 1), landmark.descriptor});
@@ -47,7 +47,7 @@ std::vector<PointMeasurement> Measurements(const Options& options, const Window&
   for (const Match& match : matches) {
     const StereoFeature& feature = grid.features()[match.feature];
     const double scale = std::pow(options.orb.scale_factor, feature.octave);
-    measurements.push_back({window.landmarks[match.landmark].p_in_world, feature.z_px,
+    measurements.push_back({window.landmarks[match.landmark].p_in_body, feature.z_px,
                             SqrtInformation(options.noise, scale)});
   }
   return measurements;
@@ -85,12 +85,32 @@ std::optional<RigidTransform> FindWithoutPrediction(const Options& options, cons
   return solution->world_from_camera;
 }
 
+std::vector<Match> Inliers(const std::vector<Match>& matches, const CameraSolution& solution) {
+  std::vector<Match> inliers;
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    if (solution.is_inlier[i]) inliers.push_back(matches[i]);
+  }
+  return inliers;
+}
+
+// The camera is known: the landmarks that agree with it.
+CameraTrack MatchAround(const Options& options, const Window& window, const FeatureGrid& grid,
+                        const RigidTransform& world_from_camera) {
+  const std::vector<Match> matches =
+      SearchAround(options, window, grid, world_from_camera, options.matching.narrow_radius_px);
+  const CameraSolution agreeing =
+      ClassifyMeasurements(window.camera, Measurements(options, window, grid, matches),
+                           world_from_camera, options.noise.gate);
+  return {world_from_camera, Inliers(matches, agreeing), static_cast<int>(matches.size())};
+}
+
 }  // namespace
 
 std::optional<CameraTrack> TrackCamera(const Options& options, const Window& window,
                                        const FeatureGrid& grid,
                                        const RigidTransform& predicted_world_from_camera,
-                                       Rng& rng) {
+                                       bool is_given, Rng& rng) {
+  if (is_given) return MatchAround(options, window, grid, predicted_world_from_camera);
   const auto solve = [&](const std::vector<Match>& matches, const RigidTransform& initial) {
     return SolveCamera(window.camera, Measurements(options, window, grid, matches), initial,
                        options.noise);
@@ -112,11 +132,8 @@ std::optional<CameraTrack> TrackCamera(const Options& options, const Window& win
       SearchAround(options, window, grid, around, options.matching.narrow_radius_px);
   const CameraSolution second = solve(narrow, around);
   if (second.inliers < options.tracking.min_inliers) return std::nullopt;
-  CameraTrack track{second.world_from_camera, {}, static_cast<int>(narrow.size())};
-  for (std::size_t i = 0; i < narrow.size(); ++i) {
-    if (second.is_inlier[i]) track.inliers.push_back(narrow[i]);
-  }
-  return track;
+  return CameraTrack{second.world_from_camera, Inliers(narrow, second),
+                     static_cast<int>(narrow.size())};
 }
 
 }  // namespace cvo

@@ -61,7 +61,7 @@ struct ClusterReport {
   std::string category;  // of the detections it was found in
   ClusterStatus status = ClusterStatus::kTracked;
   RigidTransform world_from_object;
-  Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  // of the centre, in world
+  Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  // of its origin, in world
   // Box around its landmarks along the axes of its frame: centre and half sides.
   Eigen::Vector3d center_in_object = Eigen::Vector3d::Zero();
   Eigen::Vector3d half_size_m = Eigen::Vector3d::Zero();

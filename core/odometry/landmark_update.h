@@ -2,26 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <span>
-#include <vector>
-
-#include "core/association/match.h"
-#include "core/estimation/window.h"
-#include "core/geometry/stereo_camera.h"
+#include "core/odometry/cluster_labels.h"
 
 namespace cvo {
 
-// Appends the matched features to their landmarks as observations of `frame`.
-void AddObservations(const WindowFrame& frame, std::span<const StereoFeature> features,
-                     const std::vector<Match>& matches, Window& window);
-
-// Makes a landmark of each feature that is not in `matches` and has the disparity for it; ids
-// follow next_id. Returns how many.
-int AddLandmarks(const WindowFrame& frame, std::span<const StereoFeature> features,
-                 const std::vector<Match>& matches, double min_disparity_px, LandmarkId& next_id,
-                 Window& window);
+// Every landmark that the frame `entering` sees gets its observation and its label. A landmark
+// whose label changes goes to its new body with the observations that agree with that body's
+// motion; a feature without landmark becomes one (ids from next_id on). A cluster that has no pose
+// in the frame takes nothing in. Returns the number of new landmarks.
+int UpdateLandmarks(const FrameView& view, const WindowFrame& entering,
+                    const std::vector<ClusterTrack>& tracks, const std::vector<FramePoint>& points,
+                    const FrameLabels& labels, LandmarkId& next_id, Window& window,
+                    ClusterMap& map);
 
 // Removes landmarks that were seen once and then not in the latest `frames` frames.
-void RemoveUnconfirmed(FrameId newest, int frames, Window& window);
+void RemoveUnconfirmed(FrameId newest, int frames, std::vector<Landmark>& landmarks);
 
 }  // namespace cvo

@@ -26,7 +26,7 @@ struct ClusterPose {
   std::int64_t timestamp_ns = 0;
   ClusterStatus status = ClusterStatus::kTracked;
   RigidTransform world_from_object;
-  Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  // of the centre, in world
+  Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  // of its origin, in world
 };
 
 struct ClusterTrajectory {

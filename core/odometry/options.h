@@ -2,12 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/association/cluster_association_options.h"
 #include "core/association/projected_matching.h"
 #include "core/base/options.h"
+#include "core/clustering/label_confidence.h"
+#include "core/clustering/pairwise_options.h"
+#include "core/clustering/point_extent.h"
+#include "core/clustering/unary_options.h"
 #include "core/estimation/measurement_noise.h"
+#include "core/estimation/motion_prior.h"
 #include "core/estimation/window_policies.h"
 #include "core/estimation/window_solver.h"
 #include "core/features/options.h"
+#include "core/odometry/cluster_options.h"
 
 namespace cvo {
 
@@ -52,6 +59,13 @@ struct Options {
   TrackingOptions tracking;
   WindowOptions window;
   SolverOptions solver;
+  ClusterAssociationOptions association;
+  UnaryOptions unary;
+  PairwiseOptions pairwise;
+  ConfidenceOptions confidence;
+  ExtentOptions extent;
+  MotionPriorOptions motion_prior;
+  ClusterOptions clusters;
 
   // Throws Error naming the first option that cannot be.
   void Check() const {
@@ -69,6 +83,13 @@ struct Options {
     visit.Group("tracking", self.tracking);
     visit.Group("window", self.window);
     visit.Group("solver", self.solver);
+    visit.Group("association", self.association);
+    visit.Group("unary", self.unary);
+    visit.Group("pairwise", self.pairwise);
+    visit.Group("confidence", self.confidence);
+    visit.Group("extent", self.extent);
+    visit.Group("motion_prior", self.motion_prior);
+    visit.Group("clusters", self.clusters);
   }
 };
 

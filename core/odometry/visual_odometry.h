@@ -6,6 +6,11 @@
 #include "core/base/rng.h"
 #include "core/estimation/double_track.h"
 #include "core/odometry/camera_tracking.h"
+#include "core/odometry/cluster_association.h"
+#include "core/odometry/cluster_birth.h"
+#include "core/odometry/cluster_labels.h"
+#include "core/odometry/cluster_optimization.h"
+#include "core/odometry/cluster_update.h"
 #include "core/odometry/landmark_update.h"
 #include "core/odometry/motion_model.h"
 #include "core/odometry/odometry.h"
@@ -17,10 +22,12 @@ namespace cvo {
 template <typename Variant>
 class VisualOdometry final : public Odometry {
  public:
-  explicit VisualOdometry(const OdometrySetup& setup)
+  VisualOdometry(const OdometrySetup& setup, TaskPool& pool)
       : camera_(setup.camera),
         options_(setup.options),
+        pool_(pool),
         rng_(setup.seed, "odometry"),
+        cluster_rng_(setup.seed, "clusters"),
         double_track_(options_.window, options_.noise, options_.orb.scale_factor) {
     camera_.Check();
     options_.Check();
@@ -30,28 +37,49 @@ class VisualOdometry final : public Odometry {
     FrameReport report = Begin(frame.timestamp_ns);
     report.features = static_cast<int>(frame.features.size());
     const FeatureGrid grid(frame.features, camera_);
-    const RigidTransform predicted = motion_.Predict(frame.timestamp_ns);
+    const RigidTransform predicted =
+        frame.given.world_from_camera.value_or(motion_.Predict(frame.timestamp_ns));
 
     // Camera against the static landmarks (3.1, first paragraph).
     std::optional<CameraTrack> track;
     if (!window_.temporal.empty()) {
       const ScopedStage stage(times, "track");
-      track = TrackCamera(options_, window_, grid, predicted, rng_);
+      track = TrackCamera(options_, window_, grid, predicted,
+                          frame.given.world_from_camera.has_value(), rng_);
     }
     if (!track && !StartsMap(report.features)) return EndLost(predicted, report);
+    if (!track) Restart();
+    const std::vector<Match> static_matches = track ? track->inliers : std::vector<Match>();
+    const WindowFrame entering{newest_, track ? track->world_from_camera : predicted,
+                               frame.given.world_from_camera.has_value()};
+    const FrameView view{options_, frame,          Variant::Detections::Shown(frame),
+                         grid,     window_.camera, entering.world_from_camera};
 
-    // Frame and landmarks enter the window (3.3, double-track frame management).
-    WindowFrame entering{newest_, track ? track->world_from_camera : predicted};
+    // Features and boxes against the clusters (3.1, multi-level probabilistic association).
+    std::vector<ClusterTrack> cluster_tracks;
+    {
+      const ScopedStage stage(times, "associate");
+      TakenFeatures taken = TakenBy(static_matches, frame.features.size());
+      cluster_tracks = AssociateClusters<Variant>(view, clusters_, cluster_rng_, taken);
+    }
+
+    // Which body every point belongs to (3.2, heterogeneous CRF).
+    const std::vector<FramePoint> points = CollectPoints(view, static_matches, cluster_tracks);
+    FrameLabels labels;
+    {
+      const ScopedStage stage(times, "label");
+      labels = LabelPoints<Variant>(view, window_, clusters_, cluster_tracks, points);
+    }
+
+    // Frame and landmarks enter the windows (3.3, double-track frame management).
     {
       const ScopedStage stage(times, "window");
-      if (!track) Restart();
-      const std::vector<Match> matches = track ? track->inliers : std::vector<Match>();
-      AddObservations(entering, frame.features, matches, window_);
-      report.new_landmarks =
-          AddLandmarks(entering, frame.features, matches, options_.tracking.min_disparity_px,
-                       next_landmark_, window_);
-      RemoveUnconfirmed(newest_, options_.window.lost_frames, window_);
-      double_track_.Advance(entering, window_);
+      AddStates(view, newest_, cluster_tracks, clusters_);
+      CreateClusters(view, newest_, points, labels, clusters_);
+      report.new_landmarks = UpdateLandmarks(view, entering, cluster_tracks, points, labels,
+                                             next_landmark_, window_, clusters_);
+      RemoveUnconfirmed(newest_, options_.window.lost_frames, window_.landmarks);
+      AdvanceWindow(entering);
     }
 
     // Bundle adjustment with the prior (3.3, static scene and camera pose).
@@ -64,10 +92,17 @@ class VisualOdometry final : public Odometry {
       report.mean_error_px = window.mean_error_px;
       report.right_shift_px = window_.camera.right_shift_px;
     }
+
+    // Every cluster against the camera as it is now (3.3, dynamic clusters).
+    {
+      const ScopedStage stage(times, "optimize_clusters");
+      OptimizeClusters<typename Variant::MotionPrior>(options_, window_, pool_, clusters_);
+    }
     report.status = !track ? FrameStatus::kFirst
                            : (lost_ > 0 ? FrameStatus::kRecovered : FrameStatus::kTracked);
     report.matches = track ? track->matches : 0;
-    report.inliers = track ? static_cast<int>(track->inliers.size()) : 0;
+    report.inliers = static_cast<int>(static_matches.size());
+    report.landmarks = ReportLandmarks(view, points, labels);
     return EndTracked(frame.timestamp_ns, report);
   }
 
@@ -75,13 +110,14 @@ class VisualOdometry final : public Odometry {
     FrameReport report = Begin(timestamp_ns);
     report.status = FrameStatus::kSkipped;
     report.world_from_camera = motion_.Predict(timestamp_ns);
-    trajectory_.push_back(report.world_from_camera);
-    return report;
+    return EndPredicted(report);
   }
 
   std::vector<RigidTransform> Trajectory() const override { return trajectory_; }
 
-  std::vector<ClusterTrajectory> ClusterTrajectories() const override { return {}; }
+  std::vector<ClusterTrajectory> ClusterTrajectories() const override {
+    return ConfirmedTrajectories(clusters_, options_.clusters);
+  }
 
  private:
   FrameReport Begin(std::int64_t timestamp_ns) {
@@ -102,12 +138,43 @@ class VisualOdometry final : public Odometry {
     window_ = Window{camera_, CalibrationPrior(camera_, options_.noise.right_shift_px), {}, {}, {}};
   }
 
+  static TakenFeatures TakenBy(const std::vector<Match>& matches, std::size_t features) {
+    TakenFeatures taken(features, 0);
+    for (const Match& match : matches) taken[match.feature] = 1;
+    return taken;
+  }
+
+  // The frame joins T_t; what the clusters saw in the frame that leaves it is kept by their points.
+  void AdvanceWindow(const WindowFrame& entering) {
+    const std::optional<WindowFrame> oldest =
+        window_.temporal.empty() ? std::nullopt : std::optional(window_.temporal.front());
+    double_track_.Advance(entering, window_);
+    for (Cluster& cluster : clusters_.live) {
+      if (oldest && window_.temporal.front().id != oldest->id) {
+        AbsorbObservations(window_, *oldest, options_.noise, options_.orb.scale_factor,
+                           options_.clusters, cluster);
+      }
+      RemoveUnconfirmed(newest_, options_.window.lost_frames, cluster.landmarks);
+      TrimCluster(window_, newest_, options_.clusters, cluster);
+    }
+  }
+
   FrameReport EndLost(const RigidTransform& predicted, FrameReport report) {
     ++lost_;
     report.status = FrameStatus::kLost;
     report.world_from_camera = predicted;
-    trajectory_.push_back(predicted);
+    return EndPredicted(report);
+  }
+
+  FrameReport EndPredicted(FrameReport report) {
+    trajectory_.push_back(report.world_from_camera);
+    EndClusters(report);
     return report;
+  }
+
+  void EndClusters(FrameReport& report) {
+    RetireClusters(newest_, options_.clusters, clusters_);
+    report.clusters = ReportClusters<Variant>(options_, newest_, timestamp_ns_, clusters_);
   }
 
   FrameReport EndTracked(std::int64_t timestamp_ns, FrameReport report) {
@@ -119,15 +186,20 @@ class VisualOdometry final : public Odometry {
     report.world_from_camera = trajectory_.back();
     report.window_frames = static_cast<int>(window_.spatial.size() + window_.temporal.size());
     motion_.Update(timestamp_ns, report.world_from_camera);
+    for (Cluster& cluster : clusters_.live) UpdateExtent(options_.extent, cluster);
+    EndClusters(report);
     return report;
   }
 
   StereoCamera camera_;
   Options options_;
+  TaskPool& pool_;
   Rng rng_;
+  Rng cluster_rng_;
   DoubleTrack<typename Variant::MarginalizationRule, typename Variant::SpatialTrack> double_track_;
 
   Window window_;
+  ClusterMap clusters_;
   MotionModel motion_;
   std::vector<RigidTransform> trajectory_;
   FrameId newest_;

@@ -25,8 +25,9 @@ double ApplySolution(const NoiseOptions& noise, const WindowProblem& problem,
 template <typename Gauge, typename Calibration>
 WindowReport OptimizeWindow(const Options& options, Window& window) {
   WindowProblem problem = MakeFrames(window);
+  const std::vector<const WindowFrame*> frames = window.Frames();
   for (std::size_t i = 0; i < problem.frames.size(); ++i) {
-    problem.is_fixed[i] = Gauge::Fixes(static_cast<int>(i), problem.prior);
+    problem.is_fixed[i] = frames[i]->is_given || Gauge::Fixes(static_cast<int>(i), problem.prior);
   }
   problem.is_right_shift_fixed = Calibration::kFixesRightShift;
   const std::vector<int> landmarks = SelectLandmarks(window, options.solver.max_points);

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/association/box_association.h"
+
+#include <cmath>
+#include <limits>
+
+#include "core/association/assignment.h"
+
+namespace cvo {
+namespace {
+
+// Sums of weights by box, and of the members in none of them.
+struct BoxSums {
+  std::vector<double> by_box;
+  std::vector<int> members;
+  double in_none = 0.0;
+};
+
+template <typename Weight>
+BoxSums SumWeights(std::span<const BoxMember> cluster, std::span<const ImageBox> boxes,
+                   Weight weight) {
+  BoxSums sums{std::vector<double>(boxes.size(), 0.0), std::vector<int>(boxes.size(), 0)};
+  for (const BoxMember& member : cluster) {
+    const double w = weight(member);
+    bool in_any = false;
+    for (std::size_t m = 0; m < boxes.size(); ++m) {
+      if (!boxes[m].Contains(member.zeta_px[0], member.zeta_px[1])) continue;
+      sums.by_box[m] += w;
+      ++sums.members[m];
+      in_any = true;
+    }
+    if (!in_any) sums.in_none += w;
+  }
+  return sums;
+}
+
+double Information(double p) { return p > 0.0 ? -p * std::log(p) : 0.0; }
+
+// Probabilities and their entropy in nats; `in_none` is the weight of the null box.
+BoxProbabilities Normalize(const BoxSums& sums, double in_none) {
+  BoxProbabilities result{sums.by_box, sums.members, 0.0};
+  double total = in_none;
+  for (const double weight : sums.by_box) total += weight;
+  if (!(total > 0.0)) return result;
+  for (double& p : result.probability) {
+    p /= total;
+    result.entropy += Information(p);
+  }
+  result.entropy += Information(in_none / total);
+  return result;
+}
+
+}  // namespace
+
+BoxProbabilities BoundedBoxWeights::Compute(std::span<const BoxMember> cluster,
+                                            std::span<const ImageBox> boxes) {
+  const BoxSums sums = SumWeights(cluster, boxes, [](const BoxMember& member) {
+    return std::sqrt(member.measurement_determinant / member.innovation_determinant);
+  });
+  BoxProbabilities result = Normalize(sums, sums.in_none);
+  result.entropy /= std::log(2.0);
+  return result;
+}
+
+BoxProbabilities BoxWeightsLiteral::Compute(std::span<const BoxMember> cluster,
+                                            std::span<const ImageBox> boxes) {
+  const BoxSums sums = SumWeights(
+      cluster, boxes, [](const BoxMember& member) { return 1.0 / member.position_determinant; });
+  return Normalize(sums, 0.0);
+}
+
+std::vector<int> AssociateBoxes(std::span<const BoxProbabilities> clusters, int boxes,
+                                const ClusterAssociationOptions& options) {
+  Eigen::MatrixXd cost = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(clusters.size()),
+                                                   boxes, std::numeric_limits<double>::infinity());
+  for (std::size_t q = 0; q < clusters.size(); ++q) {
+    if (!(clusters[q].entropy < options.max_entropy)) continue;
+    for (int m = 0; m < boxes; ++m) {
+      const double p = clusters[q].probability[m];
+      if (p < options.min_box_probability || !(p > 0.0)) continue;
+      if (clusters[q].members[m] < options.min_box_members) continue;
+      cost(static_cast<Eigen::Index>(q), m) = -std::log(p);
+    }
+  }
+  return Assign(cost);
+}
+
+}  // namespace cvo

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "core/association/cluster_association_options.h"
+#include "core/association/image_box.h"
+
+namespace cvo {
+
+// A landmark of a cluster where it is, or is expected, in the left image.
+struct BoxMember {
+  Eigen::Vector2d zeta_px = Eigen::Vector2d::Zero();
+  // Of the measurement, of the landmark's predicted position (Gamma), and of both (S), px^6.
+  double measurement_determinant = 1.0;
+  double position_determinant = 1.0;
+  double innovation_determinant = 1.0;
+};
+
+// p_q(m) of Eq. 3 of the paper for one cluster, and its entropy.
+struct BoxProbabilities {
+  std::vector<double> probability;  // by box
+  std::vector<int> members;         // by box: landmarks inside
+  double entropy = 0.0;
+};
+
+// How much a landmark says, and over what the probabilities are normalised (estimator.md 3.4).
+// Policy: weights sqrt(|Sigma_z| / |S|) in (0, 1]; a null box takes landmarks that are in no box;
+// entropy in bits.
+struct BoundedBoxWeights {
+  static BoxProbabilities Compute(std::span<const BoxMember> cluster,
+                                  std::span<const ImageBox> boxes);
+};
+// Policy: as printed, weights 1 / |Gamma|, no null box, natural logarithm.
+struct BoxWeightsLiteral {
+  static BoxProbabilities Compute(std::span<const BoxMember> cluster,
+                                  std::span<const ImageBox> boxes);
+};
+
+// The box of each cluster, or -1: one-to-one, the most probable choice in all.
+std::vector<int> AssociateBoxes(std::span<const BoxProbabilities> clusters, int boxes,
+                                const ClusterAssociationOptions& options);
+
+}  // namespace cvo

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/options.h"
+
+namespace cvo {
+
+// Association of features and boxes with moving bodies (section 3.1 of the paper).
+struct ClusterAssociationOptions {
+  double gamma = 7.815;
+  double min_radius_px = 3.0;
+  double max_radius_px = 60.0;
+  double fixed_radius_px = 20.0;
+  int max_hamming = 75;
+  double ratio = 0.9;
+  double max_view_change_rad = 1.0;
+  double min_box_probability = 0.3;
+  double max_entropy = 1.0;
+  int min_box_members = 3;
+  int rematch_hamming = 60;
+  double rematch_ratio = 0.85;
+  int ransac_iterations = 100;
+  int min_rematch = 7;
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor& visit) {
+    visit.Field(
+        "gamma", self.gamma,
+        {"1", 0.1, 1000,
+         "gate on the squared Mahalanobis distance of a feature from its prediction; larger "
+         "misses fewer and confuses more",
+         "95 % of chi^2 with 3 degrees of freedom; the paper has 4.0 (74 %)"});
+    visit.Field("min_radius_px", self.min_radius_px,
+                {"px", 0, 100, "the search is never narrower: a prediction is never that good",
+                 "estimator.md 3.2"});
+    visit.Field("max_radius_px", self.max_radius_px,
+                {"px", 1, 500, "the search is never wider", "estimator.md 3.2"});
+    visit.Field("fixed_radius_px", self.fixed_radius_px,
+                {"px", 1, 500, "search of variants without probabilistic association",
+                 "as the wide search of static landmarks"});
+    visit.Field(
+        "max_hamming", self.max_hamming,
+        {"bits", 1, 256, "largest descriptor distance within the gate", "estimator.md 3.3"});
+    visit.Field("ratio", self.ratio,
+                {"1", 0.1, 1.0, "best distance must be below this fraction of the second best",
+                 "as for static landmarks"});
+    visit.Field("max_view_change_rad", self.max_view_change_rad,
+                {"rad", 0.1, 3.15,
+                 "a landmark is looked for while it is seen from within this angle of where it was "
+                 "seen last: a body hides its own far side",
+                 "corners survive about 60 degrees"});
+    visit.Field("min_box_probability", self.min_box_probability,
+                {"1", 0, 1, "a box is a cluster's from this share of the cluster's weight on",
+                 "estimator.md 3.4"});
+    visit.Field("max_entropy", self.max_entropy,
+                {"bit", 0, 20, "a cluster spread over boxes more evenly than this gets none",
+                 "paper, section 3.1"});
+    visit.Field("min_box_members", self.min_box_members,
+                {"landmarks", 1, 1000, "a box is a cluster's from so many of its landmarks on",
+                 "estimator.md 3.4"});
+    visit.Field(
+        "rematch_hamming", self.rematch_hamming,
+        {"bits", 1, 256, "largest descriptor distance without a prediction", "estimator.md 3.3"});
+    visit.Field("rematch_ratio", self.rematch_ratio,
+                {"1", 0.1, 1.0, "largest ratio of best to second best without a prediction",
+                 "estimator.md 3.3"});
+    visit.Field("ransac_iterations", self.ransac_iterations,
+                {"1", 1, 100000, "hypotheses per cluster: 100 find 35 % of inliers with 99 %",
+                 "1 - (1 - 0.35^3)^100"});
+    visit.Field(
+        "min_rematch", self.min_rematch,
+        {"landmarks", 3, 1000,
+         "a body that was not predicted is believed from so many consistent ones on",
+         "three fix the pose; four more agree by chance in less than one box in a thousand"});
+  }
+};
+
+}  // namespace cvo

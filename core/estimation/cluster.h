@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/estimation/landmark.h"
+#include "core/geometry/rigid_transform.h"
+
+namespace cvo {
+
+// x_t^q of the paper: a cluster in one frame.
+struct ClusterState {
+  FrameId frame;
+  std::int64_t timestamp_ns = 0;
+  RigidTransform world_from_object;
+  Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  // of its origin, in world
+};
+
+// A rigid body that moves or may move. Its frame is arbitrary and stays what it was at birth.
+struct Cluster {
+  ClusterId id;
+  std::string category;
+  int given_body = -1;               // GivenKnowledge's number for it; -1: unknown
+  std::vector<ClusterState> states;  // in frames of T_t that see it, oldest first; never empty
+  std::vector<Landmark> landmarks;   // by id
+  // Box around its landmarks along the axes of its frame: the p30/p70 centre and half sides.
+  Eigen::Vector3d center_in_object = Eigen::Vector3d::Zero();
+  Eigen::Vector3d half_size_m = Eigen::Vector3d::Zero();
+  FrameId last_observed;
+  FrameId last_detected;
+  int detection = -1;  // index of the last frame's associated one; -1: none
+  int detections = 0;  // frames with an associated one
+  double score = 0.0;  // of the last one
+
+  const ClusterState& Latest() const { return states.back(); }
+};
+
+// The cluster's state in the frame; null where there is none.
+const ClusterState* FindState(const Cluster& cluster, FrameId frame);
+
+// Seconds from one timestamp to another.
+inline double SecondsBetween(std::int64_t from_ns, std::int64_t to_ns) {
+  return 1e-9 * static_cast<double>(to_ns - from_ns);
+}
+
+}  // namespace cvo

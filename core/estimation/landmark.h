@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "core/base/ids.h"
+#include "core/clustering/label_confidence.h"
+#include "core/features/stereo_feature.h"
+
+namespace cvo {
+
+// A landmark seen in a frame of the window.
+struct Observation {
+  FrameId frame;
+  Eigen::Vector3d z_px = Eigen::Vector3d::Zero();  // (u_left, v, u_right)
+  int octave = 0;
+};
+
+// The best single triangulation of a landmark, the one of the smallest determinant (Eq. 1 of the
+// paper, kept in the body's frame so that it turns with the body: estimator.md 3.1).
+struct LandmarkCovariance {
+  Eigen::Matrix3d in_body_m2 = Eigen::Matrix3d::Identity();
+  double determinant = std::numeric_limits<double>::infinity();
+};
+
+// A point of a rigid body: of the static scene (q = 0 in the paper), whose frame is the world, or
+// of a cluster.
+struct Landmark {
+  LandmarkId id;
+  Eigen::Vector3d p_in_body = Eigen::Vector3d::Zero();
+  std::vector<Observation> observations;  // in frames of the window, oldest first
+  Descriptor descriptor{};                // of the last observation
+  double depth_m = 0.0;  // at the last observation; with its octave it predicts the next
+  int last_octave = 0;
+  FrameId last_seen;
+  LabelState label;  // q^i and w^i
+
+  LandmarkCovariance covariance;
+  // From the point to the camera that saw it last, unit length: a body hides its own far side.
+  Eigen::Vector3d view_in_body = Eigen::Vector3d::Zero();
+  // What a cluster's observations that left the window said of p_in_body (estimator.md 5).
+  Eigen::Matrix3d past_information = Eigen::Matrix3d::Zero();
+};
+
+// The landmark's observation in the frame; null where there is none.
+const Observation* FindObservation(const Landmark& landmark, FrameId frame);
+
+}  // namespace cvo

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/task_pool.h"
+#include "core/estimation/cluster_solver.h"
+#include "core/odometry/cluster_map.h"
+#include "core/odometry/options.h"
+
+namespace cvo {
+
+// A cluster's problem and which of its parts are in it.
+struct ClusterSelection {
+  ClusterProblem problem;
+  std::vector<int> states;     // indices of cluster.states, by frame of the problem
+  std::vector<int> landmarks;  // indices of cluster.landmarks, by point
+};
+ClusterSelection SelectCluster(const Options& options, const Window& window,
+                               const Cluster& cluster);
+
+// Writes a solved problem back and removes observations outside the gate.
+void ApplyClusterSolution(const Options& options, const ClusterSelection& selection,
+                          Cluster& cluster);
+
+// Sliding-window estimation of every live cluster, the camera held (section 3.3 of the paper,
+// dynamic clusters). They are independent: in parallel, with the same result for any pool.
+template <typename MotionPrior>
+void OptimizeClusters(const Options& options, const Window& window, TaskPool& pool,
+                      ClusterMap& map) {
+  pool.ParallelFor(static_cast<int>(map.live.size()), [&](int q) {
+    ClusterSelection selection = SelectCluster(options, window, map.live[q]);
+    if (selection.landmarks.empty()) return;
+    SolveCluster<MotionPrior>(options.noise, options.solver, options.motion_prior,
+                              selection.problem);
+    ApplyClusterSolution(options, selection, map.live[q]);
+  });
+}
+
+}  // namespace cvo

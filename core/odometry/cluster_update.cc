@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/odometry/cluster_update.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cvo {
+
+void AddStates(const FrameView& view, FrameId newest, const std::vector<ClusterTrack>& tracks,
+               ClusterMap& map) {
+  for (std::size_t q = 0; q < tracks.size(); ++q) {
+    Cluster& cluster = map.live[q];
+    const ClusterTrack& track = tracks[q];
+    cluster.detection = track.detection;
+    if (track.detection >= 0) {
+      ++cluster.detections;
+      cluster.last_detected = newest;
+      cluster.score = view.detections[track.detection].score;
+    } else {
+      cluster.score *= view.options.clusters.score_decay;
+    }
+    if (!track.is_tracked) continue;
+    cluster.states.push_back(
+        {newest, view.frame.timestamp_ns, track.world_from_object, track.predicted.velocity_m_s});
+    cluster.last_observed = newest;
+  }
+}
+
+namespace internal {
+
+ClusterReport DescribeCluster(const Options& options, FrameId newest, const Cluster& cluster) {
+  ClusterReport report;
+  report.id = cluster.id;
+  report.category = cluster.category;
+  report.world_from_object = cluster.Latest().world_from_object;
+  report.velocity_m_s = cluster.Latest().velocity_m_s;
+  report.center_in_object = cluster.center_in_object;
+  report.half_size_m = cluster.half_size_m;
+  report.observed_landmarks = static_cast<int>(
+      std::count_if(cluster.landmarks.begin(), cluster.landmarks.end(),
+                    [&](const Landmark& landmark) { return landmark.last_seen == newest; }));
+  report.detection = cluster.last_detected == newest ? cluster.detection : -1;
+  report.score = cluster.score;
+  const bool is_tracked = cluster.Latest().frame == newest &&
+                          report.observed_landmarks >= options.clusters.min_observed;
+  report.status = is_tracked ? ClusterStatus::kTracked : ClusterStatus::kPredicted;
+  return report;
+}
+
+void RecordTrajectory(const Cluster& cluster, const ClusterReport& report, FrameId newest,
+                      std::int64_t timestamp_ns, ClusterTrajectory& trajectory) {
+  trajectory.id = cluster.id;
+  trajectory.category = cluster.category;
+  trajectory.poses.push_back(
+      {newest.value, timestamp_ns, report.status, report.world_from_object, report.velocity_m_s});
+  for (const ClusterState& state : cluster.states) {
+    const auto it = std::lower_bound(
+        trajectory.poses.begin(), trajectory.poses.end(), state.frame.value,
+        [](const ClusterPose& pose, std::int64_t frame) { return pose.frame < frame; });
+    if (it == trajectory.poses.end() || it->frame != state.frame.value) continue;
+    it->world_from_object = state.world_from_object;
+    it->velocity_m_s = state.velocity_m_s;
+  }
+}
+
+}  // namespace internal
+
+std::vector<LandmarkReport> ReportLandmarks(const FrameView& view,
+                                            const std::vector<FramePoint>& points,
+                                            const FrameLabels& labels) {
+  std::vector<LandmarkReport> reports;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const PointLabel& label = labels.points[i];
+    LandmarkReport report;
+    report.feature = points[i].feature;
+    report.cluster = label.assigned.cluster;
+    report.inferred = label.inferred;
+    report.confidence = label.assigned.confidence;
+    const auto p_in_camera = view.camera.BackProject(view.frame.features[points[i].feature].z_px);
+    if (p_in_camera) report.p_in_world = view.world_from_camera * *p_in_camera;
+    report.energy_2d = label.energy_2d;
+    report.energy_3d = label.energy_3d;
+    report.energy_motion = label.energy_motion;
+    reports.push_back(report);
+  }
+  return reports;
+}
+
+}  // namespace cvo

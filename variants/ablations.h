@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "variants/full.h"
+
+namespace cvo {
+
+// Each takes something out of Full; the registry counts the axes that differ.
+struct Only2d : Full {
+  static constexpr std::string_view kName = "2d";
+  static constexpr std::string_view kChanges =
+      "labels from the 2D boxes alone: no 3D, no motion term";
+  using AffinityTerm = NoAffinityTerm;
+  using MotionTerm = NoMotionTerm;
+};
+
+struct Only2d3d : Full {
+  static constexpr std::string_view kName = "2d3d";
+  static constexpr std::string_view kChanges =
+      "labels from 2D boxes and 3D affinity: no motion term";
+  using MotionTerm = NoMotionTerm;
+};
+
+struct NoGpPrior : Full {
+  static constexpr std::string_view kName = "no_gp_prior";
+  static constexpr std::string_view kChanges =
+      "no white-noise-on-acceleration prior: every pose of a cluster for itself";
+  using MotionPrior = NoMotionPrior;
+};
+
+struct NoPairwiseTerm : Full {
+  static constexpr std::string_view kName = "no_pairwise";
+  static constexpr std::string_view kChanges = "no pairwise term: every label for itself";
+  using Pairwise = NoPairwise;
+};
+
+struct NoProbabilisticAssociation : Full {
+  static constexpr std::string_view kName = "no_probabilistic_association";
+  static constexpr std::string_view kChanges =
+      "features of clusters are searched within a fixed radius";
+  using LandmarkAssociation = FixedRadiusAssociation;
+};
+
+struct WithoutBoxRematch : Full {
+  static constexpr std::string_view kName = "no_box_rematch";
+  static constexpr std::string_view kChanges =
+      "no brute-force matching inside boxes: what prediction misses stays lost";
+  using BoxRematch = NoBoxRematch;
+};
+
+struct NoMarginalization : Full {
+  static constexpr std::string_view kName = "no_marginalization";
+  static constexpr std::string_view kChanges =
+      "a frame leaving the spatial track is dropped, there is no prior";
+  using MarginalizationRule = MarginalizeNothing;
+};
+
+struct NoSpatialTrack : Full {
+  static constexpr std::string_view kName = "no_spatial_track";
+  static constexpr std::string_view kChanges =
+      "frames leaving the temporal track are always discarded";
+  using SpatialTrack = PromoteNever;
+};
+
+struct NoLabelConfidence : Full {
+  static constexpr std::string_view kName = "no_label_confidence";
+  static constexpr std::string_view kChanges = "the labels of each frame are taken at once";
+  using Confidence = TakeLabelsAtOnce;
+};
+
+struct Static : Full {
+  static constexpr std::string_view kName = "static";
+  static constexpr std::string_view kChanges = "no clusters: the static-world baseline";
+  using Detections = IgnoreDetections;
+};
+
+// The equations as the paper prints them, where they can be run: what each correction is worth.
+struct PaperLiteral : Full {
+  static constexpr std::string_view kName = "paper_literal";
+  static constexpr std::string_view kChanges =
+      "the printed equations without the corrections of the design notes";
+  using LandmarkAssociation = ProbabilisticAssociationLiteral;
+  using BoxWeights = BoxWeightsLiteral;
+  using Rotation = HeldRotation;
+  using BoxTerm = Box2dTermLiteral;
+  using AffinityTerm = AffinityTermLiteral;
+  using MotionTerm = MotionTermLiteral;
+  using Pairwise = RawGaussianKernel;
+  using Confidence = UnboundedConfidence;
+  using MotionPrior = WhiteNoiseOnAccelerationFrameUnits;
+  using Gauge = PriorHoldsGauge;
+};
+
+}  // namespace cvo

@@ -1,0 +1,11 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "variants/full.h"
+
+#include "variants/make.h"
+
+namespace cvo {
+
+template std::unique_ptr<Odometry> MakeVariant<Full>(const OdometrySetup&, TaskPool&);
+
+}  // namespace cvo
