@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/options.h"
+
+namespace cvo {
+
+struct PairwiseOptions {
+  double alpha = 5.0;
+  double bandwidth_m = 0.7071;
+  int sweeps = 10;
+  double tolerance = 1e-3;
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor& visit) {
+    visit.Field("alpha", self.alpha,
+                {"nats", 0, 1000,
+                 "what it costs at most that a landmark's neighbours have another label; larger "
+                 "smooths more and swallows small bodies",
+                 "paper 4.1; of a normalised kernel, estimator.md 2.3"});
+    visit.Field(
+        "bandwidth_m", self.bandwidth_m,
+        {"m", 0.01, 100, "standard deviation of the Gaussian that makes two landmarks neighbours",
+         "exp(-d^2) of the paper"});
+    visit.Field("sweeps", self.sweeps,
+                {"1", 1, 1000, "mean-field sweeps at most", "5 to 10 suffice, estimator.md 2.2"});
+    visit.Field("tolerance", self.tolerance,
+                {"1", 0, 1, "stop when no probability changed by this much; 0: all sweeps",
+                 "estimator.md 2.2"});
+  }
+};
+
+}  // namespace cvo
