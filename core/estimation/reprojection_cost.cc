@@ -6,18 +6,26 @@
 
 namespace cvo {
 
+ProjectionResidual EvaluateProjection(const StereoCamera& camera, const Eigen::Vector3d& z_px,
+                                      const Eigen::Matrix3d& sqrt_information,
+                                      const Eigen::Vector3d& p_in_camera) {
+  Eigen::Vector3d c = p_in_camera;
+  c.z() = std::max(c.z(), 1.001 * StereoCamera::kMinDepth_m);
+  return {sqrt_information * (*camera.Project(c) - z_px),
+          sqrt_information * camera.ProjectionJacobian(c)};
+}
+
 ReprojectionResidual EvaluateReprojection(const StereoCamera& camera, const Eigen::Vector3d& z_px,
                                           const Eigen::Matrix3d& sqrt_information,
                                           const RigidTransform& world_from_camera,
                                           const Eigen::Vector3d& p_in_world) {
   const Eigen::Matrix3d R = world_from_camera.RotationMatrix().transpose();
-  Eigen::Vector3d c = R * (p_in_world - world_from_camera.translation());
-  c.z() = std::max(c.z(), 1.001 * StereoCamera::kMinDepth_m);
-  const Eigen::Matrix3d WJ = sqrt_information * camera.ProjectionJacobian(c);
+  const Eigen::Vector3d c = R * (p_in_world - world_from_camera.translation());
+  const ProjectionResidual projection = EvaluateProjection(camera, z_px, sqrt_information, c);
   ReprojectionResidual result;
-  result.r = sqrt_information * (*camera.Project(c) - z_px);
-  result.J_point = WJ * R;
-  result.J_pose.leftCols<3>() = WJ * Skew(c);
+  result.r = projection.r;
+  result.J_point = projection.J * R;
+  result.J_pose.leftCols<3>() = projection.J * Skew(c);
   result.J_pose.rightCols<3>() = -result.J_point;
   result.J_shift = sqrt_information.col(2);
   return result;

@@ -9,10 +9,19 @@
 
 namespace cvo {
 
+// r = W (pi(p_in_camera) - z) and its 3x3 Jacobian by p_in_camera. A point nearer than
+// StereoCamera::kMinDepth_m is projected from that depth instead, so that r stays finite.
+struct ProjectionResidual {
+  Eigen::Vector3d r;
+  Eigen::Matrix3d J;
+};
+ProjectionResidual EvaluateProjection(const StereoCamera& camera, const Eigen::Vector3d& z_px,
+                                      const Eigen::Matrix3d& sqrt_information,
+                                      const Eigen::Vector3d& p_in_camera);
+
 // r = W (pi(camera_from_world p) - z), the reprojection term of the paper's static energy. J_pose
-// is 3x6 in the tangent of world_from_camera, J_point 3x3, J_shift by camera.right_shift_px. A
-// point nearer than StereoCamera::kMinDepth_m is projected from that depth instead, so that r stays
-// finite.
+// is 3x6 in the tangent of world_from_camera, J_point 3x3, J_shift by camera.right_shift_px.
+// Near points as in EvaluateProjection.
 struct ReprojectionResidual {
   Eigen::Vector3d r;
   Eigen::Matrix<double, 3, 6> J_pose;

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ceres/sized_cost_function.h>
+
+#include "core/geometry/rigid_transform.h"
+
+namespace cvo {
+
+// The white-noise-on-acceleration prior between two states dt_s apart (section 3.3 of the paper;
+// estimator.md 5): e = (t+ - t - dt v, v+ - v), ||r||^2 = e^T Qhat^-1 e with
+//   r = (displacement (t+ - t) - velocity (v+ + v), change (v+ - v)),
+// so that the Jacobian by each of t, v, t+, v+ is made of these factors.
+struct MotionPriorFactors {
+  double displacement = 0.0;  // 1/m
+  double velocity = 0.0;      // s/m
+  double change = 0.0;        // s/m
+};
+MotionPriorFactors WhitenMotionPrior(double power_density_m2_s3, double dt_s);
+
+// The same for Ceres; blocks: world_from_object (7, PoseManifold), velocity (3), and both of the
+// next state.
+class MotionPriorCost final : public ceres::SizedCostFunction<6, 7, 3, 7, 3> {
+ public:
+  explicit MotionPriorCost(const MotionPriorFactors& factors) : factors_(factors) {}
+
+  bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override;
+
+ private:
+  MotionPriorFactors factors_;
+};
+
+}  // namespace cvo

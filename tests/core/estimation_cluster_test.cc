@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/rng.h"
+#include "core/estimation/cluster_solver.h"
+#include "core/estimation/object_reprojection_cost.h"
+#include "core/estimation/point_prior_cost.h"
+#include "core/estimation/pose_manifold.h"
+#include "tests/support/gradient_check.h"
+
+namespace cvo {
+namespace {
+
+const StereoCamera kCamera = {.fx = 500,
+                              .fy = 500,
+                              .cx = 320,
+                              .cy = 240,
+                              .baseline_m = 0.5,
+                              .width_px = 640,
+                              .height_px = 480};
+const SolverOptions kToTheEnd = {.iterations = 80, .function_tolerance = 1e-14};
+
+Eigen::Vector3d RandomVector(Rng& rng) { return {rng.Normal(), rng.Normal(), rng.Normal()}; }
+
+struct Scene {
+  std::vector<double> times_s = {0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
+  int points = 30;
+  double acceleration_m_s2 = 0.0;
+  double depth_m = 10.0;
+  double noise_px = 0.0;
+};
+
+// The truth of a turning body, seen by a camera that follows it; observations with noise.
+ClusterProblem MakeProblem(const Scene& scene, Rng& rng) {
+  ClusterProblem problem;
+  problem.camera = kCamera;
+  problem.time_s = scene.times_s;
+  for (int p = 0; p < scene.points; ++p) {
+    problem.points.emplace_back(rng.Uniform(-1, 1), rng.Uniform(-0.7, 0.7), rng.Uniform(-1, 1));
+  }
+  problem.point_priors.resize(problem.points.size());
+  const Eigen::Vector3d v(0.6, 0.0, 1.0);
+  for (const double t : scene.times_s) {
+    const double a = scene.acceleration_m_s2;
+    problem.world_from_camera.emplace_back(ExpSo3({0.0, 0.05 * t, 0.0}),
+                                           Eigen::Vector3d(0.0, 0.0, t));
+    problem.world_from_object.emplace_back(
+        ExpSo3({0.1, 0.3 - 0.5 * t, 0.0}),
+        Eigen::Vector3d(Eigen::Vector3d(0.3, 0.2, scene.depth_m) + v * t +
+                        Eigen::Vector3d(0.5 * a * t * t, 0.0, 0.0)));
+    problem.velocity_m_s.push_back(v + Eigen::Vector3d(a * t, 0.0, 0.0));
+  }
+  for (int p = 0; p < scene.points; ++p) {
+    for (int i = 0; i < static_cast<int>(scene.times_s.size()); ++i) {
+      const auto z = kCamera.Project(problem.world_from_camera[i].Inverse() *
+                                     (problem.world_from_object[i] * problem.points[p]));
+      problem.factors.push_back(
+          {i, p, *z + scene.noise_px * RandomVector(rng), Eigen::Matrix3d::Identity()});
+    }
+  }
+  return problem;
+}
+
+void Disturb(ClusterProblem& problem, double size, Rng& rng) {
+  for (std::size_t i = 0; i < problem.time_s.size(); ++i) {
+    const Vector6d step = Vector6d::NullaryExpr([&] { return size * rng.Normal(); });
+    if (i > 0) problem.world_from_object[i] = problem.world_from_object[i].Plus(step);
+    problem.velocity_m_s[i] += 10.0 * size * RandomVector(rng);
+  }
+  for (Eigen::Vector3d& point : problem.points) point += size * RandomVector(rng);
+}
+
+// Largest pose error of the problem against another of the same frames.
+double PoseError(const ClusterProblem& a, const ClusterProblem& b) {
+  double error = 0.0;
+  for (std::size_t i = 0; i < a.time_s.size(); ++i) {
+    error = std::max(error, a.world_from_object[i].Minus(b.world_from_object[i]).norm());
+  }
+  return error;
+}
+
+TEST(ObjectReprojectionCost, IsZeroAtTheTruthAndFiniteBehindTheCamera) {
+  const RigidTransform camera(ExpSo3({0.1, -0.2, 0.05}), Eigen::Vector3d(1.0, 2.0, 3.0));
+  const RigidTransform object(ExpSo3({0.4, 0.5, -0.3}), Eigen::Vector3d(1.5, 1.0, 12.0));
+  const Eigen::Vector3d p_in_object(0.4, -0.3, 0.8);
+  const Eigen::Vector3d z = *kCamera.Project(camera.Inverse() * (object * p_in_object));
+  const Eigen::Matrix3d W = Eigen::Matrix3d::Identity();
+  EXPECT_LT(EvaluateObjectReprojection(kCamera, z, W, camera, object, p_in_object).r.norm(), 1e-9);
+  const RigidTransform behind(ExpSo3({0.4, 0.5, -0.3}), Eigen::Vector3d(1.5, 1.0, -12.0));
+  EXPECT_TRUE(EvaluateObjectReprojection(kCamera, z, W, camera, behind, p_in_object).r.allFinite());
+}
+
+TEST(ObjectReprojectionCost, JacobiansMatchDifferences) {
+  Rng rng(1, "object");
+  const PoseManifold manifold;
+  for (int trial = 0; trial < 20; ++trial) {
+    const RigidTransform camera(ExpSo3(0.3 * RandomVector(rng)), RandomVector(rng));
+    const RigidTransform object(
+        ExpSo3(RandomVector(rng)),
+        camera * Eigen::Vector3d(rng.Uniform(-2, 2), rng.Uniform(-1, 1), rng.Uniform(6, 30)));
+    const ObjectReprojectionCost cost(kCamera, camera, {310, 230, 290}, SqrtInformation({}, 1.2));
+    const Eigen::Map<const Eigen::VectorXd> block(object.data(), 7);
+    EXPECT_TRUE(test::CostJacobiansMatch(
+        cost, {{block, &manifold}, {Eigen::VectorXd(RandomVector(rng))}}, 1e-5));
+  }
+}
+
+TEST(PointPriorCost, JacobianMatchesDifferences) {
+  Rng rng(2, "object");
+  PointPrior prior;
+  prior.mean_in_object = RandomVector(rng);
+  prior.sqrt_information = Eigen::Matrix3d::NullaryExpr([&] { return rng.Normal(); });
+  EXPECT_TRUE(test::CostJacobiansMatch(PointPriorCost(prior), {{RandomVector(rng)}}, 1e-6));
+}
+
+TEST(SolveCluster, ReturnsToTheTruth) {
+  Rng rng(3, "cluster");
+  const ClusterProblem truth = MakeProblem({}, rng);
+  ClusterProblem problem = truth;
+  Disturb(problem, 0.03, rng);
+  SolveCluster<WhiteNoiseOnAcceleration>({}, kToTheEnd, {}, problem);
+  EXPECT_LT(PoseError(problem, truth), 1e-6);
+  for (std::size_t i = 0; i < truth.time_s.size(); ++i) {
+    EXPECT_LT((problem.velocity_m_s[i] - truth.velocity_m_s[i]).norm(), 1e-5);
+  }
+}
+
+TEST(SolveCluster, BridgesMissingFrames) {
+  Rng rng(4, "cluster");
+  const ClusterProblem truth = MakeProblem({.times_s = {0.0, 0.1, 0.13, 0.9, 1.0, 2.4}}, rng);
+  ClusterProblem problem = truth;
+  Disturb(problem, 0.03, rng);
+  SolveCluster<WhiteNoiseOnAcceleration>({}, kToTheEnd, {}, problem);
+  EXPECT_LT(PoseError(problem, truth), 1e-6);
+}
+
+// RMS error of the motion from frame to frame over several noisy runs.
+template <typename MotionPrior>
+double OneFrameError(const MotionPriorOptions& motion) {
+  double sum = 0.0;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    Rng rng(seed, "noisy");
+    Scene scene = {.points = 10, .acceleration_m_s2 = 1.0, .depth_m = 20.0};
+    const ClusterProblem truth = MakeProblem(scene, rng);
+    ClusterProblem problem = truth;
+    for (ReprojectionFactor& factor : problem.factors) factor.z_px += 0.5 * RandomVector(rng);
+    SolveCluster<MotionPrior>({}, kToTheEnd, motion, problem);
+    for (std::size_t i = 1; i < truth.time_s.size(); ++i) {
+      const Eigen::Vector3d moved = problem.world_from_object[i].translation() -
+                                    problem.world_from_object[i - 1].translation();
+      const Eigen::Vector3d expected =
+          truth.world_from_object[i].translation() - truth.world_from_object[i - 1].translation();
+      sum += (moved - expected).squaredNorm();
+    }
+  }
+  return std::sqrt(sum / 70.0);
+}
+
+TEST(SolveCluster, PriorLowersTheOneFrameErrorOfANoisyBody) {
+  const double without = OneFrameError<NoMotionPrior>({});
+  const double with = OneFrameError<WhiteNoiseOnAcceleration>({});
+  EXPECT_LT(with, 0.7 * without);
+  EXPECT_GT(with, 0.05 * without);  // it does not know the truth
+}
+
+TEST(SolveCluster, WithoutPriorIsTheLimitOfLargeQ) {
+  Rng rng(5, "cluster");
+  ClusterProblem loose = MakeProblem({.noise_px = 0.3}, rng);
+  ClusterProblem none = loose;
+  SolveCluster<WhiteNoiseOnAcceleration>({}, kToTheEnd, {.q_m2_s3 = 1e10}, loose);
+  SolveCluster<NoMotionPrior>({}, kToTheEnd, {}, none);
+  EXPECT_LT(PoseError(loose, none), 1e-6);
+  const Eigen::Vector3d moved =
+      none.world_from_object[3].translation() - none.world_from_object[2].translation();
+  EXPECT_LT((none.velocity_m_s[3] - moved / 0.1).norm(), 1e-9);
+  EXPECT_EQ(none.velocity_m_s[0], none.velocity_m_s[1]);
+}
+
+TEST(SolveCluster, FrameUnitsAreSecondsWithTheStepsOwnQ) {
+  Rng rng(6, "cluster");
+  ClusterProblem frames = MakeProblem({.noise_px = 0.3}, rng);
+  ClusterProblem seconds = frames;
+  SolveCluster<WhiteNoiseOnAccelerationFrameUnits>({}, kToTheEnd, {}, frames);
+  SolveCluster<WhiteNoiseOnAcceleration>({}, kToTheEnd, {.q_m2_s3 = 10.0}, seconds);
+  EXPECT_LT(PoseError(frames, seconds), 1e-6);
+}
+
+TEST(SolveCluster, PointPriorHoldsAgainstTheData) {
+  Rng rng(7, "cluster");
+  const ClusterProblem truth = MakeProblem({.times_s = {0.0, 0.1, 0.2}}, rng);
+  ClusterProblem free = truth;
+  free.points[0].x() += 0.01;
+  ClusterProblem held = free;
+  held.point_priors[0] = {held.points[0], 1e4 * Eigen::Matrix3d::Identity()};
+  SolveCluster<WhiteNoiseOnAcceleration>({}, kToTheEnd, {}, free);
+  SolveCluster<WhiteNoiseOnAcceleration>({}, kToTheEnd, {}, held);
+  EXPECT_LT((free.points[0] - truth.points[0]).norm(), 1e-6);
+  EXPECT_LT((held.points[0] - held.point_priors[0].mean_in_object).norm(), 1e-4);
+}
+
+TEST(SolveCluster, WithASingleFrameOnlyPointsMove) {
+  Rng rng(8, "cluster");
+  const ClusterProblem truth = MakeProblem({.times_s = {3.0}}, rng);
+  ClusterProblem problem = truth;
+  for (Eigen::Vector3d& point : problem.points) point += 0.05 * RandomVector(rng);
+  SolveCluster<WhiteNoiseOnAcceleration>({}, kToTheEnd, {}, problem);
+  EXPECT_EQ(PoseError(problem, truth), 0.0);
+  EXPECT_EQ(problem.velocity_m_s[0], truth.velocity_m_s[0]);
+  for (std::size_t i = 0; i < truth.points.size(); ++i) {
+    EXPECT_LT((problem.points[i] - truth.points[i]).norm(), 1e-6);
+  }
+}
+
+TEST(SolveCluster, HoldsTheOldestPose) {
+  Rng rng(9, "cluster");
+  const ClusterProblem before = MakeProblem({.noise_px = 1.0}, rng);
+  ClusterProblem problem = before;
+  SolveCluster<WhiteNoiseOnAcceleration>({}, {}, {}, problem);
+  EXPECT_EQ(problem.world_from_object[0].Minus(before.world_from_object[0]).norm(), 0.0);
+  EXPECT_GT(PoseError(problem, before), 1e-4);
+}
+
+TEST(SolveCluster, SameProblemSameBytes) {
+  Rng rng(10, "cluster");
+  ClusterProblem a = MakeProblem({.noise_px = 1.0}, rng);
+  ClusterProblem b = a;
+  SolveCluster<WhiteNoiseOnAcceleration>({}, {}, {}, a);
+  SolveCluster<WhiteNoiseOnAcceleration>({}, {}, {}, b);
+  for (std::size_t i = 0; i < a.time_s.size(); ++i) {
+    for (int k = 0; k < 7; ++k) {
+      EXPECT_EQ(a.world_from_object[i].data()[k], b.world_from_object[i].data()[k]);
+    }
+    EXPECT_EQ(a.velocity_m_s[i], b.velocity_m_s[i]);
+  }
+  EXPECT_EQ(a.points, b.points);
+}
+
+TEST(SolveCluster, RefusesWhatDoesNotFit) {
+  Rng rng(11, "cluster");
+  const ClusterProblem good = MakeProblem({}, rng);
+  const auto solve = [](ClusterProblem problem) {
+    SolveCluster<WhiteNoiseOnAcceleration>({}, {}, {}, problem);
+  };
+  EXPECT_THROW(solve({}), Error);
+  ClusterProblem bad = good;
+  bad.time_s[3] = bad.time_s[2];
+  EXPECT_THROW(solve(bad), Error);
+  bad = good;
+  bad.velocity_m_s.pop_back();
+  EXPECT_THROW(solve(bad), Error);
+  bad = good;
+  bad.factors.back().pose = 8;
+  EXPECT_THROW(solve(bad), Error);
+  bad = good;
+  std::swap(bad.factors.front(), bad.factors.back());
+  EXPECT_THROW(solve(bad), Error);
+  bad = good;
+  bad.point_priors.pop_back();
+  EXPECT_THROW(solve(bad), Error);
+}
+
+}  // namespace
+}  // namespace cvo

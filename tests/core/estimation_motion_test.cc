@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <array>
+
+#include "core/base/error.h"
+#include "core/base/rng.h"
+#include "core/estimation/motion_extrapolation.h"
+#include "core/estimation/motion_prior_cost.h"
+#include "core/estimation/pose_manifold.h"
+#include "tests/support/gradient_check.h"
+
+namespace cvo {
+namespace {
+
+Eigen::Vector3d RandomVector(Rng& rng) { return {rng.Normal(), rng.Normal(), rng.Normal()}; }
+
+Vector6d Residual(const MotionPriorFactors& factors, const MotionState& a, const MotionState& b) {
+  const double* blocks[] = {a.world_from_object.data(), a.velocity_m_s.data(),
+                            b.world_from_object.data(), b.velocity_m_s.data()};
+  Vector6d r;
+  MotionPriorCost(factors).Evaluate(blocks, r.data(), nullptr);
+  return r;
+}
+
+MotionState RandomState(Rng& rng) {
+  return {0.0, {ExpSo3(RandomVector(rng)), RandomVector(rng)}, RandomVector(rng)};
+}
+
+const std::array<double, 4> kSteps_s = {0.01, 0.1, 1.0, 3.5};
+
+TEST(MotionPriorCost, IsZeroAtConstantVelocity) {
+  Rng rng(1, "motion");
+  for (const double dt : kSteps_s) {
+    const MotionState a = RandomState(rng);
+    const MotionState b = {
+        dt,
+        {ExpSo3(RandomVector(rng)),
+         Eigen::Vector3d(a.world_from_object.translation() + dt * a.velocity_m_s)},
+        a.velocity_m_s};
+    EXPECT_LT(Residual(WhitenMotionPrior(0.3, dt), a, b).norm(), 1e-9);
+  }
+}
+
+TEST(MotionPriorCost, SquaredNormIsTheMahalanobisDistance) {
+  Rng rng(2, "motion");
+  for (const double dt : kSteps_s) {
+    const double q = 0.7;
+    const MotionState a = RandomState(rng);
+    const MotionState b = RandomState(rng);
+    Vector6d e;
+    e << b.world_from_object.translation() - a.world_from_object.translation() -
+             dt * a.velocity_m_s,
+        b.velocity_m_s - a.velocity_m_s;
+    Matrix6d Q;
+    const Eigen::Matrix3d I = q * Eigen::Matrix3d::Identity();
+    Q << dt * dt * dt / 3.0 * I, dt * dt / 2.0 * I, dt * dt / 2.0 * I, dt * I;
+    const double expected = e.dot(Q.inverse() * e);
+    EXPECT_NEAR(Residual(WhitenMotionPrior(q, dt), a, b).squaredNorm() / expected, 1.0, 1e-9);
+  }
+}
+
+TEST(MotionPriorCost, HasTheValueWorkedOutByHand) {
+  // From rest to rest over 1 m in 1 s at q = 1: Qhat^-1 has 12 for the displacement.
+  MotionState b;
+  b.world_from_object = {Eigen::Quaterniond::Identity(), Eigen::Vector3d(1.0, 0.0, 0.0)};
+  EXPECT_NEAR(Residual(WhitenMotionPrior(1.0, 1.0), {}, b).squaredNorm(), 12.0, 1e-12);
+}
+
+TEST(MotionPriorCost, JacobiansMatchDifferences) {
+  Rng rng(3, "motion");
+  const PoseManifold manifold;
+  for (const double dt : kSteps_s) {
+    std::vector<test::ParameterBlock> blocks;
+    for (int i = 0; i < 2; ++i) {
+      const MotionState state = RandomState(rng);
+      blocks.push_back(
+          {Eigen::Map<const Eigen::VectorXd>(state.world_from_object.data(), 7), &manifold});
+      blocks.push_back({state.velocity_m_s});
+    }
+    const MotionPriorCost cost(WhitenMotionPrior(0.3, dt));
+    EXPECT_TRUE(test::CostJacobiansMatch(cost, blocks, 1e-6));
+  }
+}
+
+// One axis: r = J (t, v, t+, v+).
+Eigen::Matrix<double, 2, 4> AxisJacobian(const MotionPriorFactors& factors) {
+  Eigen::Matrix<double, 2, 4> J;
+  J << -factors.displacement, -factors.velocity, factors.displacement, -factors.velocity,  //
+      0.0, -factors.change, 0.0, factors.change;
+  return J;
+}
+
+TEST(MotionPriorCost, TwoStepsWithTheMiddleMarginalisedAreOneStep) {
+  for (const double dt : kSteps_s) {
+    for (const double part : {0.5, 0.2}) {
+      Eigen::MatrixXd J = Eigen::MatrixXd::Zero(4, 6);
+      J.block<2, 4>(0, 0) = AxisJacobian(WhitenMotionPrior(0.4, part * dt));
+      J.block<2, 4>(2, 2) = AxisJacobian(WhitenMotionPrior(0.4, (1.0 - part) * dt));
+      const Eigen::MatrixXd H = J.transpose() * J;
+      const std::array<int, 4> ends = {0, 1, 4, 5};
+      const std::array<int, 2> middle = {2, 3};
+      const Eigen::MatrixXd reduced =
+          H(ends, ends) - H(ends, middle) * H(middle, middle).inverse() * H(middle, ends);
+      const auto one = AxisJacobian(WhitenMotionPrior(0.4, dt));
+      const Eigen::MatrixXd expected = one.transpose() * one;
+      EXPECT_LT((reduced - expected).norm() / expected.norm(), 1e-9) << dt << " " << part;
+    }
+  }
+}
+
+TEST(MotionPrior, FrameUnitsAgreeWithSecondsAtOneFramePerSecond) {
+  const MotionPriorOptions options;
+  EXPECT_DOUBLE_EQ(WhiteNoiseOnAccelerationFrameUnits::PowerDensity(options, 1.0),
+                   options.q_m2_frame3);
+  EXPECT_NEAR(WhiteNoiseOnAccelerationFrameUnits::PowerDensity(options, 0.1), 10.0, 1e-9);
+  EXPECT_EQ(WhiteNoiseOnAcceleration::PowerDensity(options, 0.1), options.q_m2_s3);
+}
+
+// A body that turns about a fixed axis at 0.8 rad/s and moves at constant velocity.
+MotionState TurningBody(double time_s) {
+  const Eigen::Vector3d axis = Eigen::Vector3d(1.0, 2.0, -0.5).normalized();
+  const Eigen::Vector3d velocity(1.0, 0.2, -3.0);
+  return {time_s,
+          {ExpSo3({0.3, 0.1, 0.2}) * ExpSo3(0.8 * time_s * axis),
+           Eigen::Vector3d(4.0, 1.0, 20.0) + time_s * velocity},
+          velocity};
+}
+
+TEST(Extrapolate, FollowsABodyThatTurnsAndMovesOn) {
+  const std::array<MotionState, 3> states = {TurningBody(0.0), TurningBody(0.1), TurningBody(0.3)};
+  for (const double time_s : {0.35, 0.4, 1.0}) {
+    const PredictedMotion predicted =
+        Extrapolate<WhiteNoiseOnAcceleration, ConstantAngularVelocity>({}, states, time_s,
+                                                                       Eigen::Matrix3d::Zero());
+    const MotionState truth = TurningBody(time_s);
+    EXPECT_LT(predicted.world_from_object.Minus(truth.world_from_object).norm(), 1e-9);
+  }
+}
+
+TEST(Extrapolate, HeldRotationStays) {
+  const std::array<MotionState, 2> states = {TurningBody(0.0), TurningBody(0.1)};
+  const PredictedMotion predicted =
+      Extrapolate<WhiteNoiseOnAcceleration, HeldRotation>({}, states, 0.2, Eigen::Matrix3d::Zero());
+  const Vector6d difference = predicted.world_from_object.Minus(states[1].world_from_object);
+  EXPECT_EQ(difference.head<3>().norm(), 0.0);
+  EXPECT_LT((difference.tail<3>() - 0.1 * states[1].velocity_m_s).norm(), 1e-12);
+}
+
+TEST(Extrapolate, OneStateHoldsItsRotation) {
+  const std::array<MotionState, 1> states = {TurningBody(0.1)};
+  const PredictedMotion predicted = Extrapolate<WhiteNoiseOnAcceleration, ConstantAngularVelocity>(
+      {}, states, 0.2, Eigen::Matrix3d::Zero());
+  EXPECT_EQ(predicted.world_from_object.Minus(states[0].world_from_object).head<3>().norm(), 0.0);
+}
+
+TEST(Extrapolate, CovarianceGrowsByNoiseAndVelocity) {
+  const std::array<MotionState, 1> states = {TurningBody(0.0)};
+  const Eigen::Matrix3d velocity = Eigen::Vector3d(4.0, 1.0, 0.25).asDiagonal();
+  const auto predicted =
+      Extrapolate<WhiteNoiseOnAcceleration, HeldRotation>({.q_m2_s3 = 3.0}, states, 2.0, velocity);
+  const Eigen::Matrix3d expected = Eigen::Vector3d(24.0, 12.0, 9.0).asDiagonal();
+  EXPECT_TRUE(predicted.translation_covariance_m2.isApprox(expected, 1e-12));
+}
+
+TEST(Extrapolate, RefusesTheTimeOfTheLastStateAndBefore) {
+  const std::array<MotionState, 1> states = {TurningBody(0.1)};
+  for (const double time_s : {0.1, 0.05}) {
+    EXPECT_THROW(
+        (Extrapolate<NoMotionPrior, HeldRotation>({}, states, time_s, Eigen::Matrix3d::Zero())),
+        Error);
+  }
+}
+
+}  // namespace
+}  // namespace cvo
