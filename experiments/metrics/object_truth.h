@@ -32,6 +32,7 @@ struct ObjectTruth {
   std::string source;              // for contracts: "rendered scene", "labels"
   std::string visibility;          // what `visible` means here, in words
   double mover_travel_m = 0.0;     // 0.2 indoors, 2 outdoors
+  int first_frame = 0;             // of those run, in the folder; for contracts
   bool movers_alone_move = false;  // poses jitter: a body that is no mover never moves
   std::vector<std::int64_t> timestamps_ns;
   OptionalPoses world_from_camera;
