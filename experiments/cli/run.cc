@@ -27,8 +27,25 @@ struct Flags {
   std::string variant = "static";
   std::string output;
   std::uint64_t seed = 0;
+  std::string classes;
   bool strict = false;
+  bool landmarks = false;
 };
+
+void PrintDetections(const Sequence& sequence, const DetectionCounts& counts) {
+  if (sequence.detections.empty()) return;
+  std::cout << "detections: " << counts.given << " given";
+  const char* separator = "; left out: ";
+  const auto left_out = [&separator](int count, const std::string& why) {
+    if (count == 0) return;
+    std::cout << separator << count << ' ' << why;
+    separator = ", ";
+  };
+  left_out(counts.outside, "outside the image");
+  left_out(counts.skipped, "of skipped frames");
+  for (const auto& [type, count] : counts.other_classes) left_out(count, "of class " + type);
+  std::cout << '\n';
+}
 
 void PrintSummary(const Sequence& sequence, const JobOutcome& outcome) {
   const RunResult& run = outcome.run;
@@ -43,6 +60,7 @@ void PrintSummary(const Sequence& sequence, const JobOutcome& outcome) {
                 << problem.reason << '\n';
     }
   }
+  PrintDetections(sequence, run.detections);
   const RunScores& scores = outcome.scores;
   if (scores.refined.empty()) {
     std::cout << "nothing to score: ground truth " << sequence.groundtruth << '\n';
@@ -62,6 +80,8 @@ int Run(const Flags& flags) {
   RequireRecordedCpu(ThisBuild());
   const VariantInfo& variant = FindVariant(flags.variant);
   const Options options = flags.run.Resolve();
+  const std::vector<std::string> classes =
+      flags.classes.empty() ? RigidClasses() : ParseClasses(flags.classes);
   const Sequence sequence = OpenSequence(flags.sequence.Request());
   const OutputFolder output(flags.output, RunFileNames());
 
@@ -74,6 +94,8 @@ int Run(const Flags& flags) {
                       .options = options,
                       .seed = flags.seed,
                       .threads = flags.run.threads,
+                      .classes = classes,
+                      .landmarks = flags.landmarks,
                       .strict = flags.strict,
                       .progress = [&progress](std::size_t done) { progress.Report(done); },
                       .stop = [&stop] { return stop.Requested(); }},
@@ -98,9 +120,7 @@ Command AddRunCommand(CLI::App& program) {
   const auto add = [app](const char* flag, auto& value, const char* kind, const char* meaning) {
     return app->add_option(flag, value, meaning)->type_name(kind);
   };
-  add("-o,--output", flags->output, "FOLDER",
-      "for result.json, timing.json, camera.tum and camera.kitti")
-      ->required();
+  add("-o,--output", flags->output, "FOLDER", "for what the run found")->required();
   add("--variant", flags->variant, "NAME", "estimator: clustervo variants lists them")
       ->capture_default_str();
   flags->run.AddTo(*app);
@@ -108,9 +128,18 @@ Command AddRunCommand(CLI::App& program) {
          "--seed", [flags](const std::string& text) { flags->seed = ParseSeed(text); },
          "of the estimator's random draws; default: 0")
       ->type_name("N");
+  add("--classes", flags->classes, "A,B,...",
+      "of detections, those that are rigid bodies; others are left out; default: vehicles, and "
+      "what "
+      "moves in the shipped scenes");
+  app->add_flag("--landmarks", flags->landmarks,
+                "write landmarks.csv: every landmark of every frame with its labels");
   app->add_flag("--strict", flags->strict,
                 "an image that cannot be decoded is an error; else its frame is skipped");
   app->footer(
+      "Written: result.json, timing.json; camera.tum, camera.kitti; for moving bodies objects.csv\n"
+      "(every cluster in every frame, with its life state), tracks.kitti (KITTI tracking rows; no\n"
+      "column for the life state) and clusters/<id>.tum.\n"
       "camera.kitti has one line per frame, skipped frames with their predicted pose (listed in\n"
       "result.json); camera.tum leaves skipped frames out. Poses are world_from_camera, as last\n"
       "estimated. result.json and the trajectories are the same bytes on every run.\n"

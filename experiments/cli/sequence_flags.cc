@@ -27,8 +27,9 @@ void SequenceFlags::AddTo(CLI::App& app) {
   add("--labels", labels, "FILE", "KITTI label file in place of the folder's own");
   add("--labels-camera", labels_camera, "X",
       "labels were drawn in image_0X; default: 2, KITTI odometry: the left image read");
-  add("--detections", detections, "FILE",
-      "2D boxes in KITTI format, or a synthetic scene's level (oracle, good, poor); default: none");
+  add("--detections", detections, "FILE|labels|none",
+      "2D boxes in KITTI format (track ids are not used), a synthetic scene's level (oracle, good, "
+      "poor), the 2D boxes of the labels, or none");
   add("--detections-camera", detections_camera, "X",
       "boxes were detected in image_0X; default: the left image read");
   AddRightShift(app, right_shift_px);
@@ -57,7 +58,7 @@ SequenceRequest SequenceFlags::Request() const {
   }
   request.labels_file = labels;
   request.labels_camera = labels_camera;
-  request.detections_file = detections;
+  if (detections != "none") request.detections_file = detections;
   request.detections_camera = detections_camera;
   request.min_score = min_score;
   request.right_shift_px = right_shift_px;

@@ -73,6 +73,9 @@ struct Sequence {
   std::vector<std::string> missing;  // what a complete folder would also hold, one line each
 };
 
+// In place of a detections file: the 2D boxes of the labels, without anything else.
+inline constexpr const char* kDetectionsFromLabels = "labels";
+
 // What a user asks for; empty means: decide from the folder.
 struct SequenceRequest {
   std::filesystem::path folder = {};
@@ -83,7 +86,7 @@ struct SequenceRequest {
   int end_frame = -1;
   std::filesystem::path labels_file = {};  // instead of the folder's own
   int labels_camera = -1;                  // -1: image_02; in KITTI odometry the left image read
-  std::filesystem::path detections_file = {};  // or of a synthetic scene, a level: "good"
+  std::filesystem::path detections_file = {};  // or a scene's level, "good"; or "labels"
   int detections_camera = -1;  // image_0X the boxes were detected in; -1: the left image read
   double min_score = -1e300;   // detections below are left out
   // Of the camera (StereoCamera); empty: what is known of the data set's rectification.

@@ -42,6 +42,27 @@ void MoveLabels(double offset_m, double fx, std::vector<ObjectBox>& labels) {
   }
 }
 
+// Without what a detector could not know, and where the labels are already: in the left image read.
+void UseLabelsAsDetections(double min_score, Sequence& sequence) {
+  if (sequence.labels.empty()) {
+    ThrowError("option --detections", "\"labels\", but the sequence has none",
+               "a sequence with labels, or --labels FILE");
+  }
+  if (min_score > SequenceRequest().min_score) {
+    ThrowError("option --min-score", "a lowest score for labels", "a file of boxes with scores");
+  }
+  for (const ObjectBox& label : sequence.labels) {
+    ObjectBox box;
+    box.frame = label.frame;
+    box.type = label.type;
+    box.left_px = label.left_px;
+    box.top_px = label.top_px;
+    box.right_px = label.right_px;
+    box.bottom_px = label.bottom_px;
+    sequence.detections.push_back(box);
+  }
+}
+
 void DropLowScores(const fs::path& file, double min_score, std::vector<ObjectBox>& boxes) {
   if (min_score <= SequenceRequest().min_score) return;
   for (const ObjectBox& box : boxes) {
@@ -121,7 +142,9 @@ void AddBoxes(const SequenceRequest& request, const LabelSource& own_labels, con
                sequence.labels);
     sequence.text_files.push_back(labels_file);
   }
-  if (!request.detections_file.empty()) {
+  if (request.detections_file == kDetectionsFromLabels) {
+    UseLabelsAsDetections(request.min_score, sequence);
+  } else if (!request.detections_file.empty()) {
     const int camera = request.detections_camera == -1 ? left_camera : request.detections_camera;
     sequence.detections = ReadDetections(request.detections_file, sequence.total_frames);
     DropLowScores(request.detections_file, request.min_score, sequence.detections);

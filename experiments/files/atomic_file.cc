@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <set>
 #include <string_view>
 #include <system_error>
 
@@ -102,13 +103,56 @@ void SyncFolder(const fs::path& folder) {
   if (::fsync(fd.get()) != 0 && errno != EINVAL) ThrowErrno(folder, "write", errno);
 }
 
+// The folders within a folder that files go to. Those that are empty at the end go away again.
+class Subfolders {
+ public:
+  Subfolders(const fs::path& folder, const std::vector<NamedContent>& files) {
+    for (const NamedContent& file : files) {
+      const fs::path parent = fs::path(file.name).parent_path();
+      if (parent.empty() || !paths_.insert(folder / parent).second) continue;
+      if (::mkdir((folder / parent).c_str(), 0777) != 0 && errno != EEXIST) {
+        ThrowErrno(folder / parent, "create the folder", errno);
+      }
+    }
+  }
+  ~Subfolders() {
+    std::error_code ignored;
+    for (const fs::path& path : paths_) fs::remove(path, ignored);  // refuses where it is not empty
+  }
+  Subfolders(const Subfolders&) = delete;
+  Subfolders& operator=(const Subfolders&) = delete;
+
+  void Sync() const {
+    for (const fs::path& path : paths_) SyncFolder(path);
+  }
+
+ private:
+  std::set<fs::path> paths_;
+};
+
+// And the folder in `folder` that it is in, once that is empty.
+void RemoveFile(const fs::path& folder, const fs::path& name) {
+  const fs::path file = folder / name;
+  if (::unlink(file.c_str()) != 0 && errno != ENOENT) ThrowErrno(file, "remove", errno);
+  std::error_code ignored;
+  if (name.has_parent_path()) fs::remove(file.parent_path(), ignored);
+}
+
 }  // namespace
 
-void WriteFilesAtomically(const fs::path& folder, const std::vector<NamedContent>& files) {
+void WriteFilesAtomically(const fs::path& folder, const std::vector<NamedContent>& files,
+                          const std::vector<std::string>& stale) {
+  const Subfolders subfolders(folder, files);
   std::vector<StagedFile> staged;
   staged.reserve(files.size());
   for (const NamedContent& file : files) staged.emplace_back(folder, file);
-  for (StagedFile& file : staged) file.Publish();
+  for (std::size_t i = 0; i < staged.size(); ++i) {
+    if (i + 1 == staged.size()) {
+      for (const std::string& name : stale) RemoveFile(folder, name);
+      subfolders.Sync();
+    }
+    staged[i].Publish();
+  }
   SyncFolder(folder);
 }
 
@@ -118,9 +162,13 @@ OutputFolder::OutputFolder(fs::path folder, const std::vector<std::string>& name
   created_ = fs::create_directories(folder_, error);
   if (error) ThrowErrno(folder_, "create the folder", error.value());
   for (const std::string& name : names) {
-    const fs::file_status status = fs::symlink_status(folder_ / name, error);
-    if (fs::exists(status) && fs::is_directory(status)) {
-      ThrowError((folder_ / name).string(), "a folder", "a file or nothing");
+    const bool wanted = name.ends_with('/');
+    const fs::path path = folder_ / name.substr(0, name.size() - (wanted ? 1 : 0));
+    const fs::file_status status =
+        wanted ? fs::status(path, error) : fs::symlink_status(path, error);
+    if (fs::exists(status) && fs::is_directory(status) != wanted) {
+      ThrowError(path.string(), wanted ? "a file" : "a folder",
+                 wanted ? "a folder or nothing" : "a file or nothing");
     }
   }
   const StagedFile probe(folder_,

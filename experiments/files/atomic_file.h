@@ -9,20 +9,21 @@
 namespace cvo {
 
 struct NamedContent {
-  std::string name;  // within the folder
+  std::string name;  // within the folder; "a/b": in a folder in it, made where there is none
   std::string content;
 };
 
-// Writes files that belong together: each under a temporary name in the folder, checked and synced
-// to the disk; only when all of them are complete are they renamed, the last of the list last.
-// Throws Error naming the file and why. A final name holds either what it held before or the
-// complete new content, and no temporary is left behind.
+// Writes files that belong together: each under a temporary name beside its own, checked and synced
+// to the disk; only when all of them are complete are they renamed, the last of the list last and
+// after the files of `stale` are gone. Throws Error naming the file and why. A final name holds
+// what it held before or the complete new content, and no temporary is left behind.
 void WriteFilesAtomically(const std::filesystem::path& folder,
-                          const std::vector<NamedContent>& files);
+                          const std::vector<NamedContent>& files,
+                          const std::vector<std::string>& stale = {});
 
 // A folder that results will be written to. Creates it where there is none, and proves that files
-// of these names can be written: throws Error naming what is in the way. A folder that it created
-// and that is still empty at the end goes away again.
+// of these names can be written ("a/": a folder): throws Error naming what is in the way. A folder
+// that it created and that is still empty at the end goes away again.
 class OutputFolder {
  public:
   OutputFolder(std::filesystem::path folder, const std::vector<std::string>& names);

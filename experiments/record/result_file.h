@@ -24,6 +24,7 @@ struct RunRecord {
   std::uint64_t seed = 0;
   Json metrics;  // as MetricsToJson gives them
   const RunResult& run;
+  bool landmarks = false;  // asked for
 };
 
 // A rig as JSON, units in the names.

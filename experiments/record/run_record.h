@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "core/base/stage_times.h"
 #include "core/geometry/rigid_transform.h"
 #include "core/odometry/frame.h"
+#include "core/odometry/odometry.h"
 
 namespace cvo {
 
@@ -22,10 +24,21 @@ struct ImageProblem {
 struct FrameRecord {
   int frame = 0;  // counted in the folder
   std::int64_t timestamp_ns = 0;
-  FrameReport report;                        // with the pose as estimated when the frame came
+  // With the poses as estimated when the frame came; without its landmarks, which are many.
+  FrameReport report;
   RigidTransform refined_world_from_camera;  // as last estimated, at the end of the run
+  std::vector<Detection> detections;         // as the estimator was given them
   std::vector<ImageProblem> problems;        // why the frame was skipped
   StageTimes times_s;                        // measured, so never part of a result
+};
+
+// What became of a sequence's boxes, over the frames that were processed.
+struct DetectionCounts {
+  int given = 0;          // to the estimator
+  int outside = 0;        // left out: no pixel of the image inside
+  int skipped = 0;        // left out: of frames without images
+  int without_depth = 0;  // given where they were drawn, though another camera saw them there
+  std::map<std::string, int> other_classes;  // left out: of classes that were not asked for
 };
 
 enum class RunStatus {
@@ -40,6 +53,9 @@ struct RunResult {
   std::string message;  // empty where ok
   std::string content;  // hash of the sequence: images, text files and parameters
   std::vector<FrameRecord> frames;
+  std::vector<ClusterTrajectory> clusters;  // as last estimated; none of a failed run
+  DetectionCounts detections;
+  std::string landmark_rows;  // LandmarkRows of all frames, where they were asked for
   double wall_s = 0.0;
 };
 

@@ -4,16 +4,12 @@
 
 #include <utility>
 
-#include "experiments/files/atomic_file.h"
 #include "experiments/files/options_json.h"
-#include "experiments/metrics/kitti_poses.h"
-#include "experiments/metrics/trajectory.h"
-#include "experiments/metrics/tum_trajectory.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/record/job_identity.h"
 #include "experiments/record/metrics_json.h"
-#include "experiments/record/result_file.h"
 #include "experiments/runner/content_hash.h"
+#include "experiments/runner/run_files.h"
 
 namespace cvo {
 namespace {
@@ -24,32 +20,12 @@ Json ScoresToJson(const RunScores& scores) {
   return metrics;
 }
 
-void WriteRun(const std::filesystem::path& folder, const RunRecord& record,
-              const RunContext& context) {
-  Trajectory timed;
-  std::vector<RigidTransform> every_frame;
-  for (const FrameRecord& frame : record.run.frames) {
-    every_frame.push_back(frame.refined_world_from_camera);
-    if (frame.report.status == FrameStatus::kSkipped) continue;
-    timed.push_back({frame.timestamp_ns, frame.refined_world_from_camera});
-  }
-  // The result last: where it is complete, so is all else.
-  WriteFilesAtomically(folder, {{"camera.tum", FormatTumTrajectory(timed)},
-                                {"camera.kitti", FormatKittiPoses(every_frame)},
-                                {"timing.json", TimingFile(record.run, context)},
-                                {"result.json", ResultFile(record)}});
-}
-
 Json ResolvedOptions(const RunRequest& request) {
   Options options = request.options;
   return OptionsToJson(OptionLeaves(options));
 }
 
 }  // namespace
-
-std::vector<std::string> RunFileNames() {
-  return {"camera.tum", "camera.kitti", "timing.json", "result.json"};
-}
 
 std::string IdentifyJob(const RunRequest& request) {
   std::vector<ImageHashes> images;
@@ -75,12 +51,13 @@ std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesyste
                          .options = ResolvedOptions(request),
                          .seed = request.seed,
                          .metrics = ScoresToJson(outcome.scores),
-                         .run = outcome.run};
+                         .run = outcome.run,
+                         .landmarks = request.landmarks};
   outcome.context.job = RecordedJob(record);
   outcome.context.threads = request.threads;
   outcome.context.sequence_folder = std::filesystem::absolute(request.sequence.folder).string();
   outcome.context.output_folder = std::filesystem::absolute(folder).string();
-  WriteRun(folder, record, outcome.context);
+  WriteRunFiles(folder, record, outcome.context);
   return outcome;
 }
 

@@ -5,16 +5,13 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "experiments/record/timing_file.h"
+#include "experiments/runner/run_files.h"
 #include "experiments/runner/run_sequence.h"
 #include "experiments/runner/score_run.h"
 
 namespace cvo {
-
-// result.json, timing.json, camera.tum and camera.kitti.
-std::vector<std::string> RunFileNames();
 
 struct JobOutcome {
   RunResult run;
@@ -25,9 +22,9 @@ struct JobOutcome {
 // JobIdentity of what RunJob would do, from the bytes of the sequence's files; nothing is decoded.
 std::string IdentifyJob(const RunRequest& request);
 
-// Runs, scores, and writes the four files to a folder that exists: all complete, or none (see
-// WriteFilesAtomically). Empty where the request's `stop` ended the run: nothing is written then.
-// Throws Error on a CPU below the level of recorded runs.
+// Runs, scores, and writes the files to a folder that exists (WriteRunFiles). Empty where the
+// request's `stop` ended the run: nothing is written then. Throws Error on a CPU below the level of
+// recorded runs.
 [[nodiscard]] std::optional<JobOutcome> RunJob(const RunRequest& request,
                                                const std::filesystem::path& folder);
 

@@ -12,6 +12,7 @@
 #include "core/base/stage_times.h"
 #include "core/base/task_pool.h"
 #include "core/odometry/odometry.h"
+#include "experiments/record/landmark_table.h"
 #include "experiments/runner/content_hash.h"
 #include "experiments/runner/look_ahead.h"
 
@@ -29,9 +30,23 @@ void RefuseProblems(const Sequence& sequence, const PreparedFrame& prepared) {
       StrCat((sequence.folder / problem.image).lexically_normal().string(), ": ", problem.reason));
 }
 
+// Boxes of the frame into what the estimator is given.
+void AddDetections(const RunRequest& request, const std::vector<ObjectBox>& boxes,
+                   PreparedFrame& prepared, DetectionCounts& counts) {
+  if (!prepared.problems.empty()) {
+    counts.skipped += static_cast<int>(boxes.size());
+    return;
+  }
+  StereoFrame& frame = prepared.frame;
+  frame.detections =
+      DetectionsOfFrame(boxes, {request.sequence.camera, request.sequence.detections_offset_m},
+                        frame.features, request.classes, counts);
+}
+
 // Lets the estimator work on one frame and adds it to the result. An Error of the estimator makes
 // the result a failed one without the frame.
-void Estimate(int frame, PreparedFrame prepared, Odometry& odometry, RunResult& result) {
+void Estimate(const RunRequest& request, int frame, PreparedFrame prepared, Odometry& odometry,
+              RunResult& result) {
   FrameRecord record;
   record.frame = frame;
   record.timestamp_ns = prepared.frame.timestamp_ns;
@@ -47,6 +62,11 @@ void Estimate(int frame, PreparedFrame prepared, Odometry& odometry, RunResult& 
     return;
   }
   record.refined_world_from_camera = record.report.world_from_camera;
+  if (request.landmarks) {
+    result.landmark_rows += LandmarkRows(frame, prepared.frame, record.report.landmarks, {});
+  }
+  record.report.landmarks = {};
+  record.detections = std::move(prepared.frame.detections);
   result.frames.push_back(std::move(record));
 }
 
@@ -58,6 +78,7 @@ void Refine(const Odometry& odometry, RunResult& result) {
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     result.frames[i].refined_world_from_camera = trajectory[i];
   }
+  result.clusters = odometry.ClusterTrajectories();
 }
 
 void JudgeStatus(RunResult& result) {
@@ -91,6 +112,8 @@ std::optional<RunResult> RunSequence(const RunRequest& request) {
       request.variant.make({sequence.camera, request.options, request.seed}, pool);
   LookAhead look_ahead(sequence, request.options, pool);
 
+  const std::vector<std::vector<ObjectBox>> boxes = DetectionsByFrame(sequence);
+
   RunResult result;
   std::vector<ImageHashes> hashes;
   for (std::size_t i = 0; i < sequence.images.size(); ++i) {
@@ -99,7 +122,9 @@ std::optional<RunResult> RunSequence(const RunRequest& request) {
     prepared.times_s["wait_for_features"] = SecondsSince(frame_start);
     if (request.strict) RefuseProblems(sequence, prepared);
     hashes.push_back(prepared.hashes);
-    Estimate(sequence.first_frame + static_cast<int>(i), std::move(prepared), *odometry, result);
+    AddDetections(request, boxes[i], prepared, result.detections);
+    Estimate(request, sequence.first_frame + static_cast<int>(i), std::move(prepared), *odometry,
+             result);
     if (result.status == RunStatus::kFailed) break;
     result.frames.back().times_s["frame"] = SecondsSince(frame_start);
     request.progress(i + 1);

@@ -6,10 +6,13 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/odometry/options.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/record/run_record.h"
+#include "experiments/runner/frame_detections.h"
 #include "variants/registry.h"
 
 namespace cvo {
@@ -19,7 +22,9 @@ struct RunRequest {
   const VariantInfo& variant;
   Options options;
   std::uint64_t seed = 0;
-  int threads = 1;      // results do not depend on it
+  int threads = 1;                                    // results do not depend on it
+  std::vector<std::string> classes = RigidClasses();  // of detections that count, see there
+  bool landmarks = false;                             // keep RunResult::landmark_rows
   bool strict = false;  // an image that cannot be decoded is an error in place of a skipped frame
   std::function<void(std::size_t done)> progress = [](std::size_t) {};
   std::function<bool()> stop = [] { return false; };  // asked after every frame

@@ -47,6 +47,7 @@ class FakeOdometry : public Odometry {
   FrameReport Skip(std::int64_t) override { return Report(FrameStatus::kSkipped, 0.0, 0); }
 
   std::vector<RigidTransform> Trajectory() const override { return trajectory_; }
+  std::vector<ClusterTrajectory> ClusterTrajectories() const override { return {}; }
 
  protected:
   FrameReport Report(FrameStatus status, double x, int features) {

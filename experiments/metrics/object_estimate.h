@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "experiments/metrics/object_truth.h"
+
+namespace cvo {
+
+// What is true of a landmark in the frame it is observed in.
+struct LandmarkTruth {
+  std::int16_t body = -1;  // 0 the static scene, k a body, -1 not known or not judged
+  PointMotion motion = PointMotion::kStill;
+};
+
+// A landmark observed in a frame: what the run takes it for, and what it is. 8 bytes, as a run has
+// millions of them.
+struct LandmarkObservation {
+  std::int32_t cluster = -1;  // 0 the static scene, k a cluster, -1 none
+  LandmarkTruth truth;
+};
+
+// A cluster in a frame. World is that of the estimated camera.
+struct ClusterFrame {
+  int frame = 0;
+  RigidTransform world_from_object;
+  Eigen::Vector3d center_in_object = Eigen::Vector3d::Zero();
+  Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  // of that centre, in world
+  int observed_landmarks = 0;
+  bool predicted = false;  // by the motion model alone
+};
+
+struct ClusterEstimate {
+  std::int64_t id = 0;  // from 1 on
+  std::string category;
+  std::vector<ClusterFrame> frames;  // increasing in frame; gaps are allowed
+};
+
+// What a run says of the bodies; frames as in the truth it is compared with.
+struct ObjectEstimate {
+  OptionalPoses world_from_camera;
+  std::vector<ClusterEstimate> clusters;                    // increasing in id
+  std::vector<std::vector<LandmarkObservation>> landmarks;  // [frame]: observed in it
+};
+
+// An estimate counts where at least this many of its landmarks are observed in the frame.
+constexpr int kLandmarksThatCount = 3;
+inline bool Counts(const ClusterFrame& frame) {
+  return !frame.predicted && frame.observed_landmarks >= kLandmarksThatCount;
+}
+
+// Throws Error where lengths differ from the truth's, ids or frames do not increase or lie outside
+// of it, or a pose is not finite.
+void CheckEstimate(const ObjectTruth& truth, const ObjectEstimate& estimate);
+
+}  // namespace cvo

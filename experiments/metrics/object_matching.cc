@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/metrics/object_matching.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "core/association/assignment.h"
+
+namespace cvo {
+namespace {
+
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+template <typename Item>
+std::size_t IndexOf(const std::vector<Item>& items, std::int64_t id) {
+  const auto item =
+      std::lower_bound(items.begin(), items.end(), id,
+                       [](const Item& i, std::int64_t value) { return i.id < value; });
+  return item == items.end() || item->id != id ? kNone
+                                               : static_cast<std::size_t>(item - items.begin());
+}
+
+// Landmarks of a cluster seen on a body.
+struct Overlap {
+  int body = 0;
+  std::int64_t cluster = 0;
+  int landmarks = 0;
+};
+
+// By body, then by cluster.
+std::vector<Overlap> FrameOverlaps(const std::vector<LandmarkObservation>& landmarks) {
+  std::vector<std::pair<int, std::int64_t>> pairs;
+  for (const LandmarkObservation& landmark : landmarks) {
+    if (landmark.truth.body < 1 || landmark.cluster < 1) continue;
+    pairs.emplace_back(landmark.truth.body, landmark.cluster);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<Overlap> overlaps;
+  for (const auto& [body, cluster] : pairs) {
+    if (overlaps.empty() || overlaps.back().body != body || overlaps.back().cluster != cluster) {
+      overlaps.push_back({body, cluster, 0});
+    }
+    ++overlaps.back().landmarks;
+  }
+  return overlaps;
+}
+
+// -1: none with enough landmarks.
+std::int64_t BestCluster(const std::vector<Overlap>& overlaps, int body, std::int64_t last) {
+  const Overlap* best = nullptr;
+  for (const Overlap& overlap : overlaps) {
+    if (overlap.body != body || overlap.landmarks < kLandmarksThatCount) continue;
+    const bool better = best == nullptr || overlap.landmarks > best->landmarks ||
+                        (overlap.landmarks == best->landmarks && overlap.cluster == last);
+    if (better) best = &overlap;
+  }
+  return best == nullptr ? -1 : best->cluster;
+}
+
+// A body up to now.
+struct Track {
+  std::int64_t cluster = -1;  // the last one
+  bool interrupted = false;   // since then, in a visible frame
+
+  void Add(std::int64_t best, Continuity& continuity) {
+    if (best == -1) {
+      interrupted = cluster != -1;
+      return;
+    }
+    if (cluster != -1 && best != cluster) ++continuity.id_switches;
+    if (interrupted) ++continuity.fragments;
+    cluster = best;
+    interrupted = false;
+  }
+};
+
+}  // namespace
+
+std::vector<ObjectMatch> MatchObjects(const ObjectTruth& truth, const ObjectEstimate& estimate) {
+  if (truth.bodies.empty() || estimate.clusters.empty()) return {};
+  // A pair that shares nothing costs nothing; were it forbidden, the assignment would give away
+  // landmarks for a pair more.
+  Eigen::MatrixXd cost = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(truth.bodies.size()),
+                                               static_cast<Eigen::Index>(estimate.clusters.size()));
+  for (const auto& frame : estimate.landmarks) {
+    for (const Overlap& overlap : FrameOverlaps(frame)) {
+      const std::size_t body = IndexOf(truth.bodies, overlap.body);
+      const std::size_t cluster = IndexOf(estimate.clusters, overlap.cluster);
+      if (body == kNone || cluster == kNone) continue;
+      cost(static_cast<Eigen::Index>(body), static_cast<Eigen::Index>(cluster)) -=
+          overlap.landmarks;
+    }
+  }
+  const std::vector<int> assigned = Assign(cost);
+  std::vector<ObjectMatch> matches;
+  for (std::size_t body = 0; body < assigned.size(); ++body) {
+    if (assigned[body] < 0) continue;
+    const double shared = -cost(static_cast<Eigen::Index>(body), assigned[body]);
+    if (shared == 0.0) continue;
+    matches.push_back(
+        {body, static_cast<std::size_t>(assigned[body]), static_cast<std::int64_t>(shared)});
+  }
+  return matches;
+}
+
+std::vector<Continuity> MeasureContinuity(const ObjectTruth& truth,
+                                          const ObjectEstimate& estimate) {
+  std::vector<Continuity> continuity(truth.bodies.size());
+  std::vector<Track> tracks(truth.bodies.size());
+  for (std::size_t k = 0; k < estimate.landmarks.size(); ++k) {
+    const std::vector<Overlap> overlaps = FrameOverlaps(estimate.landmarks[k]);
+    for (std::size_t i = 0; i < truth.bodies.size(); ++i) {
+      const TruthBody& body = truth.bodies[i];
+      if (!body.frames.at(k) || !body.frames[k]->visible) continue;
+      tracks[i].Add(BestCluster(overlaps, body.id, tracks[i].cluster), continuity[i]);
+    }
+  }
+  return continuity;
+}
+
+}  // namespace cvo

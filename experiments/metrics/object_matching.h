@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "experiments/metrics/object_estimate.h"
+
+namespace cvo {
+
+// A body and the cluster it is scored with.
+struct ObjectMatch {
+  std::size_t body = 0;        // index into ObjectTruth::bodies
+  std::size_t cluster = 0;     // index into ObjectEstimate::clusters
+  std::int64_t landmarks = 0;  // of the cluster observed on the body, summed over frames
+};
+
+// One-to-one, such that the landmarks that matched pairs share are as many as possible; pairs that
+// share none stay apart. By body.
+std::vector<ObjectMatch> MatchObjects(const ObjectTruth& truth, const ObjectEstimate& estimate);
+
+// How steadily a body is followed, over its visible frames. Its cluster in a frame is the one with
+// the most landmarks on it, at least kLandmarksThatCount; ties: the one before, then the lowest id.
+struct Continuity {
+  int id_switches = 0;  // another cluster than the last time it had one, also across occlusions
+  int fragments = 0;    // has a cluster again after visible frames without
+};
+std::vector<Continuity> MeasureContinuity(const ObjectTruth& truth,
+                                          const ObjectEstimate& estimate);  // [body]
+
+}  // namespace cvo

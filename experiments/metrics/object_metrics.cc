@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/metrics/object_metrics.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "core/base/error.h"
+
+namespace cvo {
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr std::array<int, 3> kSuccess_cm = {5, 10, 20};
+constexpr const char* kAligned =
+    "world by the camera (chordal mean of orientations, mean of positions), one "
+    "object_from_gtobject per body in closed form over its frames";
+constexpr const char* kWorldAligned =
+    "world by the camera (chordal mean of orientations, mean of positions)";
+constexpr const char* kMeanOfBodies = "root mean square per body, mean over bodies";
+
+// The bodies that share a row, and what their metrics have in common.
+struct Group {
+  std::string prefix;
+  std::vector<const BodyScore*> bodies;
+  MetricContract contract;
+  std::int64_t visible = 0;    // object-frames
+  std::int64_t estimated = 0;  // of these
+
+  bool Tells(const BodyScore& body) const { return body.estimated_frames > 0; }
+};
+
+std::string Unjudged(const Group& group) {
+  std::int64_t matched = 0;
+  for (const BodyScore* body : group.bodies) matched += group.Tells(*body) ? 1 : 0;
+  return StrCat(static_cast<std::int64_t>(group.bodies.size()) - matched, " of ",
+                group.bodies.size(), " bodies without an estimate, ",
+                group.visible - group.estimated, " of ", group.visible,
+                " visible object-frames without one");
+}
+
+Group MakeGroup(const ObjectTruth& truth, const ObjectScores& scores, bool movers) {
+  Group group;
+  group.prefix = movers ? "object_" : "object_standing_";
+  for (const BodyScore& body : scores.bodies) {
+    if (body.mover != movers) continue;
+    group.bodies.push_back(&body);
+    group.visible += body.visible_frames;
+    group.estimated += body.estimated_frames;
+  }
+  group.contract.frame = StrCat("bodies that travel ", movers ? "more than " : "at most ",
+                                truth.mover_travel_m, " m, in the world of the truth");
+  group.contract.truth = StrCat(truth.source, "; visible: ", truth.visibility);
+  group.contract.alignment = "none";
+  group.contract.delta = "none";
+  group.contract.left_out = Unjudged(group);
+  return group;
+}
+
+MetricContract With(const Group& group, const char* alignment, const std::string& pairing,
+                    const char* delta, const std::string& aggregation) {
+  MetricContract contract = group.contract;
+  contract.alignment = alignment;
+  contract.pairing = pairing;
+  contract.delta = delta;
+  contract.aggregation = aggregation;
+  return contract;
+}
+
+std::string CountedFrames() {
+  return StrCat("visible frames with at least ", kLandmarksThatCount,
+                " observed landmarks of the cluster matched to the body by shared landmarks");
+}
+
+// Frames of which a fraction is taken: nothing is left out of them.
+MetricContract Fraction(const Group& group, const char* alignment, const std::string& of) {
+  MetricContract contract =
+      With(group, alignment, "all visible object-frames", "none",
+           StrCat("fraction of object-frames ", of, "; one without an estimate (", CountedFrames(),
+                  ") has none"));
+  contract.left_out = "nothing";
+  return contract;
+}
+
+std::int64_t Within(const std::vector<ObjectFrameError>& errors, double limit_m) {
+  return std::count_if(errors.begin(), errors.end(),
+                       [&](const ObjectFrameError& error) { return error.position_m <= limit_m; });
+}
+
+double Ratio(std::int64_t part, std::int64_t whole) {
+  return static_cast<double>(part) / static_cast<double>(whole);
+}
+
+void AddFractions(const Group& group, std::vector<Metric>& metrics) {
+  metrics.push_back({group.prefix + "coverage", Ratio(group.estimated, group.visible), "1",
+                     group.visible, Fraction(group, "none", "with an estimate")});
+  for (const int limit_cm : kSuccess_cm) {
+    std::int64_t successes = 0;
+    for (const BodyScore* body : group.bodies) {
+      successes += Within(body->errors, 0.01 * limit_cm);
+    }
+    metrics.push_back(
+        {StrCat(group.prefix, "success_", limit_cm, "cm"), Ratio(successes, group.visible), "1",
+         group.visible,
+         Fraction(group, kAligned, StrCat("with a position error of at most ", limit_cm, " cm"))});
+  }
+}
+
+// The mean over the bodies that determine the value; absent where none does.
+template <typename ValueOf>
+void AddMean(const Group& group, const std::string& name, const char* unit,
+             const MetricContract& contract, const ValueOf& value_of,
+             std::vector<Metric>& metrics) {
+  double sum = 0.0;
+  std::int64_t n = 0;
+  for (const BodyScore* body : group.bodies) {
+    const std::optional<double> value = value_of(*body);
+    if (!value) continue;
+    sum += *value;
+    ++n;
+  }
+  if (n > 0)
+    metrics.push_back({group.prefix + name, sum / static_cast<double>(n), unit, n, contract});
+}
+
+template <typename Member>
+auto Rotation(Member member, double scale = 1.0) {
+  return [=](const BodyScore& body) -> std::optional<double> {
+    if (!(body.*member)) return std::nullopt;
+    return scale * (body.*member)->rotation_rad;
+  };
+}
+template <typename Member>
+auto Translation(Member member) {
+  return [=](const BodyScore& body) -> std::optional<double> {
+    if (!(body.*member)) return std::nullopt;
+    return (body.*member)->translation_m;
+  };
+}
+
+void AddErrors(const ObjectTruth& truth, const Group& group, std::vector<Metric>& metrics) {
+  AddMean(
+      group, "ate", "m", With(group, kAligned, CountedFrames(), "none", kMeanOfBodies),
+      [](const BodyScore& body) { return body.ate_m; }, metrics);
+  const MetricContract all =
+      With(group, kAligned, "all ordered pairs i != j of " + CountedFrames(), "all", kMeanOfBodies);
+  AddMean(group, "rrpe_all_pairs", "rad", all, Rotation(&BodyScore::all_pairs), metrics);
+  AddMean(group, "trpe_all_pairs", "m", all, Translation(&BodyScore::all_pairs), metrics);
+  const MetricContract one =
+      With(group, kAligned, "consecutive " + CountedFrames(), "1 frame", kMeanOfBodies);
+  AddMean(group, "rrpe_1_frame", "rad", one, Rotation(&BodyScore::one_frame), metrics);
+  AddMean(group, "trpe_1_frame", "m", one, Translation(&BodyScore::one_frame), metrics);
+  const MetricContract motion =
+      With(group, kWorldAligned,
+           StrCat("consecutive ", CountedFrames(), ", within frames ", truth.first_frame, " to ",
+                  truth.first_frame + static_cast<int>(truth.frame_count()) - 1,
+                  "; E = G_k^-1 H_gt^-1 H_est G_k with the motion H = P_k+1 P_k^-1 in world"),
+           "1 frame", kMeanOfBodies);
+  AddMean(group, "motion_r", "deg", motion, Rotation(&BodyScore::motion, kDegrees), metrics);
+  AddMean(group, "motion_t", "m", motion, Translation(&BodyScore::motion), metrics);
+  AddMean(
+      group, "velocity", "m/s",
+      With(group, kAligned,
+           CountedFrames() + ", against differences of true positions of the same point",
+           "central difference, one-sided where the truth begins or ends", kMeanOfBodies),
+      [](const BodyScore& body) { return body.velocity_m_s; }, metrics);
+}
+
+void AddCounts(const Group& group, std::vector<Metric>& metrics) {
+  std::int64_t switches = 0;
+  std::int64_t fragments = 0;
+  std::int64_t unmatched = 0;
+  for (const BodyScore* body : group.bodies) {
+    switches += body->continuity.id_switches;
+    fragments += body->continuity.fragments;
+    unmatched += body->cluster == -1 ? 1 : 0;
+  }
+  const auto n = static_cast<std::int64_t>(group.bodies.size());
+  const auto add = [&](const char* name, std::int64_t count, const std::string& of) {
+    MetricContract contract = With(group, "none", "all visible object-frames", "none", of);
+    contract.left_out = "nothing";
+    metrics.push_back({group.prefix + name, static_cast<double>(count), "1", n, contract});
+  };
+  const std::string best =
+      StrCat("the cluster with the most landmarks on a body, at least ", kLandmarksThatCount, ", ");
+  add("id_switches", switches, "number of times " + best + "is another than the last one");
+  add("fragments", fragments,
+      "number of times " + best + "is back after visible frames without one");
+  add("unmatched", unmatched, "number of bodies matched to no cluster, one-to-one");
+}
+
+void AddGroup(const ObjectTruth& truth, const Group& group, std::vector<Metric>& metrics) {
+  if (group.visible == 0) return;
+  AddFractions(group, metrics);
+  AddErrors(truth, group, metrics);
+  AddCounts(group, metrics);
+}
+
+void AddPredicted(const Group& movers, std::vector<Metric>& metrics) {
+  std::int64_t frames = 0;
+  for (const BodyScore* body : movers.bodies) {
+    frames += static_cast<std::int64_t>(body->predicted.size());
+  }
+  if (frames == 0) return;
+  Group group = movers;
+  group.prefix = "object_predicted_";
+  group.contract.left_out = "bodies that are estimated in no frame";
+  const std::string pairing = StrCat(
+      "object-frames, visible or not, where the pose is predicted "
+      "or fewer than ",
+      kLandmarksThatCount, " landmarks are observed");
+  AddMean(
+      group, "ate", "m", With(group, kAligned, pairing, "none", kMeanOfBodies),
+      [](const BodyScore& body) { return body.predicted_ate_m; }, metrics);
+  for (const int limit_cm : kSuccess_cm) {
+    std::int64_t successes = 0;
+    for (const BodyScore* body : group.bodies) {
+      successes += Within(body->predicted, 0.01 * limit_cm);
+    }
+    metrics.push_back(
+        {StrCat(group.prefix, "success_", limit_cm, "cm"), Ratio(successes, frames), "1", frames,
+         With(group, kAligned, pairing, "none",
+              StrCat("fraction with a position error of at most ", limit_cm, " cm"))});
+  }
+}
+
+void AddUnmatchedClusters(const ObjectTruth& truth, const ObjectScores& scores,
+                          std::vector<Metric>& metrics) {
+  if (scores.clusters == 0) return;
+  MetricContract contract;
+  contract.frame = "clusters";
+  contract.truth = truth.source;
+  contract.alignment = "none";
+  contract.pairing =
+      StrCat("clusters with at least ", kLandmarksThatCount, " observed landmarks in some frame");
+  contract.delta = "none";
+  contract.aggregation = "number matched to no body, one-to-one by shared landmarks";
+  contract.left_out = "nothing";
+  metrics.push_back({"object_unmatched_clusters", static_cast<double>(scores.unmatched_clusters),
+                     "1", scores.clusters, contract});
+}
+
+}  // namespace
+
+std::vector<Metric> ObjectMetrics(const ObjectTruth& truth, const ObjectScores& scores) {
+  std::vector<Metric> metrics;
+  const Group movers = MakeGroup(truth, scores, true);
+  AddGroup(truth, movers, metrics);
+  AddPredicted(movers, metrics);
+  AddGroup(truth, MakeGroup(truth, scores, false), metrics);
+  AddUnmatchedClusters(truth, scores, metrics);
+  for (const Metric& metric : metrics) {
+    if (!std::isfinite(metric.value)) ThrowError(metric.name, "an overflow", "a finite number");
+  }
+  return metrics;
+}
+
+}  // namespace cvo

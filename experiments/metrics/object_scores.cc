@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/metrics/object_scores.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+
+namespace cvo {
+namespace {
+
+std::optional<double> RootMeanSquare(double sum, std::size_t n) {
+  if (n == 0) return std::nullopt;
+  return std::sqrt(sum / static_cast<double>(n));
+}
+
+std::optional<double> RootMeanSquare(const std::vector<ObjectFrameError>& errors) {
+  double sum = 0.0;
+  for (const ObjectFrameError& error : errors) sum += error.position_m * error.position_m;
+  return RootMeanSquare(sum, errors.size());
+}
+
+// The frames of a body and of its cluster, the estimate in the world of the truth.
+struct BodyPoses {
+  CommonPoses counted;
+  std::vector<const ClusterFrame*> counted_frames;
+  CommonPoses predicted;
+};
+
+void Add(int frame, const RigidTransform& truth, const RigidTransform& estimate,
+         CommonPoses& poses) {
+  poses.frames.push_back(frame);
+  poses.truth.push_back(truth);
+  poses.estimate.push_back(estimate);
+}
+
+BodyPoses CollectPoses(const TruthBody& body, const ClusterEstimate& cluster,
+                       const RigidTransform& truth_from_estimate) {
+  BodyPoses poses;
+  for (const ClusterFrame& frame : cluster.frames) {
+    const auto& truth = body.frames[static_cast<std::size_t>(frame.frame)];
+    if (!truth) continue;
+    const RigidTransform estimate = truth_from_estimate * frame.world_from_object;
+    if (!Counts(frame)) {
+      Add(frame.frame, truth->world_from_object, estimate, poses.predicted);
+    } else if (truth->visible) {
+      Add(frame.frame, truth->world_from_object, estimate, poses.counted);
+      poses.counted_frames.push_back(&frame);
+    }
+  }
+  return poses;
+}
+
+void ApplyObject(const RigidTransform& object_from_gtobject, CommonPoses& poses) {
+  for (RigidTransform& estimate : poses.estimate) estimate = estimate * object_from_gtobject;
+}
+
+std::vector<ObjectFrameError> PositionErrors(const CommonPoses& poses) {
+  std::vector<ObjectFrameError> errors;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    errors.push_back(
+        {poses.frames[i], (poses.estimate[i].translation() - poses.truth[i].translation()).norm()});
+  }
+  return errors;
+}
+
+std::optional<RelativeErrors> MotionErrors(const CommonPoses& poses) {
+  double rotation_sum = 0.0;
+  double translation_sum = 0.0;
+  std::size_t pairs = 0;
+  for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
+    if (poses.frames[i + 1] != poses.frames[i] + 1) continue;
+    const RigidTransform& G = poses.truth[i];
+    const RigidTransform H_gt = poses.truth[i + 1] * G.Inverse();
+    const RigidTransform H_est = poses.estimate[i + 1] * poses.estimate[i].Inverse();
+    const RigidTransform E = G.Inverse() * H_gt.Inverse() * H_est * G;
+    const double angle = RotationAngle(E.rotation());
+    rotation_sum += angle * angle;
+    translation_sum += E.translation().squaredNorm();
+    ++pairs;
+  }
+  if (pairs == 0) return std::nullopt;
+  return RelativeErrors{*RootMeanSquare(rotation_sum, pairs),
+                        *RootMeanSquare(translation_sum, pairs), static_cast<std::int64_t>(pairs)};
+}
+
+// Of the point of the body whose velocity the run gives, so that turning bodies are judged too.
+std::optional<double> VelocityError(const ObjectTruth& truth, const TruthBody& body,
+                                    const std::vector<const ClusterFrame*>& frames,
+                                    const RigidTransform& gtobject_from_object,
+                                    const RigidTransform& truth_from_estimate) {
+  double sum = 0.0;
+  std::size_t n = 0;
+  for (const ClusterFrame* frame : frames) {
+    const auto expected =
+        PointVelocity(truth, body, frame->frame, gtobject_from_object * frame->center_in_object);
+    if (!expected) continue;
+    sum += (truth_from_estimate.rotation() * frame->velocity_m_s - *expected).squaredNorm();
+    ++n;
+  }
+  return RootMeanSquare(sum, n);
+}
+
+void ScorePoses(const ObjectTruth& truth, const TruthBody& body, const ClusterEstimate& cluster,
+                const RigidTransform& truth_from_estimate, BodyScore& score) {
+  BodyPoses poses = CollectPoses(body, cluster, truth_from_estimate);
+  score.cluster = cluster.id;
+  score.estimated_frames = static_cast<int>(poses.counted.size());
+  if (poses.counted.size() == 0) return;
+  const RigidTransform object_from_gtobject = AlignObject(poses.counted);
+  ApplyObject(object_from_gtobject, poses.counted);
+  ApplyObject(object_from_gtobject, poses.predicted);
+  score.errors = PositionErrors(poses.counted);
+  score.predicted = PositionErrors(poses.predicted);
+  score.ate_m = RootMeanSquare(score.errors);
+  score.predicted_ate_m = RootMeanSquare(score.predicted);
+  score.all_pairs = AllPairsErrors(poses.counted);
+  score.one_frame = OneFrameErrors(poses.counted);
+  score.motion = MotionErrors(poses.counted);
+  score.velocity_m_s = VelocityError(truth, body, poses.counted_frames,
+                                     object_from_gtobject.Inverse(), truth_from_estimate);
+}
+
+BodyScore DescribeBody(const TruthBody& body, const Continuity& continuity) {
+  BodyScore score;
+  score.id = body.id;
+  score.name = body.name;
+  score.category = body.category;
+  score.mover = body.mover;
+  score.travel_m = body.travel_m;
+  score.continuity = continuity;
+  for (const auto& frame : body.frames) score.visible_frames += frame && frame->visible ? 1 : 0;
+  return score;
+}
+
+bool CountsSomewhere(const ClusterEstimate& cluster) {
+  return std::any_of(cluster.frames.begin(), cluster.frames.end(), Counts);
+}
+
+}  // namespace
+
+RigidTransform AlignByCamera(const OptionalPoses& truth, const OptionalPoses& estimate) {
+  const CommonPoses poses = FindCommonPoses(truth, estimate);
+  if (poses.size() == 0) return {};
+  Eigen::Matrix3d rotations = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    rotations += poses.truth[i].RotationMatrix() * poses.estimate[i].RotationMatrix().transpose();
+  }
+  const Eigen::Matrix3d R = NearestRotation(rotations);
+  Eigen::Vector3d t = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    t += poses.truth[i].translation() - R * poses.estimate[i].translation();
+  }
+  return {R, t / static_cast<double>(poses.size())};
+}
+
+RigidTransform AlignObject(const CommonPoses& poses) {
+  Require(poses.size() > 0, "AlignObject: needs a pair of poses");
+  Eigen::Matrix3d rotations = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d t = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const RigidTransform object_from_gtobject = poses.estimate[i].Inverse() * poses.truth[i];
+    rotations += object_from_gtobject.RotationMatrix();
+    t += object_from_gtobject.translation();
+  }
+  return {NearestRotation(rotations), t / static_cast<double>(poses.size())};
+}
+
+ObjectScores ScoreObjects(const ObjectTruth& truth, const ObjectEstimate& estimate) {
+  CheckEstimate(truth, estimate);
+  ObjectScores scores;
+  scores.truth_from_estimate = AlignByCamera(truth.world_from_camera, estimate.world_from_camera);
+  const std::vector<ObjectMatch> matches = MatchObjects(truth, estimate);
+  const std::vector<Continuity> continuity = MeasureContinuity(truth, estimate);
+  auto match = matches.begin();
+  for (std::size_t i = 0; i < truth.bodies.size(); ++i) {
+    while (match != matches.end() && match->body < i) ++match;
+    BodyScore score = DescribeBody(truth.bodies[i], continuity[i]);
+    if (score.visible_frames == 0) continue;
+    if (match != matches.end() && match->body == i) {
+      ScorePoses(truth, truth.bodies[i], estimate.clusters[match->cluster],
+                 scores.truth_from_estimate, score);
+    }
+    scores.bodies.push_back(std::move(score));
+  }
+  for (std::size_t c = 0; c < estimate.clusters.size(); ++c) {
+    if (!CountsSomewhere(estimate.clusters[c])) continue;
+    ++scores.clusters;
+    const bool matched = std::any_of(matches.begin(), matches.end(),
+                                     [&](const ObjectMatch& m) { return m.cluster == c; });
+    scores.unmatched_clusters += matched ? 0 : 1;
+  }
+  return scores;
+}
+
+}  // namespace cvo

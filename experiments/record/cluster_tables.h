@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "experiments/datasets/sequence.h"
+#include "experiments/record/run_record.h"
+
+namespace cvo {
+
+// objects.csv: a header, then a row for each live cluster in each frame. Poses and velocities are
+// in the world of the first left camera, as when the frame came and, with refined_, as last
+// estimated (cells empty where the run kept none). The 2D box is the last estimate's 3D box in the
+// left image read, empty out of view; detection: index among the frame's, empty: none.
+std::string ObjectTable(const Sequence& sequence, const RunResult& run);
+
+// tracks.kitti: KITTI tracking rows with a score, of clusters in view. 2D box: of the associated
+// detection, else of the projected 3D box, in the left image read. 3D box: upright, around the
+// cluster's, in rectified camera 0, as last estimated. Heading: that of the velocity above 1 m/s,
+// else along the optical axis (estimator.md 8.4). Predicted ones are rows too: see objects.csv.
+std::string KittiTracks(const Sequence& sequence, const RunResult& run);
+
+// clusters/<id>.tum: where the cluster was tracked, world_from_object as last estimated.
+std::string ClusterTum(const ClusterTrajectory& cluster);
+
+}  // namespace cvo

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/record/landmark_table.h"
+
+#include "core/base/error.h"
+#include "experiments/record/table_row.h"
+
+namespace cvo {
+namespace {
+
+void Label(ClusterId id, TableRow& row) {
+  if (id.valid()) {
+    row.Integer(id.value);
+  } else {
+    row.Empty(1);
+  }
+}
+
+}  // namespace
+
+const std::string_view kLandmarksHeader =
+    "frame,id,u_px,v_px,u_right_px,cluster,inferred,confidence,energy_2d,energy_3d,energy_motion,"
+    "x,y,z,truth_body\n";
+
+std::string LandmarkRows(int frame, const StereoFrame& given,
+                         const std::vector<LandmarkReport>& landmarks,
+                         const std::vector<int>& feature_body) {
+  Require(feature_body.empty() || feature_body.size() == given.features.size(),
+          "LandmarkRows: a body for every feature, or none");
+  std::string rows;
+  for (const LandmarkReport& landmark : landmarks) {
+    const auto feature = static_cast<std::size_t>(landmark.feature);
+    TableRow row(',');
+    row.Integer(frame);
+    row.Integer(landmark.id.value);
+    row.Vector(given.features.at(feature).z_px);
+    Label(landmark.cluster, row);
+    Label(landmark.inferred, row);
+    row.Integer(landmark.confidence);
+    row.Number(landmark.energy_2d);
+    row.Number(landmark.energy_3d);
+    row.Number(landmark.energy_motion);
+    row.Vector(landmark.p_in_world);
+    const int body = feature_body.empty() ? -1 : feature_body[feature];
+    body < 0 ? row.Empty(1) : row.Integer(body);
+    rows += row.Line();
+  }
+  return rows;
+}
+
+}  // namespace cvo

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/odometry/frame.h"
+
+namespace cvo {
+
+// landmarks.csv: the landmarks seen in each frame, by feature. Pixels are of the left image read,
+// points in the world of the first left camera, as when the frame came. Labels: 0 the static scene,
+// empty none (outlier). truth_body: 0 the static scene, empty where it is not known.
+extern const std::string_view kLandmarksHeader;
+
+// Rows of one frame. `feature_body`: truth by feature as in GivenKnowledge, or empty.
+std::string LandmarkRows(int frame, const StereoFrame& given,
+                         const std::vector<LandmarkReport>& landmarks,
+                         const std::vector<int>& feature_body);
+
+}  // namespace cvo

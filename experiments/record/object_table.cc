@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/metrics/trajectory.h"
+#include "experiments/metrics/tum_trajectory.h"
+#include "experiments/record/cluster_rows.h"
+#include "experiments/record/cluster_tables.h"
+#include "experiments/record/table_row.h"
+
+namespace cvo {
+namespace {
+
+constexpr const char* kObjectTableHeader =
+    "frame,timestamp_ns,id,category,status,"
+    "x,y,z,qx,qy,qz,qw,vx,vy,vz,"
+    "refined_x,refined_y,refined_z,refined_qx,refined_qy,refined_qz,refined_qw,"
+    "refined_vx,refined_vy,refined_vz,"
+    "center_x,center_y,center_z,half_x_m,half_y_m,half_z_m,"
+    "left_px,top_px,right_px,bottom_px,observed_landmarks,detection,score\n";
+constexpr int kPoseAndVelocity = 10;
+
+}  // namespace
+
+std::string ObjectTable(const Sequence& sequence, const RunResult& run) {
+  std::string table = kObjectTableHeader;
+  for (const ClusterRow& cluster : ClusterRows(run)) {
+    const ClusterReport& report = cluster.report;
+    TableRow row(',');
+    row.Integer(cluster.frame.frame);
+    row.Integer(cluster.frame.timestamp_ns);
+    row.Integer(report.id.value);
+    row.Text(report.category);
+    row.Text(ToString(report.status));
+    row.Pose(report.world_from_object);
+    row.Vector(report.velocity_m_s);
+    if (cluster.refined) {
+      row.Pose(cluster.refined->world_from_object);
+      row.Vector(cluster.refined->velocity_m_s);
+    } else {
+      row.Empty(kPoseAndVelocity);
+    }
+    row.Vector(report.center_in_object);
+    row.Vector(report.half_size_m);
+    row.Box(ProjectedBox(cluster, sequence.camera));
+    row.Integer(report.observed_landmarks);
+    report.detection < 0 ? row.Empty(1) : row.Integer(report.detection);
+    row.Number(report.score);
+    table += row.Line();
+  }
+  return table;
+}
+
+std::string ClusterTum(const ClusterTrajectory& cluster) {
+  Trajectory tracked;
+  for (const ClusterPose& pose : cluster.poses) {
+    if (pose.status != ClusterStatus::kTracked) continue;
+    tracked.push_back({pose.timestamp_ns, pose.world_from_object});
+  }
+  return FormatTumTrajectory(tracked);
+}
+
+}  // namespace cvo

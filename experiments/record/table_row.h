@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/association/image_box.h"
+#include "core/geometry/rigid_transform.h"
+
+namespace cvo {
+
+// One row of a table, its cells parted by `separator`. Numbers are the shortest text that reads
+// back as the same number; one that is not finite throws Error.
+class TableRow {
+ public:
+  explicit TableRow(char separator) : separator_(separator) {}
+
+  void Text(std::string_view text);
+  void Integer(std::int64_t value);
+  void Number(double value);
+  void Vector(const Eigen::Vector3d& vector);
+  void Pose(const RigidTransform& pose);         // x y z qx qy qz qw
+  void Box(const std::optional<ImageBox>& box);  // left top right bottom, px
+  void Empty(int cells);
+
+  // With the line end.
+  std::string Line() const { return line_ + '\n'; }
+
+ private:
+  void Part();
+
+  char separator_;
+  bool first_ = true;
+  std::string line_;
+};
+
+}  // namespace cvo

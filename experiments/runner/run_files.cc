@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/runner/run_files.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "core/base/error.h"
+#include "experiments/files/atomic_file.h"
+#include "experiments/metrics/kitti_poses.h"
+#include "experiments/metrics/trajectory.h"
+#include "experiments/metrics/tum_trajectory.h"
+#include "experiments/record/cluster_tables.h"
+#include "experiments/record/landmark_table.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kClusters = "clusters";
+constexpr const char* kLandmarks = "landmarks.csv";
+
+std::vector<NamedContent> ClusterFiles(const RunResult& run) {
+  std::vector<NamedContent> files;
+  for (const ClusterTrajectory& cluster : run.clusters) {
+    files.push_back({StrCat(kClusters, "/", cluster.id.value, ".tum"), ClusterTum(cluster)});
+  }
+  return files;
+}
+
+// <number>.tum in clusters/ and landmarks.csv, unless they are written now.
+std::vector<std::string> StaleFiles(const fs::path& folder,
+                                    const std::vector<NamedContent>& written) {
+  std::vector<std::string> stale;
+  if (fs::exists(folder / kLandmarks)) stale.emplace_back(kLandmarks);
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / kClusters, none)) {
+    const std::string stem = entry.path().stem().string();
+    if (entry.path().extension() != ".tum" ||
+        stem.find_first_not_of("0123456789") != std::string::npos) {
+      continue;
+    }
+    stale.push_back(StrCat(kClusters, "/", entry.path().filename().string()));
+  }
+  std::erase_if(stale, [&](const std::string& name) {
+    return std::any_of(written.begin(), written.end(),
+                       [&](const NamedContent& file) { return file.name == name; });
+  });
+  return stale;
+}
+
+}  // namespace
+
+std::vector<std::string> RunFileNames() {
+  return {"camera.tum", "camera.kitti", "objects.csv", "tracks.kitti",
+          kLandmarks,   "clusters/",    "timing.json", "result.json"};
+}
+
+void WriteRunFiles(const fs::path& folder, const RunRecord& record, const RunContext& context) {
+  Trajectory timed;
+  std::vector<RigidTransform> every_frame;
+  for (const FrameRecord& frame : record.run.frames) {
+    every_frame.push_back(frame.refined_world_from_camera);
+    if (frame.report.status == FrameStatus::kSkipped) continue;
+    timed.push_back({frame.timestamp_ns, frame.refined_world_from_camera});
+  }
+  std::vector<NamedContent> files = ClusterFiles(record.run);
+  files.push_back({"camera.tum", FormatTumTrajectory(timed)});
+  files.push_back({"camera.kitti", FormatKittiPoses(every_frame)});
+  files.push_back({"objects.csv", ObjectTable(record.sequence, record.run)});
+  files.push_back({"tracks.kitti", KittiTracks(record.sequence, record.run)});
+  if (record.landmarks) {
+    files.push_back({kLandmarks, std::string(kLandmarksHeader) + record.run.landmark_rows});
+  }
+  // The result last: where it is complete, so is all else.
+  files.push_back({"timing.json", TimingFile(record.run, context)});
+  files.push_back({"result.json", ResultFile(record)});
+  WriteFilesAtomically(folder, files, StaleFiles(folder, files));
+}
+
+}  // namespace cvo

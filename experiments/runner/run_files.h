@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "experiments/record/result_file.h"
+#include "experiments/record/timing_file.h"
+
+namespace cvo {
+
+// What a run may write to its folder: result.json, timing.json, camera.tum, camera.kitti,
+// objects.csv, tracks.kitti, on request landmarks.csv, and clusters/<id>.tum.
+std::vector<std::string> RunFileNames();
+
+// Writes them to a folder that exists: all complete, or none (see WriteFilesAtomically). Files of
+// an earlier run that this one does not have are removed.
+void WriteRunFiles(const std::filesystem::path& folder, const RunRecord& record,
+                   const RunContext& context);
+
+}  // namespace cvo
