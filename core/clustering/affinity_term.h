@@ -20,7 +20,7 @@ struct AffinityTermLiteral {
   static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
 };
 
-// Labels compared by their boxes alone, as in the paper's ablation of the 3D term.
+// Labels compared without regard to where they are in space.
 struct NoAffinityTerm : SilentTerm {};
 
 }  // namespace cvo

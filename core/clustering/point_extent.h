@@ -18,6 +18,7 @@ struct ExtentOptions {
   int mode_min_points = 5;
   double mode_min_share = 0.2;
   double mode_valley = 0.3;
+  double mode_width = 0.5;
   double mode_min_width = 0.05;
   double mode_max_width = 0.3;
 
@@ -53,6 +54,11 @@ struct ExtentOptions {
                  "depths part where their density falls below this share of the "
                  "foreground's; larger splits bodies, smaller joins them with the background",
                  "simulated cars and boxes of 15 to 60 points"});
+    visit.Field("mode_width", self.mode_width,
+                {"angular sizes", 0.01, 10.0,
+                 "width of the kernel that smooths the logarithms of "
+                 "depths: bodies are about as deep as they are wide",
+                 "simulated"});
     visit.Field("mode_min_width", self.mode_min_width,
                 {"log depth", 0.005, 1.0, "least width of the kernel that smooths depths",
                  "noise of a stereo depth at 30 m"});

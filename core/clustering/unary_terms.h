@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include "core/clustering/crf_scene.h"
@@ -21,8 +22,14 @@ concept UnaryTerm = requires(const CrfScene& scene, const UnaryOptions& options,
 };
 
 // Makes each row -log of probabilities that add up to 1, then cuts it off at max_energy (section
-// 2.2 of estimator.md). Where all is impossible, all is equally likely.
+// 2.2 of estimator.md). A row that prefers no label becomes zero, also where all is impossible.
+// Throws Error on a row that is no number: a covariance that is none.
 void NormalizeEnergies(double max_energy, EnergyMatrix& energies);
+
+// d^T covariance^-1 d; the covariance is positive definite.
+inline double MahalanobisSquared(const Eigen::Matrix3d& covariance, const Eigen::Vector3d& d) {
+  return covariance.llt().matrixL().solve(d).squaredNorm();
+}
 
 // The terms one by one, each normalised and cut off, and their sum.
 struct UnaryEnergies {
@@ -52,7 +59,7 @@ UnaryEnergies ComputeUnaries(const CrfScene& scene, const UnaryOptions& options)
   return unaries;
 }
 
-// A term that says nothing: every label is as likely as any other.
+// A term that prefers no label.
 struct SilentTerm {
   static void Energies(const CrfScene&, const UnaryOptions&, EnergyMatrix& energies) {
     energies.setZero();
