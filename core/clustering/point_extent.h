@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/base/options.h"
+#include "core/geometry/rigid_transform.h"
+
+namespace cvo {
+
+struct ExtentOptions {
+  double quantile = 0.3;
+  double min_half_size_m = 0.05;
+  double inlier_mads = 3.0;
+  double min_axis_ratio = 1.5;
+  int mode_min_points = 5;
+  double mode_min_share = 0.2;
+  double mode_valley = 0.3;
+  double mode_width = 0.5;
+  double mode_min_width = 0.05;
+  double mode_max_width = 0.3;
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor& visit) {
+    visit.Field("quantile", self.quantile,
+                {"1", 0.0, 0.49,
+                 "a body's size is taken between this share of its points and one "
+                 "minus it; larger keeps more outliers out",
+                 "paper, section 3.2"});
+    visit.Field("min_half_size_m", self.min_half_size_m,
+                {"m", 1e-4, 10.0, "least half size along an axis", "estimator.md 6.3: indoors"});
+    visit.Field(
+        "inlier_mads", self.inlier_mads,
+        {"standard deviations", 0.5, 100.0,
+         "points farther from the median along an axis do not shape the axes; the deviation "
+         "is 1.48 median absolute deviations",
+         "estimator.md 6.1"});
+    visit.Field("min_axis_ratio", self.min_axis_ratio,
+                {"1", 1.0, 100.0, "least ratio of successive variances for axes of a body's own",
+                 "sqrt(2 / n) is their relative error: two deviations at n = 30"});
+    visit.Field("mode_min_points", self.mode_min_points,
+                {"1", 1, 1000, "least points that make a new box's foreground",
+                 "the fewest whose 30 and 70 percentiles lie within them"});
+    visit.Field("mode_min_share", self.mode_min_share,
+                {"1", 0.0, 1.0,
+                 "least share of the points in a box that make its foreground: fewer "
+                 "are outliers or something small in front",
+                 "half of a box's content as it is "
+                 "shrunk and half hidden"});
+    visit.Field("mode_valley", self.mode_valley,
+                {"1", 0.0, 1.0,
+                 "depths part where their density falls below this share of the "
+                 "foreground's; larger splits bodies, smaller joins them with the background",
+                 "simulated cars and boxes of 15 to 60 points"});
+    visit.Field("mode_width", self.mode_width,
+                {"angular sizes", 0.01, 10.0,
+                 "width of the kernel that smooths the logarithms of "
+                 "depths: bodies are about as deep as they are wide",
+                 "simulated"});
+    visit.Field("mode_min_width", self.mode_min_width,
+                {"log depth", 0.005, 1.0, "least width of the kernel that smooths depths",
+                 "noise of a stereo depth at 30 m"});
+    visit.Field("mode_max_width", self.mode_max_width,
+                {"log depth", 0.005, 1.0, "largest width of the kernel that smooths depths",
+                 "boxes that fill the image"});
+  }
+};
+
+// Centre, in the frame of the points, and half sides along the axes.
+struct PointExtent {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  Eigen::Vector3d half_size_m = Eigen::Vector3d::Ones();
+};
+
+// (p70 + p30) / 2 and (p70 - p30) / 2 of the points (columns, at least one) along the columns of
+// the rotation `axes` (estimator.md 6.3); half sizes are at least min_half_size_m.
+PointExtent ExtentAlong(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points,
+                        const ExtentOptions& options);
+
+// points_from_axes: from the median of the points, the axes of their inliers, the longest first,
+// with the largest component positive but for the last axis (estimator.md 6.1). No rotation where
+// two variances are alike. At least one point.
+RigidTransform PrincipalAxes(const Eigen::Matrix3Xd& points, const ExtentOptions& options);
+
+// Of the points in a box of angular_size (larger side over focal length), those that make the
+// nearest dense range of depths; ascending indices, empty where there is none. `depths_m` that are
+// not positive are left out.
+std::vector<int> NearestMode(const std::vector<double>& depths_m, double angular_size,
+                             const ExtentOptions& options);
+
+}  // namespace cvo
