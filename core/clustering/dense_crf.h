@@ -39,9 +39,9 @@ struct NoPairwise {};
 
 // Mean field of E(q) = sum_i U_i(q_i) + alpha sum_{i<j} k_ij [q_i != q_j] (section 3.2 of the
 // paper): Q_i(l) ~ exp(-U_i(l) + alpha sum_j k_ij Q_j(l)), all nodes at once, from softmax(-U).
-// energies: N x M nats, finite. points: 3 x N, m. k_ij = 0 beyond 6 bandwidths, where it is below
-// float's rounding. Single precision: Q within 1e-5 of double's. Memory: 2 N^2 bytes + 160 N M.
-// Throws Error on sizes that do not fit and numbers that are not finite.
+// energies: N x M nats; points: 3 x N, m; all finite and N alike, or throws Error. k_ij = 0 beyond
+// 6 bandwidths, below float's rounding; Q within 1e-5 of double precision without that cut.
+// Memory: 2 N^2 + 30 N M bytes at most.
 template <typename Kernel>
 CrfResult InferDenseCrf(const CrfMatrix& energies, const Eigen::Matrix3Xd& points,
                         const PairwiseOptions& options);
