@@ -14,8 +14,10 @@ namespace {
 
 constexpr double kLargestEnergy = 1e30;  // above the least of a node; of labels there are not
 constexpr double kLargestCoordinate_m = 1e15;
-// A change that is not smaller than this part of the last is an oscillation to be damped.
+// All nodes at once can swap their labels back and forth for ever. Where a change turns back and is
+// not smaller than this part of the last one, all further ones are halved, down to a sixteenth.
 constexpr float kShrinking = 0.99F;
+constexpr float kSmallestStep = 1.0F / 16.0F;
 
 void CheckInput(const CrfMatrix& energies, const Eigen::Matrix3Xd& points,
                 const PairwiseOptions& options) {
@@ -56,6 +58,7 @@ class MeanField {
         energy_(Padded()),
         message_(energy_.size()),
         q_(energy_.size()),
+        previous_(energy_.size()),
         next_(energy_.size()),
         scaled_(energy_.size()) {
     for (const double scale : scales) {
@@ -67,11 +70,16 @@ class MeanField {
 
   CrfResult Run(const PairwiseOptions& options) {
     int sweep = 0;
+    float step = 1.0F;
     float last_change = std::numeric_limits<float>::infinity();
     while (sweep < options.sweeps) {
       ++sweep;
       const float change = Sweep();
-      if (change > kShrinking * last_change) Damp();
+      if (change > kShrinking * last_change && TurnsBack()) {
+        step = std::max(0.5F * step, kSmallestStep);
+      }
+      if (step < 1.0F) Damp(step);
+      std::swap(previous_, q_);
       std::swap(q_, next_);
       if (change < options.tolerance) break;
       last_change = change;
@@ -121,10 +129,23 @@ class MeanField {
                           weight_.data(), q_.data(), next_.data()});
   }
 
-  void Damp() {
+  // Whether the way from Q to the next one leads back to where Q came from.
+  bool TurnsBack() const {
+    double product = 0.0;
     for (std::size_t i = 0; i < q_.size(); ++i) {
       for (int l = 0; l < kCrfLanes; ++l) {
-        next_[i].label[l] = 0.5F * (next_[i].label[l] + q_[i].label[l]);
+        const float q = q_[i].label[l];
+        product += (next_[i].label[l] - q) * (q - previous_[i].label[l]);
+      }
+    }
+    return product < 0.0;
+  }
+
+  void Damp(float step) {
+    for (std::size_t i = 0; i < q_.size(); ++i) {
+      for (int l = 0; l < kCrfLanes; ++l) {
+        const float q = q_[i].label[l];
+        next_[i].label[l] = q + step * (next_[i].label[l] - q);
       }
     }
   }
@@ -149,6 +170,7 @@ class MeanField {
   std::vector<CrfLanes> energy_;
   std::vector<CrfLanes> message_;
   std::vector<CrfLanes> q_;
+  std::vector<CrfLanes> previous_;
   std::vector<CrfLanes> next_;
   std::vector<CrfLanes> scaled_;  // s_i Q_i
 };

@@ -7,7 +7,8 @@
 
 #include "core/clustering/label_matching.h"
 
-namespace cvo::internal {
+namespace cvo {
+namespace internal {
 namespace {
 
 ClusterId PreviousCluster(const FramePoint& point, const Window& window, const ClusterMap& map) {
@@ -32,23 +33,32 @@ std::vector<int> DecideLabels(const FrameView& view, const std::vector<FramePoin
 
 std::vector<ClusterId> IdentifyLabels(const FrameView& view, const Window& window,
                                       const ClusterMap& map, const std::vector<FramePoint>& points,
-                                      const LabelScene& scene, const std::vector<int>& labels,
-                                      std::vector<FrameLabels::Birth>& births) {
-  std::vector<ClusterId> cluster_of(scene.crf.labels.size());
-  cluster_of[0] = kStaticScene;
-  for (int q = 0; q < scene.clusters; ++q) cluster_of[q + 1] = map.live[q].id;
-
+                                      const LabelScene& scene, const std::vector<int>& decided,
+                                      FrameLabels& labels) {
+  std::vector<LabelIdentity> identities;
+  for (std::size_t l = 0; l < scene.crf.labels.size(); ++l) {
+    const CrfLabel& label = scene.crf.labels[l];
+    LabelIdentity identity{label.kind, l == 0 ? kStaticScene : ClusterId{}};
+    // A cluster without a detection may be the one that a new box shows.
+    if (label.kind == LabelKind::kCluster && label.box) identity.cluster = map.live[l - 1].id;
+    identities.push_back(identity);
+  }
   std::vector<ClusterId> previous;
   for (const FramePoint& point : points) previous.push_back(PreviousCluster(point, window, map));
-  const std::vector<ClusterId> matched =
-      MatchNewLabels(labels, previous, cluster_of, view.options.clusters.birth_iou);
+  std::vector<ClusterId> cluster_of =
+      MatchLabels(identities, decided, previous, view.options.label_matching);
+
   ClusterId next = map.next;
-  for (int l = scene.clusters + 1; l < scene.Outlier(); ++l) {
-    cluster_of[l] = matched[l];
-    if (matched[l].valid()) continue;
-    births.push_back({next, scene.detection[l], scene.given_body[l]});
-    cluster_of[l] = next;
-    ++next.value;
+  for (int l = 1; l < scene.Outlier(); ++l) {
+    if (!scene.IsNewBox(l)) {
+      cluster_of[l] = map.live[l - 1].id;
+    } else if (cluster_of[l].valid()) {
+      labels.adoptions.push_back({cluster_of[l], scene.detection[l]});
+    } else {
+      labels.births.push_back({next, scene.detection[l], scene.given_body[l]});
+      cluster_of[l] = next;
+      ++next.value;
+    }
   }
   return cluster_of;
 }
@@ -95,4 +105,15 @@ FrameLabels AllStatic(const Window& window, const ClusterMap& map,
   return labels;
 }
 
-}  // namespace cvo::internal
+}  // namespace internal
+
+void AdoptDetections(const FrameLabels& labels, const ClusterMap& map,
+                     std::vector<ClusterTrack>& tracks) {
+  for (const FrameLabels::Adoption& adoption : labels.adoptions) {
+    for (std::size_t q = 0; q < tracks.size(); ++q) {
+      if (map.live[q].id == adoption.id) tracks[q].detection = adoption.detection;
+    }
+  }
+}
+
+}  // namespace cvo

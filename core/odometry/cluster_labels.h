@@ -29,6 +29,12 @@ struct FrameLabels {
     int given_body = -1;
   };
   std::vector<Birth> births;  // by id, following map.next
+  // Detections that Kuhn-Munkres gave to a live cluster that had none.
+  struct Adoption {
+    ClusterId id;
+    int detection = -1;
+  };
+  std::vector<Adoption> adoptions;
 };
 
 namespace internal {
@@ -36,12 +42,12 @@ namespace internal {
 // By node: the most probable label, or the one that the given labels demand.
 std::vector<int> DecideLabels(const FrameView& view, const std::vector<FramePoint>& points,
                               const LabelScene& scene, const CrfResult& crf);
-// The cluster of each label, after Kuhn-Munkres; invalid for outliers. New boxes that match no
-// former cluster are `births`, with ids from map.next on.
+// The cluster of each label, after Kuhn-Munkres; invalid for outliers. New boxes that match a
+// cluster are its `adoptions`, the others `births`, with ids from map.next on.
 std::vector<ClusterId> IdentifyLabels(const FrameView& view, const Window& window,
                                       const ClusterMap& map, const std::vector<FramePoint>& points,
-                                      const LabelScene& scene, const std::vector<int>& labels,
-                                      std::vector<FrameLabels::Birth>& births);
+                                      const LabelScene& scene, const std::vector<int>& decided,
+                                      FrameLabels& labels);
 // Takes back births of which too few points were accepted.
 void DropWeakBirths(const FrameView& view, const Window& window, const ClusterMap& map,
                     const std::vector<FramePoint>& points, FrameLabels& labels);
@@ -50,6 +56,10 @@ FrameLabels AllStatic(const Window& window, const ClusterMap& map,
                       const std::vector<FramePoint>& points);
 
 }  // namespace internal
+
+// The tracks take the detections that their clusters adopted.
+void AdoptDetections(const FrameLabels& labels, const ClusterMap& map,
+                     std::vector<ClusterTrack>& tracks);
 
 // Which body every point of the frame belongs to (section 3.2 of the paper).
 template <typename Variant>
@@ -73,15 +83,17 @@ FrameLabels LabelPoints(const FrameView& view, const Window& window, const Clust
 
   FrameLabels labels;
   const std::vector<ClusterId> cluster_of =
-      internal::IdentifyLabels(view, window, map, points, scene, decided, labels.births);
+      internal::IdentifyLabels(view, window, map, points, scene, decided, labels);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Index row = static_cast<Eigen::Index>(i);
     PointLabel label;
     label.inferred = cluster_of[decided[i]];
     const Landmark* landmark = FindLandmark(points[i], window, map);
-    label.assigned = landmark ? Variant::Confidence::Update(landmark->label, label.inferred,
-                                                            view.options.confidence)
-                              : LabelState{label.inferred, 1};
+    label.assigned = landmark ? landmark->label : LabelState{label.inferred, 1};
+    if (landmark && Variant::Confidence::Update(label.inferred, view.options.confidence,
+                                                label.assigned) == LabelOutcome::kRemove) {
+      label.assigned.cluster = ClusterId{};
+    }
     label.energy_2d = unary.box(row, decided[i]);
     label.energy_3d = unary.affinity(row, decided[i]);
     label.energy_motion = unary.motion(row, decided[i]);

@@ -10,7 +10,6 @@ namespace cvo {
 struct ClusterOptions {
   int min_landmarks = 8;
   double birth_depth = 0.33;
-  double birth_iou = 0.3;
   int confirm_detections = 2;
   int confirm_frames = 5;
   int min_tracked = 4;
@@ -37,10 +36,6 @@ struct ClusterOptions {
          "a new cluster's frame lies this share of its box's smaller side behind the "
          "visible surface, near the body's centre: a spinning body's surface swings",
          "exact for a sphere: its visible disk lies 1/3 of the diameter before its centre"});
-    visit.Field("birth_iou", self.birth_iou,
-                {"1", 0, 1,
-                 "labels of a new box that share this much with a former cluster are that cluster",
-                 "estimator.md 6.5"});
     visit.Field("confirm_detections", self.confirm_detections,
                 {"detections", 1, 100,
                  "a cluster is reported from so many detections on; one only is often false",

@@ -6,6 +6,7 @@
 #include "core/association/projected_matching.h"
 #include "core/base/options.h"
 #include "core/clustering/label_confidence.h"
+#include "core/clustering/label_matching.h"
 #include "core/clustering/pairwise_options.h"
 #include "core/clustering/point_extent.h"
 #include "core/clustering/unary_options.h"
@@ -62,6 +63,7 @@ struct Options {
   ClusterAssociationOptions association;
   UnaryOptions unary;
   PairwiseOptions pairwise;
+  LabelMatchingOptions label_matching;
   ConfidenceOptions confidence;
   ExtentOptions extent;
   MotionPriorOptions motion_prior;
@@ -86,6 +88,7 @@ struct Options {
     visit.Group("association", self.association);
     visit.Group("unary", self.unary);
     visit.Group("pairwise", self.pairwise);
+    visit.Group("label_matching", self.label_matching);
     visit.Group("confidence", self.confidence);
     visit.Group("extent", self.extent);
     visit.Group("motion_prior", self.motion_prior);

@@ -69,6 +69,7 @@ class VisualOdometry final : public Odometry {
     {
       const ScopedStage stage(times, "label");
       labels = LabelPoints<Variant>(view, window_, clusters_, cluster_tracks, points);
+      AdoptDetections(labels, clusters_, cluster_tracks);
     }
 
     // Frame and landmarks enter the windows (3.3, double-track frame management).

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+
+#include "core/base/ids.h"
+#include "core/base/options.h"
+
+namespace cvo {
+
+struct ConfidenceOptions {
+  int max_confidence = 10;
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor& visit) {
+    visit.Field("max_confidence", self.max_confidence,
+                {"frames", 1, 100000,
+                 "how often another label must be inferred at most until a landmark takes it; "
+                 "larger resists errors, smaller lets a parked car drive off",
+                 "estimator.md 2.1"});
+  }
+};
+
+// The cluster of a landmark and how sure that is, w of section 3.2 of the paper.
+struct LabelState {
+  ClusterId cluster;  // invalid: none yet
+  int confidence = 1;
+};
+
+enum class LabelOutcome { kKept, kChanged, kRemove };
+
+// How a landmark that is seen in the current frame takes the cluster inferred for it, after labels
+// were matched with clusters; an invalid id is the outlier class. Outliers cost confidence but are
+// nothing that a landmark can be: it is to be removed instead, and the state is as before.
+
+// w + 1 for the same label, w - 1 for another, which is accepted with w = 1 when w reaches 0.
+struct UnboundedConfidence {
+  [[nodiscard]] static LabelOutcome Update(ClusterId inferred, const ConfidenceOptions&,
+                                           LabelState& state) {
+    if (inferred.valid() && inferred == state.cluster) {
+      ++state.confidence;
+      return LabelOutcome::kKept;
+    }
+    if (state.confidence > 1) {
+      --state.confidence;
+      return LabelOutcome::kKept;
+    }
+    if (!inferred.valid()) return LabelOutcome::kRemove;
+    state = {inferred, 1};
+    return LabelOutcome::kChanged;
+  }
+};
+
+// The same with w <= max_confidence, or what stood still for long could never move again.
+struct BoundedConfidence {
+  [[nodiscard]] static LabelOutcome Update(ClusterId inferred, const ConfidenceOptions& options,
+                                           LabelState& state) {
+    const LabelOutcome outcome = UnboundedConfidence::Update(inferred, options, state);
+    state.confidence = std::min(state.confidence, options.max_confidence);
+    return outcome;
+  }
+};
+
+// No memory: what was inferred last.
+struct TakeLabelsAtOnce {
+  [[nodiscard]] static LabelOutcome Update(ClusterId inferred, const ConfidenceOptions&,
+                                           LabelState& state) {
+    if (!inferred.valid()) return LabelOutcome::kRemove;
+    const bool is_same = inferred == state.cluster;
+    state = {inferred, 1};
+    return is_same ? LabelOutcome::kKept : LabelOutcome::kChanged;
+  }
+};
+
+}  // namespace cvo

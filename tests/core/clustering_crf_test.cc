@@ -1,0 +1,342 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/rng.h"
+#include "core/clustering/dense_crf.h"
+#include "tests/support/error_message.h"
+
+namespace cvo {
+namespace {
+
+struct Problem {
+  CrfMatrix energies;
+  Eigen::Matrix3Xd points;
+};
+
+Problem RandomProblem(int nodes, int labels, double size_m, double energy, Rng& rng) {
+  Problem problem{CrfMatrix(nodes, labels), Eigen::Matrix3Xd(3, nodes)};
+  for (double& value : problem.points.reshaped()) value = rng.Uniform(0.0, size_m);
+  for (double& value : problem.energies.reshaped()) value = rng.Uniform(0.0, energy);
+  return problem;
+}
+
+PairwiseOptions AllSweeps(double alpha, int sweeps) {
+  PairwiseOptions options;
+  options.alpha = alpha;
+  options.sweeps = sweeps;
+  options.tolerance = 0.0;
+  return options;
+}
+
+CrfMatrix Normalized(const Problem& problem, const PairwiseOptions& options) {
+  return InferDenseCrf<NormalizedGaussianKernel>(problem.energies, problem.points, options).q;
+}
+
+CrfMatrix Raw(const Problem& problem, const PairwiseOptions& options) {
+  return InferDenseCrf<RawGaussianKernel>(problem.energies, problem.points, options).q;
+}
+
+double Difference(const CrfMatrix& a, const CrfMatrix& b) { return (a - b).cwiseAbs().maxCoeff(); }
+
+// The kernels as they are defined, in double precision and without a cut.
+Eigen::MatrixXd RawKernel(const Eigen::Matrix3Xd& points, double bandwidth_m) {
+  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(points.cols(), points.cols());
+  for (int i = 0; i < k.rows(); ++i) {
+    for (int j = 0; j < k.cols(); ++j) {
+      const double d = (points.col(i) - points.col(j)).norm();
+      if (i != j) k(i, j) = std::exp(-d * d / (2.0 * bandwidth_m * bandwidth_m));
+    }
+  }
+  return k;
+}
+
+Eigen::MatrixXd NormalizedKernel(const Eigen::Matrix3Xd& points, double bandwidth_m) {
+  const Eigen::MatrixXd k = RawKernel(points, bandwidth_m);
+  const Eigen::VectorXd d = (k.rowwise().sum().array() + 1.0).rsqrt();
+  return d.asDiagonal() * k * d.asDiagonal();
+}
+
+void SoftmaxRows(CrfMatrix& logits) {
+  for (auto row : logits.rowwise()) {
+    row = (row.array() - row.maxCoeff()).exp();
+    row /= row.sum();
+  }
+}
+
+CrfMatrix Reference(const CrfMatrix& energies, const Eigen::MatrixXd& kernel, double alpha,
+                    int sweeps) {
+  CrfMatrix q = -energies;
+  SoftmaxRows(q);
+  CrfMatrix previous = q;
+  double step = 1.0;
+  double last = std::numeric_limits<double>::infinity();
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    CrfMatrix next = alpha * (kernel * q) - energies;
+    SoftmaxRows(next);
+    const double change = Difference(next, q);
+    const bool turns_back = (next - q).cwiseProduct(q - previous).sum() < 0.0;
+    if (change > 0.99 * last && turns_back) step = std::max(0.5 * step, 1.0 / 16.0);
+    previous = q;
+    q += step * (next - q);
+    last = change;
+  }
+  return q;
+}
+
+// Sums exp(-E) over all labellings.
+CrfMatrix ExactMarginals(const CrfMatrix& energies, const Eigen::MatrixXd& kernel, double alpha) {
+  const int nodes = static_cast<int>(energies.rows());
+  const int labels = static_cast<int>(energies.cols());
+  CrfMatrix sums = CrfMatrix::Zero(nodes, labels);
+  std::vector<int> q(nodes, 0);
+  for (bool is_last = false; !is_last;) {
+    double energy = 0.0;
+    for (int i = 0; i < nodes; ++i) {
+      energy += energies(i, q[i]);
+      for (int j = 0; j < i; ++j) energy += q[i] == q[j] ? 0.0 : alpha * kernel(i, j);
+    }
+    for (int i = 0; i < nodes; ++i) sums(i, q[i]) += std::exp(-energy);
+    int digit = 0;
+    while (digit < nodes && ++q[digit] == labels) q[digit++] = 0;
+    is_last = digit == nodes;
+  }
+  return sums / sums.row(0).sum();
+}
+
+// Mean field is exact to first order in the coupling: half the coupling, a quarter of the error.
+TEST(DenseCrf, TendsToTheExactMarginalsAsTheCouplingFades) {
+  Rng rng(1, "crf");
+  const Problem problem = RandomProblem(6, 3, 1.0, 2.0, rng);
+  const Eigen::MatrixXd kernel = NormalizedKernel(problem.points, 0.7071);
+  double errors[3];
+  double alpha = 0.4;
+  for (double& error : errors) {
+    const CrfMatrix exact = ExactMarginals(problem.energies, kernel, alpha);
+    error = Difference(Normalized(problem, AllSweeps(alpha, 50)), exact);
+    // What ignoring the coupling would be wrong by.
+    EXPECT_LT(error, 0.1 * Difference(Normalized(problem, AllSweeps(0.0, 1)), exact));
+    alpha /= 2.0;
+  }
+  EXPECT_LT(errors[0], 2e-3);
+  EXPECT_NEAR(errors[0] / errors[1], 4.0, 0.8);
+  EXPECT_NEAR(errors[1] / errors[2], 4.0, 0.8);
+}
+
+// Three sizes: within a tile, over several, and with tiles that are cut off.
+TEST(DenseCrf, AgreesWithDoublePrecisionWithoutACut) {
+  Rng rng(2, "crf");
+  for (const auto& [nodes, size_m] : {std::pair(40, 1.0), std::pair(300, 3.0), {500, 20.0}}) {
+    Problem problem = RandomProblem(nodes, 8, size_m, 6.0, rng);
+    problem.points.colwise() += Eigen::Vector3d(2000.0, -30.0, 7000.0);
+    const CrfMatrix reference =
+        Reference(problem.energies, NormalizedKernel(problem.points, 0.7071), 5.0, 10);
+    const PairwiseOptions options = AllSweeps(5.0, 10);
+    const CrfMatrix plain =
+        InferDenseCrfPlain<NormalizedGaussianKernel>(problem.energies, problem.points, options).q;
+    EXPECT_LT(Difference(Normalized(problem, options), reference), 1e-5);
+    EXPECT_LT(Difference(plain, reference), 1e-5);
+    EXPECT_LT(Difference(Normalized(problem, options), plain), 1e-6);
+    // The pairwise term is what is tested.
+    EXPECT_GT(Difference(Normalized(problem, AllSweeps(0.0, 1)), reference), 0.1);
+  }
+}
+
+TEST(DenseCrf, RawKernelIsThePapersWhateverTheBandwidth) {
+  Rng rng(3, "crf");
+  const Problem problem = RandomProblem(200, 5, 4.0, 6.0, rng);
+  PairwiseOptions options = AllSweeps(0.2, 10);
+  options.bandwidth_m = 3.0;
+  const CrfMatrix reference =
+      Reference(problem.energies, RawKernel(problem.points, std::sqrt(0.5)), 0.2, 10);
+  EXPECT_LT(Difference(Raw(problem, options), reference), 1e-5);
+  EXPECT_LT(
+      Difference(InferDenseCrfPlain<RawGaussianKernel>(problem.energies, problem.points, options).q,
+                 reference),
+      1e-5);
+}
+
+TEST(DenseCrf, LabelsHaveNoOrder) {
+  Rng rng(4, "crf");
+  for (const int labels : {3, 8, 19}) {
+    const Problem problem = RandomProblem(150, labels, 2.0, 4.0, rng);
+    Problem turned = problem;
+    for (int l = 0; l < labels; ++l) {
+      turned.energies.col((l + 2) % labels) = problem.energies.col(l);
+    }
+    const CrfMatrix q = Normalized(problem, {});
+    const CrfMatrix q_turned = Normalized(turned, {});
+    for (int l = 0; l < labels; ++l) {
+      EXPECT_LT((q_turned.col((l + 2) % labels) - q.col(l)).cwiseAbs().maxCoeff(), 1e-5);
+    }
+  }
+}
+
+TEST(DenseCrf, NodesHaveNoOrder) {
+  Rng rng(5, "crf");
+  const Problem problem = RandomProblem(150, 4, 2.0, 4.0, rng);
+  const Problem reversed{problem.energies.colwise().reverse(), problem.points.rowwise().reverse()};
+  EXPECT_LT(Difference(Normalized(reversed, {}).colwise().reverse(), Normalized(problem, {})),
+            1e-5);
+}
+
+TEST(DenseCrf, WithoutWeightThereIsNoPairwiseTerm) {
+  Rng rng(6, "crf");
+  const Problem problem = RandomProblem(100, 5, 1.0, 8.0, rng);
+  const CrfResult none = InferDenseCrf<NoPairwise>(problem.energies, problem.points, {});
+  EXPECT_EQ(none.sweeps, 0);
+  EXPECT_LT(Difference(Normalized(problem, AllSweeps(0.0, 3)), none.q), 1e-6);
+  EXPECT_LT(Difference(Raw(problem, AllSweeps(0.0, 3)), none.q), 1e-6);
+  CrfMatrix expected = -problem.energies;
+  SoftmaxRows(expected);
+  EXPECT_LT(Difference(none.q, expected), 1e-14);
+}
+
+// How densely a body is sampled must not decide how much its neighbours count.
+TEST(DenseCrf, DoublingEveryPointHardlyMattersToTheNormalizedKernel) {
+  Rng rng(7, "crf");
+  Problem problem = RandomProblem(200, 2, 1.5, 2.0, rng);
+  for (int i = 0; i < 200; ++i) problem.energies(i, problem.points(0, i) < 0.75 ? 0 : 1) -= 0.5;
+  Problem twice{CrfMatrix(400, 2), Eigen::Matrix3Xd(3, 400)};
+  twice.energies << problem.energies, problem.energies;
+  twice.points << problem.points, problem.points;
+  const PairwiseOptions options = AllSweeps(1.0, 20);
+  EXPECT_LT(Difference(Normalized(twice, options).topRows(200), Normalized(problem, options)),
+            0.02);
+  const PairwiseOptions weak = AllSweeps(0.05, 20);  // messages of about the same size
+  EXPECT_GT(Difference(Raw(twice, weak).topRows(200), Raw(problem, weak)), 0.1);
+}
+
+TEST(DenseCrf, FarNodesDoNotSpeakToEachOther) {
+  Problem problem{CrfMatrix(2, 2), Eigen::Matrix3Xd::Zero(3, 2)};
+  problem.energies << 0.0, 1.0, 3.0, 0.0;
+  problem.points(2, 1) = 4.0;  // 5.7 bandwidths: k is 1e-7 but each is the other's only neighbour
+  const CrfMatrix alone = InferDenseCrf<NoPairwise>(problem.energies, problem.points, {}).q;
+  EXPECT_LT(Difference(Normalized(problem, AllSweeps(5.0, 10)), alone), 1e-5);
+}
+
+// A body of 0.6 m in a room, as estimator.md 2.3: background in its box, no box around 3 % of it.
+TEST(DenseCrf, RoomDoesNotAbsorbASmallBodyUnlessTheKernelIsRaw) {
+  Rng rng(8, "crf");
+  Problem problem{CrfMatrix(485, 3), Eigen::Matrix3Xd(3, 485)};
+  for (int i = 0; i < 485; ++i) {
+    const bool is_body = i < 60;
+    const bool is_in_box = is_body ? i >= 2 : i < 85;
+    const bool is_behind = !is_body && is_in_box;
+    const double half_m = is_body ? 0.3 : (is_behind ? 0.6 : 1.8);
+    const double near_m = is_body ? 2.7 : (is_behind ? 3.6 : 1.5);
+    const double far_m = is_body ? 3.3 : (is_behind ? 5.5 : 4.5);
+    problem.points.col(i) << rng.Uniform(-half_m, half_m), rng.Uniform(-half_m, half_m),
+        rng.Uniform(near_m, far_m);
+    const double other = -std::log(0.025);
+    problem.energies.row(i).setConstant(other);
+    problem.energies(i, is_in_box ? 1 : 0) = -std::log(0.95);
+  }
+  const auto count = [](const CrfMatrix& q, int first, int last) {
+    const std::vector<int> labels = MostLikelyLabels(q);
+    return std::count(labels.begin() + first, labels.begin() + last, 1);
+  };
+  const CrfMatrix normalized = Normalized(problem, {});
+  EXPECT_GE(count(normalized, 0, 60), 57);
+  EXPECT_EQ(count(normalized, 85, 485), 0);
+  EXPECT_LE(count(Raw(problem, {}), 0, 60), 10);
+}
+
+// Each takes the other's label, and back again, for ever where the change is not damped.
+TEST(DenseCrf, DampsOscillations) {
+  Problem problem{CrfMatrix(2, 2), Eigen::Matrix3Xd::Zero(3, 2)};
+  problem.energies << 0.0, 3.0, 2.0, 0.0;
+  PairwiseOptions options;
+  options.alpha = 20.0;
+  options.sweeps = 100;
+  const CrfResult result =
+      InferDenseCrf<RawGaussianKernel>(problem.energies, problem.points, options);
+  EXPECT_LT(result.sweeps, 60);
+  EXPECT_EQ(MostLikelyLabels(result.q), (std::vector<int>{0, 0}));
+}
+
+TEST(DenseCrf, StopsWhenNothingChanges) {
+  Rng rng(9, "crf");
+  const Problem problem = RandomProblem(100, 4, 3.0, 4.0, rng);
+  PairwiseOptions options;
+  options.sweeps = 200;
+  const CrfResult result =
+      InferDenseCrf<NormalizedGaussianKernel>(problem.energies, problem.points, options);
+  EXPECT_LT(result.sweeps, 100);
+  EXPECT_LT(Difference(result.q, Normalized(problem, AllSweeps(5.0, 300))), 2e-2);
+  options.tolerance = 0.0;
+  options.sweeps = 7;
+  EXPECT_EQ(
+      InferDenseCrf<NormalizedGaussianKernel>(problem.energies, problem.points, options).sweeps, 7);
+}
+
+TEST(DenseCrf, SameInputSameBytes) {
+  Rng rng(10, "crf");
+  const Problem problem = RandomProblem(333, 9, 3.0, 4.0, rng);
+  EXPECT_EQ(Difference(Normalized(problem, {}), Normalized(problem, {})), 0.0);
+}
+
+TEST(DenseCrf, FewNodesAndFewLabels) {
+  EXPECT_EQ(Normalized({CrfMatrix(0, 3), Eigen::Matrix3Xd(3, 0)}, {}).cols(), 3);
+  EXPECT_EQ(Normalized({CrfMatrix(0, 0), Eigen::Matrix3Xd(3, 0)}, {}).rows(), 0);
+  Problem one{CrfMatrix(1, 2), Eigen::Matrix3Xd::Zero(3, 1)};
+  one.energies << std::log(3.0), 0.0;
+  EXPECT_NEAR(Normalized(one, {})(0, 0), 0.25, 1e-6);
+  const Problem certain{CrfMatrix::Constant(50, 1, 7.0), Eigen::Matrix3Xd::Random(3, 50)};
+  EXPECT_EQ(Normalized(certain, {}), CrfMatrix::Ones(50, 1));
+}
+
+TEST(DenseCrf, PointsInOnePlaceAndEnergiesOfAnySize) {
+  Problem problem{CrfMatrix::Zero(100, 3), Eigen::Matrix3Xd::Ones(3, 100)};
+  problem.energies.col(1).setConstant(1e300);
+  problem.energies.col(2).setConstant(-1e300);
+  const CrfMatrix q = Normalized(problem, {});
+  EXPECT_TRUE(q.allFinite());
+  EXPECT_EQ(MostLikelyLabels(q), std::vector<int>(100, 2));
+  problem.energies.setConstant(4.0);
+  EXPECT_LT(Difference(Normalized(problem, {}), CrfMatrix::Constant(100, 3, 1.0 / 3.0)), 1e-6);
+}
+
+TEST(DenseCrf, ManyNodesAndManyLabels) {
+  Rng rng(11, "crf");
+  const Problem nodes = RandomProblem(4000, 3, 30.0, 4.0, rng);
+  EXPECT_LT((Normalized(nodes, AllSweeps(5.0, 2)).rowwise().sum().array() - 1.0).abs().maxCoeff(),
+            1e-12);
+  const Problem labels = RandomProblem(300, 500, 3.0, 4.0, rng);
+  const CrfMatrix reference =
+      Reference(labels.energies, NormalizedKernel(labels.points, 0.7071), 5.0, 3);
+  EXPECT_LT(Difference(Normalized(labels, AllSweeps(5.0, 3)), reference), 1e-5);
+}
+
+TEST(DenseCrf, RefusesBadInput) {
+  const double bad[] = {std::numeric_limits<double>::infinity(),
+                        -std::numeric_limits<double>::infinity(),
+                        std::numeric_limits<double>::quiet_NaN()};
+  const Problem good{CrfMatrix::Zero(4, 2), Eigen::Matrix3Xd::Zero(3, 4)};
+  for (const double value : bad) {
+    Problem problem = good;
+    problem.energies(2, 1) = value;
+    EXPECT_NE(ErrorMessage([&] { Normalized(problem, {}); }), "");
+    EXPECT_NE(
+        ErrorMessage([&] { InferDenseCrf<NoPairwise>(problem.energies, problem.points, {}); }), "");
+    problem = good;
+    problem.points(1, 3) = value;
+    EXPECT_NE(ErrorMessage([&] { Normalized(problem, {}); }), "");
+  }
+  EXPECT_NE(ErrorMessage([&] { Normalized({good.energies, Eigen::Matrix3Xd(3, 3)}, {}); }), "");
+  EXPECT_NE(ErrorMessage([&] { Normalized({CrfMatrix(4, 0), good.points}, {}); }), "");
+  EXPECT_NE(ErrorMessage([&] { Normalized(good, AllSweeps(-1.0, 1)); }), "");
+}
+
+TEST(MostLikelyLabels, FirstOfEqualOnes) {
+  CrfMatrix q(2, 3);
+  q << 0.2, 0.4, 0.4, 0.1, 0.2, 0.7;
+  EXPECT_EQ(MostLikelyLabels(q), (std::vector<int>{1, 2}));
+}
+
+}  // namespace
+}  // namespace cvo

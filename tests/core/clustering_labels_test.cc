@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "core/clustering/label_confidence.h"
+#include "core/clustering/label_matching.h"
+#include "tests/support/error_message.h"
+
+namespace cvo {
+namespace {
+
+constexpr ClusterId kNone{};
+
+// Nodes of one label that were in one cluster.
+struct Group {
+  int count;
+  int label;
+  ClusterId previous;
+};
+
+// Labels: static scene, cluster 5, two new boxes, outliers.
+std::vector<ClusterId> Match(std::initializer_list<Group> groups) {
+  const LabelIdentity labels[] = {{LabelKind::kStatic, kStaticScene},
+                                  {LabelKind::kCluster, ClusterId{5}},
+                                  {LabelKind::kNewBox, kNone},
+                                  {LabelKind::kNewBox, kNone},
+                                  {LabelKind::kOutlier, kNone}};
+  std::vector<int> label_of_node;
+  std::vector<ClusterId> previous_of_node;
+  for (const Group& group : groups) {
+    label_of_node.insert(label_of_node.end(), group.count, group.label);
+    previous_of_node.insert(previous_of_node.end(), group.count, group.previous);
+  }
+  return MatchLabels(labels, label_of_node, previous_of_node, {});
+}
+
+std::vector<ClusterId> Expect(ClusterId first_box, ClusterId second_box) {
+  return {kStaticScene, ClusterId{5}, first_box, second_box, kNone};
+}
+
+TEST(MatchLabels, NewBoxContinuesTheClusterOfItsNodes) {
+  EXPECT_EQ(Match({{10, 2, ClusterId{7}}, {5, 2, kNone}, {3, 0, ClusterId{7}}}),
+            Expect(ClusterId{7}, kNone));
+}
+
+TEST(MatchLabels, ThreeTenthsOfTheUnionAreNeeded) {
+  // 3 shared of 3 + 5 + 2 and of 3 + 5 + 3; nodes without a cluster count in the union.
+  EXPECT_EQ(Match({{3, 3, ClusterId{7}}, {5, 3, kNone}, {2, 4, ClusterId{7}}}),
+            Expect(kNone, ClusterId{7}));
+  EXPECT_EQ(Match({{3, 3, ClusterId{7}}, {5, 3, kNone}, {3, 4, ClusterId{7}}}),
+            Expect(kNone, kNone));
+}
+
+// Each for itself would take cluster 7; together 7 + 8 share more than 8 + nothing.
+TEST(MatchLabels, BoxesShareOutTheClusters) {
+  EXPECT_EQ(Match({{9, 2, ClusterId{7}}, {8, 2, ClusterId{8}}, {8, 3, ClusterId{7}}}),
+            Expect(ClusterId{8}, ClusterId{7}));
+}
+
+TEST(MatchLabels, OneClusterIsContinuedByOneBox) {
+  EXPECT_EQ(Match({{10, 2, ClusterId{7}}, {9, 3, ClusterId{7}}}), Expect(ClusterId{7}, kNone));
+  EXPECT_EQ(Match({{10, 2, ClusterId{7}}, {10, 3, ClusterId{7}}}), Expect(ClusterId{7}, kNone));
+}
+
+TEST(MatchLabels, StaticSceneAndClustersWithALabelAreNotToBeHad) {
+  EXPECT_EQ(Match({{10, 2, kStaticScene}, {10, 3, ClusterId{5}}}), Expect(kNone, kNone));
+  EXPECT_EQ(Match({{10, 2, kNone}, {10, 0, ClusterId{7}}}), Expect(kNone, kNone));
+}
+
+TEST(MatchLabels, NothingToMatch) {
+  EXPECT_EQ(Match({}), Expect(kNone, kNone));
+  EXPECT_TRUE(MatchLabels({}, {}, {}, {}).empty());
+}
+
+TEST(MatchLabels, RefusesLabelsThatAreNone) {
+  EXPECT_NE(ErrorMessage([] { Match({{1, 5, kNone}}); }), "");
+  EXPECT_NE(ErrorMessage([] { Match({{1, -1, kNone}}); }), "");
+  const LabelIdentity label{};
+  const int of_node = 0;
+  EXPECT_NE(ErrorMessage([&] { MatchLabels({&label, 1}, {&of_node, 1}, {}, {}); }), "");
+}
+
+constexpr ClusterId kCar{3};
+
+template <typename Policy>
+LabelOutcome Repeat(int times, ClusterId inferred, LabelState& state) {
+  LabelOutcome outcome = LabelOutcome::kKept;
+  for (int i = 0; i < times; ++i) outcome = Policy::Update(inferred, {}, state);
+  return outcome;
+}
+
+TEST(BoundedConfidence, GrowsToTheBoundAndYieldsAfterAsManyFrames) {
+  LabelState state{kStaticScene, 1};
+  EXPECT_EQ(Repeat<BoundedConfidence>(200, kStaticScene, state), LabelOutcome::kKept);
+  EXPECT_EQ(state.confidence, 10);
+  EXPECT_EQ(Repeat<BoundedConfidence>(9, kCar, state), LabelOutcome::kKept);
+  EXPECT_EQ(state.cluster, kStaticScene);
+  EXPECT_EQ(Repeat<BoundedConfidence>(1, kCar, state), LabelOutcome::kChanged);
+  EXPECT_EQ(state.cluster, kCar);
+  EXPECT_EQ(state.confidence, 1);
+}
+
+TEST(UnboundedConfidence, YieldsAfterAsManyFramesAsItHeld) {
+  LabelState state{kStaticScene, 1};
+  EXPECT_EQ(Repeat<UnboundedConfidence>(200, kStaticScene, state), LabelOutcome::kKept);
+  EXPECT_EQ(Repeat<UnboundedConfidence>(200, kCar, state), LabelOutcome::kKept);
+  EXPECT_EQ(Repeat<UnboundedConfidence>(1, kCar, state), LabelOutcome::kChanged);
+}
+
+TEST(TakeLabelsAtOnce, HasNoMemory) {
+  LabelState state{kStaticScene, 1};
+  EXPECT_EQ(Repeat<TakeLabelsAtOnce>(200, kStaticScene, state), LabelOutcome::kKept);
+  EXPECT_EQ(Repeat<TakeLabelsAtOnce>(1, kCar, state), LabelOutcome::kChanged);
+  EXPECT_EQ(state.cluster, kCar);
+  EXPECT_EQ(state.confidence, 1);
+  EXPECT_EQ(Repeat<TakeLabelsAtOnce>(1, kNone, state), LabelOutcome::kRemove);
+}
+
+template <typename Policy>
+class Confidence : public ::testing::Test {};
+using Policies = ::testing::Types<UnboundedConfidence, BoundedConfidence>;
+TYPED_TEST_SUITE(Confidence, Policies);
+
+TYPED_TEST(Confidence, OutliersCostConfidenceAndAtZeroTheLandmark) {
+  LabelState state{kCar, 3};
+  EXPECT_EQ(Repeat<TypeParam>(2, kNone, state), LabelOutcome::kKept);
+  EXPECT_EQ(state.cluster, kCar);
+  EXPECT_EQ(state.confidence, 1);
+  EXPECT_EQ(Repeat<TypeParam>(1, kNone, state), LabelOutcome::kRemove);
+  EXPECT_EQ(state.cluster, kCar);
+}
+
+TYPED_TEST(Confidence, NewLandmarkTakesItsFirstLabel) {
+  LabelState state;
+  EXPECT_EQ(Repeat<TypeParam>(1, kCar, state), LabelOutcome::kChanged);
+  EXPECT_EQ(state.cluster, kCar);
+  state = {};
+  EXPECT_EQ(Repeat<TypeParam>(1, kNone, state), LabelOutcome::kRemove);
+}
+
+}  // namespace
+}  // namespace cvo
