@@ -17,8 +17,8 @@ struct ExtentOptions {
   double min_axis_ratio = 1.5;
   int mode_min_points = 5;
   double mode_min_share = 0.2;
-  double mode_valley = 0.3;
-  double mode_width = 0.5;
+  double mode_valley = 0.2;
+  double mode_width = 0.35;
   double mode_min_width = 0.05;
   double mode_max_width = 0.3;
 
