@@ -65,6 +65,12 @@ Eigen::Matrix3d InlierCovariance(const Eigen::Matrix3Xd& offsets, const ExtentOp
   return sum / count - mean * mean.transpose();
 }
 
+// Each variance is well above the next one; a thousandth of the length is no thickness.
+bool AreDistinct(const Eigen::Vector3d& descending, double ratio) {
+  const Eigen::Vector3d variances = descending.cwiseMax(1e-6 * descending[0]);
+  return variances[0] > ratio * variances[1] && variances[1] > ratio * variances[2];
+}
+
 void FixSigns(Eigen::Matrix3d& axes) {
   for (int axis = 0; axis < 2; ++axis) {
     Eigen::Index largest = 0;
@@ -98,9 +104,7 @@ RigidTransform PrincipalAxes(const Eigen::Matrix3Xd& points, const ExtentOptions
   const Eigen::Vector3d median = MedianPoint(points);
   const Eigen::Matrix3Xd offsets = points.colwise() - median;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(InlierCovariance(offsets, options));
-  const Eigen::Vector3d variances = solver.eigenvalues().reverse();
-  const double ratio = options.min_axis_ratio;
-  if (!(variances[0] > ratio * variances[1] && variances[1] > ratio * variances[2])) {
+  if (!AreDistinct(solver.eigenvalues().reverse(), options.min_axis_ratio)) {
     return RigidTransform(Eigen::Matrix3d(Eigen::Matrix3d::Identity()), median);
   }
   Eigen::Matrix3d axes = solver.eigenvectors().rowwise().reverse();

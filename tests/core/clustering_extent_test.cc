@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/base/rng.h"
+#include "core/clustering/point_extent.h"
+#include "tests/support/error_message.h"
+
+namespace cvo {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const Eigen::Vector3d kCenter(3.0, -1.0, 12.0);
+
+// Points in a solid box of these half sides along the columns of `axes`.
+Eigen::Matrix3Xd Solid(const Eigen::Vector3d& half_size_m, const Eigen::Matrix3d& axes, int count,
+                       Rng& rng) {
+  Eigen::Matrix3Xd points(3, count);
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector3d unit(rng.Uniform(-1, 1), rng.Uniform(-1, 1), rng.Uniform(-1, 1));
+    points.col(i) = kCenter + axes * half_size_m.cwiseProduct(unit);
+  }
+  return points;
+}
+
+Eigen::Matrix3d Turned() { return ExpSo3({0.3, 0.5, -0.2}).toRotationMatrix(); }
+
+TEST(ExtentAlong, HasTwoFifthsOfTheHalfSizeOfASolid) {
+  Rng rng(1, "extent");
+  const Eigen::Vector3d half_size_m(2.0, 1.0, 0.5);
+  const PointExtent extent = ExtentAlong(Turned(), Solid(half_size_m, Turned(), 20000, rng), {});
+  EXPECT_TRUE(extent.half_size_m.isApprox(0.4 * half_size_m, 0.02)) << extent.half_size_m;
+  EXPECT_LT((extent.center - kCenter).norm(), 0.04);
+}
+
+TEST(ExtentAlong, FollowsOutliersNoFartherThanTheirShare) {
+  Rng rng(2, "extent");
+  Eigen::Matrix3Xd points = Solid(Eigen::Vector3d::Ones(), Eigen::Matrix3d::Identity(), 20000, rng);
+  points.leftCols(2000).row(2).array() += 100.0;
+  const PointExtent extent = ExtentAlong(Eigen::Matrix3d::Identity(), points, {});
+  // The 30 and 70 percentiles of all are the 33.3 and 77.8 percentiles of the others.
+  EXPECT_NEAR(extent.center.z(), kCenter.z() + 1.0 / 9.0, 0.03);
+  EXPECT_NEAR(extent.half_size_m.z(), 4.0 / 9.0, 0.03);
+}
+
+TEST(ExtentAlong, PercentilesLieBetweenThePoints) {
+  Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Zero(3, 3);
+  points.row(0) << 4.0, 0.0, 1.0;  // percentiles 30 and 70: 0.6 and 2.2
+  const PointExtent extent =
+      ExtentAlong(Eigen::Matrix3d::Identity(), points, ExtentOptions{.min_half_size_m = 0.2});
+  EXPECT_TRUE(extent.center.isApprox(Eigen::Vector3d(1.4, 0.0, 0.0)));
+  EXPECT_TRUE(extent.half_size_m.isApprox(Eigen::Vector3d(0.8, 0.2, 0.2)));
+}
+
+TEST(ExtentAlong, NeedsAPoint) {
+  EXPECT_THAT(ErrorMessage([] { ExtentAlong(Eigen::Matrix3d::Identity(), {}, {}); }),
+              HasSubstr("no points"));
+  EXPECT_THAT(ErrorMessage([] { PrincipalAxes({}, {}); }), HasSubstr("no points"));
+}
+
+TEST(PrincipalAxes, AreThoseOfTheBody) {
+  Rng rng(3, "extent");
+  const RigidTransform frame = PrincipalAxes(Solid({2.0, 1.0, 0.5}, Turned(), 2000, rng), {});
+  EXPECT_LT((frame.translation() - kCenter).norm(), 0.15);
+  const Eigen::Matrix3d axes = frame.RotationMatrix();
+  EXPECT_NEAR(axes.determinant(), 1.0, 1e-9);
+  const Eigen::Matrix3d cosines = (Turned().transpose() * axes).cwiseAbs();
+  EXPECT_GT(cosines.diagonal().minCoeff(), std::cos(0.05));
+  EXPECT_GT(axes.col(0).cwiseAbs().maxCoeff(), 0.0);
+}
+
+TEST(PrincipalAxes, DoNotDependOnTheOrderOrTheSideOfTheBodyTheyAreSeenFrom) {
+  Rng rng(4, "extent");
+  const Eigen::Matrix3Xd points = Solid({2.0, 1.0, 0.5}, Turned(), 200, rng);
+  const RigidTransform frame = PrincipalAxes(points, {});
+  const RigidTransform reversed = PrincipalAxes(points.rowwise().reverse(), {});
+  EXPECT_LT(frame.Minus(reversed).norm(), 1e-9);
+  // Mirrored through a point the body has the same axes; signs are those of the largest component.
+  const RigidTransform mirrored = PrincipalAxes(-points, {});
+  EXPECT_TRUE(mirrored.RotationMatrix().isApprox(frame.RotationMatrix(), 1e-9));
+  for (int axis = 0; axis < 2; ++axis) {
+    const Eigen::Vector3d direction = frame.RotationMatrix().col(axis);
+    EXPECT_EQ(direction.maxCoeff(), direction.cwiseAbs().maxCoeff());
+  }
+}
+
+TEST(PrincipalAxes, AreNotTurnedByOutliers) {
+  Rng rng(5, "extent");
+  Eigen::Matrix3Xd points = Solid({2.0, 1.0, 0.5}, Eigen::Matrix3d::Identity(), 2000, rng);
+  points.leftCols(100).colwise() += Eigen::Vector3d(20.0, 30.0, 40.0);
+  const RigidTransform frame = PrincipalAxes(points, {});
+  EXPECT_LT(RotationAngle(frame.rotation()), 0.1);
+}
+
+TEST(PrincipalAxes, AreThoseOfTheCameraWhereTheBodyHasNone) {
+  Rng rng(6, "extent");
+  const auto angle = [](const Eigen::Matrix3Xd& points) {
+    return RotationAngle(PrincipalAxes(points, {}).rotation());
+  };
+  EXPECT_EQ(angle(Solid(Eigen::Vector3d::Ones(), Turned(), 500, rng)), 0.0);
+  EXPECT_EQ(angle(Solid({2.0, 0.5, 0.5}, Turned(), 500, rng)), 0.0);
+  EXPECT_EQ(angle(Solid({2.0, 0.0, 0.0}, Turned(), 500, rng)), 0.0);  // a line
+  EXPECT_EQ(angle(kCenter), 0.0);
+  EXPECT_EQ(angle(Eigen::Matrix3Xd(kCenter.replicate(1, 5))), 0.0);
+}
+
+TEST(PrincipalAxes, OfAFlatBodyIncludeItsNormal) {
+  Rng rng(7, "extent");
+  const RigidTransform frame = PrincipalAxes(Solid({2.0, 1.0, 0.0}, Turned(), 500, rng), {});
+  EXPECT_NEAR(std::abs(Turned().col(2).dot(frame.RotationMatrix().col(2))), 1.0, 1e-6);
+}
+
+std::vector<double> Spread(double from, double to, int count) {
+  std::vector<double> depths;
+  for (int i = 0; i < count; ++i) depths.push_back(from + (to - from) * (i + 0.5) / count);
+  return depths;
+}
+
+std::vector<double> Joined(std::vector<double> first, const std::vector<double>& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+std::vector<int> FirstIndices(int count) {
+  std::vector<int> indices(static_cast<std::size_t>(count));
+  std::iota(indices.begin(), indices.end(), 0);
+  return indices;
+}
+
+constexpr double kCarAngle = 0.15;  // 3 m at 20 m
+
+TEST(NearestMode, IsTheForegroundOfABoxThatIsHalfBackground) {
+  const std::vector<double> depths = Joined(Spread(19, 21, 20), Spread(28, 60, 20));
+  EXPECT_EQ(NearestMode(depths, kCarAngle, {}), FirstIndices(20));
+  // A wall is denser than what stands before it.
+  EXPECT_EQ(NearestMode(Joined(Spread(19, 21, 20), Spread(28, 28.1, 30)), kCarAngle, {}),
+            FirstIndices(20));
+}
+
+TEST(NearestMode, LeavesOutAFewNearerPoints) {
+  const std::vector<double> near = {5.0, 5.1, 5.2, 9.0, 14.0};
+  std::vector<int> car = FirstIndices(20);
+  EXPECT_EQ(
+      NearestMode(Joined(Joined(Spread(19, 21, 20), Spread(30, 40, 20)), near), kCarAngle, {}),
+      car);
+}
+
+TEST(NearestMode, IsEverythingWhereThereIsNoBackground) {
+  EXPECT_EQ(NearestMode(Spread(2.8, 3.3, 30), 0.2, {}), FirstIndices(30));
+  EXPECT_EQ(NearestMode(std::vector<double>(8, 4.0), 0.2, {}), FirstIndices(8));
+}
+
+TEST(NearestMode, WideBodiesAreDeep) {
+  // A lorry that fills half the image is one body; so deep a car would be two.
+  const std::vector<double> depths = Joined(Spread(12, 15, 15), Spread(17.5, 21, 15));
+  EXPECT_EQ(NearestMode(depths, 0.7, {}), FirstIndices(30));
+  EXPECT_EQ(NearestMode(depths, 0.1, {}), FirstIndices(15));
+}
+
+TEST(NearestMode, IsEmptyWithTooFewPoints) {
+  EXPECT_THAT(NearestMode({}, kCarAngle, {}), IsEmpty());
+  EXPECT_THAT(NearestMode(Spread(19, 21, 4), kCarAngle, {}), IsEmpty());
+  EXPECT_THAT(NearestMode(Spread(19, 21, 4), kCarAngle, ExtentOptions{.mode_min_points = 4}),
+              ElementsAre(0, 1, 2, 3));
+  // Scattered points are no body.
+  EXPECT_THAT(NearestMode({1, 2, 4, 8, 16, 32, 64}, kCarAngle, {}), IsEmpty());
+}
+
+TEST(NearestMode, IgnoresWhatIsNoDepth) {
+  const double nan = std::nan("");
+  const double inf = std::numeric_limits<double>::infinity();
+  const std::vector<double> depths = {-1, 5.0, nan, 5.1, 0, 5.2, inf, 5.3, 5.4};
+  EXPECT_THAT(NearestMode(depths, kCarAngle, {}), ElementsAre(1, 3, 5, 7, 8));
+}
+
+// Depths with the noise of a stereo pair, cars seen from behind and furniture before a wall.
+TEST(NearestMode, FindsTheForegroundInNoise) {
+  Rng rng(8, "mode");
+  for (const double z : {3.0, 8.0, 20.0, 40.0}) {
+    double found = 0.0;
+    double wrong = 0.0;
+    for (int trial = 0; trial < 100; ++trial) {
+      std::vector<double> depths;
+      for (int i = 0; i < 30; ++i) {
+        const double depth = i < 15 ? z * rng.Uniform(0.95, 1.05) : z * rng.Uniform(1.35, 2.5);
+        depths.push_back(350.0 / (350.0 / depth + 0.3 * rng.Normal()));
+      }
+      for (const int i : NearestMode(depths, 0.12, {})) (i < 15 ? found : wrong) += 1.0;
+    }
+    EXPECT_GT(found / 1500.0, 0.9) << z;
+    EXPECT_LT(wrong / found, 0.03) << z;
+  }
+}
+
+}  // namespace
+}  // namespace cvo
