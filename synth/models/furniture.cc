@@ -9,17 +9,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-Part MakePart(const Texture& texture) {
-  Part part;
-  part.texture = texture.image;
-  return part;
-}
-
-Pen PenFor(const Texture& texture, Rng& look) {
-  const double u = look.Uniform();
-  return {texture.size_m, {u, look.Uniform()}, {}};
-}
-
 void AddSolid(Part& part, Model& model, const Pen& pen, const Vector3d& low, const Vector3d& high) {
   AddBox(part.mesh, pen, low, high);
   model.shapes.push_back(MakeBoxShape(low, high));

@@ -262,6 +262,23 @@ void FitTo(Model& model, const Vector3d& size_m) {
   model.size_m = size_m;
 }
 
+Pen PenFor(const Texture& texture, Rng& look) {
+  const double u = look.Uniform();
+  return {texture.size_m, {u, look.Uniform()}, {}};
+}
+
+Part MakePart(const Texture& texture) {
+  Part part;
+  part.texture = texture.image;
+  return part;
+}
+
+Part MakeShellPart(const Texture& texture) {
+  Part part = MakePart(texture);
+  part.casts_shadow = false;
+  return part;
+}
+
 CollisionShape MakeBoxShape(const Vector3d& low, const Vector3d& high) {
   CollisionShape shape;
   shape.model_from_shape =

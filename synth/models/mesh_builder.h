@@ -21,6 +21,13 @@ struct Pen {
   double largest_cell_m = std::numeric_limits<double>::infinity();  // of quads
 };
 
+// Starts at a random place of the texture.
+Pen PenFor(const Texture& texture, Rng& look);
+
+// A part whose mesh is still empty; one of a shell casts no shadow.
+Part MakePart(const Texture& texture);
+Part MakeShellPart(const Texture& texture);
+
 struct Rectangle {
   Eigen::Vector3d corner;  // upper left
   Eigen::Vector3d right;   // whole edges

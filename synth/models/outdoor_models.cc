@@ -6,22 +6,7 @@
 #include "synth/models/builders.h"
 
 namespace cvo::synth {
-namespace {
-
 using Eigen::Vector3d;
-
-Part MakePart(const Texture& texture) {
-  Part part;
-  part.texture = texture.image;
-  return part;
-}
-
-Pen PenFor(const Texture& texture, Rng& look) {
-  const double u = look.Uniform();
-  return {texture.size_m, {u, look.Uniform()}, {}};
-}
-
-}  // namespace
 
 Model MakeTree(const Vector3d& size_m, const Texture& leaves, const Texture& bark, Rng& look) {
   const double trunk = 0.05 * size_m.head<2>().minCoeff() + 0.02 * size_m.z();

@@ -58,13 +58,6 @@ struct RoomState {
   Surroundings out;
 };
 
-Part MakeShellPart(const Texture& texture) {
-  Part part;
-  part.texture = texture.image;
-  part.casts_shadow = false;
-  return part;
-}
-
 // A rectangle on a wall, `off` before it; `low` and `high` along the wall and in height.
 Rectangle OnWall(const Wall& wall, const Area& area, double off) {
   const Vector3d corner =

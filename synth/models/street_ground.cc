@@ -17,13 +17,6 @@ constexpr double kGrass_m = -0.06;
 constexpr double kPavement_m = 0.12;
 constexpr double kMarking_m = 0.02;
 
-Part MakeGroundPart(const Texture& texture) {
-  Part part;
-  part.texture = texture.image;
-  part.casts_shadow = false;
-  return part;
-}
-
 Vector2d Beside(const Road& road, std::size_t index, double left_m) {
   const Vector2d& along = road.tangents[index];
   return road.line[index] + left_m * Vector2d(-along.y(), along.x());
@@ -65,7 +58,7 @@ Pen PenFor(const Texture& texture) { return {texture.size_m, {0, 0}, {}}; }
 
 // Wider than what is driven on: it shows where pavements leave gaps at crossings.
 Part MakeCarriageways(const StreetMap& map, const Texture& asphalt) {
-  Part part = MakeGroundPart(asphalt);
+  Part part = MakeShellPart(asphalt);
   for (const Road& road : map.roads) {
     const double edge = road.half_width_m + 0.6;
     for (std::size_t i = 0, end = 0; i + 1 < road.line.size(); i = end) {
@@ -83,7 +76,7 @@ void AddPavementCell(Mesh& mesh, const Texture& slabs, const StreetMap& map, int
 }
 
 Part MakePavements(const StreetMap& map, const Texture& slabs) {
-  Part part = MakeGroundPart(slabs);
+  Part part = MakeShellPart(slabs);
   const int strips = std::max(1, static_cast<int>(std::ceil(map.pavement_m / 0.75)));
   const double width = map.pavement_m / strips;
   for (int r = 0; r < static_cast<int>(map.roads.size()); ++r) {
@@ -112,7 +105,7 @@ Part MakePavements(const StreetMap& map, const Texture& slabs) {
 
 // Upright stones between carriageway and pavement, and a lip on top.
 Part MakeKerbs(const StreetMap& map, const Texture& stone) {
-  Part part = MakeGroundPart(stone);
+  Part part = MakeShellPart(stone);
   for (int r = 0; r < static_cast<int>(map.roads.size()); ++r) {
     const Road& road = map.roads[r];
     for (const double sign : {1.0, -1.0}) {
@@ -142,7 +135,7 @@ Part MakeKerbs(const StreetMap& map, const Texture& stone) {
 
 // Dashes in the middle, lines along the sides.
 Part MakeMarkings(const StreetMap& map, const Texture& paint) {
-  Part part = MakeGroundPart(paint);
+  Part part = MakeShellPart(paint);
   const Pen pen = PenFor(paint);
   for (int r = 0; r < static_cast<int>(map.roads.size()); ++r) {
     const Road& road = map.roads[r];
@@ -170,7 +163,7 @@ Part MakeGrass(const StreetMap& map, const Texture& grass) {
       high = high.cwiseMax(p);
     }
   }
-  Part part = MakeGroundPart(grass);
+  Part part = MakeShellPart(grass);
   const Pen pen = PenFor(grass);
   for (double x = low.x() - kMargin_m; x < high.x() + kMargin_m; x += kCell_m) {
     for (double y = low.y() - kMargin_m; y < high.y() + kMargin_m; y += kCell_m) {

@@ -9,11 +9,8 @@ using Eigen::Vector3d;
 Model BuildBall(const BuildRequest& request, Rng& look) {
   Model model;
   const double radius = 0.5 * request.size_m.x();
-  Part part;
-  Pen pen;
-  const Texture texture = MaterialOr(request, "ball", look);
-  part.texture = texture.image;
-  AddBall(part.mesh, pen, radius, 14);
+  Part part = MakePart(MaterialOr(request, "ball", look));
+  AddBall(part.mesh, {}, radius, 14);
   part.gloss = 0.15f;
   model.parts.push_back(std::move(part));
   CollisionShape shape;
@@ -30,17 +27,14 @@ Model BuildBlock(const BuildRequest& request, Rng& look) {
   const Vector3d& high = request.size_m;
   if (request.material.empty()) {
     for (int face = 0; face < 6; ++face) {
-      const Texture picture = MakeTexture("block", look);
-      Part part;
-      part.texture = picture.image;
+      Part part = MakePart(MakeTexture("block", look));
       AddPicture(part.mesh, {}, BoxFace(low, high, face));
       model.parts.push_back(std::move(part));
     }
   } else {
     const Texture texture = MakeTexture(request.material, look);
-    Part part;
-    part.texture = texture.image;
-    AddBox(part.mesh, {texture.size_m, {look.Uniform(), look.Uniform()}, {}}, low, high);
+    Part part = MakePart(texture);
+    AddBox(part.mesh, PenFor(texture, look), low, high);
     model.parts.push_back(std::move(part));
   }
   model.shapes.push_back(MakeBoxShape(low, high));

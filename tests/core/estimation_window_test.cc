@@ -149,9 +149,9 @@ Window MakeWindow(const std::vector<std::vector<int>>& seen) {
   for (std::size_t k = 0; k < seen.size(); ++k) {
     Landmark landmark;
     landmark.id = LandmarkId{static_cast<std::int64_t>(k)};
-    landmark.p_in_world = {0.1 * static_cast<double>(k), 0.2, 10.0};
+    landmark.p_in_body = {0.1 * static_cast<double>(k), 0.2, 10.0};
     for (const int frame : seen[k]) {
-      const auto z = kCamera.Project(CameraAt(frame).Inverse() * landmark.p_in_world);
+      const auto z = kCamera.Project(CameraAt(frame).Inverse() * landmark.p_in_body);
       landmark.observations.push_back({FrameId{frame}, *z, 0});
       landmark.last_seen = FrameId{frame};
     }
