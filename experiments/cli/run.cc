@@ -9,6 +9,7 @@
 #include "experiments/cli/command.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/run_flags.h"
+#include "experiments/cli/run_summary.h"
 #include "experiments/cli/sequence_flags.h"
 #include "experiments/cli/stop_signal.h"
 #include "experiments/cli/text_table.h"
@@ -28,23 +29,18 @@ struct Flags {
   std::string output;
   std::uint64_t seed = 0;
   std::string classes;
+  std::string oracle = "none";
   bool strict = false;
   bool landmarks = false;
 };
 
-void PrintDetections(const Sequence& sequence, const DetectionCounts& counts) {
-  if (sequence.detections.empty()) return;
-  std::cout << "detections: " << counts.given << " given";
-  const char* separator = "; left out: ";
-  const auto left_out = [&separator](int count, const std::string& why) {
-    if (count == 0) return;
-    std::cout << separator << count << ' ' << why;
-    separator = ", ";
-  };
-  left_out(counts.outside, "outside the image");
-  left_out(counts.skipped, "of skipped frames");
-  for (const auto& [type, count] : counts.other_classes) left_out(count, "of class " + type);
-  std::cout << '\n';
+void PrintProblems(const RunResult& run) {
+  for (const FrameRecord& frame : run.frames) {
+    for (const ImageProblem& problem : frame.problems) {
+      std::cout << "frame " << frame.frame << " skipped: " << problem.image << ": "
+                << problem.reason << '\n';
+    }
+  }
 }
 
 void PrintSummary(const Sequence& sequence, const JobOutcome& outcome) {
@@ -54,26 +50,14 @@ void PrintSummary(const Sequence& sequence, const JobOutcome& outcome) {
             << " s, " << ForPeople(rate) << " frames/s, "
             << ForPeople(outcome.context.peak_memory_mb) << " MB, status " << ToString(run.status)
             << (run.message.empty() ? "" : ": ") << run.message << '\n';
-  for (const FrameRecord& frame : run.frames) {
-    for (const ImageProblem& problem : frame.problems) {
-      std::cout << "frame " << frame.frame << " skipped: " << problem.image << ": "
-                << problem.reason << '\n';
-    }
-  }
-  PrintDetections(sequence, run.detections);
-  const RunScores& scores = outcome.scores;
-  if (scores.refined.empty()) {
+  PrintProblems(run);
+  PrintDetections(sequence, run.detections, std::cout);
+  if (outcome.scores.refined.empty()) {
     std::cout << "nothing to score: ground truth " << sequence.groundtruth << '\n';
     return;
   }
   std::cout << '\n';
-  TextTable table({"metric", "refined", "causal", "unit", "n"});
-  for (std::size_t i = 0; i < scores.refined.size(); ++i) {
-    const Metric& refined = scores.refined[i];
-    table.Add({refined.name, ForPeople(refined.value), ForPeople(scores.causal[i].value),
-               refined.unit, std::to_string(refined.n)});
-  }
-  table.Print(std::cout);
+  PrintScores(outcome.scores, std::cout);
 }
 
 int Run(const Flags& flags) {
@@ -95,6 +79,7 @@ int Run(const Flags& flags) {
                       .seed = flags.seed,
                       .threads = flags.run.threads,
                       .classes = classes,
+                      .oracle = ParseOracle(flags.oracle),
                       .landmarks = flags.landmarks,
                       .strict = flags.strict,
                       .progress = [&progress](std::size_t done) { progress.Report(done); },
@@ -132,6 +117,10 @@ Command AddRunCommand(CLI::App& program) {
       "of detections, those that are rigid bodies; others are left out; default: vehicles, and "
       "what "
       "moves in the shipped scenes");
+  add("--oracle", flags->oracle, "A,B,...",
+      "gives the estimator ground truth in place of what it would find out: boxes (which body each "
+      "detection shows), labels (which body each feature is on), camera")
+      ->capture_default_str();
   app->add_flag("--landmarks", flags->landmarks,
                 "write landmarks.csv: every landmark of every frame with its labels");
   app->add_flag("--strict", flags->strict,

@@ -84,6 +84,8 @@ Sequence ReadKittiOdometry(const SequenceRequest& request) {
   const fs::path times_file = request.folder / "times.txt";
   AddTimes(times_file, ReadSecondsTimes(times_file), sequence);
   AddTruth(sequence);
+  const fs::path bodies = request.folder / "objects.csv";
+  if (fs::exists(bodies)) sequence.text_files.push_back(bodies);
   const fs::path labels = request.folder / "labels.txt";
   AddBoxes(WithLevel(request),
            {.file = fs::exists(labels) ? labels : fs::path(), .camera = pair.left}, rig, pair.left,

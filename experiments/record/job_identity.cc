@@ -12,6 +12,7 @@ std::string JobIdentity(const Job& job) {
                              {"options", job.options},
                              {"content", job.content},
                              {"detections", job.detections},
+                             {"given", job.given},
                              {"seed", job.seed}}));
 }
 
@@ -22,6 +23,10 @@ std::string DetectionsHash(const Sequence& sequence) {
                      box.score ? Json(*box.score) : Json(nullptr)});
   }
   return Sha256Hex(DumpJson({{"offset_m", sequence.detections_offset_m}, {"boxes", boxes}}));
+}
+
+Json GivenToJson(const std::vector<std::string>& classes, const std::vector<std::string>& oracle) {
+  return {{"classes", classes}, {"oracle", oracle}};
 }
 
 }  // namespace cvo

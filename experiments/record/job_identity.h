@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "experiments/datasets/sequence.h"
 #include "experiments/files/json.h"
@@ -17,6 +18,7 @@ struct Job {
   Json options;            // resolved
   std::string content;     // of the sequence
   std::string detections;  // DetectionsHash
+  Json given;              // GivenToJson
   std::uint64_t seed = 0;
 };
 
@@ -25,5 +27,8 @@ std::string JobIdentity(const Job& job);
 
 // Hash of the boxes that the estimator is given, whatever file they came from.
 std::string DetectionsHash(const Sequence& sequence);
+
+// What else decides what the estimator is given: classes of detections, oracle switches by name.
+Json GivenToJson(const std::vector<std::string>& classes, const std::vector<std::string>& oracle);
 
 }  // namespace cvo

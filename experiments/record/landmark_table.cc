@@ -24,9 +24,9 @@ const std::string_view kLandmarksHeader =
 
 std::string LandmarkRows(int frame, const StereoFrame& given,
                          const std::vector<LandmarkReport>& landmarks,
-                         const std::vector<int>& feature_body) {
-  Require(feature_body.empty() || feature_body.size() == given.features.size(),
-          "LandmarkRows: a body for every feature, or none");
+                         const std::vector<LandmarkTruth>& feature_truth) {
+  Require(feature_truth.empty() || feature_truth.size() == given.features.size(),
+          "LandmarkRows: truth for every feature, or none");
   std::string rows;
   for (const LandmarkReport& landmark : landmarks) {
     const auto feature = static_cast<std::size_t>(landmark.feature);
@@ -41,7 +41,7 @@ std::string LandmarkRows(int frame, const StereoFrame& given,
     row.Number(landmark.energy_3d);
     row.Number(landmark.energy_motion);
     row.Vector(landmark.p_in_world);
-    const int body = feature_body.empty() ? -1 : feature_body[feature];
+    const int body = feature_truth.empty() ? -1 : feature_truth[feature].body;
     body < 0 ? row.Empty(1) : row.Integer(body);
     rows += row.Line();
   }

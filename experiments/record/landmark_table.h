@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/odometry/frame.h"
+#include "experiments/metrics/object_estimate.h"
 
 namespace cvo {
 
@@ -15,9 +16,9 @@ namespace cvo {
 // empty none (outlier). truth_body: 0 the static scene, empty where it is not known.
 extern const std::string_view kLandmarksHeader;
 
-// Rows of one frame. `feature_body`: truth by feature as in GivenKnowledge, or empty.
+// Rows of one frame. `feature_truth`: by feature, or empty.
 std::string LandmarkRows(int frame, const StereoFrame& given,
                          const std::vector<LandmarkReport>& landmarks,
-                         const std::vector<int>& feature_body);
+                         const std::vector<LandmarkTruth>& feature_truth);
 
 }  // namespace cvo

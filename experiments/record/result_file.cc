@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/record/result_file.h"
 
-#include <array>
+#include <map>
 
 #include "core/base/error.h"
 #include "experiments/record/job_identity.h"
@@ -84,7 +84,48 @@ Json FrameToJson(const FrameRecord& frame) {
           {"window_frames", report.window_frames},
           {"window_landmarks", report.window_landmarks},
           {"window_iterations", report.window_iterations},
-          {"mean_error_px", report.mean_error_px}};
+          {"mean_error_px", report.mean_error_px},
+          {"detections", frame.detections.size()},
+          {"clusters", report.clusters.size()}};
+}
+
+Json DetectionsToJson(const DetectionCounts& counts) {
+  return {{"given", counts.given},
+          {"outside", counts.outside},
+          {"skipped", counts.skipped},
+          {"without_depth", counts.without_depth},
+          {"other_classes", counts.other_classes}};
+}
+
+// One row per cluster that was live in some frame; its poses are in objects.csv and clusters/.
+Json ClustersToJson(const RunResult& run) {
+  struct Life {
+    std::string category;
+    int frames = 0;
+    int tracked = 0;
+    int first = 0;
+    int last = 0;
+  };
+  std::map<ClusterId, Life> lives;
+  for (const FrameRecord& frame : run.frames) {
+    for (const ClusterReport& report : frame.report.clusters) {
+      Life& life = lives[report.id];
+      if (life.frames++ == 0) life.first = frame.frame;
+      life.last = frame.frame;
+      life.category = report.category;
+      life.tracked += report.status == ClusterStatus::kTracked ? 1 : 0;
+    }
+  }
+  Json clusters = Json::array();
+  for (const auto& [id, life] : lives) {
+    clusters.push_back({{"id", id.value},
+                        {"category", life.category},
+                        {"frames", life.frames},
+                        {"tracked", life.tracked},
+                        {"first_frame", life.first},
+                        {"last_frame", life.last}});
+  }
+  return clusters;
 }
 
 }  // namespace
@@ -114,7 +155,7 @@ const char* ToString(RunStatus status) {
 
 std::string RecordedJob(const RunRecord& record) {
   return JobIdentity({record.build.Hash(), record.variant, record.options, record.run.content,
-                      DetectionsHash(record.sequence), record.seed});
+                      DetectionsHash(record.sequence), record.given, record.seed});
 }
 
 std::string ResultFile(const RunRecord& record) {
@@ -129,8 +170,12 @@ std::string ResultFile(const RunRecord& record) {
                    {"seed", record.seed},
                    {"sequence", SequenceToJson(record.sequence, record.run)},
                    {"options", record.options},
+                   {"given", record.given},
+                   {"detection_counts", DetectionsToJson(record.run.detections)},
                    {"build", record.build.ToJson()},
                    {"metrics", record.metrics},
+                   {"bodies", record.bodies},
+                   {"clusters", ClustersToJson(record.run)},
                    {"frame_counts", CountsToJson(record.run)},
                    {"undecodable", UndecodableToJson(record.run)},
                    {"trajectories", TrajectoriesToJson(record.run)},

@@ -13,7 +13,7 @@
 
 namespace cvo {
 
-inline constexpr int kResultSchemaVersion = 1;
+inline constexpr int kResultSchemaVersion = 2;
 
 // A run with everything that decided it.
 struct RunRecord {
@@ -21,8 +21,10 @@ struct RunRecord {
   BuildIdentity build;
   std::string variant;
   Json options;  // resolved
+  Json given;    // as GivenToJson gives it
   std::uint64_t seed = 0;
   Json metrics;  // as MetricsToJson gives them
+  Json bodies;   // refined and causal, as BodiesToJson gives them; null without truth
   const RunResult& run;
   bool landmarks = false;  // asked for
 };

@@ -11,6 +11,7 @@
 #include "core/geometry/rigid_transform.h"
 #include "core/odometry/frame.h"
 #include "core/odometry/odometry.h"
+#include "experiments/metrics/object_estimate.h"
 
 namespace cvo {
 
@@ -26,10 +27,11 @@ struct FrameRecord {
   std::int64_t timestamp_ns = 0;
   // With the poses as estimated when the frame came; without its landmarks, which are many.
   FrameReport report;
-  RigidTransform refined_world_from_camera;  // as last estimated, at the end of the run
-  std::vector<Detection> detections;         // as the estimator was given them
-  std::vector<ImageProblem> problems;        // why the frame was skipped
-  StageTimes times_s;                        // measured, so never part of a result
+  RigidTransform refined_world_from_camera;    // as last estimated, at the end of the run
+  std::vector<Detection> detections;           // as the estimator was given them
+  std::vector<LandmarkObservation> landmarks;  // of the report, where bodies have a truth
+  std::vector<ImageProblem> problems;          // why the frame was skipped
+  StageTimes times_s;                          // measured, so never part of a result
 };
 
 // What became of a sequence's boxes, over the frames that were processed.

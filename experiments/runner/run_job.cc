@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/runner/run_job.h"
 
+#include <memory>
 #include <utility>
 
 #include "experiments/files/options_json.h"
+#include "experiments/record/bodies_json.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/record/job_identity.h"
 #include "experiments/record/metrics_json.h"
@@ -17,7 +19,22 @@ namespace {
 Json ScoresToJson(const RunScores& scores) {
   Json metrics = MetricsToJson(scores.refined, "refined");
   for (Json& metric : MetricsToJson(scores.causal, "causal")) metrics.push_back(std::move(metric));
+  for (Json& metric : MetricsToJson(scores.clustering, "causal")) {
+    metrics.push_back(std::move(metric));
+  }
   return metrics;
+}
+
+Json BodyScoresToJson(const RunScores& scores) {
+  if (scores.refined_bodies.empty()) return nullptr;
+  return {{"refined", BodiesToJson(scores.refined_bodies)},
+          {"causal", BodiesToJson(scores.causal_bodies)}};
+}
+
+// Classes count where there are boxes alone.
+Json Given(const RunRequest& request) {
+  const bool boxes = !request.sequence.detections.empty();
+  return GivenToJson(boxes ? request.classes : std::vector<std::string>(), request.oracle.Names());
 }
 
 Json ResolvedOptions(const RunRequest& request) {
@@ -34,23 +51,26 @@ std::string IdentifyJob(const RunRequest& request) {
   }
   return JobIdentity({ThisBuild().Hash(), std::string(request.variant.name),
                       ResolvedOptions(request), ContentHash(request.sequence, images),
-                      DetectionsHash(request.sequence), request.seed});
+                      DetectionsHash(request.sequence), Given(request), request.seed});
 }
 
 std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesystem::path& folder) {
   const BuildIdentity build = ThisBuild();
   RequireRecordedCpu(build);
-  std::optional<RunResult> run = RunSequence(request);
+  const std::unique_ptr<BodyTruthReader> truth = ReadBodyTruth(request.sequence);
+  std::optional<RunResult> run = RunSequence(request, truth.get());
   if (!run) return std::nullopt;
 
   JobOutcome outcome{std::move(*run), {}, ThisProcess()};
-  outcome.scores = ScoreRun(request.sequence, outcome.run);
+  outcome.scores = ScoreRun(request.sequence, outcome.run, truth ? &truth->objects() : nullptr);
   const RunRecord record{.sequence = request.sequence,
                          .build = build,
                          .variant = std::string(request.variant.name),
                          .options = ResolvedOptions(request),
+                         .given = Given(request),
                          .seed = request.seed,
                          .metrics = ScoresToJson(outcome.scores),
+                         .bodies = BodyScoresToJson(outcome.scores),
                          .run = outcome.run,
                          .landmarks = request.landmarks};
   outcome.context.job = RecordedJob(record);

@@ -30,6 +30,13 @@ void RefuseProblems(const Sequence& sequence, const PreparedFrame& prepared) {
       StrCat((sequence.folder / problem.image).lexically_normal().string(), ": ", problem.reason));
 }
 
+// What is known of the true bodies beside the estimator.
+struct TruthBeside {
+  BodyTruthReader* reader = nullptr;  // may be null
+  Oracle oracle;
+  double seconds = 0.0;  // that the last frame took here
+};
+
 // Boxes of the frame into what the estimator is given.
 void AddDetections(const RunRequest& request, const std::vector<ObjectBox>& boxes,
                    PreparedFrame& prepared, DetectionCounts& counts) {
@@ -43,12 +50,40 @@ void AddDetections(const RunRequest& request, const std::vector<ObjectBox>& boxe
                         frame.features, request.classes, counts);
 }
 
+// The truth at the frame's features, and what the oracle gives of it. Empty without a truth.
+std::vector<LandmarkTruth> AddTruth(const RunRequest& request, int index, TruthBeside& truth,
+                                    PreparedFrame& prepared) {
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<LandmarkTruth> feature_truth;
+  if (prepared.problems.empty()) {
+    if (truth.reader != nullptr) {
+      feature_truth =
+          TruthOfFeatures(index, prepared.frame.features, request.sequence.camera, *truth.reader);
+    }
+    truth.oracle.Give(index, feature_truth, prepared.frame);
+  }
+  truth.seconds = SecondsSince(start);
+  return feature_truth;
+}
+
+std::vector<LandmarkObservation> Observe(const std::vector<LandmarkReport>& landmarks,
+                                         const std::vector<LandmarkTruth>& feature_truth) {
+  std::vector<LandmarkObservation> observations;
+  if (feature_truth.empty()) return observations;
+  for (const LandmarkReport& landmark : landmarks) {
+    observations.push_back({static_cast<std::int32_t>(landmark.cluster.value),
+                            feature_truth.at(static_cast<std::size_t>(landmark.feature))});
+  }
+  return observations;
+}
+
 // Lets the estimator work on one frame and adds it to the result. An Error of the estimator makes
 // the result a failed one without the frame.
-void Estimate(const RunRequest& request, int frame, PreparedFrame prepared, Odometry& odometry,
+void Estimate(const RunRequest& request, PreparedFrame prepared,
+              const std::vector<LandmarkTruth>& feature_truth, Odometry& odometry,
               RunResult& result) {
   FrameRecord record;
-  record.frame = frame;
+  record.frame = request.sequence.first_frame + static_cast<int>(result.frames.size());
   record.timestamp_ns = prepared.frame.timestamp_ns;
   record.problems = std::move(prepared.problems);
   record.times_s = std::move(prepared.times_s);
@@ -58,13 +93,15 @@ void Estimate(const RunRequest& request, int frame, PreparedFrame prepared, Odom
                                             : odometry.Skip(record.timestamp_ns);
   } catch (const Error& error) {
     result.status = RunStatus::kFailed;
-    result.message = StrCat("frame ", frame, ": ", error.what());
+    result.message = StrCat("frame ", record.frame, ": ", error.what());
     return;
   }
   record.refined_world_from_camera = record.report.world_from_camera;
   if (request.landmarks) {
-    result.landmark_rows += LandmarkRows(frame, prepared.frame, record.report.landmarks, {});
+    result.landmark_rows +=
+        LandmarkRows(record.frame, prepared.frame, record.report.landmarks, feature_truth);
   }
+  record.landmarks = Observe(record.report.landmarks, feature_truth);
   record.report.landmarks = {};
   record.detections = std::move(prepared.frame.detections);
   result.frames.push_back(std::move(record));
@@ -104,15 +141,15 @@ void HashRest(const Sequence& sequence, std::vector<ImageHashes>& hashes) {
 
 }  // namespace
 
-std::optional<RunResult> RunSequence(const RunRequest& request) {
+std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader* truth) {
   const Sequence& sequence = request.sequence;
+  const std::vector<std::vector<ObjectBox>> boxes = DetectionsByFrame(sequence);
+  TruthBeside beside{truth, Oracle(sequence, request.oracle, truth)};
   const auto run_start = std::chrono::steady_clock::now();
   TaskPool pool(request.threads);
   const std::unique_ptr<Odometry> odometry =
       request.variant.make({sequence.camera, request.options, request.seed}, pool);
   LookAhead look_ahead(sequence, request.options, pool);
-
-  const std::vector<std::vector<ObjectBox>> boxes = DetectionsByFrame(sequence);
 
   RunResult result;
   std::vector<ImageHashes> hashes;
@@ -123,14 +160,15 @@ std::optional<RunResult> RunSequence(const RunRequest& request) {
     if (request.strict) RefuseProblems(sequence, prepared);
     hashes.push_back(prepared.hashes);
     AddDetections(request, boxes[i], prepared, result.detections);
-    Estimate(request, sequence.first_frame + static_cast<int>(i), std::move(prepared), *odometry,
-             result);
+    const auto feature_truth = AddTruth(request, static_cast<int>(i), beside, prepared);
+    result.wall_s -= beside.seconds;
+    Estimate(request, std::move(prepared), feature_truth, *odometry, result);
     if (result.status == RunStatus::kFailed) break;
-    result.frames.back().times_s["frame"] = SecondsSince(frame_start);
+    result.frames.back().times_s["frame"] = SecondsSince(frame_start) - beside.seconds;
     request.progress(i + 1);
     if (request.stop()) return std::nullopt;
   }
-  result.wall_s = SecondsSince(run_start);
+  result.wall_s += SecondsSince(run_start);
   Refine(*odometry, result);
   JudgeStatus(result);
   HashRest(sequence, hashes);

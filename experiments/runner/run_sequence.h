@@ -10,9 +10,11 @@
 #include <vector>
 
 #include "core/odometry/options.h"
+#include "experiments/datasets/body_truth.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/record/run_record.h"
 #include "experiments/runner/frame_detections.h"
+#include "experiments/runner/oracle.h"
 #include "variants/registry.h"
 
 namespace cvo {
@@ -24,14 +26,17 @@ struct RunRequest {
   std::uint64_t seed = 0;
   int threads = 1;                                    // results do not depend on it
   std::vector<std::string> classes = RigidClasses();  // of detections that count, see there
-  bool landmarks = false;                             // keep RunResult::landmark_rows
+  OracleSwitches oracle = {};
+  bool landmarks = false;  // keep RunResult::landmark_rows
   bool strict = false;  // an image that cannot be decoded is an error in place of a skipped frame
   std::function<void(std::size_t done)> progress = [](std::size_t) {};
   std::function<bool()> stop = [] { return false; };  // asked after every frame
 };
 
 // Runs the variant over every frame of the sequence. Empty where `stop` ended it. An Error of the
-// estimator itself is a result too (status failed, frames so far); all others are thrown.
-[[nodiscard]] std::optional<RunResult> RunSequence(const RunRequest& request);
+// estimator itself is a result too (status failed, frames so far); all others are thrown. With
+// `truth`, landmarks are noted with what they are; the time for that is no part of the run's.
+[[nodiscard]] std::optional<RunResult> RunSequence(const RunRequest& request,
+                                                   BodyTruthReader* truth = nullptr);
 
 }  // namespace cvo

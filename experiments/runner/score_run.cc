@@ -4,32 +4,51 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "experiments/metrics/camera_metrics.h"
+#include "experiments/metrics/clustering_metrics.h"
+#include "experiments/metrics/object_metrics.h"
+#include "experiments/runner/object_estimate_of.h"
 
 namespace cvo {
 namespace {
 
-std::vector<Metric> Score(const Sequence& sequence, const RunResult& run, bool causal) {
-  std::vector<std::optional<RigidTransform>> estimate;
-  for (const FrameRecord& frame : run.frames) {
-    const bool skipped = frame.report.status == FrameStatus::kSkipped;
-    const RigidTransform& pose =
-        causal ? frame.report.world_from_camera : frame.refined_world_from_camera;
-    estimate.push_back(skipped ? std::nullopt : std::optional(pose));
+void Append(std::vector<Metric> from, std::vector<Metric>& to) {
+  for (Metric& metric : from) to.push_back(std::move(metric));
+}
+
+// "camera_ate" is "camera_causal_ate".
+void NameCausal(std::vector<Metric>& metrics) {
+  for (Metric& metric : metrics) {
+    const std::size_t group = metric.name.find('_');
+    if (group != std::string::npos) metric.name.insert(group + 1, "causal_");
   }
-  return EvaluateCamera(sequence.groundtruth_world_from_camera, estimate, sequence.groundtruth);
 }
 
 }  // namespace
 
-RunScores ScoreRun(const Sequence& sequence, const RunResult& run) {
+RunScores ScoreRun(const Sequence& sequence, const RunResult& run, const ObjectTruth* objects) {
   if (run.status == RunStatus::kFailed) return {};
-  RunScores scores{Score(sequence, run, false), Score(sequence, run, true)};
-  const std::string prefix = "camera_";
-  for (Metric& metric : scores.causal) {
-    if (metric.name.starts_with(prefix)) metric.name.insert(prefix.size(), "causal_");
+  const ObjectEstimate refined = ObjectEstimateOf(run, PoseTime::kRefined);
+  const ObjectEstimate causal = ObjectEstimateOf(run, PoseTime::kCausal);
+  const auto camera = [&sequence](const ObjectEstimate& estimate) {
+    return EvaluateCamera(sequence.groundtruth_world_from_camera, estimate.world_from_camera,
+                          sequence.groundtruth);
+  };
+  RunScores scores;
+  scores.refined = camera(refined);
+  scores.causal = camera(causal);
+  if (objects != nullptr) {
+    ObjectScores of_refined = ScoreObjects(*objects, refined);
+    ObjectScores of_causal = ScoreObjects(*objects, causal);
+    Append(ObjectMetrics(*objects, of_refined), scores.refined);
+    Append(ObjectMetrics(*objects, of_causal), scores.causal);
+    scores.clustering = ClusteringMetrics(*objects, causal, MatchObjects(*objects, causal));
+    scores.refined_bodies = std::move(of_refined.bodies);
+    scores.causal_bodies = std::move(of_causal.bodies);
   }
+  NameCausal(scores.causal);
   return scores;
 }
 

@@ -6,16 +6,22 @@
 
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/metric.h"
+#include "experiments/metrics/object_scores.h"
 #include "experiments/record/run_record.h"
 
 namespace cvo {
 
-// The camera metrics of a run against the sequence's ground truth. A skipped frame has no estimate;
-// a lost frame counts with its predicted pose. Empty where there is no truth or the run failed.
+// The metrics of a run against the sequence's ground truth. A skipped frame has no estimate; a lost
+// frame counts with its predicted pose. Empty where there is no truth or the run failed.
 struct RunScores {
-  std::vector<Metric> refined;  // camera_*: poses as last estimated
-  std::vector<Metric> causal;   // camera_causal_*: poses as estimated when their frame came
+  std::vector<Metric> refined;     // camera_*, object_*: poses as last estimated
+  std::vector<Metric> causal;      // camera_causal_*, object_causal_*: as when their frame came
+  std::vector<Metric> clustering;  // moving_*, clustering_*: labels as when their frame came
+  std::vector<BodyScore> refined_bodies;
+  std::vector<BodyScore> causal_bodies;
 };
-RunScores ScoreRun(const Sequence& sequence, const RunResult& run);
+// `objects`: nullptr where the bodies of the sequence have no truth.
+RunScores ScoreRun(const Sequence& sequence, const RunResult& run,
+                   const ObjectTruth* objects = nullptr);
 
 }  // namespace cvo

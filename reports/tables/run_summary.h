@@ -11,7 +11,7 @@
 
 namespace cvo::reports {
 
-inline constexpr int kRunSchemaVersion = 1;
+inline constexpr int kRunSchemaVersion = 2;
 
 struct SequenceInfo {
   std::string name;

@@ -21,7 +21,7 @@ BuildIdentity SomeBuild() {
 }
 
 Job SomeJob() {
-  return {"build", "static", {{"window", {{"spatial", 5}}}}, "content", "detections", 0};
+  return {"build", "static", {{"window", {{"spatial", 5}}}}, "content", "detections", Json::object(), 0};
 }
 
 TEST(BuildIdentity, IsComplete) {
@@ -64,6 +64,7 @@ TEST(JobIdentity, DependsOnEveryPart) {
            [](Job& job) { job.build = kAnother; }, [](Job& job) { job.variant = kAnother; },
            [](Job& job) { job.options["window"]["spatial"] = 6; },
            [](Job& job) { job.content = kAnother; }, [](Job& job) { job.detections = kAnother; },
+           [](Job& job) { job.given["oracle"] = kAnother; },
            [](Job& job) { job.seed = 1; }}) {
     Job job = SomeJob();
     change(job);

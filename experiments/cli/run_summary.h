@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <iosfwd>
+
+#include "experiments/datasets/sequence.h"
+#include "experiments/record/run_record.h"
+#include "experiments/runner/score_run.h"
+
+namespace cvo {
+
+// One line: how many boxes the estimator was given, and why others were left out. Nothing for a
+// sequence without detections.
+void PrintDetections(const Sequence& sequence, const DetectionCounts& counts, std::ostream& out);
+
+// Metrics side by side with refined and with causal poses, then a line per body.
+void PrintScores(const RunScores& scores, std::ostream& out);
+
+}  // namespace cvo

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "experiments/files/json.h"
+#include "experiments/metrics/object_scores.h"
+
+namespace cvo {
+
+// One row per body, for means over bodies of several runs, with its position errors frame by frame
+// ("errors", and "predicted" ones), which pair one variant with another. Frames count from the
+// first one run; a value that the frames do not determine is null.
+Json BodiesToJson(const std::vector<BodyScore>& bodies);
+
+}  // namespace cvo

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/odometry/frame.h"
+#include "experiments/datasets/body_truth.h"
+#include "experiments/datasets/sequence.h"
+
+namespace cvo {
+
+// What the estimator is given from the ground truth in place of what it would find out: whose box
+// each detection is, which body each feature is on, where the camera is.
+struct OracleSwitches {
+  bool boxes = false;
+  bool labels = false;
+  bool camera = false;
+
+  bool any() const { return boxes || labels || camera; }
+  std::vector<std::string> Names() const;
+};
+
+// Any of "boxes,labels,camera" with commas between, or "none". Throws Error for another name.
+OracleSwitches ParseOracle(const std::string& text);
+
+// Which body each detection shows: pairs of an intersection over union of at least 0.5, one-to-one,
+// as many as can be and then of the largest sum. -1: none.
+std::vector<int> BodiesOfDetections(const std::vector<Detection>& detections,
+                                    const std::vector<std::pair<int, ImageBox>>& true_boxes);
+
+// The true body at each feature, -1 where it is not known. Frames count from the first one run.
+std::vector<LandmarkTruth> TruthOfFeatures(int frame, const std::vector<StereoFeature>& features,
+                                           const StereoCamera& camera, BodyTruthReader& truth);
+
+class Oracle {
+ public:
+  // Throws Error where the sequence lacks the truth that is asked for. `truth` may be null.
+  Oracle(const Sequence& sequence, const OracleSwitches& switches, const BodyTruthReader* truth);
+
+  // Fills frame.given. `feature_truth`: TruthOfFeatures, needed for labels alone.
+  void Give(int frame_index, const std::vector<LandmarkTruth>& feature_truth,
+            StereoFrame& frame) const;
+
+ private:
+  OracleSwitches switches_;
+  std::vector<std::vector<std::pair<int, ImageBox>>> boxes_;      // [frame]: body, box
+  std::vector<std::optional<RigidTransform>> first_from_camera_;  // [frame]
+};
+
+}  // namespace cvo
