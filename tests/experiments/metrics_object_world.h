@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "core/base/rng.h"
-#include "experiments/metrics/object_estimate.h"
+#include "experiments/metrics/camera_metrics.h"
+#include "experiments/metrics/object_metrics.h"
 
 namespace cvo::test {
 
@@ -111,6 +112,55 @@ inline ObjectEstimate Restate(const ObjectEstimate& estimate,
     }
   }
   return other;
+}
+
+// Two bodies on random walks before a camera on one.
+inline ObjectTruth RandomTruth(std::uint64_t seed, int frames) {
+  Rng rng(seed, "bodies");
+  ObjectTruth truth = TruthOf(frames);
+  const std::vector<RigidTransform> camera = RandomWalk(rng, frames);
+  truth.world_from_camera.assign(camera.begin(), camera.end());
+  AddBody(truth, RandomWalk(rng, frames));
+  AddBody(truth, RandomWalk(rng, frames));
+  return truth;
+}
+
+inline ObjectEstimate Noisy(const ObjectTruth& truth, std::uint64_t seed) {
+  Rng rng(seed, "noise");
+  ObjectEstimate estimate = PerfectEstimate(truth);
+  const auto noise = [&] { return Pose(RandomVector(rng, 0.02), RandomVector(rng, 0.05)); };
+  for (auto& pose : estimate.world_from_camera) pose = *pose * noise();
+  for (ClusterEstimate& cluster : estimate.clusters) {
+    for (ClusterFrame& frame : cluster.frames) {
+      frame.world_from_object = frame.world_from_object * noise();
+      frame.velocity_m_s += RandomVector(rng, 0.1);
+    }
+  }
+  return estimate;
+}
+
+// The estimate is off by (0, d_k, 0): the mean is taken up by the frame of the cluster.
+inline ObjectEstimate OffBy(const ObjectTruth& truth, const std::vector<double>& offsets_m) {
+  ObjectEstimate estimate = PerfectEstimate(truth);
+  for (std::size_t k = 0; k < offsets_m.size(); ++k) {
+    RigidTransform& pose = estimate.clusters[0].frames[k].world_from_object;
+    pose = At(0, offsets_m[k]) * pose;
+  }
+  return estimate;
+}
+
+inline std::vector<Metric> Evaluate(const ObjectTruth& truth, const ObjectEstimate& estimate) {
+  return ObjectMetrics(truth, ScoreObjects(truth, estimate));
+}
+
+inline double Value(const std::vector<Metric>& metrics, const std::string& name) {
+  const Metric* metric = FindMetric(metrics, name);
+  return metric == nullptr ? std::nan("") : metric->value;
+}
+
+inline std::int64_t Count(const std::vector<Metric>& metrics, const std::string& name) {
+  const Metric* metric = FindMetric(metrics, name);
+  return metric == nullptr ? -1 : metric->n;
 }
 
 }  // namespace cvo::test
