@@ -153,6 +153,13 @@ TEST(NearestMode, LeavesOutAFewNearerPoints) {
       car);
 }
 
+TEST(NearestMode, IsMeasuredByItsOwnPeakNotByAStrayPointBefore) {
+  // Single points lead up to the car and on from there to a wall.
+  const std::vector<double> links = {17.9, 22, 23, 24, 25, 26, 27};
+  const std::vector<double> depths = Joined(Joined(Spread(19, 21, 20), links), Spread(28, 29, 20));
+  EXPECT_EQ(NearestMode(depths, kCarAngle, {}), FirstIndices(20));
+}
+
 TEST(NearestMode, IsEverythingWhereThereIsNoBackground) {
   EXPECT_EQ(NearestMode(Spread(2.8, 3.3, 30), 0.2, {}), FirstIndices(30));
   EXPECT_EQ(NearestMode(std::vector<double>(8, 4.0), 0.2, {}), FirstIndices(8));
