@@ -39,7 +39,7 @@ double Information(double p) { return p > 0.0 ? -p * std::log(p) : 0.0; }
 
 // Probabilities and their entropy in nats; `in_none` is the weight of the null box.
 BoxProbabilities Normalize(const BoxSums& sums, double in_none) {
-  BoxProbabilities result{sums.by_box, sums.members, 0.0};
+  BoxProbabilities result{sums.by_box, sums.by_box, sums.members, 0.0};
   double total = in_none;
   for (const double weight : sums.by_box) total += weight;
   if (!(total > 0.0)) return result;
@@ -74,13 +74,18 @@ std::vector<int> AssociateBoxes(std::span<const BoxProbabilities> clusters, int 
                                 const ClusterAssociationOptions& options) {
   Eigen::MatrixXd cost = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(clusters.size()),
                                                    boxes, std::numeric_limits<double>::infinity());
+  std::vector<double> total(static_cast<std::size_t>(boxes), 0.0);
+  for (const BoxProbabilities& cluster : clusters) {
+    for (int m = 0; m < boxes; ++m) total[m] += cluster.weight[m];
+  }
   for (std::size_t q = 0; q < clusters.size(); ++q) {
     if (!(clusters[q].entropy < options.max_entropy)) continue;
     for (int m = 0; m < boxes; ++m) {
       const double p = clusters[q].probability[m];
       if (p < options.min_box_probability || !(p > 0.0)) continue;
       if (clusters[q].members[m] < options.min_box_members) continue;
-      cost(static_cast<Eigen::Index>(q), m) = -std::log(p);
+      cost(static_cast<Eigen::Index>(q), m) =
+          -std::log(p) - std::log(clusters[q].weight[m] / total[m]);
     }
   }
   return Assign(cost);

@@ -23,7 +23,8 @@ struct BoxMember {
 // p_q(m) of Eq. 3 of the paper for one cluster, and its entropy.
 struct BoxProbabilities {
   std::vector<double> probability;  // by box
-  std::vector<int> members;         // by box: landmarks inside
+  std::vector<double> weight;       // by box: of the landmarks inside
+  std::vector<int> members;         // by box: their number
   double entropy = 0.0;
 };
 
@@ -40,7 +41,9 @@ struct BoxWeightsLiteral {
                                   std::span<const ImageBox> boxes);
 };
 
-// The box of each cluster, or -1: one-to-one, the most probable choice in all.
+// The box of each cluster, or -1: one-to-one, the most probable choice in all. Where clusters want
+// the same box, the share of its weight that is theirs counts too: p_q(m) alone does not say which
+// of two clusters inside a box it shows.
 std::vector<int> AssociateBoxes(std::span<const BoxProbabilities> clusters, int boxes,
                                 const ClusterAssociationOptions& options);
 

@@ -9,15 +9,6 @@
 
 namespace cvo {
 namespace internal {
-namespace {
-
-ClusterId PreviousCluster(const FramePoint& point, const Window& window, const ClusterMap& map) {
-  const Landmark* landmark = FindLandmark(point, window, map);
-  return landmark ? landmark->label.cluster : ClusterId{};
-}
-
-}  // namespace
-
 std::vector<int> DecideLabels(const FrameView& view, const std::vector<FramePoint>& points,
                               const LabelScene& scene, const CrfResult& crf) {
   std::vector<int> labels = MostLikelyLabels(crf.q);
@@ -43,10 +34,17 @@ std::vector<ClusterId> IdentifyLabels(const FrameView& view, const Window& windo
     if (label.kind == LabelKind::kCluster && label.box) identity.cluster = map.live[l - 1].id;
     identities.push_back(identity);
   }
+  // New points tell nothing of who was there before.
   std::vector<ClusterId> previous;
-  for (const FramePoint& point : points) previous.push_back(PreviousCluster(point, window, map));
+  std::vector<int> label_of_old;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Landmark* landmark = FindLandmark(points[i], window, map);
+    if (!landmark) continue;
+    previous.push_back(landmark->label.cluster);
+    label_of_old.push_back(decided[i]);
+  }
   std::vector<ClusterId> cluster_of =
-      MatchLabels(identities, decided, previous, view.options.label_matching);
+      MatchLabels(identities, label_of_old, previous, view.options.label_matching);
 
   ClusterId next = map.next;
   for (int l = 1; l < scene.Outlier(); ++l) {

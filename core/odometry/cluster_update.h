@@ -28,7 +28,7 @@ std::vector<ClusterReport> ReportClusters(const Options& options, FrameId newest
   std::vector<ClusterReport> reports;
   for (const Cluster& cluster : map.live) {
     ClusterReport report = internal::DescribeCluster(options, newest, cluster);
-    if (report.status == ClusterStatus::kPredicted) {
+    if (cluster.Latest().frame < newest) {
       const PredictedCluster predicted =
           PredictCluster<typename Variant::MotionPrior, typename Variant::Rotation>(
               cluster, timestamp_ns, options.motion_prior, options.clusters);
