@@ -20,11 +20,11 @@ struct RunRecord {
   const Sequence& sequence;
   BuildIdentity build;
   std::string variant;
-  Json options;  // resolved
-  Json given;    // as GivenToJson gives it
+  Json options = {};  // resolved
+  Json given = {};    // as GivenToJson gives it
   std::uint64_t seed = 0;
-  Json metrics;  // as MetricsToJson gives them
-  Json bodies;   // refined and causal, as BodiesToJson gives them; null without truth
+  Json metrics = {};  // as MetricsToJson gives them
+  Json bodies = {};   // refined and causal, as BodiesToJson gives them; null without truth
   const RunResult& run;
   bool landmarks = false;  // asked for
 };

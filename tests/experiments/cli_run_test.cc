@@ -20,7 +20,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 constexpr int kFrames = 8;
-const std::vector<std::string> kRecorded = {"result.json", "camera.tum", "camera.kitti"};
+const std::vector<std::string> kRecorded = {"result.json", "camera.tum", "camera.kitti",
+                                            "objects.csv", "tracks.kitti"};
 
 class CliRun : public testing::Test {
  protected:
@@ -40,7 +41,7 @@ class CliRun : public testing::Test {
   test::TempFolder folder_;
 };
 
-TEST_F(CliRun, WritesFourFilesAndPrintsTheMetrics) {
+TEST_F(CliRun, WritesItsFilesAndPrintsTheMetrics) {
   const ProcessResult run = Run(out(), {"--set", "orb.features=500", "--seed", "7"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, AllOf(HasSubstr("camera_ate"), HasSubstr("8 frames"), HasSubstr("status")));
@@ -52,7 +53,7 @@ TEST_F(CliRun, WritesFourFilesAndPrintsTheMetrics) {
   EXPECT_EQ(test::LineCount(ReadFile(out() / "camera.kitti")), 8U);
   EXPECT_EQ(test::LineCount(ReadFile(out() / "camera.tum")), 8U);
   EXPECT_EQ(ReadJson(out() / "timing.json")["job"], result["job"]);
-  EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 4);
+  EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 6);
 }
 
 TEST_F(CliRun, TheSameBytesEveryTimeAndForAnyNumberOfThreads) {
@@ -101,7 +102,72 @@ TEST_F(CliRun, AFullDiskLosesNothing) {
   EXPECT_THAT(run.err, AllOf(HasSubstr("json"), HasSubstr("cannot write")));
   EXPECT_EQ(test::LineCount(run.err), 1U);
   EXPECT_EQ(ReadFile(out() / "result.json"), before);
-  EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 4);
+  EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 6);
+}
+
+constexpr const char* kBoxes =
+    "0 3 Car -1 -1 -10 10 10 60 60 -1 -1 -1 -1000 -1000 -1000 -10 0.5\n"
+    "5 3 Dog -1 -1 -10 10 10 60 60 -1 -1 -1 -1000 -1000 -1000 -10 0.5\n"
+    "5 4 Car -1 -1 -10 900 10 960 60 -1 -1 -1 -1000 -1000 -1000 -10 0.5\n";
+
+TEST_F(CliRun, SaysWhichDetectionsCount) {
+  const std::string boxes = folder_.Write("boxes.txt", kBoxes).string();
+  const ProcessResult run = Run(out(), {"--detections", boxes, "--landmarks"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out,
+              HasSubstr("detections: 1 given; left out: 1 outside the image, 1 of class Dog\n"));
+  const Json result = ResultOf(out());
+  EXPECT_EQ(result["detection_counts"]["given"], 1);
+  EXPECT_EQ(result["detection_counts"]["other_classes"]["Dog"], 1);
+  EXPECT_EQ(test::LineCount(ReadFile(out() / "objects.csv")), 1U);  // static has no clusters
+  EXPECT_THAT(ReadFile(out() / "landmarks.csv"), testing::StartsWith("frame,id,u_px"));
+
+  ASSERT_EQ(Run(out(), {"--detections", boxes, "--classes", "dog"}).exit_code, 0);
+  EXPECT_EQ(ResultOf(out())["detection_counts"]["other_classes"]["Car"], 2);
+  EXPECT_NE(ResultOf(out())["job"], result["job"]);
+  EXPECT_FALSE(fs::exists(out() / "landmarks.csv"));
+}
+
+TEST_F(CliRun, ReservedWordsForDetections) {
+  ASSERT_EQ(Run(out(), {"--detections", "none"}).exit_code, 0);
+  EXPECT_EQ(ResultOf(out())["sequence"]["detections"], 0);
+  const ProcessResult none = Run(out(), {"--detections", "labels"});
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_THAT(none.err, HasSubstr("--detections: found \"labels\""));
+  folder_.Write("tiny/labels.txt", "2 7 Car 0 0 -1.5 14 11 29 56 1.5 1.6 3.7 1 1.5 4 0.25\n");
+  ASSERT_EQ(Run(out(), {"--detections", "labels"}).exit_code, 0);
+  EXPECT_EQ(ResultOf(out())["frames"][2]["detections"], 1);
+}
+
+TEST_F(CliRun, BadDetectionsAreRefusedWithFileAndLine) {
+  const std::string good = "0 3 Car -1 -1 -10 10 10 60 60 -1 -1 -1 -1 -1 -1 -10 0.5\n";
+  const std::vector<std::pair<std::string, std::string>> bad = {
+      {"8 3 Car -1 -1 -10 10 10 60 60 -1 -1 -1 -1 -1 -1 -10 0.5\n", "frame 8"},
+      {"0 3 Car -1 -1 -10 10 10 5 60 -1 -1 -1 -1 -1 -1 -10 0.5\n", "left <= right"},
+      {"0 3 Car -1 -1 -10 10 10 60 60 -1 -1 -1 -1 -1 -1 -10 nan\n", "\"nan\" in column 18"},
+      {"0 3 Car -1 -1 -10 inf 10 60 60 -1 -1 -1 -1 -1 -1 -10 0.5\n", "\"inf\" in column 7"}};
+  for (const auto& [line, problem] : bad) {
+    const std::string boxes = folder_.Write("boxes.txt", good + line).string();
+    const ProcessResult run = Run(out(), {"--detections", boxes, "-q"});
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_THAT(run.err, AllOf(HasSubstr(boxes + ":2: found"), HasSubstr(problem)));
+    EXPECT_EQ(test::LineCount(run.err), 1U);
+    EXPECT_FALSE(fs::exists(out()));
+  }
+  const std::string empty = folder_.Write("boxes.txt", "").string();
+  EXPECT_EQ(Run(out(), {"--detections", empty}).exit_code, 0);
+}
+
+TEST_F(CliRun, AnOracleNeedsTruth) {
+  ASSERT_EQ(Run(out(), {"--oracle", "camera"}).exit_code, 0);
+  EXPECT_EQ(ResultOf(out())["given"]["oracle"], Json::array({"camera"}));
+  for (const char* name : {"boxes", "labels,camera", "bodies"}) {
+    const ProcessResult run = Run(out("new"), {"--oracle", name, "-q"});
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_THAT(run.err, HasSubstr("--oracle: found \""));
+    EXPECT_EQ(test::LineCount(run.err), 1U);
+    EXPECT_FALSE(fs::exists(out("new")));
+  }
 }
 
 TEST_F(CliRun, AnInterruptEndsTheRunCleanly) {

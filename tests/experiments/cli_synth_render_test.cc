@@ -75,6 +75,23 @@ TEST_F(CliSynthRender, PassesItsCheck) {
   EXPECT_THAT(check.out, HasSubstr("flow_error"));
 }
 
+TEST_F(CliSynthRender, ARunOnItScoresItsBodies) {
+  RenderTiny({"--frames", "0:3", "-q"});
+  if (IsSkipped() || HasFatalFailure()) return;
+  const ProcessResult run =
+      RunProgram({"run", out("tiny").string(), "-o", out("out").string(), "--detections", "good",
+                  "--oracle", "camera,labels,boxes", "--landmarks", "-q"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("detections: "), HasSubstr("object_standing_coverage"),
+                             HasSubstr("bodies, poses as last estimated"), HasSubstr("chair_1")));
+  const Json result = ReadJson(out("out") / "result.json");
+  EXPECT_EQ(result["given"]["oracle"], Json::array({"boxes", "labels", "camera"}));
+  ASSERT_EQ(result["bodies"]["refined"].size(), 3U);
+  EXPECT_EQ(result["bodies"]["causal"][1]["name"], "chair_1");
+  EXPECT_EQ(result["bodies"]["refined"][1]["visible_frames"], 3);
+  EXPECT_GT(result["detection_counts"]["given"], 0);
+}
+
 TEST_F(CliSynthRender, IsReadAsAKittiSequence) {
   RenderTiny();
   if (IsSkipped() || HasFatalFailure()) return;

@@ -302,5 +302,21 @@ TEST_F(Sequences, FindStopsAtCirclesOfLinks) {
   EXPECT_EQ(FindSequences(root_.path()).size(), 1u);
 }
 
+TEST(DetectionsFromLabels, AreTheirBoxesAndNothingElse) {
+  const test::TempFolder root;
+  const fs::path folder = WriteTrackingSequence(root);
+  const Sequence s = OpenSequence({.folder = folder, .detections_file = kDetectionsFromLabels});
+  ASSERT_EQ(s.detections.size(), s.labels.size());
+  EXPECT_EQ(s.detections[0].type, "Car");
+  EXPECT_EQ(s.detections[0].left_px, s.labels[0].left_px);
+  EXPECT_EQ(s.detections[0].bottom_px, s.labels[0].bottom_px);
+  EXPECT_EQ(s.detections[0].track, -1);
+  EXPECT_FALSE(s.detections[0].box3d.has_value());
+  EXPECT_EQ(s.detections_offset_m, 0.0);
+  EXPECT_THROW(
+      OpenSequence({.folder = folder, .detections_file = kDetectionsFromLabels, .min_score = 0.5}),
+      Error);
+}
+
 }  // namespace
 }  // namespace cvo

@@ -125,6 +125,32 @@ TEST(WriteFilesAtomically, TemporariesOfAKilledRunAreInNobodysWay) {
   EXPECT_EQ(test::ReadFile(folder.path() / "a.json"), "new");
 }
 
+TEST(WriteFilesAtomically, MakesAndClearsFoldersWithin) {
+  const test::TempFolder folder;
+  WriteFilesAtomically(folder.path(), {{"in/1.txt", "one"}, {"in/2.txt", "two"}, {"last", ""}});
+  EXPECT_THAT(Names(folder.path()), ElementsAre("in", "last"));
+  EXPECT_THAT(Names(folder.path() / "in"), ElementsAre("1.txt", "2.txt"));
+  WriteFilesAtomically(folder.path(), {{"in/1.txt", "new"}, {"last", ""}},
+                       {"in/2.txt", "in/none.txt"});
+  EXPECT_EQ(test::ReadFile(folder.path() / "in" / "1.txt"), "new");
+  EXPECT_THAT(Names(folder.path() / "in"), ElementsAre("1.txt"));
+  WriteFilesAtomically(folder.path(), {{"last", ""}}, {"in/1.txt"});
+  EXPECT_THAT(Names(folder.path()), ElementsAre("last"));
+}
+
+TEST(WriteFilesAtomically, AFailedWriteLeavesNoFolderAndKeepsWhatIsStale) {
+  const test::TempFolder folder;
+  folder.Write("stale", "old");
+  EXPECT_NE(Problem([&] {
+              const FileSizeLimit limit(1000);
+              WriteFilesAtomically(folder.path(),
+                                   {{"in/1.txt", "one"}, {"last", std::string(5000, 'x')}},
+                                   {"stale"});
+            }),
+            "");
+  EXPECT_THAT(Names(folder.path()), ElementsAre("stale"));
+}
+
 TEST(OutputFolder, StaysOnlyIfItHoldsSomething) {
   const test::TempFolder folder;
   { const OutputFolder output(folder.path() / "x" / "y", {"a.json"}); }
@@ -150,6 +176,11 @@ TEST(OutputFolder, SaysWhatIsInTheWay) {
   fs::create_directories(folder.path() / "out" / "a.json");
   EXPECT_THAT(Problem([&] { const OutputFolder output(folder.path() / "out", {"a.json"}); }),
               AllOf(HasSubstr("a.json"), HasSubstr("found a folder")));
+  EXPECT_THAT(Problem([&] {
+                const OutputFolder output(folder.path(), {"a.json", "file/"});
+              }),
+              AllOf(HasSubstr("file"), HasSubstr("expected a folder or nothing")));
+  EXPECT_EQ(Problem([&] { const OutputFolder output(folder.path(), {"a.json", "out/"}); }), "");
   EXPECT_THAT(Problem([] { const OutputFolder output("/proc/none", {"a.json"}); }),
               HasSubstr("/proc/none"));
   EXPECT_NE(Problem([&] {

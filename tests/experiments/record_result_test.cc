@@ -43,7 +43,8 @@ class Result : public testing::Test {
   }
 
   std::string File(const Json& metrics = Json::array()) {
-    return ResultFile({sequence_, build_, "static", {{"a", 1}}, 3, metrics, run_});
+    return ResultFile(
+        {sequence_, build_, "static", {{"a", 1}}, Json::object(), 3, metrics, nullptr, run_});
   }
 
   Sequence sequence_;
@@ -89,8 +90,8 @@ TEST_F(Result, HoldsNothingOfTimeHostOrPaths) {
 }
 
 TEST_F(Result, NamesTheJobItBelongsTo) {
-  const RunRecord record{sequence_, build_, "static", {{"a", 1}}, 3, Json::array(), run_};
-  const RunRecord other{sequence_, build_, "static", {{"a", 1}}, 4, Json::array(), run_};
+  const RunRecord record{sequence_, build_, "static", {{"a", 1}}, {}, 3, {}, {}, run_};
+  const RunRecord other{sequence_, build_, "static", {{"a", 1}}, {}, 4, {}, {}, run_};
   EXPECT_EQ(ParseJson(ResultFile(record), "result")["job"], RecordedJob(record));
   EXPECT_NE(RecordedJob(record), RecordedJob(other));
 }

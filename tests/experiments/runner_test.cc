@@ -118,7 +118,7 @@ class Runner : public testing::Test {
     return {.sequence = sequence_, .variant = variant, .options = {}};
   }
   std::string ResultOf(const RunResult& run) const {
-    return ResultFile({sequence_, ThisBuild(), "fake", Json::object(), 0, Json::array(), run});
+    return ResultFile({.sequence = sequence_, .build = ThisBuild(), .variant = "fake", .run = run});
   }
 
   test::TempFolder folder_;

@@ -211,9 +211,9 @@ TEST_F(MakeTableTest, UnreadableResultsHaveARowThatSaysWhy) {
   AddText("half", Result().dump().substr(0, 300));
   AddText("empty", "");
   Json newer = Result();
-  newer["schema_version"] = 2;
+  newer["schema_version"] = 3;
   AddText("newer", newer.dump());
-  AddText("other", R"({"schema_version": 1, "kind": "timing"})");
+  AddText("other", R"({"schema_version": 2, "kind": "timing"})");
   Json nameless = Result();
   nameless["sequence"].erase("name");
   AddText("nameless", nameless.dump());
@@ -229,7 +229,7 @@ TEST_F(MakeTableTest, UnreadableResultsHaveARowThatSaysWhy) {
   };
   EXPECT_THAT(message(1), HasSubstr("half/result.json: found text that ends after 300 bytes"));
   EXPECT_THAT(message(2), HasSubstr("found an empty file"));
-  EXPECT_THAT(message(3), HasSubstr("found schema_version 2, expected 1"));
+  EXPECT_THAT(message(3), HasSubstr("found schema_version 3, expected 2"));
   EXPECT_THAT(message(4), HasSubstr("kind \"timing\""));
   EXPECT_THAT(message(5), HasSubstr("sequence, field name: found nothing"));
   EXPECT_THAT(message(6), HasSubstr("metrics, field value: found a JSON string"));

@@ -26,7 +26,7 @@ inline Json Result(const std::string& sequence = "2011_09_26_drive_0001", int fr
   coverage["alignment"] = "none";
   coverage["pairing"] = "all frames with truth";
   coverage["aggregation"] = "fraction with an estimate";
-  return {{"schema_version", 1},
+  return {{"schema_version", 2},
           {"kind", "run"},
           {"job", "job of " + sequence},
           {"status", "ok"},

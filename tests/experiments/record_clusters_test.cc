@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// Tables of clusters and landmarks, from results made by hand.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "experiments/record/cluster_rows.h"
+#include "experiments/record/cluster_tables.h"
+#include "experiments/record/landmark_table.h"
+#include "experiments/record/result_file.h"
+
+namespace cvo {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+RigidTransform At(double x, double y, double z) {
+  return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, y, z)};
+}
+
+std::vector<std::vector<std::string>> Cells(const std::string& table, char separator) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) {
+    rows.emplace_back(1);
+    for (const char c : line) {
+      if (c == separator) {
+        rows.back().emplace_back();
+      } else {
+        rows.back().back() += c;
+      }
+    }
+  }
+  return rows;
+}
+
+// Frame 4 of a folder, one cluster: a box of 2 x 1 x 4 m around (0, 0, 10) in camera and world.
+class Clusters : public testing::Test {
+ protected:
+  Clusters() {
+    sequence_.camera = {100, 100, 50, 40, 0.5, 100, 80};
+    sequence_.left_offset_m = 0.06;
+    sequence_.first_frame = 4;
+    sequence_.images.resize(1);
+    FrameRecord frame;
+    frame.frame = 4;
+    frame.timestamp_ns = 500;
+    ClusterReport cluster;
+    cluster.id = ClusterId{3};
+    cluster.category = "Car";
+    cluster.world_from_object = At(0, 0, 9);
+    cluster.center_in_object = {0, 0, 1};
+    cluster.half_size_m = {1.0, 0.5, 2.0};
+    cluster.observed_landmarks = 12;
+    cluster.score = 0.75;
+    frame.report.clusters = {cluster};
+    run_.frames = {frame};
+  }
+
+  ClusterReport& cluster() { return run_.frames[0].report.clusters[0]; }
+  std::optional<ImageBox> Box() const {
+    return ProjectedBox(ClusterRows(run_)[0], sequence_.camera);
+  }
+  std::vector<std::string> Track() const {
+    const auto rows = Cells(KittiTracks(sequence_, run_), ' ');
+    return rows.empty() ? std::vector<std::string>() : rows[0];
+  }
+
+  Sequence sequence_;
+  RunResult run_;
+};
+
+TEST_F(Clusters, TheBoxIsThatOfTheNearestFace) {
+  // At 8 m: +-1 m and +-0.5 m are +-12.5 px and +-6.25 px.
+  const auto box = Box();
+  ASSERT_TRUE(box);
+  EXPECT_NEAR(box->left_px, 37.5, 1e-9);
+  EXPECT_NEAR(box->right_px, 62.5, 1e-9);
+  EXPECT_NEAR(box->top_px, 33.75, 1e-9);
+  EXPECT_NEAR(box->bottom_px, 46.25, 1e-9);
+}
+
+TEST_F(Clusters, ABoxThatReachesBehindTheCameraFillsTheImageOnItsSide) {
+  cluster().world_from_object = At(2.0, 0, 0);  // from x = 1 to 3, z = -1 to 3
+  const auto box = Box();
+  ASSERT_TRUE(box);
+  EXPECT_NEAR(box->left_px, 50 + 100.0 / 3.0, 1e-9);
+  EXPECT_EQ(box->right_px, 99.0);
+  EXPECT_EQ(box->top_px, 0.0);
+  EXPECT_EQ(box->bottom_px, 79.0);
+}
+
+TEST_F(Clusters, OutOfViewThereIsNoBoxAndNoTrack) {
+  for (const RigidTransform& pose : {At(0, 0, -9), At(30, 0, 9), At(0, -30, 9)}) {
+    cluster().world_from_object = pose;
+    EXPECT_FALSE(Box());
+    EXPECT_TRUE(KittiTracks(sequence_, run_).empty());
+    const auto rows = Cells(ObjectTable(sequence_, run_), ',');
+    ASSERT_THAT(rows, SizeIs(2));
+    EXPECT_THAT(rows[1], SizeIs(rows[0].size()));
+  }
+}
+
+TEST_F(Clusters, AnUprightBoxAlongTheOpticalAxis) {
+  const auto row = Track();
+  ASSERT_THAT(row, SizeIs(18));
+  EXPECT_THAT(std::vector(row.begin(), row.begin() + 5), ElementsAre("4", "3", "Car", "-1", "-1"));
+  EXPECT_DOUBLE_EQ(std::stod(row[16]), -std::numbers::pi / 2.0);
+  EXPECT_NEAR(std::stod(row[10]), 1.0, 1e-12);    // height
+  EXPECT_NEAR(std::stod(row[11]), 2.0, 1e-12);    // width
+  EXPECT_NEAR(std::stod(row[12]), 4.0, 1e-12);    // length
+  EXPECT_NEAR(std::stod(row[13]), -0.06, 1e-12);  // camera 0 is to the right of the one read
+  EXPECT_NEAR(std::stod(row[14]), 0.5, 1e-12);    // bottom: y is down
+  EXPECT_NEAR(std::stod(row[15]), 10.0, 1e-12);
+  EXPECT_EQ(row[17], "0.75");
+}
+
+TEST_F(Clusters, AFastOneFacesWhereItGoes) {
+  cluster().velocity_m_s = {2.0, 0.0, 0.0};
+  auto row = Track();
+  EXPECT_DOUBLE_EQ(std::stod(row[16]), 0.0);    // KITTI: 0 is along x
+  EXPECT_NEAR(std::stod(row[11]), 4.0, 1e-12);  // width, now along z
+  EXPECT_NEAR(std::stod(row[12]), 2.0, 1e-12);
+  cluster().velocity_m_s = {0.0, 0.0, -2.0};
+  EXPECT_DOUBLE_EQ(std::stod(Track()[16]), std::numbers::pi / 2.0);
+  cluster().velocity_m_s = {0.9, 0.0, 0.0};
+  EXPECT_DOUBLE_EQ(std::stod(Track()[16]), -std::numbers::pi / 2.0);
+}
+
+TEST_F(Clusters, TheBoxOfATrackIsTheDetections) {
+  run_.frames[0].detections = {{{1, 2, 3, 4}, "Car", 1.0}, {{5, 6, 7, 8.5}, "Car", 1.0}};
+  cluster().detection = 1;
+  const auto row = Track();
+  EXPECT_THAT(std::vector(row.begin() + 6, row.begin() + 10), ElementsAre("5", "6", "7", "8.5"));
+}
+
+TEST_F(Clusters, ThePoseAsLastEstimatedIsUsedWithTheCamerasOwn) {
+  run_.frames[0].refined_world_from_camera = At(1, 0, 0);
+  EXPECT_NEAR(std::stod(Track()[13]), -0.06, 1e-12);  // no refined pose: both causal
+  run_.clusters = {{ClusterId{3}, "Car", {{0, 500, ClusterStatus::kTracked, At(3, 0, 9)}}}};
+  EXPECT_NEAR(std::stod(Track()[13]), 2.0 - 0.06, 1e-12);
+}
+
+TEST_F(Clusters, ARowSaysItAll) {
+  cluster().status = ClusterStatus::kPredicted;
+  cluster().velocity_m_s = {0.1, 0.2, 0.3};
+  auto rows = Cells(ObjectTable(sequence_, run_), ',');
+  ASSERT_THAT(rows, SizeIs(2));
+  ASSERT_THAT(rows[0], SizeIs(38));
+  ASSERT_THAT(rows[1], SizeIs(38));
+  EXPECT_THAT(std::vector(rows[1].begin(), rows[1].begin() + 15),
+              ElementsAre("4", "500", "3", "Car", ToString(ClusterStatus::kPredicted), "0", "0",
+                          "9", "0", "0", "0", "1", "0.1", "0.2", "0.3"));
+  EXPECT_EQ(rows[1][15], "");  // nothing refined
+  EXPECT_EQ(rows[1][35], "12");
+  EXPECT_EQ(rows[1][36], "");  // no detection
+  EXPECT_EQ(rows[1][37], "0.75");
+  run_.clusters = {{ClusterId{3}, "Car", {{0, 500, ClusterStatus::kPredicted, At(0, 0, 8)}}}};
+  rows = Cells(ObjectTable(sequence_, run_), ',');
+  EXPECT_EQ(rows[1][17], "8");
+}
+
+TEST_F(Clusters, TrajectoriesHoldTrackedFramesAlone) {
+  const ClusterTrajectory cluster = {ClusterId{3},
+                                     "Car",
+                                     {{0, 1'000'000'000, ClusterStatus::kTracked, At(1, 2, 3)},
+                                      {1, 2'000'000'000, ClusterStatus::kPredicted, At(4, 5, 6)}}};
+  const std::string text = ClusterTum(cluster);
+  EXPECT_THAT(text, HasSubstr("1 2 3 0 0 0 1"));
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
+}
+
+TEST_F(Clusters, RefuseNan) {
+  cluster().score = std::nan("");
+  EXPECT_THROW(ObjectTable(sequence_, run_), Error);
+  EXPECT_THROW(KittiTracks(sequence_, run_), Error);
+}
+
+TEST_F(Clusters, TheResultListsThem) {
+  run_.frames.push_back(run_.frames[0]);
+  run_.frames[1].frame = 5;
+  run_.frames[1].report.clusters[0].status = ClusterStatus::kPredicted;
+  const RunRecord record{.sequence = sequence_, .build = ThisBuild(), .variant = "x", .run = run_};
+  const Json json = ParseJson(ResultFile(record), "result");
+  ASSERT_EQ(json["clusters"].size(), 1U);
+  const Json& row = json["clusters"][0];
+  EXPECT_EQ(row["id"], 3);
+  EXPECT_EQ(row["frames"], 2);
+  EXPECT_EQ(row["tracked"], 1);
+  EXPECT_EQ(row["first_frame"], 4);
+  EXPECT_EQ(row["last_frame"], 5);
+}
+
+TEST(LandmarkRows, HaveTheFeatureTheLabelsAndTheTruth) {
+  StereoFrame frame;
+  frame.features.resize(2);
+  frame.features[1].z_px = {10.5, 20, 8};
+  LandmarkReport landmark;
+  landmark.id = LandmarkId{77};
+  landmark.feature = 1;
+  landmark.cluster = ClusterId{2};
+  landmark.confidence = -3;
+  landmark.p_in_world = {1, 2, 3};
+  landmark.energy_3d = 0.5;
+  EXPECT_EQ(LandmarkRows(9, frame, {landmark}, {}), "9,77,10.5,20,8,2,,-3,0,0.5,0,1,2,3,\n");
+  EXPECT_EQ(LandmarkRows(9, frame, {landmark}, {{-1}, {4}}),
+            "9,77,10.5,20,8,2,,-3,0,0.5,0,1,2,3,4\n");
+  EXPECT_THROW(LandmarkRows(9, frame, {landmark}, {{4}}), Error);
+  EXPECT_EQ(Cells(std::string(kLandmarksHeader), ',')[0].size(), 15U);
+}
+
+}  // namespace
+}  // namespace cvo
