@@ -13,10 +13,10 @@ namespace cvo {
 
 // A cluster's landmark where its predicted motion puts it in the current frame.
 struct PredictedLandmark {
-  Eigen::Vector3d zeta_px = Eigen::Vector3d::Zero();             // (u_left, v, u_right)
-  Eigen::Matrix3d position_px2 = Eigen::Matrix3d::Identity();    // Gamma, of its position alone
+  Eigen::Vector3d zeta_px = Eigen::Vector3d::Zero();              // (u_left, v, u_right)
+  Eigen::Matrix3d position_px2 = Eigen::Matrix3d::Identity();     // Gamma, of its position alone
   Eigen::Matrix3d measurement_px2 = Eigen::Matrix3d::Identity();  // Sigma_z of a feature there
-  Eigen::Matrix3d innovation_px2 = Eigen::Matrix3d::Identity();  // S, of feature minus prediction
+  Eigen::Matrix3d innovation_px2 = Eigen::Matrix3d::Identity();   // S, of feature minus prediction
   int octave = 0;
   Descriptor descriptor{};
 };

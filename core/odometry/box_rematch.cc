@@ -4,6 +4,7 @@
 
 #include "core/association/descriptor_matching.h"
 #include "core/odometry/cluster_association.h"
+#include "core/odometry/relocation.h"
 
 namespace cvo {
 namespace {
@@ -86,37 +87,117 @@ void Revive(std::size_t archived, const ClusterTrack& track, ClusterMap& map,
   map.live.insert(place, std::move(cluster));
 }
 
-// A detection that belongs to no cluster is compared with those that are missing: live ones first,
-// then archived ones, the latest first.
-void ReacquireIn(const FrameView& view, int detection, ClusterMap& map, Rng& rng,
-                 TakenFeatures& taken, std::vector<ClusterTrack>& tracks) {
+// A cluster that is missing: live ones come first, then archived ones, the latest first.
+struct Missing {
+  bool is_live = true;
+  std::size_t index = 0;  // into map.live or map.archived
+};
+
+std::vector<Missing> FindMissing(const ClusterMap& map, const std::vector<ClusterTrack>& tracks) {
+  std::vector<Missing> missing;
   for (std::size_t q = 0; q < tracks.size(); ++q) {
-    if (tracks[q].detection >= 0 || tracks[q].is_tracked) continue;
-    if (Reacquire(view, map.live[q], detection, rng, taken, tracks[q])) return;
+    if (tracks[q].detection < 0 && !tracks[q].is_tracked) missing.push_back({true, q});
   }
-  for (std::size_t k = map.archived.size(); k-- > 0;) {
-    ClusterTrack track;
-    track.predicted.world_from_object = map.archived[k].Latest().world_from_object;
-    track.world_from_object = track.predicted.world_from_object;
-    if (Reacquire(view, map.archived[k], detection, rng, taken, track)) {
-      return Revive(k, track, map, tracks);
+  for (std::size_t k = map.archived.size(); k-- > 0;) missing.push_back({false, k});
+  return missing;
+}
+
+// Detections that belong to no cluster, tried on those that are missing.
+class Reacquisition {
+ public:
+  Reacquisition(const FrameView& view, const std::vector<PredictedCluster>& archived,
+                ClusterMap& map, TakenFeatures& taken, std::vector<ClusterTrack>& tracks)
+      : view_(view), archived_(archived), map_(map), taken_(taken), tracks_(tracks) {}
+
+  // By landmarks that are seen again.
+  bool ByDescriptors(int detection, Rng& rng) {
+    for (const Missing& missing : FindMissing(map_, tracks_)) {
+      ClusterTrack track = TrackOf(missing);
+      if (!Reacquire(view_, ClusterOf(missing), detection, rng, taken_, track)) continue;
+      Accept(missing, track);
+      return true;
     }
+    return false;
+  }
+
+  // By the place alone: the nearest one.
+  bool ByPlace(int detection) {
+    const Detection& seen = view_.detections[detection];
+    const auto fix = FixInBox(view_, seen, taken_);
+    if (!fix) return false;
+    double best_distance = view_.options.association.relocation_gate;
+    std::optional<Missing> best;
+    for (const Missing& missing : FindMissing(map_, tracks_)) {
+      if (ClusterOf(missing).category != seen.category) continue;
+      const double distance = RelocationDistance(*fix, TrackOf(missing).predicted);
+      if (distance >= best_distance) continue;
+      best_distance = distance;
+      best = missing;
+    }
+    if (!best) return false;
+    ClusterTrack track = TrackOf(*best);
+    Relocate(*fix, detection, track);
+    Accept(*best, track);
+    return true;
+  }
+
+ private:
+  const Cluster& ClusterOf(const Missing& missing) const {
+    return missing.is_live ? map_.live[missing.index] : map_.archived[missing.index];
+  }
+
+  ClusterTrack TrackOf(const Missing& missing) const {
+    if (missing.is_live) return tracks_[missing.index];
+    ClusterTrack track;
+    track.predicted = archived_[missing.index];
+    track.world_from_object = track.predicted.world_from_object;
+    return track;
+  }
+
+  void Accept(const Missing& missing, const ClusterTrack& track) {
+    if (missing.is_live) {
+      tracks_[missing.index] = track;
+      return;
+    }
+    archived_.erase(archived_.begin() + static_cast<std::ptrdiff_t>(missing.index));
+    Revive(missing.index, track, map_, tracks_);
+  }
+
+  const FrameView& view_;
+  std::vector<PredictedCluster> archived_;
+  ClusterMap& map_;
+  TakenFeatures& taken_;
+  std::vector<ClusterTrack>& tracks_;
+};
+
+// A cluster whose box is known but of which no landmark was found.
+void RelocateAssociated(const FrameView& view, const TakenFeatures& taken, ClusterTrack& track) {
+  const auto fix = FixInBox(view, view.detections[track.detection], taken);
+  const double gate = view.options.association.relocation_gate;
+  if (fix && RelocationDistance(*fix, track.predicted) < gate) {
+    Relocate(*fix, track.detection, track);
   }
 }
 
 }  // namespace
 
-void RematchInBox::Rematch(const FrameView& view, ClusterMap& map, Rng& rng, TakenFeatures& taken,
+void RematchInBox::Rematch(const FrameView& view, const std::vector<PredictedCluster>& archived,
+                           ClusterMap& map, Rng& rng, TakenFeatures& taken,
                            std::vector<ClusterTrack>& tracks) {
   std::vector<char> is_used(view.detections.size(), 0);
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     if (tracks[q].detection < 0) continue;
     is_used[tracks[q].detection] = 1;
     RematchAssociated(view, map.live[q], rng, taken, tracks[q]);
+    if (!tracks[q].is_tracked) RelocateAssociated(view, taken, tracks[q]);
   }
   if (!view.frame.given.detection_body.empty()) return;
+  Reacquisition reacquisition(view, archived, map, taken, tracks);
   for (int m = 0; m < static_cast<int>(view.detections.size()); ++m) {
-    if (!is_used[m]) ReacquireIn(view, m, map, rng, taken, tracks);
+    if (!is_used[m]) is_used[m] = reacquisition.ByDescriptors(m, rng);
+  }
+  for (int m = 0; m < static_cast<int>(view.detections.size()); ++m) {
+    if (!is_used[m]) reacquisition.ByPlace(m);
   }
 }
 

@@ -75,15 +75,17 @@ void FindBoxOfTrack(const FrameView& view, const Cluster& cluster, ClusterTrack&
 
 // What follows on a successful high-level association. Policy: descriptors in the box are compared
 // with all of the cluster's landmarks and checked by the pose (paper, end of section 3.1); boxes
-// left over are tried on clusters that were not found, archived ones included.
+// left over are tried on clusters that were not found, archived ones included (`archived`: their
+// predictions), first by descriptors, then by where they are.
 struct RematchInBox {
-  static void Rematch(const FrameView& view, ClusterMap& map, Rng& rng, TakenFeatures& taken,
+  static void Rematch(const FrameView& view, const std::vector<PredictedCluster>& archived,
+                      ClusterMap& map, Rng& rng, TakenFeatures& taken,
                       std::vector<ClusterTrack>& tracks);
 };
 // Policy: nothing.
 struct NoBoxRematch {
-  static void Rematch(const FrameView&, ClusterMap&, Rng&, TakenFeatures&,
-                      std::vector<ClusterTrack>&) {}
+  static void Rematch(const FrameView&, const std::vector<PredictedCluster>&, ClusterMap&, Rng&,
+                      TakenFeatures&, std::vector<ClusterTrack>&) {}
 };
 
 // Multi-level association (section 3.1 of the paper): features with landmarks of the live clusters,
@@ -92,10 +94,15 @@ struct NoBoxRematch {
 template <typename Variant>
 std::vector<ClusterTrack> AssociateClusters(const FrameView& view, ClusterMap& map, Rng& rng,
                                             TakenFeatures& taken) {
+  const auto predict = [&](const Cluster& cluster) {
+    return PredictCluster<typename Variant::MotionPrior, typename Variant::Rotation>(
+        cluster, view.frame.timestamp_ns, view.options.motion_prior, view.options.clusters);
+  };
+  std::vector<PredictedCluster> archived;
+  for (const Cluster& cluster : map.archived) archived.push_back(predict(cluster));
   std::vector<ClusterTrack> tracks(map.live.size());
   for (std::size_t q = 0; q < tracks.size(); ++q) {
-    tracks[q].predicted = PredictCluster<typename Variant::MotionPrior, typename Variant::Rotation>(
-        map.live[q], view.frame.timestamp_ns, view.options.motion_prior, view.options.clusters);
+    tracks[q].predicted = predict(map.live[q]);
     tracks[q].world_from_object = tracks[q].predicted.world_from_object;
   }
   const internal::PredictedLandmarks landmarks = internal::PredictLandmarks(view, map, tracks);
@@ -113,7 +120,7 @@ std::vector<ClusterTrack> AssociateClusters(const FrameView& view, ClusterMap& m
       AssociateBoxes(probabilities, static_cast<int>(boxes.size()), view.options.association);
   for (std::size_t q = 0; q < tracks.size(); ++q) tracks[q].detection = chosen[q];
   internal::AssociateGivenDetections(view, map, tracks);
-  Variant::BoxRematch::Rematch(view, map, rng, taken, tracks);
+  Variant::BoxRematch::Rematch(view, archived, map, rng, taken, tracks);
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     internal::FindBoxOfTrack(view, map.live[q], tracks[q]);
   }

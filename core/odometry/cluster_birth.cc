@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/clustering/point_extent.h"
+#include "core/odometry/relocation.h"
 
 namespace cvo {
 namespace {
@@ -27,16 +28,6 @@ Eigen::Matrix3Xd PointsOf(ClusterId id, const FrameView& view,
   return columns;
 }
 
-// How far behind its visible surface a body's centre should lie, along the ray that sees it.
-Eigen::Vector3d BehindSurface(const FrameView& view, const Detection& detection,
-                              const Eigen::Vector3d& surface_in_world, double share) {
-  const Eigen::Vector3d ray = surface_in_world - view.world_from_camera.translation();
-  const double depth_m = ray.norm();
-  const double side_m = depth_m * std::min(detection.box.Width() / view.camera.fx,
-                                           detection.box.Height() / view.camera.fy);
-  return share * side_m * ray / depth_m;
-}
-
 Cluster CreateCluster(const FrameView& view, FrameId newest, const FrameLabels::Birth& birth,
                       const Eigen::Matrix3Xd& members) {
   Cluster cluster;
@@ -44,8 +35,7 @@ Cluster CreateCluster(const FrameView& view, FrameId newest, const FrameLabels::
   cluster.given_body = birth.given_body;
   cluster.category = kUnknownCategory;
   const RigidTransform axes = PrincipalAxes(members, view.options.extent);
-  const Eigen::Vector3d surface = axes.translation();
-  Eigen::Vector3d origin = surface;
+  Eigen::Vector3d origin = axes.translation();
   cluster.last_observed = newest;
   if (birth.detection >= 0) {
     const Detection& detection = view.detections[birth.detection];
@@ -53,7 +43,7 @@ Cluster CreateCluster(const FrameView& view, FrameId newest, const FrameLabels::
     cluster.detections = 1;
     cluster.score = detection.score;
     cluster.last_detected = newest;
-    origin += BehindSurface(view, detection, surface, view.options.clusters.birth_depth);
+    origin = FixFromSurface(view, detection, origin).center_in_world;
   }
   cluster.states.push_back({newest, view.frame.timestamp_ns,
                             RigidTransform(axes.RotationMatrix(), origin),
