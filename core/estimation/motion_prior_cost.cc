@@ -30,20 +30,34 @@ MotionPriorFactors WhitenMotionPrior(double power_density_m2_s3, double dt_s) {
   return {2.0 * std::sqrt(3.0) * root / dt_s, std::sqrt(3.0) * root, root};
 }
 
+Vector6d EvaluateMotionPrior(const MotionPriorFactors& factors, const Eigen::Vector3d& t,
+                             const Eigen::Vector3d& v, const Eigen::Vector3d& next_t,
+                             const Eigen::Vector3d& next_v) {
+  Vector6d r;
+  r << factors.displacement * (next_t - t) - factors.velocity * (next_v + v),
+      factors.change * (next_v - v);
+  return r;
+}
+
+Eigen::Matrix<double, 2, 4> MotionPriorAxisJacobian(const MotionPriorFactors& factors) {
+  Eigen::Matrix<double, 2, 4> J;
+  J << -factors.displacement, -factors.velocity, factors.displacement, -factors.velocity,  //
+      0.0, -factors.change, 0.0, factors.change;
+  return J;
+}
+
 bool MotionPriorCost::Evaluate(double const* const* blocks, double* residuals,
                                double** jacobians) const {
-  const Eigen::Map<const Eigen::Vector3d> t(blocks[0] + 4);
-  const Eigen::Map<const Eigen::Vector3d> v(blocks[1]);
-  const Eigen::Map<const Eigen::Vector3d> next_t(blocks[2] + 4);
-  const Eigen::Map<const Eigen::Vector3d> next_v(blocks[3]);
+  using Vector = Eigen::Map<const Eigen::Vector3d>;
   Eigen::Map<Vector6d> r(residuals);
-  r.head<3>() = factors_.displacement * (next_t - t) - factors_.velocity * (next_v + v);
-  r.tail<3>() = factors_.change * (next_v - v);
+  r = EvaluateMotionPrior(factors_, Vector(blocks[0] + 4), Vector(blocks[1]), Vector(blocks[2] + 4),
+                          Vector(blocks[3]));
   if (!jacobians) return true;
-  WriteByPose(-factors_.displacement, jacobians[0]);
-  WriteByVelocity(-factors_.velocity, -factors_.change, jacobians[1]);
-  WriteByPose(factors_.displacement, jacobians[2]);
-  WriteByVelocity(-factors_.velocity, factors_.change, jacobians[3]);
+  const Eigen::Matrix<double, 2, 4> J = MotionPriorAxisJacobian(factors_);
+  WriteByPose(J(0, 0), jacobians[0]);
+  WriteByVelocity(J(0, 1), J(1, 1), jacobians[1]);
+  WriteByPose(J(0, 2), jacobians[2]);
+  WriteByVelocity(J(0, 3), J(1, 3), jacobians[3]);
   return true;
 }
 

@@ -2,18 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/estimation/reprojection_cost.h"
 
-#include <algorithm>
-
 namespace cvo {
-
-ProjectionResidual EvaluateProjection(const StereoCamera& camera, const Eigen::Vector3d& z_px,
-                                      const Eigen::Matrix3d& sqrt_information,
-                                      const Eigen::Vector3d& p_in_camera) {
-  Eigen::Vector3d c = p_in_camera;
-  c.z() = std::max(c.z(), 1.001 * StereoCamera::kMinDepth_m);
-  return {sqrt_information * (*camera.Project(c) - z_px),
-          sqrt_information * camera.ProjectionJacobian(c)};
-}
 
 ReprojectionResidual EvaluateReprojection(const StereoCamera& camera, const Eigen::Vector3d& z_px,
                                           const Eigen::Matrix3d& sqrt_information,

@@ -4,6 +4,8 @@
 
 #include <ceres/sized_cost_function.h>
 
+#include <algorithm>
+
 #include "core/geometry/rigid_transform.h"
 #include "core/geometry/stereo_camera.h"
 
@@ -15,9 +17,15 @@ struct ProjectionResidual {
   Eigen::Vector3d r;
   Eigen::Matrix3d J;
 };
-ProjectionResidual EvaluateProjection(const StereoCamera& camera, const Eigen::Vector3d& z_px,
-                                      const Eigen::Matrix3d& sqrt_information,
-                                      const Eigen::Vector3d& p_in_camera);
+inline ProjectionResidual EvaluateProjection(const StereoCamera& camera,
+                                             const Eigen::Vector3d& z_px,
+                                             const Eigen::Matrix3d& sqrt_information,
+                                             const Eigen::Vector3d& p_in_camera) {
+  Eigen::Vector3d c = p_in_camera;
+  c.z() = std::max(c.z(), 1.001 * StereoCamera::kMinDepth_m);
+  return {sqrt_information * (*camera.Project(c) - z_px),
+          sqrt_information * camera.ProjectionJacobian(c)};
+}
 
 // r = W (pi(camera_from_world p) - z), the reprojection term of the paper's static energy. J_pose
 // is 3x6 in the tangent of world_from_camera, J_point 3x3, J_shift by camera.right_shift_px.
