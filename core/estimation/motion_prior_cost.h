@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <ceres/sized_cost_function.h>
-
 #include "core/geometry/rigid_transform.h"
 
 namespace cvo {
@@ -24,17 +22,5 @@ Vector6d EvaluateMotionPrior(const MotionPriorFactors& factors, const Eigen::Vec
                              const Eigen::Vector3d& next_v);
 // Of one axis: (r_k, r_{3+k}) by (t_k, v_k, t+_k, v+_k).
 Eigen::Matrix<double, 2, 4> MotionPriorAxisJacobian(const MotionPriorFactors& factors);
-
-// The same for Ceres; blocks: world_from_object (7, PoseManifold), velocity (3), and both of the
-// next state.
-class MotionPriorCost final : public ceres::SizedCostFunction<6, 7, 3, 7, 3> {
- public:
-  explicit MotionPriorCost(const MotionPriorFactors& factors) : factors_(factors) {}
-
-  bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override;
-
- private:
-  MotionPriorFactors factors_;
-};
 
 }  // namespace cvo
