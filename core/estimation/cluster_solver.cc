@@ -2,19 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/estimation/cluster_solver.h"
 
-#include <ceres/loss_function.h>
-#include <ceres/ordered_groups.h>
-#include <ceres/problem.h>
-#include <ceres/solver.h>
-
-#include <deque>
-#include <memory>
+#include <array>
 
 #include "core/base/error.h"
 #include "core/estimation/motion_prior_cost.h"
-#include "core/estimation/object_reprojection_cost.h"
-#include "core/estimation/point_prior_cost.h"
-#include "core/estimation/pose_manifold.h"
+#include "core/estimation/schur_minimizer.h"
+#include "core/estimation/schur_reprojection.h"
 
 namespace cvo {
 namespace {
@@ -31,17 +24,8 @@ void CheckFrames(const ClusterProblem& problem) {
 }
 
 void CheckPoints(const ClusterProblem& problem) {
-  const int frames = static_cast<int>(problem.time_s.size());
-  const int points = static_cast<int>(problem.points.size());
   Require(problem.point_priors.size() == problem.points.size(),
           "ClusterProblem: points and their priors differ in number");
-  int last = 0;
-  for (const ReprojectionFactor& factor : problem.factors) {
-    Require(
-        factor.pose >= 0 && factor.pose < frames && factor.point >= last && factor.point < points,
-        "ClusterProblem: factors are not sorted by point or name what is not there");
-    last = factor.point;
-  }
 }
 
 void CheckSteps(std::span<const double> power_densities, const ClusterProblem& problem) {
@@ -62,61 +46,137 @@ void DifferentiatePositions(ClusterProblem& problem) {
   if (n > 1) problem.velocity_m_s[0] = problem.velocity_m_s[1];
 }
 
-SolverSummary SolveWithCeres(const NoiseOptions& noise, const SolverOptions& options,
-                             std::span<const double> power_densities, ClusterProblem& problem) {
-  ceres::Problem::Options borrow;
-  borrow.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  borrow.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  borrow.manifold_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  PoseManifold manifold;
-  ceres::HuberLoss loss(noise.huber);
-  std::deque<ObjectReprojectionCost> costs;
-  std::deque<PointPriorCost> point_costs;
-  std::deque<MotionPriorCost> motion_costs;
-  ceres::Problem ceres_problem(borrow);
-  auto ordering = std::make_shared<ceres::ParameterBlockOrdering>();
-  for (RigidTransform& pose : problem.world_from_object) {
-    ceres_problem.AddParameterBlock(pose.data(), 7, &manifold);
-    ordering->AddElementToGroup(pose.data(), 1);
+struct ClusterState {
+  std::vector<RigidTransform> world_from_object;
+  std::vector<Eigen::Vector3d> velocity_m_s;
+  std::vector<Eigen::Vector3d> points;
+};
+
+// The energy of a cluster for MinimizeEnergy: the poses of frames 1, 2, ... are the equations'
+// poses 0, 1, ...; where there is a motion prior, the frames' velocities are its other variables.
+class ClusterModel {
+ public:
+  ClusterModel(const NoiseOptions& noise, std::span<const double> power_densities,
+               const ClusterProblem& problem)
+      : problem_(&problem),
+        huber_(noise.huber),
+        state_{problem.world_from_object, problem.velocity_m_s, problem.points},
+        tried_(state_) {
+    for (std::size_t i = 0; i < power_densities.size(); ++i) {
+      steps_.push_back(
+          WhitenMotionPrior(power_densities[i], problem.time_s[i + 1] - problem.time_s[i]));
+    }
+    for (std::size_t i = 0; i < problem.time_s.size(); ++i) {
+      pose_of_frame_.push_back(static_cast<int>(i) - 1);
+    }
   }
-  ceres_problem.SetParameterBlockConstant(problem.world_from_object[0].data());
-  for (std::size_t i = 0; i < problem.points.size(); ++i) {
-    ceres_problem.AddParameterBlock(problem.points[i].data(), 3);
-    ordering->AddElementToGroup(problem.points[i].data(), 0);
-    if (problem.point_priors[i].sqrt_information.isZero(0.0)) continue;
-    point_costs.emplace_back(problem.point_priors[i]);
-    ceres_problem.AddResidualBlock(&point_costs.back(), nullptr, problem.points[i].data());
+
+  const std::vector<int>& pose_of_frame() const { return pose_of_frame_; }
+  const ClusterState& state() const { return state_; }
+  int others() const { return steps_.empty() ? 0 : 3 * static_cast<int>(pose_of_frame_.size()); }
+
+  double Linearize(SchurEquations& equations) const {
+    equations.SetZero();
+    for (std::size_t i = 0; i < steps_.size(); ++i) AddStep(i, equations);
+    AddPointPriors(equations);
+    return PriorEnergy(state_) + LinearizeReprojections(problem_->camera, Views(state_),
+                                                        state_.points, problem_->factors, huber_,
+                                                        equations);
   }
-  for (const ReprojectionFactor& factor : problem.factors) {
-    costs.emplace_back(problem.camera, problem.world_from_camera[factor.pose], factor.z_px,
-                       factor.sqrt_information);
-    ceres_problem.AddResidualBlock(&costs.back(), &loss,
-                                   problem.world_from_object[factor.pose].data(),
-                                   problem.points[factor.point].data());
+
+  double TryStep(const SchurStep& step) {
+    for (std::size_t i = 1; i < pose_of_frame_.size(); ++i) {
+      tried_.world_from_object[i] =
+          MovePose(state_.world_from_object[i], step.reduced.segment<6>(6 * pose_of_frame_[i]));
+    }
+    if (!steps_.empty()) {
+      for (std::size_t i = 0; i < pose_of_frame_.size(); ++i) {
+        tried_.velocity_m_s[i] =
+            state_.velocity_m_s[i] + step.reduced.segment<3>(VelocityColumn(i));
+      }
+    }
+    for (std::size_t p = 0; p < state_.points.size(); ++p) {
+      tried_.points[p] = state_.points[p] + step.points[p];
+    }
+    return PriorEnergy(tried_) + ReprojectionEnergy(problem_->camera, Views(tried_), tried_.points,
+                                                    problem_->factors, huber_);
   }
-  for (std::size_t i = 0; i < power_densities.size(); ++i) {
-    const double dt_s = problem.time_s[i + 1] - problem.time_s[i];
-    motion_costs.emplace_back(WhitenMotionPrior(power_densities[i], dt_s));
-    ceres_problem.AddResidualBlock(
-        &motion_costs.back(), nullptr, problem.world_from_object[i].data(),
-        problem.velocity_m_s[i].data(), problem.world_from_object[i + 1].data(),
-        problem.velocity_m_s[i + 1].data());
+
+  void AcceptStep() { std::swap(state_, tried_); }
+
+  double Norm() const {
+    return std::sqrt(SquaredNorm(state_.world_from_object) + SquaredNorm(state_.velocity_m_s) +
+                     SquaredNorm(state_.points));
   }
-  if (!power_densities.empty()) {
-    for (Eigen::Vector3d& v : problem.velocity_m_s) ordering->AddElementToGroup(v.data(), 1);
+
+ private:
+  Eigen::Index VelocityColumn(std::size_t frame) const {
+    return 6 * (static_cast<Eigen::Index>(pose_of_frame_.size()) - 1) +
+           3 * static_cast<Eigen::Index>(frame);
   }
-  ceres::Solver::Options ceres_options;
-  ceres_options.linear_solver_type = ceres::DENSE_SCHUR;
-  ceres_options.max_num_iterations = options.iterations;
-  ceres_options.function_tolerance = options.function_tolerance;
-  ceres_options.num_threads = 1;
-  ceres_options.logging_type = ceres::SILENT;
-  ceres_options.linear_solver_ordering = ordering;
-  ceres::Solver::Summary summary;
-  ceres::Solve(ceres_options, &ceres_problem, &summary);
-  return {static_cast<int>(summary.iterations.size()) - 1, summary.initial_cost,
-          summary.final_cost};
-}
+
+  std::vector<ObjectView> Views(const ClusterState& state) const {
+    std::vector<ObjectView> views;
+    for (std::size_t i = 0; i < pose_of_frame_.size(); ++i) {
+      views.emplace_back(pose_of_frame_[i], problem_->world_from_camera[i],
+                         state.world_from_object[i]);
+    }
+    return views;
+  }
+
+  Vector6d StepResidual(const ClusterState& state, std::size_t i) const {
+    return EvaluateMotionPrior(steps_[i], state.world_from_object[i].translation(),
+                               state.velocity_m_s[i], state.world_from_object[i + 1].translation(),
+                               state.velocity_m_s[i + 1]);
+  }
+
+  // The step from frame i to the next. Its three axes have the same 2x4 Jacobian.
+  void AddStep(std::size_t i, SchurEquations& equations) const {
+    const Vector6d r = StepResidual(state_, i);
+    const Eigen::Matrix<double, 2, 4> J = MotionPriorAxisJacobian(steps_[i]);
+    const Eigen::Matrix4d H = J.transpose() * J;
+    const Eigen::Index position = 6 * static_cast<Eigen::Index>(i) - 3;  // frame 0 has none
+    const std::array<Eigen::Index, 4> columns = {position, VelocityColumn(i), position + 6,
+                                                 VelocityColumn(i + 1)};
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const Eigen::Vector4d g = J.transpose() * Eigen::Vector2d(r[axis], r[3 + axis]);
+      for (int a = 0; a < 4; ++a) {
+        if (columns[a] < 0) continue;
+        equations.g[columns[a] + axis] += g[a];
+        for (int b = 0; b < 4; ++b) {
+          if (columns[b] < 0 || columns[b] > columns[a]) continue;
+          equations.H(columns[a] + axis, columns[b] + axis) += H(a, b);
+        }
+      }
+    }
+  }
+
+  void AddPointPriors(SchurEquations& equations) const {
+    for (std::size_t p = 0; p < state_.points.size(); ++p) {
+      const PointPrior& prior = problem_->point_priors[p];
+      const Eigen::Matrix3d H = prior.sqrt_information.transpose() * prior.sqrt_information;
+      equations.points[p].H += H;
+      equations.points[p].g += H * (state_.points[p] - prior.mean_in_object);
+    }
+  }
+
+  double PriorEnergy(const ClusterState& state) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < steps_.size(); ++i) sum += StepResidual(state, i).squaredNorm();
+    for (std::size_t p = 0; p < state.points.size(); ++p) {
+      const PointPrior& prior = problem_->point_priors[p];
+      sum += (prior.sqrt_information * (state.points[p] - prior.mean_in_object)).squaredNorm();
+    }
+    return 0.5 * sum;
+  }
+
+  const ClusterProblem* problem_;
+  double huber_;
+  std::vector<MotionPriorFactors> steps_;
+  std::vector<int> pose_of_frame_;
+  ClusterState state_;
+  ClusterState tried_;
+};
 
 }  // namespace
 
@@ -125,7 +185,13 @@ SolverSummary SolveClusterSteps(const NoiseOptions& noise, const SolverOptions& 
   CheckFrames(problem);
   CheckPoints(problem);
   CheckSteps(power_densities, problem);
-  const SolverSummary summary = SolveWithCeres(noise, options, power_densities, problem);
+  ClusterModel model(noise, power_densities, problem);
+  SchurEquations equations(model.pose_of_frame(), model.others(), problem.points.size(),
+                           problem.factors);
+  const SolverSummary summary = MinimizeEnergy(options, equations, model);
+  problem.world_from_object = model.state().world_from_object;
+  problem.velocity_m_s = model.state().velocity_m_s;
+  problem.points = model.state().points;
   if (power_densities.empty()) DifferentiatePositions(problem);
   return summary;
 }

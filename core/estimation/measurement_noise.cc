@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/estimation/measurement_noise.h"
 
-#include <cmath>
-
 namespace cvo {
 
 Eigen::Matrix3d SqrtInformation(const NoiseOptions& noise, double scale) {
@@ -24,10 +22,6 @@ Eigen::Matrix3d MeasurementCovariance(const NoiseOptions& noise, double scale) {
       0.0, corner, 0.0,               //
       corner, 0.0, corner + disparity;
   return covariance;
-}
-
-double HuberWeight(double squared_norm, double huber) {
-  return squared_norm <= huber * huber ? 1.0 : huber / std::sqrt(squared_norm);
 }
 
 }  // namespace cvo

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 
 #include "core/base/options.h"
 
@@ -47,6 +48,14 @@ Eigen::Matrix3d SqrtInformation(const NoiseOptions& noise, double scale);
 Eigen::Matrix3d MeasurementCovariance(const NoiseOptions& noise, double scale);
 
 // Weight of a residual with this squared whitened norm under Huber's loss: rho'(s).
-double HuberWeight(double squared_norm, double huber);
+inline double HuberWeight(double squared_norm, double huber) {
+  return squared_norm <= huber * huber ? 1.0 : huber / std::sqrt(squared_norm);
+}
+
+// Huber's loss itself, rho(s): the squared norm, and linear in the norm beyond `huber`.
+inline double HuberLoss(double squared_norm, double huber) {
+  return squared_norm <= huber * huber ? squared_norm
+                                       : huber * (2.0 * std::sqrt(squared_norm) - huber);
+}
 
 }  // namespace cvo

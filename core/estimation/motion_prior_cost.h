@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <ceres/sized_cost_function.h>
-
 #include "core/geometry/rigid_transform.h"
 
 namespace cvo {
@@ -19,16 +17,10 @@ struct MotionPriorFactors {
 };
 MotionPriorFactors WhitenMotionPrior(double power_density_m2_s3, double dt_s);
 
-// The same for Ceres; blocks: world_from_object (7, PoseManifold), velocity (3), and both of the
-// next state.
-class MotionPriorCost final : public ceres::SizedCostFunction<6, 7, 3, 7, 3> {
- public:
-  explicit MotionPriorCost(const MotionPriorFactors& factors) : factors_(factors) {}
-
-  bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override;
-
- private:
-  MotionPriorFactors factors_;
-};
+Vector6d EvaluateMotionPrior(const MotionPriorFactors& factors, const Eigen::Vector3d& t,
+                             const Eigen::Vector3d& v, const Eigen::Vector3d& next_t,
+                             const Eigen::Vector3d& next_v);
+// Of one axis: (r_k, r_{3+k}) by (t_k, v_k, t+_k, v+_k).
+Eigen::Matrix<double, 2, 4> MotionPriorAxisJacobian(const MotionPriorFactors& factors);
 
 }  // namespace cvo

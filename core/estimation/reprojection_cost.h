@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <ceres/sized_cost_function.h>
+#include <algorithm>
 
 #include "core/geometry/rigid_transform.h"
 #include "core/geometry/stereo_camera.h"
@@ -15,9 +15,15 @@ struct ProjectionResidual {
   Eigen::Vector3d r;
   Eigen::Matrix3d J;
 };
-ProjectionResidual EvaluateProjection(const StereoCamera& camera, const Eigen::Vector3d& z_px,
-                                      const Eigen::Matrix3d& sqrt_information,
-                                      const Eigen::Vector3d& p_in_camera);
+inline ProjectionResidual EvaluateProjection(const StereoCamera& camera,
+                                             const Eigen::Vector3d& z_px,
+                                             const Eigen::Matrix3d& sqrt_information,
+                                             const Eigen::Vector3d& p_in_camera) {
+  Eigen::Vector3d c = p_in_camera;
+  c.z() = std::max(c.z(), 1.001 * StereoCamera::kMinDepth_m);
+  return {sqrt_information * (*camera.Project(c) - z_px),
+          sqrt_information * camera.ProjectionJacobian(c)};
+}
 
 // r = W (pi(camera_from_world p) - z), the reprojection term of the paper's static energy. J_pose
 // is 3x6 in the tangent of world_from_camera, J_point 3x3, J_shift by camera.right_shift_px.
@@ -32,21 +38,5 @@ ReprojectionResidual EvaluateReprojection(const StereoCamera& camera, const Eige
                                           const Eigen::Matrix3d& sqrt_information,
                                           const RigidTransform& world_from_camera,
                                           const Eigen::Vector3d& p_in_world);
-
-// The same for Ceres; blocks: world_from_camera (7, PoseManifold), p_in_world (3),
-// right_shift_px (1), which takes the place of the camera's own.
-class ReprojectionCost final : public ceres::SizedCostFunction<3, 7, 3, 1> {
- public:
-  ReprojectionCost(const StereoCamera& camera, const Eigen::Vector3d& z_px,
-                   const Eigen::Matrix3d& sqrt_information)
-      : camera_(camera), z_px_(z_px), sqrt_information_(sqrt_information) {}
-
-  bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override;
-
- private:
-  StereoCamera camera_;
-  Eigen::Vector3d z_px_;
-  Eigen::Matrix3d sqrt_information_;
-};
 
 }  // namespace cvo

@@ -2,57 +2,105 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/estimation/window_solver.h"
 
-#include <ceres/loss_function.h>
-#include <ceres/ordered_groups.h>
-#include <ceres/problem.h>
-#include <ceres/solver.h>
-
 #include <algorithm>
-#include <deque>
-#include <memory>
 
 #include "core/base/error.h"
-#include "core/estimation/pose_manifold.h"
-#include "core/estimation/prior_cost.h"
-#include "core/estimation/reprojection_cost.h"
+#include "core/estimation/schur_minimizer.h"
+#include "core/estimation/schur_prior.h"
+#include "core/estimation/schur_reprojection.h"
 
 namespace cvo {
 namespace {
 
-ceres::Problem::Options BorrowEverything() {
-  ceres::Problem::Options options;
-  options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  options.manifold_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  options.disable_all_safety_checks = true;
-  return options;
+struct WindowState {
+  std::vector<RigidTransform> world_from_camera;
+  std::vector<Eigen::Vector3d> points;
+  double right_shift_px = 0.0;
+};
+
+std::vector<int> PriorFrames(const WindowProblem& problem) {
+  std::vector<int> indices;
+  for (const FrameId id : problem.prior.frames) indices.push_back(FrameIndex(problem, id));
+  return indices;
 }
 
-void AddPrior(WindowProblem& problem, PriorCost& cost, ceres::Problem& ceres_problem) {
-  std::vector<double*> blocks;
-  for (const FrameId id : problem.prior.frames) {
-    blocks.push_back(problem.world_from_camera[FrameIndex(problem, id)].data());
-  }
-  blocks.push_back(&problem.camera.right_shift_px);
-  ceres_problem.AddResidualBlock(&cost, nullptr, blocks);
+// Columns of the free poses, in the frames' order; -1 for the fixed ones.
+std::vector<int> PoseColumns(const std::vector<char>& is_fixed) {
+  std::vector<int> columns;
+  int next = 0;
+  for (const char fixed : is_fixed) columns.push_back(fixed ? -1 : next++);
+  return columns;
 }
 
-ceres::Solver::Options CeresOptions(const SolverOptions& options, WindowProblem& problem) {
-  ceres::Solver::Options ceres_options;
-  ceres_options.linear_solver_type = ceres::DENSE_SCHUR;
-  ceres_options.max_num_iterations = options.iterations;
-  ceres_options.function_tolerance = options.function_tolerance;
-  ceres_options.num_threads = 1;
-  ceres_options.logging_type = ceres::SILENT;
-  auto ordering = std::make_shared<ceres::ParameterBlockOrdering>();
-  for (Eigen::Vector3d& point : problem.points) ordering->AddElementToGroup(point.data(), 0);
-  for (RigidTransform& pose : problem.world_from_camera) {
-    ordering->AddElementToGroup(pose.data(), 1);
+// The static energy for MinimizeEnergy.
+class WindowModel {
+ public:
+  WindowModel(const NoiseOptions& noise, const WindowProblem& problem)
+      : problem_(&problem),
+        huber_(noise.huber),
+        pose_of_frame_(PoseColumns(problem.is_fixed)),
+        prior_(problem.prior, PriorFrames(problem)),
+        state_{problem.world_from_camera, problem.points, problem.camera.right_shift_px},
+        tried_(state_) {}
+
+  const std::vector<int>& pose_of_frame() const { return pose_of_frame_; }
+  const WindowState& state() const { return state_; }
+
+  double Linearize(SchurEquations& equations) const {
+    equations.SetZero();
+    prior_.AddTo(state_.world_from_camera, state_.right_shift_px, problem_->is_right_shift_fixed,
+                 pose_of_frame_, equations);
+    return prior_.Energy(state_.world_from_camera, state_.right_shift_px) +
+           LinearizeReprojections(Camera(state_), Views(state_), state_.points, problem_->factors,
+                                  huber_, equations);
   }
-  ordering->AddElementToGroup(&problem.camera.right_shift_px, 1);
-  ceres_options.linear_solver_ordering = ordering;
-  return ceres_options;
-}
+
+  double TryStep(const SchurStep& step) {
+    for (std::size_t i = 0; i < pose_of_frame_.size(); ++i) {
+      if (pose_of_frame_[i] < 0) continue;
+      tried_.world_from_camera[i] =
+          MovePose(state_.world_from_camera[i], step.reduced.segment<6>(6 * pose_of_frame_[i]));
+    }
+    for (std::size_t p = 0; p < state_.points.size(); ++p) {
+      tried_.points[p] = state_.points[p] + step.points[p];
+    }
+    if (!problem_->is_right_shift_fixed) {
+      tried_.right_shift_px = state_.right_shift_px + step.reduced[step.reduced.size() - 1];
+    }
+    return prior_.Energy(tried_.world_from_camera, tried_.right_shift_px) +
+           ReprojectionEnergy(Camera(tried_), Views(tried_), tried_.points, problem_->factors,
+                              huber_);
+  }
+
+  void AcceptStep() { std::swap(state_, tried_); }
+
+  double Norm() const {
+    return std::sqrt(SquaredNorm(state_.world_from_camera) + SquaredNorm(state_.points) +
+                     state_.right_shift_px * state_.right_shift_px);
+  }
+
+ private:
+  StereoCamera Camera(const WindowState& state) const {
+    StereoCamera camera = problem_->camera;
+    camera.right_shift_px = state.right_shift_px;
+    return camera;
+  }
+
+  std::vector<CameraView> Views(const WindowState& state) const {
+    std::vector<CameraView> views;
+    for (std::size_t i = 0; i < pose_of_frame_.size(); ++i) {
+      views.emplace_back(pose_of_frame_[i], state.world_from_camera[i]);
+    }
+    return views;
+  }
+
+  const WindowProblem* problem_;
+  double huber_;
+  std::vector<int> pose_of_frame_;
+  SchurPrior prior_;
+  WindowState state_;
+  WindowState tried_;
+};
 
 }  // namespace
 
@@ -64,32 +112,15 @@ int FrameIndex(const WindowProblem& problem, FrameId frame) {
 
 SolverSummary SolveWindow(const NoiseOptions& noise, const SolverOptions& options,
                           WindowProblem& problem) {
-  PoseManifold manifold;
-  ceres::HuberLoss loss(noise.huber);
-  std::deque<ReprojectionCost> costs;  // never moves its elements
-  PriorCost prior_cost(problem.prior);
-  ceres::Problem ceres_problem(BorrowEverything());
-  for (std::size_t i = 0; i < problem.frames.size(); ++i) {
-    double* block = problem.world_from_camera[i].data();
-    ceres_problem.AddParameterBlock(block, 7, &manifold);
-    if (problem.is_fixed[i]) ceres_problem.SetParameterBlockConstant(block);
-  }
-  double* right_shift = &problem.camera.right_shift_px;
-  ceres_problem.AddParameterBlock(right_shift, 1);
-  if (problem.is_right_shift_fixed) ceres_problem.SetParameterBlockConstant(right_shift);
-  for (Eigen::Vector3d& point : problem.points) ceres_problem.AddParameterBlock(point.data(), 3);
-  for (const ReprojectionFactor& factor : problem.factors) {
-    costs.emplace_back(problem.camera, factor.z_px, factor.sqrt_information);
-    ceres_problem.AddResidualBlock(&costs.back(), &loss,
-                                   problem.world_from_camera[factor.pose].data(),
-                                   problem.points[factor.point].data(), right_shift);
-  }
-  AddPrior(problem, prior_cost, ceres_problem);
-
-  ceres::Solver::Summary summary;
-  ceres::Solve(CeresOptions(options, problem), &ceres_problem, &summary);
-  return {static_cast<int>(summary.iterations.size()) - 1, summary.initial_cost,
-          summary.final_cost};
+  WindowModel model(noise, problem);
+  SchurEquations equations(model.pose_of_frame(), problem.is_right_shift_fixed ? 0 : 1,
+                           problem.points.size(), problem.factors);
+  equations.points_see_shared = !problem.is_right_shift_fixed;
+  const SolverSummary summary = MinimizeEnergy(options, equations, model);
+  problem.world_from_camera = model.state().world_from_camera;
+  problem.points = model.state().points;
+  problem.camera.right_shift_px = model.state().right_shift_px;
+  return summary;
 }
 
 }  // namespace cvo

@@ -61,7 +61,8 @@ struct SolverSummary {
 // Index of a frame of the problem; throws Error where it has no such frame.
 int FrameIndex(const WindowProblem& problem, FrameId frame);
 
-// Minimises the energy in place: Ceres, dense Schur complement, one thread.
+// Minimises the energy in place: Levenberg-Marquardt, points eliminated, one thread. Throws Error
+// where factors are not in their order or name what is not there.
 SolverSummary SolveWindow(const NoiseOptions& noise, const SolverOptions& options,
                           WindowProblem& problem);
 

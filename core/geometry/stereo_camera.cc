@@ -28,25 +28,6 @@ void StereoCamera::Check() const {
   }
 }
 
-std::optional<Eigen::Vector3d> StereoCamera::Project(const Eigen::Vector3d& p_in_camera) const {
-  if (!(p_in_camera.z() > kMinDepth_m)) return std::nullopt;
-  const double inverse_z = 1.0 / p_in_camera.z();
-  return Eigen::Vector3d(fx * p_in_camera.x() * inverse_z + cx,
-                         fy * p_in_camera.y() * inverse_z + cy,
-                         fx * (p_in_camera.x() - baseline_m) * inverse_z + cx + right_shift_px);
-}
-
-Eigen::Matrix3d StereoCamera::ProjectionJacobian(const Eigen::Vector3d& p_in_camera) const {
-  const double inverse_z = 1.0 / p_in_camera.z();
-  const double fx_z = fx * inverse_z;
-  const double fy_z = fy * inverse_z;
-  Eigen::Matrix3d J;
-  J << fx_z, 0.0, -fx_z * p_in_camera.x() * inverse_z,  //
-      0.0, fy_z, -fy_z * p_in_camera.y() * inverse_z,   //
-      fx_z, 0.0, -fx_z * (p_in_camera.x() - baseline_m) * inverse_z;
-  return J;
-}
-
 std::optional<Eigen::Vector3d> StereoCamera::BackProject(const Eigen::Vector3d& z_px) const {
   const double disparity = Disparity(z_px);
   if (!(disparity > 0.0)) return std::nullopt;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/estimation/object_reprojection_cost.h"
 
 namespace cvo {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "core/base/rng.h"
 #include "core/estimation/camera_solver.h"
+#include "core/estimation/cluster_solver.h"
 #include "core/estimation/marginalization.h"
 #include "tests/support/feature_world.h"
 #include "variants/registry.h"
@@ -65,12 +66,54 @@ BENCHMARK(BM_SolveCamera)->Unit(benchmark::kMillisecond);
 
 void BM_SolveWindow(benchmark::State& state) {
   const WindowProblem problem = DrivingProblem(static_cast<int>(state.range(0)));
+  SolverSummary summary;
   for (auto _ : state) {
     WindowProblem copy = problem;
-    benchmark::DoNotOptimize(SolveWindow({}, {}, copy).final_cost);
+    summary = SolveWindow({}, {}, copy);
   }
+  state.counters["steps"] = summary.iterations;
+  state.counters["cost"] = summary.final_cost;
 }
 BENCHMARK(BM_SolveWindow)->Arg(600)->Arg(3000)->Unit(benchmark::kMillisecond);
+
+// A car ahead, 60 points in 15 frames of which each sees three quarters.
+ClusterProblem CarProblem() {
+  Rng rng(2, "bench");
+  ClusterProblem problem;
+  problem.camera = kCamera;
+  for (int i = 0; i < 15; ++i) {
+    problem.time_s.push_back(0.1 * i);
+    problem.world_from_camera.emplace_back(Eigen::Quaterniond::Identity(),
+                                           Eigen::Vector3d(0.0, 0.0, i));
+    problem.world_from_object.emplace_back(ExpSo3({0.0, 0.01 * i, 0.0}),
+                                           Eigen::Vector3d(-2.0, 1.0, 15.0 + 1.1 * i));
+    problem.velocity_m_s.emplace_back(0.0, 0.0, 10.0);
+  }
+  problem.point_priors.resize(60);
+  for (int p = 0; p < 60; ++p) {
+    const Eigen::Vector3d point(rng.Uniform(-0.8, 0.8), rng.Uniform(-0.7, 0.7), rng.Uniform(-2, 2));
+    problem.points.push_back(point + Eigen::Vector3d(0.0, 0.0, 0.2 * rng.Normal()));
+    for (int i = 0; i < 15; ++i) {
+      if (rng.UniformInt(4) == 0) continue;
+      const Eigen::Vector3d z = *kCamera.Project(problem.world_from_camera[i].Inverse() *
+                                                 (problem.world_from_object[i] * point)) +
+                                0.5 * Eigen::Vector3d(rng.Normal(), rng.Normal(), rng.Normal());
+      problem.factors.push_back({i, p, z, SqrtInformation({}, 1.0)});
+    }
+  }
+  return problem;
+}
+
+void BM_SolveCluster(benchmark::State& state) {
+  const ClusterProblem problem = CarProblem();
+  SolverSummary summary;
+  for (auto _ : state) {
+    ClusterProblem copy = problem;
+    summary = SolveCluster<WhiteNoiseOnAcceleration>({}, {}, {}, copy);
+  }
+  state.counters["steps"] = summary.iterations;
+}
+BENCHMARK(BM_SolveCluster)->Unit(benchmark::kMillisecond);
 
 void BM_Marginalize(benchmark::State& state) {
   WindowProblem problem = DrivingProblem(static_cast<int>(state.range(0)));

@@ -7,13 +7,15 @@
 #include "core/base/error.h"
 #include "core/base/rng.h"
 #include "core/estimation/cluster_solver.h"
-#include "core/estimation/object_reprojection_cost.h"
-#include "core/estimation/point_prior_cost.h"
-#include "core/estimation/pose_manifold.h"
+#include "tests/support/ceres_costs.h"
 #include "tests/support/gradient_check.h"
 
 namespace cvo {
 namespace {
+
+using test::ObjectReprojectionCost;
+using test::PointPriorCost;
+using test::PoseManifold;
 
 const StereoCamera kCamera = {.fx = 500,
                               .fy = 500,
@@ -89,9 +91,11 @@ TEST(ObjectReprojectionCost, IsZeroAtTheTruthAndFiniteBehindTheCamera) {
   const Eigen::Vector3d p_in_object(0.4, -0.3, 0.8);
   const Eigen::Vector3d z = *kCamera.Project(camera.Inverse() * (object * p_in_object));
   const Eigen::Matrix3d W = Eigen::Matrix3d::Identity();
-  EXPECT_LT(EvaluateObjectReprojection(kCamera, z, W, camera, object, p_in_object).r.norm(), 1e-9);
+  EXPECT_LT(test::EvaluateObjectReprojection(kCamera, z, W, camera, object, p_in_object).r.norm(),
+            1e-9);
   const RigidTransform behind(ExpSo3({0.4, 0.5, -0.3}), Eigen::Vector3d(1.5, 1.0, -12.0));
-  EXPECT_TRUE(EvaluateObjectReprojection(kCamera, z, W, camera, behind, p_in_object).r.allFinite());
+  EXPECT_TRUE(
+      test::EvaluateObjectReprojection(kCamera, z, W, camera, behind, p_in_object).r.allFinite());
 }
 
 TEST(ObjectReprojectionCost, JacobiansMatchDifferences) {

@@ -6,13 +6,16 @@
 
 #include "core/base/rng.h"
 #include "core/estimation/measurement_noise.h"
-#include "core/estimation/pose_manifold.h"
-#include "core/estimation/prior_cost.h"
 #include "core/estimation/reprojection_cost.h"
+#include "tests/support/ceres_costs.h"
 #include "tests/support/gradient_check.h"
 
 namespace cvo {
 namespace {
+
+using test::PoseManifold;
+using test::PriorCost;
+using test::ReprojectionCost;
 
 const StereoCamera kCamera = {.fx = 700,
                               .fy = 690,

@@ -9,11 +9,14 @@
 #include "core/base/rng.h"
 #include "core/estimation/motion_extrapolation.h"
 #include "core/estimation/motion_prior_cost.h"
-#include "core/estimation/pose_manifold.h"
+#include "tests/support/ceres_costs.h"
 #include "tests/support/gradient_check.h"
 
 namespace cvo {
 namespace {
+
+using test::MotionPriorCost;
+using test::PoseManifold;
 
 Eigen::Vector3d RandomVector(Rng& rng) { return {rng.Normal(), rng.Normal(), rng.Normal()}; }
 
@@ -85,26 +88,18 @@ TEST(MotionPriorCost, JacobiansMatchDifferences) {
   }
 }
 
-// One axis: r = J (t, v, t+, v+).
-Eigen::Matrix<double, 2, 4> AxisJacobian(const MotionPriorFactors& factors) {
-  Eigen::Matrix<double, 2, 4> J;
-  J << -factors.displacement, -factors.velocity, factors.displacement, -factors.velocity,  //
-      0.0, -factors.change, 0.0, factors.change;
-  return J;
-}
-
 TEST(MotionPriorCost, TwoStepsWithTheMiddleMarginalisedAreOneStep) {
   for (const double dt : kSteps_s) {
     for (const double part : {0.5, 0.2}) {
       Eigen::MatrixXd J = Eigen::MatrixXd::Zero(4, 6);
-      J.block<2, 4>(0, 0) = AxisJacobian(WhitenMotionPrior(0.4, part * dt));
-      J.block<2, 4>(2, 2) = AxisJacobian(WhitenMotionPrior(0.4, (1.0 - part) * dt));
+      J.block<2, 4>(0, 0) = MotionPriorAxisJacobian(WhitenMotionPrior(0.4, part * dt));
+      J.block<2, 4>(2, 2) = MotionPriorAxisJacobian(WhitenMotionPrior(0.4, (1.0 - part) * dt));
       const Eigen::MatrixXd H = J.transpose() * J;
       const std::array<int, 4> ends = {0, 1, 4, 5};
       const std::array<int, 2> middle = {2, 3};
       const Eigen::MatrixXd reduced =
           H(ends, ends) - H(ends, middle) * H(middle, middle).inverse() * H(middle, ends);
-      const auto one = AxisJacobian(WhitenMotionPrior(0.4, dt));
+      const auto one = MotionPriorAxisJacobian(WhitenMotionPrior(0.4, dt));
       const Eigen::MatrixXd expected = one.transpose() * one;
       EXPECT_LT((reduced - expected).norm() / expected.norm(), 1e-9) << dt << " " << part;
     }

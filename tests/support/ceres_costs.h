@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ceres/manifold.h>
+#include <ceres/sized_cost_function.h>
+
+#include "core/estimation/cluster_problem.h"
+#include "core/estimation/motion_prior_cost.h"
+#include "core/estimation/reprojection_cost.h"
+#include "core/estimation/window_prior.h"
+
+namespace cvo::test {
+
+// RigidTransform::Plus and Minus for Ceres. The costs below write their Jacobians with
+// respect to the tangent into the first six of the block's seven columns, so PlusJacobian is
+// [I6; 0] (estimator.md 4.5): on these blocks, tools that differentiate with respect to the ambient
+// space see nothing sensible.
+class PoseManifold final : public ceres::Manifold {
+ public:
+  int AmbientSize() const override { return 7; }
+  int TangentSize() const override { return 6; }
+  bool Plus(const double* x, const double* delta, double* x_plus_delta) const override;
+  bool PlusJacobian(const double* x, double* jacobian) const override;
+  bool Minus(const double* y, const double* x, double* y_minus_x) const override;
+  bool MinusJacobian(const double* x, double* jacobian) const override;
+};
+
+RigidTransform PoseFromBlock(const double* block);  // [qx qy qz qw tx ty tz]
+
+// EvaluateReprojection; blocks: world_from_camera (7, PoseManifold), p_in_world (3),
+// right_shift_px (1), which takes the place of the camera's own.
+class ReprojectionCost final : public ceres::SizedCostFunction<3, 7, 3, 1> {
+ public:
+  ReprojectionCost(const StereoCamera& camera, const Eigen::Vector3d& z_px,
+                   const Eigen::Matrix3d& sqrt_information)
+      : camera_(camera), z_px_(z_px), sqrt_information_(sqrt_information) {}
+
+  bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override;
+
+ private:
+  StereoCamera camera_;
+  Eigen::Vector3d z_px_;
+  Eigen::Matrix3d sqrt_information_;
+};
+
+// r = r0 + J0 dx of a WindowPrior; one 7-block per frame, in the prior's order, then
+// right_shift_px. The tangent's rotation part is differentiated exactly (inverse right Jacobian).
+// `prior` must outlive it.
+class PriorCost final : public ceres::CostFunction {
+ public:
+  explicit PriorCost(const WindowPrior& prior);
+  bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override;
+
+ private:
+  const WindowPrior* prior_;
+};
+
+// r = W (pi(camera_from_world world_from_object p_in_object) - z), the camera held: the
+// reprojection term of the paper's energy of a cluster, corrected (estimator.md 12, row 1). J_pose
+// in the tangent of world_from_object. Near points as in EvaluateReprojection.
+struct ObjectReprojectionResidual {
+  Eigen::Vector3d r;
+  Eigen::Matrix<double, 3, 6> J_pose;
+  Eigen::Matrix3d J_point;
+};
+ObjectReprojectionResidual EvaluateObjectReprojection(const StereoCamera& camera,
+                                                      const Eigen::Vector3d& z_px,
+                                                      const Eigen::Matrix3d& sqrt_information,
+                                                      const RigidTransform& world_from_camera,
+                                                      const RigidTransform& world_from_object,
+                                                      const Eigen::Vector3d& p_in_object);
+
+// The same for Ceres; blocks: world_from_object (7, PoseManifold), p_in_object (3).
+class ObjectReprojectionCost final : public ceres::SizedCostFunction<3, 7, 3> {
+ public:
+  ObjectReprojectionCost(const StereoCamera& camera, const RigidTransform& world_from_camera,
+                         const Eigen::Vector3d& z_px, const Eigen::Matrix3d& sqrt_information)
+      : camera_(camera),
+        world_from_camera_(world_from_camera),
+        z_px_(z_px),
+        sqrt_information_(sqrt_information) {}
+
+  bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override;
+
+ private:
+  StereoCamera camera_;
+  RigidTransform world_from_camera_;
+  Eigen::Vector3d z_px_;
+  Eigen::Matrix3d sqrt_information_;
+};
+
+// r = sqrt_information (p - mean) of a PointPrior; block: p_in_object (3). `prior` must outlive it.
+class PointPriorCost final : public ceres::SizedCostFunction<3, 3> {
+ public:
+  explicit PointPriorCost(const PointPrior& prior) : prior_(&prior) {}
+
+  bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override {
+    const Eigen::Map<const Eigen::Vector3d> p_in_object(blocks[0]);
+    Eigen::Map<Eigen::Vector3d> r(residuals);
+    r = prior_->sqrt_information * (p_in_object - prior_->mean_in_object);
+    if (jacobians && jacobians[0]) {
+      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> J(jacobians[0]);
+      J = prior_->sqrt_information;
+    }
+    return true;
+  }
+
+ private:
+  const PointPrior* prior_;
+};
+
+// EvaluateMotionPrior; blocks: world_from_object (7, PoseManifold), velocity (3), and both of the
+// next state.
+class MotionPriorCost final : public ceres::SizedCostFunction<6, 7, 3, 7, 3> {
+ public:
+  explicit MotionPriorCost(const MotionPriorFactors& factors) : factors_(factors) {}
+
+  bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override;
+
+ private:
+  MotionPriorFactors factors_;
+};
+
+}  // namespace cvo::test
