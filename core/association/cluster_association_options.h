@@ -16,7 +16,7 @@ struct ClusterAssociationOptions {
   double ratio = 0.9;
   double max_view_change_rad = 1.0;
   double min_box_probability = 0.3;
-  double max_entropy = 1.0;
+  double max_entropy = 1.44;
   int min_box_members = 3;
   int rematch_hamming = 60;
   double rematch_ratio = 0.85;
@@ -54,9 +54,10 @@ struct ClusterAssociationOptions {
     visit.Field("min_box_probability", self.min_box_probability,
                 {"1", 0, 1, "a box is a cluster's from this share of the cluster's weight on",
                  "estimator.md 3.4"});
-    visit.Field("max_entropy", self.max_entropy,
-                {"bit", 0, 20, "a cluster spread over boxes more evenly than this gets none",
-                 "paper, section 3.1"});
+    visit.Field(
+        "max_entropy", self.max_entropy,
+        {"bit", 0, 20, "a cluster spread over boxes more evenly than this gets none",
+         "paper, section 3.1: 1.0, read as nats; one bit refuses every pair of overlapping boxes"});
     visit.Field("min_box_members", self.min_box_members,
                 {"landmarks", 1, 1000, "a box is a cluster's from so many of its landmarks on",
                  "estimator.md 3.4"});

@@ -123,7 +123,7 @@ class Reacquisition {
   // By the place alone: the nearest one.
   bool ByPlace(int detection) {
     const Detection& seen = view_.detections[detection];
-    const auto fix = FixInBox(view_, seen, taken_);
+    const auto fix = FixInBox(view_, seen, tracks_);
     if (!fix) return false;
     double best_distance = view_.options.association.relocation_gate;
     std::optional<Missing> best;
@@ -170,12 +170,16 @@ class Reacquisition {
   std::vector<ClusterTrack>& tracks_;
 };
 
-// A cluster whose box is known but of which no landmark was found.
-void RelocateAssociated(const FrameView& view, const TakenFeatures& taken, ClusterTrack& track) {
-  const auto fix = FixInBox(view, view.detections[track.detection], taken);
-  const double gate = view.options.association.relocation_gate;
-  if (fix && RelocationDistance(*fix, track.predicted) < gate) {
+// A cluster whose box is known but of which no landmark was found: it is there, or the box is not
+// its own.
+void RelocateAssociated(const FrameView& view, std::vector<ClusterTrack>& tracks,
+                        ClusterTrack& track) {
+  const auto fix = FixInBox(view, view.detections[track.detection], tracks);
+  if (!fix) return;
+  if (RelocationDistance(*fix, track.predicted) < view.options.association.relocation_gate) {
     Relocate(*fix, track.detection, track);
+  } else {
+    track.detection = -1;
   }
 }
 
@@ -187,9 +191,11 @@ void RematchInBox::Rematch(const FrameView& view, const std::vector<PredictedClu
   std::vector<char> is_used(view.detections.size(), 0);
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     if (tracks[q].detection < 0) continue;
-    is_used[tracks[q].detection] = 1;
     RematchAssociated(view, map.live[q], rng, taken, tracks[q]);
-    if (!tracks[q].is_tracked) RelocateAssociated(view, taken, tracks[q]);
+  }
+  for (ClusterTrack& track : tracks) {
+    if (track.detection >= 0 && !track.is_tracked) RelocateAssociated(view, tracks, track);
+    if (track.detection >= 0) is_used[track.detection] = 1;
   }
   if (!view.frame.given.detection_body.empty()) return;
   Reacquisition reacquisition(view, archived, map, taken, tracks);

@@ -96,18 +96,28 @@ void TrackClusters(const FrameView& view, const ClusterMap& map, const std::vect
 
 std::vector<BoxMember> MembersOf(const FrameView& view, const Cluster& cluster,
                                  const ClusterTrack& track) {
+  std::vector<char> is_seen(cluster.landmarks.size(), !track.is_tracked);
+  for (const Match& match : track.matches) is_seen[match.landmark] = 1;
   PredictedCluster at = track.predicted;
   at.world_from_object = track.world_from_object;
   std::vector<BoxMember> members;
-  for (const Landmark& landmark : cluster.landmarks) {
-    const auto predicted =
-        PredictLandmark(view.options, view.camera, view.world_from_camera, at, landmark);
+  for (std::size_t i = 0; i < cluster.landmarks.size(); ++i) {
+    if (!is_seen[i]) continue;
+    const auto predicted = PredictLandmark(view.options, view.camera, view.world_from_camera, at,
+                                           cluster.landmarks[i]);
     if (!predicted) continue;
     members.push_back({predicted->zeta_px.head<2>(), predicted->measurement_px2.determinant(),
                        predicted->position_px2.determinant(),
                        predicted->innovation_px2.determinant()});
   }
   return members;
+}
+
+void ForgetOtherCategories(const FrameView& view, const Cluster& cluster,
+                           BoxProbabilities& probabilities) {
+  for (std::size_t m = 0; m < view.detections.size(); ++m) {
+    if (view.detections[m].category != cluster.category) probabilities.members[m] = 0;
+  }
 }
 
 std::vector<ImageBox> BoxesOf(const std::vector<Detection>& detections) {

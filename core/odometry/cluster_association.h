@@ -40,6 +40,7 @@ using TakenFeatures = std::vector<char>;
 
 namespace internal {
 
+// Landmarks that were found; where the cluster was not found, those that should be seen.
 std::vector<BoxMember> MembersOf(const FrameView& view, const Cluster& cluster,
                                  const ClusterTrack& track);
 // Landmarks of all clusters that should be seen, flattened, with where they came from.
@@ -68,6 +69,9 @@ void AcceptPose(const FrameView& view, const std::vector<Match>& matches,
                 const CameraSolution& solution, TakenFeatures& taken, ClusterTrack& track);
 void AssociateGivenDetections(const FrameView& view, const ClusterMap& map,
                               std::vector<ClusterTrack>& tracks);
+// A box of another class is not the cluster's.
+void ForgetOtherCategories(const FrameView& view, const Cluster& cluster,
+                           BoxProbabilities& probabilities);
 std::vector<ImageBox> BoxesOf(const std::vector<Detection>& detections);
 void FindBoxOfTrack(const FrameView& view, const Cluster& cluster, ClusterTrack& track);
 
@@ -115,6 +119,7 @@ std::vector<ClusterTrack> AssociateClusters(const FrameView& view, ClusterMap& m
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     probabilities.push_back(
         Variant::BoxWeights::Compute(internal::MembersOf(view, map.live[q], tracks[q]), boxes));
+    internal::ForgetOtherCategories(view, map.live[q], probabilities.back());
   }
   const std::vector<int> chosen =
       AssociateBoxes(probabilities, static_cast<int>(boxes.size()), view.options.association);

@@ -66,6 +66,13 @@ std::vector<std::optional<RigidTransform>> PastFromNow(const FrameView& view, in
   return transforms;
 }
 
+// A body fills its box, also where its landmarks so far are all on one part of it.
+void GrowToBox(const FrameView& view, const ImageBox& box, CrfLabel::Extent& extent) {
+  const double side_px = 0.5 * (box.Width() + box.Height());
+  const double side_m = extent.center_in_camera.z() * side_px / view.camera.fx;
+  extent.half_size_m = extent.half_size_m.cwiseMax(view.options.clusters.box_half_size * side_m);
+}
+
 CrfLabel ClusterLabel(const FrameView& view, int q, const ClusterMap& map,
                       const ClusterTrack& track, const PastFrames& past) {
   const Cluster& cluster = map.live[q];
@@ -80,6 +87,7 @@ CrfLabel ClusterLabel(const FrameView& view, int q, const ClusterMap& map,
   }
   label.extent = CrfLabel::Extent{camera_from_object * cluster.center_in_object,
                                   camera_from_object.RotationMatrix(), cluster.half_size_m};
+  if (label.box) GrowToBox(view, *label.box, *label.extent);
   label.past_from_now.resize(kPastFrames);
   if (track.is_tracked) {
     label.past_from_now = PastFromNow(view, q + 1, track.world_from_object, map, past);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/odometry/relocation.h"
 
-#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/clustering/point_extent.h"
 
@@ -12,11 +12,9 @@ namespace {
 
 // Standard deviation of a fix, in sizes of the body: a surface half in shadow or half hidden.
 constexpr double kFixDeviation = 0.2;
-
-// The prediction's, which means nothing any more once it is as large as the body.
-double PredictionDeviation(const BoxFix& fix, const PredictedCluster& predicted) {
-  return std::min(std::sqrt(predicted.translation_variance_m2), fix.size_m);
-}
+// A prediction that is less certain than this, in sizes of the body, could as well be its
+// neighbour.
+constexpr double kMaxPredictionDeviation = 0.5;
 
 }  // namespace
 
@@ -30,7 +28,11 @@ BoxFix FixFromSurface(const FrameView& view, const Detection& detection,
 }
 
 std::optional<BoxFix> FixInBox(const FrameView& view, const Detection& detection,
-                               const TakenFeatures& taken) {
+                               const std::vector<ClusterTrack>& tracks) {
+  std::vector<char> taken(view.frame.features.size(), 0);
+  for (const ClusterTrack& track : tracks) {
+    for (const Match& match : track.matches) taken[match.feature] = 1;
+  }
   const ImageBox inner = detection.box.Shrunk(view.options.unary.box_shrink);
   std::vector<Eigen::Vector3d> inside;
   std::vector<double> depths;
@@ -45,7 +47,7 @@ std::optional<BoxFix> FixInBox(const FrameView& view, const Detection& detection
   const double angular_size =
       std::max(detection.box.Width(), detection.box.Height()) / view.camera.fx;
   const std::vector<int> mode = NearestMode(depths, angular_size, view.options.extent);
-  if (static_cast<int>(mode.size()) < view.options.clusters.min_landmarks) return std::nullopt;
+  if (mode.empty()) return std::nullopt;
   Eigen::Matrix3Xd front(3, static_cast<Eigen::Index>(mode.size()));
   for (std::size_t k = 0; k < mode.size(); ++k) {
     front.col(static_cast<Eigen::Index>(k)) = view.world_from_camera * inside[mode[k]];
@@ -54,14 +56,18 @@ std::optional<BoxFix> FixInBox(const FrameView& view, const Detection& detection
 }
 
 double RelocationDistance(const BoxFix& fix, const PredictedCluster& predicted) {
-  const double deviation = std::hypot(PredictionDeviation(fix, predicted), 0.5 * fix.size_m);
+  const double predicted_m = std::sqrt(predicted.translation_variance_m2);
+  if (predicted_m > kMaxPredictionDeviation * fix.size_m) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const double deviation = std::hypot(predicted_m, kFixDeviation * fix.size_m);
   return (fix.center_in_world - predicted.world_from_object.translation()).norm() / deviation;
 }
 
 void Relocate(const BoxFix& fix, int detection, ClusterTrack& track) {
-  const double predicted = PredictionDeviation(fix, track.predicted);
+  const double predicted = track.predicted.translation_variance_m2;
   const double fixed = kFixDeviation * fix.size_m;
-  const double gain = predicted * predicted / (predicted * predicted + fixed * fixed);
+  const double gain = predicted / (predicted + fixed * fixed);
   const Eigen::Vector3d origin = track.predicted.world_from_object.translation();
   track.world_from_object =
       RigidTransform(track.predicted.world_from_object.RotationMatrix(),

@@ -19,9 +19,10 @@ struct BoxFix {
 BoxFix FixFromSurface(const FrameView& view, const Detection& detection,
                       const Eigen::Vector3d& surface_in_world);
 
-// The same from the free features in the box; empty where too few make a foreground.
+// The same from the features in the box that are no cluster's (a body that stopped while it was
+// lost has become static); empty where too few make a foreground.
 std::optional<BoxFix> FixInBox(const FrameView& view, const Detection& detection,
-                               const TakenFeatures& taken);
+                               const std::vector<ClusterTrack>& tracks);
 
 // How far the fix is from where the cluster is predicted, in standard deviations.
 double RelocationDistance(const BoxFix& fix, const PredictedCluster& predicted);
