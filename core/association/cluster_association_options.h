@@ -22,7 +22,7 @@ struct ClusterAssociationOptions {
   double rematch_ratio = 0.85;
   int ransac_iterations = 100;
   int min_rematch = 7;
-  double relocation_gate = 2.0;
+  double identity_gate = 2.0;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
@@ -75,12 +75,11 @@ struct ClusterAssociationOptions {
         {"landmarks", 3, 1000,
          "a body that was not predicted is believed from so many consistent ones on",
          "three fix the pose; four more agree by chance in less than one box in a thousand"});
-    visit.Field(
-        "relocation_gate", self.relocation_gate,
-        {"standard deviations", 0, 100,
-         "a lost cluster is in a box of its class that is so near to its prediction; larger "
-         "keeps more identities and mixes up more",
-         "95 % in one dimension"});
+    visit.Field("identity_gate", self.identity_gate,
+                {"standard deviations", 0, 100,
+                 "a new cluster so near to where a lost one of its class is expected goes on under "
+                 "its id; larger keeps more identities and mixes up more",
+                 "95 % in one dimension"});
   }
 };
 

@@ -19,6 +19,14 @@ struct ClusterState {
   Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  // of its origin, in world
 };
 
+// What a cluster knows of itself from before it was lost, until it is aligned with that: its frame
+// since `since` is a guess.
+struct Lineage {
+  FrameId since;
+  std::vector<Landmark> landmarks;  // in its frame as it was
+  Eigen::Vector3d fix_in_object = Eigen::Vector3d::Zero();
+};
+
 // A rigid body that moves or may move. Its frame is arbitrary and stays what it was at birth.
 struct Cluster {
   ClusterId id;
@@ -30,6 +38,10 @@ struct Cluster {
   Eigen::Vector3d center_in_object = Eigen::Vector3d::Zero();
   Eigen::Vector3d half_size_m = Eigen::Vector3d::Zero();
   double size_m = 0.0;  // smaller side of the box it was born in
+  // Mean of where its boxes put the body's centre, and over how many of them.
+  Eigen::Vector3d fix_in_object = Eigen::Vector3d::Zero();
+  int fixes = 0;
+  Lineage former;
   FrameId last_observed;
   FrameId last_detected;
   int detection = -1;  // index of the last frame's associated one; -1: none

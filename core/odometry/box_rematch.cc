@@ -4,7 +4,6 @@
 
 #include "core/association/descriptor_matching.h"
 #include "core/odometry/cluster_association.h"
-#include "core/odometry/relocation.h"
 
 namespace cvo {
 namespace {
@@ -102,43 +101,20 @@ std::vector<Missing> FindMissing(const ClusterMap& map, const std::vector<Cluste
   return missing;
 }
 
-// Detections that belong to no cluster, tried on those that are missing.
+// Detections that belong to no cluster, tried on the landmarks of those that are missing.
 class Reacquisition {
  public:
   Reacquisition(const FrameView& view, const std::vector<PredictedCluster>& archived,
                 ClusterMap& map, TakenFeatures& taken, std::vector<ClusterTrack>& tracks)
       : view_(view), archived_(archived), map_(map), taken_(taken), tracks_(tracks) {}
 
-  // By landmarks that are seen again.
-  bool ByDescriptors(int detection, Rng& rng) {
+  void Try(int detection, Rng& rng) {
     for (const Missing& missing : FindMissing(map_, tracks_)) {
       ClusterTrack track = TrackOf(missing);
       if (!Reacquire(view_, ClusterOf(missing), detection, rng, taken_, track)) continue;
       Accept(missing, track);
-      return true;
+      return;
     }
-    return false;
-  }
-
-  // By the place alone: the nearest one.
-  bool ByPlace(int detection) {
-    const Detection& seen = view_.detections[detection];
-    const auto fix = FixInBox(view_, seen, tracks_);
-    if (!fix) return false;
-    double best_distance = view_.options.association.relocation_gate;
-    std::optional<Missing> best;
-    for (const Missing& missing : FindMissing(map_, tracks_)) {
-      if (ClusterOf(missing).category != seen.category) continue;
-      const double distance = RelocationDistance(*fix, TrackOf(missing).predicted);
-      if (distance >= best_distance) continue;
-      best_distance = distance;
-      best = missing;
-    }
-    if (!best) return false;
-    ClusterTrack track = TrackOf(*best);
-    Relocate(*fix, detection, track);
-    Accept(*best, track);
-    return true;
   }
 
  private:
@@ -170,19 +146,6 @@ class Reacquisition {
   std::vector<ClusterTrack>& tracks_;
 };
 
-// A cluster whose box is known but of which no landmark was found: it is there, or the box is not
-// its own.
-void RelocateAssociated(const FrameView& view, std::vector<ClusterTrack>& tracks,
-                        ClusterTrack& track) {
-  const auto fix = FixInBox(view, view.detections[track.detection], tracks);
-  if (!fix) return;
-  if (RelocationDistance(*fix, track.predicted) < view.options.association.relocation_gate) {
-    Relocate(*fix, track.detection, track);
-  } else {
-    track.detection = -1;
-  }
-}
-
 }  // namespace
 
 void RematchInBox::Rematch(const FrameView& view, const std::vector<PredictedCluster>& archived,
@@ -194,16 +157,14 @@ void RematchInBox::Rematch(const FrameView& view, const std::vector<PredictedClu
     RematchAssociated(view, map.live[q], rng, taken, tracks[q]);
   }
   for (ClusterTrack& track : tracks) {
-    if (track.detection >= 0 && !track.is_tracked) RelocateAssociated(view, tracks, track);
+    // Of an expected cluster nothing was found: the box may show another body.
+    if (!track.is_tracked) track.detection = -1;
     if (track.detection >= 0) is_used[track.detection] = 1;
   }
   if (!view.frame.given.detection_body.empty()) return;
   Reacquisition reacquisition(view, archived, map, taken, tracks);
   for (int m = 0; m < static_cast<int>(view.detections.size()); ++m) {
-    if (!is_used[m]) is_used[m] = reacquisition.ByDescriptors(m, rng);
-  }
-  for (int m = 0; m < static_cast<int>(view.detections.size()); ++m) {
-    if (!is_used[m]) reacquisition.ByPlace(m);
+    if (!is_used[m]) reacquisition.Try(m, rng);
   }
 }
 

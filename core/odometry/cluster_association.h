@@ -80,7 +80,7 @@ void FindBoxOfTrack(const FrameView& view, const Cluster& cluster, ClusterTrack&
 // What follows on a successful high-level association. Policy: descriptors in the box are compared
 // with all of the cluster's landmarks and checked by the pose (paper, end of section 3.1); boxes
 // left over are tried on clusters that were not found, archived ones included (`archived`: their
-// predictions), first by descriptors, then by where they are.
+// predictions).
 struct RematchInBox {
   static constexpr bool kInherits = true;  // InheritIdentities
   static void Rematch(const FrameView& view, const std::vector<PredictedCluster>& archived,

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/clustering/point_extent.h"
-#include "core/odometry/relocation.h"
+#include "core/odometry/box_fix.h"
 
 namespace cvo {
 namespace {

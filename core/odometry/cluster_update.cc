@@ -5,7 +5,39 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/clustering/point_extent.h"
+#include "core/odometry/box_fix.h"
+
 namespace cvo {
+namespace {
+
+// Boxes nearer to the border may show part of the body only.
+constexpr double kBorder_px = 3.0;
+
+bool TouchesBorder(const ImageBox& box, const StereoCamera& camera) {
+  return box.left_px < kBorder_px || box.top_px < kBorder_px ||
+         box.right_px > camera.width_px - 1 - kBorder_px ||
+         box.bottom_px > camera.height_px - 1 - kBorder_px;
+}
+
+// Where the box puts the body's centre enters the mean; the first one counts wherever it is.
+void AddFix(const FrameView& view, const Detection& detection, const ClusterTrack& track,
+            Cluster& cluster) {
+  if (track.matches.empty()) return;
+  if (cluster.fixes > 0 && TouchesBorder(detection.box, view.camera)) return;
+  Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(track.matches.size()));
+  for (std::size_t i = 0; i < track.matches.size(); ++i) {
+    points.col(static_cast<Eigen::Index>(i)) =
+        track.world_from_object * cluster.landmarks[track.matches[i].landmark].p_in_body;
+  }
+  const Eigen::Vector3d surface = PrincipalAxes(points, view.options.extent).translation();
+  const Eigen::Vector3d fix =
+      track.world_from_object.Inverse() * FixFromSurface(view, detection, surface).center_in_world;
+  ++cluster.fixes;
+  cluster.fix_in_object += (fix - cluster.fix_in_object) / cluster.fixes;
+}
+
+}  // namespace
 
 void AddStates(const FrameView& view, FrameId newest, const std::vector<ClusterTrack>& tracks,
                ClusterMap& map) {
@@ -21,6 +53,7 @@ void AddStates(const FrameView& view, FrameId newest, const std::vector<ClusterT
       cluster.score *= view.options.clusters.score_decay;
     }
     if (!track.is_tracked) continue;
+    if (track.detection >= 0) AddFix(view, view.detections[track.detection], track, cluster);
     cluster.states.push_back(
         {newest, view.frame.timestamp_ns, track.world_from_object, track.predicted.velocity_m_s});
     cluster.last_observed = newest;

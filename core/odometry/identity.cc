@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "core/association/descriptor_matching.h"
+#include "core/estimation/point_ransac.h"
 
 namespace cvo {
 namespace {
@@ -14,6 +18,10 @@ constexpr double kOriginDeviation = 0.3;
 constexpr double kMaxDeviation_m = 1.0;
 // The next candidate must be so much farther.
 constexpr double kUniqueness = 1.5;
+// Boxes after which a frame is aligned by them where no landmarks could do it better.
+constexpr int kEnoughFixes = 15;
+// Landmarks of both frames that are the same lie so near to each other, in sizes of the body.
+constexpr double kPointDeviation = 0.08;
 
 const Cluster& FindCluster(const ClusterMap& map, ClusterId id) {
   for (const Cluster& cluster : map.live) {
@@ -58,13 +66,15 @@ const LostCluster* FindPredecessor(const Cluster& found, const std::vector<LostC
 // Expresses a cluster and its landmarks in another frame of the same body.
 void ChangeFrame(const RigidTransform& old_from_new, ClusterId id, Cluster& cluster,
                  ClusterTrajectory& trajectory) {
+  // Poses before the cluster was lost stay.
+  const std::int64_t since = cluster.former.since.value;
   const RigidTransform new_from_old = old_from_new.Inverse();
   const Eigen::Matrix3d R = new_from_old.RotationMatrix();
   for (ClusterState& state : cluster.states) {
     state.world_from_object = state.world_from_object * old_from_new;
   }
   for (ClusterPose& pose : trajectory.poses) {
-    pose.world_from_object = pose.world_from_object * old_from_new;
+    if (pose.frame >= since) pose.world_from_object = pose.world_from_object * old_from_new;
   }
   for (Landmark& landmark : cluster.landmarks) {
     landmark.label.cluster = id;
@@ -74,17 +84,48 @@ void ChangeFrame(const RigidTransform& old_from_new, ClusterId id, Cluster& clus
     landmark.past_information = R * landmark.past_information * R.transpose();
   }
   cluster.center_in_object = new_from_old * cluster.center_in_object;
+  cluster.fix_in_object = new_from_old * cluster.fix_in_object;
+}
+
+// former_from_now from landmarks that look alike: points of both frames, three of which fix it.
+std::optional<RigidTransform> AlignLandmarks(const Options& options, const Cluster& cluster,
+                                             Rng& rng) {
+  std::vector<Descriptor> former;
+  for (const Landmark& landmark : cluster.former.landmarks) former.push_back(landmark.descriptor);
+  std::vector<StereoFeature> now;
+  for (const Landmark& landmark : cluster.landmarks) {
+    StereoFeature feature;
+    feature.descriptor = landmark.descriptor;
+    now.push_back(feature);
+  }
+  const std::vector<Match> matches = MatchDescriptors(
+      former, now, options.association.rematch_hamming, options.association.rematch_ratio);
+  Eigen::Matrix3Xd from(3, static_cast<Eigen::Index>(matches.size()));
+  Eigen::Matrix3Xd to = from;
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const Eigen::Index column = static_cast<Eigen::Index>(i);
+    from.col(column) = cluster.landmarks[matches[i].feature].p_in_body;
+    to.col(column) = cluster.former.landmarks[matches[i].landmark].p_in_body;
+  }
+  return AlignPointsRansac(from, to, kPointDeviation * cluster.size_m,
+                           options.association.min_rematch, options.association.ransac_iterations,
+                           rng);
 }
 
 void Inherit(const LostCluster& lost, ClusterMap& map, Cluster& found) {
-  const RigidTransform& now = found.Latest().world_from_object;
-  const RigidTransform world_from_lost(
-      Eigen::Quaterniond(lost.predicted.world_from_object.rotation()),
-      Eigen::Vector3d(now.translation()));
+  const Cluster& before = FindCluster(map, lost.id);
+  const RigidTransform now = found.Latest().world_from_object;
+  const Eigen::Quaterniond rotation(lost.predicted.world_from_object.rotation());
+  const Eigen::Vector3d center = now * found.fix_in_object;
+  const RigidTransform world_from_lost(rotation,
+                                       Eigen::Vector3d(center - rotation * before.fix_in_object));
+  found.former = {FrameId{}, before.landmarks, before.fix_in_object};
   ClusterTrajectory later = std::move(map.trajectories[found.id]);
   map.trajectories.erase(found.id);
   ChangeFrame(now.Inverse() * world_from_lost, lost.id, found, later);
   found.id = lost.id;
+  found.former.since =
+      later.poses.empty() ? found.Latest().frame : FrameId{later.poses.front().frame};
   std::vector<ClusterPose>& poses = map.trajectories[lost.id].poses;
   // While both were live, the lost one was only predicted.
   std::erase_if(poses, [&](const ClusterPose& pose) {
@@ -111,8 +152,7 @@ void InheritIdentities(const std::vector<LostCluster>& lost, FrameId newest,
         IsConfirmed(cluster, options) && cluster.detections == options.confirm_detections &&
         cluster.last_detected == newest && cluster.last_observed == newest;
     if (!is_just_confirmed) continue;
-    const LostCluster* predecessor =
-        FindPredecessor(cluster, lost, map, association.relocation_gate);
+    const LostCluster* predecessor = FindPredecessor(cluster, lost, map, association.identity_gate);
     if (!predecessor) continue;
     if (std::find(inherited.begin(), inherited.end(), predecessor->id) != inherited.end()) continue;
     inherited.push_back(predecessor->id);
@@ -121,6 +161,29 @@ void InheritIdentities(const std::vector<LostCluster>& lost, FrameId newest,
   for (const ClusterId id : inherited) Remove(id, newest, map);
   std::sort(map.live.begin(), map.live.end(),
             [](const Cluster& a, const Cluster& b) { return a.id < b.id; });
+}
+
+void AlignWithFormer(const Options& options, ClusterMap& map, Rng& rng) {
+  for (Cluster& cluster : map.live) {
+    if (!cluster.former.since.valid()) continue;
+    ClusterTrajectory& trajectory = map.trajectories[cluster.id];
+    if (const auto former_from_now = AlignLandmarks(options, cluster, rng)) {
+      ChangeFrame(former_from_now->Inverse(), cluster.id, cluster, trajectory);
+      for (Landmark& landmark : cluster.former.landmarks) {
+        landmark.observations.clear();
+        if (!landmark.past_information.isZero()) cluster.landmarks.push_back(landmark);
+      }
+      std::sort(cluster.landmarks.begin(), cluster.landmarks.end(),
+                [](const Landmark& a, const Landmark& b) { return a.id < b.id; });
+      cluster.former = {};
+    } else if (cluster.fixes >= kEnoughFixes) {
+      const RigidTransform old_from_new(
+          Eigen::Quaterniond::Identity(),
+          Eigen::Vector3d(cluster.fix_in_object - cluster.former.fix_in_object));
+      ChangeFrame(old_from_new, cluster.id, cluster, trajectory);
+      cluster.former = {};
+    }
+  }
 }
 
 }  // namespace cvo

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/base/rng.h"
 #include "core/odometry/cluster_map.h"
 #include "core/odometry/cluster_prediction.h"
 
@@ -22,6 +23,10 @@ struct LostCluster {
 void InheritIdentities(const std::vector<LostCluster>& lost, FrameId newest,
                        const ClusterAssociationOptions& association, const ClusterOptions& options,
                        ClusterMap& map);
+
+// Clusters that go on under an earlier id: their frame is aligned with what it was, by landmarks
+// that look alike, or after enough boxes by the centres that they show.
+void AlignWithFormer(const Options& options, ClusterMap& map, Rng& rng);
 
 // The lost clusters of the map at a time.
 template <typename Variant>
