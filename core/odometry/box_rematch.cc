@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <limits>
 
 #include "core/association/descriptor_matching.h"
 #include "core/odometry/cluster_association.h"
@@ -61,11 +62,35 @@ void RematchAssociated(const FrameView& view, const Cluster& cluster, Rng& rng,
   }
 }
 
+// The body that the detection is given to show; -1: unknown.
+int GivenBody(const FrameView& view, int detection) {
+  const std::vector<int>& given = view.frame.given.detection_body;
+  return given.empty() ? -1 : given[detection];
+}
+
+// Whether the detection may show the cluster, by its class and by whose it is given to be.
+bool MayShow(const FrameView& view, int detection, const Cluster& cluster) {
+  const int given = GivenBody(view, detection);
+  return view.detections[detection].category == cluster.category &&
+         (given < 0 || given == cluster.given_body);
+}
+
+// Whether the cluster can be where the detection is. One that is given to be there can: a
+// prediction that speaks against it is as uncertain as it is wrong.
+bool Reaches(const FrameView& view, const BoxFix& fix, int detection, PredictedCluster& predicted) {
+  if (RelocationDistance(fix, predicted) < view.options.association.relocation_gate) return true;
+  if (GivenBody(view, detection) < 0) return false;
+  const Eigen::Vector3d off = fix.center_in_world - predicted.world_from_object.translation();
+  predicted.translation_variance_m2 =
+      std::max(predicted.translation_variance_m2, off.squaredNorm());
+  return true;
+}
+
 // Whether the cluster is what the detection shows; the track becomes that of the cluster there.
 bool Reacquire(const FrameView& view, const Cluster& cluster, int detection, Rng& rng,
                TakenFeatures& taken, ClusterTrack& track) {
   const Detection& seen = view.detections[detection];
-  if (cluster.category != seen.category) return false;
+  if (!MayShow(view, detection, cluster)) return false;
   const std::vector<Match> matches = MatchInBox(view, cluster, {}, seen.box, taken);
   const auto solution = internal::SolvePose(view, cluster, track.world_from_object, matches,
                                             view.options.association.min_rematch, false, rng);
@@ -125,19 +150,22 @@ class Reacquisition {
     const Detection& seen = view_.detections[detection];
     const auto fix = FixInBox(view_, seen, tracks_);
     if (!fix) return false;
-    double best_distance = view_.options.association.relocation_gate;
     std::optional<Missing> best;
+    ClusterTrack best_track;
+    double best_distance = std::numeric_limits<double>::infinity();
     for (const Missing& missing : FindMissing(map_, tracks_)) {
-      if (ClusterOf(missing).category != seen.category) continue;
-      const double distance = RelocationDistance(*fix, TrackOf(missing).predicted);
-      if (distance >= best_distance) continue;
-      best_distance = distance;
+      if (!MayShow(view_, detection, ClusterOf(missing))) continue;
+      ClusterTrack track = TrackOf(missing);
+      const double distance = RelocationDistance(*fix, track.predicted);
+      if (!Reaches(view_, *fix, detection, track.predicted)) continue;
+      if (best && distance >= best_distance) continue;
       best = missing;
+      best_track = track;
+      best_distance = distance;
     }
     if (!best) return false;
-    ClusterTrack track = TrackOf(*best);
-    Relocate(*fix, detection, track);
-    Accept(*best, track);
+    Relocate(*fix, detection, best_track);
+    Accept(*best, best_track);
     return true;
   }
 
@@ -176,7 +204,7 @@ void RelocateAssociated(const FrameView& view, std::vector<ClusterTrack>& tracks
                         ClusterTrack& track) {
   const auto fix = FixInBox(view, view.detections[track.detection], tracks);
   if (!fix) return;
-  if (RelocationDistance(*fix, track.predicted) < view.options.association.relocation_gate) {
+  if (Reaches(view, *fix, track.detection, track.predicted)) {
     Relocate(*fix, track.detection, track);
   } else {
     track.detection = -1;
@@ -197,7 +225,6 @@ void RematchInBox::Rematch(const FrameView& view, const std::vector<PredictedClu
     if (track.detection >= 0 && !track.is_tracked) RelocateAssociated(view, tracks, track);
     if (track.detection >= 0) is_used[track.detection] = 1;
   }
-  if (!view.frame.given.detection_body.empty()) return;
   Reacquisition reacquisition(view, archived, map, taken, tracks);
   for (int m = 0; m < static_cast<int>(view.detections.size()); ++m) {
     if (!is_used[m]) is_used[m] = reacquisition.ByDescriptors(m, rng);
