@@ -104,7 +104,7 @@ TEST(MovingBodies, PosesFollowTheTruthUpToAConstantFrame) {
     ASSERT_GE(cluster->poses.size(), 38u);
     const RigidTransform object_from_body = ObjectFromBody(*cluster, b);
     for (const ClusterPose& pose : cluster->poses) {
-      EXPECT_LT(CornerError(pose, object_from_body, b), 0.06) << b << " frame " << pose.frame;
+      EXPECT_LT(CornerError(pose, object_from_body, b), 0.05) << b << " frame " << pose.frame;
     }
   }
 }
@@ -138,7 +138,7 @@ TEST(MovingBodies, LandmarksAreTheirsAndThoseOfTheBackgroundAreNot) {
       right[body] += landmark.cluster == id[body];
     }
   }
-  EXPECT_GT(right[0], 0.97 * all[0]);
+  EXPECT_GT(right[0], 0.99 * all[0]);
   EXPECT_GT(right[1], 0.95 * all[1]);
   EXPECT_GT(right[2], 0.95 * all[2]);
 }
@@ -165,7 +165,7 @@ TEST(MovingBodies, KeepTheirIdThroughAnOcclusion) {
   const RigidTransform object_from_body = ObjectFromBody(*cluster, 0);
   for (const ClusterPose& pose : cluster->poses) {
     const bool is_hidden = pose.frame >= 18 && pose.frame < 26;
-    EXPECT_LT(CornerError(pose, object_from_body, 0), is_hidden ? 0.3 : 0.1)
+    EXPECT_LT(CornerError(pose, object_from_body, 0), is_hidden ? 0.15 : 0.08)
         << "frame " << pose.frame;
   }
 }
@@ -266,11 +266,13 @@ TEST(Given, LabelsAreObeyed) {
   }
 }
 
-TEST(Given, LabelsOfAnArchivedBodyAreItsOwnAgain) {
+TEST(Given, BoxesOfAnArchivedBodyAreItsOwnAgain) {
   const auto give = [](int i, WorldView& view) {
-    if (i >= 12 && i < 30) testing::RemoveFeatures(1, view);
-    view.frame.detections.clear();
-    view.frame.given.feature_body = view.of_body;
+    if (i >= 12 && i < 30) {
+      testing::RemoveFeatures(1, view);
+      testing::RemoveBoxes(1, view);
+    }
+    view.frame.given.detection_body = view.box_body;
   };
   const ClusterRun run = Watch(36, give);
   const ClusterId id = ClusterOfBody(run, 10, 1);
@@ -291,6 +293,32 @@ TEST(Given, BoxesAreObeyed) {
       ASSERT_NE(report, nullptr);
       EXPECT_EQ(run.views[i].box_body[report->detection], body);
     }
+  }
+}
+
+TEST(Given, BoxesAreObeyedWhereNothingElseSaysThatItIsTheSameBody) {
+  // Turns its back and jumps aside while it is hidden, for less and for more than live_frames.
+  for (const int hidden : {6, 18}) {
+    std::vector<testing::MovingBody> bodies = testing::TwoBodies();
+    const auto walk = bodies[0].world_from_body;
+    bodies[0].world_from_body = [walk](double t) {
+      const RigidTransform now = walk(t);
+      if (t < 1.25) return now;
+      return RigidTransform(ExpSo3({0.0, 3.1, 0.0}) * now.rotation(),
+                            Eigen::Vector3d(now.translation() + Eigen::Vector3d(0.6, 0.0, 2.0)));
+    };
+    const auto give = [hidden](int i, WorldView& view) {
+      if (i >= 12 && i < 12 + hidden) {
+        testing::RemoveFeatures(1, view);
+        testing::RemoveBoxes(1, view);
+      }
+      view.frame.given.detection_body = view.box_body;
+    };
+    RunSettings settings;
+    settings.frames = 36;
+    const ClusterRun run = RunClusters("full", MovingWorld(5, bodies), settings, give);
+    EXPECT_EQ(ClusterOfBody(run, 35, 1), ClusterOfBody(run, 10, 1)) << hidden;
+    EXPECT_EQ(run.clusters.size(), 2u) << hidden;
   }
 }
 
