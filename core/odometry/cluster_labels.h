@@ -15,6 +15,7 @@ namespace cvo {
 struct PointLabel {
   ClusterId inferred;      // by the CRF; invalid: outlier
   LabelState assigned;     // q^i and w^i after the confidence rule; invalid: no body's
+  LandmarkId landmark;     // what it is an observation of (UpdateLandmarks); invalid: nothing
   double energy_2d = 0.0;  // of the inferred label, nats
   double energy_3d = 0.0;
   double energy_motion = 0.0;

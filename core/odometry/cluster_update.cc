@@ -73,6 +73,7 @@ std::vector<LandmarkReport> ReportLandmarks(const FrameView& view,
   for (std::size_t i = 0; i < points.size(); ++i) {
     const PointLabel& label = labels.points[i];
     LandmarkReport report;
+    report.id = label.landmark;
     report.feature = points[i].feature;
     report.cluster = label.assigned.cluster;
     report.inferred = label.inferred;
