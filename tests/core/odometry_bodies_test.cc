@@ -143,6 +143,26 @@ TEST(MovingBodies, LandmarksAreTheirsAndThoseOfTheBackgroundAreNot) {
   EXPECT_GT(right[2], 0.95 * all[2]);
 }
 
+TEST(LandmarkReports, TellTheSameLandmarkByTheSameId) {
+  const ClusterRun run = Watch(20, testing::kAsItIs);
+  std::map<Descriptor, LandmarkId> id;  // every point of the world has its own
+  std::map<LandmarkId, Descriptor> point;
+  int again = 0;
+  int all = 0;
+  for (int i = 0; i < 20; ++i) {
+    for (const LandmarkReport& landmark : run.reports[i].landmarks) {
+      ASSERT_TRUE(landmark.id.valid());
+      const Descriptor& seen = run.views[i].frame.features[landmark.feature].descriptor;
+      // Never the id of another point; a lost point may come back as a new landmark.
+      EXPECT_EQ(point.try_emplace(landmark.id, seen).first->second, seen);
+      again += id.contains(seen) && id[seen] == landmark.id;
+      all += id.contains(seen);
+      id[seen] = landmark.id;
+    }
+  }
+  EXPECT_GT(again, 0.98 * all);
+}
+
 TEST(MovingBodies, KeepTheirIdThroughAnOcclusion) {
   const auto hide = [](int i, WorldView& view) {
     if (i < 18 || i >= 26) return;
