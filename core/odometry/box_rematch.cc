@@ -64,7 +64,7 @@ void RematchAssociated(const FrameView& view, const Cluster& cluster, Rng& rng,
 
 // The body that the detection is given to show; -1: unknown.
 int GivenBody(const FrameView& view, int detection) {
-  const std::vector<int>& given = view.frame.given.detection_body;
+  const std::vector<int>& given = view.given.detection_body;
   return given.empty() ? -1 : given[detection];
 }
 

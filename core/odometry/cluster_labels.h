@@ -67,7 +67,7 @@ template <typename Variant>
 FrameLabels LabelPoints(const FrameView& view, const Window& window, const ClusterMap& map,
                         const std::vector<ClusterTrack>& tracks,
                         const std::vector<FramePoint>& points) {
-  if (tracks.empty() && view.detections.empty() && view.frame.given.feature_body.empty()) {
+  if (tracks.empty() && view.detections.empty() && view.given.feature_body.empty()) {
     return internal::AllStatic(window, map, points);
   }
   const LabelScene scene = BuildLabelScene(view, window, map, tracks, points);
