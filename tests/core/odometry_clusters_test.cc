@@ -215,6 +215,45 @@ TEST_P(EveryVariantWithBodies, ReportsNoClusterFromASingleDetection) {
   EXPECT_THAT(run.clusters, IsEmpty());
 }
 
+TEST_P(EveryVariantWithBodies, GoesOnInAPlaceItDoesNotKnow) {
+  const ClusterRun run = Watch(34, [](int i, WorldView& view) {
+    if (i < 8) return;
+    for (std::size_t k = 0; k < view.of_body.size(); ++k) {
+      if (view.of_body[k] > 0) continue;
+      for (std::uint64_t& word : view.frame.features[k].descriptor) word = ~word;
+    }
+  });
+  ExpectSound(run);
+  // The static ones go on with the landmarks on the bodies.
+  if (GetParam().substr(0, 6) == "static" || GetParam() == "paper_literal") return;
+  const int restart = 8 + TrackingOptions().restart_after;
+  EXPECT_EQ(run.reports[restart - 1].status, FrameStatus::kLost);
+  EXPECT_EQ(run.reports[restart].status, FrameStatus::kFirst);
+  EXPECT_EQ(run.reports[restart + 1].status, FrameStatus::kTracked);
+  ExpectClusters(!run.reports[33].clusters.empty());
+}
+
+TEST_P(EveryVariantWithBodies, TakesGivenLabelsAndBoxesTogether) {
+  const ClusterRun run = Watch(12, [](int, WorldView& view) {
+    view.frame.given.feature_body = view.of_body;
+    view.frame.given.detection_body = view.box_body;
+  });
+  ExpectSound(run);
+  const bool is_static = GetParam().substr(0, 6) == "static";
+  EXPECT_EQ(testing::ReportedIds(run).size(), is_static ? 0u : 2u);
+}
+
+TEST_P(EveryVariantWithBodies, RefusesGivenKnowledgeOfAnotherLength) {
+  const auto give_too_few_labels = [](int, WorldView& view) {
+    view.frame.given.feature_body = {0, 1};
+  };
+  EXPECT_THROW(Watch(1, give_too_few_labels), Error);
+  const auto give_too_many_boxes = [](int, WorldView& view) {
+    view.frame.given.detection_body.resize(view.frame.detections.size() + 1);
+  };
+  EXPECT_THROW(Watch(1, give_too_many_boxes), Error);
+}
+
 TEST_P(EveryVariantWithBodies, PredictsClustersInSkippedFrames) {
   const ClusterRun run = Watch(24, [](int i, WorldView& view) {
     if (i == 12 || i == 16 || i == 17) view.frame.timestamp_ns = -1;

@@ -63,7 +63,8 @@ struct Frame {
   template <typename Use>
   auto With(Use use) {
     const FeatureGrid grid(frame.features, kCamera);
-    const FrameView view{options, frame, frame.detections, grid, kCamera, RigidTransform()};
+    const FrameView view{options, frame,   frame.detections, frame.given,
+                         grid,    kCamera, RigidTransform()};
     return use(view);
   }
 };

@@ -199,6 +199,19 @@ TEST(RetireClusters, LiveArchivedOrDropped) {
   EXPECT_THAT(told, ElementsAre(1, 2, 6));
 }
 
+TEST(RetireClusters, WhatWasNeverConfirmedIsNeverTold) {
+  ClusterOptions options;
+  options.confirm_frames = 100;  // the body is gone before
+  ClusterMap map;
+  map.live = {ClusterSeen(1, 5, 5, 1)};
+  map.trajectories[ClusterId{1}].id = ClusterId{1};
+  EXPECT_THAT(ConfirmedTrajectories(map, options), IsEmpty());
+  RetireClusters(FrameId{5 + options.live_frames}, options, map);
+  EXPECT_THAT(Ids(map, true), IsEmpty());
+  EXPECT_THAT(Ids(map, false), IsEmpty());
+  EXPECT_THAT(ConfirmedTrajectories(map, options), IsEmpty());
+}
+
 TEST(RetireClusters, TheArchiveForgetsTheOldest) {
   ClusterOptions options;
   options.archived = 2;
