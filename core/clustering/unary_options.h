@@ -11,7 +11,7 @@ struct UnaryOptions {
   double eta = 0.95;
   double box_shrink = 0.05;
   double kappa = 2.0;
-  double static_energy = 2.0;
+  double static_energy = 1.0;
   double outlier_energy = 4.0;
   double motion_cap = 25.0;
   double neutral_motion = 1.5;

@@ -29,6 +29,7 @@ struct Cluster {
   // Box around its landmarks along the axes of its frame: the p30/p70 centre and half sides.
   Eigen::Vector3d center_in_object = Eigen::Vector3d::Zero();
   Eigen::Vector3d half_size_m = Eigen::Vector3d::Zero();
+  double size_m = 0.0;  // smaller side of the box it was born in
   FrameId last_observed;
   FrameId last_detected;
   int detection = -1;  // index of the last frame's associated one; -1: none

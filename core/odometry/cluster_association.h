@@ -83,12 +83,14 @@ void FindBoxOfTrack(const FrameView& view, const Cluster& cluster, ClusterTrack&
 // left over are tried on clusters that were not found, archived ones included (`archived`: their
 // predictions), first by descriptors, then by where they are.
 struct RematchInBox {
+  static constexpr bool kInherits = true;  // InheritIdentities
   static void Rematch(const FrameView& view, const std::vector<PredictedCluster>& archived,
                       ClusterMap& map, Rng& rng, TakenFeatures& taken,
                       std::vector<ClusterTrack>& tracks);
 };
 // Policy: nothing.
 struct NoBoxRematch {
+  static constexpr bool kInherits = false;
   static void Rematch(const FrameView&, const std::vector<PredictedCluster>&, ClusterMap&, Rng&,
                       TakenFeatures&, std::vector<ClusterTrack>&) {}
 };

@@ -43,7 +43,9 @@ Cluster CreateCluster(const FrameView& view, FrameId newest, const FrameLabels::
     cluster.detections = 1;
     cluster.score = detection.score;
     cluster.last_detected = newest;
-    origin = FixFromSurface(view, detection, origin).center_in_world;
+    const BoxFix fix = FixFromSurface(view, detection, origin);
+    origin = fix.center_in_world;
+    cluster.size_m = fix.size_m;
   }
   cluster.states.push_back({newest, view.frame.timestamp_ns,
                             RigidTransform(axes.RotationMatrix(), origin),

@@ -10,7 +10,7 @@ namespace cvo {
 struct ClusterOptions {
   int min_landmarks = 8;
   double birth_depth = 0.33;
-  double box_half_size = 0.2;
+  double box_half_size = 0.13;
   int confirm_detections = 2;
   int confirm_frames = 5;
   int min_tracked = 4;
@@ -42,7 +42,7 @@ struct ClusterOptions {
         {"1", 0, 1,
          "half sides of a cluster in its box are not less than this share of the box's mean "
          "side: its landmarks so far may all be on one part",
-         "p70 - p30 of a body that fills its box is 0.4 of it"});
+         "half of (p70 - p30) / 2 of a body that fills its box is 0.2; less, as it rarely does"});
     visit.Field("confirm_detections", self.confirm_detections,
                 {"detections", 1, 100,
                  "a cluster is reported from so many detections on; one only is often false",

@@ -14,7 +14,7 @@ namespace {
 
 // The motion term looks this many frames back, or less where a landmark is younger: T = {t - 5, t}
 // in the paper.
-constexpr int kPastFrames = 5;
+constexpr int kPastFrames = 14;
 
 // Frames before the current one, the farthest first; null where the window does not hold one.
 using PastFrames = std::array<const WindowFrame*, kPastFrames>;

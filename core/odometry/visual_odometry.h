@@ -11,6 +11,7 @@
 #include "core/odometry/cluster_labels.h"
 #include "core/odometry/cluster_optimization.h"
 #include "core/odometry/cluster_update.h"
+#include "core/odometry/identity.h"
 #include "core/odometry/landmark_update.h"
 #include "core/odometry/motion_model.h"
 #include "core/odometry/odometry.h"
@@ -181,6 +182,10 @@ class VisualOdometry final : public Odometry {
 
   void EndClusters(FrameReport& report) {
     RetireClusters(newest_, options_.clusters, clusters_);
+    if constexpr (Variant::BoxRematch::kInherits) {
+      InheritIdentities(FindLostClusters<Variant>(options_, newest_, timestamp_ns_, clusters_),
+                        newest_, options_.association, options_.clusters, clusters_);
+    }
     report.clusters = ReportClusters<Variant>(options_, newest_, timestamp_ns_, clusters_);
   }
 
