@@ -148,7 +148,7 @@ TEST(TrimCluster, BeyondTheCapTheLongestUnseenGo) {
   Cluster cluster;
   cluster.states = {StateAt(5, At(0, 0, 5))};
   cluster.landmarks = {MakeLandmark(0, {4, 5}), MakeLandmark(1, {3}), MakeLandmark(2, {4}),
-                       MakeLandmark(3, {2}), MakeLandmark(4, {4})};
+                       MakeLandmark(3, {2}),    MakeLandmark(4, {4}), MakeLandmark(5, {1})};
   Cluster full = cluster;
   TrimCluster(WindowOf(1, 6), FrameId{6}, options, cluster);
   // Of those seen in frame 4 the younger ones.
@@ -156,7 +156,7 @@ TEST(TrimCluster, BeyondTheCapTheLongestUnseenGo) {
   // What the newest frame shows stays in any case.
   for (Landmark& landmark : full.landmarks) landmark.last_seen = FrameId{6};
   TrimCluster(WindowOf(1, 6), FrameId{6}, options, full);
-  EXPECT_THAT(full.landmarks, SizeIs(5));
+  EXPECT_THAT(full.landmarks, SizeIs(6));
 }
 
 Cluster ClusterSeen(std::int64_t id, std::int64_t observed, std::int64_t detected, int detections) {
