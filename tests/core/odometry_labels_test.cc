@@ -355,6 +355,22 @@ TEST(DropWeakBirths, RenumbersTheOthersAndGivesPointsBack) {
   EXPECT_EQ(frame.labels.points.back().inferred, ClusterId{6});
 }
 
+TEST(IsAllowed, AFeatureIsGivenToItsBodyOnly) {
+  Frame frame;
+  Cluster cluster;
+  const auto allowed = [&](std::vector<int> given, int body) {
+    frame.frame.given.feature_body = std::move(given);
+    cluster.given_body = body;
+    return frame.With([&](const FrameView& view) { return internal::IsAllowed(view, cluster, 1); });
+  };
+  EXPECT_TRUE(allowed({}, 3));
+  EXPECT_TRUE(allowed({2, 3}, 3));
+  EXPECT_FALSE(allowed({3, 2}, 3));
+  EXPECT_FALSE(allowed({3, 0}, 3));
+  EXPECT_TRUE(allowed({2, -1}, 3));
+  EXPECT_FALSE(allowed({2, 3}, -1));
+}
+
 TEST(CollectPoints, LeavesOutNewPointsWithoutDisparityOnly) {
   Frame frame;
   frame.Add({0.0, 0.0, 5.0}, FramePoint::kNoBody, -1, kNone);
