@@ -60,11 +60,24 @@ void RematchAssociated(const FrameView& view, const Cluster& cluster, Rng& rng,
   }
 }
 
+// The body that the detection is given to show; -1: unknown.
+int GivenBody(const FrameView& view, int detection) {
+  const std::vector<int>& given = view.given.detection_body;
+  return given.empty() ? -1 : given[detection];
+}
+
+// Whether the detection may show the cluster, by its class and by whose it is given to be.
+bool MayShow(const FrameView& view, int detection, const Cluster& cluster) {
+  const int given = GivenBody(view, detection);
+  return view.detections[detection].category == cluster.category &&
+         (given < 0 || given == cluster.given_body);
+}
+
 // Whether the cluster is what the detection shows; the track becomes that of the cluster there.
 bool Reacquire(const FrameView& view, const Cluster& cluster, int detection, Rng& rng,
                TakenFeatures& taken, ClusterTrack& track) {
   const Detection& seen = view.detections[detection];
-  if (cluster.category != seen.category) return false;
+  if (!MayShow(view, detection, cluster)) return false;
   const std::vector<Match> matches = MatchInBox(view, cluster, {}, seen.box, taken);
   const auto solution = internal::SolvePose(view, cluster, track.world_from_object, matches,
                                             view.options.association.min_rematch, false, rng);
@@ -161,7 +174,6 @@ void RematchInBox::Rematch(const FrameView& view, const std::vector<PredictedClu
     if (!track.is_tracked) track.detection = -1;
     if (track.detection >= 0) is_used[track.detection] = 1;
   }
-  if (!view.frame.given.detection_body.empty()) return;
   Reacquisition reacquisition(view, archived, map, taken, tracks);
   for (int m = 0; m < static_cast<int>(view.detections.size()); ++m) {
     if (!is_used[m]) reacquisition.Try(m, rng);

@@ -28,7 +28,7 @@ std::vector<PointMeasurement> Measurements(const FrameView& view, const Cluster&
 }  // namespace
 
 bool IsAllowed(const FrameView& view, const Cluster& cluster, int feature) {
-  const std::vector<int>& given = view.frame.given.feature_body;
+  const std::vector<int>& given = view.given.feature_body;
   return given.empty() || given[feature] < 0 || given[feature] == cluster.given_body;
 }
 
@@ -128,7 +128,7 @@ std::vector<ImageBox> BoxesOf(const std::vector<Detection>& detections) {
 
 void AssociateGivenDetections(const FrameView& view, const ClusterMap& map,
                               std::vector<ClusterTrack>& tracks) {
-  const std::vector<int>& given = view.frame.given.detection_body;
+  const std::vector<int>& given = view.given.detection_body;
   if (given.empty()) return;
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     tracks[q].detection = -1;

@@ -30,6 +30,7 @@ struct FrameView {
   const Options& options;
   const StereoFrame& frame;
   const std::vector<Detection>& detections;  // what the variant is shown
+  const GivenKnowledge& given;               // of bodies: what the variant is shown
   const FeatureGrid& grid;
   StereoCamera camera;
   RigidTransform world_from_camera;

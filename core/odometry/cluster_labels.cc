@@ -12,7 +12,7 @@ namespace internal {
 std::vector<int> DecideLabels(const FrameView& view, const std::vector<FramePoint>& points,
                               const LabelScene& scene, const CrfResult& crf) {
   std::vector<int> labels = MostLikelyLabels(crf.q);
-  const std::vector<int>& given = view.frame.given.feature_body;
+  const std::vector<int>& given = view.given.feature_body;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (given.empty() || given[points[i].feature] < 0) continue;
     labels[i] = static_cast<int>(

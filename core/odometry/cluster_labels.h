@@ -15,6 +15,7 @@ namespace cvo {
 struct PointLabel {
   ClusterId inferred;      // by the CRF; invalid: outlier
   LabelState assigned;     // q^i and w^i after the confidence rule; invalid: no body's
+  LandmarkId landmark;     // what it is an observation of (UpdateLandmarks); invalid: nothing
   double energy_2d = 0.0;  // of the inferred label, nats
   double energy_3d = 0.0;
   double energy_motion = 0.0;
@@ -66,7 +67,7 @@ template <typename Variant>
 FrameLabels LabelPoints(const FrameView& view, const Window& window, const ClusterMap& map,
                         const std::vector<ClusterTrack>& tracks,
                         const std::vector<FramePoint>& points) {
-  if (tracks.empty() && view.detections.empty() && view.frame.given.feature_body.empty()) {
+  if (tracks.empty() && view.detections.empty() && view.given.feature_body.empty()) {
     return internal::AllStatic(window, map, points);
   }
   const LabelScene scene = BuildLabelScene(view, window, map, tracks, points);

@@ -76,12 +76,13 @@ void RetireClusters(FrameId newest, const ClusterOptions& options, ClusterMap& m
     const std::int64_t unseen = newest.value - cluster.last_observed.value;
     const std::int64_t undetected = newest.value - cluster.last_detected.value;
     const bool is_confirmed = IsConfirmed(cluster, options);
-    if (!is_confirmed && undetected >= options.confirm_frames) {
+    const bool is_gone = unseen >= options.live_frames;
+    if (!is_confirmed && (is_gone || undetected >= options.confirm_frames)) {
       map.trajectories.erase(cluster.id);
-    } else if (unseen < options.live_frames) {
-      live.push_back(std::move(cluster));
-    } else if (is_confirmed) {
+    } else if (is_gone) {
       map.archived.push_back(std::move(cluster));
+    } else {
+      live.push_back(std::move(cluster));
     }
   }
   map.live = std::move(live);

@@ -9,8 +9,8 @@ namespace cvo {
 namespace {
 
 // A new cluster's motion is unknown; each further state tells of it.
-double FallingDeviation(double first, double settled, std::size_t states) {
-  const double n = static_cast<double>(states);
+double FallingDeviation(double first, double settled, int frames) {
+  const double n = frames;
   return std::max(first / (n * n), settled);
 }
 
@@ -36,14 +36,14 @@ std::vector<MotionState> LastStates(const Cluster& cluster, std::int64_t origin_
 
 double SpeedVariance(const Cluster& cluster, const ClusterOptions& options) {
   const double deviation =
-      FallingDeviation(options.first_speed_m_s, options.speed_deviation_m_s, cluster.states.size());
+      FallingDeviation(options.first_speed_m_s, options.speed_deviation_m_s, cluster.frames);
   return deviation * deviation;
 }
 
 PredictedCluster WithUncertainty(const Cluster& cluster, const PredictedMotion& extrapolated,
                                  double dt_s, const ClusterOptions& options) {
-  const double turn = FallingDeviation(options.first_turn_rad_s, options.turn_deviation_rad_s,
-                                       cluster.states.size());
+  const double turn =
+      FallingDeviation(options.first_turn_rad_s, options.turn_deviation_rad_s, cluster.frames);
   PredictedCluster predicted;
   predicted.world_from_object = extrapolated.world_from_object;
   predicted.velocity_m_s = cluster.Latest().velocity_m_s;

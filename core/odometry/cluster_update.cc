@@ -57,6 +57,7 @@ void AddStates(const FrameView& view, FrameId newest, const std::vector<ClusterT
     cluster.states.push_back(
         {newest, view.frame.timestamp_ns, track.world_from_object, track.predicted.velocity_m_s});
     cluster.last_observed = newest;
+    ++cluster.frames;
   }
 }
 
@@ -106,6 +107,7 @@ std::vector<LandmarkReport> ReportLandmarks(const FrameView& view,
   for (std::size_t i = 0; i < points.size(); ++i) {
     const PointLabel& label = labels.points[i];
     LandmarkReport report;
+    report.id = label.landmark;
     report.feature = points[i].feature;
     report.cluster = label.assigned.cluster;
     report.inferred = label.inferred;

@@ -8,13 +8,16 @@
 
 namespace cvo {
 
-// Which detections the estimator is shown. Policy: all of the frame's.
+// Which detections, and what given knowledge of bodies, the estimator is shown. Policy: all of the
+// frame's.
 struct UseDetections {
   static const std::vector<Detection>& Shown(const StereoFrame& frame) { return frame.detections; }
+  static const GivenKnowledge& Given(const StereoFrame& frame) { return frame.given; }
 };
 // Policy: none; no cluster is ever found, the world is taken for static.
 struct IgnoreDetections {
   static std::vector<Detection> Shown(const StereoFrame&) { return {}; }
+  static GivenKnowledge Given(const StereoFrame&) { return {}; }
 };
 
 }  // namespace cvo

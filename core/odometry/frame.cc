@@ -6,6 +6,16 @@
 
 namespace cvo {
 
+void CheckGiven(const StereoFrame& frame) {
+  const auto check = [](const char* where, std::size_t given, std::size_t expected) {
+    if (given != 0 && given != expected) {
+      ThrowError(where, StrCat(given, " bodies"), StrCat("none or ", expected));
+    }
+  };
+  check("given.feature_body", frame.given.feature_body.size(), frame.features.size());
+  check("given.detection_body", frame.given.detection_body.size(), frame.detections.size());
+}
+
 const char* ToString(FrameStatus status) {
   switch (status) {
     case FrameStatus::kFirst:

@@ -39,6 +39,9 @@ struct StereoFrame {
   GivenKnowledge given;
 };
 
+// Throws Error where what is given of features or detections is not as long as they are.
+void CheckGiven(const StereoFrame& frame);
+
 enum class FrameStatus {
   kFirst,      // starts the map: the pose is the identity or, after a restart, the prediction
   kTracked,    // pose from at least min_inliers landmarks

@@ -34,6 +34,12 @@ const Cluster& FindCluster(const ClusterMap& map, ClusterId id) {
   return *it;
 }
 
+// Whether their class and what is given of them let two clusters be one body.
+bool MayBeOne(const Cluster& found, const Cluster& lost) {
+  const bool is_given = found.given_body >= 0 && lost.given_body >= 0;
+  return found.category == lost.category && (!is_given || found.given_body == lost.given_body);
+}
+
 double Distance(const Cluster& found, const Cluster& lost, const PredictedCluster& predicted) {
   const double spread = std::min(std::sqrt(predicted.translation_variance_m2), kMaxDeviation_m);
   const double deviation = std::hypot(spread, kOriginDeviation * lost.size_m);
@@ -50,7 +56,8 @@ const LostCluster* FindPredecessor(const Cluster& found, const std::vector<LostC
   double second = std::numeric_limits<double>::infinity();
   for (const LostCluster& candidate : lost) {
     const Cluster& cluster = FindCluster(map, candidate.id);
-    if (cluster.category != found.category) continue;
+    if (!MayBeOne(found, cluster)) continue;
+    if (found.given_body >= 0) return &candidate;
     const double distance = Distance(found, cluster, candidate.predicted);
     if (distance < nearest) {
       second = best ? nearest : second;

@@ -12,8 +12,8 @@
 namespace cvo {
 namespace {
 
-// The motion term looks this many frames back, or less where a landmark is younger: T = {t - 5, t}
-// in the paper.
+// The motion term looks this many frames back, or less where a landmark is younger. The paper has
+// T = {t - 5, t}; at 30 Hz a slow body hardly moves in five frames, and T_t holds fourteen.
 constexpr int kPastFrames = 14;
 
 // Frames before the current one, the farthest first; null where the window does not hold one.
@@ -122,7 +122,7 @@ std::optional<CrfLabel::Extent> NewBoxExtent(const FrameView& view, const ImageB
 
 // Bodies that given labels tell of and no label stands for yet.
 void AddGivenBodies(const FrameView& view, LabelScene& scene) {
-  const std::vector<int>& bodies = view.frame.given.feature_body;
+  const std::vector<int>& bodies = view.given.feature_body;
   for (const int body : std::set<int>(bodies.begin(), bodies.end())) {
     const auto known = std::find(scene.given_body.begin(), scene.given_body.end(), body);
     if (body < 1 || known != scene.given_body.end()) continue;
@@ -170,7 +170,7 @@ LabelScene BuildLabelScene(const FrameView& view, const Window& window, const Cl
     if (!label.extent) continue;
     scene.crf.labels.push_back(label);
     scene.detection.push_back(m);
-    const std::vector<int>& given = view.frame.given.detection_body;
+    const std::vector<int>& given = view.given.detection_body;
     scene.given_body.push_back(given.empty() ? -1 : given[m]);
   }
   AddGivenBodies(view, scene);

@@ -187,16 +187,17 @@ class Updater {
 
 int UpdateLandmarks(const FrameView& view, const WindowFrame& entering,
                     const std::vector<ClusterTrack>& tracks, const std::vector<FramePoint>& points,
-                    const FrameLabels& labels, LandmarkId& next_id, Window& window,
-                    ClusterMap& map) {
+                    FrameLabels& labels, LandmarkId& next_id, Window& window, ClusterMap& map) {
   Updater updater(view, entering, tracks, window, map);
   int added = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const StereoFeature& feature = view.frame.features[points[i].feature];
     const LabelState& assigned = labels.points[i].assigned;
-    if (points[i].body != FramePoint::kNoBody) {
+    if (const Landmark* landmark = FindLandmark(points[i], window, map)) {
+      labels.points[i].landmark = landmark->id;
       updater.Update(points[i], feature, assigned);
     } else if (updater.Create(feature, assigned, next_id)) {
+      labels.points[i].landmark = next_id;
       ++next_id.value;
       ++added;
     }

@@ -35,6 +35,7 @@ class VisualOdometry final : public Odometry {
   }
 
   FrameReport Process(const StereoFrame& frame, StageTimes& times) override {
+    CheckGiven(frame);
     FrameReport report = Begin(frame.timestamp_ns);
     report.features = static_cast<int>(frame.features.size());
     const FeatureGrid grid(frame.features, camera_);
@@ -53,8 +54,13 @@ class VisualOdometry final : public Odometry {
     const std::vector<Match> static_matches = track ? track->inliers : std::vector<Match>();
     const WindowFrame entering{newest_, track ? track->world_from_camera : predicted,
                                frame.given.world_from_camera.has_value()};
-    const FrameView view{options_, frame,          Variant::Detections::Shown(frame),
-                         grid,     window_.camera, entering.world_from_camera};
+    const FrameView view{options_,
+                         frame,
+                         Variant::Detections::Shown(frame),
+                         Variant::Detections::Given(frame),
+                         grid,
+                         window_.camera,
+                         entering.world_from_camera};
 
     // Features and boxes against the clusters (3.1, multi-level probabilistic association).
     std::vector<ClusterTrack> cluster_tracks;

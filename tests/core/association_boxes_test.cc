@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "core/association/box_association.h"
+#include "core/geometry/stereo_camera.h"
+
+namespace cvo {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+const std::vector<ImageBox> kTwoBoxes = {{0, 0, 100, 100}, {200, 0, 300, 100}};
+
+// A landmark at u = v whose bounded weight is `weight`.
+BoxMember At(double u_px, double v_px, double weight = 1.0) {
+  BoxMember member;
+  member.zeta_px = {u_px, v_px};
+  member.measurement_determinant = weight * weight;
+  member.position_determinant = 1.0 / weight;
+  return member;
+}
+
+std::vector<BoxMember> Several(int count, double u_px, double v_px) {
+  return std::vector<BoxMember>(static_cast<std::size_t>(count), At(u_px, v_px));
+}
+
+std::vector<BoxMember> Join(std::vector<BoxMember> a, const std::vector<BoxMember>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+TEST(BoundedBoxWeights, HandComputed) {
+  // Two landmarks in the first box, one in the second, one in none: 1.5, 0.25 and 0.25 of 2.
+  const std::vector<BoxMember> cluster = {At(50, 50), At(60, 10, 0.5), At(250, 50, 0.25),
+                                          At(150, 50, 0.25)};
+  const BoxProbabilities p = BoundedBoxWeights::Compute(cluster, kTwoBoxes);
+  EXPECT_DOUBLE_EQ(p.probability[0], 0.75);
+  EXPECT_DOUBLE_EQ(p.probability[1], 0.125);
+  EXPECT_DOUBLE_EQ(p.weight[0], 1.5);
+  EXPECT_DOUBLE_EQ(p.weight[1], 0.25);
+  EXPECT_THAT(p.members, ElementsAre(2, 1));
+  // 3/4 log2(4/3) + 2 * 1/8 * 3 bits, the null box included.
+  EXPECT_NEAR(p.entropy, 0.75 * std::log2(4.0 / 3.0) + 0.75, 1e-12);
+}
+
+TEST(BoundedBoxWeights, OneBoxOfManyOutsideIsNotCertain) {
+  const auto p = BoundedBoxWeights::Compute(Join(Several(1, 50, 50), Several(49, 150, 50)),
+                                            {kTwoBoxes.data(), 1});
+  EXPECT_DOUBLE_EQ(p.probability[0], 0.02);
+  EXPECT_GT(p.entropy, 0.1);
+}
+
+TEST(BoundedBoxWeights, TwoBoxesAroundTheSameAreOneBit) {
+  const std::vector<ImageBox> boxes = {{0, 0, 100, 100}, {10, 10, 110, 110}};
+  const auto p = BoundedBoxWeights::Compute(Several(10, 50, 50), boxes);
+  EXPECT_DOUBLE_EQ(p.probability[0], 0.5);
+  EXPECT_DOUBLE_EQ(p.probability[1], 0.5);
+  EXPECT_NEAR(p.entropy, 1.0, 1e-12);
+}
+
+TEST(BoundedBoxWeights, NothingSeenIsNoBox) {
+  const auto p = BoundedBoxWeights::Compute({}, kTwoBoxes);
+  EXPECT_THAT(p.probability, ElementsAre(0.0, 0.0));
+  EXPECT_EQ(p.entropy, 0.0);
+  EXPECT_THAT(BoundedBoxWeights::Compute(Several(3, 50, 50), {}).probability, IsEmpty());
+}
+
+TEST(BoxWeightsLiteral, HandComputed) {
+  // Two of weight 1/4, one of weight 1/2; what is in no box does not count.
+  const std::vector<BoxMember> cluster = {At(50, 50, 0.25), At(60, 10, 0.25), At(250, 50, 0.5),
+                                          At(150, 50, 8.0)};
+  const BoxProbabilities p = BoxWeightsLiteral::Compute(cluster, kTwoBoxes);
+  EXPECT_DOUBLE_EQ(p.probability[0], 0.5);
+  EXPECT_DOUBLE_EQ(p.probability[1], 0.5);
+  EXPECT_NEAR(p.entropy, std::log(2.0), 1e-12);
+}
+
+// A landmark on the optical axis at depth_m, best triangulated at best_m.
+BoxMember Receding(double depth_m, double best_m) {
+  const StereoCamera camera = {.fx = 450,
+                               .fy = 450,
+                               .cx = 320,
+                               .cy = 240,
+                               .baseline_m = 0.3,
+                               .width_px = 640,
+                               .height_px = 480};
+  const Eigen::Matrix3d noise = 0.25 * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d best = camera.PointCovariance(*camera.Project({0.0, 0.0, best_m}), noise);
+  const Eigen::Matrix3d J = camera.ProjectionJacobian({0.0, 0.0, depth_m});
+  const Eigen::Matrix3d position = J * best * J.transpose();
+  BoxMember member;
+  member.zeta_px = {320.0, 240.0};
+  member.measurement_determinant = noise.determinant();
+  member.position_determinant = position.determinant();
+  member.innovation_determinant = (position + noise).determinant();
+  return member;
+}
+
+TEST(BoxWeights, LiteralOnesGrowWithTheEighthPowerOfDepthBoundedOnesDoNot) {
+  const std::vector<ImageBox> box = {{300, 220, 340, 260}};
+  const auto literal = [&](double depth_m) {
+    const BoxMember member = Receding(depth_m, 5.0);
+    return BoxWeightsLiteral::Compute({&member, 1}, box).weight[0];
+  };
+  const auto bounded = [&](double depth_m) {
+    const BoxMember member = Receding(depth_m, 5.0);
+    return BoundedBoxWeights::Compute({&member, 1}, box).weight[0];
+  };
+  EXPECT_NEAR(literal(10.0) / literal(5.0), 256.0, 256.0 * 1e-9);
+  EXPECT_NEAR(literal(15.0) / literal(5.0), 6561.0, 6561.0 * 1e-9);
+  // |2 Sigma_z| is 8 |Sigma_z|.
+  EXPECT_NEAR(bounded(5.0), std::sqrt(1.0 / 8.0), 1e-12);
+  EXPECT_GT(bounded(10.0), bounded(5.0));
+  EXPECT_LE(bounded(1000.0), 1.0);
+}
+
+// The boxes that clusters of unit weights get.
+std::vector<int> Associate(const std::vector<std::vector<BoxMember>>& clusters,
+                           const std::vector<ImageBox>& boxes) {
+  std::vector<BoxProbabilities> probabilities;
+  for (const auto& cluster : clusters) {
+    probabilities.push_back(BoundedBoxWeights::Compute(cluster, boxes));
+  }
+  return AssociateBoxes(probabilities, static_cast<int>(boxes.size()), {});
+}
+
+TEST(AssociateBoxes, EachClusterGetsItsBoxInWhateverOrder) {
+  const auto left = Several(10, 50, 50);
+  const auto right = Several(10, 250, 50);
+  EXPECT_THAT(Associate({left, right}, kTwoBoxes), ElementsAre(0, 1));
+  EXPECT_THAT(Associate({right, left}, kTwoBoxes), ElementsAre(1, 0));
+  EXPECT_THAT(Associate({left, right}, {kTwoBoxes[1]}), ElementsAre(-1, 0));
+}
+
+TEST(AssociateBoxes, OverlappingBoxesAreToldApartByWhatIsInOneOfThem) {
+  const std::vector<ImageBox> boxes = {{0, 0, 100, 100}, {40, 0, 160, 100}};
+  EXPECT_THAT(Associate({Join(Several(10, 50, 50), Several(2, 20, 50))}, boxes), ElementsAre(0));
+  EXPECT_THAT(Associate({Join(Several(10, 50, 50), Several(2, 150, 50))}, boxes), ElementsAre(1));
+  // Two bodies, one before the other.
+  EXPECT_THAT(Associate({Join(Several(6, 50, 50), Several(6, 20, 50)),
+                         Join(Several(6, 60, 50), Several(6, 150, 50))},
+                        boxes),
+              ElementsAre(0, 1));
+}
+
+TEST(AssociateBoxes, TheClusterThatFillsABoxWins) {
+  const std::vector<ImageBox> boxes = {kTwoBoxes[0]};
+  EXPECT_THAT(Associate({Several(4, 50, 50), Several(20, 60, 60)}, boxes), ElementsAre(-1, 0));
+  EXPECT_THAT(Associate({Several(20, 50, 50), Several(4, 60, 60)}, boxes), ElementsAre(0, -1));
+}
+
+TEST(AssociateBoxes, RefusesABoxWithTooLittleOfTheCluster) {
+  const std::vector<ImageBox> boxes = {kTwoBoxes[0]};
+  const ClusterAssociationOptions options;
+  ASSERT_EQ(options.min_box_members, 3);
+  EXPECT_THAT(Associate({Several(2, 50, 50)}, boxes), ElementsAre(-1));
+  EXPECT_THAT(Associate({Several(3, 50, 50)}, boxes), ElementsAre(0));
+  ASSERT_EQ(options.min_box_probability, 0.3);
+  EXPECT_THAT(Associate({Join(Several(6, 50, 50), Several(15, 150, 50))}, boxes), ElementsAre(-1));
+  EXPECT_THAT(Associate({Join(Several(7, 50, 50), Several(15, 150, 50))}, boxes), ElementsAre(0));
+}
+
+TEST(AssociateBoxes, RefusesAClusterSpreadOverBoxes) {
+  const std::vector<ImageBox> boxes = {{0, 0, 10, 10}, {20, 0, 30, 10}, {40, 0, 50, 10}};
+  const auto spread =
+      Join(Several(12, 5, 5), Join(Several(10, 25, 5), Several(10, 45, 5)));  // 1.58 bits
+  EXPECT_THAT(Associate({spread}, boxes), ElementsAre(-1));
+  BoxProbabilities p = BoundedBoxWeights::Compute(spread, boxes);
+  ClusterAssociationOptions options;
+  options.max_entropy = 1.6;
+  EXPECT_THAT(AssociateBoxes({&p, 1}, 3, options), ElementsAre(0));
+}
+
+TEST(AssociateBoxes, NothingToAssociate) {
+  EXPECT_THAT(Associate({}, kTwoBoxes), IsEmpty());
+  EXPECT_THAT(Associate({Several(5, 50, 50), {}}, {}), ElementsAre(-1, -1));
+  EXPECT_THAT(Associate({{}, Several(5, 50, 50)}, kTwoBoxes), ElementsAre(-1, 0));
+}
+
+TEST(ImageBox, ContainsItsRim) {
+  const ImageBox box{10, 20, 30, 40};
+  EXPECT_TRUE(box.Contains(10, 20));
+  EXPECT_TRUE(box.Contains(30, 40));
+  EXPECT_FALSE(box.Contains(9.99, 30));
+  EXPECT_FALSE(box.Contains(20, 40.01));
+  EXPECT_FALSE(box.Contains(std::nan(""), 30));
+}
+
+TEST(ImageBox, ShrinksAndGrowsAboutItsCentre) {
+  const ImageBox box{10, 20, 30, 60};
+  const ImageBox smaller = box.Shrunk(0.1);
+  EXPECT_DOUBLE_EQ(smaller.left_px, 12.0);
+  EXPECT_DOUBLE_EQ(smaller.top_px, 24.0);
+  EXPECT_DOUBLE_EQ(smaller.right_px, 28.0);
+  EXPECT_DOUBLE_EQ(smaller.bottom_px, 56.0);
+  const ImageBox larger = box.Shrunk(-0.5);
+  EXPECT_DOUBLE_EQ(larger.Width(), 40.0);
+  EXPECT_DOUBLE_EQ(larger.Height(), 80.0);
+}
+
+TEST(IntersectionOverUnion, HandComputed) {
+  const ImageBox box{0, 0, 10, 10};
+  EXPECT_DOUBLE_EQ(IntersectionOverUnion(box, box), 1.0);
+  EXPECT_DOUBLE_EQ(IntersectionOverUnion(box, {5, 0, 15, 10}), 50.0 / 150.0);
+  EXPECT_DOUBLE_EQ(IntersectionOverUnion({5, 5, 15, 15}, box), 25.0 / 175.0);
+  EXPECT_DOUBLE_EQ(IntersectionOverUnion(box, {2, 2, 4, 7}), 0.1);
+  EXPECT_DOUBLE_EQ(IntersectionOverUnion(box, {10, 0, 20, 10}), 0.0);
+  EXPECT_DOUBLE_EQ(IntersectionOverUnion(box, {20, 20, 30, 30}), 0.0);
+  EXPECT_DOUBLE_EQ(IntersectionOverUnion({5, 5, 5, 5}, {5, 5, 5, 5}), 0.0);
+}
+
+}  // namespace
+}  // namespace cvo

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/association/gated_matching.h"
+#include "core/base/rng.h"
+
+namespace cvo {
+namespace {
+
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+const StereoCamera kCamera = {.fx = 400,
+                              .fy = 400,
+                              .cx = 320,
+                              .cy = 120,
+                              .baseline_m = 0.5,
+                              .width_px = 640,
+                              .height_px = 240};
+
+Descriptor RandomDescriptor(Rng& rng) {
+  return {rng.NextU64(), rng.NextU64(), rng.NextU64(), rng.NextU64()};
+}
+
+// P(chi^2 < x) with three degrees of freedom.
+double ChiSquare3(double x) {
+  return std::erf(std::sqrt(0.5 * x)) - std::sqrt(2.0 * x / std::numbers::pi) * std::exp(-0.5 * x);
+}
+
+Eigen::Matrix3d RandomCovariance(Rng& rng) {
+  const Eigen::Matrix3d A = Eigen::Matrix3d::NullaryExpr([&] { return rng.Normal(); });
+  return A * A.transpose() + 0.3 * Eigen::Matrix3d::Identity();
+}
+
+struct Scene {
+  std::vector<PredictedLandmark> landmarks;
+  std::vector<StereoFeature> features;  // by landmark
+
+  FeatureGrid Grid() const { return FeatureGrid(features, kCamera); }
+  std::vector<char> NoneTaken() const { return std::vector<char>(features.size(), 0); }
+
+  // A landmark that looks like no other, and its feature at `innovation` from the prediction.
+  void Add(const Eigen::Matrix3d& position, const Eigen::Matrix3d& measurement,
+           const Eigen::Vector3d& innovation, Rng& rng) {
+    PredictedLandmark landmark;
+    const double u = rng.Uniform(50.0, 590.0);
+    landmark.zeta_px = {u, rng.Uniform(50.0, 190.0), u - 20.0};
+    landmark.position_px2 = position;
+    landmark.measurement_px2 = measurement;
+    landmark.innovation_px2 = position + measurement;
+    landmark.descriptor = RandomDescriptor(rng);
+    StereoFeature feature;
+    feature.z_px = landmark.zeta_px + innovation;
+    feature.descriptor = landmark.descriptor;
+    landmarks.push_back(landmark);
+    features.push_back(feature);
+  }
+};
+
+Eigen::Vector3d Draw(const Eigen::Matrix3d& covariance, Rng& rng) {
+  const Eigen::Vector3d n(rng.Normal(), rng.Normal(), rng.Normal());
+  return Eigen::LLT<Eigen::Matrix3d>(covariance).matrixL() * n;
+}
+
+constexpr int kDraws = 5000;
+
+// Innovations as they are where prediction and measurement have the covariances that are claimed.
+Scene Simulate(Rng& rng) {
+  Scene scene;
+  for (int i = 0; i < kDraws; ++i) {
+    const Eigen::Matrix3d position = RandomCovariance(rng);
+    const Eigen::Matrix3d measurement = RandomCovariance(rng);
+    scene.Add(position, measurement, Draw(position + measurement, rng), rng);
+  }
+  return scene;
+}
+
+template <typename Policy>
+std::vector<Match> Find(const Scene& scene, const ClusterAssociationOptions& options = {}) {
+  return Policy::Find(scene.landmarks, scene.Grid(), scene.NoneTaken(), options);
+}
+
+// Share of the landmarks that were found, each in its own feature.
+template <typename Policy>
+double Acceptance(const Scene& scene, double gamma) {
+  ClusterAssociationOptions options;
+  options.gamma = gamma;
+  const std::vector<Match> matches = Find<Policy>(scene, options);
+  for (const Match& match : matches) EXPECT_EQ(match.landmark, match.feature);
+  return static_cast<double>(matches.size()) / static_cast<double>(scene.landmarks.size());
+}
+
+TEST(ProbabilisticAssociation, AcceptsAsManyInnovationsAsChiSquareSays) {
+  Rng rng(1, "gate");
+  const Scene scene = Simulate(rng);
+  for (const double gamma : {2.0, 4.0, 7.815}) {
+    EXPECT_NEAR(Acceptance<ProbabilisticAssociation>(scene, gamma), ChiSquare3(gamma), 0.015)
+        << gamma;
+  }
+}
+
+TEST(ProbabilisticAssociationLiteral, MissesMostOfWhatItShouldAccept) {
+  Rng rng(2, "gate");
+  Scene scene;
+  for (int i = 0; i < kDraws; ++i) {
+    // A perfect prediction of a body at constant depth: Gamma is Sigma_z (estimator.md 3.2).
+    const Eigen::Matrix3d covariance = RandomCovariance(rng);
+    scene.Add(covariance, covariance, Draw(2.0 * covariance, rng), rng);
+  }
+  EXPECT_NEAR(Acceptance<ProbabilisticAssociationLiteral>(scene, 4.0), 0.43, 0.015);
+  EXPECT_NEAR(Acceptance<ProbabilisticAssociation>(scene, 4.0), 0.74, 0.015);
+}
+
+TEST(ProbabilisticAssociation, GateIsAnEllipsoidInAllThreeCoordinates) {
+  Rng rng(3, "gate");
+  // u_left and u_right move together: a change of disparity is far less likely than one of place.
+  Eigen::Matrix3d covariance;
+  covariance << 4.0, 0.0, 3.9,  //
+      0.0, 1.0, 0.0,            //
+      3.9, 0.0, 4.0;
+  const auto is_found = [&](const Eigen::Vector3d& innovation) {
+    Scene scene;
+    scene.Add(Eigen::Matrix3d::Zero(), covariance, innovation, rng);
+    return !Find<ProbabilisticAssociation>(scene).empty();
+  };
+  EXPECT_TRUE(is_found({5.0, 0.0, 5.0}));    // 25 / 3.95 = 6.3
+  EXPECT_FALSE(is_found({6.0, 0.0, 6.0}));   // 36 / 3.95 = 9.1
+  EXPECT_FALSE(is_found({1.0, 0.0, -1.0}));  // 2 / 0.1 = 20
+  EXPECT_TRUE(is_found({0.0, 2.7, 0.0}));    // 7.29
+  EXPECT_FALSE(is_found({0.0, 2.9, 0.0}));   // 8.41
+}
+
+TEST(ProbabilisticAssociation, SearchIsNeverWiderThanItsLimit) {
+  Rng rng(4, "gate");
+  const ClusterAssociationOptions options;
+  const Eigen::Matrix3d vast = 1e6 * Eigen::Matrix3d::Identity();
+  Scene scene;
+  scene.Add(vast, vast, {options.max_radius_px - 1.0, 0.0, 0.0}, rng);
+  EXPECT_THAT(Find<ProbabilisticAssociation>(scene), SizeIs(1));
+  scene.features[0].z_px[0] += 2.0;
+  EXPECT_THAT(Find<ProbabilisticAssociation>(scene), IsEmpty());
+}
+
+TEST(ProbabilisticAssociation, LeavesOutACovarianceThatTellsNothing) {
+  Rng rng(5, "gate");
+  Scene scene;
+  scene.Add(Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero(), Eigen::Vector3d::Zero(), rng);
+  EXPECT_THAT(Find<ProbabilisticAssociation>(scene), IsEmpty());
+  scene.landmarks[0].innovation_px2.setConstant(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_THAT(Find<ProbabilisticAssociation>(scene), IsEmpty());
+  scene.landmarks[0].innovation_px2.setIdentity();
+  EXPECT_THAT(Find<ProbabilisticAssociation>(scene), SizeIs(1));
+}
+
+TEST(ProbabilisticAssociation, ChoosesByDescriptorAmongThoseWithinTheGate) {
+  Rng rng(6, "gate");
+  Scene scene;
+  const Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
+  scene.Add(covariance, covariance, {2.0, 0.0, 2.0}, rng);
+  // Nearer, but another point: 20 bits more.
+  StereoFeature nearer = scene.features[0];
+  nearer.z_px = scene.landmarks[0].zeta_px;
+  nearer.descriptor[0] ^= 0xFFFFFull;
+  scene.features.push_back(nearer);
+  const std::vector<Match> matches = Find<ProbabilisticAssociation>(scene);
+  ASSERT_THAT(matches, SizeIs(1));
+  EXPECT_EQ(matches[0].feature, 0);
+  EXPECT_EQ(matches[0].hamming, 0);
+}
+
+TEST(ProbabilisticAssociation, RefusesWhatIsNotUniqueOrNotAlike) {
+  Rng rng(7, "gate");
+  Scene scene;
+  const Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
+  scene.Add(covariance, covariance, {1.0, 0.0, 1.0}, rng);
+  scene.landmarks[0].descriptor[0] ^= 0x3FFull;  // 10 bits
+  EXPECT_THAT(Find<ProbabilisticAssociation>(scene), SizeIs(1));
+  StereoFeature second = scene.features[0];
+  second.z_px = scene.landmarks[0].zeta_px;
+  second.descriptor[1] ^= 1ull;  // 11 bits from the landmark: 10 >= 0.9 * 11
+  scene.features.push_back(second);
+  EXPECT_THAT(Find<ProbabilisticAssociation>(scene), IsEmpty());
+  // Outside the gate it is no rival.
+  scene.features[1].z_px += Eigen::Vector3d(9.0, 0.0, 9.0);
+  EXPECT_THAT(Find<ProbabilisticAssociation>(scene), SizeIs(1));
+  scene.landmarks[0].descriptor[2] ^= ~0ull;  // 74 bits
+  scene.landmarks[0].descriptor[3] ^= 1ull;
+  EXPECT_THAT(Find<ProbabilisticAssociation>(scene), SizeIs(1));
+  scene.landmarks[0].descriptor[3] ^= 2ull;  // 76
+  EXPECT_THAT(Find<ProbabilisticAssociation>(scene), IsEmpty());
+}
+
+template <typename Policy>
+class EveryAssociation : public ::testing::Test {};
+using Policies = ::testing::Types<ProbabilisticAssociation, ProbabilisticAssociationLiteral,
+                                  FixedRadiusAssociation>;
+TYPED_TEST_SUITE(EveryAssociation, Policies);
+
+TYPED_TEST(EveryAssociation, GivesAFeatureToTheMostSimilarLandmarkOnly) {
+  Rng rng(8, "gate");
+  Scene scene;
+  const Eigen::Matrix3d covariance = 4.0 * Eigen::Matrix3d::Identity();
+  scene.Add(covariance, covariance, {1.0, 0.0, 1.0}, rng);
+  scene.landmarks.insert(scene.landmarks.begin(), scene.landmarks[0]);
+  scene.landmarks[0].descriptor[0] ^= 7ull;
+  const std::vector<Match> matches = Find<TypeParam>(scene);
+  ASSERT_THAT(matches, SizeIs(1));
+  EXPECT_EQ(matches[0].landmark, 1);
+  EXPECT_EQ(matches[0].feature, 0);
+}
+
+TYPED_TEST(EveryAssociation, LeavesTakenFeaturesAndOtherOctavesAlone) {
+  Rng rng(9, "gate");
+  Scene scene;
+  const Eigen::Matrix3d covariance = 4.0 * Eigen::Matrix3d::Identity();
+  scene.Add(covariance, covariance, {1.0, 0.0, 1.0}, rng);
+  EXPECT_THAT(TypeParam::Find(scene.landmarks, scene.Grid(), {1}, {}), IsEmpty());
+  scene.features[0].octave = 1;
+  EXPECT_THAT(Find<TypeParam>(scene), SizeIs(1));
+  scene.features[0].octave = 2;
+  EXPECT_THAT(Find<TypeParam>(scene), IsEmpty());
+}
+
+TYPED_TEST(EveryAssociation, NothingIsFoundInNothing) {
+  Rng rng(10, "gate");
+  Scene scene;
+  EXPECT_THAT(Find<TypeParam>(scene), IsEmpty());
+  scene.Add(Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Identity(), {0, 0, 0}, rng);
+  scene.features.clear();
+  EXPECT_THAT(Find<TypeParam>(scene), IsEmpty());
+}
+
+TEST(FixedRadiusAssociation, DoesNotLookAtCovariances) {
+  Rng rng(11, "gate");
+  const double radius = ClusterAssociationOptions().fixed_radius_px;
+  for (const double size : {1e-12, 1.0, 1e9}) {
+    const Eigen::Matrix3d covariance = size * Eigen::Matrix3d::Identity();
+    Scene scene;
+    scene.Add(covariance, covariance, {radius - 0.5, 0.5 - radius, radius - 0.5}, rng);
+    EXPECT_THAT(Find<FixedRadiusAssociation>(scene), SizeIs(1));
+    for (int k = 0; k < 3; ++k) {
+      Scene beyond = scene;
+      beyond.features[0].z_px[k] += k == 1 ? -1.0 : 1.0;
+      EXPECT_THAT(Find<FixedRadiusAssociation>(beyond), IsEmpty());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cvo

@@ -1,0 +1,362 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// The whole system on a world with moving bodies of which the truth is known.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/cluster_run.h"
+
+namespace cvo {
+namespace {
+
+using testing::ClusterOfBody;
+using testing::ClusterRun;
+using testing::FindReport;
+using testing::FindTrajectory;
+using ::testing::IsEmpty;
+using testing::MovingWorld;
+using testing::RunClusters;
+using testing::RunSettings;
+using testing::WorldView;
+
+const MovingWorld& World() {
+  static const MovingWorld world(5, testing::TwoBodies());
+  return world;
+}
+
+template <typename Change>
+ClusterRun Watch(int frames, Change change, std::string_view variant = "full") {
+  RunSettings settings;
+  settings.frames = frames;
+  return RunClusters(variant, World(), settings, change);
+}
+
+// Corners of body b (counted from 0) in its own frame.
+Eigen::Matrix3Xd Corners(int b) {
+  const Eigen::Vector3d half = testing::TwoBodies()[b].half_size_m;
+  Eigen::Matrix3Xd corners(3, 8);
+  for (int k = 0; k < 8; ++k) {
+    corners.col(k) << (k & 1 ? half[0] : -half[0]), (k & 2 ? half[1] : -half[1]),
+        (k & 4 ? half[2] : -half[2]);
+  }
+  return corners;
+}
+
+// The one rigid object_from_body that fits the trajectory best: a cluster's frame is arbitrary.
+RigidTransform ObjectFromBody(const ClusterTrajectory& cluster, int b) {
+  const Eigen::Matrix3Xd corners = Corners(b);
+  const Eigen::Index n = 8 * static_cast<Eigen::Index>(cluster.poses.size());
+  Eigen::Matrix3Xd from(3, n);
+  Eigen::Matrix3Xd to(3, n);
+  Eigen::Index next = 0;
+  for (const ClusterPose& pose : cluster.poses) {
+    const RigidTransform world_from_body = World().BodyAt(b, static_cast<int>(pose.frame));
+    for (int k = 0; k < 8; ++k, ++next) {
+      const Eigen::Vector3d p_in_world = world_from_body * Eigen::Vector3d(corners.col(k));
+      from.col(next) = corners.col(k);
+      to.col(next) = pose.world_from_object.Inverse() * p_in_world;
+    }
+  }
+  return AlignPoints(from, to);
+}
+
+// Largest distance of a body's corner from the truth in a pose of its cluster, m.
+double CornerError(const ClusterPose& pose, const RigidTransform& object_from_body, int b) {
+  const Eigen::Matrix3Xd corners = Corners(b);
+  const RigidTransform world_from_body = World().BodyAt(b, static_cast<int>(pose.frame));
+  double error = 0.0;
+  for (int k = 0; k < 8; ++k) {
+    const Eigen::Vector3d p = corners.col(k);
+    error = std::max(
+        error, (pose.world_from_object * (object_from_body * p) - world_from_body * p).norm());
+  }
+  return error;
+}
+
+// Of a point that rides on body b: central difference of the truth, m/s.
+Eigen::Vector3d TrueVelocity(int b, int frame, const Eigen::Vector3d& p_in_body) {
+  return (World().BodyAt(b, frame + 1) * p_in_body - World().BodyAt(b, frame - 1) * p_in_body) /
+         0.2;
+}
+
+TEST(MovingBodies, KeepOneIdEach) {
+  const ClusterRun run = Watch(40, testing::kAsItIs);
+  for (int body = 1; body <= 2; ++body) {
+    const ClusterId id = ClusterOfBody(run, 5, body);
+    ASSERT_TRUE(id.valid());
+    for (int i = 5; i < 40; ++i) {
+      EXPECT_EQ(ClusterOfBody(run, i, body), id) << "frame " << i;
+      const ClusterReport* report = FindReport(run.reports[i], id);
+      ASSERT_NE(report, nullptr);
+      EXPECT_EQ(report->category, testing::TwoBodies()[body - 1].category);
+      EXPECT_EQ(report->status, ClusterStatus::kTracked);
+      EXPECT_EQ(report->detection, body - 1);
+    }
+  }
+  EXPECT_EQ(run.clusters.size(), 2u);
+}
+
+TEST(MovingBodies, PosesFollowTheTruthUpToAConstantFrame) {
+  const ClusterRun run = Watch(40, testing::kAsItIs);
+  for (int b = 0; b < 2; ++b) {
+    const ClusterTrajectory* cluster = FindTrajectory(run, ClusterOfBody(run, 10, b + 1));
+    ASSERT_NE(cluster, nullptr);
+    ASSERT_GE(cluster->poses.size(), 38u);
+    const RigidTransform object_from_body = ObjectFromBody(*cluster, b);
+    for (const ClusterPose& pose : cluster->poses) {
+      EXPECT_LT(CornerError(pose, object_from_body, b), 0.05) << b << " frame " << pose.frame;
+    }
+  }
+}
+
+TEST(MovingBodies, VelocitiesAreThoseOfTheClustersOrigin) {
+  const ClusterRun run = Watch(40, testing::kAsItIs);
+  for (int b = 0; b < 2; ++b) {
+    const ClusterTrajectory* cluster = FindTrajectory(run, ClusterOfBody(run, 10, b + 1));
+    ASSERT_NE(cluster, nullptr);
+    const Eigen::Vector3d origin = ObjectFromBody(*cluster, b).Inverse().translation();
+    for (const ClusterPose& pose : cluster->poses) {
+      const int frame = static_cast<int>(pose.frame);
+      // The prior is in no hurry to follow the sudden stop and start at 1.2 s and 2.4 s.
+      const bool is_jerky = b == 1 && (std::abs(frame - 12) < 5 || std::abs(frame - 24) < 5);
+      if (frame < 4 || frame > 37 || is_jerky) continue;
+      EXPECT_LT((pose.velocity_m_s - TrueVelocity(b, frame, origin)).norm(), 0.15)
+          << b << " frame " << frame << " " << pose.velocity_m_s.transpose();
+    }
+  }
+}
+
+TEST(MovingBodies, LandmarksAreTheirsAndThoseOfTheBackgroundAreNot) {
+  const ClusterRun run = Watch(40, testing::kAsItIs);
+  const ClusterId id[] = {kStaticScene, ClusterOfBody(run, 10, 1), ClusterOfBody(run, 10, 2)};
+  int right[3] = {};
+  int all[3] = {};
+  for (int i = 8; i < 40; ++i) {
+    for (const LandmarkReport& landmark : run.reports[i].landmarks) {
+      const int body = run.views[i].of_body[landmark.feature];
+      ++all[body];
+      right[body] += landmark.cluster == id[body];
+    }
+  }
+  EXPECT_GT(right[0], 0.99 * all[0]);
+  EXPECT_GT(right[1], 0.95 * all[1]);
+  EXPECT_GT(right[2], 0.95 * all[2]);
+}
+
+TEST(LandmarkReports, TellTheSameLandmarkByTheSameId) {
+  const ClusterRun run = Watch(20, testing::kAsItIs);
+  std::map<Descriptor, LandmarkId> id;  // every point of the world has its own
+  std::map<LandmarkId, Descriptor> point;
+  int again = 0;
+  int all = 0;
+  for (int i = 0; i < 20; ++i) {
+    for (const LandmarkReport& landmark : run.reports[i].landmarks) {
+      ASSERT_TRUE(landmark.id.valid());
+      const Descriptor& seen = run.views[i].frame.features[landmark.feature].descriptor;
+      // Never the id of another point; a lost point may come back as a new landmark.
+      EXPECT_EQ(point.try_emplace(landmark.id, seen).first->second, seen);
+      again += id.contains(seen) && id[seen] == landmark.id;
+      all += id.contains(seen);
+      id[seen] = landmark.id;
+    }
+  }
+  EXPECT_GT(again, 0.98 * all);
+}
+
+TEST(MovingBodies, KeepTheirIdThroughAnOcclusion) {
+  const auto hide = [](int i, WorldView& view) {
+    if (i < 18 || i >= 26) return;
+    testing::RemoveFeatures(1, view);
+    testing::RemoveBoxes(1, view);
+  };
+  const ClusterRun run = Watch(40, hide);
+  const ClusterId id = ClusterOfBody(run, 15, 1);
+  ASSERT_TRUE(id.valid());
+  for (int i = 18; i < 26; ++i) {
+    const ClusterReport* report = FindReport(run.reports[i], id);
+    ASSERT_NE(report, nullptr) << "frame " << i;
+    EXPECT_EQ(report->status, ClusterStatus::kPredicted);
+    EXPECT_EQ(report->detection, -1);
+  }
+  for (int i = 27; i < 40; ++i) EXPECT_EQ(ClusterOfBody(run, i, 1), id) << "frame " << i;
+  EXPECT_EQ(run.clusters.size(), 2u);
+  // The frame of the cluster is the same before and after.
+  const ClusterTrajectory* cluster = FindTrajectory(run, id);
+  const RigidTransform object_from_body = ObjectFromBody(*cluster, 0);
+  for (const ClusterPose& pose : cluster->poses) {
+    const bool is_hidden = pose.frame >= 18 && pose.frame < 26;
+    EXPECT_LT(CornerError(pose, object_from_body, 0), is_hidden ? 0.15 : 0.08)
+        << "frame " << pose.frame;
+  }
+}
+
+TEST(MovingBodies, GoOnWithoutBoxes) {
+  const auto undetected = [](int i, WorldView& view) {
+    if (i >= 15 && i < 20) view.frame.detections.clear();
+  };
+  const ClusterRun run = Watch(30, undetected);
+  for (int body = 1; body <= 2; ++body) {
+    const ClusterId id = ClusterOfBody(run, 14, body);
+    ASSERT_TRUE(id.valid());
+    for (int i = 15; i < 30; ++i) {
+      EXPECT_EQ(ClusterOfBody(run, i, body), id);
+      const ClusterReport* report = FindReport(run.reports[i], id);
+      ASSERT_NE(report, nullptr);
+      EXPECT_EQ(report->status, ClusterStatus::kTracked) << "frame " << i;
+      EXPECT_EQ(report->detection < 0, i < 20) << "frame " << i;
+    }
+  }
+  EXPECT_EQ(run.clusters.size(), 2u);
+}
+
+TEST(MovingBodies, AreFoundAgainInTheArchive) {
+  const auto hide = [](int i, WorldView& view) {
+    if (i < 16 || i >= 34) return;
+    testing::RemoveFeatures(1, view);
+    testing::RemoveBoxes(1, view);
+  };
+  const ClusterRun run = Watch(40, hide);
+  const ClusterId id = ClusterOfBody(run, 14, 1);
+  ASSERT_TRUE(id.valid());
+  EXPECT_EQ(FindReport(run.reports[33], id), nullptr);
+  EXPECT_EQ(ClusterOfBody(run, 38, 1), id);
+}
+
+TEST(MovingBodies, ScoreDecaysWhileThereIsNoBox) {
+  const auto undetected = [](int i, WorldView& view) {
+    if (i >= 15 && i < 18) view.frame.detections.clear();
+  };
+  const ClusterRun run = Watch(20, undetected);
+  const ClusterId id = ClusterOfBody(run, 14, 1);
+  double expected = 0.9;
+  for (int i = 14; i < 18; ++i) {
+    ASSERT_NE(FindReport(run.reports[i], id), nullptr);
+    EXPECT_NEAR(FindReport(run.reports[i], id)->score, expected, 1e-12);
+    expected *= ClusterOptions().score_decay;
+  }
+  EXPECT_NEAR(FindReport(run.reports[18], id)->score, 0.9, 1e-12);
+}
+
+TEST(StaticVariant, IsTheWholeSystemWithoutDetections) {
+  const auto blind = [](int, WorldView& view) { view.frame.detections.clear(); };
+  const ClusterRun full = Watch(25, blind);
+  const ClusterRun still = Watch(25, testing::kAsItIs, "static");
+  EXPECT_THAT(still.clusters, IsEmpty());
+  for (int i = 0; i < 25; ++i) {
+    EXPECT_THAT(still.reports[i].clusters, IsEmpty());
+    for (int k = 0; k < 7; ++k) {
+      EXPECT_EQ(full.trajectory[i].data()[k], still.trajectory[i].data()[k]) << "frame " << i;
+    }
+    ASSERT_EQ(full.reports[i].landmarks.size(), still.reports[i].landmarks.size());
+    for (const LandmarkReport& landmark : still.reports[i].landmarks) {
+      EXPECT_EQ(landmark.cluster, kStaticScene);
+    }
+  }
+}
+
+TEST(Given, CameraIsReturnedAsGiven) {
+  const auto give = [](int i, WorldView& view) {
+    view.frame.given.world_from_camera = MovingWorld::CameraAt(i);
+  };
+  const ClusterRun run = Watch(25, give);
+  for (int i = 0; i < 25; ++i) {
+    const RigidTransform truth = MovingWorld::CameraAt(i);
+    for (int k = 0; k < 7; ++k) {
+      EXPECT_EQ(run.reports[i].world_from_camera.data()[k], truth.data()[k]);
+      EXPECT_EQ(run.trajectory[i].data()[k], truth.data()[k]);
+    }
+  }
+  EXPECT_EQ(run.clusters.size(), 2u);
+}
+
+TEST(Given, LabelsAreObeyed) {
+  const auto give = [](int, WorldView& view) {
+    view.frame.detections.clear();
+    view.frame.given.feature_body = view.of_body;
+  };
+  const ClusterRun run = Watch(25, give);
+  EXPECT_EQ(run.clusters.size(), 2u);
+  std::map<int, ClusterId> id = {{0, kStaticScene}};
+  for (int i = 1; i < 25; ++i) {
+    for (const LandmarkReport& landmark : run.reports[i].landmarks) {
+      const int body = run.views[i].of_body[landmark.feature];
+      id.try_emplace(body, landmark.cluster);
+      EXPECT_EQ(landmark.inferred, id.at(body)) << "frame " << i;
+    }
+  }
+}
+
+TEST(Given, BoxesOfAnArchivedBodyAreItsOwnAgain) {
+  const auto give = [](int i, WorldView& view) {
+    if (i >= 12 && i < 30) {
+      testing::RemoveFeatures(1, view);
+      testing::RemoveBoxes(1, view);
+    }
+    view.frame.given.detection_body = view.box_body;
+  };
+  const ClusterRun run = Watch(36, give);
+  const ClusterId id = ClusterOfBody(run, 10, 1);
+  ASSERT_TRUE(id.valid());
+  EXPECT_EQ(FindReport(run.reports[29], id), nullptr);
+  EXPECT_EQ(ClusterOfBody(run, 35, 1), id);
+  EXPECT_EQ(run.clusters.size(), 2u);
+}
+
+TEST(Given, BoxesAreObeyed) {
+  const auto give = [](int, WorldView& view) { view.frame.given.detection_body = view.box_body; };
+  const ClusterRun run = Watch(25, give);
+  ASSERT_EQ(run.clusters.size(), 2u);
+  for (int body = 1; body <= 2; ++body) {
+    const ClusterId id = ClusterOfBody(run, 10, body);
+    for (int i = 5; i < 25; ++i) {
+      const ClusterReport* report = FindReport(run.reports[i], id);
+      ASSERT_NE(report, nullptr);
+      EXPECT_EQ(run.views[i].box_body[report->detection], body);
+    }
+  }
+}
+
+TEST(Given, BoxesAreObeyedWhereNothingElseSaysThatItIsTheSameBody) {
+  // Turns its back and jumps aside while it is hidden, for less and for more than live_frames.
+  for (const int hidden : {6, 18}) {
+    std::vector<testing::MovingBody> bodies = testing::TwoBodies();
+    const auto walk = bodies[0].world_from_body;
+    bodies[0].world_from_body = [walk](double t) {
+      const RigidTransform now = walk(t);
+      if (t < 1.25) return now;
+      return RigidTransform(ExpSo3({0.0, 3.1, 0.0}) * now.rotation(),
+                            Eigen::Vector3d(now.translation() + Eigen::Vector3d(0.6, 0.0, 2.0)));
+    };
+    const auto give = [hidden](int i, WorldView& view) {
+      if (i >= 12 && i < 12 + hidden) {
+        testing::RemoveFeatures(1, view);
+        testing::RemoveBoxes(1, view);
+      }
+      view.frame.given.detection_body = view.box_body;
+    };
+    RunSettings settings;
+    settings.frames = 36;
+    const ClusterRun run = RunClusters("full", MovingWorld(5, bodies), settings, give);
+    EXPECT_EQ(ClusterOfBody(run, 35, 1), ClusterOfBody(run, 10, 1)) << hidden;
+    EXPECT_EQ(run.clusters.size(), 2u) << hidden;
+  }
+}
+
+TEST(Given, BoxesKeepTheirIdsWhereTheBoxesAlternateInOrder) {
+  const auto give = [](int i, WorldView& view) {
+    if (i % 2 == 1 && view.box_body.size() == 2) {
+      std::swap(view.box_body[0], view.box_body[1]);
+      std::swap(view.frame.detections[0], view.frame.detections[1]);
+    }
+    view.frame.given.detection_body = view.box_body;
+  };
+  const ClusterRun run = Watch(20, give);
+  ASSERT_EQ(run.clusters.size(), 2u);
+  for (int body = 1; body <= 2; ++body) {
+    const ClusterId id = ClusterOfBody(run, 10, body);
+    for (int i = 5; i < 20; ++i) EXPECT_EQ(ClusterOfBody(run, i, body), id);
+  }
+}
+
+}  // namespace
+}  // namespace cvo

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include "core/base/task_pool.h"
+#include "tests/support/moving_world.h"
+#include "variants/registry.h"
+
+namespace cvo::testing {
+
+// What a variant said of a world, frame by frame and in the end.
+struct ClusterRun {
+  std::vector<WorldView> views;  // as the variant saw them
+  std::vector<FrameReport> reports;
+  std::vector<RigidTransform> trajectory;
+  std::vector<ClusterTrajectory> clusters;
+};
+
+struct RunSettings {
+  int frames = 30;
+  double noise_px = 0.3;
+  int threads = 1;
+  std::uint64_t seed = 0;
+  Options options;
+};
+
+// `change(frame, view)` may spoil a view before the variant sees it; a view whose timestamp it
+// makes negative is skipped.
+template <typename Change>
+ClusterRun RunClusters(std::string_view variant, const MovingWorld& world,
+                       const RunSettings& settings, Change change) {
+  TaskPool pool(settings.threads);
+  const auto odometry =
+      FindVariant(variant).make({world.camera(), settings.options, settings.seed}, pool);
+  ClusterRun run;
+  StageTimes times;
+  for (int i = 0; i < settings.frames; ++i) {
+    WorldView view = world.Observe(i, settings.noise_px);
+    change(i, view);
+    const bool is_skipped = view.frame.timestamp_ns < 0;
+    run.reports.push_back(is_skipped ? odometry->Skip(MovingWorld::TimeOf(i))
+                                     : odometry->Process(view.frame, times));
+    run.views.push_back(std::move(view));
+  }
+  run.trajectory = odometry->Trajectory();
+  run.clusters = odometry->ClusterTrajectories();
+  return run;
+}
+
+inline const auto kAsItIs = [](int, WorldView&) {};
+
+// The cluster that most of the body's features in the frame belong to; invalid: none.
+inline ClusterId ClusterOfBody(const ClusterRun& run, int frame, int body) {
+  std::map<ClusterId, int> votes;
+  for (const LandmarkReport& landmark : run.reports[frame].landmarks) {
+    if (run.views[frame].of_body[landmark.feature] == body) ++votes[landmark.cluster];
+  }
+  ClusterId best;
+  for (const auto& [id, count] : votes) {
+    if (id > kStaticScene && (!best.valid() || count > votes[best])) best = id;
+  }
+  return best;
+}
+
+inline const ClusterReport* FindReport(const FrameReport& report, ClusterId id) {
+  for (const ClusterReport& cluster : report.clusters) {
+    if (cluster.id == id) return &cluster;
+  }
+  return nullptr;
+}
+
+inline const ClusterTrajectory* FindTrajectory(const ClusterRun& run, ClusterId id) {
+  for (const ClusterTrajectory& cluster : run.clusters) {
+    if (cluster.id == id) return &cluster;
+  }
+  return nullptr;
+}
+
+// Clusters reported in any frame.
+inline std::set<ClusterId> ReportedIds(const ClusterRun& run) {
+  std::set<ClusterId> ids;
+  for (const FrameReport& report : run.reports) {
+    for (const ClusterReport& cluster : report.clusters) ids.insert(cluster.id);
+  }
+  return ids;
+}
+
+}  // namespace cvo::testing
