@@ -273,29 +273,6 @@ TEST(CreateClusters, GivenLabelsAloneMakeAnUnnamedBodyOfItsPoints) {
   EXPECT_TRUE(IsConfirmed(cluster, {}));
 }
 
-TEST(FixInBox, FindsTheBodyBeforeItsBackground) {
-  const Eigen::Vector3d center(0.2, 0.1, 6.0);
-  Frame frame = Ball(center, 0.5);
-  Rng rng(2, "wall");
-  for (int i = 0; i < 150; ++i) {
-    frame.Add({rng.Uniform(-1.0, 1.4), rng.Uniform(-1.0, 1.2), 12.0}, FramePoint::kNoBody, -1,
-              kStaticScene);
-  }
-  const std::vector<ClusterTrack> none;
-  const auto fix =
-      frame.With([&](const FrameView& view) { return FixInBox(view, view.detections[0], none); });
-  ASSERT_TRUE(fix);
-  EXPECT_LT((fix->center_in_world - center).norm(), 0.2);
-  EXPECT_NEAR(fix->size_m, 1.0, 0.1);
-  // What other clusters have taken is not the body.
-  std::vector<ClusterTrack> all(1);
-  for (int i = 0; i < static_cast<int>(frame.points.size()); ++i) {
-    all[0].matches.push_back({0, i, 0});
-  }
-  EXPECT_FALSE(
-      frame.With([&](const FrameView& view) { return FixInBox(view, view.detections[0], all); }));
-}
-
 TEST(DropWeakBirths, RenumbersTheOthersAndGivesPointsBack) {
   Frame frame;
   frame.options.clusters.min_landmarks = 3;
