@@ -33,6 +33,7 @@ constexpr int kStopped = 130;
 struct TableFlags {
   std::vector<std::string> folders;
   std::vector<std::string> variants = {"static"};
+  std::string detections;
   std::string output;
   std::optional<double> right_shift_px;
   RunFlags run;
@@ -91,13 +92,19 @@ int MakeTable(const TableFlags& flags) {
   const OutputFolder output(flags.output, {"table.json", "table.md"});
 
   reports::TableRequest request{"camera trajectory", reports::CameraMetrics(), flags.output, {}};
+  if (!flags.detections.empty()) {
+    request.title = "moving bodies";
+    request.metrics = reports::ObjectMetrics();
+  }
   const StopSignal stop;
   for (const FoundSequence& found : FindAll(flags.folders)) {
     for (const VariantInfo* variant : variants) {
       std::string name = found.folder.filename().string();
       try {
-        const Sequence sequence = OpenSequence(
-            {.folder = found.folder, .type = found.type, .right_shift_px = flags.right_shift_px});
+        const Sequence sequence = OpenSequence({.folder = found.folder,
+                                                .type = found.type,
+                                                .detections_file = flags.detections,
+                                                .right_shift_px = flags.right_shift_px});
         name = sequence.name;
         const fs::path folder = output.path() / StrCat(name, "-", variant->name);
         const bool done = RunCell(folder,
@@ -137,6 +144,8 @@ Command AddTableCommand(CLI::App& program) {
   };
   add("-o,--output", flags->output, "FOLDER", "for table.json, table.md and one folder per run")
       ->required();
+  add("--detections", flags->detections, "LEVEL",
+      "of synthetic scenes (oracle, good, poor), or labels: the table is of the moving bodies");
   add("--variant", flags->variants, "NAME", "estimators; default: static");
   AddRightShift(*app, flags->right_shift_px);
   flags->run.AddTo(*app);

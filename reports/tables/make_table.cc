@@ -162,6 +162,13 @@ std::vector<std::string> CameraMetrics() {
           "camera_t_drift",        "camera_r_drift"};
 }
 
+std::vector<std::string> ObjectMetrics() {
+  return {
+      "camera_ate",         "object_ate",       "object_rrpe_all_pairs", "object_trpe_all_pairs",
+      "object_motion_r",    "object_motion_t",  "object_success_10cm",   "object_coverage",
+      "object_id_switches", "moving_precision", "moving_recall"};
+}
+
 Table MakeTable(const TableRequest& request, const Reference& reference) {
   Require(!request.entries.empty(), "a table needs at least one result, none was given");
   const std::vector<Group> groups = ReadGroups(request.entries);

@@ -27,6 +27,8 @@ struct TableRequest {
 
 // The columns for the trajectory of the camera.
 std::vector<std::string> CameraMetrics();
+// Those for moving bodies: the paper's ablation (its table 4), what was covered, and who is who.
+std::vector<std::string> ObjectMetrics();
 
 // Results that differ in their seed only share a row. What cannot be read or is missing becomes a
 // row or cell that says so. Throws Error for no entries, for two results of the same run, and,

@@ -317,6 +317,7 @@ TEST(PredictCluster, MovesOnAndBecomesLessCertainWithTime) {
   const ClusterOptions options;
   const MotionPriorOptions motion;
   Cluster cluster;
+  cluster.frames = 2;
   cluster.states = {StateAt(8, At(0.0, 0.0, 5.0, 0.1)),
                     StateAt(10, At(0.2, 0.0, 5.0, 0.3), {1.0, 0.0, 0.5})};
   const auto predict = [&](std::int64_t frame) {

@@ -61,7 +61,7 @@ TEST_F(Cli, WrongUsage) {
 
 TEST_F(Cli, UnknownVariant) {
   EXPECT_THAT(FailingRun({"--variant", "statik"}),
-              FailsWith(1, "found \"statik\", expected one of: static"));
+              FailsWith(1, "found \"statik\", expected one of: full"));
 }
 
 TEST_F(Cli, UnknownOption) {
@@ -128,7 +128,7 @@ TEST_F(Cli, ListsOptionsAndVariants) {
   }
   EXPECT_THAT(RunProgram({"options"}).out, HasSubstr("orb.features"));
   const ProcessResult variants = RunProgram({"variants", "--json"});
-  EXPECT_EQ(ParseJson(variants.out, "variants")[0]["name"], "static");
+  EXPECT_EQ(ParseJson(variants.out, "variants")[0]["name"], "full");
 }
 
 TEST_F(Cli, InfoSaysWhatAFolderHolds) {
