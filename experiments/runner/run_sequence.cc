@@ -102,7 +102,7 @@ void Estimate(const RunRequest& request, PreparedFrame prepared,
         LandmarkRows(record.frame, prepared.frame, record.report.landmarks, feature_truth);
   }
   record.landmarks = Observe(record.report.landmarks, feature_truth);
-  record.report.landmarks = {};
+  record.report.landmarks = std::vector<LandmarkReport>();  // frees its memory, "= {}" does not
   record.detections = std::move(prepared.frame.detections);
   result.frames.push_back(std::move(record));
 }
