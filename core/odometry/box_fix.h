@@ -12,8 +12,8 @@ struct BoxFix {
   double size_m = 0.0;  // smaller side of the box at the body's depth
 };
 
-// From surface points of the body (columns, in world) seen in the detection's box: their median,
-// moved away from the camera by clusters.birth_depth of the box's smaller side.
+// From the median of the surface points seen in the detection's box: moved away from the camera by
+// clusters.birth_depth of the box's smaller side.
 BoxFix FixFromSurface(const FrameView& view, const Detection& detection,
                       const Eigen::Vector3d& surface_in_world);
 
