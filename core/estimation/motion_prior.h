@@ -9,7 +9,6 @@ namespace cvo {
 struct MotionPriorOptions {
   double q_m2_s3 = 1.0;
   double q_m2_frame3 = 0.01;
-  double first_velocity_m_s = 10.0;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
@@ -23,10 +22,6 @@ struct MotionPriorOptions {
                  "the same with a frame as the unit of time; read by the variant that takes the "
                  "paper's figure so",
                  "paper, section 4.1"});
-    visit.Field(
-        "first_velocity_m_s", self.first_velocity_m_s,
-        {"m/s", 1e-3, 1000, "standard deviation of the velocity of a body seen in a single frame",
-         "estimator.md 5"});
   }
 };
 

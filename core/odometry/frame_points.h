@@ -29,7 +29,7 @@ std::vector<FramePoint> CollectPoints(const FrameView& view,
 const Landmark* FindLandmark(const FramePoint& point, const Window& window, const ClusterMap& map);
 
 // The body's pose in a frame of the window, world_from_body: the identity for the static scene,
-// empty where a cluster has no state. `newest`: the frame that is not in the window yet.
+// empty where a cluster has no state.
 std::optional<RigidTransform> BodyPose(int body, FrameId frame, const ClusterMap& map);
 
 }  // namespace cvo
