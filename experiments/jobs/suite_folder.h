@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace cvo {
+
+// What lies where in the folder that a suite is run to.
+struct SuiteFolder {
+  std::filesystem::path root;
+
+  std::filesystem::path plan() const { return root / "plan.json"; }
+  // Run files (RunFileNames); result.json is there exactly where the job is done.
+  std::filesystem::path job(const std::string& id) const { return root / "jobs" / id; }
+  // {"schema_version": 1, "kind": "failure", "job", "message", "log"}: the last try failed.
+  std::filesystem::path failure(const std::string& id) const {
+    return root / "failed" / (id + ".json");
+  }
+  std::filesystem::path log(const std::string& name) const {
+    return root / "logs" / (name + ".log");
+  }
+  std::filesystem::path lock() const { return root / "lock"; }
+};
+
+}  // namespace cvo

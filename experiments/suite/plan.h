@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/files/json.h"
+#include "experiments/suite/suite.h"
+
+namespace cvo {
+
+// One run that a suite asks for, before anything is known of its input.
+struct Cell {
+  SuiteSequence sequence;
+  std::string variant;  // of a system: empty
+  std::string system;   // name of another system whose files are scored; empty: a variant
+  std::uint64_t seed = 0;
+  std::vector<std::pair<std::string, Json>> parameters;  // path and value, of the grid
+  std::vector<std::string> oracle;
+};
+
+// A cell with its input found.
+struct PlannedJob {
+  Cell cell;
+  std::string folder;   // absolute, of the sequence; empty where it is missing
+  std::string missing;  // why there is no sequence
+  std::string input;    // key of what the front end makes of it: equal for jobs that share it
+  std::string job;      // JobIdentity; empty where the sequence is missing
+};
+
+// Everything that a suite runs, as plan.json in its output folder keeps it.
+struct Plan {
+  Suite suite;
+  std::string build;  // BuildIdentity::Hash()
+  std::vector<PlannedJob> jobs;
+};
+
+// All cells, sequence by sequence, then seed, parameters, oracle, variant.
+std::vector<Cell> ExpandSuite(const Suite& suite);
+
+// {"schema_version": 1, "kind": "plan", "suite": {"name", "about"}, "build",
+//  "table": {"rows": [..], "metrics": [..], "reference"},
+//  "jobs": [{"sequence", "detections", "variant", "system", "seed", "oracle": [..],
+//            "parameters": {path: value}, "folder", "missing", "input", "job", ...}]}
+// Reports read the fields named here; the rest is for workers (ParsePlan).
+Json PlanToJson(const Plan& plan);
+Plan ParsePlan(const Json& json, const std::string& where);
+
+}  // namespace cvo

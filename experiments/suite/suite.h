@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/files/json.h"
+
+namespace cvo {
+
+// One sequence of a suite, as written: a scene that is rendered, or a folder of images.
+struct SuiteSequence {
+  std::string scene;   // shipped name or scene file; empty: a folder
+  std::string folder;  // below the suite's data folder; empty: a scene
+  std::string name;    // for rows; default: the scene's or the folder's last part
+  std::string frames;  // "A:B"; empty: all
+  std::string pair;    // as SequenceRequest, empty: decide from the folder
+  std::string groundtruth = "devkit";
+  std::string detections;  // level, "labels", a file below the data folder, or empty: none
+  int detections_camera = -1;
+  std::optional<double> min_score;
+  std::string labels;  // file below the data folder; empty: the folder's own
+};
+
+// Values that one option takes, in order: of the estimator ("crf.alpha") or, with "scene." before
+// it, of the scene file ("scene.detector.good.miss_rate").
+struct GridAxis {
+  std::string path;
+  std::vector<Json> values;
+};
+
+// Trajectories that another system made: scored as they are.
+struct SuiteSystem {
+  struct Files {
+    std::string sequence;  // SuiteSequence::name
+    std::string camera;    // TUM or KITTI poses; below the data folder
+    std::string objects;   // KITTI tracking rows with 3D boxes; empty: none
+  };
+  std::string name;
+  std::vector<Files> files;
+};
+
+// What experiment table makes of the results.
+struct SuiteTable {
+  std::vector<std::string> rows = {"variant"};  // keys that tell rows apart, see Cell::Key
+  std::vector<std::string> metrics;
+  std::string reference;  // variant that the others are compared with; empty: none
+};
+
+// A suite file: what is run on what, and how it is tabulated.
+struct Suite {
+  std::string name;
+  std::string about;
+  std::vector<SuiteSequence> sequences;
+  std::vector<std::string> variants;
+  std::vector<std::uint64_t> seeds;  // of sensor, detector and the estimator's draws
+  Json options = Json::object();     // nested, over the defaults; the same for all
+  std::vector<GridAxis> grid;        // every combination
+  bool grid_one_at_a_time = false;   // instead: each axis alone, the others at their defaults
+  std::vector<std::vector<std::string>> oracles = {{}};  // sets of switches (runner/oracle.h)
+  std::vector<SuiteSystem> systems;
+  SuiteTable table;
+};
+
+}  // namespace cvo
