@@ -29,6 +29,13 @@ struct NoGpPrior : Full {
   using MotionPrior = NoMotionPrior;
 };
 
+struct NoTurnPrior : Full {
+  static constexpr std::string_view kName = "no_turn_prior";
+  static constexpr std::string_view kChanges =
+      "the motion prior is on positions alone, as in the paper: orientations are free";
+  using MotionPrior = WhiteNoiseOnTranslation;
+};
+
 struct NoPairwiseTerm : Full {
   static constexpr std::string_view kName = "no_pairwise";
   static constexpr std::string_view kChanges = "no pairwise term: every label for itself";

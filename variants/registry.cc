@@ -34,6 +34,7 @@ constexpr std::array kVariants = {
     AblationOf<Full, Only2d, 2>(),
     AblationOf<Full, Only2d3d>(),
     AblationOf<Full, NoGpPrior>(),
+    AblationOf<Full, NoTurnPrior>(),
     AblationOf<Full, NoPairwiseTerm>(),
     AblationOf<Full, NoProbabilisticAssociation>(),
     AblationOf<Full, WithoutBoxRematch>(),

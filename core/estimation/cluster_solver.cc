@@ -28,10 +28,12 @@ void CheckPoints(const ClusterProblem& problem) {
           "ClusterProblem: points and their priors differ in number");
 }
 
-void CheckSteps(std::span<const double> power_densities, const ClusterProblem& problem) {
-  Require(power_densities.empty() || power_densities.size() + 1 == problem.time_s.size(),
+void CheckSteps(const MotionPriorSteps& steps, const ClusterProblem& problem) {
+  const std::vector<double>& densities = steps.power_densities;
+  Require(densities.empty() || densities.size() + 1 == problem.time_s.size(),
           "SolveCluster: one power density per step");
-  for (const double q : power_densities) Require(q > 0.0, "SolveCluster: q must be positive");
+  for (const double q : densities) Require(q > 0.0, "SolveCluster: q must be positive");
+  Require(steps.turn_rad2_s3 >= 0.0, "SolveCluster: turn_rad2_s3 must not be negative");
 }
 
 // Velocity of each frame: from the frame before; the first one's is the second one's.
@@ -56,15 +58,15 @@ struct ClusterState {
 // poses 0, 1, ...; where there is a motion prior, the frames' velocities are its other variables.
 class ClusterModel {
  public:
-  ClusterModel(const NoiseOptions& noise, std::span<const double> power_densities,
+  ClusterModel(const NoiseOptions& noise, const MotionPriorSteps& steps,
                const ClusterProblem& problem)
       : problem_(&problem),
         huber_(noise.huber),
+        turn_rad2_s3_(steps.turn_rad2_s3),
         state_{problem.world_from_object, problem.velocity_m_s, problem.points},
         tried_(state_) {
-    for (std::size_t i = 0; i < power_densities.size(); ++i) {
-      steps_.push_back(
-          WhitenMotionPrior(power_densities[i], problem.time_s[i + 1] - problem.time_s[i]));
+    for (std::size_t i = 0; i < steps.power_densities.size(); ++i) {
+      steps_.push_back(WhitenMotionPrior(steps.power_densities[i], StepTime(i)));
     }
     for (std::size_t i = 0; i < problem.time_s.size(); ++i) {
       pose_of_frame_.push_back(static_cast<int>(i) - 1);
@@ -78,6 +80,7 @@ class ClusterModel {
   double Linearize(SchurEquations& equations) const {
     equations.SetZero();
     for (std::size_t i = 0; i < steps_.size(); ++i) AddStep(i, equations);
+    for (std::size_t i = 0; i < Turns(); ++i) AddTurn(i, equations);
     AddPointPriors(equations);
     return PriorEnergy(state_) + LinearizeReprojections(problem_->camera, Views(state_),
                                                         state_.points, problem_->factors, huber_,
@@ -130,6 +133,34 @@ class ClusterModel {
                                state.velocity_m_s[i + 1]);
   }
 
+  double StepTime(std::size_t i) const { return problem_->time_s[i + 1] - problem_->time_s[i]; }
+
+  // Changes of angular velocity that the prior sees: frames i, i + 1, i + 2.
+  std::size_t Turns() const {
+    return turn_rad2_s3_ > 0.0 && problem_->time_s.size() > 2 ? problem_->time_s.size() - 2 : 0;
+  }
+
+  TurnPrior Turn(const ClusterState& state, std::size_t i) const {
+    return EvaluateTurnPrior(
+        turn_rad2_s3_, {StepTime(i), StepTime(i + 1)},
+        {state.world_from_object[i].rotation(), state.world_from_object[i + 1].rotation(),
+         state.world_from_object[i + 2].rotation()});
+  }
+
+  void AddTurn(std::size_t i, SchurEquations& equations) const {
+    const TurnPrior turn = Turn(state_, i);
+    for (int a = 0; a < 3; ++a) {
+      const int row = pose_of_frame_[i + a];
+      if (row < 0) continue;
+      equations.g.segment<3>(6 * row) += turn.J[a].transpose() * turn.r;
+      for (int b = 0; b <= a; ++b) {
+        const int column = pose_of_frame_[i + b];
+        if (column < 0) continue;
+        equations.H.block<3, 3>(6 * row, 6 * column) += turn.J[a].transpose() * turn.J[b];
+      }
+    }
+  }
+
   // The step from frame i to the next. Its three axes have the same 2x4 Jacobian.
   void AddStep(std::size_t i, SchurEquations& equations) const {
     const Vector6d r = StepResidual(state_, i);
@@ -163,6 +194,7 @@ class ClusterModel {
   double PriorEnergy(const ClusterState& state) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < steps_.size(); ++i) sum += StepResidual(state, i).squaredNorm();
+    for (std::size_t i = 0; i < Turns(); ++i) sum += Turn(state, i).r.squaredNorm();
     for (std::size_t p = 0; p < state.points.size(); ++p) {
       const PointPrior& prior = problem_->point_priors[p];
       sum += (prior.sqrt_information * (state.points[p] - prior.mean_in_object)).squaredNorm();
@@ -172,6 +204,7 @@ class ClusterModel {
 
   const ClusterProblem* problem_;
   double huber_;
+  double turn_rad2_s3_;
   std::vector<MotionPriorFactors> steps_;
   std::vector<int> pose_of_frame_;
   ClusterState state_;
@@ -181,18 +214,18 @@ class ClusterModel {
 }  // namespace
 
 SolverSummary SolveClusterSteps(const NoiseOptions& noise, const SolverOptions& options,
-                                std::span<const double> power_densities, ClusterProblem& problem) {
+                                const MotionPriorSteps& steps, ClusterProblem& problem) {
   CheckFrames(problem);
   CheckPoints(problem);
-  CheckSteps(power_densities, problem);
-  ClusterModel model(noise, power_densities, problem);
+  CheckSteps(steps, problem);
+  ClusterModel model(noise, steps, problem);
   SchurEquations equations(model.pose_of_frame(), model.others(), problem.points.size(),
                            problem.factors);
   const SolverSummary summary = MinimizeEnergy(options, equations, model);
   problem.world_from_object = model.state().world_from_object;
   problem.velocity_m_s = model.state().velocity_m_s;
   problem.points = model.state().points;
-  if (power_densities.empty()) DifferentiatePositions(problem);
+  if (steps.power_densities.empty()) DifferentiatePositions(problem);
   return summary;
 }
 

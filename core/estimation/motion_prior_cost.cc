@@ -26,4 +26,22 @@ Eigen::Matrix<double, 2, 4> MotionPriorAxisJacobian(const MotionPriorFactors& fa
   return J;
 }
 
+TurnPrior EvaluateTurnPrior(double power_density_rad2_s3, const std::array<double, 2>& dt_s,
+                            const std::array<Eigen::Quaterniond, 3>& world_from_object) {
+  const double factor = std::sqrt(3.0 / (power_density_rad2_s3 * (dt_s[0] + dt_s[1])));
+  std::array<Eigen::Vector3d, 2> turn;
+  for (int i = 0; i < 2; ++i) {
+    turn[i] = LogSo3(world_from_object[i + 1] * world_from_object[i].conjugate());
+  }
+  const Eigen::Matrix3d by_before = factor / dt_s[0] * InverseRightJacobianSo3(turn[0]);
+  const Eigen::Matrix3d by_after = factor / dt_s[1] * InverseRightJacobianSo3(-turn[1]);
+  TurnPrior prior;
+  prior.r = factor * (turn[1] / dt_s[1] - turn[0] / dt_s[0]);
+  prior.J[0] = by_before;
+  prior.J[1] = -factor / dt_s[1] * InverseRightJacobianSo3(turn[1]) -
+               factor / dt_s[0] * InverseRightJacobianSo3(-turn[0]);
+  prior.J[2] = by_after;
+  return prior;
+}
+
 }  // namespace cvo

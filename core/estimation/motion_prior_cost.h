@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+
 #include "core/geometry/rigid_transform.h"
 
 namespace cvo {
@@ -22,5 +24,16 @@ Vector6d EvaluateMotionPrior(const MotionPriorFactors& factors, const Eigen::Vec
                              const Eigen::Vector3d& next_v);
 // Of one axis: (r_k, r_{3+k}) by (t_k, v_k, t+_k, v+_k).
 Eigen::Matrix<double, 2, 4> MotionPriorAxisJacobian(const MotionPriorFactors& factors);
+
+// White noise on the angular acceleration, for three orientations world_from_object in a row:
+//   r = (w_b - w_a) / sqrt(q (dt_a + dt_b) / 3),  w = Log(R+ R^-1) / dt in world,
+// the variance being that of the change of a mean rate from one step to the next. Jacobians are by
+// rotations in world axes applied from the left.
+struct TurnPrior {
+  Eigen::Vector3d r;
+  std::array<Eigen::Matrix3d, 3> J;
+};
+TurnPrior EvaluateTurnPrior(double power_density_rad2_s3, const std::array<double, 2>& dt_s,
+                            const std::array<Eigen::Quaterniond, 3>& world_from_object);
 
 }  // namespace cvo

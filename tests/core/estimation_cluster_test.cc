@@ -51,7 +51,7 @@ ClusterProblem MakeProblem(const Scene& scene, Rng& rng) {
     problem.world_from_camera.emplace_back(ExpSo3({0.0, 0.05 * t, 0.0}),
                                            Eigen::Vector3d(0.0, 0.0, t));
     problem.world_from_object.emplace_back(
-        ExpSo3({0.1, 0.3 - 0.5 * t, 0.0}),
+        ExpSo3({0.0, -0.5 * t, 0.0}) * ExpSo3({0.1, 0.3, 0.0}),
         Eigen::Vector3d(Eigen::Vector3d(0.3, 0.2, scene.depth_m) + v * t +
                         Eigen::Vector3d(0.5 * a * t * t, 0.0, 0.0)));
     problem.velocity_m_s.push_back(v + Eigen::Vector3d(a * t, 0.0, 0.0));
@@ -142,10 +142,21 @@ TEST(SolveCluster, BridgesMissingFrames) {
   EXPECT_LT(PoseError(problem, truth), 1e-6);
 }
 
+// How the body turns to frame i from the one before, in world axes.
+Eigen::Quaterniond TurnOfStep(const ClusterProblem& problem, std::size_t i) {
+  return problem.world_from_object[i].rotation() *
+         problem.world_from_object[i - 1].rotation().conjugate();
+}
+
 // RMS error of the motion from frame to frame over several noisy runs.
+struct MotionError {
+  double translation_m = 0.0;
+  double rotation_rad = 0.0;
+};
 template <typename MotionPrior>
-double OneFrameError(const MotionPriorOptions& motion) {
+MotionError OneFrameError(const MotionPriorOptions& motion) {
   double sum = 0.0;
+  double turn_sum = 0.0;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     Rng rng(seed, "noisy");
     Scene scene = {.points = 10, .acceleration_m_s2 = 1.0, .depth_m = 20.0};
@@ -159,23 +170,45 @@ double OneFrameError(const MotionPriorOptions& motion) {
       const Eigen::Vector3d expected =
           truth.world_from_object[i].translation() - truth.world_from_object[i - 1].translation();
       sum += (moved - expected).squaredNorm();
+      const double turn_error =
+          RotationAngle(TurnOfStep(truth, i).conjugate() * TurnOfStep(problem, i));
+      turn_sum += turn_error * turn_error;
     }
   }
-  return std::sqrt(sum / 70.0);
+  return {std::sqrt(sum / 70.0), std::sqrt(turn_sum / 70.0)};
 }
 
 TEST(SolveCluster, PriorLowersTheOneFrameErrorOfANoisyBody) {
-  const double without = OneFrameError<NoMotionPrior>({});
-  const double with = OneFrameError<WhiteNoiseOnAcceleration>({});
+  const double without = OneFrameError<NoMotionPrior>({}).translation_m;
+  const double with = OneFrameError<WhiteNoiseOnAcceleration>({}).translation_m;
   EXPECT_LT(with, 0.7 * without);
   EXPECT_GT(with, 0.05 * without);  // it does not know the truth
+}
+
+TEST(SolveCluster, PriorOnTurnsLowersTheirErrorFurther) {
+  const double without = OneFrameError<WhiteNoiseOnTranslation>({}).rotation_rad;
+  const double with = OneFrameError<WhiteNoiseOnAcceleration>({}).rotation_rad;
+  EXPECT_LT(with, 0.5 * without);
+  EXPECT_GT(with, 0.01 * without);
+}
+
+TEST(SolveCluster, TurnsAtOneRateWhereNothingElseIsAllowed) {
+  Rng rng(12, "cluster");
+  ClusterProblem problem = MakeProblem({.noise_px = 1.0}, rng);
+  SolveCluster<WhiteNoiseOnAcceleration>({}, kToTheEnd, {.turn_q_rad2_s3 = 1e-9}, problem);
+  const Eigen::Vector3d first = LogSo3(TurnOfStep(problem, 1));
+  EXPECT_GT(first.norm(), 0.02);
+  for (std::size_t i = 2; i < problem.time_s.size(); ++i) {
+    EXPECT_LT((LogSo3(TurnOfStep(problem, i)) - first).norm(), 1e-5);
+  }
 }
 
 TEST(SolveCluster, WithoutPriorIsTheLimitOfLargeQ) {
   Rng rng(5, "cluster");
   ClusterProblem loose = MakeProblem({.noise_px = 0.3}, rng);
   ClusterProblem none = loose;
-  SolveCluster<WhiteNoiseOnAcceleration>({}, kToTheEnd, {.q_m2_s3 = 1e10}, loose);
+  SolveCluster<WhiteNoiseOnAcceleration>({}, kToTheEnd, {.q_m2_s3 = 1e10, .turn_q_rad2_s3 = 1e10},
+                                         loose);
   SolveCluster<NoMotionPrior>({}, kToTheEnd, {}, none);
   EXPECT_LT(PoseError(loose, none), 1e-6);
   const Eigen::Vector3d moved =
@@ -189,7 +222,7 @@ TEST(SolveCluster, FrameUnitsAreSecondsWithTheStepsOwnQ) {
   ClusterProblem frames = MakeProblem({.noise_px = 0.3}, rng);
   ClusterProblem seconds = frames;
   SolveCluster<WhiteNoiseOnAccelerationFrameUnits>({}, kToTheEnd, {}, frames);
-  SolveCluster<WhiteNoiseOnAcceleration>({}, kToTheEnd, {.q_m2_s3 = 10.0}, seconds);
+  SolveCluster<WhiteNoiseOnTranslation>({}, kToTheEnd, {.q_m2_s3 = 10.0}, seconds);
   EXPECT_LT(PoseError(frames, seconds), 1e-6);
 }
 

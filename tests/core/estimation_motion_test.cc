@@ -88,6 +88,47 @@ TEST(MotionPriorCost, JacobiansMatchDifferences) {
   }
 }
 
+// Orientations in a row, turned further by rotations in world axes.
+Eigen::Vector3d TurnResidual(const Eigen::VectorXd& turns, const std::array<double, 2>& dt_s,
+                             const std::array<Eigen::Quaterniond, 3>& orientations) {
+  std::array<Eigen::Quaterniond, 3> turned;
+  for (int i = 0; i < 3; ++i) turned[i] = ExpSo3(turns.segment<3>(3 * i)) * orientations[i];
+  return EvaluateTurnPrior(0.3, dt_s, turned).r;
+}
+
+TEST(TurnPrior, IsZeroAtOneRateWhateverTheSteps) {
+  Rng rng(4, "motion");
+  const Eigen::Vector3d rate = 0.5 * RandomVector(rng);
+  const Eigen::Quaterniond first = ExpSo3(RandomVector(rng));
+  const std::array<Eigen::Quaterniond, 3> orientations = {first, ExpSo3(0.1 * rate) * first,
+                                                          ExpSo3(0.4 * rate) * first};
+  EXPECT_LT(EvaluateTurnPrior(0.3, {0.1, 0.3}, orientations).r.norm(), 1e-12);
+}
+
+TEST(TurnPrior, HasTheValueWorkedOutByHand) {
+  // From rest to 0.2 rad in the second of two steps of 1 s at q = 0.5: the variance is 1/3.
+  const Eigen::Quaterniond still = Eigen::Quaterniond::Identity();
+  const TurnPrior prior = EvaluateTurnPrior(0.5, {1.0, 1.0}, {still, still, ExpSo3({0, 0.2, 0})});
+  EXPECT_NEAR(prior.r.squaredNorm(), 0.04 * 3.0, 1e-12);
+}
+
+TEST(TurnPrior, JacobiansMatchDifferences) {
+  Rng rng(5, "motion");
+  for (const double size : {0.0, 0.01, 1.0}) {
+    const Eigen::Quaterniond first = ExpSo3(RandomVector(rng));
+    const Eigen::Quaterniond second = ExpSo3(size * RandomVector(rng).normalized()) * first;
+    const Eigen::Quaterniond third = ExpSo3(size * RandomVector(rng).normalized()) * second;
+    const std::array<double, 2> dt_s = {0.1, 0.25};
+    const TurnPrior prior = EvaluateTurnPrior(0.3, dt_s, {first, second, third});
+    Eigen::MatrixXd J(3, 9);
+    J << prior.J[0], prior.J[1], prior.J[2];
+    const auto residual = [&](const Eigen::VectorXd& turns) -> Eigen::VectorXd {
+      return TurnResidual(turns, dt_s, {first, second, third});
+    };
+    EXPECT_TRUE(test::JacobianMatches(residual, Eigen::VectorXd::Zero(9), J));
+  }
+}
+
 TEST(MotionPriorCost, TwoStepsWithTheMiddleMarginalisedAreOneStep) {
   for (const double dt : kSteps_s) {
     for (const double part : {0.5, 0.2}) {

@@ -163,7 +163,7 @@ TEST(SolveCluster, AgreesWithCeres) {
     const std::vector<double> q_by_step(q > 0.0 ? 7 : 0, q);
     ClusterProblem own = problem;
     ClusterProblem reference = problem;
-    const SolverSummary own_summary = SolveClusterSteps({}, kToTheEnd, q_by_step, own);
+    const SolverSummary own_summary = SolveClusterSteps({}, kToTheEnd, {q_by_step}, own);
     const SolverSummary summary = test::SolveClusterWithCeres({}, kToTheEnd, q_by_step, reference);
     EXPECT_NEAR(own_summary.initial_cost / summary.initial_cost, 1.0, 1e-9);
     EXPECT_NEAR(own_summary.final_cost / summary.final_cost, 1.0, 1e-6);
