@@ -47,10 +47,10 @@ Header DecodeHeader(const std::string& bytes, const std::string& name) {
     ThrowError(name, "another file", "features of a sequence");
   }
   const auto version = reader.Number<std::uint32_t>();
-  (void)Checked(bytes, name, "header");
   if (version != kFeatureFileVersion) {
     ThrowError(name, StrCat("version ", version), StrCat(kFeatureFileVersion));
   }
+  (void)Checked(bytes, name, "header");
   Header header;
   header.frames = reader.Number<std::uint32_t>();
   header.index_offset = reader.Number<std::uint64_t>();
