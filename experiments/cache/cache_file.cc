@@ -146,6 +146,11 @@ std::string MappedFile::Read(std::uint64_t offset, std::uint64_t count) const {
   return {data_ + offset, count};
 }
 
+bool IsGone(const fs::path& file) {
+  std::error_code error;
+  return fs::status(file, error).type() == fs::file_type::not_found;
+}
+
 void MarkUsed(const fs::path& file) { (void)::utimensat(AT_FDCWD, file.c_str(), nullptr, 0); }
 
 void TrimFolder(const fs::path& folder, std::uint64_t limit_bytes) {

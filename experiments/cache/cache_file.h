@@ -53,6 +53,9 @@ class MappedFile {
   const char* data_ = nullptr;
 };
 
+// Whether there is no such file, as once another process has removed it.
+bool IsGone(const std::filesystem::path& file);
+
 // Last in the order in which TrimFolder removes. Fails silently, as in a folder of somebody else.
 void MarkUsed(const std::filesystem::path& file);
 

@@ -3,6 +3,7 @@
 #include "experiments/cache/file_hashes.h"
 
 #include <algorithm>
+#include <exception>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -103,7 +104,7 @@ class ImageHasher {
   void Save(const HashIndex& index) const {
     try {
       index.Save();
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {
       hooks_.notice(StrCat("file hashes are not kept for other runs: ", error.what()));
     }
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/cache/front_end_cache.h"
 
-#include <algorithm>
+#include <exception>
 #include <system_error>
 #include <utility>
 
@@ -39,7 +39,7 @@ FrontEndRecording::FrontEndRecording(fs::path folder, std::uint64_t limit_bytes,
   if (limit_bytes_ == 0) return;
   try {
     writer_ = std::make_unique<FeatureFileWriter>(folder_);
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     GiveUp(error.what());
   }
 }
@@ -48,7 +48,7 @@ void FrontEndRecording::Add(const FrontEndFrame& frame) {
   if (!writer_) return;
   try {
     writer_->Add(frame);
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     GiveUp(error.what());
   }
 }
@@ -63,7 +63,7 @@ void FrontEndRecording::Finish(const std::string& key) {
     }
     writer_->Publish(FileName(key));
     TrimFolder(folder_, limit_bytes_);
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     GiveUp(error.what());
   }
 }
@@ -78,16 +78,13 @@ FrontEndCache::FrontEndCache(fs::path folder, std::uint64_t limit_bytes, Notice 
 
 std::optional<FeatureFile> FrontEndCache::Find(const std::string& key, std::size_t frames) const {
   const fs::path file = folder_ / FileName(key);
-  std::error_code error;
-  if (key.empty() || fs::status(file, error).type() == fs::file_type::not_found) {
-    return std::nullopt;
-  }
+  if (key.empty() || IsGone(file)) return std::nullopt;
   try {
     FeatureFile found(file, key, frames);
     MarkUsed(file);
     return found;
-  } catch (const Error& damage) {
-    Remove(key, damage.what());
+  } catch (const std::exception& damage) {
+    if (!IsGone(file)) Remove(key, damage.what());  // else another process made room
     return std::nullopt;
   }
 }

@@ -4,6 +4,8 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <exception>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -56,7 +58,8 @@ HashIndex::HashIndex(const fs::path& index_folder, const fs::path& folder, const
       name_(Sha256Hex(folder_) + ".json") {
   try {
     entries_ = Read();
-  } catch (const std::exception& error) {  // of the JSON library too
+  } catch (const std::exception& error) {       // of the JSON library too
+    if (IsGone(index_folder_ / name_)) return;  // another process found it damaged
     notice(StrCat("file hashes are computed again: ", error.what()));
     std::error_code ignored;
     fs::remove(index_folder_ / name_, ignored);
@@ -65,8 +68,7 @@ HashIndex::HashIndex(const fs::path& index_folder, const fs::path& folder, const
 
 HashIndex::Entries HashIndex::Read() const {
   const fs::path file = index_folder_ / name_;
-  std::error_code error;
-  if (fs::status(file, error).type() == fs::file_type::not_found) return {};
+  if (IsGone(file)) return {};
   const Json json = ParseIndex(ReadFileBytes(file), file.string());
   if (json.at("folder") != folder_) {
     ThrowError(file.string(), Quoted(json.at("folder").dump()), folder_);

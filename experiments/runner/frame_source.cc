@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/runner/frame_source.h"
 
+#include <exception>
 #include <optional>
 #include <string>
 #include <utility>
@@ -72,7 +73,7 @@ class CachedFrames final : public FrameSource {
       cached.front_end = file_->Frame(index);
       cached.hashes = images_.at(index);
       return true;
-    } catch (const Error& damage) {
+    } catch (const std::exception& damage) {
       input_.cache->Remove(key_, damage.what());
       file_.reset();
       return false;
