@@ -105,6 +105,38 @@ TEST_F(CliRun, AFullDiskLosesNothing) {
   EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 6);
 }
 
+TEST_F(CliRun, WithTheCacheTheSameBytes) {
+  const test::ProcessSetup setup = {.environment = {"CLUSTERVO_CACHE=" + out("cache").string()}};
+  ASSERT_EQ(Run(out("plain"), {}, setup).exit_code, 0);
+  EXPECT_FALSE(fs::exists(out("cache")));
+  const ProcessResult first = Run(out("first"), {"--cache", "--quiet"}, setup);
+  const ProcessResult second = Run(out("second"), {"--cache", "--cache-size", "1G"}, setup);
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  ASSERT_EQ(second.exit_code, 0) << second.err;
+  EXPECT_EQ(first.err, "");
+  for (const std::string& name : kRecorded) {
+    EXPECT_EQ(ReadFile(out("first") / name), ReadFile(out("plain") / name)) << name;
+    EXPECT_EQ(ReadFile(out("second") / name), ReadFile(out("plain") / name)) << name;
+  }
+  EXPECT_TRUE(ReadJson(out("first") / "timing.json")["stages"].contains("extract"));
+  const Json stages = ReadJson(out("second") / "timing.json")["stages"];
+  EXPECT_TRUE(stages.contains("load_features"));
+  EXPECT_FALSE(stages.contains("extract"));
+
+  const ProcessResult bad = Run(out("bad"), {"--cache", "--cache-size", "much"}, setup);
+  EXPECT_EQ(bad.exit_code, 1);
+  EXPECT_THAT(bad.err, HasSubstr("option --cache-size: found \"much\""));
+}
+
+TEST_F(CliRun, ACacheThatCannotBeUsedIsANotice) {
+  const std::string file = folder_.Write("file", "").string();
+  const ProcessResult run =
+      Run(out(), {"--cache", "--quiet"}, {.environment = {"CLUSTERVO_CACHE=" + file}});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("clustervo: features are not kept for other runs"));
+  EXPECT_TRUE(fs::exists(out() / "result.json"));
+}
+
 constexpr const char* kBoxes =
     "0 3 Car -1 -1 -10 10 10 60 60 -1 -1 -1 -1000 -1000 -1000 -10 0.5\n"
     "5 3 Dog -1 -1 -10 10 10 60 60 -1 -1 -1 -1000 -1000 -1000 -10 0.5\n"
