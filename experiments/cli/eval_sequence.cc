@@ -75,7 +75,7 @@ std::vector<std::string> EvalSequence::FlagNames() {
 
 void EvalSequence::AddTo(CLI::App& app) {
   const auto add = [&app](const char* flag, auto& value, const char* kind, const char* meaning) {
-    app.add_option(flag, value, meaning)->type_name(kind)->group("With --sequence");
+    app.add_option(flag, value, meaning)->type_name(kind);
   };
   app.add_option("--sequence", flags.folder,
                  "score against the truth of this sequence, in place of a file")
@@ -83,8 +83,9 @@ void EvalSequence::AddTo(CLI::App& app) {
   add("--objects", objects, "FILE|FOLDER",
       "KITTI tracking rows with 3D boxes, or a folder of <id>.tum");
   add("--name", name, "NAME", "of the system, for tables; default: the estimate's file name");
-  add("-o,--output", output, "FOLDER", "for result.json, which clustervo table reads");
+  add("-o,--output", output, "FOLDER", "for result.json, in the form of a run's");
   flags.AddTruthTo(app);
+  for (const std::string& flag : FlagNames()) app.get_option(flag)->group("With --sequence");
 }
 
 int EvaluateSequence(const EvalSequence& eval, const std::string& estimate, bool json) {
@@ -96,8 +97,10 @@ int EvaluateSequence(const EvalSequence& eval, const std::string& estimate, bool
   }
   const std::string name = eval.name.empty() ? fs::path(estimate).stem().string() : eval.name;
   SystemRequest request{sequence, "", {name, estimate, eval.objects}, 0};
-  ReadSystem(sequence, request.files);  // bad files before the images are hashed
-  if (json || output) request.content = HashSequence(sequence);
+  if (json || output) {
+    ReadSystem(sequence, request.files);  // bad files show before the images are hashed
+    request.content = HashSequence(sequence);
+  }
   const SystemOutcome outcome =
       output ? ScoreSystem(request, output->path()) : ScoreSystem(request);
   if (json) {
