@@ -3,6 +3,8 @@
 #include "experiments/metrics/object_nearness.h"
 
 #include <algorithm>
+#include <optional>
+#include <vector>
 
 namespace cvo {
 namespace {
@@ -16,6 +18,19 @@ const ClusterFrame* FindFrame(const ClusterEstimate& cluster, std::size_t frame)
                                                                                   : &*found;
 }
 
+// Where the bodies of a frame are, in the camera; those without a box or a pose are not there.
+std::vector<std::optional<Eigen::Vector3d>> BodiesInCamera(const ObjectTruth& truth,
+                                                           std::size_t frame) {
+  const RigidTransform camera_from_world = truth.world_from_camera[frame]->Inverse();
+  std::vector<std::optional<Eigen::Vector3d>> centers(truth.bodies.size());
+  for (std::size_t b = 0; b < centers.size(); ++b) {
+    const TruthBody& body = truth.bodies[b];
+    if (!body.frames[frame] || body.diagonal_m <= 0.0) continue;
+    centers[b] = camera_from_world * body.frames[frame]->world_from_object.translation();
+  }
+  return centers;
+}
+
 }  // namespace
 
 Eigen::MatrixXd NearnessInFrame(const ObjectTruth& truth, const ObjectEstimate& estimate,
@@ -23,21 +38,18 @@ Eigen::MatrixXd NearnessInFrame(const ObjectTruth& truth, const ObjectEstimate& 
   Eigen::MatrixXd nearness =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(truth.bodies.size()),
                             static_cast<Eigen::Index>(estimate.clusters.size()));
-  const auto& true_camera = truth.world_from_camera[frame];
-  const auto& camera = estimate.world_from_camera[frame];
-  if (!true_camera || !camera) return nearness;
+  if (!truth.world_from_camera[frame] || !estimate.world_from_camera[frame]) return nearness;
+  const auto bodies = BodiesInCamera(truth, frame);
+  const RigidTransform camera_from_world = estimate.world_from_camera[frame]->Inverse();
   for (std::size_t c = 0; c < estimate.clusters.size(); ++c) {
     const ClusterFrame* cluster = FindFrame(estimate.clusters[c], frame);
     if (cluster == nullptr) continue;
-    const Eigen::Vector3d center_in_camera =
-        camera->Inverse() * (cluster->world_from_object * cluster->center_in_object);
-    for (std::size_t b = 0; b < truth.bodies.size(); ++b) {
-      const TruthBody& body = truth.bodies[b];
-      if (!body.frames[frame] || body.diagonal_m <= 0.0) continue;
-      const Eigen::Vector3d true_in_camera =
-          true_camera->Inverse() * body.frames[frame]->world_from_object.translation();
+    const Eigen::Vector3d center =
+        camera_from_world * (cluster->world_from_object * cluster->center_in_object);
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      if (!bodies[b]) continue;
       nearness(static_cast<Eigen::Index>(b), static_cast<Eigen::Index>(c)) =
-          std::max(0.0, 1.0 - (center_in_camera - true_in_camera).norm() / body.diagonal_m);
+          std::max(0.0, 1.0 - (center - *bodies[b]).norm() / truth.bodies[b].diagonal_m);
     }
   }
   return nearness;

@@ -73,6 +73,8 @@ SystemOutcome ScoreSystem(const SystemRequest& request) {
   const SystemEstimate system = ReadSystem(request.sequence, request.files);
   SystemOutcome outcome;
   Score(request, system.objects, outcome);
+  const SystemHashes hashes = HashesOf(request.files);
+  outcome.job = SystemJob(ThisBuild(), request.files.name, hashes, request.content, request.seed);
   outcome.frames = static_cast<int>(request.sequence.images.size());
   outcome.frames_without_camera = system.frames_without_camera;
   outcome.object_frames = system.object_frames;
@@ -80,7 +82,7 @@ SystemOutcome ScoreSystem(const SystemRequest& request) {
   outcome.result = SystemResultFile({.sequence = request.sequence,
                                      .build = ThisBuild(),
                                      .system = request.files.name,
-                                     .hashes = HashesOf(request.files),
+                                     .hashes = hashes,
                                      .content = request.content,
                                      .seed = request.seed,
                                      .metrics = MetricsToJson(outcome.metrics, "refined"),

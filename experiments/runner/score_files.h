@@ -21,10 +21,10 @@ struct SystemRequest {
   std::uint64_t seed = 0;  // of the rendered scene: to stand beside the runs on it
 };
 
-// What RunJob's outcome is for a run of ours.
 struct SystemOutcome {
+  std::string job;              // IdentifySystem
   std::string result;           // content of result.json
-  std::vector<Metric> metrics;  // camera_*, object_*; without labels of landmarks none of those
+  std::vector<Metric> metrics;  // camera_*, object_*; none of landmarks
   std::vector<BodyScore> bodies;
   int frames = 0;
   int frames_without_camera = 0;

@@ -25,7 +25,7 @@ struct Objects {
   std::map<std::int64_t, std::string> categories;
 };
 
-RigidTransform CameraFromBox(const ObjectBox::Box3d& box, double left_offset_m) {
+RigidTransform CameraFromObject(const ObjectBox::Box3d& box, double left_offset_m) {
   return {ExpSo3(box.heading_rad * Eigen::Vector3d::UnitY()),
           box.bottom_in_camera + Eigen::Vector3d(left_offset_m, -0.5 * box.height_m, 0.0)};
 }
@@ -65,7 +65,7 @@ Objects ReadRows(const fs::path& path, const Sequence& sequence, SystemEstimate&
     }
     objects.categories.try_emplace(row.track, row.type);
     objects.world_from_object[row.track].emplace(
-        frame, *camera * CameraFromBox(*row.box3d, sequence.left_offset_m));
+        frame, *camera * CameraFromObject(*row.box3d, sequence.left_offset_m));
   }
   return objects;
 }

@@ -28,10 +28,10 @@ struct SystemEstimate {
   int object_frames_left_out = 0;  // of these: boxes in frames without a camera
 };
 
-// Frames in which a box is in the camera are placed in the world by that camera; a body's frame is
-// at the middle of its box, turned by its heading. Throws Error with file and line: what cannot be
-// read, a pose or row of no frame, two rows of one track in a frame, rows without a 3D box,
-// nothing.
+// A box is placed in the world by its frame's camera; the frame of its body is in the middle of it
+// and turned by its heading. Velocities are differences of positions. Throws Error with file and
+// line: what cannot be read, a pose or row of no frame, two rows of a track in a frame, a row
+// without a 3D box, a file without rows.
 SystemEstimate ReadSystem(const Sequence& sequence, const SystemFiles& files);
 
 }  // namespace cvo
