@@ -106,7 +106,8 @@ TEST(ExpandSuite, GoesBySequenceSeedPointOracleVariant) {
 }
 
 TEST(CellInput, ADetectorThatIsChangedStartsFromTheSequencesLevel) {
-  Cell cell{.sequence = Parse(SmallSuite()).sequences[0]};
+  Cell cell;
+  cell.sequence = Parse(SmallSuite()).sequences[0];
   cell.sequence.detections = "poor";
   EXPECT_TRUE(SceneAssignments(cell.sequence, {}).empty());
   EXPECT_EQ(RequestOf(cell, "/s", "").detections_file, "/s/detections/poor.txt");
@@ -126,13 +127,13 @@ TEST(CellInput, APointGoesOverTheSuitesOptions) {
 
 TEST(CellInput, AFolderIsReadAsTheSequenceSays) {
   Cell cell;
-  cell.sequence = {.folder = "x",
-                   .frames = "2:7",
-                   .groundtruth = "interpolated",
-                   .detections = "boxes/0003.txt",
-                   .detections_camera = 2,
-                   .min_score = 0.25,
-                   .labels = "labels.txt"};
+  cell.sequence.folder = "x";
+  cell.sequence.frames = "2:7";
+  cell.sequence.groundtruth = "interpolated";
+  cell.sequence.detections = "boxes/0003.txt";
+  cell.sequence.detections_camera = 2;
+  cell.sequence.min_score = 0.25;
+  cell.sequence.labels = "labels.txt";
   const SequenceRequest request = RequestOf(cell, "/found/x", "/data");
   EXPECT_EQ(request.folder, "/found/x");
   EXPECT_EQ(request.begin_frame, 2);

@@ -22,12 +22,7 @@ Plan PlanOf(const std::vector<std::string>& variants) {
   plan.suite = test::Parse(json);
   plan.build = "build";
   for (const Cell& cell : ExpandSuite(plan.suite)) {
-    plan.jobs.push_back({.cell = cell,
-                         .folder = "/x",
-                         .frames = 70,
-                         .content = "content",
-                         .input = "input",
-                         .job = "job of " + cell.variant});
+    plan.jobs.push_back({cell, "/x", "", 70, "content", "input", "job of " + cell.variant});
   }
   return plan;
 }

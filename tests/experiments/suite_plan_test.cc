@@ -37,13 +37,15 @@ class SuitePlan : public testing::Test {
   fs::path data() const { return folder_.path() / "data"; }
   fs::path cache() const { return folder_.path() / "cache"; }
   BuiltPlan Build(const Suite& suite) const {
-    return BuildPlan(suite, {.data = data(), .cache = cache()});
+    PlanRequest request;
+    request.data = data();
+    request.cache = cache();
+    return BuildPlan(suite, request);
   }
-  // Where nothing can draw.
+  // In a build without OSMesa.
   static bool CannotRender() {
-    return ErrorMessage([] { FindRendererVersion(); }) != "";
+    return ErrorMessage([] { synth::FindRendererVersion(); }) != "";
   }
-  static synth::RendererVersion FindRendererVersion() { return synth::FindRendererVersion(); }
 
   test::TempFolder folder_;
 };
@@ -116,7 +118,9 @@ TEST_F(SuitePlan, WhatIsMissingIsSaidAndNeverThrown) {
   Json json = FolderSuite("a/07");
   json["sequences"][0]["detections"] = "nowhere.txt";
   EXPECT_THAT(missing(json), HasSubstr("nowhere.txt"));
-  const BuiltPlan none = BuildPlan(Parse(FolderSuite("a/07")), {.data = "", .cache = cache()});
+  PlanRequest without_data;
+  without_data.cache = cache();
+  const BuiltPlan none = BuildPlan(Parse(FolderSuite("a/07")), without_data);
   EXPECT_THAT(none.plan.jobs.at(0).missing, HasSubstr("--data"));
   EXPECT_EQ(none.plan.jobs.at(0).job, "");
 }
@@ -209,8 +213,10 @@ TEST_F(SuitePlan, ARenderedScenesJobHasTheIdentityOfItsBytes) {
   json["sequences"][0]["frames"] = "0:2";
   const Suite suite = Parse(json);
   const SceneRender render = Build(suite).renders.at(0);
-  synth::WriteDataset(synth::SceneDescription::Load("tiny", {}),
-                      {.frames = {0, 2}, .seed = 1, .threads = 1}, render.folder);
+  synth::RenderRequest request;
+  request.frames.end = 2;
+  request.seed = 1;
+  synth::WriteDataset(synth::SceneDescription::Load("tiny", {}), request, render.folder);
   const BuiltPlan built = Build(suite);
   EXPECT_THAT(built.renders, IsEmpty());
   const PlannedJob& job = built.plan.jobs.at(0);
