@@ -72,10 +72,15 @@ std::vector<Part> MakeParts() {
                    {"core/", "variants/", "experiments/files/", "experiments/datasets/",
                     "experiments/metrics/", "experiments/record/", "experiments/runner/"},
                    {}});
+  parts.push_back({"experiments/suite/",
+                   {"core/", "variants/", "synth/", "experiments/files/", "experiments/datasets/",
+                    "experiments/metrics/", "experiments/record/", "experiments/runner/",
+                    "experiments/suite/"},
+                   {}});
   parts.push_back({"experiments/jobs/",
                    {"core/", "variants/", "experiments/files/", "experiments/datasets/",
-                    "experiments/metrics/", "experiments/cache/", "experiments/record/",
-                    "experiments/runner/", "experiments/suite/", "experiments/jobs/"},
+                    "experiments/metrics/", "experiments/record/", "experiments/runner/",
+                    "experiments/suite/", "experiments/jobs/"},
                    {}});
   parts.push_back(
       {"experiments/cli/", {"core/", "variants/", "experiments/", "reports/", "synth/"}, {}});
