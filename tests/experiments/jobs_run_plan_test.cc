@@ -145,7 +145,7 @@ TEST_F(RunPlanTest, OnlyACompleteResultOfThisJobCounts) {
     Run(plan_);
     Started();
     folder_.Write("out/jobs/a1/result.json", text);
-    EXPECT_EQ(StatusOf(run_.folder, plan_.jobs[0]).state, JobState::kMissing) << text;
+    EXPECT_EQ(StatusOf(run_.folder, plan_.jobs[0]).state, JobStatus::State::kMissing) << text;
     EXPECT_EQ(Run(plan_).done, 4U) << text;
     EXPECT_THAT(Started(), ElementsAre("a1")) << text;
   }
@@ -154,7 +154,7 @@ TEST_F(RunPlanTest, OnlyACompleteResultOfThisJobCounts) {
 TEST_F(RunPlanTest, AFailureRecordThatCannotBeReadIsAFailureStill) {
   folder_.Write("out/failed/a1.json", "{\"mess");
   const JobStatus status = StatusOf(run_.folder, plan_.jobs[0]);
-  EXPECT_EQ(status.state, JobState::kFailed);
+  EXPECT_EQ(status.state, JobStatus::State::kFailed);
   EXPECT_THAT(status.message, HasSubstr("cannot be read"));
 }
 
