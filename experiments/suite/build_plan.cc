@@ -12,7 +12,7 @@
 #include "experiments/files/sha256.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/record/job_identity.h"
-#include "experiments/runner/content_hash.h"
+#include "experiments/cache/content_hash.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/suite/cell_input.h"
 #include "experiments/suite/data_folder.h"

@@ -161,11 +161,20 @@ TEST_F(RunPlanTest, AFailureRecordThatCannotBeReadIsAFailureStill) {
 TEST_F(RunPlanTest, WithoutASequenceNothingRuns) {
   Plan plan = plan_;
   plan.jobs[2].job.clear();
+  plan.jobs[2].folder.clear();
   plan.jobs[2].missing = "no such folder";
   const PlanOutcome outcome = Run(plan);
   EXPECT_EQ(outcome.no_sequence, 1U);
   EXPECT_EQ(outcome.done, 3U);
   EXPECT_EQ(StatusOfAll(run_.folder, plan)[2].message, "no such folder");
+
+  plan.jobs[2].folder = "/found/and/damaged";
+  EXPECT_EQ(Run(plan).failed, 1U);
+  plan.jobs[2].folder.clear();
+  plan.jobs[2].cell.sequence.scene = "tiny";  // everybody can have one
+  EXPECT_EQ(Run(plan).failed, 1U);
+  plan.jobs[2].missing = kNotRendered;
+  EXPECT_EQ(Run(plan).missing, 1U);
 }
 
 TEST_F(RunPlanTest, ResultsOfAnotherPlanStayAndAreUsedAgain) {
