@@ -8,11 +8,11 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "experiments/cache/content_hash.h"
 #include "experiments/cli/metric_table.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/run_summary.h"
 #include "experiments/files/atomic_file.h"
-#include "experiments/runner/content_hash.h"
 #include "experiments/runner/run_files.h"
 #include "experiments/runner/score_files.h"
 

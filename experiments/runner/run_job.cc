@@ -47,9 +47,13 @@ Json ResolvedOptions(const RunRequest& request) {
 std::string IdentifyJob(const RunRequest& request) {
   const std::vector<ImageHashes> images =
       request.images.empty() ? HashImages(request.sequence) : request.images;
+  return IdentifyJob(request, ContentHash(request.sequence, images));
+}
+
+std::string IdentifyJob(const RunRequest& request, const std::string& content) {
   return JobIdentity({ThisBuild().Hash(), std::string(request.variant.name),
-                      ResolvedOptions(request), ContentHash(request.sequence, images),
-                      DetectionsHash(request.sequence), Given(request), request.seed});
+                      ResolvedOptions(request), content, DetectionsHash(request.sequence),
+                      Given(request), request.seed});
 }
 
 std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesystem::path& folder) {

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/suite/build_plan.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/task_pool.h"
+#include "experiments/cache/content_hash.h"
+#include "experiments/cache/file_hashes.h"
+#include "experiments/cache/front_end_cache.h"
+#include "experiments/record/build_identity.h"
+#include "experiments/runner/run_job.h"
+#include "experiments/runner/score_files.h"
+#include "experiments/suite/cell_input.h"
+#include "experiments/suite/data_folder.h"
+#include "experiments/suite/scenes.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What cells that differ in variant, options or oracle share.
+struct Input {
+  std::string folder;
+  std::string missing;
+  int frames = 0;
+  Sequence sequence;
+  std::string content;
+  std::vector<ImageHashes> images;
+};
+
+fs::path Absolute(const fs::path& path) {
+  return path.empty() ? path : fs::absolute(path).lexically_normal();
+}
+
+class Planner {
+ public:
+  Planner(const Suite& suite, const PlanRequest& request)
+      : suite_(suite),
+        request_(request),
+        data_(Absolute(request.data)),
+        scenes_(Absolute(request.cache)),
+        pool_(request.threads) {}
+
+  BuiltPlan Build();
+
+ private:
+  const Input& InputOf(const Cell& cell);
+  Input FindInput(const Cell& cell);
+  void Open(const Cell& cell, Input& input);
+  PlannedJob PlanCell(const Cell& cell);
+  void IdentifyFiles(const Input& input, PlannedJob& job) const;
+  void Want(const SceneFolder& scene, const Cell& cell);
+  void OrderRenders();
+
+  const Suite& suite_;
+  const PlanRequest& request_;
+  DataFolder data_;
+  SceneFolders scenes_;
+  TaskPool pool_;
+  BuildIdentity build_ = ThisBuild();
+  std::map<std::string, Input> inputs_;
+  std::vector<std::pair<std::string, SceneRender>> wanted_;  // with the key of the drawing
+  std::set<fs::path> wanted_folders_;
+};
+
+void Planner::Want(const SceneFolder& scene, const Cell& cell) {
+  if (!wanted_folders_.insert(scene.folder).second) return;
+  const std::string name =
+      StrCat("render-", cell.sequence.name, "-", scene.folder.parent_path().filename().string());
+  wanted_.push_back(
+      {scene.drawing,
+       {name, cell.sequence.name, scene.folder, scene.arguments, scene.frames, !scene.drawn}});
+}
+
+// One of each drawing draws, unless the cache has it.
+void Planner::OrderRenders() {
+  std::set<std::string> drawing;
+  for (auto& [key, render] : wanted_) render.draws = render.draws && drawing.insert(key).second;
+  std::stable_partition(wanted_.begin(), wanted_.end(),
+                        [](const auto& wanted) { return wanted.second.draws; });
+}
+
+void Planner::Open(const Cell& cell, Input& input) {
+  input.sequence = OpenSequence(RequestOf(cell, input.folder, data_.root()));
+  input.frames = static_cast<int>(input.sequence.images.size());
+  FileHashHooks hooks;
+  hooks.notice = request_.notice;
+  input.images = FindImageHashes(input.sequence, Absolute(request_.cache) / "hashes", pool_, hooks);
+  input.content = ContentHash(input.sequence, input.images);
+}
+
+Input Planner::FindInput(const Cell& cell) {
+  Input input;
+  try {
+    if (cell.sequence.scene.empty()) {
+      const DataFolder::Found found = data_.Find(cell.sequence.folder);
+      input.missing = found.missing;
+      input.folder = found.folder.string();
+      if (input.missing.empty()) Open(cell, input);
+      return input;
+    }
+    const SceneFolder scene = scenes_.Find(cell.sequence, cell.parameters, cell.seed);
+    if (!IsRendered(scene.folder)) {
+      Want(scene, cell);
+      input.missing = kNotRendered;
+      input.frames = scene.frames;
+      return input;
+    }
+    input.folder = scene.folder.string();
+    Open(cell, input);
+  } catch (const Error& error) {
+    input.missing = error.what();
+  }
+  return input;
+}
+
+const Input& Planner::InputOf(const Cell& cell) {
+  const SuiteSequence& sequence = cell.sequence;
+  std::string key = StrCat(sequence.name, "\n", sequence.detections, "\n");
+  if (!sequence.scene.empty()) {
+    key += std::to_string(cell.seed);
+    for (const std::string& assignment : SceneAssignments(sequence, cell.parameters)) {
+      key += "\n" + assignment;
+    }
+  }
+  const auto found = inputs_.find(key);
+  return found != inputs_.end() ? found->second
+                                : inputs_.emplace(key, FindInput(cell)).first->second;
+}
+
+void Planner::IdentifyFiles(const Input& input, PlannedJob& job) const {
+  try {
+    job.job = IdentifySystem({.sequence = input.sequence,
+                              .content = input.content,
+                              .files = SystemFilesOf(suite_, job.cell, data_.root()),
+                              .seed = job.cell.seed});
+  } catch (const Error& error) {
+    job.missing = error.what();
+  }
+}
+
+PlannedJob Planner::PlanCell(const Cell& cell) {
+  const Input& input = InputOf(cell);
+  PlannedJob job{cell, input.folder, input.missing, input.frames, input.content, "", ""};
+  if (!job.missing.empty()) return job;
+  if (!cell.system.empty()) {
+    IdentifyFiles(input, job);
+    return job;
+  }
+  const Options options = OptionsOf(suite_, cell.parameters);
+  job.input = FrontEndKey({build_.Hash(), input.sequence.camera, options.orb, options.stereo},
+                          input.images);
+  job.job = IdentifyJob({.sequence = input.sequence,
+                         .variant = FindVariant(cell.variant),
+                         .options = options,
+                         .seed = cell.seed,
+                         .classes = ClassesOf(cell.sequence),
+                         .oracle = OracleOf(cell.oracle)},
+                        input.content);
+  return job;
+}
+
+BuiltPlan Planner::Build() {
+  BuiltPlan built;
+  built.plan.suite = suite_;
+  built.plan.build = build_.Hash();
+  built.plan.data = data_.root().string();
+  const std::vector<Cell> cells = ExpandSuite(suite_);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    built.plan.jobs.push_back(PlanCell(cells[i]));
+    if (request_.progress) request_.progress(i + 1, cells.size());
+  }
+  OrderRenders();
+  for (auto& [key, render] : wanted_) built.renders.push_back(std::move(render));
+  return built;
+}
+
+}  // namespace
+
+BuiltPlan BuildPlan(const Suite& suite, const PlanRequest& request) {
+  return Planner(suite, request).Build();
+}
+
+}  // namespace cvo
