@@ -7,6 +7,7 @@
 
 #include "core/association/descriptor_matching.h"
 #include "core/estimation/camera_ransac.h"
+#include "core/odometry/point_measurements.h"
 
 namespace cvo {
 namespace {
@@ -39,20 +40,6 @@ Visible ProjectLandmarks(const Options& options, const Window& window,
   return visible;
 }
 
-std::vector<PointMeasurement> Measurements(const Options& options, const Window& window,
-                                           const FeatureGrid& grid,
-                                           const std::vector<Match>& matches) {
-  std::vector<PointMeasurement> measurements;
-  measurements.reserve(matches.size());
-  for (const Match& match : matches) {
-    const StereoFeature& feature = grid.features()[match.feature];
-    const double scale = std::pow(options.orb.scale_factor, feature.octave);
-    measurements.push_back({window.landmarks[match.landmark].p_in_body, feature.z_px,
-                            SqrtInformation(options.noise, scale)});
-  }
-  return measurements;
-}
-
 // Matches of landmarks (indices into window.landmarks) around a camera.
 std::vector<Match> SearchAround(const Options& options, const Window& window,
                                 const FeatureGrid& grid, const RigidTransform& world_from_camera,
@@ -78,9 +65,9 @@ std::optional<RigidTransform> FindWithoutPrediction(const Options& options, cons
       MatchDescriptors(descriptors, grid.features(), options.tracking.recovery_hamming,
                        options.tracking.recovery_ratio);
   for (Match& match : matches) match.landmark = landmark[match.landmark];
-  const auto solution =
-      SolveCameraRansac(window.camera, Measurements(options, window, grid, matches), options.noise,
-                        options.tracking.recovery_iterations, options.tracking.min_inliers, rng);
+  const auto solution = SolveCameraRansac(
+      window.camera, MeasurementsOf(options, window.landmarks, grid.features(), matches),
+      options.noise, options.tracking.recovery_iterations, options.tracking.min_inliers, rng);
   if (!solution) return std::nullopt;
   return solution->world_from_camera;
 }
@@ -98,9 +85,9 @@ CameraTrack MatchAround(const Options& options, const Window& window, const Feat
                         const RigidTransform& world_from_camera) {
   const std::vector<Match> matches =
       SearchAround(options, window, grid, world_from_camera, options.matching.narrow_radius_px);
-  const CameraSolution agreeing =
-      ClassifyMeasurements(window.camera, Measurements(options, window, grid, matches),
-                           world_from_camera, options.noise.gate);
+  const CameraSolution agreeing = ClassifyMeasurements(
+      window.camera, MeasurementsOf(options, window.landmarks, grid.features(), matches),
+      world_from_camera, options.noise.gate);
   return {world_from_camera, Inliers(matches, agreeing), static_cast<int>(matches.size())};
 }
 
@@ -112,7 +99,8 @@ std::optional<CameraTrack> TrackCamera(const Options& options, const Window& win
                                        bool is_given, Rng& rng) {
   if (is_given) return MatchAround(options, window, grid, predicted_world_from_camera);
   const auto solve = [&](const std::vector<Match>& matches, const RigidTransform& initial) {
-    return SolveCamera(window.camera, Measurements(options, window, grid, matches), initial,
+    return SolveCamera(window.camera,
+                       MeasurementsOf(options, window.landmarks, grid.features(), matches), initial,
                        options.noise);
   };
   const std::vector<Match> wide = SearchAround(options, window, grid, predicted_world_from_camera,

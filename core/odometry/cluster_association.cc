@@ -6,24 +6,13 @@
 #include <cmath>
 
 #include "core/estimation/camera_ransac.h"
+#include "core/odometry/point_measurements.h"
 
 namespace cvo::internal {
 namespace {
 
 // A cluster with fewer states has no velocity yet: its first matches may all be wrong.
 constexpr std::size_t kSettledStates = 3;
-
-std::vector<PointMeasurement> Measurements(const FrameView& view, const Cluster& cluster,
-                                           const std::vector<Match>& matches) {
-  std::vector<PointMeasurement> measurements;
-  for (const Match& match : matches) {
-    const StereoFeature& feature = view.frame.features[match.feature];
-    const double scale = std::pow(view.options.orb.scale_factor, feature.octave);
-    measurements.push_back({cluster.landmarks[match.landmark].p_in_body, feature.z_px,
-                            SqrtInformation(view.options.noise, scale)});
-  }
-  return measurements;
-}
 
 }  // namespace
 
@@ -53,7 +42,8 @@ std::optional<CameraSolution> SolvePose(const FrameView& view, const Cluster& cl
                                         const std::vector<Match>& matches, int min_inliers,
                                         bool is_predicted, Rng& rng) {
   if (static_cast<int>(matches.size()) < min_inliers) return std::nullopt;
-  const std::vector<PointMeasurement> measurements = Measurements(view, cluster, matches);
+  const std::vector<PointMeasurement> measurements =
+      MeasurementsOf(view.options, cluster.landmarks, view.frame.features, matches);
   if (is_predicted) {
     const RigidTransform object_from_camera = world_from_object.Inverse() * view.world_from_camera;
     CameraSolution solution =

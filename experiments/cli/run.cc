@@ -29,7 +29,7 @@ constexpr int kStopped = 130;
 struct Flags {
   SequenceFlags sequence;
   RunFlags run;
-  std::string variant = "static";
+  std::string variant = "full";
   std::string output;
   std::uint64_t seed = 0;
   std::string classes;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/record/build_identity.h"
 
-#include <ceres/version.h>
-
 #include <Eigen/Core>
 #include <opencv2/core/utility.hpp>
 
@@ -32,7 +30,7 @@ Json IdentityFields(const BuildIdentity& build) {
           {"compiler", build.compiler},
           {"build_type", build.build_type},
           {"flags", build.flags},
-          {"libraries", {{"opencv", build.opencv}, {"eigen", build.eigen}, {"ceres", build.ceres}}},
+          {"libraries", {{"opencv", build.opencv}, {"eigen", build.eigen}}},
           {"cpu_level", build.cpu_level}};
 }
 
@@ -57,7 +55,6 @@ BuildIdentity ThisBuild() {
   build.flags = kFlags;
   build.opencv = cv::getVersionString();
   build.eigen = StrCat(EIGEN_WORLD_VERSION, ".", EIGEN_MAJOR_VERSION, ".", EIGEN_MINOR_VERSION);
-  build.ceres = CERES_VERSION_STRING;
   build.cpu_level = CpuLevel();
   build.commit = kCommit;
   return build;

@@ -19,7 +19,6 @@ struct BuildIdentity {
   std::string flags;
   std::string opencv;
   std::string eigen;
-  std::string ceres;
   std::string cpu_level;  // "avx2", or "below avx2": cv::ORB computes other descriptors there
   std::string commit;     // with "+changes" where the sources differ from it
 

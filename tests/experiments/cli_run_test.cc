@@ -151,7 +151,7 @@ TEST_F(CliRun, SaysWhichDetectionsCount) {
   const Json result = ResultOf(out());
   EXPECT_EQ(result["detection_counts"]["given"], 1);
   EXPECT_EQ(result["detection_counts"]["other_classes"]["Dog"], 1);
-  EXPECT_EQ(test::LineCount(ReadFile(out() / "objects.csv")), 1U);  // static has no clusters
+  EXPECT_EQ(test::LineCount(ReadFile(out() / "objects.csv")), 1U);  // one detection is no cluster
   EXPECT_THAT(ReadFile(out() / "landmarks.csv"), testing::StartsWith("frame,id,u_px"));
 
   ASSERT_EQ(Run(out(), {"--detections", boxes, "--classes", "dog"}).exit_code, 0);

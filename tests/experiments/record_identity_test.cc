@@ -31,7 +31,7 @@ TEST(BuildIdentity, IsComplete) {
   EXPECT_THAT(build.evaluation_sources, MatchesRegex("[0-9a-f]{64}"));
   EXPECT_NE(build.estimator_sources, build.evaluation_sources);
   for (const std::string& field : {build.version, build.compiler, build.build_type, build.flags,
-                                   build.opencv, build.eigen, build.ceres, build.commit}) {
+                                   build.opencv, build.eigen, build.commit}) {
     EXPECT_FALSE(field.empty());
   }
 }
