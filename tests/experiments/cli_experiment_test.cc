@@ -10,6 +10,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "core/base/error.h"
 #include "experiments/files/json.h"
 #include "experiments/jobs/folder_lock.h"
 #include "tests/experiments/cli_process.h"
@@ -39,17 +40,17 @@ class CliExperiment : public testing::Test {
 
   void WriteSuite(const std::string& sequences, const std::string& seeds) const {
     folder_.Write("suite.json",
-                  "{\"name\": \"small\", \"about\": \"for tests\", \"sequences\": [" + sequences +
-                      "], \"variants\": [\"full\", \"static\"], \"seeds\": " + seeds +
-                      ", \"table\": {\"rows\": [\"variant\"], \"metrics\": [\"camera_ate\"], "
-                      "\"reference\": \"full\"}}");
+                  StrCat("{\"name\": \"small\", \"about\": \"for tests\", \"sequences\": [",
+                         sequences, "], \"variants\": [\"full\", \"static\"], \"seeds\": ", seeds,
+                         ", \"table\": {\"rows\": [\"variant\"], \"metrics\": [\"camera_ate\"], ",
+                         "\"reference\": \"full\"}}"));
   }
   ProcessResult Experiment(const std::vector<std::string>& arguments,
                            test::ProcessSetup setup = {}) const {
     std::vector<std::string> all = {"experiment"};
     all.insert(all.end(), arguments.begin(), arguments.end());
-    setup.environment = {"CLUSTERVO_CACHE=" + (folder_.path() / "cache").string(),
-                         "CLUSTERVO_DATA=" + data().string()};
+    setup.environment = {StrCat("CLUSTERVO_CACHE=", (folder_.path() / "cache").string()),
+                         StrCat("CLUSTERVO_DATA=", data().string())};
     return RunProgram(all, setup);
   }
   ProcessResult Run(const std::vector<std::string>& more = {},
@@ -154,7 +155,7 @@ TEST_F(CliExperiment, OneRunnerAtATime) {
   const FolderLock lock(out() / "lock");
   const ProcessResult run = Run();
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.err, HasSubstr("in use by process " + std::to_string(::getpid()) + " on "));
+  EXPECT_THAT(run.err, HasSubstr(StrCat("in use by process ", ::getpid(), " on ")));
   EXPECT_EQ(test::LineCount(run.err), 1U);
   EXPECT_FALSE(fs::exists(out() / "plan.json"));
 }
@@ -170,7 +171,7 @@ TEST_F(CliExperiment, AnInterruptKeepsWhatIsDone) {
   EXPECT_FALSE(fs::exists(out() / "failed") && !fs::is_empty(out() / "failed"));
   const ProcessResult rest = Run();
   EXPECT_EQ(rest.out, "small: 6 jobs: 6 done\n");
-  EXPECT_THAT(rest.err, HasSubstr("/" + std::to_string(6 - done) + " jobs"));
+  EXPECT_THAT(rest.err, HasSubstr(StrCat("/", 6 - done, " jobs")));
 }
 
 TEST_F(CliExperiment, LimitsFailJobsUntilTheyAreRaised) {
