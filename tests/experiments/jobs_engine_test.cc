@@ -132,7 +132,8 @@ TEST_F(LocalEngineTest, NeverMoreAtOnceThanAskedFor) {
 }
 
 TEST_F(LocalEngineTest, StopEndsWhatRunsAndStartsNothingMore) {
-  const Task slow = Shell("slow", StrCat("echo $$ > ", folder_.path().string(), "/pid; sleep 60"));
+  const Task slow =
+      Shell("slow", StrCat("echo $$ > ", folder_.path().string(), "/pid; exec sleep 60"));
   const Task next = Shell("next", "true");
   EngineHooks hooks;
   hooks.ended = [](std::size_t task, const TaskEnd&) { ADD_FAILURE() << task; };
@@ -143,7 +144,8 @@ TEST_F(LocalEngineTest, StopEndsWhatRunsAndStartsNothingMore) {
 }
 
 TEST_F(LocalEngineTest, AHookThatThrowsLeavesNoProcess) {
-  const Task slow = Shell("slow", StrCat("echo $$ > ", folder_.path().string(), "/pid; sleep 60"));
+  const Task slow =
+      Shell("slow", StrCat("echo $$ > ", folder_.path().string(), "/pid; exec sleep 60"));
   const Task short_one = Shell(
       "short", StrCat("while [ ! -s ", folder_.path().string(), "/pid ]; do sleep 0.02; done"));
   EngineHooks hooks;
@@ -169,7 +171,8 @@ TEST_F(LocalEngineTest, AProgramThatIsNoneIsRefused) {
 }
 
 TEST_F(LocalEngineTest, NoProcessOutlivesAKilledEngine) {
-  const Task slow = Shell("slow", StrCat("echo $$ > ", folder_.path().string(), "/pid; sleep 60"));
+  const Task slow =
+      Shell("slow", StrCat("echo $$ > ", folder_.path().string(), "/pid; exec sleep 60"));
   const pid_t runner = ::fork();
   if (runner == 0) {
     EngineHooks hooks;
