@@ -44,17 +44,13 @@ bool IsSilence(const Captured& captured) {
 
 bool IsFailure(const Captured& captured) { return captured.exit_code != 0; }
 
-// What sbatch says when there are as many tasks as Slurm has room for.
-bool IsFullForNow(const std::string& words) {
-  static constexpr std::array<const char*, 3> kWords = {
+// From what sbatch says.
+SlurmRefusal RefusalOf(const std::string& words) {
+  static constexpr std::array<const char*, 3> kFullForNow = {
       "temporarily unable to accept job", "Resource temporarily unavailable", "MaxSubmitJob"};
-  return HasAny(words, kWords);
-}
-
-// ... or as this user may have, or because of another limit of his: Slurm does not tell.
-bool IsFull(const std::string& words) {
-  static constexpr std::array<const char*, 1> kWords = {"job submit limit"};
-  return IsFullForNow(words) || HasAny(words, kWords);
+  static constexpr std::array<const char*, 1> kLimit = {"job submit limit"};
+  if (HasAny(words, kFullForNow)) return SlurmRefusal::kFullForNow;
+  return HasAny(words, kLimit) ? SlurmRefusal::kLimit : SlurmRefusal::kForGood;
 }
 
 std::string LastLine(const std::string& text) {
@@ -194,17 +190,19 @@ SlurmSubmitted SlurmClient::Submit(const SlurmArray& array,
     const Clock::time_point asked = Clock::now();
     // Where there is no room, sbatch itself would wait for minutes.
     const Captured answer = Capture(argv, [&](const Captured& so_far) {
-      return IsFull(so_far.err) || Since(asked) > kCommandLimitS;
+      return RefusalOf(so_far.err) == SlurmRefusal::kFullForNow || Since(asked) > kCommandLimitS;
     });
     if (answer.exit_code == 0)
-      return {answer.out.substr(0, answer.out.find_first_of(";\n")), "", false};
+      return {answer.out.substr(0, answer.out.find_first_of(";\n")), "", {}};
+    const SlurmRefusal refusal = RefusalOf(answer.err);
+    const bool refused = refusal != SlurmRefusal::kForGood || !IsSilence(answer);
+    const std::string words = StrCat("sbatch: ", LastLine(answer.err));
+    if (refused && refusal != SlurmRefusal::kFullForNow) return {"", words, refusal};
     // It may have been accepted all the same, where only the answer was lost.
-    const bool full = IsFull(answer.err);
-    if (!full && !IsSilence(answer)) throw Error(StrCat("sbatch: ", LastLine(answer.err)));
-    if (const std::optional<std::string> job = Find(array.name)) return {*job, "", false};
-    if (full) return {"", LastLine(answer.err), IsFullForNow(answer.err)};
+    if (const std::optional<std::string> job = Find(array.name)) return {*job, "", {}};
+    if (refused) return {"", words, refusal};
     if (Since(start) > patience_s_ || !Pause(delay_s)) {
-      throw SlurmSilent(StrCat("slurm does not answer: sbatch: ", LastLine(answer.err)));
+      throw SlurmSilent(StrCat("slurm does not answer: ", words));
     }
   }
 }

@@ -34,11 +34,17 @@ using SlurmQueue = std::map<std::pair<std::string, std::size_t>, SlurmTask>;
 // Whether a task in this state is over and does not come back by itself.
 bool SlurmTaskOver(const std::string& state);
 
+enum class SlurmRefusal {
+  kForGood,     // an unknown partition, too much memory, ...
+  kLimit,       // too many tasks, or another limit of this user: Slurm does not tell
+  kFullForNow,  // too many tasks in the queue at present
+};
+
 // What became of an array that was to be submitted.
 struct SlurmSubmitted {
-  std::string job;       // empty: refused
-  std::string refused;   // Slurm's words: too many tasks, in this array or of this user
-  bool passing = false;  // of all users: there will be room without our doing
+  std::string job;      // empty: refused
+  std::string refused;  // Slurm's words
+  SlurmRefusal refusal = SlurmRefusal::kForGood;
 };
 
 // Slurm does not answer; what was submitted goes on without us.
@@ -56,7 +62,6 @@ class SlurmClient {
   // Throws Error where there is no Slurm, or none that has arrays.
   SlurmSetup Setup() const;
   SlurmQueue Queue(const std::vector<std::string>& names) const;
-  // Throws Error where Slurm refuses for good, such as an unknown partition.
   SlurmSubmitted Submit(const SlurmArray& array, const std::vector<std::string>& flags) const;
   // Jobs or tasks ("123", "123_4"). Those that are over are passed by.
   void Cancel(const std::vector<std::string>& jobs) const;

@@ -17,6 +17,7 @@ struct SlurmOptions {
   int at_once = 0;                        // tasks that run at a time; 0: as many as Slurm starts
   double poll_s = 5.0;                    // between two looks at the queue
   double patience_s = 1800.0;             // Slurm may be silent for so long before Run gives up
+  double full_s = 30.0;                   // until an array that found no room is submitted again
   double latency_s = 30.0;                // until a file that one machine wrote is seen by another
 
   // Throws Error naming the field that makes no sense.

@@ -19,7 +19,6 @@ constexpr double kBytesPerSlurmMb = 1048576.0;
 constexpr double kSecondsPerMinute = 60.0;
 constexpr double kStopPatienceS = 15.0;  // for Slurm to end what was cancelled
 constexpr double kStopPollS = 0.5;
-constexpr std::chrono::seconds kTryAgainAfter(30);  // where Slurm had no room
 
 std::string Tasks(std::size_t count) { return StrCat(count, count == 1 ? " task" : " tasks"); }
 
@@ -37,8 +36,9 @@ void Remove(const SlurmArray& array) {
 }
 
 std::string InWords(const std::string& reason) {
-  return reason == "BeginTime" ? "put back into the queue by Slurm, which starts it in a while"
-                               : reason;
+  if (reason == "BeginTime") return "put back into the queue by Slurm, which starts it in a while";
+  const bool held = reason.find("held") != std::string::npos || reason == "JobHeldUser";
+  return reason + (held ? " (scontrol release JOB lets it go)" : "");
 }
 
 }  // namespace
@@ -119,9 +119,8 @@ void SlurmRun::TakeUpEarlierArrays() {
 }
 
 void SlurmRun::SubmitWaiting() {
-  if (room_.limited && room_.tasks == 0 && Clock::now() - room_.refused > kTryAgainAfter) {
-    room_.limited = false;
-  }
+  const std::chrono::duration<double> since = Clock::now() - room_.refused;
+  if (room_.tasks == 0 && since.count() > options_.full_s) room_.limited = false;
   while (!waiting_.empty() && !hooks_.stop()) {
     if (options_.at_once > 0 && Open() > 0) return;  // Slurm knows that limit per array only
     std::size_t count = std::min(waiting_.size(), setup_.array_size);
@@ -152,7 +151,10 @@ void SlurmRun::SubmitArray(std::size_t count) {
 }
 
 void SlurmRun::Refused(std::size_t count, const SlurmSubmitted& submitted) {
-  if (count == 1 && Open() == 0 && !submitted.passing) throw Error(submitted.refused);
+  const bool passing = submitted.refusal == SlurmRefusal::kFullForNow;
+  const bool hopeless =
+      submitted.refusal == SlurmRefusal::kForGood || (count == 1 && Open() == 0 && !passing);
+  if (hopeless) throw Error(submitted.refused);
   if (count == 1 && !room_.told) {
     hooks_.notice(StrCat("slurm: takes no more now (", submitted.refused,
                          "): ", Tasks(waiting_.size()), " still to be submitted"));
