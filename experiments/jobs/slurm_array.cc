@@ -45,8 +45,12 @@ SlurmArray Parse(const fs::path& folder, const Json& json) {
     if (json.at("schema_version") != kSchemaVersion || json.at("kind") != "slurm_array") {
       ThrowError(where, "another kind of file", "a job array of this program's version");
     }
-    return {folder, json.at("name").get<std::string>(),
-            json.at("tasks").get<std::vector<std::string>>()};
+    SlurmArray array{folder, json.at("name").get<std::string>(), {}};
+    for (const Json& task : json.at("tasks")) {
+      array.entries.push_back(
+          {task.at("name").get<std::string>(), task.at("key").get<std::string>()});
+    }
+    return array;
   } catch (const Json::exception& error) {
     ThrowError(where, error.what(), "name and tasks of a job array");
   }
@@ -78,11 +82,15 @@ SlurmArray WriteSlurmArray(const fs::path& root, std::span<const Task> tasks,
   SlurmArray array;
   array.folder = NewFolder(root);
   array.name = "clustervo-" + Sha256Hex(array.folder.string()).substr(0, kNameDigits);
-  for (const Task& task : tasks) array.keys.push_back(TaskKey(task, sbatch_flags));
+  Json entries = Json::array();
+  for (const Task& task : tasks) {
+    array.entries.push_back({task.name, TaskKey(task, sbatch_flags)});
+    entries.push_back({{"name", task.name}, {"key", array.entries.back().key}});
+  }
   const Json record = {{"schema_version", kSchemaVersion},
                        {"kind", "slurm_array"},
                        {"name", array.name},
-                       {"tasks", array.keys}};
+                       {"tasks", entries}};
   WriteFilesAtomically(
       array.folder, {{"tasks.sh", SlurmScript(tasks, array.folder)}, {kRecord, DumpJson(record)}});
   return array;
@@ -108,7 +116,6 @@ std::vector<SlurmArray> ReadSlurmArrays(const fs::path& root) {
 
 std::map<std::size_t, SlurmEnd> ReadSlurmEnds(const SlurmArray& array) {
   std::map<std::size_t, SlurmEnd> ends;
-  // Listing the folder also makes a network file system look again at what is there.
   for (const fs::directory_entry& entry : fs::directory_iterator(array.folder / "end")) {
     const std::optional<std::size_t> number = Number(entry.path().filename().string());
     std::ifstream file(entry.path());
@@ -120,6 +127,11 @@ std::map<std::size_t, SlurmEnd> ReadSlurmEnds(const SlurmArray& array) {
     ends[*number] = end;
   }
   return ends;
+}
+
+void RemoveSlurmArray(const SlurmArray& array) {
+  std::error_code ignored;
+  fs::remove_all(array.folder, ignored);
 }
 
 std::string SlurmWords(const SlurmArray& array, std::size_t number) {

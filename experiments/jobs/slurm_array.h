@@ -16,9 +16,13 @@ namespace cvo {
 // end/<number>, out/<number> (what Slurm itself has to say). Whoever finds the folder can follow
 // it.
 struct SlurmArray {
+  struct Entry {
+    std::string name;  // Task::name
+    std::string key;   // TaskKey
+  };
   std::filesystem::path folder;
-  std::string name;               // Slurm's name of the job, of this array alone
-  std::vector<std::string> keys;  // TaskKey, by number
+  std::string name;            // Slurm's name of the job, of this array alone
+  std::vector<Entry> entries;  // by number
 };
 
 // How a task's program ended.
@@ -39,6 +43,9 @@ std::vector<SlurmArray> ReadSlurmArrays(const std::filesystem::path& root);
 
 // By number, of the tasks that have ended. A file that is not complete counts as none.
 std::map<std::size_t, SlurmEnd> ReadSlurmEnds(const SlurmArray& array);
+// A file that a node still holds open may keep the folder; then it stays.
+void RemoveSlurmArray(const SlurmArray& array);
+
 // The last line that Slurm wrote about a task; empty where there is none.
 std::string SlurmWords(const SlurmArray& array, std::size_t number);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,14 +26,18 @@ struct SlurmOptions {
 };
 
 // Tasks as job arrays of Slurm. What was submitted is on record in the folder: where Run is killed
-// and comes again, tasks that still wait or run are followed and not submitted twice, and those
-// that are not asked for any more are cancelled. Where Slurm stays silent Run throws, and its tasks
-// go on; `stop` cancels them all.
+// and comes again, a task that still waits or runs is followed, and one that succeeded meanwhile
+// has ended; nothing is submitted twice. Where Slurm stays silent Run throws and its tasks go on.
+// `stop` cancels all that the folder has on record.
 class SlurmEngine : public Engine {
  public:
   explicit SlurmEngine(SlurmOptions options);
 
   void Run(std::span<const Task> tasks, const EngineHooks& hooks) override;
+
+  // Of what earlier runs submitted, cancels the tasks that have none of these names; removes the
+  // record of arrays that are over.
+  void KeepOnly(const std::set<std::string>& names, const EngineHooks& hooks) const;
 
  private:
   SlurmOptions options_;

@@ -29,12 +29,6 @@ bool IsOrdinary(const std::string& reason) {
   return kReasons.contains(reason);
 }
 
-// A file that a node still holds open may keep the folder: the next run removes it.
-void Remove(const SlurmArray& array) {
-  std::error_code ignored;
-  fs::remove_all(array.folder, ignored);
-}
-
 std::string InWords(const std::string& reason) {
   if (reason == "BeginTime") return "put back into the queue by Slurm, which starts it in a while";
   const bool held = reason.find("held") != std::string::npos || reason == "JobHeldUser";
@@ -64,57 +58,55 @@ void SlurmRun::ToTheEnd() {
     }
   }
   if (hooks_.stop()) return Stop();
-  for (const Followed& followed : followed_) Remove(followed.array);
+  for (const Followed& followed : followed_) {
+    if (!followed.others) RemoveSlurmArray(followed.array);
+  }
 }
 
-// Tasks of an earlier array that are alive: those that are wanted are followed, the others
-// returned.
-std::vector<std::string> SlurmRun::Claim(Followed& followed, const SlurmQueue& queue,
-                                         std::map<std::string, std::size_t>& wanted) const {
-  std::vector<std::string> strangers;
-  for (std::size_t number = 0; number < followed.array.keys.size(); ++number) {
-    const auto found = queue.find({followed.array.name, number});
-    if (found == queue.end() || SlurmTaskOver(found->second.state)) continue;
-    followed.job = found->second.job;
-    const auto task = wanted.find(followed.array.keys[number]);
-    if (task == wanted.end()) {
-      strangers.push_back(StrCat(followed.job, "_", number));
+// What of an earlier array is ours: followed where it is alive, taken as it is where it succeeded.
+void SlurmRun::Claim(Followed& followed, const SlurmQueue& queue, Wanted& wanted) {
+  const SlurmArray& array = followed.array;
+  const std::map<std::size_t, SlurmEnd> ends = ReadSlurmEnds(array);
+  for (std::size_t number = 0; number < array.entries.size(); ++number) {
+    const auto found = queue.find({array.name, number});
+    const bool alive = found != queue.end() && !SlurmTaskOver(found->second.state);
+    const auto end = ends.find(number);
+    if (!alive && (end == ends.end() || end->second.code != 0)) continue;
+    if (alive) followed.job = found->second.job;
+    const auto task = wanted.tasks.find(array.entries[number].name);
+    if (task == wanted.tasks.end()) {
+      followed.others = true;
+    } else if (array.entries[number].key != TaskKey(tasks_[task->second], options_.sbatch_flags)) {
+      if (alive) wanted.outdated.push_back(StrCat(followed.job, "_", number));
     } else {
-      followed.open.emplace(number, task->second);
-      wanted.erase(task);
+      if (alive) followed.open.emplace(number, task->second);
+      if (!alive) hooks_.ended(task->second, EndByCode(tasks_[task->second], end->second));
+      wanted.tasks.erase(task);
     }
   }
-  return strangers;
 }
 
 void SlurmRun::TakeUpEarlierArrays() {
-  std::map<std::string, std::size_t> wanted;
-  for (std::size_t i = 0; i < tasks_.size(); ++i) {
-    wanted.emplace(TaskKey(tasks_[i], options_.sbatch_flags), i);
-  }
-  Require(wanted.size() == tasks_.size(), "SlurmEngine: a task that is given twice");
+  Wanted wanted;
+  for (std::size_t i = 0; i < tasks_.size(); ++i) wanted.tasks.emplace(tasks_[i].name, i);
+  Require(wanted.tasks.size() == tasks_.size(), "SlurmEngine: a task that is given twice");
   for (SlurmArray& array : ReadSlurmArrays(options_.folder)) {
-    followed_.push_back({std::move(array), "", {}});
+    followed_.push_back({std::move(array), "", {}, false});
   }
   const SlurmQueue queue = client_.Queue(Names());
-  std::vector<std::string> strangers;
   for (Followed& followed : followed_) {
-    const std::vector<std::string> more = Claim(followed, queue, wanted);
-    strangers.insert(strangers.end(), more.begin(), more.end());
+    Claim(followed, queue, wanted);
     if (followed.open.empty()) continue;
     hooks_.notice(StrCat("slurm: job ", followed.job,
                          ", submitted by an earlier run, goes on: ", Tasks(followed.open.size())));
   }
-  client_.Cancel(strangers);
-  if (!strangers.empty()) {
-    hooks_.notice(StrCat("slurm: cancelled ", Tasks(strangers.size()),
-                         " of an earlier run that nobody asks for any more"));
-  }
+  client_.Cancel(wanted.outdated);
   std::erase_if(followed_, [](const Followed& followed) {
-    if (followed.open.empty()) Remove(followed.array);
-    return followed.open.empty();
+    const bool idle = followed.open.empty() && !followed.others;
+    if (idle) RemoveSlurmArray(followed.array);
+    return idle;
   });
-  for (const auto& [key, task] : wanted) waiting_.push_back(task);
+  for (const auto& [name, task] : wanted.tasks) waiting_.push_back(task);
   std::sort(waiting_.begin(), waiting_.end());
 }
 
@@ -133,11 +125,12 @@ void SlurmRun::SubmitWaiting() {
 void SlurmRun::SubmitArray(std::size_t count) {
   std::vector<Task> tasks;
   for (std::size_t i = 0; i < count; ++i) tasks.push_back(tasks_[waiting_[i]]);
-  followed_.push_back({WriteSlurmArray(options_.folder, tasks, options_.sbatch_flags), "", {}});
+  followed_.push_back(
+      {WriteSlurmArray(options_.folder, tasks, options_.sbatch_flags), "", {}, false});
   Followed& followed = followed_.back();
   const SlurmSubmitted submitted = client_.Submit(followed.array, Flags(tasks));
   if (submitted.job.empty()) {
-    Remove(followed.array);
+    RemoveSlurmArray(followed.array);
     followed_.pop_back();
     return Refused(count, submitted);
   }
@@ -232,7 +225,7 @@ void SlurmRun::Stop() {
       if (!SlurmTaskOver(entry.state)) jobs.insert(entry.job);
     }
     if (jobs.empty()) {
-      for (const Followed& followed : followed_) Remove(followed.array);
+      for (const Followed& followed : followed_) RemoveSlurmArray(followed.array);
       return;
     }
     client.Cancel({jobs.begin(), jobs.end()});

@@ -29,8 +29,14 @@ class SlurmRun {
     std::string job;  // empty: not known to be submitted
     // By number: which of our tasks, while it is not known to have ended.
     std::map<std::size_t, std::size_t> open;
+    bool others = false;  // holds tasks that another Run may ask for
   };
 
+  // Our tasks that are not submitted, and what is in the way of submitting them.
+  struct Wanted {
+    std::map<std::string, std::size_t> tasks;  // by name
+    std::vector<std::string> outdated;         // job_number of those that run otherwise
+  };
   // How many tasks Slurm takes. Known from its refusals only.
   struct Room {
     bool limited = false;
@@ -40,8 +46,7 @@ class SlurmRun {
   };
 
   void TakeUpEarlierArrays();
-  std::vector<std::string> Claim(Followed& followed, const SlurmQueue& queue,
-                                 std::map<std::string, std::size_t>& wanted) const;
+  void Claim(Followed& followed, const SlurmQueue& queue, Wanted& wanted);
   void SubmitWaiting();
   void SubmitArray(std::size_t count);
   void Refused(std::size_t count, const SlurmSubmitted& submitted);
