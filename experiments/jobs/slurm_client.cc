@@ -196,7 +196,7 @@ SlurmSubmitted SlurmClient::Submit(const SlurmArray& array,
       return {answer.out.substr(0, answer.out.find_first_of(";\n")), "", {}};
     const SlurmRefusal refusal = RefusalOf(answer.err);
     const bool refused = refusal != SlurmRefusal::kForGood || !IsSilence(answer);
-    const std::string words = StrCat("sbatch: ", LastLine(answer.err));
+    const std::string words = LastLine(answer.err);  // "sbatch: error: ..."
     if (refused && refusal != SlurmRefusal::kFullForNow) return {"", words, refusal};
     // It may have been accepted all the same, where only the answer was lost.
     if (const std::optional<std::string> job = Find(array.name)) return {*job, "", {}};

@@ -27,7 +27,7 @@ void SlurmEngine::Run(std::span<const Task> tasks, const EngineHooks& hooks) {
   if (!tasks.empty()) SlurmRun(options_, tasks, hooks).ToTheEnd();
 }
 
-void SlurmEngine::KeepOnly(const std::set<std::string>& names, const EngineHooks& hooks) const {
+void SlurmEngine::KeepOnly(const std::set<std::string>& names, const EngineHooks& hooks) {
   const std::vector<SlurmArray> arrays = ReadSlurmArrays(options_.folder);
   if (arrays.empty()) return;
   std::vector<std::string> array_names;

@@ -16,7 +16,7 @@ struct SlurmOptions {
   std::filesystem::path folder;           // of its own, absolute, seen by all machines
   std::vector<std::string> sbatch_flags;  // for every task: "--partition=short", one word each
   int at_once = 0;                        // tasks that run at a time; 0: as many as Slurm starts
-  double poll_s = 5.0;                    // between two looks at the queue
+  double poll_s = 10.0;                   // between two looks at the queue, less at the start
   double patience_s = 1800.0;             // Slurm may be silent for so long before Run gives up
   double full_s = 30.0;                   // until an array that found no room is submitted again
   double latency_s = 30.0;                // until a file that one machine wrote is seen by another
@@ -35,9 +35,8 @@ class SlurmEngine : public Engine {
 
   void Run(std::span<const Task> tasks, const EngineHooks& hooks) override;
 
-  // Of what earlier runs submitted, cancels the tasks that have none of these names; removes the
-  // record of arrays that are over.
-  void KeepOnly(const std::set<std::string>& names, const EngineHooks& hooks) const;
+  void KeepOnly(const std::set<std::string>& names, const EngineHooks& hooks) override;
+  double latency_s() const override { return options_.latency_s; }
 
  private:
   SlurmOptions options_;

@@ -19,6 +19,8 @@ constexpr double kBytesPerSlurmMb = 1048576.0;
 constexpr double kSecondsPerMinute = 60.0;
 constexpr double kStopPatienceS = 15.0;  // for Slurm to end what was cancelled
 constexpr double kStopPollS = 0.5;
+constexpr double kShortestPollS = 0.5;
+constexpr double kPollPart = 0.05;  // of the time that has passed: short suites need not wait
 
 std::string Tasks(std::size_t count) { return StrCat(count, count == 1 ? " task" : " tasks"); }
 
@@ -42,13 +44,15 @@ SlurmRun::SlurmRun(const SlurmOptions& options, std::span<const Task> tasks,
     : options_(options), tasks_(tasks), hooks_(hooks), client_(options.patience_s, hooks) {}
 
 void SlurmRun::ToTheEnd() {
+  const Clock::time_point start = Clock::now();
   try {
     setup_ = client_.Setup();
     TakeUpEarlierArrays();
     while (!hooks_.stop()) {
       SubmitWaiting();
       if (Open() == 0 && waiting_.empty()) break;
-      client_.Pause(options_.poll_s);
+      const double elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
+      client_.Pause(std::min(options_.poll_s, std::max(kShortestPollS, elapsed_s * kPollPart)));
       if (!hooks_.stop()) Follow(client_.Queue(Names()));
     }
   } catch (const SlurmSilent& error) {

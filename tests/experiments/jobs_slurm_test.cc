@@ -15,6 +15,7 @@
 #include "experiments/jobs/slurm_engine.h"
 #include "experiments/jobs/slurm_script.h"
 #include "tests/experiments/slurm_cluster.h"
+#include "tests/experiments/wait_until.h"
 #include "tests/support/error_message.h"
 
 namespace cvo::test {
@@ -38,16 +39,6 @@ std::size_t LinesOf(const fs::path& file) {
   std::size_t count = 0;
   for (std::string line; std::getline(in, line);) ++count;
   return count;
-}
-
-// Waits, at most half a minute.
-template <typename Condition>
-bool Comes(const Condition& condition) {
-  for (int i = 0; i < 300; ++i) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-  }
-  return false;
 }
 
 // A program in front of the one of this name, as long as it lives.
@@ -215,7 +206,7 @@ TEST_F(SlurmEngineTest, ARunnerThatWasKilledFindsItsTasksAgain) {
   std::vector<Task> tasks;
   for (int i = 0; i < 6; ++i) tasks.push_back(Shell(StrCat("task", i), i == 2 ? "true" : wait));
   const pid_t runner = StartRunner(tasks);
-  const bool started = Comes([&] { return Starts("task2") + Starts("task5") == 2; });
+  const bool started = WaitUntil([&] { return Starts("task2") + Starts("task5") == 2; });
   ::kill(runner, SIGKILL);
   ::waitpid(runner, nullptr, 0);
   ASSERT_TRUE(started);

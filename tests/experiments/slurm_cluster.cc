@@ -197,7 +197,7 @@ void SlurmCluster::WriteConfig() const {
   folder_.Write(
       "slurm.conf",
       StrCat("ClusterName=test\nSlurmctldHost=", node_, "(127.0.0.1)\nNodeName=", node_,
-             " NodeAddr=127.0.0.1 CPUs=8 RealMemory=4000\n",
+             " NodeAddr=127.0.0.1 CPUs=8 RealMemory=16000\n",
              "PartitionName=main Nodes=ALL Default=YES DefMemPerCPU=100\n",
              "SlurmUser=root\nSlurmdUser=root\nSlurmctldPort=", ports[0], "\nSlurmdPort=", ports[1],
              "\nAuthType=auth/munge\nAuthInfo=socket=", in, "/munge/socket\nCredType=cred/munge\n",
