@@ -68,16 +68,20 @@ std::array<int, 2> FreePorts() {
   return ports;
 }
 
-// Everything that Slurm starts has the variable from it.
-void KillAllWith(const std::string& variable) {
+// Everything that Slurm starts has the variable from it. False where nothing has it.
+bool KillAllWith(const std::string& variable) {
+  bool found = false;
   for (const fs::directory_entry& entry : fs::directory_iterator("/proc")) {
     const std::string pid = entry.path().filename().string();
     if (pid.find_first_not_of("0123456789") != std::string::npos) continue;
     std::ifstream file(entry.path() / "environ");
     for (std::string word; std::getline(file, word, '\0');) {
-      if (word == variable && std::stoi(pid) != ::getpid()) ::kill(std::stoi(pid), SIGKILL);
+      if (word != variable) continue;
+      found = true;
+      ::kill(std::stoi(pid), SIGKILL);
     }
   }
+  return found;
 }
 
 Captured Run(const std::vector<std::string>& argv) {
@@ -127,7 +131,9 @@ SlurmGuard::SlurmGuard(const fs::path& config) {
     char byte = 0;
     while (::read(ends[0], &byte, 1) < 0) {
     }
-    KillAllWith("SLURM_CONF=" + config.string());
+    // Again, for what was started meanwhile; a zombie has no variables.
+    while (KillAllWith("SLURM_CONF=" + config.string())) {
+    }
     ::_exit(0);
   }
   ::close(ends[0]);
