@@ -16,11 +16,7 @@ Command AddExperimentRunCommand(CLI::App& experiment) {
   const auto add = [app](const char* flag, auto& value, const char* kind, const char* meaning) {
     return app->add_option(flag, value, meaning)->type_name(kind);
   };
-  add("-j,--jobs", flags->jobs, "N", "jobs to run at once; default: CPUs")
-      ->check(CLI::Range(1, 1024).description(""));
-  add("--engine", flags->engine, "NAME", "where jobs run: local (processes of this machine)")
-      ->check(CLI::IsMember({"local"}).description(""))
-      ->capture_default_str();
+  flags->engine.AddTo(*app);
   add("--time-limit", flags->limit_s, "S", "wall time of one job, 0: none")
       ->check(CLI::NonNegativeNumber.description(""))
       ->check(FiniteProblem)
@@ -30,7 +26,6 @@ Command AddExperimentRunCommand(CLI::App& experiment) {
       ->check(FiniteProblem)
       ->capture_default_str();
   AddQuiet(*app, flags->quiet);
-  flags->jobs = DefaultThreads();
   app->footer(
       "A job is one estimator with one set of options on one sequence with one seed, in a process\n"
       "of its own. One that fails leaves its message and log and stops nothing else; the same\n"

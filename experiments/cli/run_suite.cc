@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <optional>
+#include <thread>
 
 #include "core/base/error.h"
 #include "experiments/cli/job_report.h"
@@ -15,7 +17,6 @@
 #include "experiments/cli/stop_signal.h"
 #include "experiments/files/atomic_file.h"
 #include "experiments/jobs/folder_lock.h"
-#include "experiments/jobs/local_engine.h"
 #include "experiments/jobs/run_plan.h"
 #include "experiments/jobs/temporaries.h"
 #include "experiments/record/build_identity.h"
@@ -59,7 +60,7 @@ class SuiteRun {
         output_(flags.suite.output, {"plan.json", "jobs/", "failed/", "logs/"}),
         folder_{fs::absolute(output_.path())},
         lock_(folder_.lock()),
-        engine_(flags.jobs) {
+        engine_(flags.engine.Make(folder_)) {
     RemoveTemporaries(folder_.root);
   }
 
@@ -69,6 +70,13 @@ class SuiteRun {
       WritePlan(built.plan);
       const auto messages = Render(built.renders);
       built = MakePlan();
+      // Scenes that were rendered elsewhere may be late.
+      for (double late_s = 0.0;
+           messages.empty() && !built.renders.empty() && late_s < engine_->latency_s();
+           late_s += 1.0) {
+        std::this_thread::sleep_for(std::chrono::seconds(1));
+        built = MakePlan();
+      }
       NoteUnrendered(messages, built.plan);
     }
     WritePlan(built.plan);
@@ -136,7 +144,7 @@ class SuiteRun {
       tasks.push_back(std::move(task));
     }
     if (!flags_.quiet) std::cerr << "rendering " << scenes.size() << " scenes\n";
-    const auto messages = RunPreparations(tasks, run, engine_);
+    const auto messages = RunPreparations(tasks, run, *engine_);
     if (!messages) throw Stopped();
     for (std::size_t i = 0; i < scenes.size(); ++i) {
       if ((*messages)[i].empty()) continue;
@@ -157,7 +165,7 @@ class SuiteRun {
     PlanOutcome outcome;
     {
       Stage stage(flags_.quiet, kJobs);
-      outcome = RunPlan(plan, Settings(stage), engine_);
+      outcome = RunPlan(plan, Settings(stage), *engine_);
     }
     if (outcome.stopped) return SayStopped();
     std::cout << plan.suite.name << ": ";
@@ -176,7 +184,7 @@ class SuiteRun {
   OutputFolder output_;
   SuiteFolder folder_;
   FolderLock lock_;
-  LocalEngine engine_;
+  std::unique_ptr<Engine> engine_;
   StopSignal stop_;
 };
 

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
-
+#include "experiments/cli/engine_flags.h"
 #include "experiments/cli/suite_flags.h"
 
 namespace cvo {
@@ -11,8 +10,7 @@ namespace cvo {
 // What experiment run is asked for.
 struct SuiteRunFlags {
   SuiteFlags suite;
-  int jobs = 1;
-  std::string engine = "local";
+  EngineFlags engine;
   double limit_s = 3600.0;          // of one job; 0: none
   double limit_memory_mb = 8000.0;  // of one job; 0: none
   bool quiet = false;

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/jobs/run_plan.h"
 
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <set>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "core/base/error.h"
@@ -16,9 +18,11 @@ namespace cvo {
 namespace {
 
 namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
 
 // Below this a disk counts as full: what jobs in flight may still write.
 constexpr std::uintmax_t kReserve_bytes = 16'000'000;
+constexpr std::chrono::milliseconds kLookAgainAfter(200);
 
 void CheckSpace(const fs::path& root) {
   std::error_code error;
@@ -61,6 +65,15 @@ Pending FindPending(const Plan& plan, const std::vector<JobStatus>& status) {
   return pending;
 }
 
+void EndWhatIsNotAskedFor(const Plan& plan, const PlanRun& run, Engine& engine) {
+  std::set<std::string> names;
+  for (const PlannedJob& job : plan.jobs) names.insert(job.job);
+  EngineHooks hooks;
+  hooks.stop = run.stop;
+  hooks.notice = run.notice;
+  engine.KeepOnly(names, hooks);
+}
+
 // A failure file beside a result is of an earlier try.
 void RemoveFailure(const SuiteFolder& folder, const std::string& id) {
   std::error_code ignored;
@@ -101,11 +114,22 @@ class JobRunner {
             .limit_memory_mb = run_.limit_memory_mb};
   }
 
+  // The result of a task that ran elsewhere may be late.
+  bool IsDone(const PlannedJob& job, const TaskEnd& end) {
+    const auto start = Clock::now();
+    const std::chrono::duration<double> late(end.ok ? engine_.latency_s() : 0.0);
+    while (StatusOf(run_.folder, job).state != JobStatus::State::kDone) {
+      if (Clock::now() - start >= late || Stopped()) return false;
+      std::this_thread::sleep_for(kLookAgainAfter);
+    }
+    return true;
+  }
+
   // An engine is not to be left by an exception: what goes wrong here stops it.
   void Judge(const PlannedJob& job, const TaskEnd& end) {
     if (problem_) return;
     try {
-      if (StatusOf(run_.folder, job).state == JobStatus::State::kDone) {
+      if (IsDone(job, end)) {
         RemoveFailure(run_.folder, job.job);
       } else if (!stopped_) {
         const std::string message = MessageOf(end, run_.folder.log(job.job));
@@ -155,6 +179,7 @@ PlanOutcome RunPlan(const Plan& plan, const PlanRun& run, Engine& engine) {
   for (std::size_t i = 0; i < status.size(); ++i) {
     if (status[i].state == JobStatus::State::kDone) RemoveFailure(run.folder, plan.jobs[i].job);
   }
+  EndWhatIsNotAskedFor(plan, run, engine);
   const Pending pending = FindPending(plan, status);
   if (pending.first.empty()) return CountJobs(status);
   for (const char* name : {"jobs", "failed", "logs"}) MakeFolder(run.folder.root / name);

@@ -21,6 +21,7 @@ struct SuiteFolder {
   std::filesystem::path log(const std::string& name) const {
     return root / "logs" / (name + ".log");
   }
+  std::filesystem::path slurm() const { return root / "slurm"; }  // SlurmOptions::folder
   std::filesystem::path lock() const { return root / "lock"; }
 };
 

@@ -8,8 +8,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
+#include <optional>
 
 #include "core/base/error.h"
 #include "experiments/files/number.h"
@@ -20,19 +23,43 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kMark = ".tmp-";
+constexpr std::chrono::hours kSilence(24);  // no render takes so long
 
 [[noreturn]] void ThrowErrno(const fs::path& path, const char* action, int error) {
   throw Error(StrCat(path.string(), ": cannot ", action, ": ", std::strerror(error)));
 }
 
-// The process in "name.tmp-<pid>-<n>"; empty where the name is another.
-std::optional<std::int64_t> OwnerOf(std::string_view name) {
+std::string HostName() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
+}
+
+struct Owner {
+  std::string_view host;
+  std::int64_t process = 0;
+};
+
+// Of "name.tmp-<host>.<pid>-<end>"; empty where the name is another.
+std::optional<Owner> OwnerOf(std::string_view name) {
   const std::size_t mark = name.rfind(kMark);
   if (mark == std::string_view::npos) return std::nullopt;
   const std::string_view tail = name.substr(mark + kMark.size());
-  const std::size_t dash = tail.find('-');
-  if (dash == std::string_view::npos) return std::nullopt;
-  return ParseInteger(tail.substr(0, dash));
+  const std::size_t dash = tail.rfind('-');
+  const std::size_t dot = tail.substr(0, dash).rfind('.');
+  if (dash == std::string_view::npos || dot == std::string_view::npos) return std::nullopt;
+  const auto process = ParseInteger(tail.substr(dot + 1, dash - dot - 1));
+  if (!process || *process <= 0) return std::nullopt;
+  return Owner{tail.substr(0, dot), *process};
+}
+
+// Of a process of another computer nothing is known but how long it has been silent.
+bool IsStale(const Owner& owner, const fs::path& temporary) {
+  if (owner.host == HostName()) {
+    return ::kill(static_cast<pid_t>(owner.process), 0) != 0 && errno == ESRCH;
+  }
+  std::error_code gone;
+  const fs::file_time_type written = fs::last_write_time(temporary, gone);
+  return !gone && fs::file_time_type::clock::now() - written > kSilence;
 }
 
 void CreateFolders(const fs::path& path) {
@@ -44,7 +71,7 @@ void CreateFolders(const fs::path& path) {
 // A name that nobody else has.
 fs::path CreateTemporary(const fs::path& target) {
   for (int attempt = 0;; ++attempt) {
-    const fs::path path = StrCat(target.string(), kMark, ::getpid(), "-", attempt);
+    const fs::path path = TemporaryName(target, std::to_string(attempt));
     if (::mkdir(path.c_str(), 0777) == 0) return path;
     if (errno != EEXIST || attempt == 1000) ThrowErrno(path, "create the folder", errno);
   }
@@ -55,6 +82,10 @@ void Rename(const fs::path& from, const fs::path& to) {
 }
 
 }  // namespace
+
+fs::path TemporaryName(const fs::path& target, const std::string& end) {
+  return StrCat(target.string(), kMark, HostName(), ".", ::getpid(), "-", end);
+}
 
 void WriteNewFile(const fs::path& path, std::string_view bytes) {
   const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -79,11 +110,8 @@ void RemoveStaleTemporaries(const fs::path& folder, const std::string& prefix) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with(prefix)) continue;
-    const auto pid = OwnerOf(name);
-    if (!pid || *pid <= 0) continue;
-    if (::kill(static_cast<pid_t>(*pid), 0) != 0 && errno == ESRCH) {
-      fs::remove_all(entry.path(), ignored);
-    }
+    const std::optional<Owner> owner = OwnerOf(name);
+    if (owner && IsStale(*owner, entry.path())) fs::remove_all(entry.path(), ignored);
   }
 }
 

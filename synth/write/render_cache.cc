@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synth/write/render_cache.h"
 
-#include <unistd.h>
-
 #include <cstdlib>
 
 #include "core/base/error.h"
@@ -20,7 +18,7 @@ std::optional<fs::path> FolderFrom(const char* variable) {
 
 // Out of everybody's way first, so that no half of it is ever found.
 void RemoveEntry(const fs::path& entry) {
-  const fs::path aside = StrCat(entry.string(), ".tmp-", ::getpid(), "-damaged");
+  const fs::path aside = TemporaryName(entry, "damaged");
   std::error_code error;
   fs::remove_all(aside, error);
   fs::rename(entry, aside, error);

@@ -109,14 +109,26 @@ TEST(FolderBuild, ReplacesOrKeeps) {
 
 TEST(FolderBuild, RemovesTemporariesOfDeadProcessesOnly) {
   const TempFolder temp;
-  const std::string dead = "set.tmp-" + std::to_string(DeadProcess()) + "-0";
-  const std::string alive = "set.tmp-" + std::to_string(::getppid()) + "-0";
-  for (const std::string& name : {dead, alive, std::string("other")}) {
+  const auto of_process = [](const std::string& host, pid_t process) {
+    return StrCat("set.tmp-", host, ".", process, "-0");
+  };
+  const std::string own = TemporaryName("", "0").string().substr(5);  // after ".tmp-"
+  const std::string host = own.substr(0, own.rfind('.'));
+  const std::string dead = of_process(host, DeadProcess());
+  const std::string alive = of_process(host, ::getppid());
+  // Nothing can be said of another computer's processes, until they have been silent for long.
+  const std::string elsewhere = of_process("node-2.cluster", DeadProcess());
+  const std::string long_ago = of_process("node-3.cluster", DeadProcess());
+  for (const std::string& name : {dead, alive, elsewhere, long_ago, std::string("other")}) {
     temp.Write(fs::path(name) / "a", "abc");
   }
+  fs::last_write_time(temp.path() / long_ago,
+                      fs::file_time_type::clock::now() - std::chrono::hours(25));
   const FolderBuild build(temp.path() / "set");
   EXPECT_FALSE(fs::exists(temp.path() / dead));
+  EXPECT_FALSE(fs::exists(temp.path() / long_ago));
   EXPECT_TRUE(fs::exists(temp.path() / alive));
+  EXPECT_TRUE(fs::exists(temp.path() / elsewhere));
   EXPECT_TRUE(fs::exists(temp.path() / "other"));
 }
 

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "experiments/jobs/slurm_client.h"
+#include "experiments/jobs/slurm_engine.h"
+
+namespace cvo {
+
+// One SlurmEngine::Run.
+class SlurmRun {
+ public:
+  SlurmRun(const SlurmOptions& options, std::span<const Task> tasks, const EngineHooks& hooks);
+
+  void ToTheEnd();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Followed {
+    SlurmArray array;
+    std::string job;  // empty: not known to be submitted
+    // By number: which of our tasks, while it is not known to have ended.
+    std::map<std::size_t, std::size_t> open;
+    bool others = false;  // holds tasks that another Run may ask for
+  };
+
+  // Our tasks that are not submitted, and what is in the way of submitting them.
+  struct Wanted {
+    std::map<std::string, std::size_t> tasks;  // by name
+    std::vector<std::string> outdated;         // job_number of those that run otherwise
+  };
+  // How many tasks Slurm takes. Known from its refusals only.
+  struct Room {
+    bool limited = false;
+    std::size_t tasks = 0;        // where limited
+    bool told = false;            // the user
+    Clock::time_point refused{};  // last time that it had none
+  };
+
+  void TakeUpEarlierArrays();
+  void Claim(Followed& followed, const SlurmQueue& queue, Wanted& wanted);
+  void SubmitWaiting();
+  void SubmitArray(std::size_t count);
+  void Refused(std::size_t count, const SlurmSubmitted& submitted);
+  void Follow(const SlurmQueue& queue);
+  std::optional<TaskEnd> Judge(const Followed& followed, std::size_t number, const SlurmTask* entry,
+                               const std::map<std::size_t, SlurmEnd>& ends);
+  void TellWhyTheyWait(const SlurmQueue& queue);
+  void Stop();
+  std::size_t Open() const;
+  std::vector<std::string> Names() const;
+  std::vector<std::string> Flags(std::span<const Task> tasks) const;
+
+  const SlurmOptions& options_;
+  std::span<const Task> tasks_;
+  const EngineHooks& hooks_;
+  SlurmClient client_;
+  SlurmSetup setup_;
+  std::vector<Followed> followed_;
+  std::deque<std::size_t> waiting_;                  // tasks that are not submitted
+  std::map<std::size_t, Clock::time_point> missed_;  // tasks that are over: since when
+  Room room_;
+  std::string told_;  // why tasks wait, as the user was told last
+};
+
+}  // namespace cvo
