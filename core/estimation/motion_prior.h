@@ -23,10 +23,11 @@ struct MotionPriorOptions {
                  "the same with a frame as the unit of time; read by the variant that takes the "
                  "paper's figure so",
                  "paper, section 4.1"});
-    visit.Field("turn_q_rad2_s3", self.turn_q_rad2_s3,
-                {"rad^2/s^3", 1e-6, 1e6,
-                 "power density of a body's angular acceleration: smaller smooths its turning more",
-                 "chosen from 0.01 ... 0.3 on 10 Hz and 30 Hz data: from 0.1 to 0.01 little changes"});
+    visit.Field(
+        "turn_q_rad2_s3", self.turn_q_rad2_s3,
+        {"rad^2/s^3", 1e-6, 1e6,
+         "power density of a body's angular acceleration: smaller smooths its turning more",
+         "chosen from 0.01 ... 0.3 on 10 Hz and 30 Hz data: from 0.1 to 0.01 little changes"});
   }
 };
 
