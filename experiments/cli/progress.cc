@@ -21,8 +21,9 @@ std::string Duration(double seconds) {
 
 }  // namespace
 
-Progress::Progress(std::size_t total, bool quiet, Clock::time_point start)
+Progress::Progress(std::size_t total, bool quiet, Clock::time_point start, const char* unit)
     : total_(total),
+      unit_(unit),
       style_(quiet                     ? Style::kNone
              : ::isatty(STDERR_FILENO) ? Style::kBar
                                        : Style::kLines),
@@ -47,8 +48,8 @@ void Progress::PrintBar(std::size_t done, double rate) {
   constexpr std::size_t kWidth = 30;
   const std::size_t filled = kWidth * done / total_;
   const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
-  std::fprintf(stderr, "\r[%s] %zu/%zu frames  %.1f frames/s  %s left\033[K", bar.c_str(), done,
-               total_, rate, Duration(static_cast<double>(total_ - done) / rate).c_str());
+  std::fprintf(stderr, "\r[%s] %zu/%zu %s  %.1f %s/s  %s left\033[K", bar.c_str(), done, total_,
+               unit_, rate, unit_, Duration(static_cast<double>(total_ - done) / rate).c_str());
   std::fflush(stderr);
 }
 
@@ -56,8 +57,9 @@ void Progress::PrintLine(std::size_t done, double rate) {
   const std::size_t tenths = 10 * done / total_;
   if (tenths == shown_tenths_) return;
   shown_tenths_ = tenths;
-  std::fprintf(stderr, "%3zu %%  %zu/%zu frames  %.1f frames/s  %s left\n", 100 * done / total_,
-               done, total_, rate, Duration(static_cast<double>(total_ - done) / rate).c_str());
+  std::fprintf(stderr, "%3zu %%  %zu/%zu %s  %.1f %s/s  %s left\n", 100 * done / total_, done,
+               total_, unit_, rate, unit_,
+               Duration(static_cast<double>(total_ - done) / rate).c_str());
 }
 
 }  // namespace cvo

@@ -14,7 +14,9 @@ class Progress {
   using Clock = std::chrono::steady_clock;
 
   // `start`: when the work began, where that was before its amount was known.
-  Progress(std::size_t total, bool quiet, Clock::time_point start = Clock::now());
+  // `unit`: what is counted.
+  Progress(std::size_t total, bool quiet, Clock::time_point start = Clock::now(),
+           const char* unit = "frames");
   ~Progress();  // takes the bar off the terminal
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -28,6 +30,7 @@ class Progress {
   void PrintLine(std::size_t done, double rate);
 
   std::size_t total_;
+  const char* unit_;
   Style style_;
   Clock::time_point start_;
   Clock::time_point shown_;

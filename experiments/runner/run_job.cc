@@ -49,9 +49,13 @@ std::string IdentifyJob(const RunRequest& request) {
   for (const StereoPaths& pair : request.sequence.images) {
     images.push_back({HashImage(pair.left), HashImage(pair.right)});
   }
+  return IdentifyJob(request, ContentHash(request.sequence, images));
+}
+
+std::string IdentifyJob(const RunRequest& request, const std::string& content) {
   return JobIdentity({ThisBuild().Hash(), std::string(request.variant.name),
-                      ResolvedOptions(request), ContentHash(request.sequence, images),
-                      DetectionsHash(request.sequence), Given(request), request.seed});
+                      ResolvedOptions(request), content, DetectionsHash(request.sequence),
+                      Given(request), request.seed});
 }
 
 std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesystem::path& folder) {

@@ -21,6 +21,8 @@ struct JobOutcome {
 
 // JobIdentity of what RunJob would do, from the bytes of the sequence's files; nothing is decoded.
 std::string IdentifyJob(const RunRequest& request);
+// The same where the ContentHash of the sequence is known.
+std::string IdentifyJob(const RunRequest& request, const std::string& content);
 
 // Runs, scores, and writes the files to a folder that exists (WriteRunFiles). Empty where the
 // request's `stop` ended the run: nothing is written then. Throws Error on a CPU below the level of

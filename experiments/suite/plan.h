@@ -22,11 +22,15 @@ struct Cell {
   std::vector<std::string> oracle;
 };
 
+inline constexpr char kNotRendered[] = "not rendered yet";
+
 // A cell with its input found.
 struct PlannedJob {
   Cell cell;
   std::string folder;   // absolute, of the sequence; empty where it is missing
-  std::string missing;  // why there is no sequence
+  std::string missing;  // why there is no sequence; kNotRendered: a scene that only has to be drawn
+  int frames = 0;       // 0: not known
+  std::string content;  // ContentHash; empty where the sequence is missing
   std::string input;    // key of what the front end makes of it: equal for jobs that share it
   std::string job;      // JobIdentity; empty where the sequence is missing
 };
@@ -35,13 +39,14 @@ struct PlannedJob {
 struct Plan {
   Suite suite;
   std::string build;  // BuildIdentity::Hash()
+  std::string data;   // absolute: files of boxes, labels and systems are below it; empty: none
   std::vector<PlannedJob> jobs;
 };
 
 // All cells, sequence by sequence, then seed, parameters, oracle, variant.
 std::vector<Cell> ExpandSuite(const Suite& suite);
 
-// {"schema_version": 1, "kind": "plan", "suite": {"name", "about"}, "build",
+// {"schema_version": 1, "kind": "plan", "suite": {"name", "about"}, "build", "data",
 //  "table": {"rows": [..], "metrics": [..], "reference"},
 //  "jobs": [{"sequence", "detections", "variant", "system", "seed", "oracle": [..],
 //            "parameters": {path: value}, "folder", "missing", "input", "job", ...}]}

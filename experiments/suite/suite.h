@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,11 +22,12 @@ struct SuiteSequence {
   std::string detections;  // level, "labels", a file below the data folder, or empty: none
   int detections_camera = -1;
   std::optional<double> min_score;
-  std::string labels;  // file below the data folder; empty: the folder's own
+  std::vector<std::string> classes;  // of detections that count; empty: RigidClasses()
+  std::string labels;                // file below the data folder; empty: the folder's own
 };
 
 // Values that one option takes, in order: of the estimator ("crf.alpha") or, with "scene." before
-// it, of the scene file ("scene.detector.good.miss_rate").
+// it, of the scene file ("scene.detector.miss_rate": over the level that a sequence names).
 struct GridAxis {
   std::string path;
   std::vector<Json> values;
@@ -46,7 +46,8 @@ struct SuiteSystem {
 
 // What experiment table makes of the results.
 struct SuiteTable {
-  std::vector<std::string> rows = {"variant"};  // keys that tell rows apart, see Cell::Key
+  // Keys that tell rows apart: sequence, detections, variant, oracle, or the path of a grid's axis.
+  std::vector<std::string> rows = {"variant"};
   std::vector<std::string> metrics;
   std::string reference;  // variant that the others are compared with; empty: none
 };

@@ -31,13 +31,6 @@ void RequireReplaceable(const fs::path& folder) {
   }
 }
 
-std::string CacheKey(const DatasetSource& source, const RenderRequest& request) {
-  return Sha256Hex(StrCat("clustervo render 1\n", source.render_key, "\nframes ",
-                          request.frames.first, ":", request.frames.end.value_or(-1), "\nflow ",
-                          request.flow, "\n", kSynthSources, "\n", source.version.gl, "\n",
-                          source.version.renderer));
-}
-
 CleanRender ChooseFrames(const DatasetSource& source, const RenderRequest& request,
                          const World& world) {
   const int end = request.frames.end.value_or(world.frames);
@@ -112,11 +105,32 @@ void WriteDetections(const DatasetSource& source, std::uint64_t seed, const Cach
   }
 }
 
+// scene.json: what the folder was made from.
+Json DescriptionOf(const DatasetSource& source, std::uint64_t seed) {
+  Json description = source.description;
+  description["seed"] = seed;
+  return description;
+}
+
 bool IsSensorImage(const std::string& name) {
   return name.starts_with("image_0/") || name.starts_with("image_1/");
 }
 
 }  // namespace
+
+std::string DrawingKey(const DatasetSource& source, const RenderRequest& request) {
+  return Sha256Hex(StrCat("clustervo render 1\n", source.render_key, "\nframes ",
+                          request.frames.first, ":", request.frames.end.value_or(-1), "\nflow ",
+                          request.flow, "\n", kSynthSources, "\n", source.version.gl, "\n",
+                          source.version.renderer));
+}
+
+std::string DatasetKey(const DatasetSource& source, const RenderRequest& request) {
+  std::string text = StrCat("clustervo dataset 1\n", DrawingKey(source, request), "\n",
+                            DumpJson(DescriptionOf(source, request.seed.value_or(source.seed))));
+  for (const NamedDetector& detector : source.detectors) text += detector.name + "\n";
+  return Sha256Hex(text);
+}
 
 void WriteDataset(const DatasetSource& source, const RenderRequest& request,
                   const fs::path& folder) {
@@ -124,7 +138,7 @@ void WriteDataset(const DatasetSource& source, const RenderRequest& request,
   FolderBuild build(folder);  // first: where nothing can be written nothing need be drawn
   TaskPool pool(request.threads);
   const fs::path cache = CacheFolder();
-  const std::string key = CacheKey(source, request);
+  const std::string key = DrawingKey(source, request);
   std::optional<CachedRender> found = FindCachedRender(cache, key, pool, request.hooks);
   const CachedRender clean = found ? *found : Draw(source, request, cache, key, pool);
 
@@ -135,9 +149,7 @@ void WriteDataset(const DatasetSource& source, const RenderRequest& request,
   }
   if (!images_as_drawn) WriteImages(source, request, seed, clean, pool, build);
   WriteDetections(source, seed, clean, build);
-  Json description = source.description;
-  description["seed"] = seed;
-  build.Write("scene.json", DumpJson(description));
+  build.Write("scene.json", DumpJson(DescriptionOf(source, seed)));
   request.hooks.ThrowIfStopped();
   Manifest manifest = clean.manifest;
   manifest.scene = source.scene;

@@ -43,6 +43,12 @@ struct DatasetSource {
   std::function<DrawingTools(const World&)> open_tools;
 };
 
+// Of what is drawn: equal where the cache holds one for the other, whatever the seed, sensor and
+// detectors.
+std::string DrawingKey(const DatasetSource& source, const RenderRequest& request);
+// Of all bytes that WriteDataset would write.
+std::string DatasetKey(const DatasetSource& source, const RenderRequest& request);
+
 // Writes a folder in the layout of KITTI odometry with the ground truth beside it
 // (synth/README.md), from the cache where it holds the clean render. The folder appears complete or
 // not at all; one that is not such a data set (or empty) is never replaced: throws Error. Throws

@@ -72,6 +72,11 @@ std::vector<Part> MakeParts() {
                    {"core/", "variants/", "experiments/files/", "experiments/datasets/",
                     "experiments/metrics/", "experiments/record/", "experiments/runner/"},
                    {}});
+  parts.push_back({"experiments/suite/",
+                   {"core/", "variants/", "synth/", "experiments/files/", "experiments/datasets/",
+                    "experiments/metrics/", "experiments/record/", "experiments/runner/",
+                    "experiments/suite/"},
+                   {}});
   parts.push_back(
       {"experiments/cli/", {"core/", "variants/", "experiments/", "reports/", "synth/"}, {}});
   parts.push_back({"reports/", {"core/base/", "reports/"}, {"opencv2/.*", "ceres/.*", "Eigen/.*"}});

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "experiments/cli/command.h"
+
+namespace cvo {
+
+// What `clustervo experiment` offers, one command each.
+Command AddExperimentListCommand(CLI::App& experiment);
+Command AddExperimentPlanCommand(CLI::App& experiment);
+
+}  // namespace cvo

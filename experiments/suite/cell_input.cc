@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/suite/cell_input.h"
+
+#include <algorithm>
+
+#include "experiments/datasets/frame_range.h"
+#include "experiments/files/options_json.h"
+#include "experiments/runner/frame_detections.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kDetector = "scene.detector.";
+
+bool ChangesDetector(const GridPoint& parameters) {
+  return std::any_of(parameters.begin(), parameters.end(),
+                     [](const auto& parameter) { return parameter.first.starts_with(kDetector); });
+}
+
+// {"a": {"b": value}} of "a.b".
+Json Nested(const std::string& path, const Json& value) {
+  const std::size_t dot = path.find('.');
+  if (dot == std::string::npos) return {{path, value}};
+  return {{path.substr(0, dot), Nested(path.substr(dot + 1), value)}};
+}
+
+// The file of a scene's boxes; a point that changes the detector has one of its own.
+fs::path SceneDetections(const Cell& cell, const fs::path& folder) {
+  const std::string& level = cell.sequence.detections;
+  if (level.empty() || level == kDetectionsFromLabels) return level;
+  const std::string name = ChangesDetector(cell.parameters) ? "custom" : level;
+  return folder / "detections" / (name + ".txt");
+}
+
+}  // namespace
+
+Options OptionsOf(const Suite& suite, const GridPoint& parameters) {
+  Options options;
+  const std::vector<OptionLeaf> leaves = OptionLeaves(options);
+  MergeOptions(suite.options, "suite " + suite.name, leaves);
+  for (const auto& [path, value] : parameters) {
+    if (!IsScenePath(path)) MergeOptions(Nested(path, value), "suite " + suite.name, leaves);
+  }
+  options.Check();
+  return options;
+}
+
+std::vector<std::string> SceneAssignments(const SuiteSequence& sequence,
+                                          const GridPoint& parameters) {
+  std::vector<std::string> assignments;
+  if (ChangesDetector(parameters) && !sequence.detections.empty()) {
+    assignments.push_back("detector.level=" + sequence.detections);
+  }
+  for (const auto& [path, value] : parameters) {
+    if (IsScenePath(path)) assignments.push_back(SceneKey(path) + "=" + value.dump());
+  }
+  return assignments;
+}
+
+SequenceRequest RequestOf(const Cell& cell, const fs::path& folder, const fs::path& data) {
+  const SuiteSequence& sequence = cell.sequence;
+  SequenceRequest request;
+  request.folder = folder;
+  request.pair = sequence.pair;
+  request.groundtruth = sequence.groundtruth;
+  if (!sequence.scene.empty()) {
+    request.detections_file = SceneDetections(cell, folder);
+    return request;  // its frames were chosen when it was rendered
+  }
+  if (!sequence.frames.empty()) {
+    const FrameRange range = ParseFrameRange(sequence.frames);
+    request.begin_frame = range.begin;
+    request.end_frame = range.end;
+  }
+  const bool from_labels = sequence.detections == kDetectionsFromLabels;
+  if (from_labels) request.detections_file = kDetectionsFromLabels;
+  if (!sequence.detections.empty() && !from_labels) {
+    request.detections_file = data / sequence.detections;
+  }
+  request.detections_camera = sequence.detections_camera;
+  if (sequence.min_score) request.min_score = *sequence.min_score;
+  if (!sequence.labels.empty()) request.labels_file = data / sequence.labels;
+  return request;
+}
+
+std::vector<std::string> ClassesOf(const SuiteSequence& sequence) {
+  return sequence.classes.empty() ? RigidClasses() : sequence.classes;
+}
+
+OracleSwitches OracleOf(const std::vector<std::string>& switches) {
+  std::string text;
+  for (const std::string& name : switches) text += (text.empty() ? "" : ",") + name;
+  return ParseOracle(text.empty() ? "none" : text);
+}
+
+}  // namespace cvo

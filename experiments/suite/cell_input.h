@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/odometry/options.h"
+#include "experiments/datasets/sequence.h"
+#include "experiments/runner/oracle.h"
+#include "experiments/suite/plan.h"
+#include "experiments/suite/suite_grid.h"
+
+namespace cvo {
+
+// The options of a grid's point over the suite's. Throws Error for what cannot be together.
+Options OptionsOf(const Suite& suite, const GridPoint& parameters);
+
+// "sensor.read_noise=0": what a point assigns to the scene. Where it touches the detector, its
+// values go over the level that the sequence names.
+std::vector<std::string> SceneAssignments(const SuiteSequence& sequence,
+                                          const GridPoint& parameters);
+
+// What to open for a cell whose sequence is in `folder`; files of boxes and labels are below
+// `data`.
+SequenceRequest RequestOf(const Cell& cell, const std::filesystem::path& folder,
+                          const std::filesystem::path& data);
+
+// Classes of detections that count: the sequence's, else RigidClasses().
+std::vector<std::string> ClassesOf(const SuiteSequence& sequence);
+
+OracleSwitches OracleOf(const std::vector<std::string>& switches);
+
+}  // namespace cvo

@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <set>
+
+#include "core/base/error.h"
+#include "experiments/datasets/frame_range.h"
+#include "experiments/files/closest_names.h"
+#include "experiments/files/options_json.h"
+#include "experiments/files/text_file.h"
+#include "experiments/runner/frame_detections.h"
+#include "experiments/suite/cell_input.h"
+#include "experiments/suite/known_metrics.h"
+#include "experiments/suite/parse_suite.h"
+#include "experiments/suite/suite_grid.h"
+#include "synth/scene/description.h"
+#include "synth/write/dataset_settings.h"
+#include "variants/registry.h"
+
+namespace cvo {
+namespace {
+
+using Names = std::vector<std::string>;
+
+bool Among(const Names& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string Listed(const Names& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+// Each of `names` must be known, and there once.
+void CheckNames(const Names& names, const Names& known, const std::string& where,
+                const std::string& expected) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string at = StrCat(where, ".", i);
+    if (!Among(known, names[i])) {
+      ThrowError(at, Quoted(names[i]), expected + DidYouMean(names[i], known));
+    }
+    if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
+        names.begin() + static_cast<std::ptrdiff_t>(i)) {
+      ThrowError(at, Quoted(names[i]) + " again", "each name once");
+    }
+  }
+}
+
+// Errors of what was written elsewhere, with the key that led there.
+void At(const std::string& where, const std::function<void()>& check) {
+  try {
+    check();
+  } catch (const Error& error) {
+    throw Error(StrCat(where, ": ", error.what()));
+  }
+}
+
+Names VariantNames() {
+  Names names;
+  for (const VariantInfo& variant : Variants()) names.emplace_back(variant.name);
+  return names;
+}
+
+// KITTI's categories beside those that count by default.
+Names KnownClasses() {
+  Names names = RigidClasses();
+  for (const char* other : {"Pedestrian", "Person_sitting", "Cyclist", "Misc", "Person", "Bicycle",
+                            "Motorcycle", "DontCare"}) {
+    names.emplace_back(other);
+  }
+  return names;
+}
+
+void CheckName(const std::string& name, const std::string& where) {
+  const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.' || c == '+';
+  });
+  if (name.empty() || !plain || name.front() == '.') {
+    ThrowError(where, Quoted(name), "a name of letters, digits, '_', '-', '+' and '.'");
+  }
+}
+
+void CheckScene(const SuiteSequence& sequence, const GridPoint& point) {
+  const auto scene =
+      synth::SceneDescription::Load(sequence.scene, SceneAssignments(sequence, point));
+  synth::ReadSensor(scene.sensor(), scene.where());
+  const bool level = !sequence.detections.empty() && sequence.detections != kDetectionsFromLabels;
+  synth::ReadDetectors(scene.detector(), scene.where(),
+                       level ? Names{sequence.detections} : Names());
+  if (!sequence.frames.empty()) {
+    ResolveFrameRange(ParseFrameRange(sequence.frames), scene.parts().frames);
+  }
+}
+
+void CheckSequences(const Suite& suite, const std::string& where) {
+  if (suite.sequences.empty()) ThrowError(where + ", sequences", "none", "at least one");
+  std::set<std::pair<std::string, std::string>> seen;
+  for (std::size_t i = 0; i < suite.sequences.size(); ++i) {
+    const SuiteSequence& sequence = suite.sequences[i];
+    const std::string at = StrCat(where, ", sequences.", i);
+    CheckName(sequence.name, at + ".name");
+    if (!seen.emplace(sequence.name, sequence.detections).second) {
+      ThrowError(at, Quoted(sequence.name) + " with these detections again",
+                 "a \"name\" of its own for each sequence");
+    }
+    CheckNames(sequence.classes, KnownClasses(), at + ".classes",
+               "classes of detections, of " + Listed(KnownClasses()));
+    if (!Among({"", "grey", "colour"}, sequence.pair)) {
+      ThrowError(at + ".pair", Quoted(sequence.pair), "\"grey\" or \"colour\"");
+    }
+    if (!Among({"devkit", "interpolated"}, sequence.groundtruth)) {
+      ThrowError(at + ".groundtruth", Quoted(sequence.groundtruth),
+                 "\"devkit\" or \"interpolated\"");
+    }
+    At(at, [&] {
+      if (!sequence.scene.empty()) return CheckScene(sequence, {});
+      if (!sequence.frames.empty()) ParseFrameRange(sequence.frames);
+    });
+  }
+}
+
+// Each value of each axis alone, then the axes together.
+void CheckGrid(const Suite& suite, const std::string& where) {
+  for (const GridAxis& axis : suite.grid) {
+    const bool of_scene = IsScenePath(axis.path);
+    for (const SuiteSequence& sequence : suite.sequences) {
+      if (of_scene && sequence.scene.empty()) {
+        ThrowError(StrCat(where, ", grid.", axis.path), "a sequence that is a folder of images",
+                   "scenes alone");
+      }
+    }
+    for (const Json& value : axis.values) {
+      const GridPoint point = {{axis.path, value}};
+      At(StrCat(where, ", grid.", axis.path), [&] { OptionsOf(suite, point); });
+    }
+  }
+  const bool scenes = std::any_of(suite.grid.begin(), suite.grid.end(),
+                                  [](const GridAxis& axis) { return IsScenePath(axis.path); });
+  for (std::size_t i = 0; i < suite.sequences.size(); ++i) {
+    if (i > 0 && !scenes) continue;  // the same for all of them
+    At(where + ", grid", [&] {
+      for (const GridPoint& point : GridPoints(suite, suite.sequences[i])) {
+        OptionsOf(suite, point);
+        if (scenes) CheckScene(suite.sequences[i], point);
+      }
+    });
+  }
+}
+
+void CheckSystems(const Suite& suite, const std::string& where) {
+  Names sequences;
+  for (const SuiteSequence& sequence : suite.sequences) sequences.push_back(sequence.name);
+  Names names = suite.variants;
+  for (std::size_t i = 0; i < suite.systems.size(); ++i) {
+    const SuiteSystem& system = suite.systems[i];
+    const std::string at = StrCat(where, ", systems.", i);
+    CheckName(system.name, at + ".name");
+    if (Among(names, system.name)) {
+      ThrowError(at + ".name", Quoted(system.name) + " again", "a name of its own");
+    }
+    names.push_back(system.name);
+    Names given;
+    for (const SuiteSystem::Files& files : system.files) given.push_back(files.sequence);
+    CheckNames(given, sequences, at + ".files", "a sequence of the suite: " + Listed(sequences));
+  }
+}
+
+// Rows must tell apart whatever differs between cells, but for the sequence and the seed.
+void CheckRows(const Suite& suite, const std::string& where) {
+  Names keys = {"sequence", "detections", "variant", "oracle"};
+  Names needed;
+  for (const GridAxis& axis : suite.grid) {
+    keys.push_back(axis.path);
+    if (axis.values.size() > 1) needed.push_back(axis.path);
+  }
+  if (suite.variants.size() + suite.systems.size() > 1) needed.emplace_back("variant");
+  if (suite.oracles.size() > 1) needed.emplace_back("oracle");
+  for (const SuiteSequence& a : suite.sequences) {
+    for (const SuiteSequence& b : suite.sequences) {
+      const bool alike = a.name == b.name && a.detections != b.detections;
+      if (alike && !Among(needed, "detections")) needed.emplace_back("detections");
+    }
+  }
+  CheckNames(suite.table.rows, keys, where + ", table.rows", "one of " + Listed(keys));
+  for (const std::string& key : needed) {
+    if (!Among(suite.table.rows, key)) {
+      ThrowError(where + ", table.rows", "no \"" + key + "\", though the suite has several",
+                 "rows that tell them apart");
+    }
+  }
+}
+
+void CheckOracles(const Suite& suite, const std::string& where) {
+  if (suite.oracles.empty()) ThrowError(where + ", oracles", "none", "at least [[]]");
+  std::set<Names> seen;
+  for (std::size_t i = 0; i < suite.oracles.size(); ++i) {
+    const std::string at = StrCat(where, ", oracles.", i);
+    CheckNames(suite.oracles[i], {"boxes", "labels", "camera"}, at, "boxes, labels or camera");
+    if (!seen.insert(OracleOf(suite.oracles[i]).Names()).second) {
+      ThrowError(at, "these switches again", "each set once");
+    }
+  }
+}
+
+}  // namespace
+
+void CheckSuite(const Suite& suite, const std::string& where) {
+  CheckName(suite.name, where + ", name");
+  CheckSequences(suite, where);
+  CheckNames(suite.variants, VariantNames(), where + ", variants",
+             "a variant (clustervo variants)");
+  if (suite.variants.empty() && suite.systems.empty()) {
+    ThrowError(where + ", variants", "none", "at least one variant or system");
+  }
+  if (suite.seeds.empty()) ThrowError(where + ", seeds", "none", "at least one");
+  if (std::set(suite.seeds.begin(), suite.seeds.end()).size() < suite.seeds.size()) {
+    ThrowError(where + ", seeds", "a seed twice", "each once");
+  }
+  At(where + ", options", [&] { OptionsOf(suite, {}); });
+  CheckGrid(suite, where);
+  CheckOracles(suite, where);
+  CheckSystems(suite, where);
+  CheckRows(suite, where);
+  if (suite.table.metrics.empty()) ThrowError(where + ", table.metrics", "none", "at least one");
+  CheckNames(suite.table.metrics, KnownMetrics(), where + ", table.metrics",
+             "a metric of results, as camera_ate or object_success_10cm");
+  if (!suite.table.reference.empty()) {
+    CheckNames({suite.table.reference}, suite.variants, where + ", table.reference",
+               "a variant of the suite");
+  }
+}
+
+}  // namespace cvo

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/suite/data_folder.h"
+
+#include "core/base/error.h"
+#include "experiments/datasets/sequence_type.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Whether the last parts of a path are those of another one.
+bool EndsWith(const fs::path& path, const fs::path& end) {
+  auto a = path.end();
+  auto b = end.end();
+  while (b != end.begin()) {
+    if (a == path.begin() || *--a != *--b) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+const std::vector<FoundSequence>& DataFolder::All() {
+  if (!all_) all_ = FindSequences(root_);
+  return *all_;
+}
+
+DataFolder::Found DataFolder::Find(const std::string& folder) {
+  if (root_.empty()) return {{}, "no data folder: give --data or set CLUSTERVO_DATA"};
+  std::error_code ignored;
+  if (!fs::is_directory(root_, ignored)) return {{}, "no data folder " + root_.string()};
+  const fs::path direct = NormalFolder(root_ / folder);
+  if (!DetectSequenceType(direct).empty()) return {fs::absolute(direct), ""};
+  Found found;
+  for (const FoundSequence& sequence : All()) {
+    if (!EndsWith(sequence.folder, NormalFolder(fs::path("/") / folder).relative_path())) continue;
+    if (!found.folder.empty()) {
+      return {{},
+              StrCat("both ", found.folder.string(), " and ", sequence.folder.string(), " end in ",
+                     folder)};
+    }
+    found.folder = fs::absolute(sequence.folder);
+  }
+  if (found.folder.empty()) found.missing = StrCat("no ", folder, " below ", root_.string());
+  return found;
+}
+
+}  // namespace cvo

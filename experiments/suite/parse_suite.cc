@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/suite/parse_suite.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/base/error.h"
+#include "experiments/files/closest_names.h"
+#include "experiments/files/text_file.h"
+#include "experiments/suite/shipped_suites.h"
+#include "experiments/suite/suite_grid.h"
+#include "synth/scene/object_reader.h"
+#include "synth/scene/shipped_scenes.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+using synth::ObjectReader;
+
+constexpr double kMostSeeds = 10000;
+
+std::vector<std::string> TextsOr(ObjectReader& object, const std::string& key,
+                                 std::vector<std::string> fallback) {
+  if (!object.Has(key)) return fallback;
+  const Json& value = object.Value(key);
+  const auto is_text = [](const Json& element) { return element.is_string(); };
+  if (!value.is_array() || !std::all_of(value.begin(), value.end(), is_text)) {
+    ThrowError(object.Where(key), value.dump(), "a list of texts");
+  }
+  return value.get<std::vector<std::string>>();
+}
+
+// A file is meant relative to the suite's folder.
+std::string ResolveScene(const std::string& scene, const fs::path& folder) {
+  for (const synth::ShippedScene& shipped : synth::ShippedScenes()) {
+    if (shipped.name == scene) return scene;
+  }
+  std::error_code ignored;
+  const fs::path file = folder / scene;
+  return fs::exists(file, ignored) ? fs::absolute(file).lexically_normal().string() : scene;
+}
+
+std::string DefaultName(const SuiteSequence& sequence) {
+  if (!sequence.scene.empty()) return fs::path(sequence.scene).stem().string();
+  fs::path folder = fs::path(sequence.folder).lexically_normal();
+  if (!folder.has_filename()) folder = folder.parent_path();
+  std::string name = folder.filename().string();
+  constexpr std::string_view kRawSuffix = "_sync";  // part of no drive's name
+  if (name.ends_with(kRawSuffix)) name.resize(name.size() - kRawSuffix.size());
+  return name;
+}
+
+SuiteSequence ReadSequence(ObjectReader object, const fs::path& folder) {
+  SuiteSequence sequence;
+  if (object.OneOf({"scene", "folder"}) == "scene") {
+    sequence.scene = ResolveScene(object.Text("scene"), folder);
+  } else {
+    sequence.folder = object.Text("folder");
+  }
+  sequence.name = object.TextOr("name", DefaultName(sequence));
+  sequence.frames = object.TextOr("frames", "");
+  sequence.detections = object.TextOr("detections", "");
+  sequence.classes = TextsOr(object, "classes", {});
+  if (!sequence.folder.empty()) {
+    sequence.pair = object.TextOr("pair", "");
+    sequence.groundtruth = object.TextOr("groundtruth", sequence.groundtruth);
+    sequence.detections_camera = object.IntegerOr("detections_camera", {0, 3}, -1);
+    if (object.Has("min_score")) sequence.min_score = object.Number("min_score", {-1e6, 1e6});
+    sequence.labels = object.TextOr("labels", "");
+  }
+  object.Finish();
+  return sequence;
+}
+
+SuiteSystem ReadSystem(ObjectReader object) {
+  SuiteSystem system;
+  system.name = object.Text("name");
+  for (ObjectReader files : object.ObjectsOr("files")) {
+    system.files.push_back(
+        {files.Text("sequence"), files.Text("camera"), files.TextOr("objects", "")});
+    files.Finish();
+  }
+  object.Finish();
+  if (system.files.empty()) ThrowError(object.Where("files"), "none", "a file for each sequence");
+  return system;
+}
+
+std::vector<std::uint64_t> ReadSeeds(ObjectReader& object) {
+  const Json& value = object.Value("seeds");
+  std::vector<std::uint64_t> seeds;
+  if (!value.is_array()) {
+    seeds.resize(static_cast<std::size_t>(object.Integer("seeds", {1, kMostSeeds})));
+    std::iota(seeds.begin(), seeds.end(), 1);
+    return seeds;
+  }
+  for (const Json& seed : value) {
+    if (!seed.is_number_unsigned()) {
+      ThrowError(object.Where("seeds"), seed.dump(), "integers from 0 to 18446744073709551615");
+    }
+    seeds.push_back(seed.get<std::uint64_t>());
+  }
+  return seeds;
+}
+
+std::vector<GridAxis> ReadGrid(ObjectReader& object) {
+  std::vector<GridAxis> grid;
+  if (!object.Has("grid")) return grid;
+  object.Object("grid");  // throws for what is no object
+  for (const auto& [path, values] : object.Value("grid").items()) {
+    grid.push_back({path, ParseAxisValues(values, object.Where("grid." + path))});
+  }
+  return grid;
+}
+
+std::vector<std::vector<std::string>> ReadOracles(ObjectReader& object) {
+  std::vector<std::vector<std::string>> oracles;
+  const Json& value = object.Value("oracles");
+  if (!value.is_array()) {
+    ThrowError(object.Where("oracles"), value.dump(), "a list of lists of switches");
+  }
+  for (const Json& switches : value) {
+    const std::string index = std::to_string(oracles.size());
+    const Json holder = Json::object({{index, switches}});
+    ObjectReader row(holder, object.Where("oracles"), "");
+    oracles.push_back(TextsOr(row, index, {}));
+  }
+  return oracles;
+}
+
+SuiteTable ReadTable(ObjectReader table) {
+  SuiteTable read;
+  read.rows = TextsOr(table, "rows", read.rows);
+  table.Value("metrics");  // throws where it is missing
+  read.metrics = TextsOr(table, "metrics", {});
+  read.reference = table.TextOr("reference", "");
+  table.Finish();
+  return read;
+}
+
+}  // namespace
+
+Suite ReadCheckedSuite(const Json& json, const std::string& where, const fs::path& folder) {
+  ObjectReader object(json, where, "");
+  Suite suite;
+  suite.name = object.Text("name");
+  suite.about = object.TextOr("about", "");
+  for (ObjectReader& sequence : object.ObjectsOr("sequences")) {
+    suite.sequences.push_back(ReadSequence(std::move(sequence), folder));
+  }
+  suite.variants = TextsOr(object, "variants", {});
+  suite.seeds = ReadSeeds(object);
+  if (object.Has("options")) {
+    object.Object("options");  // throws for what is no object
+    suite.options = object.Value("options");
+  }
+  suite.grid = ReadGrid(object);
+  suite.grid_one_at_a_time = object.BoolOr("grid_one_at_a_time", false);
+  if (object.Has("oracles")) suite.oracles = ReadOracles(object);
+  for (ObjectReader& system : object.ObjectsOr("systems")) {
+    suite.systems.push_back(ReadSystem(std::move(system)));
+  }
+  suite.table = ReadTable(object.Object("table"));
+  object.Finish();
+  return suite;
+}
+
+Suite ParseSuite(const Json& json, const std::string& where, const fs::path& folder) {
+  Suite suite = ReadCheckedSuite(json, where, folder);
+  CheckSuite(suite, where);
+  return suite;
+}
+
+Suite LoadSuite(const std::string& suite) {
+  std::vector<std::string> names;
+  std::string listed;
+  for (const ShippedSuite& shipped : ShippedSuites()) {
+    if (shipped.name == suite) {
+      return ParseSuite(ParseJson(shipped.text, "suite " + suite), "suite " + suite);
+    }
+    names.push_back(shipped.name);
+    listed += (listed.empty() ? "" : ", ") + shipped.name;
+  }
+  std::error_code ignored;
+  if (fs::is_regular_file(suite, ignored)) {
+    return ParseSuite(ReadJson(suite), suite, fs::path(suite).parent_path());
+  }
+  ThrowError("suite " + Quoted(suite), "neither a shipped suite nor a file",
+             "a JSON file or one of " + listed + DidYouMean(suite, names));
+}
+
+}  // namespace cvo

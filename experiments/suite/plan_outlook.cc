@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/suite/plan_outlook.h"
+
+#include <set>
+
+#include "core/base/error.h"
+#include "experiments/files/options_json.h"
+#include "experiments/suite/cell_input.h"
+
+namespace cvo {
+namespace {
+
+constexpr int kFilesRead = 5;  // of each variant
+
+// What a user calls the same cell, whatever it is computed from.
+std::string NameOf(const Cell& cell) {
+  Json parameters = Json::object();
+  for (const auto& [path, value] : cell.parameters) parameters[path] = value;
+  return DumpJson({{"sequence", cell.sequence.name},
+                   {"detections", cell.sequence.detections},
+                   {"variant", cell.variant},
+                   {"system", cell.system},
+                   {"seed", cell.seed},
+                   {"oracle", cell.oracle},
+                   {"parameters", parameters}});
+}
+
+Json ResolvedOptions(const Suite& suite, const Cell& cell) {
+  Options options = OptionsOf(suite, cell.parameters);
+  return OptionsToJson(OptionLeaves(options));
+}
+
+std::string Differences(const Plan& plan, const PlannedJob& job, const Plan& earlier,
+                        const PlannedJob& before) {
+  std::string why;
+  const auto add = [&why](bool differs, const char* what) {
+    if (differs) why += (why.empty() ? "" : ", ") + std::string(what);
+  };
+  add(plan.build != earlier.build, "another build of the program");
+  add(job.content != before.content, "the sequence has changed");
+  if (job.cell.system.empty()) {
+    add(ResolvedOptions(plan.suite, job.cell) != ResolvedOptions(earlier.suite, before.cell),
+        "other options");
+  }
+  return why.empty() ? "other boxes or files" : why;
+}
+
+std::string WhyItRuns(const Plan& plan, const PlannedJob& job, const EarlierRuns& earlier,
+                      const std::map<std::string, const PlannedJob*>& before) {
+  if (const std::string message = earlier.failed(job.job); !message.empty()) {
+    return "failed before: " + message;
+  }
+  const auto found = before.find(NameOf(job.cell));
+  if (found == before.end()) return earlier.plan ? "not in the plan so far" : "new";
+  if (found->second->job == job.job || found->second->job.empty()) return "not run yet";
+  // Only what was computed once is computed again.
+  if (!earlier.done(found->second->job)) return "not run yet";
+  return Differences(plan, job, *earlier.plan, *found->second);
+}
+
+// Empty where it cannot be read: an estimate can do without.
+std::optional<double> FrameTimeOf(const std::filesystem::path& file) {
+  try {
+    const Json timing = ReadJson(file);
+    const double frames = static_cast<double>(timing.at("frames").size());
+    if (frames > 0.0) return timing.at("wall_s").get<double>() / frames;
+  } catch (const std::exception&) {
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<JobOutlook> OutlookOf(const Plan& plan, const EarlierRuns& earlier) {
+  std::map<std::string, const PlannedJob*> before;
+  if (earlier.plan) {
+    for (const PlannedJob& job : earlier.plan->jobs) before.emplace(NameOf(job.cell), &job);
+  }
+  std::vector<JobOutlook> outlook;
+  for (const PlannedJob& job : plan.jobs) {
+    if (job.missing == kNotRendered) {
+      outlook.push_back({JobState::kRenders, "its scene is not rendered"});
+    } else if (!job.missing.empty()) {
+      outlook.push_back({JobState::kMissing, job.missing});
+    } else if (earlier.done(job.job)) {
+      outlook.push_back({JobState::kDone, ""});
+    } else {
+      outlook.push_back({JobState::kRuns, WhyItRuns(plan, job, earlier, before)});
+    }
+  }
+  return outlook;
+}
+
+std::map<std::string, double> MeasuredFrameTimes(
+    const Plan& plan, const std::vector<JobOutlook>& outlook,
+    const std::function<std::filesystem::path(const std::string& job)>& folder_of) {
+  struct Sum {
+    double seconds = 0.0;
+    int files = 0;
+  };
+  std::map<std::string, Sum> sums;
+  for (std::size_t i = 0; i < plan.jobs.size(); ++i) {
+    const PlannedJob& job = plan.jobs[i];
+    if (outlook.at(i).state != JobState::kDone || job.cell.variant.empty()) continue;
+    if (sums[job.cell.variant].files == kFilesRead) continue;
+    const auto frame_s = FrameTimeOf(folder_of(job.job) / "timing.json");
+    if (!frame_s) continue;
+    for (const std::string& name : {job.cell.variant, std::string()}) {
+      sums[name].seconds += *frame_s;
+      ++sums[name].files;
+    }
+  }
+  std::map<std::string, double> times_s;
+  for (const auto& [name, sum] : sums) {
+    if (sum.files > 0) times_s[name] = sum.seconds / sum.files;
+  }
+  return times_s;
+}
+
+double EstimatedSeconds(const BuiltPlan& built, const std::vector<JobOutlook>& outlook,
+                        const std::map<std::string, double>& frame_times_s) {
+  double seconds = 0.0;
+  for (const SceneRender& render : built.renders) {
+    seconds += render.frames * (kAssumedNoisyFrame_s + (render.draws ? kAssumedDrawnFrame_s : 0.0));
+  }
+  std::set<std::string> counted;
+  for (std::size_t i = 0; i < built.plan.jobs.size(); ++i) {
+    const PlannedJob& job = built.plan.jobs[i];
+    const JobState state = outlook.at(i).state;
+    if (state == JobState::kDone || state == JobState::kMissing || !job.cell.system.empty()) {
+      continue;
+    }
+    if (!job.job.empty() && !counted.insert(job.job).second) continue;
+    auto found = frame_times_s.find(job.cell.variant);
+    if (found == frame_times_s.end()) found = frame_times_s.find("");
+    seconds += job.frames * (found == frame_times_s.end() ? kAssumedFrame_s : found->second);
+  }
+  return seconds;
+}
+
+}  // namespace cvo

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/suite/build_plan.h"
+
+namespace cvo {
+
+enum class JobState {
+  kDone,
+  kRuns,     // its input is there
+  kRenders,  // when its scene is rendered
+  kMissing,
+};
+
+// What will become of a planned job.
+struct JobOutlook {
+  JobState state = JobState::kRuns;
+  std::string why;  // it runs, or is missing: one phrase for the user
+};
+
+// What an output folder already has.
+struct EarlierRuns {
+  std::optional<Plan> plan;                                   // of the last time
+  std::function<bool(const std::string& job)> done;           // its result is there
+  std::function<std::string(const std::string& job)> failed;  // why its last try failed, or empty
+};
+
+// One per job of the plan. A job that the earlier plan had under another identity is said to run
+// because of what differs: the build, the options, the sequence.
+std::vector<JobOutlook> OutlookOf(const Plan& plan, const EarlierRuns& earlier);
+
+// Seconds per frame and process, by variant ("": the mean over those measured), of timing.json of
+// finished jobs; a few files of each variant are read, those that cannot be are left out.
+std::map<std::string, double> MeasuredFrameTimes(
+    const Plan& plan, const std::vector<JobOutlook>& outlook,
+    const std::function<std::filesystem::path(const std::string& job)>& folder_of);
+
+// What is assumed where nothing was measured.
+inline constexpr double kAssumedFrame_s = 1.0 / 35.0;
+inline constexpr double kAssumedDrawnFrame_s = 0.25;
+inline constexpr double kAssumedNoisyFrame_s = 0.03;
+
+// Seconds of one process for all that has to be rendered and run, each job once.
+double EstimatedSeconds(const BuiltPlan& built, const std::vector<JobOutlook>& outlook,
+                        const std::map<std::string, double>& frame_times_s);
+
+}  // namespace cvo

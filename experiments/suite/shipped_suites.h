@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cvo {
+
+struct ShippedSuite {
+  std::string name;  // as in its text
+  std::string text;  // JSON
+};
+
+// The suite files of experiments/configs, compiled in, in the order in which they are listed.
+std::vector<ShippedSuite> ShippedSuites();
+
+}  // namespace cvo

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/suite/suite_grid.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/odometry/options.h"
+#include "experiments/files/number.h"
+#include "experiments/files/options_json.h"
+#include "experiments/suite/cell_input.h"
+#include "synth/scene/description.h"
+#include "synth/scene/object_reader.h"
+#include "synth/write/dataset_settings.h"
+
+namespace cvo {
+namespace {
+
+constexpr std::string_view kScene = "scene.";
+constexpr double kLargest = 1e15;
+
+// Six significant digits: what a person would have written.
+double Rounded(double value) {
+  char buffer[32];
+  const char* end =
+      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 6).ptr;
+  double rounded = value;
+  std::from_chars(buffer, end, rounded);
+  return rounded;
+}
+
+// An integer where the ends are integers, so that options that count can be swept.
+Json AxisValue(double value, bool integers) {
+  const double rounded = Rounded(value);
+  if (integers && rounded == std::round(rounded)) return static_cast<std::int64_t>(rounded);
+  return rounded;
+}
+
+std::vector<Json> RangeValues(synth::ObjectReader range) {
+  const double from = range.Number("from", {-kLargest, kLargest});
+  const double to = range.Number("to", {-kLargest, kLargest});
+  const int steps = range.Integer("steps", {2, 1000});
+  const std::string scale = range.TextOr("scale", "linear");
+  const bool integers =
+      range.Value("from").is_number_integer() && range.Value("to").is_number_integer();
+  range.Finish();
+  if (scale != "linear" && scale != "log") {
+    ThrowError(range.Where("scale"), "\"" + scale + "\"", "\"linear\" or \"log\"");
+  }
+  if (scale == "log" && !(from > 0.0 && to > 0.0)) {
+    ThrowError(range.Where(""), StrCat(from, " to ", to), "ends above 0 on a log scale");
+  }
+  std::vector<Json> values = {range.Value("from")};
+  for (int i = 1; i + 1 < steps; ++i) {
+    const double part = static_cast<double>(i) / (steps - 1);
+    const double value =
+        scale == "log" ? from * std::pow(to / from, part) : from + part * (to - from);
+    values.push_back(AxisValue(value, integers));
+  }
+  values.push_back(range.Value("to"));
+  return values;
+}
+
+// The value behind a dotted path; null where there is none.
+Json AtPath(const Json& whole, const std::string& path) {
+  const Json* value = &whole;
+  for (std::size_t start = 0; start <= path.size();) {
+    const std::size_t end = std::min(path.find('.', start), path.size());
+    const std::string key = path.substr(start, end - start);
+    if (value->is_object() && value->contains(key)) {
+      value = &(*value)[key];
+    } else if (const auto index = ParseInteger(key);
+               value->is_array() && index && *index >= 0 &&
+               *index < static_cast<std::int64_t>(value->size())) {
+      value = &(*value)[static_cast<std::size_t>(*index)];
+    } else {
+      return nullptr;
+    }
+    start = end + 1;
+  }
+  return *value;
+}
+
+// What the scene says and, of sensor and detector, what it leaves at the defaults.
+Json SceneDefaults(const SuiteSequence& sequence) {
+  const auto scene = synth::SceneDescription::Load(sequence.scene, {});
+  Json values = scene.json();
+  synth::SensorOptions sensor = synth::ReadSensor(scene.sensor(), scene.where());
+  values["sensor"] = OptionsToJson(OptionLeaves(sensor));
+  Json section = scene.detector();
+  if (!sequence.detections.empty()) section["level"] = sequence.detections;
+  // The last is "custom" where the scene changes values of its level.
+  std::vector<synth::NamedDetector> detectors = synth::ReadDetectors(section, scene.where(), {});
+  for (synth::NamedDetector& detector : detectors) {
+    if (detector.name != sequence.detections && detector.name != "custom") continue;
+    values["detector"] = OptionsToJson(OptionLeaves(detector.options));
+  }
+  return values;
+}
+
+// Every axis at its default.
+GridPoint DefaultPoint(const Suite& suite, const SuiteSequence& sequence) {
+  Options options = OptionsOf(suite, {});
+  const Json estimator = OptionsToJson(OptionLeaves(options));
+  Json scene;
+  GridPoint point;
+  for (const GridAxis& axis : suite.grid) {
+    Json value;
+    if (IsScenePath(axis.path)) {
+      if (scene.is_null()) scene = SceneDefaults(sequence);
+      value = AtPath(scene, SceneKey(axis.path));
+      if (value.is_null()) {
+        ThrowError("grid." + axis.path, "no such value in scene " + sequence.scene,
+                   "a key that it has: one axis at a time starts from the scene's own values");
+      }
+    } else {
+      value = AtPath(estimator, axis.path);
+    }
+    point.emplace_back(axis.path, value);
+  }
+  return point;
+}
+
+std::vector<GridPoint> OneAtATime(const Suite& suite, const SuiteSequence& sequence) {
+  const GridPoint origin = DefaultPoint(suite, sequence);
+  std::vector<GridPoint> points = {origin};
+  for (std::size_t i = 0; i < suite.grid.size(); ++i) {
+    for (const Json& value : suite.grid[i].values) {
+      if (value == origin[i].second) continue;
+      points.push_back(origin);
+      points.back()[i].second = value;
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+bool IsScenePath(const std::string& path) { return path.starts_with(kScene); }
+
+std::string SceneKey(const std::string& path) { return path.substr(kScene.size()); }
+
+std::vector<Json> ParseAxisValues(const Json& json, const std::string& where) {
+  std::vector<Json> values;
+  if (json.is_object()) {
+    values = RangeValues(synth::ObjectReader(json, where, ""));
+  } else if (json.is_array()) {
+    values.assign(json.begin(), json.end());
+  }
+  if (values.empty()) {
+    ThrowError(where, json.is_array() ? "an empty list" : StrCat("a JSON ", json.type_name()),
+               "a list of values or {\"from\", \"to\", \"steps\", \"scale\"}");
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (values[i] == values[k]) ThrowError(where, values[i].dump() + " twice", "each value once");
+    }
+  }
+  return values;
+}
+
+std::vector<GridPoint> GridPoints(const Suite& suite, const SuiteSequence& sequence) {
+  if (suite.grid_one_at_a_time) return OneAtATime(suite, sequence);
+  std::vector<GridPoint> points = {{}};
+  for (const GridAxis& axis : suite.grid) {
+    std::vector<GridPoint> longer;
+    for (const GridPoint& point : points) {
+      for (const Json& value : axis.values) {
+        longer.push_back(point);
+        longer.back().emplace_back(axis.path, value);
+      }
+    }
+    points = std::move(longer);
+  }
+  return points;
+}
+
+}  // namespace cvo
