@@ -77,6 +77,11 @@ std::vector<Part> MakeParts() {
                     "experiments/metrics/", "experiments/record/", "experiments/runner/",
                     "experiments/suite/"},
                    {}});
+  parts.push_back({"experiments/jobs/",
+                   {"core/", "variants/", "experiments/files/", "experiments/datasets/",
+                    "experiments/metrics/", "experiments/record/", "experiments/runner/",
+                    "experiments/suite/", "experiments/jobs/"},
+                   {}});
   parts.push_back(
       {"experiments/cli/", {"core/", "variants/", "experiments/", "reports/", "synth/"}, {}});
   parts.push_back({"reports/", {"core/base/", "reports/"}, {"opencv2/.*", "ceres/.*", "Eigen/.*"}});

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+#include <new>
+#include <opencv2/core.hpp>
+
+#include "core/base/error.h"
+#include "experiments/cli/experiment_command.h"
+#include "experiments/files/json.h"
+#include "experiments/jobs/planned_job.h"
+
+namespace cvo {
+namespace {
+
+int RunOne(const std::string& folder, const std::string& id) {
+  const SuiteFolder suite{folder};
+  try {
+    RunPlannedJob(ParsePlan(ReadJson(suite.plan()), suite.plan().string()), id, suite);
+  } catch (const std::bad_alloc&) {
+    throw Error("out of memory");
+  } catch (const cv::Exception& error) {
+    if (error.code != cv::Error::StsNoMem) throw;
+    throw Error("out of memory");
+  }
+  return 0;
+}
+
+}  // namespace
+
+Command AddExperimentJobCommand(CLI::App& experiment) {
+  CLI::App* app = experiment.add_subcommand(
+      "job", "Run one job of a suite's folder: what experiment run starts for each");
+  const auto folder = std::make_shared<std::string>();
+  const auto id = std::make_shared<std::string>();
+  app->add_option("DIR", *folder, "the suite's folder")->type_name("")->required();
+  app->add_option("ID", *id, "the job's identity, as in DIR/plan.json")->type_name("")->required();
+  return {app, [folder, id] { return RunOne(*folder, *id); }};
+}
+
+}  // namespace cvo

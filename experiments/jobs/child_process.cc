@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/jobs/child_process.h"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "experiments/files/number.h"
+
+namespace cvo {
+namespace {
+
+constexpr int kCannotExecute = 126;
+
+[[noreturn]] void ThrowErrno(const std::string& what, const char* action, int error) {
+  throw Error(StrCat(what, ": cannot ", action, ": ", std::strerror(error)));
+}
+
+// Everything that the child needs, made before it exists: between fork and exec it may not
+// allocate.
+struct Launch {
+  std::vector<std::string> argv;
+  std::vector<char*> pointers;
+  int log = -1;
+  int null = -1;
+  rlim_t memory_bytes = 0;
+  pid_t parent = ::getpid();
+
+  explicit Launch(const Task& task) : argv(task.argv) {
+    Require(!argv.empty(), "Task: no program");
+    for (std::string& argument : argv) pointers.push_back(argument.data());
+    pointers.push_back(nullptr);
+    memory_bytes = static_cast<rlim_t>(task.limit_memory_mb * 1e6);
+    constexpr int kFlags = O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC;
+    log = ::open(task.log.c_str(), kFlags, 0666);
+    if (log < 0) ThrowErrno(task.log.string(), "write", errno);
+    null = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  }
+  ~Launch() {
+    ::close(log);
+    if (null >= 0) ::close(null);
+  }
+  Launch(const Launch&) = delete;
+  Launch& operator=(const Launch&) = delete;
+
+  [[noreturn]] void Execute() const {
+    ::setpgid(0, 0);
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (::getppid() != parent) ::_exit(kCannotExecute);  // it ended before the line above
+    ::dup2(null, STDIN_FILENO);
+    ::dup2(log, STDOUT_FILENO);
+    ::dup2(log, STDERR_FILENO);
+    if (memory_bytes > 0) {
+      const rlimit limit{memory_bytes, memory_bytes};
+      ::setrlimit(RLIMIT_AS, &limit);
+    }
+    ::execv(pointers.front(), pointers.data());
+    constexpr std::string_view kMessage = "clustervo: error: the program cannot be executed\n";
+    [[maybe_unused]] const ssize_t written =
+        ::write(STDERR_FILENO, kMessage.data(), kMessage.size());
+    ::_exit(kCannotExecute);
+  }
+};
+
+std::string SignalText(int signal) {
+  const char* name = ::sigabbrev_np(signal);
+  return StrCat("killed by signal ", signal, name != nullptr ? StrCat(" (SIG", name, ")") : "");
+}
+
+}  // namespace
+
+ChildProcess::ChildProcess(const Task& task) : start_(Clock::now()), limit_s_(task.limit_s) {
+  const Launch launch(task);
+  process_ = ::fork();
+  if (process_ < 0) ThrowErrno(task.name, "start a process", errno);
+  if (process_ == 0) launch.Execute();
+  ::setpgid(process_, process_);  // as the child does: whoever is first
+  // By its number: the C library's own header has no C linkage in 2.36.
+  poll_fd_ = static_cast<int>(::syscall(SYS_pidfd_open, process_, 0));
+  if (poll_fd_ >= 0) return;
+  const int error = errno;
+  KillGroup();
+  ::waitpid(process_, nullptr, 0);
+  ThrowErrno(task.name, "follow its process", error);
+}
+
+ChildProcess::~ChildProcess() {
+  if (process_ > 0) {
+    KillGroup();
+    Reap();
+  }
+  ::close(poll_fd_);
+}
+
+void ChildProcess::KillGroup() const { ::kill(-process_, SIGKILL); }
+
+std::optional<TaskEnd> ChildProcess::Poll() {
+  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+  if (limit_s_ > 0.0 && seconds >= limit_s_ && !timed_out_) {
+    timed_out_ = true;
+    KillGroup();
+  }
+  // The process stays, unreaped, so that its group's number cannot become another's.
+  siginfo_t info{};
+  if (::waitid(P_PIDFD, static_cast<id_t>(poll_fd_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+      info.si_pid == 0) {
+    return std::nullopt;
+  }
+  KillGroup();
+  return Reap();
+}
+
+TaskEnd ChildProcess::Reap() {
+  int status = 0;
+  while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  }
+  process_ = -1;
+  TaskEnd end;
+  end.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+  end.ok = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  if (end.ok) return end;
+  end.message = WIFSIGNALED(status) ? SignalText(WTERMSIG(status))
+                                    : StrCat("exit code ", WEXITSTATUS(status));
+  if (timed_out_ && WIFSIGNALED(status)) end.message = StrCat("stopped after ", limit_s_, " s");
+  return end;
+}
+
+}  // namespace cvo

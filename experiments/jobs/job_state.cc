@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/jobs/job_state.h"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+
+#include "core/base/error.h"
+#include "experiments/files/atomic_file.h"
+#include "experiments/record/result_file.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kErrorPrefix = "clustervo: error: ";
+
+std::string Text(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+// Throws Error where the file is there and no JSON.
+bool IsResultOf(const fs::path& file, const std::string& id) {
+  const Json result = ReadJson(file);
+  return result.is_object() && result.value("schema_version", Json()) == kResultSchemaVersion &&
+         Text(result, "kind") == "run" && Text(result, "job") == id &&
+         Text(result, "status") != ToString(RunStatus::kFailed);
+}
+
+bool IsDone(const fs::path& file, const std::string& id) {
+  try {
+    return fs::exists(file) && IsResultOf(file, id);
+  } catch (const Error&) {
+    return false;  // damaged: made anew
+  }
+}
+
+std::string FailureMessage(const fs::path& file) {
+  try {
+    const Json failure = ReadJson(file);
+    const std::string message = failure.is_object() ? Text(failure, "message") : "";
+    return message.empty() ? "failed, and its record says nothing" : message;
+  } catch (const Error& error) {
+    return StrCat("failed, and its record cannot be read: ", error.what());
+  }
+}
+
+// At most so much of a file's end, from the start of a line.
+std::string Tail(const fs::path& file) {
+  constexpr std::streamoff kBytes = 4000;
+  std::ifstream in(file, std::ios::binary | std::ios::ate);
+  if (!in) return "";
+  const std::streamoff size = in.tellg();
+  in.seekg(std::max<std::streamoff>(0, size - kBytes));
+  std::string text(static_cast<std::size_t>(std::min(size, kBytes)), '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  const std::size_t line = text.find('\n');
+  return size > kBytes && line != std::string::npos ? text.substr(line + 1) : text;
+}
+
+}  // namespace
+
+const char* ToString(JobState state) {
+  switch (state) {
+    case JobState::kDone:
+      return "done";
+    case JobState::kFailed:
+      return "failed";
+    case JobState::kMissing:
+      return "missing";
+    case JobState::kNoSequence:
+      return "no sequence";
+  }
+  throw Error("JobState: not one of the enumerators");
+}
+
+JobStatus StatusOf(const SuiteFolder& folder, const PlannedJob& job) {
+  if (job.job.empty()) return {JobState::kNoSequence, job.missing};
+  if (IsDone(folder.job(job.job) / "result.json", job.job)) return {JobState::kDone, ""};
+  const fs::path failure = folder.failure(job.job);
+  if (!fs::exists(failure)) return {JobState::kMissing, ""};
+  return {JobState::kFailed, FailureMessage(failure)};
+}
+
+std::vector<JobStatus> StatusOfAll(const SuiteFolder& folder, const Plan& plan) {
+  std::map<std::string, JobStatus> known;
+  std::vector<JobStatus> all;
+  for (const PlannedJob& job : plan.jobs) {
+    if (job.job.empty()) {
+      all.push_back(StatusOf(folder, job));
+      continue;
+    }
+    const auto [found, added] = known.try_emplace(job.job);
+    if (added) found->second = StatusOf(folder, job);
+    all.push_back(found->second);
+  }
+  return all;
+}
+
+std::string Describe(const Cell& cell) {
+  std::string text =
+      StrCat(cell.sequence.name, " ", cell.system.empty() ? cell.variant : cell.system);
+  if (cell.system.empty()) text += StrCat(", seed ", cell.seed);
+  for (const auto& [path, value] : cell.parameters) {
+    text += StrCat(", ", path, "=", value.dump());
+  }
+  for (std::size_t i = 0; i < cell.oracle.size(); ++i) {
+    text += StrCat(i == 0 ? ", oracle " : "+", cell.oracle[i]);
+  }
+  return text;
+}
+
+void WriteFailure(const SuiteFolder& folder, const std::string& id, const std::string& message) {
+  const fs::path file = folder.failure(id);
+  WriteFilesAtomically(file.parent_path(),
+                       {{file.filename().string(), DumpJson({{"schema_version", 1},
+                                                             {"kind", "failure"},
+                                                             {"job", id},
+                                                             {"message", message},
+                                                             {"log", Tail(folder.log(id))}})}});
+}
+
+std::string ErrorInLog(const fs::path& log) {
+  const std::string text = Tail(log);
+  const std::size_t found = text.rfind(kErrorPrefix);
+  if (found == std::string::npos) return "";
+  const std::size_t begin = found + kErrorPrefix.size();
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+}  // namespace cvo

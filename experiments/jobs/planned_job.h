@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "experiments/jobs/suite_folder.h"
+#include "experiments/suite/plan.h"
+
+namespace cvo {
+
+// Runs one job of the plan on one thread and writes its files, result.json last. Throws Error where
+// there is no such job, where the program or the sequence's files are no longer those of the plan,
+// and where the estimator failed: then there is no result.
+void RunPlannedJob(const Plan& plan, const std::string& id, const SuiteFolder& folder);
+
+}  // namespace cvo

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <optional>
+
+#include "core/base/error.h"
+#include "experiments/jobs/folder_lock.h"
+#include "tests/experiments/wait_until.h"
+#include "tests/support/error_message.h"
+#include "tests/support/temp_folder.h"
+
+namespace cvo {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+TEST(FolderLock, IsForOneAtATimeAndNamesIt) {
+  const test::TempFolder folder;
+  const auto file = folder.path() / "lock";
+  std::optional<FolderLock> lock(file);
+  EXPECT_THAT(ErrorMessage([&] { const FolderLock second(file); }),
+              AllOf(HasSubstr(folder.path().string() + ": found in use by process "),
+                    HasSubstr(std::to_string(::getpid()) + " on ")));
+  lock.reset();
+  EXPECT_EQ(ErrorMessage([&] { const FolderLock second(file); }), "");
+}
+
+TEST(FolderLock, OfAKilledProcessIsFree) {
+  const test::TempFolder folder;
+  const auto file = folder.path() / "lock";
+  const pid_t holder = ::fork();
+  if (holder == 0) {
+    const FolderLock lock(file);
+    ::pause();
+    ::_exit(0);
+  }
+  ASSERT_TRUE(test::WaitUntil([&] {
+    return ErrorMessage([&] {
+             const FolderLock lock(file);
+           }).find(StrCat("process ", holder, " on ")) != std::string::npos;
+  }));
+  ::kill(holder, SIGKILL);
+  ::waitpid(holder, nullptr, 0);
+  EXPECT_EQ(ErrorMessage([&] { const FolderLock lock(file); }), "");
+}
+
+TEST(FolderLock, SaysWhyThereCanBeNone) {
+  EXPECT_THAT(ErrorMessage([] { const FolderLock lock("/proc/none/lock"); }),
+              HasSubstr("/proc/none/lock: cannot write: "));
+}
+
+}  // namespace
+}  // namespace cvo
