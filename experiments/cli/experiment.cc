@@ -10,8 +10,9 @@ Command AddExperimentCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "experiment", "Suites: many sequences, estimators, options and seeds, and their tables");
   app->require_subcommand(1);
-  const std::vector<Command> commands = {AddExperimentListCommand(*app),
-                                         AddExperimentPlanCommand(*app)};
+  const std::vector<Command> commands = {
+      AddExperimentListCommand(*app), AddExperimentPlanCommand(*app),
+      AddExperimentTableCommand(*app), AddExperimentCompareCommand(*app)};
   app->footer("Start with: clustervo experiment list, then clustervo experiment plan ci -o DIR.");
   return {app, [commands] {
             for (const Command& command : commands) {

@@ -9,5 +9,7 @@ namespace cvo {
 // What `clustervo experiment` offers, one command each.
 Command AddExperimentListCommand(CLI::App& experiment);
 Command AddExperimentPlanCommand(CLI::App& experiment);
+Command AddExperimentTableCommand(CLI::App& experiment);
+Command AddExperimentCompareCommand(CLI::App& experiment);
 
 }  // namespace cvo

@@ -38,12 +38,14 @@ std::optional<double> EffectSize(const std::vector<std::vector<Unit>>& strata, W
   return difference / std::sqrt(variance);
 }
 
-// Empty where a resampled reference is not above 0.
-std::optional<Range> PercentRange(const std::vector<std::array<double, 2>>& resampled) {
+// In percent of `whole` of each pair (0: the value, 1: the reference); empty where one is not
+// above 0.
+std::optional<Range> PercentRange(const std::vector<std::array<double, 2>>& pairs,
+                                  std::size_t whole) {
   std::vector<double> percents;
-  for (const auto& [value, reference] : resampled) {
-    if (!(reference > 0.0)) return std::nullopt;
-    percents.push_back(100.0 * (value - reference) / reference);
+  for (const std::array<double, 2>& pair : pairs) {
+    if (!(pair[whole] > 0.0)) return std::nullopt;
+    percents.push_back(100.0 * (pair[0] - pair[1]) / pair[whole]);
   }
   return MiddleRange(std::move(percents));
 }
@@ -81,7 +83,11 @@ std::optional<PairedEstimate> EstimateDifference(const std::vector<Sample>& pair
   estimate.interval = MiddleRange(std::move(differences));
   if (estimate.reference > 0.0) {
     estimate.percent = 100.0 * estimate.difference / estimate.reference;
-    estimate.percent_interval = PercentRange(resampled);
+    estimate.percent_interval = PercentRange(resampled, 1);
+  }
+  if (estimate.value > 0.0) {
+    estimate.reference_lower = 100.0 * estimate.difference / estimate.value;
+    estimate.reference_lower_interval = PercentRange(resampled, 0);
   }
   estimate.distinguishable =
       estimate.interval && !estimate.interval->Contains(0.0) && estimate.units >= kLeastPairs;

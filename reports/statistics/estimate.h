@@ -31,8 +31,12 @@ struct PairedEstimate {
   double reference = 0.0;
   double difference = 0.0;  // value - reference
   std::optional<Range> interval;
-  std::optional<double> percent;  // of the reference; empty where that is not above 0
+  // The difference in percent of the reference and of the value, which is by how much the reference
+  // is lower; each empty where what it is a part of is not above 0.
+  std::optional<double> percent;
   std::optional<Range> percent_interval;
+  std::optional<double> reference_lower;
+  std::optional<Range> reference_lower_interval;
   std::optional<double> effect;  // difference over the standard deviation of the units' own ones
   std::size_t strata = 0;
   std::size_t units = 0;

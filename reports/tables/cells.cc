@@ -184,6 +184,8 @@ std::optional<Difference> MakeDifference(const PairedRows& rows, const Column& c
   difference.interval = ToInterval(estimate->interval, meaning);
   difference.percent = estimate->percent;
   difference.percent_interval = ToInterval(estimate->percent_interval, meaning);
+  difference.reference_lower = estimate->reference_lower;
+  difference.reference_lower_interval = ToInterval(estimate->reference_lower_interval, meaning);
   difference.effect = estimate->effect;
   difference.distinguishable = estimate->distinguishable;
   difference.pairs = estimate->units;

@@ -151,6 +151,7 @@ Table CompareFolders(const std::filesystem::path& before, const std::filesystem:
   Table table = DescribeTable(plan, runs, metrics, "");
   table.title = StrCat(folder.string(), " against ", before.string());
   table.reference = before.string();
+  table.change = true;
   AddRows(
       rows, folder, [&](const RowRuns& row) { return FindRow(rows_before, row.keys); }, table);
   for (const std::string& note : OtherImages(runs_before, runs)) table.notes.push_back(note);

@@ -40,8 +40,10 @@ struct Difference {
   double reference_value = 0.0;
   double difference = 0.0;
   std::optional<Interval> interval;
-  std::optional<double> percent;
+  std::optional<double> percent;  // the difference, of the reference
   std::optional<Interval> percent_interval;
+  std::optional<double> reference_lower;  // by how many percent the reference is lower
+  std::optional<Interval> reference_lower_interval;
   std::optional<double> effect;  // difference over the standard deviation of the pairs' own ones
   bool distinguishable = false;
   std::size_t pairs = 0;  // bodies or scenes
@@ -140,6 +142,7 @@ struct Table {
   std::string title;
   std::string about;
   std::string reference;          // what differences are against; empty: none
+  bool change = false;            // the reference is how it was before, not a row of this table
   std::vector<std::string> keys;  // what tells rows apart
   std::vector<Column> columns;
   std::vector<Row> rows;

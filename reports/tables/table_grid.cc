@@ -100,7 +100,7 @@ GridRow TheirRow(const ReferenceRow& line, const Table& table) {
   return cells;
 }
 
-// Difference, its interval, and both in percent: three lines.
+// Difference, its interval, and percents: three lines.
 void AddDifferences(const Row& row, const Table& table, GridBlock& block) {
   std::array<GridRow, 3> lines;
   lines[0] = RowTexts(row, table);
@@ -116,7 +116,11 @@ void AddDifferences(const Row& row, const Table& table, GridBlock& block) {
     lines[0].back().text =
         StrCat(Signed(difference->difference, unit), difference->distinguishable ? "*" : "");
     if (difference->interval) lines[1].back().text = RangeText(*difference->interval, unit);
-    if (difference->percent) lines[2].back().text = Printed(*difference->percent, "%+.1f%%");
+    if (table.change && difference->percent) {
+      lines[2].back().text = Printed(*difference->percent, "%+.1f%%");
+    } else if (!table.change && difference->reference_lower) {
+      lines[2].back().text = Printed(*difference->reference_lower, "%.1f%%");
+    }
   }
   if (any) block.rows.insert(block.rows.end(), lines.begin(), lines.end());
 }
@@ -142,7 +146,9 @@ Grid MakeGrid(const Table& table) {
   grid.blocks.push_back(std::move(values));
   if (!differences.rows.empty()) {
     differences.heading =
-        StrCat("difference to ", table.reference, ", paired, and in percent of it");
+        StrCat("difference to ", table.reference, ", paired; its interval; ",
+               table.change ? "in percent of what was"
+                            : StrCat("by how many percent ", table.reference, " is lower"));
     grid.blocks.push_back(std::move(differences));
   }
   grid.footnotes = Footnotes(table);

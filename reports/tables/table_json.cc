@@ -49,6 +49,12 @@ Json ToJson(const Difference& difference, const std::string& where) {
   if (difference.percent_interval) {
     json["percent_interval"] = ToJson(*difference.percent_interval, where);
   }
+  if (difference.reference_lower) {
+    json["reference_lower_percent"] = Finite(*difference.reference_lower, where);
+  }
+  if (difference.reference_lower_interval) {
+    json["reference_lower_percent_interval"] = ToJson(*difference.reference_lower_interval, where);
+  }
   if (difference.effect) json["effect"] = Finite(*difference.effect, where);
   json["distinguishable"] = difference.distinguishable;
   json["pairs"] = difference.pairs;
@@ -105,6 +111,32 @@ Json ToJson(const RunLink& run) {
   return {{"sequence", run.sequence}, {"seed", run.seed}, {"result", run.result}};
 }
 
+Json ToJson(const Problem& problem) {
+  Json json = {{"row", problem.row},
+               {"sequence", problem.sequence},
+               {"seed", problem.seed},
+               {"state", problem.state},
+               {"message", problem.message}};
+  if (!problem.log.empty()) json["log"] = problem.log;
+  return json;
+}
+
+Json ToJson(const ChangedOption& option) {
+  Json values = Json::array();
+  for (const std::string& value : option.values) values.push_back(ParseJson(value, option.path));
+  return {{"path", option.path},
+          {"default", option.default_value.empty() ? Json(nullptr)
+                                                   : ParseJson(option.default_value, option.path)},
+          {"values", values}};
+}
+
+Json ToJson(const ReferenceSource& source) {
+  return {{"id", source.id},
+          {"source", source.source},
+          {"kind", source.kind},
+          {"caveat", source.caveat}};
+}
+
 template <typename T, typename... Context>
 Json ListOf(const std::vector<T>& values, const Context&... context) {
   Json list = Json::array();
@@ -127,36 +159,10 @@ Json ToJson(const Row& row, const Table& table) {
   return json;
 }
 
-Json ToJson(const Problem& problem) {
-  Json json = {{"row", problem.row},
-               {"sequence", problem.sequence},
-               {"seed", problem.seed},
-               {"state", problem.state},
-               {"message", problem.message}};
-  if (!problem.log.empty()) json["log"] = problem.log;
-  return json;
-}
-
-Json ToJson(const ChangedOption& option) {
-  Json values = Json::array();
-  for (const std::string& value : option.values) values.push_back(ParseJson(value, option.path));
-  return {{"path", option.path},
-          {"default", option.default_value.empty() ? Json(nullptr)
-                                                   : ParseJson(option.default_value, option.path)},
-          {"values", values}};
-}
-
 Json ToJson(const Provenance& provenance) {
   return {{"builds", provenance.builds},
           {"seeds", provenance.seeds},
           {"options", ListOf(provenance.options)}};
-}
-
-Json ToJson(const ReferenceSource& source) {
-  return {{"id", source.id},
-          {"source", source.source},
-          {"kind", source.kind},
-          {"caveat", source.caveat}};
 }
 
 }  // namespace
@@ -169,13 +175,14 @@ std::string TableJson(const Table& table) {
                {"reference", table.reference},
                {"keys", table.keys},
                {"columns", ListOf(table.columns)},
-               {"rows", ListOf(table.rows, table)},
+               {"rows", Json::array()},
                {"others", ListOf(table.others, table)},
                {"sources", ListOf(table.sources)},
                {"jobs", ToJson(table.jobs)},
                {"problems", ListOf(table.problems)},
                {"notes", table.notes},
                {"provenance", ToJson(table.provenance)}};
+  for (const Row& row : table.rows) json["rows"].push_back(ToJson(row, table));
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
