@@ -37,7 +37,9 @@ void ExpectOneLine(const ProcessResult& run, const std::string& text) {
 
 TEST(CliTables, AFinishedSuite) {
   SuiteResults suite;
-  suite.Add(Result());
+  Json result = Result();
+  result["options"]["orb"]["features"] = 1999;
+  suite.Add(result);
   const ProcessResult first = MakeTable(suite.Written());
   ASSERT_EQ(first.exit_code, 0) << first.err;
   EXPECT_THAT(first.err, IsEmpty());
@@ -45,6 +47,7 @@ TEST(CliTables, AFinishedSuite) {
   const std::string bytes = test::ReadFile(suite.folder().path() / "table.json");
   const Json table = Json::parse(bytes);
   EXPECT_EQ(table["rows"][0]["cells"][1]["value"], 0.0625);
+  ASSERT_EQ(table["provenance"]["options"].size(), 1U);
   EXPECT_EQ(table["provenance"]["options"][0]["path"], "orb.features");
   EXPECT_TRUE(fs::exists(suite.folder().path() / table["rows"][0]["runs"][0]["result"]));
   EXPECT_THAT(test::ReadFile(suite.folder().path() / "table.md"), HasSubstr("| 0.0625 |"));
