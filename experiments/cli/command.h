@@ -16,7 +16,6 @@ struct Command {
 
 Command AddRunCommand(CLI::App& program);
 Command AddEvalCommand(CLI::App& program);
-Command AddTableCommand(CLI::App& program);
 Command AddSynthCommand(CLI::App& program);
 Command AddExperimentCommand(CLI::App& program);
 Command AddInfoCommand(CLI::App& program);

@@ -9,6 +9,8 @@ namespace cvo {
 // What `clustervo experiment` offers, one command each.
 Command AddExperimentListCommand(CLI::App& experiment);
 Command AddExperimentPlanCommand(CLI::App& experiment);
+Command AddExperimentTableCommand(CLI::App& experiment);
+Command AddExperimentCompareCommand(CLI::App& experiment);
 Command AddExperimentRunCommand(CLI::App& experiment);
 Command AddExperimentStatusCommand(CLI::App& experiment);
 Command AddExperimentJobCommand(CLI::App& experiment);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/tables/columns.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -11,74 +12,168 @@ namespace cvo::reports {
 namespace {
 
 std::string Label(const std::string& metric) {
-  static const std::array<std::pair<const char*, const char*>, 8> labels = {
-      {{"camera_coverage", "coverage"},
-       {"camera_ate", "ATE"},
-       {"camera_rrpe_all_pairs", "R.RPE"},
-       {"camera_trpe_all_pairs", "T.RPE"},
-       {"camera_rrpe_1_frame", "R.RPE/frame"},
-       {"camera_trpe_1_frame", "T.RPE/frame"},
+  static const std::array<std::pair<const char*, const char*>, 25> labels = {
+      {{"camera_coverage", "camera coverage"},
+       {"camera_ate", "camera ATE"},
+       {"camera_rrpe_all_pairs", "camera R.RPE"},
+       {"camera_trpe_all_pairs", "camera T.RPE"},
+       {"camera_rrpe_1_frame", "camera R.RPE/frame"},
+       {"camera_trpe_1_frame", "camera T.RPE/frame"},
        {"camera_t_drift", "t drift"},
-       {"camera_r_drift", "r drift"}}};
+       {"camera_r_drift", "r drift"},
+       {"object_ate", "object ATE"},
+       {"object_rrpe_all_pairs", "object R.RPE"},
+       {"object_trpe_all_pairs", "object T.RPE"},
+       {"object_motion_r", "motion error"},
+       {"object_motion_t", "motion error"},
+       {"object_velocity", "velocity error"},
+       {"object_success_5cm", "within 5 cm"},
+       {"object_success_10cm", "within 10 cm"},
+       {"object_success_20cm", "within 20 cm"},
+       {"object_coverage", "object coverage"},
+       {"object_id_switches", "id switches"},
+       {"object_fragments", "fragments"},
+       {"object_unmatched_clusters", "extra clusters"},
+       {"clustering_iou", "clustering IoU"},
+       {"clustering_ari", "clustering ARI"},
+       {"moving_precision", "moving precision"},
+       {"moving_recall", "moving recall"}}};
   for (const auto& [name, label] : labels) {
     if (metric == name) return label;
   }
   return metric;
 }
 
-std::string Describe(const RunSummary& run, const std::string& field, const std::string& value) {
-  return StrCat(run.file.string(), " with ", field, " \"", value, "\"");
+std::string FieldOf(const Contract& contract, const std::string& field) {
+  const auto found = contract.find(field);
+  return found == contract.end() ? "" : found->second;
 }
 
-std::string FieldOf(const MetricValue& metric, const std::string& field) {
-  const auto found = metric.contract.find(field);
-  return found == metric.contract.end() ? "" : found->second;
+Contract SharedContract(const RunSummary& run, const MetricValue& metric) {
+  return ColumnContract(metric.contract, run.sequence.first_frame, run.sequence.frames);
 }
 
-// The definition is the same in all runs of a column, the truth in all of one type of dataset.
-void CheckSameMeaning(const RunSummary& a, const MetricValue& in_a, const RunSummary& b,
-                      const MetricValue& in_b) {
-  std::string field;
-  for (const Contract* contract : {&in_a.contract, &in_b.contract}) {
-    for (const auto& [name, value] : *contract) {
-      const bool may_differ =
-          name == "left_out" || (name == "truth" && a.sequence.type != b.sequence.type);
-      if (!may_differ && FieldOf(in_a, name) != FieldOf(in_b, name)) field = name;
+// The first field that differs; a field that one lacks is empty there.
+std::string FirstDifference(const Contract& a, const Contract& b) {
+  for (const Contract* contract : {&a, &b}) {
+    for (const auto& [field, value] : *contract) {
+      if (field != "left_out" && FieldOf(a, field) != FieldOf(b, field)) return field;
     }
   }
-  if (!field.empty()) {
-    ThrowError(StrCat("metric ", in_a.name),
-               StrCat(Describe(a, field, FieldOf(in_a, field)), " and ",
-                      Describe(b, field, FieldOf(in_b, field))),
-               "one contract in a table");
+  return "";
+}
+
+struct Meaning {
+  const RunSummary* run;
+  const MetricValue* metric;
+  Contract contract;
+};
+
+[[noreturn]] void Refuse(const Meaning& a, const Meaning& b, const std::string& field,
+                         const std::string& in_a, const std::string& in_b) {
+  ThrowError("metric " + a.metric->name,
+             StrCat(a.run->file.string(), " with ", field, " \"", in_a, "\" and ",
+                    b.run->file.string(), " with ", field, " \"", in_b, "\""),
+             StrCat("one ", field == "unit" ? "unit" : "contract", " in a table"));
+}
+
+void CheckSame(const Meaning& a, const Meaning& b) {
+  const std::string field = FirstDifference(a.contract, b.contract);
+  if (!field.empty()) Refuse(a, b, field, FieldOf(a.contract, field), FieldOf(b.contract, field));
+  if (a.metric->unit != b.metric->unit) Refuse(a, b, "unit", a.metric->unit, b.metric->unit);
+}
+
+Meaning WithTruth(Meaning meaning) {
+  meaning.contract["truth"] = FieldOf(meaning.metric->contract, "truth");
+  return meaning;
+}
+
+std::optional<Column> MakeColumn(const std::string& name, const std::vector<SuiteRun>& runs,
+                                 bool systems) {
+  std::vector<Meaning> kinds;  // the first of all, then the first of each other type of dataset
+  for (const SuiteRun& run : runs) {
+    const MetricValue* metric = run.run ? FindMetric(*run.run, name) : nullptr;
+    if (metric == nullptr || run.planned.system != systems) continue;
+    const Meaning meaning{&*run.run, metric, SharedContract(*run.run, *metric)};
+    if (!kinds.empty()) CheckSame(kinds[0], meaning);
+    const auto same_type = std::find_if(kinds.begin(), kinds.end(), [&](const Meaning& kind) {
+      return kind.run->sequence.type == meaning.run->sequence.type;
+    });
+    if (same_type == kinds.end()) {
+      kinds.push_back(meaning);
+    } else {
+      CheckSame(WithTruth(*same_type), WithTruth(meaning));
+    }
   }
-  if (in_a.unit != in_b.unit) {
-    ThrowError(StrCat("metric ", in_a.name),
-               StrCat(Describe(a, "unit", in_a.unit), " and ", Describe(b, "unit", in_b.unit)),
-               "one unit in a table");
+  if (kinds.empty()) return std::nullopt;
+  return Column{name, Label(name), kinds[0].metric->unit, kinds[0].contract};
+}
+
+// Metrics that share a coverage have its name in common up to "coverage".
+std::string CoverageOf(const std::string& metric) {
+  for (const char* group : {"object_causal_standing_", "object_standing_", "object_causal_",
+                            "object_", "camera_causal_", "camera_"}) {
+    if (metric.starts_with(group)) return std::string(group) + "coverage";
   }
+  return "";
 }
 
 }  // namespace
 
+std::vector<std::string> CameraMetrics() {
+  return {"camera_coverage",       "camera_ate",          "camera_rrpe_all_pairs",
+          "camera_trpe_all_pairs", "camera_rrpe_1_frame", "camera_trpe_1_frame",
+          "camera_t_drift",        "camera_r_drift"};
+}
+
+std::vector<std::string> ObjectMetrics() {
+  return {
+      "camera_ate",         "object_ate",       "object_rrpe_all_pairs", "object_trpe_all_pairs",
+      "object_motion_r",    "object_motion_t",  "object_success_10cm",   "object_coverage",
+      "object_id_switches", "moving_precision", "moving_recall"};
+}
+
+std::vector<std::string> WithCoverage(const std::vector<std::string>& metrics) {
+  std::vector<std::string> all;
+  const auto has = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  for (const std::string& metric : metrics) {
+    const std::string coverage = CoverageOf(metric);
+    if (!coverage.empty() && !has(metrics, coverage) && !has(all, coverage)) {
+      all.push_back(coverage);
+    }
+    if (!has(all, metric)) all.push_back(metric);
+  }
+  return all;
+}
+
 std::vector<Column> MakeColumns(const std::vector<std::string>& metrics,
-                                const std::vector<const RunSummary*>& runs) {
+                                const std::vector<SuiteRun>& runs) {
   std::vector<Column> columns;
   for (const std::string& name : metrics) {
-    std::vector<std::pair<const RunSummary*, const MetricValue*>> having;
-    for (const RunSummary* run : runs) {
-      const MetricValue* metric = FindMetric(*run, name);
-      if (metric == nullptr) continue;
-      for (const auto& [other, other_metric] : having) {
-        CheckSameMeaning(*other, *other_metric, *run, *metric);
-      }
-      having.emplace_back(run, metric);
-    }
-    if (having.empty()) continue;
-    const MetricValue& first = *having[0].second;
-    columns.push_back({name, Label(name), first.unit, ColumnContract(first.contract)});
+    std::optional<Column> column = MakeColumn(name, runs, false);
+    if (!column) column = MakeColumn(name, runs, true);
+    if (column) columns.push_back(std::move(*column));
   }
   return columns;
+}
+
+std::string DifferingMeaning(const RowRuns& row, const Column& column) {
+  for (const SuiteRun* run : row.runs) {
+    const MetricValue* metric = run->run ? FindMetric(*run->run, column.metric) : nullptr;
+    if (metric == nullptr) continue;
+    const Contract contract = SharedContract(*run->run, *metric);
+    const std::string field =
+        metric->unit != column.unit ? "unit" : FirstDifference(column.contract, contract);
+    return field.empty() ? "" : StrCat(field, " \"", FieldOf(contract, field), "\"");
+  }
+  return "";
+}
+
+void CheckSameMetric(const RunSummary& a, const MetricValue& in_a, const RunSummary& b,
+                     const MetricValue& in_b) {
+  CheckSame({&a, &in_a, in_a.contract}, {&b, &in_b, in_b.contract});
 }
 
 }  // namespace cvo::reports

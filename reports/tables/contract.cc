@@ -2,10 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/tables/contract.h"
 
+#include "core/base/error.h"
+
 namespace cvo::reports {
 
-Contract ColumnContract(const Contract& contract) {
+Contract ColumnContract(const Contract& contract, int first_frame, int frames) {
   Contract column = contract;
+  const std::string range = StrCat("within frames ", first_frame, " to ", first_frame + frames - 1);
+  std::string& pairing = column["pairing"];
+  const std::size_t at = pairing.find(range);
+  if (at != std::string::npos) pairing.replace(at, range.size(), "within the frames of the run");
+  if (pairing.empty()) column.erase("pairing");
   column.erase("truth");
   column.erase("left_out");
   return column;

@@ -13,8 +13,8 @@ namespace cvo::reports {
 using Contract = std::map<std::string, std::string>;
 
 // What makes numbers of different runs one column. The truth belongs to a row (each dataset has its
-// own), left_out to a run.
-Contract ColumnContract(const Contract& contract);
+// own), left_out to a run, and so do the frames first to first + frames - 1 where they are named.
+Contract ColumnContract(const Contract& contract, int first_frame, int frames);
 
 // The first field in which the two say different things; empty where there is none. Fields that one
 // of them leaves empty or lacks are not compared.

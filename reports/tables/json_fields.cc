@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/tables/json_fields.h"
 
-#include <fstream>
-#include <iterator>
+#include "reports/tables/json_text.h"
 
 namespace cvo::reports {
 
@@ -22,12 +21,7 @@ Json ParseJson(std::string_view text, const std::string& where) {
 }
 
 Json ReadJson(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in.is_open() || std::filesystem::is_directory(file)) {
-    ThrowError(file.string(), "no file that can be read", "a JSON file");
-  }
-  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  return ParseJson(text, file.string());
+  return ParseJson(ReadText(file), file.string());
 }
 
 Fields::Fields(const Json& json, std::string where) : json_(json), where_(std::move(where)) {
@@ -56,6 +50,11 @@ double Fields::Number(const char* key) const {
 std::int64_t Fields::Integer(const char* key) const {
   const auto is_integer = [](const Json& json) { return json.is_number_integer(); };
   return At(key, is_integer, "an integer").get<std::int64_t>();
+}
+
+bool Fields::Bool(const char* key) const {
+  const auto is_bool = [](const Json& json) { return json.is_boolean(); };
+  return At(key, is_bool, "true or false").get<bool>();
 }
 
 Fields Fields::Object(const char* key) const {

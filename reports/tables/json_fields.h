@@ -30,6 +30,7 @@ class Fields {
   std::string Text(const char* key) const;
   double Number(const char* key) const;
   std::int64_t Integer(const char* key) const;
+  bool Bool(const char* key) const;
   Fields Object(const char* key) const;
   const Json& Array(const char* key) const;
 

@@ -4,39 +4,25 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "reports/tables/reference.h"
 #include "reports/tables/table.h"
 
 namespace cvo::reports {
 
-// One line to be: a result file or, where there is none, why.
-struct TableEntry {
-  std::string name;                   // of the sequence, where the file cannot say it
-  std::filesystem::path result_file;  // empty: the run gave none
-  std::string message;                // then: why
-};
+// The table of the folder that a suite is run to, whatever part of it has run. A row stands on the
+// runs that are there and says on how many; the others are listed. Throws Error for a plan that
+// cannot be read and, naming both files, where two of our own results mean different things by the
+// same metric. `default_options`: nested JSON, empty where not known.
+Table MakeTable(const std::filesystem::path& folder, const Reference& reference,
+                const std::string& default_options);
 
-struct TableRequest {
-  std::string title;
-  std::vector<std::string> metrics;  // columns; those that no result has are left out
-  std::filesystem::path folder;      // that links are relative to; empty: as the files are given
-  std::vector<TableEntry> entries;   // rows keep their order
-};
+// The runs of `folder` against those of `before`, paired per row, scene, seed and body: values are
+// those of `folder`, differences are against the same row of `before`. Throws Error as MakeTable,
+// and where the two have no run in common.
+Table CompareFolders(const std::filesystem::path& before, const std::filesystem::path& folder);
 
-// The columns for the trajectory of the camera.
-std::vector<std::string> CameraMetrics();
-// Those for moving bodies: the paper's ablation (its table 4), what was covered, and who is who.
-std::vector<std::string> ObjectMetrics();
-
-// Results that differ in their seed only share a row. What cannot be read or is missing becomes a
-// row or cell that says so. Throws Error for no entries, for two results of the same run, and,
-// naming both files, where two results mean different things by the same metric: anywhere in its
-// definition, or in the truth within one type of dataset.
-Table MakeTable(const TableRequest& request, const Reference& reference);
-
-// Every entry was read and ended well.
+// No job failed or is yet to run, and some job ran: sequences that are not there do not count.
 bool IsComplete(const Table& table);
 
 }  // namespace cvo::reports

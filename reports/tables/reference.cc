@@ -42,9 +42,13 @@ void AddFigures(const Fields& fields, const std::map<std::string, MetricMeaning>
     }
     ReferenceFigure figure;
     figure.source = source;
-    figure.sequence = fields.Text("sequence");
-    figure.first_frame = static_cast<int>(fields.Integer("first_frame"));
-    figure.frames = static_cast<int>(fields.Integer("frames"));
+    if (fields.Has("suite")) {
+      figure.suite = fields.Text("suite");
+    } else {
+      figure.sequence = fields.Text("sequence");
+      figure.first_frame = static_cast<int>(fields.Integer("first_frame"));
+      figure.frames = static_cast<int>(fields.Integer("frames"));
+    }
     figure.system = fields.Text("system");
     figure.metric = metric;
     figure.value = values.Number(metric.c_str());

@@ -18,10 +18,12 @@ struct ReferenceSource {
   std::string pair;  // images that were used; empty: not known
 };
 
-// One number that others reach on some frames of a sequence.
+// One number that others reach on some frames of a sequence, or on scenes of their own that a suite
+// of ours stands in for.
 struct ReferenceFigure {
   std::size_t source = 0;  // index
   std::string sequence;
+  std::string suite;  // whose name starts so; then without sequence and frames
   int first_frame = 0;
   int frames = 0;
   std::string system;

@@ -13,7 +13,7 @@ ReferenceCell Compare(const ReferenceFigure& figure, const ReferenceSource& sour
                       const Column& column) {
   Contract ours = column.contract;
   ours["truth"] = row.truth;
-  const SequenceInfo& sequence = row.sequence;
+  const SequenceInfo& sequence = *row.sequence;
   if (figure.first_frame != sequence.first_frame || figure.frames != sequence.frames) {
     return {figure.value, Match::kOtherFrames,
             StrCat("frames ", figure.first_frame, ":", figure.first_frame + figure.frames,
@@ -37,16 +37,17 @@ ReferenceCell Compare(const ReferenceFigure& figure, const ReferenceSource& sour
   return {figure.value, Match::kMatches, inferred};
 }
 
-ReferenceRow& FindOrAdd(const ReferenceFigure& figure, std::size_t columns, Row& row) {
-  for (ReferenceRow& other : row.reference) {
+ReferenceRow& FindOrAdd(const ReferenceFigure& figure, std::size_t columns,
+                        std::vector<ReferenceRow>& rows) {
+  for (ReferenceRow& other : rows) {
     if (other.source == figure.source && other.system == figure.system &&
         other.first_frame == figure.first_frame && other.frames == figure.frames) {
       return other;
     }
   }
-  row.reference.push_back({figure.source, figure.system, figure.first_frame, figure.frames, {}});
-  row.reference.back().cells.resize(columns);
-  return row.reference.back();
+  rows.push_back({figure.source, figure.system, figure.first_frame, figure.frames, {}});
+  rows.back().cells.resize(columns);
+  return rows.back();
 }
 
 bool HasMatch(const ReferenceRow& row) {
@@ -57,21 +58,33 @@ bool HasMatch(const ReferenceRow& row) {
 
 void AddToRow(const Reference& reference, const std::vector<Column>& columns, Row& row) {
   for (const ReferenceFigure& figure : reference.figures) {
-    if (figure.sequence != row.sequence.name) continue;
+    if (figure.sequence != row.sequence->name) continue;
     for (std::size_t i = 0; i < columns.size(); ++i) {
       if (columns[i].metric != figure.metric) continue;
-      FindOrAdd(figure, columns.size(), row).cells[i] =
+      FindOrAdd(figure, columns.size(), row.reference).cells[i] =
           Compare(figure, reference.sources[figure.source], row, columns[i]);
     }
   }
   std::stable_partition(row.reference.begin(), row.reference.end(), HasMatch);
 }
 
+// Figures for a whole suite of other scenes: they never compare, only their order does.
+void AddToTable(const Reference& reference, Table& table) {
+  for (const ReferenceFigure& figure : reference.figures) {
+    if (figure.suite.empty() || !table.title.starts_with(figure.suite)) continue;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      if (table.columns[i].metric != figure.metric) continue;
+      FindOrAdd(figure, table.columns.size(), table.others).cells[i] =
+          ReferenceCell{figure.value, Match::kOtherScenes, "other scenes"};
+    }
+  }
+}
+
 // Keeps the sources that a row refers to, in the order of their first use.
 void KeepUsedSources(const Reference& reference, Table& table) {
   std::vector<std::size_t> used;
-  for (Row& row : table.rows) {
-    for (ReferenceRow& line : row.reference) {
+  const auto keep = [&](std::vector<ReferenceRow>& lines) {
+    for (ReferenceRow& line : lines) {
       const auto found = std::find(used.begin(), used.end(), line.source);
       const auto index = static_cast<std::size_t>(found - used.begin());
       if (found == used.end()) {
@@ -80,7 +93,9 @@ void KeepUsedSources(const Reference& reference, Table& table) {
       }
       line.source = index;
     }
-  }
+  };
+  for (Row& row : table.rows) keep(row.reference);
+  keep(table.others);
 }
 
 }  // namespace
@@ -89,6 +104,8 @@ const char* ToString(Match match) {
   switch (match) {
     case Match::kMatches:
       return "matches";
+    case Match::kOtherScenes:
+      return "other scenes";
     case Match::kOtherFrames:
       return "other frames";
     case Match::kOtherImages:
@@ -104,13 +121,15 @@ const char* ToString(Match match) {
 void AddReferenceRows(const Reference& reference, Table& table) {
   std::vector<std::string> seen;  // a sequence with several variants shows its references once
   for (auto row = table.rows.rbegin(); row != table.rows.rend(); ++row) {
-    const SequenceInfo& sequence = row->sequence;
+    if (!row->sequence) continue;
+    const SequenceInfo& sequence = *row->sequence;
     const std::string key =
         StrCat(sequence.name, "/", sequence.pair, "/", sequence.first_frame, "/", sequence.frames);
-    if (row->links.empty() || std::find(seen.begin(), seen.end(), key) != seen.end()) continue;
+    if (std::find(seen.begin(), seen.end(), key) != seen.end()) continue;
     seen.push_back(key);
     AddToRow(reference, table.columns, *row);
   }
+  AddToTable(reference, table);
   KeepUsedSources(reference, table);
 }
 

@@ -8,7 +8,7 @@
 namespace cvo::reports {
 
 // What others reach on the sequences of the table, below our rows: first figures that compare, then
-// the rest, each cell with why it does not.
+// the rest, each cell with why it does not. Figures for a suite come below all rows.
 void AddReferenceRows(const Reference& reference, Table& table);
 
 }  // namespace cvo::reports

@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "reports/statistics/common_frames.h"
 #include "reports/tables/contract.h"
 
 namespace cvo::reports {
@@ -21,6 +23,7 @@ struct SequenceInfo {
   int frames = 0;
   int total_frames = 0;         // in the folder
   double right_shift_px = 0.0;  // correction of the published calibration; 0: as published
+  std::string content;          // hash
 };
 
 struct MetricValue {
@@ -29,6 +32,15 @@ struct MetricValue {
   std::string unit;
   std::int64_t n = 0;
   Contract contract;
+};
+
+// What a run reaches on one body.
+struct BodyResult {
+  int id = 0;
+  bool mover = false;
+  std::map<std::string, double> values;  // as result.json names them; those that are null lack
+  FrameErrors errors;
+  FrameErrors predicted;
 };
 
 // What a table needs of one result.json.
@@ -41,12 +53,16 @@ struct RunSummary {
   std::string message;
   SequenceInfo sequence;
   std::vector<MetricValue> metrics;
+  std::vector<BodyResult> refined;
+  std::vector<BodyResult> causal;
   std::string options;  // resolved, as JSON text
   std::string build;    // identity
 };
 
-// Throws Error naming the file and the field: another schema version, half-written, not a run.
-RunSummary ReadRun(const std::filesystem::path& result_file);
+// The metrics of these names, and the bodies that they are about. Throws Error naming the file and
+// the field: another schema version, half-written, not a run.
+RunSummary ReadRun(const std::filesystem::path& result_file,
+                   const std::vector<std::string>& metrics);
 
 // nullptr where the run has no such metric.
 const MetricValue* FindMetric(const RunSummary& run, const std::string& name);

@@ -19,24 +19,58 @@ struct Column {
   Contract contract;  // what all its cells share
 };
 
-// Of the runs of one cell that differ in their seeds only.
 struct Interval {
   double low = 0.0;
   double high = 0.0;
-  std::string meaning;
+  std::string meaning;  // what was resampled
+};
+
+// What a value is made of.
+struct Counts {
+  std::size_t runs = 0;
+  std::size_t scenes = 0;
+  std::size_t bodies = 0;  // 0: a metric of whole runs
+  std::size_t seeds = 0;
+};
+
+// A cell against the same cell of the reference row, both on what the two have in common.
+struct Difference {
+  std::string reference;  // label of the row
+  double value = 0.0;     // here, on what is common
+  double reference_value = 0.0;
+  double difference = 0.0;
+  std::optional<Interval> interval;
+  std::optional<double> percent;  // the difference, of the reference
+  std::optional<Interval> percent_interval;
+  std::optional<double> reference_lower;  // by how many percent the reference is lower
+  std::optional<Interval> reference_lower_interval;
+  std::optional<double> effect;  // difference over the standard deviation of the pairs' own ones
+  bool distinguishable = false;
+  std::size_t pairs = 0;  // bodies or scenes
+  std::string pairing;    // what is common
 };
 
 struct Cell {
   bool present = false;
-  double value = 0.0;  // of one run, or the mean over seeds
-  std::int64_t n = 0;  // errors behind the value, over all runs
+  double value = 0.0;
+  Counts n;
   std::optional<Interval> interval;
+  std::optional<Difference> difference;
   std::string left_out;
-  std::string message;  // why there is no value
+  std::string message;            // why there is no value
+  std::string not_comparable;     // why the value does not compare with the others of its column
+  std::vector<std::size_t> runs;  // indices into Row::runs
 };
 
 // How a figure of others relates to ours in the same row and column.
-enum class Match { kMatches, kOtherFrames, kOtherImages, kContractUnknown, kContractDiffers };
+enum class Match {
+  kMatches,
+  kOtherScenes,
+  kOtherFrames,
+  kOtherImages,
+  kContractUnknown,
+  kContractDiffers
+};
 const char* ToString(Match match);
 
 struct ReferenceCell {
@@ -49,29 +83,78 @@ struct ReferenceRow {
   std::size_t source = 0;  // index in Table::sources
   std::string system;
   int first_frame = 0;
-  int frames = 0;
+  int frames = 0;                                   // 0: not known
   std::vector<std::optional<ReferenceCell>> cells;  // one per column
 };
 
-// One variant on one sequence.
+// What became of the jobs that a row or table is made of.
+struct JobCounts {
+  std::size_t planned = 0;
+  std::size_t done = 0;
+  std::size_t lost = 0;  // of these: the estimator lost the camera
+  std::size_t failed = 0;
+  std::size_t not_run = 0;
+  std::size_t no_data = 0;  // the sequence is not on this machine
+
+  bool AllDone() const { return done == planned; }
+};
+
+struct RunLink {
+  std::string sequence;
+  std::uint64_t seed = 0;
+  std::string result;  // relative to the table
+};
+
 struct Row {
-  SequenceInfo sequence;
-  std::string variant;
-  std::vector<std::uint64_t> seeds;
-  std::string truth;
-  std::string status;              // "ok", "lost", "failed", "unreadable"
-  std::string message;             // empty where ok
-  std::vector<std::string> links;  // result.json of each run, relative to the table
-  std::vector<Cell> cells;         // one per column
+  std::vector<std::string> keys;         // values of Table::keys
+  std::optional<SequenceInfo> sequence;  // where all its runs are of one
+  std::string truth;                     // then
+  JobCounts jobs;
+  std::vector<RunLink> runs;
+  std::vector<Cell> cells;  // one per column
   std::vector<ReferenceRow> reference;
+};
+
+// A job without a value, or with one to be read with care.
+struct Problem {
+  std::string row;
+  std::string sequence;
+  std::uint64_t seed = 0;
+  std::string state;  // "failed", "lost", "not run", "no data"
+  std::string message;
+  std::string log;  // of a failed one
+};
+
+// An option that some run does not leave at its default; values as JSON texts.
+struct ChangedOption {
+  std::string path;
+  std::string default_value;
+  std::vector<std::string> values;
+};
+
+struct Provenance {
+  std::vector<std::string> builds;
+  std::vector<std::uint64_t> seeds;
+  std::vector<ChangedOption> options;
 };
 
 struct Table {
   std::string title;
+  std::string about;
+  std::string reference;          // what differences are against; empty: none
+  bool change = false;            // the reference is how it was before, not a row of this table
+  std::vector<std::string> keys;  // what tells rows apart
   std::vector<Column> columns;
   std::vector<Row> rows;
-  std::vector<ReferenceSource> sources;  // that the rows refer to
-  std::vector<std::string> notes;        // what a reader must know to compare rows
+  std::vector<ReferenceRow> others;      // figures of others that belong to no row
+  std::vector<ReferenceSource> sources;  // of all reference rows
+  JobCounts jobs;
+  std::vector<Problem> problems;
+  std::vector<std::string> notes;  // what a reader must know to compare rows
+  Provenance provenance;
 };
+
+// The values of its keys, such as "indoor_1 full".
+std::string RowLabel(const Row& row);
 
 }  // namespace cvo::reports

@@ -4,159 +4,163 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
-#include <map>
 
 #include "core/base/error.h"
+#include "reports/tables/footnotes.h"
 
 namespace cvo::reports {
 namespace {
 
-constexpr std::size_t kTextColumns = 4;
+using GridRow = std::vector<GridCell>;
 
-std::string WithDecimals(double value, const char* format) {
+std::string Printed(double value, const char* format) {
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), format, value);
   return text.data();
 }
 
-std::string OurValue(double value, const std::string& unit) {
-  if (unit == "rad") return WithDecimals(value, "%.4f");
-  if (unit == "%") return WithDecimals(value, "%.2f");
-  return WithDecimals(value, unit == "m" || unit == "1" ? "%.3f" : "%.4g");
+std::string Value(double value, const std::string& unit) {
+  if (unit == "m" || unit == "rad") {
+    return Printed(value, std::abs(value) < 0.01 && value != 0.0 ? "%.5f" : "%.4f");
+  }
+  if (unit == "%") return Printed(value, "%.2f");
+  return Printed(value, unit == "1" ? "%.3f" : "%.4g");
+}
+
+std::string Signed(double value, const std::string& unit) {
+  return StrCat(value < 0.0 ? "" : "+", Value(value, unit));
+}
+
+std::string RangeText(const Interval& interval, const std::string& unit) {
+  return Value(interval.low, unit) + ".." + Value(interval.high, unit);
 }
 
 std::string FrameRange(int first, int count) { return StrCat(first, ":", first + count); }
 
-std::string Mark(std::size_t source) {
-  return StrCat("[", static_cast<char>('a' + static_cast<int>(source % 26)), "]");
+bool ShowsSequences(const Table& table) {
+  return std::find(table.keys.begin(), table.keys.end(), "sequence") != table.keys.end();
 }
 
-std::vector<GridCell> OurRow(const Row& row, const Table& table) {
-  const bool read = !row.links.empty();
-  std::string system = read ? row.variant : row.status;
-  if (read && row.status != "ok") system += " (" + row.status + ")";
-  std::vector<GridCell> cells = {
-      {row.sequence.name},
-      {read ? FrameRange(row.sequence.first_frame, row.sequence.frames) : "-"},
-      {row.truth.empty() ? "-" : row.truth},
-      {system}};
-  for (std::size_t i = 0; i < row.cells.size(); ++i) {
-    cells.push_back(
-        {row.cells[i].present ? OurValue(row.cells[i].value, table.columns[i].unit) : "-"});
+std::vector<std::string> TextHeader(const Table& table) {
+  std::vector<std::string> header = table.keys;
+  if (ShowsSequences(table)) header.insert(header.end(), {"frames", "truth"});
+  header.emplace_back("runs");
+  return header;
+}
+
+// What of the truth goes into a cell: its name, without what counts as visible.
+std::string ShortTruth(const std::string& truth) {
+  return truth.empty() ? "-" : truth.substr(0, truth.find(';'));
+}
+
+GridRow RowTexts(const Row& row, const Table& table) {
+  GridRow texts;
+  for (const std::string& key : row.keys) texts.push_back({key});
+  if (ShowsSequences(table)) {
+    texts.push_back(
+        {row.sequence ? FrameRange(row.sequence->first_frame, row.sequence->frames) : "-"});
+    texts.push_back({ShortTruth(row.truth)});
   }
-  return cells;
+  texts.push_back({StrCat(row.jobs.done, "/", row.jobs.planned)});
+  return texts;
 }
 
-std::vector<GridCell> TheirRow(const ReferenceRow& line) {
-  std::vector<GridCell> cells = {{""},
-                                 {FrameRange(line.first_frame, line.frames)},
-                                 {""},
-                                 {line.system + " " + Mark(line.source)}};
+void AddValues(const Row& row, const Table& table, GridBlock& block) {
+  GridRow values = RowTexts(row, table);
+  GridRow intervals(values.size());
+  bool any = false;
+  for (std::size_t i = 0; i < row.cells.size(); ++i) {
+    const Cell& cell = row.cells[i];
+    const std::string& unit = table.columns[i].unit;
+    const bool marked = cell.difference && cell.difference->distinguishable;
+    values.push_back({cell.present ? StrCat(Value(cell.value, unit), marked ? "*" : "") : "-",
+                      !cell.not_comparable.empty()});
+    intervals.push_back({cell.interval ? RangeText(*cell.interval, unit) : ""});
+    any = any || cell.interval;
+  }
+  block.rows.push_back(std::move(values));
+  if (any) block.rows.push_back(std::move(intervals));
+}
+
+GridRow TheirRow(const ReferenceRow& line, const Table& table) {
+  GridRow cells(TextHeader(table).size());
+  const auto variant = std::find(table.keys.begin(), table.keys.end(), "variant");
+  const auto at = variant == table.keys.end() ? 0 : variant - table.keys.begin();
+  cells[static_cast<std::size_t>(at)].text = line.system + " " + SourceMark(line.source);
+  if (line.frames > 0 && ShowsSequences(table)) {
+    cells[table.keys.size()].text = FrameRange(line.first_frame, line.frames);
+  }
+  const std::size_t texts = cells.size();
   bool any_match = false;
   for (const auto& cell : line.cells) {
     const bool match = cell && cell->match == Match::kMatches;
     any_match = any_match || match;
-    cells.push_back({cell ? WithDecimals(cell->value, "%.6g") : "", cell && !match});
+    cells.push_back({cell ? Printed(cell->value, "%.6g") : "", cell && !match});
   }
-  for (std::size_t i = 0; i < kTextColumns; ++i)
-    cells[i].grey = !any_match && !cells[i].text.empty();
+  for (std::size_t i = 0; i < texts; ++i) cells[i].grey = !any_match && !cells[i].text.empty();
   return cells;
 }
 
-// Each different reason why figures of a source do not compare, or what was inferred of them.
-std::vector<std::string> Reasons(const Table& table, std::size_t source) {
-  std::vector<std::string> reasons;
-  for (const Row& row : table.rows) {
-    for (const ReferenceRow& line : row.reference) {
-      if (line.source != source) continue;
-      for (std::size_t i = 0; i < line.cells.size(); ++i) {
-        const auto& cell = line.cells[i];
-        if (!cell || cell->reason.empty() || cell->match == Match::kOtherFrames) continue;
-        const std::string reason = table.columns[i].label + " " + cell->reason;
-        if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end()) {
-          reasons.push_back(reason);
-        }
-      }
-    }
-  }
-  return reasons;
+std::string PercentRangeText(const Interval& interval) {
+  return Printed(interval.low, "%.0f..") + Printed(interval.high, "%.0f%%");
 }
 
-void AddReferenceNotes(const Table& table, std::vector<std::string>& footnotes) {
-  if (table.sources.empty()) return;
-  footnotes.emplace_back(
-      "(in brackets): not comparable with ours: other frames or images, or a metric that differs "
-      "or that the source does not define");
-  for (std::size_t i = 0; i < table.sources.size(); ++i) {
-    std::string note = Mark(i) + " " + table.sources[i].source;
-    if (!table.sources[i].caveat.empty()) note += "; " + table.sources[i].caveat;
-    for (const std::string& reason : Reasons(table, i)) note += "; " + reason;
-    footnotes.push_back(note);
-  }
+// Difference, its interval, percent, its interval: four lines.
+std::array<std::string, 4> DifferenceTexts(const Difference& difference, const std::string& unit,
+                                           bool change) {
+  const auto& percent = change ? difference.percent : difference.reference_lower;
+  const auto& range = change ? difference.percent_interval : difference.reference_lower_interval;
+  return {StrCat(Signed(difference.difference, unit), difference.distinguishable ? "*" : ""),
+          difference.interval ? RangeText(*difference.interval, unit) : "",
+          percent ? Printed(*percent, change ? "%+.1f%%" : "%.1f%%") : "",
+          range ? PercentRangeText(*range) : ""};
 }
 
-void AddColumnNotes(const Table& table, std::vector<std::string>& footnotes) {
-  for (const Column& column : table.columns) {
-    std::string note = column.label + ":";
-    for (const char* field : {"aggregation", "pairing", "delta", "alignment", "poses", "frame"}) {
-      const auto found = column.contract.find(field);
-      if (found == column.contract.end() || found->second.empty()) continue;
-      if (found->second == "none") continue;
-      note += StrCat(note.back() == ':' ? " " : "; ", field == std::string("poses") ? "poses " : "",
-                     field == std::string("delta") ? "delta " : "",
-                     field == std::string("alignment") ? "alignment " : "", found->second);
-    }
-    footnotes.push_back(note);
-  }
-}
-
-// Intervals one by one; what is missing once per reason, with the columns it is about.
-void AddCellNotes(const Row& row, const std::vector<Column>& columns,
-                  std::vector<std::string>& footnotes) {
-  std::map<std::string, std::string> missing;
+void AddDifferences(const Row& row, const Table& table, GridBlock& block) {
+  std::array<GridRow, 4> lines;
+  lines[0] = RowTexts(row, table);
+  for (GridRow& line : lines) line.resize(lines[0].size());
+  bool any = false;
   for (std::size_t i = 0; i < row.cells.size(); ++i) {
-    const Cell& cell = row.cells[i];
-    const Column& column = columns[i];
-    if (!cell.present) {
-      std::string& labels = missing[cell.message];
-      labels += (labels.empty() ? "" : ", ") + column.label;
-    } else if (cell.interval) {
-      footnotes.push_back(StrCat(
-          row.sequence.name, ", ", column.label, ": ", OurValue(cell.interval->low, column.unit),
-          " to ", OurValue(cell.interval->high, column.unit), " (", cell.interval->meaning, ")"));
-    }
+    const auto& difference = row.cells[i].difference;
+    std::array<std::string, 4> texts;
+    if (difference) texts = DifferenceTexts(*difference, table.columns[i].unit, table.change);
+    for (std::size_t line = 0; line < texts.size(); ++line) lines[line].push_back({texts[line]});
+    any = any || difference;
   }
-  for (const auto& [message, labels] : missing) {
-    footnotes.push_back(StrCat(row.sequence.name, ": ", message, ": ", labels));
-  }
-}
-
-void AddRowNotes(const Table& table, std::vector<std::string>& footnotes) {
-  for (const Row& row : table.rows) {
-    if (!row.message.empty()) footnotes.push_back(row.sequence.name + ": " + row.message);
-    if (!row.links.empty()) AddCellNotes(row, table.columns, footnotes);
-  }
+  if (any) block.rows.insert(block.rows.end(), lines.begin(), lines.end());
 }
 
 }  // namespace
 
 Grid MakeGrid(const Table& table) {
   Grid grid;
-  grid.text_columns = kTextColumns;
-  grid.header = {"sequence", "frames", "truth", "system"};
+  grid.header = TextHeader(table);
+  grid.text_columns = grid.header.size();
   for (const Column& column : table.columns) {
     grid.header.push_back(column.unit == "1" ? column.label
                                              : StrCat(column.label, " [", column.unit, "]"));
   }
+  GridBlock values;
+  GridBlock differences;
   for (const Row& row : table.rows) {
-    grid.rows.push_back(OurRow(row, table));
-    for (const ReferenceRow& line : row.reference) grid.rows.push_back(TheirRow(line));
+    AddValues(row, table, values);
+    for (const ReferenceRow& line : row.reference) values.rows.push_back(TheirRow(line, table));
+    AddDifferences(row, table, differences);
   }
-  AddRowNotes(table, grid.footnotes);
-  for (const std::string& note : table.notes) grid.footnotes.push_back(note);
-  AddReferenceNotes(table, grid.footnotes);
-  AddColumnNotes(table, grid.footnotes);
+  for (const ReferenceRow& line : table.others) values.rows.push_back(TheirRow(line, table));
+  grid.blocks.push_back(std::move(values));
+  if (!differences.rows.empty()) {
+    differences.heading =
+        StrCat("difference to ", table.reference, ", paired, with its interval; below, ",
+               table.change ? "in percent of what was"
+                            : StrCat("by how many percent ", table.reference, " is lower"));
+    grid.blocks.push_back(std::move(differences));
+  }
+  grid.footnotes = Footnotes(table);
+  grid.definitions = Definitions(table);
   return grid;
 }
 

@@ -27,9 +27,11 @@ std::size_t Width(const std::string& text) {
 std::vector<std::size_t> ColumnWidths(const Grid& grid) {
   std::vector<std::size_t> widths;
   for (const std::string& name : grid.header) widths.push_back(Width(name));
-  for (const auto& row : grid.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      widths[i] = std::max(widths[i], Width(Bracketed(row[i], i >= grid.text_columns)));
+  for (const GridBlock& block : grid.blocks) {
+    for (const auto& row : block.rows) {
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        widths[i] = std::max(widths[i], Width(Bracketed(row[i], i >= grid.text_columns)));
+      }
     }
   }
   return widths;
@@ -54,25 +56,46 @@ std::string Escaped(const std::string& text) {
   return escaped;
 }
 
+std::string HeaderText(const Grid& grid, const std::vector<std::size_t>& widths) {
+  std::string line;
+  for (std::size_t i = 0; i < grid.header.size(); ++i) {
+    line += (i > 0 ? "  " : "") + Padded(grid.header[i], widths[i], i >= grid.text_columns);
+  }
+  return WithoutTrailingBlanks(line);
+}
+
+std::string RowText(const std::vector<GridCell>& row, std::size_t text_columns,
+                    const std::vector<std::size_t>& widths, bool dim) {
+  std::string line;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const bool is_number = i >= text_columns;
+    const std::string cell = Padded(Bracketed(row[i], is_number), widths[i], is_number);
+    line += (i > 0 ? "  " : "") + (dim && row[i].grey ? kDim + cell + kPlain : cell);
+  }
+  return WithoutTrailingBlanks(line);
+}
+
+std::string MarkdownRow(const std::vector<GridCell>& row, std::size_t text_columns) {
+  std::string text;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const std::string cell = Escaped(Bracketed(row[i], i >= text_columns));
+    text += row[i].grey ? "| *" + cell + "* " : "| " + cell + " ";
+  }
+  return text + "|\n";
+}
+
 }  // namespace
 
 std::string TableText(const Table& table, bool dim) {
   const Grid grid = MakeGrid(table);
   const std::vector<std::size_t> widths = ColumnWidths(grid);
-  std::string text = table.title.empty() ? "" : table.title + "\n\n";
-  std::string line;
-  for (std::size_t i = 0; i < grid.header.size(); ++i) {
-    line += (i > 0 ? "  " : "") + Padded(grid.header[i], widths[i], i >= grid.text_columns);
-  }
-  text += WithoutTrailingBlanks(line);
-  for (const auto& row : grid.rows) {
-    line.clear();
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const bool is_number = i >= grid.text_columns;
-      const std::string cell = Padded(Bracketed(row[i], is_number), widths[i], is_number);
-      line += (i > 0 ? "  " : "") + (dim && row[i].grey ? kDim + cell + kPlain : cell);
-    }
-    text += WithoutTrailingBlanks(line);
+  std::string text = table.title.empty() ? "" : table.title + "\n";
+  if (!table.about.empty()) text += table.about + "\n";
+  for (const GridBlock& block : grid.blocks) {
+    if (!text.empty()) text += "\n";
+    if (!block.heading.empty()) text += block.heading + "\n";
+    text += HeaderText(grid, widths);
+    for (const auto& row : block.rows) text += RowText(row, grid.text_columns, widths, dim);
   }
   if (!grid.footnotes.empty()) text += "\n";
   for (const std::string& note : grid.footnotes) text += note + "\n";
@@ -82,21 +105,21 @@ std::string TableText(const Table& table, bool dim) {
 std::string TableMarkdown(const Table& table) {
   const Grid grid = MakeGrid(table);
   std::string text = table.title.empty() ? "" : "**" + Escaped(table.title) + "**\n\n";
+  if (!table.about.empty()) text += Escaped(table.about) + "\n\n";
+  std::string header;
   std::string rule;
   for (std::size_t i = 0; i < grid.header.size(); ++i) {
-    text += "| " + Escaped(grid.header[i]) + " ";
+    header += "| " + Escaped(grid.header[i]) + " ";
     rule += i < grid.text_columns ? "|---" : "|---:";
   }
-  text += "|\n" + rule + "|\n";
-  for (const auto& row : grid.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string cell = Escaped(Bracketed(row[i], i >= grid.text_columns));
-      text += row[i].grey ? "| *" + cell + "* " : "| " + cell + " ";
-    }
-    text += "|\n";
+  for (const GridBlock& block : grid.blocks) {
+    if (!block.heading.empty()) text += Escaped(block.heading) + ":\n\n";
+    text += header + "|\n" + rule + "|\n";
+    for (const auto& row : block.rows) text += MarkdownRow(row, grid.text_columns);
+    text += "\n";
   }
-  if (!grid.footnotes.empty()) text += "\n";
   for (const std::string& note : grid.footnotes) text += "- " + Escaped(note) + "\n";
+  for (const std::string& note : grid.definitions) text += "- " + Escaped(note) + "\n";
   return text;
 }
 

@@ -105,7 +105,8 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"/table/metrics", {"camera_aet"}, "table.metrics.0"},
         Wrong{"/table/metrics", Json::array(), "table.metrics"},
         Wrong{"/table/rows", {"varaint"}, "table.rows.0"},
-        Wrong{"/table/reference", "static", "table.reference"}));
+        Wrong{"/table/reference", "static", "table.reference"},
+        Wrong{"/table/reference", "detections=good", "table.reference"}));
 
 TEST(Suite, RowsTellPointsOfAGridApart) {
   Json json = With("/grid", {{"window.spatial", {4, 5}}});

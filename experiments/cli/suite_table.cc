@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/cli/suite_table.h"
+
+#include <unistd.h>
+
+#include <iostream>
+
+#include "core/odometry/options.h"
+#include "experiments/files/atomic_file.h"
+#include "experiments/files/options_json.h"
+#include "reports/tables/make_table.h"
+#include "reports/tables/table_json.h"
+#include "reports/tables/table_text.h"
+
+namespace cvo {
+namespace {
+
+constexpr int kIncomplete = 1;
+
+std::string DefaultOptions() {
+  Options options;
+  return DumpJson(OptionsToJson(OptionLeaves(options)));
+}
+
+}  // namespace
+
+int WriteSuiteTable(const std::filesystem::path& folder) {
+  const reports::Table table =
+      reports::MakeTable(folder, reports::ShippedReference(), DefaultOptions());
+  WriteFilesAtomically(folder, {{"table.md", reports::TableMarkdown(table)},
+                                {"table.json", reports::TableJson(table)}});
+  std::cout << reports::TableText(table, isatty(STDOUT_FILENO) != 0)
+            << "\nwritten: " << (folder / "table.json").string()
+            << " and table.md, with the definitions of the columns\n";
+  return reports::IsComplete(table) ? 0 : kIncomplete;
+}
+
+}  // namespace cvo

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace cvo::reports {
+
+// Errors of a body, frame by frame.
+struct FrameErrors {
+  std::vector<int> frames;  // ascending
+  std::vector<double> position_m;
+};
+
+// Root mean squares of both over the frames that both have. Empty where there are none.
+std::optional<std::pair<double, double>> CommonRootMeanSquares(const FrameErrors& a,
+                                                               const FrameErrors& b);
+
+}  // namespace cvo::reports

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/tables/cells.h"
+
+#include <algorithm>
+#include <set>
+
+#include "core/base/error.h"
+#include "reports/statistics/estimate.h"
+#include "reports/tables/body_metrics.h"
+#include "reports/tables/columns.h"
+
+namespace cvo::reports {
+namespace {
+
+// All samples of a metric of whole runs are in one stratum: scenes are what is resampled.
+constexpr char kAllScenes[] = "";
+
+// Bodies of a run that the metric is about but that have no value.
+struct Gathered {
+  std::vector<Sample> samples;
+  std::set<std::string> scenes;
+  std::set<std::uint64_t> seeds;
+  std::size_t bodies = 0;          // over runs
+  std::size_t bodies_without = 0;  // of these
+  std::size_t runs_without = 0;
+};
+
+std::string BodyName(const BodyResult& body) { return StrCat("body ", body.id); }
+
+const BodyResult* FindBody(const std::vector<BodyResult>& bodies, int id) {
+  const auto found = std::find_if(bodies.begin(), bodies.end(),
+                                  [id](const BodyResult& body) { return body.id == id; });
+  return found == bodies.end() ? nullptr : &*found;
+}
+
+void GatherBodies(const SuiteRun& run, const BodyMetric& metric, const std::string& repetition,
+                  Gathered& gathered) {
+  for (const BodyResult& body : BodiesOf(metric, *run.run)) {
+    if (body.mover != metric.movers) continue;
+    ++gathered.bodies;
+    const auto part = PartOf(metric, body);
+    if (part) gathered.samples.push_back({SceneOf(run), BodyName(body), repetition, *part});
+    if (!part) ++gathered.bodies_without;
+  }
+}
+
+Gathered Gather(const RowRuns& row, const std::vector<std::string>& keys, const Column& column,
+                const std::optional<BodyMetric>& body_metric, Cell& cell) {
+  Gathered gathered;
+  std::size_t index = 0;
+  for (const SuiteRun* run : row.runs) {
+    if (!run->run) continue;
+    const MetricValue* metric = FindMetric(*run->run, column.metric);
+    const std::string repetition = RepetitionOf(*run, keys);
+    const std::size_t before = gathered.samples.size();
+    if (metric != nullptr && body_metric) GatherBodies(*run, *body_metric, repetition, gathered);
+    if (metric != nullptr && !body_metric) {
+      gathered.samples.push_back({kAllScenes, SceneOf(*run), repetition, {metric->value}});
+    }
+    if (gathered.samples.size() > before) {
+      gathered.scenes.insert(SceneOf(*run));
+      gathered.seeds.insert(run->planned.seed);
+      cell.runs.push_back(index);
+    } else {
+      ++gathered.runs_without;
+    }
+    ++index;
+  }
+  return gathered;
+}
+
+std::string LeftOut(const Gathered& gathered, std::size_t runs) {
+  std::string left_out;
+  if (gathered.runs_without > 0) {
+    left_out = StrCat("no value in ", gathered.runs_without, " of ", runs, " runs");
+  }
+  if (gathered.bodies_without > 0) {
+    left_out += StrCat(left_out.empty() ? "" : "; ", gathered.bodies_without, " of ",
+                       gathered.bodies, " bodies (of all runs) without a value");
+  }
+  return left_out;
+}
+
+std::string Resampled(std::size_t units, std::size_t scenes, bool bodies, std::size_t seeds) {
+  return StrCat(
+      "95 %, these scenes: bootstrap over ", units,
+      bodies ? StrCat(" bodies within ", scenes, scenes == 1 ? " scene" : " scenes") : " scenes",
+      seeds > 1 ? ", seeds averaged" : "");
+}
+
+std::optional<Interval> ToInterval(const std::optional<Range>& range, const std::string& meaning) {
+  if (!range) return std::nullopt;
+  return Interval{range->low, range->high, meaning};
+}
+
+// One scene leaves nothing to resample but shows how far its seeds are apart.
+std::optional<Interval> SpreadOfSeeds(const Gathered& gathered) {
+  if (gathered.scenes.size() != 1 || gathered.samples.size() < 2) return std::nullopt;
+  const auto [low, high] = std::minmax_element(
+      gathered.samples.begin(), gathered.samples.end(),
+      [](const Sample& a, const Sample& b) { return a.value.sum < b.value.sum; });
+  return Interval{low->value.sum, high->value.sum,
+                  StrCat("least and largest of ", gathered.samples.size(), " runs of one scene")};
+}
+
+void CheckPair(const SuiteRun& run, const SuiteRun& reference, const std::string& metric) {
+  const MetricValue* a = FindMetric(*reference.run, metric);
+  const MetricValue* b = FindMetric(*run.run, metric);
+  if (a != nullptr && b != nullptr) CheckSameMetric(*reference.run, *a, *run.run, *b);
+}
+
+void GatherPair(const SuiteRun& run, const SuiteRun& reference,
+                const std::optional<BodyMetric>& body_metric, const std::string& repetition,
+                const std::string& metric, std::vector<Sample>& samples) {
+  if (!body_metric) {
+    const MetricValue* ours = FindMetric(*run.run, metric);
+    const MetricValue* theirs = FindMetric(*reference.run, metric);
+    if (ours == nullptr || theirs == nullptr) return;
+    samples.push_back({kAllScenes, SceneOf(run), repetition, {ours->value}, {theirs->value}});
+    return;
+  }
+  for (const BodyResult& body : BodiesOf(*body_metric, *run.run)) {
+    const BodyResult* other = FindBody(BodiesOf(*body_metric, *reference.run), body.id);
+    if (other == nullptr) continue;
+    if (const auto pair = PairOf(*body_metric, body, *other)) {
+      samples.push_back({SceneOf(run), BodyName(body), repetition, pair->first, pair->second});
+    }
+  }
+}
+
+}  // namespace
+
+Cell MakeCell(const RowRuns& row, const std::vector<std::string>& keys, const Column& column) {
+  Cell cell;
+  const std::optional<BodyMetric> body_metric = FindBodyMetric(column.metric);
+  const Gathered gathered = Gather(row, keys, column, body_metric, cell);
+  const std::size_t runs = cell.runs.size() + gathered.runs_without;
+  const auto estimate =
+      EstimateMean(gathered.samples, body_metric ? body_metric->within() : Within::kMean);
+  if (!estimate) {
+    cell.message = runs == 0 ? "no result" : runs == 1 ? "not in the result" : "in no result";
+    return cell;
+  }
+  cell.present = true;
+  cell.value = estimate->value;
+  cell.n = {cell.runs.size(), gathered.scenes.size(), body_metric ? estimate->units : 0,
+            gathered.seeds.size()};
+  cell.interval =
+      ToInterval(estimate->interval, Resampled(estimate->units, gathered.scenes.size(),
+                                               body_metric.has_value(), gathered.seeds.size()));
+  if (!body_metric && !cell.interval) cell.interval = SpreadOfSeeds(gathered);
+  cell.left_out = LeftOut(gathered, runs);
+  return cell;
+}
+
+std::optional<Difference> MakeDifference(const PairedRows& rows, const Column& column) {
+  std::map<std::pair<std::string, std::string>, const SuiteRun*> references;
+  for (const SuiteRun* run : rows.reference.runs) {
+    if (run->run) references[{SceneOf(*run), RepetitionOf(*run, rows.keys)}] = run;
+  }
+  const std::optional<BodyMetric> body_metric = FindBodyMetric(column.metric);
+  std::vector<Sample> samples;
+  std::set<std::uint64_t> seeds;
+  for (const SuiteRun* run : rows.row.runs) {
+    if (!run->run) continue;
+    const std::string repetition = RepetitionOf(*run, rows.keys);
+    const auto reference = references.find({SceneOf(*run), repetition});
+    if (reference == references.end()) continue;
+    CheckPair(*run, *reference->second, column.metric);
+    GatherPair(*run, *reference->second, body_metric, repetition, column.metric, samples);
+    seeds.insert(run->planned.seed);
+  }
+  const auto estimate =
+      EstimateDifference(samples, body_metric ? body_metric->within() : Within::kMean);
+  if (!estimate) return std::nullopt;
+  const std::string meaning =
+      Resampled(estimate->units, estimate->strata, body_metric.has_value(), seeds.size());
+  Difference difference;
+  difference.reference = rows.reference_label;
+  difference.value = estimate->value;
+  difference.reference_value = estimate->reference;
+  difference.difference = estimate->difference;
+  difference.interval = ToInterval(estimate->interval, meaning);
+  difference.percent = estimate->percent;
+  difference.percent_interval = ToInterval(estimate->percent_interval, meaning);
+  difference.reference_lower = estimate->reference_lower;
+  difference.reference_lower_interval = ToInterval(estimate->reference_lower_interval, meaning);
+  difference.effect = estimate->effect;
+  difference.distinguishable = estimate->distinguishable;
+  difference.pairs = estimate->units;
+  difference.pairing = body_metric ? PairingText(*body_metric) : "runs of the same scene and seed";
+  return difference;
+}
+
+}  // namespace cvo::reports

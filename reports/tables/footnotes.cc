@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/tables/footnotes.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/base/error.h"
+#include "reports/statistics/estimate.h"
+
+namespace cvo::reports {
+namespace {
+
+constexpr std::size_t kShownProblems = 12;
+
+using Lines = std::vector<std::string>;
+
+void AddOnce(const std::string& line, Lines& lines) {
+  if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
+}
+
+// Things that are said of several columns, each once, in the order in which they come up.
+class ByColumns {
+ public:
+  void Add(const std::string& text, const std::string& column) {
+    if (text.empty()) return;
+    if (columns_.find(text) == columns_.end()) order_.push_back(text);
+    AddOnce(column, columns_[text]);
+  }
+  void Print(const std::string& before, Lines& lines) const {
+    for (const std::string& text : order_) {
+      std::string columns;
+      for (const std::string& column : columns_.at(text)) {
+        columns += (columns.empty() ? "" : ", ") + column;
+      }
+      lines.push_back(StrCat(before, columns, ": ", text));
+    }
+  }
+
+ private:
+  Lines order_;
+  std::map<std::string, Lines> columns_;
+};
+
+void AddJobs(const Table& table, Lines& lines) {
+  const JobCounts& jobs = table.jobs;
+  std::string line = StrCat(jobs.done, " of ", jobs.planned, " runs");
+  const auto add = [&line](std::size_t count, const char* what) {
+    if (count > 0) line += StrCat(", ", count, " ", what);
+  };
+  add(jobs.lost, "of them lost");
+  add(jobs.failed, "failed");
+  add(jobs.not_run, "not run yet");
+  add(jobs.no_data, "without their sequence");
+  lines.push_back(line);
+}
+
+void AddProblems(const Table& table, Lines& lines) {
+  Lines said;
+  for (const Problem& problem : table.problems) {
+    if (problem.state == "not run") continue;
+    // A sequence that is not there is said once, not once per variant and seed.
+    const std::string whose =
+        problem.state == "no data"
+            ? problem.sequence
+            : StrCat(problem.row, ", ", problem.sequence, ", seed ", problem.seed);
+    AddOnce(
+        StrCat(whose, ": ", problem.state, problem.message.empty() ? "" : ": " + problem.message,
+               problem.log.empty() ? "" : " (log: " + problem.log + ")"),
+        said);
+  }
+  for (std::size_t i = 0; i < std::min(said.size(), kShownProblems); ++i) lines.push_back(said[i]);
+  if (said.size() > kShownProblems) {
+    lines.push_back(StrCat("and ", said.size() - kShownProblems, " more: table.json has all"));
+  }
+}
+
+void AddIntervals(const Table& table, Lines& lines) {
+  ByColumns meanings;
+  bool differences = false;
+  ByColumns pairings;
+  for (const Row& row : table.rows) {
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      const Cell& cell = row.cells[i];
+      const std::string& label = table.columns[i].label;
+      if (cell.interval) meanings.Add(cell.interval->meaning, label);
+      if (!cell.difference) continue;
+      differences = true;
+      pairings.Add("compared on " + cell.difference->pairing, label);
+    }
+  }
+  meanings.Print("low..high, ", lines);
+  if (!differences) return;
+  lines.push_back(StrCat(
+      "*: distinguishable from noise, the interval of the paired difference excludes 0; never said "
+      "of fewer than ",
+      kLeastPairs, " pairs"));
+  pairings.Print("", lines);
+}
+
+void AddCells(const Table& table, Lines& lines) {
+  for (const Row& row : table.rows) {
+    ByColumns said;
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      const Cell& cell = row.cells[i];
+      const std::string& label = table.columns[i].label;
+      if (!row.runs.empty() && !cell.present) said.Add(cell.message, label);
+      said.Add(cell.left_out, label);
+      if (!cell.not_comparable.empty()) {
+        said.Add("in brackets, means something else: " + cell.not_comparable, label);
+      }
+    }
+    said.Print(RowLabel(row) + ", ", lines);
+  }
+}
+
+// Each different reason why figures of a source do not compare, or what was inferred of them.
+Lines Reasons(const Table& table, std::size_t source) {
+  Lines reasons;
+  for (const Row& row : table.rows) {
+    for (const ReferenceRow& line : row.reference) {
+      if (line.source != source) continue;
+      for (std::size_t i = 0; i < line.cells.size(); ++i) {
+        const auto& cell = line.cells[i];
+        if (!cell || cell->reason.empty() || cell->match == Match::kOtherFrames) continue;
+        AddOnce(table.columns[i].label + " " + cell->reason, reasons);
+      }
+    }
+  }
+  return reasons;
+}
+
+void AddReferences(const Table& table, Lines& lines) {
+  if (table.sources.empty()) return;
+  lines.emplace_back(
+      "(in brackets): not comparable with ours: other scenes, frames or images, or a metric that "
+      "differs or that the source does not define");
+  for (std::size_t i = 0; i < table.sources.size(); ++i) {
+    std::string note = SourceMark(i) + " " + table.sources[i].source;
+    if (!table.sources[i].caveat.empty()) note += "; " + table.sources[i].caveat;
+    for (const std::string& reason : Reasons(table, i)) note += "; " + reason;
+    lines.push_back(note);
+  }
+}
+
+void AddOptions(const Table& table, Lines& lines) {
+  for (const ChangedOption& option : table.provenance.options) {
+    std::string values;
+    for (const std::string& value : option.values) values += (values.empty() ? "" : ", ") + value;
+    lines.push_back(
+        StrCat("option ", option.path, ": ", values, " (default ", option.default_value, ")"));
+  }
+}
+
+}  // namespace
+
+std::string SourceMark(std::size_t source) {
+  return StrCat("[", static_cast<char>('a' + static_cast<int>(source % 26)), "]");
+}
+
+std::vector<std::string> Footnotes(const Table& table) {
+  Lines lines;
+  AddJobs(table, lines);
+  AddProblems(table, lines);
+  for (const std::string& note : table.notes) lines.push_back(note);
+  AddOptions(table, lines);
+  AddCells(table, lines);
+  AddIntervals(table, lines);
+  AddReferences(table, lines);
+  return lines;
+}
+
+std::vector<std::string> Definitions(const Table& table) {
+  Lines lines;
+  for (const Column& column : table.columns) {
+    std::string note = column.label + ":";
+    for (const char* field : {"aggregation", "pairing", "delta", "alignment", "poses", "frame"}) {
+      const auto found = column.contract.find(field);
+      if (found == column.contract.end() || found->second.empty()) continue;
+      if (found->second == "none") continue;
+      note += StrCat(note.back() == ':' ? " " : "; ", field == std::string("poses") ? "poses " : "",
+                     field == std::string("delta") ? "delta " : "",
+                     field == std::string("alignment") ? "alignment " : "", found->second);
+    }
+    lines.push_back(note);
+  }
+  return lines;
+}
+
+}  // namespace cvo::reports

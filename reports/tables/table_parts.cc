@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/tables/table_parts.h"
+
+#include <algorithm>
+#include <set>
+
+#include "reports/tables/json_fields.h"
+
+namespace cvo::reports {
+namespace {
+
+std::string Link(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  return std::filesystem::absolute(file)
+      .lexically_proximate(std::filesystem::absolute(folder))
+      .generic_string();
+}
+
+// The truth of a run's metrics; one that knows none (coverage of a run without truth) says nothing.
+std::string Truth(const RunSummary& run) {
+  for (const MetricValue& metric : run.metrics) {
+    const auto truth = metric.contract.find("truth");
+    if (truth != metric.contract.end() && !truth->second.empty()) return truth->second;
+  }
+  return "";
+}
+
+// A scene's folder is named after its seed too, the suite's name for it is not.
+SequenceInfo NamedByPlan(const SuiteRun& run) {
+  SequenceInfo sequence = run.run->sequence;
+  sequence.name = KeyOf(run.planned, "sequence");
+  return sequence;
+}
+
+void Flatten(const Json& json, const std::string& path, std::map<std::string, std::string>& flat) {
+  if (!json.is_object()) {
+    flat[path] = json.dump();
+    return;
+  }
+  for (const auto& [key, value] : json.items()) {
+    Flatten(value, path.empty() ? key : path + "." + key, flat);
+  }
+}
+
+std::map<std::string, std::string> Flattened(const std::string& text, const std::string& where) {
+  std::map<std::string, std::string> flat;
+  if (!text.empty()) Flatten(ParseJson(text, where), "", flat);
+  return flat;
+}
+
+void AddChanges(const std::map<std::string, std::string>& defaults,
+                const std::map<std::string, std::string>& options,
+                std::map<std::string, ChangedOption>& changed) {
+  for (const auto& [path, value] : options) {
+    const auto found = defaults.find(path);
+    const std::string at_default = found == defaults.end() ? "" : found->second;
+    if (value == at_default) continue;
+    ChangedOption& option = changed[path];
+    option.path = path;
+    option.default_value = at_default;
+    if (std::find(option.values.begin(), option.values.end(), value) == option.values.end()) {
+      option.values.push_back(value);
+    }
+  }
+}
+
+template <typename T>
+void AddOnce(const T& value, std::vector<T>& values) {
+  if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
+}
+
+}  // namespace
+
+std::string RowLabel(const Row& row) {
+  std::string label;
+  for (const std::string& key : row.keys) label += (label.empty() ? "" : " ") + key;
+  return label;
+}
+
+JobCounts CountJobs(const std::vector<const SuiteRun*>& runs) {
+  JobCounts counts;
+  counts.planned = runs.size();
+  for (const SuiteRun* run : runs) {
+    counts.done += run->run ? 1 : 0;
+    counts.lost += run->state == "lost" ? 1 : 0;
+    counts.failed += run->state == "failed" ? 1 : 0;
+    counts.not_run += run->state == "not run" ? 1 : 0;
+    counts.no_data += run->state == "no data" ? 1 : 0;
+  }
+  return counts;
+}
+
+Row DescribeRow(const RowRuns& row, const std::filesystem::path& folder) {
+  Row described;
+  described.keys = row.keys;
+  described.jobs = CountJobs(row.runs);
+  std::set<std::string> scenes;
+  for (const SuiteRun* run : row.runs) {
+    if (!run->run) continue;
+    described.runs.push_back(
+        {KeyOf(run->planned, "sequence"), run->planned.seed, Link(run->run->file, folder)});
+    if (scenes.empty()) {
+      described.sequence = NamedByPlan(*run);
+      described.truth = Truth(*run->run);
+    }
+    scenes.insert(SceneOf(*run));
+  }
+  if (scenes.size() != 1) {
+    described.sequence.reset();
+    described.truth.clear();
+  }
+  return described;
+}
+
+std::vector<Problem> ListProblems(const std::vector<RowRuns>& rows) {
+  std::vector<Problem> problems;
+  for (const char* state : {"failed", "lost", "not run", "no data"}) {
+    for (const RowRuns& row : rows) {
+      for (const SuiteRun* run : row.runs) {
+        if (run->state != state) continue;
+        Row label;
+        label.keys = row.keys;
+        problems.push_back({RowLabel(label), KeyOf(run->planned, "sequence"), run->planned.seed,
+                            state, run->message, run->log});
+      }
+    }
+  }
+  return problems;
+}
+
+Provenance DescribeRuns(const std::vector<SuiteRun>& runs, const std::string& default_options) {
+  Provenance provenance;
+  const auto defaults = Flattened(default_options, "default options");
+  std::set<std::string> seen;
+  std::map<std::string, ChangedOption> changed;
+  for (const SuiteRun& run : runs) {
+    if (!run.run) continue;
+    AddOnce(run.run->build, provenance.builds);
+    AddOnce(run.planned.seed, provenance.seeds);
+    if (defaults.empty() || !seen.insert(run.run->options).second) continue;
+    AddChanges(defaults, Flattened(run.run->options, run.run->file.string()), changed);
+  }
+  for (const auto& [path, option] : changed) provenance.options.push_back(option);
+  return provenance;
+}
+
+namespace {
+
+// The scenes and repetitions that a row stands on.
+std::set<std::string> RunsOf(const RowRuns& row, const std::vector<std::string>& keys) {
+  std::set<std::string> names;
+  for (const SuiteRun* run : row.runs) {
+    if (run->run) names.insert(StrCat(SceneOf(*run), " ", RepetitionOf(*run, keys)));
+  }
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> TableNotes(const std::vector<SuiteRun>& runs, const Table& table) {
+  std::vector<std::string> notes;
+  for (const SuiteRun& run : runs) {
+    if (!run.run || run.run->sequence.right_shift_px == 0.0) continue;
+    AddOnce(StrCat(KeyOf(run.planned, "sequence"), ": calibration corrected, u_right by ",
+                   run.run->sequence.right_shift_px, " px; figures of others use it as published"),
+            notes);
+  }
+  for (const std::string& pooled : PooledKeys(runs, table.keys)) {
+    notes.push_back("rows are means over " + pooled);
+  }
+  const std::vector<RowRuns> rows = GroupRuns(runs, table.keys);
+  const bool by_sequence =
+      std::find(table.keys.begin(), table.keys.end(), "sequence") != table.keys.end();
+  if (!by_sequence && std::any_of(rows.begin(), rows.end(), [&](const RowRuns& row) {
+        return RunsOf(row, table.keys) != RunsOf(rows[0], table.keys);
+      })) {
+    notes.emplace_back(
+        "rows stand on different runs: compare them by their paired differences only");
+  }
+  const std::vector<std::string>& builds = table.provenance.builds;
+  if (builds.size() > 1) {
+    notes.push_back(StrCat("results are of ", builds.size(),
+                           " builds of the program: run the suite again for one"));
+  }
+  return notes;
+}
+
+}  // namespace cvo::reports
