@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -102,7 +104,9 @@ int PrintPlan(const Flags& flags) {
     return kUsage;
   }
   PlanRequest request = flags.suite.Request();
-  Progress progress(ExpandSuite(suite).size(), flags.quiet, Progress::Clock::now(), kPlanned);
+  // Only worth showing where images have to be read, which is felt on a terminal.
+  const bool quiet = flags.quiet || ::isatty(STDERR_FILENO) == 0;
+  Progress progress(ExpandSuite(suite).size(), quiet, Progress::Clock::now(), kPlanned);
   request.progress = [&progress](std::size_t done, std::size_t) { progress.Report(done); };
   const PlanState state = FindPlanState(suite, request, {flags.suite.output});
   Print(state, flags.jobs, std::cout);

@@ -36,7 +36,7 @@ PlanState FindPlanState(const Suite& suite, const PlanRequest& request, const Su
       [&](const std::string& job) { return fs::exists(folder.job(job) / "result.json"); },
       [&](const std::string& job) { return FailureOf(folder.failure(job)); }};
   state.outlook = OutlookOf(state.built.plan, earlier);
-  state.frame_times_s = MeasuredFrameTimes(state.built.plan, state.outlook,
+  state.frame_times_s = MeasuredFrameTimes(state.built.plan, earlier,
                                            [&](const std::string& job) { return folder.job(job); });
   return state;
 }

@@ -10,8 +10,9 @@
 
 namespace cvo {
 
-// A shipped suite's name or a suite file (experiments/README.md), read strictly: throws Error that
-// names the file and the key of what is unknown, missing, of another type or out of range.
+// A shipped suite's name or a suite file (experiments/configs/README.md), read strictly: throws
+// Error that names the file and the key of what is unknown, missing, of another type or out of
+// range.
 Suite LoadSuite(const std::string& suite);
 
 // Scene files are meant relative to `folder`; `where` names the text in errors.

@@ -13,6 +13,16 @@ namespace {
 
 constexpr int kFilesRead = 5;  // of each variant
 
+struct Mean {
+  double sum_s = 0.0;
+  int files = 0;
+
+  void Add(double seconds) {
+    sum_s += seconds;
+    ++files;
+  }
+};
+
 // What a user calls the same cell, whatever it is computed from.
 std::string NameOf(const Cell& cell) {
   Json parameters = Json::object();
@@ -93,27 +103,25 @@ std::vector<JobOutlook> OutlookOf(const Plan& plan, const EarlierRuns& earlier) 
 }
 
 std::map<std::string, double> MeasuredFrameTimes(
-    const Plan& plan, const std::vector<JobOutlook>& outlook,
+    const Plan& plan, const EarlierRuns& earlier,
     const std::function<std::filesystem::path(const std::string& job)>& folder_of) {
-  struct Sum {
-    double seconds = 0.0;
-    int files = 0;
-  };
-  std::map<std::string, Sum> sums;
-  for (std::size_t i = 0; i < plan.jobs.size(); ++i) {
-    const PlannedJob& job = plan.jobs[i];
-    if (outlook.at(i).state != JobState::kDone || job.cell.variant.empty()) continue;
-    if (sums[job.cell.variant].files == kFilesRead) continue;
+  std::map<std::string, Mean> means;
+  const auto measure = [&](const PlannedJob& job) {
+    const std::string& variant = job.cell.variant;
+    if (job.job.empty() || variant.empty() || means[variant].files == kFilesRead) return;
+    if (!earlier.done(job.job)) return;
     const auto frame_s = FrameTimeOf(folder_of(job.job) / "timing.json");
-    if (!frame_s) continue;
-    for (const std::string& name : {job.cell.variant, std::string()}) {
-      sums[name].seconds += *frame_s;
-      ++sums[name].files;
-    }
+    if (!frame_s) return;
+    means[variant].Add(*frame_s);
+    means[""].Add(*frame_s);
+  };
+  for (const PlannedJob& job : plan.jobs) measure(job);
+  if (earlier.plan) {
+    for (const PlannedJob& job : earlier.plan->jobs) measure(job);
   }
   std::map<std::string, double> times_s;
-  for (const auto& [name, sum] : sums) {
-    if (sum.files > 0) times_s[name] = sum.seconds / sum.files;
+  for (const auto& [variant, mean] : means) {
+    if (mean.files > 0) times_s[variant] = mean.sum_s / mean.files;
   }
   return times_s;
 }

@@ -38,9 +38,10 @@ struct EarlierRuns {
 std::vector<JobOutlook> OutlookOf(const Plan& plan, const EarlierRuns& earlier);
 
 // Seconds per frame and process, by variant ("": the mean over those measured), of timing.json of
-// finished jobs; a few files of each variant are read, those that cannot be are left out.
+// the finished jobs of both plans; a few files of each variant are read, those that cannot be are
+// left out.
 std::map<std::string, double> MeasuredFrameTimes(
-    const Plan& plan, const std::vector<JobOutlook>& outlook,
+    const Plan& plan, const EarlierRuns& earlier,
     const std::function<std::filesystem::path(const std::string& job)>& folder_of);
 
 // What is assumed where nothing was measured.

@@ -80,9 +80,10 @@ TEST(PlanOutlook, EstimatesFromWhatWasMeasured) {
   BuiltPlan built{PlanOf({"full", "static", "2d"}), {}};
   auto outlook = OutlookOf(built.plan, With(std::nullopt, {}));
   EXPECT_DOUBLE_EQ(EstimatedSeconds(built, outlook, {}), 3 * 70 * kAssumedFrame_s);
-  outlook = OutlookOf(built.plan, With(std::nullopt, {"job of full", "job of 2d"}));
+  const EarlierRuns earlier = With(PlanOf({"no_pairwise"}), {"job of full", "job of 2d"});
+  outlook = OutlookOf(built.plan, earlier);
   const auto times_s = MeasuredFrameTimes(
-      built.plan, outlook, [&](const std::string& job) { return folder.path() / job; });
+      built.plan, earlier, [&](const std::string& job) { return folder.path() / job; });
   EXPECT_EQ(times_s, (std::map<std::string, double>{{"", 3.5}, {"full", 3.5}}));
   EXPECT_DOUBLE_EQ(EstimatedSeconds(built, outlook, times_s), 70 * 3.5);
   built.renders = {{"a", "x", "/a", {}, 10, true}, {"b", "x", "/b", {}, 10, false}};
