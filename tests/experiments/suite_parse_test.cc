@@ -11,6 +11,7 @@
 #include "tests/experiments/suite_examples.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
+#include "variants/registry.h"
 
 namespace cvo {
 namespace {
@@ -148,6 +149,12 @@ TEST(Suite, FindsSceneFilesBesideTheSuite) {
   const Suite suite = ReadCheckedSuite(json, "s.json", folder.path());
   EXPECT_EQ(suite.sequences[0].scene, (folder.path() / "scenes" / "mine.json").string());
   EXPECT_EQ(suite.sequences[0].name, "mine");
+}
+
+TEST(ShippedSuites, AblationAllHasEveryVariant) {
+  std::vector<std::string> names;
+  for (const VariantInfo& variant : Variants()) names.emplace_back(variant.name);
+  EXPECT_THAT(LoadSuite("ablation_all").variants, testing::UnorderedElementsAreArray(names));
 }
 
 TEST(ShippedSuites, AreWholeAndNamedAsTheirFiles) {
