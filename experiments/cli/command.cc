@@ -21,7 +21,7 @@ std::string VersionText() {
                 build.estimator_sources, "\nevaluation ", build.evaluation_sources, "\ncommit     ",
                 build.commit, "\ncompiler   ", build.compiler, ", ", build.build_type, ", ",
                 build.flags, "\nlibraries  OpenCV ", build.opencv, ", Eigen ", build.eigen,
-                ", Ceres ", build.ceres, "\nCPU level  ", build.cpu_level);
+                "\nCPU level  ", build.cpu_level);
 }
 
 }  // namespace cvo
