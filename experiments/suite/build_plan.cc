@@ -55,7 +55,7 @@ class Planner {
   void Open(const Cell& cell, Input& input);
   PlannedJob PlanCell(const Cell& cell);
   void IdentifyFiles(const Input& input, PlannedJob& job) const;
-  void Want(const SceneFolder& scene, const Cell& cell);
+  void Want(const RenderedScene& scene, const Cell& cell);
   void OrderRenders();
 
   const Suite& suite_;
@@ -69,7 +69,7 @@ class Planner {
   std::set<fs::path> wanted_folders_;
 };
 
-void Planner::Want(const SceneFolder& scene, const Cell& cell) {
+void Planner::Want(const RenderedScene& scene, const Cell& cell) {
   if (!wanted_folders_.insert(scene.folder).second) return;
   const std::string name =
       StrCat("render-", cell.sequence.name, "-", scene.folder.parent_path().filename().string());
@@ -105,7 +105,7 @@ Input Planner::FindInput(const Cell& cell) {
       if (input.missing.empty()) Open(cell, input);
       return input;
     }
-    const SceneFolder scene = scenes_.Find(cell.sequence, cell.parameters, cell.seed);
+    const RenderedScene scene = scenes_.Find(cell.sequence, cell.parameters, cell.seed);
     if (!IsRendered(scene.folder)) {
       Want(scene, cell);
       input.missing = kNotRendered;

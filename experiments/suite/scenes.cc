@@ -41,12 +41,12 @@ const SceneFolders::Source& SceneFolders::SourceFor(const SuiteSequence& sequenc
   return sources_.emplace(key, std::move(source)).first->second;
 }
 
-SceneFolder SceneFolders::Find(const SuiteSequence& sequence, const GridPoint& parameters,
-                               std::uint64_t seed) {
+RenderedScene SceneFolders::Find(const SuiteSequence& sequence, const GridPoint& parameters,
+                                 std::uint64_t seed) {
   const std::vector<std::string> assignments = SceneAssignments(sequence, parameters);
   const auto& [source, all_frames] = SourceFor(sequence, assignments);
   const synth::RenderRequest request = RenderOf(sequence, seed);
-  SceneFolder found;
+  RenderedScene found;
   const std::string key = synth::DatasetKey(source, request).substr(0, kKeyDigits);
   found.folder = cache_ / "scenes" / StrCat(source.scene, "-", key) / source.scene;
   found.drawing = synth::DrawingKey(source, request);

@@ -15,7 +15,7 @@
 namespace cvo {
 
 // A scene as one seed and one point of a grid see it.
-struct SceneFolder {
+struct RenderedScene {
   std::filesystem::path folder;  // <cache>/scenes/<name>-<key>/<name>, rendered or not
   std::string drawing;           // key of what is drawn: the same for all seeds
   bool drawn = false;            // and that is in the cache: only the noise is missing
@@ -30,7 +30,8 @@ class SceneFolders {
   explicit SceneFolders(std::filesystem::path cache) : cache_(std::move(cache)) {}
 
   // Throws Error for a scene that cannot be, and where nothing can draw.
-  SceneFolder Find(const SuiteSequence& sequence, const GridPoint& parameters, std::uint64_t seed);
+  RenderedScene Find(const SuiteSequence& sequence, const GridPoint& parameters,
+                     std::uint64_t seed);
 
  private:
   struct Source {

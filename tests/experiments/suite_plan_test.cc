@@ -239,13 +239,13 @@ TEST_F(SuitePlan, AScenesFolderIsItsContent) {
   if (CannotRender()) GTEST_SKIP() << "this build has no OSMesa";
   SceneFolders scenes(cache());
   SuiteSequence tiny = Parse(SmallSuite()).sequences[0];
-  const SceneFolder one = scenes.Find(tiny, {}, 1);
+  const RenderedScene one = scenes.Find(tiny, {}, 1);
   EXPECT_EQ(scenes.Find(tiny, {}, 1).folder, one.folder);
   EXPECT_EQ(scenes.Find(tiny, {{"window.spatial", 3}}, 1).folder, one.folder);
-  const SceneFolder noise = scenes.Find(tiny, {}, 2);
+  const RenderedScene noise = scenes.Find(tiny, {}, 2);
   EXPECT_NE(noise.folder, one.folder);
   EXPECT_EQ(noise.drawing, one.drawing);
-  const SceneFolder detector = scenes.Find(tiny, {{"scene.detector.miss_rate", 0.5}}, 1);
+  const RenderedScene detector = scenes.Find(tiny, {{"scene.detector.miss_rate", 0.5}}, 1);
   EXPECT_NE(detector.folder, one.folder);
   EXPECT_EQ(detector.drawing, one.drawing);
   EXPECT_NE(scenes.Find(tiny, {{"scene.camera.height_m", 1.15}}, 1).drawing, one.drawing);

@@ -33,4 +33,7 @@ std::vector<std::string> CheckForbiddenText(const SourceFile& file);
 // Every .cc is named by the CMakeLists.txt of its folder or of a folder above it.
 std::vector<std::string> CheckRegistered(const std::vector<SourceFile>& files);
 
+// Headers define a type's name once per namespace: two definitions would be one to the linker.
+std::vector<std::string> CheckTypeNames(const std::vector<SourceFile>& files);
+
 }  // namespace cvo::test

@@ -149,5 +149,13 @@ TEST(Registered, EverySourceIsNamedByACMakeLists) {
   EXPECT_THAT(CheckRegistered({named}), SizeIs(1));
 }
 
+TEST(CheckTypeNames, FindsTheSameNameTwiceInOneNamespace) {
+  const std::string text = "namespace a {\n\nstruct Thing {\n};\n";
+  EXPECT_THAT(CheckTypeNames({{"x/one.h", text}, {"y/two.h", text}}),
+              ElementsAre("y/two.h:3: a::Thing is defined in x/one.h:3"));
+  EXPECT_THAT(CheckTypeNames({{"x/one.h", text}, {"y/two.h", "namespace b {\nclass Thing {\n"}}),
+              IsEmpty());
+}
+
 }  // namespace
 }  // namespace cvo::test

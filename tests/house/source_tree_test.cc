@@ -56,6 +56,8 @@ TEST(SourceTree, IncludesFollowTheArrows) { EXPECT_THAT(OnAll(CheckIncludes), Is
 
 TEST(SourceTree, FilesHaveTheirLicense) { EXPECT_THAT(OnAll(CheckLicense), IsEmpty()); }
 
+TEST(SourceTree, TypesHaveNamesOfTheirOwn) { EXPECT_THAT(CheckTypeNames(Sources()), IsEmpty()); }
+
 TEST(SourceTree, FilesAreShort) { EXPECT_THAT(OnAll(CheckLength), IsEmpty()); }
 
 TEST(SourceTree, NothingForbidden) { EXPECT_THAT(OnAll(CheckForbiddenText), IsEmpty()); }

@@ -113,4 +113,27 @@ std::vector<std::string> CheckRegistered(const std::vector<SourceFile>& files) {
   return violations;
 }
 
+std::vector<std::string> CheckTypeNames(const std::vector<SourceFile>& files) {
+  const std::regex opened(R"(^namespace (\S+) \{)");
+  const std::regex defined(R"(^(?:struct|class) (\w+)(?: final)?(?: :.*)? \{)");
+  std::map<std::string, std::string> first;  // where, by qualified name
+  std::vector<std::string> violations;
+  for (const SourceFile& file : files) {
+    if (!file.path.ends_with(".h")) continue;
+    std::string scope;
+    std::smatch match;
+    const std::vector<std::string> lines = Lines(file.content);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (std::regex_search(lines[i], match, opened)) scope = match[1];
+      if (!std::regex_search(lines[i], match, defined)) continue;
+      const std::string where = StrCat(file.path, ":", i + 1);
+      const auto [known, added] = first.try_emplace(scope + "::" + match[1].str(), where);
+      if (!added) {
+        violations.push_back(StrCat(where, ": ", known->first, " is defined in ", known->second));
+      }
+    }
+  }
+  return violations;
+}
+
 }  // namespace cvo::test
