@@ -4,16 +4,16 @@
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <vector>
 
 #include "core/base/error.h"
 #include "experiments/cli/command.h"
+#include "experiments/cli/eval_sequence.h"
 #include "experiments/cli/metric_table.h"
-#include "experiments/files/text_file.h"
 #include "experiments/metrics/association.h"
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/metrics/kitti_poses.h"
+#include "experiments/metrics/pose_format.h"
 #include "experiments/metrics/tum_trajectory.h"
 #include "experiments/record/metrics_json.h"
 
@@ -26,6 +26,7 @@ struct EvalFlags {
   std::string format;
   double max_time_difference_s = 1e-9 * static_cast<double>(kDefaultAssociation_ns);
   bool json = false;
+  EvalSequence sequence;  // whose own truth is used; without a folder: two files
 };
 
 // Poses frame by frame of the truth.
@@ -37,27 +38,10 @@ struct PairedPoses {
   std::size_t unmatched_estimate = 0;
 };
 
-// "tum" or "kitti", by the number of columns in the first line that is no comment.
-std::string DetectFormat(const std::string& path) {
-  const TextFile file(path);
-  for (std::size_t i = 0; i < file.size(); ++i) {
-    std::istringstream words(file.line(i));
-    std::string word;
-    int columns = 0;
-    while (words >> word && !word.starts_with('#')) ++columns;
-    if (columns == 0) continue;
-    if (columns == 8) return "tum";
-    if (columns == 12) return "kitti";
-    ThrowError(file.Where(i), StrCat(columns, " columns"),
-               "8 (TUM: time tx ty tz qx qy qz qw) or 12 (KITTI: rows of [R t])");
-  }
-  ThrowError(path, "no pose", "a TUM or KITTI trajectory");
-}
-
 std::string FormatOfBoth(const EvalFlags& flags) {
   if (!flags.format.empty()) return flags.format;
-  const std::string truth = DetectFormat(flags.groundtruth);
-  const std::string estimate = DetectFormat(flags.estimate);
+  const std::string truth = DetectPoseFormat(flags.groundtruth);
+  const std::string estimate = DetectPoseFormat(flags.estimate);
   if (truth != estimate) {
     ThrowError(flags.estimate, "a trajectory in " + estimate + " format",
                truth + " as in " + flags.groundtruth);
@@ -95,7 +79,7 @@ PairedPoses PairKitti(const EvalFlags& flags) {
   return poses;
 }
 
-int Evaluate(const EvalFlags& flags) {
+int EvaluateFiles(const EvalFlags& flags) {
   const PairedPoses poses = FormatOfBoth(flags) == "tum" ? PairTum(flags) : PairKitti(flags);
   if (poses.matched < 2) {
     ThrowError(flags.estimate, StrCat(poses.matched, " poses that match one of the truth"),
@@ -117,14 +101,41 @@ int Evaluate(const EvalFlags& flags) {
   return 0;
 }
 
+void CheckUsage(const CLI::App& app, const EvalFlags& flags) {
+  const bool of_sequence = app.count("--sequence") > 0;
+  const auto refuse = [&](const std::string& flag, const char* why) {
+    if (app.count(flag) > 0) throw CLI::ValidationError(flag, why);
+  };
+  if (of_sequence) {
+    refuse("--format", "is for two files; with --sequence it is told by the number of columns");
+    refuse("--max-time-difference", "is for two files; with --sequence it is 0.02 s");
+    return;
+  }
+  if (flags.groundtruth.empty()) {
+    throw CLI::ValidationError("--groundtruth", "is needed, or --sequence in its place");
+  }
+  for (const std::string& flag : EvalSequence::FlagNames()) refuse(flag, "needs --sequence");
+}
+
+int Evaluate(const CLI::App& app, EvalFlags& flags) {
+  if (app.count("--sequence") == 0) return EvaluateFiles(flags);
+  if (!flags.groundtruth.empty()) flags.sequence.flags.groundtruth = flags.groundtruth;
+  return EvaluateSequence(flags.sequence, flags.estimate, flags.json);
+}
+
 }  // namespace
 
 Command AddEvalCommand(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("eval", "Compare two trajectory files");
+  CLI::App* app = program.add_subcommand(
+      "eval", "Score a trajectory file, or what another system made of a sequence");
   const auto flags = std::make_shared<EvalFlags>();
-  app->add_option("--groundtruth", flags->groundtruth, "trajectory file with the truth")
+  app->add_option("--groundtruth", flags->groundtruth,
+                  "trajectory file with the truth; with --sequence, of KITTI raw: devkit or "
+                  "interpolated")
+      ->type_name("FILE");
+  app->add_option("--estimate", flags->estimate, "trajectory file to be scored")
+      ->type_name("FILE")
       ->required();
-  app->add_option("--estimate", flags->estimate, "trajectory file to be scored")->required();
   app->add_option("--format", flags->format,
                   "tum (time tx ty tz qx qy qz qw) or kitti (12 numbers); default: by the number "
                   "of columns")
@@ -135,10 +146,19 @@ Command AddEvalCommand(CLI::App& program) {
       ->check(FiniteProblem)
       ->capture_default_str();
   app->add_flag("--json", flags->json, "print JSON, with the contract of each metric");
+  flags->sequence.AddTo(*app);
   app->footer(
       "Poses are world_from_camera. The estimate is aligned by SE(3) over positions for ATE.\n"
-      "Example: clustervo eval --groundtruth poses/06.txt --estimate OUT/camera.kitti");
-  return {app, [flags] { return Evaluate(*flags); }};
+      "With --sequence, camera and objects are scored as those of a run: KITTI tracking rows with\n"
+      "3D boxes in rectified camera 0, or a folder of <id>.tum with world_from_object. Objects "
+      "are\n"
+      "matched to bodies by nearness, as they have no landmarks: the contracts say so.\n"
+      "Examples:\n"
+      "  clustervo eval --groundtruth poses/06.txt --estimate OUT/camera.kitti\n"
+      "  clustervo eval --sequence scenes/indoor_1 --estimate cam.tum --objects tracks.kitti \\\n"
+      "      --name other -o results/other_indoor_1");
+  app->final_callback([app, flags] { CheckUsage(*app, *flags); });
+  return {app, [app, flags] { return Evaluate(*app, *flags); }};
 }
 
 }  // namespace cvo

@@ -11,9 +11,11 @@ Command AddExperimentCommand(CLI::App& program) {
       "experiment", "Suites: many sequences, estimators, options and seeds, and their tables");
   app->require_subcommand(1);
   const std::vector<Command> commands = {
-      AddExperimentListCommand(*app), AddExperimentPlanCommand(*app),
-      AddExperimentTableCommand(*app), AddExperimentCompareCommand(*app)};
-  app->footer("Start with: clustervo experiment list, then clustervo experiment plan ci -o DIR.");
+      AddExperimentListCommand(*app),  AddExperimentPlanCommand(*app),
+      AddExperimentRunCommand(*app),   AddExperimentStatusCommand(*app),
+      AddExperimentTableCommand(*app), AddExperimentCompareCommand(*app),
+      AddExperimentJobCommand(*app)};
+  app->footer("Start with: clustervo experiment list, then clustervo experiment run ci -o DIR.");
   return {app, [commands] {
             for (const Command& command : commands) {
               if (command.app->parsed()) return command.run();

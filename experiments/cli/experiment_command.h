@@ -11,5 +11,8 @@ Command AddExperimentListCommand(CLI::App& experiment);
 Command AddExperimentPlanCommand(CLI::App& experiment);
 Command AddExperimentTableCommand(CLI::App& experiment);
 Command AddExperimentCompareCommand(CLI::App& experiment);
+Command AddExperimentRunCommand(CLI::App& experiment);
+Command AddExperimentStatusCommand(CLI::App& experiment);
+Command AddExperimentJobCommand(CLI::App& experiment);
 
 }  // namespace cvo

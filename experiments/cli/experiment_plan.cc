@@ -103,7 +103,7 @@ int PrintPlan(const Flags& flags) {
     return kUsage;
   }
   PlanRequest request = flags.suite.Request();
-  Progress progress(ExpandSuite(suite).size(), flags.quiet, Progress::Clock::now(), "jobs");
+  Progress progress(ExpandSuite(suite).size(), flags.quiet, Progress::Clock::now(), kPlanned);
   request.progress = [&progress](std::size_t done, std::size_t) { progress.Report(done); };
   const PlanState state = FindPlanState(suite, request, {flags.suite.output});
   Print(state, flags.jobs, std::cout);

@@ -4,24 +4,27 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <string>
+
+#include "core/base/error.h"
 
 namespace cvo {
 namespace {
 
-// "48 s", "3:07 min".
+// "48 s", "3:07 min", "2:05 h".
 std::string Duration(double seconds) {
   const long whole = std::lround(std::ceil(seconds));
-  if (whole < 60) return std::to_string(whole) + " s";
-  const std::string rest = std::to_string(whole % 60);
-  return std::to_string(whole / 60) + (rest.size() == 1 ? ":0" : ":") + rest + " min";
+  if (whole < 60) return StrCat(whole, " s");
+  const bool hours = whole >= 6000;
+  const long units = hours ? whole / 60 : whole;
+  return StrCat(units / 60, units % 60 < 10 ? ":0" : ":", units % 60, hours ? " h" : " min");
 }
 
 }  // namespace
 
-Progress::Progress(std::size_t total, bool quiet, Clock::time_point start, const char* unit)
+Progress::Progress(std::size_t total, bool quiet, Clock::time_point start, const ProgressUnit& unit)
     : total_(total),
       unit_(unit),
       style_(quiet                     ? Style::kNone
@@ -35,31 +38,41 @@ Progress::~Progress() {
 }
 
 void Progress::Report(std::size_t done) {
-  const double elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count();
-  const double rate = static_cast<double>(done) / std::max(elapsed_s, 1e-9);
-  if (style_ == Style::kBar) PrintBar(done, rate);
-  if (style_ == Style::kLines) PrintLine(done, rate);
+  if (style_ == Style::kBar) PrintBar(done);
+  if (style_ == Style::kLines) PrintLine(done);
 }
 
-void Progress::PrintBar(std::size_t done, double rate) {
+void Progress::Note(const std::string& line) const {
+  std::fprintf(stderr, "%s%s\n", style_ == Style::kBar ? "\r\033[K" : "", line.c_str());
+}
+
+std::string Progress::Text(std::size_t done) const {
+  const std::string counts = StrCat(done, "/", total_, " ", unit_.name);
+  if (done == 0) return counts;
+  const double elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count();
+  const double rate = static_cast<double>(done) / std::max(elapsed_s, 1e-9);
+  char shown[32];
+  std::snprintf(shown, sizeof shown, "%.1f", rate * unit_.per_s);
+  return StrCat(counts, "  ", shown, " ", unit_.rate, "  ",
+                Duration(static_cast<double>(total_ - done) / rate), " left");
+}
+
+void Progress::PrintBar(std::size_t done) {
   const Clock::time_point now = Clock::now();
-  if (now - shown_ < std::chrono::milliseconds(100) && done < total_) return;
+  if (now - shown_ < std::chrono::milliseconds(100) && done > 0 && done < total_) return;
   shown_ = now;
   constexpr std::size_t kWidth = 30;
   const std::size_t filled = kWidth * done / total_;
   const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
-  std::fprintf(stderr, "\r[%s] %zu/%zu %s  %.1f %s/s  %s left\033[K", bar.c_str(), done, total_,
-               unit_, rate, unit_, Duration(static_cast<double>(total_ - done) / rate).c_str());
+  std::fprintf(stderr, "\r[%s] %s\033[K", bar.c_str(), Text(done).c_str());
   std::fflush(stderr);
 }
 
-void Progress::PrintLine(std::size_t done, double rate) {
+void Progress::PrintLine(std::size_t done) {
   const std::size_t tenths = 10 * done / total_;
   if (tenths == shown_tenths_) return;
   shown_tenths_ = tenths;
-  std::fprintf(stderr, "%3zu %%  %zu/%zu %s  %.1f %s/s  %s left\n", 100 * done / total_, done,
-               total_, unit_, rate, unit_,
-               Duration(static_cast<double>(total_ - done) / rate).c_str());
+  std::fprintf(stderr, "%3zu %%  %s\n", 100 * done / total_, Text(done).c_str());
 }
 
 }  // namespace cvo

@@ -4,33 +4,48 @@
 
 #include <chrono>
 #include <cstddef>
+#include <string>
 
 namespace cvo {
 
-// How far a run has come, on stderr: a bar with frame rate and time left on a terminal, otherwise a
-// line every tenth of the way.
+// What is counted, and the time that its rate is over.
+struct ProgressUnit {
+  const char* name;
+  const char* rate;
+  double per_s;
+};
+inline constexpr ProgressUnit kFrames{"frames", "frames/s", 1.0};
+inline constexpr ProgressUnit kJobs{"jobs", "jobs/min", 60.0};
+inline constexpr ProgressUnit kScenes{"scenes", "scenes/min", 60.0};
+inline constexpr ProgressUnit kPlanned{"jobs planned", "jobs/s", 1.0};
+
+// How far a run has come, on stderr: a bar with its rate and the time left on a terminal, otherwise
+// a line every tenth of the way.
 class Progress {
  public:
   using Clock = std::chrono::steady_clock;
 
   // `start`: when the work began, where that was before its amount was known.
-  // `unit`: what is counted.
   Progress(std::size_t total, bool quiet, Clock::time_point start = Clock::now(),
-           const char* unit = "frames");
+           const ProgressUnit& unit = kFrames);
   ~Progress();  // takes the bar off the terminal
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   void Report(std::size_t done);
+  // One line, whatever is shown: the bar comes back with the next report.
+  void Note(const std::string& line) const;
 
  private:
   enum class Style { kNone, kBar, kLines };
 
-  void PrintBar(std::size_t done, double rate);
-  void PrintLine(std::size_t done, double rate);
+  void PrintBar(std::size_t done);
+  void PrintLine(std::size_t done);
+  // "3/8 jobs  2.0 jobs/min  2:30 min left"
+  std::string Text(std::size_t done) const;
 
   std::size_t total_;
-  const char* unit_;
+  ProgressUnit unit_;
   Style style_;
   Clock::time_point start_;
   Clock::time_point shown_;

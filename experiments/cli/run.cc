@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -15,7 +17,9 @@
 #include "experiments/cli/text_table.h"
 #include "experiments/files/atomic_file.h"
 #include "experiments/record/build_identity.h"
+#include "experiments/runner/job_cache.h"
 #include "experiments/runner/run_job.h"
+#include "synth/write/render_cache.h"
 
 namespace cvo {
 namespace {
@@ -32,6 +36,8 @@ struct Flags {
   std::string oracle = "none";
   bool strict = false;
   bool landmarks = false;
+  bool cache = false;
+  std::string cache_size;
 };
 
 void PrintProblems(const RunResult& run) {
@@ -60,6 +66,23 @@ void PrintSummary(const Sequence& sequence, const JobOutcome& outcome) {
   PrintScores(outcome.scores, std::cout);
 }
 
+// What earlier runs left for this one, and how it says what it goes on without.
+JobCache OpenCache(const Flags& flags, std::size_t frames) {
+  FileHashHooks hooks;
+  // Over the progress bar, where there is one.
+  const char* start = ::isatty(STDERR_FILENO) ? "\r\033[K" : "";
+  hooks.notice = [start](const std::string& line) {
+    std::cerr << start << "clustervo: " << line << '\n';
+  };
+  const auto progress = std::make_shared<std::optional<Progress>>();
+  hooks.hashed = [=, quiet = flags.run.quiet](std::size_t done, std::size_t total) {
+    if (!*progress) progress->emplace(frames, quiet);
+    (*progress)->Report(frames * done / total);
+    if (done == total) progress->reset();
+  };
+  return {synth::CacheFolder(), CacheLimit(flags.cache_size), hooks};
+}
+
 int Run(const Flags& flags) {
   RequireRecordedCpu(ThisBuild());
   const VariantInfo& variant = FindVariant(flags.variant);
@@ -72,19 +95,21 @@ int Run(const Flags& flags) {
   std::optional<JobOutcome> outcome;
   {
     const StopSignal stop;
+    RunRequest request = {.sequence = sequence,
+                          .variant = variant,
+                          .options = options,
+                          .seed = flags.seed,
+                          .threads = flags.run.threads,
+                          .classes = classes,
+                          .oracle = ParseOracle(flags.oracle),
+                          .landmarks = flags.landmarks,
+                          .strict = flags.strict,
+                          .stop = [&stop] { return stop.Requested(); }};
+    std::optional<JobCache> cache;
+    if (flags.cache) cache.emplace(OpenCache(flags, sequence.images.size())).Serve(request);
     Progress progress(sequence.images.size(), flags.run.quiet);
-    outcome = RunJob({.sequence = sequence,
-                      .variant = variant,
-                      .options = options,
-                      .seed = flags.seed,
-                      .threads = flags.run.threads,
-                      .classes = classes,
-                      .oracle = ParseOracle(flags.oracle),
-                      .landmarks = flags.landmarks,
-                      .strict = flags.strict,
-                      .progress = [&progress](std::size_t done) { progress.Report(done); },
-                      .stop = [&stop] { return stop.Requested(); }},
-                     output.path());
+    request.progress = [&progress](std::size_t done) { progress.Report(done); };
+    outcome = RunJob(request, output.path());
   }
   if (!outcome) {
     std::cerr << "clustervo: stopped, nothing was written\n";
@@ -125,6 +150,13 @@ Command AddRunCommand(CLI::App& program) {
                 "write landmarks.csv: every landmark of every frame with its labels");
   app->add_flag("--strict", flags->strict,
                 "an image that cannot be decoded is an error; else its frame is skipped");
+  app->add_flag(
+      "--cache", flags->cache,
+      "keeps extracted features in the cache folder (CLUSTERVO_CACHE) and takes them from "
+      "there: faster where only the variant or its options change, same results");
+  add("--cache-size", flags->cache_size, "SIZE",
+      "with --cache, features kept in all; the least used go first; default: "
+      "CLUSTERVO_CACHE_SIZE or 20G");
   app->footer(
       "Written: result.json, timing.json; camera.tum, camera.kitti; for moving bodies objects.csv\n"
       "(every cluster in every frame, with its life state), tracks.kitti (KITTI tracking rows; no\n"

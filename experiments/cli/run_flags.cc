@@ -26,8 +26,10 @@ void AddQuiet(CLI::App& app, bool& quiet) {
   app.add_flag("-q,--quiet", quiet, "no progress on stderr");
 }
 
+int DefaultThreads() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
+
 void AddThreads(CLI::App& app, int& threads) {
-  threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  threads = DefaultThreads();
   app.add_option("--threads", threads, "threads in all; results do not depend on it; default: CPUs")
       ->type_name("N")
       ->check(CLI::Range(1, 1024).description(""));

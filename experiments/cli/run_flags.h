@@ -26,6 +26,8 @@ struct RunFlags {
 // -q, and --threads with the number of CPUs as its default: what every long command has.
 void AddQuiet(CLI::App& app, bool& quiet);
 void AddThreads(CLI::App& app, int& threads);
+// The number of CPUs.
+int DefaultThreads();
 
 // "--seed N" exactly as written: the parser itself would wrap, saturate or read octal.
 std::uint64_t ParseSeed(const std::string& text);

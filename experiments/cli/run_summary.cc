@@ -35,25 +35,6 @@ std::string SuccessAt10cm(const BodyScore& body) {
   return ForPeople(static_cast<double>(within) / body.visible_frames);
 }
 
-void PrintBodies(const std::vector<BodyScore>& bodies, std::ostream& out) {
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
-  TextTable table({"body", "class", "moves", "travel m", "cluster", "visible", "estimated", "ATE m",
-                   "in 10 cm", "motion deg", "motion m", "speed m/s", "switches"});
-  for (const BodyScore& body : bodies) {
-    const auto motion = [&body](double RelativeErrors::*member) {
-      return body.motion ? std::optional(*body.motion.*member) : std::nullopt;
-    };
-    table.Add({body.name, body.category, body.mover ? "yes" : "no", ForPeople(body.travel_m),
-               body.cluster < 0 ? kNone : std::to_string(body.cluster),
-               std::to_string(body.visible_frames), std::to_string(body.estimated_frames),
-               Value(body.ate_m), SuccessAt10cm(body),
-               Value(motion(&RelativeErrors::rotation_rad), kDegrees),
-               Value(motion(&RelativeErrors::translation_m)), Value(body.velocity_m_s),
-               std::to_string(body.continuity.id_switches)});
-  }
-  table.Print(out);
-}
-
 }  // namespace
 
 void PrintDetections(const Sequence& sequence, const DetectionCounts& counts, std::ostream& out) {
@@ -93,6 +74,25 @@ void PrintScores(const RunScores& scores, std::ostream& out) {
   if (scores.refined_bodies.empty()) return;
   out << "\nbodies, poses as last estimated:\n";
   PrintBodies(scores.refined_bodies, out);
+}
+
+void PrintBodies(const std::vector<BodyScore>& bodies, std::ostream& out) {
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  TextTable table({"body", "class", "moves", "travel m", "cluster", "visible", "estimated", "ATE m",
+                   "in 10 cm", "motion deg", "motion m", "speed m/s", "switches"});
+  for (const BodyScore& body : bodies) {
+    const auto motion = [&body](double RelativeErrors::*member) {
+      return body.motion ? std::optional(*body.motion.*member) : std::nullopt;
+    };
+    table.Add({body.name, body.category, body.mover ? "yes" : "no", ForPeople(body.travel_m),
+               body.cluster < 0 ? kNone : std::to_string(body.cluster),
+               std::to_string(body.visible_frames), std::to_string(body.estimated_frames),
+               Value(body.ate_m), SuccessAt10cm(body),
+               Value(motion(&RelativeErrors::rotation_rad), kDegrees),
+               Value(motion(&RelativeErrors::translation_m)), Value(body.velocity_m_s),
+               std::to_string(body.continuity.id_switches)});
+  }
+  table.Print(out);
 }
 
 }  // namespace cvo

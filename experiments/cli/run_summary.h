@@ -3,6 +3,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <vector>
 
 #include "experiments/datasets/sequence.h"
 #include "experiments/record/run_record.h"
@@ -16,5 +17,8 @@ void PrintDetections(const Sequence& sequence, const DetectionCounts& counts, st
 
 // Metrics side by side with refined and with causal poses, then a line per body.
 void PrintScores(const RunScores& scores, std::ostream& out);
+
+// A line per body that is visible in some frame.
+void PrintBodies(const std::vector<BodyScore>& bodies, std::ostream& out);
 
 }  // namespace cvo

@@ -7,6 +7,19 @@
 
 namespace cvo {
 
+void SequenceFlags::AddTruthTo(CLI::App& app) {
+  const auto add = [&app](const char* flag, auto& value, const char* kind, const char* meaning) {
+    return app.add_option(flag, value, meaning)->type_name(kind);
+  };
+  add("--type", type, "NAME", "kitti-raw, kitti-odometry or kitti-tracking; default: by its looks");
+  add("--pair", pair, "NAME",
+      "images to read, grey or colour; default: grey if there, else colour");
+  add("--frames", frames, "A:B", "frames A to B-1, counted from 0; default: all");
+  add("--labels", labels, "FILE", "KITTI label file in place of the folder's own");
+  add("--labels-camera", labels_camera, "X",
+      "labels were drawn in image_0X; default: 2, KITTI odometry: the left image read");
+}
+
 void SequenceFlags::AddTo(CLI::App& app) {
   app.add_option(
          "SEQUENCE", folder,
@@ -17,16 +30,10 @@ void SequenceFlags::AddTo(CLI::App& app) {
   const auto add = [&app](const char* flag, auto& value, const char* kind, const char* meaning) {
     return app.add_option(flag, value, meaning)->type_name(kind);
   };
-  add("--type", type, "NAME", "kitti-raw, kitti-odometry or kitti-tracking; default: by its looks");
-  add("--pair", pair, "NAME",
-      "images to read, grey or colour; default: grey if there, else colour");
+  AddTruthTo(app);
   add("--groundtruth", groundtruth, "NAME",
       "KITTI raw: devkit (OxTS packets as they stand) or interpolated (OxTS at image times)")
       ->capture_default_str();
-  add("--frames", frames, "A:B", "frames A to B-1, counted from 0; default: all");
-  add("--labels", labels, "FILE", "KITTI label file in place of the folder's own");
-  add("--labels-camera", labels_camera, "X",
-      "labels were drawn in image_0X; default: 2, KITTI odometry: the left image read");
   add("--detections", detections, "FILE|labels|none",
       "2D boxes in KITTI format (track ids are not used), a synthetic scene's level (oracle, good, "
       "poor), the 2D boxes of the labels, or none");

@@ -25,6 +25,9 @@ struct SequenceFlags {
   std::optional<double> right_shift_px;
 
   void AddTo(CLI::App& app);
+  // Those alone that say which part is read and what is true of it; the folder and --groundtruth
+  // are left to the caller.
+  void AddTruthTo(CLI::App& app);
   // Throws Error for a range of frames that is none.
   SequenceRequest Request() const;
 };

@@ -123,9 +123,12 @@ void LabelBodyTruth::AddLabel(const ObjectBox& label, const Sequence& sequence) 
   boxes_.at(frame).push_back(box);
   TruthBody& body = bodies_[box.body];
   if (body.id == 0) {
-    body = {box.body, StrCat("track ", label.track), label.type, {}, 0.0, false};
+    body.id = box.body;
+    body.name = StrCat("track ", label.track);
+    body.category = label.type;
     body.frames.resize(truth_.frame_count());
   }
+  body.diagonal_m = std::max(body.diagonal_m, 2.0 * box.half_m.norm());
   const auto& world_from_camera = truth_.world_from_camera[frame];
   if (!world_from_camera) return;
   if (body.frames[frame]) {

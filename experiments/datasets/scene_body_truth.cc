@@ -31,7 +31,11 @@ ObjectTruth MakeTruth(const Sequence& sequence, const std::vector<std::vector<Sc
   for (std::size_t i = 0; i < bodies.front().size(); ++i) {
     const SceneBody& first = bodies.front()[i];
     if (IsTraffic(first.category)) truth.mover_travel_m = kOutdoorTravel_m;
-    TruthBody body = {first.id, first.name, first.category, {}, 0.0, false};
+    TruthBody body;
+    body.id = first.id;
+    body.name = first.name;
+    body.category = first.category;
+    body.diagonal_m = first.size_m.norm();
     for (std::size_t k = 0; k < truth.frame_count(); ++k) {
       const SceneBody& now = bodies[k + static_cast<std::size_t>(sequence.first_frame)][i];
       const bool visible =

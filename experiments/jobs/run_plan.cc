@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "experiments/jobs/job_state.h"
+#include "experiments/jobs/job_status.h"
 #include "experiments/jobs/temporaries.h"
 
 namespace cvo {
@@ -54,7 +54,7 @@ Pending FindPending(const Plan& plan, const std::vector<JobStatus>& status) {
   std::set<std::string> inputs;
   for (std::size_t i = 0; i < plan.jobs.size(); ++i) {
     const PlannedJob& job = plan.jobs[i];
-    if (job.job.empty() || status[i].state == JobState::kDone) continue;
+    if (job.job.empty() || status[i].state == JobStatus::State::kDone) continue;
     if (!jobs.insert(job.job).second) continue;
     (inputs.insert(job.input).second ? pending.first : pending.rest).push_back(&job);
   }
@@ -105,10 +105,12 @@ class JobRunner {
   void Judge(const PlannedJob& job, const TaskEnd& end) {
     if (problem_) return;
     try {
-      if (StatusOf(run_.folder, job).state == JobState::kDone) {
+      if (StatusOf(run_.folder, job).state == JobStatus::State::kDone) {
         RemoveFailure(run_.folder, job.job);
       } else if (!stopped_) {
-        WriteFailure(run_.folder, job.job, MessageOf(end, run_.folder.log(job.job)));
+        const std::string message = MessageOf(end, run_.folder.log(job.job));
+        WriteFailure(run_.folder, job.job, message);
+        run_.notice(StrCat("failed: ", Describe(job.cell), ": ", message));
       }
       CheckSpace(run_.folder.root);
       run_.progress(++ended_, total_);
@@ -131,16 +133,16 @@ PlanOutcome CountJobs(const std::vector<JobStatus>& jobs) {
   PlanOutcome outcome;
   for (const JobStatus& job : jobs) {
     switch (job.state) {
-      case JobState::kDone:
+      case JobStatus::State::kDone:
         ++outcome.done;
         break;
-      case JobState::kFailed:
+      case JobStatus::State::kFailed:
         ++outcome.failed;
         break;
-      case JobState::kMissing:
+      case JobStatus::State::kMissing:
         ++outcome.missing;
         break;
-      case JobState::kNoSequence:
+      case JobStatus::State::kNoSequence:
         ++outcome.no_sequence;
         break;
     }
@@ -151,7 +153,7 @@ PlanOutcome CountJobs(const std::vector<JobStatus>& jobs) {
 PlanOutcome RunPlan(const Plan& plan, const PlanRun& run, Engine& engine) {
   std::vector<JobStatus> status = StatusOfAll(run.folder, plan);
   for (std::size_t i = 0; i < status.size(); ++i) {
-    if (status[i].state == JobState::kDone) RemoveFailure(run.folder, plan.jobs[i].job);
+    if (status[i].state == JobStatus::State::kDone) RemoveFailure(run.folder, plan.jobs[i].job);
   }
   const Pending pending = FindPending(plan, status);
   if (pending.first.empty()) return CountJobs(status);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "experiments/jobs/engine.h"
-#include "experiments/jobs/job_state.h"
+#include "experiments/jobs/job_status.h"
 #include "experiments/jobs/suite_folder.h"
 #include "experiments/suite/plan.h"
 
@@ -25,6 +25,7 @@ struct PlanRun {
   // Once at the start, then after each job that ended: of those that had to run.
   std::function<void(std::size_t ended, std::size_t total)> progress = [](std::size_t,
                                                                           std::size_t) {};
+  // One line for the user: of the engine, or of a job that failed.
   std::function<void(const std::string& line)> notice = [](const std::string&) {};
 };
 

@@ -12,8 +12,7 @@ namespace fs = std::filesystem;
 void RemoveTemporaries(const fs::path& folder) {
   std::error_code error;
   std::vector<fs::path> found;
-  for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end;
-       it.increment(error)) {
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     if (it->path().filename().string().starts_with('.') && it->path().extension() == ".tmp") {
       found.push_back(it->path());
     }

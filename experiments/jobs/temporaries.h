@@ -6,8 +6,8 @@
 
 namespace cvo {
 
-// Removes the temporary files that killed processes left in a folder and those in it
-// (WriteFilesAtomically). Only for one that nobody else writes to. What cannot be removed stays.
+// Removes the temporary files that killed processes left in a folder (WriteFilesAtomically); not
+// those in folders within. Only where nobody else writes. What cannot be removed stays.
 void RemoveTemporaries(const std::filesystem::path& folder);
 
 }  // namespace cvo

@@ -22,7 +22,8 @@ void CheckCluster(const ClusterEstimate& cluster, std::size_t frame_count) {
                  StrCat("increasing frames below ", frame_count));
     }
     last = frame.frame;
-    if (!frame.world_from_object.Matrix().allFinite() || !frame.velocity_m_s.allFinite() ||
+    const bool finite_velocity = !frame.velocity_m_s || frame.velocity_m_s->allFinite();
+    if (!frame.world_from_object.Matrix().allFinite() || !finite_velocity ||
         !frame.center_in_object.allFinite()) {
       ThrowError(where, "a pose, velocity or centre that is not finite", "finite numbers");
     }
@@ -34,11 +35,12 @@ void CheckCluster(const ClusterEstimate& cluster, std::size_t frame_count) {
 void CheckEstimate(const ObjectTruth& truth, const ObjectEstimate& estimate) {
   CheckLength("camera", estimate.world_from_camera.size(), truth.frame_count());
   CheckLength("landmarks", estimate.landmarks.size(), truth.frame_count());
-  std::int64_t last = 0;
+  const std::int64_t lowest = estimate.match_by == MatchBy::kLandmarks ? 1 : 0;
+  std::int64_t last = lowest - 1;
   for (const ClusterEstimate& cluster : estimate.clusters) {
     if (cluster.id <= last) {
       ThrowError("estimated clusters", StrCat("cluster ", cluster.id, " after cluster ", last),
-                 "ids that increase from 1 on");
+                 StrCat("ids that increase from ", lowest, " on"));
     }
     last = cluster.id;
     CheckCluster(cluster, truth.frame_count());

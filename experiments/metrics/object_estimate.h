@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,28 +29,35 @@ struct ClusterFrame {
   int frame = 0;
   RigidTransform world_from_object;
   Eigen::Vector3d center_in_object = Eigen::Vector3d::Zero();
-  Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  // of that centre, in world
-  int observed_landmarks = 0;
-  bool predicted = false;  // by the motion model alone
+  std::optional<Eigen::Vector3d> velocity_m_s;  // of that centre, in world; empty: not known
+  std::optional<int> observed_landmarks = 0;    // empty: whoever made the estimate tells of none
+  bool predicted = false;                       // by the motion model alone
 };
 
 struct ClusterEstimate {
-  std::int64_t id = 0;  // from 1 on
+  std::int64_t id = 0;  // from 1 on, without landmarks from 0 on
   std::string category;
   std::vector<ClusterFrame> frames;  // increasing in frame; gaps are allowed
 };
 
+// What tells which body a cluster is: the landmarks that the two share, or, of an estimate without
+// landmarks, how near its poses are to the body (object_nearness.h).
+enum class MatchBy { kLandmarks, kNearness };
+
 // What a run says of the bodies; frames as in the truth it is compared with.
 struct ObjectEstimate {
+  MatchBy match_by = MatchBy::kLandmarks;
   OptionalPoses world_from_camera;
   std::vector<ClusterEstimate> clusters;                    // increasing in id
   std::vector<std::vector<LandmarkObservation>> landmarks;  // [frame]: observed in it
 };
 
-// An estimate counts where at least this many of its landmarks are observed in the frame.
+// An estimate counts where at least this many of its landmarks are observed in the frame, and
+// wherever there is one if none are told of.
 constexpr int kLandmarksThatCount = 3;
 inline bool Counts(const ClusterFrame& frame) {
-  return !frame.predicted && frame.observed_landmarks >= kLandmarksThatCount;
+  return !frame.predicted &&
+         frame.observed_landmarks.value_or(kLandmarksThatCount) >= kLandmarksThatCount;
 }
 
 // Throws Error where lengths differ from the truth's, ids or frames do not increase or lie outside

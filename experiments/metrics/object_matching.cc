@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/association/assignment.h"
+#include "experiments/metrics/object_nearness.h"
 
 namespace cvo {
 namespace {
@@ -47,6 +48,32 @@ std::vector<Overlap> FrameOverlaps(const std::vector<LandmarkObservation>& landm
   return overlaps;
 }
 
+// Landmarks that each body and each cluster of the lists share in a frame.
+Eigen::MatrixXd LandmarksInFrame(const ObjectTruth& truth, const ObjectEstimate& estimate,
+                                 std::size_t frame) {
+  Eigen::MatrixXd shared =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(truth.bodies.size()),
+                            static_cast<Eigen::Index>(estimate.clusters.size()));
+  for (const Overlap& overlap : FrameOverlaps(estimate.landmarks[frame])) {
+    const std::size_t body = IndexOf(truth.bodies, overlap.body);
+    const std::size_t cluster = IndexOf(estimate.clusters, overlap.cluster);
+    if (body == kNone || cluster == kNone) continue;
+    shared(static_cast<Eigen::Index>(body), static_cast<Eigen::Index>(cluster)) = overlap.landmarks;
+  }
+  return shared;
+}
+
+// [body]: the index of its cluster or -1. A pair that shares nothing costs nothing; were it
+// forbidden, the assignment would give away landmarks for a pair more.
+std::vector<int> AssignMostShared(const Eigen::MatrixXd& shared) {
+  std::vector<int> clusters = Assign(-shared);
+  for (std::size_t body = 0; body < clusters.size(); ++body) {
+    int& cluster = clusters[body];
+    if (cluster >= 0 && shared(static_cast<Eigen::Index>(body), cluster) == 0.0) cluster = -1;
+  }
+  return clusters;
+}
+
 // -1: none with enough landmarks.
 std::int64_t BestCluster(const std::vector<Overlap>& overlaps, int body, std::int64_t last) {
   const Overlap* best = nullptr;
@@ -76,31 +103,42 @@ struct Track {
   }
 };
 
+// [body]: the id of its cluster in the frame, -1: none.
+std::vector<std::int64_t> ClustersInFrame(const ObjectTruth& truth, const ObjectEstimate& estimate,
+                                          std::size_t frame, const std::vector<Track>& tracks) {
+  std::vector<std::int64_t> clusters(truth.bodies.size(), -1);
+  if (estimate.match_by == MatchBy::kLandmarks) {
+    const std::vector<Overlap> overlaps = FrameOverlaps(estimate.landmarks[frame]);
+    for (std::size_t i = 0; i < clusters.size(); ++i) {
+      clusters[i] = BestCluster(overlaps, truth.bodies[i].id, tracks[i].cluster);
+    }
+    return clusters;
+  }
+  if (clusters.empty() || estimate.clusters.empty()) return clusters;
+  const std::vector<int> assigned = AssignMostShared(NearnessInFrame(truth, estimate, frame));
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    if (assigned[i] >= 0) clusters[i] = estimate.clusters[static_cast<std::size_t>(assigned[i])].id;
+  }
+  return clusters;
+}
+
 }  // namespace
 
 std::vector<ObjectMatch> MatchObjects(const ObjectTruth& truth, const ObjectEstimate& estimate) {
   if (truth.bodies.empty() || estimate.clusters.empty()) return {};
-  // A pair that shares nothing costs nothing; were it forbidden, the assignment would give away
-  // landmarks for a pair more.
-  Eigen::MatrixXd cost = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(truth.bodies.size()),
-                                               static_cast<Eigen::Index>(estimate.clusters.size()));
-  for (const auto& frame : estimate.landmarks) {
-    for (const Overlap& overlap : FrameOverlaps(frame)) {
-      const std::size_t body = IndexOf(truth.bodies, overlap.body);
-      const std::size_t cluster = IndexOf(estimate.clusters, overlap.cluster);
-      if (body == kNone || cluster == kNone) continue;
-      cost(static_cast<Eigen::Index>(body), static_cast<Eigen::Index>(cluster)) -=
-          overlap.landmarks;
-    }
+  Eigen::MatrixXd shared =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(truth.bodies.size()),
+                            static_cast<Eigen::Index>(estimate.clusters.size()));
+  for (std::size_t k = 0; k < estimate.landmarks.size(); ++k) {
+    shared += estimate.match_by == MatchBy::kLandmarks ? LandmarksInFrame(truth, estimate, k)
+                                                       : NearnessInFrame(truth, estimate, k);
   }
-  const std::vector<int> assigned = Assign(cost);
+  const std::vector<int> assigned = AssignMostShared(shared);
   std::vector<ObjectMatch> matches;
   for (std::size_t body = 0; body < assigned.size(); ++body) {
     if (assigned[body] < 0) continue;
-    const double shared = -cost(static_cast<Eigen::Index>(body), assigned[body]);
-    if (shared == 0.0) continue;
-    matches.push_back(
-        {body, static_cast<std::size_t>(assigned[body]), static_cast<std::int64_t>(shared)});
+    matches.push_back({body, static_cast<std::size_t>(assigned[body]),
+                       shared(static_cast<Eigen::Index>(body), assigned[body])});
   }
   return matches;
 }
@@ -110,11 +148,10 @@ std::vector<Continuity> MeasureContinuity(const ObjectTruth& truth,
   std::vector<Continuity> continuity(truth.bodies.size());
   std::vector<Track> tracks(truth.bodies.size());
   for (std::size_t k = 0; k < estimate.landmarks.size(); ++k) {
-    const std::vector<Overlap> overlaps = FrameOverlaps(estimate.landmarks[k]);
+    const std::vector<std::int64_t> clusters = ClustersInFrame(truth, estimate, k, tracks);
     for (std::size_t i = 0; i < truth.bodies.size(); ++i) {
-      const TruthBody& body = truth.bodies[i];
-      if (!body.frames.at(k) || !body.frames[k]->visible) continue;
-      tracks[i].Add(BestCluster(overlaps, body.id, tracks[i].cluster), continuity[i]);
+      const auto& frame = truth.bodies[i].frames.at(k);
+      if (frame && frame->visible) tracks[i].Add(clusters[i], continuity[i]);
     }
   }
   return continuity;

@@ -11,17 +11,18 @@ namespace cvo {
 
 // A body and the cluster it is scored with.
 struct ObjectMatch {
-  std::size_t body = 0;        // index into ObjectTruth::bodies
-  std::size_t cluster = 0;     // index into ObjectEstimate::clusters
-  std::int64_t landmarks = 0;  // of the cluster observed on the body, summed over frames
+  std::size_t body = 0;     // index into ObjectTruth::bodies
+  std::size_t cluster = 0;  // index into ObjectEstimate::clusters
+  double shared = 0.0;      // landmarks of the cluster on the body, or nearness, over all frames
 };
 
-// One-to-one, such that the landmarks that matched pairs share are as many as possible; pairs that
-// share none stay apart. By body.
+// One-to-one, such that what matched pairs share (ObjectEstimate::match_by: landmarks or nearness)
+// is as much as possible; pairs that share nothing stay apart. By body.
 std::vector<ObjectMatch> MatchObjects(const ObjectTruth& truth, const ObjectEstimate& estimate);
 
 // How steadily a body is followed, over its visible frames. Its cluster in a frame is the one with
 // the most landmarks on it, at least kLandmarksThatCount; ties: the one before, then the lowest id.
+// By nearness: the one of the one-to-one pairs that share the most in the frame.
 struct Continuity {
   int id_switches = 0;  // another cluster than the last time it had one, also across occlusions
   int fragments = 0;    // has a cluster again after visible frames without

@@ -22,9 +22,37 @@ constexpr const char* kWorldAligned =
     "world by the camera (chordal mean of orientations, mean of positions)";
 constexpr const char* kMeanOfBodies = "root mean square per body, mean over bodies";
 
+// What tells which body a cluster is, in the words of contracts. It is said in the pairing alone,
+// so that figures which differ in it alone show that they do.
+struct MatchWords {
+  std::string counted;   // frames that errors are taken in
+  std::string in_frame;  // a body's cluster in one frame
+  std::string clusters;  // that are matched at all
+};
+
+MatchWords Words(MatchBy match_by) {
+  if (match_by == MatchBy::kLandmarks) {
+    const std::string enough = StrCat("at least ", kLandmarksThatCount);
+    return {StrCat("visible frames with ", enough,
+                   " observed landmarks of the cluster matched to the body by shared landmarks"),
+            StrCat("a body's cluster: the one with the most landmarks on it, ", enough),
+            StrCat("clusters with ", enough,
+                   " observed landmarks in some frame, matched by shared landmarks")};
+  }
+  const std::string nearness =
+      "nearness (1 - distance of the centres seen from the camera / diagonal of the true box)";
+  return {StrCat("visible frames with a pose of the cluster matched to the body by the largest sum "
+                 "over frames of ",
+                 nearness),
+          StrCat("a body's cluster: one-to-one by ", nearness, " in the frame"),
+          StrCat("clusters with a pose in some frame, matched by the largest sum over frames of ",
+                 nearness)};
+}
+
 // The bodies that share a row, and what their metrics have in common.
 struct Group {
   std::string prefix;
+  MatchWords words;
   std::vector<const BodyScore*> bodies;
   MetricContract contract;
   std::int64_t visible = 0;    // object-frames
@@ -44,6 +72,7 @@ std::string Unjudged(const Group& group) {
 
 Group MakeGroup(const ObjectTruth& truth, const ObjectScores& scores, bool movers) {
   Group group;
+  group.words = Words(scores.match_by);
   group.prefix = movers ? "object_" : "object_standing_";
   for (const BodyScore& body : scores.bodies) {
     if (body.mover != movers) continue;
@@ -70,17 +99,11 @@ MetricContract With(const Group& group, const char* alignment, const std::string
   return contract;
 }
 
-std::string CountedFrames() {
-  return StrCat("visible frames with at least ", kLandmarksThatCount,
-                " observed landmarks of the cluster matched to the body by shared landmarks");
-}
-
 // Frames of which a fraction is taken: nothing is left out of them.
 MetricContract Fraction(const Group& group, const char* alignment, const std::string& of) {
   MetricContract contract =
-      With(group, alignment, "all visible object-frames", "none",
-           StrCat("fraction of object-frames ", of, "; one without an estimate (", CountedFrames(),
-                  ") has none"));
+      With(group, alignment, "all visible object-frames; estimates: " + group.words.counted, "none",
+           StrCat("fraction of object-frames ", of, "; one without an estimate has none"));
   contract.left_out = "nothing";
   return contract;
 }
@@ -142,20 +165,21 @@ auto Translation(Member member) {
 }
 
 void AddErrors(const ObjectTruth& truth, const Group& group, std::vector<Metric>& metrics) {
+  const std::string& counted = group.words.counted;
   AddMean(
-      group, "ate", "m", With(group, kAligned, CountedFrames(), "none", kMeanOfBodies),
+      group, "ate", "m", With(group, kAligned, counted, "none", kMeanOfBodies),
       [](const BodyScore& body) { return body.ate_m; }, metrics);
   const MetricContract all =
-      With(group, kAligned, "all ordered pairs i != j of " + CountedFrames(), "all", kMeanOfBodies);
+      With(group, kAligned, "all ordered pairs i != j of " + counted, "all", kMeanOfBodies);
   AddMean(group, "rrpe_all_pairs", "rad", all, Rotation(&BodyScore::all_pairs), metrics);
   AddMean(group, "trpe_all_pairs", "m", all, Translation(&BodyScore::all_pairs), metrics);
   const MetricContract one =
-      With(group, kAligned, "consecutive " + CountedFrames(), "1 frame", kMeanOfBodies);
+      With(group, kAligned, "consecutive " + counted, "1 frame", kMeanOfBodies);
   AddMean(group, "rrpe_1_frame", "rad", one, Rotation(&BodyScore::one_frame), metrics);
   AddMean(group, "trpe_1_frame", "m", one, Translation(&BodyScore::one_frame), metrics);
   const MetricContract motion =
       With(group, kWorldAligned,
-           StrCat("consecutive ", CountedFrames(), ", within frames ", truth.first_frame, " to ",
+           StrCat("consecutive ", counted, ", within frames ", truth.first_frame, " to ",
                   truth.first_frame + static_cast<int>(truth.frame_count()) - 1,
                   "; E = G_k^-1 H_gt^-1 H_est G_k with the motion H = P_k+1 P_k^-1 in world"),
            "1 frame", kMeanOfBodies);
@@ -163,8 +187,7 @@ void AddErrors(const ObjectTruth& truth, const Group& group, std::vector<Metric>
   AddMean(group, "motion_t", "m", motion, Translation(&BodyScore::motion), metrics);
   AddMean(
       group, "velocity", "m/s",
-      With(group, kAligned,
-           CountedFrames() + ", against differences of true positions of the same point",
+      With(group, kAligned, counted + ", against differences of true positions of the same point",
            "central difference, one-sided where the truth begins or ends", kMeanOfBodies),
       [](const BodyScore& body) { return body.velocity_m_s; }, metrics);
 }
@@ -179,17 +202,18 @@ void AddCounts(const Group& group, std::vector<Metric>& metrics) {
     unmatched += body->cluster == -1 ? 1 : 0;
   }
   const auto n = static_cast<std::int64_t>(group.bodies.size());
-  const auto add = [&](const char* name, std::int64_t count, const std::string& of) {
-    MetricContract contract = With(group, "none", "all visible object-frames", "none", of);
+  const auto add = [&](const char* name, std::int64_t count, const std::string& how,
+                       const char* of) {
+    MetricContract contract = With(group, "none", "all visible object-frames; " + how, "none", of);
     contract.left_out = "nothing";
     metrics.push_back({group.prefix + name, static_cast<double>(count), "1", n, contract});
   };
-  const std::string best =
-      StrCat("the cluster with the most landmarks on a body, at least ", kLandmarksThatCount, ", ");
-  add("id_switches", switches, "number of times " + best + "is another than the last one");
-  add("fragments", fragments,
-      "number of times " + best + "is back after visible frames without one");
-  add("unmatched", unmatched, "number of bodies matched to no cluster, one-to-one");
+  add("id_switches", switches, group.words.in_frame,
+      "number of times a body's cluster is another than the last one");
+  add("fragments", fragments, group.words.in_frame,
+      "number of times a body has a cluster again after visible frames without one");
+  add("unmatched", unmatched, group.words.clusters,
+      "number of bodies matched to no cluster, one-to-one");
 }
 
 void AddGroup(const ObjectTruth& truth, const Group& group, std::vector<Metric>& metrics) {
@@ -234,10 +258,9 @@ void AddUnmatchedClusters(const ObjectTruth& truth, const ObjectScores& scores,
   contract.frame = "clusters";
   contract.truth = truth.source;
   contract.alignment = "none";
-  contract.pairing =
-      StrCat("clusters with at least ", kLandmarksThatCount, " observed landmarks in some frame");
+  contract.pairing = Words(scores.match_by).clusters;
   contract.delta = "none";
-  contract.aggregation = "number matched to no body, one-to-one by shared landmarks";
+  contract.aggregation = "number matched to no body, one-to-one";
   contract.left_out = "nothing";
   metrics.push_back({"object_unmatched_clusters", static_cast<double>(scores.unmatched_clusters),
                      "1", scores.clusters, contract});

@@ -95,8 +95,8 @@ std::optional<double> VelocityError(const ObjectTruth& truth, const TruthBody& b
   for (const ClusterFrame* frame : frames) {
     const auto expected =
         PointVelocity(truth, body, frame->frame, gtobject_from_object * frame->center_in_object);
-    if (!expected) continue;
-    sum += (truth_from_estimate.rotation() * frame->velocity_m_s - *expected).squaredNorm();
+    if (!expected || !frame->velocity_m_s) continue;
+    sum += (truth_from_estimate.rotation() * *frame->velocity_m_s - *expected).squaredNorm();
     ++n;
   }
   return RootMeanSquare(sum, n);
@@ -170,6 +170,7 @@ RigidTransform AlignObject(const CommonPoses& poses) {
 ObjectScores ScoreObjects(const ObjectTruth& truth, const ObjectEstimate& estimate) {
   CheckEstimate(truth, estimate);
   ObjectScores scores;
+  scores.match_by = estimate.match_by;
   scores.truth_from_estimate = AlignByCamera(truth.world_from_camera, estimate.world_from_camera);
   const std::vector<ObjectMatch> matches = MatchObjects(truth, estimate);
   const std::vector<Continuity> continuity = MeasureContinuity(truth, estimate);

@@ -41,6 +41,7 @@ struct BodyScore {
 };
 
 struct ObjectScores {
+  MatchBy match_by = MatchBy::kLandmarks;
   RigidTransform truth_from_estimate;  // of the worlds
   std::vector<BodyScore> bodies;       // that are visible in some frame, by id
   int clusters = 0;                    // whose pose counts in some frame

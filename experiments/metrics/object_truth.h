@@ -21,6 +21,7 @@ struct TruthBody {
   int id = 0;  // 1, 2, ...
   std::string name;
   std::string category;
+  double diagonal_m = 0.0;                       // of the box around it, the largest there is
   std::vector<std::optional<BodyFrame>> frames;  // empty where the truth says nothing
   double travel_m = 0.0;                         // FarthestApart_m of its positions
   bool mover = false;                            // travel_m > ObjectTruth::mover_travel_m

@@ -13,7 +13,7 @@ namespace cvo {
 struct BuildIdentity {
   std::string version;
   std::string estimator_sources;   // SHA-256 over core, variants and the readers
-  std::string evaluation_sources;  // SHA-256 over metrics, runner and record
+  std::string evaluation_sources;  // SHA-256 over metrics, runner, record and cache
   std::string compiler;
   std::string build_type;
   std::string flags;

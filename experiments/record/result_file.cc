@@ -10,27 +10,6 @@
 namespace cvo {
 namespace {
 
-Json PoseToJson(const RigidTransform& world_from_camera) {
-  const auto t = world_from_camera.translation();
-  const auto q = world_from_camera.rotation();
-  return {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
-}
-
-Json SequenceToJson(const Sequence& sequence, const RunResult& run) {
-  return {{"name", sequence.name},
-          {"type", sequence.type},
-          {"pair", sequence.pair},
-          {"groundtruth", sequence.groundtruth},
-          {"first_frame", sequence.first_frame},
-          {"frames", sequence.images.size()},
-          {"total_frames", sequence.total_frames},
-          {"labels", sequence.labels.size()},
-          {"detections", sequence.detections.size()},
-          {"detections_hash", DetectionsHash(sequence)},
-          {"content", run.content},
-          {"camera", CameraToJson(sequence.camera)}};
-}
-
 Json CountsToJson(const RunResult& run) {
   Json counts = Json::object();
   for (const FrameStatus status :
@@ -130,6 +109,27 @@ Json ClustersToJson(const RunResult& run) {
 
 }  // namespace
 
+Json PoseToJson(const RigidTransform& pose) {
+  const auto t = pose.translation();
+  const auto q = pose.rotation();
+  return {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
+}
+
+Json SequenceToJson(const Sequence& sequence, const std::string& content) {
+  return {{"name", sequence.name},
+          {"type", sequence.type},
+          {"pair", sequence.pair},
+          {"groundtruth", sequence.groundtruth},
+          {"first_frame", sequence.first_frame},
+          {"frames", sequence.images.size()},
+          {"total_frames", sequence.total_frames},
+          {"labels", sequence.labels.size()},
+          {"detections", sequence.detections.size()},
+          {"detections_hash", DetectionsHash(sequence)},
+          {"content", content},
+          {"camera", CameraToJson(sequence.camera)}};
+}
+
 Json CameraToJson(const StereoCamera& camera) {
   return {{"width_px", camera.width_px},
           {"height_px", camera.height_px},
@@ -168,7 +168,7 @@ std::string ResultFile(const RunRecord& record) {
                    {"message", record.run.message},
                    {"variant", record.variant},
                    {"seed", record.seed},
-                   {"sequence", SequenceToJson(record.sequence, record.run)},
+                   {"sequence", SequenceToJson(record.sequence, record.run.content)},
                    {"options", record.options},
                    {"given", record.given},
                    {"detection_counts", DetectionsToJson(record.run.detections)},

@@ -29,6 +29,12 @@ struct RunRecord {
   bool landmarks = false;  // asked for
 };
 
+// tx ty tz qx qy qz qw.
+Json PoseToJson(const RigidTransform& pose);
+
+// What was read, with its hash.
+Json SequenceToJson(const Sequence& sequence, const std::string& content);
+
 // A rig as JSON, units in the names.
 Json CameraToJson(const StereoCamera& camera);
 

@@ -17,9 +17,15 @@ namespace {
 struct Side {
   OrbImage orb;
   std::string sha256;
-  std::string problem;
+  std::string problem;  // without the path
   StageTimes times_s;
 };
+
+// The problem without the path before it.
+std::string WithoutPath(const std::string& problem, const std::filesystem::path& path) {
+  const std::string prefix = path.string() + ": ";
+  return problem.starts_with(prefix) ? problem.substr(prefix.size()) : problem;
+}
 
 Side PrepareSide(const std::filesystem::path& path, const StereoCamera& camera,
                  const OrbOptions& options) {
@@ -30,11 +36,11 @@ Side PrepareSide(const std::filesystem::path& path, const StereoCamera& camera,
     image = LoadGrey(path);
   }
   side.sha256 = image.sha256;
-  side.problem = image.problem;
+  side.problem = WithoutPath(image.problem, path);
   if (!image.ok()) return side;
   if (image.grey.cols != camera.width_px || image.grey.rows != camera.height_px) {
-    side.problem = StrCat(path.string(), ": found ", image.grey.cols, "x", image.grey.rows,
-                          " px, expected ", camera.width_px, "x", camera.height_px, " px");
+    side.problem = StrCat("found ", image.grey.cols, "x", image.grey.rows, " px, expected ",
+                          camera.width_px, "x", camera.height_px, " px");
     return side;
   }
   const ScopedStage stage(side.times_s, "extract");
@@ -44,15 +50,6 @@ Side PrepareSide(const std::filesystem::path& path, const StereoCamera& camera,
 
 void AddTimes(const StageTimes& from, StageTimes& to) {
   for (const auto& [stage, seconds] : from) to[stage] += seconds;
-}
-
-// The path below the sequence's folder, and the problem without the path before it.
-ImageProblem ProblemWithin(const Sequence& sequence, const std::filesystem::path& path,
-                           const std::string& problem) {
-  const std::string prefix = path.string() + ": ";
-  const bool has_prefix = problem.starts_with(prefix);
-  return {path.lexically_relative(sequence.folder).generic_string(),
-          has_prefix ? problem.substr(prefix.size()) : problem};
 }
 
 }  // namespace
@@ -76,8 +73,9 @@ struct LookAhead::Slot {
   }
 };
 
-LookAhead::LookAhead(const Sequence& sequence, const Options& options, TaskPool& pool)
-    : sequence_(sequence), options_(options), pool_(pool) {
+LookAhead::LookAhead(const Sequence& sequence, const Options& options, TaskPool& pool,
+                     std::size_t first_frame)
+    : sequence_(sequence), options_(options), pool_(pool), submitted_(first_frame) {
   for (std::size_t i = 0; i < kFrames; ++i) SubmitNext();
 }
 
@@ -99,27 +97,44 @@ void LookAhead::SubmitNext() {
   ahead_.push_back(std::move(next));
 }
 
-PreparedFrame LookAhead::Next() {
-  Require(!ahead_.empty(), "LookAhead::Next: no frame is left");
-  const std::size_t index = submitted_ - ahead_.size();
+ExtractedFrame LookAhead::Extract() {
+  Require(!ahead_.empty(), "LookAhead: no frame is left");
   const Submitted submitted = std::move(ahead_.front());
   ahead_.pop_front();
   for (const TaskPool::Ticket& ticket : submitted.tickets) pool_.Wait(ticket);
 
   Slot& slot = *submitted.slot;
-  PreparedFrame prepared;
-  prepared.frame.timestamp_ns = sequence_.timestamps_ns[index];
-  prepared.frame.features = std::move(slot.features);
-  prepared.hashes = {slot.sides[0].sha256, slot.sides[1].sha256};
-  prepared.times_s = slot.match_times_s;
-  const StereoPaths& paths = sequence_.images[index];
-  for (std::size_t side = 0; side < 2; ++side) {
-    AddTimes(slot.sides[side].times_s, prepared.times_s);
-    if (slot.sides[side].problem.empty()) continue;
-    prepared.problems.push_back(
-        ProblemWithin(sequence_, side == 0 ? paths.left : paths.right, slot.sides[side].problem));
+  ExtractedFrame extracted;
+  extracted.front_end.features = std::move(slot.features);
+  extracted.hashes = {slot.sides[0].sha256, slot.sides[1].sha256};
+  extracted.times_s = slot.match_times_s;
+  for (int side = 0; side < 2; ++side) {
+    Side& image = slot.sides[static_cast<std::size_t>(side)];
+    AddTimes(image.times_s, extracted.times_s);
+    if (image.problem.empty()) continue;
+    extracted.front_end.problems.push_back({side, std::move(image.problem)});
   }
   SubmitNext();
+  return extracted;
+}
+
+PreparedFrame LookAhead::Next() {
+  const std::size_t index = submitted_ - ahead_.size();
+  return Prepare(sequence_, index, Extract());
+}
+
+PreparedFrame Prepare(const Sequence& sequence, std::size_t index, ExtractedFrame extracted) {
+  PreparedFrame prepared;
+  prepared.frame.timestamp_ns = sequence.timestamps_ns[index];
+  prepared.frame.features = std::move(extracted.front_end.features);
+  prepared.hashes = std::move(extracted.hashes);
+  prepared.times_s = std::move(extracted.times_s);
+  const StereoPaths& paths = sequence.images[index];
+  for (SideProblem& problem : extracted.front_end.problems) {
+    const std::filesystem::path& image = problem.side == 0 ? paths.left : paths.right;
+    prepared.problems.push_back(
+        {image.lexically_relative(sequence.folder).generic_string(), std::move(problem.reason)});
+  }
   return prepared;
 }
 

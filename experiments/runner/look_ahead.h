@@ -6,39 +6,40 @@
 #include <cstddef>
 #include <deque>
 #include <memory>
-#include <string>
-#include <vector>
 
 #include "core/base/stage_times.h"
 #include "core/base/task_pool.h"
-#include "core/odometry/frame.h"
 #include "core/odometry/options.h"
+#include "experiments/cache/content_hash.h"
+#include "experiments/cache/front_end_frame.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/record/run_record.h"
-#include "experiments/runner/content_hash.h"
+#include "experiments/runner/frame_source.h"
 
 namespace cvo {
 
-// One frame as the estimator is given it.
-struct PreparedFrame {
-  StereoFrame frame;
+// What the front end made of a pair of image files.
+struct ExtractedFrame {
+  FrontEndFrame front_end;
   ImageHashes hashes;
-  std::vector<ImageProblem> problems;  // not empty: there are no features, skip the frame
-  StageTimes times_s;                  // decode and extract: the sum over both images
+  StageTimes times_s;
 };
+
+// The frame with its time and with problems named by the files of the sequence.
+PreparedFrame Prepare(const Sequence& sequence, std::size_t index, ExtractedFrame extracted);
 
 // Decodes images and extracts features on the pool, a few frames ahead of whoever takes them. The
 // frames do not depend on the number of threads; images of no more than kFrames frames are in
 // memory. The sequence, options and pool must outlive it.
-class LookAhead {
+class LookAhead final : public FrameSource {
  public:
   static constexpr std::size_t kFrames = 3;
 
-  LookAhead(const Sequence& sequence, const Options& options, TaskPool& pool);
+  LookAhead(const Sequence& sequence, const Options& options, TaskPool& pool,
+            std::size_t first_frame = 0);
 
-  // The next frame of the sequence in order; works on it meanwhile if no thread has taken it.
-  // Throws what the extraction threw. Call it once per frame at most.
-  PreparedFrame Next();
+  // The next frame of the sequence; works on it meanwhile if no thread has taken it.
+  ExtractedFrame Extract();
+  PreparedFrame Next() override;
 
  private:
   struct Slot;

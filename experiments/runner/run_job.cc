@@ -5,12 +5,12 @@
 #include <memory>
 #include <utility>
 
+#include "experiments/cache/content_hash.h"
 #include "experiments/files/options_json.h"
 #include "experiments/record/bodies_json.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/record/job_identity.h"
 #include "experiments/record/metrics_json.h"
-#include "experiments/runner/content_hash.h"
 #include "experiments/runner/run_files.h"
 
 namespace cvo {
@@ -45,10 +45,8 @@ Json ResolvedOptions(const RunRequest& request) {
 }  // namespace
 
 std::string IdentifyJob(const RunRequest& request) {
-  std::vector<ImageHashes> images;
-  for (const StereoPaths& pair : request.sequence.images) {
-    images.push_back({HashImage(pair.left), HashImage(pair.right)});
-  }
+  const std::vector<ImageHashes> images =
+      request.images.empty() ? HashImages(request.sequence) : request.images;
   return IdentifyJob(request, ContentHash(request.sequence, images));
 }
 

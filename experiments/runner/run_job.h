@@ -20,6 +20,7 @@ struct JobOutcome {
 };
 
 // JobIdentity of what RunJob would do, from the bytes of the sequence's files; nothing is decoded.
+// Images whose hashes the request has are not read.
 std::string IdentifyJob(const RunRequest& request);
 // The same where the ContentHash of the sequence is known.
 std::string IdentifyJob(const RunRequest& request, const std::string& content);

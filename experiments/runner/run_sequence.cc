@@ -12,9 +12,9 @@
 #include "core/base/stage_times.h"
 #include "core/base/task_pool.h"
 #include "core/odometry/odometry.h"
+#include "experiments/cache/content_hash.h"
 #include "experiments/record/landmark_table.h"
-#include "experiments/runner/content_hash.h"
-#include "experiments/runner/look_ahead.h"
+#include "experiments/runner/frame_source.h"
 
 namespace cvo {
 namespace {
@@ -133,9 +133,10 @@ void JudgeStatus(RunResult& result) {
 }
 
 // The identity of the input does not depend on how far the run came.
-void HashRest(const Sequence& sequence, std::vector<ImageHashes>& hashes) {
-  for (std::size_t i = hashes.size(); i < sequence.images.size(); ++i) {
-    hashes.push_back({HashImage(sequence.images[i].left), HashImage(sequence.images[i].right)});
+void HashRest(const RunRequest& request, std::vector<ImageHashes>& hashes) {
+  for (std::size_t i = hashes.size(); i < request.sequence.images.size(); ++i) {
+    hashes.push_back(request.images.empty() ? HashPair(request.sequence.images[i])
+                                            : request.images[i]);
   }
 }
 
@@ -143,19 +144,22 @@ void HashRest(const Sequence& sequence, std::vector<ImageHashes>& hashes) {
 
 std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader* truth) {
   const Sequence& sequence = request.sequence;
+  Require(request.images.empty() || request.images.size() == sequence.images.size(),
+          "RunSequence: the hashes of all frames, or of none");
   const std::vector<std::vector<ObjectBox>> boxes = DetectionsByFrame(sequence);
   TruthBeside beside{truth, Oracle(sequence, request.oracle, truth)};
   const auto run_start = std::chrono::steady_clock::now();
   TaskPool pool(request.threads);
   const std::unique_ptr<Odometry> odometry =
       request.variant.make({sequence.camera, request.options, request.seed}, pool);
-  LookAhead look_ahead(sequence, request.options, pool);
+  const std::unique_ptr<FrameSource> source =
+      OpenFrames({sequence, request.options, request.images, request.cache}, pool);
 
   RunResult result;
   std::vector<ImageHashes> hashes;
   for (std::size_t i = 0; i < sequence.images.size(); ++i) {
     const auto frame_start = std::chrono::steady_clock::now();
-    PreparedFrame prepared = look_ahead.Next();
+    PreparedFrame prepared = source->Next();
     prepared.times_s["wait_for_features"] = SecondsSince(frame_start);
     if (request.strict) RefuseProblems(sequence, prepared);
     hashes.push_back(prepared.hashes);
@@ -171,7 +175,8 @@ std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader*
   result.wall_s += SecondsSince(run_start);
   Refine(*odometry, result);
   JudgeStatus(result);
-  HashRest(sequence, hashes);
+  if (result.status != RunStatus::kFailed) source->Finish();
+  HashRest(request, hashes);
   result.content = ContentHash(sequence, hashes);
   return result;
 }

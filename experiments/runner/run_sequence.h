@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "core/odometry/options.h"
+#include "experiments/cache/content_hash.h"
+#include "experiments/cache/front_end_cache.h"
 #include "experiments/datasets/body_truth.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/record/run_record.h"
@@ -29,6 +31,8 @@ struct RunRequest {
   OracleSwitches oracle = {};
   bool landmarks = false;  // keep RunResult::landmark_rows
   bool strict = false;  // an image that cannot be decoded is an error in place of a skipped frame
+  std::vector<ImageHashes> images = {};  // of every frame, as FindImageHashes; empty: not known
+  const FrontEndCache* cache = nullptr;  // may be null; results do not depend on it
   std::function<void(std::size_t done)> progress = [](std::size_t) {};
   std::function<bool()> stop = [] { return false; };  // asked after every frame
 };

@@ -12,7 +12,7 @@
 #include "experiments/files/sha256.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/record/job_identity.h"
-#include "experiments/runner/content_hash.h"
+#include "experiments/cache/content_hash.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/suite/cell_input.h"
 #include "experiments/suite/data_folder.h"
@@ -104,7 +104,8 @@ void Planner::Want(const SceneFolder& scene, const Cell& cell) {
   const std::string name =
       StrCat("render-", cell.sequence.name, "-", scene.folder.parent_path().filename().string());
   wanted_.push_back(
-      {scene.drawing, {name, scene.folder, scene.arguments, scene.frames, !scene.drawn}});
+      {scene.drawing,
+       {name, cell.sequence.name, scene.folder, scene.arguments, scene.frames, !scene.drawn}});
 }
 
 // One of each drawing draws, unless the cache has it.
@@ -144,7 +145,6 @@ Input Planner::FindInput(const Cell& cell) {
     input.folder = scene.folder.string();
     Open(cell, ManifestHash(input.folder, *manifest), input);
   } catch (const Error& error) {
-    input = {};
     input.missing = error.what();
   }
   return input;

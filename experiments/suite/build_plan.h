@@ -24,7 +24,8 @@ struct PlanRequest {
 
 // A scene that some jobs wait for.
 struct SceneRender {
-  std::string name;  // unique among the plan's
+  std::string name;      // unique among the plan's
+  std::string sequence;  // SuiteSequence::name
   std::filesystem::path folder;
   std::vector<std::string> arguments;  // of the program: it renders the scene into the folder
   int frames = 0;

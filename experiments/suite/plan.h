@@ -27,7 +27,8 @@ inline constexpr char kNotRendered[] = "not rendered yet";
 // A cell with its input found.
 struct PlannedJob {
   Cell cell;
-  std::string folder;   // absolute, of the sequence; empty where it is missing
+  // Absolute, of the sequence; empty where it is missing, but not where it cannot be read.
+  std::string folder;
   std::string missing;  // why there is no sequence; kNotRendered: a scene that only has to be drawn
   int frames = 0;       // 0: not known
   std::string content;  // ContentHash; empty where the sequence is missing

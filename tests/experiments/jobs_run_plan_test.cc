@@ -145,7 +145,7 @@ TEST_F(RunPlanTest, OnlyACompleteResultOfThisJobCounts) {
     Run(plan_);
     Started();
     folder_.Write("out/jobs/a1/result.json", text);
-    EXPECT_EQ(StatusOf(run_.folder, plan_.jobs[0]).state, JobState::kMissing) << text;
+    EXPECT_EQ(StatusOf(run_.folder, plan_.jobs[0]).state, JobStatus::State::kMissing) << text;
     EXPECT_EQ(Run(plan_).done, 4U) << text;
     EXPECT_THAT(Started(), ElementsAre("a1")) << text;
   }
@@ -154,18 +154,27 @@ TEST_F(RunPlanTest, OnlyACompleteResultOfThisJobCounts) {
 TEST_F(RunPlanTest, AFailureRecordThatCannotBeReadIsAFailureStill) {
   folder_.Write("out/failed/a1.json", "{\"mess");
   const JobStatus status = StatusOf(run_.folder, plan_.jobs[0]);
-  EXPECT_EQ(status.state, JobState::kFailed);
+  EXPECT_EQ(status.state, JobStatus::State::kFailed);
   EXPECT_THAT(status.message, HasSubstr("cannot be read"));
 }
 
 TEST_F(RunPlanTest, WithoutASequenceNothingRuns) {
   Plan plan = plan_;
   plan.jobs[2].job.clear();
+  plan.jobs[2].folder.clear();
   plan.jobs[2].missing = "no such folder";
   const PlanOutcome outcome = Run(plan);
   EXPECT_EQ(outcome.no_sequence, 1U);
   EXPECT_EQ(outcome.done, 3U);
   EXPECT_EQ(StatusOfAll(run_.folder, plan)[2].message, "no such folder");
+
+  plan.jobs[2].folder = "/found/and/damaged";
+  EXPECT_EQ(Run(plan).failed, 1U);
+  plan.jobs[2].folder.clear();
+  plan.jobs[2].cell.sequence.scene = "tiny";  // everybody can have one
+  EXPECT_EQ(Run(plan).failed, 1U);
+  plan.jobs[2].missing = kNotRendered;
+  EXPECT_EQ(Run(plan).missing, 1U);
 }
 
 TEST_F(RunPlanTest, ResultsOfAnotherPlanStayAndAreUsedAgain) {

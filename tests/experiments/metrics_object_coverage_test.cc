@@ -213,7 +213,7 @@ TEST(ObjectMetrics, RefuseWhatCannotBe) {
   EXPECT_THAT(error([](ObjectEstimate& e) { e.clusters[0].frames[2].frame = 1; }),
               HasSubstr("a frame after 1"));
   EXPECT_THAT(error([](ObjectEstimate& e) {
-                e.clusters[0].frames[1].velocity_m_s.x() = std::numeric_limits<double>::quiet_NaN();
+                e.clusters[0].frames[1].velocity_m_s->x() = std::numeric_limits<double>::quiet_NaN();
               }),
               HasSubstr("cluster 1, frame 1"));
 }

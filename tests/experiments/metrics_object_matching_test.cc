@@ -45,7 +45,7 @@ TEST(MatchObjects, SwappedIdsAreNoMatter) {
     Observe(world.estimate, k, 1, 2);
   }
   EXPECT_EQ(world.Matched(), (std::vector<int>{1, 0}));
-  EXPECT_EQ(MatchObjects(world.truth, world.estimate)[0].landmarks, 8);
+  EXPECT_EQ(MatchObjects(world.truth, world.estimate)[0].shared, 8.0);
 }
 
 TEST(MatchObjects, IsOneToOne) {

@@ -193,8 +193,8 @@ TEST(ObjectMetrics, VelocityErrorIsInMetresPerSecond) {
   AddBody(truth, Line(3));  // 1 m in 0.1 s
   ObjectEstimate estimate = PerfectEstimate(truth);
   for (ClusterFrame& frame : estimate.clusters[0].frames) {
-    EXPECT_NEAR(frame.velocity_m_s.x(), 10.0, 1e-12);
-    frame.velocity_m_s.setZero();
+    EXPECT_NEAR(frame.velocity_m_s->x(), 10.0, 1e-12);
+    frame.velocity_m_s->setZero();
   }
   EXPECT_NEAR(Value(Evaluate(truth, estimate), "object_velocity"), 10.0, 1e-9);
 }

@@ -108,7 +108,7 @@ inline ObjectEstimate Restate(const ObjectEstimate& estimate,
     for (ClusterFrame& frame : other.clusters[c].frames) {
       frame.world_from_object = other_from_world * frame.world_from_object * object_from_other[c];
       frame.center_in_object = object_from_other[c].Inverse() * frame.center_in_object;
-      frame.velocity_m_s = other_from_world.rotation() * frame.velocity_m_s;
+      frame.velocity_m_s = other_from_world.rotation() * *frame.velocity_m_s;
     }
   }
   return other;
@@ -133,7 +133,7 @@ inline ObjectEstimate Noisy(const ObjectTruth& truth, std::uint64_t seed) {
   for (ClusterEstimate& cluster : estimate.clusters) {
     for (ClusterFrame& frame : cluster.frames) {
       frame.world_from_object = frame.world_from_object * noise();
-      frame.velocity_m_s += RandomVector(rng, 0.1);
+      *frame.velocity_m_s += RandomVector(rng, 0.1);
     }
   }
   return estimate;

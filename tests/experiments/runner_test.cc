@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "core/base/error.h"
+#include "experiments/cache/content_hash.h"
 #include "experiments/record/result_file.h"
-#include "experiments/runner/content_hash.h"
 #include "experiments/runner/look_ahead.h"
 #include "experiments/runner/run_sequence.h"
 #include "experiments/runner/score_run.h"

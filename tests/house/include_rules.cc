@@ -64,23 +64,27 @@ std::vector<Part> MakeParts() {
                    {"core/", "experiments/files/", "experiments/datasets/", "experiments/metrics/",
                     "experiments/scene_check/"},
                    {}});
+  parts.push_back({"experiments/cache/",
+                   {"core/", "experiments/files/", "experiments/datasets/", "experiments/cache/"},
+                   {}});
   parts.push_back({"experiments/record/",
                    {"core/", "variants/", "experiments/files/", "experiments/datasets/",
                     "experiments/metrics/", "experiments/record/"},
                    {}});
-  parts.push_back({"experiments/runner/",
-                   {"core/", "variants/", "experiments/files/", "experiments/datasets/",
-                    "experiments/metrics/", "experiments/record/", "experiments/runner/"},
-                   {}});
+  parts.push_back(
+      {"experiments/runner/",
+       {"core/", "variants/", "experiments/files/", "experiments/datasets/", "experiments/metrics/",
+        "experiments/cache/", "experiments/record/", "experiments/runner/"},
+       {}});
   parts.push_back({"experiments/suite/",
                    {"core/", "variants/", "synth/", "experiments/files/", "experiments/datasets/",
-                    "experiments/metrics/", "experiments/record/", "experiments/runner/",
-                    "experiments/suite/"},
+                    "experiments/metrics/", "experiments/cache/", "experiments/record/",
+                    "experiments/runner/", "experiments/suite/"},
                    {}});
   parts.push_back({"experiments/jobs/",
                    {"core/", "variants/", "experiments/files/", "experiments/datasets/",
-                    "experiments/metrics/", "experiments/record/", "experiments/runner/",
-                    "experiments/suite/", "experiments/jobs/"},
+                    "experiments/metrics/", "experiments/cache/", "experiments/record/",
+                    "experiments/runner/", "experiments/suite/", "experiments/jobs/"},
                    {}});
   parts.push_back(
       {"experiments/cli/", {"core/", "variants/", "experiments/", "reports/", "synth/"}, {}});

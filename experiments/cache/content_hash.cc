@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/runner/content_hash.h"
+#include "experiments/cache/content_hash.h"
 
 #include <fstream>
 #include <sstream>
@@ -19,6 +19,21 @@ std::string HashImage(const std::filesystem::path& file) {
   return in.is_open() && !in.bad() && !bytes.bad() ? Sha256Hex(bytes.str()) : "";
 }
 
+ImageHashes HashPair(const StereoPaths& pair) {
+  return {HashImage(pair.left), HashImage(pair.right)};
+}
+
+std::vector<ImageHashes> HashImages(const Sequence& sequence) {
+  std::vector<ImageHashes> images;
+  for (const StereoPaths& pair : sequence.images) images.push_back(HashPair(pair));
+  return images;
+}
+
+Json CameraNumbers(const StereoCamera& camera) {
+  return {camera.fx,         camera.fy,       camera.cx,        camera.cy,
+          camera.baseline_m, camera.width_px, camera.height_px, camera.right_shift_px};
+}
+
 std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>& images) {
   Require(images.size() == sequence.images.size(), "ContentHash: one entry per frame");
   Json text_files = Json::array();
@@ -28,16 +43,13 @@ std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>
   Json image_files = Json::array();
   for (const ImageHashes& pair : images)
     image_files.push_back(Json::array({pair.left, pair.right}));
-  const StereoCamera& camera = sequence.camera;
   return Sha256Hex(DumpJson({{"name", sequence.name},
                              {"type", sequence.type},
                              {"pair", sequence.pair},
                              {"groundtruth", sequence.groundtruth},
                              {"first_frame", sequence.first_frame},
                              {"total_frames", sequence.total_frames},
-                             {"camera",
-                              {camera.fx, camera.fy, camera.cx, camera.cy, camera.baseline_m,
-                               camera.width_px, camera.height_px, camera.right_shift_px}},
+                             {"camera", CameraNumbers(sequence.camera)},
                              {"timestamps_ns", sequence.timestamps_ns},
                              {"text_files", text_files},
                              {"images", image_files}}));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/jobs/job_state.h"
+#include "experiments/jobs/job_status.h"
 
 #include <algorithm>
 #include <fstream>
@@ -62,28 +62,35 @@ std::string Tail(const fs::path& file) {
   return size > kBytes && line != std::string::npos ? text.substr(line + 1) : text;
 }
 
+// A scene can always be had, and a folder that was found was meant: that is no user without data.
+JobStatus::State StateWithoutInput(const PlannedJob& job) {
+  if (job.missing == kNotRendered) return JobStatus::State::kMissing;
+  const bool absent = job.cell.sequence.scene.empty() && job.folder.empty();
+  return absent ? JobStatus::State::kNoSequence : JobStatus::State::kFailed;
+}
+
 }  // namespace
 
-const char* ToString(JobState state) {
+const char* ToString(JobStatus::State state) {
   switch (state) {
-    case JobState::kDone:
+    case JobStatus::State::kDone:
       return "done";
-    case JobState::kFailed:
+    case JobStatus::State::kFailed:
       return "failed";
-    case JobState::kMissing:
+    case JobStatus::State::kMissing:
       return "missing";
-    case JobState::kNoSequence:
+    case JobStatus::State::kNoSequence:
       return "no sequence";
   }
-  throw Error("JobState: not one of the enumerators");
+  throw Error("JobStatus: not one of the enumerators");
 }
 
 JobStatus StatusOf(const SuiteFolder& folder, const PlannedJob& job) {
-  if (job.job.empty()) return {JobState::kNoSequence, job.missing};
-  if (IsDone(folder.job(job.job) / "result.json", job.job)) return {JobState::kDone, ""};
+  if (job.job.empty()) return {StateWithoutInput(job), job.missing};
+  if (IsDone(folder.job(job.job) / "result.json", job.job)) return {JobStatus::State::kDone, ""};
   const fs::path failure = folder.failure(job.job);
-  if (!fs::exists(failure)) return {JobState::kMissing, ""};
-  return {JobState::kFailed, FailureMessage(failure)};
+  if (!fs::exists(failure)) return {JobStatus::State::kMissing, ""};
+  return {JobStatus::State::kFailed, FailureMessage(failure)};
 }
 
 std::vector<JobStatus> StatusOfAll(const SuiteFolder& folder, const Plan& plan) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "experiments/datasets/sequence.h"
+#include "experiments/files/json.h"
 
 namespace cvo {
 
@@ -19,7 +20,13 @@ struct ImageHashes {
 // sequence, but not where they lie. One entry per frame of the sequence.
 std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>& images);
 
+// Every number of the camera, in the order of its declaration.
+Json CameraNumbers(const StereoCamera& camera);
+
 // Hash of an image file's bytes; empty where it cannot be read.
 std::string HashImage(const std::filesystem::path& file);
+ImageHashes HashPair(const StereoPaths& pair);
+// Of every frame; reads all images.
+std::vector<ImageHashes> HashImages(const Sequence& sequence);
 
 }  // namespace cvo

@@ -10,18 +10,17 @@
 
 namespace cvo {
 
-enum class JobState {
-  kDone,
-  kFailed,      // the last try did, see the message
-  kMissing,     // not run yet, or stopped
-  kNoSequence,  // nothing to run on, see the message
-};
-const char* ToString(JobState state);
-
 struct JobStatus {
-  JobState state = JobState::kMissing;
-  std::string message;  // empty where done or missing
+  enum class State {
+    kDone,
+    kFailed,      // the last try did, or its sequence cannot be made or read
+    kMissing,     // not run yet, or stopped
+    kNoSequence,  // the user does not have it
+  };
+  State state = State::kMissing;
+  std::string message;  // why; empty where done
 };
+const char* ToString(JobStatus::State state);
 
 // What the files say of a job, whatever wrote them. Only a complete result of this very job counts:
 // anything else in its place is as none.

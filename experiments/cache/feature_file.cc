@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/cache/feature_file.h"
+
+#include <string_view>
+
+#include "core/base/error.h"
+#include "experiments/cache/bytes.h"
+#include "experiments/files/sha256.h"
+
+namespace cvo {
+namespace {
+
+constexpr std::string_view kMagic = "CVOFEATS";
+constexpr std::size_t kHashBytes = 64;  // hexadecimal
+constexpr std::size_t kHeaderBytes =
+    kMagic.size() + 2 * sizeof(std::uint32_t) + sizeof(std::uint64_t) + kHashBytes + kHashBytes;
+constexpr std::size_t kPlaceBytes = 2 * sizeof(std::uint64_t) + kHashBytes;
+
+struct Header {
+  std::uint32_t frames = 0;
+  std::uint64_t index_offset = 0;
+  std::string key;
+};
+
+std::string Encode(const Header& header) {
+  std::string bytes(kMagic);
+  AppendNumber(kFeatureFileVersion, bytes);
+  AppendNumber(header.frames, bytes);
+  AppendNumber(header.index_offset, bytes);
+  bytes += header.key;
+  return bytes + Sha256Hex(bytes);
+}
+
+// The bytes without the checksum after them.
+std::string_view Checked(std::string_view bytes, const std::string& name, const char* part) {
+  const std::string_view content = bytes.substr(0, bytes.size() - kHashBytes);
+  if (Sha256Hex(content) != bytes.substr(content.size())) {
+    ThrowError(name, StrCat("damage in the ", part), "the bytes that were written");
+  }
+  return content;
+}
+
+Header DecodeHeader(const std::string& bytes, const std::string& name) {
+  ByteReader reader(bytes);
+  if (reader.Take(kMagic.size()) != kMagic) {
+    ThrowError(name, "another file", "features of a sequence");
+  }
+  const auto version = reader.Number<std::uint32_t>();
+  if (version != kFeatureFileVersion) {
+    ThrowError(name, StrCat("version ", version), StrCat(kFeatureFileVersion));
+  }
+  (void)Checked(bytes, name, "header");
+  Header header;
+  header.frames = reader.Number<std::uint32_t>();
+  header.index_offset = reader.Number<std::uint64_t>();
+  header.key = reader.Take(kHashBytes);
+  return header;
+}
+
+}  // namespace
+
+FeatureFile::FeatureFile(const std::filesystem::path& file, const std::string& key,
+                         std::size_t frames)
+    : name_(file.string()), file_(file) {
+  const Header header = DecodeHeader(file_.Read(0, kHeaderBytes), name_);
+  if (header.key != key || header.frames != frames) {
+    ThrowError(name_, StrCat(header.frames, " frames under the key ", header.key),
+               StrCat(frames, " under ", key));
+  }
+  places_ = ReadIndex(header.index_offset, frames);
+}
+
+std::vector<FeatureFile::Place> FeatureFile::ReadIndex(std::uint64_t offset,
+                                                       std::size_t frames) const {
+  const std::uint64_t index_bytes = frames * kPlaceBytes + kHashBytes;
+  if (file_.size_bytes() < index_bytes || offset != file_.size_bytes() - index_bytes) {
+    ThrowError(name_, StrCat(file_.size_bytes(), " bytes"), StrCat(offset + index_bytes));
+  }
+  const std::string index = file_.Read(offset, index_bytes);
+  ByteReader reader(Checked(index, name_, "index"));
+  std::vector<Place> places;
+  std::uint64_t end = kHeaderBytes;
+  for (std::size_t i = 0; i < frames; ++i) {
+    const auto at = reader.Number<std::uint64_t>();
+    const auto size_bytes = reader.Number<std::uint64_t>();
+    places.push_back({at, size_bytes, std::string(reader.Take(kHashBytes))});
+    if (at != end) ThrowError(name_, StrCat("frame ", i, " at byte ", at), StrCat(end));
+    end += size_bytes;
+  }
+  if (end != offset) ThrowError(name_, StrCat("frames up to byte ", end), StrCat(offset));
+  return places;
+}
+
+FrontEndFrame FeatureFile::Frame(std::size_t index) const {
+  const Place& place = places_.at(index);
+  const std::string bytes = file_.Read(place.offset, place.size_bytes);
+  if (Sha256Hex(bytes) != place.sha256) {
+    ThrowError(name_, StrCat("damage in frame ", index), "the bytes that were written");
+  }
+  return DecodeFrame(bytes);
+}
+
+FeatureFileWriter::FeatureFileWriter(const std::filesystem::path& folder) : file_(folder) {
+  file_.Append(std::string(kHeaderBytes, '\0'));
+}
+
+void FeatureFileWriter::Add(const FrontEndFrame& frame) {
+  const std::string bytes = EncodeFrame(frame);
+  AppendNumber(file_.size_bytes(), index_);
+  AppendNumber(static_cast<std::uint64_t>(bytes.size()), index_);
+  index_ += Sha256Hex(bytes);
+  file_.Append(bytes);
+  ++frames_;
+}
+
+std::uint64_t FeatureFileWriter::Complete(const std::string& key) {
+  Require(key.size() == kHashBytes, "FeatureFileWriter: a key is a SHA-256");
+  const std::string header = Encode({frames_, file_.size_bytes(), key});
+  file_.Append(index_ + Sha256Hex(index_));
+  file_.ReplaceStart(header);
+  return file_.size_bytes();
+}
+
+}  // namespace cvo

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/cache/front_end_frame.h"
+
+#include <cstdint>
+
+#include "core/base/error.h"
+#include "experiments/cache/bytes.h"
+
+namespace cvo {
+namespace {
+
+constexpr std::size_t kFeatureBytes =
+    3 * sizeof(double) + sizeof(std::int32_t) + 2 * sizeof(float) + sizeof(Descriptor);
+
+void AppendFeature(const StereoFeature& feature, std::string& bytes) {
+  for (const double coordinate_px : feature.z_px) AppendNumber(coordinate_px, bytes);
+  AppendNumber(static_cast<std::int32_t>(feature.octave), bytes);
+  AppendNumber(feature.angle_rad, bytes);
+  AppendNumber(feature.response, bytes);
+  for (const std::uint64_t word : feature.descriptor) AppendNumber(word, bytes);
+}
+
+StereoFeature TakeFeature(ByteReader& reader) {
+  StereoFeature feature;
+  for (double& coordinate_px : feature.z_px) coordinate_px = reader.Number<double>();
+  feature.octave = reader.Number<std::int32_t>();
+  feature.angle_rad = reader.Number<float>();
+  feature.response = reader.Number<float>();
+  for (std::uint64_t& word : feature.descriptor) word = reader.Number<std::uint64_t>();
+  return feature;
+}
+
+}  // namespace
+
+std::string EncodeFrame(const FrontEndFrame& frame) {
+  std::string bytes;
+  bytes.reserve(64 + frame.features.size() * kFeatureBytes);
+  AppendNumber(static_cast<std::uint32_t>(frame.problems.size()), bytes);
+  for (const SideProblem& problem : frame.problems) {
+    AppendNumber(static_cast<std::int32_t>(problem.side), bytes);
+    AppendNumber(static_cast<std::uint32_t>(problem.reason.size()), bytes);
+    bytes += problem.reason;
+  }
+  AppendNumber(static_cast<std::uint32_t>(frame.features.size()), bytes);
+  for (const StereoFeature& feature : frame.features) AppendFeature(feature, bytes);
+  return bytes;
+}
+
+FrontEndFrame DecodeFrame(std::string_view bytes) {
+  ByteReader reader(bytes);
+  FrontEndFrame frame;
+  const auto problems = reader.Number<std::uint32_t>();
+  for (std::uint32_t i = 0; i < problems; ++i) {
+    SideProblem problem;
+    problem.side = reader.Number<std::int32_t>();
+    if (problem.side != 0 && problem.side != 1) {
+      ThrowError("side of an image pair", StrCat(problem.side), "0 or 1");
+    }
+    problem.reason = reader.Take(reader.Number<std::uint32_t>());
+    frame.problems.push_back(std::move(problem));
+  }
+  const auto features = reader.Number<std::uint32_t>();
+  if (reader.left() != features * kFeatureBytes) {
+    ThrowError("features", StrCat(reader.left(), " bytes"), StrCat(features * kFeatureBytes));
+  }
+  frame.features.reserve(features);
+  for (std::uint32_t i = 0; i < features; ++i) frame.features.push_back(TakeFeature(reader));
+  return frame;
+}
+
+}  // namespace cvo

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "experiments/datasets/sequence.h"
+#include "experiments/files/json.h"
+#include "experiments/metrics/object_estimate.h"
+#include "experiments/record/build_identity.h"
+
+namespace cvo {
+
+// The files that another system wrote, by their bytes.
+struct SystemHashes {
+  std::string camera;
+  std::string objects;  // empty: none
+};
+
+// What a result says of another system's trajectories on a sequence.
+struct SystemRecord {
+  const Sequence& sequence;
+  BuildIdentity build;
+  std::string system;
+  SystemHashes hashes;
+  std::string content;  // ContentHash of the sequence
+  std::uint64_t seed = 0;
+  Json metrics = {};
+  Json bodies = {};  // null without truth or objects
+  const ObjectEstimate& estimate;
+  int object_frames = 0;
+  int object_frames_left_out = 0;
+};
+
+// The variant of such a run: "system:" and its name.
+std::string SystemVariant(const std::string& system);
+
+// Of a run of no variant. The whole build takes part: the readers of the truth and the geometry
+// that scoring needs are among the estimator's sources.
+std::string SystemJob(const BuildIdentity& build, const std::string& system,
+                      const SystemHashes& hashes, const std::string& content, std::uint64_t seed);
+
+// The content of result.json, kind "run" as of an own run; poses are the system's own, those of
+// frames without one null. Throws Error naming a field that is not finite.
+std::string SystemResultFile(const SystemRecord& record);
+
+}  // namespace cvo

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/runner/frame_source.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/base/error.h"
+#include "experiments/record/build_identity.h"
+#include "experiments/runner/look_ahead.h"
+
+namespace cvo {
+namespace {
+
+FrontEndSettings Settings(const FrameInput& input) {
+  return {ThisBuild().Hash(), input.sequence.camera, input.options.orb, input.options.stereo};
+}
+
+// Extracts, and keeps what it gives for later runs under the hashes of the bytes it read.
+class RecordedFrames final : public FrameSource {
+ public:
+  RecordedFrames(const FrameInput& input, TaskPool& pool)
+      : input_(input),
+        frames_(input.sequence, input.options, pool),
+        recording_(input.cache->Record()) {}
+
+  PreparedFrame Next() override {
+    ExtractedFrame extracted = frames_.Extract();
+    images_.push_back(extracted.hashes);
+    {
+      const ScopedStage stage(extracted.times_s, "store_features");
+      recording_.Add(extracted.front_end);
+    }
+    return Prepare(input_.sequence, images_.size() - 1, std::move(extracted));
+  }
+
+  void Finish() override { recording_.Finish(FrontEndKey(Settings(input_), images_)); }
+
+ private:
+  const FrameInput input_;
+  LookAhead frames_;
+  FrontEndRecording recording_;
+  std::vector<ImageHashes> images_;
+};
+
+// Reads from the cache; from a frame on that proves damaged it extracts.
+class CachedFrames final : public FrameSource {
+ public:
+  CachedFrames(const FrameInput& input, std::vector<ImageHashes> images, std::string key,
+               FeatureFile file, TaskPool& pool)
+      : input_(input),
+        images_(std::move(images)),
+        key_(std::move(key)),
+        file_(std::move(file)),
+        pool_(pool) {}
+
+  PreparedFrame Next() override {
+    const std::size_t index = next_++;
+    if (file_) {
+      ExtractedFrame cached;
+      if (Load(index, cached)) return Prepare(input_.sequence, index, std::move(cached));
+      rest_.emplace(input_.sequence, input_.options, pool_, index);
+    }
+    return rest_->Next();
+  }
+
+ private:
+  bool Load(std::size_t index, ExtractedFrame& cached) {
+    try {
+      const ScopedStage stage(cached.times_s, "load_features");
+      cached.front_end = file_->Frame(index);
+      cached.hashes = images_.at(index);
+      return true;
+    } catch (const Error& damage) {
+      input_.cache->Remove(key_, damage.what());
+      file_.reset();
+      return false;
+    }
+  }
+
+  const FrameInput input_;
+  const std::vector<ImageHashes> images_;
+  std::string key_;
+  std::optional<FeatureFile> file_;
+  TaskPool& pool_;
+  std::optional<LookAhead> rest_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<FrameSource> OpenFrames(const FrameInput& input, TaskPool& pool) {
+  if (input.cache == nullptr) {
+    return std::make_unique<LookAhead>(input.sequence, input.options, pool);
+  }
+  std::vector<ImageHashes> images =
+      input.images.empty() ? HashImages(input.sequence) : input.images;
+  std::string key = FrontEndKey(Settings(input), images);
+  if (auto file = input.cache->Find(key, images.size())) {
+    return std::make_unique<CachedFrames>(input, std::move(images), std::move(key),
+                                          std::move(*file), pool);
+  }
+  return std::make_unique<RecordedFrames>(input, pool);
+}
+
+}  // namespace cvo

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "experiments/cache/file_hashes.h"
+#include "experiments/cache/front_end_cache.h"
+#include "experiments/runner/run_sequence.h"
+
+namespace cvo {
+
+// What runs share below the cache folder: features (frontend/) and hashes of files (hashes/).
+class JobCache {
+ public:
+  // `limit_bytes`: of the features, see CacheLimit.
+  JobCache(const std::filesystem::path& cache_folder, std::uint64_t limit_bytes,
+           const FileHashHooks& hooks);
+
+  // Hashes of the sequence's images, for ContentHash and IdentifyJob.
+  std::vector<ImageHashes> ImagesOf(const Sequence& sequence, int threads) const;
+  // Fills in the request's image hashes and lets it use the features. The cache must outlive it.
+  void Serve(RunRequest& request) const;
+
+ private:
+  FileHashHooks hooks_;
+  std::filesystem::path hashes_;
+  FrontEndCache front_end_;
+};
+
+}  // namespace cvo

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/runner/score_files.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "core/base/error.h"
+#include "experiments/datasets/body_truth.h"
+#include "experiments/files/atomic_file.h"
+#include "experiments/files/sha256.h"
+#include "experiments/files/text_file.h"
+#include "experiments/metrics/camera_metrics.h"
+#include "experiments/metrics/object_metrics.h"
+#include "experiments/record/bodies_json.h"
+#include "experiments/record/build_identity.h"
+#include "experiments/record/metrics_json.h"
+#include "experiments/record/system_result.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Of a file, or of the names and bytes of a folder's trajectories.
+std::string HashObjects(const fs::path& objects) {
+  if (objects.empty()) return "";
+  if (!fs::is_directory(objects)) return Sha256Hex(ReadFileBytes(objects));
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(objects)) {
+    if (entry.path().extension() == ".tum") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  Json hashes = Json::array();
+  for (const fs::path& file : files) {
+    hashes.push_back({file.filename().string(), Sha256Hex(ReadFileBytes(file))});
+  }
+  return Sha256Hex(DumpJson(hashes));
+}
+
+SystemHashes HashesOf(const SystemFiles& files) {
+  return {Sha256Hex(ReadFileBytes(files.camera)), HashObjects(files.objects)};
+}
+
+void Score(const SystemRequest& request, const ObjectEstimate& estimate, SystemOutcome& outcome) {
+  const Sequence& sequence = request.sequence;
+  outcome.metrics = EvaluateCamera(sequence.groundtruth_world_from_camera,
+                                   estimate.world_from_camera, sequence.groundtruth);
+  if (request.files.objects.empty()) return;
+  const std::unique_ptr<BodyTruthReader> truth = ReadBodyTruth(sequence);
+  if (!truth) return;
+  ObjectScores scores = ScoreObjects(truth->objects(), estimate);
+  for (Metric& metric : ObjectMetrics(truth->objects(), scores)) {
+    outcome.metrics.push_back(std::move(metric));
+  }
+  outcome.bodies = std::move(scores.bodies);
+}
+
+Json BodyScoresToJson(const std::vector<BodyScore>& bodies) {
+  if (bodies.empty()) return nullptr;
+  return {{"refined", BodiesToJson(bodies)}, {"causal", Json::array()}};
+}
+
+}  // namespace
+
+std::string IdentifySystem(const SystemRequest& request) {
+  return SystemJob(ThisBuild(), request.files.name, HashesOf(request.files), request.content,
+                   request.seed);
+}
+
+SystemOutcome ScoreSystem(const SystemRequest& request) {
+  const SystemEstimate system = ReadSystem(request.sequence, request.files);
+  SystemOutcome outcome;
+  Score(request, system.objects, outcome);
+  outcome.frames = static_cast<int>(request.sequence.images.size());
+  outcome.frames_without_camera = system.frames_without_camera;
+  outcome.object_frames = system.object_frames;
+  outcome.object_frames_left_out = system.object_frames_left_out;
+  outcome.result = SystemResultFile({.sequence = request.sequence,
+                                     .build = ThisBuild(),
+                                     .system = request.files.name,
+                                     .hashes = HashesOf(request.files),
+                                     .content = request.content,
+                                     .seed = request.seed,
+                                     .metrics = MetricsToJson(outcome.metrics, "refined"),
+                                     .bodies = BodyScoresToJson(outcome.bodies),
+                                     .estimate = system.objects,
+                                     .object_frames = system.object_frames,
+                                     .object_frames_left_out = system.object_frames_left_out});
+  return outcome;
+}
+
+SystemOutcome ScoreSystem(const SystemRequest& request, const fs::path& folder) {
+  SystemOutcome outcome = ScoreSystem(request);
+  WriteFilesAtomically(folder, {{"result.json", outcome.result}});
+  return outcome;
+}
+
+}  // namespace cvo

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "experiments/datasets/sequence.h"
+#include "experiments/metrics/metric.h"
+#include "experiments/metrics/object_scores.h"
+#include "experiments/runner/system_files.h"
+
+namespace cvo {
+
+struct SystemRequest {
+  const Sequence& sequence;
+  std::string content;  // ContentHash of the sequence
+  SystemFiles files;
+  std::uint64_t seed = 0;  // of the rendered scene: to stand beside the runs on it
+};
+
+// What RunJob's outcome is for a run of ours.
+struct SystemOutcome {
+  std::string result;           // content of result.json
+  std::vector<Metric> metrics;  // camera_*, object_*; without labels of landmarks none of those
+  std::vector<BodyScore> bodies;
+  int frames = 0;
+  int frames_without_camera = 0;
+  int object_frames = 0;
+  int object_frames_left_out = 0;
+};
+
+// Identity of what ScoreSystem would do, from the bytes of the files. Throws Error for one that
+// cannot be read.
+std::string IdentifySystem(const SystemRequest& request);
+
+// Scores the files against the sequence's truth, as runs are. Bodies are matched by nearness, which
+// the pairing of each contract says. Throws Error as ReadSystem.
+SystemOutcome ScoreSystem(const SystemRequest& request);
+
+// The same, and writes result.json to a folder that exists.
+SystemOutcome ScoreSystem(const SystemRequest& request, const std::filesystem::path& folder);
+
+}  // namespace cvo

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/runner/system_files.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "core/base/error.h"
+#include "experiments/datasets/object_boxes.h"
+#include "experiments/files/number.h"
+#include "experiments/runner/poses_at_frames.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Where objects are, by id and frame of those read.
+using ObjectPoses = std::map<std::int64_t, std::map<int, RigidTransform>>;
+
+struct Objects {
+  ObjectPoses world_from_object;
+  std::map<std::int64_t, std::string> categories;
+};
+
+RigidTransform CameraFromBox(const ObjectBox::Box3d& box, double left_offset_m) {
+  return {ExpSo3(box.heading_rad * Eigen::Vector3d::UnitY()),
+          box.bottom_in_camera + Eigen::Vector3d(left_offset_m, -0.5 * box.height_m, 0.0)};
+}
+
+void CheckRow(const ObjectBox& row, const std::string& where) {
+  if (row.track < 0) ThrowError(where, StrCat("track ", row.track), "0 or more");
+  if (!row.box3d) ThrowError(where, "a row without a 3D box", "height, width and length above 0");
+}
+
+Objects ReadRows(const fs::path& path, const Sequence& sequence, SystemEstimate& system) {
+  // Row by row, as a file has neither comments nor blank lines between.
+  const std::vector<ObjectBox> rows = ReadDetections(path, sequence.total_frames);
+  if (rows.empty()) {
+    ThrowError(path.string() + ":1", "no row",
+               "KITTI tracking rows (of a system that found nothing: one of type DontCare)");
+  }
+  Objects objects;
+  std::map<std::pair<int, int>, std::string> seen;  // by frame and track
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const ObjectBox& row = rows[i];
+    if (row.type == "DontCare") continue;
+    const std::string where = StrCat(path.string(), ":", i + 1);
+    CheckRow(row, where);
+    const auto [other, added] = seen.try_emplace({row.frame, row.track}, where);
+    if (!added) {
+      ThrowError(where,
+                 StrCat("track ", row.track, " in frame ", row.frame, " as in ", other->second),
+                 "one row");
+    }
+    const int frame = row.frame - sequence.first_frame;
+    if (frame < 0 || static_cast<std::size_t>(frame) >= sequence.images.size()) continue;
+    ++system.object_frames;
+    const auto& camera = system.objects.world_from_camera[static_cast<std::size_t>(frame)];
+    if (!camera) {
+      ++system.object_frames_left_out;
+      continue;
+    }
+    objects.categories.try_emplace(row.track, row.type);
+    objects.world_from_object[row.track].emplace(
+        frame, *camera * CameraFromBox(*row.box3d, sequence.left_offset_m));
+  }
+  return objects;
+}
+
+// The number that the file is named by; -1: none.
+std::int64_t IdOf(const fs::path& file) {
+  const auto id = ParseInteger(file.stem().string());
+  return id && *id >= 0 && std::to_string(*id) == file.stem().string() ? *id : -1;
+}
+
+Objects ReadFolder(const fs::path& folder, const Sequence& sequence, SystemEstimate& system) {
+  std::map<std::int64_t, fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() != ".tum") continue;
+    const std::int64_t id = IdOf(entry.path());
+    if (id < 0) ThrowError(entry.path().string(), "a name that is no number", "<id>.tum");
+    files.emplace(id, entry.path());
+  }
+  if (files.empty()) ThrowError(folder.string(), "no file", "<id>.tum, one per object");
+  Objects objects;
+  for (const auto& [id, file] : files) {
+    const OptionalPoses poses = ReadTumAtFrames(file, sequence);
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      if (!poses[k]) continue;
+      objects.world_from_object[id].emplace(static_cast<int>(k), *poses[k]);
+      ++system.object_frames;
+    }
+  }
+  return objects;
+}
+
+// Of the origin: central where both neighbours are there, else one-sided.
+std::optional<Eigen::Vector3d> Velocity(const std::map<int, RigidTransform>& poses, int frame,
+                                        const Sequence& sequence) {
+  const int before = poses.contains(frame - 1) ? frame - 1 : frame;
+  const int after = poses.contains(frame + 1) ? frame + 1 : frame;
+  if (before == after) return std::nullopt;
+  const auto time_ns = [&](int k) { return sequence.timestamps_ns[static_cast<std::size_t>(k)]; };
+  const double time_s = 1e-9 * static_cast<double>(time_ns(after) - time_ns(before));
+  return Eigen::Vector3d((poses.at(after).translation() - poses.at(before).translation()) / time_s);
+}
+
+std::vector<ClusterEstimate> Clusters(const Objects& objects, const Sequence& sequence) {
+  std::vector<ClusterEstimate> clusters;
+  for (const auto& [id, poses] : objects.world_from_object) {
+    const auto category = objects.categories.find(id);
+    ClusterEstimate cluster{id, category == objects.categories.end() ? "" : category->second, {}};
+    for (const auto& [k, world_from_object] : poses) {
+      ClusterFrame frame;
+      frame.frame = k;
+      frame.world_from_object = world_from_object;
+      frame.velocity_m_s = Velocity(poses, k, sequence);
+      frame.observed_landmarks.reset();
+      cluster.frames.push_back(frame);
+    }
+    clusters.push_back(std::move(cluster));
+  }
+  return clusters;
+}
+
+}  // namespace
+
+SystemEstimate ReadSystem(const Sequence& sequence, const SystemFiles& files) {
+  SystemEstimate system;
+  ObjectEstimate& estimate = system.objects;
+  estimate.match_by = MatchBy::kNearness;
+  estimate.world_from_camera = ReadCameraAtFrames(files.camera, sequence);
+  estimate.landmarks.resize(estimate.world_from_camera.size());
+  system.frames_without_camera = static_cast<int>(std::count(
+      estimate.world_from_camera.begin(), estimate.world_from_camera.end(), std::nullopt));
+  if (files.objects.empty()) return system;
+  const Objects objects = fs::is_directory(files.objects)
+                              ? ReadFolder(files.objects, sequence, system)
+                              : ReadRows(files.objects, sequence, system);
+  estimate.clusters = Clusters(objects, sequence);
+  return system;
+}
+
+}  // namespace cvo

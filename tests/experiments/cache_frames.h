@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "experiments/cache/front_end_cache.h"
+
+namespace cvo::test {
+
+// Frames of a few features each, one of them with a problem in place of features.
+inline std::vector<FrontEndFrame> SomeFrames(int count) {
+  std::vector<FrontEndFrame> frames;
+  for (int i = 0; i < count; ++i) {
+    FrontEndFrame frame;
+    if (i == 1) frame.problems = {{1, "found nothing, expected a whole PNG image"}};
+    for (int k = 0; k < 3 && i != 1; ++k) {
+      StereoFeature feature;
+      feature.z_px = {i + 1.0 / 3.0, k - 0.0, -1e-300 * i};
+      feature.octave = k;
+      feature.angle_rad = 0.1F * static_cast<float>(i);
+      feature.response = 1e-40F;  // denormal
+      feature.descriptor = {~0ULL, 0x0123456789abcdefULL, static_cast<std::uint64_t>(i), 0};
+      frame.features.push_back(feature);
+    }
+    frames.push_back(frame);
+  }
+  return frames;
+}
+
+inline std::string BytesOf(const std::vector<FrontEndFrame>& frames) {
+  std::string bytes;
+  for (const FrontEndFrame& frame : frames) bytes += EncodeFrame(frame);
+  return bytes;
+}
+
+inline std::string SomeKey(char digit) { return std::string(64, digit); }
+
+inline void Store(const FrontEndCache& cache, const std::string& key,
+                  const std::vector<FrontEndFrame>& frames) {
+  FrontEndRecording recording = cache.Record();
+  for (const FrontEndFrame& frame : frames) recording.Add(frame);
+  recording.Finish(key);
+}
+
+// All frames of an entry as bytes; empty where it is absent. Throws Error where one is damaged.
+inline std::string Load(const FrontEndCache& cache, const std::string& key, std::size_t frames) {
+  const std::optional<FeatureFile> file = cache.Find(key, frames);
+  if (!file) return "";
+  std::vector<FrontEndFrame> loaded;
+  for (std::size_t i = 0; i < frames; ++i) loaded.push_back(file->Frame(i));
+  return BytesOf(loaded);
+}
+
+inline std::vector<std::string> NamesIn(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace cvo::test
