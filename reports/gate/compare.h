@@ -18,10 +18,10 @@ struct RunPair {
   std::optional<double> time_ratio;
 };
 
-// How far seeds are apart, of one variant on one scene. Variances are pooled over the variants of
-// the scene (relative to the variant's own figure for errors), because few seeds tell little; the
-// variant's own counts where it is larger; and no spread is less than that of one step of
-// MetricRule::Resolution in the baseline's runs. Empty where no variant has two seeds.
+// How far seeds are apart, of one variant on one scene. From its own runs; or, because few seeds
+// tell little, from those of all variants of the scene (errors relative to the variant's own) where
+// its own are no further apart and this bounds the noise closer. Never less than one step of
+// MetricRule::Resolution in one of its runs. Empty where no variant has two seeds.
 struct SeedSpread {
   double variance = 0.0;
   std::size_t degrees = 0;

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "reports/gate/compare.h"
 #include "reports/gate/metric_rule.h"
+#include "reports/gate/student.h"
 
 namespace cvo::reports {
 namespace {
@@ -36,33 +38,47 @@ double SquaresAroundMean(const std::vector<double>& values) {
   });
 }
 
+// The same of all variants, as if each made errors as large as `own_mean`.
+SeedSpread Pooled(const std::map<std::string, std::vector<double>>& values, const MetricRule& rule,
+                  double own_mean) {
+  SeedSpread pooled;
+  double squares = 0.0;
+  for (const auto& [variant, of_variant] : values) {
+    const double mean = Mean(of_variant);
+    const bool relative = rule.kind == MetricRule::Kind::kError && mean > 0.0;
+    const double scale = relative ? own_mean / mean : 1.0;
+    squares += scale * scale * SquaresAroundMean(of_variant);
+    pooled.degrees += of_variant.size() - 1;
+  }
+  if (pooled.degrees > 0) pooled.variance = squares / static_cast<double>(pooled.degrees);
+  return pooled;
+}
+
+// How far noise of this spread reaches about as rarely as a check may fail for it.
+double Reach(const SeedSpread& spread) {
+  return std::sqrt(spread.variance) * StudentQuantile(1e-4, static_cast<int>(spread.degrees));
+}
+
 }  // namespace
 
 std::optional<SeedSpread> SpreadOfSeeds(const Baseline& baseline, const BaselineMetric& metric,
                                         const Keys& keys) {
   const auto values = ValuesByVariant(baseline, metric.name, keys);
-  const auto own = values.find(keys.at("variant"));
-  if (own == values.end()) return std::nullopt;
+  const auto found = values.find(keys.at("variant"));
   const std::optional<MetricRule> rule = FindRule(metric.name);
-  if (!rule) return std::nullopt;
-  const double own_mean = Mean(own->second);
-  const double count = static_cast<double>(own->second.size());
-  SeedSpread spread;
-  double squares = 0.0;
-  for (const auto& [variant, of_variant] : values) {
-    const double mean = Mean(of_variant);
-    const bool relative = rule->kind == MetricRule::Kind::kError && mean > 0.0;
-    const double scale = relative ? own_mean / mean : 1.0;
-    squares += scale * scale * SquaresAroundMean(of_variant);
-    spread.degrees += of_variant.size() - 1;
-  }
-  if (spread.degrees == 0) return std::nullopt;
-  const double resolution = rule->Resolution(own_mean);
-  spread.variance =
-      std::max(squares / static_cast<double>(spread.degrees), resolution * resolution / count);
-  if (count > 1.0) {
-    spread.variance = std::max(spread.variance, SquaresAroundMean(own->second) / (count - 1.0));
-  }
+  if (found == values.end() || !rule) return std::nullopt;
+  const double mean = Mean(found->second);
+  const double count = static_cast<double>(found->second.size());
+  SeedSpread own;
+  own.degrees = found->second.size() - 1;
+  if (count > 1.0) own.variance = SquaresAroundMean(found->second) / (count - 1.0);
+  const SeedSpread pooled = Pooled(values, *rule, mean);
+  if (pooled.degrees == 0) return std::nullopt;
+  const bool is_quiet = own.degrees == 0 || own.variance <= pooled.variance;
+  SeedSpread spread = own;
+  if (is_quiet && (own.degrees == 0 || Reach(pooled) < Reach(own))) spread = pooled;
+  const double resolution = rule->Resolution(mean);
+  spread.variance = std::max(spread.variance, resolution * resolution / count);
   return spread;
 }
 
