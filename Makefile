@@ -5,13 +5,13 @@
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help deps build table test bench asan format format-check lint clean
+.PHONY: help deps build table table-all table-kitti sweep test bench asan format format-check lint clean
 
 release := build/release
 asan := build/asan
 folders := $(wildcard core variants experiments synth reports tests)
 sources = $(shell find $(folders) -name '*.h' -o -name '*.cc')
-# Compilers to run at once; empty: one per processor.
+# Compilers, and jobs of a suite, to run at once; empty: one per processor.
 JOBS ?=
 jobs := $(if $(JOBS),--parallel $(JOBS))
 
@@ -28,9 +28,27 @@ build/%/build.ninja: CMakePresets.json | deps
 build: $(release)/build.ninja ## build everything, Release
 	cmake --build --preset release $(jobs)
 
-table: $(if $(DATA),build) ## DATA=<KITTI folder>: run its sequences, print and write the table of errors
-	$(if $(DATA),,$(error make table: give DATA=<KITTI folder>))
-	$(release)/bin/clustervo table "$(DATA)" -o results/table
+# A suite to results/<suite>: what is done there is not done again. Its table is printed also where
+# some jobs failed, which the exit code then says.
+suite = $(release)/bin/clustervo experiment run $(1) -o results/$(1) $(addprefix -j ,$(JOBS)) \
+	$(if $(DATA),--data "$(DATA)"); code=$$?; test $$code -le 1 || exit $$code; \
+	$(release)/bin/clustervo experiment table results/$(1) && exit $$code
+
+table: build ## the paper's ablation on rendered rooms, end to end: its table, and results/ablation
+	@$(call suite,ablation)
+
+table-all: build ## the same for every variant
+	@$(call suite,ablation_all)
+
+table-kitti: $(if $(DATA),build) ## DATA=<KITTI folder>: the table of KITTI raw, of the drives that are there
+	$(if $(DATA),,$(error make table-kitti: give DATA=<KITTI folder>))
+	@$(call suite,kitti_raw)
+
+sweep: build ## one table per parameter that is swept
+	@$(call suite,sweep_alpha)
+	@$(call suite,sweep_eta)
+	@$(call suite,sweep_windows)
+	@$(call suite,sweep_motion_prior)
 
 test: build ## run the tests; CLUSTERVO_DATA=<folder> adds those on real data
 	ctest --preset release

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include <iostream>
 #include <memory>
 #include <new>
 #include <opencv2/core.hpp>
@@ -8,21 +9,29 @@
 #include "experiments/cli/experiment_command.h"
 #include "experiments/files/json.h"
 #include "experiments/jobs/planned_job.h"
+#include "synth/write/render_cache.h"
 
 namespace cvo {
 namespace {
 
-int RunOne(const std::string& folder, const std::string& id) {
-  const SuiteFolder suite{folder};
+void RunOne(const SuiteFolder& folder, const std::string& id) {
+  FileHashHooks hooks;
+  hooks.notice = [](const std::string& line) { std::cerr << "clustervo: " << line << '\n'; };
+  const JobCache cache(synth::CacheFolder(), CacheLimit(""), hooks);
+  RunPlannedJob(ParsePlan(ReadJson(folder.plan()), folder.plan().string()), id, folder, cache);
+}
+
+// Memory runs out where a limit was set for the job: its failure, and no error of the program.
+int RunWithinMemory(const SuiteFolder& folder, const std::string& id) {
   try {
-    RunPlannedJob(ParsePlan(ReadJson(suite.plan()), suite.plan().string()), id, suite);
+    RunOne(folder, id);
+    return 0;
   } catch (const std::bad_alloc&) {
     throw Error("out of memory");
   } catch (const cv::Exception& error) {
     if (error.code != cv::Error::StsNoMem) throw;
     throw Error("out of memory");
   }
-  return 0;
 }
 
 }  // namespace
@@ -34,7 +43,7 @@ Command AddExperimentJobCommand(CLI::App& experiment) {
   const auto id = std::make_shared<std::string>();
   app->add_option("DIR", *folder, "the suite's folder")->type_name("")->required();
   app->add_option("ID", *id, "the job's identity, as in DIR/plan.json")->type_name("")->required();
-  return {app, [folder, id] { return RunOne(*folder, *id); }};
+  return {app, [folder, id] { return RunWithinMemory({*folder}, *id); }};
 }
 
 }  // namespace cvo

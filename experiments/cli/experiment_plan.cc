@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iostream>
 #include <memory>
 
@@ -12,8 +13,6 @@
 #include "experiments/cli/run_flags.h"
 #include "experiments/cli/suite_flags.h"
 #include "experiments/cli/text_table.h"
-#include "experiments/jobs/suite_folder.h"
-#include "experiments/record/build_identity.h"
 
 namespace cvo {
 namespace {
@@ -27,9 +26,9 @@ struct Flags {
 };
 
 std::string Duration(double seconds) {
-  if (seconds < 90.0) return ForPeople(std::max(1.0, seconds)) + " s";
-  if (seconds < 5400.0) return ForPeople(seconds / 60.0) + " min";
-  return ForPeople(seconds / 3600.0) + " h";
+  if (seconds < 90.0) return StrCat(std::ceil(seconds), " s");
+  if (seconds < 5400.0) return StrCat(std::round(seconds / 60.0), " min");
+  return StrCat(std::round(seconds / 360.0) / 10.0, " h");
 }
 
 std::size_t Count(const std::vector<JobOutlook>& outlook, JobState state) {
@@ -123,7 +122,8 @@ Command AddExperimentPlanCommand(CLI::App& experiment) {
       ->capture_default_str();
   AddQuiet(*app, flags->quiet);
   app->footer(
-      "Nothing is written, rendered or run. Images that no manifest vouches for are hashed.\n"
+      "Nothing is rendered or run. Images whose hashes are not known yet are read, and their\n"
+      "hashes kept in CLUSTERVO_CACHE.\n"
       "Example: clustervo experiment plan ablation -o results/ablation -j 2");
   return {app, [flags] { return PrintPlan(*flags); }};
 }

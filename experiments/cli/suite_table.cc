@@ -31,7 +31,8 @@ int WriteSuiteTable(const std::filesystem::path& folder) {
   WriteFilesAtomically(folder, {{"table.md", reports::TableMarkdown(table)},
                                 {"table.json", reports::TableJson(table)}});
   std::cout << reports::TableText(table, isatty(STDOUT_FILENO) != 0)
-            << "\nwritten: " << (folder / "table.json").string() << '\n';
+            << "\nwritten: " << (folder / "table.json").string()
+            << " and table.md, with the definitions of the columns\n";
   return reports::IsComplete(table) ? 0 : kIncomplete;
 }
 

@@ -3,12 +3,15 @@
 #include "experiments/jobs/planned_job.h"
 
 #include <algorithm>
+#include <system_error>
 
 #include "core/base/error.h"
+#include "experiments/cache/content_hash.h"
 #include "experiments/files/atomic_file.h"
 #include "experiments/jobs/temporaries.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/runner/run_job.h"
+#include "experiments/runner/score_files.h"
 #include "experiments/suite/cell_input.h"
 #include "variants/registry.h"
 
@@ -23,42 +26,77 @@ const PlannedJob& FindJob(const Plan& plan, const std::string& id, const SuiteFo
   if (id.empty() || found == plan.jobs.end()) {
     ThrowError(folder.plan().string(), StrCat("no job \"", id, "\""), "a job of the plan");
   }
+  if (plan.build != ThisBuild().Hash()) {
+    ThrowError(folder.plan().string(), "a plan of another build of this program",
+               "one of this build, which clustervo experiment run makes");
+  }
   return *found;
 }
 
-void CheckIdentity(const std::string& found, const std::string& id, const fs::path& sequence) {
-  if (found == id) return;
-  ThrowError(sequence.string(), "other files than when the plan was made",
-             "the same; clustervo experiment run makes a new plan");
+// A folder for the job's files, without what killed tries left in it.
+class JobFolder {
+ public:
+  JobFolder(const SuiteFolder& folder, const std::string& id)
+      : id_(id), output_(folder.job(id), RunFileNames()) {
+    RemoveTemporaries(path());
+    RemoveTemporaries(path() / "clusters");
+  }
+
+  const fs::path& path() const { return output_.path(); }
+
+  // Throws Error where the job that is made is not the one that was planned.
+  void CheckIdentity(const std::string& made, const Sequence& sequence) const {
+    if (made == id_) return;
+    RemoveResult();
+    ThrowError(sequence.folder.string(), "other files than when the suite was planned",
+               "the same; clustervo experiment run plans anew");
+  }
+  void RemoveResult() const {
+    std::error_code ignored;  // one of another identity does not count in any case
+    fs::remove(path() / "result.json", ignored);
+  }
+
+ private:
+  std::string id_;
+  OutputFolder output_;
+};
+
+void RunVariant(const Plan& plan, const Cell& cell, const Sequence& sequence, const JobCache& cache,
+                const JobFolder& folder) {
+  RunRequest request{.sequence = sequence,
+                     .variant = FindVariant(cell.variant),
+                     .options = OptionsOf(plan.suite, cell.parameters),
+                     .seed = cell.seed,
+                     .classes = ClassesOf(cell.sequence),
+                     .oracle = OracleOf(cell.oracle)};
+  cache.Serve(request);
+  folder.CheckIdentity(IdentifyJob(request), sequence);
+  const std::optional<JobOutcome> outcome = RunJob(request, folder.path());
+  // Of the bytes that were run on, which may have changed since they were looked at.
+  folder.CheckIdentity(outcome->context.job, sequence);
+  if (outcome->run.status != RunStatus::kFailed) return;
+  folder.RemoveResult();
+  throw Error(outcome->run.message);
+}
+
+void RunSystem(const Plan& plan, const Cell& cell, const Sequence& sequence, const JobCache& cache,
+               const JobFolder& folder) {
+  const SystemRequest request{.sequence = sequence,
+                              .content = ContentHash(sequence, cache.ImagesOf(sequence, 1)),
+                              .files = SystemFilesOf(plan.suite, cell, plan.data),
+                              .seed = cell.seed};
+  folder.CheckIdentity(IdentifySystem(request), sequence);
+  ScoreSystem(request, folder.path());
 }
 
 }  // namespace
 
-void RunPlannedJob(const Plan& plan, const std::string& id, const SuiteFolder& folder) {
+void RunPlannedJob(const Plan& plan, const std::string& id, const SuiteFolder& folder,
+                   const JobCache& cache) {
   const PlannedJob& job = FindJob(plan, id, folder);
-  if (plan.build != ThisBuild().Hash()) {
-    ThrowError(folder.plan().string(), "a plan of another build of this program",
-               "one of this build; clustervo experiment run makes it");
-  }
   const Sequence sequence = OpenSequence(RequestOf(job.cell, job.folder, plan.data));
-  const RunRequest request{.sequence = sequence,
-                           .variant = FindVariant(job.cell.variant),
-                           .options = OptionsOf(plan.suite, job.cell.parameters),
-                           .seed = job.cell.seed,
-                           .classes = ClassesOf(job.cell.sequence),
-                           .oracle = OracleOf(job.cell.oracle)};
-  CheckIdentity(IdentifyJob(request), id, sequence.folder);
-  const OutputFolder output(folder.job(id), RunFileNames());
-  RemoveTemporaries(output.path());
-  RemoveTemporaries(output.path() / "clusters");
-  const std::optional<JobOutcome> outcome = RunJob(request, output.path());
-  const fs::path result = output.path() / "result.json";
-  // The bytes that were run on, not those that were looked at before.
-  if (outcome->context.job != id) fs::remove(result);
-  CheckIdentity(outcome->context.job, id, sequence.folder);
-  if (outcome->run.status != RunStatus::kFailed) return;
-  fs::remove(result);
-  throw Error(outcome->run.message);
+  const JobFolder output(folder, id);
+  (job.cell.system.empty() ? RunVariant : RunSystem)(plan, job.cell, sequence, cache, output);
 }
 
 }  // namespace cvo

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "experiments/jobs/suite_folder.h"
+#include "experiments/runner/job_cache.h"
 #include "experiments/suite/plan.h"
 
 namespace cvo {
@@ -12,6 +13,7 @@ namespace cvo {
 // Runs one job of the plan on one thread and writes its files, result.json last. Throws Error where
 // there is no such job, where the program or the sequence's files are no longer those of the plan,
 // and where the estimator failed: then there is no result.
-void RunPlannedJob(const Plan& plan, const std::string& id, const SuiteFolder& folder);
+void RunPlannedJob(const Plan& plan, const std::string& id, const SuiteFolder& folder,
+                   const JobCache& cache);
 
 }  // namespace cvo

@@ -8,12 +8,13 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "experiments/files/options_json.h"
-#include "experiments/files/sha256.h"
-#include "experiments/record/build_identity.h"
-#include "experiments/record/job_identity.h"
+#include "core/base/task_pool.h"
 #include "experiments/cache/content_hash.h"
+#include "experiments/cache/file_hashes.h"
+#include "experiments/cache/front_end_cache.h"
+#include "experiments/record/build_identity.h"
 #include "experiments/runner/run_job.h"
+#include "experiments/runner/score_files.h"
 #include "experiments/suite/cell_input.h"
 #include "experiments/suite/data_folder.h"
 #include "experiments/suite/scenes.h"
@@ -30,39 +31,8 @@ struct Input {
   int frames = 0;
   Sequence sequence;
   std::string content;
-  std::string images;  // hash of the pixels and the rig alone
-};
-
-// What the front end reads, and nothing that it does not: boxes and truth may differ.
-std::string HashOfImages(const Sequence& sequence, const std::vector<ImageHashes>& images) {
-  Json files = Json::array();
-  for (const ImageHashes& pair : images) files.push_back(Json::array({pair.left, pair.right}));
-  const StereoCamera& camera = sequence.camera;
-  return Sha256Hex(DumpJson({{"camera",
-                              {camera.fx, camera.fy, camera.cx, camera.cy, camera.baseline_m,
-                               camera.width_px, camera.height_px, camera.right_shift_px}},
-                             {"images", files}}));
-}
-
-std::vector<ImageHashes> HashImages(const Sequence& sequence, const FileHash& hash) {
   std::vector<ImageHashes> images;
-  for (const StereoPaths& pair : sequence.images) {
-    images.push_back({hash(pair.left), hash(pair.right)});
-  }
-  return images;
-}
-
-// Of the manifest's files by path.
-FileHash ManifestHash(const fs::path& folder, const synth::Manifest& manifest) {
-  std::map<fs::path, std::string> hashes;
-  for (const synth::FileRecord& file : manifest.files) {
-    hashes.emplace(folder / file.name, file.sha256);
-  }
-  return [hashes = std::move(hashes)](const fs::path& file) {
-    const auto found = hashes.find(file);
-    return found == hashes.end() ? HashImage(file) : found->second;
-  };
-}
+};
 
 fs::path Absolute(const fs::path& path) {
   return path.empty() ? path : fs::absolute(path).lexically_normal();
@@ -74,25 +44,25 @@ class Planner {
       : suite_(suite),
         request_(request),
         data_(Absolute(request.data)),
-        scenes_(Absolute(request.cache)) {
-    if (!request_.hash_file) request_.hash_file = HashImage;
-  }
+        scenes_(Absolute(request.cache)),
+        pool_(request.threads) {}
 
   BuiltPlan Build();
 
  private:
   const Input& InputOf(const Cell& cell);
   Input FindInput(const Cell& cell);
-  void Open(const Cell& cell, const FileHash& hash, Input& input) const;
+  void Open(const Cell& cell, Input& input);
   PlannedJob PlanCell(const Cell& cell);
-  void IdentifySystem(const Input& input, PlannedJob& job) const;
+  void IdentifyFiles(const Input& input, PlannedJob& job) const;
   void Want(const SceneFolder& scene, const Cell& cell);
   void OrderRenders();
 
   const Suite& suite_;
-  PlanRequest request_;
+  const PlanRequest& request_;
   DataFolder data_;
   SceneFolders scenes_;
+  TaskPool pool_;
   BuildIdentity build_ = ThisBuild();
   std::map<std::string, Input> inputs_;
   std::vector<std::pair<std::string, SceneRender>> wanted_;  // with the key of the drawing
@@ -116,12 +86,13 @@ void Planner::OrderRenders() {
                         [](const auto& wanted) { return wanted.second.draws; });
 }
 
-void Planner::Open(const Cell& cell, const FileHash& hash, Input& input) const {
+void Planner::Open(const Cell& cell, Input& input) {
   input.sequence = OpenSequence(RequestOf(cell, input.folder, data_.root()));
   input.frames = static_cast<int>(input.sequence.images.size());
-  const std::vector<ImageHashes> images = HashImages(input.sequence, hash);
-  input.content = ContentHash(input.sequence, images);
-  input.images = HashOfImages(input.sequence, images);
+  FileHashHooks hooks;
+  hooks.notice = request_.notice;
+  input.images = FindImageHashes(input.sequence, Absolute(request_.cache) / "hashes", pool_, hooks);
+  input.content = ContentHash(input.sequence, input.images);
 }
 
 Input Planner::FindInput(const Cell& cell) {
@@ -131,19 +102,18 @@ Input Planner::FindInput(const Cell& cell) {
       const DataFolder::Found found = data_.Find(cell.sequence.folder);
       input.missing = found.missing;
       input.folder = found.folder.string();
-      if (input.missing.empty()) Open(cell, request_.hash_file, input);
+      if (input.missing.empty()) Open(cell, input);
       return input;
     }
     const SceneFolder scene = scenes_.Find(cell.sequence, cell.parameters, cell.seed);
-    const auto manifest = FindRendered(scene.folder);
-    if (!manifest) {
+    if (!IsRendered(scene.folder)) {
       Want(scene, cell);
       input.missing = kNotRendered;
       input.frames = scene.frames;
       return input;
     }
     input.folder = scene.folder.string();
-    Open(cell, ManifestHash(input.folder, *manifest), input);
+    Open(cell, input);
   } catch (const Error& error) {
     input.missing = error.what();
   }
@@ -164,24 +134,15 @@ const Input& Planner::InputOf(const Cell& cell) {
                                 : inputs_.emplace(key, FindInput(cell)).first->second;
 }
 
-void Planner::IdentifySystem(const Input& input, PlannedJob& job) const {
-  Json files = {{"system", job.cell.system}};
-  for (const SuiteSystem& system : suite_.systems) {
-    if (system.name != job.cell.system) continue;
-    for (const SuiteSystem::Files& file : system.files) {
-      if (file.sequence != job.cell.sequence.name) continue;
-      for (const auto& [key, name] :
-           {std::pair("camera", file.camera), {"objects", file.objects}}) {
-        if (name.empty()) continue;
-        const std::string hash = HashImage(data_.root() / name);
-        if (hash.empty()) job.missing = StrCat("no ", (data_.root() / name).string());
-        files[key] = hash;
-      }
-    }
+void Planner::IdentifyFiles(const Input& input, PlannedJob& job) const {
+  try {
+    job.job = IdentifySystem({.sequence = input.sequence,
+                              .content = input.content,
+                              .files = SystemFilesOf(suite_, job.cell, data_.root()),
+                              .seed = job.cell.seed});
+  } catch (const Error& error) {
+    job.missing = error.what();
   }
-  if (!job.missing.empty()) return;
-  job.job = JobIdentity({build_.Hash(), "", files, input.content, DetectionsHash(input.sequence),
-                         GivenToJson({}, {}), job.cell.seed});
 }
 
 PlannedJob Planner::PlanCell(const Cell& cell) {
@@ -189,14 +150,12 @@ PlannedJob Planner::PlanCell(const Cell& cell) {
   PlannedJob job{cell, input.folder, input.missing, input.frames, input.content, "", ""};
   if (!job.missing.empty()) return job;
   if (!cell.system.empty()) {
-    IdentifySystem(input, job);
+    IdentifyFiles(input, job);
     return job;
   }
-  Options options = OptionsOf(suite_, cell.parameters);
-  job.input = Sha256Hex(DumpJson({{"images", input.images},
-                                  {"orb", OptionsToJson(OptionLeaves(options.orb))},
-                                  {"stereo", OptionsToJson(OptionLeaves(options.stereo))},
-                                  {"estimator", build_.estimator_sources}}));
+  const Options options = OptionsOf(suite_, cell.parameters);
+  job.input = FrontEndKey({build_.Hash(), input.sequence.camera, options.orb, options.stereo},
+                          input.images);
   job.job = IdentifyJob({.sequence = input.sequence,
                          .variant = FindVariant(cell.variant),
                          .options = options,

@@ -8,17 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "experiments/cache/cache_size.h"
 #include "experiments/suite/plan.h"
 
 namespace cvo {
 
-// SHA-256 of a file's bytes; empty where it cannot be read.
-using FileHash = std::function<std::string(const std::filesystem::path& file)>;
-
 struct PlanRequest {
   std::filesystem::path data;   // below it folders are looked for; empty: there is none
   std::filesystem::path cache;  // synth::CacheFolder()
-  FileHash hash_file;           // of images that no manifest lists; empty: read them
+  int threads = 1;              // that hash images
+  Notice notice = [](const std::string&) {};  // of trouble with the cache: it costs time only
   std::function<void(std::size_t done, std::size_t total)> progress;  // over cells; may be empty
 };
 
@@ -38,7 +37,7 @@ struct BuiltPlan {
 };
 
 // Finds the input of every cell: rendered scenes in the cache, folders below the data folder.
-// Nothing is decoded, and bytes that a manifest vouches for are not read. What is missing is said
+// Nothing is decoded, and images that FindImageHashes knows are not read. What is missing is said
 // in the job, never thrown.
 BuiltPlan BuildPlan(const Suite& suite, const PlanRequest& request);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/base/error.h"
 #include "experiments/datasets/frame_range.h"
 #include "experiments/files/options_json.h"
 #include "experiments/runner/frame_detections.h"
@@ -88,6 +89,18 @@ SequenceRequest RequestOf(const Cell& cell, const fs::path& folder, const fs::pa
 
 std::vector<std::string> ClassesOf(const SuiteSequence& sequence) {
   return sequence.classes.empty() ? RigidClasses() : sequence.classes;
+}
+
+SystemFiles SystemFilesOf(const Suite& suite, const Cell& cell, const fs::path& data) {
+  for (const SuiteSystem& system : suite.systems) {
+    if (system.name != cell.system) continue;
+    for (const SuiteSystem::Files& files : system.files) {
+      if (files.sequence != cell.sequence.name) continue;
+      return {system.name, data / files.camera, files.objects.empty() ? "" : data / files.objects};
+    }
+  }
+  ThrowError("suite " + suite.name, "no files of " + cell.system + " on " + cell.sequence.name,
+             "a cell of the suite");
 }
 
 OracleSwitches OracleOf(const std::vector<std::string>& switches) {

@@ -9,6 +9,7 @@
 #include "core/odometry/options.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/runner/oracle.h"
+#include "experiments/runner/system_files.h"
 #include "experiments/suite/plan.h"
 #include "experiments/suite/suite_grid.h"
 
@@ -29,6 +30,9 @@ SequenceRequest RequestOf(const Cell& cell, const std::filesystem::path& folder,
 
 // Classes of detections that count: the sequence's, else RigidClasses().
 std::vector<std::string> ClassesOf(const SuiteSequence& sequence);
+
+// The files of a cell of another system, below `data`.
+SystemFiles SystemFilesOf(const Suite& suite, const Cell& cell, const std::filesystem::path& data);
 
 OracleSwitches OracleOf(const std::vector<std::string>& switches);
 

@@ -193,6 +193,19 @@ void CheckRows(const Suite& suite, const std::string& where) {
   }
 }
 
+// A variant of the suite, or a value of one of the rows' keys.
+void CheckReference(const Suite& suite, const std::string& where) {
+  const std::string& reference = suite.table.reference;
+  if (reference.empty()) return;
+  const std::size_t equals = reference.find('=');
+  if (equals == std::string::npos) {
+    CheckNames({reference}, suite.variants, where, "a variant of the suite");
+  } else {
+    CheckNames({reference.substr(0, equals)}, suite.table.rows, where,
+               "KEY=VALUE with one of the rows' keys: " + Listed(suite.table.rows));
+  }
+}
+
 void CheckOracles(const Suite& suite, const std::string& where) {
   if (suite.oracles.empty()) ThrowError(where + ", oracles", "none", "at least [[]]");
   std::set<Names> seen;
@@ -227,10 +240,7 @@ void CheckSuite(const Suite& suite, const std::string& where) {
   if (suite.table.metrics.empty()) ThrowError(where + ", table.metrics", "none", "at least one");
   CheckNames(suite.table.metrics, KnownMetrics(), where + ", table.metrics",
              "a metric of results, as camera_ate or object_success_10cm");
-  if (!suite.table.reference.empty()) {
-    CheckNames({suite.table.reference}, suite.variants, where + ", table.reference",
-               "a variant of the suite");
-  }
+  CheckReference(suite, where + ", table.reference");
 }
 
 }  // namespace cvo

@@ -96,7 +96,9 @@ std::vector<std::uint64_t> ReadSeeds(ObjectReader& object) {
     return seeds;
   }
   for (const Json& seed : value) {
-    if (!seed.is_number_unsigned()) {
+    const bool integer =
+        seed.is_number_unsigned() || (seed.is_number_integer() && seed.get<std::int64_t>() >= 0);
+    if (!integer) {
       ThrowError(object.Where("seeds"), seed.dump(), "integers from 0 to 18446744073709551615");
     }
     seeds.push_back(seed.get<std::uint64_t>());

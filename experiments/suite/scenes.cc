@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "experiments/datasets/frame_range.h"
 #include "experiments/suite/cell_input.h"
+#include "synth/write/manifest.h"
 #include "synth/write/write_scene.h"
 
 namespace cvo {
@@ -68,21 +69,18 @@ SceneFolder SceneFolders::Find(const SuiteSequence& sequence, const GridPoint& p
   return found;
 }
 
-std::optional<synth::Manifest> FindRendered(const fs::path& folder) {
+bool IsRendered(const fs::path& folder) {
   std::error_code error;
-  if (!fs::exists(folder / synth::kManifestName, error)) return std::nullopt;
-  std::optional<synth::Manifest> manifest;
+  if (!fs::exists(folder / synth::kManifestName, error)) return false;
   try {
-    manifest = synth::ReadManifest(folder);
+    const std::vector<synth::FileRecord> files = synth::ReadManifest(folder).files;
+    return std::all_of(files.begin(), files.end(), [&](const synth::FileRecord& file) {
+      const auto size = fs::file_size(folder / file.name, error);
+      return !error && static_cast<std::int64_t>(size) == file.size_bytes;
+    });
   } catch (const Error&) {
-    return std::nullopt;  // damaged: rendered again
+    return false;  // damaged: rendered again
   }
-  const auto complete = [&](const synth::FileRecord& file) {
-    const auto size = fs::file_size(folder / file.name, error);
-    return !error && static_cast<std::int64_t>(size) == file.size_bytes;
-  };
-  if (!std::all_of(manifest->files.begin(), manifest->files.end(), complete)) return std::nullopt;
-  return manifest;
 }
 
 }  // namespace cvo

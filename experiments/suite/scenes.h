@@ -5,14 +5,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "experiments/suite/suite.h"
 #include "experiments/suite/suite_grid.h"
 #include "synth/write/dataset.h"
-#include "synth/write/manifest.h"
 
 namespace cvo {
 
@@ -46,7 +44,7 @@ class SceneFolders {
   std::map<std::string, Source> sources_;  // by scene and assignments
 };
 
-// The manifest where the folder is complete: every file is there and has its size. Empty otherwise.
-std::optional<synth::Manifest> FindRendered(const std::filesystem::path& folder);
+// Whether every file that its manifest lists is there and has its size.
+bool IsRendered(const std::filesystem::path& folder);
 
 }  // namespace cvo

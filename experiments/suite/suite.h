@@ -49,7 +49,8 @@ struct SuiteTable {
   // Keys that tell rows apart: sequence, detections, variant, oracle, or the path of a grid's axis.
   std::vector<std::string> rows = {"variant"};
   std::vector<std::string> metrics;
-  std::string reference;  // variant that the others are compared with; empty: none
+  // Row that the others are compared with: a variant, or key=value as "oracle=none"; empty: none.
+  std::string reference;
 };
 
 // A suite file: what is run on what, and how it is tabulated.

@@ -12,7 +12,7 @@ namespace cvo::reports {
 namespace {
 
 std::string Label(const std::string& metric) {
-  static const std::array<std::pair<const char*, const char*>, 21> labels = {
+  static const std::array<std::pair<const char*, const char*>, 25> labels = {
       {{"camera_coverage", "camera coverage"},
        {"camera_ate", "camera ATE"},
        {"camera_rrpe_all_pairs", "camera R.RPE"},
@@ -32,6 +32,10 @@ std::string Label(const std::string& metric) {
        {"object_success_20cm", "within 20 cm"},
        {"object_coverage", "object coverage"},
        {"object_id_switches", "id switches"},
+       {"object_fragments", "fragments"},
+       {"object_unmatched_clusters", "extra clusters"},
+       {"clustering_iou", "clustering IoU"},
+       {"clustering_ari", "clustering ARI"},
        {"moving_precision", "moving precision"},
        {"moving_recall", "moving recall"}}};
   for (const auto& [name, label] : labels) {

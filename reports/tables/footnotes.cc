@@ -143,21 +143,6 @@ void AddReferences(const Table& table, Lines& lines) {
   }
 }
 
-void AddColumns(const Table& table, Lines& lines) {
-  for (const Column& column : table.columns) {
-    std::string note = column.label + ":";
-    for (const char* field : {"aggregation", "pairing", "delta", "alignment", "poses", "frame"}) {
-      const auto found = column.contract.find(field);
-      if (found == column.contract.end() || found->second.empty()) continue;
-      if (found->second == "none") continue;
-      note += StrCat(note.back() == ':' ? " " : "; ", field == std::string("poses") ? "poses " : "",
-                     field == std::string("delta") ? "delta " : "",
-                     field == std::string("alignment") ? "alignment " : "", found->second);
-    }
-    lines.push_back(note);
-  }
-}
-
 void AddOptions(const Table& table, Lines& lines) {
   for (const ChangedOption& option : table.provenance.options) {
     std::string values;
@@ -182,7 +167,23 @@ std::vector<std::string> Footnotes(const Table& table) {
   AddCells(table, lines);
   AddIntervals(table, lines);
   AddReferences(table, lines);
-  AddColumns(table, lines);
+  return lines;
+}
+
+std::vector<std::string> Definitions(const Table& table) {
+  Lines lines;
+  for (const Column& column : table.columns) {
+    std::string note = column.label + ":";
+    for (const char* field : {"aggregation", "pairing", "delta", "alignment", "poses", "frame"}) {
+      const auto found = column.contract.find(field);
+      if (found == column.contract.end() || found->second.empty()) continue;
+      if (found->second == "none") continue;
+      note += StrCat(note.back() == ':' ? " " : "; ", field == std::string("poses") ? "poses " : "",
+                     field == std::string("delta") ? "delta " : "",
+                     field == std::string("alignment") ? "alignment " : "", found->second);
+    }
+    lines.push_back(note);
+  }
   return lines;
 }
 

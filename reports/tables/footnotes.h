@@ -13,7 +13,10 @@ namespace cvo::reports {
 std::string SourceMark(std::size_t source);
 
 // What a reader must know of the figures: runs that are missing, what intervals mean, what values
-// leave out, where figures of others come from, and what each column is.
+// leave out, and where figures of others come from.
 std::vector<std::string> Footnotes(const Table& table);
+
+// What each column is, by its contract.
+std::vector<std::string> Definitions(const Table& table);
 
 }  // namespace cvo::reports

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 #include "core/base/error.h"
@@ -21,7 +22,9 @@ std::string Printed(double value, const char* format) {
 }
 
 std::string Value(double value, const std::string& unit) {
-  if (unit == "m" || unit == "rad") return Printed(value, "%.4f");
+  if (unit == "m" || unit == "rad") {
+    return Printed(value, std::abs(value) < 0.01 && value != 0.0 ? "%.5f" : "%.4f");
+  }
   if (unit == "%") return Printed(value, "%.2f");
   return Printed(value, unit == "1" ? "%.3f" : "%.4g");
 }
@@ -100,27 +103,32 @@ GridRow TheirRow(const ReferenceRow& line, const Table& table) {
   return cells;
 }
 
-// Difference, its interval, and percents: three lines.
+std::string PercentRangeText(const Interval& interval) {
+  return Printed(interval.low, "%.0f..") + Printed(interval.high, "%.0f%%");
+}
+
+// Difference, its interval, percent, its interval: four lines.
+std::array<std::string, 4> DifferenceTexts(const Difference& difference, const std::string& unit,
+                                           bool change) {
+  const auto& percent = change ? difference.percent : difference.reference_lower;
+  const auto& range = change ? difference.percent_interval : difference.reference_lower_interval;
+  return {StrCat(Signed(difference.difference, unit), difference.distinguishable ? "*" : ""),
+          difference.interval ? RangeText(*difference.interval, unit) : "",
+          percent ? Printed(*percent, change ? "%+.1f%%" : "%.1f%%") : "",
+          range ? PercentRangeText(*range) : ""};
+}
+
 void AddDifferences(const Row& row, const Table& table, GridBlock& block) {
-  std::array<GridRow, 3> lines;
+  std::array<GridRow, 4> lines;
   lines[0] = RowTexts(row, table);
-  lines[1].resize(lines[0].size());
-  lines[2].resize(lines[0].size());
+  for (GridRow& line : lines) line.resize(lines[0].size());
   bool any = false;
   for (std::size_t i = 0; i < row.cells.size(); ++i) {
     const auto& difference = row.cells[i].difference;
-    const std::string& unit = table.columns[i].unit;
-    for (GridRow& line : lines) line.emplace_back();
-    if (!difference) continue;
-    any = true;
-    lines[0].back().text =
-        StrCat(Signed(difference->difference, unit), difference->distinguishable ? "*" : "");
-    if (difference->interval) lines[1].back().text = RangeText(*difference->interval, unit);
-    if (table.change && difference->percent) {
-      lines[2].back().text = Printed(*difference->percent, "%+.1f%%");
-    } else if (!table.change && difference->reference_lower) {
-      lines[2].back().text = Printed(*difference->reference_lower, "%.1f%%");
-    }
+    std::array<std::string, 4> texts;
+    if (difference) texts = DifferenceTexts(*difference, table.columns[i].unit, table.change);
+    for (std::size_t line = 0; line < texts.size(); ++line) lines[line].push_back({texts[line]});
+    any = any || difference;
   }
   if (any) block.rows.insert(block.rows.end(), lines.begin(), lines.end());
 }
@@ -146,12 +154,13 @@ Grid MakeGrid(const Table& table) {
   grid.blocks.push_back(std::move(values));
   if (!differences.rows.empty()) {
     differences.heading =
-        StrCat("difference to ", table.reference, ", paired; its interval; ",
+        StrCat("difference to ", table.reference, ", paired, with its interval; below, ",
                table.change ? "in percent of what was"
                             : StrCat("by how many percent ", table.reference, " is lower"));
     grid.blocks.push_back(std::move(differences));
   }
   grid.footnotes = Footnotes(table);
+  grid.definitions = Definitions(table);
   return grid;
 }
 

@@ -26,6 +26,7 @@ struct Grid {
   std::vector<std::string> header;
   std::vector<GridBlock> blocks;  // values, then differences where there are any
   std::vector<std::string> footnotes;
+  std::vector<std::string> definitions;  // of the columns
 };
 
 Grid MakeGrid(const Table& table);

@@ -144,6 +144,19 @@ Provenance DescribeRuns(const std::vector<SuiteRun>& runs, const std::string& de
   return provenance;
 }
 
+namespace {
+
+// The scenes and repetitions that a row stands on.
+std::set<std::string> RunsOf(const RowRuns& row, const std::vector<std::string>& keys) {
+  std::set<std::string> names;
+  for (const SuiteRun* run : row.runs) {
+    if (run->run) names.insert(StrCat(SceneOf(*run), " ", RepetitionOf(*run, keys)));
+  }
+  return names;
+}
+
+}  // namespace
+
 std::vector<std::string> TableNotes(const std::vector<SuiteRun>& runs, const Table& table) {
   std::vector<std::string> notes;
   for (const SuiteRun& run : runs) {
@@ -154,6 +167,15 @@ std::vector<std::string> TableNotes(const std::vector<SuiteRun>& runs, const Tab
   }
   for (const std::string& pooled : PooledKeys(runs, table.keys)) {
     notes.push_back("rows are means over " + pooled);
+  }
+  const std::vector<RowRuns> rows = GroupRuns(runs, table.keys);
+  const bool by_sequence =
+      std::find(table.keys.begin(), table.keys.end(), "sequence") != table.keys.end();
+  if (!by_sequence && std::any_of(rows.begin(), rows.end(), [&](const RowRuns& row) {
+        return RunsOf(row, table.keys) != RunsOf(rows[0], table.keys);
+      })) {
+    notes.emplace_back(
+        "rows stand on different runs: compare them by their paired differences only");
   }
   const std::vector<std::string>& builds = table.provenance.builds;
   if (builds.size() > 1) {

@@ -119,6 +119,7 @@ std::string TableMarkdown(const Table& table) {
     text += "\n";
   }
   for (const std::string& note : grid.footnotes) text += "- " + Escaped(note) + "\n";
+  for (const std::string& note : grid.definitions) text += "- " + Escaped(note) + "\n";
   return text;
 }
 

@@ -8,11 +8,11 @@
 
 namespace cvo::reports {
 
-// Aligned columns with their units, then footnotes. `dim`: figures that do not compare are faint as
-// well as in brackets, by terminal codes.
+// Aligned columns with their units, then footnotes but no definitions. `dim`: figures that do not
+// compare are faint as well as in brackets, by terminal codes.
 std::string TableText(const Table& table, bool dim);
 
-// The same as a Markdown table and list.
+// The same as Markdown, with the definitions of the columns.
 std::string TableMarkdown(const Table& table);
 
 }  // namespace cvo::reports

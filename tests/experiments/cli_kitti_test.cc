@@ -166,23 +166,6 @@ TEST_F(CliKitti, CameraIsAsAccurateAsPromised) {
   }
 }
 
-TEST_F(CliKitti, TableComputesNothingTwice) {
-  const std::vector<std::string> arguments = {"table", (*data_ / "kitti_odometry").string(), "-o",
-                                              out("table").string(), "--quiet"};
-  const ProcessResult first = RunProgram(arguments);
-  ASSERT_EQ(first.exit_code, 0) << first.err;
-  EXPECT_THAT(first.out, HasSubstr("odometry_06"));
-  const Json table = ReadJson(out("table") / "table.json");
-  EXPECT_EQ(table["rows"].size(), 1U);
-  const std::string bytes = ReadFile(out("table") / "table.json");
-  const fs::path timing = out("table") / "odometry_06-static" / "timing.json";
-  const std::string measured = ReadFile(timing);
-  const ProcessResult second = RunProgram(arguments);
-  EXPECT_THAT(second.err, HasSubstr("up to date"));
-  EXPECT_EQ(ReadFile(timing), measured);
-  EXPECT_EQ(ReadFile(out("table") / "table.json"), bytes);
-}
-
 TEST_F(CliKitti, InfoOfEverySequence) {
   const ProcessResult list = RunProgram({"info", data_->string(), "--json"});
   ASSERT_EQ(list.exit_code, 0) << list.err;

@@ -217,15 +217,5 @@ TEST_F(Eval, BadTrajectories) {
               FailsWith(2, "--max-time-difference"));
 }
 
-TEST_F(Cli, TableOfAFolderWithoutSequencesIsAnError) {
-  const test::TempFolder folder;
-  const ProcessResult run =
-      RunProgram({"table", folder.path().string(), "-o", (folder.path() / "out").string()});
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.err, HasSubstr("found no sequence"));
-  EXPECT_EQ(test::LineCount(run.err), 1U);
-  EXPECT_FALSE(fs::exists(folder.path() / "out"));
-}
-
 }  // namespace
 }  // namespace cvo

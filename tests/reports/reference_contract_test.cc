@@ -5,7 +5,7 @@
 
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/record/metrics_json.h"
-#include "reports/tables/make_table.h"
+#include "reports/tables/columns.h"
 #include "reports/tables/reference.h"
 
 namespace cvo::reports {

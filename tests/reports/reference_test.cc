@@ -18,9 +18,9 @@ using testing::HasSubstr;
 using testing::SizeIs;
 
 Table TableOf(const Json& result) {
-  const test::TempFolder folder;
-  const auto file = test::WriteResult(folder, "a", result);
-  return MakeTable({"", CameraMetrics(), "", {{"", file, ""}}}, ShippedReference());
+  test::SuiteResults suite;
+  suite.Add(result);
+  return MakeTable(suite.Written(), ShippedReference(), "");
 }
 
 // The ATE of a system from a source; fails the test where the table does not have it.
@@ -36,10 +36,10 @@ ReferenceCell Ate(const Table& table, const std::string& system, const std::stri
 
 TEST(Reference, ShippedFilesHoldTheFacts) {
   const Reference reference = ShippedReference();
-  EXPECT_THAT(reference.sources, SizeIs(4));
+  EXPECT_THAT(reference.sources, SizeIs(5));
   double found = 0.0;
   for (const ReferenceFigure& figure : reference.figures) {
-    EXPECT_GT(figure.frames, 0);
+    EXPECT_EQ(figure.suite.empty(), figure.frames > 0);
     if (figure.sequence == "2011_09_26_drive_0013" && figure.system == "ClusterVO" &&
         figure.metric == "camera_ate") {
       EXPECT_EQ(figure.frames, 144);
@@ -103,6 +103,23 @@ TEST(Reference, AnotherContractOrOtherImagesDoNotMatch) {
   Json causal = Result();
   causal["metrics"][1]["contract"]["poses"] = "causal";
   EXPECT_EQ(Ate(TableOf(causal), "ORB-SLAM2", "measured-upstream").match, Match::kContractDiffers);
+}
+
+TEST(Reference, FiguresOfASuiteStandBelowItAndNeverCompare) {
+  const Reference reference = ShippedReference();
+  test::SuiteResults suite;
+  suite.table["metrics"] = {"camera_ate"};
+  suite.Add(Result("indoor_1"));
+  Table table = MakeTable(suite.Written(), reference, "");
+  EXPECT_THAT(table.others, SizeIs(0)) << "a suite of another name";
+  suite.name = "ablation_all";
+  table = MakeTable(suite.Written(), reference, "");
+  ASSERT_THAT(table.others, SizeIs(6));
+  EXPECT_EQ(table.others[3].system, "ClusterVO 2D");
+  ASSERT_TRUE(table.others[3].cells[1]);
+  EXPECT_DOUBLE_EQ(table.others[3].cells[1]->value, 0.0062) << "printed times 100";
+  EXPECT_EQ(table.others[3].cells[1]->match, Match::kOtherScenes);
+  EXPECT_THAT(table.sources[table.others[3].source].caveat, HasSubstr("order"));
 }
 
 TEST(Reference, BadFilesNameTheField) {

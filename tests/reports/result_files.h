@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "tests/support/temp_folder.h"
 
@@ -12,20 +14,28 @@ namespace cvo::test {
 
 using Json = nlohmann::ordered_json;
 
+inline Json MetricOf(const std::string& name, double value, const std::string& unit,
+                     const std::string& aggregation) {
+  return {{"name", name},
+          {"value", value},
+          {"unit", unit},
+          {"n", 108},
+          {"contract",
+           {{"frame", "left camera"},
+            {"poses", "refined"},
+            {"truth", "devkit"},
+            {"alignment", "SE(3) over positions, Umeyama without scale"},
+            {"pairing", "all frames with truth and estimate"},
+            {"delta", "none"},
+            {"aggregation", aggregation},
+            {"left_out", "1 frame"}}}};
+}
+
 // The part of a result.json that tables read, with ATE and coverage of 108 frames.
 inline Json Result(const std::string& sequence = "2011_09_26_drive_0001", int frames = 108) {
-  const Json contract = {{"frame", "left camera"},
-                         {"poses", "refined"},
-                         {"truth", "devkit"},
-                         {"alignment", "SE(3) over positions, Umeyama without scale"},
-                         {"pairing", "all frames with truth and estimate"},
-                         {"delta", "none"},
-                         {"aggregation", "root mean square of position errors"},
-                         {"left_out", "1 frame"}};
-  Json coverage = contract;
-  coverage["alignment"] = "none";
-  coverage["pairing"] = "all frames with truth";
-  coverage["aggregation"] = "fraction with an estimate";
+  Json coverage = MetricOf("camera_coverage", 1.0, "1", "fraction with an estimate");
+  coverage["contract"]["alignment"] = "none";
+  coverage["contract"]["pairing"] = "all frames with truth";
   return {{"schema_version", 2},
           {"kind", "run"},
           {"job", "job of " + sequence},
@@ -39,25 +49,107 @@ inline Json Result(const std::string& sequence = "2011_09_26_drive_0001", int fr
             {"pair", "grey"},
             {"first_frame", 0},
             {"frames", frames},
-            {"total_frames", frames}}},
+            {"total_frames", frames},
+            {"content", "images of " + sequence}}},
           {"options", {{"orb", {{"features", 2000}}}}},
           {"build", {{"identity", "abc"}}},
           {"metrics",
-           {{{"name", "camera_coverage"},
-             {"value", 1.0},
-             {"unit", "1"},
-             {"n", frames},
-             {"contract", coverage}},
-            {{"name", "camera_ate"},
-             {"value", 0.0625},
-             {"unit", "m"},
-             {"n", frames},
-             {"contract", contract}}}}};
+           {coverage, MetricOf("camera_ate", 0.0625, "m", "root mean square of position errors")}},
+          {"bodies", nullptr},
+          {"frames", {{{"frame", 0}, {"note", "braces } ] and \" \\ in a text"}}}}};
 }
 
-inline std::filesystem::path WriteResult(const TempFolder& folder, const std::string& name,
-                                         const Json& result) {
-  return folder.Write(name + "/result.json", result.dump());
+// A body with these position errors in frames 0, 1, ...; a negative one: no estimate in it.
+inline Json BodyOf(int id, const std::vector<double>& errors_m) {
+  Json frames = Json::array();
+  Json positions_m = Json::array();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < errors_m.size(); ++i) {
+    if (errors_m[i] < 0.0) continue;
+    frames.push_back(i);
+    positions_m.push_back(errors_m[i]);
+    sum += errors_m[i] * errors_m[i];
+  }
+  const auto n = static_cast<double>(frames.size());
+  return {{"id", id},
+          {"mover", true},
+          {"cluster", n > 0.0 ? id : -1},
+          {"visible_frames", errors_m.size()},
+          {"estimated_frames", frames.size()},
+          {"id_switches", 1},
+          {"ate_m", n > 0.0 ? Json(std::sqrt(sum / n)) : Json(nullptr)},
+          {"errors", {{"frames", frames}, {"position_m", positions_m}}},
+          {"predicted", {{"frames", Json::array()}, {"position_m", Json::array()}}}};
 }
+
+// Adds bodies and the metrics that are made of them (whose values are for tables of one run only).
+inline Json WithBodies(Json result, const Json& bodies) {
+  result["bodies"] = {{"refined", bodies}, {"causal", Json::array()}};
+  result["metrics"].push_back(MetricOf("object_ate", 0.0, "m", "mean over bodies"));
+  result["metrics"].push_back(MetricOf("object_success_10cm", 0.0, "1", "fraction"));
+  result["metrics"].push_back(MetricOf("object_coverage", 0.0, "1", "fraction"));
+  return result;
+}
+
+// A folder that a suite was run to: jobs are added one by one, then the plan is written.
+class SuiteResults {
+ public:
+  std::string name = "small";
+  Json table = {{"rows", {"sequence", "variant"}},
+                {"metrics", {"camera_ate", "object_ate", "object_success_10cm"}},
+                {"reference", ""}};
+
+  // A job of the plan without a result.
+  Json& Plan(const std::string& sequence, const std::string& variant, int seed = 0) {
+    jobs_.push_back({{"sequence", sequence},
+                     {"detections", "good"},
+                     {"variant", variant},
+                     {"system", ""},
+                     {"seed", seed},
+                     {"oracle", Json::array()},
+                     {"parameters", Json::object()},
+                     {"missing", ""},
+                     {"job", "job" + std::to_string(jobs_.size())}});
+    return jobs_.back();
+  }
+  // A job of the plan with its result.
+  Json& Add(Json result, const std::string& variant = "static", int seed = 0) {
+    Json& job = Plan(result["sequence"]["name"], variant, seed);
+    result["job"] = job["job"];
+    result["variant"] = variant;
+    result["seed"] = seed;
+    AddText(result.dump());
+    return job;
+  }
+  // Gives the last job of the plan a result of these bytes.
+  void AddText(const std::string& text) {
+    const std::string job = jobs_.back()["job"];
+    folder_.Write("jobs/" + job + "/result.json", text);
+  }
+  void AddFailure(const std::string& message) {
+    const std::string job = jobs_.back()["job"];
+    const Json failure = {{"schema_version", 1},
+                          {"kind", "failure"},
+                          {"job", job},
+                          {"message", message},
+                          {"log", "logs/x.log"}};
+    folder_.Write("failed/" + job + ".json", failure.dump());
+  }
+  const std::filesystem::path& Written() const {
+    const Json plan = {{"schema_version", 1},
+                       {"kind", "plan"},
+                       {"suite", {{"name", name}, {"about", "what it is"}}},
+                       {"build", "abc"},
+                       {"table", table},
+                       {"jobs", jobs_}};
+    folder_.Write("plan.json", plan.dump());
+    return folder_.path();
+  }
+  const TempFolder& folder() const { return folder_; }
+
+ private:
+  TempFolder folder_;
+  Json jobs_ = Json::array();
+};
 
 }  // namespace cvo::test

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "experiments/suite/parse_suite.h"
+
+namespace cvo::test {
+
+// One scene, one variant, one seed: the least that is a suite.
+inline Json SmallSuite() {
+  return {{"name", "small"},
+          {"sequences", {{{"scene", "tiny"}, {"detections", "good"}}}},
+          {"variants", {"full"}},
+          {"seeds", 1},
+          {"table", {{"rows", {"variant"}}, {"metrics", {"camera_ate"}}}}};
+}
+
+// The same on a folder of images.
+inline Json FolderSuite(const std::string& folder) {
+  Json json = SmallSuite();
+  json["sequences"] = Json::array({{{"folder", folder}}});
+  json["variants"] = {"static"};
+  return json;
+}
+
+inline Suite Parse(const Json& json) { return ParseSuite(json, "s.json"); }
+
+}  // namespace cvo::test
