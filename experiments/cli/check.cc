@@ -88,12 +88,11 @@ Command AddCheckCommand(CLI::App& program) {
       "or means something else. Time is told in the time of the variant static and only warned "
       "of.\n"
       "Example: clustervo check results/ci --baseline reports/baselines/ci.json");
-  return {app, [flags] {
-            if (flags->baseline.empty() && flags->write_baseline.empty()) {
-              throw CLI::RequiredError("--baseline or --write-baseline");
-            }
-            return flags->baseline.empty() ? WriteBaseline(*flags) : Check(*flags);
-          }};
+  app->callback([flags] {
+    if (!flags->baseline.empty() || !flags->write_baseline.empty()) return;
+    throw CLI::RequiredError("--baseline or --write-baseline");
+  });
+  return {app, [flags] { return flags->baseline.empty() ? WriteBaseline(*flags) : Check(*flags); }};
 }
 
 }  // namespace cvo
