@@ -5,12 +5,13 @@
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help deps build table table-all table-kitti sweep test bench asan format format-check lint clean
+.PHONY: help deps build table table-all table-kitti sweep regression baseline test bench asan format format-check lint clean
 
 release := build/release
 asan := build/asan
 folders := $(wildcard core variants experiments synth reports tests)
 sources = $(shell find $(folders) -name '*.h' -o -name '*.cc')
+baseline := reports/baselines/ci.json
 # Compilers, and jobs of a suite, to run at once; empty: one per processor.
 JOBS ?=
 jobs := $(if $(JOBS),--parallel $(JOBS))
@@ -49,6 +50,18 @@ sweep: build ## one table per parameter that is swept
 	@$(call suite,sweep_eta)
 	@$(call suite,sweep_windows)
 	@$(call suite,sweep_motion_prior)
+
+# Jobs that failed are told of by the check too.
+regression: build ## run the suite ci and hold it against the committed baseline
+	@$(release)/bin/clustervo experiment run ci -o results/ci $(addprefix -j ,$(JOBS)); \
+	code=$$?; test $$code -le 1 || exit $$code; \
+	$(release)/bin/clustervo check results/ci --baseline $(baseline) --junit results/ci/check.xml \
+	  --markdown results/ci/check.md
+
+# Sixteen seeds tell how far seeds are apart; a check runs the suite's own two.
+baseline: build ## accept what the estimator does now: renew the baseline of make regression
+	$(release)/bin/clustervo experiment run ci --seeds 16 -o results/ci_seeds $(addprefix -j ,$(JOBS))
+	$(release)/bin/clustervo check results/ci_seeds --write-baseline $(baseline) --gate-seeds 2
 
 test: build ## run the tests; CLUSTERVO_DATA=<folder> adds those on real data
 	ctest --preset release

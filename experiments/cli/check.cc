@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "core/base/error.h"
+#include "experiments/cli/command.h"
+#include "experiments/files/atomic_file.h"
+#include "reports/gate/check_runs.h"
+#include "reports/gate/gate_text.h"
+#include "reports/gate/make_baseline.h"
+
+namespace cvo {
+namespace {
+
+constexpr int kRegressed = 1;
+
+struct CheckFlags {
+  std::string folder;
+  std::string baseline;
+  std::string write_baseline;
+  std::size_t gate_seeds = 0;
+  std::string junit;
+  std::string markdown;
+  bool gate_time = false;
+};
+
+void WriteFile(const std::filesystem::path& file, const std::string& content) {
+  const std::filesystem::path folder = file.parent_path();
+  const OutputFolder output(folder.empty() ? "." : folder, {file.filename().string()});
+  WriteFilesAtomically(output.path(), {{file.filename().string(), content}});
+}
+
+int WriteBaseline(const CheckFlags& flags) {
+  const reports::Baseline baseline = reports::MakeBaseline(flags.folder, flags.gate_seeds);
+  WriteFile(flags.write_baseline, reports::BaselineJson(baseline));
+  std::cout << baseline.suite << ": " << baseline.jobs.size() << " runs with "
+            << baseline.metrics.size() << " metrics; checked runs need " << baseline.seeds.size()
+            << " seeds\nwritten: " << flags.write_baseline << '\n';
+  return 0;
+}
+
+int Check(const CheckFlags& flags) {
+  const reports::Baseline baseline = reports::ReadBaseline(flags.baseline);
+  const reports::GateReport report = reports::CheckRuns(flags.folder, baseline);
+  if (!flags.junit.empty()) WriteFile(flags.junit, reports::GateJunit(report));
+  if (!flags.markdown.empty()) WriteFile(flags.markdown, reports::GateMarkdown(report));
+  std::cout << reports::GateText(report);
+  const bool failed = report.Regressed() || (flags.gate_time && report.Slower());
+  std::cout << (report.Regressed() ? "\nregression\n"
+                : failed           ? "\nslower\n"
+                                   : "\nno regression\n");
+  return failed ? kRegressed : 0;
+}
+
+}  // namespace
+
+Command AddCheckCommand(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "check", "Hold the results of a suite against a baseline: the regression gate");
+  const auto flags = std::make_shared<CheckFlags>();
+  const auto add = [app](const char* flag, auto& value, const char* kind, const char* meaning) {
+    return app->add_option(flag, value, meaning)->type_name(kind);
+  };
+  add("DIR", flags->folder, "", "folder that the suite was run to")->required();
+  CLI::Option* check = add("--baseline", flags->baseline, "FILE", "the baseline to check against");
+  CLI::Option* write = add("--write-baseline", flags->write_baseline, "FILE",
+                           "instead of a check: make these results the baseline");
+  add("--gate-seeds", flags->gate_seeds, "N",
+      "how many seeds checked runs must have; the others of DIR only tell how far seeds are apart; "
+      "default: all")
+      ->check(CLI::Range(1, 10000).description(""))
+      ->needs(write);
+  add("--junit", flags->junit, "FILE", "also write JUnit XML")->needs(check);
+  add("--markdown", flags->markdown, "FILE", "also write a summary in Markdown")->needs(check);
+  app->add_flag("--gate-time", flags->gate_time, "let a slower variant fail the check too")
+      ->needs(check);
+  check->excludes(write);
+  app->footer(
+      "Runs are paired by scene and seed. A variant regresses in a metric where its mean "
+      "difference\n"
+      "is worse by more than a tolerance: three standard errors of the differences, and at least\n"
+      "what other seeds would change, such that noise alone fails a whole check once in a "
+      "hundred.\n"
+      "Exit code 1 on a regression, and where a job or a metric of the baseline is missing, "
+      "failed\n"
+      "or means something else. Time is told in the time of the variant static and only warned "
+      "of.\n"
+      "Example: clustervo check results/ci --baseline reports/baselines/ci.json");
+  app->callback([flags] {
+    if (!flags->baseline.empty() || !flags->write_baseline.empty()) return;
+    throw CLI::RequiredError("--baseline or --write-baseline");
+  });
+  return {app, [flags] { return flags->baseline.empty() ? WriteBaseline(*flags) : Check(*flags); }};
+}
+
+}  // namespace cvo

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/gate/check_runs.h"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "core/base/error.h"
+#include "reports/gate/compare.h"
+#include "reports/gate/gate_runs.h"
+
+namespace cvo::reports {
+namespace {
+
+using Place = std::pair<std::map<std::string, std::string>, std::uint64_t>;
+
+class Check {
+ public:
+  Check(const std::filesystem::path& folder, const Baseline& baseline)
+      : baseline_(baseline),
+        runs_(ReadGateRuns(folder, MetricNames(baseline))),
+        time_ratios_(TimeRatios(runs_)) {
+    for (const SuiteRun& run : runs_.runs) now_[{run.planned.keys, run.planned.seed}] = &run;
+  }
+
+  GateReport Run() {
+    report_.suite = runs_.suite;
+    report_.baseline_commit = baseline_.commit;
+    report_.baseline_build = baseline_.build;
+    CheckUnfinished();
+    for (const BaselineJob& job : baseline_.jobs) PairJob(job);
+    report_.runs = pairs_.size();
+    report_.comparisons = CompareValues(baseline_, pairs_);
+    if (report_.comparisons.empty()) Fail(runs_.suite, "nothing was compared");
+    CheckTimes();
+    AddNotes();
+    return std::move(report_);
+  }
+
+ private:
+  static std::vector<std::string> MetricNames(const Baseline& baseline) {
+    std::vector<std::string> names;
+    for (const BaselineMetric& metric : baseline.metrics) names.push_back(metric.name);
+    return names;
+  }
+
+  void Fail(const std::string& where, const std::string& message) {
+    report_.problems.push_back({where, message});
+  }
+
+  // Those of the baseline and others alike: what did not finish was not measured.
+  void CheckUnfinished() {
+    for (const SuiteRun& run : runs_.runs) {
+      if (run.run) continue;
+      Fail(RunLabel(run.planned.keys, run.planned.seed),
+           run.state + (run.message.empty() ? "" : ": " + run.message));
+    }
+  }
+
+  void PairJob(const BaselineJob& job) {
+    const std::string label = RunLabel(job.keys, job.seed);
+    const auto found = now_.find({job.keys, job.seed});
+    if (found == now_.end()) {
+      const bool wanted = std::find(baseline_.seeds.begin(), baseline_.seeds.end(), job.seed) !=
+                          baseline_.seeds.end();
+      if (wanted) Fail(label, "not among the jobs of this folder, but in the baseline");
+      return;
+    }
+    const SuiteRun& run = *found->second;
+    if (!run.run) return;
+    report_.build = run.run->build;
+    if (job.status == "ok" && run.state != "ok") {
+      Fail(label, StrCat("ended as ", run.state, run.message.empty() ? "" : ": " + run.message));
+    }
+    if (!job.content.empty() && run.run->sequence.content != job.content) ++other_images_;
+    RunPair pair{&job, {}, std::nullopt};
+    for (const BaselineMetric& metric : baseline_.metrics) AddValue(metric, run, label, pair);
+    const auto ratio = time_ratios_.find(run.planned.job);
+    if (ratio != time_ratios_.end()) pair.time_ratio = ratio->second;
+    pairs_.push_back(std::move(pair));
+  }
+
+  void AddValue(const BaselineMetric& metric, const SuiteRun& run, const std::string& label,
+                RunPair& pair) {
+    const bool expected = pair.baseline->values.contains(metric.name);
+    const MetricValue* value = FindMetric(*run.run, metric.name);
+    if (value == nullptr && expected) Fail(label, StrCat("no ", metric.name));
+    if (value != nullptr && !expected) ++new_values_;
+    if (value == nullptr || !expected) return;
+    if (MeansTheSame(metric, *run.run, *value)) pair.values[metric.name] = value->value;
+  }
+
+  // One line per metric and type of dataset says what differs.
+  bool MeansTheSame(const BaselineMetric& metric, const RunSummary& run, const MetricValue& value) {
+    const auto known = metric.contracts.find(run.sequence.type);
+    const Contract contract = GateContract(run, value);
+    if (known != metric.contracts.end() && known->second == contract && metric.unit == value.unit) {
+      return true;
+    }
+    if (!refused_.insert({metric.name, run.sequence.type}).second) return false;
+    if (known == metric.contracts.end()) {
+      Fail(metric.name, StrCat("measured on ", run.sequence.type, ", in the baseline not"));
+    } else if (metric.unit != value.unit) {
+      Fail(metric.name, StrCat("in ", value.unit, ", in the baseline in ", metric.unit));
+    } else {
+      const auto [field, now, then] = FirstDifference(contract, known->second);
+      Fail(metric.name,
+           StrCat("another contract: ", field, " \"", now, "\", in the baseline \"", then, "\""));
+    }
+    return false;
+  }
+
+  static std::tuple<std::string, std::string, std::string> FirstDifference(const Contract& now,
+                                                                           const Contract& then) {
+    Contract fields = now;
+    fields.insert(then.begin(), then.end());
+    for (const auto& [field, value] : fields) {
+      const std::string a = now.contains(field) ? now.at(field) : "";
+      const std::string b = then.contains(field) ? then.at(field) : "";
+      if (a != b) return {field, a, b};
+    }
+    return {};
+  }
+
+  void CheckTimes() {
+    report_.times = CompareTimes(pairs_);
+    std::set<std::string> missing;
+    for (const RunPair& pair : pairs_) {
+      const std::string& variant = pair.baseline->keys.at("variant");
+      if (pair.baseline->time_ratio && !pair.time_ratio) missing.insert(variant);
+    }
+    for (const std::string& variant : missing) {
+      report_.time_problems.push_back(
+          StrCat("no time of ", variant, " against ", kTimeReference, " in some runs"));
+    }
+  }
+
+  void AddNotes() {
+    std::set<Place> known;
+    for (const BaselineJob& job : baseline_.jobs) known.insert({job.keys, job.seed});
+    const auto more = std::count_if(now_.begin(), now_.end(),
+                                    [&](const auto& run) { return !known.contains(run.first); });
+    const auto note = [this](auto count, const char* what) {
+      if (count > 0) report_.notes.push_back(StrCat(count, what));
+    };
+    note(more, " jobs are not in the baseline");
+    note(new_values_, " values are of metrics that the baseline lacks for their job");
+    note(other_images_, " runs saw other images than the baseline's: scenes were drawn anew");
+  }
+
+  const Baseline& baseline_;
+  GateRuns runs_;
+  std::map<std::string, double> time_ratios_;
+  std::map<Place, const SuiteRun*> now_;
+  std::vector<RunPair> pairs_;
+  std::set<std::pair<std::string, std::string>> refused_;
+  std::size_t new_values_ = 0;
+  std::size_t other_images_ = 0;
+  GateReport report_;
+};
+
+}  // namespace
+
+GateReport CheckRuns(const std::filesystem::path& folder, const Baseline& baseline) {
+  return Check(folder, baseline).Run();
+}
+
+}  // namespace cvo::reports

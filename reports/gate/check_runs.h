@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include "reports/gate/baseline.h"
+#include "reports/gate/gate_report.h"
+
+namespace cvo::reports {
+
+// Holds the runs of a folder that a suite was run to against a baseline. Throws Error only where
+// the folder has no plan that can be read; all else is in the report: jobs that are missing, failed
+// or lost, metrics that are missing or mean something else, and nothing to compare.
+GateReport CheckRuns(const std::filesystem::path& folder, const Baseline& baseline);
+
+}  // namespace cvo::reports

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <cstdio>
+
+#include "core/base/error.h"
+#include "reports/gate/gate_text.h"
+
+namespace cvo::reports {
+namespace {
+
+// XML 1.0 has no way to write most control characters.
+std::string Escaped(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    const bool control = static_cast<unsigned char>(c) < 0x20;
+    if (c == '&') escaped += "&amp;";
+    if (c == '<') escaped += "&lt;";
+    if (c == '>') escaped += "&gt;";
+    if (c == '"') escaped += "&quot;";
+    if (control) escaped += c == '\n' || c == '\r' || c == '\t' ? ' ' : '?';
+    if (!control && c != '&' && c != '<' && c != '>' && c != '"') escaped += c;
+  }
+  return escaped;
+}
+
+// `failure`: empty where the case passes.
+std::string TestCase(const std::string& group, const std::string& name,
+                     const std::string& failure) {
+  const std::string start = StrCat("  <testcase classname=\"", Escaped(group), "\" name=\"",
+                                   Escaped(name), "\" time=\"0\"");
+  if (failure.empty()) return start + "/>\n";
+  return StrCat(start, "><failure message=\"", Escaped(failure), "\"/></testcase>\n");
+}
+
+std::string Failure(const Comparison& comparison) {
+  if (comparison.verdict != Verdict::kWorse) return "";
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(), "%.6g, in the baseline %.6g: %+.3g, tolerance %.3g",
+                comparison.now, comparison.baseline, comparison.difference(), comparison.tolerance);
+  return text.data();
+}
+
+}  // namespace
+
+std::string GateJunit(const GateReport& report) {
+  const std::size_t failures = report.problems.size() + report.Count(Verdict::kWorse);
+  const std::string group = "clustervo." + report.suite;
+  const std::string counts =
+      StrCat("tests=\"", report.problems.size() + report.comparisons.size(), "\" failures=\"",
+             failures, "\" errors=\"0\" skipped=\"0\" time=\"0\"");
+  std::string text = StrCat("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites ", counts,
+                            ">\n <testsuite name=\"", Escaped(group), "\" ", counts, ">\n");
+  for (const Comparison& comparison : report.comparisons) {
+    const std::string where = comparison.scene.empty() ? "" : " on " + comparison.scene;
+    text += TestCase(StrCat(group, ".", comparison.variant), comparison.metric + where,
+                     Failure(comparison));
+  }
+  for (const GateProblem& problem : report.problems) {
+    text += TestCase(group, problem.where, problem.message);
+  }
+  std::string notes;
+  for (const std::string& line : NoteLines(report)) notes += StrCat("\n", Escaped(line));
+  if (!notes.empty()) text += StrCat("  <system-out>", notes, "\n  </system-out>\n");
+  return text + " </testsuite>\n</testsuites>\n";
+}
+
+}  // namespace cvo::reports

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/error.h"
+#include "reports/gate/gate_text.h"
+
+namespace cvo::reports {
+namespace {
+
+std::string Escaped(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '|' || c == '*' || c == '_' || c == '<' || c == '`' || c == '\\') escaped += '\\';
+    escaped += c == '\n' || c == '\r' ? ' ' : c;
+  }
+  return escaped;
+}
+
+std::string Line(const std::vector<std::string>& row) {
+  std::string line = "|";
+  for (const std::string& cell : row) line += StrCat(" ", Escaped(cell), " |");
+  return line + "\n";
+}
+
+std::string MarkdownTable(const TextRows& rows) {
+  if (rows.empty()) return "";
+  std::string text = StrCat("\n", Line(rows.front()));
+  text += Line(std::vector<std::string>(rows.front().size(), "---"));
+  for (std::size_t i = 1; i < rows.size(); ++i) text += Line(rows[i]);
+  return text;
+}
+
+std::string MarkdownList(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) {
+    text += StrCat(text.empty() ? "\n- " : "- ", Escaped(line), "\n");
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string GateMarkdown(const GateReport& report) {
+  return StrCat("### ", report.Regressed() ? "Regression" : "No regression", "\n\n",
+                Escaped(Headline(report)), "\n", MarkdownTable(MovedRows(report)),
+                MarkdownList(ProblemLines(report)), MarkdownTable(TimeRows(report)),
+                MarkdownList(NoteLines(report)));
+}
+
+}  // namespace cvo::reports

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/gate/gate_runs.h"
+
+#include <algorithm>
+
+#include "reports/gate/metric_rule.h"
+#include "reports/tables/columns.h"
+#include "reports/tables/json_fields.h"
+#include "reports/tables/json_text.h"
+
+namespace cvo::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kTimingSchemaVersion = 1;
+
+// Most of a timing file is about single frames.
+std::optional<double> EstimateTimeMs(const fs::path& file) {
+  try {
+    const std::string text = ReadText(file);
+    const auto members = JsonMembers(text, file.string());
+    Json json = Json::object();
+    for (const char* key : {"schema_version", "stages"}) {
+      json[key] = ParseJson(FindMember(members, key), file.string());
+    }
+    const Fields fields(json, file.string());
+    CheckSchema(fields, kTimingSchemaVersion);
+    const double time_ms = fields.Object("stages").Object("estimate").Number("median_ms");
+    return time_ms > 0.0 ? std::optional(time_ms) : std::nullopt;
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+GateRuns ReadGateRuns(const fs::path& folder, std::vector<std::string> metrics) {
+  SuitePlan plan = ReadPlan(folder / "plan.json");
+  std::erase_if(plan.runs, [](const PlannedRun& run) { return run.system; });
+  if (metrics.empty()) metrics = WithCoverage(plan.metrics);
+  std::erase_if(metrics, [](const std::string& metric) { return !FindRule(metric); });
+  GateRuns runs{folder, plan.name, metrics, {}};
+  runs.runs = ReadRuns(folder, plan, metrics);
+  return runs;
+}
+
+Contract GateContract(const RunSummary& run, const MetricValue& metric) {
+  Contract contract =
+      ColumnContract(metric.contract, run.sequence.first_frame, run.sequence.frames);
+  const auto truth = metric.contract.find("truth");
+  if (truth != metric.contract.end()) contract["truth"] = truth->second;
+  return contract;
+}
+
+std::string RunLabel(const std::map<std::string, std::string>& keys, std::uint64_t seed) {
+  std::string others;
+  for (const auto& [key, value] : keys) {
+    if (key == "variant" || key == "sequence" || value == "none") continue;
+    others += StrCat(", ", key, " ", value);
+  }
+  return StrCat(keys.at("variant"), " on ", keys.at("sequence"), others, ", seed ", seed);
+}
+
+std::map<std::string, double> TimeRatios(const GateRuns& runs) {
+  using Place = std::pair<std::map<std::string, std::string>, std::uint64_t>;
+  std::map<std::string, double> times_ms;  // by job
+  std::map<Place, double> reference_ms;
+  for (const SuiteRun& run : runs.runs) {
+    if (!run.run) continue;
+    const auto time_ms = EstimateTimeMs(runs.folder / "jobs" / run.planned.job / "timing.json");
+    if (!time_ms) continue;
+    times_ms[run.planned.job] = *time_ms;
+    if (KeyOf(run.planned, "variant") != kTimeReference) continue;
+    reference_ms[{run.planned.keys, run.planned.seed}] = *time_ms;
+  }
+  std::map<std::string, double> ratios;
+  for (const SuiteRun& run : runs.runs) {
+    Place place{run.planned.keys, run.planned.seed};
+    place.first["variant"] = kTimeReference;
+    const auto time = times_ms.find(run.planned.job);
+    const auto reference = reference_ms.find(place);
+    if (time == times_ms.end() || reference == reference_ms.end()) continue;
+    if (place.first != run.planned.keys) ratios[run.planned.job] = time->second / reference->second;
+  }
+  return ratios;
+}
+
+}  // namespace cvo::reports

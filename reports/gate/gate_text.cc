@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/gate/gate_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/error.h"
+#include "reports/gate/gate_runs.h"
+
+namespace cvo::reports {
+namespace {
+
+constexpr std::size_t kNearest = 5;
+constexpr std::size_t kMostProblems = 20;
+
+std::string Number(double value, const char* format = "%.4g") {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+
+std::string Plural(std::size_t count, const std::string& noun) {
+  return StrCat(count, " ", noun, count == 1 ? "" : "s");
+}
+
+std::vector<std::string> Cells(const Comparison& comparison) {
+  return {comparison.variant,
+          comparison.scene.empty() ? "all" : comparison.scene,
+          comparison.metric + (comparison.unit == "1" ? "" : " (" + comparison.unit + ")"),
+          Number(comparison.baseline),
+          Number(comparison.now),
+          Number(comparison.difference(), "%+.3g"),
+          Number(comparison.tolerance, "%.3g"),
+          StrCat(comparison.pairs),
+          comparison.verdict == Verdict::kWorse ? "WORSE" : ToString(comparison.verdict)};
+}
+
+double PartOfTolerance(const Comparison& comparison) {
+  return std::abs(comparison.difference()) / std::max(comparison.tolerance, 1e-300);
+}
+
+std::vector<const Comparison*> Nearest(const GateReport& report) {
+  std::vector<const Comparison*> within;
+  for (const Comparison& comparison : report.comparisons) {
+    if (comparison.verdict == Verdict::kWithin && comparison.scene.empty()) {
+      within.push_back(&comparison);
+    }
+  }
+  std::stable_sort(within.begin(), within.end(), [](const Comparison* a, const Comparison* b) {
+    return PartOfTolerance(*a) > PartOfTolerance(*b);
+  });
+  within.resize(std::min(within.size(), kNearest));
+  return within;
+}
+
+std::size_t Width(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  }));
+}
+
+std::string CommitName(const std::string& commit) {
+  return commit.empty() ? "an unknown commit" : commit.substr(0, 12);
+}
+
+}  // namespace
+
+TextRows MovedRows(const GateReport& report) {
+  TextRows rows;
+  for (const Verdict verdict : {Verdict::kWorse, Verdict::kBetter}) {
+    for (const Comparison& comparison : report.comparisons) {
+      if (comparison.verdict == verdict) rows.push_back(Cells(comparison));
+    }
+  }
+  for (const Comparison* comparison : Nearest(report)) rows.push_back(Cells(*comparison));
+  if (rows.empty()) return rows;
+  rows.insert(rows.begin(), {"variant", "scene", "metric", "baseline", "now", "difference",
+                             "tolerance", "pairs", "verdict"});
+  return rows;
+}
+
+TextRows TimeRows(const GateReport& report) {
+  TextRows rows;
+  if (report.times.empty()) return rows;
+  rows.push_back({"variant", StrCat("time / ", kTimeReference, ", then"), "now", "factor", "limit",
+                  "verdict"});
+  for (const TimeComparison& time : report.times) {
+    const char* verdict = time.verdict == Verdict::kWorse    ? "SLOWER"
+                          : time.verdict == Verdict::kBetter ? "faster"
+                                                             : "within";
+    rows.push_back({time.variant, Number(time.baseline, "%.3g"), Number(time.now, "%.3g"),
+                    Number(time.now / time.baseline, "%.3g"), Number(time.limit, "%.3g"), verdict});
+  }
+  return rows;
+}
+
+std::string Headline(const GateReport& report) {
+  return StrCat(report.suite, ": ", Plural(report.runs, "run"), " against those of ",
+                CommitName(report.baseline_commit), ": ", report.Count(Verdict::kWorse), " worse, ",
+                report.Count(Verdict::kBetter), " better, ", report.Count(Verdict::kWithin),
+                " within tolerance, ", report.Count(Verdict::kSame), " the same",
+                report.problems.empty() ? "" : ", " + Plural(report.problems.size(), "problem"));
+}
+
+std::vector<std::string> ProblemLines(const GateReport& report) {
+  std::vector<std::string> lines;
+  for (const GateProblem& problem : report.problems) {
+    if (lines.size() == kMostProblems) {
+      lines.push_back(StrCat("and ", report.problems.size() - lines.size(), " more"));
+      break;
+    }
+    lines.push_back(StrCat(problem.where, ": ", problem.message));
+  }
+  return lines;
+}
+
+std::vector<std::string> NoteLines(const GateReport& report) {
+  std::vector<std::string> lines = report.notes;
+  if (report.Count(Verdict::kBetter) > 0) {
+    lines.emplace_back("better than the baseline beyond tolerance: renew the baseline to keep it");
+  }
+  for (const TimeComparison& time : report.times) {
+    if (time.verdict != Verdict::kWorse) continue;
+    lines.push_back(StrCat(time.variant, " is slower than it was, measured in the time of ",
+                           kTimeReference, " (not part of the verdict without --gate-time)"));
+  }
+  for (const std::string& problem : report.time_problems) lines.push_back(problem);
+  return lines;
+}
+
+std::string AlignedText(const TextRows& rows) {
+  if (rows.empty()) return "";
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const std::vector<std::string>& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], Width(row[i]));
+  }
+  std::string text;
+  for (const std::vector<std::string>& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      text += row[i];
+      if (i + 1 < row.size()) text.append(widths[i] - Width(row[i]) + 2, ' ');
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string GateText(const GateReport& report) {
+  std::string text = Headline(report) + "\n";
+  const TextRows moved = MovedRows(report);
+  if (!moved.empty()) text += StrCat("\n", AlignedText(moved));
+  const TextRows times = TimeRows(report);
+  if (!times.empty()) text += StrCat("\n", AlignedText(times));
+  for (const auto& [title, lines] :
+       {std::pair{"problems", ProblemLines(report)}, std::pair{"notes", NoteLines(report)}}) {
+    if (!lines.empty()) text += StrCat("\n", title, ":\n");
+    for (const std::string& line : lines) text += "  " + line + "\n";
+  }
+  return text;
+}
+
+}  // namespace cvo::reports
