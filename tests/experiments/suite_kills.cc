@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // suite_kills KILLS [SEED]: runs a suite undisturbed, then again and again with that many SIGKILLs
 // at random moments, of the runner, of a worker or of all of them, resuming after each. Every file
-// of every result must be the same bytes.
+// of every result, and the table, must be the same bytes.
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -65,19 +65,10 @@ class Suite {
   fs::path cache() const { return folder_ / "cache"; }
 
   pid_t Start() const {
-    const std::string data = (folder_ / "data").string();
-    const std::string output = out().string();
-    const std::string log = (folder_ / "log").string();
-    const pid_t runner = ::fork();
-    Require(runner >= 0, "fork");
-    if (runner > 0) return runner;
-    const int fd = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    ::dup2(fd, STDOUT_FILENO);
-    ::dup2(fd, STDERR_FILENO);
-    ::execl(CVO_PROGRAM, CVO_PROGRAM, "experiment", "run", suite_.c_str(), "-o", output.c_str(),
-            "--data", data.c_str(), "-j", "2", static_cast<char*>(nullptr));
-    ::_exit(126);
+    return Start(
+        {"run", suite_, "-o", out().string(), "--data", (folder_ / "data").string(), "-j", "2"});
   }
+  pid_t StartTable() const { return Start({"table", out().string()}); }
   std::string Log() const { return ReadFile(folder_ / "log"); }
 
   // Everything that a result consists of; no leftovers are among it.
@@ -90,11 +81,28 @@ class Suite {
         files[name] = ReadFile(entry.path());
       }
     }
-    files["plan.json"] = ReadFile(out() / "plan.json");
+    for (const char* name : {"plan.json", "table.json"}) files[name] = ReadFile(out() / name);
     return files;
   }
 
  private:
+  // `clustervo experiment ...`
+  pid_t Start(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {CVO_PROGRAM, "experiment"});
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    const std::string log = (folder_ / "log").string();
+    const pid_t runner = ::fork();
+    Require(runner >= 0, "fork");
+    if (runner > 0) return runner;
+    const int fd = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    ::dup2(fd, STDOUT_FILENO);
+    ::dup2(fd, STDERR_FILENO);
+    ::execv(argv[0], argv.data());
+    ::_exit(126);
+  }
+
   fs::path folder_;
   std::string suite_;
 };
@@ -124,6 +132,7 @@ class KillTest {
     const int code = WaitFor(suite_.Start());
     if (code != 0) throw Error(StrCat("exit code ", code, ": ", suite_.Log()));
     const std::chrono::duration<double> undisturbed = Clock::now() - start;
+    MakeTable();
     expected_ = suite_.Results();
     std::cout << expected_.size() << " files in " << undisturbed.count() << " s undisturbed\n";
     fs::remove_all(suite_.cache());  // the first round renders under fire
@@ -131,14 +140,20 @@ class KillTest {
       fs::remove_all(suite_.out());
       fs::remove_all(suite_.cache() / "frontend");
       Round(kills, 0.5 * undisturbed.count());
+      MakeTable();
       Compare();
     }
     std::cout << kills_ << " kills: " << counts_[Victim::kRunner] << " of the runner, "
               << counts_[Victim::kWorker] << " of a worker, " << counts_[Victim::kAll]
-              << " of all; every result the same bytes\n";
+              << " of all; every result and the table the same bytes\n";
   }
 
  private:
+  void MakeTable() const {
+    const int code = WaitFor(suite_.StartTable());
+    if (code != 0) throw Error(StrCat("table: exit code ", code, ": ", suite_.Log()));
+  }
+
   // Until the suite is done, or undisturbed once there were enough kills.
   void Round(int kills, double longest_s) {
     for (;;) {
