@@ -10,7 +10,6 @@
 
 #include "core/base/error.h"
 #include "experiments/jobs/folder_lock.h"
-#include "tests/experiments/wait_until.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 
@@ -34,17 +33,21 @@ TEST(FolderLock, IsForOneAtATimeAndNamesIt) {
 TEST(FolderLock, OfAKilledProcessIsFree) {
   const test::TempFolder folder;
   const auto file = folder.path() / "lock";
+  int ready[2];
+  ASSERT_EQ(::pipe(ready), 0);
   const pid_t holder = ::fork();
   if (holder == 0) {
     const FolderLock lock(file);
-    ::pause();
+    if (::write(ready[1], "x", 1) == 1) ::pause();
     ::_exit(0);
   }
-  ASSERT_TRUE(test::WaitUntil([&] {
-    return ErrorMessage([&] {
-             const FolderLock lock(file);
-           }).find(StrCat("process ", holder, " on ")) != std::string::npos;
-  }));
+  // Whoever asks before would take the lock for a moment, and the other would be refused.
+  ::close(ready[1]);
+  char byte = 0;
+  ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+  ::close(ready[0]);
+  EXPECT_THAT(ErrorMessage([&] { const FolderLock lock(file); }),
+              HasSubstr(StrCat("process ", holder, " on ")));
   ::kill(holder, SIGKILL);
   ::waitpid(holder, nullptr, 0);
   EXPECT_EQ(ErrorMessage([&] { const FolderLock lock(file); }), "");
