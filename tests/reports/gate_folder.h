@@ -82,15 +82,7 @@ class GateFolder {
   void WritePlan() const {
     Json jobs = Json::array();
     ForEachJob([&](const std::string& scene, const std::string& variant, int seed) {
-      jobs.push_back({{"sequence", scene},
-                      {"detections", "good"},
-                      {"variant", variant},
-                      {"system", ""},
-                      {"seed", seed},
-                      {"oracle", Json::array()},
-                      {"parameters", Json::object()},
-                      {"missing", ""},
-                      {"job", Id(scene, variant, seed)}});
+      jobs.push_back(PlannedJob(scene, variant, seed, Id(scene, variant, seed)));
     });
     const Json plan = {
         {"schema_version", 1},

@@ -91,6 +91,20 @@ inline Json WithBodies(Json result, const Json& bodies) {
   return result;
 }
 
+// A job of a plan.json, as reports read it.
+inline Json PlannedJob(const std::string& sequence, const std::string& variant, int seed,
+                       const std::string& id) {
+  return {{"sequence", sequence},
+          {"detections", "good"},
+          {"variant", variant},
+          {"system", ""},
+          {"seed", seed},
+          {"oracle", Json::array()},
+          {"parameters", Json::object()},
+          {"missing", ""},
+          {"job", id}};
+}
+
 // A folder that a suite was run to: jobs are added one by one, then the plan is written.
 class SuiteResults {
  public:
@@ -101,15 +115,7 @@ class SuiteResults {
 
   // A job of the plan without a result.
   Json& Plan(const std::string& sequence, const std::string& variant, int seed = 0) {
-    jobs_.push_back({{"sequence", sequence},
-                     {"detections", "good"},
-                     {"variant", variant},
-                     {"system", ""},
-                     {"seed", seed},
-                     {"oracle", Json::array()},
-                     {"parameters", Json::object()},
-                     {"missing", ""},
-                     {"job", "job" + std::to_string(jobs_.size())}});
+    jobs_.push_back(PlannedJob(sequence, variant, seed, "job" + std::to_string(jobs_.size())));
     return jobs_.back();
   }
   // A job of the plan with its result.
