@@ -6,6 +6,32 @@
 
 namespace cvo {
 
+void CenterEstimate::Add(const Eigen::Vector3d& center,
+                         const Eigen::Matrix3d& information_of_box) {
+  information += information_of_box;
+  weighted += information_of_box * center;
+  ++boxes;
+}
+
+void CenterEstimate::Add(const CenterEstimate& other) {
+  information += other.information;
+  weighted += other.weighted;
+  boxes += other.boxes;
+}
+
+Eigen::Vector3d CenterEstimate::InObject() const {
+  if (boxes == 0) return Eigen::Vector3d::Zero();
+  return information.llt().solve(weighted);
+}
+
+CenterEstimate CenterEstimate::In(const RigidTransform& new_from_old) const {
+  const Eigen::Matrix3d R = new_from_old.RotationMatrix();
+  CenterEstimate there = *this;
+  there.information = R * information * R.transpose();
+  there.weighted = there.information * (new_from_old * InObject());
+  return there;
+}
+
 const ClusterState* FindState(const Cluster& cluster, FrameId frame) {
   const auto it = std::lower_bound(cluster.states.begin(), cluster.states.end(), frame,
                                    [](const ClusterState& s, FrameId id) { return s.frame < id; });

@@ -19,12 +19,28 @@ struct ClusterState {
   Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  // of its origin, in world
 };
 
+// Where a body's centre is, from the boxes that show it, in the body's frame. A box tells well
+// across the line of sight and badly along it: seen from several sides, the centre is fixed.
+struct CenterEstimate {
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d weighted = Eigen::Vector3d::Zero();  // information * centre
+  int boxes = 0;
+
+  void Add(const Eigen::Vector3d& center, const Eigen::Matrix3d& information_of_box);
+  void Add(const CenterEstimate& other);  // of the same frame
+  // The origin without a box.
+  Eigen::Vector3d InObject() const;
+  // The same in another frame of the body.
+  CenterEstimate In(const RigidTransform& new_from_old) const;
+};
+
 // What a cluster knows of itself from before it was lost, until it is aligned with that: its frame
 // since `since` is a guess.
 struct Lineage {
   FrameId since;
   std::vector<Landmark> landmarks;  // in its frame as it was
-  Eigen::Vector3d fix_in_object = Eigen::Vector3d::Zero();
+  CenterEstimate box_center;
+  bool is_centered = false;  // aligned by the centres: what is left to turn is not known
 };
 
 // A rigid body that moves or may move. Its frame is arbitrary and stays what it was at birth.
@@ -38,9 +54,7 @@ struct Cluster {
   Eigen::Vector3d center_in_object = Eigen::Vector3d::Zero();
   Eigen::Vector3d half_size_m = Eigen::Vector3d::Zero();
   double size_m = 0.0;  // smaller side of the box it was born in
-  // Mean of where its boxes put the body's centre, and over how many of them.
-  Eigen::Vector3d fix_in_object = Eigen::Vector3d::Zero();
-  int fixes = 0;
+  CenterEstimate box_center;
   Lineage former;
   FrameId last_observed;
   FrameId last_detected;

@@ -6,15 +6,17 @@
 
 namespace cvo {
 
-// Where a body is, judged by its box and the nearest points in it alone: near its centre.
+// Where a body's centre is, judged by its box and the nearest points in it alone.
 struct BoxFix {
   Eigen::Vector3d center_in_world = Eigen::Vector3d::Zero();
   double size_m = 0.0;  // smaller side of the box at the body's depth
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  // of the centre, in world, 1/m^2
 };
 
-// From the median of the surface points seen in the detection's box: moved away from the camera by
-// clusters.birth_depth of the box's smaller side.
-BoxFix FixFromSurface(const FrameView& view, const Detection& detection,
-                      const Eigen::Vector3d& surface_in_world);
+// On the ray through the middle of the detection's box, clusters.birth_depth of the box's smaller
+// side behind the median of the surface points seen in it. Where the surface lies in the box says
+// nothing of the centre: texture may be on one side.
+BoxFix FixFromBox(const FrameView& view, const Detection& detection,
+                  const Eigen::Vector3d& surface_in_world);
 
 }  // namespace cvo

@@ -18,8 +18,10 @@ constexpr double kOriginDeviation = 0.3;
 constexpr double kMaxDeviation_m = 1.0;
 // The next candidate must be so much farther.
 constexpr double kUniqueness = 1.5;
-// Boxes after which a frame is aligned by them where no landmarks could do it better.
-constexpr int kEnoughFixes = 15;
+// Boxes after which a frame is aligned by them where no landmarks could do it better so far.
+constexpr int kEnoughBoxes = 15;
+// From then on it is looked for such landmarks in every so many frames only: it takes time.
+constexpr int kRarely = 5;
 // Landmarks of both frames that are the same lie so near to each other, in sizes of the body.
 constexpr double kPointDeviation = 0.08;
 
@@ -91,7 +93,7 @@ void ChangeFrame(const RigidTransform& old_from_new, ClusterId id, Cluster& clus
     landmark.past_information = R * landmark.past_information * R.transpose();
   }
   cluster.center_in_object = new_from_old * cluster.center_in_object;
-  cluster.fix_in_object = new_from_old * cluster.fix_in_object;
+  cluster.box_center = cluster.box_center.In(new_from_old);
 }
 
 // former_from_now from landmarks that look alike: points of both frames, three of which fix it.
@@ -123,10 +125,10 @@ void Inherit(const LostCluster& lost, ClusterMap& map, Cluster& found) {
   const Cluster& before = FindCluster(map, lost.id);
   const RigidTransform now = found.Latest().world_from_object;
   const Eigen::Quaterniond rotation(lost.predicted.world_from_object.rotation());
-  const Eigen::Vector3d center = now * found.fix_in_object;
-  const RigidTransform world_from_lost(rotation,
-                                       Eigen::Vector3d(center - rotation * before.fix_in_object));
-  found.former = {FrameId{}, before.landmarks, before.fix_in_object};
+  const Eigen::Vector3d center = now * found.box_center.InObject();
+  const RigidTransform world_from_lost(
+      rotation, Eigen::Vector3d(center - rotation * before.box_center.InObject()));
+  found.former = {FrameId{}, before.landmarks, before.box_center};
   ClusterTrajectory later = std::move(map.trajectories[found.id]);
   map.trajectories.erase(found.id);
   ChangeFrame(now.Inverse() * world_from_lost, lost.id, found, later);
@@ -139,6 +141,18 @@ void Inherit(const LostCluster& lost, ClusterMap& map, Cluster& found) {
     return !later.poses.empty() && pose.frame >= later.poses.front().frame;
   });
   poses.insert(poses.end(), later.poses.begin(), later.poses.end());
+}
+
+// The landmarks from before are in the cluster's frame again.
+void AdoptFormer(Cluster& cluster) {
+  for (Landmark& landmark : cluster.former.landmarks) {
+    landmark.observations.clear();
+    if (!landmark.past_information.isZero()) cluster.landmarks.push_back(landmark);
+  }
+  std::sort(cluster.landmarks.begin(), cluster.landmarks.end(),
+            [](const Landmark& a, const Landmark& b) { return a.id < b.id; });
+  cluster.box_center.Add(cluster.former.box_center);
+  cluster.former = {};
 }
 
 void Remove(ClusterId id, FrameId newest, ClusterMap& map) {
@@ -170,25 +184,21 @@ void InheritIdentities(const std::vector<LostCluster>& lost, FrameId newest,
             [](const Cluster& a, const Cluster& b) { return a.id < b.id; });
 }
 
-void AlignWithFormer(const Options& options, ClusterMap& map, Rng& rng) {
+void AlignWithFormer(const Options& options, FrameId newest, ClusterMap& map, Rng& rng) {
   for (Cluster& cluster : map.live) {
-    if (!cluster.former.since.valid()) continue;
+    Lineage& former = cluster.former;
+    if (!former.since.valid()) continue;
+    if (former.is_centered && (newest.value - former.since.value) % kRarely != 0) continue;
     ClusterTrajectory& trajectory = map.trajectories[cluster.id];
     if (const auto former_from_now = AlignLandmarks(options, cluster, rng)) {
       ChangeFrame(former_from_now->Inverse(), cluster.id, cluster, trajectory);
-      for (Landmark& landmark : cluster.former.landmarks) {
-        landmark.observations.clear();
-        if (!landmark.past_information.isZero()) cluster.landmarks.push_back(landmark);
-      }
-      std::sort(cluster.landmarks.begin(), cluster.landmarks.end(),
-                [](const Landmark& a, const Landmark& b) { return a.id < b.id; });
-      cluster.former = {};
-    } else if (cluster.fixes >= kEnoughFixes) {
+      AdoptFormer(cluster);
+    } else if (!former.is_centered && cluster.box_center.boxes >= kEnoughBoxes) {
       const RigidTransform old_from_new(
           Eigen::Quaterniond::Identity(),
-          Eigen::Vector3d(cluster.fix_in_object - cluster.former.fix_in_object));
+          Eigen::Vector3d(cluster.box_center.InObject() - former.box_center.InObject()));
       ChangeFrame(old_from_new, cluster.id, cluster, trajectory);
-      cluster.former = {};
+      former.is_centered = true;
     }
   }
 }

@@ -25,8 +25,8 @@ void InheritIdentities(const std::vector<LostCluster>& lost, FrameId newest,
                        ClusterMap& map);
 
 // Clusters that go on under an earlier id: their frame is aligned with what it was, by landmarks
-// that look alike, or after enough boxes by the centres that they show.
-void AlignWithFormer(const Options& options, ClusterMap& map, Rng& rng);
+// that look alike, until then, after enough boxes, by the centres that they show.
+void AlignWithFormer(const Options& options, FrameId newest, ClusterMap& map, Rng& rng);
 
 // The lost clusters of the map at a time.
 template <typename Variant>

@@ -185,7 +185,7 @@ class VisualOdometry final : public Odometry {
     if constexpr (Variant::BoxRematch::kInherits) {
       InheritIdentities(FindLostClusters<Variant>(options_, newest_, timestamp_ns_, clusters_),
                         newest_, options_.association, options_.clusters, clusters_);
-      AlignWithFormer(options_, clusters_, cluster_rng_);
+      AlignWithFormer(options_, newest_, clusters_, cluster_rng_);
     }
     report.clusters = ReportClusters<Variant>(options_, newest_, timestamp_ns_, clusters_);
   }

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "core/odometry/box_fix.h"
+
+namespace cvo {
+namespace {
+
+using Eigen::Vector3d;
+
+// A ball of 0.6 m diameter at `center`, seen by a camera at `world_from_camera`; its texture, and
+// so the surface that is seen, is on its right half.
+struct SeenBall {
+  Options options;
+  StereoFrame frame;
+  StereoCamera camera{400.0, 400.0, 320.0, 240.0, 0.2, 640, 480};
+  Vector3d center{0.3, -0.2, 4.0};
+  double depth_bias_m = 0.0;  // of the surface
+
+  BoxFix From(const RigidTransform& world_from_camera) {
+    const Vector3d c = world_from_camera.Inverse() * center;
+    const double u = camera.fx * c.x() / c.z() + camera.cx;
+    const double v = camera.fy * c.y() / c.z() + camera.cy;
+    const double half_px = camera.fx * 0.3 / c.z();
+    frame.detections = {{{u - half_px, v - half_px, u + half_px, v + half_px}, "ball", 1.0}};
+    const double surface_m = c.z() - 0.2 + depth_bias_m;
+    const Vector3d surface = c / c.z() * surface_m + Vector3d(0.15, 0.0, 0.0);
+    const FeatureGrid grid(frame.features, camera);
+    const FrameView view{options, frame,  frame.detections, frame.given,
+                         grid,    camera, world_from_camera};
+    return FixFromBox(view, frame.detections[0], world_from_camera * surface);
+  }
+};
+
+// Looks along +x at the ball from its side.
+RigidTransform FromTheSide() {
+  return {ExpSo3({0.0, std::numbers::pi / 2, 0.0}), Vector3d(-3.0, 0.0, 4.0)};
+}
+
+TEST(BoxFix, LiesBehindTheSurfaceInTheMiddleOfTheBox) {
+  SeenBall ball;
+  const BoxFix fix = ball.From({});
+  EXPECT_NEAR(fix.size_m, 0.6, 0.04);
+  EXPECT_LT((fix.center_in_world - ball.center).norm(), 0.02);
+}
+
+TEST(CenterEstimate, TwoSidesFixWhatOneCannotTell) {
+  SeenBall ball;
+  ball.depth_bias_m = 0.15;  // half a radius
+  const BoxFix front = ball.From({});
+  EXPECT_GT((front.center_in_world - ball.center).norm(), 0.12);
+  CenterEstimate center;
+  center.Add(front.center_in_world, front.information);
+  const BoxFix side = ball.From(FromTheSide());
+  center.Add(side.center_in_world, side.information);
+  EXPECT_EQ(center.boxes, 2);
+  EXPECT_LT((center.InObject() - ball.center).norm(), 0.02);
+}
+
+TEST(CenterEstimate, IsTheSamePointInEveryFrame) {
+  SeenBall ball;
+  CenterEstimate center;
+  EXPECT_EQ(center.InObject(), Vector3d::Zero());
+  for (const RigidTransform& camera : {RigidTransform(), FromTheSide()}) {
+    const BoxFix fix = ball.From(camera);
+    center.Add(fix.center_in_world, fix.information);
+  }
+  const RigidTransform new_from_old(ExpSo3({0.3, -0.4, 1.2}), Vector3d(1.0, -2.0, 0.5));
+  const CenterEstimate there = center.In(new_from_old);
+  EXPECT_LT((there.InObject() - new_from_old * center.InObject()).norm(), 1e-9);
+  EXPECT_EQ(there.boxes, 2);
+  EXPECT_LT((there.In(new_from_old.Inverse()).information - center.information).norm(), 1e-6);
+}
+
+}  // namespace
+}  // namespace cvo
