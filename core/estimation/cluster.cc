@@ -6,8 +6,7 @@
 
 namespace cvo {
 
-void CenterEstimate::Add(const Eigen::Vector3d& center,
-                         const Eigen::Matrix3d& information_of_box) {
+void CenterEstimate::Add(const Eigen::Vector3d& center, const Eigen::Matrix3d& information_of_box) {
   information += information_of_box;
   weighted += information_of_box * center;
   ++boxes;

@@ -30,6 +30,13 @@ void CheckImage(const char* name, const cv::Mat& image, const StereoCamera& came
 
 }  // namespace
 
+OrbOptions RightOrb(const OrbOptions& orb, const StereoMatchOptions& stereo) {
+  OrbOptions right = orb;
+  right.features = std::min(static_cast<int>(std::lround(orb.features * stereo.right_features)),
+                            OrbOptions::kMaxFeatures);
+  return right;
+}
+
 std::vector<StereoFeature> ExtractStereoFeatures(const cv::Mat& left, const cv::Mat& right,
                                                  const StereoCamera& camera, const OrbOptions& orb,
                                                  const StereoMatchOptions& stereo, TaskPool& pool) {
@@ -37,9 +44,7 @@ std::vector<StereoFeature> ExtractStereoFeatures(const cv::Mat& left, const cv::
   CheckImage("right", right, camera);
   orb.Check();
   stereo.Check();
-  OrbOptions right_orb = orb;
-  right_orb.features = std::min(static_cast<int>(std::lround(orb.features * stereo.right_features)),
-                                OrbOptions::kMaxFeatures);
+  const OrbOptions right_orb = RightOrb(orb, stereo);
   std::array<OrbImage, 2> extracted;
   pool.ParallelFor(2, [&](int i) {
     extracted[i] = i == 0 ? ExtractOrb(left, orb) : ExtractOrb(right, right_orb);

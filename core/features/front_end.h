@@ -12,6 +12,10 @@
 
 namespace cvo {
 
+// What is extracted of the right image: more corners than of the left one, so that each of these
+// finds its partner.
+OrbOptions RightOrb(const OrbOptions& orb, const StereoMatchOptions& stereo);
+
 // Corners of the left image with their columns in the right one, sorted by (v, u, octave). Images
 // are CV_8UC1 and of the camera's size: throws Error otherwise. Uses two threads of the pool; the
 // result does not depend on their number.

@@ -14,9 +14,9 @@ struct BoxFix {
 };
 
 // On the ray through the middle of the detection's box, clusters.birth_depth of the box's smaller
-// side behind the median of the surface points seen in it. Where the surface lies in the box says
-// nothing of the centre: texture may be on one side.
-BoxFix FixFromBox(const FrameView& view, const Detection& detection,
-                  const Eigen::Vector3d& surface_in_world);
+// side behind the surface points seen in it. Where the surface lies in the box says nothing of the
+// centre: texture may be on one side. A box says little where it shows a part of the body only: cut
+// by the image's border, or overlapped by another box.
+BoxFix FixFromBox(const FrameView& view, int detection, const Eigen::Vector3d& surface_in_world);
 
 }  // namespace cvo

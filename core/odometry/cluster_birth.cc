@@ -43,7 +43,7 @@ Cluster CreateCluster(const FrameView& view, FrameId newest, const FrameLabels::
     cluster.detections = 1;
     cluster.score = detection.score;
     cluster.last_detected = newest;
-    const BoxFix fix = FixFromBox(view, detection, origin);
+    const BoxFix fix = FixFromBox(view, birth.detection, origin);
     origin = fix.center_in_world;
     cluster.size_m = fix.size_m;
   }

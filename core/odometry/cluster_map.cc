@@ -49,7 +49,9 @@ void AbsorbObservations(const Window& window, const WindowFrame& leaving, const 
 void TrimCluster(const Window& window, FrameId newest, const ClusterOptions& options,
                  Cluster& cluster) {
   const FrameId oldest = window.temporal.front().id;
-  while (cluster.states.size() > 1 && cluster.states.front().frame < oldest) {
+  // A hidden cluster is predicted from its last states, however old.
+  const bool is_seen = cluster.last_observed == newest;
+  while (is_seen && cluster.states.size() > 1 && cluster.states.front().frame < oldest) {
     cluster.states.erase(cluster.states.begin());
   }
   for (Landmark& landmark : cluster.landmarks) {

@@ -22,12 +22,17 @@ ClusterSelection SelectCluster(const Options& options, const Window& window,
 void ApplyClusterSolution(const Options& options, const ClusterSelection& selection,
                           Cluster& cluster);
 
-// Sliding-window estimation of every live cluster, the camera held (section 3.3 of the paper,
-// dynamic clusters). They are independent: in parallel, with the same result for any pool.
+// Sliding-window estimation of every cluster in sight, the camera held (section 3.3 of the paper,
+// dynamic clusters). They are independent: in parallel, with the same result for any pool. One that
+// is hidden keeps what it was last seen with: nothing new is known of it, while what held its last
+// states leaves the window.
 template <typename MotionPrior>
 void OptimizeClusters(const Options& options, const Window& window, TaskPool& pool,
                       ClusterMap& map) {
+  if (window.temporal.empty()) return;
+  const FrameId newest = window.temporal.back().id;
   pool.ParallelFor(static_cast<int>(map.live.size()), [&](int q) {
+    if (map.live[q].last_observed != newest) return;
     ClusterSelection selection = SelectCluster(options, window, map.live[q]);
     if (selection.landmarks.empty()) return;
     SolveCluster<MotionPrior>(options.noise, options.solver, options.motion_prior,

@@ -11,42 +11,16 @@
 namespace cvo {
 namespace {
 
-// Boxes nearer to the border may show part of the body only.
-constexpr double kBorder_px = 3.0;
-
-bool TouchesBorder(const ImageBox& box, const StereoCamera& camera) {
-  return box.left_px < kBorder_px || box.top_px < kBorder_px ||
-         box.right_px > camera.width_px - 1 - kBorder_px ||
-         box.bottom_px > camera.height_px - 1 - kBorder_px;
-}
-
-// A box that another one overlaps may show the part of the body that is not hidden.
-bool Overlaps(const FrameView& view, int detection) {
-  const ImageBox& box = view.detections[detection].box;
-  for (int m = 0; m < static_cast<int>(view.detections.size()); ++m) {
-    const ImageBox& other = view.detections[m].box;
-    if (m != detection && other.left_px < box.right_px && box.left_px < other.right_px &&
-        other.top_px < box.bottom_px && box.top_px < other.bottom_px) {
-      return true;
-    }
-  }
-  return false;
-}
-
-// Where the box puts the body's centre; the first one counts wherever it is.
+// Where the box puts the body's centre.
 void AddFix(const FrameView& view, const ClusterTrack& track, Cluster& cluster) {
   if (track.matches.empty()) return;
-  const Detection& detection = view.detections[track.detection];
-  const bool is_whole =
-      !TouchesBorder(detection.box, view.camera) && !Overlaps(view, track.detection);
-  if (cluster.box_center.boxes > 0 && !is_whole) return;
   Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(track.matches.size()));
   for (std::size_t i = 0; i < track.matches.size(); ++i) {
     points.col(static_cast<Eigen::Index>(i)) =
         track.world_from_object * cluster.landmarks[track.matches[i].landmark].p_in_body;
   }
   const Eigen::Vector3d surface = PrincipalAxes(points, view.options.extent).translation();
-  const BoxFix fix = FixFromBox(view, detection, surface);
+  const BoxFix fix = FixFromBox(view, track.detection, surface);
   const RigidTransform object_from_world = track.world_from_object.Inverse();
   const Eigen::Matrix3d R = object_from_world.RotationMatrix();
   cluster.box_center.Add(object_from_world * fix.center_in_world,

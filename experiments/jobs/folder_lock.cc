@@ -12,14 +12,10 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "experiments/files/host_name.h"
 
 namespace cvo {
 namespace {
-
-std::string HostName() {
-  std::array<char, 256> name{};
-  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "an unknown host";
-}
 
 std::string Holder(int fd) {
   std::array<char, 400> text{};

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/record/timing_file.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -16,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "experiments/files/host_name.h"
 #include "experiments/files/json.h"
 
 namespace cvo {
@@ -47,11 +46,6 @@ std::string UtcNow() {
   std::array<char, 32> text{};
   std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
   return text.data();
-}
-
-std::string HostName() {
-  std::array<char, 256> name{};
-  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
 }
 
 // The value that the fraction q of the samples do not exceed (nearest rank).

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/features/front_end.h"
 #include "core/features/orb.h"
 #include "core/features/stereo_matcher.h"
 #include "experiments/datasets/load_image.h"
@@ -89,7 +90,8 @@ void LookAhead::SubmitNext() {
     next.tickets[side] =
         pool_.Submit([slot = next.slot, side, &sequence = sequence_, &options = options_,
                       &path = side == 0 ? paths.left : paths.right] {
-          slot->sides[side] = PrepareSide(path, sequence.camera, options.orb);
+          const OrbOptions orb = side == 0 ? options.orb : RightOrb(options.orb, options.stereo);
+          slot->sides[side] = PrepareSide(path, sequence.camera, orb);
           // Whichever image is ready last matches the pair; an error leaves the count above zero.
           if (slot->unfinished.fetch_sub(1) == 1) slot->Match(sequence, options);
         });

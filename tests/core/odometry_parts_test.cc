@@ -131,15 +131,27 @@ TEST(TrimCluster, DropsWhatIsOlderThanTheWindowButTheLastState) {
   for (int f = 0; f < 4; ++f) cluster.states.push_back(StateAt(f, At(0, 0, 5)));
   cluster.landmarks = {MakeLandmark(0, {0, 3}), MakeLandmark(1, {0, 1}), MakeLandmark(2, {1})};
   cluster.landmarks[1].past_information.setIdentity();
+  cluster.last_observed = FrameId{5};
   TrimCluster(WindowOf(2, 5), FrameId{5}, {}, cluster);
   ASSERT_THAT(cluster.states, SizeIs(2));
   EXPECT_EQ(cluster.states[0].frame, FrameId{2});
   EXPECT_THAT(Ids(cluster.landmarks), ElementsAre(0, 1));
   EXPECT_THAT(cluster.landmarks[0].observations, SizeIs(1));
   EXPECT_THAT(cluster.landmarks[1].observations, IsEmpty());
+  cluster.last_observed = FrameId{12};
   TrimCluster(WindowOf(8, 12), FrameId{12}, {}, cluster);
   ASSERT_THAT(cluster.states, SizeIs(1));
   EXPECT_EQ(cluster.states[0].frame, FrameId{3});
+}
+
+TEST(TrimCluster, AHiddenClusterKeepsTheStatesThatPredictIt) {
+  Cluster cluster;
+  for (int f = 0; f < 4; ++f) cluster.states.push_back(StateAt(f, At(0, 0, 5)));
+  cluster.last_observed = FrameId{3};
+  cluster.landmarks = {MakeLandmark(0, {0, 3})};
+  TrimCluster(WindowOf(8, 12), FrameId{12}, {}, cluster);
+  EXPECT_THAT(cluster.states, SizeIs(4));
+  EXPECT_THAT(cluster.landmarks, IsEmpty());
 }
 
 TEST(TrimCluster, BeyondTheCapTheLongestUnseenGo) {

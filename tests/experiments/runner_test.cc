@@ -7,7 +7,9 @@
 #include <memory>
 
 #include "core/base/error.h"
+#include "core/features/front_end.h"
 #include "experiments/cache/content_hash.h"
+#include "experiments/datasets/load_image.h"
 #include "experiments/record/result_file.h"
 #include "experiments/runner/look_ahead.h"
 #include "experiments/runner/run_sequence.h"
@@ -258,6 +260,23 @@ TEST_F(Runner, LooksOnlyAFewFramesAhead) {
   for (std::size_t i = 0; i < run.frames.size(); ++i) {
     EXPECT_EQ(run.frames[i].problems.empty(), i <= LookAhead::kFrames) << i;
   }
+}
+
+TEST_F(Runner, ExtractsWhatTheFrontEndDoes) {
+  Options options;
+  options.stereo.right_features = 2.0;
+  options.orb.features = 60;  // the tiny images have more: the right one's number then matters
+  TaskPool pool(1);
+  LookAhead frames(sequence_, options, pool);
+  const std::vector<StereoFeature> features = frames.Next().frame.features;
+  const cv::Mat left = LoadGrey(sequence_.images[0].left).grey;
+  const cv::Mat right = LoadGrey(sequence_.images[0].right).grey;
+  const std::vector<StereoFeature> expected =
+      ExtractStereoFeatures(left, right, sequence_.camera, options.orb, options.stereo, pool);
+  ASSERT_THAT(features, SizeIs(expected.size()));
+  for (std::size_t i = 0; i < features.size(); ++i) EXPECT_EQ(features[i].z_px, expected[i].z_px);
+  options.stereo.right_features = 1.0;
+  EXPECT_NE(LookAhead(sequence_, options, pool).Next().frame.features.size(), expected.size());
 }
 
 TEST_F(Runner, ScoresBothTrajectories) {
