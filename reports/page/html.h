@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reports/tables/json_fields.h"
+
+namespace cvo::reports {
+
+// Text as it stands between tags or in a quoted attribute. Control characters and bytes that are no
+// UTF-8 become U+FFFD, so that any name is text and nothing else.
+std::string Escaped(std::string_view text);
+
+// <tag>text</tag>, the text escaped.
+std::string Element(const std::string& tag, std::string_view text);
+
+// "a, b and c".
+std::string Listed(const std::vector<std::string>& words);
+
+// JSON as it can stand in a <script> of a page: it holds no '<'.
+std::string ScriptJson(const Json& json);
+
+// A block of data that the page's script reads by its id.
+std::string DataBlock(const std::string& id, const std::string& script_json);
+
+}  // namespace cvo::reports
