@@ -8,8 +8,7 @@ namespace {
 // Valid UTF-8: what is not is replaced, as nlohmann-json does it.
 std::string ValidText(std::string_view text) {
   const Json json = std::string(text);
-  return Json::parse(json.dump(-1, ' ', false, Json::error_handler_t::replace))
-      .get<std::string>();
+  return Json::parse(json.dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
 }
 
 bool IsControl(char c) {

@@ -48,7 +48,8 @@ struct BodyDetail {
   std::string name;
   std::string category;
   bool mover = false;
-  std::int64_t cluster = -1;  // whose poses are scored; -1: none
+  double diagonal_m = 0.0;                  // of its box
+  std::int64_t cluster = -1;                // whose poses are scored; -1: none
   std::vector<std::pair<int, Pose>> truth;  // by frame
   std::vector<int> visible;                 // frames in which it is judged
   std::vector<BodyPosition> estimated;      // in these, where the estimate counts
@@ -72,8 +73,8 @@ struct RunDetail {
   double frames_per_second = 0.0;  // 0: not known
   std::string host;
   std::string cpu;
-  std::string date;             // of the run, UTC
-  std::string sequence_folder;  // where the images were
+  std::string date;                  // of the run, UTC
+  std::string sequence_folder;       // where the images were
   std::vector<std::string> missing;  // files that are not there or cannot be read, and why
 };
 

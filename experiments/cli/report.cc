@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <iostream>
+#include <memory>
+
+#include "core/base/error.h"
+#include "experiments/cli/command.h"
+#include "experiments/cli/suite_table.h"
+#include "experiments/files/atomic_file.h"
+#include "reports/page/page_html.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReportFlags {
+  std::string folder;
+  std::string out;
+  std::string against;
+  int every = 0;
+  bool no_images = false;
+};
+
+// The folder's own name, also of "results/ci/" and ".".
+fs::path Named(const std::string& folder) {
+  fs::path path = fs::absolute(folder).lexically_normal();
+  return path.has_filename() ? path : path.parent_path();
+}
+
+int Report(const ReportFlags& flags) {
+  const fs::path folder = Named(flags.folder);
+  const reports::PageContent content = reports::ReadPage(
+      {folder, flags.against.empty() ? fs::path() : Named(flags.against), DefaultOptions()});
+  const fs::path out = flags.out.empty() ? fs::path(flags.folder) / "report" : fs::path(flags.out);
+  fs::create_directories(out);
+  WriteFilesAtomically(out, {{"index.html", reports::PageHtml(content)}});
+  std::cout << "written: " << (out / "index.html").string() << '\n';
+  for (const std::string& problem : content.problems) std::cerr << "missing: " << problem << '\n';
+  return content.problems.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+Command AddReportCommand(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "report", "Write the results of a suite as one page that opens in any browser");
+  const auto flags = std::make_shared<ReportFlags>();
+  app->add_option("DIR", flags->folder, "folder that the suite is run to")
+      ->type_name("")
+      ->required();
+  app->add_option("-o,--output", flags->out, "folder for index.html (default: DIR/report)")
+      ->type_name("OUT");
+  app->add_option("--against", flags->against, "another folder of the suite to compare with")
+      ->type_name("DIR");
+  app->footer(
+      "The page needs no network and nothing beside it. What is missing or failed is said in it.\n"
+      "Exit code 1 where a whole part of the page could not be made.\n"
+      "Example: clustervo report results/ablation");
+  return {app, [flags] { return Report(*flags); }};
+}
+
+}  // namespace cvo

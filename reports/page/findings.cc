@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "reports/page/html.h"
+#include "reports/page/page_parts.h"
+#include "reports/page/quantity.h"
+#include "reports/statistics/estimate.h"
+
+namespace cvo::reports {
+namespace {
+
+struct RowFindings {
+  std::vector<std::string> better, worse, other;  // real differences, as HTML
+  std::vector<std::string> noise, few, same;      // labels of columns
+};
+
+std::string Verdict(const std::optional<bool>& better) {
+  if (!better) return "differs";
+  return *better ? "better" : "worse";
+}
+
+std::string FindingHtml(const Column& column, const Difference& difference,
+                        const std::string& reference) {
+  const std::string& unit = column.unit;
+  const std::string verdict = Verdict(IsBetter(column.metric, difference.difference));
+  std::string text = StrCat(QuantityText(difference.value, unit), " instead of ",
+                            QuantityText(difference.reference_value, unit), " with ", reference,
+                            ": ", ChangeText(difference.difference, unit));
+  if (difference.interval) {
+    text += StrCat(" (interval ", RangeText(*difference.interval, unit), "; ", difference.pairs,
+                   " pairs)");
+  }
+  return StrCat("<li class=\"", verdict, "\"><strong>", Escaped(column.label), "</strong> ",
+                "<span class=\"verdict\">", verdict, "</span>: ", Escaped(text), ".</li>\n");
+}
+
+RowFindings FindingsOf(const Row& row, const Table& table, const std::string& reference) {
+  RowFindings found;
+  for (std::size_t i = 0; i < row.cells.size(); ++i) {
+    const auto& difference = row.cells[i].difference;
+    if (!difference) continue;
+    const Column& column = table.columns[i];
+    if (difference->distinguishable) {
+      const auto better = IsBetter(column.metric, difference->difference);
+      auto& list = !better ? found.other : *better ? found.better : found.worse;
+      list.push_back(FindingHtml(column, *difference, reference));
+    } else if (difference->difference == 0.0) {
+      found.same.push_back(column.label);
+    } else {
+      (difference->pairs < kLeastPairs ? found.few : found.noise).push_back(column.label);
+    }
+  }
+  return found;
+}
+
+std::string CountText(std::size_t count, const char* one, const char* many) {
+  return StrCat(count, " ", count == 1 ? one : many);
+}
+
+std::string Headline(const RowFindings& found) {
+  std::vector<std::string> parts;
+  if (!found.better.empty()) parts.push_back(StrCat("better in ", found.better.size()));
+  if (!found.worse.empty()) parts.push_back(StrCat("worse in ", found.worse.size()));
+  if (!found.other.empty()) parts.push_back(StrCat("different in ", found.other.size()));
+  if (parts.empty()) return "no difference that is real";
+  const std::size_t all = found.better.size() + found.worse.size() + found.other.size() +
+                          found.noise.size() + found.few.size() + found.same.size();
+  return StrCat(Listed(parts), " of ", CountText(all, "measure", "measures"));
+}
+
+std::string Unclear(const char* what, const std::vector<std::string>& labels) {
+  if (labels.empty()) return "";
+  return StrCat("<p class=\"unclear\">", what, ": ", Escaped(Listed(labels)), ".</p>\n");
+}
+
+}  // namespace
+
+std::string FindingsHtml(const Table& table, const std::string& reference) {
+  std::string html;
+  for (const Row& row : table.rows) {
+    const RowFindings found = FindingsOf(row, table, reference);
+    const bool any = !found.better.empty() || !found.worse.empty() || !found.other.empty();
+    if (!any && found.noise.empty() && found.few.empty() && found.same.empty()) continue;
+    html += StrCat("<h3>", Escaped(StrCat(RowLabel(row), ": ", Headline(found))), "</h3>\n");
+    if (any) html += "<ul class=\"findings\">\n";
+    for (const auto* list : {&found.worse, &found.better, &found.other}) {
+      for (const std::string& item : *list) html += item;
+    }
+    if (any) html += "</ul>\n";
+    html += Unclear("Cannot be told from noise", found.noise);
+    html += Unclear("Too few pairs to tell", found.few);
+    html += Unclear("The same", found.same);
+  }
+  return html;
+}
+
+}  // namespace cvo::reports
