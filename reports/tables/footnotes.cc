@@ -16,6 +16,10 @@ constexpr std::size_t kShownProblems = 12;
 
 using Lines = std::vector<std::string>;
 
+std::string Counted(std::size_t count, const char* one, const char* many) {
+  return StrCat(count, " ", count == 1 ? one : many);
+}
+
 void AddOnce(const std::string& line, Lines& lines) {
   if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
 }
@@ -212,13 +216,19 @@ std::string SourceMark(std::size_t source) {
 std::string CountsText(const Counts& n) {
   std::string text;
   const auto add = [&text](std::size_t count, const char* one, const char* many) {
-    if (count > 0) text += StrCat(text.empty() ? "" : ", ", count, " ", count == 1 ? one : many);
+    if (count > 0) text += (text.empty() ? "" : ", ") + Counted(count, one, many);
   };
   add(n.bodies, "body", "bodies");
   add(n.scenes, "scene", "scenes");
   add(n.seeds, "seed", "seeds");
   add(n.runs, "run", "runs");
   return text;
+}
+
+std::string UnitsText(const Counts& n) {
+  if (n.bodies > 0) return Counted(n.bodies, "body", "bodies");
+  if (n.scenes > 1) return Counted(n.scenes, "scene", "scenes");
+  return Counted(n.runs, "run", "runs");
 }
 
 std::vector<std::string> Footnotes(const Table& table) {

@@ -32,7 +32,7 @@ std::string Paragraph(const std::string& text) {
 
 std::string CellMarkdown(const CellText& cell) {
   if (cell.value.empty()) return "";
-  std::string text = cell.grey ? "(" + cell.value + ")" : cell.value;
+  std::string text = cell.Shown();
   if (cell.best) text = "**" + text + "**";
   if (cell.distinguishable) text += "\\*";
   if (!cell.interval.empty()) text += " (" + cell.interval + ")";

@@ -37,8 +37,7 @@ std::vector<Entries> EntriesOf(const TextLine& line) {
   Entries values;
   for (const std::string& text : line.texts) values.push_back({text, "", line.grey});
   for (const CellText& cell : line.cells) {
-    const bool brackets = cell.grey && !cell.value.empty();
-    values.push_back({brackets ? "(" + cell.value + ")" : cell.value, MarksOf(cell), cell.grey});
+    values.push_back({cell.Shown(), MarksOf(cell), cell.grey});
   }
   std::vector<Entries> rows = {values};
   for (const auto part : {&CellText::interval, &CellText::percent, &CellText::percent_interval}) {

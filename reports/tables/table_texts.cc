@@ -66,6 +66,7 @@ CellText ValueText(const Cell& cell, int decimals) {
   text.value = Fixed(cell.value, decimals);
   if (cell.interval) text.interval = RangeText(*cell.interval, decimals);
   text.n = CountsText(cell.n);
+  text.units = UnitsText(cell.n);
   text.distinguishable = cell.difference && cell.difference->distinguishable;
   text.grey = !cell.not_comparable.empty();
   if (text.grey) text.note = Printable("means something else: " + cell.not_comparable);
@@ -78,9 +79,10 @@ CellText TheirText(const std::optional<ReferenceCell>& cell) {
   if (!cell) return text;
   text.value = Printed(cell->value, "%.6g");
   text.grey = cell->match != Match::kMatches;
-  text.note = text.grey ? ToString(cell->match) : "";
-  if (!cell->reason.empty() && cell->reason != text.note) {
-    text.note += (text.note.empty() ? "" : ": ") + Printable(cell->reason);
+  text.note = Printable(cell->reason);
+  if (text.grey && text.note.empty()) text.note = ToString(cell->match);
+  if (cell->match == Match::kContractUnknown && !cell->reason.empty()) {
+    text.note = "contract " + text.note;
   }
   return text;
 }
@@ -117,6 +119,7 @@ CellText DifferenceText(const Difference& difference, int decimals, bool change)
   if (percent) text.percent = Printed(*percent, change ? "%+.1f%%" : "%.1f%%");
   if (range) text.percent_interval = PercentRangeText(*range);
   text.n = StrCat(difference.pairs, difference.pairs == 1 ? " pair" : " pairs");
+  text.units = text.n;
   text.distinguishable = difference.distinguishable;
   return text;
 }
@@ -217,6 +220,10 @@ std::vector<std::string> AllPrintable(const std::vector<std::string>& lines) {
 }
 
 }  // namespace
+
+std::string CellText::Shown() const {
+  return grey && !value.empty() ? StrCat("(", value, ")") : value;
+}
 
 std::string ColumnText::Heading() const {
   return unit.empty() ? label : StrCat(label, " [", unit, "]");

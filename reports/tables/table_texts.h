@@ -16,11 +16,14 @@ struct CellText {
   std::string percent;           // of a difference
   std::string percent_interval;  // of a difference
   std::string n;                 // "11 bodies, 4 scenes, 5 seeds, 20 runs"
+  std::string units;             // of these, what the interval resamples: "11 bodies"
   std::string note;              // why there is no value, or why it does not compare
   bool best = false;             // of its column, among rows on the same data
   bool distinguishable = false;  // from the reference
   bool grey = false;             // does not compare with the others of its column
 
+  // The value, in brackets where it does not compare.
+  std::string Shown() const;
   bool operator==(const CellText&) const = default;
 };
 

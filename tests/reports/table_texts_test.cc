@@ -97,10 +97,10 @@ TEST(TableTexts, SayWhyAFigureDoesNotCompareOrIsNotThere) {
   EXPECT_EQ(lines[2].cells[1].note, "means something else: delta \"1 frame\"");
   EXPECT_EQ(lines[3].cells[1].note, "inferred, not stated: poses");
   EXPECT_FALSE(lines[3].cells[1].grey);
-  EXPECT_EQ(lines[4].cells[1].note, "other frames: frames 0:144, ours 0:72");
-  EXPECT_EQ(lines[5].cells[1].note, "other images: colour images, ours grey");
-  EXPECT_EQ(lines[6].cells[1].note, "contract not stated: not stated: alignment");
-  EXPECT_EQ(lines[7].cells[1].note, "contract differs: alignment differs");
+  EXPECT_EQ(lines[4].cells[1].note, "frames 0:144, ours 0:72");
+  EXPECT_EQ(lines[5].cells[1].note, "colour images, ours grey");
+  EXPECT_EQ(lines[6].cells[1].note, "contract not stated: alignment");
+  EXPECT_EQ(lines[7].cells[1].note, "alignment differs");
   EXPECT_TRUE(lines[7].cells[1].grey && lines[7].grey);
   EXPECT_EQ(lines[9].cells[3].note, "other scenes");
   EXPECT_EQ(lines[9].cells[1].value, "") << "a source without the metric has nothing to say";
