@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "reports/statistics/estimate.h"
+#include "reports/tables/metric_rule.h"
 
 namespace cvo::reports {
 namespace {
@@ -15,8 +16,20 @@ constexpr std::size_t kShownProblems = 12;
 
 using Lines = std::vector<std::string>;
 
+std::string Counted(std::size_t count, const char* one, const char* many) {
+  return StrCat(count, " ", count == 1 ? one : many);
+}
+
 void AddOnce(const std::string& line, Lines& lines) {
   if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
+}
+
+// Columns of one label differ in their unit.
+std::string ColumnName(const Table& table, std::size_t index) {
+  const Column& column = table.columns[index];
+  const auto same = std::count_if(table.columns.begin(), table.columns.end(),
+                                  [&](const Column& other) { return other.label == column.label; });
+  return same == 1 ? column.label : StrCat(column.label, " [", column.unit, "]");
 }
 
 // Things that are said of several columns, each once, in the order in which they come up.
@@ -82,7 +95,7 @@ void AddIntervals(const Table& table, Lines& lines) {
   for (const Row& row : table.rows) {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const Cell& cell = row.cells[i];
-      const std::string& label = table.columns[i].label;
+      const std::string label = ColumnName(table, i);
       if (cell.interval) meanings.Add(cell.interval->meaning, label);
       if (!cell.difference) continue;
       differences = true;
@@ -103,7 +116,7 @@ void AddCells(const Table& table, Lines& lines) {
     ByColumns said;
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const Cell& cell = row.cells[i];
-      const std::string& label = table.columns[i].label;
+      const std::string label = ColumnName(table, i);
       if (!row.runs.empty() && !cell.present) said.Add(cell.message, label);
       said.Add(cell.left_out, label);
       if (!cell.not_comparable.empty()) {
@@ -112,6 +125,48 @@ void AddCells(const Table& table, Lines& lines) {
     }
     said.Print(RowLabel(row) + ", ", lines);
   }
+}
+
+// The rows behind one text of a column, where the column has several.
+std::string CountsOfColumn(const Table& table, std::size_t column) {
+  Lines texts;
+  std::map<std::string, std::string> rows;
+  for (const Row& row : table.rows) {
+    if (!row.cells[column].present) continue;
+    const std::string text = CountsText(row.cells[column].n);
+    AddOnce(text, texts);
+    rows[text] += (rows[text].empty() ? "" : ", ") + RowLabel(row);
+  }
+  if (texts.size() == 1) return texts[0];
+  std::string all;
+  for (const std::string& text : texts) {
+    all += StrCat(all.empty() ? "" : "; ", text, " (", rows[text], ")");
+  }
+  return all;
+}
+
+void AddCounts(const Table& table, Lines& lines) {
+  ByColumns counts;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    counts.Add(CountsOfColumn(table, i), ColumnName(table, i));
+  }
+  counts.Print("n, ", lines);
+}
+
+// Accuracy without its coverage favours who loses what is hard.
+void AddMissingCoverage(const Table& table, Lines& lines) {
+  ByColumns missing;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const std::string coverage = CoverageOf(table.columns[i].metric);
+    const bool there = coverage.empty() ||
+                       std::any_of(table.columns.begin(), table.columns.end(),
+                                   [&](const Column& other) { return other.metric == coverage; });
+    if (!there) {
+      missing.Add("coverage is not in this table; what was lost does not count here",
+                  ColumnName(table, i));
+    }
+  }
+  missing.Print("", lines);
 }
 
 // Each different reason why figures of a source do not compare, or what was inferred of them.
@@ -123,7 +178,7 @@ Lines Reasons(const Table& table, std::size_t source) {
       for (std::size_t i = 0; i < line.cells.size(); ++i) {
         const auto& cell = line.cells[i];
         if (!cell || cell->reason.empty() || cell->match == Match::kOtherFrames) continue;
-        AddOnce(table.columns[i].label + " " + cell->reason, reasons);
+        AddOnce(ColumnName(table, i) + " " + cell->reason, reasons);
       }
     }
   }
@@ -158,6 +213,24 @@ std::string SourceMark(std::size_t source) {
   return StrCat("[", static_cast<char>('a' + static_cast<int>(source % 26)), "]");
 }
 
+std::string CountsText(const Counts& n) {
+  std::string text;
+  const auto add = [&text](std::size_t count, const char* one, const char* many) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + Counted(count, one, many);
+  };
+  add(n.bodies, "body", "bodies");
+  add(n.scenes, "scene", "scenes");
+  add(n.seeds, "seed", "seeds");
+  add(n.runs, "run", "runs");
+  return text;
+}
+
+std::string UnitsText(const Counts& n) {
+  if (n.bodies > 0) return Counted(n.bodies, "body", "bodies");
+  if (n.scenes > 1) return Counted(n.scenes, "scene", "scenes");
+  return Counted(n.runs, "run", "runs");
+}
+
 std::vector<std::string> Footnotes(const Table& table) {
   Lines lines;
   AddJobs(table, lines);
@@ -165,6 +238,8 @@ std::vector<std::string> Footnotes(const Table& table) {
   for (const std::string& note : table.notes) lines.push_back(note);
   AddOptions(table, lines);
   AddCells(table, lines);
+  AddMissingCoverage(table, lines);
+  AddCounts(table, lines);
   AddIntervals(table, lines);
   AddReferences(table, lines);
   return lines;
@@ -172,8 +247,9 @@ std::vector<std::string> Footnotes(const Table& table) {
 
 std::vector<std::string> Definitions(const Table& table) {
   Lines lines;
-  for (const Column& column : table.columns) {
-    std::string note = column.label + ":";
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const Column& column = table.columns[i];
+    std::string note = ColumnName(table, i) + ":";
     for (const char* field : {"aggregation", "pairing", "delta", "alignment", "poses", "frame"}) {
       const auto found = column.contract.find(field);
       if (found == column.contract.end() || found->second.empty()) continue;
@@ -182,7 +258,7 @@ std::vector<std::string> Definitions(const Table& table) {
                      field == std::string("delta") ? "delta " : "",
                      field == std::string("alignment") ? "alignment " : "", found->second);
     }
-    lines.push_back(note);
+    if (note.back() != ':') lines.push_back(note);
   }
   return lines;
 }
