@@ -10,8 +10,7 @@
 
 namespace cvo::reports {
 
-// Text as it stands between tags or in a quoted attribute. Control characters and bytes that are no
-// UTF-8 become U+FFFD, so that any name is text and nothing else.
+// Any text on one line, as it stands between tags or in a quoted attribute.
 std::string Escaped(std::string_view text);
 
 // <tag>text</tag>, the text escaped.

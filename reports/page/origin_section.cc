@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "reports/page/html.h"
 #include "reports/page/page_parts.h"
+#include "reports/tables/table_html.h"
 #include "reports/web/assets.h"
 
 namespace cvo::reports {
@@ -67,7 +68,7 @@ std::string OriginSection(const PageContent& content) {
 std::string LicenceSection() {
   return "<section id=\"licences\">\n<details><summary>Licences of what this page "
          "carries</summary>\n<p>Charts are drawn by Plotly.js:</p>\n<pre>" +
-         Escaped(PlotlyLicence()) + "</pre>\n</details>\n</section>\n";
+         HtmlEscaped(PlotlyLicence()) + "</pre>\n</details>\n</section>\n";
 }
 
 }  // namespace cvo::reports

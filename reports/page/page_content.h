@@ -34,6 +34,7 @@ struct PageRun {
 struct PageImage {
   int frame = 0;  // counted in the folder of the sequence
   std::string jpeg;
+  std::string alt;  // what it shows
 };
 
 // A run that can be looked at frame by frame.

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/page/scene_json.h"
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <span>
 
+#include "reports/overlays/palette.h"
 #include "reports/page/base64.h"
 
 namespace cvo::reports {
@@ -27,6 +30,13 @@ void AddRotation(const Pose& pose, Json& list) {
   for (std::size_t i = 3; i < 7; ++i) {
     list.push_back(std::isfinite(pose[i]) ? std::round(1e4 * pose[i]) / 1e4 : 0.0);
   }
+}
+
+// As on the images.
+std::string Hex(const Rgb& colour) {
+  std::array<char, 8> text{};
+  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", colour.red, colour.green, colour.blue);
+  return text.data();
 }
 
 Json CameraJson(const RunDetail& detail) {
@@ -66,6 +76,7 @@ Json ClusterJson(std::int64_t id, const std::vector<const ClusterRow*>& rows,
     AddPosition(row->half_size_m, halves);
   }
   return {{"id", id},
+          {"colour", Hex(ClusterColor(id))},
           {"category", rows.front()->category},
           {"frames", frames},
           {"predicted", predicted},
@@ -119,7 +130,9 @@ Json BodyJson(const BodyDetail& body, const Indices& indices) {
 Json SceneJson(const PageScene& scene) {
   Indices indices;
   Json frames = Json::array();
+  Json times_ms = Json::array();
   for (const CameraFrame& frame : scene.detail.camera) {
+    times_ms.push_back((frame.timestamp_ns - scene.detail.camera.front().timestamp_ns) / 1000000);
     indices.emplace(frame.frame, indices.size());
     frames.push_back(frame.frame);
   }
@@ -129,9 +142,10 @@ Json SceneJson(const PageScene& scene) {
   for (const PageImage& image : scene.images) {
     const auto index = indices.find(image.frame);
     if (index == indices.end()) continue;
-    images.push_back({index->second, "data:image/jpeg;base64," + Base64(image.jpeg)});
+    images.push_back({index->second, "data:image/jpeg;base64," + Base64(image.jpeg), image.alt});
   }
   return {{"frames", frames},
+          {"times_ms", times_ms},
           {"camera", CameraJson(scene.detail)},
           {"clusters", ClustersJson(scene.detail, indices)},
           {"bodies", bodies},

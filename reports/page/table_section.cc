@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/page/html.h"
 #include "reports/page/page_parts.h"
-#include "reports/page/standin_table_html.h"
+#include "reports/tables/table_html.h"
 
 namespace cvo::reports {
 
 std::string TableFrame(const Table& table, const std::string& name) {
-  return "<div class=\"table-frame\" data-table=\"" + name +
-         "\" tabindex=\"0\" role=\"region\" aria-label=\"" + Escaped(table.title) +
-         ", scrolls\">\n" + TableHtml(table) + "</div>\n";
+  return "<div data-table=\"" + name + "\">\n" + TableHtml(table, name + "-results") + "</div>\n";
 }
 
 std::string TableSection(const PageContent& content) {

@@ -74,7 +74,7 @@ function open(row, column, cell, table, data) {
 // Each cell of a value becomes a button that says where it comes from.
 export function openableCells(table, tableData, data) {
   if (!tableData) return;
-  for (const td of table.querySelectorAll('td[data-row][data-column]')) {
+  for (const td of table.querySelectorAll('td[data-row][data-column]:not([data-reference])')) {
     const row = tableData.rows[Number(td.dataset.row)];
     const column = tableData.columns[Number(td.dataset.column)];
     const cell = row?.cells[Number(td.dataset.column)];

@@ -6,15 +6,17 @@ import { drawFiguresInView } from './figures.js';
 import { readData } from './page_data.js';
 import { sceneView } from './scene/scene_view.js';
 import { arrowKeys } from './tables/arrow_keys.js';
+import { foldDefinitions } from './tables/fold_definitions.js';
 import { tableTools } from './tables/table_tools.js';
 
 const data = readData('page-data');
 for (const frame of document.querySelectorAll('[data-table]')) {
-  const table = frame.querySelector('table');
-  if (!table) continue;
-  tableTools(frame, table);
-  openableCells(table, data[frame.dataset.table], data);
-  arrowKeys(table);
+  for (const table of frame.querySelectorAll('table')) {
+    tableTools(table);
+    openableCells(table, data[frame.dataset.table], data);
+    arrowKeys(table);
+  }
+  foldDefinitions(frame);
 }
 document.documentElement.dataset.ready = String(Math.round(performance.now()));
 

@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// The rows of a body that belong together: a row of the table, then its lines without a number of
-// their own (intervals, figures of others).
+// The rows of a body that belong together: a row of the table and the figures of others below it.
 export function rowGroups(body) {
   const groups = [];
   for (const row of body.rows) {
-    const cell = row.querySelector('[data-row]');
-    const id = cell ? cell.dataset.row : null;
+    const id = row.dataset.row;
     const last = groups.at(-1);
-    if (last && (id === null || id === last.id)) last.rows.push(row);
+    if (last && id !== undefined && id === last.id) last.rows.push(row);
     else groups.push({ id, rows: [row], order: groups.length });
   }
   return groups;

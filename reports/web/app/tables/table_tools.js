@@ -42,9 +42,9 @@ function columnChoice(table, columns) {
 }
 
 // A table that can be sorted, filtered and narrowed.
-export function tableTools(frame, table) {
+export function tableTools(table) {
   const tools = element('div', { class: 'tools' }, filterField(table),
     columnChoice(table, headings(table)));
-  frame.before(tools);
+  table.parentElement.before(tools);
   sortable(table);
 }
