@@ -3,10 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "reports/figures/figure.h"
+#include "reports/runs/identity_switches.h"
 #include "reports/runs/run_detail.h"
 #include "reports/tables/suite_runs.h"
 #include "reports/tables/table.h"
@@ -15,12 +17,12 @@ namespace cvo::reports {
 
 // A run that is drawn frame by frame.
 struct DrawnRun {
-  std::string
-      sequence;  // as the suite names it, with what else it was given: "room_1, oracle boxes"
-  std::string variant;
+  std::string sequence;  // as the suite names it, and its detections where it has several
+  std::string variant;   // and what the truth replaces: "full, oracle boxes"
   std::uint64_t seed = 0;
   std::string job;
   RunDetail detail;
+  std::optional<std::vector<IdentitySwitch>> switches;  // empty: not known
 };
 
 // All that figures are made of.
