@@ -5,9 +5,11 @@
 
 #include "core/base/error.h"
 #include "experiments/cli/command.h"
+#include "experiments/cli/report_images.h"
 #include "experiments/cli/suite_table.h"
 #include "experiments/files/atomic_file.h"
 #include "reports/page/page_html.h"
+#include "variants/registry.h"
 
 namespace cvo {
 namespace {
@@ -28,10 +30,27 @@ fs::path Named(const std::string& folder) {
   return path.has_filename() ? path : path.parent_path();
 }
 
+void LeaveOutImages(reports::PageContent& content) {
+  for (reports::PageScene& scene : content.scenes) {
+    if (scene.wants_images) scene.no_images = "left out by --no-images";
+  }
+}
+
 int Report(const ReportFlags& flags) {
   const fs::path folder = Named(flags.folder);
-  const reports::PageContent content = reports::ReadPage(
-      {folder, flags.against.empty() ? fs::path() : Named(flags.against), DefaultOptions()});
+  reports::PageRequest request;
+  request.folder = folder;
+  if (!flags.against.empty()) request.against = Named(flags.against);
+  request.default_options = DefaultOptions();
+  for (const VariantInfo& variant : Variants()) {
+    request.variants.emplace_back(variant.name, variant.changes);
+  }
+  reports::PageContent content = reports::ReadPage(request);
+  if (flags.no_images) {
+    LeaveOutImages(content);
+  } else {
+    AddSceneImages(folder, flags.every, content);
+  }
   const fs::path out = flags.out.empty() ? fs::path(flags.folder) / "report" : fs::path(flags.out);
   fs::create_directories(out);
   WriteFilesAtomically(out, {{"index.html", reports::PageHtml(content)}});
@@ -53,6 +72,12 @@ Command AddReportCommand(CLI::App& program) {
       ->type_name("OUT");
   app->add_option("--against", flags->against, "another folder of the suite to compare with")
       ->type_name("DIR");
+  CLI::Option* every =
+      app->add_option("--every", flags->every,
+                      "images of every K-th frame in the page (default: as many as fit)")
+          ->type_name("K")
+          ->check(CLI::Range(1, 1000000).description(""));
+  app->add_flag("--no-images", flags->no_images, "no images in the page")->excludes(every);
   app->footer(
       "The page needs no network and nothing beside it. What is missing or failed is said in it.\n"
       "Exit code 1 where a whole part of the page could not be made.\n"

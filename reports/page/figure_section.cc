@@ -9,9 +9,9 @@
 namespace cvo::reports {
 namespace {
 
-std::vector<std::string> Groups(const std::vector<PageFigure>& figures) {
+std::vector<std::string> Groups(const std::vector<Figure>& figures) {
   std::vector<std::string> groups;
-  for (const PageFigure& figure : figures) {
+  for (const Figure& figure : figures) {
     if (std::find(groups.begin(), groups.end(), figure.group) == groups.end()) {
       groups.push_back(figure.group);
     }
@@ -19,24 +19,26 @@ std::vector<std::string> Groups(const std::vector<PageFigure>& figures) {
   return groups;
 }
 
-std::string FigureHtml(const PageFigure& figure, std::size_t index) {
+std::string FigureHtml(const Figure& figure, std::size_t index) {
   const std::string alt = Escaped(figure.alt);
-  return StrCat(
-      "<figure class=\"figure\" data-figure=\"figure-", index, "\">\n<figcaption>",
-      Escaped(figure.title), "</figcaption>\n<div class=\"plot\" role=\"img\" aria-label=\"", alt,
-      "\"></div>\n<details><summary>In words</summary><p>", alt, "</p></details>\n</figure>\n");
+  return StrCat("<figure class=\"figure\" data-figure=\"figure-", index, "\">\n<figcaption>",
+                Escaped(figure.title), "<p class=\"reading\">", Escaped(figure.caption),
+                "</p></figcaption>\n<div class=\"plot\" role=\"img\" aria-label=\"", alt,
+                "\"></div>\n<details><summary>In words</summary><p>", alt,
+                "</p></details>\n</figure>\n");
 }
 
 }  // namespace
 
 std::string FigureSection(const PageContent& content) {
   std::string html = "<section id=\"figures\">\n<h2>Figures</h2>\n";
-  if (content.figures.empty())
+  if (content.drawing.figures.empty())
     html += "<p class=\"problem\">No figure could be made of these results.</p>\n";
-  for (const std::string& group : Groups(content.figures)) {
+  for (const std::string& group : Groups(content.drawing.figures)) {
     html += Element("h3", group) + "\n<div class=\"figures\">\n";
-    for (std::size_t i = 0; i < content.figures.size(); ++i) {
-      if (content.figures[i].group == group) html += FigureHtml(content.figures[i], i);
+    for (std::size_t i = 0; i < content.drawing.figures.size(); ++i) {
+      if (content.drawing.figures[i].group == group)
+        html += FigureHtml(content.drawing.figures[i], i);
     }
     html += "</div>\n";
   }

@@ -98,6 +98,11 @@ std::string MissingSection(const PageContent& content) {
     }
   }
   html += FilesThatLack(content);
+  if (!content.drawing.not_drawn.empty()) {
+    html += "<h3>What is in no figure</h3>\n<ul>\n";
+    for (const std::string& line : content.drawing.not_drawn) html += Element("li", line) + "\n";
+    html += "</ul>\n";
+  }
   if (html.empty()) html = "<p>Nothing is missing.</p>\n";
   return "<section id=\"missing\">\n<h2>What is missing</h2>\n" + html + "</section>\n";
 }

@@ -7,21 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "reports/figures/figure.h"
 #include "reports/page/run_origin.h"
 #include "reports/runs/run_detail.h"
 #include "reports/tables/suite_runs.h"
 #include "reports/tables/table.h"
 
 namespace cvo::reports {
-
-// A figure as the page shows it.
-struct PageFigure {
-  std::string id;
-  std::string title;
-  std::string alt;
-  std::string group;
-  std::string plotly;  // JSON
-};
 
 // A job of the suite and what made its result.
 struct PageRun {
@@ -52,9 +44,10 @@ struct PageContent {
   std::string about;
   std::optional<Table> table;
   std::optional<Table> comparison;
-  std::string compared_with;  // name of the other folder
-  std::vector<PageRun> runs;  // in the order of the plan
-  std::vector<PageFigure> figures;
+  std::string compared_with;   // name of the other folder
+  std::vector<PageRun> runs;   // in the order of the plan
+  std::vector<Fact> variants;  // of the suite: what each is
+  SuiteDrawing drawing;
   std::vector<PageScene> scenes;
   std::size_t scenes_left_out = 0;
   std::vector<std::string> problems;
@@ -64,6 +57,7 @@ struct PageRequest {
   std::filesystem::path folder;   // that a suite was run to
   std::filesystem::path against;  // another one; empty: none
   std::string default_options;    // nested JSON; empty where not known
+  std::vector<Fact> variants;     // that there are, and what each is
   std::size_t most_scenes = 24;
 };
 

@@ -54,7 +54,7 @@ std::string Body(const PageContent& content) {
 std::string Script(std::string_view text) { return StrCat("<script>", text, "</script>\n"); }
 
 // A figure that is no JSON becomes one that is empty.
-std::string FigureJson(const PageFigure& figure) {
+std::string FigureJson(const Figure& figure) {
   try {
     return ScriptJson(ParseJson(figure.plotly, figure.id));
   } catch (const Error&) {
@@ -69,8 +69,8 @@ std::string PageHtml(const PageContent& content) {
   std::string html = Head(content) + Body(content);
   html += DataBlock("page-data", PageDataJson(content));
   html += Script(AppScript());
-  for (std::size_t i = 0; i < content.figures.size(); ++i) {
-    html += DataBlock(StrCat("figure-", i), FigureJson(content.figures[i]));
+  for (std::size_t i = 0; i < content.drawing.figures.size(); ++i) {
+    html += DataBlock(StrCat("figure-", i), FigureJson(content.drawing.figures[i]));
   }
   html += Script(PlotlyScript());
   for (std::size_t i = 0; i < content.scenes.size(); ++i) {

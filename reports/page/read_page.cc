@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "core/base/error.h"
+#include "reports/figures/suite_figures.h"
 #include "reports/page/changed_options.h"
 #include "reports/page/choose_scenes.h"
 #include "reports/page/page_content.h"
@@ -39,6 +40,14 @@ void ReadSuite(const PageRequest& request, PageContent& content) {
   const SuitePlan plan = ReadPlan(request.folder / "plan.json");
   content.title = plan.name;
   content.about = plan.about;
+  for (const Fact& variant : request.variants) {
+    const auto is_of_it = [&](const PlannedRun& run) {
+      return KeyOf(run, "variant") == variant.first;
+    };
+    if (std::any_of(plan.runs.begin(), plan.runs.end(), is_of_it)) {
+      content.variants.push_back(variant);
+    }
+  }
   OptionDefaults defaults(request.default_options);
   for (SuiteRun& run : ReadRuns(request.folder, plan, {})) {
     content.runs.push_back(DescribeRun(std::move(run), request, defaults));
@@ -81,6 +90,7 @@ void ForgetFolder(const std::string& folder, PageContent& content) {
     ForgetFolder(folder, run.origin.missing);
     ForgetFolder(folder, run.run.message);
   }
+  ForgetFolder(folder, content.drawing.not_drawn);
   for (PageScene& scene : content.scenes) ForgetFolder(folder, scene.detail.missing);
   if (!content.table) return;
   for (Problem& problem : content.table->problems) ForgetFolder(folder, problem.message);
@@ -103,6 +113,12 @@ PageContent ReadPage(const PageRequest& request) {
         content.table = MakeTable(request.folder, ShippedReference(), request.default_options);
       },
       content);
+  if (content.table) {
+    Try(
+        "figures",
+        [&] { content.drawing = SuiteFigures(ReadSuiteData(request.folder, *content.table)); },
+        content);
+  }
   if (!request.against.empty()) {
     content.compared_with = request.against.filename().string();
     Try(

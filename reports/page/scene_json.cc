@@ -18,6 +18,20 @@ using Indices = std::map<int, std::size_t>;  // of frames
 
 double Millimetres(double metres) { return std::round(1e3 * metres); }
 
+// Errors are smaller than what is drawn.
+Json Micrometres(double metres) {
+  return std::isfinite(metres) ? Json(static_cast<std::int64_t>(std::round(1e6 * metres)))
+                               : Json(nullptr);
+}
+
+Json CameraError(const CameraFrame& frame) {
+  if (!frame.truth) return nullptr;
+  const Pose& truth = *frame.truth;
+  return Micrometres(std::hypot(frame.world_from_camera[0] - truth[0],
+                                frame.world_from_camera[1] - truth[1],
+                                frame.world_from_camera[2] - truth[2]));
+}
+
 void AddPosition(std::span<const double> metres, Json& list) {
   for (std::size_t i = 0; i < 3; ++i) {
     const double value = Millimetres(metres[i]);
@@ -43,10 +57,12 @@ Json CameraJson(const RunDetail& detail) {
   Json estimated = Json::array();
   Json truth = Json::array();
   Json states = Json::array();
+  Json errors = Json::array();
   bool any = false;
   for (const CameraFrame& frame : detail.camera) {
     AddPosition(frame.world_from_camera, estimated);
     states.push_back(frame.status);
+    errors.push_back(CameraError(frame));
     any = any || frame.truth;
     if (frame.truth) {
       AddPosition(*frame.truth, truth);
@@ -54,7 +70,10 @@ Json CameraJson(const RunDetail& detail) {
       for (int i = 0; i < 3; ++i) truth.push_back(nullptr);
     }
   }
-  return {{"estimated", estimated}, {"truth", any ? truth : Json(nullptr)}, {"states", states}};
+  return {{"estimated", estimated},
+          {"truth", any ? truth : Json(nullptr)},
+          {"states", states},
+          {"errors_um", errors}};
 }
 
 Json ClusterJson(std::int64_t id, const std::vector<const ClusterRow*>& rows,
@@ -101,9 +120,9 @@ Json ErrorsJson(const std::vector<BodyPosition>& positions, const Indices& indic
     const auto index = indices.find(position.frame);
     if (index == indices.end() || !std::isfinite(position.error_m)) continue;
     frames.push_back(index->second);
-    errors.push_back(static_cast<std::int64_t>(Millimetres(position.error_m)));
+    errors.push_back(Micrometres(position.error_m));
   }
-  return {{"frames", frames}, {"mm", errors}};
+  return {{"frames", frames}, {"um", errors}};
 }
 
 Json BodyJson(const BodyDetail& body, const Indices& indices) {

@@ -48,6 +48,15 @@ std::string ComparedText(const PageContent& content, const Table& table) {
                 "), each with ", Count(seeds.size(), "seed"), ".");
 }
 
+std::string VariantsHtml(const std::vector<Fact>& variants) {
+  if (variants.empty()) return "";
+  std::string html = "<dl class=\"facts\">\n";
+  for (const auto& [name, meaning] : variants) {
+    html += Element("dt", name) + Element("dd", meaning) + "\n";
+  }
+  return html + "</dl>\n";
+}
+
 std::string JobsText(const JobCounts& jobs) {
   std::string text = StrCat(jobs.done, " of ", Count(jobs.planned, "run"), " ",
                             jobs.done == 1 ? "is" : "are", " there");
@@ -81,7 +90,8 @@ std::string SummarySection(const PageContent& content) {
   }
   if (content.table) {
     const Table& table = *content.table;
-    html += Element("p", ComparedText(content, table)) + "\n<p>" + Escaped(JobsText(table.jobs));
+    html += Element("p", ComparedText(content, table)) + "\n" + VariantsHtml(content.variants);
+    html += "<p>" + Escaped(JobsText(table.jobs));
     html += table.problems.empty() ? "</p>\n"
                                    : " <a href=\"#missing\">What is missing, and why</a>.</p>\n";
     if (table.reference.empty()) {

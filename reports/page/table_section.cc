@@ -16,8 +16,9 @@ std::string TableSection(const PageContent& content) {
     return html + "<p class=\"problem\">There is no table: see above.</p>\n</section>\n";
   }
   html +=
-      "<p>Each value is a mean with its 95 % interval. Select a cell for the runs behind it, and a "
-      "heading to sort by it.</p>\n";
+      "<p>Each value is a mean. Below it: its 95 % interval, and how many bodies or scenes it is a "
+      "mean of. A star marks a difference to the reference that is real. Select a cell for the "
+      "runs behind it, and a heading to sort by it.</p>\n";
   return html + TableFrame(*content.table, "table") + "</section>\n";
 }
 

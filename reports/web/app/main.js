@@ -6,7 +6,7 @@ import { drawFiguresInView } from './figures.js';
 import { readData } from './page_data.js';
 import { sceneView } from './scene/scene_view.js';
 import { arrowKeys } from './tables/arrow_keys.js';
-import { foldDefinitions } from './tables/fold_definitions.js';
+import { foldNotes } from './tables/fold_notes.js';
 import { tableTools } from './tables/table_tools.js';
 
 const data = readData('page-data');
@@ -16,7 +16,7 @@ for (const frame of document.querySelectorAll('[data-table]')) {
     openableCells(table, data[frame.dataset.table], data);
     arrowKeys(table);
   }
-  foldDefinitions(frame);
+  foldNotes(frame);
 }
 document.documentElement.dataset.ready = String(Math.round(performance.now()));
 

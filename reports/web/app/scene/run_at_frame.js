@@ -53,21 +53,17 @@ export function rowAt(frames, frame) {
   return -1;
 }
 
-// Metres between two points; null where one is not there.
-export function distance(a, b) {
-  return a && b ? Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) : null;
-}
-
+// Metres; null where truth or estimate is not there.
 export function cameraError(run, frame) {
-  if (!run.camera.truth) return null;
-  return distance(pointAt(run.camera.estimated, frame), pointAt(run.camera.truth, frame));
+  const error = run.camera.errors_um[frame];
+  return error === null || error === undefined ? null : error / 1e6;
 }
 
 // { metres, predicted } of a body at a frame; null where it has no estimate.
 export function bodyError(body, frame) {
   for (const [list, predicted] of [[body.errors, false], [body.predicted, true]]) {
     const row = rowAt(list.frames, frame);
-    if (row >= 0) return { metres: list.mm[row] / 1000, predicted };
+    if (row >= 0) return { metres: list.um[row] / 1e6, predicted };
   }
   return null;
 }

@@ -21,7 +21,7 @@ const line = (colour, width, dash = 'solid') => ({ mode: 'lines', line: { color:
 // What does not change with the frame.
 export function fixedTraces(run, flat) {
   const last = run.frames.length - 1;
-  const made = [trace(flat, cameraPath(run.camera.estimated, last), { ...line(CAMERA, 1), opacity: 0.5, name: 'camera, whole run' })];
+  const made = [trace(flat, cameraPath(run.camera.estimated, last), { ...line(CAMERA, 1), opacity: 0.5, name: 'camera, whole run', showlegend: false })];
   if (run.camera.truth) made.push(trace(flat, cameraPath(run.camera.truth, last), { ...line(TRUTH, 2), name: 'camera, truth' }));
   if (run.bodies.length > 0) made.push(trace(flat, truthOfBodies(run.bodies), { ...line(TRUTH, 1), opacity: 0.7, name: 'objects, truth' }));
   return made;
@@ -95,7 +95,7 @@ export function sceneLayout(run, flat) {
     scene: {
       xaxis: axis('right (m)', spans.x), yaxis: axis('forward (m)', spans.y), zaxis: axis('up (m)', spans.z),
       aspectmode: 'manual', aspectratio: { x: aspect(spans.x), y: aspect(spans.y), z: aspect(spans.z) },
-      camera: { eye: { x: 0.2, y: -1.7, z: 1.2 }, up: { x: 0, y: 0, z: 1 } },
+      camera: { eye: { x: 0.15, y: -1.75, z: 1.05 }, center: { x: 0, y: 0, z: -0.15 }, up: { x: 0, y: 0, z: 1 } },
     },
   };
 }
@@ -110,7 +110,7 @@ export function errorTraces(run, cameraErrors) {
     const colour = run.clusters.find((cluster) => cluster.id === body.cluster)?.colour ?? TRUTH;
     for (const [list, symbol, name] of [[body.errors, 'circle', body.name], [body.predicted, 'circle-open', `${body.name}, hidden`]]) {
       if (list.frames.length === 0) continue;
-      made.push({ x: list.frames.map((frame) => seconds[frame]), y: list.mm.map((mm) => mm / 10), mode: 'markers', name: plain(name), marker: { color: colour, size: 4, symbol } });
+      made.push({ x: list.frames.map((frame) => seconds[frame]), y: list.um.map((um) => um / 1e4), mode: 'markers', name: plain(name), marker: { color: colour, size: 4, symbol } });
     }
   }
   return made;

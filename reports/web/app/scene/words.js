@@ -3,6 +3,7 @@
 import { bodyError, cameraError, rowAt } from './run_at_frame.js';
 
 function length(metres) {
+  if (metres < 0.01) return `${(1000 * metres).toFixed(2)} mm`;
   return metres < 1 ? `${(100 * metres).toFixed(1)} cm` : `${metres.toFixed(2)} m`;
 }
 

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/tables/table.h"
+
+namespace cvo::reports {
+
+// What a title says of how metrics are measured, those alike together: "object ATE: delta none,
+// alignment by the camera; object T.RPE: delta all, alignment none". Empty for shares and counts.
+std::string RelationText(const std::vector<const Column*>& columns);
+
+// What the intervals of these columns mean, each wording once.
+std::string IntervalText(const Table& table, const std::vector<std::size_t>& columns);
+
+}  // namespace cvo::reports

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/figures/scene_cells.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "reports/figures/swept_lines.h"
+#include "reports/tables/cells.h"
+#include "reports/tables/columns.h"
+
+namespace cvo::reports {
+namespace {
+
+std::string ValueOf(const std::vector<std::string>& keys, const std::vector<std::string>& values,
+                    const std::string& key) {
+  const auto found = std::find(keys.begin(), keys.end(), key);
+  return found == keys.end() ? "" : values[static_cast<std::size_t>(found - keys.begin())];
+}
+
+std::vector<Cell> CellsOf(const RowRuns& row, const RowRuns* reference,
+                          const std::vector<std::string>& keys, const Table& table) {
+  std::vector<Cell> cells;
+  for (const Column& column : table.columns) {
+    Cell cell = MakeCell(row, keys, column);
+    const bool comparable = DifferingMeaning(row, column).empty();
+    if (reference != nullptr && cell.present && comparable &&
+        DifferingMeaning(*reference, column).empty()) {
+      cell.difference = MakeDifference({keys, row, *reference, table.reference}, column);
+    }
+    cells.push_back(std::move(cell));
+  }
+  return cells;
+}
+
+}  // namespace
+
+std::string SeriesLabel(const std::vector<std::string>& keys,
+                        const std::vector<std::string>& values) {
+  std::string label;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (keys[i] == "sequence") continue;
+    label += StrCat(label.empty() ? "" : ", ", IsOption(keys[i]) ? keys[i] + " " : std::string(),
+                    values[i]);
+  }
+  return label;
+}
+
+std::vector<SeriesRows> SplitByScene(const SuiteData& data) {
+  std::vector<std::string> keys = data.table.keys;
+  const bool by_sequence = std::find(keys.begin(), keys.end(), "sequence") != keys.end();
+  if (!by_sequence) keys.emplace_back("sequence");
+  SuitePlan plan = data.plan;
+  plan.rows = keys;
+  const std::string reference = FullReference(plan);
+  const std::vector<RowRuns> rows = GroupRuns(data.runs, keys);
+  std::vector<SeriesRows> series;
+  for (const RowRuns& row : rows) {
+    const std::string label = SeriesLabel(keys, row.keys);
+    auto found = std::find_if(series.begin(), series.end(),
+                              [&](const SeriesRows& known) { return known.label == label; });
+    if (found == series.end()) found = series.insert(series.end(), {label, nullptr, {}});
+    found->scenes.push_back(
+        {ValueOf(keys, row.keys, "sequence"),
+         CellsOf(row, FindReference(rows, row, keys, reference), keys, data.table)});
+  }
+  for (const Row& row : data.table.rows) {
+    if (by_sequence) break;
+    const std::string label = SeriesLabel(data.table.keys, row.keys);
+    for (SeriesRows& known : series) {
+      if (known.label == label) known.all = &row;
+    }
+  }
+  return series;
+}
+
+}  // namespace cvo::reports
