@@ -19,12 +19,21 @@ std::vector<std::string> Groups(const std::vector<Figure>& figures) {
   return groups;
 }
 
+// What it shows stands out from how it was measured.
+std::string TitleHtml(const std::string& title) {
+  const auto end = title.find(". ");
+  if (end == std::string::npos) return Element("strong", title);
+  return Element("strong", title.substr(0, end + 1)) + " " + Escaped(title.substr(end + 2));
+}
+
 std::string FigureHtml(const Figure& figure, std::size_t index) {
   const std::string alt = Escaped(figure.alt);
   return StrCat("<figure class=\"figure\" data-figure=\"figure-", index, "\">\n<figcaption>",
-                Escaped(figure.title), "<p class=\"reading\">", Escaped(figure.caption),
-                "</p></figcaption>\n<div class=\"plot\" role=\"img\" aria-label=\"", alt,
-                "\"></div>\n<details><summary>In words</summary><p>", alt,
+                TitleHtml(figure.title), "<p class=\"reading\">", Escaped(figure.caption),
+                "</p></figcaption>\n<div class=\"plot-scroll\"><div class=\"plot\" role=\"img\" "
+                "aria-label=\"",
+                alt, "\" style=\"min-height:", figure.height_px,
+                "px\"></div></div>\n<details><summary>In words</summary><p>", alt,
                 "</p></details>\n</figure>\n");
 }
 

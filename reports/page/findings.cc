@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "reports/figures/numbers.h"
 #include "reports/page/html.h"
 #include "reports/page/page_parts.h"
 #include "reports/page/quantity.h"

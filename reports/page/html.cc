@@ -12,15 +12,6 @@ std::string Element(const std::string& tag, std::string_view text) {
   return "<" + tag + ">" + Escaped(text) + "</" + tag + ">";
 }
 
-std::string Listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
-    text += words[i];
-  }
-  return text;
-}
-
 std::string ScriptJson(const Json& json) {
   std::string text;
   for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {

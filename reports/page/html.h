@@ -4,7 +4,6 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "reports/tables/json_fields.h"
 
@@ -15,9 +14,6 @@ std::string Escaped(std::string_view text);
 
 // <tag>text</tag>, the text escaped.
 std::string Element(const std::string& tag, std::string_view text);
-
-// "a, b and c".
-std::string Listed(const std::vector<std::string>& words);
 
 // JSON as it can stand in a <script> of a page: it holds no '<'.
 std::string ScriptJson(const Json& json);

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "reports/figures/numbers.h"
 #include "reports/page/html.h"
 #include "reports/page/page_parts.h"
 #include "reports/tables/table_html.h"
