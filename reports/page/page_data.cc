@@ -87,10 +87,11 @@ Json DifferenceJson(const Difference& difference, const Column& column) {
   if (difference.percent) add("in percent", ChangeText(*difference.percent, "%"));
   add("pairs", StrCat(difference.pairs, ": ", difference.pairing));
   const auto better = IsBetter(column.metric, difference.difference);
-  add("verdict", !difference.distinguishable ? "cannot be told from noise"
-                 : !better                   ? "differs"
-                 : *better                   ? "better"
-                                             : "worse");
+  add("verdict", difference.difference == 0.0  ? "the same"
+                 : !difference.distinguishable ? "cannot be told from noise"
+                 : !better                     ? "differs"
+                 : *better                     ? "better"
+                                               : "worse");
   return json;
 }
 
@@ -102,7 +103,7 @@ Json CellJson(const Cell& cell, const Column& column) {
   add("value", cell.present ? QuantityText(cell.value, column.unit) : "");
   add("why there is no value", cell.message);
   if (cell.interval) {
-    add("interval, 95 %", RangeText(*cell.interval, column.unit));
+    add("interval", RangeText(*cell.interval, column.unit));
     add("interval of", cell.interval->meaning);
   }
   add("mean of", cell.present ? CountsText(cell.n) : "");

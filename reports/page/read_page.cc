@@ -63,13 +63,12 @@ void ReadScenes(const PageRequest& request, PageContent& content) {
     scene.run = run;
     scene.wants_images = wants_images;
     const fs::path folder = request.folder / "jobs" / content.runs[run].run.planned.job;
-    Try(
-        "3D view",
-        [&] {
-          scene.detail = ReadRunDetail(folder);
-          content.scenes.push_back(std::move(scene));
-        },
-        content);
+    try {
+      scene.detail = ReadRunDetail(folder);
+      content.scenes.push_back(std::move(scene));
+    } catch (const std::exception& error) {
+      content.runs[run].origin.missing.push_back(StrCat("frame by frame: ", error.what()));
+    }
   }
 }
 

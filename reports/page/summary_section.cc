@@ -38,14 +38,16 @@ std::string Named(const std::vector<std::string>& values) {
 std::string ComparedText(const PageContent& content, const Table& table) {
   std::string text;
   for (const std::string& key : table.keys) {
+    if (key == "sequence") continue;
     const std::vector<std::string> values = ValuesOf(content.runs, key);
     text += StrCat(text.empty() ? "Compared: " : "; ", Count(values.size(), "value"), " of ", key,
                    " (", Named(values), ")");
   }
+  if (!text.empty()) text += ". ";
   std::set<std::uint64_t> seeds;
   for (const PageRun& run : content.runs) seeds.insert(run.run.planned.seed);
   const std::vector<std::string> sequences = ValuesOf(content.runs, "sequence");
-  return StrCat(text, ". On ", Count(sequences.size(), "sequence"), " (", Named(sequences),
+  return StrCat(text, "On ", Count(sequences.size(), "sequence"), " (", Named(sequences),
                 "), each with ", Count(seeds.size(), "seed"), ".");
 }
 

@@ -53,8 +53,8 @@ TEST(Page, SaysWhatWasComparedAndOnWhat) {
   SuiteResults suite;
   suite.table["rows"] = {"variant"};
   suite.table["reference"] = "static";
-  suite.Add(WithBodies(Result("room"), {BodyOf(1, {0.125, 0.125})}));
-  suite.Add(WithBodies(Result("room"), {BodyOf(1, {0.25, 0.25})}), "full");
+  suite.Add(WithBodies(Result("room"), Json::array({BodyOf(1, {0.125, 0.125})})));
+  suite.Add(WithBodies(Result("room"), Json::array({BodyOf(1, {0.25, 0.25})})), "full");
   const std::string page = PageOf(suite);
   EXPECT_THAT(page, HasSubstr("what it is"));
   EXPECT_THAT(page, HasSubstr("Compared: 2 values of variant (static and full). On 1 sequence "
@@ -123,7 +123,7 @@ TEST(Page, WhatHasNoResultIsListedWithItsReason) {
 
 TEST(Page, AMetricThatNotAllRunsHaveIsSaid) {
   SuiteResults suite;
-  suite.Add(WithBodies(Result("a"), {BodyOf(1, {0.125})}));
+  suite.Add(WithBodies(Result("a"), Json::array({BodyOf(1, {0.125})})));
   suite.Add(Result("b"));
   const std::string page = PageOf(suite);
   EXPECT_THAT(page, HasSubstr("Cells without a value"));
@@ -156,7 +156,7 @@ TEST(Page, TheOriginOfAResult) {
 TEST(Page, TheSameBytesTwiceAndWhereverTheFolderLies) {
   const auto page = [] {
     SuiteResults suite;
-    suite.Add(WithBodies(Result("a"), {BodyOf(1, {0.125, 0.25})}));
+    suite.Add(WithBodies(Result("a"), Json::array({BodyOf(1, {0.125, 0.25})})));
     suite.Plan("b", "static");
     suite.AddFailure("no");
     return PageHtml(Read(suite.Written()));
@@ -166,9 +166,9 @@ TEST(Page, TheSameBytesTwiceAndWhereverTheFolderLies) {
 
 TEST(Page, ComparesWithAnotherFolder) {
   SuiteResults before;
-  before.Add(WithBodies(Result("a"), {BodyOf(1, {0.25})}));
+  before.Add(WithBodies(Result("a"), Json::array({BodyOf(1, {0.25})})));
   SuiteResults after;
-  after.Add(WithBodies(Result("a"), {BodyOf(1, {0.125})}));
+  after.Add(WithBodies(Result("a"), Json::array({BodyOf(1, {0.125})})));
   PageRequest request;
   request.folder = after.Written();
   request.against = before.Written();

@@ -18,9 +18,10 @@ const SUITE = {
   ],
   variants: ['full', '2d', 'static'],
   seeds: 2,
+  landmarks: true,
   table: {
     rows: ['sequence', 'variant'],
-    metrics: ['camera_ate', 'object_ate', 'object_success_10cm', 'object_id_switches'],
+    metrics: ['camera_ate', 'moving_precision', 'moving_recall', 'object_unmatched_clusters'],
     reference: 'full',
   },
 };

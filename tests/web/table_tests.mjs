@@ -20,14 +20,14 @@ const sorted = (list, sign) => {
 
 export const tableTests = {
   async 'a heading sorts up, down and back, cells without a value last'({ good }) {
-    const before = await columnOf(good.page, 'object_ate');
-    assert.ok(before.includes(null), 'static has no object ATE');
+    const before = await columnOf(good.page, 'moving_precision');
+    assert.ok(before.includes(null), 'static says of nothing that it moves');
     assert.notDeepEqual(before, sorted(before, 1), 'or this test could not fail');
-    const heading = good.page.locator(`${values} th[data-metric="object_ate"]`);
+    const heading = good.page.locator(`${values} th[data-metric="moving_precision"]`);
     for (const [direction, expected] of [['ascending', sorted(before, 1)], ['descending', sorted(before, -1)], ['none', before]]) {
       await heading.locator('button').click();
       assert.equal(await heading.getAttribute('aria-sort'), direction);
-      assert.deepEqual(await columnOf(good.page, 'object_ate'), expected);
+      assert.deepEqual(await columnOf(good.page, 'moving_precision'), expected);
     }
   },
 

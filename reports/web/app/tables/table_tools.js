@@ -4,6 +4,8 @@ import { element } from '../element.js';
 import { headings, rowGroups } from './row_groups.js';
 import { sortable } from './sort.js';
 
+const narrow = window.matchMedia('(max-width: 48rem)');
+
 function filterField(table) {
   const input = element('input', { type: 'search', placeholder: 'e.g. full', autocomplete: 'off' });
   const said = element('span', { class: 'said', role: 'status' });
@@ -31,10 +33,20 @@ function showColumn(table, index, shown) {
   }
 }
 
+// On a phone only what names rows is there from the start, of the columns without a number.
+function isSecondary(table, heading) {
+  const cell = table.tBodies[0]?.rows[0]?.cells[heading.cellIndex];
+  return cell?.tagName === 'TD' && !heading.matches('.number');
+}
+
 function columnChoice(table, columns) {
   const boxes = columns.map((heading) => {
     const box = element('input', { type: 'checkbox', checked: true });
     box.addEventListener('change', () => showColumn(table, heading.cellIndex, box.checked));
+    if (narrow.matches && isSecondary(table, heading)) {
+      box.checked = false;
+      showColumn(table, heading.cellIndex, false);
+    }
     return element('label', {}, box, ' ', heading.textContent.trim());
   });
   return element('details', { class: 'columns' }, element('summary', {}, 'Columns'),
