@@ -78,7 +78,7 @@ export function openableCells(table, tableData, data) {
     const row = tableData.rows[Number(td.dataset.row)];
     const column = tableData.columns[Number(td.dataset.column)];
     const cell = row?.cells[Number(td.dataset.column)];
-    if (!cell || !column) continue;
+    if (!cell || !column || td.childNodes.length === 0) continue;
     const button = element('button', { type: 'button', class: 'cell', 'aria-haspopup': 'dialog' });
     button.append(...td.childNodes);
     td.append(button);
