@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/tables/latex_panels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "reports/tables/column_panels.h"
+#include "reports/tables/latex_text.h"
+#include "reports/tables/printable.h"
+
+namespace cvo::reports {
+namespace {
+
+constexpr double kSmall = 0.95;  // of the size of values
+constexpr std::size_t kHeadingCharacters = 12;
+
+// Of a column of numbers in any block: panels of values and differences are split alike.
+double NumberWidth_pt(const TableTexts& texts, std::size_t column) {
+  double width_pt = 0.0;
+  const auto fit = [&width_pt](const std::string& text, double scale = 1.0) {
+    width_pt = std::max(width_pt, scale * LatexWidth_pt(text));
+  };
+  for (const std::string& line : HeadingLines(texts.columns[column])) fit(line);
+  for (const TextBlock& block : texts.blocks) {
+    for (const TextLine& line : block.lines) {
+      const CellText& cell = line.cells[column];
+      fit(cell.Shown());
+      for (const std::string& text : {cell.interval, cell.percent, cell.percent_interval}) {
+        fit(text, kSmall);
+      }
+    }
+  }
+  return width_pt + kColumnGap_pt;
+}
+
+double TotalWidth_pt(const std::vector<LatexColumn>& columns) {
+  double total_pt = 0.0;
+  for (const LatexColumn& column : columns) total_pt += column.width_pt + kColumnGap_pt;
+  return total_pt;
+}
+
+std::size_t PrintedLines(const TextLine& line, const std::vector<LatexColumn>& columns) {
+  std::size_t texts = 1;
+  for (std::size_t i = 0; i < line.texts.size(); ++i) {
+    if (!columns[i].wraps) continue;
+    texts = std::max(texts, 1 + static_cast<std::size_t>(LatexWidth_pt(line.texts[i]) /
+                                                         (0.7 * columns[i].width_pt)));
+  }
+  std::size_t lines = texts;
+  for (const auto part : {&CellText::interval, &CellText::percent, &CellText::percent_interval}) {
+    lines += std::any_of(line.cells.begin(), line.cells.end(),
+                         [&](const CellText& cell) { return !(cell.*part).empty(); })
+                 ? 1
+                 : 0;
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::vector<std::string> HeadingLines(const ColumnText& column) {
+  std::vector<std::string> lines;
+  std::string rest = column.label;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(' '), rest.size());
+    const std::string word = rest.substr(0, end);
+    if (!lines.empty() && Width(lines.back()) + 1 + Width(word) <= kHeadingCharacters) {
+      lines.back() += " " + word;
+    } else {
+      lines.push_back(word);
+    }
+    rest.erase(0, end + 1);
+  }
+  if (!column.unit.empty()) lines.push_back(StrCat("[", column.unit, "]"));
+  return lines;
+}
+
+std::vector<LatexColumn> MeasureTexts(const TableTexts& texts) {
+  std::vector<LatexColumn> columns;
+  for (std::size_t i = 0; i < texts.text_header.size(); ++i) {
+    LatexColumn column{LatexWidth_pt(texts.text_header[i]), false};
+    for (const TextBlock& block : texts.blocks) {
+      for (const TextLine& line : block.lines) {
+        column.width_pt = std::max(column.width_pt, LatexWidth_pt(line.texts[i]));
+      }
+    }
+    columns.push_back(column);
+  }
+  for (const double limit_pt : {150.0, 110.0, 80.0, 60.0, 45.0, 30.0}) {
+    if (TotalWidth_pt(columns) <= 0.5 * kPanelWidth_pt) break;
+    for (LatexColumn& column : columns) {
+      if (column.width_pt > limit_pt) column = {limit_pt, true};
+    }
+  }
+  return columns;
+}
+
+std::vector<LatexPanel> SplitBlock(const TableTexts& texts, const TextBlock& block,
+                                   const std::vector<LatexColumn>& columns) {
+  std::vector<double> widths_pt;
+  for (std::size_t i = 0; i < texts.columns.size(); ++i) {
+    widths_pt.push_back(NumberWidth_pt(texts, i));
+  }
+  std::vector<LatexPanel> panels;
+  std::size_t first = 0;
+  do {
+    std::size_t lines = 0;
+    for (std::size_t printed = 0; first + lines < block.lines.size(); ++lines) {
+      printed += PrintedLines(block.lines[first + lines], columns);
+      if (lines > 0 && printed > kPanelLines) break;
+    }
+    for (const auto& part :
+         SplitColumns(texts.columns, widths_pt, kPanelWidth_pt - TotalWidth_pt(columns))) {
+      panels.push_back({part, first, lines});
+    }
+    first += lines;
+  } while (first < block.lines.size());
+  return panels;
+}
+
+}  // namespace cvo::reports
