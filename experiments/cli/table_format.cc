@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/cli/table_format.h"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <iostream>
@@ -15,6 +16,12 @@
 namespace cvo {
 namespace {
 
+// Characters per line of the terminal; 0 where it does not say.
+std::size_t TerminalWidth() {
+  winsize size{};
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
 std::string Rendered(const reports::Table& table, const TableFormat& format) {
   if (format.format == "markdown") return reports::TableMarkdown(table);
   if (format.format == "csv") {
@@ -26,7 +33,10 @@ std::string Rendered(const reports::Table& table, const TableFormat& format) {
   if (format.format == "html") {
     return format.bare ? reports::TableHtml(table) : reports::TableHtmlPage(table);
   }
-  return reports::TableText(table, format.output.empty() && isatty(STDOUT_FILENO) != 0);
+  if (!format.output.empty() || isatty(STDOUT_FILENO) == 0) {
+    return reports::TableText(table, false);
+  }
+  return reports::TableText(table, true, TerminalWidth());
 }
 
 }  // namespace

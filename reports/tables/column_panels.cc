@@ -39,4 +39,9 @@ std::vector<std::vector<std::size_t>> SplitColumns(const std::vector<ColumnText>
   return panels;
 }
 
+bool HasValue(const TextLine& line, const std::vector<std::size_t>& columns) {
+  return std::any_of(columns.begin(), columns.end(),
+                     [&](std::size_t column) { return !line.cells[column].value.empty(); });
+}
+
 }  // namespace cvo::reports

@@ -14,4 +14,7 @@ namespace cvo::reports {
 std::vector<std::vector<std::size_t>> SplitColumns(const std::vector<ColumnText>& columns,
                                                    const std::vector<double>& widths, double room);
 
+// Whether a line has a value, or lacks one that it should have, in one of these columns.
+bool HasValue(const TextLine& line, const std::vector<std::size_t>& columns);
+
 }  // namespace cvo::reports

@@ -58,6 +58,17 @@ std::size_t PrintedLines(const TextLine& line, const std::vector<LatexColumn>& c
   return lines;
 }
 
+// The line behind the last one that fits on a page with `first`.
+std::size_t PageEnd(const TextBlock& block, std::size_t first,
+                    const std::vector<LatexColumn>& columns) {
+  std::size_t end = first;
+  for (std::size_t printed = 0; end < block.lines.size(); ++end) {
+    printed += PrintedLines(block.lines[end], columns);
+    if (end > first && printed > kPanelLines) break;
+  }
+  return end;
+}
+
 }  // namespace
 
 std::vector<std::string> HeadingLines(const ColumnText& column) {
@@ -103,20 +114,22 @@ std::vector<LatexPanel> SplitBlock(const TableTexts& texts, const TextBlock& blo
   for (std::size_t i = 0; i < texts.columns.size(); ++i) {
     widths_pt.push_back(NumberWidth_pt(texts, i));
   }
+  const auto parts =
+      SplitColumns(texts.columns, widths_pt, kPanelWidth_pt - TotalWidth_pt(columns));
   std::vector<LatexPanel> panels;
   std::size_t first = 0;
-  do {
-    std::size_t lines = 0;
-    for (std::size_t printed = 0; first + lines < block.lines.size(); ++lines) {
-      printed += PrintedLines(block.lines[first + lines], columns);
-      if (lines > 0 && printed > kPanelLines) break;
+  while (first < block.lines.size()) {
+    const std::size_t end = PageEnd(block, first, columns);
+    for (const auto& part : parts) {
+      LatexPanel panel{part, {}};
+      for (std::size_t line = first; line < end; ++line) {
+        if (part.empty() || HasValue(block.lines[line], part)) panel.lines.push_back(line);
+      }
+      if (!panel.lines.empty()) panels.push_back(std::move(panel));
     }
-    for (const auto& part :
-         SplitColumns(texts.columns, widths_pt, kPanelWidth_pt - TotalWidth_pt(columns))) {
-      panels.push_back({part, first, lines});
-    }
-    first += lines;
-  } while (first < block.lines.size());
+    first = end;
+  }
+  if (panels.empty()) panels.push_back({parts[0], {}});
   return panels;
 }
 

@@ -24,8 +24,7 @@ struct LatexColumn {
 // A part of a block that fits on a page.
 struct LatexPanel {
   std::vector<std::size_t> columns;  // indices, never an accuracy without its coverage
-  std::size_t first_line = 0;
-  std::size_t lines = 0;
+  std::vector<std::size_t> lines;    // indices, those with a value in these columns
 };
 
 // Short lines of a heading: words, then the unit.

@@ -84,9 +84,9 @@ std::string PanelLatex(const TableTexts& texts, const TextBlock& block, const La
   }
   std::string latex = StrCat("\\noindent\\begin{tabular}{@{}", kinds, "@{}}\n\\toprule\n",
                              RowLatex(header), "\\midrule\n");
-  for (std::size_t i = 0; i < panel.lines; ++i) {
-    if (i > 0) latex += "\\addlinespace[2pt]\n";
-    latex += LineLatex(block.lines[panel.first_line + i], panel);
+  for (const std::size_t line : panel.lines) {
+    if (line != panel.lines.front()) latex += "\\addlinespace[2pt]\n";
+    latex += LineLatex(block.lines[line], panel);
   }
   return latex + "\\bottomrule\n\\end{tabular}\\par\\medskip\n";
 }
@@ -107,17 +107,21 @@ std::string BlockLatex(const TableTexts& texts, const TextBlock& block,
   return latex;
 }
 
-std::string NotesLatex(const TableTexts& texts) {
-  std::vector<std::string> notes = texts.footnotes;
-  if (texts.any_best) notes.insert(notes.begin(), BestNote("bold"));
+std::string ListLatex(const std::vector<std::string>& notes) {
   std::string latex;
-  for (const std::string& note : notes) latex += StrCat("\\noindent ", Prose(note), "\\par\n");
-  if (texts.definitions.empty()) return latex;
-  latex += "\\smallskip\\noindent What the columns are:\\par\n";
-  for (const std::string& note : texts.definitions) {
-    latex += StrCat("\\noindent ", Prose(note), "\\par\n");
+  for (const std::string& note : notes) {
+    latex += StrCat("\\noindent\\hangindent=1em\\relax ", Prose(note), "\\par\n");
   }
   return latex;
+}
+
+std::string NotesLatex(const TableTexts& texts) {
+  std::string latex;
+  if (texts.any_best) latex += ListLatex({BestNote("bold")});
+  latex += ListLatex(texts.footnotes);
+  if (texts.definitions.empty()) return latex;
+  return latex + "\\smallskip\\noindent What the columns are:\\par\n" +
+         ListLatex(texts.definitions);
 }
 
 std::string BodyLatex(const TableTexts& texts) {

@@ -273,7 +273,7 @@ TableTexts MakeTexts(const Table& table) {
 }
 
 std::string BestNote(const std::string& mark) {
-  return mark + ": best of its column among rows on the same data, by value alone";
+  return mark + ": best of its column among rows on the same data, by its value alone";
 }
 
 }  // namespace cvo::reports

@@ -83,7 +83,7 @@ TEST(TableLatex, ShowsValuesIntervalsMarksAndNotes) {
                     HasSubstr(" & \\textbf{0.058} \\\\\n"), HasSubstr("\\scriptsize 0.034..0.085"),
                     HasSubstr("0.104\\rlap{\\textsuperscript{*}}"),
                     HasSubstr("\\begin{tabular}[b]{@{}r@{}}object ATE\\\\{}[m]\\end{tabular}"),
-                    HasSubstr("\\noindent n, object ATE: "), HasSubstr("bold: best of its column"),
+                    HasSubstr("\\relax n, object ATE: "), HasSubstr("bold: best of its column"),
                     HasSubstr("camera ATE: root mean square"), HasSubstr("a caveat: 50 \\%")));
 }
 
@@ -107,14 +107,24 @@ TEST(LatexPanels, EachAccuracyStandsBesideItsCoverage) {
   ASSERT_GE(panels.size(), 4U);
   std::size_t last_line = 0;
   for (const LatexPanel& panel : panels) {
-    EXPECT_LE(panel.lines, kPanelLines / 2) << "each has an interval below it";
+    EXPECT_LE(panel.lines.size(), kPanelLines / 2) << "each has an interval below it";
     for (const std::size_t column : panel.columns) {
       const auto coverage = texts.columns[column].coverage;
       EXPECT_THAT(panel.columns, Contains(coverage.value_or(column)));
     }
-    last_line = panel.first_line + panel.lines;
+    last_line = panel.lines.back();
   }
-  EXPECT_EQ(last_line, 40U);
+  EXPECT_EQ(last_line, 39U);
+}
+
+TEST(LatexPanels, LeaveOutWhoHasNothingToSay) {
+  const TableTexts texts = MakeTexts(test::HostileTable());
+  const std::vector<LatexPanel> panels = SplitBlock(texts, texts.blocks[0], MeasureTexts(texts));
+  ASSERT_THAT(panels, SizeIs(2));
+  EXPECT_THAT(panels[0].lines, SizeIs(10));
+  EXPECT_THAT(panels[1].columns, ElementsAre(2, 4));
+  EXPECT_THAT(panels[1].lines, ElementsAre(0, 1, 2, 8)) << "ours; others tell of the camera";
+  EXPECT_THAT(SplitBlock(texts, texts.blocks[1], MeasureTexts(texts)), SizeIs(1));
 }
 
 TEST(LatexPanels, OfASmallTableAreOne) {
@@ -126,7 +136,7 @@ TEST(LatexPanels, OfASmallTableAreOne) {
   const std::vector<LatexPanel> panels = SplitBlock(texts, texts.blocks[0], MeasureTexts(texts));
   ASSERT_THAT(panels, SizeIs(1));
   EXPECT_THAT(panels[0].columns, ElementsAre(0, 1, 2, 3, 4));
-  EXPECT_EQ(panels[0].lines, 2U);
+  EXPECT_THAT(panels[0].lines, ElementsAre(0, 1));
 }
 
 TEST(TableLatex, CompilesWhateverTheNames) {
