@@ -188,11 +188,25 @@ Lines Reasons(const Table& table, std::size_t source) {
   return reasons;
 }
 
+bool AnyDoesNotCompare(const Table& table) {
+  const auto in = [](const std::vector<ReferenceRow>& others) {
+    for (const ReferenceRow& line : others) {
+      for (const auto& cell : line.cells) {
+        if (cell && cell->match != Match::kMatches) return true;
+      }
+    }
+    return false;
+  };
+  return in(table.others) || std::any_of(table.rows.begin(), table.rows.end(),
+                                         [&](const Row& row) { return in(row.reference); });
+}
+
 void AddReferences(const Table& table, Lines& lines) {
-  if (table.sources.empty()) return;
-  lines.emplace_back(
-      "(in brackets): not comparable with ours: other scenes, frames or images, or a metric that "
-      "differs or that the source does not define");
+  if (AnyDoesNotCompare(table)) {
+    lines.emplace_back(
+        "(in brackets): not comparable with ours: other scenes, frames or images, or a metric that "
+        "differs or that the source does not define");
+  }
   for (std::size_t i = 0; i < table.sources.size(); ++i) {
     std::string note = SourceMark(i) + " " + table.sources[i].source;
     if (!table.sources[i].caveat.empty()) note += "; " + table.sources[i].caveat;
