@@ -48,14 +48,13 @@ std::size_t PrintedLines(const TextLine& line, const std::vector<LatexColumn>& c
     texts = std::max(texts, 1 + static_cast<std::size_t>(LatexWidth_pt(line.texts[i]) /
                                                          (0.7 * columns[i].width_pt)));
   }
-  std::size_t lines = texts;
-  for (const auto part : {&CellText::interval, &CellText::percent, &CellText::percent_interval}) {
-    lines += std::any_of(line.cells.begin(), line.cells.end(),
-                         [&](const CellText& cell) { return !(cell.*part).empty(); })
-                 ? 1
-                 : 0;
+  std::size_t lines = 1;
+  for (const CellText& cell : line.cells) {
+    const std::size_t below = (cell.interval.empty() ? 0 : 1) + (cell.percent.empty() ? 0 : 1) +
+                              (cell.percent_interval.empty() ? 0 : 1);
+    lines = std::max(lines, 1 + below);
   }
-  return lines;
+  return std::max(texts, lines);
 }
 
 // The line behind the last one that fits on a page with `first`.

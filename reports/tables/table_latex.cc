@@ -21,20 +21,31 @@ std::string Grey(const std::string& latex) { return StrCat("\\textcolor{black!55
 
 std::string Prose(const std::string& text) { return LatexEscaped(text, kWordInProse); }
 
+// Lines of one cell, right below each other however many lines the texts of their row take.
+std::string Stack(const std::vector<std::string>& lines, const char* position) {
+  if (lines.size() == 1) return lines[0];
+  std::string latex;
+  for (const std::string& line : lines) latex += (latex.empty() ? "" : "\\\\") + line;
+  return StrCat("\\begin{tabular}[", position, "]{@{}r@{}}", latex, "\\end{tabular}");
+}
+
 // Marks hang over: digits stay below digits.
-std::string ValueLatex(const CellText& cell) {
-  std::string latex = LatexNumber(cell.Shown());
-  if (cell.best) latex = StrCat("\\textbf{", latex, "}");
-  if (cell.distinguishable) latex += "\\rlap{\\textsuperscript{*}}";
+std::string CellLatex(const CellText& cell) {
+  std::string value = LatexNumber(cell.Shown());
+  if (cell.best) value = StrCat("\\textbf{", value, "}");
+  if (cell.distinguishable) value += "\\rlap{\\textsuperscript{*}}";
+  std::vector<std::string> lines = {value};
+  for (const std::string& text : {cell.interval, cell.percent, cell.percent_interval}) {
+    if (!text.empty()) lines.push_back("\\scriptsize " + LatexNumber(text));
+  }
+  const std::string latex = Stack(lines, "t");
   return cell.grey ? Grey(latex) : latex;
 }
 
 std::string HeadingLatex(const ColumnText& column) {
-  std::string latex;
-  for (const std::string& line : HeadingLines(column)) {
-    latex += StrCat(latex.empty() ? "" : "\\\\", Prose(line));
-  }
-  return StrCat("\\begin{tabular}[b]{@{}r@{}}", latex, "\\end{tabular}");
+  std::vector<std::string> lines;
+  for (const std::string& line : HeadingLines(column)) lines.push_back(Prose(line));
+  return lines.empty() ? "" : Stack(lines, "b");
 }
 
 // A line of a table: texts at the left, then numbers.
@@ -44,28 +55,14 @@ std::string RowLatex(const std::vector<std::string>& cells) {
   return latex + " \\\\\n";
 }
 
-std::string SmallRow(const TextLine& line, const LatexPanel& panel, std::string CellText::*part) {
-  std::vector<std::string> cells(line.texts.size());
-  bool any = false;
-  for (const std::size_t column : panel.columns) {
-    const std::string& text = line.cells[column].*part;
-    any = any || !text.empty();
-    const std::string small = StrCat("\\scriptsize ", LatexNumber(text));
-    cells.push_back(text.empty() ? "" : line.cells[column].grey ? Grey(small) : small);
-  }
-  return any ? RowLatex(cells) : "";
-}
-
 std::string LineLatex(const TextLine& line, const LatexPanel& panel) {
   std::vector<std::string> cells;
   for (const std::string& text : line.texts) {
     const std::string latex = LatexEscaped(text, kWordInColumn);
     cells.push_back(line.grey && !text.empty() ? Grey(latex) : latex);
   }
-  for (const std::size_t column : panel.columns) cells.push_back(ValueLatex(line.cells[column]));
-  return RowLatex(cells) + SmallRow(line, panel, &CellText::interval) +
-         SmallRow(line, panel, &CellText::percent) +
-         SmallRow(line, panel, &CellText::percent_interval);
+  for (const std::size_t column : panel.columns) cells.push_back(CellLatex(line.cells[column]));
+  return RowLatex(cells);
 }
 
 std::string PanelLatex(const TableTexts& texts, const TextBlock& block, const LatexPanel& panel,

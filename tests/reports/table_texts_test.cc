@@ -164,6 +164,14 @@ TEST(BestCells, NeedTheSameScenesAndTheSameData) {
   EXPECT_FALSE(MakeTexts(table).blocks[0].lines[0].cells[3].best) << "no direction is known";
 }
 
+TEST(BestCells, AreNotThoseOfWhoCoversNothing) {
+  Table table = test::HostileTable();
+  table.rows[1].cells[4] = test::CellOf(1.0, 0.0, 2.0);
+  EXPECT_TRUE(MakeTexts(table).blocks[0].lines[1].cells[4].best);
+  table.rows[1].cells[2] = test::CellOf(0.0, 0.0, 0.0);
+  EXPECT_FALSE(MakeTexts(table).blocks[0].lines[1].cells[4].best);
+}
+
 TEST(BestCells, TiesAsPrintedAreAllBest) {
   Table table = test::HostileTable();
   table.rows[2].cells[3] = test::CellOf(0.05762, 0.034, 0.085);
