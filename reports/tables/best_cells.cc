@@ -71,12 +71,24 @@ class Contest {
   bool same_scenes_ = true;
 };
 
+// Where nothing is covered nothing is best, such as no switch of an identity.
+bool CoversNothing(const Table& table, const Row& row, std::size_t column) {
+  const std::string coverage = CoverageOf(table.columns[column].metric);
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    if (table.columns[i].metric == coverage && i != column) {
+      return row.cells[i].present && row.cells[i].value == 0.0;
+    }
+  }
+  return false;
+}
+
 bool MarkColumn(const Table& table, const std::vector<TextLine*>& lines, std::size_t column,
                 bool higher_is_better) {
   Contest contest;
   for (TextLine* line : lines) {
     const Row& row = table.rows[*line->row];
     if (!line->reference) {
+      if (CoversNothing(table, row, column)) continue;
       contest.AddOurs(row, row.cells[column], line->cells[column]);
     } else if (const auto& cell = row.reference[*line->reference].cells[column]) {
       contest.AddTheirs(*cell, line->cells[column]);

@@ -21,6 +21,7 @@ int Significant(double value, int digits) {
 }
 
 int ByUnit(double value, const std::string& unit) {
+  if (unit == kCountUnit) return value == std::floor(value) ? 0 : 2;
   if (unit == "m" || unit == "rad") return std::abs(value) < 0.01 && value != 0.0 ? 5 : 4;
   if (unit == "%") return 2;
   if (unit == "1" || value == 0.0) return 3;
@@ -46,18 +47,17 @@ std::optional<int> ByInterval(const Measured& figure) {
 }  // namespace
 
 std::vector<int> ColumnDecimals(const std::vector<Measured>& figures, const std::string& unit) {
-  int most = 0;
-  for (const Measured& figure : figures) most = std::max(most, ByInterval(figure).value_or(0));
+  std::optional<int> most;
+  for (const Measured& figure : figures) {
+    if (const std::optional<int> own = ByInterval(figure)) most = std::max(most.value_or(0), *own);
+  }
   std::vector<int> decimals;
   for (const Measured& figure : figures) {
-    const std::optional<int> own = ByInterval(figure);
+    const bool alone = !figure.interval || !most;
     const double magnitude = Magnitude(figure);
-    if (!own) {
-      decimals.push_back(ByUnit(figure.value, unit));
-    } else {
-      const int limit = magnitude == 0.0 ? most : Significant(magnitude, 4);
-      decimals.push_back(std::max(*own, std::min(most, limit)));
-    }
+    const int limit = magnitude == 0.0 ? kMostDecimals : Significant(magnitude, 4);
+    decimals.push_back(alone ? ByUnit(figure.value, unit)
+                             : std::max(ByInterval(figure).value_or(0), std::min(*most, limit)));
   }
   return decimals;
 }

@@ -16,6 +16,9 @@ struct Measured {
   std::optional<Interval> interval;
 };
 
+// A number of events, which the results call "1" as any plain number.
+inline constexpr char kCountUnit[] = "events";
+
 // Decimals of each figure of one column. Half the width of an interval is worth two significant
 // digits; its figure has at least two and at most four, and the figures of a column as many
 // decimals as the one that needs most. Without an interval the unit decides.

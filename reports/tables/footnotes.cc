@@ -32,27 +32,25 @@ std::string ColumnName(const Table& table, std::size_t index) {
   return same == 1 ? column.label : StrCat(column.label, " [", column.unit, "]");
 }
 
-// Things that are said of several columns, each once, in the order in which they come up.
-class ByColumns {
+// Things that are said of several columns or rows, each once, in the order in which they come up.
+class ByNames {
  public:
-  void Add(const std::string& text, const std::string& column) {
+  void Add(const std::string& text, const std::string& name) {
     if (text.empty()) return;
-    if (columns_.find(text) == columns_.end()) order_.push_back(text);
-    AddOnce(column, columns_[text]);
+    if (names_.find(text) == names_.end()) order_.push_back(text);
+    AddOnce(name, names_[text]);
   }
-  void Print(const std::string& before, Lines& lines) const {
+  void Print(const std::string& before, Lines& lines, const char* between = ": ") const {
     for (const std::string& text : order_) {
-      std::string columns;
-      for (const std::string& column : columns_.at(text)) {
-        columns += (columns.empty() ? "" : ", ") + column;
-      }
-      lines.push_back(StrCat(before, columns, ": ", text));
+      std::string names;
+      for (const std::string& name : names_.at(text)) names += (names.empty() ? "" : ", ") + name;
+      lines.push_back(StrCat(before, names, between, text));
     }
   }
 
  private:
   Lines order_;
-  std::map<std::string, Lines> columns_;
+  std::map<std::string, Lines> names_;
 };
 
 void AddJobs(const Table& table, Lines& lines) {
@@ -89,9 +87,9 @@ void AddProblems(const Table& table, Lines& lines) {
 }
 
 void AddIntervals(const Table& table, Lines& lines) {
-  ByColumns meanings;
+  ByNames meanings;
   bool differences = false;
-  ByColumns pairings;
+  ByNames pairings;
   for (const Row& row : table.rows) {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const Cell& cell = row.cells[i];
@@ -111,9 +109,11 @@ void AddIntervals(const Table& table, Lines& lines) {
   pairings.Print("", lines);
 }
 
+// What is the same for several rows is said once.
 void AddCells(const Table& table, Lines& lines) {
+  ByNames rows;
   for (const Row& row : table.rows) {
-    ByColumns said;
+    ByNames said;
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const Cell& cell = row.cells[i];
       const std::string label = ColumnName(table, i);
@@ -123,8 +123,11 @@ void AddCells(const Table& table, Lines& lines) {
         said.Add("in brackets, means something else: " + cell.not_comparable, label);
       }
     }
-    said.Print(RowLabel(row) + ", ", lines);
+    Lines of_row;
+    said.Print("", of_row);
+    for (const std::string& line : of_row) rows.Add(line, RowLabel(row));
   }
+  rows.Print("", lines, "; ");
 }
 
 // The rows behind one text of a column, where the column has several.
@@ -146,7 +149,7 @@ std::string CountsOfColumn(const Table& table, std::size_t column) {
 }
 
 void AddCounts(const Table& table, Lines& lines) {
-  ByColumns counts;
+  ByNames counts;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     counts.Add(CountsOfColumn(table, i), ColumnName(table, i));
   }
@@ -155,7 +158,7 @@ void AddCounts(const Table& table, Lines& lines) {
 
 // Accuracy without its coverage favours who loses what is hard.
 void AddMissingCoverage(const Table& table, Lines& lines) {
-  ByColumns missing;
+  ByNames missing;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const std::string coverage = CoverageOf(table.columns[i].metric);
     const bool there = coverage.empty() ||
@@ -185,11 +188,25 @@ Lines Reasons(const Table& table, std::size_t source) {
   return reasons;
 }
 
+bool AnyDoesNotCompare(const Table& table) {
+  const auto in = [](const std::vector<ReferenceRow>& others) {
+    for (const ReferenceRow& line : others) {
+      for (const auto& cell : line.cells) {
+        if (cell && cell->match != Match::kMatches) return true;
+      }
+    }
+    return false;
+  };
+  return in(table.others) || std::any_of(table.rows.begin(), table.rows.end(),
+                                         [&](const Row& row) { return in(row.reference); });
+}
+
 void AddReferences(const Table& table, Lines& lines) {
-  if (table.sources.empty()) return;
-  lines.emplace_back(
-      "(in brackets): not comparable with ours: other scenes, frames or images, or a metric that "
-      "differs or that the source does not define");
+  if (AnyDoesNotCompare(table)) {
+    lines.emplace_back(
+        "(in brackets): not comparable with ours: other scenes, frames or images, or a metric that "
+        "differs or that the source does not define");
+  }
   for (std::size_t i = 0; i < table.sources.size(); ++i) {
     std::string note = SourceMark(i) + " " + table.sources[i].source;
     if (!table.sources[i].caveat.empty()) note += "; " + table.sources[i].caveat;
@@ -202,8 +219,8 @@ void AddOptions(const Table& table, Lines& lines) {
   for (const ChangedOption& option : table.provenance.options) {
     std::string values;
     for (const std::string& value : option.values) values += (values.empty() ? "" : ", ") + value;
-    lines.push_back(
-        StrCat("option ", option.path, ": ", values, " (default ", option.default_value, ")"));
+    lines.push_back(StrCat("option ", option.path, ": ", values, " (default ",
+                           option.default_value.empty() ? "none" : option.default_value, ")"));
   }
 }
 

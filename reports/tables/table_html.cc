@@ -57,13 +57,13 @@ std::string ClassesOf(const CellText& cell) {
                 cell.grey ? " grey" : "", cell.value == "-" ? " missing" : "");
 }
 
+// Digits end at the right edge: "best" stands before them, and the star hangs over.
 std::string ValueHtml(const CellText& cell) {
   std::string html = Span("value", cell.Shown());
-  if (cell.best) html = "<strong>" + html + "</strong>";
+  if (cell.best) html = "<span class=\"mark\">best</span> <strong>" + html + "</strong>";
   if (cell.distinguishable) {
-    html += "<abbr class=\"mark\" title=\"distinguishable from noise\">*</abbr>";
+    html += "<abbr class=\"star\" title=\"distinguishable from noise\">*</abbr>";
   }
-  if (cell.best) html += " <span class=\"mark\">best</span>";
   return html;
 }
 
@@ -132,10 +132,10 @@ std::string BlockHtml(const Table& table, const TableTexts& texts, std::size_t i
   std::string html = "<div class=\"cvo-scroll\" role=\"region\" tabindex=\"0\"" +
                      Attribute("aria-labelledby", caption) + ">\n";
   html += StrCat("<table class=\"", differences ? "cvo-differences" : "cvo-values", "\">\n");
-  html += "<caption" + Attribute("id", caption) + ">";
+  html += "<caption" + Attribute("id", caption) + "><span class=\"cvo-caption\">";
   html += differences ? HtmlEscaped(block.heading)
                       : Span("cvo-title", texts.title) + " " + Span("cvo-about", texts.about);
-  html += "</caption>\n" + HeaderHtml(table, texts) + "<tbody>\n";
+  html += "</span></caption>\n" + HeaderHtml(table, texts) + "<tbody>\n";
   for (const TextLine& line : block.lines) html += LineHtml(table, line, differences);
   return html + "</tbody>\n</table>\n</div>\n";
 }

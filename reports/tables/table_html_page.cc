@@ -21,6 +21,7 @@ body { margin: 0 auto; padding: 1rem; max-width: 110rem; color: var(--text);
 .cvo-scroll:focus-visible { outline: 2px solid currentColor; outline-offset: 2px; }
 table { border-collapse: collapse; border-top: 2px solid; border-bottom: 2px solid; }
 caption { text-align: left; padding-bottom: .5rem; color: var(--quiet); }
+.cvo-caption { display: inline-block; position: sticky; left: 0; max-width: calc(100vw - 3rem); }
 .cvo-title { font-weight: 600; font-size: 1.1rem; color: var(--text); }
 th, td { padding: .3rem .6rem; text-align: left; vertical-align: top; }
 thead th { border-bottom: 1px solid; vertical-align: bottom; }
@@ -34,7 +35,8 @@ tbody tr.ours, tbody tr.ours th:first-child { background: var(--stripe); }
 .interval, .n, .reason, .unit, .mark, .grey { color: var(--quiet); }
 .reason { white-space: normal; min-width: 9em; font-style: italic; }
 .best .value, .best .mark { color: var(--best); }
-.mark { font-size: .85em; text-decoration: none; }
+.mark { font-size: .8em; }
+.star { display: inline-block; width: 0; text-decoration: none; }
 .cvo-notes { color: var(--quiet); max-width: 60rem; font-size: .9rem; }
 .cvo-notes ul { padding-left: 1.2rem; }
 )";

@@ -105,8 +105,13 @@ TextLine TheirLine(const ReferenceRow& line, const Table& table) {
   return texts;
 }
 
+std::string PercentText(double percent, bool change) {
+  const std::string text = Fixed(percent, 1);
+  return StrCat(change && text[0] != '-' ? "+" : "", text, "%");
+}
+
 std::string PercentRangeText(const Interval& interval) {
-  return Printed(interval.low, "%.0f..") + Printed(interval.high, "%.0f%%");
+  return StrCat(Fixed(interval.low, 0), "..", Fixed(interval.high, 0), "%");
 }
 
 CellText DifferenceText(const Difference& difference, int decimals, bool change) {
@@ -116,7 +121,7 @@ CellText DifferenceText(const Difference& difference, int decimals, bool change)
   if (difference.interval) text.interval = RangeText(*difference.interval, decimals);
   const auto& percent = change ? difference.percent : difference.reference_lower;
   const auto& range = change ? difference.percent_interval : difference.reference_lower_interval;
-  if (percent) text.percent = Printed(*percent, change ? "%+.1f%%" : "%.1f%%");
+  if (percent) text.percent = PercentText(*percent, change);
   if (range) text.percent_interval = PercentRangeText(*range);
   text.n = StrCat(difference.pairs, difference.pairs == 1 ? " pair" : " pairs");
   text.units = text.n;
@@ -124,28 +129,51 @@ CellText DifferenceText(const Difference& difference, int decimals, bool change)
   return text;
 }
 
-// Fills one column of all our lines, whose figures share their number of decimals.
-void AddValueColumn(const Table& table, std::size_t column, std::vector<TextLine>& lines) {
+std::string UnitForDigits(const Column& column) {
+  const auto rule = FindRule(column.metric);
+  return rule && rule->kind == MetricRule::Kind::kCount ? kCountUnit : column.unit;
+}
+
+// Decimals of a column's cells that do or do not compare with each other.
+std::vector<int> DecimalsOf(const Table& table, std::size_t column, bool comparable) {
   std::vector<Measured> figures;
   for (const Row& row : table.rows) {
     const Cell& cell = row.cells[column];
-    if (cell.present) figures.push_back({cell.value, cell.interval});
+    if (cell.present && cell.not_comparable.empty() == comparable) {
+      figures.push_back({cell.value, cell.interval});
+    }
   }
-  const std::vector<int> decimals = ColumnDecimals(figures, table.columns[column].unit);
-  std::size_t index = 0;
+  return ColumnDecimals(figures, UnitForDigits(table.columns[column]));
+}
+
+// Fills one column of all our lines.
+void AddValueColumn(const Table& table, std::size_t column, std::vector<TextLine>& lines) {
+  const std::vector<int> comparable = DecimalsOf(table, column, true);
+  const std::vector<int> others = DecimalsOf(table, column, false);
+  auto next = comparable.begin();
+  auto next_other = others.begin();
   for (TextLine& line : lines) {
     const Cell& cell = table.rows[*line.row].cells[column];
-    line.cells.push_back(ValueText(cell, cell.present ? decimals[index++] : 0));
+    if (!cell.present) {
+      line.cells.push_back(ValueText(cell, 0));
+    } else {
+      line.cells.push_back(ValueText(cell, cell.not_comparable.empty() ? *next++ : *next_other++));
+    }
   }
 }
 
+// Differences have the decimals of the values, and one more where their interval bears it: those of
+// a difference that is nearly 0 would be noise.
 void AddDifferenceColumn(const Table& table, std::size_t column, std::vector<TextLine>& lines) {
   std::vector<Measured> figures;
   for (const Row& row : table.rows) {
     const auto& difference = row.cells[column].difference;
     if (difference) figures.push_back({difference->difference, difference->interval});
   }
-  const std::vector<int> decimals = ColumnDecimals(figures, table.columns[column].unit);
+  std::vector<int> decimals = ColumnDecimals(figures, UnitForDigits(table.columns[column]));
+  const std::vector<int> values = DecimalsOf(table, column, true);
+  const int most = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+  for (int& count : decimals) count = std::clamp(count, most, most + 1);
   std::size_t index = 0;
   for (TextLine& line : lines) {
     const auto& difference = table.rows[*line.row].cells[column].difference;
@@ -245,7 +273,7 @@ TableTexts MakeTexts(const Table& table) {
 }
 
 std::string BestNote(const std::string& mark) {
-  return mark + ": best of its column among rows on the same data, by value alone";
+  return mark + ": best of its column among rows on the same data, by its value alone";
 }
 
 }  // namespace cvo::reports

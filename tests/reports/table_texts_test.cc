@@ -46,6 +46,26 @@ TEST(Digits, WithoutAnIntervalFollowTheUnit) {
   EXPECT_THAT(ColumnDecimals({}, "m"), SizeIs(0));
 }
 
+TEST(Digits, OfCountsAreFew) {
+  EXPECT_THAT(ColumnDecimals({{3.0, {}}, {1.25, {}}}, kCountUnit), ElementsAre(0, 2));
+  EXPECT_THAT(ColumnDecimals({With(1.5, 0.0, 4.0), With(0.0, 0.0, 0.0)}, kCountUnit),
+              ElementsAre(1, 1));
+}
+
+TEST(Digits, OfDifferencesAreAboutThoseOfTheValues) {
+  Table table = test::HostileTable();
+  Difference& difference = *table.rows[1].cells[3].difference;
+  difference.difference = -3e-8;
+  difference.interval = Interval{-1e-7, 2e-8, ""};
+  difference.reference_lower = -0.001;
+  difference.reference_lower_interval = Interval{-0.2, 15.0, ""};
+  const CellText cell = MakeTexts(table).blocks[1].lines[0].cells[3];
+  EXPECT_EQ(cell.value, "+0.0000");
+  EXPECT_EQ(cell.interval, "0.0000..0.0000");
+  EXPECT_EQ(cell.percent, "0.0%");
+  EXPECT_EQ(cell.percent_interval, "0..15%");
+}
+
 TEST(Digits, ZeroHasNoSign) {
   EXPECT_EQ(Fixed(-0.0004, 3), "0.000");
   EXPECT_EQ(Fixed(-0.0006, 3), "-0.001");
@@ -142,6 +162,14 @@ TEST(BestCells, NeedTheSameScenesAndTheSameData) {
   table = test::HostileTable();
   table.columns[3].metric = "unheard_of";
   EXPECT_FALSE(MakeTexts(table).blocks[0].lines[0].cells[3].best) << "no direction is known";
+}
+
+TEST(BestCells, AreNotThoseOfWhoCoversNothing) {
+  Table table = test::HostileTable();
+  table.rows[1].cells[4] = test::CellOf(1.0, 0.0, 2.0);
+  EXPECT_TRUE(MakeTexts(table).blocks[0].lines[1].cells[4].best);
+  table.rows[1].cells[2] = test::CellOf(0.0, 0.0, 0.0);
+  EXPECT_FALSE(MakeTexts(table).blocks[0].lines[1].cells[4].best);
 }
 
 TEST(BestCells, TiesAsPrintedAreAllBest) {
