@@ -19,6 +19,7 @@ Command AddEvalCommand(CLI::App& program);
 Command AddSynthCommand(CLI::App& program);
 Command AddExperimentCommand(CLI::App& program);
 Command AddCheckCommand(CLI::App& program);
+Command AddFiguresCommand(CLI::App& program);
 Command AddInfoCommand(CLI::App& program);
 Command AddVariantsCommand(CLI::App& program);
 Command AddOptionsCommand(CLI::App& program);

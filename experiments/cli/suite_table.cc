@@ -18,12 +18,12 @@ namespace {
 
 constexpr int kIncomplete = 1;
 
+}  // namespace
+
 std::string DefaultOptions() {
   Options options;
   return DumpJson(OptionsToJson(OptionLeaves(options)));
 }
-
-}  // namespace
 
 int WriteSuiteTable(const std::filesystem::path& folder) {
   const reports::Table table =

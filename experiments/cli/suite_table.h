@@ -3,8 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace cvo {
+
+// The estimator's options at their defaults, as nested JSON.
+std::string DefaultOptions();
 
 // Writes table.json and table.md to the folder that a suite is run to and prints the table. 0: all
 // that can run has run; 1: some jobs failed or did not run yet. Throws Error without a plan.
