@@ -14,8 +14,9 @@ namespace {
 constexpr int kTitleSize_px = 13;
 constexpr int kCaptionSize_px = 11;
 constexpr double kLine = 1.32;         // of the size of its letters, from line to line
-constexpr double kLetterWidth = 0.50;  // of its size, on average
+constexpr double kLetterWidth = 0.53;  // of its size, on average
 constexpr int kMargin_px = 12;
+constexpr char kInk[] = "#222222";
 constexpr char kFontFamily[] = "Liberation Sans, Arial, Helvetica, sans-serif";
 
 std::size_t CharactersIn(int width_px, int size_px) {
@@ -26,36 +27,33 @@ int HeightOf(std::size_t lines, int size_px) {
   return static_cast<int>(kLine * size_px * static_cast<double>(lines));
 }
 
-// Lines as Plotly draws them. The first sentence is what it is, the rest how it is measured.
-std::vector<std::string> TitleLines(const Figure& figure) {
-  const std::size_t characters = CharactersIn(figure.width_px, kTitleSize_px);
-  const std::size_t end = figure.title.find(". ");
-  std::vector<std::string> lines;
-  for (const std::string& line : Wrapped(figure.title.substr(0, end), characters * 9 / 10)) {
-    lines.push_back(StrCat("<b>", PlotText(line), "</b>"));
-  }
-  if (end == std::string::npos) return lines;
-  for (const std::string& line : Wrapped(figure.title.substr(end + 2), characters)) {
-    lines.push_back(PlotText(line));
-  }
-  return lines;
-}
-
-std::string Joined(const std::vector<std::string>& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += StrCat(text.empty() ? "" : "<br>", line);
-  return text;
-}
-
 // Lines of SVG, the first one's letters on the height given.
-std::string CaptionSvg(const std::vector<std::string>& lines, int first_px) {
-  std::string svg = StrCat("<text font-family=\"", kFontFamily, "\" font-size=\"", kCaptionSize_px,
-                           "px\" fill=\"#222222\">");
+std::string LinesSvg(const std::vector<std::string>& lines, int size_px, int first_px,
+                     const char* weight) {
+  std::string svg = StrCat("<text font-family=\"", kFontFamily, "\" font-size=\"", size_px,
+                           "px\" font-weight=\"", weight, "\" fill=\"", kInk, "\">");
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    svg += StrCat("<tspan x=\"", kMargin_px, "\" y=\"", first_px + HeightOf(i, kCaptionSize_px),
-                  "\">", PlotText(lines[i]), "</tspan>");
+    svg += StrCat("<tspan x=\"", kMargin_px, "\" y=\"", first_px + HeightOf(i, size_px), "\">",
+                  PlotText(lines[i]), "</tspan>");
   }
   return svg + "</text>";
+}
+
+// The first sentence of a title is what it is, the rest how it is measured.
+struct Title {
+  std::vector<std::string> what;
+  std::vector<std::string> how;
+};
+
+Title MakeTitle(const Figure& figure) {
+  const std::size_t characters = CharactersIn(figure.width_px, kTitleSize_px);
+  const std::size_t end = figure.title.find(". ");
+  Title title{Wrapped(figure.title.substr(0, end), characters * 9 / 10), {}};
+  if (end != std::string::npos) {
+    title.how =
+        Wrapped(figure.title.substr(end + 2), CharactersIn(figure.width_px, kCaptionSize_px));
+  }
+  return title;
 }
 
 }  // namespace
@@ -78,10 +76,11 @@ std::vector<std::string> Wrapped(const std::string& text, std::size_t characters
 PaperFigure OnPaper(const Figure& figure) {
   Json plotly = ParseJson(figure.plotly, "figure " + figure.id);
   Json& layout = plotly["layout"];
-  const std::vector<std::string> title = TitleLines(figure);
+  const Title title = MakeTitle(figure);
   const std::vector<std::string> caption =
       Wrapped(figure.caption, CharactersIn(figure.width_px, kCaptionSize_px));
-  const int above_px = HeightOf(title.size(), kTitleSize_px) + kMargin_px + 4;
+  const int how_px = kMargin_px + HeightOf(title.what.size(), kTitleSize_px);
+  const int above_px = how_px + HeightOf(title.how.size(), kCaptionSize_px) + 6;
   const int below_px = HeightOf(caption.size(), kCaptionSize_px) + kMargin_px;
   const int height_px = layout["height"].get<int>() + above_px + below_px;
   layout["height"] = height_px;
@@ -90,20 +89,16 @@ PaperFigure OnPaper(const Figure& figure) {
   layout["margin"]["t"] = layout["margin"]["t"].get<int>() + above_px;
   layout["margin"]["b"] = layout["margin"]["b"].get<int>() + below_px;
   layout["legend"]["y"] = Rounded(1.0 - static_cast<double>(above_px) / height_px, 6);
-  layout["title"] = {{"text", Joined(title)},
-                     {"font", {{"size", kTitleSize_px}}},
-                     {"xref", "container"},
-                     {"yref", "container"},
-                     {"x", Rounded(static_cast<double>(kMargin_px) / figure.width_px, 6)},
-                     {"xanchor", "left"},
-                     {"y", Rounded(1.0 - static_cast<double>(kMargin_px) / height_px, 6)},
-                     {"yanchor", "top"}};
   layout["paper_bgcolor"] = "#ffffff";
   layout["plot_bgcolor"] = "#ffffff";
-  layout["font"]["color"] = "#222222";
+  layout["font"]["color"] = kInk;
   layout["font"]["family"] = kFontFamily;
-  return {PlotJson(plotly["data"], layout),
-          CaptionSvg(caption, height_px - below_px + kCaptionSize_px), figure.width_px, height_px};
+  PaperFigure paper{PlotJson(plotly["data"], layout), "", figure.title, figure.width_px, height_px};
+  paper.texts_svg =
+      LinesSvg(title.what, kTitleSize_px, kMargin_px + kTitleSize_px, "bold") +
+      LinesSvg(title.how, kCaptionSize_px, how_px + kCaptionSize_px, "normal") +
+      LinesSvg(caption, kCaptionSize_px, height_px - below_px + kCaptionSize_px, "normal");
+  return paper;
 }
 
 std::string FigureJson(const Figure& figure) {

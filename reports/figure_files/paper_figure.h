@@ -11,8 +11,9 @@ namespace cvo::reports {
 
 // A figure that stands alone, black on white, its title above and its caption below it.
 struct PaperFigure {
-  std::string plotly;       // JSON text {"data":[...],"layout":{...}}, with room for the caption
-  std::string caption_svg;  // goes before the end of the SVG that Plotly makes
+  std::string plotly;     // JSON text {"data":[...],"layout":{...}}, with room for the texts
+  std::string texts_svg;  // title and caption, to go before the end of the SVG that Plotly makes
+  std::string title;      // plain
   int width_px = 0;
   int height_px = 0;
 };

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "reports/figures/numbers.h"
 #include "reports/web/assets.h"
 
 namespace cvo::reports {
@@ -83,10 +84,10 @@ std::optional<std::string> Between(std::string_view page, std::string_view mark,
   return Decoded(page.substr(begin + mark.size(), end - begin - mark.size()));
 }
 
-std::string WithCaption(std::string svg, const PaperFigure& figure) {
+std::string WithTexts(std::string svg, const PaperFigure& figure) {
   const std::size_t end = svg.rfind("</svg>");
   if (end == std::string::npos) ThrowError("browser", "a figure that is no SVG", "one");
-  return svg.insert(end, figure.caption_svg) + "\n";
+  return svg.insert(end, figure.texts_svg) + "\n";
 }
 
 // Replaces the digits that follow each mark, up to `stop`.
@@ -123,7 +124,7 @@ std::vector<std::string> ReadRendered(std::string_view dumped_page,
   std::vector<std::string> texts;
   while (const auto svg = Between(dumped_page, kBegin, at)) {
     if (texts.size() == figures.size()) break;
-    texts.push_back(WithCaption(*svg, figures[texts.size()]));
+    texts.push_back(WithTexts(*svg, figures[texts.size()]));
   }
   if (texts.size() != figures.size()) {
     ThrowError("browser", StrCat(texts.size(), " figures drawn"), StrCat(figures.size()));
@@ -134,8 +135,9 @@ std::vector<std::string> ReadRendered(std::string_view dumped_page,
 std::string PrintPage(const std::string& svg, const PaperFigure& figure) {
   return StrCat(
       "<!DOCTYPE html>\n<html><head><meta "
-      "charset=\"utf-8\"><title>figure</title><style>@page{size:",
-      figure.width_px, "px ", figure.height_px,
+      "charset=\"utf-8\"><title>",
+      PlotText(figure.title), "</title><style>@page{size:", figure.width_px, "px ",
+      figure.height_px,
       "px;margin:0}html,body{margin:0;padding:0}svg{display:block}</style></head><body>", svg,
       "</body></html>\n");
 }
