@@ -21,6 +21,7 @@ Command AddExperimentCommand(CLI::App& program);
 Command AddCheckCommand(CLI::App& program);
 Command AddReportCommand(CLI::App& program);
 Command AddOverlayCommand(CLI::App& program);
+Command AddFiguresCommand(CLI::App& program);
 Command AddInfoCommand(CLI::App& program);
 Command AddVariantsCommand(CLI::App& program);
 Command AddOptionsCommand(CLI::App& program);

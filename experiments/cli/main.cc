@@ -71,7 +71,8 @@ int Main(int argc, char** argv) {
                                          AddInfoCommand(program),       AddVariantsCommand(program),
                                          AddOptionsCommand(program),    AddSynthCommand(program),
                                          AddExperimentCommand(program), AddCheckCommand(program),
-                                         AddOverlayCommand(program),    AddReportCommand(program)};
+                                         AddOverlayCommand(program),    AddReportCommand(program),
+                                         AddFiguresCommand(program)};
   try {
     CheckSubcommand(argc, argv, program);
     program.parse(argc, argv);

@@ -122,6 +122,19 @@ bool HasMean(const SeriesRows& series, const ErrorAndCoverage& pair) {
          series.all->cells[pair.coverage].present;
 }
 
+// Who has no point, such as a variant that finds no object.
+std::string WithoutPoint(const std::vector<SeriesRows>& series, const Table& table,
+                         const ErrorAndCoverage& pair) {
+  std::string text;
+  for (const SeriesRows& rows : series) {
+    if (rows.all == nullptr || HasMean(rows, pair)) continue;
+    text += StrCat(" Without a mark: ", rows.label, ", no ", table.columns[pair.error].label,
+                   ", coverage ",
+                   SayCell(rows.all->cells[pair.coverage], table.columns[pair.coverage]), ".");
+  }
+  return text;
+}
+
 std::string Alt(const std::vector<SeriesRows>& series, const Table& table,
                 const ErrorAndCoverage& pair) {
   const Column& error = table.columns[pair.error];
@@ -157,6 +170,7 @@ Figure DrawPair(const SuiteData& data, const std::vector<SeriesRows>& series,
   panel.y_axis["rangemode"] = "tozero";
   Plot plot(x_axis, {panel});
   for (const SeriesRows& rows : series) {
+    if (rows.all != nullptr && !HasMean(rows, pair)) continue;
     Json points = ScenePoints(rows, table, pair, palette.Of(rows.label));
     if (!HasMean(rows, pair)) points.update({{"showlegend", true}, {"name", PlotText(rows.label)}});
     plot.AddTrace(0, std::move(points));
@@ -172,7 +186,7 @@ Figure DrawPair(const SuiteData& data, const std::vector<SeriesRows>& series,
   figure.caption = StrCat(
       "Down and right is better. Full marks: all sequences, with both intervals; "
       "faint marks: one sequence each. ",
-      IntervalText(table, {pair.error, pair.coverage}));
+      IntervalText(table, {pair.error, pair.coverage}), WithoutPoint(series, table, pair));
   figure.alt = Alt(series, table, pair);
   figure.width_px = 560;
   figure.height_px = plot.height_px();

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "reports/figures/drawn_scenes.h"
+#include "reports/figures/error_marks.h"
 #include "reports/figures/numbers.h"
 #include "reports/figures/palette.h"
 #include "reports/figures/plot.h"
@@ -16,13 +17,6 @@ namespace {
 
 constexpr std::size_t kMostBodies = 6;
 
-// How the errors of a scene are shown.
-struct ErrorScale {
-  double from_m = 100.0;
-  const char* unit = "cm";
-  bool log = false;
-};
-
 const BodyDetail* FindBody(const DrawnRun& run, int id) {
   for (const BodyDetail& body : run.detail.bodies) {
     if (body.id == id) return &body;
@@ -30,37 +24,53 @@ const BodyDetail* FindBody(const DrawnRun& run, int id) {
   return nullptr;
 }
 
-// Moving bodies that some run estimates, most visible first; then by id.
-std::vector<const BodyDetail*> BodiesToDraw(const DrawnScene& scene, std::size_t& left_out,
-                                            std::vector<std::string>& never) {
-  std::map<int, std::pair<const BodyDetail*, bool>> bodies;
+// Moving bodies that some run estimates, the most visible of them; by id.
+struct SceneBodies {
+  std::vector<const BodyDetail*> drawn;
+  std::size_t left_out = 0;
+  std::vector<std::string> never;  // estimated by no run
+};
+
+SceneBodies ChooseBodies(const DrawnScene& scene) {
+  std::map<int, std::pair<const BodyDetail*, bool>> found;
   for (const DrawnRun* run : scene.runs) {
     for (const BodyDetail& body : run->detail.bodies) {
       if (!body.mover) continue;
-      auto& [known, estimated] = bodies.try_emplace(body.id, &body, false).first->second;
+      auto& [known, estimated] = found.try_emplace(body.id, &body, false).first->second;
       estimated = estimated || !body.estimated.empty();
     }
   }
-  std::vector<const BodyDetail*> drawn;
-  for (const auto& [id, body] : bodies) {
-    if (body.second) drawn.push_back(body.first);
-    if (!body.second) never.push_back(body.first->name);
+  SceneBodies bodies;
+  for (const auto& [id, body] : found) {
+    if (body.second) bodies.drawn.push_back(body.first);
+    if (!body.second) bodies.never.push_back(body.first->name);
   }
-  std::stable_sort(drawn.begin(), drawn.end(), [](const BodyDetail* a, const BodyDetail* b) {
-    return a->visible.size() > b->visible.size();
-  });
-  left_out = drawn.size() > kMostBodies ? drawn.size() - kMostBodies : 0;
-  if (left_out > 0) drawn.resize(kMostBodies);
-  std::sort(drawn.begin(), drawn.end(),
+  std::stable_sort(bodies.drawn.begin(), bodies.drawn.end(),
+                   [](const BodyDetail* a, const BodyDetail* b) {
+                     return a->visible.size() > b->visible.size();
+                   });
+  if (bodies.drawn.size() > kMostBodies) {
+    bodies.left_out = bodies.drawn.size() - kMostBodies;
+    bodies.drawn.resize(kMostBodies);
+  }
+  std::sort(bodies.drawn.begin(), bodies.drawn.end(),
             [](const BodyDetail* a, const BodyDetail* b) { return a->id < b->id; });
-  return drawn;
+  return bodies;
 }
 
-ErrorScale ScaleOf(const DrawnScene& scene, const std::vector<const BodyDetail*>& bodies) {
+// Whether the run says anything of these bodies.
+bool Shows(const DrawnRun& run, const SceneBodies& bodies) {
+  return std::any_of(bodies.drawn.begin(), bodies.drawn.end(), [&](const BodyDetail* drawn) {
+    const BodyDetail* body = FindBody(run, drawn->id);
+    return body != nullptr && !(body->estimated.empty() && body->predicted.empty());
+  });
+}
+
+ErrorScale ScaleOf(const DrawnScene& scene, const SceneBodies& bodies) {
   constexpr double kWideRatio = 15.0;
   std::vector<double> errors;
   for (const DrawnRun* run : scene.runs) {
-    for (const BodyDetail* drawn : bodies) {
+    for (const BodyDetail* drawn : bodies.drawn) {
       const BodyDetail* body = FindBody(*run, drawn->id);
       if (body == nullptr) continue;
       for (const BodyPosition& position : body->estimated) errors.push_back(position.error_m);
@@ -77,81 +87,12 @@ ErrorScale ScaleOf(const DrawnScene& scene, const std::vector<const BodyDetail*>
   return scale;
 }
 
-// A line that is broken where frames are missing.
-Json Line(const std::vector<BodyPosition>& positions, const ErrorScale& scale) {
-  Json x = Json::array();
-  Json y = Json::array();
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    if (i > 0 && positions[i].frame > positions[i - 1].frame + 1) {
-      x.push_back(positions[i].frame);
-      y.push_back(nullptr);
-    }
-    x.push_back(positions[i].frame);
-    const double error = scale.from_m * positions[i].error_m;
-    y.push_back(Rounded(scale.log ? std::max(error, 1e-3) : error, 3));
-  }
-  return {{"type", "scatter"}, {"x", x}, {"y", y}, {"showlegend", false}};
-}
-
-std::optional<double> ErrorAt(const BodyDetail& body, int frame) {
-  std::optional<double> error;
-  int nearest = 0;
-  for (const auto* positions : {&body.estimated, &body.predicted}) {
-    for (const BodyPosition& position : *positions) {
-      const int distance = std::abs(position.frame - frame);
-      if (error && distance >= nearest) continue;
-      error = position.error_m;
-      nearest = distance;
-    }
-  }
-  return error;
-}
-
 std::optional<int> FirstFrameOf(const DrawnRun& run, std::int64_t cluster) {
   for (const ClusterRow& row : run.detail.clusters) {
     if (row.id == cluster) return row.frame;
   }
   return std::nullopt;
 }
-
-// Marks at frames, at the height of the error there or of the nearest one.
-class Marks {
- public:
-  Marks(const char* symbol, const char* what) : symbol_(symbol), what_(what) {}
-
-  void Add(const BodyDetail& body, int frame, const DrawnRun& run, const ErrorScale& scale,
-           const Style& style) {
-    const auto error_m = ErrorAt(body, frame);
-    if (!error_m) return;
-    x_.push_back(frame);
-    y_.push_back(Rounded(std::max(scale.from_m * *error_m, scale.log ? 1e-3 : 0.0), 3));
-    texts_.push_back(PlotText(run.variant));
-    colours_.push_back(style.colour);
-  }
-  bool empty() const { return x_.empty(); }
-  Json Trace() const {
-    return {{"type", "scatter"},
-            {"mode", "markers"},
-            {"x", x_},
-            {"y", y_},
-            {"text", texts_},
-            {"showlegend", false},
-            {"hovertemplate", StrCat("%{text}: ", what_, " in frame %{x}<extra></extra>")},
-            {"marker",
-             {{"symbol", symbol_},
-              {"size", 10},
-              {"color", colours_},
-              {"line", {{"color", colours_}, {"width", 2}}}}}};
-  }
-
- private:
-  const char* symbol_;
-  const char* what_;
-  Json x_ = Json::array();
-  Json y_ = Json::array();
-  Json texts_ = Json::array();
-  Json colours_ = Json::array();
-};
 
 constexpr char kBirth[] = "triangle-up-open";
 constexpr char kSwitch[] = "x-thin-open";
@@ -161,7 +102,7 @@ void DrawRun(const DrawnRun& run, const BodyDetail& body, const ErrorScale& scal
   const auto add = [&](const std::vector<BodyPosition>& positions, const char* dash, double width,
                        const char* what) {
     if (positions.empty()) return;
-    Json trace = Line(positions, scale);
+    Json trace = ErrorLine(positions, scale);
     trace.update({{"mode", positions.size() == 1 ? "markers" : "lines"},
                   {"legendgroup", PlotText(run.variant)},
                   {"line", {{"color", style.colour}, {"dash", dash}, {"width", width}}},
@@ -174,11 +115,12 @@ void DrawRun(const DrawnRun& run, const BodyDetail& body, const ErrorScale& scal
   add(body.predicted, "dot", 1.6, ", predicted");
 }
 
-// Spans of frames in which the body has truth but is not visible.
-void ShadeHidden(const BodyDetail& body, std::size_t panel, Plot& plot) {
+// Spans of frames in which the body has truth but is not visible; whether there are any.
+bool ShadeHidden(const BodyDetail& body, std::size_t panel, Plot& plot) {
   const auto hidden = [&](int frame) {
     return !std::binary_search(body.visible.begin(), body.visible.end(), frame);
   };
+  bool any = false;
   for (std::size_t i = 0; i < body.truth.size(); ++i) {
     if (!hidden(body.truth[i].first)) continue;
     std::size_t last = i;
@@ -191,37 +133,50 @@ void ShadeHidden(const BodyDetail& body, std::size_t panel, Plot& plot) {
                           {"layer", "below"},
                           {"line", {{"width", 0}}},
                           {"fillcolor", kShade}});
+    any = true;
     i = last;
   }
+  return any;
 }
 
+// What a figure has come to hold, for its legend and caption.
+struct Held {
+  bool predictions = false;
+  bool births = false;
+  bool switches = false;
+  bool shades = false;
+};
+
 // Legend entries of their own, so that it is whole whatever the first panel holds.
-void AddLegend(const DrawnScene& scene, const Palette& palette, bool births, bool switches,
-               Plot& plot) {
+void AddLegend(const DrawnScene& scene, const SceneBodies& bodies, const Palette& palette,
+               const Held& held, Plot& plot) {
   const auto add = [&](Json trace) {
     trace.update({{"type", "scatter"}, {"x", {nullptr}}, {"y", {nullptr}}, {"hoverinfo", "skip"}});
     plot.AddTrace(0, std::move(trace));
   };
+  const auto add_mark = [&](const char* name, const char* symbol) {
+    add({{"mode", "markers"},
+         {"name", name},
+         {"marker",
+          {{"symbol", symbol},
+           {"size", 9},
+           {"color", kTruthColour},
+           {"line", {{"color", kTruthColour}, {"width", 2}}}}}});
+  };
   for (const DrawnRun* run : scene.runs) {
+    if (!Shows(*run, bodies)) continue;
     add({{"mode", "lines"},
          {"name", PlotText(run->variant)},
          {"legendgroup", PlotText(run->variant)},
          {"line", {{"color", palette.Of(run->variant).colour}, {"width", 2}}}});
   }
-  add({{"mode", "lines"},
-       {"name", "predicted"},
-       {"line", {{"color", kTruthColour}, {"dash", "dot"}}}});
-  const Json line = {{"color", kTruthColour}, {"width", 2}};
-  if (births) {
-    add({{"mode", "markers"},
-         {"name", "cluster begins"},
-         {"marker", {{"symbol", kBirth}, {"size", 9}, {"color", kTruthColour}, {"line", line}}}});
+  if (held.predictions) {
+    add({{"mode", "lines"},
+         {"name", "predicted"},
+         {"line", {{"color", kTruthColour}, {"dash", "dot"}}}});
   }
-  if (switches) {
-    add({{"mode", "markers"},
-         {"name", "identity switch"},
-         {"marker", {{"symbol", kSwitch}, {"size", 9}, {"color", kTruthColour}, {"line", line}}}});
-  }
+  if (held.births) add_mark("cluster begins", kBirth);
+  if (held.switches) add_mark("identity switch", kSwitch);
 }
 
 std::string SayBody(const DrawnScene& scene, const BodyDetail& drawn, const ErrorScale& scale) {
@@ -263,63 +218,77 @@ Panel PanelOf(const BodyDetail& body, const ErrorScale& scale) {
   return panel;
 }
 
-std::string Caption(const DrawnScene& scene, const ErrorScale& scale, std::size_t left_out,
-                    const std::vector<std::string>& never, bool switches) {
-  std::string text = StrCat(
-      "Shaded: the body has truth but is not visible (hidden, too small or out of the image). "
-      "Dotted: predicted by the motion model alone. Gaps: no estimate that counts. ");
+std::string Caption(const DrawnScene& scene, const SceneBodies& bodies, const ErrorScale& scale,
+                    const Held& held) {
+  std::string text = "Dotted: predicted by the motion model alone. Gaps: no estimate that counts. ";
+  if (held.shades) {
+    text += "Shaded: the body is not visible: hidden, too small or out of the image. ";
+  }
   if (scale.log) text += "The scale of errors is logarithmic. ";
-  if (!switches) text += "Identity switches are not known frame by frame: no landmarks.csv. ";
-  if (!never.empty()) text += StrCat("Never estimated: ", Listed(never), ". ");
-  if (left_out > 0)
-    text += StrCat(left_out, " bodies that are visible in fewer frames are not shown. ");
+  std::vector<std::string> silent;
+  std::vector<std::string> unknown;
   for (const DrawnRun* run : scene.runs) {
-    if (run->detail.bodies.empty()) text += StrCat(run->variant, ": no truth of bodies. ");
+    if (!Shows(*run, bodies)) silent.push_back(run->variant);
+    if (!run->switches) unknown.push_back(run->variant);
+  }
+  if (!silent.empty())
+    text += StrCat("Without an estimate of these bodies: ", Listed(silent), ". ");
+  if (!unknown.empty()) {
+    text += StrCat("Identity switches not known, no landmarks.csv: ", Listed(unknown), ". ");
+  }
+  if (!bodies.never.empty()) text += StrCat("Estimated by none: ", Listed(bodies.never), ". ");
+  if (bodies.left_out > 0) {
+    text += StrCat(bodies.left_out, " bodies that are visible in fewer frames are not shown. ");
   }
   text.pop_back();
   return text;
 }
 
-Figure DrawScene(const SuiteData& data, const DrawnScene& scene,
-                 const std::vector<const BodyDetail*>& bodies, std::string caption_end,
-                 const ErrorScale& scale) {
-  const Palette palette = PaletteOf(data.plan, VariantsOf(data.drawn));
-  std::vector<Panel> panels;
-  for (const BodyDetail* body : bodies) panels.push_back(PanelOf(*body, scale));
-  Plot plot(AxisOf("frame"), panels);
-  bool any_birth = false;
-  bool any_switch = false;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    ShadeHidden(*bodies[i], i, plot);
-    Marks births(kBirth, "cluster begins");
-    Marks switches(kSwitch, "identity switch");
-    for (const DrawnRun* run : scene.runs) {
-      const BodyDetail* body = FindBody(*run, bodies[i]->id);
-      if (body == nullptr) continue;
-      const Style& style = palette.Of(run->variant);
-      DrawRun(*run, *body, scale, style, i, plot);
-      const auto birth = FirstFrameOf(*run, body->cluster);
-      if (birth) births.Add(*body, *birth, *run, scale, style);
-      if (!run->switches) continue;
-      for (const IdentitySwitch& change : *run->switches) {
-        if (change.body == body->id) switches.Add(*body, change.frame, *run, scale, style);
-      }
+// One panel: what all runs say of a body.
+void DrawBody(const DrawnScene& scene, const BodyDetail& drawn, std::size_t panel,
+              const ErrorScale& scale, const Palette& palette, Held& held, Plot& plot) {
+  held.shades = ShadeHidden(drawn, panel, plot) || held.shades;
+  FrameMarks births(kBirth, "cluster begins");
+  FrameMarks switches(kSwitch, "identity switch");
+  for (const DrawnRun* run : scene.runs) {
+    const BodyDetail* body = FindBody(*run, drawn.id);
+    if (body == nullptr) continue;
+    const Style& style = palette.Of(run->variant);
+    DrawRun(*run, *body, scale, style, panel, plot);
+    held.predictions = held.predictions || !body->predicted.empty();
+    const auto birth = FirstFrameOf(*run, body->cluster);
+    if (birth) births.Add(*body, *birth, *run, scale, style);
+    if (!run->switches) continue;
+    for (const IdentitySwitch& change : *run->switches) {
+      if (change.body == body->id) switches.Add(*body, change.frame, *run, scale, style);
     }
-    any_birth = any_birth || !births.empty();
-    any_switch = any_switch || !switches.empty();
-    if (!births.empty()) plot.AddTrace(i, births.Trace());
-    if (!switches.empty()) plot.AddTrace(i, switches.Trace());
   }
-  AddLegend(scene, palette, any_birth, any_switch, plot);
+  held.births = held.births || !births.empty();
+  held.switches = held.switches || !switches.empty();
+  if (!births.empty()) plot.AddTrace(panel, births.Trace());
+  if (!switches.empty()) plot.AddTrace(panel, switches.Trace());
+}
+
+Figure DrawScene(const SuiteData& data, const DrawnScene& scene, const SceneBodies& bodies) {
+  const Palette palette = PaletteOf(data.plan, VariantsOf(data.drawn));
+  const ErrorScale scale = ScaleOf(scene, bodies);
+  std::vector<Panel> panels;
+  for (const BodyDetail* body : bodies.drawn) panels.push_back(PanelOf(*body, scale));
+  Plot plot(AxisOf("frame"), panels);
+  Held held;
+  for (std::size_t i = 0; i < bodies.drawn.size(); ++i) {
+    DrawBody(scene, *bodies.drawn[i], i, scale, palette, held, plot);
+  }
+  AddLegend(scene, bodies, palette, held, plot);
   Figure figure;
   figure.id = "error-over-time-" + Slug(scene.sequence);
   figure.group = "Error over time";
   figure.title = StrCat("Position error of moving bodies on ", scene.sequence, ", ",
                         SeedText(scene), ". Per frame, ", kTruthAlignment);
-  figure.caption = std::move(caption_end);
+  figure.caption = Caption(scene, bodies, scale, held);
   figure.alt =
       StrCat("Lines of position error over frames on ", scene.sequence, ", one panel per body. ");
-  for (const BodyDetail* body : bodies) figure.alt += SayBody(scene, *body, scale);
+  for (const BodyDetail* body : bodies.drawn) figure.alt += SayBody(scene, *body, scale);
   figure.alt.pop_back();
   figure.width_px = 720;
   figure.height_px = plot.height_px();
@@ -331,21 +300,14 @@ Figure DrawScene(const SuiteData& data, const DrawnScene& scene,
 
 void DrawErrorOverTime(const SuiteData& data, SuiteDrawing& drawing) {
   for (const DrawnScene& scene : GroupByScene(data.drawn)) {
-    std::size_t left_out = 0;
-    std::vector<std::string> never;
-    const auto bodies = BodiesToDraw(scene, left_out, never);
-    if (bodies.empty()) {
+    const SceneBodies bodies = ChooseBodies(scene);
+    if (bodies.drawn.empty()) {
       drawing.not_drawn.push_back(
           StrCat("Error over time on ", scene.sequence,
                  ": no moving body with truth is estimated in the runs read."));
       continue;
     }
-    const ErrorScale scale = ScaleOf(scene, bodies);
-    const bool switches =
-        std::all_of(scene.runs.begin(), scene.runs.end(),
-                    [](const DrawnRun* run) { return run->switches.has_value(); });
-    drawing.figures.push_back(
-        DrawScene(data, scene, bodies, Caption(scene, scale, left_out, never, switches), scale));
+    drawing.figures.push_back(DrawScene(data, scene, bodies));
   }
 }
 

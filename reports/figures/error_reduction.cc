@@ -112,7 +112,7 @@ HeatMap MakeHeatMap(const SuiteData& data) {
 std::string CellText(const HeatCell& cell) {
   if (!cell.reduction_percent) return "–";
   const double percent = std::round(*cell.reduction_percent);
-  std::string text = percent <= -1000.0 ? "< −999" : Say(std::abs(percent), 4);
+  std::string text = percent <= -1000.0 ? "−999+" : Say(std::abs(percent), 4);
   if (percent > -1000.0 && percent != 0.0) text = (percent < 0.0 ? "−" : "+") + text;
   return cell.distinguishable ? "<b>" + text + "</b>" : "(" + text + ")";
 }
@@ -159,6 +159,7 @@ Json BlockTrace(const HeatBlock& block, const HeatMap& map, const Table& table, 
           {"texttemplate", "%{text}"},
           {"customdata", hovers},
           {"coloraxis", "coloraxis"},
+          {"textfont", {{"size", 10}}},
           {"xgap", 1},
           {"ygap", 1},
           {"hoverongaps", false},
@@ -181,7 +182,7 @@ Json ColourAxis(double limit) {
             {0.83, "#67a9cf"},
             {1.0, "#2166ac"}}},
           {"colorbar",
-           {{"title", {{"text", "less error (%)"}, {"side", "right"}}},
+           {{"title", {{"text", "less<br>error (%)"}, {"side", "top"}, {"font", {{"size", 11}}}}},
             {"thickness", 12},
             {"ticksuffix", ""},
             {"len", 1}}}};
@@ -290,7 +291,7 @@ void DrawErrorReduction(const SuiteData& data, SuiteDrawing& drawing) {
                       " measures, against ", data.table.reference, ". ");
   for (const HeatBlock& block : map.blocks) figure.alt += SayBlock(block, map, data.table);
   figure.alt.pop_back();
-  figure.width_px = 190 + 56 * static_cast<int>(map.columns.size());
+  figure.width_px = 200 + 58 * static_cast<int>(map.columns.size());
   figure.height_px = plot.height_px();
   figure.plotly = plot.Text();
   drawing.figures.push_back(std::move(figure));

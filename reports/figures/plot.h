@@ -29,7 +29,7 @@ class Plot {
   void AddAnnotation(std::size_t panel, Json annotation);
 
   Json& layout() { return layout_; }
-  int height_px() const { return layout_["height"].get<int>(); }
+  int height_px() const { return layout_.at("height").get<int>(); }
   // Text in which no "<" is left, so that it may stand within a page's script.
   std::string Text() const;
 

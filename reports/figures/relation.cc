@@ -15,9 +15,16 @@ std::string FieldOr(const Contract& contract, const char* field) {
   return found == contract.end() || found->second.empty() ? "not stated" : found->second;
 }
 
+// A contract's words up to its first detail, which the definitions of the table hold in full.
+std::string Brief(const std::string& text) {
+  return text.substr(0, std::min({text.find(" ("), text.find(','), text.find(';')}));
+}
+
 std::string Relation(const Column& column) {
-  return StrCat("delta ", FieldOr(column.contract, "delta"), ", alignment ",
-                FieldOr(column.contract, "alignment"));
+  const std::string delta = Brief(FieldOr(column.contract, "delta"));
+  const std::string alignment = Brief(FieldOr(column.contract, "alignment"));
+  return StrCat(delta == "none" ? "" : StrCat("delta ", delta, ", "),
+                alignment == "none" ? "not aligned" : "alignment " + alignment);
 }
 
 }  // namespace

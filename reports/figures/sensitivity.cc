@@ -73,12 +73,12 @@ Json XAxis(const SweptOption& option) {
 
 Panel PanelOf(const Column& column) {
   const Shown shown = ShownAs(column.metric, column.unit);
-  Panel panel{AxisOf(""), IsCoverage(column) ? 100 : 130};
+  Panel panel{AxisOf(""), IsCoverage(column) ? 112 : 130};
   panel.y_axis["title"]["text"] = StrCat(PlotText(column.label), "<br>(",
                                          shown.unit.empty() ? "count" : PlotText(shown.unit), ")");
   panel.y_axis["rangemode"] = "tozero";
   panel.y_axis["nticks"] = 5;
-  if (shown.is_share) panel.y_axis["range"] = {0, 104};
+  if (shown.is_share) panel.y_axis["range"] = {-4, 104};
   return panel;
 }
 
@@ -128,6 +128,7 @@ Json Curve(const SweptLine& line, const Table& table, std::size_t column, const 
           {"y", y},
           {"text", texts},
           {"hovertemplate", "%{x}: %{text}"},
+          {"cliponaxis", false},
           {"line", {{"color", style.colour}, {"dash", style.dash}, {"width", 2}}},
           {"marker", {{"color", style.colour}, {"symbol", style.symbol}, {"size", 7}}}};
 }

@@ -60,7 +60,30 @@ std::vector<const SuiteRun*> ChooseRuns(const SuiteData& data) {
   return chosen;
 }
 
-void ReadDrawn(const SuiteRun& run, SuiteData& data) {
+// Reasons why parts of runs cannot be drawn, each with the runs it holds for.
+class Reasons {
+ public:
+  void Add(const std::string& reason, const DrawnRun& run) {
+    auto found = std::find_if(reasons_.begin(), reasons_.end(),
+                              [&](const auto& known) { return known.first == reason; });
+    if (found == reasons_.end()) found = reasons_.insert(reasons_.end(), {reason, {}});
+    found->second.push_back(StrCat(run.sequence, " ", run.variant, " seed ", run.seed));
+  }
+  std::vector<std::string> Texts() const {
+    std::vector<std::string> texts;
+    for (const auto& [reason, runs] : reasons_) {
+      std::string text = StrCat(reason, " (", runs.front());
+      if (runs.size() > 1) text += StrCat(" and ", runs.size() - 1, " more runs");
+      texts.push_back(text + ").");
+    }
+    return texts;
+  }
+
+ private:
+  std::vector<std::pair<std::string, std::vector<std::string>>> reasons_;
+};
+
+void ReadDrawn(const SuiteRun& run, SuiteData& data, Reasons& reasons) {
   DrawnRun drawn{SequenceOf(data.plan, run.planned),
                  VariantOf(run.planned),
                  run.planned.seed,
@@ -68,20 +91,19 @@ void ReadDrawn(const SuiteRun& run, SuiteData& data) {
                  {},
                  std::nullopt};
   const std::filesystem::path folder = run.run->file.parent_path();
-  const std::string where =
-      StrCat(drawn.sequence, ", ", drawn.variant, ", seed ", drawn.seed, ": ");
   try {
     drawn.detail = ReadRunDetail(folder);
   } catch (const Error& error) {
-    data.not_drawn.push_back(where + error.what());
+    reasons.Add(error.what(), drawn);
     return;
   }
-  for (const std::string& missing : drawn.detail.missing) data.not_drawn.push_back(where + missing);
+  for (const std::string& missing : drawn.detail.missing) reasons.Add(missing, drawn);
   try {
-    if (!drawn.detail.bodies.empty())
+    if (!drawn.detail.bodies.empty()) {
       drawn.switches = ReadIdentitySwitches(folder, drawn.detail.bodies);
+    }
   } catch (const Error& error) {
-    data.not_drawn.push_back(where + error.what());
+    reasons.Add(error.what(), drawn);
   }
   data.drawn.push_back(std::move(drawn));
 }
@@ -95,7 +117,9 @@ SuiteData ReadSuiteData(const std::filesystem::path& folder, const Table& table)
   std::vector<std::string> metrics;
   for (const Column& column : table.columns) metrics.push_back(column.metric);
   data.runs = ReadRuns(folder, data.plan, metrics);
-  for (const SuiteRun* run : ChooseRuns(data)) ReadDrawn(*run, data);
+  Reasons reasons;
+  for (const SuiteRun* run : ChooseRuns(data)) ReadDrawn(*run, data, reasons);
+  data.not_drawn = reasons.Texts();
   return data;
 }
 

@@ -131,16 +131,21 @@ class Panels {
                                       {"font", {{"color", colour}, {"size", 13}}},
                                       {"showarrow", false}});
   }
-  void Label(std::size_t panel, const GroundPoint& at, const std::string& name) {
+  // At the start of a track, on the side that it does not go to.
+  void Label(std::size_t panel, const Track& track, const std::string& name) {
+    const GroundPoint& at = track.front();
+    const bool below = track.back().z_m > at.z_m;
+    const bool at_right = at.x_m > 0.3 * extent_.x_low + 0.7 * extent_.x_high;
     layout_["annotations"].push_back({{"xref", Name("x", panel)},
                                       {"yref", Name("y", panel)},
                                       {"x", Rounded(at.x_m)},
                                       {"y", Rounded(at.z_m)},
-                                      {"xanchor", "left"},
-                                      {"yanchor", "bottom"},
+                                      {"xanchor", at_right ? "right" : "left"},
+                                      {"yanchor", below ? "top" : "bottom"},
+                                      {"yshift", below ? -3 : 3},
                                       {"text", PlotText(name)},
                                       {"font", {{"size", 10}}},
-                                      {"xshift", 4},
+                                      {"xshift", at_right ? -4 : 4},
                                       {"showarrow", false}});
   }
   int width_px() const { return inner_width_px_ + 70 + 16; }
@@ -149,8 +154,8 @@ class Panels {
 
  private:
   static constexpr int kGapX_px = 24;
-  static constexpr int kGapY_px = 30;
-  static constexpr int kTop_px = 62;
+  static constexpr int kGapY_px = 48;
+  static constexpr int kTop_px = 50;
   static constexpr int kBottom_px = 54;
 
   static std::string Name(const char* axis, std::size_t panel, const char* after = "") {
@@ -240,18 +245,18 @@ void AddStarts(const std::vector<Track>& tracks, const std::string& colour, std:
 void DrawRun(const DrawnRun& run, const Style& style, std::size_t panel, Panels& panels) {
   std::vector<Track> truths = {CameraTrack(run.detail, true)};
   std::vector<Track> estimates = {CameraTrack(run.detail, false)};
-  AddLine(truths[0], "camera, truth", {kTruthColour, "solid", 4.0}, panel, panels);
+  AddLine(truths[0], "camera, truth", {kTruthColour, "solid", 5.0}, panel, panels);
   for (const BodyDetail& body : run.detail.bodies) {
     if (!body.mover) continue;
     truths.push_back(TruthTrack(body));
-    AddLine(truths.back(), body.name + ", truth", {kTruthColour, "solid", 2.5}, panel, panels);
-    if (!truths.back().empty()) panels.Label(panel, truths.back().front(), body.name);
+    AddLine(truths.back(), body.name + ", truth", {kTruthColour, "solid", 3.0}, panel, panels);
+    if (!truths.back().empty()) panels.Label(panel, truths.back(), body.name);
     estimates.push_back(EstimatedTrack(body));
   }
   if (!truths[0].empty() || !estimates[0].empty()) {
-    panels.Label(panel, (truths[0].empty() ? estimates[0] : truths[0]).front(), "camera");
+    panels.Label(panel, truths[0].empty() ? estimates[0] : truths[0], "camera");
   }
-  AddLine(estimates[0], "camera, " + run.variant, {style.colour, "solid", 2.0}, panel, panels);
+  AddLine(estimates[0], "camera, " + run.variant, {style.colour, "solid", 1.6}, panel, panels);
   std::size_t next = 1;
   for (const BodyDetail& body : run.detail.bodies) {
     if (!body.mover) continue;

@@ -111,6 +111,7 @@ RunTruth ReadTruthFile(const std::filesystem::path& file, const std::vector<Came
     truth.camera.emplace_back();
     if (!pose.is_null()) truth.camera.back() = PoseOf(pose, fields.where() + ", camera");
   }
+  if (truth.camera.empty()) truth.camera.resize(frames.size());  // of bodies alone
   if (truth.camera.size() != frames.size()) {
     ThrowError(fields.where() + ", field camera", StrCat(truth.camera.size(), " poses"),
                StrCat(frames.size(), ", one per frame of result.json"));

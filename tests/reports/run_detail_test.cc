@@ -34,6 +34,15 @@ TEST(RunDetail, PutsTheTruthBesideTheCameraOfEachFrame) {
   EXPECT_FALSE(detail.camera[2].truth);
 }
 
+TEST(RunDetail, TakesTruthOfBodiesAlone) {
+  test::RunFiles files;
+  files.truth["camera"] = test::Json::array();
+  const RunDetail detail = Read(files);
+  EXPECT_THAT(detail.missing, IsEmpty());
+  EXPECT_FALSE(detail.camera[1].truth);
+  EXPECT_EQ(detail.bodies.size(), 1U);
+}
+
 TEST(RunDetail, CountsTheFramesOfBodiesAsTheFolderDoes) {
   const RunDetail detail = Read({});
   ASSERT_EQ(detail.bodies.size(), 1U);
