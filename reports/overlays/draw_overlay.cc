@@ -76,14 +76,14 @@ OverlayStyle StyleFor(const OverlayCamera& camera, int width_px) {
   OverlayStyle style;
   style.scale = static_cast<double>(width_px) / camera.width_px;
   const double size = std::clamp(width_px / 640.0, 0.5, 3.0);
-  style.text_px = std::max(7, static_cast<int>(std::lround(4.5 + 4.5 * size)));
+  style.text_px = std::max(7, static_cast<int>(std::lround(6.0 + 3.0 * size)));
   style.line_px = std::max(1, static_cast<int>(std::lround(0.8 + 0.8 * size)));
   style.landmark_px = 0.8 + 1.6 * size;
   style.static_px = 0.5 + 0.5 * size;
   style.trail_px = 0.8 + 1.4 * size;
   style.dash_px = 3.0 + 4.0 * size;
   style.names = width_px >= 400;
-  style.status_rows = width_px >= 400 && width_px < 1000 ? 2 : 1;
+  style.status_rows = width_px >= 400 && width_px < 900 ? 2 : 1;
   return style;
 }
 

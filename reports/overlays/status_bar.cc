@@ -26,9 +26,9 @@ std::string CountClusters(const OverlayFrame& frame, const OverlayCamera& camera
     ++(cluster.predicted ? predicted : tracked);
     unseen += SeenRect(cluster, camera) ? 0 : 1;
   }
-  std::string words = StrCat("bodies: ", tracked, " tracked");
-  if (predicted > 0) words += StrCat(", ", predicted, " predicted");
-  if (unseen > 0) words += StrCat(", ", unseen, " of them out of view");
+  std::string words = StrCat("bodies ", tracked);
+  if (predicted > 0) words += StrCat(" + ", predicted, " predicted");
+  if (unseen > 0) words += StrCat(" (", unseen, " out of view)");
   return words;
 }
 
@@ -39,8 +39,9 @@ std::string CountLandmarks(const OverlayFrame& frame) {
   for (const LandmarkDot& dot : frame.landmarks) {
     ++(dot.label == kStaticLabel ? on_scene : dot.label > kStaticLabel ? on_bodies : outliers);
   }
-  return StrCat("landmarks: ", on_scene, " static, ", on_bodies, " on bodies, ", outliers,
-                " outliers");
+  std::string words = StrCat("landmarks ", on_scene, " static, ", on_bodies, " on bodies");
+  if (outliers > 0) words += StrCat(", ", outliers, " outliers");
+  return words;
 }
 
 }  // namespace
@@ -51,8 +52,8 @@ std::vector<std::string> StatusWords(const OverlayFrame& frame, const OverlayCam
   return {StrCat("frame ", frame.frame),
           time,
           "camera " + frame.status,
-          frame.has_clusters ? CountClusters(frame, camera) : "bodies: not recorded",
-          frame.has_landmarks ? CountLandmarks(frame) : "landmarks: not recorded",
+          frame.has_clusters ? CountClusters(frame, camera) : "bodies not recorded",
+          frame.has_landmarks ? CountLandmarks(frame) : "landmarks not recorded",
           frame.run};
 }
 
