@@ -100,6 +100,7 @@ int DrawOverlays(const OverlayFlags& flags) {
     }
   }
   CheckSameSequence(job.runs, folders);
+  reports::AgreeOnColors(job.runs);
   job.titles = Titles(job.runs, folders);
   job.boxes = !inferred;
   job.frames = SelectFrames(flags, job.runs);

@@ -3,6 +3,7 @@
 #include "experiments/cli/plan_state.h"
 
 #include "core/base/error.h"
+#include "experiments/jobs/job_status.h"
 
 namespace cvo {
 namespace {
@@ -32,8 +33,7 @@ PlanState FindPlanState(const Suite& suite, const PlanRequest& request, const Su
   PlanState state;
   state.built = BuildPlan(suite, request);
   const EarlierRuns earlier = {
-      EarlierPlan(folder),
-      [&](const std::string& job) { return fs::exists(folder.job(job) / "result.json"); },
+      EarlierPlan(folder), [&](const PlannedJob& job) { return HasFiles(folder, job); },
       [&](const std::string& job) { return FailureOf(folder.failure(job)); }};
   state.outlook = OutlookOf(state.built.plan, earlier);
   state.frame_times_s = MeasuredFrameTimes(state.built.plan, earlier,

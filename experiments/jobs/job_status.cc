@@ -30,9 +30,9 @@ bool IsResultOf(const fs::path& file, const std::string& id) {
          Text(result, "status") != ToString(RunStatus::kFailed);
 }
 
-bool IsDone(const fs::path& file, const std::string& id) {
+bool IsDone(const SuiteFolder& folder, const PlannedJob& job) {
   try {
-    return fs::exists(file) && IsResultOf(file, id);
+    return HasFiles(folder, job) && IsResultOf(folder.job(job.job) / "result.json", job.job);
   } catch (const Error&) {
     return false;  // damaged: made anew
   }
@@ -85,9 +85,15 @@ const char* ToString(JobStatus::State state) {
   throw Error("JobStatus: not one of the enumerators");
 }
 
+bool HasFiles(const SuiteFolder& folder, const PlannedJob& job) {
+  const fs::path files = folder.job(job.job);
+  return fs::exists(files / "result.json") &&
+         (!job.cell.landmarks || fs::exists(files / "landmarks.csv"));
+}
+
 JobStatus StatusOf(const SuiteFolder& folder, const PlannedJob& job) {
   if (job.job.empty()) return {StateWithoutInput(job), job.missing};
-  if (IsDone(folder.job(job.job) / "result.json", job.job)) return {JobStatus::State::kDone, ""};
+  if (IsDone(folder, job)) return {JobStatus::State::kDone, ""};
   const fs::path failure = folder.failure(job.job);
   if (!fs::exists(failure)) return {JobStatus::State::kMissing, ""};
   return {JobStatus::State::kFailed, FailureMessage(failure)};

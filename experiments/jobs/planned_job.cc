@@ -68,7 +68,8 @@ void RunVariant(const Plan& plan, const Cell& cell, const Sequence& sequence, co
                      .options = OptionsOf(plan.suite, cell.parameters),
                      .seed = cell.seed,
                      .classes = ClassesOf(cell.sequence),
-                     .oracle = OracleOf(cell.oracle)};
+                     .oracle = OracleOf(cell.oracle),
+                     .landmarks = cell.landmarks};
   cache.Serve(request);
   folder.CheckIdentity(IdentifyJob(request), sequence);
   const std::optional<JobOutcome> outcome = RunJob(request, folder.path());

@@ -59,8 +59,8 @@ void ApplyObject(const RigidTransform& object_from_gtobject, CommonPoses& poses)
 std::vector<ObjectFrameError> PositionErrors(const CommonPoses& poses) {
   std::vector<ObjectFrameError> errors;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    errors.push_back(
-        {poses.frames[i], (poses.estimate[i].translation() - poses.truth[i].translation()).norm()});
+    const Eigen::Vector3d estimate = poses.estimate[i].translation();
+    errors.push_back({poses.frames[i], (estimate - poses.truth[i].translation()).norm(), estimate});
   }
   return errors;
 }

@@ -16,6 +16,7 @@ namespace cvo {
 struct ObjectFrameError {
   int frame = 0;
   double position_m = 0.0;
+  Eigen::Vector3d estimate = Eigen::Vector3d::Zero();  // of the body's origin, world of the truth
 };
 
 // What a run reaches on one body. Root mean squares over the body's frames; empty where the frames

@@ -13,7 +13,8 @@ namespace cvo {
 
 // landmarks.csv: the landmarks seen in each frame, by feature. Pixels are of the left image read,
 // points in the world of the first left camera, as when the frame came. Labels: 0 the static scene,
-// empty none (outlier). truth_body: 0 the static scene, empty where it is not known.
+// empty none (outlier). truth_body: 0 the static scene, empty where it is not known. Pixels are
+// rounded to 0.01, metres and nats to 0.001.
 extern const std::string_view kLandmarksHeader;
 
 // Rows of one frame. `feature_truth`: by feature, or empty.

@@ -10,6 +10,7 @@
 #include "experiments/files/json.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/record/run_record.h"
+#include "experiments/record/truth_file.h"
 
 namespace cvo {
 
@@ -26,6 +27,7 @@ struct RunRecord {
   Json metrics = {};  // as MetricsToJson gives them
   Json bodies = {};   // refined and causal, as BodiesToJson gives them; null without truth
   const RunResult& run;
+  TruthRecord truth = {};
   bool landmarks = false;  // asked for
 };
 

@@ -28,6 +28,11 @@ void TableRow::Number(double value) {
   Text(FormatDouble(value));
 }
 
+void TableRow::Rounded(double value, int decimals) {
+  const double scale = std::pow(10.0, decimals);
+  Number(std::round(value * scale) / scale);
+}
+
 void TableRow::Vector(const Eigen::Vector3d& vector) {
   for (int i = 0; i < 3; ++i) Number(vector[i]);
 }

@@ -22,6 +22,8 @@ class TableRow {
   void Text(std::string_view text);
   void Integer(std::int64_t value);
   void Number(double value);
+  // To a multiple of 10^-decimals.
+  void Rounded(double value, int decimals);
   void Vector(const Eigen::Vector3d& vector);
   void Pose(const RigidTransform& pose);         // x y z qx qy qz qw
   void Box(const std::optional<ImageBox>& box);  // left top right bottom, px

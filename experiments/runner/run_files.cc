@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kClusters = "clusters";
 constexpr const char* kLandmarks = "landmarks.csv";
+constexpr const char* kTruth = "truth.json";
 
 std::vector<NamedContent> ClusterFiles(const RunResult& run) {
   std::vector<NamedContent> files;
@@ -53,8 +54,8 @@ std::vector<std::string> StaleFiles(const fs::path& folder,
 }  // namespace
 
 std::vector<std::string> RunFileNames() {
-  return {"camera.tum", "camera.kitti", "objects.csv", "tracks.kitti",
-          kLandmarks,   "clusters/",    "timing.json", "result.json"};
+  return {"camera.tum", "camera.kitti", "objects.csv", "tracks.kitti", kLandmarks,
+          "clusters/",  kTruth,         "timing.json", "result.json"};
 }
 
 void WriteRunFiles(const fs::path& folder, const RunRecord& record, const RunContext& context) {
@@ -73,6 +74,7 @@ void WriteRunFiles(const fs::path& folder, const RunRecord& record, const RunCon
   if (record.landmarks) {
     files.push_back({kLandmarks, std::string(kLandmarksHeader) + record.run.landmark_rows});
   }
+  files.push_back({kTruth, TruthFile(RecordedJob(record), record.truth)});
   // The result last: where it is complete, so is all else.
   files.push_back({"timing.json", TimingFile(record.run, context)});
   files.push_back({"result.json", ResultFile(record)});

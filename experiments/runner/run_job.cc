@@ -74,6 +74,10 @@ std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesyste
                          .metrics = ScoresToJson(outcome.scores),
                          .bodies = BodyScoresToJson(outcome.scores),
                          .run = outcome.run,
+                         .truth = {.camera = &request.sequence.groundtruth_world_from_camera,
+                                   .objects = truth ? &truth->objects() : nullptr,
+                                   .truth_from_estimate = outcome.scores.truth_from_estimate,
+                                   .bodies = &outcome.scores.refined_bodies},
                          .landmarks = request.landmarks};
   outcome.context.job = RecordedJob(record);
   outcome.context.threads = request.threads;

@@ -39,6 +39,8 @@ RunScores ScoreRun(const Sequence& sequence, const RunResult& run, const ObjectT
   RunScores scores;
   scores.refined = camera(refined);
   scores.causal = camera(causal);
+  scores.truth_from_estimate =
+      AlignByCamera(sequence.groundtruth_world_from_camera, refined.world_from_camera);
   if (objects != nullptr) {
     ObjectScores of_refined = ScoreObjects(*objects, refined);
     ObjectScores of_causal = ScoreObjects(*objects, causal);

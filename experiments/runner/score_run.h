@@ -14,9 +14,10 @@ namespace cvo {
 // The metrics of a run against the sequence's ground truth. A skipped frame has no estimate; a lost
 // frame counts with its predicted pose. Empty where there is no truth or the run failed.
 struct RunScores {
-  std::vector<Metric> refined;     // camera_*, object_*: poses as last estimated
-  std::vector<Metric> causal;      // camera_causal_*, object_causal_*: as when their frame came
-  std::vector<Metric> clustering;  // moving_*, clustering_*: labels as when their frame came
+  std::vector<Metric> refined;         // camera_*, object_*: poses as last estimated
+  std::vector<Metric> causal;          // camera_causal_*, object_causal_*: as when their frame came
+  std::vector<Metric> clustering;      // moving_*, clustering_*: labels as when their frame came
+  RigidTransform truth_from_estimate;  // of the worlds, refined
   std::vector<BodyScore> refined_bodies;
   std::vector<BodyScore> causal_bodies;
 };

@@ -15,7 +15,8 @@ void AddVariants(const Suite& suite, const SuiteSequence& sequence, std::vector<
     for (const GridPoint& point : points) {
       for (const std::vector<std::string>& oracle : suite.oracles) {
         for (const std::string& variant : suite.variants) {
-          cells.push_back({sequence, variant, "", seed, point, oracle});
+          const bool landmarks = suite.landmarks && seed == suite.seeds.front();
+          cells.push_back({sequence, variant, "", seed, point, oracle, landmarks});
         }
       }
     }

@@ -163,6 +163,7 @@ Suite ReadCheckedSuite(const Json& json, const std::string& where, const fs::pat
   for (ObjectReader& system : object.ObjectsOr("systems")) {
     suite.systems.push_back(ReadSystem(std::move(system)));
   }
+  suite.landmarks = object.BoolOr("landmarks", false);
   suite.table = ReadTable(object.Object("table"));
   object.Finish();
   return suite;

@@ -20,6 +20,7 @@ struct Cell {
   std::uint64_t seed = 0;
   std::vector<std::pair<std::string, Json>> parameters;  // path and value, of the grid
   std::vector<std::string> oracle;
+  bool landmarks = false;  // keeps every landmark; no part of what is computed
 };
 
 inline constexpr char kNotRendered[] = "not rendered yet";

@@ -30,6 +30,7 @@ Json JobToJson(const PlannedJob& job, const Suite& suite) {
           {"seed", cell.seed},
           {"oracle", cell.oracle},
           {"parameters", std::move(parameters)},
+          {"landmarks", cell.landmarks},
           {"folder", job.folder},
           {"missing", job.missing},
           {"frames", job.frames},
@@ -49,6 +50,7 @@ PlannedJob ParseJob(const Json& json, const Suite& suite) {
   for (const auto& [path, value] : json.at("parameters").items()) {
     job.cell.parameters.emplace_back(path, value);
   }
+  job.cell.landmarks = json.at("landmarks");
   job.folder = json.at("folder");
   job.missing = json.at("missing");
   job.frames = json.at("frames");

@@ -65,7 +65,7 @@ std::string WhyItRuns(const Plan& plan, const PlannedJob& job, const EarlierRuns
   if (found == before.end()) return earlier.plan ? "not in the plan so far" : "new";
   if (found->second->job == job.job || found->second->job.empty()) return "not run yet";
   // Only what was computed once is computed again.
-  if (!earlier.done(found->second->job)) return "not run yet";
+  if (!earlier.done(*found->second)) return "not run yet";
   return Differences(plan, job, *earlier.plan, *found->second);
 }
 
@@ -93,7 +93,7 @@ std::vector<JobOutlook> OutlookOf(const Plan& plan, const EarlierRuns& earlier) 
       outlook.push_back({JobState::kRenders, "its scene is not rendered"});
     } else if (!job.missing.empty()) {
       outlook.push_back({JobState::kMissing, job.missing});
-    } else if (earlier.done(job.job)) {
+    } else if (earlier.done(job)) {
       outlook.push_back({JobState::kDone, ""});
     } else {
       outlook.push_back({JobState::kRuns, WhyItRuns(plan, job, earlier, before)});
@@ -109,7 +109,7 @@ std::map<std::string, double> MeasuredFrameTimes(
   const auto measure = [&](const PlannedJob& job) {
     const std::string& variant = job.cell.variant;
     if (job.job.empty() || variant.empty() || means[variant].files == kFilesRead) return;
-    if (!earlier.done(job.job)) return;
+    if (!earlier.done(job)) return;
     const auto frame_s = FrameTimeOf(folder_of(job.job) / "timing.json");
     if (!frame_s) return;
     means[variant].Add(*frame_s);

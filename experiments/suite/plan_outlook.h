@@ -29,7 +29,7 @@ struct JobOutlook {
 // What an output folder already has.
 struct EarlierRuns {
   std::optional<Plan> plan;                                   // of the last time
-  std::function<bool(const std::string& job)> done;           // its result is there
+  std::function<bool(const PlannedJob& job)> done;            // its files are there
   std::function<std::string(const std::string& job)> failed;  // why its last try failed, or empty
 };
 

@@ -65,6 +65,7 @@ struct Suite {
   bool grid_one_at_a_time = false;   // instead: each axis alone, the others at their defaults
   std::vector<std::vector<std::string>> oracles = {{}};  // sets of switches (runner/oracle.h)
   std::vector<SuiteSystem> systems;
+  bool landmarks = false;  // jobs of the first seed keep every landmark: what overlays draw
   SuiteTable table;
 };
 

@@ -52,6 +52,7 @@ Json SuiteToJson(const Suite& suite) {
   json["oracles"] = suite.oracles;
   json["systems"] = Json::array();
   for (const SuiteSystem& system : suite.systems) json["systems"].push_back(SystemToJson(system));
+  json["landmarks"] = suite.landmarks;
   json["table"] = {{"rows", suite.table.rows},
                    {"metrics", suite.table.metrics},
                    {"reference", suite.table.reference}};

@@ -37,8 +37,10 @@ cv::Mat Background(const cv::Mat& image, const OverlayCamera& camera, const Over
 
 void DrawDetections(const OverlayFrame& frame, const OverlayStyle& style, cv::Mat& image) {
   std::vector<Stroke> strokes;
+  // Upright lines are sharp on whole pixels alone.
+  const auto whole = [&](double pixel) { return std::round((pixel + 0.5) * style.scale - 0.5); };
   const auto scaled = [&](double u_px, double v_px) {
-    return cv::Point2d((u_px + 0.5) * style.scale - 0.5, (v_px + 0.5) * style.scale - 0.5);
+    return cv::Point2d(whole(u_px), whole(v_px));
   };
   for (const PixelBox& box : frame.detections) {
     const std::array<cv::Point2d, 4> corners = {
@@ -57,16 +59,30 @@ void DrawLandmarks(const OverlayFrame& frame, const OverlayStyle& style, cv::Mat
   for (const bool on_body : {false, true}) {
     for (const LandmarkDot& dot : frame.landmarks) {
       if ((dot.label > kStaticLabel) != on_body) continue;
+      if (style.wrong && dot.wrong) continue;  // below
       const cv::Point2d at((dot.u_px + 0.5) * style.scale - 0.5,
                            (dot.v_px + 0.5) * style.scale - 0.5);
       if (on_body) {
-        DrawDisc(at, style.landmark_px, 1.0, ClusterColor(dot.label), image);
+        DrawDisc(at, style.landmark_px, 1.0, ColorOf(frame, dot.label), image);
       } else if (dot.label == kStaticLabel) {
         DrawDisc(at, style.static_px, 0.7, kStaticColor, image);
       } else {
         DrawDisc(at, 0.5 * style.static_px, 0.0, kOutlierColor, image);
       }
     }
+  }
+}
+
+// A ring around each, and in it the label's colour.
+void DrawWrongLabels(const OverlayFrame& frame, const OverlayStyle& style, cv::Mat& image) {
+  constexpr Rgb kRing{255, 255, 255};
+  for (const LandmarkDot& dot : frame.landmarks) {
+    if (!dot.wrong) continue;
+    const cv::Point2d at((dot.u_px + 0.5) * style.scale - 0.5,
+                         (dot.v_px + 0.5) * style.scale - 0.5);
+    const Rgb color = dot.label == kStaticLabel ? kStaticColor : ColorOf(frame, dot.label);
+    DrawDisc(at, style.landmark_px + 2.6, 1.0, kRing, image);
+    DrawDisc(at, style.landmark_px, 1.2, color, image);
   }
 }
 
@@ -95,6 +111,7 @@ cv::Mat DrawOverlay(const cv::Mat& image, const OverlayFrame& frame, const Overl
   DrawDetections(frame, style, picture);
   if (style.boxes) DrawBoxes(frame, scaled, style, picture);
   DrawLandmarks(frame, style, picture);
+  if (style.wrong) DrawWrongLabels(frame, style, picture);
   if (style.boxes) DrawMotion(frame, scaled, style, picture);
   DrawNames(frame, scaled, style, picture);
   if (!style.status) return picture;

@@ -20,6 +20,7 @@ struct OverlayStyle {
   double dash_px = 7.0;
   bool names = true;   // a class beside the id
   bool boxes = true;   // 3D boxes, arrows and trails; detections and landmarks are always drawn
+  bool wrong = false;  // landmarks with a wrong label have a white ring, where the truth is known
   bool status = true;  // words below the image
   int status_rows = 1;
 };

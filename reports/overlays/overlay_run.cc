@@ -83,6 +83,7 @@ OverlayRun ReadOverlayRun(const fs::path& folder, LandmarkLabel label) {
       read("clusters", "objects.csv", [&] { ReadClusterTable(folder / "objects.csv"); });
   run.has_landmarks = read("landmarks", "landmarks.csv",
                            [&] { run.landmarks = ReadLandmarks(folder / "landmarks.csv", label); });
+  MarkWrongLabels(run);
   if (run.has_clusters) {
     read("detections", "tracks.kitti", [&] { run.detections = ReadAssociatedBoxes(folder); });
   }

@@ -32,7 +32,9 @@ struct OverlayRun {
   RunDetail detail;
   bool has_clusters = false;
   bool has_landmarks = false;
+  bool has_truth = false;                             // of landmarks and of what moves
   std::map<int, std::vector<LandmarkDot>> landmarks;  // by frame
+  std::map<std::int64_t, std::int64_t> color_ids;     // as OverlayFrame has them
   // By frame. Of the run's folder: those that a cluster was associated with.
   std::map<int, std::vector<PixelBox>> detections;
   std::vector<std::string> missing;  // what is drawn without, one line each
@@ -48,6 +50,14 @@ std::map<int, std::vector<LandmarkDot>> ReadLandmarks(const std::filesystem::pat
 
 // 2D boxes of tracks.kitti in rows of objects.csv that have a detection. Throws Error.
 std::map<int, std::vector<PixelBox>> ReadAssociatedBoxes(const std::filesystem::path& folder);
+
+// Marks the labels that are wrong: on a cluster, though not of the body that most of its landmarks
+// are on; static, though of a body that moves. An outlier is never wrong. Needs truth.json.
+void MarkWrongLabels(OverlayRun& run);
+
+// Gives the clusters of all runs the colours of the last run's: each that of the cluster with which
+// it shares most landmarks, over all frames. Runs of one sequence have the same pixels.
+void AgreeOnColors(std::vector<OverlayRun>& runs);
 
 // What is drawn on a frame of the run. Throws Error naming the frames that there are.
 OverlayFrame FrameOf(const OverlayRun& run, int frame);

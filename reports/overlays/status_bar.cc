@@ -36,11 +36,14 @@ std::string CountLandmarks(const OverlayFrame& frame) {
   int on_scene = 0;
   int on_bodies = 0;
   int outliers = 0;
+  int wrong = 0;
   for (const LandmarkDot& dot : frame.landmarks) {
+    wrong += dot.wrong ? 1 : 0;
     ++(dot.label == kStaticLabel ? on_scene : dot.label > kStaticLabel ? on_bodies : outliers);
   }
   std::string words = StrCat("landmarks ", on_scene, " static, ", on_bodies, " on bodies");
   if (outliers > 0) words += StrCat(", ", outliers, " outliers");
+  if (frame.has_truth) words += StrCat(", ", wrong, " labels wrong");
   return words;
 }
 

@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 
 #include "core/base/error.h"
 #include "experiments/files/text_file.h"
@@ -124,6 +125,15 @@ TEST_F(RunPlanTest, AResultCountsWhateverThenBecameOfItsProcess) {
   Script("a1", StrCat("echo '", ResultText("a1"), "' > jobs/a1/result.json; kill -KILL $$"));
   EXPECT_EQ(Run(plan_).done, 4U);
   EXPECT_FALSE(fs::exists(run_.folder.failure("a1")));
+}
+
+TEST_F(RunPlanTest, AResultWithoutTheLandmarksAskedForIsNotDone) {
+  Plan plan = plan_;
+  plan.jobs[0].cell.landmarks = true;
+  EXPECT_EQ(Run(plan_).done, 4U);
+  EXPECT_EQ(StatusOf(run_.folder, plan.jobs[0]).state, JobStatus::State::kMissing);
+  std::ofstream(run_.folder.job("a1") / "landmarks.csv") << "frame\n";
+  EXPECT_EQ(StatusOf(run_.folder, plan.jobs[0]).state, JobStatus::State::kDone);
 }
 
 TEST_F(RunPlanTest, LimitsEndAJob) {

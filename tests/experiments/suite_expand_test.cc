@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "experiments/suite/cell_input.h"
+#include "experiments/suite/parse_suite.h"
 #include "experiments/suite/plan.h"
 #include "experiments/suite/suite_grid.h"
 #include "tests/experiments/suite_examples.h"
@@ -143,6 +144,16 @@ TEST(CellInput, AFolderIsReadAsTheSequenceSays) {
   EXPECT_EQ(request.detections_camera, 2);
   EXPECT_EQ(request.min_score, 0.25);
   EXPECT_EQ(request.labels_file, "/data/labels.txt");
+}
+
+TEST(Suite, JobsOfTheFirstSeedKeepTheirLandmarksWhereAsked) {
+  Json json = SmallSuite();
+  json["seeds"] = {7, 8};
+  for (const Cell& cell : ExpandSuite(Parse(json))) EXPECT_FALSE(cell.landmarks);
+  json["landmarks"] = true;
+  const Suite suite = Parse(json);
+  for (const Cell& cell : ExpandSuite(suite)) EXPECT_EQ(cell.landmarks, cell.seed == 7);
+  EXPECT_EQ(SuiteToJson(suite)["landmarks"], true);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ Plan PlanOf(const std::vector<std::string>& variants) {
 }
 
 EarlierRuns With(const std::optional<Plan>& plan, const std::set<std::string>& done) {
-  return {plan, [done](const std::string& job) { return done.count(job) > 0; },
+  return {plan, [done](const PlannedJob& job) { return done.count(job.job) > 0; },
           [](const std::string&) { return std::string(); }};
 }
 
