@@ -43,7 +43,7 @@ std::string CountLandmarks(const OverlayFrame& frame) {
   }
   std::string words = StrCat("landmarks ", on_scene, " static, ", on_bodies, " on bodies");
   if (outliers > 0) words += StrCat(", ", outliers, " outliers");
-  if (frame.has_truth) words += StrCat(", ", wrong, " labels wrong");
+  if (frame.has_truth) words += StrCat(", ", wrong, " with a wrong label");
   return words;
 }
 
