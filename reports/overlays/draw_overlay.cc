@@ -63,9 +63,9 @@ void DrawLandmarks(const OverlayFrame& frame, const OverlayStyle& style, cv::Mat
       const cv::Point2d at((dot.u_px + 0.5) * style.scale - 0.5,
                            (dot.v_px + 0.5) * style.scale - 0.5);
       if (on_body) {
-        DrawDisc(at, style.landmark_px, 1.0, ColorOf(frame, dot.label), image);
+        DrawDisc(at, style.landmark_px, style.rim_px, ColorOf(frame, dot.label), image);
       } else if (dot.label == kStaticLabel) {
-        DrawDisc(at, style.static_px, 0.7, kStaticColor, image);
+        DrawDisc(at, style.static_px, 0.7 * style.rim_px, kStaticColor, image);
       } else {
         DrawDisc(at, 0.5 * style.static_px, 0.0, kOutlierColor, image);
       }
@@ -91,11 +91,14 @@ void DrawWrongLabels(const OverlayFrame& frame, const OverlayStyle& style, cv::M
 OverlayStyle StyleFor(const OverlayCamera& camera, int width_px) {
   OverlayStyle style;
   style.scale = static_cast<double>(width_px) / camera.width_px;
-  const double size = std::clamp(width_px / 640.0, 0.5, 3.0);
+  // Of an image of 640x480 it is 1; on wide ones things are small.
+  const double height_px = style.scale * camera.height_px;
+  const double size = std::clamp(std::min(width_px / 640.0, height_px / 240.0), 0.35, 3.0);
   style.text_px = std::max(7, static_cast<int>(std::lround(6.0 + 3.0 * size)));
   style.line_px = std::max(1, static_cast<int>(std::lround(0.8 + 0.8 * size)));
-  style.landmark_px = 0.8 + 1.6 * size;
-  style.static_px = 0.5 + 0.5 * size;
+  style.landmark_px = 0.5 + 1.9 * size;
+  style.static_px = 0.3 + 0.7 * size;
+  style.rim_px = std::min(size, 1.0);
   style.trail_px = 0.8 + 1.4 * size;
   style.dash_px = 3.0 + 4.0 * size;
   style.names = width_px >= 400;

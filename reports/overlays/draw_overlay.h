@@ -16,6 +16,7 @@ struct OverlayStyle {
   int line_px = 2;           // edges of the 3D boxes and arrows
   double landmark_px = 2.6;  // radius of a landmark of a body
   double static_px = 1.1;
+  double rim_px = 1.0;  // dark, around landmarks
   double trail_px = 2.2;
   double dash_px = 7.0;
   bool names = true;   // a class beside the id
