@@ -121,7 +121,11 @@ int DrawOverlays(const OverlayFlags& flags) {
   job.video = flags.video;
   job.quiet = flags.quiet;
   const RunImages images(job.runs.front(), images_folder);
-  for (reports::OverlayRun& run : job.runs) AdoptDetections(images_folder, run);
+  for (reports::OverlayRun& run : job.runs) {
+    if (AdoptDetections(images_folder, run) || run.boxes == 0) continue;
+    std::cerr << "clustervo: drawn with those detections alone that a cluster was associated with: "
+                 "the others are not in the sequence's folder\n";
+  }
   return WriteOverlays(job, images);
 }
 

@@ -26,7 +26,8 @@ struct OverlayRun {
   std::string pair;
   int first_frame = 0;  // of those that were to be run, counted in the folder
   int frames = 0;
-  std::string detections_hash;       // of all boxes that the run was given
+  int boxes = 0;                     // that the run was given, of all classes
+  std::string detections_hash;       // of these
   std::vector<std::string> classes;  // of these, those it made use of
   OverlayCamera camera;
   RunDetail detail;
@@ -40,8 +41,8 @@ struct OverlayRun {
   std::vector<std::string> missing;  // what is drawn without, one line each
 };
 
-// Throws Error where the folder holds no run, or one of another schema, and naming file and line
-// for an objects.csv or landmarks.csv that is damaged or cut off; what is not there is listed.
+// Throws Error where the folder holds no run, or one of another schema. An objects.csv or
+// landmarks.csv that is not there, or damaged or cut off (with file and line), is listed.
 OverlayRun ReadOverlayRun(const std::filesystem::path& folder, LandmarkLabel label);
 
 // landmarks.csv. Throws Error.

@@ -67,7 +67,8 @@ TEST_F(CliOverlay, DrawsEveryFrameAndASheetTheSameEveryTime) {
   ASSERT_EQ(one.exit_code, 0) << one.err;
   EXPECT_THAT(one.out, AllOf(HasSubstr("000000.png to 000005.png (6 images)"),
                              HasSubstr("sheet.png (6 frames)")));
-  EXPECT_THAT(one.err, HasSubstr("100 %  6/6 frames"));
+  EXPECT_THAT(one.err, AllOf(HasSubstr("100 %  6/6 frames"),
+                             HasSubstr("the others are not in the sequence's folder")));
   ASSERT_EQ(Overlay({run().string(), "--sheet", "-q"}, "two").exit_code, 0);
   for (const char* name : {"000000.png", "000005.png", "sheet.png"}) {
     const std::string bytes = ReadFile(out("one") / name);
