@@ -15,7 +15,7 @@ constexpr std::array<Rgb, 7> kColors = {{{230, 159, 0},
                                          {240, 228, 66},
                                          {235, 95, 20},
                                          {225, 130, 195},
-                                         {60, 130, 240}}};
+                                         {60, 95, 250}}};
 
 // Half way to white.
 Rgb Tint(Rgb color) {
