@@ -12,6 +12,7 @@
 #include "experiments/cli/suite_run.h"
 #include "experiments/datasets/frame_range.h"
 #include "reports/overlays/overlay_run.h"
+#include "variants/registry.h"
 
 namespace cvo {
 namespace {
@@ -72,14 +73,23 @@ void CheckSameSequence(const std::vector<reports::OverlayRun>& runs,
   }
 }
 
-// The variant; of two runs of one variant also the folder.
+// ": labels from ..."; nothing of a variant that this program does not have.
+std::string WhatItChanges(const std::string& variant) {
+  for (const VariantInfo& info : Variants()) {
+    if (info.name == variant) return StrCat(": ", info.changes);
+  }
+  return "";
+}
+
+// The variant and what it is; of two runs of one variant the folder.
 std::vector<std::string> Titles(const std::vector<reports::OverlayRun>& runs,
                                 const std::vector<std::string>& folders) {
   std::vector<std::string> titles;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const auto same = std::count_if(
         runs.begin(), runs.end(), [&](const auto& run) { return run.variant == runs[i].variant; });
-    titles.push_back(same > 1 ? StrCat(runs[i].variant, ": ", folders[i]) : runs[i].variant);
+    titles.push_back(same > 1 ? StrCat(runs[i].variant, ": ", folders[i])
+                              : runs[i].variant + WhatItChanges(runs[i].variant));
   }
   return titles;
 }
@@ -100,6 +110,7 @@ int DrawOverlays(const OverlayFlags& flags) {
     }
   }
   CheckSameSequence(job.runs, folders);
+  reports::AgreeOnColors(job.runs);
   job.titles = Titles(job.runs, folders);
   job.boxes = !inferred;
   job.frames = SelectFrames(flags, job.runs);
@@ -110,7 +121,11 @@ int DrawOverlays(const OverlayFlags& flags) {
   job.video = flags.video;
   job.quiet = flags.quiet;
   const RunImages images(job.runs.front(), images_folder);
-  for (reports::OverlayRun& run : job.runs) AdoptDetections(images_folder, run);
+  for (reports::OverlayRun& run : job.runs) {
+    if (AdoptDetections(images_folder, run) || run.boxes == 0) continue;
+    std::cerr << "clustervo: drawn with those detections alone that a cluster was associated with: "
+                 "the others are not in the sequence's folder\n";
+  }
   return WriteOverlays(job, images);
 }
 
@@ -172,11 +187,12 @@ Command AddOverlayCommand(CLI::App& program) {
   AddDrawingFlags(*app, *flags);
   app->footer(
       "Landmarks are drawn where the run has landmarks.csv (clustervo run --landmarks; in a suite\n"
-      "the first seed). A colour stands for the same cluster id everywhere; grey dots are static,\n"
-      "tiny white ones outliers. White: detections. Dashed and shaded: a cluster that no landmark\n"
-      "shows in the frame, where its motion predicts it. Arrows reach half a second ahead, dots "
-      "two\n"
-      "seconds back.\n"
+      "the first seed). A cluster id has one colour everywhere; of several runs all have the\n"
+      "colours of the last. Grey dots are static, tiny white ones outliers. White frames:\n"
+      "detections. Dashed and shaded: a cluster that too few landmarks show in the frame, where "
+      "its\n"
+      "motion predicts it. Arrows reach half a second ahead, small dots two seconds back. White\n"
+      "rings, with inferred labels: those that are wrong, where the run knows the truth.\n"
       "Examples:\n"
       "  clustervo overlay results/indoor_1 -o pictures --every 5 --sheet --video\n"
       "  clustervo overlay RUN_2D RUN_2D3D RUN_FULL --frame 120 -o figure   # as labelled by each\n"

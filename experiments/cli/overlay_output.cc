@@ -53,6 +53,7 @@ cv::Mat DrawFrame(const OverlayJob& job, const cv::Mat& image, int frame, int wi
   const reports::OverlayCamera& camera = job.runs.front().camera;
   reports::OverlayStyle style = reports::StyleFor(camera, width_px);
   style.boxes = job.boxes;
+  style.wrong = !job.boxes;
   std::vector<reports::TitledImage> panels;
   for (std::size_t i = 0; i < job.runs.size(); ++i) {
     const reports::OverlayFrame drawn = reports::FrameOf(job.runs[i], frame);

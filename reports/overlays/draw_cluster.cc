@@ -22,8 +22,8 @@ std::vector<cv::Point2d> Outline(const ClusterShape& cluster, const OverlayCamer
 }
 
 // From the centre to where it will be, with a head; nothing where that is hardly a motion.
-void AddArrow(const ClusterShape& cluster, const OverlayCamera& camera, const OverlayStyle& style,
-              std::vector<Stroke>& strokes) {
+void AddArrow(const ClusterShape& cluster, Rgb color, const OverlayCamera& camera,
+              const OverlayStyle& style, std::vector<Stroke>& strokes) {
   const auto shaft = ProjectSegment(cluster.center, cluster.ahead, camera);
   if (!shaft) return;
   const auto& [from, to] = *shaft;
@@ -31,7 +31,6 @@ void AddArrow(const ClusterShape& cluster, const OverlayCamera& camera, const Ov
   const double length_px = std::hypot(along.x, along.y);
   const double shortest_px = 2.5 * style.landmark_px;
   if (!(length_px >= shortest_px)) return;
-  const Rgb color = ClusterColor(cluster.id);
   const int width_px = style.line_px + 1;
   strokes.push_back({*shaft, color, width_px});
   const double head_px = std::min(0.45 * length_px, 4.0 * style.line_px + 4.0);
@@ -42,8 +41,8 @@ void AddArrow(const ClusterShape& cluster, const OverlayCamera& camera, const Ov
 }
 
 // Discs that shrink with age, one per frame but not closer than they are wide.
-void DrawTrail(const ClusterShape& cluster, const OverlayCamera& camera, const OverlayStyle& style,
-               cv::Mat& picture) {
+void DrawTrail(const ClusterShape& cluster, Rgb color, const OverlayCamera& camera,
+               const OverlayStyle& style, cv::Mat& picture) {
   const double count = static_cast<double>(cluster.trail.size());
   std::optional<cv::Point2d> last;
   for (std::size_t i = 0; i < cluster.trail.size(); ++i) {
@@ -52,12 +51,17 @@ void DrawTrail(const ClusterShape& cluster, const OverlayCamera& camera, const O
     const double youth = (static_cast<double>(i) + 1.0) / count;
     const double radius_px = style.trail_px * (0.3 + 0.7 * youth);
     if (last && std::hypot(at->x - last->x, at->y - last->y) < 2.0 * radius_px) continue;
-    DrawDisc(*at, radius_px, 0.7, ClusterColor(cluster.id), picture);
+    DrawDisc(*at, radius_px, 0.7, color, picture);
     last = at;
   }
 }
 
 }  // namespace
+
+Rgb ColorOf(const OverlayFrame& frame, std::int64_t id) {
+  const auto other = frame.color_ids.find(id);
+  return ClusterColor(other == frame.color_ids.end() ? id : other->second);
+}
 
 std::optional<cv::Rect> SeenRect(const ClusterShape& cluster, const OverlayCamera& camera) {
   const cv::Size size(camera.width_px, camera.height_px);
@@ -82,7 +86,7 @@ std::optional<cv::Rect> SeenRect(const ClusterShape& cluster, const OverlayCamer
 void FillGhosts(const OverlayFrame& frame, const OverlayCamera& camera, cv::Mat& picture) {
   for (const ClusterShape& cluster : frame.clusters) {
     if (!cluster.predicted) continue;
-    FillHull(Outline(cluster, camera), ClusterColor(cluster.id), kGhostOpacity, picture);
+    FillHull(Outline(cluster, camera), ColorOf(frame, cluster.id), kGhostOpacity, picture);
   }
 }
 
@@ -90,7 +94,7 @@ void DrawBoxes(const OverlayFrame& frame, const OverlayCamera& camera, const Ove
                cv::Mat& picture) {
   std::vector<Stroke> strokes;
   for (const ClusterShape& cluster : frame.clusters) {
-    const Rgb color = ClusterColor(cluster.id);
+    const Rgb color = ColorOf(frame, cluster.id);
     for (const PixelSegment& edge : ProjectEdges(cluster.corners, camera)) {
       const auto seen = ClipSegment(edge, picture.size(), style.dash_px);
       if (!seen) continue;
@@ -110,8 +114,10 @@ void DrawMotion(const OverlayFrame& frame, const OverlayCamera& camera, const Ov
                 cv::Mat& picture) {
   std::vector<Stroke> arrows;
   for (const ClusterShape& cluster : frame.clusters) {
-    DrawTrail(cluster, camera, style, picture);
-    AddArrow(cluster, camera, style, arrows);
+    if (!SeenRect(cluster, camera)) continue;
+    const Rgb color = ColorOf(frame, cluster.id);
+    DrawTrail(cluster, color, camera, style, picture);
+    AddArrow(cluster, color, camera, style, arrows);
   }
   DrawStrokes(arrows, kRimOpacity, picture);
 }

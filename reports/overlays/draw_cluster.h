@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "reports/overlays/draw_overlay.h"
+#include "reports/overlays/palette.h"
 #include "reports/overlays/project.h"
 
 namespace cvo::reports {
@@ -20,6 +21,8 @@ void DrawMotion(const OverlayFrame& frame, const OverlayCamera& camera, const Ov
 // Ids and classes, beside the boxes and not over each other where there is room.
 void DrawNames(const OverlayFrame& frame, const OverlayCamera& camera, const OverlayStyle& style,
                cv::Mat& picture);
+
+Rgb ColorOf(const OverlayFrame& frame, std::int64_t id);
 
 // The part of the picture that a cluster's box covers; empty where it is out of view.
 [[nodiscard]] std::optional<cv::Rect> SeenRect(const ClusterShape& cluster,

@@ -59,7 +59,7 @@ void DrawNames(const OverlayFrame& frame, const OverlayCamera& camera, const Ove
     const std::string name = NameOf(cluster, style);
     const cv::Rect place = FreePlace(*box, PlateSize(name, style.text_px), picture.size(), taken);
     taken.push_back(place);
-    const Rgb color = ClusterColor(cluster.id);
+    const Rgb color = ColorOf(frame, cluster.id);
     PlateStyle plate;
     plate.text_px = style.text_px;
     plate.fill = cluster.predicted ? Rgb{20, 20, 20} : color;

@@ -37,8 +37,10 @@ cv::Mat Background(const cv::Mat& image, const OverlayCamera& camera, const Over
 
 void DrawDetections(const OverlayFrame& frame, const OverlayStyle& style, cv::Mat& image) {
   std::vector<Stroke> strokes;
+  // Upright lines are sharp on whole pixels alone.
+  const auto whole = [&](double pixel) { return std::round((pixel + 0.5) * style.scale - 0.5); };
   const auto scaled = [&](double u_px, double v_px) {
-    return cv::Point2d((u_px + 0.5) * style.scale - 0.5, (v_px + 0.5) * style.scale - 0.5);
+    return cv::Point2d(whole(u_px), whole(v_px));
   };
   for (const PixelBox& box : frame.detections) {
     const std::array<cv::Point2d, 4> corners = {
@@ -57,16 +59,30 @@ void DrawLandmarks(const OverlayFrame& frame, const OverlayStyle& style, cv::Mat
   for (const bool on_body : {false, true}) {
     for (const LandmarkDot& dot : frame.landmarks) {
       if ((dot.label > kStaticLabel) != on_body) continue;
+      if (style.wrong && dot.wrong) continue;  // below
       const cv::Point2d at((dot.u_px + 0.5) * style.scale - 0.5,
                            (dot.v_px + 0.5) * style.scale - 0.5);
       if (on_body) {
-        DrawDisc(at, style.landmark_px, 1.0, ClusterColor(dot.label), image);
+        DrawDisc(at, style.landmark_px, style.rim_px, ColorOf(frame, dot.label), image);
       } else if (dot.label == kStaticLabel) {
-        DrawDisc(at, style.static_px, 0.7, kStaticColor, image);
+        DrawDisc(at, style.static_px, 0.7 * style.rim_px, kStaticColor, image);
       } else {
         DrawDisc(at, 0.5 * style.static_px, 0.0, kOutlierColor, image);
       }
     }
+  }
+}
+
+// A ring around each, and in it the label's colour.
+void DrawWrongLabels(const OverlayFrame& frame, const OverlayStyle& style, cv::Mat& image) {
+  constexpr Rgb kRing{255, 255, 255};
+  for (const LandmarkDot& dot : frame.landmarks) {
+    if (!dot.wrong) continue;
+    const cv::Point2d at((dot.u_px + 0.5) * style.scale - 0.5,
+                         (dot.v_px + 0.5) * style.scale - 0.5);
+    const Rgb color = dot.label == kStaticLabel ? kStaticColor : ColorOf(frame, dot.label);
+    DrawDisc(at, style.landmark_px + 2.6, 1.0, kRing, image);
+    DrawDisc(at, style.landmark_px, 1.2, color, image);
   }
 }
 
@@ -75,15 +91,18 @@ void DrawLandmarks(const OverlayFrame& frame, const OverlayStyle& style, cv::Mat
 OverlayStyle StyleFor(const OverlayCamera& camera, int width_px) {
   OverlayStyle style;
   style.scale = static_cast<double>(width_px) / camera.width_px;
-  const double size = std::clamp(width_px / 640.0, 0.5, 3.0);
-  style.text_px = std::max(7, static_cast<int>(std::lround(4.5 + 4.5 * size)));
+  // Of an image of 640x480 it is 1; on wide ones things are small.
+  const double height_px = style.scale * camera.height_px;
+  const double size = std::clamp(std::min(width_px / 640.0, height_px / 240.0), 0.35, 3.0);
+  style.text_px = std::max(7, static_cast<int>(std::lround(6.0 + 3.0 * size)));
   style.line_px = std::max(1, static_cast<int>(std::lround(0.8 + 0.8 * size)));
-  style.landmark_px = 0.8 + 1.6 * size;
-  style.static_px = 0.5 + 0.5 * size;
+  style.landmark_px = 0.5 + 1.9 * size;
+  style.static_px = 0.3 + 0.7 * size;
+  style.rim_px = std::min(size, 1.0);
   style.trail_px = 0.8 + 1.4 * size;
   style.dash_px = 3.0 + 4.0 * size;
   style.names = width_px >= 400;
-  style.status_rows = width_px >= 400 && width_px < 1000 ? 2 : 1;
+  style.status_rows = width_px >= 400 && width_px < 900 ? 2 : 1;
   return style;
 }
 
@@ -95,6 +114,7 @@ cv::Mat DrawOverlay(const cv::Mat& image, const OverlayFrame& frame, const Overl
   DrawDetections(frame, style, picture);
   if (style.boxes) DrawBoxes(frame, scaled, style, picture);
   DrawLandmarks(frame, style, picture);
+  if (style.wrong) DrawWrongLabels(frame, style, picture);
   if (style.boxes) DrawMotion(frame, scaled, style, picture);
   DrawNames(frame, scaled, style, picture);
   if (!style.status) return picture;

@@ -16,10 +16,12 @@ struct OverlayStyle {
   int line_px = 2;           // edges of the 3D boxes and arrows
   double landmark_px = 2.6;  // radius of a landmark of a body
   double static_px = 1.1;
+  double rim_px = 1.0;  // dark, around landmarks
   double trail_px = 2.2;
   double dash_px = 7.0;
   bool names = true;   // a class beside the id
   bool boxes = true;   // 3D boxes, arrows and trails; detections and landmarks are always drawn
+  bool wrong = false;  // landmarks with a wrong label have a white ring, where the truth is known
   bool status = true;  // words below the image
   int status_rows = 1;
 };

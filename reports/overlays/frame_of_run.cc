@@ -61,8 +61,10 @@ class ClusterPath {
     }
     return steps;
   }
-  // Of its centre, in world, from where it is a little before and after.
+  // Of its centre, in world, from where it is a little before and after; of a predicted one as the
+  // motion model says.
   Position Velocity() const {
+    if (row_.predicted) return row_.velocity_m_s;
     const std::ptrdiff_t before = Reach(-1, kVelocityHalf_s);
     const std::ptrdiff_t after = Reach(1, kVelocityHalf_s);
     if (before == after) return row_.velocity_m_s;
@@ -130,6 +132,8 @@ OverlayFrame FrameOf(const OverlayRun& run, int frame) {
   drawn.run = StrCat(run.variant, ", seed ", run.seed);
   drawn.has_landmarks = run.has_landmarks;
   drawn.has_clusters = run.has_clusters;
+  drawn.has_truth = run.has_truth;
+  drawn.color_ids = run.color_ids;
   const auto landmarks = run.landmarks.find(frame);
   if (landmarks != run.landmarks.end()) drawn.landmarks = landmarks->second;
   const auto boxes = run.detections.find(frame);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,8 @@ struct LandmarkDot {
   float u_px = 0.0F;
   float v_px = 0.0F;
   std::int64_t label = kOutlierLabel;  // a cluster's id, or one of the above
+  std::int32_t truth_body = -1;        // 0: the static scene; -1: not known
+  bool wrong = false;                  // see MarkWrongLabels
 };
 
 // A cluster as one frame's camera sees it: points are in the camera, metres.
@@ -60,6 +63,9 @@ struct OverlayFrame {
   std::string run;      // "full, seed 1"
   bool has_landmarks = false;
   bool has_clusters = false;
+  bool has_truth = false;  // of landmarks
+  // By id: the id whose colour a cluster has, where that is not its own (AgreeOnColors).
+  std::map<std::int64_t, std::int64_t> color_ids;
   std::vector<LandmarkDot> landmarks;
   std::vector<ClusterShape> clusters;
   std::vector<PixelBox> detections;

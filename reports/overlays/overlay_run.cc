@@ -33,6 +33,7 @@ void ReadSequence(const Fields& fields, OverlayRun& run) {
   run.pair = fields.Text("pair");
   run.first_frame = static_cast<int>(fields.Integer("first_frame"));
   run.frames = static_cast<int>(fields.Integer("frames"));
+  if (fields.Has("detections")) run.boxes = static_cast<int>(fields.Integer("detections"));
   if (fields.Has("detections_hash")) run.detections_hash = fields.Text("detections_hash");
   run.camera = ReadCamera(fields.Object("camera"));
 }
@@ -83,6 +84,7 @@ OverlayRun ReadOverlayRun(const fs::path& folder, LandmarkLabel label) {
       read("clusters", "objects.csv", [&] { ReadClusterTable(folder / "objects.csv"); });
   run.has_landmarks = read("landmarks", "landmarks.csv",
                            [&] { run.landmarks = ReadLandmarks(folder / "landmarks.csv", label); });
+  MarkWrongLabels(run);
   if (run.has_clusters) {
     read("detections", "tracks.kitti", [&] { run.detections = ReadAssociatedBoxes(folder); });
   }

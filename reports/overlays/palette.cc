@@ -15,14 +15,21 @@ constexpr std::array<Rgb, 7> kColors = {{{230, 159, 0},
                                          {240, 228, 66},
                                          {235, 95, 20},
                                          {225, 130, 195},
-                                         {60, 130, 240}}};
+                                         {60, 95, 250}}};
+
+// Half way to white.
+Rgb Tint(Rgb color) {
+  const auto half = [](std::uint8_t part) { return static_cast<std::uint8_t>((part + 255) / 2); };
+  return {half(color.red), half(color.green), half(color.blue)};
+}
 
 }  // namespace
 
 Rgb ClusterColor(std::int64_t id) {
-  constexpr auto kCount = static_cast<std::int64_t>(kColors.size());
-  const std::int64_t index = ((id - 1) % kCount + kCount) % kCount;  // of id 1: the first
-  return kColors[static_cast<std::size_t>(index)];
+  constexpr std::uint64_t kCount = kColors.size();
+  const std::uint64_t place = (static_cast<std::uint64_t>(id) - 1U) % (2U * kCount);
+  const Rgb color = kColors[place % kCount];
+  return place < kCount ? color : Tint(color);
 }
 
 Rgb TextColorOn(Rgb background) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace cvo::reports {
 namespace {
@@ -26,6 +27,8 @@ Position Rotate(const Position& v, double w, const Position& p) {
 cv::Point2d Pixel(const Position& p, const OverlayCamera& camera) {
   return {camera.fx_px * p[0] / p[2] + camera.cx_px, camera.fy_px * p[1] / p[2] + camera.cy_px};
 }
+
+bool IsFinite(cv::Point2d pixel) { return std::isfinite(pixel.x) && std::isfinite(pixel.y); }
 
 Position Between(const Position& a, const Position& b, double fraction) {
   Position p;
@@ -60,7 +63,9 @@ OverlayCamera ScaledCamera(const OverlayCamera& camera, double scale) {
 
 std::optional<cv::Point2d> ProjectPoint(const Position& p_in_camera, const OverlayCamera& camera) {
   if (!(p_in_camera[2] >= kNear_m)) return std::nullopt;
-  return Pixel(p_in_camera, camera);
+  const cv::Point2d pixel = Pixel(p_in_camera, camera);
+  if (!IsFinite(pixel)) return std::nullopt;
+  return pixel;
 }
 
 std::optional<PixelSegment> ProjectSegment(const Position& a, const Position& b,
@@ -68,10 +73,11 @@ std::optional<PixelSegment> ProjectSegment(const Position& a, const Position& b,
   const bool a_seen = a[2] >= kNear_m;
   const bool b_seen = b[2] >= kNear_m;
   if (!a_seen && !b_seen) return std::nullopt;
-  if (a_seen && b_seen) return PixelSegment{Pixel(a, camera), Pixel(b, camera)};
-  const Position at_near = Between(a, b, (kNear_m - a[2]) / (b[2] - a[2]));
-  return a_seen ? PixelSegment{Pixel(a, camera), Pixel(at_near, camera)}
-                : PixelSegment{Pixel(at_near, camera), Pixel(b, camera)};
+  const auto at_near = [&] { return Between(a, b, (kNear_m - a[2]) / (b[2] - a[2])); };
+  const PixelSegment segment = {Pixel(a_seen ? a : at_near(), camera),
+                                Pixel(b_seen ? b : at_near(), camera)};
+  if (!IsFinite(segment.first) || !IsFinite(segment.second)) return std::nullopt;
+  return segment;
 }
 
 std::vector<PixelSegment> ProjectEdges(const std::array<Position, 8>& corners,

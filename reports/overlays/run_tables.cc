@@ -73,11 +73,12 @@ class TrackRow {
 std::map<int, std::vector<LandmarkDot>> ReadLandmarks(const fs::path& file, LandmarkLabel label) {
   const std::string column = label == LandmarkLabel::kCluster ? "cluster" : "inferred";
   std::map<int, std::vector<LandmarkDot>> landmarks;
-  ReadCsvColumns(file, {"frame", "u_px", "v_px", column}, [&](const CsvCells& row) {
+  ReadCsvColumns(file, {"frame", "u_px", "v_px", column, "truth_body"}, [&](const CsvCells& row) {
     LandmarkDot dot;
     dot.u_px = static_cast<float>(row.Number<double>(1));
     dot.v_px = static_cast<float>(row.Number<double>(2));
     if (!row.Text(3).empty()) dot.label = row.Number<std::int64_t>(3);
+    if (!row.Text(4).empty()) dot.truth_body = row.Number<std::int32_t>(4);
     landmarks[row.Number<int>(0)].push_back(dot);
   });
   return landmarks;

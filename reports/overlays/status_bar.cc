@@ -26,9 +26,9 @@ std::string CountClusters(const OverlayFrame& frame, const OverlayCamera& camera
     ++(cluster.predicted ? predicted : tracked);
     unseen += SeenRect(cluster, camera) ? 0 : 1;
   }
-  std::string words = StrCat("bodies: ", tracked, " tracked");
-  if (predicted > 0) words += StrCat(", ", predicted, " predicted");
-  if (unseen > 0) words += StrCat(", ", unseen, " of them out of view");
+  std::string words = StrCat("bodies ", tracked);
+  if (predicted > 0) words += StrCat(" + ", predicted, " predicted");
+  if (unseen > 0) words += StrCat(" (", unseen, " out of view)");
   return words;
 }
 
@@ -36,11 +36,15 @@ std::string CountLandmarks(const OverlayFrame& frame) {
   int on_scene = 0;
   int on_bodies = 0;
   int outliers = 0;
+  int wrong = 0;
   for (const LandmarkDot& dot : frame.landmarks) {
+    wrong += dot.wrong ? 1 : 0;
     ++(dot.label == kStaticLabel ? on_scene : dot.label > kStaticLabel ? on_bodies : outliers);
   }
-  return StrCat("landmarks: ", on_scene, " static, ", on_bodies, " on bodies, ", outliers,
-                " outliers");
+  std::string words = StrCat("landmarks ", on_scene, " static, ", on_bodies, " on bodies");
+  if (outliers > 0) words += StrCat(", ", outliers, " outliers");
+  if (frame.has_truth) words += StrCat(", ", wrong, " with a wrong label");
+  return words;
 }
 
 }  // namespace
@@ -51,8 +55,8 @@ std::vector<std::string> StatusWords(const OverlayFrame& frame, const OverlayCam
   return {StrCat("frame ", frame.frame),
           time,
           "camera " + frame.status,
-          frame.has_clusters ? CountClusters(frame, camera) : "bodies: not recorded",
-          frame.has_landmarks ? CountLandmarks(frame) : "landmarks: not recorded",
+          frame.has_clusters ? CountClusters(frame, camera) : "bodies not recorded",
+          frame.has_landmarks ? CountLandmarks(frame) : "landmarks not recorded",
           frame.run};
 }
 

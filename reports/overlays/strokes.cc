@@ -24,9 +24,17 @@ cv::Point Fixed(cv::Point2d point) {
   return {fixed(point.x), fixed(point.y)};
 }
 
+bool IsWhole(double pixel) { return pixel == std::floor(pixel); }
+
+// Upright lines on whole pixels are sharp; all others have their edges smoothed.
+bool IsSharp(const PixelSegment& segment) {
+  const auto& [a, b] = segment;
+  return IsWhole(a.x) && IsWhole(a.y) && IsWhole(b.x) && IsWhole(b.y) && (a.x == b.x || a.y == b.y);
+}
+
 void DrawLine(const PixelSegment& segment, const cv::Scalar& color, int width_px, cv::Mat& image) {
-  cv::line(image, Fixed(segment.first), Fixed(segment.second), color, width_px, cv::LINE_AA,
-           kFractionBits);
+  cv::line(image, Fixed(segment.first), Fixed(segment.second), color, width_px,
+           IsSharp(segment) ? cv::LINE_8 : cv::LINE_AA, kFractionBits);
 }
 
 // Of a pixel whose centre is this far within an edge.
