@@ -22,6 +22,7 @@ struct ReportFlags {
   std::string against;
   int every = 0;
   bool no_images = false;
+  bool all_images = false;
 };
 
 // The folder's own name, also of "results/ci/" and ".".
@@ -46,13 +47,14 @@ int Report(const ReportFlags& flags) {
     request.variants.emplace_back(variant.name, variant.changes);
   }
   reports::PageContent content = reports::ReadPage(request);
+  const fs::path out = flags.out.empty() ? fs::path(flags.folder) / "report" : fs::path(flags.out);
+  fs::create_directories(out);
   if (flags.no_images) {
     LeaveOutImages(content);
   } else {
     AddSceneImages(folder, flags.every, content);
   }
-  const fs::path out = flags.out.empty() ? fs::path(flags.folder) / "report" : fs::path(flags.out);
-  fs::create_directories(out);
+  if (flags.all_images) WriteAllImages(folder, out, content);
   WriteFilesAtomically(out, {{"index.html", reports::PageHtml(content)}});
   std::cout << "written: " << (out / "index.html").string() << '\n';
   for (const std::string& problem : content.problems) std::cerr << "missing: " << problem << '\n';
@@ -77,7 +79,11 @@ Command AddReportCommand(CLI::App& program) {
                       "images of every K-th frame in the page (default: as many as fit)")
           ->type_name("K")
           ->check(CLI::Range(1, 1000000).description(""));
-  app->add_flag("--no-images", flags->no_images, "no images in the page")->excludes(every);
+  CLI::Option* none = app->add_flag("--no-images", flags->no_images, "no images in the page");
+  none->excludes(every);
+  app->add_flag("--all-images", flags->all_images,
+                "also OUT/images: every frame of every run that can be drawn, as JPEG")
+      ->excludes(none);
   app->footer(
       "The page needs no network and nothing beside it. What is missing or failed is said in it.\n"
       "Exit code 1 where a whole part of the page could not be made.\n"

@@ -3,9 +3,14 @@
 #include "experiments/cli/report_images.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
+#include <functional>
 
 #include "core/base/error.h"
 #include "experiments/cli/run_images.h"
+#include "experiments/files/atomic_file.h"
+#include "reports/figures/numbers.h"
 #include "reports/overlays/thumbnails.h"
 
 namespace cvo {
@@ -28,23 +33,57 @@ reports::ThumbnailOptions OptionsFor(std::size_t scenes, int every, std::size_t 
   return options;
 }
 
-void AddImages(const fs::path& run_folder, int every, std::size_t scenes,
-               reports::PageScene& scene) {
+// Throws Error where there is nothing to draw, or nothing to draw it on.
+reports::ThumbnailStrip DrawRun(
+    const fs::path& run_folder,
+    const std::function<reports::ThumbnailOptions(const reports::OverlayRun& run)>& options_for) {
   if (!fs::exists(run_folder / "landmarks.csv")) {
-    scene.no_images = "the run has no landmarks.csv, so nothing is drawn on its images";
-    return;
+    throw Error("the run has no landmarks.csv, so nothing is drawn on its images");
   }
   reports::OverlayRun run = reports::ReadOverlayRun(run_folder, reports::LandmarkLabel::kCluster);
   const RunImages images(run, "");
   AdoptDetections("", run);
-  const reports::ThumbnailStrip strip = reports::MakeThumbnails(
-      run, [&](int frame) { return images.Left(frame); },
-      OptionsFor(scenes, every, run.detail.camera.size()));
+  return reports::MakeThumbnails(
+      run, [&](int frame) { return images.Left(frame); }, options_for(run));
+}
+
+fs::path RunFolder(const fs::path& folder, const reports::PageScene& scene,
+                   const reports::PageContent& content) {
+  return folder / "jobs" / content.runs[scene.run].run.planned.job;
+}
+
+void AddImages(const fs::path& run_folder, int every, std::size_t scenes,
+               reports::PageScene& scene) {
+  const auto options_for = [&](const reports::OverlayRun& run) {
+    return OptionsFor(scenes, every, run.detail.camera.size());
+  };
+  const reports::ThumbnailStrip strip = DrawRun(run_folder, options_for);
   for (const reports::Thumbnail& thumbnail : strip.thumbnails) {
     scene.images.push_back({thumbnail.frame, thumbnail.jpeg, thumbnail.alt});
   }
   for (const std::string& line : strip.missing) scene.detail.missing.push_back("images: " + line);
   if (scene.images.empty()) scene.no_images = "none of the run's images can be read";
+}
+
+reports::ThumbnailOptions AllFrames(const reports::OverlayRun& run) {
+  reports::ThumbnailOptions options;
+  options.width_px = 640;
+  options.most_frames = std::max(1, static_cast<int>(run.detail.camera.size()));
+  options.quality = 75;
+  options.most_bytes = std::size_t{1} << 40;
+  return options;
+}
+
+std::string FileName(int frame) {
+  std::array<char, 32> name{};
+  std::snprintf(name.data(), name.size(), "%06d.jpg", frame);
+  return name.data();
+}
+
+// Names of a suite are nobody's file names: the number keeps two apart that look the same.
+std::string FolderName(std::size_t index, const reports::PlannedRun& run) {
+  return StrCat(index, "-", reports::Slug(reports::KeyOf(run, "sequence")), "-",
+                reports::Slug(reports::KeyOf(run, "variant")));
 }
 
 }  // namespace
@@ -55,12 +94,29 @@ void AddSceneImages(const fs::path& folder, int every, reports::PageContent& con
                                              [](const auto& scene) { return scene.wants_images; }));
   for (reports::PageScene& scene : content.scenes) {
     if (!scene.wants_images) continue;
-    const fs::path run_folder = folder / "jobs" / content.runs[scene.run].run.planned.job;
     try {
-      AddImages(run_folder, every, wanting, scene);
+      AddImages(RunFolder(folder, scene, content), every, wanting, scene);
     } catch (const Error& error) {
       scene.no_images = error.what();
     }
+  }
+}
+
+void WriteAllImages(const fs::path& folder, const fs::path& out, reports::PageContent& content) {
+  for (std::size_t i = 0; i < content.scenes.size(); ++i) {
+    reports::PageScene& scene = content.scenes[i];
+    std::vector<NamedContent> files;
+    try {
+      for (reports::Thumbnail& image :
+           DrawRun(RunFolder(folder, scene, content), AllFrames).thumbnails) {
+        files.push_back({FileName(image.frame), std::move(image.jpeg)});
+      }
+    } catch (const Error&) {
+      continue;  // said of the run that the page holds images of
+    }
+    scene.images_folder = "images/" + FolderName(i, content.runs[scene.run].run.planned);
+    fs::create_directories(out / scene.images_folder);
+    WriteFilesAtomically(out / scene.images_folder, files);
   }
 }
 

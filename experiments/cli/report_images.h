@@ -12,4 +12,9 @@ namespace cvo {
 // many as fit into the page. A scene whose images are not there says why. `folder`: of the suite.
 void AddSceneImages(const std::filesystem::path& folder, int every, reports::PageContent& content);
 
+// Writes every drawn left image of every scene to `out`/images/<run>/, 640 pixels wide at most, and
+// tells the scenes so. A scene whose images are not there is left as it is.
+void WriteAllImages(const std::filesystem::path& folder, const std::filesystem::path& out,
+                    reports::PageContent& content);
+
 }  // namespace cvo

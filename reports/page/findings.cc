@@ -56,6 +56,11 @@ RowFindings FindingsOf(const Row& row, const Table& table, const std::string& re
   return found;
 }
 
+bool OnlySame(const RowFindings& found) {
+  return found.better.empty() && found.worse.empty() && found.other.empty() &&
+         found.noise.empty() && found.few.empty() && !found.same.empty();
+}
+
 std::string CountText(std::size_t count, const char* one, const char* many) {
   return StrCat(count, " ", count == 1 ? one : many);
 }
@@ -80,10 +85,15 @@ std::string Unclear(const char* what, const std::vector<std::string>& labels) {
 
 std::string FindingsHtml(const Table& table, const std::string& reference) {
   std::string html;
+  std::vector<std::string> unchanged;
   for (const Row& row : table.rows) {
     const RowFindings found = FindingsOf(row, table, reference);
+    if (OnlySame(found)) {
+      unchanged.push_back(RowLabel(row));
+      continue;
+    }
     const bool any = !found.better.empty() || !found.worse.empty() || !found.other.empty();
-    if (!any && found.noise.empty() && found.few.empty() && found.same.empty()) continue;
+    if (!any && found.noise.empty() && found.few.empty()) continue;
     html += StrCat("<h3>", Escaped(StrCat(RowLabel(row), ": ", Headline(found))), "</h3>\n");
     if (any) html += "<ul class=\"findings\">\n";
     for (const auto* list : {&found.worse, &found.better, &found.other}) {
@@ -93,6 +103,9 @@ std::string FindingsHtml(const Table& table, const std::string& reference) {
     html += Unclear("Cannot be told from noise", found.noise);
     html += Unclear("Too few pairs to tell", found.few);
     html += Unclear("The same", found.same);
+  }
+  if (!unchanged.empty()) {
+    html += Element("p", "The same in every measure: " + Listed(unchanged) + ".") + "\n";
   }
   return html;
 }

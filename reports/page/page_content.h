@@ -35,7 +35,8 @@ struct PageScene {
   bool wants_images = false;
   RunDetail detail;
   std::vector<PageImage> images;
-  std::string no_images;  // why there are none
+  std::string no_images;      // why there are none
+  std::string images_folder;  // of all its frames, beside the page; empty: none
 };
 
 // All that a page shows. A part that could not be made is empty, and `problems` says why.

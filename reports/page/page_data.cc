@@ -141,6 +141,7 @@ Json ScenesJson(const PageContent& content) {
     scenes.push_back({{"run", scene.run},
                       {"images", scene.images.size()},
                       {"no_images", scene.no_images},
+                      {"images_folder", scene.images_folder},
                       {"missing", scene.detail.missing}});
   }
   return scenes;

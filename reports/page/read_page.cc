@@ -72,6 +72,18 @@ void ReadScenes(const PageRequest& request, PageContent& content) {
   }
 }
 
+// The other folder by its name alone.
+Table Compare(const PageRequest& request) {
+  Table table = CompareFolders(request.against, request.folder);
+  table.reference = request.against.filename().string();
+  for (Row& row : table.rows) {
+    for (Cell& cell : row.cells) {
+      if (cell.difference) cell.difference->reference = table.reference;
+    }
+  }
+  return table;
+}
+
 // Messages name files; where the folder lies is nobody's business and not the same everywhere.
 void ForgetFolder(const std::string& folder, std::string& text) {
   for (auto at = text.find(folder); at != std::string::npos; at = text.find(folder)) {
@@ -121,8 +133,7 @@ PageContent ReadPage(const PageRequest& request) {
   if (!request.against.empty()) {
     content.compared_with = request.against.filename().string();
     Try(
-        "comparison", [&] { content.comparison = CompareFolders(request.against, request.folder); },
-        content);
+        "comparison", [&] { content.comparison = Compare(request); }, content);
   }
   ReadScenes(request, content);
   ForgetFolder((request.folder / "").string(), content);

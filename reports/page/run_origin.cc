@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/page/run_origin.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -13,6 +14,22 @@ namespace {
 
 std::string TextOf(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+std::string Words(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+// What an object holds is a fact each.
+void AddFact(const std::string& name, const Json& value, std::vector<Fact>& facts) {
+  if (!value.is_object()) {
+    facts.emplace_back(Words(name), TextOf(value));
+    return;
+  }
+  for (const auto& [part, of_part] : value.items()) {
+    facts.emplace_back(Words(part), TextOf(of_part));
+  }
 }
 
 void AddFacts(const std::vector<JsonMember>& members, const std::string& where,
@@ -29,7 +46,7 @@ void ReadBuild(const std::filesystem::path& file, RunOrigin& origin) {
   if (build.empty()) return;
   const Json json = ParseJson(build, file.string());
   if (!json.is_object()) return;
-  for (const auto& [name, value] : json.items()) origin.build.emplace_back(name, TextOf(value));
+  for (const auto& [name, value] : json.items()) AddFact(name, value, origin.build);
 }
 
 std::string Seconds(double seconds) {

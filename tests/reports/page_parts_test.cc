@@ -169,7 +169,8 @@ TEST(Findings, NoiseAndFewPairsAreNoFindings) {
   EXPECT_THAT(noise, HasSubstr("Cannot be told from noise: object ATE."));
   EXPECT_THAT(FindingsHtml(TwoRows(0.25, 5, false), "full"),
               HasSubstr("Too few pairs to tell: object ATE."));
-  EXPECT_THAT(FindingsHtml(TwoRows(0.0, 8, false), "full"), HasSubstr("The same: object ATE."));
+  EXPECT_THAT(FindingsHtml(TwoRows(0.0, 8, false), "full"),
+              HasSubstr("The same in every measure: 2d."));
   EXPECT_THAT(noise, Not(HasSubstr("<li")));
 }
 

@@ -141,13 +141,16 @@ TEST(Page, TheOriginOfAResult) {
   SuiteResults suite;
   Json result = Result("a");
   result["build"]["commit"] = "0123abc+changes";
-  result["build"]["opencv"] = "4.6.0";
+  result["build"]["cpu_level"] = "avx2";
+  result["build"]["libraries"] = {{"opencv", "4.6.0"}};
   suite.Add(result);
   suite.folder().Write("jobs/job0/timing.json",
                        R"({"host": "node<7>", "cpu": "one", "date": "2026-01-02", "wall_s": 2.5})");
   const PageContent content = Read(suite.Written());
   ASSERT_EQ(content.runs.size(), 1U);
   EXPECT_THAT(content.runs[0].origin.build, testing::Contains(Fact{"commit", "0123abc+changes"}));
+  EXPECT_THAT(content.runs[0].origin.build, testing::Contains(Fact{"cpu level", "avx2"}));
+  EXPECT_THAT(content.runs[0].origin.build, testing::Contains(Fact{"opencv", "4.6.0"}));
   EXPECT_THAT(content.runs[0].origin.machine, testing::Contains(Fact{"host", "node<7>"}));
   EXPECT_THAT(content.runs[0].origin.time, testing::Contains(Fact{"took", "2.5 s"}));
   EXPECT_THAT(OwnHtml(content), HasSubstr("node&lt;7&gt;"));
@@ -175,8 +178,11 @@ TEST(Page, ComparesWithAnotherFolder) {
   const PageContent content = ReadPage(request);
   EXPECT_THAT(content.problems, IsEmpty());
   ASSERT_TRUE(content.comparison);
-  EXPECT_THAT(OwnHtml(content),
-              AllOf(HasSubstr("id=\"comparison\""), HasSubstr("data-table=\"comparison\"")));
+  const std::string page = OwnHtml(content);
+  EXPECT_THAT(page,
+              AllOf(HasSubstr("id=\"comparison\""), HasSubstr("data-table=\"comparison\""),
+                    HasSubstr("Compared with " + before.folder().path().filename().string())));
+  EXPECT_THAT(page, Not(HasSubstr(before.folder().path().string())));
 }
 
 TEST(Page, AComparisonThatCannotBeIsSaid) {

@@ -24,6 +24,7 @@ export function template() {
   const axis = { gridcolor: grid, linecolor: muted, zerolinecolor: grid, tickcolor: muted, automargin: true };
   const axis3d = { ...axis, backgroundcolor: 'rgba(0,0,0,0)', showbackground: false };
   return {
+    data: { bar: [{ error_x: { color: muted }, error_y: { color: muted } }] },
     layout: {
       paper_bgcolor: 'rgba(0,0,0,0)', plot_bgcolor: 'rgba(0,0,0,0)',
       font: { color: text, family: 'system-ui, sans-serif', size: 12 },

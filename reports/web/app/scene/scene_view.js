@@ -25,6 +25,7 @@ function parts(data) {
     plot: element('div', { class: 'plot scene-plot', role: 'img' }),
     image: element('img', { alt: '', class: 'frame-image' }),
     imageNote: element('figcaption'),
+    all: element('p', { class: 'note' }),
     errors: element('div', { class: 'plot error-plot', role: 'img' }),
     words: element('ul', { class: 'words' }),
   };
@@ -38,7 +39,7 @@ function arrange(place, view, playerRow) {
     element('div', { class: 'scene-grid' },
       view.plot,
       element('div', { class: 'scene-side' },
-        element('figure', { class: 'frame' }, view.image, view.imageNote),
+        element('figure', { class: 'frame' }, view.image, view.imageNote, view.all),
         element('div', { class: 'now' }, element('h3', {}, 'At this frame'), view.words)),
       view.errors));
 }
@@ -97,7 +98,7 @@ export function sceneView(place, data) {
     const flat = view.flat.checked;
     const still = fixedTraces(run, flat);
     fixed = still.length;
-    window.Plotly.newPlot(view.plot, [...still, ...tracesAt(run, frame, flat)], sceneLayout(run, flat), CONFIG);
+    window.Plotly.newPlot(view.plot, [...still, ...tracesAt(run, frame, flat)], sceneLayout(run, flat, view.plot.clientWidth), CONFIG);
     window.Plotly.newPlot(view.errors, errorTraces(run, run.frames.map((_, i) => cameraError(run, i))), errorLayout(), CONFIG);
     view.errors.setAttribute('aria-label', `Position errors of camera and objects over time of ${runName(scene, data)}`);
     const count = run.frames.length;
@@ -107,6 +108,8 @@ export function sceneView(place, data) {
   function chooseRun() {
     scene = data.scenes[Number(view.choice.value)];
     run = prepared(Number(view.choice.value));
+    view.all.replaceChildren(...(scene.images_folder
+      ? [element('a', { href: `${scene.images_folder}/` }, 'Every frame of this run, larger')] : []));
     if (webgl) view.note.textContent = scene.missing.join(' ');
     if (run.frames.length === 0) {
       view.note.textContent = 'This run has no frames.';

@@ -72,7 +72,7 @@ function ranges(run) {
   return { x: range(paths.map((path) => path.x)), y: range(paths.map((path) => path.y)), z: range(paths.map((path) => path.z)) };
 }
 
-export function sceneLayout(run, flat) {
+export function sceneLayout(run, flat, width) {
   const spans = ranges(run);
   const axis = (title, span) => ({ title: { text: title }, range: span, gridcolor: GRID, zerolinecolor: GRID, linecolor: TRUTH, color: INK, showbackground: false });
   const shared = {
@@ -89,7 +89,8 @@ export function sceneLayout(run, flat) {
   }
   const size = (span) => span[1] - span[0];
   const longest = Math.max(size(spans.x), size(spans.y), size(spans.z));
-  const aspect = (span) => 1.6 * Math.max(size(span) / longest, 0.15);
+  const scale = width < 500 ? 1.15 : 1.6; // so that a phone shows the axes too
+  const aspect = (span) => scale * Math.max(size(span) / longest, 0.15);
   return {
     ...shared, margin: { l: 0, r: 0, t: 0, b: 0 },
     scene: {
