@@ -72,10 +72,11 @@ void ReadScenes(const PageRequest& request, PageContent& content) {
   }
 }
 
-// The other folder by its name alone.
+// Folders by their names alone.
 Table Compare(const PageRequest& request) {
   Table table = CompareFolders(request.against, request.folder);
   table.reference = request.against.filename().string();
+  table.title = StrCat(request.folder.filename().string(), " against ", table.reference);
   for (Row& row : table.rows) {
     for (Cell& cell : row.cells) {
       if (cell.difference) cell.difference->reference = table.reference;

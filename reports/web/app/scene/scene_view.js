@@ -25,7 +25,7 @@ function parts(data) {
     plot: element('div', { class: 'plot scene-plot', role: 'img' }),
     image: element('img', { alt: '', class: 'frame-image' }),
     imageNote: element('figcaption'),
-    all: element('p', { class: 'note' }),
+    all: element('p', { class: 'all-frames' }),
     errors: element('div', { class: 'plot error-plot', role: 'img' }),
     words: element('ul', { class: 'words' }),
   };
