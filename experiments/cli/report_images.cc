@@ -12,21 +12,36 @@
 #include "experiments/files/atomic_file.h"
 #include "reports/figures/numbers.h"
 #include "reports/overlays/thumbnails.h"
+#include "reports/page/page_html.h"
 
 namespace cvo {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Of all images of a page, which base64 makes 6 MB.
-constexpr std::size_t kMostBytes = 4'500'000;
-constexpr std::size_t kUsualBytes = 12'000;  // of one
+constexpr std::size_t kMostPageBytes = 14'500'000;
+constexpr std::size_t kMostBytes = 4'500'000;   // of all images of a page, which base64 makes 6 MB
+constexpr std::size_t kLeastBytes = 1'000'000;  // what is left for them where runs are long
+constexpr std::size_t kUsualBytes = 12'000;     // of one
 constexpr int kFewestFrames = 8;
 constexpr int kMostFrames = 150;
 
-reports::ThumbnailOptions OptionsFor(std::size_t scenes, int every, std::size_t frames) {
+// Leaves out scenes, the last first, until there is room for images; how many bytes of images.
+std::size_t MakeRoom(reports::PageContent& content) {
+  constexpr std::size_t kLeastBase64 = kLeastBytes / 3 * 4;
+  std::size_t size = reports::PageHtml(content).size();
+  while (size + kLeastBase64 > kMostPageBytes && content.scenes.size() > 1) {
+    content.scenes.pop_back();
+    ++content.scenes_left_out;
+    size = reports::PageHtml(content).size();
+  }
+  if (size + kLeastBase64 > kMostPageBytes) return kLeastBytes;
+  return std::min(kMostBytes, (kMostPageBytes - size) / 4 * 3);
+}
+
+reports::ThumbnailOptions OptionsFor(std::size_t most_bytes, int every, std::size_t frames) {
   reports::ThumbnailOptions options;
-  options.most_bytes = kMostBytes / scenes;
+  options.most_bytes = most_bytes;
   options.most_frames =
       std::clamp(static_cast<int>(options.most_bytes / kUsualBytes), kFewestFrames, kMostFrames);
   if (every > 0) options.most_frames = std::max(1, static_cast<int>(frames) / every);
@@ -52,10 +67,10 @@ fs::path RunFolder(const fs::path& folder, const reports::PageScene& scene,
   return folder / "jobs" / content.runs[scene.run].run.planned.job;
 }
 
-void AddImages(const fs::path& run_folder, int every, std::size_t scenes,
+void AddImages(const fs::path& run_folder, int every, std::size_t most_bytes,
                reports::PageScene& scene) {
   const auto options_for = [&](const reports::OverlayRun& run) {
-    return OptionsFor(scenes, every, run.detail.camera.size());
+    return OptionsFor(most_bytes, every, run.detail.camera.size());
   };
   const reports::ThumbnailStrip strip = DrawRun(run_folder, options_for);
   for (const reports::Thumbnail& thumbnail : strip.thumbnails) {
@@ -89,13 +104,14 @@ std::string FolderName(std::size_t index, const reports::PlannedRun& run) {
 }  // namespace
 
 void AddSceneImages(const fs::path& folder, int every, reports::PageContent& content) {
+  const std::size_t most_bytes = MakeRoom(content);
   const auto wanting =
       static_cast<std::size_t>(std::count_if(content.scenes.begin(), content.scenes.end(),
                                              [](const auto& scene) { return scene.wants_images; }));
   for (reports::PageScene& scene : content.scenes) {
     if (!scene.wants_images) continue;
     try {
-      AddImages(RunFolder(folder, scene, content), every, wanting, scene);
+      AddImages(RunFolder(folder, scene, content), every, most_bytes / wanting, scene);
     } catch (const Error& error) {
       scene.no_images = error.what();
     }

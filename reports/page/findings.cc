@@ -22,18 +22,25 @@ std::string Verdict(const std::optional<bool>& better) {
   return *better ? "better" : "worse";
 }
 
-std::string FindingHtml(const Column& column, const Difference& difference,
+// Its label, and its unit where another column is called the same.
+std::string NameOf(const Column& column, const Table& table) {
+  const auto count =
+      std::count_if(table.columns.begin(), table.columns.end(),
+                    [&](const Column& other) { return other.label == column.label; });
+  return count > 1 ? StrCat(column.label, " (", column.unit, ")") : column.label;
+}
+
+std::string FindingHtml(const Column& column, const std::string& name, const Difference& difference,
                         const std::string& reference) {
-  const std::string& unit = column.unit;
   const std::string verdict = Verdict(IsBetter(column.metric, difference.difference));
-  std::string text = StrCat(QuantityText(difference.value, unit), " instead of ",
-                            QuantityText(difference.reference_value, unit), " with ", reference,
-                            ": ", ChangeText(difference.difference, unit));
+  std::string text = StrCat(QuantityText(difference.value, column), " instead of ",
+                            QuantityText(difference.reference_value, column), " with ", reference,
+                            ": ", ChangeText(difference.difference, column));
   if (difference.interval) {
-    text += StrCat(" (interval ", RangeText(*difference.interval, unit), "; ", difference.pairs,
+    text += StrCat(" (interval ", RangeText(*difference.interval, column), "; ", difference.pairs,
                    " pairs)");
   }
-  return StrCat("<li class=\"", verdict, "\"><strong>", Escaped(column.label), "</strong> ",
+  return StrCat("<li class=\"", verdict, "\"><strong>", Escaped(name), "</strong> ",
                 "<span class=\"verdict\">", verdict, "</span>: ", Escaped(text), ".</li>\n");
 }
 
@@ -43,14 +50,15 @@ RowFindings FindingsOf(const Row& row, const Table& table, const std::string& re
     const auto& difference = row.cells[i].difference;
     if (!difference) continue;
     const Column& column = table.columns[i];
+    const std::string name = NameOf(column, table);
     if (difference->distinguishable) {
       const auto better = IsBetter(column.metric, difference->difference);
       auto& list = !better ? found.other : *better ? found.better : found.worse;
-      list.push_back(FindingHtml(column, *difference, reference));
+      list.push_back(FindingHtml(column, name, *difference, reference));
     } else if (difference->difference == 0.0) {
-      found.same.push_back(column.label);
+      found.same.push_back(name);
     } else {
-      (difference->pairs < kLeastPairs ? found.few : found.noise).push_back(column.label);
+      (difference->pairs < kLeastPairs ? found.few : found.noise).push_back(name);
     }
   }
   return found;

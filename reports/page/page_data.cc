@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "reports/figures/numbers.h"
 #include "reports/page/html.h"
 #include "reports/page/quantity.h"
 
@@ -77,14 +78,14 @@ Json DifferenceJson(const Difference& difference, const Column& column) {
     json.push_back({name, value});
   };
   add("against", difference.reference);
-  add("difference", ChangeText(difference.difference, column.unit));
+  add("difference", ChangeText(difference.difference, column));
   if (difference.interval) {
-    add("its interval", RangeText(*difference.interval, column.unit));
+    add("its interval", RangeText(*difference.interval, column));
     add("interval of", difference.interval->meaning);
   }
-  add("here and there", StrCat(QuantityText(difference.value, column.unit), " and ",
-                               QuantityText(difference.reference_value, column.unit)));
-  if (difference.percent) add("in percent", ChangeText(*difference.percent, "%"));
+  add("here and there", StrCat(QuantityText(difference.value, column), " and ",
+                               QuantityText(difference.reference_value, column)));
+  if (difference.percent) add("in percent", StrCat(Say(*difference.percent), " %"));
   add("pairs", StrCat(difference.pairs, ": ", difference.pairing));
   const auto better = IsBetter(column.metric, difference.difference);
   add("verdict", difference.difference == 0.0  ? "the same"
@@ -100,10 +101,10 @@ Json CellJson(const Cell& cell, const Column& column) {
   const auto add = [&facts](const char* name, const std::string& value) {
     if (!value.empty()) facts.push_back({name, value});
   };
-  add("value", cell.present ? QuantityText(cell.value, column.unit) : "");
+  add("value", cell.present ? QuantityText(cell.value, column) : "");
   add("why there is no value", cell.message);
   if (cell.interval) {
-    add("interval", RangeText(*cell.interval, column.unit));
+    add("interval", RangeText(*cell.interval, column));
     add("interval of", cell.interval->meaning);
   }
   add("mean of", cell.present ? CountsText(cell.n) : "");

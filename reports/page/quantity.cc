@@ -9,25 +9,26 @@
 namespace cvo::reports {
 namespace {
 
-// Fractions are told in percent.
-double Scaled(double value, const std::string& unit) { return unit == "1" ? 100.0 * value : value; }
-
-std::string ShownUnit(const std::string& unit) { return unit == "1" ? "%" : unit; }
+std::string WithUnit(const std::string& number, const std::string& unit) {
+  return unit.empty() ? number : StrCat(number, " ", unit);
+}
 
 }  // namespace
 
-std::string QuantityText(double value, const std::string& unit) {
-  const std::string name = ShownUnit(unit);
-  return Say(Scaled(value, unit)) + (name.empty() ? "" : " " + name);
+std::string QuantityText(double value, const Column& column) {
+  const Shown shown = ShownAs(column.metric, column.unit);
+  return WithUnit(Say(shown.scale * value), shown.unit);
 }
 
-std::string ChangeText(double value, const std::string& unit) {
-  const std::string what = unit == "1" ? "percentage points" : unit;
-  return StrCat(value > 0.0 ? "+" : "", Say(Scaled(value, unit)), what.empty() ? "" : " ", what);
+std::string ChangeText(double value, const Column& column) {
+  const Shown shown = ShownAs(column.metric, column.unit);
+  return WithUnit(StrCat(value > 0.0 ? "+" : "", Say(shown.scale * value)),
+                  shown.is_share ? "percentage points" : shown.unit);
 }
 
-std::string RangeText(const Interval& interval, const std::string& unit) {
-  return StrCat(Say(Scaled(interval.low, unit)), " to ", QuantityText(interval.high, unit));
+std::string RangeText(const Interval& interval, const Column& column) {
+  const Shown shown = ShownAs(column.metric, column.unit);
+  return StrCat(Say(shown.scale * interval.low), " to ", QuantityText(interval.high, column));
 }
 
 std::string BetterDirection(const std::string& metric) {

@@ -9,12 +9,12 @@
 
 namespace cvo::reports {
 
-// A number with its unit as a reader sees it: "0.0625 m", "93.1 %" of a fraction.
-std::string QuantityText(double value, const std::string& unit);
+// A number with its unit as a reader sees it: "0.0625 m", "93.1 %" of a share, "3" of a count.
+std::string QuantityText(double value, const Column& column);
 // With its sign.
-std::string ChangeText(double value, const std::string& unit);
+std::string ChangeText(double value, const Column& column);
 // "0.05 to 0.07 m".
-std::string RangeText(const Interval& interval, const std::string& unit);
+std::string RangeText(const Interval& interval, const Column& column);
 
 // "lower", "higher", or empty where nobody said which is better.
 std::string BetterDirection(const std::string& metric);

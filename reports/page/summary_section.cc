@@ -79,8 +79,7 @@ std::string RuleText(const std::string& reference) {
                 "where its 95 % interval does not contain 0 and there are at least ",
                 kLeastPairs,
                 " pairs. Intervals say what other bodies of these scenes would give, not other "
-                "scenes. With many measures some differences are real by this rule and chance "
-                "alone: about 1 of 20.");
+                "scenes. Of many comparisons about 1 in 20 looks real by chance alone.");
 }
 
 }  // namespace

@@ -39,12 +39,16 @@ TEST(PageText, NoNameIsMarkup) {
 }
 
 TEST(Quantity, UnitsAndSigns) {
-  EXPECT_EQ(QuantityText(0.0625, "m"), "0.0625 m");
-  EXPECT_EQ(QuantityText(0.5, "1"), "50 %");
-  EXPECT_EQ(QuantityText(3.0, ""), "3");
-  EXPECT_EQ(ChangeText(0.25, "m"), "+0.25 m");
-  EXPECT_EQ(ChangeText(-0.125, "1"), "-12.5 percentage points");
-  EXPECT_EQ(RangeText({0.125, 0.25, ""}, "m"), "0.125 to 0.25 m");
+  const Column error{"object_ate", "object ATE", "m", {}};
+  const Column share{"object_coverage", "object coverage", "1", {}};
+  const Column count{"object_id_switches", "id switches", "1", {}};
+  EXPECT_EQ(QuantityText(0.0625, error), "0.0625 m");
+  EXPECT_EQ(QuantityText(0.5, share), "50 %");
+  EXPECT_EQ(QuantityText(3.0, count), "3");
+  EXPECT_EQ(ChangeText(0.25, error), "+0.25 m");
+  EXPECT_EQ(ChangeText(-0.125, share), "-12.5 percentage points");
+  EXPECT_EQ(ChangeText(2.0, count), "+2");
+  EXPECT_EQ(RangeText({0.125, 0.25, ""}, error), "0.125 to 0.25 m");
 }
 
 TEST(Quantity, WhichIsBetter) {
@@ -161,6 +165,12 @@ TEST(Findings, ARealDifferenceSaysWhichWayAndHowMuch) {
   EXPECT_THAT(worse, HasSubstr("0.5 m instead of 0.25 m with full: +0.25 m (interval 0.125 to 0.5 "
                                "m; 8 pairs)"));
   EXPECT_THAT(FindingsHtml(TwoRows(-0.25, 8, true), "full"), HasSubstr("2d: better in 1 of 1"));
+}
+
+TEST(Findings, ColumnsOfOneNameAreToldApartByTheirUnits) {
+  Table table = TwoRows(0.25, 8, false);
+  table.columns.push_back({"object_rrpe", "object ATE", "rad", {}});
+  EXPECT_THAT(FindingsHtml(table, "full"), HasSubstr("from noise: object ATE (m)."));
 }
 
 TEST(Findings, NoiseAndFewPairsAreNoFindings) {
