@@ -169,7 +169,7 @@ Json BlockTrace(const HeatBlock& block, const HeatMap& map, const Table& table, 
           {"zmax", limit}};
 }
 
-Json ColourAxis(double limit) {
+Json ColourAxis(double limit, int length_px) {
   return {{"cmin", -limit},
           {"cmax", limit},
           {"cmid", 0},
@@ -185,11 +185,14 @@ Json ColourAxis(double limit) {
            {{"title", {{"text", "less<br>error (%)"}, {"side", "top"}, {"font", {{"size", 11}}}}},
             {"thickness", 12},
             {"ticksuffix", ""},
-            {"len", 1}}}};
+            {"lenmode", "pixels"},
+            {"len", length_px}}}};
 }
 
 Plot MakePlot(const HeatMap& map, const Table& table) {
   constexpr int kRow_px = 24;
+  constexpr int kTop_px = 84;
+  constexpr int kBottom_px = 16;
   std::vector<Panel> panels;
   for (const HeatBlock& block : map.blocks) {
     Panel panel{AxisOf(block.label), std::max(kRow_px * static_cast<int>(block.rows.size()), 60)};
@@ -208,13 +211,15 @@ Plot MakePlot(const HeatMap& map, const Table& table) {
                  {"ticks", ""},
                  {"tickangle", -45},
                  {"tickfont", {{"size", 11}}}});
-  Plot plot(x_axis, panels, 84, 16);
+  Plot plot(x_axis, panels, kTop_px, kBottom_px);
   plot.layout()["xaxis"]["anchor"] = "y";
   const double limit = std::clamp(map.largest_percent, 20.0, 100.0);
   for (std::size_t i = 0; i < map.blocks.size(); ++i) {
     plot.AddTrace(i, BlockTrace(map.blocks[i], map, table, limit));
   }
-  plot.layout()["coloraxis"] = ColourAxis(limit);
+  constexpr int kLeastBar_px = 120;
+  const int inner_px = plot.height_px() - kTop_px - kBottom_px;
+  plot.layout()["coloraxis"] = ColourAxis(limit, std::max(inner_px, kLeastBar_px));
   return plot;
 }
 
@@ -242,6 +247,19 @@ std::string SayBlock(const HeatBlock& block, const HeatMap& map, const Table& ta
     if (!part.empty()) text += ", at most " + part;
   }
   return text + ". ";
+}
+
+// With room for the longest name of a row.
+int WidthOf(const HeatMap& map) {
+  constexpr int kColumn_px = 58;
+  constexpr int kLetter_px = 7;
+  constexpr int kBesides_px = 150;
+  std::size_t longest = 0;
+  for (const HeatBlock& block : map.blocks) {
+    for (const HeatRow& row : block.rows) longest = std::max(longest, row.label.size());
+  }
+  return kBesides_px + kLetter_px * static_cast<int>(std::min<std::size_t>(longest, 60)) +
+         kColumn_px * static_cast<int>(map.columns.size());
 }
 
 }  // namespace
@@ -291,7 +309,7 @@ void DrawErrorReduction(const SuiteData& data, SuiteDrawing& drawing) {
                       " measures, against ", data.table.reference, ". ");
   for (const HeatBlock& block : map.blocks) figure.alt += SayBlock(block, map, data.table);
   figure.alt.pop_back();
-  figure.width_px = 200 + 58 * static_cast<int>(map.columns.size());
+  figure.width_px = WidthOf(map);
   figure.height_px = plot.height_px();
   figure.plotly = plot.Text();
   drawing.figures.push_back(std::move(figure));

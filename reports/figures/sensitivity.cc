@@ -251,6 +251,10 @@ void DrawSensitivity(const SuiteData& data, SuiteDrawing& drawing) {
     std::vector<std::string> names;
     for (const SweptLine& line : option.lines) names.push_back(line.label);
     const Palette palette = PaletteOf(data.plan, names);
+    if (data.table.columns.empty()) {
+      drawing.not_drawn.push_back(
+          StrCat("Sensitivity to ", option.path, ": no result has a metric."));
+    }
     for (const MetricGroup& group : GroupColumns(data.table)) {
       drawing.figures.push_back(DrawGroup(option, group, data.table, palette));
     }
