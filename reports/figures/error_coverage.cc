@@ -196,10 +196,10 @@ Figure DrawPair(const SuiteData& data, const std::vector<SeriesRows>& series,
 
 }  // namespace
 
-void DrawErrorOverCoverage(const SuiteData& data, SuiteDrawing& drawing) {
+void DrawErrorOverCoverage(const SuiteData& data, const std::vector<SeriesRows>& series,
+                           SuiteDrawing& drawing) {
   const std::vector<ErrorAndCoverage> pairs = FindPairs(data.table, drawing.not_drawn);
   if (pairs.empty()) return;
-  const std::vector<SeriesRows> series = SplitByScene(data);
   if (series.size() > kMostSeries) {
     drawing.not_drawn.push_back(StrCat("Error over coverage: ", series.size(),
                                        " kinds of marks, at most ", kMostSeries,

@@ -89,9 +89,9 @@ std::vector<HeatBlock> MakeBlocks(const std::vector<SeriesRows>& series, const T
   return blocks;
 }
 
-HeatMap MakeHeatMap(const SuiteData& data) {
+HeatMap MakeHeatMap(const SuiteData& data, const std::vector<SeriesRows>& series) {
   HeatMap map;
-  map.blocks = MakeBlocks(SplitByScene(data), data.table);
+  map.blocks = MakeBlocks(series, data.table);
   for (std::size_t i = 0; i < data.table.columns.size(); ++i) {
     bool any = false;
     for (const HeatBlock& block : map.blocks) {
@@ -275,13 +275,14 @@ std::optional<double> ErrorReduction(const Cell& cell, const Column& column) {
   return -100.0 * worse / before;
 }
 
-void DrawErrorReduction(const SuiteData& data, SuiteDrawing& drawing) {
+void DrawErrorReduction(const SuiteData& data, const std::vector<SeriesRows>& series,
+                        SuiteDrawing& drawing) {
   const std::string what = "Error reduction by sequence: ";
   if (data.table.reference.empty() || data.table.change) {
     drawing.not_drawn.push_back(what + "the suite names no reference to compare with.");
     return;
   }
-  const HeatMap map = MakeHeatMap(data);
+  const HeatMap map = MakeHeatMap(data, series);
   if (map.columns.empty()) {
     drawing.not_drawn.push_back(StrCat(what, "no sequence has runs both of the reference ",
                                        data.table.reference, " and of another."));

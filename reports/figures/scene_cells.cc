@@ -18,6 +18,13 @@ std::string ValueOf(const std::vector<std::string>& keys, const std::vector<std:
   return found == keys.end() ? "" : values[static_cast<std::size_t>(found - keys.begin())];
 }
 
+// Those of the table and the sequence.
+std::vector<std::string> KeysByScene(const Table& table) {
+  std::vector<std::string> keys = table.keys;
+  if (std::find(keys.begin(), keys.end(), "sequence") == keys.end()) keys.emplace_back("sequence");
+  return keys;
+}
+
 std::vector<Cell> CellsOf(const RowRuns& row, const RowRuns* reference,
                           const std::vector<std::string>& keys, const Table& table) {
   std::vector<Cell> cells;
@@ -46,10 +53,13 @@ std::string SeriesLabel(const std::vector<std::string>& keys,
   return label;
 }
 
+std::size_t CountSceneRows(const SuiteData& data) {
+  return GroupRuns(data.runs, KeysByScene(data.table)).size();
+}
+
 std::vector<SeriesRows> SplitByScene(const SuiteData& data) {
-  std::vector<std::string> keys = data.table.keys;
-  const bool by_sequence = std::find(keys.begin(), keys.end(), "sequence") != keys.end();
-  if (!by_sequence) keys.emplace_back("sequence");
+  const std::vector<std::string> keys = KeysByScene(data.table);
+  const bool by_sequence = keys.size() == data.table.keys.size();
   SuitePlan plan = data.plan;
   plan.rows = keys;
   const std::string reference = FullReference(plan);

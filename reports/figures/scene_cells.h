@@ -25,6 +25,9 @@ struct SeriesRows {
 // In the order of the table, with differences against its reference. The table must outlive it.
 std::vector<SeriesRows> SplitByScene(const SuiteData& data);
 
+// How many rows that would be, of all series.
+std::size_t CountSceneRows(const SuiteData& data);
+
 // Values of the keys of a planned run that are none of the sequence.
 std::string SeriesLabel(const std::vector<std::string>& keys,
                         const std::vector<std::string>& values);

@@ -182,6 +182,15 @@ TEST(SuiteFigures, AreTheSameBytesEachTimeUnderIdsOfTheirOwn) {
   EXPECT_TRUE(ids.contains("trajectories-room-2"));
 }
 
+TEST(SuiteFigures, OfTooManySequencesLeaveOutWhatIsPerSequence) {
+  SuiteData data = test::DrawnSuite({"full"});
+  for (int i = 0; i < 401; ++i) {
+    data.runs.push_back({data.plan.runs[0], "not run", "", "", std::nullopt});
+    data.runs.back().planned.keys["sequence"] = "room " + std::to_string(i);
+  }
+  EXPECT_THAT(SuiteFigures(data).not_drawn, Contains(HasSubstr("401 rows of the table")));
+}
+
 TEST(SuiteFigures, KeepHostileNamesText) {
   const TwoVariants suite("<img src=x onerror=alert(1)>");
   const SuiteDrawing drawing = Draw(suite.Written());
