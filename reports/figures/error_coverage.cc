@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <optional>
+#include <set>
 
 #include "reports/figures/numbers.h"
 #include "reports/figures/palette.h"
@@ -9,11 +10,13 @@
 #include "reports/figures/relation.h"
 #include "reports/figures/scene_cells.h"
 #include "reports/figures/suite_parts.h"
+#include "reports/figures/swept_lines.h"
 
 namespace cvo::reports {
 namespace {
 
 constexpr std::size_t kMostSeries = 20;
+constexpr int kWidth_px = 560;
 
 // An error and the coverage that it must be read with.
 struct ErrorAndCoverage {
@@ -102,16 +105,19 @@ Json MeanPoint(const SeriesRows& series, const Table& table, const ErrorAndCover
   const Cell& coverage = series.all->cells[pair.coverage];
   const Column& error_column = table.columns[pair.error];
   const Column& coverage_column = table.columns[pair.coverage];
+  const std::string said = StrCat(series.label, ": ", SayCell(error, error_column), " at ",
+                                  SayCell(coverage, coverage_column));
   return {{"type", "scatter"},
-          {"mode", "markers"},
-          {"name", PlotText(series.label)},
-          {"legendgroup", PlotText(series.label)},
+          {"mode", series.options.empty() ? "markers" : "markers+text"},
+          {"name", PlotText(series.name)},
+          {"legendgroup", PlotText(series.name)},
           {"x", {Rounded(ScaleOf(coverage_column) * coverage.value)}},
           {"y", {Rounded(ScaleOf(error_column) * error.value)}},
-          {"text",
-           {PlotText(
-               StrCat(SayCell(error, error_column), " at ", SayCell(coverage, coverage_column)))}},
-          {"hovertemplate", "%{text}"},
+          {"text", {PlotText(series.options)}},
+          {"textposition", "top right"},
+          {"textfont", {{"size", 10}}},
+          {"customdata", {PlotText(said)}},
+          {"hovertemplate", "%{customdata}<extra></extra>"},
           {"error_x", Whiskers(coverage, ScaleOf(coverage_column), style.colour)},
           {"error_y", Whiskers(error, ScaleOf(error_column), style.colour)},
           {"marker", {{"color", style.colour}, {"symbol", style.symbol}, {"size", 11}}}};
@@ -158,26 +164,49 @@ std::string Alt(const std::vector<SeriesRows>& series, const Table& table,
   return text;
 }
 
+Plot MakePlot(const SuiteData& data, const std::vector<SeriesRows>& series,
+              const ErrorAndCoverage& pair) {
+  const Table& table = data.table;
+  std::vector<std::string> names;
+  for (const SeriesRows& rows : series) names.push_back(rows.name);
+  const Palette palette = PaletteOf(data.plan, names);
+  Panel panel{AxisOf(AxisTitle(table.columns[pair.error])), 300};
+  panel.y_axis["rangemode"] = "tozero";
+  Plot plot(AxisOf(AxisTitle(table.columns[pair.coverage])), {panel},
+            LegendHeight(names, kWidth_px));
+  std::set<std::string> in_legend;
+  for (const SeriesRows& rows : series) {
+    if (rows.all != nullptr && !HasMean(rows, pair)) continue;
+    Json points = ScenePoints(rows, table, pair, palette.Of(rows.name));
+    if (rows.all == nullptr) {
+      points.update(
+          {{"showlegend", in_legend.insert(rows.name).second}, {"name", PlotText(rows.name)}});
+    }
+    plot.AddTrace(0, std::move(points));
+  }
+  for (const SeriesRows& rows : series) {
+    if (!HasMean(rows, pair)) continue;
+    Json point = MeanPoint(rows, table, pair, palette.Of(rows.name));
+    point["showlegend"] = in_legend.insert(rows.name).second;
+    plot.AddTrace(0, std::move(point));
+  }
+  return plot;
+}
+
+// What the texts beside marks are.
+std::string OptionsText(const Table& table) {
+  std::vector<std::string> options;
+  for (const std::string& key : table.keys) {
+    if (IsOption(key)) options.push_back(key);
+  }
+  return options.empty() ? "" : StrCat("Numbers: values of ", Listed(options), ". ");
+}
+
 Figure DrawPair(const SuiteData& data, const std::vector<SeriesRows>& series,
                 const ErrorAndCoverage& pair) {
   const Table& table = data.table;
   const Column& error = table.columns[pair.error];
-  std::vector<std::string> names;
-  for (const SeriesRows& rows : series) names.push_back(rows.label);
-  const Palette palette = PaletteOf(data.plan, names);
-  Json x_axis = AxisOf(AxisTitle(table.columns[pair.coverage]));
-  Panel panel{AxisOf(AxisTitle(error)), 300};
-  panel.y_axis["rangemode"] = "tozero";
-  Plot plot(x_axis, {panel});
-  for (const SeriesRows& rows : series) {
-    if (rows.all != nullptr && !HasMean(rows, pair)) continue;
-    Json points = ScenePoints(rows, table, pair, palette.Of(rows.label));
-    if (!HasMean(rows, pair)) points.update({{"showlegend", true}, {"name", PlotText(rows.label)}});
-    plot.AddTrace(0, std::move(points));
-  }
-  for (const SeriesRows& rows : series) {
-    if (HasMean(rows, pair)) plot.AddTrace(0, MeanPoint(rows, table, pair, palette.Of(rows.label)));
-  }
+  const Plot plot = MakePlot(data, series, pair);
   Figure figure;
   figure.id = StrCat("error-over-coverage-", Slug(error.metric));
   figure.group = "Error over coverage";
@@ -186,9 +215,10 @@ Figure DrawPair(const SuiteData& data, const std::vector<SeriesRows>& series,
   figure.caption = StrCat(
       "Down and right is better. Full marks: all sequences, with both intervals; "
       "faint marks: one sequence each. ",
-      IntervalText(table, {pair.error, pair.coverage}), WithoutPoint(series, table, pair));
+      OptionsText(table), IntervalText(table, {pair.error, pair.coverage}),
+      WithoutPoint(series, table, pair));
   figure.alt = Alt(series, table, pair);
-  figure.width_px = 560;
+  figure.width_px = kWidth_px;
   figure.height_px = plot.height_px();
   figure.plotly = plot.Text();
   return figure;
