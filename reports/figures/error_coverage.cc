@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 
@@ -123,6 +125,34 @@ Json MeanPoint(const SeriesRows& series, const Table& table, const ErrorAndCover
           {"marker", {{"color", style.colour}, {"symbol", style.symbol}, {"size", 11}}}};
 }
 
+// Texts beside marks that would lie on each other: the first of them stays, hovering tells the
+// rest.
+void ThinTexts(Json& points) {
+  constexpr double kApart = 0.04;  // of what marks and intervals span
+  const auto at = [](const Json& point, const char* axis) { return point[axis][0].get<double>(); };
+  const auto span = [&](const char* axis, const char* whiskers) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const Json& point : points) {
+      const Json& ends = point[whiskers];
+      const bool has_ends = ends.contains("array");
+      low = std::min(low, at(point, axis) - (has_ends ? ends["arrayminus"][0].get<double>() : 0.0));
+      high = std::max(high, at(point, axis) + (has_ends ? ends["array"][0].get<double>() : 0.0));
+    }
+    return std::max(high - low, 1e-12);
+  };
+  const double span_x = span("x", "error_x");
+  const double span_y = span("y", "error_y");
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (points[k]["text"][0] == "") continue;
+      if (std::abs(at(points[i], "x") - at(points[k], "x")) > kApart * span_x) continue;
+      if (std::abs(at(points[i], "y") - at(points[k], "y")) > kApart * span_y) continue;
+      points[i]["text"][0] = "";
+    }
+  }
+}
+
 bool HasMean(const SeriesRows& series, const ErrorAndCoverage& pair) {
   return series.all != nullptr && series.all->cells[pair.error].present &&
          series.all->cells[pair.coverage].present;
@@ -184,12 +214,15 @@ Plot MakePlot(const SuiteData& data, const std::vector<SeriesRows>& series,
     }
     plot.AddTrace(0, std::move(points));
   }
+  Json means = Json::array();
   for (const SeriesRows& rows : series) {
     if (!HasMean(rows, pair)) continue;
     Json point = MeanPoint(rows, table, pair, palette.Of(rows.name));
     point["showlegend"] = in_legend.insert(rows.name).second;
-    plot.AddTrace(0, std::move(point));
+    means.push_back(std::move(point));
   }
+  ThinTexts(means);
+  for (Json& point : means) plot.AddTrace(0, std::move(point));
   return plot;
 }
 
