@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
+#include <set>
 
 #include "reports/figures/numbers.h"
 #include "reports/figures/palette.h"
@@ -9,11 +12,13 @@
 #include "reports/figures/relation.h"
 #include "reports/figures/scene_cells.h"
 #include "reports/figures/suite_parts.h"
+#include "reports/figures/swept_lines.h"
 
 namespace cvo::reports {
 namespace {
 
 constexpr std::size_t kMostSeries = 20;
+constexpr int kWidth_px = 560;
 
 // An error and the coverage that it must be read with.
 struct ErrorAndCoverage {
@@ -102,19 +107,50 @@ Json MeanPoint(const SeriesRows& series, const Table& table, const ErrorAndCover
   const Cell& coverage = series.all->cells[pair.coverage];
   const Column& error_column = table.columns[pair.error];
   const Column& coverage_column = table.columns[pair.coverage];
+  const std::string said = StrCat(series.label, ": ", SayCell(error, error_column), " at ",
+                                  SayCell(coverage, coverage_column));
   return {{"type", "scatter"},
-          {"mode", "markers"},
-          {"name", PlotText(series.label)},
-          {"legendgroup", PlotText(series.label)},
+          {"mode", series.options.empty() ? "markers" : "markers+text"},
+          {"name", PlotText(series.name)},
+          {"legendgroup", PlotText(series.name)},
           {"x", {Rounded(ScaleOf(coverage_column) * coverage.value)}},
           {"y", {Rounded(ScaleOf(error_column) * error.value)}},
-          {"text",
-           {PlotText(
-               StrCat(SayCell(error, error_column), " at ", SayCell(coverage, coverage_column)))}},
-          {"hovertemplate", "%{text}"},
+          {"text", {PlotText(series.options)}},
+          {"textposition", "top right"},
+          {"textfont", {{"size", 10}}},
+          {"customdata", {PlotText(said)}},
+          {"hovertemplate", "%{customdata}<extra></extra>"},
           {"error_x", Whiskers(coverage, ScaleOf(coverage_column), style.colour)},
           {"error_y", Whiskers(error, ScaleOf(error_column), style.colour)},
           {"marker", {{"color", style.colour}, {"symbol", style.symbol}, {"size", 11}}}};
+}
+
+// Texts beside marks that would lie on each other: the first of them stays, hovering tells the
+// rest.
+void ThinTexts(Json& points) {
+  constexpr double kApart = 0.04;  // of what marks and intervals span
+  const auto at = [](const Json& point, const char* axis) { return point[axis][0].get<double>(); };
+  const auto span = [&](const char* axis, const char* whiskers) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const Json& point : points) {
+      const Json& ends = point[whiskers];
+      const bool has_ends = ends.contains("array");
+      low = std::min(low, at(point, axis) - (has_ends ? ends["arrayminus"][0].get<double>() : 0.0));
+      high = std::max(high, at(point, axis) + (has_ends ? ends["array"][0].get<double>() : 0.0));
+    }
+    return std::max(high - low, 1e-12);
+  };
+  const double span_x = span("x", "error_x");
+  const double span_y = span("y", "error_y");
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (points[k]["text"][0] == "") continue;
+      if (std::abs(at(points[i], "x") - at(points[k], "x")) > kApart * span_x) continue;
+      if (std::abs(at(points[i], "y") - at(points[k], "y")) > kApart * span_y) continue;
+      points[i]["text"][0] = "";
+    }
+  }
 }
 
 bool HasMean(const SeriesRows& series, const ErrorAndCoverage& pair) {
@@ -158,26 +194,52 @@ std::string Alt(const std::vector<SeriesRows>& series, const Table& table,
   return text;
 }
 
+Plot MakePlot(const SuiteData& data, const std::vector<SeriesRows>& series,
+              const ErrorAndCoverage& pair) {
+  const Table& table = data.table;
+  std::vector<std::string> names;
+  for (const SeriesRows& rows : series) names.push_back(rows.name);
+  const Palette palette = PaletteOf(data.plan, names);
+  Panel panel{AxisOf(AxisTitle(table.columns[pair.error])), 300};
+  panel.y_axis["rangemode"] = "tozero";
+  Plot plot(AxisOf(AxisTitle(table.columns[pair.coverage])), {panel},
+            LegendHeight(names, kWidth_px));
+  std::set<std::string> in_legend;
+  for (const SeriesRows& rows : series) {
+    if (rows.all != nullptr && !HasMean(rows, pair)) continue;
+    Json points = ScenePoints(rows, table, pair, palette.Of(rows.name));
+    if (rows.all == nullptr) {
+      points.update(
+          {{"showlegend", in_legend.insert(rows.name).second}, {"name", PlotText(rows.name)}});
+    }
+    plot.AddTrace(0, std::move(points));
+  }
+  Json means = Json::array();
+  for (const SeriesRows& rows : series) {
+    if (!HasMean(rows, pair)) continue;
+    Json point = MeanPoint(rows, table, pair, palette.Of(rows.name));
+    point["showlegend"] = in_legend.insert(rows.name).second;
+    means.push_back(std::move(point));
+  }
+  ThinTexts(means);
+  for (Json& point : means) plot.AddTrace(0, std::move(point));
+  return plot;
+}
+
+// What the texts beside marks are.
+std::string OptionsText(const Table& table) {
+  std::vector<std::string> options;
+  for (const std::string& key : table.keys) {
+    if (IsOption(key)) options.push_back(key);
+  }
+  return options.empty() ? "" : StrCat("Numbers: values of ", Listed(options), ". ");
+}
+
 Figure DrawPair(const SuiteData& data, const std::vector<SeriesRows>& series,
                 const ErrorAndCoverage& pair) {
   const Table& table = data.table;
   const Column& error = table.columns[pair.error];
-  std::vector<std::string> names;
-  for (const SeriesRows& rows : series) names.push_back(rows.label);
-  const Palette palette = PaletteOf(data.plan, names);
-  Json x_axis = AxisOf(AxisTitle(table.columns[pair.coverage]));
-  Panel panel{AxisOf(AxisTitle(error)), 300};
-  panel.y_axis["rangemode"] = "tozero";
-  Plot plot(x_axis, {panel});
-  for (const SeriesRows& rows : series) {
-    if (rows.all != nullptr && !HasMean(rows, pair)) continue;
-    Json points = ScenePoints(rows, table, pair, palette.Of(rows.label));
-    if (!HasMean(rows, pair)) points.update({{"showlegend", true}, {"name", PlotText(rows.label)}});
-    plot.AddTrace(0, std::move(points));
-  }
-  for (const SeriesRows& rows : series) {
-    if (HasMean(rows, pair)) plot.AddTrace(0, MeanPoint(rows, table, pair, palette.Of(rows.label)));
-  }
+  const Plot plot = MakePlot(data, series, pair);
   Figure figure;
   figure.id = StrCat("error-over-coverage-", Slug(error.metric));
   figure.group = "Error over coverage";
@@ -186,9 +248,10 @@ Figure DrawPair(const SuiteData& data, const std::vector<SeriesRows>& series,
   figure.caption = StrCat(
       "Down and right is better. Full marks: all sequences, with both intervals; "
       "faint marks: one sequence each. ",
-      IntervalText(table, {pair.error, pair.coverage}), WithoutPoint(series, table, pair));
+      OptionsText(table), IntervalText(table, {pair.error, pair.coverage}),
+      WithoutPoint(series, table, pair));
   figure.alt = Alt(series, table, pair);
-  figure.width_px = 560;
+  figure.width_px = kWidth_px;
   figure.height_px = plot.height_px();
   figure.plotly = plot.Text();
   return figure;
@@ -196,10 +259,10 @@ Figure DrawPair(const SuiteData& data, const std::vector<SeriesRows>& series,
 
 }  // namespace
 
-void DrawErrorOverCoverage(const SuiteData& data, SuiteDrawing& drawing) {
+void DrawErrorOverCoverage(const SuiteData& data, const std::vector<SeriesRows>& series,
+                           SuiteDrawing& drawing) {
   const std::vector<ErrorAndCoverage> pairs = FindPairs(data.table, drawing.not_drawn);
   if (pairs.empty()) return;
-  const std::vector<SeriesRows> series = SplitByScene(data);
   if (series.size() > kMostSeries) {
     drawing.not_drawn.push_back(StrCat("Error over coverage: ", series.size(),
                                        " kinds of marks, at most ", kMostSeries,

@@ -89,9 +89,9 @@ std::vector<HeatBlock> MakeBlocks(const std::vector<SeriesRows>& series, const T
   return blocks;
 }
 
-HeatMap MakeHeatMap(const SuiteData& data) {
+HeatMap MakeHeatMap(const SuiteData& data, const std::vector<SeriesRows>& series) {
   HeatMap map;
-  map.blocks = MakeBlocks(SplitByScene(data), data.table);
+  map.blocks = MakeBlocks(series, data.table);
   for (std::size_t i = 0; i < data.table.columns.size(); ++i) {
     bool any = false;
     for (const HeatBlock& block : map.blocks) {
@@ -169,7 +169,7 @@ Json BlockTrace(const HeatBlock& block, const HeatMap& map, const Table& table, 
           {"zmax", limit}};
 }
 
-Json ColourAxis(double limit) {
+Json ColourAxis(double limit, int length_px) {
   return {{"cmin", -limit},
           {"cmax", limit},
           {"cmid", 0},
@@ -185,11 +185,14 @@ Json ColourAxis(double limit) {
            {{"title", {{"text", "less<br>error (%)"}, {"side", "top"}, {"font", {{"size", 11}}}}},
             {"thickness", 12},
             {"ticksuffix", ""},
-            {"len", 1}}}};
+            {"lenmode", "pixels"},
+            {"len", length_px}}}};
 }
 
 Plot MakePlot(const HeatMap& map, const Table& table) {
   constexpr int kRow_px = 24;
+  constexpr int kTop_px = 84;
+  constexpr int kBottom_px = 16;
   std::vector<Panel> panels;
   for (const HeatBlock& block : map.blocks) {
     Panel panel{AxisOf(block.label), std::max(kRow_px * static_cast<int>(block.rows.size()), 60)};
@@ -208,13 +211,15 @@ Plot MakePlot(const HeatMap& map, const Table& table) {
                  {"ticks", ""},
                  {"tickangle", -45},
                  {"tickfont", {{"size", 11}}}});
-  Plot plot(x_axis, panels, 84, 16);
+  Plot plot(x_axis, panels, kTop_px, kBottom_px);
   plot.layout()["xaxis"]["anchor"] = "y";
   const double limit = std::clamp(map.largest_percent, 20.0, 100.0);
   for (std::size_t i = 0; i < map.blocks.size(); ++i) {
     plot.AddTrace(i, BlockTrace(map.blocks[i], map, table, limit));
   }
-  plot.layout()["coloraxis"] = ColourAxis(limit);
+  constexpr int kLeastBar_px = 120;
+  const int inner_px = plot.height_px() - kTop_px - kBottom_px;
+  plot.layout()["coloraxis"] = ColourAxis(limit, std::max(inner_px, kLeastBar_px));
   return plot;
 }
 
@@ -244,6 +249,19 @@ std::string SayBlock(const HeatBlock& block, const HeatMap& map, const Table& ta
   return text + ". ";
 }
 
+// With room for the longest name of a row.
+int WidthOf(const HeatMap& map) {
+  constexpr int kColumn_px = 58;
+  constexpr int kLetter_px = 7;
+  constexpr int kBesides_px = 150;
+  std::size_t longest = 0;
+  for (const HeatBlock& block : map.blocks) {
+    for (const HeatRow& row : block.rows) longest = std::max(longest, row.label.size());
+  }
+  return kBesides_px + kLetter_px * static_cast<int>(std::min<std::size_t>(longest, 60)) +
+         kColumn_px * static_cast<int>(map.columns.size());
+}
+
 }  // namespace
 
 std::optional<double> ErrorReduction(const Cell& cell, const Column& column) {
@@ -257,13 +275,14 @@ std::optional<double> ErrorReduction(const Cell& cell, const Column& column) {
   return -100.0 * worse / before;
 }
 
-void DrawErrorReduction(const SuiteData& data, SuiteDrawing& drawing) {
+void DrawErrorReduction(const SuiteData& data, const std::vector<SeriesRows>& series,
+                        SuiteDrawing& drawing) {
   const std::string what = "Error reduction by sequence: ";
   if (data.table.reference.empty() || data.table.change) {
     drawing.not_drawn.push_back(what + "the suite names no reference to compare with.");
     return;
   }
-  const HeatMap map = MakeHeatMap(data);
+  const HeatMap map = MakeHeatMap(data, series);
   if (map.columns.empty()) {
     drawing.not_drawn.push_back(StrCat(what, "no sequence has runs both of the reference ",
                                        data.table.reference, " and of another."));
@@ -291,7 +310,7 @@ void DrawErrorReduction(const SuiteData& data, SuiteDrawing& drawing) {
                       " measures, against ", data.table.reference, ". ");
   for (const HeatBlock& block : map.blocks) figure.alt += SayBlock(block, map, data.table);
   figure.alt.pop_back();
-  figure.width_px = 200 + 58 * static_cast<int>(map.columns.size());
+  figure.width_px = WidthOf(map);
   figure.height_px = plot.height_px();
   figure.plotly = plot.Text();
   drawing.figures.push_back(std::move(figure));

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/figures/plot.h"
 
+#include <set>
+
 #include "reports/figures/numbers.h"
 
 namespace cvo::reports {
@@ -75,6 +77,27 @@ void Plot::AddAnnotation(std::size_t panel, Json annotation) {
 }
 
 std::string Plot::Text() const { return PlotJson(data_, layout_); }
+
+int LegendHeight(const std::vector<std::string>& entries, int width_px) {
+  constexpr int kRow_px = 22;
+  constexpr int kBesides_px = 22;
+  constexpr int kSymbol_px = 50;
+  constexpr int kLetter_px = 7;
+  const int room_px = width_px - 110;
+  int rows = 1;
+  int used_px = 0;
+  std::set<std::string> counted;
+  for (const std::string& entry : entries) {
+    if (!counted.insert(entry).second) continue;
+    const int entry_px = kSymbol_px + kLetter_px * static_cast<int>(entry.size());
+    if (used_px > 0 && used_px + entry_px > room_px) {
+      ++rows;
+      used_px = 0;
+    }
+    used_px += entry_px;
+  }
+  return kBesides_px + kRow_px * rows;
+}
 
 std::string PlotJson(const Json& data, const Json& layout) {
   const Json figure = {{"data", data}, {"layout", layout}};

@@ -38,6 +38,9 @@ class Plot {
   Json layout_;
 };
 
+// What a legend of these entries takes above a figure of that width, with a title below it.
+int LegendHeight(const std::vector<std::string>& entries, int width_px);
+
 // Data and layout as text in which no "<" is left.
 std::string PlotJson(const Json& data, const Json& layout);
 

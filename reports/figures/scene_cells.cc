@@ -18,6 +18,28 @@ std::string ValueOf(const std::vector<std::string>& keys, const std::vector<std:
   return found == keys.end() ? "" : values[static_cast<std::size_t>(found - keys.begin())];
 }
 
+// What tells a row apart but for the sequence: its label, name and values of options.
+SeriesRows Describe(const std::vector<std::string>& keys, const std::vector<std::string>& values) {
+  SeriesRows series;
+  const auto add = [](const std::string& text, std::string& list) {
+    list += StrCat(list.empty() ? "" : ", ", text);
+  };
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (keys[i] == "sequence") continue;
+    const bool option = IsOption(keys[i]);
+    add(option ? keys[i] + " " + values[i] : values[i], series.label);
+    add(values[i], option ? series.options : series.name);
+  }
+  return series;
+}
+
+// Those of the table and the sequence.
+std::vector<std::string> KeysByScene(const Table& table) {
+  std::vector<std::string> keys = table.keys;
+  if (std::find(keys.begin(), keys.end(), "sequence") == keys.end()) keys.emplace_back("sequence");
+  return keys;
+}
+
 std::vector<Cell> CellsOf(const RowRuns& row, const RowRuns* reference,
                           const std::vector<std::string>& keys, const Table& table) {
   std::vector<Cell> cells;
@@ -35,38 +57,34 @@ std::vector<Cell> CellsOf(const RowRuns& row, const RowRuns* reference,
 
 }  // namespace
 
-std::string SeriesLabel(const std::vector<std::string>& keys,
-                        const std::vector<std::string>& values) {
-  std::string label;
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (keys[i] == "sequence") continue;
-    label += StrCat(label.empty() ? "" : ", ", IsOption(keys[i]) ? keys[i] + " " : std::string(),
-                    values[i]);
-  }
-  return label;
+std::size_t CountSceneRows(const SuiteData& data) {
+  return GroupRuns(data.runs, KeysByScene(data.table)).size();
 }
 
 std::vector<SeriesRows> SplitByScene(const SuiteData& data) {
-  std::vector<std::string> keys = data.table.keys;
-  const bool by_sequence = std::find(keys.begin(), keys.end(), "sequence") != keys.end();
-  if (!by_sequence) keys.emplace_back("sequence");
+  const std::vector<std::string> keys = KeysByScene(data.table);
+  const bool by_sequence = keys.size() == data.table.keys.size();
   SuitePlan plan = data.plan;
   plan.rows = keys;
   const std::string reference = FullReference(plan);
   const std::vector<RowRuns> rows = GroupRuns(data.runs, keys);
   std::vector<SeriesRows> series;
   for (const RowRuns& row : rows) {
-    const std::string label = SeriesLabel(keys, row.keys);
-    auto found = std::find_if(series.begin(), series.end(),
-                              [&](const SeriesRows& known) { return known.label == label; });
-    if (found == series.end()) found = series.insert(series.end(), {label, nullptr, {}});
+    SeriesRows described = Describe(keys, row.keys);
+    auto found = std::find_if(series.begin(), series.end(), [&](const SeriesRows& known) {
+      return known.label == described.label;
+    });
+    if (found == series.end()) {
+      if (described.name.empty()) described.name = OneVariant(data.plan);
+      found = series.insert(series.end(), std::move(described));
+    }
     found->scenes.push_back(
         {ValueOf(keys, row.keys, "sequence"),
          CellsOf(row, FindReference(rows, row, keys, reference), keys, data.table)});
   }
   for (const Row& row : data.table.rows) {
     if (by_sequence) break;
-    const std::string label = SeriesLabel(data.table.keys, row.keys);
+    const std::string label = Describe(data.table.keys, row.keys).label;
     for (SeriesRows& known : series) {
       if (known.label == label) known.all = &row;
     }

@@ -17,7 +17,9 @@ struct SceneRow {
 
 // A row of the table but for the sequence, and what it is made of.
 struct SeriesRows {
-  std::string label;         // "full", or "good full" where rows are by more
+  std::string label;         // "full", or "good, full" where rows are by more
+  std::string name;          // the same without options, or the one variant: for its colour
+  std::string options;       // their values: "5"
   const Row* all = nullptr;  // of the table, over all sequences; nullptr where it is by sequence
   std::vector<SceneRow> scenes;
 };
@@ -25,8 +27,7 @@ struct SeriesRows {
 // In the order of the table, with differences against its reference. The table must outlive it.
 std::vector<SeriesRows> SplitByScene(const SuiteData& data);
 
-// Values of the keys of a planned run that are none of the sequence.
-std::string SeriesLabel(const std::vector<std::string>& keys,
-                        const std::vector<std::string>& values);
+// How many rows that would be, of all series.
+std::size_t CountSceneRows(const SuiteData& data);
 
 }  // namespace cvo::reports

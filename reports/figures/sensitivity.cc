@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t kMostLines = 12;
 constexpr std::size_t kMostBands = 6;
+constexpr int kWidth_px = 620;
 
 // Columns that belong in one figure, coverage last.
 struct MetricGroup {
@@ -211,14 +212,17 @@ Figure DrawGroup(const SweptOption& option, const MetricGroup& group, const Tabl
     columns.push_back(&table.columns[column]);
     panels.push_back(PanelOf(table.columns[column]));
   }
-  Plot plot(XAxis(option), panels);
+  std::vector<std::string> entries;
+  for (const SweptLine& line : option.lines) entries.push_back(line.label);
+  constexpr int kDefaultMark_px = 8;
+  Plot plot(XAxis(option), panels, LegendHeight(entries, kWidth_px) + kDefaultMark_px);
   for (std::size_t i = 0; i < group.columns.size(); ++i) {
+    for (const SweptLine& line : option.lines) {  // all bands below all curves
+      if (option.lines.size() > kMostBands) break;
+      plot.AddTrace(i, Band(line, table, group.columns[i], palette.Of(line.label)));
+    }
     for (const SweptLine& line : option.lines) {
-      const Style& style = palette.Of(line.label);
-      if (option.lines.size() <= kMostBands) {
-        plot.AddTrace(i, Band(line, table, group.columns[i], style));
-      }
-      Json curve = Curve(line, table, group.columns[i], style);
+      Json curve = Curve(line, table, group.columns[i], palette.Of(line.label));
       curve["showlegend"] = i == 0;
       plot.AddTrace(i, std::move(curve));
     }
@@ -232,7 +236,7 @@ Figure DrawGroup(const SweptOption& option, const MetricGroup& group, const Tabl
   if (!relation.empty()) figure.title += ". " + Capitalised(relation);
   figure.caption = Caption(option, group, table);
   figure.alt = Alt(option, group, table);
-  figure.width_px = 620;
+  figure.width_px = kWidth_px;
   figure.height_px = plot.height_px();
   figure.plotly = plot.Text();
   return figure;
@@ -251,6 +255,10 @@ void DrawSensitivity(const SuiteData& data, SuiteDrawing& drawing) {
     std::vector<std::string> names;
     for (const SweptLine& line : option.lines) names.push_back(line.label);
     const Palette palette = PaletteOf(data.plan, names);
+    if (data.table.columns.empty()) {
+      drawing.not_drawn.push_back(
+          StrCat("Sensitivity to ", option.path, ": no result has a metric."));
+    }
     for (const MetricGroup& group : GroupColumns(data.table)) {
       drawing.figures.push_back(DrawGroup(option, group, data.table, palette));
     }

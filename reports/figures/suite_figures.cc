@@ -10,6 +10,8 @@
 namespace cvo::reports {
 namespace {
 
+constexpr std::size_t kMostSceneRows = 400;
+
 // Names that differ only in marks have one id: the later ones are numbered.
 void MakeIdsUnique(std::vector<Figure>& figures) {
   std::map<std::string, int> seen;
@@ -23,8 +25,16 @@ void MakeIdsUnique(std::vector<Figure>& figures) {
 
 SuiteDrawing SuiteFigures(const SuiteData& data) {
   SuiteDrawing drawing;
-  DrawErrorReduction(data, drawing);
-  DrawErrorOverCoverage(data, drawing);
+  const std::size_t rows = CountSceneRows(data);
+  if (rows <= kMostSceneRows) {
+    const std::vector<SeriesRows> series = SplitByScene(data);
+    DrawErrorReduction(data, series, drawing);
+    DrawErrorOverCoverage(data, series, drawing);
+  } else {
+    drawing.not_drawn.push_back(
+        StrCat("Error reduction by sequence, and error over coverage: ", rows,
+               " rows of the table by sequence, at most ", kMostSceneRows, " can be read."));
+  }
   DrawSensitivity(data, drawing);
   DrawErrorOverTime(data, drawing);
   DrawTrajectories(data, drawing);

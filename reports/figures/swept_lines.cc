@@ -107,13 +107,17 @@ bool AreLogSpaced(const std::vector<double>& ascending) {
   return Unevenness(logarithms) < Unevenness(ascending);
 }
 
+std::string OneVariant(const SuitePlan& plan) {
+  std::set<std::string> variants;
+  for (const PlannedRun& run : plan.runs) variants.insert(KeyOf(run, "variant"));
+  return variants.size() == 1 ? *variants.begin() : "all variants";
+}
+
 std::string VariantOf(const SuitePlan& plan, const Table& table, const Row& row) {
   for (std::size_t i = 0; i < table.keys.size(); ++i) {
     if (table.keys[i] == "variant") return row.keys[i];
   }
-  std::set<std::string> variants;
-  for (const PlannedRun& run : plan.runs) variants.insert(KeyOf(run, "variant"));
-  return variants.size() == 1 ? *variants.begin() : "all variants";
+  return OneVariant(plan);
 }
 
 std::vector<SweptOption> FindSweptOptions(const SuitePlan& plan, const Table& table,

@@ -38,6 +38,9 @@ std::vector<SweptOption> FindSweptOptions(const SuitePlan& plan, const Table& ta
 // Values that lie more evenly by their logarithm, over nearly a decade at least.
 bool AreLogSpaced(const std::vector<double>& ascending);
 
+// The variant of all runs; "all variants" where there are several.
+std::string OneVariant(const SuitePlan& plan);
+
 // The variant of a row; that of all runs where rows do not tell.
 std::string VariantOf(const SuitePlan& plan, const Table& table, const Row& row);
 
