@@ -17,8 +17,9 @@ std::string TableSection(const PageContent& content) {
   }
   html +=
       "<p>Each value is a mean. Below it: its 95 % interval, and how many bodies or scenes it is a "
-      "mean of. A star marks a difference to the reference that is real. Select a cell for the "
-      "runs behind it, and a heading to sort by it.</p>\n";
+      "mean of. A star marks a difference to the reference that is real. Grey rows are figures of "
+      "others, with their sources in the notes below; in brackets where they do not compare with "
+      "ours. Select a cell for the runs behind it, and a heading to sort by it.</p>\n";
   return html + TableFrame(*content.table, "table") + "</section>\n";
 }
 
