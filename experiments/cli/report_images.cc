@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <functional>
 
 #include "core/base/error.h"
 #include "experiments/cli/run_images.h"
 #include "experiments/files/atomic_file.h"
 #include "reports/figures/numbers.h"
+#include "reports/overlays/draw_overlay.h"
+#include "reports/overlays/encode.h"
 #include "reports/overlays/thumbnails.h"
 #include "reports/page/page_html.h"
 
@@ -23,6 +24,8 @@ constexpr std::size_t kMostPageBytes = 14'500'000;
 constexpr std::size_t kMostBytes = 4'500'000;   // of all images of a page, which base64 makes 6 MB
 constexpr std::size_t kLeastBytes = 1'000'000;  // what is left for them where runs are long
 constexpr std::size_t kUsualBytes = 12'000;     // of one
+constexpr int kAllWidth = 640;                  // of the images beside the page, pixels
+constexpr int kAllQuality = 80;
 constexpr int kFewestFrames = 8;
 constexpr int kMostFrames = 150;
 
@@ -48,18 +51,14 @@ reports::ThumbnailOptions OptionsFor(std::size_t most_bytes, int every, std::siz
   return options;
 }
 
-// Throws Error where there is nothing to draw, or nothing to draw it on.
-reports::ThumbnailStrip DrawRun(
-    const fs::path& run_folder,
-    const std::function<reports::ThumbnailOptions(const reports::OverlayRun& run)>& options_for) {
+// Throws Error where there is nothing to draw.
+reports::OverlayRun ReadDrawn(const fs::path& run_folder) {
   if (!fs::exists(run_folder / "landmarks.csv")) {
     throw Error("the run has no landmarks.csv, so nothing is drawn on its images");
   }
   reports::OverlayRun run = reports::ReadOverlayRun(run_folder, reports::LandmarkLabel::kCluster);
-  const RunImages images(run, "");
   AdoptDetections("", run);
-  return reports::MakeThumbnails(
-      run, [&](int frame) { return images.Left(frame); }, options_for(run));
+  return run;
 }
 
 fs::path RunFolder(const fs::path& folder, const reports::PageScene& scene,
@@ -69,10 +68,11 @@ fs::path RunFolder(const fs::path& folder, const reports::PageScene& scene,
 
 void AddImages(const fs::path& run_folder, int every, std::size_t most_bytes,
                reports::PageScene& scene) {
-  const auto options_for = [&](const reports::OverlayRun& run) {
-    return OptionsFor(most_bytes, every, run.detail.camera.size());
-  };
-  const reports::ThumbnailStrip strip = DrawRun(run_folder, options_for);
+  const reports::OverlayRun run = ReadDrawn(run_folder);
+  const RunImages images(run, "");
+  const reports::ThumbnailStrip strip = reports::MakeThumbnails(
+      run, [&](int frame) { return images.Left(frame); },
+      OptionsFor(most_bytes, every, run.detail.camera.size()));
   for (const reports::Thumbnail& thumbnail : strip.thumbnails) {
     scene.images.push_back({thumbnail.frame, thumbnail.jpeg, thumbnail.alt});
   }
@@ -80,19 +80,25 @@ void AddImages(const fs::path& run_folder, int every, std::size_t most_bytes,
   if (scene.images.empty()) scene.no_images = "none of the run's images can be read";
 }
 
-reports::ThumbnailOptions AllFrames(const reports::OverlayRun& run) {
-  reports::ThumbnailOptions options;
-  options.width_px = 640;
-  options.most_frames = std::max(1, static_cast<int>(run.detail.camera.size()));
-  options.quality = 75;
-  options.most_bytes = std::size_t{1} << 40;
-  return options;
-}
-
 std::string FileName(int frame) {
   std::array<char, 32> name{};
   std::snprintf(name.data(), name.size(), "%06d.jpg", frame);
   return name.data();
+}
+
+std::vector<NamedContent> DrawAll(const fs::path& run_folder) {
+  const reports::OverlayRun run = ReadDrawn(run_folder);
+  const RunImages images(run, "");
+  const reports::OverlayStyle style = reports::StyleFor(run.camera, kAllWidth);
+  std::vector<NamedContent> files;
+  for (const reports::CameraFrame& entry : run.detail.camera) {
+    const cv::Mat image = images.Left(entry.frame);
+    if (image.empty()) continue;
+    const cv::Mat drawn =
+        reports::DrawOverlay(image, reports::FrameOf(run, entry.frame), run.camera, style);
+    files.push_back({FileName(entry.frame), reports::JpegBytes(drawn, kAllQuality)});
+  }
+  return files;
 }
 
 // Names of a suite are nobody's file names: the number keeps two apart that look the same.
@@ -123,12 +129,10 @@ void WriteAllImages(const fs::path& folder, const fs::path& out, reports::PageCo
     reports::PageScene& scene = content.scenes[i];
     std::vector<NamedContent> files;
     try {
-      for (reports::Thumbnail& image :
-           DrawRun(RunFolder(folder, scene, content), AllFrames).thumbnails) {
-        files.push_back({FileName(image.frame), std::move(image.jpeg)});
-      }
-    } catch (const Error&) {
-      continue;  // said of the run that the page holds images of
+      files = DrawAll(RunFolder(folder, scene, content));
+    } catch (const Error& error) {
+      scene.detail.missing.push_back(StrCat("all images: ", error.what()));
+      continue;
     }
     scene.images_folder = "images/" + FolderName(i, content.runs[scene.run].run.planned);
     fs::create_directories(out / scene.images_folder);

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 import assert from 'node:assert/strict';
+import { readdirSync } from 'node:fs';
+import { dirname, join } from 'node:path';
 
 import { openPage, openScenes } from './browser.mjs';
 
@@ -84,6 +86,12 @@ export const sceneTests = {
     await at(opened.page, '5');
     assert.deepEqual(opened.faults, []);
     await browser.close();
+  },
+
+  async 'every frame of the run lies beside the page'({ good, pages }) {
+    const folder = await good.page.locator('.all-frames a').getAttribute('href');
+    const names = readdirSync(join(dirname(pages.good), folder));
+    assert.deepEqual(names.sort(), [0, 1, 2, 3, 4, 5].map((frame) => `00000${frame}.jpg`));
   },
 
   async 'the frame is kept in the page'({ good }) {

@@ -90,5 +90,5 @@ export function makePages(program, out) {
   cpSync(good, other, { recursive: true });
   const bad = join(out, 'bad');
   spoil(good, bad);
-  return { good: report(program, out, good, '--against', other), bad: report(program, out, bad) };
+  return { good: report(program, out, good, '--against', other, '--all-images'), bad: report(program, out, bad) };
 }
