@@ -5,7 +5,7 @@
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help deps build table table-all table-kitti sweep regression baseline test bench asan format format-check lint clean
+.PHONY: help deps build report table table-all table-kitti sweep regression baseline test bench asan format format-check lint clean
 
 release := build/release
 asan := build/asan
@@ -33,7 +33,8 @@ build: $(release)/build.ninja ## build everything, Release
 # some jobs failed, which the exit code then says.
 suite = $(release)/bin/clustervo experiment run $(1) -o results/$(1) $(addprefix -j ,$(JOBS)) \
 	$(if $(DATA),--data "$(DATA)"); code=$$?; test $$code -le 1 || exit $$code; \
-	$(release)/bin/clustervo experiment table results/$(1) && exit $$code
+	$(release)/bin/clustervo experiment table results/$(1) && \
+	echo "page: results/$(1)/report/index.html, written by: make report SUITE=$(1)" && exit $$code
 
 table: build ## the paper's ablation on rendered rooms, end to end: its table, and results/ablation
 	@$(call suite,ablation)
@@ -50,6 +51,13 @@ sweep: build ## one table per parameter that is swept
 	@$(call suite,sweep_eta)
 	@$(call suite,sweep_windows)
 	@$(call suite,sweep_motion_prior)
+
+# The page is also made where jobs failed, and says so.
+SUITE ?= ablation
+report: build ## the results of make table as one page: results/ablation/report/index.html (SUITE=<name>)
+	@test -e results/$(SUITE)/plan.json || \
+	  { echo "make report: no results/$(SUITE): run the suite first (make table)" >&2; exit 2; }
+	@$(release)/bin/clustervo report results/$(SUITE)
 
 # Jobs that failed are told of by the check too.
 regression: build ## run the suite ci and hold it against the committed baseline

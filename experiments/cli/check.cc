@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include "core/base/error.h"
 #include "experiments/cli/command.h"
-#include "experiments/files/atomic_file.h"
+#include "experiments/cli/output_file.h"
 #include "reports/gate/check_runs.h"
 #include "reports/gate/gate_text.h"
 #include "reports/gate/make_baseline.h"
@@ -26,15 +25,9 @@ struct CheckFlags {
   bool gate_time = false;
 };
 
-void WriteFile(const std::filesystem::path& file, const std::string& content) {
-  const std::filesystem::path folder = file.parent_path();
-  const OutputFolder output(folder.empty() ? "." : folder, {file.filename().string()});
-  WriteFilesAtomically(output.path(), {{file.filename().string(), content}});
-}
-
 int WriteBaseline(const CheckFlags& flags) {
   const reports::Baseline baseline = reports::MakeBaseline(flags.folder, flags.gate_seeds);
-  WriteFile(flags.write_baseline, reports::BaselineJson(baseline));
+  WriteOutputFile(flags.write_baseline, reports::BaselineJson(baseline));
   std::cout << baseline.suite << ": " << baseline.jobs.size() << " runs with "
             << baseline.metrics.size() << " metrics; checked runs need " << baseline.seeds.size()
             << " seeds\nwritten: " << flags.write_baseline << '\n';
@@ -44,8 +37,8 @@ int WriteBaseline(const CheckFlags& flags) {
 int Check(const CheckFlags& flags) {
   const reports::Baseline baseline = reports::ReadBaseline(flags.baseline);
   const reports::GateReport report = reports::CheckRuns(flags.folder, baseline);
-  if (!flags.junit.empty()) WriteFile(flags.junit, reports::GateJunit(report));
-  if (!flags.markdown.empty()) WriteFile(flags.markdown, reports::GateMarkdown(report));
+  if (!flags.junit.empty()) WriteOutputFile(flags.junit, reports::GateJunit(report));
+  if (!flags.markdown.empty()) WriteOutputFile(flags.markdown, reports::GateMarkdown(report));
   std::cout << reports::GateText(report);
   const bool failed = report.Regressed() || (flags.gate_time && report.Slower());
   std::cout << (report.Regressed() ? "\nregression\n"

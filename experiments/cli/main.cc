@@ -70,7 +70,9 @@ int Main(int argc, char** argv) {
   const std::vector<Command> commands = {AddRunCommand(program),        AddEvalCommand(program),
                                          AddInfoCommand(program),       AddVariantsCommand(program),
                                          AddOptionsCommand(program),    AddSynthCommand(program),
-                                         AddExperimentCommand(program), AddCheckCommand(program)};
+                                         AddExperimentCommand(program), AddCheckCommand(program),
+                                         AddOverlayCommand(program),    AddReportCommand(program),
+                                         AddFiguresCommand(program)};
   try {
     CheckSubcommand(argc, argv, program);
     program.parse(argc, argv);

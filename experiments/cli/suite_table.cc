@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/cli/suite_table.h"
 
-#include <unistd.h>
-
 #include <iostream>
 
 #include "core/odometry/options.h"
@@ -18,21 +16,26 @@ namespace {
 
 constexpr int kIncomplete = 1;
 
+}  // namespace
+
 std::string DefaultOptions() {
   Options options;
   return DumpJson(OptionsToJson(OptionLeaves(options)));
 }
 
-}  // namespace
-
-int WriteSuiteTable(const std::filesystem::path& folder) {
+int OutputSuiteTable(const std::filesystem::path& folder, const TableFormat& format) {
   const reports::Table table =
       reports::MakeTable(folder, reports::ShippedReference(), DefaultOptions());
-  WriteFilesAtomically(folder, {{"table.md", reports::TableMarkdown(table)},
-                                {"table.json", reports::TableJson(table)}});
-  std::cout << reports::TableText(table, isatty(STDOUT_FILENO) != 0)
-            << "\nwritten: " << (folder / "table.json").string()
-            << " and table.md, with the definitions of the columns\n";
+  if (format.Terminal()) {
+    WriteFilesAtomically(folder, {{"table.md", reports::TableMarkdown(table)},
+                                  {"table.json", reports::TableJson(table)}});
+  }
+  OutputTable(table, format);
+  if (format.Terminal()) {
+    std::cout << (format.output.empty() ? "\n" : "")
+              << "written: " << (folder / "table.json").string()
+              << " and table.md, with the definitions of the columns\n";
+  }
   return reports::IsComplete(table) ? 0 : kIncomplete;
 }
 

@@ -3,11 +3,18 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+
+#include "experiments/cli/table_format.h"
 
 namespace cvo {
 
-// Writes table.json and table.md to the folder that a suite is run to and prints the table. 0: all
-// that can run has run; 1: some jobs failed or did not run yet. Throws Error without a plan.
-int WriteSuiteTable(const std::filesystem::path& folder);
+// The estimator's options at their defaults, as nested JSON.
+std::string DefaultOptions();
+
+// Makes the table of the folder that a suite is run to and prints it; in a terminal also writes
+// table.json and table.md there. 0: all that can run has run; 1: some jobs failed or did not run
+// yet. Throws Error without a plan.
+int OutputSuiteTable(const std::filesystem::path& folder, const TableFormat& format);
 
 }  // namespace cvo

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "reports/gate/metric_rule.h"
+#include "reports/tables/metric_rule.h"
 #include "reports/tables/json_fields.h"
 
 namespace cvo::reports {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "reports/gate/metric_rule.h"
+#include "reports/tables/metric_rule.h"
 #include "reports/tables/columns.h"
 #include "reports/tables/json_fields.h"
 #include "reports/tables/json_text.h"

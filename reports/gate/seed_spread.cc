@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "reports/gate/compare.h"
-#include "reports/gate/metric_rule.h"
+#include "reports/tables/metric_rule.h"
 #include "reports/gate/student.h"
 
 namespace cvo::reports {

@@ -48,6 +48,7 @@ struct BodyDetail {
   std::string name;
   std::string category;
   bool mover = false;
+  double diagonal_m = 0.0;                  // of its box
   std::int64_t cluster = -1;                // whose poses are scored; -1: none
   std::vector<std::pair<int, Pose>> truth;  // by frame
   std::vector<int> visible;                 // frames in which it is judged

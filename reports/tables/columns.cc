@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "reports/tables/metric_rule.h"
 
 namespace cvo::reports {
 namespace {
@@ -107,15 +108,6 @@ std::optional<Column> MakeColumn(const std::string& name, const std::vector<Suit
   }
   if (kinds.empty()) return std::nullopt;
   return Column{name, Label(name), kinds[0].metric->unit, kinds[0].contract};
-}
-
-// Metrics that share a coverage have its name in common up to "coverage".
-std::string CoverageOf(const std::string& metric) {
-  for (const char* group : {"object_causal_standing_", "object_standing_", "object_causal_",
-                            "object_", "camera_causal_", "camera_"}) {
-    if (metric.starts_with(group)) return std::string(group) + "coverage";
-  }
-  return "";
 }
 
 }  // namespace

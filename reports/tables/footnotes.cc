@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "reports/statistics/estimate.h"
+#include "reports/tables/metric_rule.h"
 
 namespace cvo::reports {
 namespace {
@@ -15,31 +16,41 @@ constexpr std::size_t kShownProblems = 12;
 
 using Lines = std::vector<std::string>;
 
+std::string Counted(std::size_t count, const char* one, const char* many) {
+  return StrCat(count, " ", count == 1 ? one : many);
+}
+
 void AddOnce(const std::string& line, Lines& lines) {
   if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
 }
 
-// Things that are said of several columns, each once, in the order in which they come up.
-class ByColumns {
+// Columns of one label differ in their unit.
+std::string ColumnName(const Table& table, std::size_t index) {
+  const Column& column = table.columns[index];
+  const auto same = std::count_if(table.columns.begin(), table.columns.end(),
+                                  [&](const Column& other) { return other.label == column.label; });
+  return same == 1 ? column.label : StrCat(column.label, " [", column.unit, "]");
+}
+
+// Things that are said of several columns or rows, each once, in the order in which they come up.
+class ByNames {
  public:
-  void Add(const std::string& text, const std::string& column) {
+  void Add(const std::string& text, const std::string& name) {
     if (text.empty()) return;
-    if (columns_.find(text) == columns_.end()) order_.push_back(text);
-    AddOnce(column, columns_[text]);
+    if (names_.find(text) == names_.end()) order_.push_back(text);
+    AddOnce(name, names_[text]);
   }
-  void Print(const std::string& before, Lines& lines) const {
+  void Print(const std::string& before, Lines& lines, const char* between = ": ") const {
     for (const std::string& text : order_) {
-      std::string columns;
-      for (const std::string& column : columns_.at(text)) {
-        columns += (columns.empty() ? "" : ", ") + column;
-      }
-      lines.push_back(StrCat(before, columns, ": ", text));
+      std::string names;
+      for (const std::string& name : names_.at(text)) names += (names.empty() ? "" : ", ") + name;
+      lines.push_back(StrCat(before, names, between, text));
     }
   }
 
  private:
   Lines order_;
-  std::map<std::string, Lines> columns_;
+  std::map<std::string, Lines> names_;
 };
 
 void AddJobs(const Table& table, Lines& lines) {
@@ -76,13 +87,13 @@ void AddProblems(const Table& table, Lines& lines) {
 }
 
 void AddIntervals(const Table& table, Lines& lines) {
-  ByColumns meanings;
+  ByNames meanings;
   bool differences = false;
-  ByColumns pairings;
+  ByNames pairings;
   for (const Row& row : table.rows) {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const Cell& cell = row.cells[i];
-      const std::string& label = table.columns[i].label;
+      const std::string label = ColumnName(table, i);
       if (cell.interval) meanings.Add(cell.interval->meaning, label);
       if (!cell.difference) continue;
       differences = true;
@@ -98,20 +109,67 @@ void AddIntervals(const Table& table, Lines& lines) {
   pairings.Print("", lines);
 }
 
+// What is the same for several rows is said once.
 void AddCells(const Table& table, Lines& lines) {
+  ByNames rows;
   for (const Row& row : table.rows) {
-    ByColumns said;
+    ByNames said;
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const Cell& cell = row.cells[i];
-      const std::string& label = table.columns[i].label;
+      const std::string label = ColumnName(table, i);
       if (!row.runs.empty() && !cell.present) said.Add(cell.message, label);
       said.Add(cell.left_out, label);
       if (!cell.not_comparable.empty()) {
         said.Add("in brackets, means something else: " + cell.not_comparable, label);
       }
     }
-    said.Print(RowLabel(row) + ", ", lines);
+    Lines of_row;
+    said.Print("", of_row);
+    for (const std::string& line : of_row) rows.Add(line, RowLabel(row));
   }
+  rows.Print("", lines, "; ");
+}
+
+// The rows behind one text of a column, where the column has several.
+std::string CountsOfColumn(const Table& table, std::size_t column) {
+  Lines texts;
+  std::map<std::string, std::string> rows;
+  for (const Row& row : table.rows) {
+    if (!row.cells[column].present) continue;
+    const std::string text = CountsText(row.cells[column].n);
+    AddOnce(text, texts);
+    rows[text] += (rows[text].empty() ? "" : ", ") + RowLabel(row);
+  }
+  if (texts.size() == 1) return texts[0];
+  std::string all;
+  for (const std::string& text : texts) {
+    all += StrCat(all.empty() ? "" : "; ", text, " (", rows[text], ")");
+  }
+  return all;
+}
+
+void AddCounts(const Table& table, Lines& lines) {
+  ByNames counts;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    counts.Add(CountsOfColumn(table, i), ColumnName(table, i));
+  }
+  counts.Print("n, ", lines);
+}
+
+// Accuracy without its coverage favours who loses what is hard.
+void AddMissingCoverage(const Table& table, Lines& lines) {
+  ByNames missing;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const std::string coverage = CoverageOf(table.columns[i].metric);
+    const bool there = coverage.empty() ||
+                       std::any_of(table.columns.begin(), table.columns.end(),
+                                   [&](const Column& other) { return other.metric == coverage; });
+    if (!there) {
+      missing.Add("coverage is not in this table; what was lost does not count here",
+                  ColumnName(table, i));
+    }
+  }
+  missing.Print("", lines);
 }
 
 // Each different reason why figures of a source do not compare, or what was inferred of them.
@@ -123,18 +181,32 @@ Lines Reasons(const Table& table, std::size_t source) {
       for (std::size_t i = 0; i < line.cells.size(); ++i) {
         const auto& cell = line.cells[i];
         if (!cell || cell->reason.empty() || cell->match == Match::kOtherFrames) continue;
-        AddOnce(table.columns[i].label + " " + cell->reason, reasons);
+        AddOnce(ColumnName(table, i) + " " + cell->reason, reasons);
       }
     }
   }
   return reasons;
 }
 
+bool AnyDoesNotCompare(const Table& table) {
+  const auto in = [](const std::vector<ReferenceRow>& others) {
+    for (const ReferenceRow& line : others) {
+      for (const auto& cell : line.cells) {
+        if (cell && cell->match != Match::kMatches) return true;
+      }
+    }
+    return false;
+  };
+  return in(table.others) || std::any_of(table.rows.begin(), table.rows.end(),
+                                         [&](const Row& row) { return in(row.reference); });
+}
+
 void AddReferences(const Table& table, Lines& lines) {
-  if (table.sources.empty()) return;
-  lines.emplace_back(
-      "(in brackets): not comparable with ours: other scenes, frames or images, or a metric that "
-      "differs or that the source does not define");
+  if (AnyDoesNotCompare(table)) {
+    lines.emplace_back(
+        "(in brackets): not comparable with ours: other scenes, frames or images, or a metric that "
+        "differs or that the source does not define");
+  }
   for (std::size_t i = 0; i < table.sources.size(); ++i) {
     std::string note = SourceMark(i) + " " + table.sources[i].source;
     if (!table.sources[i].caveat.empty()) note += "; " + table.sources[i].caveat;
@@ -147,8 +219,8 @@ void AddOptions(const Table& table, Lines& lines) {
   for (const ChangedOption& option : table.provenance.options) {
     std::string values;
     for (const std::string& value : option.values) values += (values.empty() ? "" : ", ") + value;
-    lines.push_back(
-        StrCat("option ", option.path, ": ", values, " (default ", option.default_value, ")"));
+    lines.push_back(StrCat("option ", option.path, ": ", values, " (default ",
+                           option.default_value.empty() ? "none" : option.default_value, ")"));
   }
 }
 
@@ -158,6 +230,24 @@ std::string SourceMark(std::size_t source) {
   return StrCat("[", static_cast<char>('a' + static_cast<int>(source % 26)), "]");
 }
 
+std::string CountsText(const Counts& n) {
+  std::string text;
+  const auto add = [&text](std::size_t count, const char* one, const char* many) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + Counted(count, one, many);
+  };
+  add(n.bodies, "body", "bodies");
+  add(n.scenes, "scene", "scenes");
+  add(n.seeds, "seed", "seeds");
+  add(n.runs, "run", "runs");
+  return text;
+}
+
+std::string UnitsText(const Counts& n) {
+  if (n.bodies > 0) return Counted(n.bodies, "body", "bodies");
+  if (n.scenes > 1) return Counted(n.scenes, "scene", "scenes");
+  return Counted(n.runs, "run", "runs");
+}
+
 std::vector<std::string> Footnotes(const Table& table) {
   Lines lines;
   AddJobs(table, lines);
@@ -165,6 +255,8 @@ std::vector<std::string> Footnotes(const Table& table) {
   for (const std::string& note : table.notes) lines.push_back(note);
   AddOptions(table, lines);
   AddCells(table, lines);
+  AddMissingCoverage(table, lines);
+  AddCounts(table, lines);
   AddIntervals(table, lines);
   AddReferences(table, lines);
   return lines;
@@ -172,8 +264,9 @@ std::vector<std::string> Footnotes(const Table& table) {
 
 std::vector<std::string> Definitions(const Table& table) {
   Lines lines;
-  for (const Column& column : table.columns) {
-    std::string note = column.label + ":";
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const Column& column = table.columns[i];
+    std::string note = ColumnName(table, i) + ":";
     for (const char* field : {"aggregation", "pairing", "delta", "alignment", "poses", "frame"}) {
       const auto found = column.contract.find(field);
       if (found == column.contract.end() || found->second.empty()) continue;
@@ -182,7 +275,7 @@ std::vector<std::string> Definitions(const Table& table) {
                      field == std::string("delta") ? "delta " : "",
                      field == std::string("alignment") ? "alignment " : "", found->second);
     }
-    lines.push_back(note);
+    if (note.back() != ':') lines.push_back(note);
   }
   return lines;
 }

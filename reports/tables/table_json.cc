@@ -182,6 +182,7 @@ std::string TableJson(const Table& table) {
                {"problems", ListOf(table.problems)},
                {"notes", table.notes},
                {"provenance", ToJson(table.provenance)}};
+  if (table.change) json["change"] = true;
   for (const Row& row : table.rows) json["rows"].push_back(ToJson(row, table));
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -17,8 +17,11 @@ using test::Result;
 using test::RunProgram;
 using test::SuiteResults;
 using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
 
 ProcessResult MakeTable(const fs::path& folder) {
   return RunProgram({"experiment", "table", folder.string()});
@@ -50,7 +53,7 @@ TEST(CliTables, AFinishedSuite) {
   ASSERT_EQ(table["provenance"]["options"].size(), 1U);
   EXPECT_EQ(table["provenance"]["options"][0]["path"], "orb.features");
   EXPECT_TRUE(fs::exists(suite.folder().path() / table["rows"][0]["runs"][0]["result"]));
-  EXPECT_THAT(test::ReadFile(suite.folder().path() / "table.md"), HasSubstr("| 0.0625 |"));
+  EXPECT_THAT(test::ReadFile(suite.folder().path() / "table.md"), HasSubstr("| **0.0625** |"));
   EXPECT_EQ(MakeTable(suite.Written()).out, first.out);
   EXPECT_EQ(test::ReadFile(suite.folder().path() / "table.json"), bytes);
 }
@@ -93,6 +96,87 @@ TEST(CliTables, CompareSaysWhatMoved) {
   SuiteResults other;
   other.Add(better);
   ExpectOneLine(Compare(before, other), "metric camera_ate");
+}
+
+// `experiment table` of a written folder, with these flags.
+ProcessResult Print(const SuiteResults& suite, std::vector<std::string> flags) {
+  flags.insert(flags.begin(), {"experiment", "table", suite.Written().string()});
+  return RunProgram(flags);
+}
+
+TEST(CliTables, EveryFormatIsPrintedAlone) {
+  SuiteResults suite;
+  suite.Add(Result());
+  EXPECT_THAT(Print(suite, {"--format", "markdown"}).out, StartsWith("**small**"));
+  EXPECT_THAT(Print(suite, {"--format", "csv"}).out,
+              AllOf(StartsWith("sequence,variant,system,"), HasSubstr(",0.0625,")));
+  EXPECT_THAT(Print(suite, {"--format", "csv", "--long"}).out, HasSubstr(",camera_ate,m,0.0625,"));
+  EXPECT_THAT(Print(suite, {"--format", "latex"}).out,
+              AllOf(StartsWith("\\documentclass"), EndsWith("\\end{document}\n")));
+  EXPECT_THAT(Print(suite, {"--format", "latex", "--bare"}).out,
+              AllOf(StartsWith("% small\n"), HasSubstr("\\toprule")));
+  EXPECT_THAT(Print(suite, {"--format", "html"}).out,
+              AllOf(StartsWith("<!DOCTYPE html>"), EndsWith("</html>\n")));
+  EXPECT_THAT(Print(suite, {"--format", "html", "--bare"}).out, StartsWith("<section"));
+  EXPECT_FALSE(fs::exists(suite.folder().path() / "table.json")) << "asked for something else";
+}
+
+TEST(CliTables, AnOldTableNeedsNoResults) {
+  SuiteResults suite;
+  suite.Add(Result());
+  const std::string printed = MakeTable(suite.Written()).out;
+  const std::string latex = Print(suite, {"--format", "latex"}).out;
+  const fs::path json = suite.folder().path() / "table.json";
+  fs::remove_all(suite.folder().path() / "jobs");
+  const auto from = [&](const std::string& format) {
+    return RunProgram({"experiment", "table", "--from", json.string(), "--format", format}).out;
+  };
+  EXPECT_EQ(from("latex"), latex);
+  EXPECT_THAT(printed, StartsWith(from("terminal")));
+  ExpectOneLine(
+      RunProgram({"experiment", "table", "--from", (suite.folder().path() / "plan.json").string()}),
+      "plan.json: found kind \"plan\", expected kind \"table\"");
+  suite.folder().Write("table.json", "{\"schema_version\": 1, \"kind\": \"table\"}");
+  ExpectOneLine(RunProgram({"experiment", "table", "--from", json.string()}),
+                "table.json: found schema_version 1, expected 2");
+}
+
+TEST(CliTables, GoToAFile) {
+  SuiteResults suite;
+  suite.Add(Result());
+  const fs::path file = suite.folder().path() / "new" / "table.html";
+  const ProcessResult run = Print(suite, {"--format", "html", "-o", file.string()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out, "written: " + file.string() + "\n");
+  EXPECT_EQ(test::ReadFile(file), Print(suite, {"--format", "html"}).out);
+}
+
+TEST(CliTables, FlagsThatDoNotGoTogetherAreAnError) {
+  SuiteResults suite;
+  suite.Add(Result());
+  const auto error = [&](const std::vector<std::string>& flags) {
+    const ProcessResult run = Print(suite, flags);
+    EXPECT_EQ(run.exit_code, 2);
+    return run.err;
+  };
+  EXPECT_THAT(error({"--bare"}), HasSubstr("--bare: goes with --format latex or html"));
+  EXPECT_THAT(error({"--format", "html", "--long"}), HasSubstr("--long: goes with --format csv"));
+  EXPECT_THAT(error({"--format", "pdf"}), HasSubstr("pdf"));
+  EXPECT_THAT(error({"--from", "table.json"}), HasSubstr("DIR excludes --from"));
+  EXPECT_THAT(RunProgram({"experiment", "table"}).err, HasSubstr("DIR or --from is required"));
+}
+
+TEST(CliTables, CompareHasTheSameFormats) {
+  SuiteResults before;
+  SuiteResults after;
+  before.Add(Result());
+  Json better = Result();
+  better["metrics"][1]["value"] = 0.05;
+  after.Add(better);
+  const std::string csv = RunProgram({"experiment", "compare", before.Written().string(),
+                                      after.Written().string(), "--format", "csv", "--long"})
+                              .out;
+  EXPECT_THAT(csv, AllOf(HasSubstr(",-0.01249"), Not(HasSubstr("moved"))));
 }
 
 }  // namespace

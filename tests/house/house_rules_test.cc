@@ -59,6 +59,15 @@ TEST(Includes, ReportsReadFilesOnly) {
   EXPECT_THAT(Include("reports/tables/a.cc", "<Eigen/Core>"), SizeIs(1));
 }
 
+TEST(Includes, OverlaysAloneOfTheReportsDraw) {
+  EXPECT_THAT(Include("reports/overlays/a.cc", "<opencv2/imgproc.hpp>"), IsEmpty());
+  EXPECT_THAT(Include("reports/overlays/a.cc", "\"reports/runs/run_detail.h\""), IsEmpty());
+  EXPECT_THAT(Include("reports/overlays/a.cc", "\"core/geometry/rigid_transform.h\""), SizeIs(1));
+  EXPECT_THAT(Include("reports/overlays/a.cc", "\"experiments/files/atomic_file.h\""), SizeIs(1));
+  EXPECT_THAT(Include("reports/overlays/a.cc", "<Eigen/Core>"), SizeIs(1));
+  EXPECT_THAT(Include("reports/web/a.cc", "<opencv2/core/mat.hpp>"), SizeIs(1));
+}
+
 TEST(Includes, SynthKnowsGeometryOnlyAndNobodyTheTests) {
   EXPECT_THAT(Include("synth/scene/a.cc", "\"core/geometry/stereo_camera.h\""), IsEmpty());
   EXPECT_THAT(Include("synth/scene/a.cc", "\"experiments/files/json.h\""), IsEmpty());

@@ -88,6 +88,8 @@ std::vector<Part> MakeParts() {
                    {}});
   parts.push_back(
       {"experiments/cli/", {"core/", "variants/", "experiments/", "reports/", "synth/"}, {}});
+  // They draw on images; all other reports know files of numbers and text alone.
+  parts.push_back({"reports/overlays/", {"core/base/", "reports/"}, {"ceres/.*", "Eigen/.*"}});
   parts.push_back({"reports/", {"core/base/", "reports/"}, {"opencv2/.*", "ceres/.*", "Eigen/.*"}});
   parts.push_back({"tests/", {""}, {}});
   return parts;

@@ -9,9 +9,9 @@
 #include "core/base/error.h"
 #include "core/base/rng.h"
 #include "reports/gate/compare.h"
-#include "reports/gate/metric_rule.h"
 #include "reports/gate/student.h"
 #include "reports/gate/tolerance.h"
+#include "reports/tables/metric_rule.h"
 
 namespace cvo::reports {
 namespace {

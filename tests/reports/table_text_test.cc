@@ -58,12 +58,14 @@ TEST(TableText, AlignsColumnsAndBracketsWhatDoesNotCompare) {
             "Camera\n"
             "\n"
             "sequence  variant        frames  truth   runs  coverage  ATE [m]\n"
-            "drive_1   static         0:72    devkit  1/1      1.000   0.0625\n"
+            "drive_1   static         0:72    devkit  1/1      1.000   0.0625^\n"
             "          ORB-SLAM2 [a]  0:72                               0.21\n"
             "          ClusterVO [b]  0:144                            (0.26)\n"
             "          Rooms [b]                                        (0.5)\n"
             "\n"
+            "^: best of its column among rows on the same data, by its value alone\n"
             "1 of 1 runs\n"
+            "n, coverage, ATE: 1 scene, 1 seed, 1 run\n"
             "(in brackets): not comparable with ours: other scenes, frames or images, or a metric "
             "that differs or that the source does not define\n"
             "[a] measured\n"
@@ -71,8 +73,26 @@ TEST(TableText, AlignsColumnsAndBracketsWhatDoesNotCompare) {
 }
 
 TEST(TableText, DimsOnATerminalOnly) {
-  EXPECT_THAT(TableText(SmallTable(), true), HasSubstr("\033[2m (0.26)\033[0m"));
+  EXPECT_THAT(TableText(SmallTable(), true), HasSubstr("\033[2m (0.26) \033[0m"));
   EXPECT_THAT(TableText(SmallTable(), false), Not(HasSubstr("\033")));
+}
+
+TEST(TableText, IsAsWideAsTheTerminalWithCoverageBesideAccuracy) {
+  Table table = SmallTable();
+  table.rows[0].reference.clear();
+  table.others.clear();
+  table.sources.clear();
+  table.columns.push_back({"camera_trpe_1_frame", "T.RPE", "m", {}});
+  table.rows[0].cells.push_back(table.rows[0].cells[1]);
+  EXPECT_THAT(TableText(table, false, 62),
+              HasSubstr("sequence  variant  frames  truth   runs  coverage  ATE [m]\n"
+                        "drive_1   static   0:72    devkit  1/1      1.000   0.0625\n"
+                        "\n"
+                        "sequence  variant  frames  truth   runs  coverage  T.RPE [m]\n"
+                        "drive_1   static   0:72    devkit  1/1      1.000     0.0625\n"));
+  EXPECT_THAT(TableText(table, false, 80), HasSubstr("coverage  ATE [m]  T.RPE [m]\n"));
+  EXPECT_THAT(TableText(table, false, 1), HasSubstr("runs  coverage  T.RPE [m]\n"))
+      << "no terminal is that narrow";
 }
 
 TEST(TableText, SaysWhatIsMissing) {
@@ -95,14 +115,14 @@ TEST(TableText, SaysWhatIsMissing) {
                           HasSubstr("drive_9: no data: no such folder\nfull, drive_1, seed 0: "
                                     "failed: killed (log: logs/x.log)\n"),
                           HasSubstr("and 10 more: table.json has all\n"),
-                          HasSubstr("drive_1 static, ATE: not in the result\n")));
+                          HasSubstr("drive_1 static; ATE: not in the result\n")));
 }
 
 TEST(TableText, ShowsIntervalsBelowTheirValues) {
   Table table = SmallTable();
   table.rows[0].cells[1].interval = {0.005, 0.07, "least and largest of 3 runs of one scene"};
   EXPECT_THAT(TableText(table, false),
-              AllOf(HasSubstr("0.0625\n"), HasSubstr(" 0.00500..0.0700\n"),
+              AllOf(HasSubstr("0.062^\n"), HasSubstr(" 0.005..0.070\n"),
                     HasSubstr("low..high, ATE: least and largest of 3 runs of one scene\n")));
 }
 
@@ -111,7 +131,7 @@ TEST(TableMarkdown, IsATableAndAList) {
       TableMarkdown(SmallTable()),
       AllOf(HasSubstr("**Camera**\n\n| sequence | variant | frames | truth | runs | coverage | "
                       "ATE [m] |\n|---|---|---|---|---|---:|---:|\n"),
-            HasSubstr("| drive\\_1 | static | 0:72 | devkit | 1/1 | 1.000 | 0.0625 |\n"),
+            HasSubstr("| drive\\_1 | static | 0:72 | devkit | 1/1 | 1.000 | **0.0625** |\n"),
             HasSubstr("| *ClusterVO [b]* | *0:144* |  |  |  | *(0.26)* |\n"),
             HasSubstr("\n- [b] a paper; a caveat\n"), HasSubstr("\n- ATE: root mean square\n")));
 }

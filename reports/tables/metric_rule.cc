@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/gate/metric_rule.h"
+#include "reports/tables/metric_rule.h"
 
 #include <algorithm>
 #include <array>
@@ -58,6 +58,15 @@ std::optional<MetricRule> FindRule(const std::string& metric) {
   if (Contains(fractions, *quantity)) return MetricRule{MetricRule::Kind::kFraction, true};
   if (Contains(counts, *quantity)) return MetricRule{MetricRule::Kind::kCount, false};
   return std::nullopt;
+}
+
+// Metrics that share a coverage have its name in common up to "coverage".
+std::string CoverageOf(const std::string& metric) {
+  for (const char* group : {"object_causal_standing_", "object_standing_", "object_causal_",
+                            "object_", "camera_causal_", "camera_"}) {
+    if (metric.starts_with(group)) return std::string(group) + "coverage";
+  }
+  return "";
 }
 
 }  // namespace cvo::reports

@@ -7,7 +7,7 @@
 
 namespace cvo::reports {
 
-// How the gate reads a metric.
+// What kind of figure a metric is, and which way is better.
 struct MetricRule {
   enum class Kind { kError, kFraction, kCount };
 
@@ -19,7 +19,12 @@ struct MetricRule {
   double Resolution(double value) const;
 };
 
-// Of metrics of the camera, of objects and of clustering; empty for others, which are not gated.
+// Of metrics of the camera, of objects and of clustering; empty for others: these are neither gated
+// nor is one of them called the best.
 std::optional<MetricRule> FindRule(const std::string& metric);
+
+// The coverage that a metric must be read with, such as "object_coverage" for "object_ate"; empty
+// for those of clustering.
+std::string CoverageOf(const std::string& metric);
 
 }  // namespace cvo::reports

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/figures/numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+
+#include "reports/tables/metric_rule.h"
+
+namespace cvo::reports {
+namespace {
+
+std::string Formatted(double value, std::chars_format format, int precision) {
+  std::array<char, 512> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, format, precision).ptr;
+  return {text.data(), end};
+}
+
+}  // namespace
+
+double Rounded(double value, int digits) {
+  const std::string text = Formatted(value, std::chars_format::general, digits);
+  double rounded = value;
+  std::from_chars(text.data(), text.data() + text.size(), rounded);
+  return rounded;
+}
+
+Json RoundedList(const std::vector<double>& values, int digits) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(Rounded(value, digits));
+  return list;
+}
+
+std::string Say(double value, int digits) {
+  if (value == 0.0 || !std::isfinite(value)) return value == 0.0 ? "0" : "no number";
+  const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(Rounded(value, digits)))));
+  const int decimals = std::clamp(digits - 1 - magnitude, 0, 12);
+  std::string text = Formatted(Rounded(value, digits), std::chars_format::fixed, decimals);
+  if (text.find('.') == std::string::npos) return text;
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+Shown ShownAs(const std::string& metric, const std::string& unit) {
+  const auto rule = FindRule(metric);
+  Shown shown{1.0, unit == "1" ? "" : unit, rule && rule->higher_is_better, false, false};
+  if (!rule) return shown;
+  shown.is_error = rule->kind == MetricRule::Kind::kError;
+  shown.is_share = rule->kind == MetricRule::Kind::kFraction && unit == "1";
+  if (shown.is_share) {
+    shown.scale = 100.0;
+    shown.unit.assign(1, '%');
+  }
+  return shown;
+}
+
+std::string AxisTitle(const Column& column) {
+  const std::string unit = ShownAs(column.metric, column.unit).unit;
+  return StrCat(column.label, " (", unit.empty() ? "count" : unit, ")");
+}
+
+std::string SayCell(const Cell& cell, const Column& column) {
+  if (!cell.present) return "no value";
+  const Shown shown = ShownAs(column.metric, column.unit);
+  std::string text = Say(shown.scale * cell.value);
+  if (!shown.unit.empty()) text += " " + shown.unit;
+  if (!cell.interval) return text;
+  return StrCat(text, " (", Say(shown.scale * cell.interval->low), " to ",
+                Say(shown.scale * cell.interval->high), ")");
+}
+
+std::string Capitalised(std::string text) {
+  if (!text.empty()) {
+    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  }
+  return text;
+}
+
+std::string Listed(const std::vector<std::string>& texts) {
+  std::string list;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const char* separator = i == 0 ? "" : i + 1 == texts.size() ? " and " : ", ";
+    list += StrCat(separator, texts[i]);
+  }
+  return list;
+}
+
+std::string Slug(const std::string& text) {
+  std::string slug;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 128 && std::isalnum(byte) != 0) {
+      slug += static_cast<char>(std::tolower(byte));
+    } else if (!slug.empty() && slug.back() != '-') {
+      slug += '-';
+    }
+  }
+  while (!slug.empty() && slug.back() == '-') slug.pop_back();
+  if (slug.empty()) slug.push_back('x');
+  constexpr std::size_t kLongest = 80;
+  if (slug.size() > kLongest) slug.resize(kLongest);
+  return slug;
+}
+
+std::string PlotText(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '\n':
+      case '\r':
+      case '\t':
+        escaped += ' ';
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+}  // namespace cvo::reports

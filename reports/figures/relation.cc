@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/figures/relation.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "reports/figures/numbers.h"
+
+namespace cvo::reports {
+namespace {
+
+std::string FieldOr(const Contract& contract, const char* field) {
+  const auto found = contract.find(field);
+  return found == contract.end() || found->second.empty() ? "not stated" : found->second;
+}
+
+// A contract's words up to its first detail, which the definitions of the table hold in full.
+std::string Brief(const std::string& text) {
+  return text.substr(0, std::min({text.find(" ("), text.find(','), text.find(';')}));
+}
+
+std::string Relation(const Column& column) {
+  const std::string delta = Brief(FieldOr(column.contract, "delta"));
+  const std::string alignment = Brief(FieldOr(column.contract, "alignment"));
+  return StrCat(delta == "none" ? "" : StrCat("delta ", delta, ", "),
+                alignment == "none" ? "not aligned" : "alignment " + alignment);
+}
+
+}  // namespace
+
+std::string RelationText(const std::vector<const Column*>& columns) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> groups;  // relation, labels
+  for (const Column* column : columns) {
+    if (!ShownAs(column->metric, column->unit).is_error) continue;
+    const std::string relation = Relation(*column);
+    auto found = std::find_if(groups.begin(), groups.end(),
+                              [&](const auto& group) { return group.first == relation; });
+    if (found == groups.end()) found = groups.insert(groups.end(), {relation, {}});
+    found->second.push_back(column->label);
+  }
+  std::string text;
+  for (const auto& [relation, labels] : groups) {
+    text += StrCat(text.empty() ? "" : "; ", Listed(labels), ": ", relation);
+  }
+  return text;
+}
+
+std::string IntervalText(const Table& table, const std::vector<std::size_t>& columns) {
+  std::vector<std::string> meanings;
+  for (const Row& row : table.rows) {
+    for (const std::size_t column : columns) {
+      const auto& interval = row.cells[column].interval;
+      if (!interval) continue;
+      if (std::find(meanings.begin(), meanings.end(), interval->meaning) == meanings.end()) {
+        meanings.push_back(interval->meaning);
+      }
+    }
+  }
+  if (meanings.empty()) return "No intervals: there is nothing to resample.";
+  std::string text = "Intervals: ";
+  for (std::size_t i = 0; i < meanings.size() && i < 3; ++i) {
+    text += (i > 0 ? "; " : "") + meanings[i];
+  }
+  return text + (meanings.size() > 3 ? "; others in the table." : ".");
+}
+
+}  // namespace cvo::reports

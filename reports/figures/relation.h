@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/tables/table.h"
+
+namespace cvo::reports {
+
+// What a title says of how metrics are measured, those alike together: "object ATE: alignment
+// world by the camera; camera T.RPE: delta all, not aligned". Empty for shares and counts.
+std::string RelationText(const std::vector<const Column*>& columns);
+
+// What the intervals of these columns mean, each wording once.
+std::string IntervalText(const Table& table, const std::vector<std::size_t>& columns);
+
+}  // namespace cvo::reports

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "reports/figures/scene_cells.h"
+#include "reports/figures/suite_figures.h"
+
+namespace cvo::reports {
+
+// Each adds the figures of its kind, or why there are none.
+void DrawSensitivity(const SuiteData& data, SuiteDrawing& drawing);
+void DrawErrorReduction(const SuiteData& data, const std::vector<SeriesRows>& series,
+                        SuiteDrawing& drawing);
+void DrawErrorOverCoverage(const SuiteData& data, const std::vector<SeriesRows>& series,
+                           SuiteDrawing& drawing);
+void DrawErrorOverTime(const SuiteData& data, SuiteDrawing& drawing);
+void DrawTrajectories(const SuiteData& data, SuiteDrawing& drawing);
+void DrawStageTimes(const SuiteData& data, SuiteDrawing& drawing);
+
+}  // namespace cvo::reports

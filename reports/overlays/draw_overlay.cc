@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/overlays/draw_overlay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/error.h"
+#include "reports/overlays/draw_cluster.h"
+#include "reports/overlays/strokes.h"
+
+namespace cvo::reports {
+namespace {
+
+cv::Mat Background(const cv::Mat& image, const OverlayCamera& camera, const OverlayCamera& scaled) {
+  if (image.cols != camera.width_px || image.rows != camera.height_px ||
+      (image.type() != CV_8UC1 && image.type() != CV_8UC3)) {
+    ThrowError("the image of a frame",
+               StrCat(image.cols, "x", image.rows, " pixels of ", image.channels(), " x ",
+                      8 * image.elemSize1(), " bits"),
+               StrCat(camera.width_px, "x", camera.height_px,
+                      " of the run's camera, grey or colour with 8 bits"));
+  }
+  cv::Mat sized;
+  const cv::Size size(scaled.width_px, scaled.height_px);
+  const bool smaller = size.width < image.cols;
+  cv::resize(image, sized, size, 0.0, 0.0, smaller ? cv::INTER_AREA : cv::INTER_CUBIC);
+  cv::Mat color;
+  if (sized.channels() == 1) {
+    cv::cvtColor(sized, color, cv::COLOR_GRAY2BGR);
+  } else {
+    color = sized;
+  }
+  return color;
+}
+
+void DrawDetections(const OverlayFrame& frame, const OverlayStyle& style, cv::Mat& image) {
+  std::vector<Stroke> strokes;
+  // Upright lines are sharp on whole pixels alone.
+  const auto whole = [&](double pixel) { return std::round((pixel + 0.5) * style.scale - 0.5); };
+  const auto scaled = [&](double u_px, double v_px) {
+    return cv::Point2d(whole(u_px), whole(v_px));
+  };
+  for (const PixelBox& box : frame.detections) {
+    const std::array<cv::Point2d, 4> corners = {
+        scaled(box.left_px, box.top_px), scaled(box.right_px, box.top_px),
+        scaled(box.right_px, box.bottom_px), scaled(box.left_px, box.bottom_px)};
+    for (std::size_t i = 0; i < 4; ++i) {
+      strokes.push_back({{corners[i], corners[(i + 1) % 4]}, kDetectionColor, 1});
+    }
+  }
+  constexpr double kFaintRim = 0.3;  // they stand back behind what was estimated
+  DrawStrokes(strokes, kFaintRim, image);
+}
+
+// Outliers and the static scene first: what is on a body is what a reader looks for.
+void DrawLandmarks(const OverlayFrame& frame, const OverlayStyle& style, cv::Mat& image) {
+  for (const bool on_body : {false, true}) {
+    for (const LandmarkDot& dot : frame.landmarks) {
+      if ((dot.label > kStaticLabel) != on_body) continue;
+      if (style.wrong && dot.wrong) continue;  // below
+      const cv::Point2d at((dot.u_px + 0.5) * style.scale - 0.5,
+                           (dot.v_px + 0.5) * style.scale - 0.5);
+      if (on_body) {
+        DrawDisc(at, style.landmark_px, style.rim_px, ColorOf(frame, dot.label), image);
+      } else if (dot.label == kStaticLabel) {
+        DrawDisc(at, style.static_px, 0.7 * style.rim_px, kStaticColor, image);
+      } else {
+        DrawDisc(at, 0.5 * style.static_px, 0.0, kOutlierColor, image);
+      }
+    }
+  }
+}
+
+// A ring around each, and in it the label's colour.
+void DrawWrongLabels(const OverlayFrame& frame, const OverlayStyle& style, cv::Mat& image) {
+  constexpr Rgb kRing{255, 255, 255};
+  for (const LandmarkDot& dot : frame.landmarks) {
+    if (!dot.wrong) continue;
+    const cv::Point2d at((dot.u_px + 0.5) * style.scale - 0.5,
+                         (dot.v_px + 0.5) * style.scale - 0.5);
+    const Rgb color = dot.label == kStaticLabel ? kStaticColor : ColorOf(frame, dot.label);
+    DrawDisc(at, style.landmark_px + 2.6, 1.0, kRing, image);
+    DrawDisc(at, style.landmark_px, 1.2, color, image);
+  }
+}
+
+}  // namespace
+
+OverlayStyle StyleFor(const OverlayCamera& camera, int width_px) {
+  OverlayStyle style;
+  style.scale = static_cast<double>(width_px) / camera.width_px;
+  // Of an image of 640x480 it is 1; on wide ones things are small.
+  const double height_px = style.scale * camera.height_px;
+  const double size = std::clamp(std::min(width_px / 640.0, height_px / 240.0), 0.35, 3.0);
+  style.text_px = std::max(7, static_cast<int>(std::lround(6.0 + 3.0 * size)));
+  style.line_px = std::max(1, static_cast<int>(std::lround(0.8 + 0.8 * size)));
+  style.landmark_px = 0.5 + 1.9 * size;
+  style.static_px = 0.3 + 0.7 * size;
+  style.rim_px = std::min(size, 1.0);
+  style.trail_px = 0.8 + 1.4 * size;
+  style.dash_px = 3.0 + 4.0 * size;
+  style.names = width_px >= 400;
+  style.status_rows = width_px >= 400 && width_px < 900 ? 2 : 1;
+  return style;
+}
+
+cv::Mat DrawOverlay(const cv::Mat& image, const OverlayFrame& frame, const OverlayCamera& camera,
+                    const OverlayStyle& style) {
+  const OverlayCamera scaled = ScaledCamera(camera, style.scale);
+  cv::Mat picture = Background(image, camera, scaled);
+  if (style.boxes) FillGhosts(frame, scaled, picture);
+  DrawDetections(frame, style, picture);
+  if (style.boxes) DrawBoxes(frame, scaled, style, picture);
+  DrawLandmarks(frame, style, picture);
+  if (style.wrong) DrawWrongLabels(frame, style, picture);
+  if (style.boxes) DrawMotion(frame, scaled, style, picture);
+  DrawNames(frame, scaled, style, picture);
+  if (!style.status) return picture;
+  cv::Mat bar(BarHeight(style.text_px, style.status_rows), picture.cols, CV_8UC3);
+  DrawBar(StatusWords(frame, camera), style.text_px, bar);
+  cv::Mat both;
+  cv::vconcat(picture, bar, both);
+  return both;
+}
+
+}  // namespace cvo::reports

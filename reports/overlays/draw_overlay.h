@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <string>
+
+#include "reports/overlays/overlay_frame.h"
+
+namespace cvo::reports {
+
+// How large things are drawn; see StyleFor.
+struct OverlayStyle {
+  double scale = 1.0;        // of the image, before anything is drawn on it
+  int text_px = 9;           // height of a capital letter
+  int line_px = 2;           // edges of the 3D boxes and arrows
+  double landmark_px = 2.6;  // radius of a landmark of a body
+  double static_px = 1.1;
+  double rim_px = 1.0;  // dark, around landmarks
+  double trail_px = 2.2;
+  double dash_px = 7.0;
+  bool names = true;   // a class beside the id
+  bool boxes = true;   // 3D boxes, arrows and trails; detections and landmarks are always drawn
+  bool wrong = false;  // landmarks with a wrong label have a white ring, where the truth is known
+  bool status = true;  // words below the image
+  int status_rows = 1;
+};
+
+// For drawings that are this wide, from thumbnails to screens.
+OverlayStyle StyleFor(const OverlayCamera& camera, int width_px);
+
+// Left image (8 bit grey or BGR, of the camera's size) with what is known of the frame drawn on it;
+// 8 bit BGR, higher than the image by the status line. Throws Error for an image of another size.
+cv::Mat DrawOverlay(const cv::Mat& image, const OverlayFrame& frame, const OverlayCamera& camera,
+                    const OverlayStyle& style);
+
+// The words of the status line, the most important first; the last is for the right end.
+std::vector<std::string> StatusWords(const OverlayFrame& frame, const OverlayCamera& camera);
+
+// A bar of as many rows of text as it is high, with as many of the words as have room; the last of
+// several is at the right end of the first row.
+void DrawBar(const std::vector<std::string>& words, int text_px, cv::Mat& bar);
+int BarHeight(int text_px, int rows);
+
+}  // namespace cvo::reports

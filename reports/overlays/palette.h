@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+namespace cvo::reports {
+
+struct Rgb {
+  std::uint8_t red = 0;
+  std::uint8_t green = 0;
+  std::uint8_t blue = 0;
+
+  bool operator==(const Rgb&) const = default;
+};
+
+inline constexpr Rgb kStaticColor{205, 205, 205};
+inline constexpr Rgb kOutlierColor{255, 255, 255};
+inline constexpr Rgb kDetectionColor{255, 255, 255};
+
+// The same for the same id in every frame, run and report. Seven colours that remain apart for
+// people who confuse red and green (after Okabe and Ito), then the same half way to white; ids that
+// share one are told apart by their number.
+Rgb ClusterColor(std::int64_t id);
+
+// Black or white, whichever is read better on it.
+Rgb TextColorOn(Rgb background);
+
+}  // namespace cvo::reports

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "reports/overlays/palette.h"
+
+namespace cvo::reports {
+
+cv::Scalar Bgr(Rgb color);
+
+// What can be drawn of a text that may hold anything: printable ASCII, '?' in place of every other
+// character, cut with ".." where it is longer than `longest`.
+std::string DrawableText(std::string_view text, std::size_t longest);
+
+struct PlateStyle {
+  int text_px = 9;  // height of a capital letter
+  Rgb fill;
+  Rgb ink;
+  double opacity = 1.0;  // of the fill
+  std::optional<Rgb> outline = {};
+};
+
+// Of a plate with this text.
+cv::Size PlateSize(const std::string& text, int text_px);
+
+// A text on a filled rectangle whose top left corner is at `at`; what is outside the image is cut.
+void DrawPlate(const std::string& text, cv::Point at, const PlateStyle& style, cv::Mat& image);
+
+// image = (1 - opacity * mask / 255) image + ... color, where the mask, at `at`, covers the image.
+void BlendMask(const cv::Mat& mask, cv::Point at, Rgb color, double opacity, cv::Mat& image);
+
+}  // namespace cvo::reports

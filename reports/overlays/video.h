@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <string>
+
+namespace cvo::reports {
+
+// A video in the first of these that OpenCV can write here: MP4 (H.264), WebM (VP9, VP8), AVI
+// (Motion JPEG). The file is complete once Close has returned.
+class VideoFile {
+ public:
+  // Writes <stem>.mp4, .webm or .avi. Throws Error where it can write none of them. An odd width or
+  // height loses its last column or row, which H.264 cannot hold.
+  VideoFile(const std::filesystem::path& stem, cv::Size size, double frames_per_second);
+  ~VideoFile();
+  VideoFile(const VideoFile&) = delete;
+  VideoFile& operator=(const VideoFile&) = delete;
+
+  void Add(const cv::Mat& image);
+  void Close();
+
+  const std::filesystem::path& path() const { return path_; }
+  const std::string& format() const { return format_; }  // "MP4 (H.264)"
+
+ private:
+  struct Writer;
+  std::unique_ptr<Writer> writer_;
+  std::filesystem::path path_;
+  std::string format_;
+  cv::Size size_;
+};
+
+}  // namespace cvo::reports

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/page/choose_scenes.h"
+
+#include <algorithm>
+#include <map>
+
+namespace cvo::reports {
+namespace {
+
+// All that tells runs apart but the seed.
+using Keys = std::map<std::string, std::string>;
+
+std::vector<std::size_t> FirstSeeds(const std::vector<PageRun>& runs) {
+  std::map<Keys, std::size_t> first;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const SuiteRun& run = runs[i].run;
+    if (!run.run || run.planned.system) continue;
+    const auto [entry, added] = first.try_emplace(run.planned.keys, i);
+    if (!added && run.planned.seed < runs[entry->second].run.planned.seed) entry->second = i;
+  }
+  std::vector<std::size_t> chosen;
+  for (const auto& [keys, run] : first) chosen.push_back(run);
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
+}
+
+// Lower is better: whose images tell most.
+int Rank(const PageRun& run, const std::string& reference) {
+  const std::string variant = KeyOf(run.run.planned, "variant");
+  if (variant == "full") return 0;
+  return variant == reference || "variant=" + variant == reference ? 1 : 2;
+}
+
+}  // namespace
+
+SceneChoice ChooseScenes(const std::vector<PageRun>& runs, const std::string& reference,
+                         std::size_t most) {
+  const std::vector<std::size_t> candidates = FirstSeeds(runs);
+  std::map<std::string, std::size_t> with_images;  // by sequence
+  for (const std::size_t i : candidates) {
+    const auto [entry, added] = with_images.try_emplace(KeyOf(runs[i].run.planned, "sequence"), i);
+    if (!added && Rank(runs[i], reference) < Rank(runs[entry->second], reference)) {
+      entry->second = i;
+    }
+  }
+  SceneChoice choice;
+  for (const bool images : {true, false}) {
+    for (const std::size_t i : candidates) {
+      const bool has_images = with_images[KeyOf(runs[i].run.planned, "sequence")] == i;
+      if (has_images != images) continue;
+      if (choice.scenes.size() < most) {
+        choice.scenes.emplace_back(i, has_images);
+      } else {
+        ++choice.left_out;
+      }
+    }
+  }
+  return choice;
+}
+
+}  // namespace cvo::reports

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "reports/page/html.h"
+#include "reports/page/page_parts.h"
+
+namespace cvo::reports {
+namespace {
+
+std::vector<std::string> Groups(const std::vector<Figure>& figures) {
+  std::vector<std::string> groups;
+  for (const Figure& figure : figures) {
+    if (std::find(groups.begin(), groups.end(), figure.group) == groups.end()) {
+      groups.push_back(figure.group);
+    }
+  }
+  return groups;
+}
+
+// What it shows stands out from how it was measured.
+std::string TitleHtml(const std::string& title) {
+  const auto end = title.find(". ");
+  if (end == std::string::npos) return Element("strong", title);
+  return Element("strong", title.substr(0, end + 1)) + " " + Escaped(title.substr(end + 2));
+}
+
+std::string FigureHtml(const Figure& figure, std::size_t index) {
+  const std::string alt = Escaped(figure.alt);
+  return StrCat("<figure class=\"figure\" data-figure=\"figure-", index, "\">\n<figcaption>",
+                TitleHtml(figure.title), "<p class=\"reading\">", Escaped(figure.caption),
+                "</p></figcaption>\n<div class=\"plot-scroll\"><div class=\"plot\" role=\"img\" "
+                "aria-label=\"",
+                alt, "\" style=\"min-height:", figure.height_px,
+                "px\"></div></div>\n<details><summary>In words</summary><p>", alt,
+                "</p></details>\n</figure>\n");
+}
+
+}  // namespace
+
+std::string FigureSection(const PageContent& content) {
+  std::string html = "<section id=\"figures\">\n<h2>Figures</h2>\n";
+  if (content.drawing.figures.empty())
+    html += "<p class=\"problem\">No figure could be made of these results.</p>\n";
+  for (const std::string& group : Groups(content.drawing.figures)) {
+    html += Element("h3", group) + "\n<div class=\"figures\">\n";
+    for (std::size_t i = 0; i < content.drawing.figures.size(); ++i) {
+      if (content.drawing.figures[i].group == group)
+        html += FigureHtml(content.drawing.figures[i], i);
+    }
+    html += "</div>\n";
+  }
+  return html + "</section>\n";
+}
+
+std::string SceneSection(const PageContent& content) {
+  std::string html = "<section id=\"scenes\">\n<h2>Runs, frame by frame</h2>\n";
+  if (content.scenes.empty()) {
+    return html +
+           "<p class=\"problem\">No run can be shown: none has its trajectories.</p>\n</section>\n";
+  }
+  html += "<p>Trajectories and clusters of one run, its images and its errors, at one time.";
+  if (content.scenes_left_out > 0) {
+    html += StrCat(" The page holds ", content.scenes.size(), " runs; ", content.scenes_left_out,
+                   " more would make it too large.");
+  }
+  return html +
+         "</p>\n<div id=\"scene-view\"><noscript>This view needs "
+         "JavaScript.</noscript></div>\n</section>\n";
+}
+
+}  // namespace cvo::reports

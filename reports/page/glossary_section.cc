@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/page/glossary.h"
+#include "reports/page/html.h"
+#include "reports/page/page_parts.h"
+#include "reports/page/quantity.h"
+
+namespace cvo::reports {
+namespace {
+
+std::string ContractHtml(const Contract& contract) {
+  std::string html;
+  for (const auto& [field, value] : contract) {
+    if (value.empty()) continue;
+    std::string name = field;
+    for (char& c : name) c = c == '_' ? ' ' : c;
+    html += "<li>" + Element("em", name) + ": " + Escaped(value) + "</li>\n";
+  }
+  return html.empty() ? ""
+                      : "<details><summary>Exactly</summary><ul>\n" + html + "</ul></details>\n";
+}
+
+std::string MeasureHtml(const Column& column) {
+  const std::string direction = BetterDirection(column.metric);
+  std::string html = "<dt id=\"measure-" + Escaped(column.metric) + "\">" + Escaped(column.label);
+  if (column.unit != "1" && !column.unit.empty()) html += " [" + Escaped(column.unit) + "]";
+  html += "</dt>\n<dd>" + Escaped(MeasureMeaning(column.metric));
+  if (!direction.empty()) html += direction == "lower" ? " Lower is better." : " Higher is better.";
+  return html + ContractHtml(column.contract) + "</dd>\n";
+}
+
+std::string TermsHtml() {
+  std::string html;
+  for (const Term& term : Terms()) {
+    html += Element("dt", term.name) + "\n" + Element("dd", term.meaning) + "\n";
+  }
+  return html;
+}
+
+}  // namespace
+
+std::string GlossarySection(const PageContent& content) {
+  std::string html = "<section id=\"glossary\">\n<h2>Words and measures</h2>\n<dl>\n" + TermsHtml();
+  if (content.table) {
+    for (const Column& column : content.table->columns) html += MeasureHtml(column);
+  }
+  return html + "</dl>\n</section>\n";
+}
+
+}  // namespace cvo::reports

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/page/html.h"
+#include "reports/page/page_parts.h"
+#include "reports/tables/table_html.h"
+
+namespace cvo::reports {
+
+std::string TableFrame(const Table& table, const std::string& name) {
+  return "<div data-table=\"" + name + "\">\n" + TableHtml(table, name + "-results") + "</div>\n";
+}
+
+std::string TableSection(const PageContent& content) {
+  std::string html = "<section id=\"table\">\n<h2>Table</h2>\n";
+  if (!content.table) {
+    return html + "<p class=\"problem\">There is no table: see above.</p>\n</section>\n";
+  }
+  html +=
+      "<p>Each value is a mean. Below it: its 95 % interval, and how many bodies or scenes it is a "
+      "mean of. A star marks a difference to the reference that is real. Grey rows are figures of "
+      "others, with their sources in the notes below; in brackets where they do not compare with "
+      "ours. Select a cell for the runs behind it, and a heading to sort by it.</p>\n";
+  return html + TableFrame(*content.table, "table") + "</section>\n";
+}
+
+}  // namespace cvo::reports

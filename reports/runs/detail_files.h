@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "reports/runs/run_detail.h"
+#include "reports/tables/json_fields.h"
+
+namespace cvo::reports {
+
+// Seven finite numbers. Throws Error naming `where`.
+Pose PoseOf(const Json& json, const std::string& where);
+
+// What truth.json holds, for frames as result.json lists them. Its frames are indices into these.
+struct RunTruth {
+  std::vector<std::optional<Pose>> camera;  // one per frame
+  std::vector<BodyDetail> bodies;
+};
+
+// Each throws Error naming the file, and the field or line, for what is damaged.
+RunTruth ReadTruthFile(const std::filesystem::path& file, const std::vector<CameraFrame>& frames);
+std::vector<ClusterRow> ReadClusterTable(const std::filesystem::path& file);
+
+}  // namespace cvo::reports

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/runs/run_detail.h"
+
+#include <functional>
+
+#include "reports/runs/detail_files.h"
+#include "reports/tables/json_text.h"
+#include "reports/tables/run_summary.h"
+
+namespace cvo::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kTimingSchemaVersion = 1;
+
+void CheckKind(const std::string& found, const char* expected, const std::string& where) {
+  if (found != expected) {
+    ThrowError(where, StrCat("kind \"", found, "\""), StrCat("\"", expected, "\""));
+  }
+}
+
+// Nothing but the frames: what else a result holds is large and for others.
+std::vector<CameraFrame> ReadFrames(const fs::path& file) {
+  const std::string where = file.string();
+  const std::string text = ReadText(file);
+  const std::vector<JsonMember> members = JsonMembers(text, where);
+  Json head = Json::object();
+  for (const char* key : {"schema_version", "kind", "frames"}) {
+    const std::string_view value = FindMember(members, key);
+    if (!value.empty()) head[key] = ParseJson(value, where);
+  }
+  const Fields fields(head, where);
+  CheckSchema(fields, kRunSchemaVersion);
+  CheckKind(fields.Text("kind"), "run", where);
+  std::vector<CameraFrame> frames;
+  for (const Json& json : fields.Array("frames")) {
+    const Fields entry(json, where + ", frames");
+    CameraFrame frame;
+    frame.frame = static_cast<int>(entry.Integer("frame"));
+    frame.timestamp_ns = entry.Integer("timestamp_ns");
+    frame.status = entry.Text("status");
+    frame.world_from_camera = PoseOf(entry.Array("refined"), entry.where() + ", refined");
+    frames.push_back(std::move(frame));
+  }
+  return frames;
+}
+
+void ReadTiming(const fs::path& file, RunDetail& detail) {
+  const Json json = ReadJson(file);
+  const Fields fields(json, file.string());
+  CheckSchema(fields, kTimingSchemaVersion);
+  CheckKind(fields.Text("kind"), "timing", file.string());
+  const Fields stages = fields.Object("stages");
+  std::vector<StageTime> times;
+  for (const auto& [name, stage] : stages.json().items()) {
+    const Fields time(stage, stages.where() + ", " + name);
+    times.push_back(
+        {name, time.Number("median_ms"), time.Number("mean_ms"), time.Number("p95_ms")});
+  }
+  const std::string folder = fields.Object("paths").Text("sequence");
+  detail.frames_per_second = fields.Number("frames_per_second");
+  detail.host = fields.Text("host");
+  detail.cpu = fields.Text("cpu");
+  detail.date = fields.Text("date");
+  detail.sequence_folder = folder;
+  detail.stages = std::move(times);
+}
+
+void ReadTruth(const fs::path& file, RunDetail& detail) {
+  RunTruth truth = ReadTruthFile(file, detail.camera);
+  for (std::size_t i = 0; i < detail.camera.size(); ++i) {
+    detail.camera[i].truth = truth.camera[i];
+  }
+  detail.bodies = std::move(truth.bodies);
+}
+
+}  // namespace
+
+RunDetail ReadRunDetail(const fs::path& run_folder) {
+  RunDetail detail;
+  detail.camera = ReadFrames(run_folder / "result.json");
+  const auto read = [&](const char* name, const std::function<void(const fs::path&)>& reader) {
+    const fs::path file = run_folder / name;
+    try {
+      if (!fs::exists(file)) {
+        detail.missing.push_back(StrCat(name, ": no such file"));
+      } else {
+        reader(file);
+      }
+    } catch (const Error& error) {
+      detail.missing.push_back(error.what());
+    }
+  };
+  read("truth.json", [&](const fs::path& file) { ReadTruth(file, detail); });
+  read("objects.csv", [&](const fs::path& file) { detail.clusters = ReadClusterTable(file); });
+  read("timing.json", [&](const fs::path& file) { ReadTiming(file, detail); });
+  return detail;
+}
+
+}  // namespace cvo::reports

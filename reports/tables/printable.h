@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cvo::reports {
+
+// The characters of a UTF-8 text; what is none is U+FFFD.
+std::vector<char32_t> Characters(std::string_view text);
+
+void AppendUtf8(char32_t character, std::string& text);
+
+// A text of a file as one line that cannot disturb what it is printed in: line ends and tabs are
+// blanks, other control characters and those that turn the direction of writing are U+FFFD.
+std::string Printable(std::string_view text);
+
+// Characters as seen in a terminal, each counted as one.
+std::size_t Width(std::string_view text);
+
+}  // namespace cvo::reports

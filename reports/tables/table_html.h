@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "reports/tables/table.h"
+
+namespace cvo::reports {
+
+// A text that stays text, in HTML and in a quoted attribute.
+std::string HtmlEscaped(std::string_view text);
+
+// A <section> with the values as <table>, the differences as another, and their notes. Cells of
+// columns carry data-row and data-column, indices in the Table, and data-value where there is a
+// number; a line of others' figures has data-reference, its index in the row or, without data-row,
+// in Table::others. `id` begins the ids of elements: one per table of a page.
+std::string TableHtml(const Table& table, const std::string& id = "table");
+
+// The same as a page of its own: no scripts, nothing from the network, light and dark.
+std::string TableHtmlPage(const Table& table);
+
+}  // namespace cvo::reports

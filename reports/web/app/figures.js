@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+import { readData } from './page_data.js';
+import { onThemeChange, template } from './theme.js';
+
+export const CONFIG = { responsive: true, displaylogo: false, showTips: false, scrollZoom: false };
+
+const drawn = new Set();
+
+function draw(figure) {
+  const plot = figure.querySelector('.plot');
+  const { data, layout } = readData(figure.dataset.figure) ?? {};
+  if (!data) {
+    plot.textContent = 'This figure could not be made.';
+    return;
+  }
+  // The caption is text of the page.
+  window.Plotly.newPlot(plot, data, { ...layout, title: undefined, template: template() }, CONFIG);
+  figure.dataset.drawn = 'true';
+  drawn.add(plot);
+}
+
+// Each figure is drawn when it is about to be seen.
+export function drawFiguresInView() {
+  const observer = new IntersectionObserver((entries) => {
+    for (const { isIntersecting, target } of entries) {
+      if (!isIntersecting) continue;
+      observer.unobserve(target);
+      draw(target);
+    }
+  }, { rootMargin: '300px' });
+  for (const figure of document.querySelectorAll('[data-figure]')) observer.observe(figure);
+  onThemeChange(() => {
+    for (const plot of drawn) window.Plotly.relayout(plot, { template: template() });
+  });
+  window.addEventListener('beforeprint', () => {
+    for (const figure of document.querySelectorAll('[data-figure]:not([data-drawn])')) draw(figure);
+  });
+}

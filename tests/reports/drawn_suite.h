@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reports/figures/suite_figures.h"
+
+namespace cvo::test {
+
+using Json = nlohmann::ordered_json;
+
+inline reports::Column ColumnOf(const std::string& metric, const std::string& label,
+                                const std::string& unit) {
+  return {metric, label, unit, {{"delta", "none"}, {"alignment", "SE(3), by hand (details)"}}};
+}
+
+inline reports::Cell CellOf(double value, double low, double high) {
+  reports::Cell cell;
+  cell.present = true;
+  cell.value = value;
+  cell.interval = reports::Interval{low, high, "95 %, by hand"};
+  return cell;
+}
+
+// A suite that varies one option of one variant: ATE and coverage at each of its values.
+inline reports::SuiteData SweptSuite(const std::string& option, const std::vector<double>& values) {
+  reports::SuiteData data;
+  data.table.keys = {option};
+  data.table.columns = {ColumnOf("object_ate", "object ATE", "m"),
+                        ColumnOf("object_coverage", "object coverage", "1")};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::string value = Json(values[i]).dump();
+    reports::PlannedRun run;
+    run.keys = {{"sequence", "room"}, {"variant", "full"}, {option, value}};
+    run.job = "job" + std::to_string(i);
+    data.plan.runs.push_back(run);
+    data.runs.push_back({run, "not run", "", "", std::nullopt});
+    reports::Row row;
+    row.keys = {value};
+    const double ate_m = 0.1 * static_cast<double>(i + 1);
+    row.cells = {CellOf(ate_m, ate_m - 0.05, ate_m + 0.05), CellOf(0.5, 0.25, 0.75)};
+    data.table.rows.push_back(row);
+  }
+  data.plan.rows = data.table.keys;
+  return data;
+}
+
+// A run of frames 0 to 4 whose body, named as given, is seen in all but frame 3, where it is
+// predicted. Errors in cm: 1, 2, 3, (4), 5. Cluster 7 begins in frame 1.
+inline reports::DrawnRun RunWithBody(const std::string& variant, const std::string& body_name) {
+  reports::DrawnRun run;
+  run.sequence = "room";
+  run.variant = variant;
+  run.seed = 1;
+  reports::BodyDetail body;
+  body.id = 2;
+  body.name = body_name;
+  body.mover = true;
+  body.cluster = 7;
+  for (int frame = 0; frame < 5; ++frame) {
+    const double at = frame;
+    reports::CameraFrame camera;
+    camera.frame = frame;
+    camera.status = "tracked";
+    camera.world_from_camera = {0.1 * at, 9.0, 0.2 * at, 0, 0, 0, 1};
+    camera.truth = reports::Pose{0.1 * at, 9.0, 0.2 * at + 0.05, 0, 0, 0, 1};
+    run.detail.camera.push_back(camera);
+    body.truth.emplace_back(frame, reports::Pose{1.0, 9.0, 3.0 + at, 0, 0, 0, 1});
+    const reports::BodyPosition position{frame, {1.0, 9.0, 3.0 + at}, 0.01 * (at + 1.0)};
+    (frame == 3 ? body.predicted : body.estimated).push_back(position);
+    if (frame != 3) body.visible.push_back(frame);
+  }
+  run.detail.bodies = {body};
+  reports::ClusterRow cluster;
+  cluster.frame = 1;
+  cluster.id = 7;
+  run.detail.clusters = {cluster};
+  run.detail.stages = {{"extract", 20.0, 20.0, 30.0}, {"track", 2.0, 2.0, 3.0}};
+  run.detail.cpu = "one of 3 GHz";
+  run.detail.host = "here";
+  run.switches = {{2, 2, 5, 7}};
+  return run;
+}
+
+inline reports::SuiteData DrawnSuite(const std::vector<std::string>& variants,
+                                     const std::string& body_name = "ball") {
+  reports::SuiteData data;
+  data.table.keys = {"variant"};
+  data.plan.rows = data.table.keys;
+  for (const std::string& variant : variants) {
+    reports::PlannedRun run;
+    run.keys = {{"sequence", "room"}, {"variant", variant}};
+    data.plan.runs.push_back(run);
+    data.drawn.push_back(RunWithBody(variant, body_name));
+  }
+  return data;
+}
+
+// The figure of that id; one without texts where there is none.
+inline reports::Figure FindFigure(const reports::SuiteDrawing& drawing, const std::string& id) {
+  for (const reports::Figure& figure : drawing.figures) {
+    if (figure.id == id) return figure;
+  }
+  return {};
+}
+
+// Traces of that name, or with no name, by their kind of line or mark.
+inline std::vector<Json> TracesNamed(const Json& plotly, const std::string& name) {
+  std::vector<Json> traces;
+  for (const Json& trace : plotly["data"]) {
+    if (trace.value("name", "") == name) traces.push_back(trace);
+  }
+  return traces;
+}
+
+}  // namespace cvo::test

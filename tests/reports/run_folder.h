@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/support/temp_folder.h"
+
+namespace cvo::test {
+
+using Json = nlohmann::ordered_json;
+
+inline Json PoseAt(double x, double y, double z) { return {x, y, z, 0.0, 0.0, 0.0, 1.0}; }
+
+// The files of a run of frames 10, 11 and 12: the camera moves 1 m per frame along z and truth says
+// 0.5 m to its right; body 3, of cluster 7, is seen in the first two and predicted in the last.
+struct RunFiles {
+  Json result = {{"schema_version", 2}, {"kind", "run"}, {"frames", Json::array()}};
+  Json truth = {{"schema_version", 1}, {"kind", "truth"}, {"job", "a"}, {"camera", Json::array()}};
+  Json timing = {{"schema_version", 1},
+                 {"kind", "timing"},
+                 {"date", "2026-01-02T03:04:05Z"},
+                 {"host", "here"},
+                 {"cpu", "one of 3 GHz"},
+                 {"paths", {{"sequence", "/data/room"}, {"output", "/out"}}},
+                 {"frames_per_second", 12.5},
+                 {"stages", {{"detect", {{"median_ms", 2.0}, {"mean_ms", 2.5}, {"p95_ms", 4.0}}}}}};
+  std::string objects =
+      "frame,timestamp_ns,id,category,status,x,y,z,qx,qy,qz,qw,vx,vy,vz,refined_x,refined_y,"
+      "refined_z,refined_qx,refined_qy,refined_qz,refined_qw,refined_vx,refined_vy,refined_vz,"
+      "center_x,center_y,center_z,half_x_m,half_y_m,half_z_m,left_px,top_px,right_px,bottom_px,"
+      "observed_landmarks,detection,score\n"
+      "11,2,7,car,tracked,9,9,9,0,0,0,1,9,9,9,1,2,3,0,0,0,1,0.1,0.2,0.3,4,5,6,0.4,0.5,0.6,"
+      "0,0,1,1,20,0,0.9\n"
+      "12,3,7,car,predicted,7,8,9,0,0,0,1,0.7,0.8,0.9,,,,,,,,,,,4,5,6,0.4,0.5,0.6,,,,,0,,0\n";
+
+  RunFiles() {
+    for (int i = 0; i < 3; ++i) {
+      result["frames"].push_back({{"frame", 10 + i},
+                                  {"timestamp_ns", i + 1},
+                                  {"status", i == 0 ? "first" : "tracked"},
+                                  {"refined", PoseAt(0.0, 0.0, i)}});
+      truth["camera"].push_back(i == 2 ? Json(nullptr) : PoseAt(0.5, 0.0, i));
+    }
+    truth["bodies"] = {
+        {{"id", 3},
+         {"name", "the car"},
+         {"category", "car"},
+         {"mover", true},
+         {"diagonal_m", 2.5},
+         {"cluster", 7},
+         {"truth",
+          {{"frames", {0, 1, 2}},
+           {"poses", {PoseAt(1, 0, 5), PoseAt(1, 0, 6), PoseAt(1, 0, 7)}},
+           {"visible", {true, true, false}}}},
+         {"estimated", {{"frames", {0, 1}}, {"positions_m", {{1.0, 0.0, 5.0}, {1.3, 0.4, 6.0}}}}},
+         {"predicted", {{"frames", {2}}, {"positions_m", {{1.0, 0.0, 9.0}}}}}}};
+  }
+  void Write(const TempFolder& folder) const {
+    folder.Write("result.json", result.dump());
+    folder.Write("truth.json", truth.dump());
+    folder.Write("timing.json", timing.dump());
+    folder.Write("objects.csv", objects);
+  }
+};
+
+}  // namespace cvo::test
