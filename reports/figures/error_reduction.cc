@@ -110,7 +110,7 @@ HeatMap MakeHeatMap(const SuiteData& data, const std::vector<SeriesRows>& series
 
 // "+31", in brackets where it may be chance.
 std::string CellText(const HeatCell& cell) {
-  if (!cell.reduction_percent) return "–";
+  if (!cell.reduction_percent) return "";
   const double percent = std::round(*cell.reduction_percent);
   std::string text = percent <= -1000.0 ? "−999+" : Say(std::abs(percent), 4);
   if (percent > -1000.0 && percent != 0.0) text = (percent < 0.0 ? "−" : "+") + text;
@@ -304,7 +304,7 @@ void DrawErrorReduction(const SuiteData& data, const std::vector<SeriesRows>& se
   figure.caption = StrCat(
       "Blue and +: less error than ", data.table.reference,
       "; orange and −: more. In brackets: not distinguishable from it (the 95 % interval of the "
-      "paired difference holds 0, or there are too few pairs). –: nothing to compare. Of "
+      "paired difference holds 0, or there are too few pairs). Empty: nothing to compare. Of "
       "shares the error is what is missing to 100 %. Each cell is on what both have in common.");
   figure.alt = StrCat("Heat map of ", map.rows, " rows by ", map.columns.size(),
                       " measures, against ", data.table.reference, ". ");
