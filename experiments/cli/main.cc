@@ -67,12 +67,11 @@ int Main(int argc, char** argv) {
   program.footer(
       "Start with: clustervo info SEQUENCE, then clustervo run SEQUENCE -o OUT.\n"
       "Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 internal error, 130 stopped.");
-  const std::vector<Command> commands = {AddRunCommand(program),        AddEvalCommand(program),
-                                         AddInfoCommand(program),       AddVariantsCommand(program),
-                                         AddOptionsCommand(program),    AddSynthCommand(program),
-                                         AddExperimentCommand(program), AddCheckCommand(program),
-                                         AddOverlayCommand(program),    AddReportCommand(program),
-                                         AddFiguresCommand(program)};
+  const std::vector<Command> commands = {
+      AddRunCommand(program),        AddEvalCommand(program),    AddInfoCommand(program),
+      AddVariantsCommand(program),   AddOptionsCommand(program), AddSynthCommand(program),
+      AddExperimentCommand(program), AddCheckCommand(program),   AddOverlayCommand(program),
+      AddReportCommand(program),     AddFiguresCommand(program)};
   try {
     CheckSubcommand(argc, argv, program);
     program.parse(argc, argv);

@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "reports/gate/compare.h"
-#include "reports/tables/metric_rule.h"
 #include "reports/gate/student.h"
+#include "reports/tables/metric_rule.h"
 
 namespace cvo::reports {
 namespace {
