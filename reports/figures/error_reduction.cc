@@ -117,9 +117,18 @@ std::string CellText(const HeatCell& cell) {
   return cell.distinguishable ? "<b>" + text + "</b>" : "(" + text + ")";
 }
 
+// With the unit where another column has the same label.
+std::string LabelOf(std::size_t index, const Table& table) {
+  const Column& column = table.columns[index];
+  const auto same = std::count_if(table.columns.begin(), table.columns.end(),
+                                  [&](const Column& other) { return other.label == column.label; });
+  return same > 1 ? StrCat(column.label, " (", column.unit, ")") : column.label;
+}
+
 // "not within<br>10 cm" of a share, whose error is what is missing to all.
-std::string ColumnText(const Column& column) {
-  std::string label = column.label;
+std::string ColumnText(std::size_t index, const Table& table) {
+  const Column& column = table.columns[index];
+  std::string label = LabelOf(index, table);
   if (ShownAs(column.metric, column.unit).is_share) {
     label = label.starts_with("within ") ? "not " + label : "1 − " + label;
   }
@@ -128,13 +137,29 @@ std::string ColumnText(const Column& column) {
   return PlotText(label.substr(0, space)) + "<br>" + PlotText(label.substr(space + 1));
 }
 
+// Places by number: names may be the same, and categories of one name are one.
+Json Places(std::size_t count) {
+  Json places = Json::array();
+  for (std::size_t i = 0; i < count; ++i) places.push_back(i);
+  return places;
+}
+
+Json NamedPlaces(const Json& names) {
+  const double last = static_cast<double>(names.size()) - 0.5;
+  return {{"tickvals", Places(names.size())},
+          {"ticktext", names},
+          {"range", {-0.5, last}},
+          {"zeroline", false},
+          {"showgrid", false},
+          {"showline", false},
+          {"ticks", ""}};
+}
+
 Json BlockTrace(const HeatBlock& block, const HeatMap& map, const Table& table, double limit) {
-  Json names = Json::array();
   Json values = Json::array();
   Json texts = Json::array();
   Json hovers = Json::array();
   for (const HeatRow& row : block.rows) {
-    names.push_back(PlotText(row.label));
     Json line = Json::array();
     Json line_texts = Json::array();
     Json line_hovers = Json::array();
@@ -143,17 +168,16 @@ Json BlockTrace(const HeatBlock& block, const HeatMap& map, const Table& table, 
       line.push_back(cell.reduction_percent ? Json(Rounded(*cell.reduction_percent, 3))
                                             : Json(nullptr));
       line_texts.push_back(CellText(cell));
-      line_hovers.push_back(PlotText(cell.hover));
+      line_hovers.push_back(PlotText(
+          StrCat(row.label, ", ", block.label, ", ", LabelOf(column, table), ": ", cell.hover)));
     }
     values.push_back(std::move(line));
     texts.push_back(std::move(line_texts));
     hovers.push_back(std::move(line_hovers));
   }
-  Json columns = Json::array();
-  for (const std::size_t column : map.columns) columns.push_back(ColumnText(table.columns[column]));
   return {{"type", "heatmap"},
-          {"x", columns},
-          {"y", names},
+          {"x", Places(map.columns.size())},
+          {"y", Places(block.rows.size())},
           {"z", values},
           {"text", texts},
           {"texttemplate", "%{text}"},
@@ -163,8 +187,7 @@ Json BlockTrace(const HeatBlock& block, const HeatMap& map, const Table& table, 
           {"xgap", 1},
           {"ygap", 1},
           {"hoverongaps", false},
-          {"hovertemplate",
-           StrCat("%{y}, ", PlotText(block.label), "<br>%{customdata}<extra></extra>")},
+          {"hovertemplate", "%{customdata}<extra></extra>"},
           {"zmin", -limit},
           {"zmax", limit}};
 }
@@ -196,21 +219,17 @@ Plot MakePlot(const HeatMap& map, const Table& table) {
   std::vector<Panel> panels;
   for (const HeatBlock& block : map.blocks) {
     Panel panel{AxisOf(block.label), std::max(kRow_px * static_cast<int>(block.rows.size()), 60)};
-    panel.y_axis.update({{"autorange", "reversed"},
-                         {"type", "category"},
-                         {"showgrid", false},
-                         {"showline", false},
-                         {"ticks", ""}});
+    Json names = Json::array();
+    for (const HeatRow& row : block.rows) names.push_back(PlotText(row.label));
+    panel.y_axis.update(NamedPlaces(names));
+    std::reverse(panel.y_axis["range"].begin(), panel.y_axis["range"].end());
     panels.push_back(std::move(panel));
   }
+  Json names = Json::array();
+  for (const std::size_t column : map.columns) names.push_back(ColumnText(column, table));
   Json x_axis = AxisOf("");
-  x_axis.update({{"side", "top"},
-                 {"type", "category"},
-                 {"showgrid", false},
-                 {"showline", false},
-                 {"ticks", ""},
-                 {"tickangle", -45},
-                 {"tickfont", {{"size", 11}}}});
+  x_axis.update(NamedPlaces(names));
+  x_axis.update({{"side", "top"}, {"tickangle", -45}, {"tickfont", {{"size", 11}}}});
   Plot plot(x_axis, panels, kTop_px, kBottom_px);
   plot.layout()["xaxis"]["anchor"] = "y";
   const double limit = std::clamp(map.largest_percent, 20.0, 100.0);
@@ -239,7 +258,7 @@ std::string SayBlock(const HeatBlock& block, const HeatMap& map, const Table& ta
       if (!cell.distinguishable || std::abs(*cell.reduction_percent) <= most[worse]) continue;
       most[worse] = std::abs(*cell.reduction_percent);
       largest[worse] = StrCat(Say(most[worse], 2), worse ? " % more " : " % less ",
-                              table.columns[column].label, " on ", row.label);
+                              LabelOf(column, table), " on ", row.label);
     }
   }
   std::string text = StrCat(block.label, ": ", real, " of ", cells, " cells are distinguishable");

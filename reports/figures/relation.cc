@@ -37,7 +37,10 @@ std::string RelationText(const std::vector<const Column*>& columns) {
     auto found = std::find_if(groups.begin(), groups.end(),
                               [&](const auto& group) { return group.first == relation; });
     if (found == groups.end()) found = groups.insert(groups.end(), {relation, {}});
-    found->second.push_back(column->label);
+    std::vector<std::string>& labels = found->second;
+    if (std::find(labels.begin(), labels.end(), column->label) == labels.end()) {
+      labels.push_back(column->label);
+    }
   }
   std::string text;
   for (const auto& [relation, labels] : groups) {
