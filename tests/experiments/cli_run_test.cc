@@ -20,8 +20,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 constexpr int kFrames = 8;
-const std::vector<std::string> kRecorded = {"result.json", "camera.tum", "camera.kitti",
-                                            "objects.csv", "tracks.kitti"};
+const std::vector<std::string> kRecorded = {"result.json", "camera.tum",   "camera.kitti",
+                                            "objects.csv", "tracks.kitti", "truth.json"};
 
 class CliRun : public testing::Test {
  protected:
@@ -53,7 +53,7 @@ TEST_F(CliRun, WritesItsFilesAndPrintsTheMetrics) {
   EXPECT_EQ(test::LineCount(ReadFile(out() / "camera.kitti")), 8U);
   EXPECT_EQ(test::LineCount(ReadFile(out() / "camera.tum")), 8U);
   EXPECT_EQ(ReadJson(out() / "timing.json")["job"], result["job"]);
-  EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 6);
+  EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 7);
 }
 
 TEST_F(CliRun, TheSameBytesEveryTimeAndForAnyNumberOfThreads) {
@@ -102,7 +102,7 @@ TEST_F(CliRun, AFullDiskLosesNothing) {
   EXPECT_THAT(run.err, AllOf(HasSubstr("json"), HasSubstr("cannot write")));
   EXPECT_EQ(test::LineCount(run.err), 1U);
   EXPECT_EQ(ReadFile(out() / "result.json"), before);
-  EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 6);
+  EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 7);
 }
 
 TEST_F(CliRun, WithTheCacheTheSameBytes) {
