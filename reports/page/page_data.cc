@@ -8,6 +8,7 @@
 #include "reports/figures/numbers.h"
 #include "reports/page/html.h"
 #include "reports/page/quantity.h"
+#include "reports/statistics/estimate.h"
 
 namespace cvo::reports {
 namespace {
@@ -72,6 +73,17 @@ std::string CountsText(const Counts& n) {
   return text;
 }
 
+// As the summary puts it.
+std::string VerdictOf(const Difference& difference, const Column& column) {
+  if (difference.difference == 0.0) return "the same";
+  if (!difference.distinguishable) {
+    return difference.pairs < kLeastPairs ? StrCat("too few pairs to tell: it takes ", kLeastPairs)
+                                          : "cannot be told from noise";
+  }
+  const auto better = IsBetter(column.metric, difference.difference);
+  return !better ? "differs" : *better ? "better" : "worse";
+}
+
 Json DifferenceJson(const Difference& difference, const Column& column) {
   Json json = Json::array();
   const auto add = [&json](const char* name, const std::string& value) {
@@ -87,12 +99,7 @@ Json DifferenceJson(const Difference& difference, const Column& column) {
                                QuantityText(difference.reference_value, column)));
   if (difference.percent) add("in percent", StrCat(Say(*difference.percent), " %"));
   add("pairs", StrCat(difference.pairs, ": ", difference.pairing));
-  const auto better = IsBetter(column.metric, difference.difference);
-  add("verdict", difference.difference == 0.0  ? "the same"
-                 : !difference.distinguishable ? "cannot be told from noise"
-                 : !better                     ? "differs"
-                 : *better                     ? "better"
-                                               : "worse");
+  add("verdict", VerdictOf(difference, column));
   return json;
 }
 

@@ -10,6 +10,7 @@
 #include "reports/page/changed_options.h"
 #include "reports/page/choose_scenes.h"
 #include "reports/page/html.h"
+#include "reports/page/page_data.h"
 #include "reports/page/quantity.h"
 #include "reports/page/scene_json.h"
 
@@ -171,6 +172,17 @@ TEST(Findings, ColumnsOfOneNameAreToldApartByTheirUnits) {
   Table table = TwoRows(0.25, 8, false);
   table.columns.push_back({"object_rrpe", "object ATE", "rad", {}});
   EXPECT_THAT(FindingsHtml(table, "full"), HasSubstr("from noise: object ATE (m)."));
+}
+
+TEST(PageData, TheVerdictOfACellIsThatOfTheSummary) {
+  const auto verdict = [](double difference, std::size_t pairs, bool distinguishable) {
+    PageContent content;
+    content.table = TwoRows(difference, pairs, distinguishable);
+    return PageDataJson(content);
+  };
+  EXPECT_THAT(verdict(0.25, 8, true), HasSubstr("worse"));
+  EXPECT_THAT(verdict(0.25, 8, false), HasSubstr("cannot be told from noise"));
+  EXPECT_THAT(verdict(0.25, 5, false), HasSubstr("too few pairs to tell: it takes 6"));
 }
 
 TEST(Findings, NoiseAndFewPairsAreNoFindings) {
