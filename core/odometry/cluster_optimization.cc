@@ -72,8 +72,8 @@ ClusterSelection SelectCluster(const Options& options, const Window& window,
   return selection;
 }
 
-void ApplyClusterSolution(const Options& options, const ClusterSelection& selection,
-                          Cluster& cluster) {
+int ApplyClusterSolution(const Options& options, const ClusterSelection& selection,
+                         Cluster& cluster) {
   const ClusterProblem& problem = selection.problem;
   std::vector<RigidTransform> camera_from_object;
   for (std::size_t k = 0; k < selection.states.size(); ++k) {
@@ -87,6 +87,7 @@ void ApplyClusterSolution(const Options& options, const ClusterSelection& select
     Landmark& landmark = cluster.landmarks[selection.landmarks[k]];
     landmark.p_in_body = problem.points[k];
   }
+  int outliers = 0;
   for (const ReprojectionFactor& factor : problem.factors) {
     const PointMeasurement m{problem.points[factor.point], factor.z_px, factor.sqrt_information};
     const auto error = WhitenedError(problem.camera, m, camera_from_object[factor.pose]);
@@ -94,10 +95,12 @@ void ApplyClusterSolution(const Options& options, const ClusterSelection& select
     const FrameId frame = cluster.states[selection.states[factor.pose]].frame;
     std::erase_if(cluster.landmarks[selection.landmarks[factor.point]].observations,
                   [&](const Observation& seen) { return seen.frame == frame; });
+    ++outliers;
   }
   std::erase_if(cluster.landmarks, [](const Landmark& landmark) {
     return landmark.observations.empty() && landmark.past_information.isZero();
   });
+  return outliers;
 }
 
 }  // namespace cvo

@@ -18,14 +18,18 @@ struct ClusterSelection {
 ClusterSelection SelectCluster(const Options& options, const Window& window,
                                const Cluster& cluster);
 
-// Writes a solved problem back and removes observations outside the gate.
-void ApplyClusterSolution(const Options& options, const ClusterSelection& selection,
-                          Cluster& cluster);
+// Writes a solved problem back and removes observations outside the gate; how many.
+int ApplyClusterSolution(const Options& options, const ClusterSelection& selection,
+                         Cluster& cluster);
+
+// Times that a cluster is solved in a frame while outliers are found.
+inline constexpr int kMostRounds = 3;
 
 // Sliding-window estimation of every cluster in sight, the camera held (section 3.3 of the paper,
 // dynamic clusters). They are independent: in parallel, with the same result for any pool. One that
 // is hidden keeps what it was last seen with: nothing new is known of it, while what held its last
-// states leaves the window.
+// states leaves the window. So its outliers are found here and now: a body that leaves the image
+// has its worst matches in its last frame.
 template <typename MotionPrior>
 void OptimizeClusters(const Options& options, const Window& window, TaskPool& pool,
                       ClusterMap& map) {
@@ -33,11 +37,13 @@ void OptimizeClusters(const Options& options, const Window& window, TaskPool& po
   const FrameId newest = window.temporal.back().id;
   pool.ParallelFor(static_cast<int>(map.live.size()), [&](int q) {
     if (map.live[q].last_observed != newest) return;
-    ClusterSelection selection = SelectCluster(options, window, map.live[q]);
-    if (selection.landmarks.empty()) return;
-    SolveCluster<MotionPrior>(options.noise, options.solver, options.motion_prior,
-                              selection.problem);
-    ApplyClusterSolution(options, selection, map.live[q]);
+    for (int round = 0; round < kMostRounds; ++round) {
+      ClusterSelection selection = SelectCluster(options, window, map.live[q]);
+      if (selection.landmarks.empty()) return;
+      SolveCluster<MotionPrior>(options.noise, options.solver, options.motion_prior,
+                                selection.problem);
+      if (ApplyClusterSolution(options, selection, map.live[q]) == 0) return;
+    }
   });
 }
 
