@@ -269,8 +269,7 @@ std::string SayBlock(const HeatBlock& block, const HeatMap& map, const Table& ta
 }
 
 // With room for the longest name of a row.
-int WidthOf(const HeatMap& map) {
-  constexpr int kColumn_px = 58;
+int WidthOf(const HeatMap& map, int column_px) {
   constexpr int kLetter_px = 7;
   constexpr int kBesides_px = 150;
   std::size_t longest = 0;
@@ -278,7 +277,7 @@ int WidthOf(const HeatMap& map) {
     for (const HeatRow& row : block.rows) longest = std::max(longest, row.label.size());
   }
   return kBesides_px + kLetter_px * static_cast<int>(std::min<std::size_t>(longest, 60)) +
-         kColumn_px * static_cast<int>(map.columns.size());
+         column_px * static_cast<int>(map.columns.size());
 }
 
 }  // namespace
@@ -329,7 +328,8 @@ void DrawErrorReduction(const SuiteData& data, const std::vector<SeriesRows>& se
                       " measures, against ", data.table.reference, ". ");
   for (const HeatBlock& block : map.blocks) figure.alt += SayBlock(block, map, data.table);
   figure.alt.pop_back();
-  figure.width_px = WidthOf(map);
+  figure.width_px = WidthOf(map, 58);
+  figure.least_px = WidthOf(map, 46);
   figure.height_px = plot.height_px();
   figure.plotly = plot.Text();
   drawing.figures.push_back(std::move(figure));

@@ -17,6 +17,7 @@ struct Figure {
   std::string alt;      // text alternative: what is shown and what it says, with its main numbers
   std::string group;    // heading that it belongs to, such as "Error over time"
   int width_px = 0;     // on paper; the height is in the layout
+  int least_px = 0;     // width below which texts cover each other; 0: any will do
   int height_px = 0;
   std::string plotly;  // JSON text {"data":[...],"layout":{...}}
 };

@@ -28,12 +28,14 @@ std::string TitleHtml(const std::string& title) {
 
 std::string FigureHtml(const Figure& figure, std::size_t index) {
   const std::string alt = Escaped(figure.alt);
+  const std::string width =
+      figure.least_px > 0 ? StrCat(";min-width:", figure.least_px, "px") : std::string();
   return StrCat("<figure class=\"figure\" data-figure=\"figure-", index, "\">\n<figcaption>",
                 TitleHtml(figure.title), "<p class=\"reading\">", Escaped(figure.caption),
                 "</p></figcaption>\n<div class=\"plot-scroll\"><div class=\"plot\" role=\"img\" "
                 "aria-label=\"",
-                alt, "\" style=\"min-height:", figure.height_px,
-                "px\"></div></div>\n<details><summary>In words</summary><p>", alt,
+                alt, "\" style=\"min-height:", figure.height_px, "px", width,
+                "\"></div></div>\n<details><summary>In words</summary><p>", alt,
                 "</p></details>\n</figure>\n");
 }
 

@@ -85,6 +85,8 @@ TEST(ErrorReduction, IsAHeatMapOfSequencesAndMeasures) {
   EXPECT_EQ(plotly["layout"]["coloraxis"]["cmax"], 100.0);
   EXPECT_EQ(plotly["layout"]["coloraxis"]["cmid"], 0);
   EXPECT_EQ(plotly["layout"]["yaxis"]["title"]["text"], "2d");
+  EXPECT_GE(figure.least_px, 4 * 40) << "numbers of a phone's columns would cover each other";
+  EXPECT_LT(figure.least_px, figure.width_px);
   EXPECT_THAT(figure.alt, HasSubstr("2d: 3 of 4 cells are distinguishable, at most 100 % more"));
 }
 
