@@ -67,6 +67,24 @@ const Json& Fields::Array(const char* key) const {
   return At(key, is_array, "an array");
 }
 
+std::vector<std::string> Fields::Texts(const char* key) const {
+  std::vector<std::string> texts;
+  for (const Json& text : Array(key)) {
+    if (!text.is_string()) {
+      ThrowError(StrCat(where_, ", field ", key), StrCat("a JSON ", text.type_name()), "texts");
+    }
+    texts.push_back(text.get<std::string>());
+  }
+  return texts;
+}
+
+std::map<std::string, std::string> Fields::NamedTexts(const char* key) const {
+  const Fields object = Object(key);
+  std::map<std::string, std::string> texts;
+  for (const auto& [name, value] : object.json().items()) texts[name] = object.Text(name.c_str());
+  return texts;
+}
+
 void CheckSchema(const Fields& fields, int expected) {
   const std::int64_t found = fields.Integer("schema_version");
   if (found != expected) {

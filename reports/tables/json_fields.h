@@ -3,9 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/error.h"
 
@@ -33,6 +35,8 @@ class Fields {
   bool Bool(const char* key) const;
   Fields Object(const char* key) const;
   const Json& Array(const char* key) const;
+  std::vector<std::string> Texts(const char* key) const;
+  std::map<std::string, std::string> NamedTexts(const char* key) const;
 
   const Json& json() const { return json_; }
 

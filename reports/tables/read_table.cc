@@ -13,18 +13,6 @@
 namespace cvo::reports {
 namespace {
 
-std::vector<std::string> ReadTexts(const Fields& fields, const char* key) {
-  std::vector<std::string> texts;
-  for (const Json& text : fields.Array(key)) {
-    if (!text.is_string()) {
-      ThrowError(StrCat(fields.where(), ", field ", key), StrCat("a JSON ", text.type_name()),
-                 "texts");
-    }
-    texts.push_back(text.get<std::string>());
-  }
-  return texts;
-}
-
 // Each element of an array, told by its place for errors.
 template <typename Read>
 void ForEach(const Fields& fields, const char* key, const Read& read) {
@@ -40,10 +28,7 @@ Column ReadColumn(const Fields& fields) {
   column.metric = fields.Text("metric");
   column.label = fields.Text("label");
   column.unit = fields.Text("unit");
-  const Fields contract = fields.Object("contract");
-  for (const auto& [field, value] : contract.json().items()) {
-    column.contract[field] = contract.Text(field.c_str());
-  }
+  column.contract = fields.NamedTexts("contract");
   return column;
 }
 
@@ -100,7 +85,7 @@ ChangedOption ReadOption(const Fields& fields) {
 
 Provenance ReadProvenance(const Fields& fields) {
   Provenance provenance;
-  provenance.builds = ReadTexts(fields, "builds");
+  provenance.builds = fields.Texts("builds");
   for (const Json& seed : fields.Array("seeds")) {
     if (!seed.is_number_integer()) {
       ThrowError(fields.where() + ", field seeds", seed.dump(), "integers");
@@ -160,7 +145,7 @@ Table ReadTable(std::string_view json, const std::string& where) {
   table.about = fields.Text("about");
   table.reference = fields.Text("reference");
   table.change = fields.Has("change") && fields.Bool("change");
-  table.keys = ReadTexts(fields, "keys");
+  table.keys = fields.Texts("keys");
   ForEach(fields, "columns",
           [&](const Fields& column) { table.columns.push_back(ReadColumn(column)); });
   ForEach(fields, "sources",
@@ -172,7 +157,7 @@ Table ReadTable(std::string_view json, const std::string& where) {
   table.jobs = ReadJobs(fields.Object("jobs"));
   ForEach(fields, "problems",
           [&](const Fields& problem) { table.problems.push_back(ReadProblem(problem)); });
-  table.notes = ReadTexts(fields, "notes");
+  table.notes = fields.Texts("notes");
   table.provenance = ReadProvenance(fields.Object("provenance"));
   return table;
 }

@@ -31,10 +31,7 @@ MetricValue ReadMetric(const Fields& fields) {
   metric.value = fields.Number("value");
   metric.unit = fields.Text("unit");
   metric.n = fields.Integer("n");
-  const Fields contract = fields.Object("contract");
-  for (const auto& [key, value] : contract.json().items()) {
-    metric.contract[key] = contract.Text(key.c_str());
-  }
+  metric.contract = fields.NamedTexts("contract");
   return metric;
 }
 

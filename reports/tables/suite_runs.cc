@@ -13,18 +13,6 @@ constexpr int kPlanSchemaVersion = 1;
 constexpr int kFailureSchemaVersion = 1;
 constexpr char kNotRendered[] = "not rendered yet";  // PlannedJob::missing of a scene to be drawn
 
-std::vector<std::string> Texts(const Fields& fields, const char* key) {
-  std::vector<std::string> texts;
-  for (const Json& text : fields.Array(key)) {
-    if (!text.is_string()) {
-      ThrowError(StrCat(fields.where(), ", field ", key), StrCat("a JSON ", text.type_name()),
-                 "texts");
-    }
-    texts.push_back(text.get<std::string>());
-  }
-  return texts;
-}
-
 std::string TextOr(const Fields& fields, const char* key) {
   return fields.Has(key) ? fields.Text(key) : "";
 }
@@ -44,7 +32,7 @@ PlannedRun ReadPlanned(const Fields& fields) {
   run.keys["sequence"] = fields.Text("sequence");
   run.keys["detections"] = OrNone(TextOr(fields, "detections"));
   run.keys["variant"] = run.system ? system : fields.Text("variant");
-  run.keys["oracle"] = OrNone(fields.Has("oracle") ? Joined(Texts(fields, "oracle")) : "");
+  run.keys["oracle"] = OrNone(fields.Has("oracle") ? Joined(fields.Texts("oracle")) : "");
   if (fields.Has("parameters")) {
     const Fields parameters = fields.Object("parameters");
     for (const auto& [path, value] : parameters.json().items()) {
@@ -106,8 +94,8 @@ SuitePlan ReadPlan(const fs::path& plan_file) {
   plan.name = fields.Object("suite").Text("name");
   plan.about = TextOr(fields.Object("suite"), "about");
   const Fields table = fields.Object("table");
-  plan.rows = Texts(table, "rows");
-  plan.metrics = Texts(table, "metrics");
+  plan.rows = table.Texts("rows");
+  plan.metrics = table.Texts("metrics");
   plan.reference = TextOr(table, "reference");
   for (const Json& job : fields.Array("jobs")) {
     plan.runs.push_back(ReadPlanned({job, fields.where() + ", jobs"}));
