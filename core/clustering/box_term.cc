@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/clustering/box_term.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cvo {
@@ -19,11 +20,26 @@ Boxes DetectedBoxes(const CrfScene& scene, double shrink) {
   return boxes;
 }
 
+// The boxes without what the body stands on.
+Boxes WithoutFeet(const Boxes& boxes, double foot) {
+  Boxes bodies = boxes;
+  for (auto& box : bodies) {
+    if (box) box->bottom_px -= foot * box->Height();
+  }
+  return bodies;
+}
+
 Boxes PredictedBoxes(const CrfScene& scene) {
   Boxes boxes;
   boxes.reserve(scene.labels.size());
   for (const CrfLabel& label : scene.labels) boxes.push_back(label.predicted_box);
   return boxes;
+}
+
+bool AnyContains(const Boxes& boxes, const Eigen::Vector3d& z_px) {
+  return std::any_of(boxes.begin(), boxes.end(), [&](const auto& box) {
+    return box && box->Contains(z_px[0], z_px[1]);
+  });
 }
 
 // C of one landmark.
@@ -70,15 +86,15 @@ class Candidates {
 void Box2dTerm::Energies(const CrfScene& scene, const UnaryOptions& options,
                          EnergyMatrix& energies) {
   const Boxes detected = DetectedBoxes(scene, options.box_shrink);
+  const Boxes bodies = WithoutFeet(detected, options.box_foot);
   const Boxes predicted = PredictedBoxes(scene);
   Candidates candidates(scene.labels.size());
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const Eigen::Vector3d& z_px = scene.nodes[i].z_px;
     candidates.Clear();
-    candidates.AddContaining(detected, scene.nodes[i].z_px);
-    if (candidates.Empty()) {
-      candidates.AddContaining(predicted, scene.nodes[i].z_px);
-      candidates.AddStatic(scene);
-    }
+    candidates.AddContaining(detected, z_px);
+    if (candidates.Empty()) candidates.AddContaining(predicted, z_px);
+    if (!AnyContains(bodies, z_px)) candidates.AddStatic(scene);
     candidates.Write(options.eta, static_cast<Eigen::Index>(i), energies);
   }
 }

@@ -7,9 +7,10 @@
 namespace cvo {
 
 // p_2D of section 3.2 of the paper: eta / |C| for the labels in C, (1 - eta) / (M - |C|) for the
-// others, C the labels whose detection, shrunk by box_shrink, contains the landmark. Where there
-// are none: the labels whose predicted box does (as it is) and the static scene, for the detector's
-// silence neither confirms nor denies them; or else the static scene alone (estimator.md 6.2).
+// others, C the labels whose detection, shrunk by box_shrink, contains the landmark, and the static
+// scene if it is in the lowest box_foot of all of these. Where there are none: the labels whose
+// predicted box does (as it is) and the static scene, for the detector's silence neither confirms
+// nor denies them; or else the static scene alone (estimator.md 6.2).
 struct Box2dTerm {
   static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
 };

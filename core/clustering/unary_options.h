@@ -10,6 +10,7 @@ namespace cvo {
 struct UnaryOptions {
   double eta = 0.95;
   double box_shrink = 0.05;
+  double box_foot = 0.15;
   double kappa = 2.0;
   double static_energy = 1.0;
   double outlier_energy = 4.0;
@@ -28,6 +29,13 @@ struct UnaryOptions {
                  "share of its width and height by which each side of a detection moves inwards: "
                  "its rim is background",
                  "estimator.md 6.2"});
+    visit.Field("box_foot", self.box_foot,
+                {"1", 0.0, 1.0,
+                 "share of a detection's height, from below, in which a landmark may as well be of "
+                 "the static scene: what a body stands on is seen there, between legs or wheels; 0 "
+                 "is the paper's",
+                 "chosen from 0 ... 0.35 on the rooms: half of the background that bodies took was "
+                 "in this part of their boxes"});
     visit.Field("kappa", self.kappa,
                 {"half sizes", 0.1, 100.0,
                  "standard deviation of a body's points; 2 to 2.5 reach the surface of a box",

@@ -71,9 +71,9 @@ struct Counts {
 };
 
 template <typename Affinity, typename Motion>
-Counts CountCar() {
+Counts CountCar(const UnaryOptions& options = {.box_foot = 0.0}) {
   const CrfScene scene = CarScene();
-  const EnergyMatrix total = ComputeUnaries<Box2dTerm, Affinity, Motion>(scene, {}).total;
+  const EnergyMatrix total = ComputeUnaries<Box2dTerm, Affinity, Motion>(scene, options).total;
   Counts counts;
   for (Eigen::Index i = 0; i < total.rows(); ++i) {
     Eigen::Index label = 0;
@@ -96,6 +96,13 @@ TEST(UnaryTerms, EachAddsWhatTheOthersCannotTell) {
   EXPECT_LE(all.background_as_car, 2);
   EXPECT_LE(all.road_as_car, 1);
   EXPECT_GE(all.car_as_car, 55);
+}
+
+// Which the foot of the box does too, for what has not been seen long enough to move.
+TEST(UnaryTerms, TheFootOfTheBoxPrunesTheRoadWithoutMotion) {
+  const Counts counts = CountCar<AffinityTerm, NoMotionTerm>(UnaryOptions{});
+  EXPECT_LE(counts.road_as_car, 5);
+  EXPECT_GE(counts.car_as_car, 50);
 }
 
 // Estimator.md 2.3: the printed 3D term knows no noise of the body's size and loses the body.

@@ -132,6 +132,14 @@ TEST(Box2dTerm, TheRimOfADetectionDoesNotCount) {
       Near({0.0125, 0.95, 0.0125, 0.0125, 0.0125}));
 }
 
+TEST(Box2dTerm, TheFootOfADetectionMayBeWhatTheBodyStandsOn) {
+  EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(120, 190)),
+              Near({0.475, 0.475, 0.05 / 3, 0.05 / 3, 0.05 / 3}));
+  EXPECT_THAT(
+      Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(120, 190), UnaryOptions{.box_foot = 0.0}),
+      Near({0.0125, 0.95, 0.0125, 0.0125, 0.0125}));
+}
+
 TEST(Box2dTerm, CountsEveryLabel) {
   CrfScene scene = BoxScene();
   scene.labels.insert(scene.labels.end() - 1, MakeLabel(LabelKind::kNewBox));
