@@ -22,7 +22,7 @@ struct ClusterAssociationOptions {
   double rematch_ratio = 0.85;
   int ransac_iterations = 100;
   int min_rematch = 7;
-  double identity_gate = 2.0;
+  double identity_gate = 3.0;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
@@ -79,7 +79,7 @@ struct ClusterAssociationOptions {
                 {"standard deviations", 0, 100,
                  "a new cluster so near to where a lost one of its class is expected goes on under "
                  "its id; larger keeps more identities and mixes up more",
-                 "95 % in one dimension"});
+                 "97 % in three dimensions"});
   }
 };
 
