@@ -14,6 +14,9 @@ namespace cvo {
 class FeatureGrid {
  public:
   FeatureGrid(std::span<const StereoFeature> features, const StereoCamera& camera);
+  // Of the features with these indices alone.
+  FeatureGrid(std::span<const StereoFeature> features, const StereoCamera& camera,
+              std::span<const int> which);
 
   // Calls visit(index) for each feature whose left pixel is within radius_px of (u_px, v_px) in
   // both coordinates, cell by cell in a fixed order.

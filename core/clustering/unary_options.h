@@ -10,7 +10,7 @@ namespace cvo {
 struct UnaryOptions {
   double eta = 0.95;
   double box_shrink = 0.05;
-  double box_foot = 0.15;
+  double box_foot = 0.2;
   double kappa = 2.0;
   double static_energy = 1.0;
   double outlier_energy = 4.0;

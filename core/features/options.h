@@ -10,6 +10,7 @@ struct OrbOptions {
   static constexpr int kMaxFeatures = 100000;
 
   int features = 2000;         // per image
+  double reserve = 1.0;        // as many more, over features
   int levels = 8;              // of the pyramid
   double scale_factor = 1.2;   // between levels
   int cell_px = 30;            // side of a detection cell
@@ -24,6 +25,11 @@ struct OrbOptions {
     visit.Field("features", self.features,
                 {"1", 10, kMaxFeatures, "corners kept per image; more cost time in every stage",
                  "estimator.md 13"});
+    visit.Field("reserve", self.reserve,
+                {"1", 0.0, 10.0,
+                 "further corners, over orb.features, that become landmarks where detections or "
+                 "clusters are: bodies are small",
+                 "estimator.md 11: chosen from 0 ... 2 on the rooms and streets"});
     visit.Field("levels", self.levels,
                 {"1", 1, 16, "pyramid levels; fewer lose scale invariance", "estimator.md 13"});
     visit.Field("scale_factor", self.scale_factor,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <opencv2/imgproc.hpp>
 #include <tuple>
 
@@ -51,8 +52,25 @@ void ScoreLevel(const cv::Mat& image, cv::Mat& blurred, cv::Mat& scores) {
   ComputeFastScores(blurred, scores);
 }
 
-std::vector<OrbKeypoint> ExtractLevel(const std::vector<cv::Mat>& pyramid, int level, int quota,
-                                      const OrbOptions& options, Work& work) {
+// Those that are not among the selected ones; both are in reading order.
+std::vector<Corner> Others(const std::vector<Corner>& corners,
+                           const std::vector<Corner>& selected) {
+  std::vector<Corner> others;
+  std::set_difference(corners.begin(), corners.end(), selected.begin(), selected.end(),
+                      std::back_inserter(others), [](const Corner& a, const Corner& b) {
+                        return a.y != b.y ? a.y < b.y : a.x < b.x;
+                      });
+  return others;
+}
+
+// How many corners and how many of the reserve are still wanted, or were found.
+struct Counts {
+  int first = 0;
+  int reserve = 0;
+};
+
+Counts ExtractLevel(const std::vector<cv::Mat>& pyramid, int level, const Counts& quota,
+                    const OrbOptions& options, Work& work, std::vector<OrbKeypoint>& keypoints) {
   const cv::Mat& image = pyramid[level];
   cv::Mat& blurred = work.blurred[level];
   cv::Mat& scores = work.scores[level];
@@ -62,11 +80,12 @@ std::vector<OrbKeypoint> ExtractLevel(const std::vector<cv::Mat>& pyramid, int l
   search.cell_px = options.cell_px;
   search.threshold = options.fast_threshold;
   search.min_threshold = options.fast_threshold_min;
-  const std::vector<Corner> corners = SelectEvenly(FindCorners(scores, search), quota);
+  const std::vector<Corner> corners = FindCorners(scores, search);
+  const std::vector<Corner> first = SelectEvenly(corners, quota.first);
+  const std::vector<Corner> reserve = SelectEvenly(Others(corners, first), quota.reserve);
   Blur(image, blurred, kBlurSide_px, kBlurSigma_px);
   const LevelCoordinates coordinates(pyramid, level);
-  std::vector<OrbKeypoint> keypoints;
-  for (const Corner& corner : corners) {
+  const auto add = [&](const Corner& corner, bool is_reserve) {
     const Eigen::Vector2d move = RefineCorner(scores, corner.x, corner.y);
     OrbKeypoint keypoint;
     keypoint.u_px = static_cast<float>(coordinates.FullU(corner.x + move.x()));
@@ -74,10 +93,13 @@ std::vector<OrbKeypoint> ExtractLevel(const std::vector<cv::Mat>& pyramid, int l
     keypoint.octave = level;
     keypoint.angle_rad = PatchAngle(image, corner.x, corner.y);
     keypoint.response = static_cast<float>(corner.score);
+    keypoint.is_reserve = is_reserve;
     keypoint.descriptor = work.describer.Describe(blurred, corner.x, corner.y, keypoint.angle_rad);
     keypoints.push_back(keypoint);
-  }
-  return keypoints;
+  };
+  for (const Corner& corner : first) add(corner, false);
+  for (const Corner& corner : reserve) add(corner, true);
+  return {static_cast<int>(first.size()), static_cast<int>(reserve.size())};
 }
 
 }  // namespace
@@ -90,13 +112,14 @@ OrbImage ExtractOrb(const cv::Mat& image, const OrbOptions& options) {
   Work work{AllocateLike(result.pyramid), AllocateLike(result.pyramid),
             BriefDescriber(result.pyramid[0].step)};
   // Coarse to fine: what a level cannot fill is left for the finer ones, which have more to offer.
-  int left = options.features;
+  Counts left{options.features, cvRound(options.features * options.reserve)};
   for (int level = static_cast<int>(result.pyramid.size()) - 1; level >= 0; --level) {
-    const int quota = LevelQuota(left, level, options.scale_factor);
-    const std::vector<OrbKeypoint> keypoints =
-        ExtractLevel(result.pyramid, level, quota, options, work);
-    result.keypoints.insert(result.keypoints.end(), keypoints.begin(), keypoints.end());
-    left -= static_cast<int>(keypoints.size());
+    const Counts quota{LevelQuota(left.first, level, options.scale_factor),
+                       LevelQuota(left.reserve, level, options.scale_factor)};
+    const Counts found =
+        ExtractLevel(result.pyramid, level, quota, options, work, result.keypoints);
+    left.first -= found.first;
+    left.reserve -= found.reserve;
   }
   const auto key = [](const OrbKeypoint& k) { return std::tie(k.v_px, k.u_px, k.octave); };
   std::sort(result.keypoints.begin(), result.keypoints.end(),

@@ -16,10 +16,11 @@ struct OrbKeypoint {
   int octave = 0;
   float angle_rad = 0.0F;
   float response = 0.0F;
+  bool is_reserve = false;  // beyond OrbOptions::features
   Descriptor descriptor{};
 };
 
-// Corners of one image, sorted by (v, u, octave), and the pyramid they were found in.
+// Corners of one image and of its reserve, sorted by (v, u, octave), and the pyramid they were found in.
 struct OrbImage {
   std::vector<OrbKeypoint> keypoints;
   std::vector<cv::Mat> pyramid;  // CV_8UC1, level 0 first

@@ -189,6 +189,7 @@ std::optional<AlignedFeature> Align(const OrbImage& left, const OrbImage& right,
   feature.octave = corner.octave;
   feature.angle_rad = corner.angle_rad;
   feature.response = corner.response;
+  feature.is_reserve = corner.is_reserve;
   feature.descriptor = corner.descriptor;
   return AlignedFeature{feature, match->sigma};
 }

@@ -19,8 +19,14 @@ struct FramePoint {
   int landmark = -1;   // index there
 };
 
+// Features that may show the static scene: all but those of the reserve that are in no detection,
+// for more of a scene that has enough costs time and brings it nothing.
+std::vector<int> SceneFeatures(const std::vector<StereoFeature>& features,
+                               const std::vector<Detection>& detections);
+
 // Every feature that has the disparity for a landmark, by feature: those matched with the static
-// scene, those matched with clusters, and those that are new.
+// scene, those matched with clusters, and those that are new; of the reserve only new ones where a
+// detection or a cluster is.
 std::vector<FramePoint> CollectPoints(const FrameView& view,
                                       const std::vector<Match>& static_matches,
                                       const std::vector<ClusterTrack>& tracks);

@@ -19,7 +19,7 @@ constexpr double kMaxDeviation_m = 1.0;
 // The next candidate must be so much less likely, nats.
 constexpr double kLeastLead = 0.25;
 // Sizes of a body by the boxes in which it was found twice differ by about this factor.
-constexpr double kSizeFactor = 1.35;
+constexpr double kSizeFactor = 1.7;
 // Boxes after which a frame is aligned by them where no landmarks could do it better so far.
 constexpr int kEnoughBoxes = 15;
 // From then on it is looked for such landmarks in every so many frames only: it takes time.
@@ -44,44 +44,40 @@ bool MayBeOne(const Cluster& found, const Cluster& lost) {
   return found.category == lost.category && (!is_given || found.given_body == lost.given_body);
 }
 
-// How well a lost cluster explains where the found one's centre is, and its size.
-struct Explanation {
-  double distance = 0.0;  // in standard deviations
-  // Minus the logarithm of the probability density: what may be anywhere is a poor explanation.
-  double energy = 0.0;
-};
-
-Explanation Explain(const Cluster& found, const Cluster& lost, const PredictedCluster& predicted) {
+// How badly a lost cluster explains where the found one's centre is, and its size: minus the
+// logarithm of the probability density, 1/m^3. What may be anywhere is a poor explanation.
+double ExplanationEnergy(const Cluster& found, const Cluster& lost,
+                         const PredictedCluster& predicted) {
   const double spread = std::min(std::sqrt(predicted.translation_variance_m2), kMaxDeviation_m);
   const double deviation = std::hypot(spread, kOriginDeviation * lost.size_m);
   const Eigen::Vector3d offset = found.Latest().world_from_object * found.box_center.InObject() -
                                  predicted.world_from_object * lost.box_center.InObject();
-  const double distance = offset.norm() / deviation;
   // A body that given labels alone told of has no size.
   const bool has_size = found.size_m > 0.0 && lost.size_m > 0.0;
   const double size =
       has_size ? std::log(found.size_m / lost.size_m) / std::log(kSizeFactor) : 0.0;
-  return {distance, 0.5 * (distance * distance + size * size) + 3.0 * std::log(deviation)};
+  return 0.5 * (offset.squaredNorm() / (deviation * deviation) + size * size) +
+         3.0 * std::log(deviation);
 }
 
 // The one lost cluster that the found one must be; null where there is none or a doubt.
 const LostCluster* FindPredecessor(const Cluster& found, const std::vector<LostCluster>& lost,
                                    const ClusterMap& map, double gate) {
   const LostCluster* best = nullptr;
-  double least = std::numeric_limits<double>::infinity();
-  double second = least;
+  double least = 0.5 * gate * gate;
+  double second = std::numeric_limits<double>::infinity();
   for (const LostCluster& candidate : lost) {
     const Cluster& cluster = FindCluster(map, candidate.id);
     if (!MayBeOne(found, cluster)) continue;
     if (found.given_body >= 0) return &candidate;
-    const Explanation explanation = Explain(found, cluster, candidate.predicted);
-    if (explanation.energy >= least) {
-      second = std::min(second, explanation.energy);
-      continue;
+    const double energy = ExplanationEnergy(found, cluster, candidate.predicted);
+    if (energy < least) {
+      if (best) second = least;
+      least = energy;
+      best = &candidate;
+    } else {
+      second = std::min(second, energy);
     }
-    second = least;
-    least = explanation.energy;
-    best = explanation.distance < gate ? &candidate : nullptr;
   }
   return second - least > kLeastLead ? best : nullptr;
 }

@@ -38,7 +38,10 @@ class VisualOdometry final : public Odometry {
     CheckGiven(frame);
     FrameReport report = Begin(frame.timestamp_ns);
     report.features = static_cast<int>(frame.features.size());
+    const auto& detections = Variant::Detections::Shown(frame);
     const FeatureGrid grid(frame.features, camera_);
+    const FeatureGrid scene_grid(frame.features, camera_,
+                                 SceneFeatures(frame.features, detections));
     const RigidTransform predicted =
         frame.given.world_from_camera.value_or(motion_.Predict(frame.timestamp_ns));
 
@@ -46,7 +49,7 @@ class VisualOdometry final : public Odometry {
     std::optional<CameraTrack> track;
     if (!window_.temporal.empty()) {
       const ScopedStage stage(times, "track");
-      track = TrackCamera(options_, window_, grid, predicted,
+      track = TrackCamera(options_, window_, scene_grid, predicted,
                           frame.given.world_from_camera.has_value(), rng_);
     }
     if (!track && !StartsMap(report.features)) return EndLost(predicted, report);
@@ -56,7 +59,7 @@ class VisualOdometry final : public Odometry {
                                frame.given.world_from_camera.has_value()};
     const FrameView view{options_,
                          frame,
-                         Variant::Detections::Shown(frame),
+                         detections,
                          Variant::Detections::Given(frame),
                          grid,
                          window_.camera,

@@ -13,7 +13,7 @@
 namespace cvo {
 
 // To be raised with any change to what the bytes mean: it is in the file and in its key.
-inline constexpr std::uint32_t kFeatureFileVersion = 1;
+inline constexpr std::uint32_t kFeatureFileVersion = 2;
 
 // Front-end frames of a whole sequence: a header with the version and the key, the frames, and an
 // index with the place and SHA-256 of each. Every byte is under one of the checksums.

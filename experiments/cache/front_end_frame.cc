@@ -11,13 +11,15 @@ namespace cvo {
 namespace {
 
 constexpr std::size_t kFeatureBytes =
-    3 * sizeof(double) + sizeof(std::int32_t) + 2 * sizeof(float) + sizeof(Descriptor);
+    3 * sizeof(double) + sizeof(std::int32_t) + 2 * sizeof(float) + sizeof(std::uint8_t) +
+    sizeof(Descriptor);
 
 void AppendFeature(const StereoFeature& feature, std::string& bytes) {
   for (const double coordinate_px : feature.z_px) AppendNumber(coordinate_px, bytes);
   AppendNumber(static_cast<std::int32_t>(feature.octave), bytes);
   AppendNumber(feature.angle_rad, bytes);
   AppendNumber(feature.response, bytes);
+  AppendNumber(static_cast<std::uint8_t>(feature.is_reserve), bytes);
   for (const std::uint64_t word : feature.descriptor) AppendNumber(word, bytes);
 }
 
@@ -27,6 +29,7 @@ StereoFeature TakeFeature(ByteReader& reader) {
   feature.octave = reader.Number<std::int32_t>();
   feature.angle_rad = reader.Number<float>();
   feature.response = reader.Number<float>();
+  feature.is_reserve = reader.Number<std::uint8_t>() != 0;
   for (std::uint64_t& word : feature.descriptor) word = reader.Number<std::uint64_t>();
   return feature;
 }
