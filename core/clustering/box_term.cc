@@ -37,9 +37,8 @@ Boxes PredictedBoxes(const CrfScene& scene) {
 }
 
 bool AnyContains(const Boxes& boxes, const Eigen::Vector3d& z_px) {
-  return std::any_of(boxes.begin(), boxes.end(), [&](const auto& box) {
-    return box && box->Contains(z_px[0], z_px[1]);
-  });
+  return std::any_of(boxes.begin(), boxes.end(),
+                     [&](const auto& box) { return box && box->Contains(z_px[0], z_px[1]); });
 }
 
 // C of one landmark.

@@ -20,7 +20,8 @@ struct OrbKeypoint {
   Descriptor descriptor{};
 };
 
-// Corners of one image and of its reserve, sorted by (v, u, octave), and the pyramid they were found in.
+// Corners of one image and of its reserve, sorted by (v, u, octave), and the pyramid they were
+// found in.
 struct OrbImage {
   std::vector<OrbKeypoint> keypoints;
   std::vector<cv::Mat> pyramid;  // CV_8UC1, level 0 first

@@ -14,9 +14,10 @@ struct StereoFeature {
   int octave = 0;                                  // pyramid level, scale = scale_factor^octave
   float angle_rad = 0.0F;                          // orientation of the patch
   float response = 0.0F;                           // corner strength, comparable within an image
-  // One of those beyond OrbOptions::features: for where much is wanted of a small part of the image.
+  // One of those beyond OrbOptions::features: for where much is wanted of a small part of the
+  // image.
   bool is_reserve = false;
-  Descriptor descriptor{};                         // of the left patch
+  Descriptor descriptor{};  // of the left patch
 };
 
 }  // namespace cvo

@@ -57,8 +57,8 @@ std::vector<FramePoint> CollectPoints(const FrameView& view,
     if (is_new && view.camera.Disparity(feature.z_px) < view.options.tracking.min_disparity_px) {
       continue;
     }
-    const bool is_wanted = !feature.is_reserve || IsDetected(view.detections, feature) ||
-                           IsExpected(tracks, feature);
+    const bool is_wanted =
+        !feature.is_reserve || IsDetected(view.detections, feature) || IsExpected(tracks, feature);
     if (is_new && !is_wanted) continue;
     points.push_back(point);
   }

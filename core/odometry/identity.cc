@@ -54,8 +54,7 @@ double ExplanationEnergy(const Cluster& found, const Cluster& lost,
                                  predicted.world_from_object * lost.box_center.InObject();
   // A body that given labels alone told of has no size.
   const bool has_size = found.size_m > 0.0 && lost.size_m > 0.0;
-  const double size =
-      has_size ? std::log(found.size_m / lost.size_m) / std::log(kSizeFactor) : 0.0;
+  const double size = has_size ? std::log(found.size_m / lost.size_m) / std::log(kSizeFactor) : 0.0;
   return 0.5 * (offset.squaredNorm() / (deviation * deviation) + size * size) +
          3.0 * std::log(deviation);
 }

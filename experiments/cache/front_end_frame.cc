@@ -10,9 +10,8 @@
 namespace cvo {
 namespace {
 
-constexpr std::size_t kFeatureBytes =
-    3 * sizeof(double) + sizeof(std::int32_t) + 2 * sizeof(float) + sizeof(std::uint8_t) +
-    sizeof(Descriptor);
+constexpr std::size_t kFeatureBytes = 3 * sizeof(double) + sizeof(std::int32_t) +
+                                      2 * sizeof(float) + sizeof(std::uint8_t) + sizeof(Descriptor);
 
 void AppendFeature(const StereoFeature& feature, std::string& bytes) {
   for (const double coordinate_px : feature.z_px) AppendNumber(coordinate_px, bytes);

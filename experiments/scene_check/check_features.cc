@@ -82,8 +82,8 @@ FrameFeatures FindFeatures(const SceneFolder& scene, int frame, TaskPool& pool) 
   const StereoPaths& paths = scene.sequence.images[index];
   const StereoCamera& camera = scene.sequence.camera;
   const std::vector<StereoFeature> features =
-      ExtractStereoFeatures(ReadGrey(paths.left), ReadGrey(paths.right), camera, OrbOptions{.reserve = 0.0},
-                            StereoMatchOptions(), pool);
+      ExtractStereoFeatures(ReadGrey(paths.left), ReadGrey(paths.right), camera,
+                            OrbOptions{.reserve = 0.0}, StereoMatchOptions(), pool);
   const cv::Mat depth = scene.Depth(frame);
   const cv::Mat instances = scene.Instances(frame);
   FrameFeatures result;

@@ -58,6 +58,18 @@ TEST(FeatureGrid, FindsWhatASearchOverAllFinds) {
   }
 }
 
+TEST(FeatureGrid, FindsOnlyThoseItIsOf) {
+  Rng rng(4, "grid_of_some");
+  const std::vector<StereoFeature> features = RandomFeatures(50, rng);
+  const std::vector<int> which = {3, 17, 40};
+  const FeatureGrid grid(features, kCamera, which);
+  std::vector<int> found;
+  grid.VisitNear(0.0, 0.0, 1e4, [&](int index) { found.push_back(index); });
+  std::sort(found.begin(), found.end());
+  EXPECT_EQ(found, which);
+  EXPECT_EQ(grid.features().size(), 50u);
+}
+
 TEST(MatchProjected, FindsEachLandmarkWithinTheRadiusOnly) {
   Rng rng(2, "projected");
   const std::vector<StereoFeature> features = RandomFeatures(300, rng);

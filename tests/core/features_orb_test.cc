@@ -52,6 +52,7 @@ const OrbKeypoint* FindPartner(const OrbKeypoint& corner, const OrbImage& image,
 TEST(ExtractOrb, FindsAboutTheNumberAskedForSortedByRow) {
   OrbOptions options;
   options.features = 500;
+  options.reserve = 0.0;
   const OrbImage orb = ExtractOrb(Textured(320, 240), options);
   EXPECT_EQ(orb.keypoints.size(), 500u);
   const auto key = [](const OrbKeypoint& k) { return std::tie(k.v_px, k.u_px, k.octave); };
@@ -61,6 +62,28 @@ TEST(ExtractOrb, FindsAboutTheNumberAskedForSortedByRow) {
   for (const OrbKeypoint& keypoint : orb.keypoints) ++by_octave[keypoint.octave];
   EXPECT_GT(by_octave[0], by_octave[3]);
   EXPECT_GT(by_octave[3], 0);
+}
+
+TEST(ExtractOrb, AReserveComesOnTopAndLeavesTheOthersAsTheyAre) {
+  OrbOptions options;
+  options.features = 200;
+  options.reserve = 0.0;
+  const cv::Mat image = Textured(320, 240);
+  const OrbImage alone = ExtractOrb(image, options);
+  options.reserve = 0.5;
+  const OrbImage both = ExtractOrb(image, options);
+  EXPECT_EQ(both.keypoints.size(), 300u);
+  const auto key = [](const OrbKeypoint& k) { return std::tie(k.v_px, k.u_px, k.octave); };
+  std::vector<OrbKeypoint> first;
+  for (const OrbKeypoint& keypoint : both.keypoints) {
+    if (!keypoint.is_reserve) first.push_back(keypoint);
+  }
+  ASSERT_EQ(first.size(), alone.keypoints.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_EQ(key(first[i]), key(alone.keypoints[i]));
+  }
+  EXPECT_TRUE(std::is_sorted(both.keypoints.begin(), both.keypoints.end(),
+                             [&](const auto& a, const auto& b) { return key(a) < key(b); }));
 }
 
 TEST(ExtractOrb, CoversWeakRegions) {

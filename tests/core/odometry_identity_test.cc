@@ -152,6 +152,24 @@ TEST(InheritIdentities, NotWhereTwoCouldBeIt) {
   EXPECT_EQ(clear.map.archived.size(), 1u);
 }
 
+TEST(InheritIdentities, WhatMayBeAnywhereIsNoRivalOfWhatIsExpectedNearby) {
+  Return r;
+  r.map.archived.push_back(r.Make(4, {{9, At(0.0)}}));
+  r.lost.push_back(Return::Predicted(4, 1.2, 25.0));  // fewer deviations away, of larger ones
+  EXPECT_EQ(r.Found(), 1);
+}
+
+TEST(InheritIdentities, NotABodyOfAnotherSize) {
+  Return r;
+  r.lost = {Return::Predicted(1, 1.0, 1.0)};
+  r.map.archived[0].size_m = 5.0;
+  EXPECT_EQ(r.Found(), 2);
+  Return unknown;
+  unknown.lost = {Return::Predicted(1, 1.0, 1.0)};
+  unknown.map.archived[0].size_m = 0.0;  // told of by given labels alone
+  EXPECT_EQ(unknown.Found(), 1);
+}
+
 TEST(InheritIdentities, OnlyAtTheMomentOfConfirmation) {
   Return early;
   --early.map.live[0].detections;

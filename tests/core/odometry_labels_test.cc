@@ -341,5 +341,40 @@ TEST(CollectPoints, LeavesOutNewPointsWithoutDisparityOnly) {
   EXPECT_EQ(points[2].landmark, 9);
 }
 
+TEST(CollectPoints, TheReserveIsForWhereBodiesAre) {
+  Frame frame;
+  const std::vector<Eigen::Vector3d> p = {
+      {-1.0, 0.0, 5.0}, {0.0, 0.0, 5.0}, {1.0, 0.0, 5.0}, {1.0, 1.0, 5.0}};
+  for (const Eigen::Vector3d& point : p) {
+    frame.Add(point, FramePoint::kNoBody, -1, kNone);
+    frame.frame.features.back().is_reserve = true;
+  }
+  const auto around = [&](int feature) {
+    const Eigen::Vector3d& z_px = frame.frame.features[feature].z_px;
+    return ImageBox{z_px[0] - 5.0, z_px[1] - 5.0, z_px[0] + 5.0, z_px[1] + 5.0};
+  };
+  frame.frame.detections = {{around(1), "Car", 0.9}};
+  std::vector<ClusterTrack> tracks(1);
+  tracks[0].box = around(2);
+  std::vector<int> features;
+  for (const FramePoint& point : frame.With([&](const FrameView& view) {
+         return CollectPoints(view, {{9, 3, 0}}, tracks);
+       })) {
+    features.push_back(point.feature);
+  }
+  // Of the detection, of the cluster, and one that is matched.
+  EXPECT_THAT(features, ElementsAre(1, 2, 3));
+}
+
+TEST(SceneFeatures, TheReserveOnlyInDetections) {
+  std::vector<StereoFeature> features(3);
+  features[0].z_px = {50.0, 50.0, 40.0};
+  features[1].z_px = {10.0, 10.0, 5.0};
+  features[2].z_px = {52.0, 50.0, 40.0};
+  features[1].is_reserve = features[2].is_reserve = true;
+  EXPECT_THAT(SceneFeatures(features, {}), ElementsAre(0));
+  EXPECT_THAT(SceneFeatures(features, {{{45.0, 45.0, 55.0, 55.0}, "Car", 0.9}}), ElementsAre(0, 2));
+}
+
 }  // namespace
 }  // namespace cvo

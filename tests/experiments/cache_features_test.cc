@@ -53,6 +53,7 @@ TEST_F(CacheFeatures, GivesBackEveryBit) {
   EXPECT_EQ(loaded.features[1].z_px, frames_[2].features[1].z_px);
   EXPECT_EQ(loaded.features[1].octave, 1);
   EXPECT_EQ(loaded.features[1].angle_rad, frames_[2].features[1].angle_rad);
+  EXPECT_EQ(loaded.features[1].is_reserve, frames_[2].features[1].is_reserve);
   EXPECT_EQ(loaded.features[1].response, 1e-40F);
   EXPECT_EQ(loaded.features[1].descriptor, frames_[2].features[1].descriptor);
   const FrontEndFrame skipped = cache.Find(key_, kFrames)->Frame(1);
