@@ -12,8 +12,8 @@
 namespace cvo {
 namespace {
 
-// Origins of a body found twice differ by about this, in sizes of the body.
-constexpr double kOriginDeviation = 0.3;
+// Centres of a body found twice, by its boxes, differ by about this, in sizes of the body.
+constexpr double kCenterDeviation = 0.3;
 // A prediction does not spread farther than this: bodies turn back, and rooms have walls.
 constexpr double kMaxDeviation_m = 1.0;
 // The next candidate must be so much less likely, nats.
@@ -49,7 +49,7 @@ bool MayBeOne(const Cluster& found, const Cluster& lost) {
 double ExplanationEnergy(const Cluster& found, const Cluster& lost,
                          const PredictedCluster& predicted) {
   const double spread = std::min(std::sqrt(predicted.translation_variance_m2), kMaxDeviation_m);
-  const double deviation = std::hypot(spread, kOriginDeviation * lost.size_m);
+  const double deviation = std::hypot(spread, kCenterDeviation * lost.size_m);
   const Eigen::Vector3d offset = found.Latest().world_from_object * found.box_center.InObject() -
                                  predicted.world_from_object * lost.box_center.InObject();
   // A body that given labels alone told of has no size.

@@ -16,8 +16,8 @@ struct LostCluster {
   PredictedCluster predicted;
 };
 
-// Clusters confirmed in this frame that are where a lost one of their class is expected, and no
-// other lost one nearly as much, go on under its id: a body that turned while it was hidden shows
+// Clusters confirmed in this frame whose place and size one lost cluster of their class explains,
+// and no other nearly as well, go on under its id: a body that turned while it was hidden shows
 // none of its old landmarks. Their frame becomes the lost one's, whose origin is their own and
 // whose rotation is predicted.
 void InheritIdentities(const std::vector<LostCluster>& lost, FrameId newest,
