@@ -22,6 +22,10 @@ struct Corner {
   int score = 0;
 };
 
+inline bool InReadingOrder(const Corner& a, const Corner& b) {
+  return a.y != b.y ? a.y < b.y : a.x < b.x;
+}
+
 struct CornerSearch {
   int border_px = 0;  // no corner nearer to the edge, >= 4
   int cell_px = 0;

@@ -102,8 +102,7 @@ std::vector<Corner> SelectEvenly(const std::vector<Corner>& corners, int quota) 
     if (count <= enough) break;
   }
   selected.resize(static_cast<std::size_t>(quota));
-  std::sort(selected.begin(), selected.end(),
-            [](const Corner& a, const Corner& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
+  std::sort(selected.begin(), selected.end(), InReadingOrder);
   return selected;
 }
 

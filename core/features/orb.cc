@@ -56,9 +56,8 @@ void ScoreLevel(const cv::Mat& image, cv::Mat& blurred, cv::Mat& scores) {
 std::vector<Corner> Others(const std::vector<Corner>& corners,
                            const std::vector<Corner>& selected) {
   std::vector<Corner> others;
-  std::set_difference(
-      corners.begin(), corners.end(), selected.begin(), selected.end(), std::back_inserter(others),
-      [](const Corner& a, const Corner& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
+  std::set_difference(corners.begin(), corners.end(), selected.begin(), selected.end(),
+                      std::back_inserter(others), InReadingOrder);
   return others;
 }
 
