@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/files/json.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/files/json.h"
 
 namespace cvo {
 

@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/files/sha256.h"
 #include "experiments/cache/bytes.h"
-#include "experiments/files/sha256.h"
 
 namespace cvo {
 namespace {

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/files/json.h"
 #include "experiments/cache/hash_index.h"
-#include "experiments/files/json.h"
 
 namespace cvo {
 namespace fs = std::filesystem;

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "experiments/files/options_json.h"
-#include "experiments/files/sha256.h"
+#include "core/files/options_json.h"
+#include "core/files/sha256.h"
 
 namespace cvo {
 namespace fs = std::filesystem;

@@ -11,11 +11,11 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/files/atomic_file.h"
+#include "core/files/json.h"
+#include "core/files/sha256.h"
+#include "core/files/text_file.h"
 #include "experiments/cache/cache_file.h"
-#include "experiments/files/atomic_file.h"
-#include "experiments/files/json.h"
-#include "experiments/files/sha256.h"
-#include "experiments/files/text_file.h"
 
 namespace cvo {
 namespace fs = std::filesystem;

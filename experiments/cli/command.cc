@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "experiments/files/number.h"
+#include "core/files/number.h"
 #include "experiments/record/build_identity.h"
 
 namespace cvo {

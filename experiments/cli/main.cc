@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/files/closest_names.h"
 #include "experiments/cli/command.h"
-#include "experiments/files/closest_names.h"
 
 namespace cvo {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/cli/output_file.h"
 
-#include "experiments/files/atomic_file.h"
+#include "core/files/atomic_file.h"
 
 namespace cvo {
 

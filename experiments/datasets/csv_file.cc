@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "experiments/files/number.h"
+#include "core/files/number.h"
 
 namespace cvo {
 namespace {

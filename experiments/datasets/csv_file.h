@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/files/text_file.h"
+#include "core/files/text_file.h"
 
 namespace cvo {
 

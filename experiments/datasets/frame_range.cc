@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "experiments/files/number.h"
+#include "core/files/number.h"
 
 namespace cvo {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/files/number.h"
 #include "experiments/datasets/png.h"
-#include "experiments/files/number.h"
 
 namespace cvo {
 namespace {

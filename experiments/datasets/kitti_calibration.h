@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "core/files/text_file.h"
 #include "core/geometry/rigid_transform.h"
 #include "core/geometry/stereo_camera.h"
-#include "experiments/files/text_file.h"
 
 namespace cvo {
 

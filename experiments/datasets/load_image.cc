@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/files/sha256.h"
+#include "core/files/text_file.h"
 #include "experiments/datasets/png.h"
-#include "experiments/files/sha256.h"
-#include "experiments/files/text_file.h"
 
 namespace cvo {
 namespace {

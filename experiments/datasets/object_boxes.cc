@@ -3,7 +3,7 @@
 #include "experiments/datasets/object_boxes.h"
 
 #include "core/base/error.h"
-#include "experiments/files/text_file.h"
+#include "core/files/text_file.h"
 
 namespace cvo {
 namespace {

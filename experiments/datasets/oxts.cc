@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "core/base/error.h"
-#include "experiments/files/text_file.h"
+#include "core/files/text_file.h"
 
 namespace cvo {
 namespace {

@@ -4,9 +4,9 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "core/base/error.h"
+#include "core/files/text_file.h"
 #include "experiments/datasets/png.h"
 #include "experiments/datasets/scene_truth.h"
-#include "experiments/files/text_file.h"
 
 namespace cvo {
 namespace {

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "experiments/files/host_name.h"
+#include "core/files/host_name.h"
 
 namespace cvo {
 namespace {

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "experiments/files/atomic_file.h"
+#include "core/files/atomic_file.h"
 #include "experiments/record/result_file.h"
 
 namespace cvo {

@@ -6,8 +6,8 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/files/atomic_file.h"
 #include "experiments/cache/content_hash.h"
-#include "experiments/files/atomic_file.h"
 #include "experiments/jobs/temporaries.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/runner/run_job.h"

@@ -12,10 +12,10 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "experiments/files/atomic_file.h"
-#include "experiments/files/json.h"
-#include "experiments/files/sha256.h"
-#include "experiments/files/text_file.h"
+#include "core/files/atomic_file.h"
+#include "core/files/json.h"
+#include "core/files/sha256.h"
+#include "core/files/text_file.h"
 #include "experiments/jobs/slurm_script.h"
 
 namespace cvo {

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "experiments/files/text_file.h"
+#include "core/files/text_file.h"
 
 namespace cvo {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "experiments/files/number.h"
-#include "experiments/files/text_file.h"
+#include "core/files/number.h"
+#include "core/files/text_file.h"
 
 namespace cvo {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "experiments/files/json.h"
+#include "core/files/json.h"
 #include "experiments/metrics/object_scores.h"
 
 namespace cvo {

@@ -8,7 +8,7 @@
 #include "build_sources.h"
 #include "build_tools.h"
 #include "core/base/error.h"
-#include "experiments/files/sha256.h"
+#include "core/files/sha256.h"
 
 namespace cvo {
 namespace {

@@ -3,7 +3,7 @@
 # Run at build time: cmake -D ROOT= -D OUTPUT= -D ESTIMATOR= -D EVALUATION= -P build_identity.cmake
 # Writes a header with the hash of two sets of sources (folders below ROOT, comma-separated) and the
 # git commit.
-include("${CMAKE_CURRENT_LIST_DIR}/../files/hash_sources.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/../../core/files/hash_sources.cmake")
 
 # The commit is for people. "+changes": sources that are hashed differ from it.
 function(describe_commit folders result)

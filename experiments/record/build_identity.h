@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "experiments/files/json.h"
+#include "core/files/json.h"
 
 namespace cvo {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/record/job_identity.h"
 
-#include "experiments/files/sha256.h"
+#include "core/files/sha256.h"
 
 namespace cvo {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/files/json.h"
+#include "core/files/json.h"
 #include "experiments/metrics/metric.h"
 
 namespace cvo {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/files/json.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/files/json.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/record/run_record.h"
 #include "experiments/record/truth_file.h"

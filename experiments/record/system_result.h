@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string>
 
+#include "core/files/json.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/files/json.h"
 #include "experiments/metrics/object_estimate.h"
 #include "experiments/record/build_identity.h"
 

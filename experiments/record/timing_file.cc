@@ -14,8 +14,8 @@
 #include <thread>
 #include <vector>
 
-#include "experiments/files/host_name.h"
-#include "experiments/files/json.h"
+#include "core/files/host_name.h"
+#include "core/files/json.h"
 
 namespace cvo {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/record/truth_file.h"
 
-#include "experiments/files/json.h"
+#include "core/files/json.h"
 #include "experiments/record/result_file.h"
 
 namespace cvo {

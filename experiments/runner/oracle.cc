@@ -8,8 +8,8 @@
 
 #include "core/association/assignment.h"
 #include "core/base/error.h"
+#include "core/files/text_file.h"
 #include "experiments/datasets/scene_truth.h"
-#include "experiments/files/text_file.h"
 
 namespace cvo {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "experiments/files/number.h"
+#include "core/files/number.h"
 #include "experiments/metrics/association.h"
 #include "experiments/metrics/kitti_poses.h"
 #include "experiments/metrics/pose_format.h"

@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
-#include "experiments/files/atomic_file.h"
+#include "core/files/atomic_file.h"
 #include "experiments/metrics/kitti_poses.h"
 #include "experiments/metrics/trajectory.h"
 #include "experiments/metrics/tum_trajectory.h"

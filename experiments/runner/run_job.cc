@@ -5,8 +5,8 @@
 #include <memory>
 #include <utility>
 
+#include "core/files/options_json.h"
 #include "experiments/cache/content_hash.h"
-#include "experiments/files/options_json.h"
 #include "experiments/record/bodies_json.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/record/job_identity.h"

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/files/atomic_file.h"
+#include "core/files/sha256.h"
+#include "core/files/text_file.h"
 #include "experiments/datasets/body_truth.h"
-#include "experiments/files/atomic_file.h"
-#include "experiments/files/sha256.h"
-#include "experiments/files/text_file.h"
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/metrics/object_metrics.h"
 #include "experiments/record/bodies_json.h"

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/files/number.h"
 #include "experiments/datasets/object_boxes.h"
-#include "experiments/files/number.h"
 #include "experiments/runner/poses_at_frames.h"
 
 namespace cvo {

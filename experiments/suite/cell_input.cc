@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/files/options_json.h"
 #include "experiments/datasets/frame_range.h"
-#include "experiments/files/options_json.h"
 #include "experiments/runner/frame_detections.h"
 
 namespace cvo {

@@ -6,10 +6,10 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/files/closest_names.h"
+#include "core/files/options_json.h"
+#include "core/files/text_file.h"
 #include "experiments/datasets/frame_range.h"
-#include "experiments/files/closest_names.h"
-#include "experiments/files/options_json.h"
-#include "experiments/files/text_file.h"
 #include "experiments/runner/frame_detections.h"
 #include "experiments/suite/cell_input.h"
 #include "experiments/suite/known_metrics.h"

@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "core/base/error.h"
-#include "experiments/files/closest_names.h"
-#include "experiments/files/text_file.h"
+#include "core/files/closest_names.h"
+#include "core/files/text_file.h"
 #include "experiments/suite/shipped_suites.h"
 #include "experiments/suite/suite_grid.h"
 #include "synth/scene/object_reader.h"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/files/json.h"
+#include "core/files/json.h"
 #include "experiments/suite/suite.h"
 
 namespace cvo {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "experiments/files/options_json.h"
+#include "core/files/options_json.h"
 #include "experiments/suite/cell_input.h"
 
 namespace cvo {

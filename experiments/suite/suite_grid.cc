@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/files/number.h"
+#include "core/files/options_json.h"
 #include "core/odometry/options.h"
-#include "experiments/files/number.h"
-#include "experiments/files/options_json.h"
 #include "experiments/suite/cell_input.h"
 #include "synth/scene/description.h"
 #include "synth/scene/object_reader.h"

@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/files/options_json.h"
 #include "core/odometry/options.h"
-#include "experiments/files/options_json.h"
 #include "experiments/suite/parse_suite.h"
 #include "experiments/suite/suite_grid.h"
 

@@ -7,7 +7,7 @@
 
 #include "reports/figures/palette.h"
 #include "reports/figures/suite_figures.h"
-#include "reports/tables/json_fields.h"
+#include "reports/results/json_fields.h"
 
 namespace cvo::reports {
 

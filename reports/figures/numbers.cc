@@ -8,7 +8,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "reports/tables/metric_rule.h"
+#include "reports/results/metric_rule.h"
 
 namespace cvo::reports {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/tables/json_fields.h"
+#include "reports/results/json_fields.h"
 #include "reports/tables/table.h"
 
 namespace cvo::reports {

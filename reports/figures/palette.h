@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/tables/suite_runs.h"
+#include "reports/results/suite_runs.h"
 
 namespace cvo::reports {
 

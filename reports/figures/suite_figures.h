@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "reports/figures/figure.h"
+#include "reports/results/suite_runs.h"
 #include "reports/runs/identity_switches.h"
 #include "reports/runs/run_detail.h"
-#include "reports/tables/suite_runs.h"
 #include "reports/tables/table.h"
 
 namespace cvo::reports {

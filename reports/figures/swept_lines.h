@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "reports/tables/suite_runs.h"
+#include "reports/results/suite_runs.h"
 #include "reports/tables/table.h"
 
 namespace cvo::reports {

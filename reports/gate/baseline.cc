@@ -5,8 +5,8 @@
 #include <cmath>
 #include <set>
 
-#include "reports/tables/json_fields.h"
-#include "reports/tables/metric_rule.h"
+#include "reports/results/json_fields.h"
+#include "reports/results/metric_rule.h"
 
 namespace cvo::reports {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/tables/contract.h"
+#include "reports/results/contract.h"
 
 namespace cvo::reports {
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "reports/results/json_fields.h"
+#include "reports/results/json_text.h"
+#include "reports/results/metric_rule.h"
 #include "reports/tables/columns.h"
-#include "reports/tables/json_fields.h"
-#include "reports/tables/json_text.h"
-#include "reports/tables/metric_rule.h"
 
 namespace cvo::reports {
 namespace {

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "reports/gate/gate_runs.h"
-#include "reports/tables/json_fields.h"
-#include "reports/tables/json_text.h"
+#include "reports/results/json_fields.h"
+#include "reports/results/json_text.h"
 
 namespace cvo::reports {
 namespace {

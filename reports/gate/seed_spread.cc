@@ -6,7 +6,7 @@
 
 #include "reports/gate/compare.h"
 #include "reports/gate/student.h"
-#include "reports/tables/metric_rule.h"
+#include "reports/results/metric_rule.h"
 
 namespace cvo::reports {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "reports/tables/json_text.h"
+#include "reports/results/json_text.h"
 
 namespace cvo::reports {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <functional>
 
+#include "reports/results/json_text.h"
 #include "reports/runs/detail_files.h"
-#include "reports/tables/json_text.h"
 
 namespace cvo::reports {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "reports/overlays/csv_columns.h"
 #include "reports/overlays/overlay_run.h"
-#include "reports/tables/json_text.h"
+#include "reports/results/json_text.h"
 
 namespace cvo::reports {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/page/changed_options.h"
 
-#include "reports/tables/json_fields.h"
+#include "reports/results/json_fields.h"
 
 namespace cvo::reports {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "core/base/error.h"
 #include "reports/figures/numbers.h"
+#include "reports/formats/table_html.h"
 #include "reports/page/html.h"
 #include "reports/page/page_parts.h"
-#include "reports/tables/table_html.h"
 #include "reports/web/assets.h"
 
 namespace cvo::reports {

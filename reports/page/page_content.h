@@ -9,8 +9,8 @@
 
 #include "reports/figures/figure.h"
 #include "reports/page/run_origin.h"
+#include "reports/results/suite_runs.h"
 #include "reports/runs/run_detail.h"
-#include "reports/tables/suite_runs.h"
 #include "reports/tables/table.h"
 
 namespace cvo::reports {

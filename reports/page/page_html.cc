@@ -9,7 +9,7 @@
 #include "reports/page/page_data.h"
 #include "reports/page/page_parts.h"
 #include "reports/page/scene_json.h"
-#include "reports/tables/json_fields.h"
+#include "reports/results/json_fields.h"
 #include "reports/web/assets.h"
 
 namespace cvo::reports {

@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "reports/figures/numbers.h"
-#include "reports/tables/metric_rule.h"
+#include "reports/results/metric_rule.h"
 
 namespace cvo::reports {
 namespace {

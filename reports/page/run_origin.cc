@@ -6,8 +6,8 @@
 #include <array>
 #include <cstdio>
 
-#include "reports/tables/json_fields.h"
-#include "reports/tables/json_text.h"
+#include "reports/results/json_fields.h"
+#include "reports/results/json_text.h"
 
 namespace cvo::reports {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "reports/page/page_content.h"
-#include "reports/tables/json_fields.h"
+#include "reports/results/json_fields.h"
 
 namespace cvo::reports {
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include "reports/formats/table_html.h"
 #include "reports/page/html.h"
 #include "reports/page/page_parts.h"
-#include "reports/tables/table_html.h"
 
 namespace cvo::reports {
 

@@ -4,9 +4,9 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "reports/results/json_text.h"
 #include "reports/runs/csv_line.h"
 #include "reports/runs/detail_files.h"
-#include "reports/tables/json_text.h"
 
 namespace cvo::reports {
 namespace {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "reports/results/json_fields.h"
 #include "reports/runs/run_detail.h"
-#include "reports/tables/json_fields.h"
 
 namespace cvo::reports {
 

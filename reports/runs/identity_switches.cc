@@ -4,8 +4,8 @@
 
 #include <map>
 
+#include "reports/results/json_text.h"
 #include "reports/runs/csv_line.h"
-#include "reports/tables/json_text.h"
 
 namespace cvo::reports {
 namespace {

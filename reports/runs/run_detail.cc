@@ -4,9 +4,9 @@
 
 #include <functional>
 
+#include "reports/results/json_text.h"
+#include "reports/results/run_summary.h"
 #include "reports/runs/detail_files.h"
-#include "reports/tables/json_text.h"
-#include "reports/tables/run_summary.h"
 
 namespace cvo::reports {
 namespace {

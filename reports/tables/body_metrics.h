@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "reports/results/run_summary.h"
 #include "reports/statistics/strata.h"
-#include "reports/tables/run_summary.h"
 
 namespace cvo::reports {
 

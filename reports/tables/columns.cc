@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "reports/tables/metric_rule.h"
+#include "reports/results/metric_rule.h"
 
 namespace cvo::reports {
 namespace {

@@ -6,8 +6,8 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "reports/results/metric_rule.h"
 #include "reports/statistics/estimate.h"
-#include "reports/tables/metric_rule.h"
 
 namespace cvo::reports {
 namespace {

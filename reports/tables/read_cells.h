@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "reports/tables/json_fields.h"
+#include "reports/results/json_fields.h"
 #include "reports/tables/table.h"
 
 namespace cvo::reports {

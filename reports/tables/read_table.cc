@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "reports/tables/json_fields.h"
-#include "reports/tables/json_text.h"
+#include "reports/results/json_fields.h"
+#include "reports/results/json_text.h"
 #include "reports/tables/read_cells.h"
 #include "reports/tables/table_json.h"
 

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "reports/reference/shipped.h"
-#include "reports/tables/json_fields.h"
+#include "reports/results/json_fields.h"
 
 namespace cvo::reports {
 namespace {

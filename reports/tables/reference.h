@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reports/tables/contract.h"
+#include "reports/results/contract.h"
 
 namespace cvo::reports {
 

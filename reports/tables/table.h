@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "reports/results/run_summary.h"
 #include "reports/tables/reference.h"
-#include "reports/tables/run_summary.h"
 
 namespace cvo::reports {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "reports/tables/json_fields.h"
+#include "reports/results/json_fields.h"
 
 namespace cvo::reports {
 namespace {

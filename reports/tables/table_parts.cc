@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "reports/tables/json_fields.h"
+#include "reports/results/json_fields.h"
 
 namespace cvo::reports {
 namespace {

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "experiments/files/closest_names.h"
-#include "experiments/files/number.h"
-#include "experiments/files/sha256.h"
-#include "experiments/files/text_file.h"
+#include "core/files/closest_names.h"
+#include "core/files/number.h"
+#include "core/files/sha256.h"
+#include "core/files/text_file.h"
 #include "synth/scene/parse_scene.h"
 #include "synth/scene/shipped_scenes.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "experiments/files/closest_names.h"
+#include "core/files/closest_names.h"
 
 namespace cvo::synth {
 namespace {

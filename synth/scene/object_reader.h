@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/files/json.h"
+#include "core/files/json.h"
 
 namespace cvo::synth {
 

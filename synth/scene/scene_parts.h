@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/files/json.h"
 #include "core/geometry/stereo_camera.h"
-#include "experiments/files/json.h"
 #include "synth/models/make_model.h"
 #include "synth/models/surroundings.h"
 #include "synth/scene/speed_profile.h"

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "experiments/files/number.h"
+#include "core/files/number.h"
 #include "synth/write/fixed_number.h"
 #include "synth/write/flow.h"
 #include "synth/write/image_encoding.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 
-#include "experiments/files/sha256.h"
-#include "experiments/files/text_file.h"
+#include "core/files/sha256.h"
+#include "core/files/text_file.h"
 #include "synth/write/detector.h"
 #include "synth/write/fixed_number.h"
 #include "synth/write/image_encoding.h"

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "experiments/files/closest_names.h"
-#include "experiments/files/options_json.h"
-#include "experiments/files/text_file.h"
+#include "core/files/closest_names.h"
+#include "core/files/options_json.h"
+#include "core/files/text_file.h"
 
 namespace cvo::synth {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/files/json.h"
+#include "core/files/json.h"
 #include "synth/write/detector_options.h"
 #include "synth/write/sensor.h"
 

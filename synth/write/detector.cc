@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "experiments/files/closest_names.h"
-#include "experiments/files/text_file.h"
+#include "core/files/closest_names.h"
+#include "core/files/text_file.h"
 #include "synth/write/detector_process.h"
 #include "synth/write/fixed_number.h"
 #include "synth/write/projected_box.h"

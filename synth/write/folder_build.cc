@@ -15,8 +15,8 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "experiments/files/number.h"
-#include "experiments/files/sha256.h"
+#include "core/files/number.h"
+#include "core/files/sha256.h"
 
 namespace cvo::synth {
 namespace fs = std::filesystem;

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/base/error.h"
-#include "experiments/files/number.h"
+#include "core/files/number.h"
 #include "synth/write/fixed_number.h"
 
 namespace cvo::synth {

@@ -5,9 +5,9 @@
 #include <mutex>
 
 #include "core/base/error.h"
-#include "experiments/files/json.h"
-#include "experiments/files/sha256.h"
-#include "experiments/files/text_file.h"
+#include "core/files/json.h"
+#include "core/files/sha256.h"
+#include "core/files/text_file.h"
 
 namespace cvo::synth {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "core/features/descriptor.h"
 #include "core/features/front_end.h"
-#include "tests/core/features_scene.h"
+#include "tests/core/features/scene.h"
 
 namespace cvo {
 namespace {

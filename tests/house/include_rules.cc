@@ -42,7 +42,7 @@ std::vector<Part> CoreParts() {
 // From what things are made of to folders of images, each on those before it.
 std::vector<Part> SynthParts() {
   std::vector<Part> parts;
-  std::vector<std::string> below = {"core/base/", "core/geometry/", "experiments/files/"};
+  std::vector<std::string> below = {"core/base/", "core/geometry/", "core/files/"};
   for (const char* layer : {"models", "scene", "render", "write"}) {
     below.push_back(StrCat("synth/", layer, "/"));
     parts.push_back({below.back(), below, {"random"}});
@@ -52,45 +52,48 @@ std::vector<Part> SynthParts() {
 
 std::vector<Part> MakeParts() {
   std::vector<Part> parts = CoreParts();
-  parts.push_back({"variants/", {"core/", "variants/"}, NoFiles()});
-  parts.push_back({"experiments/files/", {"core/base/", "experiments/files/"}, {}});
+  std::vector<std::string> estimator = parts.back().may_include;
+  estimator.emplace_back("variants/");
+  parts.push_back({"variants/", estimator, NoFiles()});
+  parts.push_back({"core/files/", {"core/base/", "core/files/"}, {"opencv2/.*", "Eigen/.*"}});
   for (const Part& part : SynthParts()) parts.push_back(part);
-  const std::vector<std::string> readers = {"core/", "experiments/files/", "experiments/datasets/",
+  const std::vector<std::string> readers = {"core/", "experiments/datasets/",
                                             "experiments/metrics/"};
   parts.push_back({"experiments/datasets/", readers, {}});
   parts.push_back({"experiments/metrics/", readers, {}});
   // Reads files only, so that it cannot share a mistake with what wrote them.
-  parts.push_back({"experiments/scene_check/",
-                   {"core/", "experiments/files/", "experiments/datasets/", "experiments/metrics/",
-                    "experiments/scene_check/"},
-                   {}});
-  parts.push_back({"experiments/cache/",
-                   {"core/", "experiments/files/", "experiments/datasets/", "experiments/cache/"},
-                   {}});
+  parts.push_back(
+      {"experiments/scene_check/",
+       {"core/", "experiments/datasets/", "experiments/metrics/", "experiments/scene_check/"},
+       {}});
+  parts.push_back(
+      {"experiments/cache/", {"core/", "experiments/datasets/", "experiments/cache/"}, {}});
   parts.push_back({"experiments/record/",
-                   {"core/", "variants/", "experiments/files/", "experiments/datasets/",
-                    "experiments/metrics/", "experiments/record/"},
+                   {"core/", "variants/", "experiments/datasets/", "experiments/metrics/",
+                    "experiments/record/"},
+                   {}});
+  parts.push_back({"experiments/runner/",
+                   {"core/", "variants/", "experiments/datasets/", "experiments/metrics/",
+                    "experiments/cache/", "experiments/record/", "experiments/runner/"},
                    {}});
   parts.push_back(
-      {"experiments/runner/",
-       {"core/", "variants/", "experiments/files/", "experiments/datasets/", "experiments/metrics/",
-        "experiments/cache/", "experiments/record/", "experiments/runner/"},
+      {"experiments/suite/",
+       {"core/", "variants/", "synth/", "experiments/datasets/", "experiments/metrics/",
+        "experiments/cache/", "experiments/record/", "experiments/runner/", "experiments/suite/"},
        {}});
-  parts.push_back({"experiments/suite/",
-                   {"core/", "variants/", "synth/", "experiments/files/", "experiments/datasets/",
-                    "experiments/metrics/", "experiments/cache/", "experiments/record/",
-                    "experiments/runner/", "experiments/suite/"},
-                   {}});
-  parts.push_back({"experiments/jobs/",
-                   {"core/", "variants/", "experiments/files/", "experiments/datasets/",
-                    "experiments/metrics/", "experiments/cache/", "experiments/record/",
-                    "experiments/runner/", "experiments/suite/", "experiments/jobs/"},
-                   {}});
+  parts.push_back(
+      {"experiments/jobs/",
+       {"core/", "variants/", "experiments/datasets/", "experiments/metrics/", "experiments/cache/",
+        "experiments/record/", "experiments/runner/", "experiments/suite/", "experiments/jobs/"},
+       {}});
   parts.push_back(
       {"experiments/cli/", {"core/", "variants/", "experiments/", "reports/", "synth/"}, {}});
   // They draw on images; all other reports know files of numbers and text alone.
-  parts.push_back({"reports/overlays/", {"core/base/", "reports/"}, {"ceres/.*", "Eigen/.*"}});
-  parts.push_back({"reports/", {"core/base/", "reports/"}, {"opencv2/.*", "ceres/.*", "Eigen/.*"}});
+  parts.push_back(
+      {"reports/overlays/", {"core/base/", "core/files/", "reports/"}, {"ceres/.*", "Eigen/.*"}});
+  parts.push_back({"reports/",
+                   {"core/base/", "core/files/", "reports/"},
+                   {"opencv2/.*", "ceres/.*", "Eigen/.*"}});
   parts.push_back({"tests/", {""}, {}});
   return parts;
 }

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/files/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <set>
+#include <string_view>
+#include <system_error>
+
+#include "core/base/error.h"
+
+namespace cvo {
+namespace fs = std::filesystem;
+namespace {
+
+[[noreturn]] void ThrowErrno(const fs::path& file, const char* action, int error) {
+  throw Error(StrCat(file.string(), ": cannot ", action, ": ", std::strerror(error)));
+}
+
+class FileDescriptor {
+ public:
+  explicit FileDescriptor(int fd) : fd_(fd) {}
+  ~FileDescriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
+
+  int get() const { return fd_; }
+  // Some file systems report a failed write only here.
+  int Close() {
+    const int result = ::close(fd_);
+    fd_ = -1;
+    return result;
+  }
+
+ private:
+  int fd_;
+};
+
+// A complete and synced file under a temporary name; removed again unless it is renamed.
+class StagedFile {
+ public:
+  StagedFile(const fs::path& folder, const NamedContent& file) : target_(folder / file.name) {
+    FileDescriptor out(Create());
+    try {
+      WriteAll(out.get(), file.content);
+      if (::fsync(out.get()) != 0) ThrowErrno(target_, "write", errno);
+      if (out.Close() != 0) ThrowErrno(target_, "write", errno);
+    } catch (...) {
+      ::unlink(temporary_.c_str());
+      throw;
+    }
+  }
+  ~StagedFile() {
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  }
+  StagedFile(StagedFile&& other) noexcept
+      : target_(std::move(other.target_)), temporary_(std::move(other.temporary_)) {
+    other.temporary_.clear();
+  }
+  StagedFile& operator=(StagedFile&&) = delete;
+
+  void Publish() {
+    if (::rename(temporary_.c_str(), target_.c_str()) != 0) ThrowErrno(target_, "write", errno);
+    temporary_.clear();
+  }
+
+ private:
+  // A name that no other process uses; a killed run may have left some behind.
+  int Create() {
+    for (int attempt = 0;; ++attempt) {
+      temporary_ = target_.parent_path() /
+                   StrCat(".", target_.filename().string(), ".", ::getpid(), "-", attempt, ".tmp");
+      const int fd = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if (fd >= 0) return fd;
+      if (errno != EEXIST || attempt == 1000) ThrowErrno(target_, "write", errno);
+    }
+  }
+
+  void WriteAll(int fd, std::string_view content) const {
+    while (!content.empty()) {
+      const ssize_t written = ::write(fd, content.data(), content.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) ThrowErrno(target_, "write", errno);
+      content.remove_prefix(static_cast<std::size_t>(written));
+    }
+  }
+
+  fs::path target_;
+  fs::path temporary_;
+};
+
+void SyncFolder(const fs::path& folder) {
+  const FileDescriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (fd.get() < 0) ThrowErrno(folder, "open", errno);
+  // Some network file systems cannot sync a folder; their rename is durable by itself.
+  if (::fsync(fd.get()) != 0 && errno != EINVAL) ThrowErrno(folder, "write", errno);
+}
+
+// The folders within a folder that files go to. Those that are empty at the end go away again.
+class Subfolders {
+ public:
+  Subfolders(const fs::path& folder, const std::vector<NamedContent>& files) {
+    for (const NamedContent& file : files) {
+      const fs::path parent = fs::path(file.name).parent_path();
+      if (parent.empty() || !paths_.insert(folder / parent).second) continue;
+      if (::mkdir((folder / parent).c_str(), 0777) != 0 && errno != EEXIST) {
+        ThrowErrno(folder / parent, "create the folder", errno);
+      }
+    }
+  }
+  ~Subfolders() {
+    std::error_code ignored;
+    for (const fs::path& path : paths_) fs::remove(path, ignored);  // refuses where it is not empty
+  }
+  Subfolders(const Subfolders&) = delete;
+  Subfolders& operator=(const Subfolders&) = delete;
+
+  void Sync() const {
+    for (const fs::path& path : paths_) SyncFolder(path);
+  }
+
+ private:
+  std::set<fs::path> paths_;
+};
+
+// And the folder in `folder` that it is in, once that is empty.
+void RemoveFile(const fs::path& folder, const fs::path& name) {
+  const fs::path file = folder / name;
+  if (::unlink(file.c_str()) != 0 && errno != ENOENT) ThrowErrno(file, "remove", errno);
+  std::error_code ignored;
+  if (name.has_parent_path()) fs::remove(file.parent_path(), ignored);
+}
+
+}  // namespace
+
+void WriteFilesAtomically(const fs::path& folder, const std::vector<NamedContent>& files,
+                          const std::vector<std::string>& stale) {
+  const Subfolders subfolders(folder, files);
+  std::vector<StagedFile> staged;
+  staged.reserve(files.size());
+  for (const NamedContent& file : files) staged.emplace_back(folder, file);
+  for (std::size_t i = 0; i < staged.size(); ++i) {
+    if (i + 1 == staged.size()) {
+      for (const std::string& name : stale) RemoveFile(folder, name);
+      subfolders.Sync();
+    }
+    staged[i].Publish();
+  }
+  SyncFolder(folder);
+}
+
+OutputFolder::OutputFolder(fs::path folder, const std::vector<std::string>& names)
+    : folder_(std::move(folder)) {
+  std::error_code error;
+  created_ = fs::create_directories(folder_, error);
+  if (error) ThrowErrno(folder_, "create the folder", error.value());
+  for (const std::string& name : names) {
+    const bool wanted = name.ends_with('/');
+    const fs::path path = folder_ / name.substr(0, name.size() - (wanted ? 1 : 0));
+    const fs::file_status status =
+        wanted ? fs::status(path, error) : fs::symlink_status(path, error);
+    if (fs::exists(status) && fs::is_directory(status) != wanted) {
+      ThrowError(path.string(), wanted ? "a file" : "a folder",
+                 wanted ? "a folder or nothing" : "a file or nothing");
+    }
+  }
+  const StagedFile probe(folder_,
+                         {names.empty() ? "probe" : names.front(), std::string(4096, '\n')});
+}
+
+OutputFolder::~OutputFolder() {
+  std::error_code ignored;
+  if (created_) fs::remove(folder_, ignored);  // refuses where it is not empty
+}
+
+}  // namespace cvo

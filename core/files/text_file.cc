@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/files/text_file.h"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <system_error>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/files/number.h"
+
+namespace cvo {
+
+std::string ReadFileBytes(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) {
+    ThrowError(path.string(), "no such file", "a file that can be read");
+  }
+  if (!std::filesystem::is_regular_file(path, ignored)) {
+    ThrowError(path.string(),
+               std::filesystem::is_directory(path, ignored) ? "a folder" : "a pipe or a device",
+               "a file that can be read");
+  }
+  std::ifstream in(path, std::ios::binary | std::ios::ate);
+  if (!in) ThrowError(path.string(), "a file that cannot be opened", "a file that can be read");
+  std::string bytes(static_cast<std::size_t>(in.tellg()), '\0');
+  in.seekg(0);
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!in) ThrowError(path.string(), "an error while reading", "a file that can be read");
+  return bytes;
+}
+
+void WriteFileBytes(const std::filesystem::path& path, std::string_view bytes) {
+  std::ofstream out(path, std::ios::binary | std::ios::trunc);
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out.close();
+  if (!out) ThrowError(path.string(), "an error while writing", "a file that can be written");
+}
+
+std::string Quoted(std::string_view text) {
+  constexpr std::size_t kLongest = 60;
+  std::string quoted = "\"";
+  for (const char c : text.substr(0, kLongest)) quoted += c >= ' ' && c <= '~' ? c : '?';
+  return quoted + (text.size() > kLongest ? "...\"" : "\"");
+}
+
+TextFile::TextFile(std::filesystem::path path) : path_(std::move(path)) {
+  const std::string bytes = ReadFileBytes(path_);
+  std::size_t begin = 0;
+  while (begin < bytes.size()) {
+    const std::size_t end = bytes.find('\n', begin);
+    ends_with_newline_ = end != std::string::npos;
+    lines_.push_back(bytes.substr(begin, end - begin));
+    if (!lines_.back().empty() && lines_.back().back() == '\r') lines_.back().pop_back();
+    begin = ends_with_newline_ ? end + 1 : bytes.size();
+  }
+  while (!lines_.empty() && lines_.back().find_first_not_of(" \t") == std::string::npos) {
+    lines_.pop_back();
+    ends_with_newline_ = true;
+  }
+}
+
+std::string TextFile::Where(std::size_t index) const {
+  return StrCat(path_.string(), ":", index + 1);
+}
+
+bool TextFile::Unterminated(std::size_t index) const {
+  return !ends_with_newline_ && index + 1 == lines_.size();
+}
+
+TextRow::TextRow(const TextFile& file, std::size_t index) : file_(file), index_(index) {
+  constexpr std::string_view kBlanks = " \t";
+  const std::string_view line = file.line(index);
+  std::size_t begin = line.find_first_not_of(kBlanks);
+  while (begin != std::string_view::npos) {
+    const std::size_t end = std::min(line.find_first_of(kBlanks, begin), line.size());
+    columns_.push_back(line.substr(begin, end - begin));
+    begin = line.find_first_not_of(kBlanks, end);
+  }
+}
+
+void TextRow::ExpectColumns(std::size_t count, const std::string& what) const {
+  if (columns_.size() == count) return;
+  Fail(StrCat(columns_.size(), " columns",
+              file_.Unterminated(index_) ? " in a last line without a line end" : ""),
+       StrCat(count, " columns, ", what));
+}
+
+double TextRow::Number(std::size_t column) const {
+  const auto value = ParseDouble(columns_[column]);
+  if (!value) FailColumn(column, "a finite number");
+  return *value;
+}
+
+int TextRow::Integer(std::size_t column) const {
+  const auto value = ParseInteger(columns_[column]);
+  if (!value || *value < std::numeric_limits<int>::min() ||
+      *value > std::numeric_limits<int>::max()) {
+    FailColumn(column, "a whole number");
+  }
+  return static_cast<int>(*value);
+}
+
+std::int64_t TextRow::SecondsNs(std::size_t column) const {
+  const auto value = ParseSecondsNs(columns_[column]);
+  if (!value) FailColumn(column, "a time in seconds");
+  return *value;
+}
+
+void TextRow::Fail(const std::string& found, const std::string& expected) const {
+  ThrowError(file_.Where(index_), found, expected);
+}
+
+void TextRow::FailColumn(std::size_t column, const char* expected) const {
+  Fail(StrCat(Quoted(columns_[column]), " in column ", column + 1), expected);
+}
+
+}  // namespace cvo

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <stdlib.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/files/atomic_file.h"
+#include "core/files/closest_names.h"
+#include "experiments/cli/command.h"
+#include "experiments/cli/reports/browser.h"
+#include "experiments/cli/reports/suite_table.h"
+#include "reports/figure_files/render_page.h"
+#include "reports/figures/suite_figures.h"
+#include "reports/tables/make_table.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct FigureFlags {
+  std::string folder;
+  std::string out;
+  std::string format = "svg";
+  std::string only;
+};
+
+// A folder of its own below the system's one for temporary files, gone at the end.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (fs::temp_directory_path() / "clustervo-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) {
+      ThrowError(name, "no folder that can be made", "a place for temporary files (TMPDIR)");
+    }
+    path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+void KeepOnly(const std::string& id, reports::SuiteDrawing& drawing) {
+  std::vector<std::string> ids;
+  for (const reports::Figure& figure : drawing.figures) ids.push_back(figure.id);
+  if (std::find(ids.begin(), ids.end(), id) == ids.end()) {
+    std::string known;
+    for (const std::string& other : ids) known += (known.empty() ? "" : ", ") + other;
+    ThrowError("--only", StrCat("\"", id, "\"", DidYouMean(id, ids)), "one of: " + known);
+  }
+  std::erase_if(drawing.figures, [&](const reports::Figure& figure) { return figure.id != id; });
+}
+
+std::vector<NamedContent> Render(const std::vector<reports::Figure>& figures, bool pdf) {
+  const ScratchFolder scratch;
+  const Browser browser(scratch.path());
+  std::vector<reports::PaperFigure> papers;
+  for (const reports::Figure& figure : figures) papers.push_back(reports::OnPaper(figure));
+  const std::vector<std::string> svgs =
+      reports::ReadRendered(browser.Run(reports::RenderPage(papers)), papers);
+  std::vector<NamedContent> files;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    files.push_back(pdf ? NamedContent{figures[i].id + ".pdf",
+                                       reports::WithoutDates(
+                                           browser.Print(reports::PrintPage(svgs[i], papers[i])))}
+                        : NamedContent{figures[i].id + ".svg", svgs[i]});
+  }
+  return files;
+}
+
+std::vector<NamedContent> MakeFiles(const std::vector<reports::Figure>& figures,
+                                    const std::string& format) {
+  if (format != "json") return Render(figures, format == "pdf");
+  std::vector<NamedContent> files;
+  for (const reports::Figure& figure : figures) {
+    files.push_back({figure.id + ".json", reports::FigureJson(figure)});
+  }
+  return files;
+}
+
+int WriteFigures(const FigureFlags& flags) {
+  const reports::Table table =
+      reports::MakeTable(flags.folder, reports::ShippedReference(), DefaultOptions());
+  reports::SuiteDrawing drawing =
+      reports::SuiteFigures(reports::ReadSuiteData(flags.folder, table));
+  if (!flags.only.empty()) KeepOnly(flags.only, drawing);
+  const OutputFolder out(flags.out, {});
+  if (!drawing.figures.empty()) {
+    const std::vector<NamedContent> files = MakeFiles(drawing.figures, flags.format);
+    WriteFilesAtomically(out.path(), files);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      std::cout << (out.path() / files[i].name).string() << ": " << drawing.figures[i].title
+                << '\n';
+    }
+  }
+  if (flags.only.empty()) {
+    for (const std::string& reason : drawing.not_drawn)
+      std::cout << "not drawn: " << reason << '\n';
+  }
+  return 0;
+}
+
+}  // namespace
+
+Command AddFiguresCommand(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "figures", "Write the figures of a suite's results as files for papers");
+  const auto flags = std::make_shared<FigureFlags>();
+  app->add_option("DIR", flags->folder, "folder that the suite is run to")
+      ->type_name("")
+      ->required();
+  app->add_option("-o,--output", flags->out, "folder to write to")->type_name("OUT")->required();
+  app->add_option("--format", flags->format, "svg, pdf, or json (what Plotly draws)")
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"svg", "pdf", "json"}));
+  app->add_option("--only", flags->only, "this figure alone, by the name of its file")
+      ->type_name("ID");
+  app->footer(
+      "Which figures there are follows from the results: options that vary, references, bodies "
+      "with\n"
+      "truth, times. What cannot be drawn is listed with its reason. SVG and PDF are drawn by\n"
+      "Chromium: Debian's, or CLUSTERVO_BROWSER. The same results give the same bytes.\n"
+      "Example: clustervo figures results/ablation -o figures --format pdf");
+  return {app, [flags] { return WriteFigures(*flags); }};
+}
+
+}  // namespace cvo

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "core/base/error.h"
+#include "experiments/cli/command.h"
+#include "experiments/cli/reports/overlay_output.h"
+#include "experiments/cli/run/run_flags.h"
+#include "experiments/cli/suite/suite_run.h"
+#include "experiments/datasets/frame_range.h"
+#include "reports/overlays/overlay_run.h"
+#include "variants/registry.h"
+
+namespace cvo {
+namespace {
+
+struct OverlayFlags {
+  std::vector<std::string> runs;
+  std::string suite;
+  std::string sequence;
+  std::string variants = "full";
+  std::optional<std::uint64_t> seed;
+  std::string output;
+  int frame = -1;
+  std::string frames;
+  int every = 1;
+  double scale = 1.0;
+  std::string labels;
+  bool sheet = false;
+  bool video = false;
+  bool no_images = false;
+  bool quiet = false;
+};
+
+bool HasFrame(const reports::OverlayRun& run, int frame) {
+  return std::any_of(run.detail.camera.begin(), run.detail.camera.end(),
+                     [frame](const reports::CameraFrame& entry) { return entry.frame == frame; });
+}
+
+// Frames of the first run that all others have, too.
+std::vector<int> SelectFrames(const OverlayFlags& flags,
+                              const std::vector<reports::OverlayRun>& runs) {
+  const FrameRange range = flags.frames.empty() ? FrameRange{} : ParseFrameRange(flags.frames);
+  std::vector<int> frames;
+  int count = 0;
+  for (const reports::CameraFrame& entry : runs.front().detail.camera) {
+    if (flags.frame >= 0 && entry.frame != flags.frame) continue;
+    if (entry.frame < range.begin || (range.end >= 0 && entry.frame >= range.end)) continue;
+    if (count++ % flags.every != 0) continue;
+    const bool in_all = std::all_of(runs.begin(), runs.end(),
+                                    [&](const auto& run) { return HasFrame(run, entry.frame); });
+    if (in_all) frames.push_back(entry.frame);
+  }
+  if (!frames.empty()) return frames;
+  const auto& camera = runs.front().detail.camera;
+  const std::string wanted = flags.frame >= 0       ? StrCat("--frame ", flags.frame)
+                             : flags.frames.empty() ? "frames"
+                                                    : "--frames " + flags.frames;
+  ThrowError(wanted, runs.size() > 1 ? "none that all runs have" : "none that the run has",
+             camera.empty() ? "a run with frames"
+                            : StrCat(camera.front().frame, " to ", camera.back().frame));
+}
+
+void CheckSameSequence(const std::vector<reports::OverlayRun>& runs,
+                       const std::vector<std::string>& folders) {
+  for (std::size_t i = 1; i < runs.size(); ++i) {
+    if (runs[i].sequence_name == runs[0].sequence_name) continue;
+    ThrowError(folders[i], "a run of " + runs[i].sequence_name,
+               StrCat("one of ", runs[0].sequence_name, ", as ", folders[0]));
+  }
+}
+
+// ": labels from ..."; nothing of a variant that this program does not have.
+std::string WhatItChanges(const std::string& variant) {
+  for (const VariantInfo& info : Variants()) {
+    if (info.name == variant) return StrCat(": ", info.changes);
+  }
+  return "";
+}
+
+// The variant and what it is; of two runs of one variant the folder.
+std::vector<std::string> Titles(const std::vector<reports::OverlayRun>& runs,
+                                const std::vector<std::string>& folders) {
+  std::vector<std::string> titles;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const auto same = std::count_if(
+        runs.begin(), runs.end(), [&](const auto& run) { return run.variant == runs[i].variant; });
+    titles.push_back(same > 1 ? StrCat(runs[i].variant, ": ", folders[i])
+                              : runs[i].variant + WhatItChanges(runs[i].variant));
+  }
+  return titles;
+}
+
+int DrawOverlays(const OverlayFlags& flags) {
+  const std::vector<std::string> folders =
+      flags.suite.empty()
+          ? flags.runs
+          : SuiteRunFolders({flags.suite, flags.sequence, flags.variants, flags.seed});
+  const std::string images_folder = flags.suite.empty() ? flags.sequence : "";
+  const bool inferred = flags.labels.empty() ? folders.size() > 1 : flags.labels == "inferred";
+  OverlayJob job;
+  for (const std::string& folder : folders) {
+    job.runs.push_back(reports::ReadOverlayRun(
+        folder, inferred ? reports::LandmarkLabel::kInferred : reports::LandmarkLabel::kCluster));
+    for (const std::string& line : job.runs.back().missing) {
+      std::cerr << "clustervo: " << line << '\n';
+    }
+  }
+  CheckSameSequence(job.runs, folders);
+  reports::AgreeOnColors(job.runs);
+  job.titles = Titles(job.runs, folders);
+  job.boxes = !inferred;
+  job.frames = SelectFrames(flags, job.runs);
+  job.scale = flags.scale;
+  job.output = flags.output;
+  job.images = !flags.no_images;
+  job.sheet = flags.sheet;
+  job.video = flags.video;
+  job.quiet = flags.quiet;
+  const RunImages images(job.runs.front(), images_folder);
+  for (reports::OverlayRun& run : job.runs) {
+    if (AdoptDetections(images_folder, run) || run.boxes == 0) continue;
+    std::cerr << "clustervo: drawn with those detections alone that a cluster was associated with: "
+                 "the others are not in the sequence's folder\n";
+  }
+  return WriteOverlays(job, images);
+}
+
+void AddSuiteFlags(CLI::App& app, const std::shared_ptr<OverlayFlags>& flags) {
+  CLI::Option* runs =
+      app.add_option("RUN", flags->runs,
+                     "folder that clustervo run wrote, or DIR/jobs/ID of a suite; several of one "
+                     "sequence are drawn beside each other")
+          ->type_name("");
+  CLI::Option* suite =
+      app.add_option("--suite", flags->suite, "in place of RUN: folder that a suite was run to")
+          ->type_name("DIR");
+  suite->excludes(runs);
+  app.add_option("--sequence", flags->sequence,
+                 "where the images are, if not where the run found them; with --suite: the name of "
+                 "the suite's sequence")
+      ->type_name("FOLDER|NAME");
+  app.add_option("--variant", flags->variants, "with --suite: one, or several beside each other")
+      ->type_name("A,B,...")
+      ->capture_default_str()
+      ->needs(suite);
+  app.add_option_function<std::string>(
+         "--seed", [flags](const std::string& text) { flags->seed = ParseSeed(text); },
+         "with --suite; default: the first that the suite has")
+      ->type_name("N")
+      ->needs(suite);
+}
+
+void AddDrawingFlags(CLI::App& app, OverlayFlags& flags) {
+  const auto add = [&app](const char* flag, auto& value, const char* kind, const char* meaning) {
+    return app.add_option(flag, value, meaning)->type_name(kind);
+  };
+  add("-o,--output", flags.output, "DIR", "folder for DIR/000123.png and so on")->required();
+  CLI::Option* frame = add("--frame", flags.frame, "N", "this frame alone");
+  frame->check(CLI::NonNegativeNumber.description(""));
+  add("--frames", flags.frames, "A:B", "frames A to B-1 as numbered in the sequence; default: all")
+      ->excludes(frame);
+  add("--every", flags.every, "K", "every K-th of them; default: 1")
+      ->check(CLI::Range(1, 1000000).description(""));
+  add("--scale", flags.scale, "S", "size of the drawing over that of the image; default: 1")
+      ->check(CLI::Range(0.1, 4.0).description(""));
+  add("--labels", flags.labels, "NAME",
+      "colours of landmarks: cluster, what they belong to; inferred, what the energy terms made of "
+      "them in the frame, drawn without 3D boxes; default: cluster, of several runs inferred")
+      ->check(CLI::IsMember({"cluster", "inferred"}).description(""));
+  app.add_flag("--sheet", flags.sheet, "also DIR/sheet.png: frames from all over in one image");
+  app.add_flag("--video", flags.video, "also DIR/video.mp4, or .webm or .avi where OpenCV cannot");
+  app.add_flag("--no-images", flags.no_images, "no image per frame: the sheet or video alone");
+  AddQuiet(app, flags.quiet);
+}
+
+}  // namespace
+
+Command AddOverlayCommand(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "overlay", "Draw what a run found on the left images: landmarks, boxes, ids, motion");
+  const auto flags = std::make_shared<OverlayFlags>();
+  AddSuiteFlags(*app, flags);
+  AddDrawingFlags(*app, *flags);
+  app->footer(
+      "Landmarks are drawn where the run has landmarks.csv (clustervo run --landmarks; in a suite\n"
+      "the first seed). A cluster id has one colour everywhere; of several runs all have the\n"
+      "colours of the last. Grey dots are static, tiny white ones outliers. White frames:\n"
+      "detections. Dashed and shaded: a cluster that too few landmarks show in the frame, where "
+      "its\n"
+      "motion predicts it. Arrows reach half a second ahead, small dots two seconds back. White\n"
+      "rings, with inferred labels: those that are wrong, where the run knows the truth.\n"
+      "Examples:\n"
+      "  clustervo overlay results/indoor_1 -o pictures --every 5 --sheet --video\n"
+      "  clustervo overlay RUN_2D RUN_2D3D RUN_FULL --frame 120 -o figure   # as labelled by each\n"
+      "  clustervo overlay --suite results/ablation --sequence indoor_1 --variant 2d,2d3d,full \\\n"
+      "      --frame 120 -o figure");
+  app->callback([flags] {
+    if (flags->runs.empty() && flags->suite.empty()) throw CLI::RequiredError("RUN or --suite");
+    if (!flags->suite.empty() && flags->sequence.empty()) {
+      throw CLI::RequiredError("--suite: --sequence NAME");
+    }
+    if (flags->no_images && !flags->sheet && !flags->video) {
+      throw CLI::RequiredError("--no-images: --sheet or --video");
+    }
+  });
+  return {app, [flags] { return DrawOverlays(*flags); }};
+}
+
+}  // namespace cvo

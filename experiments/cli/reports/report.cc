@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <iostream>
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/files/atomic_file.h"
+#include "experiments/cli/command.h"
+#include "experiments/cli/reports/report_images.h"
+#include "experiments/cli/reports/suite_table.h"
+#include "reports/page/page_html.h"
+#include "variants/registry.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReportFlags {
+  std::string folder;
+  std::string out;
+  std::string against;
+  int every = 0;
+  bool no_images = false;
+  bool all_images = false;
+};
+
+// The folder's own name, also of "results/ci/" and ".".
+fs::path Named(const std::string& folder) {
+  fs::path path = fs::absolute(folder).lexically_normal();
+  return path.has_filename() ? path : path.parent_path();
+}
+
+void LeaveOutImages(reports::PageContent& content) {
+  for (reports::PageScene& scene : content.scenes) {
+    if (scene.wants_images) scene.no_images = "left out by --no-images";
+  }
+}
+
+int Report(const ReportFlags& flags) {
+  const fs::path folder = Named(flags.folder);
+  reports::PageRequest request;
+  request.folder = folder;
+  if (!flags.against.empty()) request.against = Named(flags.against);
+  request.default_options = DefaultOptions();
+  for (const VariantInfo& variant : Variants()) {
+    request.variants.emplace_back(variant.name, variant.changes);
+  }
+  reports::PageContent content = reports::ReadPage(request);
+  const fs::path out = flags.out.empty() ? fs::path(flags.folder) / "report" : fs::path(flags.out);
+  fs::create_directories(out);
+  if (flags.no_images) {
+    LeaveOutImages(content);
+  } else {
+    AddSceneImages(folder, flags.every, content);
+  }
+  if (flags.all_images) WriteAllImages(folder, out, content);
+  WriteFilesAtomically(out, {{"index.html", reports::PageHtml(content)}});
+  std::cout << "written: " << (out / "index.html").string() << '\n';
+  for (const std::string& problem : content.problems) std::cerr << "missing: " << problem << '\n';
+  return content.problems.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+Command AddReportCommand(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "report", "Write the results of a suite as one page that opens in any browser");
+  const auto flags = std::make_shared<ReportFlags>();
+  app->add_option("DIR", flags->folder, "folder that the suite is run to")
+      ->type_name("")
+      ->required();
+  app->add_option("-o,--output", flags->out, "folder for index.html (default: DIR/report)")
+      ->type_name("OUT");
+  app->add_option("--against", flags->against, "another folder of the suite to compare with")
+      ->type_name("DIR");
+  CLI::Option* every =
+      app->add_option("--every", flags->every,
+                      "images of every K-th frame in the page (default: as many as fit)")
+          ->type_name("K")
+          ->check(CLI::Range(1, 1000000).description(""));
+  CLI::Option* none = app->add_flag("--no-images", flags->no_images, "no images in the page");
+  none->excludes(every);
+  app->add_flag("--all-images", flags->all_images,
+                "also OUT/images: every frame of every run that can be drawn, as JPEG")
+      ->excludes(none);
+  app->footer(
+      "The page needs no network and nothing beside it. What is missing or failed is said in it.\n"
+      "Exit code 1 where a whole part of the page could not be made.\n"
+      "Example: clustervo report results/ablation");
+  return {app, [flags] { return Report(*flags); }};
+}
+
+}  // namespace cvo

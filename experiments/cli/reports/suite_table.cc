@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/cli/reports/suite_table.h"
+
+#include <iostream>
+
+#include "core/files/atomic_file.h"
+#include "core/files/options_json.h"
+#include "core/odometry/options.h"
+#include "reports/formats/table_text.h"
+#include "reports/tables/make_table.h"
+#include "reports/tables/table_json.h"
+
+namespace cvo {
+namespace {
+
+constexpr int kIncomplete = 1;
+
+}  // namespace
+
+std::string DefaultOptions() {
+  Options options;
+  return DumpJson(OptionsToJson(OptionLeaves(options)));
+}
+
+int OutputSuiteTable(const std::filesystem::path& folder, const TableFormat& format) {
+  const reports::Table table =
+      reports::MakeTable(folder, reports::ShippedReference(), DefaultOptions());
+  if (format.Terminal()) {
+    WriteFilesAtomically(folder, {{"table.md", reports::TableMarkdown(table)},
+                                  {"table.json", reports::TableJson(table)}});
+  }
+  OutputTable(table, format);
+  if (format.Terminal()) {
+    std::cout << (format.output.empty() ? "\n" : "")
+              << "written: " << (folder / "table.json").string()
+              << " and table.md, with the definitions of the columns\n";
+  }
+  return reports::IsComplete(table) ? 0 : kIncomplete;
+}
+
+}  // namespace cvo

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/cli/reports/table_format.h"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <iostream>
+
+#include "experiments/cli/output_file.h"
+#include "reports/formats/table_csv.h"
+#include "reports/formats/table_html.h"
+#include "reports/formats/table_latex.h"
+#include "reports/formats/table_text.h"
+
+namespace cvo {
+namespace {
+
+// Characters per line of the terminal; 0 where it does not say.
+std::size_t TerminalWidth() {
+  winsize size{};
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
+std::string Rendered(const reports::Table& table, const TableFormat& format) {
+  if (format.format == "markdown") return reports::TableMarkdown(table);
+  if (format.format == "csv") {
+    return format.longer ? reports::TableLongCsv(table) : reports::TableCsv(table);
+  }
+  if (format.format == "latex") {
+    return format.bare ? reports::TableLatexBare(table) : reports::TableLatex(table);
+  }
+  if (format.format == "html") {
+    return format.bare ? reports::TableHtml(table) : reports::TableHtmlPage(table);
+  }
+  if (!format.output.empty() || isatty(STDOUT_FILENO) == 0) {
+    return reports::TableText(table, false);
+  }
+  return reports::TableText(table, true, TerminalWidth());
+}
+
+}  // namespace
+
+void AddTableFormat(CLI::App& app, TableFormat& format) {
+  app.add_option("--format", format.format, "how the table is printed")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"terminal", "markdown", "csv", "latex", "html"}))
+      ->capture_default_str();
+  app.add_option("-o,--output", format.output, "file to write it to, in place of printing it")
+      ->type_name("FILE");
+  app.add_flag("--bare", format.bare,
+               "latex, html: the table alone, for \\input or a page of your own");
+  app.add_flag("--long", format.longer, "csv: one record per cell, with all that is known of it");
+}
+
+void CheckTableFormat(const TableFormat& format) {
+  if (format.bare && format.format != "latex" && format.format != "html") {
+    throw CLI::ValidationError("--bare", "goes with --format latex or html");
+  }
+  if (format.longer && format.format != "csv") {
+    throw CLI::ValidationError("--long", "goes with --format csv");
+  }
+}
+
+void OutputTable(const reports::Table& table, const TableFormat& format, const std::string& after) {
+  const std::string text = Rendered(table, format) + (format.Terminal() ? after : "");
+  if (format.output.empty()) {
+    std::cout << text;
+    return;
+  }
+  WriteOutputFile(format.output, text);
+  std::cout << "written: " << format.output << '\n';
+}
+
+}  // namespace cvo

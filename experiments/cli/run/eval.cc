@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/error.h"
+#include "experiments/cli/command.h"
+#include "experiments/cli/run/eval_sequence.h"
+#include "experiments/cli/run/metric_table.h"
+#include "experiments/metrics/association.h"
+#include "experiments/metrics/camera_metrics.h"
+#include "experiments/metrics/kitti_poses.h"
+#include "experiments/metrics/pose_format.h"
+#include "experiments/metrics/tum_trajectory.h"
+#include "experiments/record/metrics_json.h"
+
+namespace cvo {
+namespace {
+
+struct EvalFlags {
+  std::string groundtruth;
+  std::string estimate;
+  std::string format;
+  double max_time_difference_s = 1e-9 * static_cast<double>(kDefaultAssociation_ns);
+  bool json = false;
+  EvalSequence sequence;  // whose own truth is used; without a folder: two files
+};
+
+// Poses frame by frame of the truth.
+struct PairedPoses {
+  std::vector<std::optional<RigidTransform>> truth;
+  std::vector<std::optional<RigidTransform>> estimate;
+  std::size_t matched = 0;
+  std::size_t unmatched_truth = 0;
+  std::size_t unmatched_estimate = 0;
+};
+
+std::string FormatOfBoth(const EvalFlags& flags) {
+  if (!flags.format.empty()) return flags.format;
+  const std::string truth = DetectPoseFormat(flags.groundtruth);
+  const std::string estimate = DetectPoseFormat(flags.estimate);
+  if (truth != estimate) {
+    ThrowError(flags.estimate, "a trajectory in " + estimate + " format",
+               truth + " as in " + flags.groundtruth);
+  }
+  return truth;
+}
+
+PairedPoses PairTum(const EvalFlags& flags) {
+  const Trajectory truth = ReadTumTrajectory(flags.groundtruth);
+  const Trajectory estimate = ReadTumTrajectory(flags.estimate);
+  const auto tolerance_ns =
+      static_cast<std::int64_t>(std::llround(1e9 * flags.max_time_difference_s));
+  const TimeAssociation association = AssociateByTime(truth, estimate, tolerance_ns);
+  PairedPoses poses;
+  for (const TimedPose& pose : truth) poses.truth.emplace_back(pose.world_from_camera);
+  poses.estimate = PosesAtFrames(association, truth.size(), estimate);
+  poses.matched = association.pairs.size();
+  poses.unmatched_truth = association.unmatched_a;
+  poses.unmatched_estimate = association.unmatched_b;
+  return poses;
+}
+
+PairedPoses PairKitti(const EvalFlags& flags) {
+  const std::vector<RigidTransform> truth = ReadKittiPoses(flags.groundtruth);
+  const std::vector<RigidTransform> estimate = ReadKittiPoses(flags.estimate);
+  if (truth.size() != estimate.size()) {
+    ThrowError(flags.estimate, StrCat(estimate.size(), " poses"),
+               StrCat(truth.size(), ", one per line of ", flags.groundtruth,
+                      " (KITTI files have no times to match by)"));
+  }
+  PairedPoses poses;
+  poses.truth.assign(truth.begin(), truth.end());
+  poses.estimate.assign(estimate.begin(), estimate.end());
+  poses.matched = truth.size();
+  return poses;
+}
+
+int EvaluateFiles(const EvalFlags& flags) {
+  const PairedPoses poses = FormatOfBoth(flags) == "tum" ? PairTum(flags) : PairKitti(flags);
+  if (poses.matched < 2) {
+    ThrowError(flags.estimate, StrCat(poses.matched, " poses that match one of the truth"),
+               StrCat("2 or more within ", flags.max_time_difference_s, " s"));
+  }
+  const std::vector<Metric> metrics = EvaluateCamera(poses.truth, poses.estimate, "file");
+  if (flags.json) {
+    std::cout << DumpJson({{"schema_version", 1},
+                           {"kind", "evaluation"},
+                           {"matched", poses.matched},
+                           {"unmatched_groundtruth", poses.unmatched_truth},
+                           {"unmatched_estimate", poses.unmatched_estimate},
+                           {"metrics", MetricsToJson(metrics, "file")}});
+    return 0;
+  }
+  std::cout << poses.matched << " poses matched, unmatched: " << poses.unmatched_truth
+            << " of the ground truth, " << poses.unmatched_estimate << " of the estimate\n\n";
+  PrintMetrics(metrics, std::cout);
+  return 0;
+}
+
+void CheckUsage(const CLI::App& app, const EvalFlags& flags) {
+  const bool of_sequence = app.count("--sequence") > 0;
+  const auto refuse = [&](const std::string& flag, const char* why) {
+    if (app.count(flag) > 0) throw CLI::ValidationError(flag, why);
+  };
+  if (of_sequence) {
+    refuse("--format", "is for two files; with --sequence it is told by the number of columns");
+    refuse("--max-time-difference", "is for two files; with --sequence it is 0.02 s");
+    return;
+  }
+  if (flags.groundtruth.empty()) {
+    throw CLI::ValidationError("--groundtruth", "is needed, or --sequence in its place");
+  }
+  for (const std::string& flag : EvalSequence::FlagNames()) refuse(flag, "needs --sequence");
+}
+
+int Evaluate(const CLI::App& app, EvalFlags& flags) {
+  if (app.count("--sequence") == 0) return EvaluateFiles(flags);
+  if (!flags.groundtruth.empty()) flags.sequence.flags.groundtruth = flags.groundtruth;
+  return EvaluateSequence(flags.sequence, flags.estimate, flags.json);
+}
+
+}  // namespace
+
+Command AddEvalCommand(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "eval", "Score a trajectory file, or what another system made of a sequence");
+  const auto flags = std::make_shared<EvalFlags>();
+  app->add_option("--groundtruth", flags->groundtruth,
+                  "trajectory file with the truth; with --sequence, of KITTI raw: devkit or "
+                  "interpolated")
+      ->type_name("FILE");
+  app->add_option("--estimate", flags->estimate, "trajectory file to be scored")
+      ->type_name("FILE")
+      ->required();
+  app->add_option("--format", flags->format,
+                  "tum (time tx ty tz qx qy qz qw) or kitti (12 numbers); default: by the number "
+                  "of columns")
+      ->check(CLI::IsMember({"tum", "kitti"}));
+  app->add_option("--max-time-difference", flags->max_time_difference_s,
+                  "s; TUM poses further apart in time do not match")
+      ->check(CLI::Range(0.0, 1e6).description(""))
+      ->check(FiniteProblem)
+      ->capture_default_str();
+  app->add_flag("--json", flags->json, "print JSON, with the contract of each metric");
+  flags->sequence.AddTo(*app);
+  app->footer(
+      "Poses are world_from_camera. The estimate is aligned by SE(3) over positions for ATE.\n"
+      "With --sequence, camera and objects are scored as those of a run: KITTI tracking rows with\n"
+      "3D boxes in rectified camera 0, or a folder of <id>.tum with world_from_object. Objects "
+      "are\n"
+      "matched to bodies by nearness, as they have no landmarks: the contracts say so.\n"
+      "Examples:\n"
+      "  clustervo eval --groundtruth poses/06.txt --estimate OUT/camera.kitti\n"
+      "  clustervo eval --sequence scenes/indoor_1 --estimate cam.tum --objects tracks.kitti \\\n"
+      "      --name other -o results/other_indoor_1");
+  app->final_callback([app, flags] { CheckUsage(*app, *flags); });
+  return {app, [app, flags] { return Evaluate(*app, *flags); }};
+}
+
+}  // namespace cvo

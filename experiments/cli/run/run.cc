@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/files/atomic_file.h"
+#include "experiments/cli/command.h"
+#include "experiments/cli/progress.h"
+#include "experiments/cli/run/run_flags.h"
+#include "experiments/cli/run/run_summary.h"
+#include "experiments/cli/run/sequence_flags.h"
+#include "experiments/cli/run/text_table.h"
+#include "experiments/cli/stop_signal.h"
+#include "experiments/record/build_identity.h"
+#include "experiments/runner/job_cache.h"
+#include "experiments/runner/run_job.h"
+#include "synth/write/render_cache.h"
+
+namespace cvo {
+namespace {
+
+constexpr int kStopped = 130;
+
+struct Flags {
+  SequenceFlags sequence;
+  RunFlags run;
+  std::string variant = "full";
+  std::string output;
+  std::uint64_t seed = 0;
+  std::string classes;
+  std::string oracle = "none";
+  bool strict = false;
+  bool landmarks = false;
+  bool cache = false;
+  std::string cache_size;
+};
+
+void PrintProblems(const RunResult& run) {
+  for (const FrameRecord& frame : run.frames) {
+    for (const ImageProblem& problem : frame.problems) {
+      std::cout << "frame " << frame.frame << " skipped: " << problem.image << ": "
+                << problem.reason << '\n';
+    }
+  }
+}
+
+void PrintSummary(const Sequence& sequence, const JobOutcome& outcome) {
+  const RunResult& run = outcome.run;
+  const double rate = static_cast<double>(run.frames.size()) / run.wall_s;
+  std::cout << sequence.name << ": " << run.frames.size() << " frames in " << ForPeople(run.wall_s)
+            << " s, " << ForPeople(rate) << " frames/s, "
+            << ForPeople(outcome.context.peak_memory_mb) << " MB, status " << ToString(run.status)
+            << (run.message.empty() ? "" : ": ") << run.message << '\n';
+  PrintProblems(run);
+  PrintDetections(sequence, run.detections, std::cout);
+  if (outcome.scores.refined.empty()) {
+    std::cout << "nothing to score: ground truth " << sequence.groundtruth << '\n';
+    return;
+  }
+  std::cout << '\n';
+  PrintScores(outcome.scores, std::cout);
+}
+
+// What earlier runs left for this one, and how it says what it goes on without.
+JobCache OpenCache(const Flags& flags, std::size_t frames) {
+  FileHashHooks hooks;
+  // Over the progress bar, where there is one.
+  const char* start = ::isatty(STDERR_FILENO) ? "\r\033[K" : "";
+  hooks.notice = [start](const std::string& line) {
+    std::cerr << start << "clustervo: " << line << '\n';
+  };
+  const auto progress = std::make_shared<std::optional<Progress>>();
+  hooks.hashed = [=, quiet = flags.run.quiet](std::size_t done, std::size_t total) {
+    if (!*progress) progress->emplace(frames, quiet);
+    (*progress)->Report(frames * done / total);
+    if (done == total) progress->reset();
+  };
+  return {synth::CacheFolder(), CacheLimit(flags.cache_size), hooks};
+}
+
+int Run(const Flags& flags) {
+  RequireRecordedCpu(ThisBuild());
+  const VariantInfo& variant = FindVariant(flags.variant);
+  const Options options = flags.run.Resolve();
+  const std::vector<std::string> classes =
+      flags.classes.empty() ? RigidClasses() : ParseClasses(flags.classes);
+  const Sequence sequence = OpenSequence(flags.sequence.Request());
+  const OutputFolder output(flags.output, RunFileNames());
+
+  std::optional<JobOutcome> outcome;
+  {
+    const StopSignal stop;
+    RunRequest request = {.sequence = sequence,
+                          .variant = variant,
+                          .options = options,
+                          .seed = flags.seed,
+                          .threads = flags.run.threads,
+                          .classes = classes,
+                          .oracle = ParseOracle(flags.oracle),
+                          .landmarks = flags.landmarks,
+                          .strict = flags.strict,
+                          .stop = [&stop] { return stop.Requested(); }};
+    std::optional<JobCache> cache;
+    if (flags.cache) cache.emplace(OpenCache(flags, sequence.images.size())).Serve(request);
+    Progress progress(sequence.images.size(), flags.run.quiet);
+    request.progress = [&progress](std::size_t done) { progress.Report(done); };
+    outcome = RunJob(request, output.path());
+  }
+  if (!outcome) {
+    std::cerr << "clustervo: stopped, nothing was written\n";
+    return kStopped;
+  }
+  if (outcome->run.status == RunStatus::kFailed) throw Error(outcome->run.message);
+  PrintSummary(sequence, *outcome);
+  return 0;
+}
+
+}  // namespace
+
+Command AddRunCommand(CLI::App& program) {
+  CLI::App* app =
+      program.add_subcommand("run", "Estimate the camera's trajectory on a sequence and score it");
+  const auto flags = std::make_shared<Flags>();
+  flags->sequence.AddTo(*app);
+  const auto add = [app](const char* flag, auto& value, const char* kind, const char* meaning) {
+    return app->add_option(flag, value, meaning)->type_name(kind);
+  };
+  add("-o,--output", flags->output, "FOLDER", "for what the run found")->required();
+  add("--variant", flags->variant, "NAME", "estimator: clustervo variants lists them")
+      ->capture_default_str();
+  flags->run.AddTo(*app);
+  app->add_option_function<std::string>(
+         "--seed", [flags](const std::string& text) { flags->seed = ParseSeed(text); },
+         "of the estimator's random draws; default: 0")
+      ->type_name("N");
+  add("--classes", flags->classes, "A,B,...",
+      "of detections, those that are rigid bodies; others are left out; default: vehicles, and "
+      "what "
+      "moves in the shipped scenes");
+  add("--oracle", flags->oracle, "A,B,...",
+      "gives the estimator ground truth in place of what it would find out: boxes (which body each "
+      "detection shows), labels (which body each feature is on), camera")
+      ->capture_default_str();
+  app->add_flag("--landmarks", flags->landmarks,
+                "write landmarks.csv: every landmark of every frame with its labels");
+  app->add_flag("--strict", flags->strict,
+                "an image that cannot be decoded is an error; else its frame is skipped");
+  app->add_flag(
+      "--cache", flags->cache,
+      "keeps extracted features in the cache folder (CLUSTERVO_CACHE) and takes them from "
+      "there: faster where only the variant or its options change, same results");
+  add("--cache-size", flags->cache_size, "SIZE",
+      "with --cache, features kept in all; the least used go first; default: "
+      "CLUSTERVO_CACHE_SIZE or 20G");
+  app->footer(
+      "Written: result.json, timing.json; camera.tum, camera.kitti; for moving bodies objects.csv\n"
+      "(every cluster in every frame, with its life state), tracks.kitti (KITTI tracking rows; no\n"
+      "column for the life state) and clusters/<id>.tum.\n"
+      "camera.kitti has one line per frame, skipped frames with their predicted pose (listed in\n"
+      "result.json); camera.tum leaves skipped frames out. Poses are world_from_camera, as last\n"
+      "estimated. result.json and the trajectories are the same bytes on every run.\n"
+      "Examples:\n"
+      "  clustervo run kitti_raw/2011_09_26/2011_09_26_drive_0001_sync -o results/0001\n"
+      "  clustervo run kitti_odometry/sequences/06 -o results/06 --frames 0:51 \\\n"
+      "      --set window.spatial=5 --set orb.features=1500");
+  return {app, [flags] { return Run(*flags); }};
+}
+
+}  // namespace cvo

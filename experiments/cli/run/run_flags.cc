@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/cli/run/run_flags.h"
+
+#include <algorithm>
+#include <charconv>
+#include <thread>
+
+#include "core/files/options_json.h"
+
+namespace cvo {
+
+void RunFlags::AddTo(CLI::App& app) {
+  app.add_option("--set", set, "changes one option (clustervo options); can be repeated")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+  app.add_option("--config", config, "JSON with options as nested objects; --set goes over it")
+      ->type_name("FILE");
+  AddThreads(app, threads);
+  AddQuiet(app, quiet);
+}
+
+Options RunFlags::Resolve() const { return ResolveOptions<Options>(config, set); }
+
+void AddQuiet(CLI::App& app, bool& quiet) {
+  app.add_flag("-q,--quiet", quiet, "no progress on stderr");
+}
+
+int DefaultThreads() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
+
+void AddThreads(CLI::App& app, int& threads) {
+  threads = DefaultThreads();
+  app.add_option("--threads", threads, "threads in all; results do not depend on it; default: CPUs")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024).description(""));
+}
+
+std::uint64_t ParseSeed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (error != std::errc{} || end != text.data() + text.size()) {
+    throw CLI::ValidationError("--seed", "found '" + text + "', expected an integer in [0, 2^64)");
+  }
+  return seed;
+}
+
+}  // namespace cvo

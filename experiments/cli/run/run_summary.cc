@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/cli/run/run_summary.h"
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+#include "experiments/cli/run/text_table.h"
+
+namespace cvo {
+namespace {
+
+const std::string kNone = "-";
+
+// "camera_causal_ate" is "camera_ate".
+std::string WithoutCausal(std::string name) {
+  constexpr std::string_view kCausal = "causal_";
+  const std::size_t at = name.find(kCausal);
+  return at == std::string::npos ? name : name.erase(at, kCausal.size());
+}
+
+std::string Value(const std::optional<double>& value, double scale = 1.0) {
+  return value ? ForPeople(scale * *value) : kNone;
+}
+
+std::string SuccessAt10cm(const BodyScore& body) {
+  constexpr double kLimit_m = 0.1;
+  const auto within =
+      std::count_if(body.errors.begin(), body.errors.end(),
+                    [](const ObjectFrameError& error) { return error.position_m <= kLimit_m; });
+  return ForPeople(static_cast<double>(within) / body.visible_frames);
+}
+
+}  // namespace
+
+void PrintDetections(const Sequence& sequence, const DetectionCounts& counts, std::ostream& out) {
+  if (sequence.detections.empty()) return;
+  out << "detections: " << counts.given << " given";
+  const char* separator = "; left out: ";
+  const auto left_out = [&](int count, const std::string& why) {
+    if (count == 0) return;
+    out << separator << count << ' ' << why;
+    separator = ", ";
+  };
+  left_out(counts.outside, "outside the image");
+  left_out(counts.skipped, "of skipped frames");
+  for (const auto& [type, count] : counts.other_classes) left_out(count, "of class " + type);
+  if (counts.without_depth > 0) {
+    out << "; " << counts.without_depth
+        << " as drawn in the other camera, without features to move them by";
+  }
+  out << '\n';
+}
+
+void PrintScores(const RunScores& scores, std::ostream& out) {
+  TextTable table({"metric", "refined", "causal", "unit", "n"});
+  const auto row = [&table](const Metric& metric, const std::string& refined,
+                            const std::string& causal) {
+    table.Add({WithoutCausal(metric.name), refined, causal, metric.unit, std::to_string(metric.n)});
+  };
+  for (const Metric& refined : scores.refined) {
+    const auto causal = std::find_if(
+        scores.causal.begin(), scores.causal.end(),
+        [&](const Metric& metric) { return WithoutCausal(metric.name) == refined.name; });
+    row(refined, ForPeople(refined.value),
+        causal == scores.causal.end() ? kNone : ForPeople(causal->value));
+  }
+  for (const Metric& metric : scores.clustering) row(metric, kNone, ForPeople(metric.value));
+  table.Print(out);
+  if (scores.refined_bodies.empty()) return;
+  out << "\nbodies, poses as last estimated:\n";
+  PrintBodies(scores.refined_bodies, out);
+}
+
+void PrintBodies(const std::vector<BodyScore>& bodies, std::ostream& out) {
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  TextTable table({"body", "class", "moves", "travel m", "cluster", "visible", "estimated", "ATE m",
+                   "in 10 cm", "motion deg", "motion m", "speed m/s", "switches"});
+  for (const BodyScore& body : bodies) {
+    const auto motion = [&body](double RelativeErrors::*member) {
+      return body.motion ? std::optional(*body.motion.*member) : std::nullopt;
+    };
+    table.Add({body.name, body.category, body.mover ? "yes" : "no", ForPeople(body.travel_m),
+               body.cluster < 0 ? kNone : std::to_string(body.cluster),
+               std::to_string(body.visible_frames), std::to_string(body.estimated_frames),
+               Value(body.ate_m), SuccessAt10cm(body),
+               Value(motion(&RelativeErrors::rotation_rad), kDegrees),
+               Value(motion(&RelativeErrors::translation_m)), Value(body.velocity_m_s),
+               std::to_string(body.continuity.id_switches)});
+  }
+  table.Print(out);
+}
+
+}  // namespace cvo

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <iostream>
+
+#include "experiments/cli/run/text_table.h"
+#include "experiments/cli/suite/experiment_command.h"
+#include "experiments/suite/parse_suite.h"
+#include "experiments/suite/plan.h"
+#include "experiments/suite/shipped_suites.h"
+#include "experiments/suite/suite_grid.h"
+
+namespace cvo {
+namespace {
+
+int List() {
+  TextTable table({"suite", "sequences", "variants", "points", "seeds", "jobs", "about"});
+  for (const ShippedSuite& shipped : ShippedSuites()) {
+    const Suite suite = LoadSuite(shipped.name);
+    const std::size_t points =
+        GridPoints(suite, suite.sequences.front()).size() * suite.oracles.size();
+    table.Add({suite.name, std::to_string(suite.sequences.size()),
+               std::to_string(suite.variants.size()), std::to_string(points),
+               std::to_string(suite.seeds.size()), std::to_string(ExpandSuite(suite).size()),
+               suite.about});
+  }
+  table.Print(std::cout);
+  return 0;
+}
+
+}  // namespace
+
+Command AddExperimentListCommand(CLI::App& experiment) {
+  return {experiment.add_subcommand("list", "List the suites that come with the program"), List};
+}
+
+}  // namespace cvo

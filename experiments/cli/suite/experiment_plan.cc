@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+#include "core/base/error.h"
+#include "experiments/cli/progress.h"
+#include "experiments/cli/run/run_flags.h"
+#include "experiments/cli/run/text_table.h"
+#include "experiments/cli/suite/experiment_command.h"
+#include "experiments/cli/suite/plan_state.h"
+#include "experiments/cli/suite/suite_flags.h"
+
+namespace cvo {
+namespace {
+
+constexpr int kUsage = 2;
+
+struct Flags {
+  SuiteFlags suite;
+  int jobs = 1;
+  bool quiet = false;
+};
+
+std::string Duration(double seconds) {
+  if (seconds < 90.0) return StrCat(std::ceil(seconds), " s");
+  if (seconds < 5400.0) return StrCat(std::round(seconds / 60.0), " min");
+  return StrCat(std::round(seconds / 360.0) / 10.0, " h");
+}
+
+std::size_t Count(const std::vector<JobOutlook>& outlook, JobState state) {
+  return static_cast<std::size_t>(
+      std::count_if(outlook.begin(), outlook.end(),
+                    [state](const JobOutlook& job) { return job.state == state; }));
+}
+
+// "  12 x <reason>", the reasons in the order in which they occur.
+void PrintReasons(const std::vector<JobOutlook>& outlook, JobState state, std::ostream& out) {
+  std::vector<std::pair<std::string, int>> reasons;
+  for (const JobOutlook& job : outlook) {
+    if (job.state != state) continue;
+    const auto found = std::find_if(reasons.begin(), reasons.end(),
+                                    [&](const auto& reason) { return reason.first == job.why; });
+    if (found != reasons.end()) {
+      ++found->second;
+    } else {
+      reasons.emplace_back(job.why, 1);
+    }
+  }
+  for (const auto& [why, count] : reasons) out << "  " << count << " x " << why << '\n';
+}
+
+void PrintRenders(const std::vector<SceneRender>& renders, std::ostream& out) {
+  int frames = 0;
+  std::size_t draws = 0;
+  for (const SceneRender& render : renders) {
+    frames += render.frames;
+    draws += render.draws ? 1 : 0;
+  }
+  out << "scenes to render: " << renders.size() << " with " << frames << " frames, " << draws
+      << " of them drawn first, the rest from what is drawn\n";
+}
+
+void Print(const PlanState& state, int processes, std::ostream& out) {
+  const Plan& plan = state.built.plan;
+  out << "suite " << plan.suite.name << ": " << plan.jobs.size() << " jobs on "
+      << plan.suite.sequences.size() << " sequences\n";
+  const std::array<std::pair<JobState, const char*>, 4> states = {
+      {{JobState::kDone, "done"},
+       {JobState::kRuns, "to run"},
+       {JobState::kRenders, "to run when their scenes are rendered"},
+       {JobState::kMissing, "missing, left out"}}};
+  for (const auto& [job_state, label] : states) {
+    const std::size_t count = Count(state.outlook, job_state);
+    if (count == 0) continue;
+    out << label << ": " << count << '\n';
+    if (job_state == JobState::kRuns || job_state == JobState::kMissing) {
+      PrintReasons(state.outlook, job_state, out);
+    }
+  }
+  if (!state.built.renders.empty()) PrintRenders(state.built.renders, out);
+  const double seconds = EstimatedSeconds(state.built, state.outlook, state.frame_times_s);
+  if (seconds == 0.0) {
+    out << "nothing to compute\n";
+    return;
+  }
+  out << "time: about " << Duration(seconds / processes) << " with " << processes
+      << (processes == 1 ? " process" : " processes")
+      << (state.frame_times_s.empty() ? ", assumed: 35 frames/s, 4 frames/s drawn\n"
+                                      : ", as measured by jobs that are done\n");
+}
+
+int PrintPlan(const Flags& flags) {
+  Suite suite;
+  try {
+    suite = flags.suite.Load();
+  } catch (const Error& error) {
+    std::cerr << "clustervo: error: " << error.what() << '\n';
+    return kUsage;
+  }
+  PlanRequest request = flags.suite.Request();
+  // Only worth showing where images have to be read, which is felt on a terminal.
+  const bool quiet = flags.quiet || ::isatty(STDERR_FILENO) == 0;
+  Progress progress(ExpandSuite(suite).size(), quiet, Progress::Clock::now(), kPlanned);
+  request.progress = [&progress](std::size_t done, std::size_t) { progress.Report(done); };
+  const PlanState state = FindPlanState(suite, request, {flags.suite.output});
+  Print(state, flags.jobs, std::cout);
+  return 0;
+}
+
+}  // namespace
+
+Command AddExperimentPlanCommand(CLI::App& experiment) {
+  CLI::App* app = experiment.add_subcommand(
+      "plan", "Say what a suite would run, what is done, why anything runs again, and how long");
+  const auto flags = std::make_shared<Flags>();
+  flags->suite.AddTo(*app);
+  app->add_option("-j,--jobs", flags->jobs, "processes that the time is estimated for")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10000).description(""))
+      ->capture_default_str();
+  AddQuiet(*app, flags->quiet);
+  app->footer(
+      "Nothing is rendered or run. Images whose hashes are not known yet are read, and their\n"
+      "hashes kept in CLUSTERVO_CACHE.\n"
+      "Example: clustervo experiment plan ablation -o results/ablation -j 2");
+  return {app, [flags] { return PrintPlan(*flags); }};
+}
+
+}  // namespace cvo

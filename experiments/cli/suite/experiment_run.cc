@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+
+#include "experiments/cli/run/run_flags.h"
+#include "experiments/cli/suite/experiment_command.h"
+#include "experiments/cli/suite/run_suite.h"
+
+namespace cvo {
+
+Command AddExperimentRunCommand(CLI::App& experiment) {
+  CLI::App* app = experiment.add_subcommand(
+      "run", "Run a suite: render its scenes, then run every job that is not done");
+  const auto flags = std::make_shared<SuiteRunFlags>();
+  flags->suite.AddTo(*app);
+  const auto add = [app](const char* flag, auto& value, const char* kind, const char* meaning) {
+    return app->add_option(flag, value, meaning)->type_name(kind);
+  };
+  flags->engine.AddTo(*app);
+  add("--time-limit", flags->limit_s, "S", "wall time of one job, 0: none")
+      ->check(CLI::NonNegativeNumber.description(""))
+      ->check(FiniteProblem)
+      ->capture_default_str();
+  add("--memory-limit", flags->limit_memory_mb, "MB", "address space of one job, 0: none")
+      ->check(CLI::NonNegativeNumber.description(""))
+      ->check(FiniteProblem)
+      ->capture_default_str();
+  AddQuiet(*app, flags->quiet);
+  app->footer(
+      "A job is one estimator with one set of options on one sequence with one seed, in a process\n"
+      "of its own. One that fails leaves its message and log and stops nothing else; the same\n"
+      "command runs what failed and what is missing, after an interrupt or a crash too.\n"
+      "Written: plan.json, jobs/<id>/ (as clustervo run), failed/<id>.json, logs/<id>.log.\n"
+      "Exit code 1: some jobs failed, 130: stopped.\n"
+      "Example: clustervo experiment run ablation -o results/ablation");
+  return {app, [flags] { return RunSuite(*flags); }};
+}
+
+}  // namespace cvo

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <iostream>
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/files/json.h"
+#include "experiments/cli/suite/experiment_command.h"
+#include "experiments/cli/suite/job_report.h"
+#include "experiments/jobs/run_plan.h"
+
+namespace cvo {
+namespace {
+
+constexpr int kIncomplete = 1;
+
+Json StatusToJson(const SuiteFolder& folder, const Plan& plan,
+                  const std::vector<JobStatus>& status) {
+  const PlanOutcome counts = CountJobs(status);
+  Json jobs = Json::array();
+  for (std::size_t i = 0; i < status.size(); ++i) {
+    const PlannedJob& job = plan.jobs[i];
+    jobs.push_back({{"job", job.job},
+                    {"name", Describe(job.cell)},
+                    {"state", ToString(status[i].state)},
+                    {"message", status[i].message},
+                    {"log", job.job.empty() ? "" : folder.log(job.job).string()}});
+  }
+  return {{"schema_version", 1},
+          {"kind", "status"},
+          {"suite", plan.suite.name},
+          {"counts",
+           {{"done", counts.done},
+            {"failed", counts.failed},
+            {"missing", counts.missing},
+            {"no_sequence", counts.no_sequence}}},
+          {"jobs", std::move(jobs)}};
+}
+
+int ShowStatus(const std::string& path, bool json) {
+  const SuiteFolder folder{path};
+  if (!std::filesystem::exists(folder.plan())) {
+    ThrowError(path, "no plan.json", "a folder that clustervo experiment run wrote to");
+  }
+  const Plan plan = ParsePlan(ReadJson(folder.plan()), folder.plan().string());
+  const std::vector<JobStatus> status = StatusOfAll(folder, plan);
+  if (json) {
+    std::cout << DumpJson(StatusToJson(folder, plan, status));
+  } else {
+    std::cout << plan.suite.name << ": ";
+    PrintJobs(folder, plan, status, std::cout);
+  }
+  const PlanOutcome counts = CountJobs(status);
+  return counts.failed + counts.missing == 0 ? 0 : kIncomplete;
+}
+
+}  // namespace
+
+Command AddExperimentStatusCommand(CLI::App& experiment) {
+  CLI::App* app = experiment.add_subcommand(
+      "status", "Say which jobs of a suite's folder are done, failed or missing, and why");
+  const auto folder = std::make_shared<std::string>();
+  const auto json = std::make_shared<bool>(false);
+  app->add_option("DIR", *folder, "the folder that the suite was run to")
+      ->type_name("")
+      ->required();
+  app->add_flag("--json", *json, "print JSON, one entry per job");
+  app->footer(
+      "Reads only, also while the suite runs. Exit code 0: all that has a sequence is done, 1: "
+      "not.\n"
+      "Failed and missing jobs run again with clustervo experiment run.");
+  return {app, [folder, json] { return ShowStatus(*folder, *json); }};
+}
+
+}  // namespace cvo

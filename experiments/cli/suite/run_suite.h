@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "experiments/cli/suite/engine_flags.h"
+#include "experiments/cli/suite/suite_flags.h"
+
+namespace cvo {
+
+// What experiment run is asked for.
+struct SuiteRunFlags {
+  SuiteFlags suite;
+  EngineFlags engine;
+  double limit_s = 3600.0;          // of one job; 0: none
+  double limit_memory_mb = 8000.0;  // of one job; 0: none
+  bool quiet = false;
+};
+
+// Renders, plans and runs a suite; the exit code. Throws Error for a suite that cannot be run and a
+// folder that cannot be written.
+int RunSuite(const SuiteRunFlags& flags);
+
+}  // namespace cvo

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/cli/suite/suite_flags.h"
+
+#include <cstdlib>
+
+#include "experiments/suite/parse_suite.h"
+#include "synth/write/render_cache.h"
+
+namespace cvo {
+
+void SuiteFlags::AddTo(CLI::App& app) {
+  app.add_option("SUITE", suite, "a shipped suite (clustervo experiment list) or a suite file")
+      ->type_name("")
+      ->required();
+  app.add_option("-o,--output", output, "folder for everything that the suite makes")
+      ->type_name("DIR")
+      ->required();
+  app.add_option("--data", data, "folder with real sequences below it; default: CLUSTERVO_DATA")
+      ->type_name("FOLDER");
+  app.add_option("--seeds", overrides.seeds, "seeds 1 to N in place of the suite's")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10000).description(""));
+  app.add_option("--set", overrides.set,
+                 "changes an option (clustervo options), an axis of the suite's grid, or with "
+                 "scene. before it a value of all scenes; can be repeated")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+}
+
+Suite SuiteFlags::Load() const { return Override(LoadSuite(suite), overrides); }
+
+PlanRequest SuiteFlags::Request() const {
+  PlanRequest request;
+  const char* variable = std::getenv("CLUSTERVO_DATA");
+  request.data = !data.empty() ? data : variable == nullptr ? "" : variable;
+  request.cache = synth::CacheFolder();
+  return request;
+}
+
+}  // namespace cvo

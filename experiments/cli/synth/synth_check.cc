@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/files/atomic_file.h"
+#include "experiments/cli/run/run_flags.h"
+#include "experiments/cli/run/text_table.h"
+#include "experiments/cli/synth/synth_command.h"
+#include "experiments/scene_check/check_scene.h"
+
+namespace cvo {
+namespace {
+
+constexpr int kDisagreement = 1;
+
+struct Flags {
+  std::string folder;
+  std::string json;
+  int threads = 1;
+};
+
+std::string Limit(const SceneCheck& check) {
+  if (check.bound == Bound::kNone) return "-";
+  return (check.bound == Bound::kAtMost ? "<= " : ">= ") + ForPeople(check.limit);
+}
+
+std::string Verdict(const SceneCheck& check) {
+  if (check.bound == Bound::kNone) return "";
+  return check.Passed() ? "ok" : "FAILED";
+}
+
+void Print(const SceneCheckReport& report) {
+  TextTable table({"check", "figure", "unit", "limit", "", "worst"});
+  for (const SceneCheck& check : report.checks) {
+    table.Add({check.name, std::isfinite(check.figure) ? ForPeople(check.figure) : "-", check.unit,
+               Limit(check), Verdict(check), check.where});
+  }
+  table.Print(std::cout);
+  std::cout << '\n'
+            << report.folder << ": " << report.frames << " frames, the images of "
+            << report.image_frames << " compared: " << (report.Passed() ? "passed" : "FAILED")
+            << '\n';
+}
+
+int Check(const Flags& flags) {
+  const SceneCheckReport report = CheckScene(flags.folder, flags.threads);
+  Print(report);
+  if (!flags.json.empty()) {
+    const std::filesystem::path file = std::filesystem::absolute(flags.json);
+    WriteFilesAtomically(file.parent_path(),
+                         {{file.filename().string(), DumpJson(SceneCheckJson(report))}});
+  }
+  return report.Passed() ? 0 : kDisagreement;
+}
+
+}  // namespace
+
+Command AddSynthCheckCommand(CLI::App& synth) {
+  CLI::App* app = synth.add_subcommand(
+      "check", "Compare a rendered sequence's images, depth, masks, poses and tables");
+  const auto flags = std::make_shared<Flags>();
+  app->add_option("DIR", flags->folder, "folder of a rendered sequence")->type_name("")->required();
+  app->add_option("--json", flags->json, "writes the figures there too")->type_name("FILE");
+  AddThreads(*app, flags->threads);
+  app->footer(
+      "Reads the folder's files only. Text files and masks of all frames are checked, images of "
+      "at\n"
+      "most 40. Exit code 1 where a figure is out of its limit.\n"
+      "Example: clustervo synth check indoor_1 --json check.json");
+  return {app, [flags] { return Check(*flags); }};
+}
+
+}  // namespace cvo

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <iostream>
+#include <memory>
+#include <opencv2/imgcodecs.hpp>
+#include <optional>
+
+#include "core/base/error.h"
+#include "core/files/atomic_file.h"
+#include "experiments/cli/progress.h"
+#include "experiments/cli/run/run_flags.h"
+#include "experiments/cli/stop_signal.h"
+#include "experiments/cli/synth/synth_command.h"
+#include "experiments/datasets/frame_range.h"
+#include "synth/write/preview.h"
+#include "synth/write/write_scene.h"
+
+namespace cvo {
+namespace {
+
+constexpr int kStopped = 130;
+
+// What render and preview share.
+struct SceneFlags {
+  std::string scene;
+  std::vector<std::string> set;
+  std::string output;
+  std::string frames;
+  int threads = 1;
+  bool quiet = false;
+
+  void AddTo(CLI::App& app, const char* output_kind, const char* output_meaning) {
+    app.add_option("SCENE", scene, "a shipped scene (clustervo synth list) or a JSON file")
+        ->type_name("")
+        ->required();
+    app.add_option("-o,--output", output, output_meaning)->type_name(output_kind)->required();
+    app.add_option("--frames", frames, "frames A to B-1 of the scene; default: all")
+        ->type_name("A:B");
+    app.add_option("--set", set, "changes one value of the scene, such as sensor.read_noise=0")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    AddThreads(app, threads);
+    AddQuiet(app, quiet);
+  }
+  synth::SceneFrames Frames() const {
+    if (frames.empty()) return {};
+    const FrameRange range = ParseFrameRange(frames);
+    return {range.begin, range.end < 0 ? std::nullopt : std::optional(range.end)};
+  }
+};
+
+// Shows stages one after the other, each with a bar of its own.
+class StageProgress {
+ public:
+  explicit StageProgress(bool quiet) : quiet_(quiet) {}
+
+  void Report(int done, int total, const std::string& stage) {
+    if (stage != stage_) {
+      stage_ = stage;
+      progress_.reset();
+      if (!quiet_) std::cerr << stage << '\n';
+      progress_.emplace(static_cast<std::size_t>(total), quiet_, last_);
+    }
+    progress_->Report(static_cast<std::size_t>(done));
+    last_ = Progress::Clock::now();
+  }
+  // One line between the bars.
+  void Note(const std::string& line) {
+    stage_.clear();
+    progress_.reset();
+    std::cerr << line << '\n';
+  }
+
+ private:
+  bool quiet_;
+  std::string stage_;
+  Progress::Clock::time_point last_ = Progress::Clock::now();  // of a report; else the start
+  std::optional<Progress> progress_;
+};
+
+struct RenderFlags {
+  SceneFlags scene;
+  std::optional<std::uint64_t> seed;
+  std::vector<std::string> detectors;
+  bool flow = false;
+};
+
+// Calls work(hooks); 130 where the user stopped it.
+template <typename Work>
+int RunStoppable(bool quiet, const Work& work) {
+  const StopSignal stop;
+  StageProgress progress(quiet);
+  synth::WorkHooks hooks;
+  hooks.progress = [&](int done, int total, const std::string& stage) {
+    progress.Report(done, total, stage);
+  };
+  hooks.stop = [&] { return stop.Requested(); };
+  hooks.notice = [&](const std::string& line) { progress.Note(line); };
+  try {
+    work(hooks);
+    return 0;
+  } catch (const synth::Stopped&) {
+    progress.Note("clustervo: stopped, nothing was written");
+    return kStopped;
+  }
+}
+
+int Render(const RenderFlags& flags) {
+  const auto scene = synth::SceneDescription::Load(flags.scene.scene, flags.scene.set);
+  const int code = RunStoppable(flags.scene.quiet, [&](const synth::WorkHooks& hooks) {
+    synth::WriteDataset(scene,
+                        {.frames = flags.scene.Frames(),
+                         .seed = flags.seed,
+                         .detector_levels = flags.detectors,
+                         .flow = flags.flow,
+                         .threads = flags.scene.threads,
+                         .hooks = hooks},
+                        flags.scene.output);
+  });
+  if (code == 0) std::cout << "written: " << flags.scene.output << '\n';
+  return code;
+}
+
+int Preview(const SceneFlags& flags) {
+  const auto scene = synth::SceneDescription::Load(flags.scene, flags.set);
+  const synth::SceneFrames frames = flags.Frames();
+  const std::filesystem::path file = std::filesystem::absolute(flags.output);
+  const OutputFolder folder(file.parent_path(), {file.filename().string()});
+  const int code = RunStoppable(flags.quiet, [&](const synth::WorkHooks& hooks) {
+    synth::RenderRequest request;
+    request.threads = flags.threads;
+    const synth::DatasetSource source = synth::SourceOf(scene, request);
+    const synth::World world = source.build_world();
+    const FrameRange range =
+        ResolveFrameRange({frames.first, frames.end.value_or(-1)}, world.frames);
+    const cv::Mat sheet =
+        synth::MakeContactSheet(world, range.begin, range.end, source.open_tools(world), hooks);
+    std::vector<unsigned char> bytes;
+    Require(cv::imencode(".png", sheet, bytes), "synth preview: the sheet cannot be encoded");
+    WriteFilesAtomically(folder.path(),
+                         {{file.filename().string(), std::string(bytes.begin(), bytes.end())}});
+  });
+  if (code == 0) std::cout << "written: " << flags.output << '\n';
+  return code;
+}
+
+}  // namespace
+
+Command AddSynthRenderCommand(CLI::App& synth) {
+  CLI::App* app = synth.add_subcommand("render", "Render a scene as a KITTI odometry folder");
+  const auto flags = std::make_shared<RenderFlags>();
+  flags->scene.AddTo(*app, "DIR", "folder to make; one that this program rendered is replaced");
+  app->add_option_function<std::string>(
+         "--seed", [flags](const std::string& text) { flags->seed = ParseSeed(text); },
+         "of sensor noise and detector errors; default: the scene's")
+      ->type_name("N");
+  app->add_option("--detector", flags->detectors,
+                  "oracle, good or poor, can be repeated; default: all of them")
+      ->type_name("LEVEL")
+      ->allow_extra_args(false);
+  app->add_flag("--flow", flags->flow, "also optical flow, flow_0/%06d.png in KITTI's encoding");
+  app->footer(
+      "Another seed changes the sensor's noise and the detector's errors, and, given to clustervo\n"
+      "run, the estimator's own random draws; never the motion, the textures or the ground truth.\n"
+      "What was drawn is kept in CLUSTERVO_CACHE (default: ~/.cache/clustervo), so that another\n"
+      "seed, noise or detector needs no drawing.\n"
+      "Examples:\n"
+      "  clustervo synth render indoor_1 -o indoor_1\n"
+      "  clustervo synth render indoor_1 -o quiet --seed 3 --frames 0:50 --set "
+      "sensor.read_noise=0");
+  return {app, [flags] { return Render(*flags); }};
+}
+
+Command AddSynthPreviewCommand(CLI::App& synth) {
+  CLI::App* app = synth.add_subcommand(
+      "preview", "Draw a contact sheet of a scene: masks, boxes and a map of all paths");
+  const auto flags = std::make_shared<SceneFlags>();
+  flags->AddTo(*app, "FILE", "PNG file to write");
+  app->footer("Example: clustervo synth preview indoor_1 -o sheet.png");
+  return {app, [flags] { return Preview(*flags); }};
+}
+
+}  // namespace cvo

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/formats/digits.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+namespace cvo::reports {
+namespace {
+
+constexpr int kMostDecimals = 9;
+constexpr double kNoWidth = 1e-9;  // of the figure: an interval of equal values, but for rounding
+
+// Decimals that show so many significant digits of a value that is not 0.
+int Significant(double value, int digits) {
+  return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0,
+                    kMostDecimals);
+}
+
+int ByUnit(double value, const std::string& unit) {
+  if (unit == kCountUnit) return value == std::floor(value) ? 0 : 2;
+  if (unit == "m" || unit == "rad") return std::abs(value) < 0.01 && value != 0.0 ? 5 : 4;
+  if (unit == "%") return 2;
+  if (unit == "1" || value == 0.0) return 3;
+  return Significant(value, 4);
+}
+
+// What counts as large for the number of digits: the value, or where it is 0, its interval.
+double Magnitude(const Measured& figure) {
+  if (figure.value != 0.0 || !figure.interval) return figure.value;
+  return std::max(std::abs(figure.interval->low), std::abs(figure.interval->high));
+}
+
+// Empty where the interval does not decide.
+std::optional<int> ByInterval(const Measured& figure) {
+  if (!figure.interval) return std::nullopt;
+  const double half = 0.5 * (figure.interval->high - figure.interval->low);
+  const double magnitude = Magnitude(figure);
+  if (!(half > kNoWidth * std::abs(magnitude)) || !std::isfinite(half)) return std::nullopt;
+  if (magnitude == 0.0) return Significant(half, 2);
+  return std::clamp(Significant(half, 2), Significant(magnitude, 2), Significant(magnitude, 4));
+}
+
+}  // namespace
+
+std::vector<int> ColumnDecimals(const std::vector<Measured>& figures, const std::string& unit) {
+  std::optional<int> most;
+  for (const Measured& figure : figures) {
+    if (const std::optional<int> own = ByInterval(figure)) most = std::max(most.value_or(0), *own);
+  }
+  std::vector<int> decimals;
+  for (const Measured& figure : figures) {
+    const bool alone = !figure.interval || !most;
+    const double magnitude = Magnitude(figure);
+    const int limit = magnitude == 0.0 ? kMostDecimals : Significant(magnitude, 4);
+    decimals.push_back(alone ? ByUnit(figure.value, unit)
+                             : std::max(ByInterval(figure).value_or(0), std::min(*most, limit)));
+  }
+  return decimals;
+}
+
+std::string Fixed(double value, int decimals) {
+  std::array<char, 400> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+  std::string fixed = text.data();
+  if (fixed[0] == '-' && fixed.find_first_not_of("-0.") == std::string::npos) fixed.erase(0, 1);
+  return fixed;
+}
+
+std::string Exact(double value) {
+  std::array<char, 64> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
+}
+
+}  // namespace cvo::reports

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "reports/results/contract.h"
+#include "reports/statistics/common_frames.h"
+
+namespace cvo::reports {
+
+inline constexpr int kRunSchemaVersion = 2;
+
+struct SequenceInfo {
+  std::string name;
+  std::string type;
+  std::string pair;  // "grey" or "colour"
+  int first_frame = 0;
+  int frames = 0;
+  int total_frames = 0;         // in the folder
+  double right_shift_px = 0.0;  // correction of the published calibration; 0: as published
+  std::string content;          // hash
+};
+
+struct MetricValue {
+  std::string name;
+  double value = 0.0;
+  std::string unit;
+  std::int64_t n = 0;
+  Contract contract;
+};
+
+// What a run reaches on one body.
+struct BodyResult {
+  int id = 0;
+  bool mover = false;
+  std::map<std::string, double> values;  // as result.json names them; those that are null lack
+  FrameErrors errors;
+  FrameErrors predicted;
+};
+
+// What a table needs of one result.json.
+struct RunSummary {
+  std::filesystem::path file;
+  std::string job;
+  std::string variant;
+  std::uint64_t seed = 0;
+  std::string status;  // "ok", "lost", "failed"
+  std::string message;
+  SequenceInfo sequence;
+  std::vector<MetricValue> metrics;
+  std::vector<BodyResult> refined;
+  std::vector<BodyResult> causal;
+  std::string options;  // resolved, as JSON text
+  std::string build;    // identity
+};
+
+// The metrics of these names, and the bodies that they are about. Throws Error naming the file and
+// the field: another schema version, half-written, not a run.
+RunSummary ReadRun(const std::filesystem::path& result_file,
+                   const std::vector<std::string>& metrics);
+
+// nullptr where the run has no such metric.
+const MetricValue* FindMetric(const RunSummary& run, const std::string& name);
+
+}  // namespace cvo::reports

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/results/run_summary.h"
+
+namespace cvo::reports {
+
+// A job as plan.json holds it: keys are sequence, detections, variant (of another system: its
+// name), oracle, and the path of every option that the suite varies.
+struct PlannedRun {
+  std::map<std::string, std::string> keys;
+  bool system = false;  // other people's trajectories, scored as they are
+  std::uint64_t seed = 0;
+  std::string job;      // empty: the sequence is missing
+  std::string missing;  // why
+};
+
+struct SuitePlan {
+  std::filesystem::path file;
+  std::string name;
+  std::string about;
+  std::vector<std::string> rows;
+  std::vector<std::string> metrics;
+  std::string reference;  // a variant, or key=value
+  std::vector<PlannedRun> runs;
+};
+
+// Throws Error naming the file and the field: half-written, of another schema, without jobs.
+SuitePlan ReadPlan(const std::filesystem::path& plan_file);
+
+// What became of a job: "ok", "lost", "failed", "not run", "no data".
+struct SuiteRun {
+  PlannedRun planned;
+  std::string state;
+  std::string message;
+  std::string log;
+  std::optional<RunSummary> run;  // of ok and lost
+};
+
+// Reads the results of these metrics that are there; one that cannot be read is "failed".
+std::vector<SuiteRun> ReadRuns(const std::filesystem::path& folder, const SuitePlan& plan,
+                               const std::vector<std::string>& metrics);
+
+// Value of a key; "default" for an option that the run does not set.
+std::string KeyOf(const PlannedRun& run, const std::string& key);
+
+}  // namespace cvo::reports

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <cmath>
+
+#include "core/base/rng.h"
+#include "core/clustering/motion_term.h"
+#include "tests/core/clustering/scene.h"
+
+namespace cvo {
+namespace {
+
+using test::kSceneCamera;
+using test::MakeLabel;
+using test::NodeAt;
+
+constexpr Eigen::Index kStaticLabel = 0;
+constexpr Eigen::Index kBodyLabel = 1;
+constexpr Eigen::Index kNewBoxLabel = 2;
+constexpr Eigen::Index kOutlierLabel = 3;
+
+RigidTransform Shift(double x, double y, double z) {
+  return RigidTransform(Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, y, z));
+}
+
+// One earlier frame, in which the static scene and a body were where the transforms say.
+CrfScene MotionScene(const RigidTransform& static_past_from_now,
+                     const RigidTransform& body_past_from_now) {
+  CrfScene scene;
+  scene.camera = kSceneCamera;
+  scene.labels = {MakeLabel(LabelKind::kStatic), MakeLabel(LabelKind::kCluster),
+                  MakeLabel(LabelKind::kNewBox), MakeLabel(LabelKind::kOutlier)};
+  scene.labels[kStaticLabel].past_from_now = {static_past_from_now};
+  scene.labels[kBodyLabel].past_from_now = {body_past_from_now};
+  return scene;
+}
+
+// Errors that u_left and u_right share, and some of the disparity's own.
+Eigen::Matrix3d PixelCovariance() {
+  Eigen::Matrix3d covariance;
+  covariance << 0.25, 0.0, 0.25, 0.0, 0.25, 0.0, 0.25, 0.0, 0.25 + 0.09;
+  return covariance;
+}
+
+Eigen::Vector3d WithNoise(const Eigen::Vector3d& z_px, const Eigen::Matrix3d& covariance_px2,
+                          Rng& rng) {
+  const Eigen::Vector3d unit(rng.Normal(), rng.Normal(), rng.Normal());
+  return z_px + covariance_px2.llt().matrixL() * unit;
+}
+
+// A point measured with noise now and in the past, when it was at past_from_now * p.
+CrfNode Measure(const Eigen::Vector3d& p_in_camera, const RigidTransform& past_from_now,
+                const Eigen::Matrix3d& covariance_px2, Rng& rng) {
+  CrfNode node;
+  node.z_px = WithNoise(*kSceneCamera.Project(p_in_camera), covariance_px2, rng);
+  node.p_in_camera = *kSceneCamera.BackProject(node.z_px);
+  node.covariance_m2 = kSceneCamera.PointCovariance(node.z_px, covariance_px2);
+  node.past = CrfNode::Past{
+      .frame = 0,
+      .z_px = WithNoise(*kSceneCamera.Project(past_from_now * p_in_camera), covariance_px2, rng),
+      .covariance_px2 = covariance_px2};
+  return node;
+}
+
+template <typename Term>
+EnergyMatrix RawEnergies(const CrfScene& scene, const UnaryOptions& options = {}) {
+  EnergyMatrix energies(static_cast<Eigen::Index>(scene.nodes.size()),
+                        static_cast<Eigen::Index>(scene.labels.size()));
+  Term::Energies(scene, options, energies);
+  return energies;
+}
+
+CrfNode NodeWithPast(const Eigen::Vector3d& p_in_camera, const Eigen::Vector3d& p_in_past) {
+  CrfNode node = NodeAt(p_in_camera);
+  node.past = CrfNode::Past{
+      .frame = 0, .z_px = *kSceneCamera.Project(p_in_past), .covariance_px2 = PixelCovariance()};
+  return node;
+}
+
+TEST(MotionTerm, HasTheValueWorkedOutByHand) {
+  // The camera turned by a right angle about its axis: (1, 0, 10) is seen at (0, 1, 10) before.
+  Eigen::Matrix3d turn;
+  turn << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  CrfScene scene = MotionScene(RigidTransform(turn, Eigen::Vector3d::Zero()), Shift(5, 0, 0));
+  CrfNode node = NodeWithPast({1, 0, 10}, {0, 1, 10});
+  node.past->z_px += Eigen::Vector3d(0.0, 7.0, 0.0);
+  node.past->covariance_px2 = Eigen::Matrix3d::Identity();
+  // 0.01 m^2 along x now is v before: J = 70 px/m, S = 1 + 49.
+  node.covariance_m2 = Eigen::Vector3d(0.01, 1e-12, 1e-12).asDiagonal();
+  scene.nodes = {node};
+  EXPECT_NEAR(RawEnergies<MotionTerm>(scene)(0, kStaticLabel), 0.5 * 49.0 / 50.0, 1e-6);
+}
+
+TEST(MotionTerm, TheTrueLabelCostsOneAndAHalfNatsOnAverage) {
+  const RigidTransform body(ExpSo3({0.02, -0.1, 0.03}), Eigen::Vector3d(-0.6, 0.05, 0.8));
+  CrfScene scene = MotionScene(Shift(0.1, 0, 1.0), body);
+  Rng rng(1, "motion");
+  for (int i = 0; i < 4000; ++i) {
+    const Eigen::Vector3d p(rng.Uniform(-3, 3), rng.Uniform(-1, 1), rng.Uniform(5, 12));
+    scene.nodes.push_back(Measure(p, body, PixelCovariance(), rng));
+  }
+  const EnergyMatrix energies = RawEnergies<MotionTerm>(scene, UnaryOptions{.motion_cap = 1e6});
+  EXPECT_NEAR(energies.col(kBodyLabel).mean(), 1.5, 0.06);  // 3 standard errors
+  EXPECT_GT(energies.col(kStaticLabel).mean(), 20.0);
+}
+
+TEST(MotionTerm, AMovingPointFavoursItsLabelByTheChiSquareOfItsMotion) {
+  // The camera stands and the body moved 5 cm sideways at 10 m: u_left and u_right moved by 3.5 px,
+  // with a variance of 1 px^2 at either time: 1/2 (2 * 3.5^2) / 2 nats.
+  CrfScene scene = MotionScene(RigidTransform(), Shift(-0.05, 0, 0));
+  Rng rng(2, "motion");
+  for (int i = 0; i < 4000; ++i) {
+    const Eigen::Vector3d p(rng.Uniform(-3, 3), rng.Uniform(-1, 1), 10.0);
+    scene.nodes.push_back(Measure(p, Shift(-0.05, 0, 0), Eigen::Matrix3d::Identity(), rng));
+  }
+  const EnergyMatrix energies = RawEnergies<MotionTerm>(scene, UnaryOptions{.motion_cap = 1e6});
+  EXPECT_NEAR((energies.col(kStaticLabel) - energies.col(kBodyLabel)).mean(), 6.125, 0.2);
+}
+
+TEST(MotionTerm, AFarStaticPointIsNotTakenForMoving) {
+  // Five frames of driving; 150 m off the disparity is 2.3 px, with an error of 0.3 px.
+  const RigidTransform drive = Shift(0.0, 0.0, 6.0);
+  CrfScene scene = MotionScene(drive, Shift(0, 0, 1.0));
+  Rng rng(3, "motion");
+  for (int i = 0; i < 1000; ++i) {
+    const Eigen::Vector3d p(rng.Uniform(-60, 60), rng.Uniform(-20, 5), 150.0);
+    scene.nodes.push_back(Measure(p, drive, PixelCovariance(), rng));
+  }
+  const EnergyMatrix energies = RawEnergies<MotionTerm>(scene);
+  EXPECT_LT(energies.col(kStaticLabel).mean(), 2.0);
+  const auto outliers = (energies.col(kStaticLabel).array() > 4.5).count();
+  EXPECT_LT(outliers, 50);
+  // What the formula as printed makes of them.
+  EXPECT_GT(RawEnergies<MotionTermLiteral>(scene).col(kStaticLabel).mean(), 4.0);
+}
+
+TEST(MotionTerm, SaysNothingOfALandmarkWithoutAPast) {
+  CrfScene scene = MotionScene(RigidTransform(), Shift(1, 0, 0));
+  scene.nodes = {NodeAt({0, 0, 10})};
+  EXPECT_TRUE(RawEnergies<MotionTerm>(scene).isZero(0.0));
+  EXPECT_TRUE(RawEnergies<MotionTermLiteral>(scene).isZero(0.0));
+}
+
+TEST(MotionTerm, SaysNothingWhereNoLabelHasAPose) {
+  CrfScene scene = MotionScene(RigidTransform(), Shift(1, 0, 0));
+  scene.nodes = {NodeWithPast({0, 0, 10}, {0, 0, 10})};
+  scene.nodes[0].past->frame = 3;
+  EXPECT_TRUE(RawEnergies<MotionTerm>(scene).isZero(0.0));
+  EXPECT_TRUE(RawEnergies<MotionTermLiteral>(scene).isZero(0.0));
+}
+
+TEST(MotionTerm, IsNeutralWhereALabelsMotionIsUnknown) {
+  CrfScene scene = MotionScene(RigidTransform(), Shift(1, 0, 0));
+  scene.labels[kBodyLabel].past_from_now = {std::nullopt};
+  scene.labels[kNewBoxLabel].past_from_now = {RigidTransform()};
+  scene.nodes = {NodeWithPast({0, 0, 10}, {0, 0, 10})};
+  EXPECT_EQ(Eigen::RowVectorXd(RawEnergies<MotionTerm>(scene).row(0)),
+            Eigen::RowVector4d(0.0, 1.5, 1.5, 4.5));
+  scene.labels[kBodyLabel].past_from_now.clear();
+  EXPECT_EQ(RawEnergies<MotionTerm>(scene)(0, kBodyLabel), 1.5);
+}
+
+TEST(MotionTerm, CapsWhatItCannotExplain) {
+  CrfScene scene = MotionScene(RigidTransform(), Shift(0, 0, -11));
+  scene.nodes = {NodeWithPast({0, 0, 10}, {4, 0, 10})};
+  const EnergyMatrix energies = RawEnergies<MotionTerm>(scene);
+  EXPECT_EQ(energies(0, kStaticLabel), 12.5);
+  EXPECT_EQ(energies(0, kBodyLabel), 12.5);  // behind the camera
+  EXPECT_EQ(RawEnergies<MotionTerm>(scene, UnaryOptions{.motion_cap = 9})(0, kBodyLabel), 4.5);
+}
+
+TEST(MotionTermLiteral, IsThePrintedFormula) {
+  CrfScene scene = MotionScene(RigidTransform(), Shift(0, 0, -11));
+  scene.nodes = {NodeWithPast({0, 0, 10}, {0, 0, 10})};
+  const Eigen::Vector3d e(1.0, -2.0, 1.4);
+  scene.nodes[0].past->z_px += e;
+  const EnergyMatrix energies = RawEnergies<MotionTermLiteral>(scene);
+  const Eigen::Matrix3d covariance = PixelCovariance();
+  const double p = std::exp(-e.dot(covariance.inverse() * e)) / std::sqrt(covariance.determinant());
+  EXPECT_NEAR(energies(0, kStaticLabel), -std::log(p), 1e-9);
+  EXPECT_TRUE(std::isinf(energies(0, kBodyLabel)));  // behind the camera
+  EXPECT_EQ(energies(0, kNewBoxLabel), 0.0);
+  EXPECT_EQ(energies(0, kOutlierLabel), 0.0);
+}
+
+}  // namespace
+}  // namespace cvo

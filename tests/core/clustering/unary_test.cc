@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/clustering/affinity_term.h"
+#include "core/clustering/box_term.h"
+#include "core/clustering/motion_term.h"
+#include "tests/core/clustering/scene.h"
+#include "tests/support/error_message.h"
+
+namespace cvo {
+namespace {
+
+using test::MakeLabel;
+using test::NodeAt;
+using testing::HasSubstr;
+
+constexpr ImageBox kLeft = {100, 100, 200, 200};
+constexpr ImageBox kRight = {150, 100, 250, 200};
+constexpr ImageBox kMissed = {180, 150, 400, 300};
+
+// Static scene, two bodies with boxes that overlap, one that the detector missed, outliers.
+CrfScene BoxScene() {
+  CrfScene scene;
+  scene.camera = test::kSceneCamera;
+  scene.labels = {MakeLabel(LabelKind::kStatic), MakeLabel(LabelKind::kCluster),
+                  MakeLabel(LabelKind::kNewBox), MakeLabel(LabelKind::kCluster),
+                  MakeLabel(LabelKind::kOutlier)};
+  scene.labels[1].box = kLeft;
+  scene.labels[2].box = kRight;
+  scene.labels[3].predicted_box = kMissed;
+  return scene;
+}
+
+CrfNode NodeSeenAt(double u_px, double v_px) {
+  CrfNode node;
+  node.z_px = {u_px, v_px, u_px - 10.0};
+  return node;
+}
+
+template <typename Term>
+std::vector<double> Probabilities(CrfScene scene, const CrfNode& node,
+                                  const UnaryOptions& options = {}) {
+  scene.nodes = {node};
+  const EnergyMatrix energies = TermEnergies<Term>(scene, options);
+  std::vector<double> probabilities;
+  for (const double energy : energies.row(0)) probabilities.push_back(std::exp(-energy));
+  return probabilities;
+}
+
+template <typename Term>
+Eigen::RowVectorXd RawEnergies(CrfScene scene, const CrfNode& node,
+                               const UnaryOptions& options = {}) {
+  scene.nodes = {node};
+  EnergyMatrix energies(1, static_cast<Eigen::Index>(scene.labels.size()));
+  Term::Energies(scene, options, energies);
+  return energies.row(0);
+}
+
+auto Near(const std::vector<double>& expected) {
+  return testing::Pointwise(testing::DoubleNear(1e-12), expected);
+}
+
+TEST(NormalizeEnergies, MakesProbabilitiesThatAddUpToOne) {
+  EnergyMatrix energies(2, 3);
+  energies << 1.0, 2.0, 3.5, 1000.0, 1001.0, 1000.0;
+  NormalizeEnergies(100.0, energies);
+  EXPECT_NEAR((-energies.row(0)).array().exp().sum(), 1.0, 1e-12);
+  EXPECT_NEAR((-energies.row(1)).array().exp().sum(), 1.0, 1e-12);
+  EXPECT_NEAR(energies(0, 1) - energies(0, 0), 1.0, 1e-12);
+  EXPECT_NEAR(energies(1, 0), std::log(2.0 + std::exp(-1.0)), 1e-12);
+}
+
+TEST(NormalizeEnergies, CutsOffAfterNormalising) {
+  constexpr double kImpossible = std::numeric_limits<double>::infinity();
+  EnergyMatrix energies(1, 4);
+  energies << 50.0, 50.0, 64.0, kImpossible;
+  NormalizeEnergies(14.5, energies);
+  EXPECT_NEAR(energies(0, 0), std::log(2.0), 1e-6);
+  EXPECT_NEAR(energies(0, 2), 14.5, 1e-12);  // 14 + log 2 before
+  EXPECT_EQ(energies(0, 3), 14.5);
+}
+
+TEST(NormalizeEnergies, ARowWithoutPreferenceIsZero) {
+  constexpr double kImpossible = std::numeric_limits<double>::infinity();
+  EnergyMatrix energies(2, 2);
+  energies << 3.0, 3.0, kImpossible, kImpossible;
+  NormalizeEnergies(15.0, energies);
+  EXPECT_TRUE(energies.isZero(0.0));
+}
+
+TEST(NormalizeEnergies, RefusesWhatIsNoNumber) {
+  EnergyMatrix energies(2, 2);
+  energies << 1.0, 2.0, std::nan(""), 1.0;
+  EXPECT_THAT(ErrorMessage([&] { NormalizeEnergies(15.0, energies); }), HasSubstr("node 1"));
+}
+
+TEST(Box2dTerm, BelievesTheBoxThatContainsTheLandmark) {
+  EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(120, 150)),
+              Near({0.0125, 0.95, 0.0125, 0.0125, 0.0125}));
+}
+
+TEST(Box2dTerm, SharesBetweenOverlappingBoxes) {
+  EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(170, 150)),
+              Near({0.05 / 3, 0.475, 0.475, 0.05 / 3, 0.05 / 3}));
+}
+
+TEST(Box2dTerm, WithoutABoxTheSceneIsStatic) {
+  EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(500, 150)),
+              Near({0.95, 0.0125, 0.0125, 0.0125, 0.0125}));
+}
+
+TEST(Box2dTerm, APredictedBoxLeavesItOpenBetweenItsBodyAndTheStaticScene) {
+  EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(390, 290)),
+              Near({0.475, 0.05 / 3, 0.05 / 3, 0.475, 0.05 / 3}));
+}
+
+TEST(Box2dTerm, ADetectionOverrulesAPrediction) {
+  EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(230, 170)),
+              Near({0.0125, 0.0125, 0.95, 0.0125, 0.0125}));
+}
+
+TEST(Box2dTerm, TheRimOfADetectionDoesNotCount) {
+  EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(104, 150)),
+              Near({0.95, 0.0125, 0.0125, 0.0125, 0.0125}));
+  EXPECT_THAT(
+      Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(104, 150), UnaryOptions{.box_shrink = 0.03}),
+      Near({0.0125, 0.95, 0.0125, 0.0125, 0.0125}));
+}
+
+TEST(Box2dTerm, TheFootOfADetectionMayBeWhatTheBodyStandsOn) {
+  EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(120, 190)),
+              Near({0.475, 0.475, 0.05 / 3, 0.05 / 3, 0.05 / 3}));
+  EXPECT_THAT(
+      Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(120, 190), UnaryOptions{.box_foot = 0.0}),
+      Near({0.0125, 0.95, 0.0125, 0.0125, 0.0125}));
+}
+
+TEST(Box2dTerm, CountsEveryLabel) {
+  CrfScene scene = BoxScene();
+  scene.labels.insert(scene.labels.end() - 1, MakeLabel(LabelKind::kNewBox));
+  EXPECT_THAT(Probabilities<Box2dTerm>(scene, NodeSeenAt(120, 150)),
+              Near({0.01, 0.95, 0.01, 0.01, 0.01, 0.01}));
+}
+
+TEST(Box2dTerm, LabelsInOtherOrderGetTheSameEnergies) {
+  const CrfScene scene = BoxScene();
+  CrfScene swapped = scene;
+  std::swap(swapped.labels[1], swapped.labels[3]);
+  for (const double u_px : {120.0, 170.0, 195.0, 300.0, 500.0}) {
+    Eigen::RowVectorXd energies = RawEnergies<Box2dTerm>(swapped, NodeSeenAt(u_px, 180));
+    std::swap(energies[1], energies[3]);
+    EXPECT_EQ(energies, RawEnergies<Box2dTerm>(scene, NodeSeenAt(u_px, 180))) << u_px;
+  }
+}
+
+TEST(Box2dTermLiteral, IsThePrintedFormula) {
+  const CrfScene scene = BoxScene();
+  EXPECT_THAT(Probabilities<Box2dTermLiteral>(scene, NodeSeenAt(104, 150)),
+              Near({0.0125, 0.95, 0.0125, 0.0125, 0.0125}));
+  EXPECT_THAT(Probabilities<Box2dTermLiteral>(scene, NodeSeenAt(170, 150)),
+              Near({0.05 / 3, 0.475, 0.475, 0.05 / 3, 0.05 / 3}));
+  EXPECT_TRUE(RawEnergies<Box2dTermLiteral>(scene, NodeSeenAt(390, 290)).isZero(0.0));
+}
+
+// A body 10 m ahead whose long side, its first axis, points down, and one of unknown size.
+CrfScene AffinityScene() {
+  CrfScene scene;
+  scene.camera = test::kSceneCamera;
+  scene.labels = {MakeLabel(LabelKind::kStatic), MakeLabel(LabelKind::kCluster),
+                  MakeLabel(LabelKind::kNewBox), MakeLabel(LabelKind::kOutlier)};
+  CrfLabel::Extent extent;
+  extent.center_in_camera = {1.0, 0.5, 10.0};
+  extent.camera_from_axes << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  extent.half_size_m = {0.6, 0.1, 0.2};
+  scene.labels[1].extent = extent;
+  return scene;
+}
+
+TEST(AffinityTerm, HasTheValueWorkedOutByHand) {
+  CrfNode node = NodeAt({1.0, 1.8, 10.0});
+  node.covariance_m2 = Eigen::Vector3d(0.01, 0.25, 1.0).asDiagonal();
+  // 1.3 m along the long side: 0.25 + 4 * 0.36 = 1.69.
+  EXPECT_NEAR(RawEnergies<AffinityTerm>(AffinityScene(), node)[1], 0.5, 1e-12);
+  node.p_in_camera = {1.1, 0.5, 10.0};
+  // 0.1 m along a short side: 0.01 + 4 * 0.01 = 0.05.
+  EXPECT_NEAR(RawEnergies<AffinityTerm>(AffinityScene(), node)[1], 0.1, 1e-12);
+}
+
+TEST(AffinityTerm, HasConstantsForClassesWithoutACentre) {
+  const Eigen::RowVectorXd energies =
+      RawEnergies<AffinityTerm>(AffinityScene(), NodeAt({1.0, 0.5, 10.0}));
+  const UnaryOptions options;
+  EXPECT_EQ(energies, Eigen::RowVector4d(options.static_energy, 0.0, options.static_energy,
+                                         options.outlier_energy));
+}
+
+TEST(AffinityTerm, PrunesTheBackgroundButNotWhatMayBeNear) {
+  CrfNode node = NodeAt({1.0, 0.5, 13.0});
+  node.covariance_m2 = Eigen::Vector3d(0.01, 0.01, 0.04).asDiagonal();
+  EXPECT_LT(Probabilities<AffinityTerm>(AffinityScene(), node)[1], 0.01);
+  node.covariance_m2(2, 2) = 9.0;  // its depth is hardly known
+  const auto probabilities = Probabilities<AffinityTerm>(AffinityScene(), node);
+  EXPECT_GT(probabilities[1], probabilities[0]);
+}
+
+TEST(AffinityTermLiteral, IsThePrintedFormula) {
+  CrfNode node = NodeAt({1.0, 0.8, 10.5});
+  node.covariance_m2 << 0.02, 0.0, 0.0, 0.0, 0.02, 0.01, 0.0, 0.01, 0.08;
+  const Eigen::Vector3d d(0.0, 0.3, 0.5);
+  const double expected = d.dot(node.covariance_m2.inverse() * d) / (0.3 * 0.3);
+  EXPECT_NEAR(RawEnergies<AffinityTermLiteral>(AffinityScene(), node)[1], expected, 1e-9);
+}
+
+TEST(ComputeUnaries, AddsUpItsTerms) {
+  CrfScene scene = AffinityScene();
+  scene.labels[1].box = kLeft;
+  scene.nodes = {NodeAt({1.0, 0.5, 10.0}), NodeAt({-1.0, 0.5, 12.0}), NodeAt({3.0, 0.2, 10.0})};
+  const auto unaries = ComputeUnaries<Box2dTerm, AffinityTerm, NoMotionTerm>(scene, {});
+  EXPECT_EQ(unaries.box, TermEnergies<Box2dTerm>(scene, {}));
+  EXPECT_EQ(unaries.affinity, TermEnergies<AffinityTerm>(scene, {}));
+  EXPECT_TRUE(unaries.motion.isZero(0.0));
+  EXPECT_TRUE(unaries.total.isApprox(unaries.box + unaries.affinity));
+  const auto box_only = ComputeUnaries<Box2dTerm, NoAffinityTerm, NoMotionTerm>(scene, {});
+  EXPECT_EQ(box_only.total, unaries.box);
+}
+
+TEST(ComputeUnaries, NoTermExceedsTheLargestEnergy) {
+  CrfScene scene = AffinityScene();
+  scene.labels[1].box = kLeft;
+  scene.nodes = {NodeAt({-30.0, 0.5, 40.0})};
+  const auto unaries = ComputeUnaries<Box2dTerm, AffinityTermLiteral, MotionTermLiteral>(
+      scene, UnaryOptions{.max_energy = 3.0});
+  EXPECT_EQ(unaries.affinity(0, 1), 3.0);
+  EXPECT_LE(unaries.box.maxCoeff(), 3.0);
+}
+
+TEST(ComputeUnaries, WorksWithoutLandmarks) {
+  const auto unaries =
+      ComputeUnaries<Box2dTerm, AffinityTerm, MotionTerm>(AffinityScene(), UnaryOptions());
+  EXPECT_EQ(unaries.total.rows(), 0);
+  EXPECT_EQ(unaries.total.cols(), 4);
+}
+
+TEST(UnaryOptions, AreCheckedAgainstTheirRanges) {
+  CheckRanges(UnaryOptions());
+  EXPECT_THAT(ErrorMessage([] { CheckRanges(UnaryOptions{.eta = 1.5}); }), HasSubstr("eta"));
+}
+
+}  // namespace
+}  // namespace cvo

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <thread>
+#include <tuple>
+
+#include "core/base/error.h"
+#include "core/features/descriptor.h"
+#include "tests/core/features/scene.h"
+
+namespace cvo {
+namespace {
+
+using testing::DrawScene;
+using testing::Render;
+
+auto Fields(const OrbKeypoint& k) {
+  return std::tie(k.v_px, k.u_px, k.octave, k.angle_rad, k.response, k.descriptor);
+}
+
+bool Same(const OrbImage& a, const OrbImage& b) {
+  return std::equal(
+      a.keypoints.begin(), a.keypoints.end(), b.keypoints.begin(), b.keypoints.end(),
+      [](const OrbKeypoint& x, const OrbKeypoint& y) { return Fields(x) == Fields(y); });
+}
+
+cv::Mat Textured(int width_px, int height_px) {
+  return Render(DrawScene(width_px, height_px, 1), 0);
+}
+
+// Nearest in description among the corners within 2 px of where `u`, `v` is expected; null if none.
+const OrbKeypoint* FindPartner(const OrbKeypoint& corner, const OrbImage& image, double u,
+                               double v) {
+  const OrbKeypoint* best = nullptr;
+  int best_distance = 64;
+  for (const OrbKeypoint& other : image.keypoints) {
+    if (std::hypot(other.u_px - u, other.v_px - v) > 2.0) continue;
+    const int distance = HammingDistance(corner.descriptor, other.descriptor);
+    if (distance >= best_distance) continue;
+    best_distance = distance;
+    best = &other;
+  }
+  return best;
+}
+
+TEST(ExtractOrb, FindsAboutTheNumberAskedForSortedByRow) {
+  OrbOptions options;
+  options.features = 500;
+  options.reserve = 0.0;
+  const OrbImage orb = ExtractOrb(Textured(320, 240), options);
+  EXPECT_EQ(orb.keypoints.size(), 500u);
+  const auto key = [](const OrbKeypoint& k) { return std::tie(k.v_px, k.u_px, k.octave); };
+  EXPECT_TRUE(std::is_sorted(orb.keypoints.begin(), orb.keypoints.end(),
+                             [&](const auto& a, const auto& b) { return key(a) < key(b); }));
+  std::map<int, int> by_octave;
+  for (const OrbKeypoint& keypoint : orb.keypoints) ++by_octave[keypoint.octave];
+  EXPECT_GT(by_octave[0], by_octave[3]);
+  EXPECT_GT(by_octave[3], 0);
+}
+
+TEST(ExtractOrb, AReserveComesOnTopAndLeavesTheOthersAsTheyAre) {
+  OrbOptions options;
+  options.features = 200;
+  options.reserve = 0.0;
+  const cv::Mat image = Textured(320, 240);
+  const OrbImage alone = ExtractOrb(image, options);
+  options.reserve = 0.5;
+  const OrbImage both = ExtractOrb(image, options);
+  EXPECT_EQ(both.keypoints.size(), 300u);
+  const auto key = [](const OrbKeypoint& k) { return std::tie(k.v_px, k.u_px, k.octave); };
+  std::vector<OrbKeypoint> first;
+  for (const OrbKeypoint& keypoint : both.keypoints) {
+    if (!keypoint.is_reserve) first.push_back(keypoint);
+  }
+  ASSERT_EQ(first.size(), alone.keypoints.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_EQ(key(first[i]), key(alone.keypoints[i]));
+  }
+  EXPECT_TRUE(std::is_sorted(both.keypoints.begin(), both.keypoints.end(),
+                             [&](const auto& a, const auto& b) { return key(a) < key(b); }));
+}
+
+TEST(ExtractOrb, CoversWeakRegions) {
+  cv::Mat image = Textured(480, 240);
+  cv::Mat weak = image.colRange(160, 480);
+  weak.convertTo(weak, CV_8U, 0.15, 100.0);
+  const OrbImage orb = ExtractOrb(image, OrbOptions{});
+  std::set<std::pair<int, int>> cells;
+  int in_weak_region = 0;
+  for (const OrbKeypoint& keypoint : orb.keypoints) {
+    cells.insert({static_cast<int>(keypoint.u_px) / 40, static_cast<int>(keypoint.v_px) / 40});
+    if (keypoint.u_px >= 165.0F) ++in_weak_region;
+  }
+  EXPECT_GE(cells.size(), 69u);  // of 12 * 6; the border of 16 px costs no whole cell
+  EXPECT_GT(in_weak_region, static_cast<int>(orb.keypoints.size()) / 3);
+}
+
+TEST(ExtractOrb, AngleFollowsARotation) {
+  const cv::Mat image = Textured(320, 320);
+  const double angle_rad = 0.6;
+  const cv::Point2f centre(159.5F, 159.5F);
+  // OpenCV turns counter-clockwise on the screen for positive degrees: v points down here.
+  const cv::Mat turn = cv::getRotationMatrix2D(centre, -angle_rad * 180.0 / std::numbers::pi, 1.0);
+  cv::Mat rotated;
+  cv::warpAffine(image, rotated, turn, image.size(), cv::INTER_CUBIC, cv::BORDER_REFLECT_101);
+  const OrbImage before = ExtractOrb(image, OrbOptions{});
+  const OrbImage after = ExtractOrb(rotated, OrbOptions{});
+  int partners = 0;
+  int good_angles = 0;
+  for (const OrbKeypoint& corner : before.keypoints) {
+    const double x = corner.u_px - centre.x;
+    const double y = corner.v_px - centre.y;
+    if (std::hypot(x, y) > 120.0) continue;
+    const OrbKeypoint* partner =
+        FindPartner(corner, after, centre.x + std::cos(angle_rad) * x - std::sin(angle_rad) * y,
+                    centre.y + std::sin(angle_rad) * x + std::cos(angle_rad) * y);
+    if (partner == nullptr) continue;
+    ++partners;
+    const double turned = partner->angle_rad - corner.angle_rad - angle_rad;
+    if (std::abs(std::remainder(turned, 2.0 * std::numbers::pi)) < 0.15) ++good_angles;
+  }
+  EXPECT_GT(partners, 200);
+  EXPECT_GT(good_angles, 9 * partners / 10);
+}
+
+TEST(ExtractOrb, OctaveFollowsAScale) {
+  const cv::Mat image = Textured(320, 320);
+  const double scale = 1.44;
+  cv::Mat larger;
+  cv::resize(image, larger, cv::Size(461, 461), 0.0, 0.0, cv::INTER_CUBIC);
+  const OrbImage before = ExtractOrb(image, OrbOptions{});
+  const OrbImage after = ExtractOrb(larger, OrbOptions{});
+  std::map<int, int> changes;
+  for (const OrbKeypoint& corner : before.keypoints) {
+    const OrbKeypoint* partner = FindPartner(corner, after, (corner.u_px + 0.5) * scale - 0.5,
+                                             (corner.v_px + 0.5) * scale - 0.5);
+    if (partner != nullptr) ++changes[partner->octave - corner.octave];
+  }
+  const auto most = std::max_element(changes.begin(), changes.end(),
+                                     [](auto& a, auto& b) { return a.second < b.second; });
+  ASSERT_NE(most, changes.end());
+  EXPECT_EQ(most->first, 2);
+  EXPECT_GT(most->second, 200);
+}
+
+TEST(ExtractOrb, RunsAgreeAndThreadsToo) {
+  const cv::Mat image = Textured(320, 240);
+  const OrbImage first = ExtractOrb(image, OrbOptions{});
+  OrbImage second;
+  OrbImage third;
+  std::thread thread([&] { second = ExtractOrb(image, OrbOptions{}); });
+  third = ExtractOrb(image, OrbOptions{});
+  thread.join();
+  EXPECT_TRUE(Same(first, second));
+  EXPECT_TRUE(Same(first, third));
+  cv::Mat part(300, 400, CV_8UC1);  // the same pixels with another stride
+  image.copyTo(part(cv::Rect(5, 7, 320, 240)));
+  EXPECT_TRUE(Same(first, ExtractOrb(part(cv::Rect(5, 7, 320, 240)), OrbOptions{})));
+}
+
+TEST(ExtractOrb, FlatImageHasNoCorners) {
+  EXPECT_TRUE(ExtractOrb(cv::Mat(240, 320, CV_8UC1, cv::Scalar(90)), {}).keypoints.empty());
+}
+
+TEST(ExtractOrb, TinyImages) {
+  const cv::Mat image = Textured(64, 64);
+  for (const cv::Size size :
+       {cv::Size(40, 30), cv::Size(33, 33), cv::Size(34, 40), cv::Size(1, 1), cv::Size(64, 2)}) {
+    const OrbImage orb = ExtractOrb(image(cv::Rect(cv::Point(0, 0), size)), OrbOptions{});
+    EXPECT_FALSE(orb.pyramid.empty());
+    for (const OrbKeypoint& keypoint : orb.keypoints) {
+      EXPECT_GE(keypoint.u_px, 0.0F);
+      EXPECT_LT(keypoint.u_px, static_cast<float>(size.width));
+    }
+  }
+}
+
+TEST(ExtractOrb, RejectsOtherImageTypes) {
+  EXPECT_THROW(ExtractOrb(cv::Mat(), {}), Error);
+  EXPECT_THROW(ExtractOrb(cv::Mat(100, 100, CV_8UC3), {}), Error);
+}
+
+}  // namespace
+}  // namespace cvo

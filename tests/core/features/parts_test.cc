@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/rng.h"
+#include "core/features/brief.h"
+#include "core/features/corner_refinement.h"
+#include "core/features/corner_score.h"
+#include "core/features/corner_selection.h"
+#include "core/features/descriptor.h"
+#include "core/features/options.h"
+#include "core/features/pyramid.h"
+#include "core/features/row_offset.h"
+#include "tests/core/features/scene.h"
+
+namespace cvo {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+cv::Mat RandomImage(int width_px, int height_px) {
+  Rng rng(1, "test image");
+  cv::Mat image(height_px, width_px, CV_8UC1);
+  for (int v = 0; v < height_px; ++v) {
+    for (int u = 0; u < width_px; ++u) {
+      image.at<std::uint8_t>(v, u) = static_cast<std::uint8_t>(rng.UniformInt(256));
+    }
+  }
+  return image;
+}
+
+TEST(HammingDistance, CountsDifferingBits) {
+  const Descriptor zero{};
+  const Descriptor ones{~0ull, ~0ull, ~0ull, ~0ull};
+  EXPECT_EQ(HammingDistance(zero, zero), 0);
+  EXPECT_EQ(HammingDistance(zero, ones), 256);
+  EXPECT_EQ(HammingDistancePlain(zero, ones), 256);
+  EXPECT_EQ(HammingDistance(zero, Descriptor{1, 0, 3, 1ull << 63}), 4);
+}
+
+TEST(HammingDistance, FastPathEqualsPlainOne) {
+  Rng rng(2, "descriptors");
+  for (int i = 0; i < 10000; ++i) {
+    Descriptor a;
+    Descriptor b;
+    for (std::uint64_t& word : a) word = rng.NextU64();
+    for (std::uint64_t& word : b) word = rng.NextU64();
+    ASSERT_EQ(HammingDistance(a, b), HammingDistancePlain(a, b));
+  }
+}
+
+// The definition, arc by arc.
+int FastScoreOf(const cv::Mat& image, int x, int y) {
+  constexpr int kX[16] = {0, 1, 2, 3, 3, 3, 2, 1, 0, -1, -2, -3, -3, -3, -2, -1};
+  constexpr int kY[16] = {3, 3, 2, 1, 0, -1, -2, -3, -3, -3, -2, -1, 0, 1, 2, 3};
+  int best = 0;
+  for (int sign : {-1, 1}) {
+    for (int start = 0; start < 16; ++start) {
+      int least = 255;
+      for (int i = 0; i < 9; ++i) {
+        const int k = (start + i) % 16;
+        const int ring = image.at<std::uint8_t>(y + kY[k], x + kX[k]);
+        least = std::min(least, sign * (ring - image.at<std::uint8_t>(y, x)));
+      }
+      best = std::max(best, least);
+    }
+  }
+  return best;
+}
+
+TEST(FastScores, FollowTheDefinitionOnBothPaths) {
+  cv::Mat image = RandomImage(101, 40);
+  cv::GaussianBlur(image, image, cv::Size(5, 5), 1.5);  // so that there are corners
+  cv::Mat fast(image.size(), CV_8UC1);
+  cv::Mat plain(image.size(), CV_8UC1);
+  ComputeFastScores(image, fast);
+  ComputeFastScoresPlain(image, plain);
+  int corners = 0;
+  for (int y = 0; y < image.rows; ++y) {
+    for (int x = 0; x < image.cols; ++x) {
+      const bool inside = x >= 3 && y >= 3 && x < image.cols - 3 && y < image.rows - 3;
+      const int expected = inside ? FastScoreOf(image, x, y) : 0;
+      ASSERT_EQ(fast.at<std::uint8_t>(y, x), expected) << x << " " << y;
+      ASSERT_EQ(plain.at<std::uint8_t>(y, x), expected) << x << " " << y;
+      if (expected > 7) ++corners;
+    }
+  }
+  EXPECT_GT(corners, 50);
+}
+
+TEST(FindCorners, TakesWeakOnesOnlyInCellsWithoutStrongOnes) {
+  cv::Mat scores(60, 100, CV_8UC1, cv::Scalar(0));
+  scores.at<std::uint8_t>(20, 20) = 30;  // first cell
+  scores.at<std::uint8_t>(25, 25) = 10;
+  scores.at<std::uint8_t>(20, 60) = 10;  // second cell
+  scores.at<std::uint8_t>(20, 61) = 10;  // equal neighbour
+  scores.at<std::uint8_t>(20, 64) = 7;   // not above the lower threshold
+  const std::vector<Corner> corners = FindCorners(scores, {10, 40, 20, 7});
+  ASSERT_EQ(corners.size(), 2u);
+  EXPECT_EQ(corners[0].x, 20);
+  EXPECT_EQ(corners[1].x, 60);
+}
+
+TEST(SelectEvenly, KeepsTheQuotaApart) {
+  Rng rng(3, "corners");
+  std::vector<Corner> corners;
+  for (int y = 0; y < 100; ++y) {
+    for (int x = 0; x < 200; x += 2) {
+      corners.push_back({x, y, static_cast<int>(20 + rng.UniformInt(x < 100 ? 200 : 20))});
+    }
+  }
+  const std::vector<Corner> selected = SelectEvenly(corners, 150);
+  ASSERT_EQ(selected.size(), 150u);
+  int on_the_right = 0;
+  for (std::size_t i = 0; i < selected.size(); ++i) {
+    if (selected[i].x >= 100) ++on_the_right;
+    for (std::size_t j = 0; j < i; ++j) {
+      const double distance =
+          std::hypot(selected[i].x - selected[j].x, selected[i].y - selected[j].y);
+      EXPECT_GT(distance, 7.0);  // a square grid of 150 would be 11.5 px wide
+    }
+  }
+  EXPECT_NEAR(on_the_right, 75, 12);
+}
+
+TEST(SelectEvenly, FewCornersAllStay) {
+  const std::vector<Corner> corners = {{1, 2, 9}, {50, 2, 9}};
+  EXPECT_EQ(SelectEvenly(corners, 2).size(), 2u);
+  EXPECT_EQ(SelectEvenly(corners, 1).size(), 1u);
+  EXPECT_TRUE(SelectEvenly(corners, 0).empty());
+  EXPECT_TRUE(SelectEvenly({}, 5).empty());
+}
+
+TEST(RefineCorner, FindsTheVertexOfAParaboloid) {
+  cv::Mat scores(3, 3, CV_8UC1);
+  for (int y = -1; y <= 1; ++y) {
+    for (int x = -1; x <= 1; ++x) {
+      const double dx = x - 0.3;
+      const double dy = y + 0.2;
+      const double value = 200.0 - 30.0 * dx * dx - 20.0 * dy * dy - 8.0 * dx * dy;
+      scores.at<std::uint8_t>(y + 1, x + 1) = cv::saturate_cast<std::uint8_t>(value);
+    }
+  }
+  const Eigen::Vector2d move = RefineCorner(scores, 1, 1);
+  EXPECT_NEAR(move.x(), 0.3, 0.02);  // scores are whole numbers
+  EXPECT_NEAR(move.y(), -0.2, 0.02);
+  EXPECT_TRUE(RefineCorner(cv::Mat(3, 3, CV_8UC1, cv::Scalar(9)), 1, 1).isZero());
+}
+
+TEST(Pyramid, LevelsShowTheSamePlacesAndShareOneStride) {
+  cv::Mat ramp(120, 250, CV_8UC1);
+  for (int v = 0; v < ramp.rows; ++v) {
+    for (int u = 0; u < ramp.cols; ++u) ramp.at<std::uint8_t>(v, u) = static_cast<std::uint8_t>(u);
+  }
+  const std::vector<cv::Mat> pyramid = BuildPyramid(ramp, 8, 1.2, 10);
+  ASSERT_EQ(pyramid.size(), 8u);
+  for (int level = 0; level < 8; ++level) {
+    const cv::Mat& image = pyramid[level];
+    EXPECT_EQ(image.step, pyramid[0].step);
+    EXPECT_EQ(image.cols, cvRound(250.0 * std::pow(1.2, -level)));
+    const LevelCoordinates coordinates(pyramid, level);
+    for (int u = 2; u < image.cols - 2; ++u) {
+      // Each level rounds to whole grey levels.
+      EXPECT_NEAR(image.at<std::uint8_t>(image.rows / 2, u), coordinates.FullU(u), 2.0);
+      EXPECT_NEAR(coordinates.LevelU(coordinates.FullU(u)), u, 1e-12);
+    }
+    const double mean = cv::mean(image)[0];
+    EXPECT_NEAR(mean, 124.5, 0.3) << level;  // no drift of brightness or position
+  }
+}
+
+TEST(BriefPattern, FitsThePatchAndIsVaried) {
+  const std::vector<BriefTest>& pattern = BriefPattern();
+  ASSERT_EQ(pattern.size(), 256u);
+  for (const BriefTest& test : pattern) {
+    EXPECT_LE(std::hypot(test.x0, test.y0), kOrbPatchRadius - 1);
+    EXPECT_LE(std::hypot(test.x1, test.y1), kOrbPatchRadius - 1);
+    EXPECT_GE(std::hypot(test.x1 - test.x0, test.y1 - test.y0), 3.0);
+  }
+}
+
+TEST(RowOffset, SurvivesOutliers) {
+  Rng rng(4, "offsets");
+  const auto truth = [](double u, double v) {
+    return 0.4 - 1e-3 * u + 5e-6 * (u - 300) * (v - 100);
+  };
+  std::vector<RowOffsetSample> samples;
+  for (int i = 0; i < 3000; ++i) {
+    const double u = rng.Uniform(0.0, 600.0);
+    const double v = rng.Uniform(0.0, 200.0);
+    const double noise = i % 5 == 0 ? rng.Uniform(-3.0, 3.0) : 0.3 * rng.Normal();
+    samples.push_back({u, v, truth(u, v) + noise, 0.4});
+  }
+  const RowOffset offset(samples, 600.0, 200.0);
+  for (double u : {0.0, 300.0, 599.0}) {
+    for (double v : {0.0, 199.0}) EXPECT_NEAR(offset.At(u, v), truth(u, v), 0.15);
+  }
+  EXPECT_EQ(RowOffset().At(10.0, 10.0), 0.0);
+  EXPECT_EQ(RowOffset({}, 600.0, 200.0).At(10.0, 10.0), 0.0);
+}
+
+// Every option at both ends of its range passes, and beyond them fails under its own name.
+template <typename Options>
+void CheckLaw() {
+  Options options;
+  EXPECT_NO_THROW(options.Check());
+  VisitLeaves(options, [&](const std::string& path, auto& value, const FieldInfo& info) {
+    const auto before = value;
+    using T = std::remove_reference_t<decltype(value)>;
+    value = static_cast<T>(info.min - 1.0);
+    EXPECT_THAT([&] { options.Check(); }, ThrowsMessage<Error>(HasSubstr("option " + path)));
+    value = static_cast<T>(info.max + 1.0);
+    EXPECT_THAT([&] { options.Check(); }, ThrowsMessage<Error>(HasSubstr("option " + path)));
+    value = before;
+  });
+}
+
+TEST(FeatureOptions, CheckNamesTheField) {
+  CheckLaw<OrbOptions>();
+  CheckLaw<StereoMatchOptions>();
+}
+
+TEST(FeatureOptions, ThresholdsAreOrdered) {
+  OrbOptions options;
+  options.fast_threshold = 10;
+  options.fast_threshold_min = 11;
+  EXPECT_THAT([&] { options.Check(); },
+              ThrowsMessage<Error>(HasSubstr("fast_threshold_min: found 11, expected at most")));
+}
+
+}  // namespace
+}  // namespace cvo

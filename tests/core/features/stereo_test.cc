@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/features/front_end.h"
+#include "tests/core/features/scene.h"
+
+namespace cvo {
+namespace {
+
+using testing::CameraFor;
+using testing::Disparity;
+using testing::DrawScene;
+using ::testing::HasSubstr;
+using testing::kFine;
+using testing::MatchImages;
+using testing::Render;
+using ::testing::ThrowsMessage;
+
+struct Errors {
+  int count = 0;
+  int gross = 0;  // more than 1 px
+  double mean = 0.0;
+  double rms = 0.0;
+};
+
+template <typename Truth>
+Errors Measure(const std::vector<StereoFeature>& features, Truth truth) {
+  Errors errors;
+  for (const StereoFeature& feature : features) {
+    const double error = Disparity(feature) - truth(feature);
+    if (std::abs(error) > 1.0) {
+      ++errors.gross;
+      continue;
+    }
+    ++errors.count;
+    errors.mean += error;
+    errors.rms += error * error;
+  }
+  errors.mean /= std::max(errors.count, 1);
+  errors.rms = std::sqrt(errors.rms / std::max(errors.count, 1));
+  return errors;
+}
+
+TEST(MatchStereo, SubPixelDisparityWithoutBias) {
+  const cv::Mat scene = DrawScene(320, 240, 1);
+  const cv::Mat left = Render(scene, 0, 2.0, 1);
+  for (int eighths = 0; eighths < kFine; ++eighths) {
+    const cv::Mat right = Render(scene, 20 * kFine + eighths, 2.0, 2 + eighths);
+    const double truth = 20.0 + eighths / static_cast<double>(kFine);
+    const Errors errors = Measure(MatchImages(left, right), [&](const auto&) { return truth; });
+    EXPECT_GT(errors.count, 400);
+    EXPECT_EQ(errors.gross, 0);
+    // Measured: bias up to 0.015, RMS 0.035 px over all octaves.
+    EXPECT_NEAR(errors.mean, 0.0, 0.025) << eighths;
+    EXPECT_LT(errors.rms, 0.06) << eighths;
+  }
+}
+
+TEST(MatchStereo, DisparityOfTheGroundWithoutBias) {
+  const cv::Mat scene = DrawScene(320, 240, 2);
+  const auto fine_shift = [](int v) {
+    return static_cast<int>(std::lround(kFine * (4 + v / 7.0)));
+  };
+  const Errors errors = Measure(MatchImages(Render(scene, 0), Render(scene, fine_shift)),
+                                [](const StereoFeature& f) { return 4.0 + f.z_px.y() / 7.0; });
+  EXPECT_GT(errors.count, 250);
+  EXPECT_LE(errors.gross, errors.count / 100);
+  EXPECT_NEAR(errors.mean, 0.0, 0.03);
+  EXPECT_LT(errors.rms, 0.12);
+}
+
+TEST(MatchStereo, ColumnsOfThePairAreOrderedAndOrderOfCornersIsKept) {
+  const cv::Mat scene = DrawScene(320, 240, 3);
+  const std::vector<StereoFeature> features =
+      MatchImages(Render(scene, 0, 2.0, 1), Render(scene, 0, 2.0, 2));  // all at infinity
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    EXPECT_LT(features[i].z_px.z(), features[i].z_px.x());
+    if (i > 0) {
+      EXPECT_GE(features[i].z_px.y(), features[i - 1].z_px.y());
+    }
+  }
+}
+
+TEST(MatchStereo, RepetitiveTextureIsMostlyRejected) {
+  // A tile of 40 px again and again: every place in a row has rivals.
+  const cv::Mat tile = DrawScene(40, 240, 4).colRange(0, 40 * kFine);
+  cv::Mat scene;
+  cv::repeat(tile, 1, (320 + testing::kMargin_px) / 40 + 1, scene);
+  scene = scene.colRange(0, (320 + testing::kMargin_px) * kFine).clone();
+  const cv::Mat left = Render(scene, 0, 2.0, 1);
+  const cv::Mat right = Render(scene, 12 * kFine, 2.0, 2);
+  const auto truth = [](const StereoFeature&) { return 12.0; };
+  StereoMatchOptions credulous;
+  credulous.uniqueness = 1.0;
+  credulous.min_margin_bits = 0;
+  const Errors without = Measure(MatchImages(left, right, credulous), truth);
+  const Errors with = Measure(MatchImages(left, right), truth);
+  // Measured: 509 -> 110. Those left have no rival among the corners of the right image.
+  EXPECT_GT(without.gross, 300);
+  EXPECT_LT(with.gross, without.gross / 3);
+}
+
+TEST(MatchStereo, OccludedCornersFindNoPartner) {
+  const cv::Mat far_scene = DrawScene(320, 240, 5);
+  const cv::Mat near_scene = DrawScene(320, 240, 6);
+  cv::Mat left = Render(far_scene, 0, 2.0, 1);
+  cv::Mat right = Render(far_scene, 6 * kFine, 2.0, 2);
+  // A near square, 30 px of disparity: columns [150, 230) of the left image.
+  const cv::Rect in_left(150, 60, 80, 120);
+  const cv::Rect in_right(120, 60, 80, 120);
+  Render(near_scene, 0, 2.0, 3)(in_left).copyTo(left(in_left));
+  Render(near_scene, 30 * kFine, 2.0, 4)(in_right).copyTo(right(in_right));
+  int near_count = 0;
+  int wrong = 0;
+  const std::vector<StereoFeature> features = MatchImages(left, right);
+  for (const StereoFeature& feature : features) {
+    const bool is_near = std::abs(Disparity(feature) - 30.0) < 1.0;
+    const bool is_far = std::abs(Disparity(feature) - 6.0) < 1.0;
+    near_count += is_near;
+    wrong += !is_near && !is_far;
+  }
+  EXPECT_GT(features.size(), 300u);
+  EXPECT_GT(near_count, 50);
+  EXPECT_LE(wrong, static_cast<int>(features.size()) / 100);
+}
+
+TEST(MatchStereo, FollowsRowsOfAFaultyRectificationIfAllowed) {
+  const cv::Mat scene = DrawScene(320, 240, 7);
+  const cv::Mat left = Render(scene, 0);
+  const cv::Mat level = Render(scene, 15 * kFine);
+  cv::Mat right = level.clone();  // one row too low
+  level.rowRange(0, 239).copyTo(right.rowRange(1, 240));
+  const auto truth = [](const StereoFeature&) { return 15.0; };
+  StereoMatchOptions options;
+  const Errors trusting = Measure(MatchImages(left, right, options), truth);
+  options.max_row_correction_px = 2.0;
+  const Errors following = Measure(MatchImages(left, right, options), truth);
+  EXPECT_GT(following.count, 400);
+  EXPECT_LT(following.rms, 0.06);
+  EXPECT_GT(trusting.rms, 1.5 * following.rms);
+}
+
+TEST(MatchStereo, NothingInNothingOut) {
+  const cv::Mat flat(240, 320, CV_8UC1, cv::Scalar(90));
+  EXPECT_TRUE(MatchImages(flat, flat).empty());
+  EXPECT_TRUE(MatchImages(Render(DrawScene(320, 240, 8), 0), flat).empty());
+}
+
+TEST(ExtractStereoFeatures, SameForEveryNumberOfThreads) {
+  const cv::Mat scene = DrawScene(320, 240, 9);
+  const cv::Mat left = Render(scene, 0);
+  const cv::Mat right = Render(scene, 10 * kFine);
+  std::vector<std::vector<StereoFeature>> results;
+  for (int threads : {1, 2, 2}) {
+    TaskPool pool(threads);
+    results.push_back(ExtractStereoFeatures(left, right, CameraFor(left), {}, {}, pool));
+  }
+  ASSERT_GT(results[0].size(), 400u);
+  for (int run : {1, 2}) {
+    ASSERT_EQ(results[run].size(), results[0].size());
+    for (std::size_t i = 0; i < results[0].size(); ++i) {
+      EXPECT_EQ(results[run][i].z_px, results[0][i].z_px);
+      EXPECT_EQ(results[run][i].descriptor, results[0][i].descriptor);
+      EXPECT_EQ(results[run][i].angle_rad, results[0][i].angle_rad);
+      EXPECT_EQ(results[run][i].octave, results[0][i].octave);
+      EXPECT_EQ(results[run][i].response, results[0][i].response);
+    }
+  }
+}
+
+TEST(ExtractStereoFeatures, SaysWhatIsWrongWithAnImage) {
+  const cv::Mat good(240, 320, CV_8UC1, cv::Scalar(0));
+  TaskPool pool(1);
+  const auto extract = [&](const cv::Mat& left, const cv::Mat& right) {
+    return [&pool, &good, left, right] {
+      ExtractStereoFeatures(left, right, CameraFor(good), {}, {}, pool);
+    };
+  };
+  EXPECT_THAT(extract(cv::Mat(), good),
+              ThrowsMessage<Error>(HasSubstr("left image: found no pixels, expected 320 x 240")));
+  EXPECT_THAT(extract(good, cv::Mat(240, 320, CV_8UC3)),
+              ThrowsMessage<Error>(HasSubstr("right image: found 320 x 240 CV_8UC3")));
+  EXPECT_THAT(extract(good, cv::Mat(240, 319, CV_8UC1)),
+              ThrowsMessage<Error>(HasSubstr("found 319 x 240 CV_8UC1")));
+}
+
+}  // namespace
+}  // namespace cvo

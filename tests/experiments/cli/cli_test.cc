@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// The program from outside: what it says and returns, without running an estimator.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/files/json.h"
+#include "tests/experiments/cli/process.h"
+#include "tests/experiments/runner/tiny_sequence.h"
+#include "tests/support/temp_folder.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ProcessResult;
+using test::RunProgram;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+MATCHER_P2(FailsWith, exit_code, text, "") {
+  const ProcessResult& result = arg;
+  *result_listener << "exit code " << result.exit_code << ", stderr: " << result.err;
+  return result.exit_code == exit_code && result.err.starts_with("clustervo: error: ") &&
+         test::LineCount(result.err) == 1 && result.err.find(text) != std::string::npos &&
+         result.out.empty();
+}
+
+class Cli : public testing::Test {
+ protected:
+  Cli() { test::WriteTinySequence(tiny(), 3); }
+
+  std::string tiny() const { return (folder_.path() / "tiny").string(); }
+  std::string out() const { return (folder_.path() / "out").string(); }
+
+  // A run that must fail before the first frame and leave nothing.
+  ProcessResult FailingRun(const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments = {"run", tiny(), "-o", out()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProcessResult result = RunProgram(arguments);
+    EXPECT_FALSE(fs::exists(out()));
+    return result;
+  }
+
+  test::TempFolder folder_;
+};
+
+TEST_F(Cli, WrongUsage) {
+  EXPECT_THAT(RunProgram({}), FailsWith(2, "subcommand"));
+  EXPECT_THAT(RunProgram({"runn"}), FailsWith(2, "did you mean run"));
+  EXPECT_THAT(RunProgram({"run", tiny()}), FailsWith(2, "--output"));
+  EXPECT_THAT(RunProgram({"run", "-o", out()}), FailsWith(2, "SEQUENCE"));
+  EXPECT_THAT(FailingRun({"--no-such-option"}), FailsWith(2, "--no-such-option"));
+  EXPECT_THAT(FailingRun({"--threads", "0"}), FailsWith(2, "--threads"));
+  EXPECT_THAT(FailingRun({"--threads", "2x"}), FailsWith(2, "--threads"));
+  EXPECT_THAT(FailingRun({"--seed", "-1"}), FailsWith(2, "--seed"));
+  EXPECT_THAT(FailingRun({"--min-score", "nan"}), FailsWith(2, "--min-score"));
+}
+
+TEST_F(Cli, UnknownVariant) {
+  EXPECT_THAT(FailingRun({"--variant", "statik"}),
+              FailsWith(1, "found \"statik\", expected one of: full"));
+}
+
+TEST_F(Cli, UnknownOption) {
+  EXPECT_THAT(FailingRun({"--set", "orb.feature=5"}), FailsWith(1, "did you mean orb.features"));
+  EXPECT_THAT(FailingRun({"--set", "orb.features=many"}), FailsWith(1, "expected an integer"));
+  EXPECT_THAT(FailingRun({"--set", "orb.features=1"}), FailsWith(1, "orb.features"));
+}
+
+TEST_F(Cli, BadConfiguration) {
+  const auto config = [this](const char* json) {
+    return FailingRun({"--config", folder_.Write("config.json", json).string()});
+  };
+  EXPECT_THAT(config(R"({"orb": {"feature": 5}})"), FailsWith(1, "unknown option orb.feature"));
+  EXPECT_THAT(config(R"({"orb": {"features": "5"}})"), FailsWith(1, "option orb.features"));
+  EXPECT_THAT(config("{\n\"orb\": "), FailsWith(1, "config.json, line 2"));
+  EXPECT_THAT(FailingRun({"--config", "/no/such/file"}), FailsWith(1, "/no/such/file"));
+}
+
+TEST_F(Cli, BadSequence) {
+  EXPECT_THAT(RunProgram({"run", "/no/such/folder", "-o", out()}), FailsWith(1, "/no/such/folder"));
+  EXPECT_THAT(FailingRun({"--type", "euroc"}), FailsWith(1, "euroc"));
+  EXPECT_THAT(FailingRun({"--frames", "5:9"}), FailsWith(1, ""));
+  EXPECT_THAT(FailingRun({"--frames", "2"}), FailsWith(1, ""));
+  fs::remove(fs::path(tiny()) / "image_1" / "000001.png");
+  EXPECT_THAT(FailingRun({}), FailsWith(1, "image"));
+}
+
+TEST_F(Cli, OutputThatCannotBeWritten) {
+  const std::string file = folder_.Write("file", "mine").string();
+  EXPECT_THAT(RunProgram({"run", tiny(), "-o", file}), FailsWith(1, file));
+  EXPECT_THAT(RunProgram({"run", tiny(), "-o", file + "/out"}), FailsWith(1, file));
+  EXPECT_EQ(test::ReadFile(file), "mine");
+  EXPECT_THAT(RunProgram({"run", tiny(), "-o", "/proc/out"}), FailsWith(1, "/proc/out"));
+}
+
+TEST_F(Cli, WithoutAvx2NothingIsRecorded) {
+  EXPECT_THAT(
+      RunProgram({"run", tiny(), "-o", out()}, {.environment = {"OPENCV_CPU_DISABLE=AVX2"}}),
+      FailsWith(1, "AVX2"));
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+TEST_F(Cli, HelpAndVersion) {
+  for (const char* command : {"run", "eval", "info", "variants", "options"}) {
+    const ProcessResult help = RunProgram({command, "--help"});
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_THAT(help.err, IsEmpty());
+    EXPECT_THAT(help.out, HasSubstr("Usage: clustervo " + std::string(command)));
+  }
+  const ProcessResult version = RunProgram({"--version"});
+  EXPECT_EQ(version.exit_code, 0);
+  EXPECT_THAT(version.out,
+              AllOf(StartsWith("clustervo "), HasSubstr("OpenCV"), HasSubstr("build")));
+}
+
+TEST_F(Cli, ListsOptionsAndVariants) {
+  const ProcessResult options = RunProgram({"options", "--json"});
+  ASSERT_EQ(options.exit_code, 0);
+  for (const Json& option : ParseJson(options.out, "options")) {
+    for (const char* field :
+         {"path", "type", "unit", "min", "max", "default", "meaning", "source"}) {
+      EXPECT_TRUE(option.contains(field)) << option["path"] << " " << field;
+    }
+  }
+  EXPECT_THAT(RunProgram({"options"}).out, HasSubstr("orb.features"));
+  const ProcessResult variants = RunProgram({"variants", "--json"});
+  EXPECT_EQ(ParseJson(variants.out, "variants")[0]["name"], "full");
+}
+
+TEST_F(Cli, InfoSaysWhatAFolderHolds) {
+  const ProcessResult info = RunProgram({"info", tiny(), "--json", "--frames", "1:3"});
+  ASSERT_EQ(info.exit_code, 0) << info.err;
+  const Json json = ParseJson(info.out, "info");
+  EXPECT_EQ(json["type"], "kitti-odometry");
+  EXPECT_EQ(json["frames"], 2);
+  EXPECT_EQ(json["total_frames"], 3);
+  EXPECT_EQ(json["first_frame"], 1);
+  EXPECT_EQ(json["groundtruth"], "official");
+  EXPECT_NEAR(json["median_rate_hz"].get<double>(), 10.0, 1e-9);
+  EXPECT_EQ(json["camera"]["width_px"], test::kTinyWidth_px);
+  EXPECT_THAT(RunProgram({"info", tiny()}).out, HasSubstr("baseline 0.5 m"));
+}
+
+TEST_F(Cli, InfoListsTheSequencesBelowAFolder) {
+  test::WriteTinySequence(folder_.path() / "another", 1);
+  const ProcessResult info = RunProgram({"info", folder_.path().string()});
+  EXPECT_EQ(info.exit_code, 0);
+  EXPECT_THAT(info.out, AllOf(HasSubstr(tiny()), HasSubstr("another")));
+  EXPECT_THAT(RunProgram({"info", "/no/such/folder"}), FailsWith(1, "/no/such/folder"));
+  fs::create_directory(folder_.path() / "empty");
+  EXPECT_THAT(RunProgram({"info", (folder_.path() / "empty").string()}), FailsWith(1, "empty"));
+}
+
+class Eval : public Cli {
+ protected:
+  std::string Write(const std::string& name, const std::string& content) const {
+    return folder_.Write(name, content).string();
+  }
+  static ProcessResult Evaluate(const std::string& truth, const std::string& estimate,
+                                const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments = {"eval", "--groundtruth", truth, "--estimate", estimate};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return RunProgram(arguments);
+  }
+};
+
+TEST_F(Eval, MatchesTumPosesByTime) {
+  const std::string truth = Write("truth.tum",
+                                  "# time x y z and a rotation\n0.0 0 0 0 0 0 0 1\n"
+                                  "0.1 1 0 0 0 0 0 1\n0.2 2 0 1 0 0 0 1\n0.3 3 1 1 0 0 0 1\n");
+  const std::string estimate =
+      Write("estimate.tum",
+            "0.101 1 0 0 0 0 0 1\n0.201 2 0 1 0 0 0 1\n0.301 3 1 1 0 0 0 1\n5 0 0 0 0 0 0 1\n");
+  const ProcessResult result = Evaluate(truth, estimate, {"--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json json = ParseJson(result.out, "evaluation");
+  EXPECT_EQ(json["matched"], 3);
+  EXPECT_EQ(json["unmatched_groundtruth"], 1);
+  EXPECT_EQ(json["unmatched_estimate"], 1);
+  EXPECT_EQ(json["metrics"][0]["name"], "camera_coverage");
+  EXPECT_EQ(json["metrics"][0]["value"], 0.75);
+  EXPECT_THAT(Evaluate(truth, estimate).out,
+              HasSubstr("3 poses matched, unmatched: 1 of the ground truth, 1 of the estimate"));
+  EXPECT_THAT(Evaluate(truth, estimate, {"--max-time-difference", "0.0001"}),
+              FailsWith(1, "found 0 poses that match"));
+}
+
+TEST_F(Eval, ReadsKittiPosesLineByLine) {
+  const std::string truth = (fs::path(tiny()) / "poses.txt").string();
+  const ProcessResult same = Evaluate(truth, truth, {"--json"});
+  ASSERT_EQ(same.exit_code, 0) << same.err;
+  const Json evaluation = ParseJson(same.out, "evaluation");
+  for (const Json& metric : evaluation["metrics"]) {
+    if (metric["name"] == "camera_ate") {
+      EXPECT_LT(metric["value"].get<double>(), 1e-9);
+    }
+  }
+  const std::string shorter = Write("short.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n");
+  EXPECT_THAT(Evaluate(truth, shorter), FailsWith(1, "found 1 poses, expected 3"));
+}
+
+TEST_F(Eval, BadTrajectories) {
+  const std::string good = Write("good.tum", "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n");
+  const auto bad = [&](const std::string& text) { return Evaluate(good, Write("bad.tum", text)); };
+  EXPECT_THAT(bad("0 0 0 0 0 0 0 1\n1 nan 0 0 0 0 0 1\n"), FailsWith(1, "bad.tum:2"));
+  EXPECT_THAT(bad("1 0 0 0 0 0 0 1\n0 1 0 0 0 0 0 1\n"), FailsWith(1, "bad.tum:2"));
+  EXPECT_THAT(bad("# no pose\n"), FailsWith(1, "bad.tum"));
+  EXPECT_THAT(bad("1 2 3\n"), FailsWith(1, "bad.tum:1"));
+  EXPECT_THAT(bad("1 0 0 0 0 1 0 0 0 0 1 0\n"), FailsWith(1, "kitti format"));
+  EXPECT_THAT(Evaluate(good, "/no/such/file"), FailsWith(1, "/no/such/file"));
+  EXPECT_THAT(Evaluate(good, good, {"--format", "euroc"}), FailsWith(2, "--format"));
+  EXPECT_THAT(Evaluate(good, good, {"--max-time-difference", "nan"}),
+              FailsWith(2, "--max-time-difference"));
+}
+
+}  // namespace
+}  // namespace cvo

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// clustervo eval --sequence from outside.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/files/json.h"
+#include "tests/experiments/cli/process.h"
+#include "tests/experiments/runner/tiny_sequence.h"
+#include "tests/support/temp_folder.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ProcessResult;
+using test::RunProgram;
+using testing::AllOf;
+using testing::HasSubstr;
+
+class EvalSequence : public testing::Test {
+ protected:
+  EvalSequence() { test::WriteTinySequence(tiny(), 3); }
+
+  std::string tiny() const { return (folder_.path() / "tiny").string(); }
+  std::string out() const { return (folder_.path() / "out").string(); }
+  std::string poses() const { return (fs::path(tiny()) / "poses.txt").string(); }
+  ProcessResult Evaluate(const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments = {"eval", "--sequence", tiny(), "--estimate"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return RunProgram(arguments);
+  }
+  static void ExpectError(const ProcessResult& result, int exit_code, const std::string& text) {
+    EXPECT_EQ(result.exit_code, exit_code) << result.err;
+    EXPECT_THAT(result.err, AllOf(testing::StartsWith("clustervo: error: "), HasSubstr(text)));
+    EXPECT_EQ(test::LineCount(result.err), 1U) << result.err;
+    EXPECT_EQ(result.out, "");
+  }
+
+  test::TempFolder folder_;
+};
+
+TEST_F(EvalSequence, ScoresAndWritesAResult) {
+  const ProcessResult result = Evaluate({poses(), "--name", "other", "-o", out()});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, AllOf(HasSubstr("poses of 3 of 3 frames"), HasSubstr("camera_ate")));
+  const std::string written = test::ReadFile(fs::path(out()) / "result.json");
+  EXPECT_EQ(ParseJson(written, "result")["variant"], "system:other");
+  EXPECT_EQ(Evaluate({poses(), "--name", "other", "--json"}).out, written);
+  EXPECT_EQ(Evaluate({poses(), "-o", out()}).exit_code, 0);
+  EXPECT_EQ(ParseJson(test::ReadFile(fs::path(out()) / "result.json"), "result")["variant"],
+            "system:poses");
+}
+
+TEST_F(EvalSequence, TheResultOfARunIsNotOverwritten) {
+  folder_.Write("out/camera.tum", "");
+  folder_.Write("out/result.json", "mine");
+  ExpectError(Evaluate({poses(), "-o", out()}), 1, "camera.tum of a run");
+  EXPECT_EQ(test::ReadFile(fs::path(out()) / "result.json"), "mine");
+}
+
+TEST_F(EvalSequence, BadInputLeavesNothing) {
+  const std::string bad = folder_.Write("bad.tum", "0 0 0 0 0 0 0 1\n7 0 0 0 0 0 0 1\n").string();
+  ExpectError(Evaluate({bad, "-o", out()}), 1, "bad.tum:2: ");
+  const std::string rows = folder_.Write("rows.txt", "").string();
+  ExpectError(Evaluate({poses(), "--objects", rows, "-o", out()}), 1, "rows.txt:1: ");
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+TEST_F(EvalSequence, FlagsOfTheOtherUse) {
+  ExpectError(RunProgram({"eval", "--estimate", poses()}), 2, "--sequence");
+  ExpectError(RunProgram({"eval", "--estimate", poses(), "--groundtruth", poses(), "-o", out()}), 2,
+              "--output");
+  ExpectError(Evaluate({poses(), "--format", "kitti"}), 2, "--format");
+}
+
+TEST_F(EvalSequence, BodiesWithoutTruthAreNotScored) {
+  const std::string rows =
+      folder_.Write("rows.txt", "0 1 Car -1 -1 0 0 0 9 9 1 1 1 0 0 9 0 1\n").string();
+  const ProcessResult result = Evaluate({poses(), "--objects", rows});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, AllOf(HasSubstr("1 object-frames"), HasSubstr("objects not scored")));
+}
+
+}  // namespace
+}  // namespace cvo

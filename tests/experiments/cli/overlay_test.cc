@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// clustervo overlay to its end, on runs of images that the test draws.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+
+#include "core/base/error.h"
+#include "core/files/json.h"
+#include "tests/experiments/cli/process.h"
+#include "tests/experiments/runner/tiny_sequence.h"
+#include "tests/support/temp_folder.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ProcessResult;
+using test::ReadFile;
+using test::RunProgram;
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr int kFrames = 6;
+
+class CliOverlay : public testing::Test {
+ protected:
+  CliOverlay() { test::WriteTinySequence(tiny(), kFrames); }
+
+  fs::path tiny() const { return folder_.path() / "tiny"; }
+  fs::path run(const std::string& variant = "full") const { return folder_.path() / variant; }
+  fs::path out(const std::string& name = "out") const { return folder_.path() / name; }
+
+  // A box in every frame on what is a wall in truth, so that there are detections.
+  void MakeRun(const std::string& variant = "full", const std::string& landmarks = "--landmarks") {
+    std::ofstream boxes(folder_.path() / "boxes.txt");
+    for (int i = 0; i < kFrames; ++i) {
+      boxes << i << " -1 Car -1 -1 -10 60 30 160 100 -1 -1 -1 -1000 -1000 -1000 -10 0.9\n";
+    }
+    boxes.close();
+    std::vector<std::string> arguments = {
+        "run",       tiny().string(), "-o",           run(variant).string(),
+        "--variant", variant,         "--detections", (folder_.path() / "boxes.txt").string()};
+    if (!landmarks.empty()) arguments.push_back(landmarks);
+    const ProcessResult made = RunProgram(arguments);
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+  }
+  ProcessResult Overlay(const std::vector<std::string>& arguments,
+                        const std::string& name = "out") const {
+    std::vector<std::string> all = {"overlay", "-o", out(name).string()};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return RunProgram(all);
+  }
+  static void ExpectError(const ProcessResult& result, const std::string& text) {
+    EXPECT_EQ(result.exit_code, 1) << result.out;
+    EXPECT_THAT(result.err, AllOf(HasSubstr("clustervo: error: "), HasSubstr(text)));
+  }
+
+  test::TempFolder folder_;
+};
+
+TEST_F(CliOverlay, DrawsEveryFrameAndASheetTheSameEveryTime) {
+  MakeRun();
+  const ProcessResult one = Overlay({run().string(), "--sheet"}, "one");
+  ASSERT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_THAT(one.out, AllOf(HasSubstr("000000.png to 000005.png (6 images)"),
+                             HasSubstr("sheet.png (6 frames)")));
+  EXPECT_THAT(one.err, AllOf(HasSubstr("100 %  6/6 frames"),
+                             HasSubstr("the others are not in the sequence's folder")));
+  ASSERT_EQ(Overlay({run().string(), "--sheet", "-q"}, "two").exit_code, 0);
+  for (const char* name : {"000000.png", "000005.png", "sheet.png"}) {
+    const std::string bytes = ReadFile(out("one") / name);
+    EXPECT_GT(bytes.size(), 1000U);
+    EXPECT_EQ(bytes, ReadFile(out("two") / name)) << name;
+  }
+  const cv::Mat picture = cv::imread((out("one") / "000003.png").string());
+  EXPECT_EQ(picture.cols, test::kTinyWidth_px);
+  EXPECT_GT(picture.rows, test::kTinyHeight_px);
+}
+
+TEST_F(CliOverlay, SelectsAndScalesFrames) {
+  MakeRun();
+  const ProcessResult run_some =
+      Overlay({run().string(), "--frames", "1:5", "--every", "2", "--scale", "2"});
+  ASSERT_EQ(run_some.exit_code, 0) << run_some.err;
+  EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 2);
+  EXPECT_TRUE(fs::exists(out() / "000003.png"));
+  EXPECT_EQ(cv::imread((out() / "000001.png").string()).cols, 2 * test::kTinyWidth_px);
+}
+
+TEST_F(CliOverlay, DrawsRunsBesideEachOther) {
+  MakeRun("2d");
+  MakeRun("full");
+  const ProcessResult both = Overlay({run("2d").string(), run("full").string(), "--frame", "4"});
+  ASSERT_EQ(both.exit_code, 0) << both.err;
+  EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 1);
+  EXPECT_GT(cv::imread((out() / "000004.png").string()).cols, 2 * test::kTinyWidth_px);
+}
+
+TEST_F(CliOverlay, WritesAVideoAloneAndSaysOfWhatKind) {
+  MakeRun();
+  const ProcessResult video = Overlay({run().string(), "--video", "--no-images"});
+  ASSERT_EQ(video.exit_code, 0) << video.err;
+  EXPECT_THAT(video.out, AllOf(HasSubstr("video."), HasSubstr("10 frames/s")));
+  EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 1);
+}
+
+TEST_F(CliOverlay, DrawsWithoutLandmarksAndSaysSo) {
+  MakeRun("full", "");
+  const ProcessResult without = Overlay({run().string(), "--frame", "2"});
+  ASSERT_EQ(without.exit_code, 0) << without.err;
+  EXPECT_THAT(without.err, AllOf(HasSubstr("drawn without landmarks"), HasSubstr("landmarks.csv")));
+  EXPECT_TRUE(fs::exists(out() / "000002.png"));
+}
+
+TEST_F(CliOverlay, DrawsWithoutHalfWrittenLandmarksAndSaysWhere) {
+  MakeRun();
+  test::CutFile(run() / "landmarks.csv");
+  const ProcessResult without = Overlay({run().string(), "--frame", "2"});
+  ASSERT_EQ(without.exit_code, 0) << without.err;
+  EXPECT_THAT(without.err, AllOf(HasSubstr("drawn without landmarks"), HasSubstr("line ")));
+}
+
+TEST_F(CliOverlay, DrawsADarkImageWhereAFrameWasSkipped) {
+  test::CutFile(tiny() / "image_0" / "000003.png");
+  MakeRun();
+  const ProcessResult skipped = Overlay({run().string(), "--frame", "3"});
+  ASSERT_EQ(skipped.exit_code, 0) << skipped.err;
+  EXPECT_EQ(cv::imread((out() / "000003.png").string()).cols, test::kTinyWidth_px);
+}
+
+TEST_F(CliOverlay, TellsWhatCannotBe) {
+  MakeRun();
+  ExpectError(Overlay({out("none").string()}), "result.json");
+  ExpectError(Overlay({run().string(), "--frame", "60"}),
+              "--frame 60: found none that the run has, "
+              "expected 0 to 5");
+  ExpectError(Overlay({run().string(), "--frames", "8:9"}), "--frames 8:9");
+  ExpectError(RunProgram({"overlay", run().string(), "-o", "/proc/nowhere"}), "/proc/nowhere");
+  fs::create_directories(out("blocked") / "000002.png");
+  ExpectError(Overlay({run().string(), "--frame", "2"}, "blocked"), "000002.png");
+  fs::copy(run(), out("other"));
+  Json result = ReadJson(run() / "result.json");
+  result["schema_version"] = 99;
+  std::ofstream(out("other") / "result.json") << result.dump();
+  ExpectError(Overlay({out("other").string()}), "schema_version 99");
+  result["schema_version"] = 2;
+  result["sequence"]["name"] = "another";
+  std::ofstream(out("other") / "result.json") << result.dump();
+  ExpectError(Overlay({run().string(), out("other").string()}), "a run of another");
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+TEST_F(CliOverlay, SaysWhereImagesWereAndTakesThemFromElsewhere) {
+  MakeRun();
+  fs::rename(tiny(), out("moved"));
+  ExpectError(Overlay({run().string(), "--frame", "1"}), "are not where the run found them");
+  const ProcessResult moved =
+      Overlay({run().string(), "--frame", "1", "--sequence", out("moved").string()});
+  EXPECT_EQ(moved.exit_code, 0) << moved.err;
+}
+
+TEST_F(CliOverlay, TellsWrongUsage) {
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{},
+                                                {"RUN", "--scale", "0"},
+                                                {"RUN", "--labels", "x"},
+                                                {"RUN", "--no-images"},
+                                                {"RUN", "--frame", "-1"},
+                                                {"--suite", "DIR"},
+                                                {"RUN", "--variant", "full"}}) {
+    const ProcessResult result = Overlay(wrong);
+    EXPECT_EQ(result.exit_code, 2) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("clustervo overlay --help"));
+  }
+}
+
+TEST_F(CliOverlay, FindsTheRunsOfASuite) {
+  MakeRun();
+  fs::create_directories(out("suite") / "jobs");
+  fs::rename(run(), out("suite") / "jobs" / "abc");
+  const Json job = {{"sequence", "tiny"}, {"detections", ""},
+                    {"variant", "full"},  {"system", ""},
+                    {"seed", 4},          {"oracle", Json::array()},
+                    {"missing", ""},      {"parameters", Json::object()},
+                    {"job", "abc"}};
+  Json lost = job;
+  lost["variant"] = "2d";
+  lost["job"] = "not there";
+  const Json plan = {
+      {"schema_version", 1},
+      {"kind", "plan"},
+      {"suite", {{"name", "small"}, {"about", "x"}}},
+      {"build", "b"},
+      {"table", {{"rows", {"variant"}}, {"metrics", {"camera_ate"}}, {"reference", ""}}},
+      {"jobs", {job, lost}}};
+  folder_.Write("suite/plan.json", plan.dump());
+  const std::string suite = out("suite").string();
+  const auto overlay = [&](const std::string& sequence, const std::string& variant,
+                           const std::string& seed) {
+    return Overlay({"--suite", suite, "--sequence", sequence, "--variant", variant, "--seed", seed,
+                    "--frame", "2"});
+  };
+  EXPECT_EQ(overlay("tiny", "full", "4").exit_code, 0);
+  EXPECT_TRUE(fs::exists(out() / "000002.png"));
+  ExpectError(overlay("tin", "full", "4"), "did you mean tiny?");
+  ExpectError(overlay("tiny", "2d", "4"), "no result");
+  ExpectError(overlay("tiny", "full", "5"), "no run of tiny, full, seed 5");
+}
+
+}  // namespace
+}  // namespace cvo

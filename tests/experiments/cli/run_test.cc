@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// clustervo run to its end, on images that the test draws.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/files/json.h"
+#include "tests/experiments/cli/process.h"
+#include "tests/experiments/runner/tiny_sequence.h"
+#include "tests/support/temp_folder.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ProcessResult;
+using test::ReadFile;
+using test::RunProgram;
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr int kFrames = 8;
+const std::vector<std::string> kRecorded = {"result.json", "camera.tum",   "camera.kitti",
+                                            "objects.csv", "tracks.kitti", "truth.json"};
+
+class CliRun : public testing::Test {
+ protected:
+  CliRun() { test::WriteTinySequence(tiny(), kFrames); }
+
+  fs::path tiny() const { return folder_.path() / "tiny"; }
+  fs::path out(const std::string& name = "out") const { return folder_.path() / name; }
+
+  ProcessResult Run(const fs::path& output, const std::vector<std::string>& more = {},
+                    const test::ProcessSetup& setup = {}) const {
+    std::vector<std::string> arguments = {"run", tiny().string(), "-o", output.string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return RunProgram(arguments, setup);
+  }
+  static Json ResultOf(const fs::path& output) { return ReadJson(output / "result.json"); }
+
+  test::TempFolder folder_;
+};
+
+TEST_F(CliRun, WritesItsFilesAndPrintsTheMetrics) {
+  const ProcessResult run = Run(out(), {"--set", "orb.features=500", "--seed", "7"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("camera_ate"), HasSubstr("8 frames"), HasSubstr("status")));
+  EXPECT_THAT(run.err, AllOf(HasSubstr("100 %  8/8 frames"), HasSubstr("frames/s")));
+  const Json result = ResultOf(out());
+  EXPECT_EQ(result["seed"], 7);
+  EXPECT_EQ(result["options"]["orb"]["features"], 500);
+  EXPECT_EQ(result["frames"].size(), 8U);
+  EXPECT_EQ(test::LineCount(ReadFile(out() / "camera.kitti")), 8U);
+  EXPECT_EQ(test::LineCount(ReadFile(out() / "camera.tum")), 8U);
+  EXPECT_EQ(ReadJson(out() / "timing.json")["job"], result["job"]);
+  EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 7);
+}
+
+TEST_F(CliRun, TheSameBytesEveryTimeAndForAnyNumberOfThreads) {
+  ASSERT_EQ(Run(out("one"), {"--threads", "1"}).exit_code, 0);
+  ASSERT_EQ(Run(out("two"), {"--threads", "2"}).exit_code, 0);
+  ASSERT_EQ(Run(out("four"), {"--threads", "4", "--quiet"}).exit_code, 0);
+  for (const std::string& name : kRecorded) {
+    EXPECT_EQ(ReadFile(out("one") / name), ReadFile(out("two") / name)) << name;
+    EXPECT_EQ(ReadFile(out("one") / name), ReadFile(out("four") / name)) << name;
+  }
+}
+
+TEST_F(CliRun, SkipsADamagedImageAndListsIt) {
+  test::CutFile(tiny() / "image_1" / "000004.png");
+  const ProcessResult run = Run(out());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("frame 4 skipped: image_1/000004.png"));
+  const Json result = ResultOf(out());
+  EXPECT_EQ(result["undecodable"][0]["frame"], 4);
+  EXPECT_EQ(result["frames"][4]["status"], "skipped");
+  EXPECT_EQ(result["trajectories"]["camera.kitti"]["predicted_rows"], Json::array({4}));
+  EXPECT_EQ(test::LineCount(ReadFile(out() / "camera.kitti")), 8U);
+  EXPECT_EQ(test::LineCount(ReadFile(out() / "camera.tum")), 7U);
+  for (const Json& metric : result["metrics"]) {
+    if (metric["name"] == "camera_coverage") {
+      EXPECT_EQ(metric["value"], 0.875);
+    }
+  }
+}
+
+TEST_F(CliRun, StrictFailsOnADamagedImageAndWritesNothing) {
+  test::CutFile(tiny() / "image_1" / "000004.png");
+  const ProcessResult run = Run(out(), {"--strict", "--quiet"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("clustervo: error: "), HasSubstr("image_1/000004.png")));
+  EXPECT_EQ(test::LineCount(run.err), 1U);
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+TEST_F(CliRun, AFullDiskLosesNothing) {
+  ASSERT_EQ(Run(out()).exit_code, 0);
+  const std::string before = ReadFile(out() / "result.json");
+  // Room for the trajectories, which are written first, but not for the result.
+  const ProcessResult run = Run(out(), {"--quiet", "--seed", "1"}, {.file_size_limit = 4096});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("json"), HasSubstr("cannot write")));
+  EXPECT_EQ(test::LineCount(run.err), 1U);
+  EXPECT_EQ(ReadFile(out() / "result.json"), before);
+  EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 7);
+}
+
+TEST_F(CliRun, WithTheCacheTheSameBytes) {
+  const test::ProcessSetup setup = {.environment = {"CLUSTERVO_CACHE=" + out("cache").string()}};
+  ASSERT_EQ(Run(out("plain"), {}, setup).exit_code, 0);
+  EXPECT_FALSE(fs::exists(out("cache")));
+  const ProcessResult first = Run(out("first"), {"--cache", "--quiet"}, setup);
+  const ProcessResult second = Run(out("second"), {"--cache", "--cache-size", "1G"}, setup);
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  ASSERT_EQ(second.exit_code, 0) << second.err;
+  EXPECT_EQ(first.err, "");
+  for (const std::string& name : kRecorded) {
+    EXPECT_EQ(ReadFile(out("first") / name), ReadFile(out("plain") / name)) << name;
+    EXPECT_EQ(ReadFile(out("second") / name), ReadFile(out("plain") / name)) << name;
+  }
+  EXPECT_TRUE(ReadJson(out("first") / "timing.json")["stages"].contains("extract"));
+  const Json stages = ReadJson(out("second") / "timing.json")["stages"];
+  EXPECT_TRUE(stages.contains("load_features"));
+  EXPECT_FALSE(stages.contains("extract"));
+
+  const ProcessResult bad = Run(out("bad"), {"--cache", "--cache-size", "much"}, setup);
+  EXPECT_EQ(bad.exit_code, 1);
+  EXPECT_THAT(bad.err, HasSubstr("option --cache-size: found \"much\""));
+}
+
+TEST_F(CliRun, ACacheThatCannotBeUsedIsANotice) {
+  const std::string file = folder_.Write("file", "").string();
+  const ProcessResult run =
+      Run(out(), {"--cache", "--quiet"}, {.environment = {"CLUSTERVO_CACHE=" + file}});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("clustervo: features are not kept for other runs"));
+  EXPECT_TRUE(fs::exists(out() / "result.json"));
+}
+
+constexpr const char* kBoxes =
+    "0 3 Car -1 -1 -10 10 10 60 60 -1 -1 -1 -1000 -1000 -1000 -10 0.5\n"
+    "5 3 Dog -1 -1 -10 10 10 60 60 -1 -1 -1 -1000 -1000 -1000 -10 0.5\n"
+    "5 4 Car -1 -1 -10 900 10 960 60 -1 -1 -1 -1000 -1000 -1000 -10 0.5\n";
+
+TEST_F(CliRun, SaysWhichDetectionsCount) {
+  const std::string boxes = folder_.Write("boxes.txt", kBoxes).string();
+  const ProcessResult run = Run(out(), {"--detections", boxes, "--landmarks"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out,
+              HasSubstr("detections: 1 given; left out: 1 outside the image, 1 of class Dog\n"));
+  const Json result = ResultOf(out());
+  EXPECT_EQ(result["detection_counts"]["given"], 1);
+  EXPECT_EQ(result["detection_counts"]["other_classes"]["Dog"], 1);
+  EXPECT_EQ(test::LineCount(ReadFile(out() / "objects.csv")), 1U);  // one detection is no cluster
+  EXPECT_THAT(ReadFile(out() / "landmarks.csv"), testing::StartsWith("frame,id,u_px"));
+
+  ASSERT_EQ(Run(out(), {"--detections", boxes, "--classes", "dog"}).exit_code, 0);
+  EXPECT_EQ(ResultOf(out())["detection_counts"]["other_classes"]["Car"], 2);
+  EXPECT_NE(ResultOf(out())["job"], result["job"]);
+  EXPECT_FALSE(fs::exists(out() / "landmarks.csv"));
+}
+
+TEST_F(CliRun, ReservedWordsForDetections) {
+  ASSERT_EQ(Run(out(), {"--detections", "none"}).exit_code, 0);
+  EXPECT_EQ(ResultOf(out())["sequence"]["detections"], 0);
+  const ProcessResult none = Run(out(), {"--detections", "labels"});
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_THAT(none.err, HasSubstr("--detections: found \"labels\""));
+  folder_.Write("tiny/labels.txt", "2 7 Car 0 0 -1.5 14 11 29 56 1.5 1.6 3.7 1 1.5 4 0.25\n");
+  ASSERT_EQ(Run(out(), {"--detections", "labels"}).exit_code, 0);
+  EXPECT_EQ(ResultOf(out())["frames"][2]["detections"], 1);
+}
+
+TEST_F(CliRun, BadDetectionsAreRefusedWithFileAndLine) {
+  const std::string good = "0 3 Car -1 -1 -10 10 10 60 60 -1 -1 -1 -1 -1 -1 -10 0.5\n";
+  const std::vector<std::pair<std::string, std::string>> bad = {
+      {"8 3 Car -1 -1 -10 10 10 60 60 -1 -1 -1 -1 -1 -1 -10 0.5\n", "frame 8"},
+      {"0 3 Car -1 -1 -10 10 10 5 60 -1 -1 -1 -1 -1 -1 -10 0.5\n", "left <= right"},
+      {"0 3 Car -1 -1 -10 10 10 60 60 -1 -1 -1 -1 -1 -1 -10 nan\n", "\"nan\" in column 18"},
+      {"0 3 Car -1 -1 -10 inf 10 60 60 -1 -1 -1 -1 -1 -1 -10 0.5\n", "\"inf\" in column 7"}};
+  for (const auto& [line, problem] : bad) {
+    const std::string boxes = folder_.Write("boxes.txt", good + line).string();
+    const ProcessResult run = Run(out(), {"--detections", boxes, "-q"});
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_THAT(run.err, AllOf(HasSubstr(boxes + ":2: found"), HasSubstr(problem)));
+    EXPECT_EQ(test::LineCount(run.err), 1U);
+    EXPECT_FALSE(fs::exists(out()));
+  }
+  const std::string empty = folder_.Write("boxes.txt", "").string();
+  EXPECT_EQ(Run(out(), {"--detections", empty}).exit_code, 0);
+}
+
+TEST_F(CliRun, AnOracleNeedsTruth) {
+  ASSERT_EQ(Run(out(), {"--oracle", "camera"}).exit_code, 0);
+  EXPECT_EQ(ResultOf(out())["given"]["oracle"], Json::array({"camera"}));
+  for (const char* name : {"boxes", "labels,camera", "bodies"}) {
+    const ProcessResult run = Run(out("new"), {"--oracle", name, "-q"});
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_THAT(run.err, HasSubstr("--oracle: found \""));
+    EXPECT_EQ(test::LineCount(run.err), 1U);
+    EXPECT_FALSE(fs::exists(out("new")));
+  }
+}
+
+TEST_F(CliRun, AnInterruptEndsTheRunCleanly) {
+  test::WriteTinySequence(tiny(), 150);
+  const ProcessResult run = Run(out(), {"--threads", "1"}, {.interrupt_at = " 10 %"});
+  EXPECT_EQ(run.exit_code, 130);
+  EXPECT_THAT(run.err, testing::EndsWith("clustervo: stopped, nothing was written\n"));
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+}  // namespace
+}  // namespace cvo

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// `experiment table` and `experiment compare` from outside, on results made by hand.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/experiments/cli/process.h"
+#include "tests/reports/results/result_files.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Json;
+using test::ProcessResult;
+using test::Result;
+using test::RunProgram;
+using test::SuiteResults;
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+ProcessResult MakeTable(const fs::path& folder) {
+  return RunProgram({"experiment", "table", folder.string()});
+}
+
+ProcessResult Compare(const SuiteResults& a, const SuiteResults& b) {
+  return RunProgram({"experiment", "compare", a.Written().string(), b.Written().string()});
+}
+
+void ExpectOneLine(const ProcessResult& run, const std::string& text) {
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr(text));
+  EXPECT_EQ(test::LineCount(run.err), 1U);
+  EXPECT_THAT(run.out, IsEmpty());
+}
+
+TEST(CliTables, AFinishedSuite) {
+  SuiteResults suite;
+  Json result = Result();
+  result["options"]["orb"]["features"] = 1999;
+  suite.Add(result);
+  const ProcessResult first = MakeTable(suite.Written());
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_THAT(first.err, IsEmpty());
+  EXPECT_THAT(first.out, AllOf(HasSubstr("1 of 1 runs"), HasSubstr("0.0625")));
+  const std::string bytes = test::ReadFile(suite.folder().path() / "table.json");
+  const Json table = Json::parse(bytes);
+  EXPECT_EQ(table["rows"][0]["cells"][1]["value"], 0.0625);
+  ASSERT_EQ(table["provenance"]["options"].size(), 1U);
+  EXPECT_EQ(table["provenance"]["options"][0]["path"], "orb.features");
+  EXPECT_TRUE(fs::exists(suite.folder().path() / table["rows"][0]["runs"][0]["result"]));
+  EXPECT_THAT(test::ReadFile(suite.folder().path() / "table.md"), HasSubstr("| **0.0625** |"));
+  EXPECT_EQ(MakeTable(suite.Written()).out, first.out);
+  EXPECT_EQ(test::ReadFile(suite.folder().path() / "table.json"), bytes);
+}
+
+TEST(CliTables, AnUnfinishedSuiteHasATableToo) {
+  SuiteResults suite;
+  suite.Add(Result());
+  suite.Plan("b", "static");
+  suite.AddFailure("killed by signal 9");
+  const ProcessResult run = MakeTable(suite.Written());
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.out, AllOf(HasSubstr("1 of 2 runs, 1 failed"), HasSubstr("killed by signal 9"),
+                             HasSubstr("0.0625")));
+  EXPECT_TRUE(fs::exists(suite.folder().path() / "table.json"));
+}
+
+TEST(CliTables, WhatIsNoSuiteIsSaidInOneLine) {
+  SuiteResults suite;
+  ExpectOneLine(MakeTable(suite.folder().path()), "plan.json: found no such file");
+  ExpectOneLine(MakeTable(suite.Written()), "field jobs: found none");
+  suite.folder().Write("plan.json", "{\"schema_version\": 1, \"kind\":");
+  ExpectOneLine(MakeTable(suite.folder().path()), "plan.json: found text that");
+  EXPECT_FALSE(fs::exists(suite.folder().path() / "table.json"));
+}
+
+TEST(CliTables, CompareSaysWhatMoved) {
+  SuiteResults before;
+  SuiteResults after;
+  before.Add(Result());
+  Json better = Result();
+  better["metrics"][1]["value"] = 0.05;
+  after.Add(better);
+  const ProcessResult run = Compare(before, after);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("moved, not distinguishable from noise:\n"
+                                 "  2011_09_26_drive_0001 static, camera_ate: -0.0125 m (-20 %), "
+                                 "no interval, 1 pair\n"));
+  EXPECT_THAT(Compare(before, before).out, HasSubstr("\nnothing moved\n"));
+  better["metrics"][1]["contract"]["delta"] = "1 frame";
+  SuiteResults other;
+  other.Add(better);
+  ExpectOneLine(Compare(before, other), "metric camera_ate");
+}
+
+// `experiment table` of a written folder, with these flags.
+ProcessResult Print(const SuiteResults& suite, std::vector<std::string> flags) {
+  flags.insert(flags.begin(), {"experiment", "table", suite.Written().string()});
+  return RunProgram(flags);
+}
+
+TEST(CliTables, EveryFormatIsPrintedAlone) {
+  SuiteResults suite;
+  suite.Add(Result());
+  EXPECT_THAT(Print(suite, {"--format", "markdown"}).out, StartsWith("**small**"));
+  EXPECT_THAT(Print(suite, {"--format", "csv"}).out,
+              AllOf(StartsWith("sequence,variant,system,"), HasSubstr(",0.0625,")));
+  EXPECT_THAT(Print(suite, {"--format", "csv", "--long"}).out, HasSubstr(",camera_ate,m,0.0625,"));
+  EXPECT_THAT(Print(suite, {"--format", "latex"}).out,
+              AllOf(StartsWith("\\documentclass"), EndsWith("\\end{document}\n")));
+  EXPECT_THAT(Print(suite, {"--format", "latex", "--bare"}).out,
+              AllOf(StartsWith("% small\n"), HasSubstr("\\toprule")));
+  EXPECT_THAT(Print(suite, {"--format", "html"}).out,
+              AllOf(StartsWith("<!DOCTYPE html>"), EndsWith("</html>\n")));
+  EXPECT_THAT(Print(suite, {"--format", "html", "--bare"}).out, StartsWith("<section"));
+  EXPECT_FALSE(fs::exists(suite.folder().path() / "table.json")) << "asked for something else";
+}
+
+TEST(CliTables, AnOldTableNeedsNoResults) {
+  SuiteResults suite;
+  suite.Add(Result());
+  const std::string printed = MakeTable(suite.Written()).out;
+  const std::string latex = Print(suite, {"--format", "latex"}).out;
+  const fs::path json = suite.folder().path() / "table.json";
+  fs::remove_all(suite.folder().path() / "jobs");
+  const auto from = [&](const std::string& format) {
+    return RunProgram({"experiment", "table", "--from", json.string(), "--format", format}).out;
+  };
+  EXPECT_EQ(from("latex"), latex);
+  EXPECT_THAT(printed, StartsWith(from("terminal")));
+  ExpectOneLine(
+      RunProgram({"experiment", "table", "--from", (suite.folder().path() / "plan.json").string()}),
+      "plan.json: found kind \"plan\", expected kind \"table\"");
+  suite.folder().Write("table.json", "{\"schema_version\": 1, \"kind\": \"table\"}");
+  ExpectOneLine(RunProgram({"experiment", "table", "--from", json.string()}),
+                "table.json: found schema_version 1, expected 2");
+}
+
+TEST(CliTables, GoToAFile) {
+  SuiteResults suite;
+  suite.Add(Result());
+  const fs::path file = suite.folder().path() / "new" / "table.html";
+  const ProcessResult run = Print(suite, {"--format", "html", "-o", file.string()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out, "written: " + file.string() + "\n");
+  EXPECT_EQ(test::ReadFile(file), Print(suite, {"--format", "html"}).out);
+}
+
+TEST(CliTables, FlagsThatDoNotGoTogetherAreAnError) {
+  SuiteResults suite;
+  suite.Add(Result());
+  const auto error = [&](const std::vector<std::string>& flags) {
+    const ProcessResult run = Print(suite, flags);
+    EXPECT_EQ(run.exit_code, 2);
+    return run.err;
+  };
+  EXPECT_THAT(error({"--bare"}), HasSubstr("--bare: goes with --format latex or html"));
+  EXPECT_THAT(error({"--format", "html", "--long"}), HasSubstr("--long: goes with --format csv"));
+  EXPECT_THAT(error({"--format", "pdf"}), HasSubstr("pdf"));
+  EXPECT_THAT(error({"--from", "table.json"}), HasSubstr("DIR excludes --from"));
+  EXPECT_THAT(RunProgram({"experiment", "table"}).err, HasSubstr("DIR or --from is required"));
+}
+
+TEST(CliTables, CompareHasTheSameFormats) {
+  SuiteResults before;
+  SuiteResults after;
+  before.Add(Result());
+  Json better = Result();
+  better["metrics"][1]["value"] = 0.05;
+  after.Add(better);
+  const std::string csv = RunProgram({"experiment", "compare", before.Written().string(),
+                                      after.Written().string(), "--format", "csv", "--long"})
+                              .out;
+  EXPECT_THAT(csv, AllOf(HasSubstr(",-0.01249"), Not(HasSubstr("moved"))));
+}
+
+}  // namespace
+}  // namespace cvo

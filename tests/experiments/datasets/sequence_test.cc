@@ -1,0 +1,323 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Folders that are as they should be, in each layout.
+#include "experiments/datasets/sequence.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/experiments/datasets/folders.h"
+#include "tests/support/error_message.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class Sequences : public testing::Test {
+ protected:
+  test::TempFolder root_;
+};
+
+TEST_F(Sequences, RawDrive) {
+  const Sequence s = OpenSequence({.folder = WriteRawDrive(root_)});
+  EXPECT_EQ(s.name, "2011_09_26_drive_0001");
+  EXPECT_EQ(s.type, "kitti-raw");
+  EXPECT_EQ(s.pair, "grey");
+  EXPECT_EQ(s.total_frames, 3);
+  EXPECT_EQ(s.first_frame, 0);
+  EXPECT_EQ(s.camera.fx, 10.0);
+  EXPECT_EQ(s.camera.cx, 6.0);
+  EXPECT_EQ(s.camera.cy, 4.0);
+  EXPECT_EQ(s.camera.baseline_m, 0.5);
+  EXPECT_EQ(s.camera.width_px, kTestWidth_px);
+  EXPECT_EQ(s.camera.height_px, kTestHeight_px);
+  EXPECT_EQ(s.images[2].right.filename(), "0000000002.png");
+  EXPECT_EQ(s.timestamps_ns[1] - s.timestamps_ns[0], 100'000'000);
+  EXPECT_EQ(s.groundtruth, "devkit");
+  ASSERT_EQ(s.groundtruth_world_from_camera.size(), 3u);
+  // East is forwards: camera z.
+  EXPECT_NEAR(s.groundtruth_world_from_camera[2]->translation().z(), 2.0, 1e-4);
+  EXPECT_NEAR(s.groundtruth_world_from_camera[2]->translation().head<2>().norm(), 0.0, 1e-4);
+  EXPECT_THAT(s.missing, IsEmpty());
+}
+
+TEST_F(Sequences, RawDriveListsEveryTextFileThatWasRead) {
+  const Sequence s = OpenSequence({.folder = WriteRawDrive(root_), .groundtruth = "interpolated"});
+  std::vector<std::string> names;
+  for (const fs::path& path : s.text_files) {
+    names.push_back(path.lexically_relative(s.folder).string());
+  }
+  EXPECT_THAT(names, ElementsAre("../calib_cam_to_cam.txt", "image_00/timestamps.txt",
+                                 "oxts/data/0000000000.txt", "oxts/data/0000000001.txt",
+                                 "oxts/data/0000000002.txt", "oxts/timestamps.txt",
+                                 "../calib_velo_to_cam.txt", "../calib_imu_to_velo.txt"));
+}
+
+TEST_F(Sequences, InterpolatedTruthIsThatOfTheImageTimes) {
+  // Packets come 5 ms after images: image 0 has none before it, image 1 lies at 95 % of a metre.
+  const Sequence s = OpenSequence({.folder = WriteRawDrive(root_), .groundtruth = "interpolated"});
+  EXPECT_EQ(s.groundtruth, "interpolated");
+  EXPECT_FALSE(s.groundtruth_world_from_camera[0].has_value());
+  EXPECT_NEAR(s.groundtruth_world_from_camera[1]->translation().z(), 0.95, 1e-4);
+  EXPECT_NEAR(s.groundtruth_world_from_camera[2]->translation().z(), 1.95, 1e-4);
+  EXPECT_THAT(s.missing, ElementsAre(HasSubstr("no ground truth for 1 of 3 images")));
+}
+
+TEST_F(Sequences, RightShiftIsKnownForGreyKittiOnlyAndCanBeGiven) {
+  const fs::path raw = WriteRawDrive(root_);
+  const fs::path odometry = WriteOdometrySequence(root_);
+  EXPECT_EQ(OpenSequence({.folder = raw}).camera.right_shift_px, 0.16);
+  EXPECT_EQ(OpenSequence({.folder = raw, .right_shift_px = 0.0}).camera.right_shift_px, 0.0);
+  EXPECT_EQ(OpenSequence({.folder = odometry}).camera.right_shift_px, 0.16);
+  fs::rename(odometry, root_.path() / "scene");
+  EXPECT_EQ(OpenSequence({.folder = root_.path() / "scene"}).camera.right_shift_px, 0.0);
+}
+
+TEST_F(Sequences, RawDriveInColour) {
+  const fs::path folder = WriteRawDrive(root_);
+  for (const char* image : {"image_00", "image_01"}) fs::remove_all(folder / image);
+  const std::string drive = folder.lexically_relative(root_.path()).string();
+  for (const std::string image : {"/image_02", "/image_03"}) {
+    WriteImages(root_, drive + image + "/data", 3, 10);
+    root_.Write(drive + image + "/timestamps.txt",
+                DateTimeRow(0) + DateTimeRow(1) + DateTimeRow(2));
+  }
+  const Sequence s = OpenSequence({.folder = folder});
+  EXPECT_EQ(s.pair, "colour");
+  EXPECT_NEAR(s.camera.baseline_m, 0.5, 1e-15);
+  EXPECT_NEAR(s.left_offset_m, 0.06, 1e-15);
+  EXPECT_EQ(s.camera.right_shift_px, 0.0);
+  EXPECT_NEAR(s.groundtruth_world_from_camera[0]->translation().norm(), 0.0, 1e-12);
+}
+
+TEST_F(Sequences, ColourTruthTurnsAboutTheColourCamera) {
+  // After a turn by 90 degrees on the spot of camera 0, camera 2 has moved along an arc.
+  const fs::path folder = WriteRawDrive(root_, 2);
+  const std::string drive = folder.lexically_relative(root_.path()).string();
+  std::string turned = OxtsPacketText(0.0);
+  turned.replace(turned.find(" 100 0 0 0"), 10, " 100 0 0 1.5707963267948966");
+  root_.Write(drive + "/oxts/data/0000000001.txt", turned);
+  for (const std::string image : {"/image_02", "/image_03"}) {
+    WriteImages(root_, drive + image + "/data", 2, 10);
+    root_.Write(drive + image + "/timestamps.txt", DateTimeRow(0) + DateTimeRow(1));
+  }
+  const Sequence grey = OpenSequence({.folder = folder, .pair = "grey"});
+  const Sequence colour = OpenSequence({.folder = folder, .pair = "colour"});
+  EXPECT_NEAR(grey.groundtruth_world_from_camera[1]->translation().norm(), 0.0, 1e-9);
+  // Camera 2 is 6 cm to the left of camera 0: turning left moves it back and to the right.
+  const Eigen::Vector3d moved = colour.groundtruth_world_from_camera[1]->translation();
+  EXPECT_NEAR(moved.x(), 0.06, 1e-9);
+  EXPECT_NEAR(moved.z(), -0.06, 1e-9);
+}
+
+TEST_F(Sequences, RawDriveWithoutOxtsHasNoTruth) {
+  const fs::path folder = WriteRawDrive(root_);
+  fs::remove_all(folder / "oxts");
+  const Sequence s = OpenSequence({.folder = folder});
+  EXPECT_EQ(s.groundtruth, "none");
+  ASSERT_EQ(s.groundtruth_world_from_camera.size(), 3u);
+  EXPECT_FALSE(s.groundtruth_world_from_camera[0].has_value());
+  EXPECT_THAT(s.missing, ElementsAre(HasSubstr("oxts")));
+  EXPECT_THAT(
+      ErrorMessage([&] { OpenSequence({.folder = folder, .groundtruth = "interpolated"}); }),
+      HasSubstr("oxts/data: found no such folder"));
+}
+
+TEST_F(Sequences, Odometry) {
+  const Sequence s = OpenSequence({.folder = WriteOdometrySequence(root_)});
+  EXPECT_EQ(s.name, "odometry_06");
+  EXPECT_EQ(s.type, "kitti-odometry");
+  EXPECT_EQ(s.groundtruth, "official");
+  EXPECT_THAT(s.timestamps_ns, ElementsAre(0, 100'000'000, 200'000'000));
+  EXPECT_EQ(s.groundtruth_world_from_camera[2]->translation(), Eigen::Vector3d(0, 0, 2));
+  EXPECT_THAT(s.missing, IsEmpty());
+}
+
+TEST_F(Sequences, PosesBesideTheImagesGoFirst) {
+  const fs::path folder = WriteOdometrySequence(root_);
+  root_.Write("sequences/06/poses.txt",
+              "1 0 0 0 0 1 0 0 0 0 1 5\n1 0 0 0 0 1 0 0 0 0 1 6\n1 0 0 0 0 1 0 0 0 0 1 7\n");
+  EXPECT_EQ(OpenSequence({.folder = folder}).groundtruth_world_from_camera[0]->translation().z(),
+            5.0);
+}
+
+TEST_F(Sequences, SyntheticSceneIsNamedAfterItsFolder) {
+  const fs::path folder = WriteOdometrySequence(root_);
+  fs::rename(root_.path() / "poses/06.txt", folder / "poses.txt");
+  fs::create_directories(root_.path() / "synthetic");
+  fs::rename(folder, root_.path() / "synthetic/two_movers");
+  const Sequence s = OpenSequence({.folder = root_.path() / "synthetic/two_movers"});
+  EXPECT_EQ(s.name, "two_movers");
+  EXPECT_EQ(s.groundtruth, "official");
+}
+
+TEST_F(Sequences, FramesBeyondThePosesHaveNoTruth) {
+  const fs::path folder = WriteOdometrySequence(root_);
+  root_.Write("poses/06.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 1 0 0 0 0 1 1");
+  const Sequence s = OpenSequence({.folder = folder});
+  EXPECT_TRUE(s.groundtruth_world_from_camera[1].has_value());
+  EXPECT_FALSE(s.groundtruth_world_from_camera[2].has_value());
+  EXPECT_THAT(s.missing, ElementsAre(HasSubstr("poses of the last 1 of 3 frames")));
+}
+
+TEST_F(Sequences, OdometryWithoutPoses) {
+  const fs::path folder = WriteOdometrySequence(root_);
+  fs::remove(root_.path() / "poses/06.txt");
+  const Sequence s = OpenSequence({.folder = folder});
+  EXPECT_EQ(s.groundtruth, "none");
+  EXPECT_THAT(s.missing, ElementsAre(HasSubstr("poses")));
+}
+
+TEST_F(Sequences, TrackingInBothCalibrationDialects) {
+  const fs::path folder = WriteTrackingSequence(root_);
+  for (const bool with_colons : {true, false}) {
+    root_.Write("training/calib/0005.txt", TrackingCalibration(with_colons));
+    const Sequence s = OpenSequence({.folder = folder});
+    EXPECT_EQ(s.name, "tracking_0005");
+    EXPECT_EQ(s.type, "kitti-tracking");
+    EXPECT_EQ(s.pair, "colour");
+    EXPECT_NEAR(s.camera.baseline_m, 0.5, 1e-15);
+    EXPECT_THAT(s.timestamps_ns, ElementsAre(0, 100'000'000, 200'000'000));
+    EXPECT_EQ(s.groundtruth, "devkit");
+    EXPECT_NEAR(s.groundtruth_world_from_camera[2]->translation().z(), 2.0, 1e-4);
+    ASSERT_EQ(s.labels.size(), 2u);
+    // Drawn in image_02 and read in image_02: not moved.
+    EXPECT_EQ(s.labels[0].left_px, 4.5);
+    EXPECT_THAT(s.missing, IsEmpty());
+  }
+}
+
+TEST_F(Sequences, TrackingByItsImageFolderOrWithASlash) {
+  const fs::path folder = WriteTrackingSequence(root_);
+  for (const fs::path& same : {root_.path() / "training/image_02/0005", folder / "",
+                               root_.path() / "training/image_03/../image_02/./0005/"}) {
+    const Sequence s = OpenSequence({.folder = same});
+    EXPECT_EQ(s.name, "tracking_0005") << same;
+    EXPECT_EQ(s.folder, folder) << same;
+  }
+}
+
+TEST_F(Sequences, TrackingWithoutOptionalFiles) {
+  const fs::path folder = WriteTrackingSequence(root_);
+  fs::remove_all(root_.path() / "training/oxts");
+  fs::remove_all(root_.path() / "training/label_02");
+  const Sequence s = OpenSequence({.folder = folder});
+  EXPECT_EQ(s.groundtruth, "none");
+  EXPECT_THAT(s.missing, ElementsAre(HasSubstr("oxts/0005.txt"), HasSubstr("label_02/0005.txt")));
+}
+
+TEST_F(Sequences, FramesCutEverythingAlike) {
+  const fs::path boxes = root_.Write("boxes.txt",
+                                     "0 -1 Car -1 -1 -10 0 0 1 1 -1 -1 -1 -1 -1 -1 -10 0.5\n"
+                                     "2 -1 Car -1 -1 -10 0 0 1 1 -1 -1 -1 -1 -1 -1 -10 0.5\n"
+                                     "4 -1 Car -1 -1 -10 0 0 1 1 -1 -1 -1 -1 -1 -1 -10 0.5\n");
+  const Sequence s = OpenSequence({.folder = WriteRawDrive(root_, 5),
+                                   .begin_frame = 1,
+                                   .end_frame = 4,
+                                   .detections_file = boxes});
+  EXPECT_EQ(s.first_frame, 1);
+  EXPECT_EQ(s.total_frames, 5);
+  ASSERT_EQ(s.images.size(), 3u);
+  EXPECT_EQ(s.images[0].left.filename(), "0000000001.png");
+  EXPECT_EQ(s.timestamps_ns.size(), 3u);
+  // The world stays the first camera of the drive, not of the range.
+  EXPECT_NEAR(s.groundtruth_world_from_camera[0]->translation().z(), 1.0, 1e-4);
+  ASSERT_EQ(s.detections.size(), 1u);
+  EXPECT_EQ(s.detections[0].frame, 2);
+}
+
+TEST_F(Sequences, BoxesOfOtherFilesAndCameras) {
+  const fs::path detections =
+      root_.Write("boxes.txt",
+                  "0 -1 Car -1 -1 -10 0 0 1 1 -1 -1 -1 -1 -1 -1 -10 -0.5\n"
+                  "0 -1 Car -1 -1 -10 0 0 1 1 -1 -1 -1 -1 -1 -1 -10 0.5\n"
+                  "1 -1 Van -1 -1 -10 0 0 1 1 -1 -1 -1 -1 -1 -1 -10 0.25\n");
+  const Sequence s = OpenSequence({.folder = WriteRawDrive(root_),
+                                   .labels_file = root_.Write("labels.txt", kCarLabel),
+                                   .detections_file = detections,
+                                   .detections_camera = 2,
+                                   .min_score = 0.5});
+  // Strictly below: a box with just this score stays.
+  ASSERT_EQ(s.detections.size(), 1u);
+  EXPECT_EQ(s.detections[0].score, 0.5);
+  EXPECT_EQ(s.detections[0].left_px, 0.0);
+  EXPECT_NEAR(s.detections_offset_m, 0.06, 1e-15);
+  // The label moves by fx offset / z = 10 * 0.06 / 4 px to the left; the one without depth stays.
+  ASSERT_EQ(s.labels.size(), 2u);
+  EXPECT_NEAR(s.labels[0].left_px, 4.5 - 0.15, 1e-12);
+  EXPECT_NEAR(s.labels[0].right_px, 9.5 - 0.15, 1e-12);
+  EXPECT_EQ(s.labels[1].left_px, 1.0);
+}
+
+TEST_F(Sequences, BoxesOfTheLeftImageReadStayWhereTheyAre) {
+  const fs::path labels = root_.Write("labels.txt", kCarLabel);
+  const Sequence s = OpenSequence({.folder = WriteRawDrive(root_),
+                                   .labels_file = labels,
+                                   .labels_camera = 0,
+                                   .detections_file = labels});
+  EXPECT_EQ(s.labels[0].left_px, 4.5);
+  EXPECT_EQ(s.detections[0].left_px, 4.5);
+  EXPECT_EQ(s.detections_offset_m, 0.0);
+}
+
+TEST_F(Sequences, FindsThoseWithImages) {
+  WriteRawDrive(root_);
+  WriteOdometrySequence(root_);
+  WriteTrackingSequence(root_);
+  root_.Write("training/calib/0003.txt", TrackingCalibration(true));
+  root_.Write("training/label_02/0003.txt", kCarLabel);
+  root_.Write("other/readme.txt", "nothing");
+  const std::vector<FoundSequence> found = FindSequences(root_.path());
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_EQ(found[0].type, "kitti-raw");
+  EXPECT_EQ(found[1].type, "kitti-odometry");
+  EXPECT_EQ(found[2].type, "kitti-tracking");
+  EXPECT_EQ(found[2].folder, root_.path() / "training/0005");
+  for (const FoundSequence& s : found) {
+    EXPECT_EQ(OpenSequence({.folder = s.folder}).type, s.type);
+    const std::vector<FoundSequence> itself = FindSequences(s.folder);
+    ASSERT_EQ(itself.size(), 1u);
+    EXPECT_EQ(itself[0].folder, s.folder);
+  }
+  EXPECT_THAT(FindSequences(root_.path() / "other"), IsEmpty());
+}
+
+TEST_F(Sequences, FindsDrivesWithEitherPairButNotWithHalfAPair) {
+  const fs::path folder = WriteRawDrive(root_);
+  fs::remove_all(folder / "image_01");
+  EXPECT_THAT(FindSequences(root_.path()), IsEmpty());
+  fs::create_directories(folder / "image_02/data");
+  EXPECT_THAT(FindSequences(root_.path()), IsEmpty());
+  fs::create_directories(folder / "image_03/data");
+  EXPECT_EQ(FindSequences(root_.path()).size(), 1u);
+}
+
+TEST_F(Sequences, FindStopsAtCirclesOfLinks) {
+  WriteOdometrySequence(root_);
+  fs::create_directory_symlink(root_.path(), root_.path() / "again");
+  EXPECT_EQ(FindSequences(root_.path()).size(), 1u);
+}
+
+TEST(DetectionsFromLabels, AreTheirBoxesAndNothingElse) {
+  const test::TempFolder root;
+  const fs::path folder = WriteTrackingSequence(root);
+  const Sequence s = OpenSequence({.folder = folder, .detections_file = kDetectionsFromLabels});
+  ASSERT_EQ(s.detections.size(), s.labels.size());
+  EXPECT_EQ(s.detections[0].type, "Car");
+  EXPECT_EQ(s.detections[0].left_px, s.labels[0].left_px);
+  EXPECT_EQ(s.detections[0].bottom_px, s.labels[0].bottom_px);
+  EXPECT_EQ(s.detections[0].track, -1);
+  EXPECT_FALSE(s.detections[0].box3d.has_value());
+  EXPECT_EQ(s.detections_offset_m, 0.0);
+  EXPECT_THROW(
+      OpenSequence({.folder = folder, .detections_file = kDetectionsFromLabels, .min_score = 0.5}),
+      Error);
+}
+
+}  // namespace
+}  // namespace cvo

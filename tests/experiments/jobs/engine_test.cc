@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <map>
+
+#include "core/base/error.h"
+#include "experiments/jobs/local_engine.h"
+#include "tests/experiments/jobs/wait_until.h"
+#include "tests/support/temp_folder.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ReadFile;
+using test::WaitUntil;
+using testing::HasSubstr;
+
+double Seconds(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// A process that ended and that nobody waited for is not.
+bool IsAlive(pid_t process) {
+  std::ifstream in(StrCat("/proc/", process, "/stat"));
+  std::string number;
+  std::string name;
+  std::string state;
+  return in >> number >> name >> state && state != "Z";
+}
+
+class LocalEngineTest : public testing::Test {
+ protected:
+  Task Shell(const std::string& name, const std::string& script) const {
+    return {.name = name, .argv = {"/bin/sh", "-c", script}, .log = folder_.path() / name};
+  }
+  // Ends by task.
+  std::map<std::size_t, TaskEnd> Run(const std::vector<Task>& tasks, int processes = 1) const {
+    std::map<std::size_t, TaskEnd> ends;
+    EngineHooks hooks;
+    hooks.ended = [&](std::size_t task, const TaskEnd& end) {
+      EXPECT_TRUE(ends.emplace(task, end).second);
+    };
+    LocalEngine(processes).Run(tasks, hooks);
+    return ends;
+  }
+  TaskEnd RunOne(const Task& task) const { return Run({task}).at(0); }
+  pid_t ReadPid(const std::string& name) const {
+    std::ifstream in(folder_.path() / name);
+    pid_t process = -1;
+    in >> process;
+    return process;
+  }
+
+  test::TempFolder folder_;
+};
+
+TEST_F(LocalEngineTest, BothStreamsGoToTheLogWhichIsReplaced) {
+  folder_.Write("log", "of the try before, and longer");
+  const TaskEnd end = RunOne(Shell("log", "echo out; echo err >&2; cat"));
+  EXPECT_TRUE(end.ok);
+  EXPECT_EQ(end.message, "");
+  EXPECT_EQ(ReadFile(folder_.path() / "log"), "out\nerr\n");
+}
+
+TEST_F(LocalEngineTest, SaysHowAProcessEnded) {
+  const TaskEnd code = RunOne(Shell("code", "exit 3"));
+  EXPECT_FALSE(code.ok);
+  EXPECT_EQ(code.message, "exit code 3");
+  EXPECT_EQ(RunOne(Shell("crash", "kill -SEGV $$")).message, "killed by signal 11 (SIGSEGV)");
+  EXPECT_EQ(RunOne(Shell("killed", "kill -KILL $$")).message, "killed by signal 9 (SIGKILL)");
+}
+
+TEST_F(LocalEngineTest, AProcessIsStoppedAtItsTimeLimitWithAllThatItStarted) {
+  Task task = Shell("slow", StrCat("sleep 60 & echo $! > ", folder_.path().string(), "/pid; wait"));
+  task.limit_s = 0.3;
+  TaskEnd end;
+  EXPECT_LT(Seconds([&] { end = RunOne(task); }), 5.0);
+  EXPECT_EQ(end.message, "stopped after 0.3 s");
+  EXPECT_GE(end.seconds, 0.3);
+  EXPECT_TRUE(WaitUntil([&] { return !IsAlive(ReadPid("pid")); }));
+}
+
+TEST_F(LocalEngineTest, WhatAProcessLeavesBehindEndsWithIt) {
+  RunOne(Shell("parent", StrCat("sleep 60 & echo $! > ", folder_.path().string(), "/pid")));
+  EXPECT_TRUE(WaitUntil([&] { return !IsAlive(ReadPid("pid")); }));
+}
+
+TEST_F(LocalEngineTest, TheMemoryLimitIsOfTheProcess) {
+  Task task = Shell("limit", "ulimit -v");
+  task.limit_memory_mb = 512.0;
+  EXPECT_TRUE(RunOne(task).ok);
+  EXPECT_EQ(ReadFile(folder_.path() / "limit"), "500000\n");  // KiB
+}
+
+TEST_F(LocalEngineTest, RunsSoManyAtOnceInTheOrderGiven) {
+  // Each notes that it is there and leaves when two are, or gives up.
+  const std::string meet =
+      StrCat("cd ", folder_.path().string(), "; touch here.$$; for i in $(seq 100); do ",
+             "[ $(ls here.* | wc -l) -ge 2 ] && exit 0; sleep 0.02; done; "
+             "exit 1");
+  for (const auto& [task, end] : Run({Shell("a", meet), Shell("b", meet)}, 2)) {
+    EXPECT_TRUE(end.ok) << task;
+  }
+  const std::string note = StrCat("echo $0 >> ", folder_.path().string(), "/order");
+  std::vector<Task> tasks;
+  for (const char* name : {"1", "2", "3", "4"}) {
+    tasks.push_back(Shell(name, note));
+    tasks.back().argv.emplace_back(name);
+  }
+  Run(tasks);
+  EXPECT_EQ(ReadFile(folder_.path() / "order"), "1\n2\n3\n4\n");
+}
+
+TEST_F(LocalEngineTest, NeverMoreAtOnceThanAskedFor) {
+  const std::string alone =
+      StrCat("mkdir ", folder_.path().string(), "/mine && sleep 0.05 && rmdir ",
+             folder_.path().string(), "/mine");
+  for (const auto& [task, end] : Run({Shell("a", alone), Shell("b", alone), Shell("c", alone)})) {
+    EXPECT_TRUE(end.ok) << task;
+  }
+}
+
+TEST_F(LocalEngineTest, StopEndsWhatRunsAndStartsNothingMore) {
+  const Task slow =
+      Shell("slow", StrCat("echo $$ > ", folder_.path().string(), "/pid; exec sleep 60"));
+  const Task next = Shell("next", "true");
+  EngineHooks hooks;
+  hooks.ended = [](std::size_t task, const TaskEnd&) { ADD_FAILURE() << task; };
+  hooks.stop = [&] { return ReadPid("pid") > 0; };
+  EXPECT_LT(Seconds([&] { LocalEngine(1).Run(std::vector<Task>{slow, next}, hooks); }), 2.0);
+  EXPECT_FALSE(fs::exists(StrCat("/proc/", ReadPid("pid"))));  // reaped too
+  EXPECT_FALSE(fs::exists(folder_.path() / "next"));
+}
+
+TEST_F(LocalEngineTest, AHookThatThrowsLeavesNoProcess) {
+  const Task slow =
+      Shell("slow", StrCat("echo $$ > ", folder_.path().string(), "/pid; exec sleep 60"));
+  const Task short_one = Shell(
+      "short", StrCat("while [ ! -s ", folder_.path().string(), "/pid ]; do sleep 0.02; done"));
+  EngineHooks hooks;
+  hooks.ended = [](std::size_t, const TaskEnd&) { throw Error("enough"); };
+  EXPECT_THROW(LocalEngine(2).Run(std::vector<Task>{slow, short_one}, hooks), Error);
+  EXPECT_FALSE(IsAlive(ReadPid("pid")));
+}
+
+TEST_F(LocalEngineTest, ALogThatCannotBeWrittenIsThatTasksFailure) {
+  Task task = Shell("none/log", "true");
+  const auto ends = Run({task, Shell("good", "true")});
+  EXPECT_THAT(ends.at(0).message, HasSubstr("none/log: cannot write: No such file"));
+  EXPECT_TRUE(ends.at(1).ok);
+}
+
+TEST_F(LocalEngineTest, AProgramThatIsNoneIsRefused) {
+  Task task = Shell("a", "true");
+  task.argv.front() = folder_.Write("text", "no program").string();
+  EXPECT_THROW(Run({task}), Error);
+  ::chmod(task.argv.front().c_str(), 0755);
+  EXPECT_EQ(RunOne(task).message, "exit code 126");
+  EXPECT_THAT(ReadFile(folder_.path() / "a"), HasSubstr("cannot be executed"));
+}
+
+TEST_F(LocalEngineTest, NoProcessOutlivesAKilledEngine) {
+  const Task slow =
+      Shell("slow", StrCat("echo $$ > ", folder_.path().string(), "/pid; exec sleep 60"));
+  const pid_t runner = ::fork();
+  if (runner == 0) {
+    EngineHooks hooks;
+    hooks.ended = [](std::size_t, const TaskEnd&) {};
+    LocalEngine(1).Run(std::vector<Task>{slow}, hooks);
+    ::_exit(0);
+  }
+  ASSERT_TRUE(WaitUntil([&] { return ReadPid("pid") > 0; }));
+  ASSERT_TRUE(IsAlive(ReadPid("pid")));
+  ::kill(runner, SIGKILL);
+  ::waitpid(runner, nullptr, 0);
+  EXPECT_TRUE(WaitUntil([&] { return !IsAlive(ReadPid("pid")); }));
+}
+
+}  // namespace
+}  // namespace cvo

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// Runs with and without the front-end cache: the same bytes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/files/text_file.h"
+#include "experiments/record/result_file.h"
+#include "experiments/runner/job_cache.h"
+#include "experiments/runner/run_job.h"
+#include "experiments/runner/run_sequence.h"
+#include "tests/experiments/cache/frames.h"
+#include "tests/experiments/runner/tiny_sequence.h"
+#include "tests/support/error_message.h"
+#include "tests/support/temp_folder.h"
+#include "variants/registry.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+using test::NamesIn;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr int kFrames = 5;
+
+Sequence Tiny(const fs::path& folder) {
+  test::WriteTinySequence(folder, kFrames);
+  test::CutFile(folder / "image_1" / "000002.png");
+  SequenceRequest request;
+  request.folder = folder;
+  request.type = "kitti-odometry";
+  return OpenSequence(request);
+}
+
+class RunnerCache : public testing::Test {
+ protected:
+  RunnerCache() : sequence_(Tiny(temp_.path() / "tiny")) {}
+
+  fs::path root() const { return temp_.path() / "cache"; }
+  fs::path features() const { return root() / "frontend"; }
+  JobCache Cache() {
+    FileHashHooks hooks;
+    hooks.notice = [this](const std::string& line) { notices_.push_back(line); };
+    return {root(), 1'000'000'000, hooks};
+  }
+  RunRequest Request(const char* variant = "static", int threads = 1) const {
+    RunRequest request{.sequence = sequence_, .variant = FindVariant(variant), .options = {}};
+    request.threads = threads;
+    request.options.orb.features = 300;
+    return request;
+  }
+  std::string ResultOf(const RunRequest& request, const RunResult& run) const {
+    return ResultFile({.sequence = sequence_,
+                       .build = ThisBuild(),
+                       .variant = std::string(request.variant.name),
+                       .run = run});
+  }
+  std::string Plain(const RunRequest& request) const {
+    return ResultOf(request, RunSequence(request).value());
+  }
+  // A run with the cache, and whether it took its features from there.
+  std::string Cached(RunRequest request, bool& hit) {
+    const JobCache cache = Cache();
+    cache.Serve(request);
+    const RunResult run = RunSequence(request).value();
+    hit = run.frames.back().times_s.contains("load_features");
+    EXPECT_NE(hit, run.frames.back().times_s.contains("decode"));
+    return ResultOf(request, run);
+  }
+
+  test::TempFolder temp_;
+  Sequence sequence_;
+  std::vector<std::string> notices_;
+};
+
+TEST_F(RunnerCache, TheSameBytesForEveryVariantAndNumberOfThreads) {
+  bool hit = true;
+  EXPECT_EQ(Cached(Request(), hit), Plain(Request()));
+  EXPECT_FALSE(hit);
+  for (const char* variant : {"static", "2d", "full"}) {
+    const std::string plain = Plain(Request(variant));
+    for (const int threads : {1, 2, 4}) {
+      EXPECT_EQ(Cached(Request(variant, threads), hit), plain) << variant << threads;
+      EXPECT_TRUE(hit);
+    }
+  }
+  EXPECT_THAT(NamesIn(features()), SizeIs(1));
+  EXPECT_THAT(notices_, IsEmpty());
+}
+
+TEST_F(RunnerCache, WhatManyThreadsRecordedIsTheSame) {
+  bool hit = true;
+  (void)Cached(Request("static", 4), hit);
+  ASSERT_FALSE(hit);
+  EXPECT_EQ(Cached(Request(), hit), Plain(Request()));
+  EXPECT_TRUE(hit);
+}
+
+TEST_F(RunnerCache, AHitReadsNoImage) {
+  const JobCache cache = Cache();
+  RunRequest request = Request();
+  cache.Serve(request);
+  const std::string plain = ResultOf(request, RunSequence(request).value());
+  const std::string job = IdentifyJob(request);
+  fs::rename(sequence_.folder / "image_0", sequence_.folder / "elsewhere");
+  EXPECT_EQ(ResultOf(request, RunSequence(request).value()), plain);
+  EXPECT_EQ(IdentifyJob(request), job);
+}
+
+TEST_F(RunnerCache, OnlyWhatDecidesTheFeaturesExtractsAgain) {
+  bool hit = true;
+  (void)Cached(Request(), hit);
+  RunRequest request = Request();
+  request.options.window.spatial += 1;
+  request.seed = 3;
+  EXPECT_EQ(Cached(request, hit), Plain(request));
+  EXPECT_TRUE(hit);
+  request.options.orb.features += 1;
+  EXPECT_EQ(Cached(request, hit), Plain(request));
+  EXPECT_FALSE(hit);
+  request.options.stereo.max_hamming -= 1;
+  EXPECT_EQ(Cached(request, hit), Plain(request));
+  EXPECT_FALSE(hit);
+  test::CutFile(sequence_.images[4].left);
+  EXPECT_EQ(Cached(Request(), hit), Plain(Request()));
+  EXPECT_FALSE(hit);
+}
+
+TEST_F(RunnerCache, DamageAnywhereCostsTimeOnly) {
+  bool hit = true;
+  const std::string plain = Cached(Request(), hit);
+  const fs::path entry = features() / NamesIn(features()).at(0);
+  const std::string whole = ReadFileBytes(entry);
+  constexpr std::size_t kPlaces = 12;
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    std::string damaged = whole;
+    const std::size_t at = i * (whole.size() - 1) / (kPlaces - 1);
+    damaged[at] = static_cast<char>(damaged[at] ^ 16);
+    WriteFileBytes(entry, i % 3 == 2 ? whole.substr(0, at) : damaged);
+    notices_.clear();
+    EXPECT_EQ(Cached(Request("static", 1 + static_cast<int>(i % 3)), hit), plain) << at;
+    EXPECT_THAT(notices_, SizeIs(1)) << at;
+  }
+}
+
+TEST_F(RunnerCache, ARunThatDoesNotEndLeavesNoEntry) {
+  const JobCache cache = Cache();
+  RunRequest request = Request();
+  cache.Serve(request);
+  request.stop = [] { return true; };
+  EXPECT_FALSE(RunSequence(request));
+  EXPECT_THAT(NamesIn(features()), IsEmpty());
+  request.stop = [] { return false; };
+  request.strict = true;
+  const std::string problem = ErrorMessage([&] { (void)RunSequence(request); });
+  EXPECT_THAT(problem, HasSubstr("000002.png"));
+  EXPECT_THAT(NamesIn(features()), IsEmpty());
+
+  request.strict = false;
+  (void)RunSequence(request);
+  request.strict = true;  // and the problem in the cache is refused alike
+  EXPECT_EQ(ErrorMessage([&] { (void)RunSequence(request); }), problem);
+}
+
+TEST_F(RunnerCache, AnImageThatIsMissingIsNotKept) {
+  fs::remove(sequence_.images[3].right);
+  bool hit = true;
+  EXPECT_EQ(Cached(Request(), hit), Plain(Request()));
+  EXPECT_THAT(NamesIn(features()), IsEmpty());
+  EXPECT_THAT(notices_, IsEmpty());
+}
+
+TEST_F(RunnerCache, ImagesThatChangedSinceTheirHashesWereFoundAreKeptUnderTheirOwn) {
+  const JobCache cache = Cache();
+  RunRequest request = Request();
+  cache.Serve(request);
+  test::CutFile(sequence_.images[4].left);
+  const RunResult run = RunSequence(request).value();
+  EXPECT_EQ(ResultOf(request, run), Plain(Request()));
+  bool hit = false;
+  EXPECT_EQ(Cached(Request(), hit), Plain(Request()));
+  EXPECT_TRUE(hit);
+}
+
+}  // namespace
+}  // namespace cvo

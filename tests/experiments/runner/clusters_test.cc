@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// Detections into an estimator, its clusters out: a fake makes a cluster of each box.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/files/json.h"
+#include "experiments/runner/object_estimate_of.h"
+#include "experiments/runner/run_job.h"
+#include "tests/experiments/runner/tiny_sequence.h"
+#include "tests/support/temp_folder.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr int kFrames = 4;
+
+RigidTransform At(double x) {
+  return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, 0.0, 10.0)};
+}
+
+// Cluster i + 1 is the i-th box; its first feature is the cluster's, all others are static.
+class BoxOdometry : public Odometry {
+ public:
+  FrameReport Process(const StereoFrame& frame, StageTimes&) override {
+    FrameReport report = Skip(frame.timestamp_ns);
+    report.status = FrameStatus::kTracked;
+    for (std::size_t i = 0; i < frame.detections.size(); ++i) {
+      ClusterReport cluster;
+      cluster.id = ClusterId{static_cast<std::int64_t>(i) + 1};
+      cluster.category = frame.detections[i].category;
+      cluster.detection = static_cast<int>(i);
+      cluster.world_from_object = At(0.1 * static_cast<double>(frames_));
+      cluster.half_size_m.setConstant(1.0);
+      cluster.observed_landmarks = 5;
+      report.clusters.push_back(cluster);
+      trajectories_.resize(std::max(trajectories_.size(), i + 1));
+      trajectories_[i].id = cluster.id;
+      trajectories_[i].category = cluster.category;
+      trajectories_[i].poses.push_back({frames_ - 1, frame.timestamp_ns, ClusterStatus::kTracked,
+                                        At(0.1 * static_cast<double>(frames_) + 0.01)});
+    }
+    for (std::size_t i = 0; i < frame.features.size(); ++i) {
+      LandmarkReport landmark;
+      landmark.id = LandmarkId{static_cast<std::int64_t>(i)};
+      landmark.feature = static_cast<int>(i);
+      landmark.cluster = i == 0 && !frame.detections.empty() ? ClusterId{1} : kStaticScene;
+      report.landmarks.push_back(landmark);
+    }
+    return report;
+  }
+  FrameReport Skip(std::int64_t) override {
+    ++frames_;
+    FrameReport report;
+    report.status = FrameStatus::kSkipped;
+    return report;
+  }
+  std::vector<RigidTransform> Trajectory() const override {
+    return std::vector<RigidTransform>(static_cast<std::size_t>(frames_));
+  }
+  std::vector<ClusterTrajectory> ClusterTrajectories() const override { return trajectories_; }
+
+ private:
+  std::int64_t frames_ = 0;
+  std::vector<ClusterTrajectory> trajectories_;
+};
+
+std::unique_ptr<Odometry> Make(const OdometrySetup&, TaskPool&) {
+  return std::make_unique<BoxOdometry>();
+}
+const VariantInfo kBoxes{"boxes", "", &Make};
+
+class RunnerClusters : public testing::Test {
+ protected:
+  RunnerClusters() {
+    test::WriteTinySequence(folder_.path() / "tiny", kFrames);
+    folder_.Write("boxes.txt",
+                  "0 5 Car -1 -1 -10 10 10 60 60 -1 -1 -1 -1000 -1000 -1000 -10 0.5\n"
+                  "1 5 Car -1 -1 -10 10 10 60 60 -1 -1 -1 -1000 -1000 -1000 -10 0.5\n"
+                  "1 6 Cyclist -1 -1 -10 10 10 60 60 -1 -1 -1 -1000 -1000 -1000 -10 0.5\n"
+                  "1 7 Van -1 -1 -10 70 10 300 60 -1 -1 -1 -1000 -1000 -1000 -10 0.5\n"
+                  "3 5 Car -1 -1 -10 10 10 60 60 -1 -1 -1 -1000 -1000 -1000 -10 0.5\n");
+    Open("boxes.txt");
+  }
+
+  void Open(const std::string& detections) {
+    SequenceRequest request;
+    request.folder = folder_.path() / "tiny";
+    request.type = "kitti-odometry";
+    if (!detections.empty()) request.detections_file = folder_.path() / detections;
+    sequence_ = OpenSequence(request);
+  }
+  RunRequest Request() const { return {.sequence = sequence_, .variant = kBoxes, .options = {}}; }
+  fs::path Out() const {
+    fs::create_directories(folder_.path() / "out");
+    return folder_.path() / "out";
+  }
+
+  test::TempFolder folder_;
+  Sequence sequence_;
+};
+
+TEST_F(RunnerClusters, DetectionsReachTheirFrames) {
+  const RunResult run = RunSequence(Request()).value();
+  ASSERT_THAT(run.frames, SizeIs(kFrames));
+  EXPECT_THAT(run.frames[0].detections, SizeIs(1));
+  ASSERT_THAT(run.frames[1].detections, SizeIs(2));
+  EXPECT_THAT(run.frames[2].detections, IsEmpty());
+  EXPECT_EQ(run.frames[1].detections[1].category, "Van");
+  EXPECT_EQ(run.frames[1].detections[1].box.right_px, test::kTinyWidth_px - 1);
+  EXPECT_EQ(run.frames[1].report.clusters[1].detection, 1);
+  EXPECT_EQ(run.detections.given, 4);
+  EXPECT_EQ(run.detections.other_classes.at("Cyclist"), 1);
+  EXPECT_THAT(run.clusters, SizeIs(2));
+}
+
+TEST_F(RunnerClusters, LandmarksAreKeptOnlyOnRequest) {
+  RunRequest request = Request();
+  RunResult run = RunSequence(request).value();
+  EXPECT_THAT(run.frames[0].report.landmarks, IsEmpty());
+  EXPECT_EQ(run.landmark_rows, "");
+  request.landmarks = true;
+  run = RunSequence(request).value();
+  EXPECT_THAT(run.frames[0].report.landmarks, IsEmpty());
+  EXPECT_THAT(run.landmark_rows, HasSubstr("\n3,0,"));
+}
+
+TEST_F(RunnerClusters, BoxesOfASkippedFrameAreCounted) {
+  test::CutFile(sequence_.images[1].left);
+  const RunResult run = RunSequence(Request()).value();
+  EXPECT_EQ(run.detections.skipped, 3);
+  EXPECT_THAT(run.frames[1].detections, IsEmpty());
+}
+
+TEST_F(RunnerClusters, FilesOfAnEarlierRunDoNotStay) {
+  RunRequest request = Request();
+  request.landmarks = true;
+  ASSERT_TRUE(RunJob(request, Out()).has_value());
+  EXPECT_TRUE(fs::exists(Out() / "clusters" / "1.tum"));
+  EXPECT_TRUE(fs::exists(Out() / "clusters" / "2.tum"));
+  EXPECT_TRUE(fs::exists(Out() / "landmarks.csv"));
+  folder_.Write("out/clusters/notes.txt", "mine");
+
+  folder_.Write("boxes.txt", "3 5 Car -1 -1 -10 10 10 60 60 -1 -1 -1 -1000 -1000 -1000 -10 0.5\n");
+  Open("boxes.txt");
+  ASSERT_TRUE(RunJob(Request(), Out()).has_value());
+  EXPECT_TRUE(fs::exists(Out() / "clusters" / "1.tum"));
+  EXPECT_FALSE(fs::exists(Out() / "clusters" / "2.tum"));
+  EXPECT_FALSE(fs::exists(Out() / "landmarks.csv"));
+  EXPECT_TRUE(fs::exists(Out() / "clusters" / "notes.txt"));
+
+  fs::remove(Out() / "clusters" / "notes.txt");
+  Open("");
+  ASSERT_TRUE(RunJob(Request(), Out()).has_value());
+  EXPECT_FALSE(fs::exists(Out() / "clusters"));
+}
+
+TEST_F(RunnerClusters, TheSameBytesForAnyNumberOfThreads) {
+  RunRequest request = Request();
+  request.landmarks = true;
+  const std::vector<std::string> names = {"result.json",   "objects.csv",    "tracks.kitti",
+                                          "landmarks.csv", "clusters/1.tum", "clusters/2.tum"};
+  std::vector<std::string> first;
+  for (const int threads : {1, 2, 4}) {
+    request.threads = threads;
+    const JobOutcome outcome = RunJob(request, Out()).value();
+    EXPECT_EQ(outcome.context.job, IdentifyJob(request));
+    std::vector<std::string> files;
+    for (const std::string& name : names) files.push_back(test::ReadFile(Out() / name));
+    if (first.empty()) first = files;
+    EXPECT_EQ(files, first) << threads;
+  }
+  EXPECT_EQ(ReadJson(Out() / "result.json")["clusters"].size(), 2U);
+}
+
+TEST_F(RunnerClusters, ClassesAndOracleArePartOfTheJob) {
+  RunRequest request = Request();
+  const std::string job = IdentifyJob(request);
+  request.classes = {"Car"};
+  EXPECT_NE(IdentifyJob(request), job);
+  request.classes = RigidClasses();
+  EXPECT_EQ(IdentifyJob(request), job);
+  request.oracle.camera = true;
+  EXPECT_NE(IdentifyJob(request), job);
+  ASSERT_TRUE(RunJob(request, Out()).has_value());
+  EXPECT_EQ(ReadJson(Out() / "result.json")["given"]["oracle"], Json::array({"camera"}));
+  request.oracle.boxes = true;
+  EXPECT_THROW((void)RunJob(request, Out()), Error);
+}
+
+TEST_F(RunnerClusters, AnEstimateHasTheClustersOfBothTimes) {
+  const RunResult run = RunSequence(Request()).value();
+  const ObjectEstimate causal = ObjectEstimateOf(run, PoseTime::kCausal);
+  const ObjectEstimate refined = ObjectEstimateOf(run, PoseTime::kRefined);
+  ASSERT_THAT(causal.clusters, SizeIs(2));
+  ASSERT_THAT(causal.clusters[0].frames, SizeIs(3));
+  EXPECT_EQ(causal.clusters[0].frames[2].frame, 3);
+  EXPECT_NEAR(causal.clusters[0].frames[2].world_from_object.translation().x(), 0.4, 1e-12);
+  EXPECT_NEAR(refined.clusters[0].frames[2].world_from_object.translation().x(), 0.41, 1e-12);
+  EXPECT_EQ(causal.clusters[0].frames[2].observed_landmarks, 5);
+  EXPECT_THAT(causal.world_from_camera, SizeIs(kFrames));
+}
+
+}  // namespace
+}  // namespace cvo

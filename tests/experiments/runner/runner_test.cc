@@ -1,0 +1,309 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/features/front_end.h"
+#include "experiments/cache/content_hash.h"
+#include "experiments/datasets/load_image.h"
+#include "experiments/record/result_file.h"
+#include "experiments/runner/look_ahead.h"
+#include "experiments/runner/run_sequence.h"
+#include "experiments/runner/score_run.h"
+#include "tests/experiments/runner/tiny_sequence.h"
+#include "tests/support/temp_folder.h"
+
+namespace cvo {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+constexpr int kFrames = 8;
+
+// Steps one metre per frame, plus what the features add up to, so that poses show which frame was
+// given. Uses the pool as an estimator may.
+class FakeOdometry : public Odometry {
+ public:
+  FakeOdometry(const OdometrySetup& setup, TaskPool& pool) : seed_(setup.seed), pool_(pool) {}
+
+  FrameReport Process(const StereoFrame& frame, StageTimes& times) override {
+    times["fake"] = 0.001;
+    std::vector<double> sums(4, 0.0);
+    pool_.ParallelFor(4, [&](int part) {
+      for (const StereoFeature& feature : frame.features) {
+        sums[static_cast<std::size_t>(part)] += feature.z_px.sum() / (part + 1.0);
+      }
+    });
+    const double sum = sums[0] + sums[1] + sums[2] + sums[3];
+    return Report(trajectory_.empty() ? FrameStatus::kFirst : FrameStatus::kTracked, sum,
+                  static_cast<int>(frame.features.size()));
+  }
+
+  FrameReport Skip(std::int64_t) override { return Report(FrameStatus::kSkipped, 0.0, 0); }
+
+  std::vector<RigidTransform> Trajectory() const override { return trajectory_; }
+  std::vector<ClusterTrajectory> ClusterTrajectories() const override { return {}; }
+
+ protected:
+  FrameReport Report(FrameStatus status, double x, int features) {
+    FrameReport report;
+    report.status = status;
+    report.features = features;
+    const double z = static_cast<double>(trajectory_.size()) + 0.5 * static_cast<double>(seed_);
+    const Eigen::Quaterniond none = Eigen::Quaterniond::Identity();
+    report.world_from_camera = RigidTransform(none, Eigen::Vector3d(x, 0, z));
+    trajectory_.push_back(RigidTransform(none, Eigen::Vector3d(x, 1, z)));
+    return report;
+  }
+
+  std::vector<RigidTransform> trajectory_;
+
+ private:
+  std::uint64_t seed_;
+  TaskPool& pool_;
+};
+
+class FailingOdometry : public FakeOdometry {
+ public:
+  using FakeOdometry::FakeOdometry;
+  FrameReport Process(const StereoFrame& frame, StageTimes& times) override {
+    if (trajectory_.size() == 3) throw Error("the fake has had enough");
+    return FakeOdometry::Process(frame, times);
+  }
+};
+
+class LosingOdometry : public FakeOdometry {
+ public:
+  using FakeOdometry::FakeOdometry;
+  FrameReport Process(const StereoFrame& frame, StageTimes& times) override {
+    FrameReport report = FakeOdometry::Process(frame, times);
+    if (trajectory_.size() > 6) report.status = FrameStatus::kLost;
+    return report;
+  }
+};
+
+template <typename T>
+std::unique_ptr<Odometry> Make(const OdometrySetup& setup, TaskPool& pool) {
+  return std::make_unique<T>(setup, pool);
+}
+
+const VariantInfo kFake{"fake", "", &Make<FakeOdometry>};
+const VariantInfo kFailing{"failing", "", &Make<FailingOdometry>};
+const VariantInfo kLosing{"losing", "", &Make<LosingOdometry>};
+
+Sequence Open(const std::filesystem::path& folder) {
+  SequenceRequest request;
+  request.folder = folder;
+  request.type = "kitti-odometry";
+  return OpenSequence(request);
+}
+
+class Runner : public testing::Test {
+ protected:
+  Runner() : sequence_((test::WriteTinySequence(path(), kFrames), Open(path()))) {}
+
+  std::filesystem::path path() const { return folder_.path() / "tiny"; }
+  std::filesystem::path Left(int frame) const {
+    return sequence_.images[static_cast<std::size_t>(frame)].left;
+  }
+  std::filesystem::path Right(int frame) const {
+    return sequence_.images[static_cast<std::size_t>(frame)].right;
+  }
+  RunRequest Request(const VariantInfo& variant = kFake) const {
+    return {.sequence = sequence_, .variant = variant, .options = {}};
+  }
+  std::string ResultOf(const RunResult& run) const {
+    return ResultFile({.sequence = sequence_, .build = ThisBuild(), .variant = "fake", .run = run});
+  }
+
+  test::TempFolder folder_;
+  Sequence sequence_;
+};
+
+TEST_F(Runner, GivesTheFramesInOrder) {
+  std::vector<std::size_t> done;
+  RunRequest request = Request();
+  request.progress = [&done](std::size_t frames) { done.push_back(frames); };
+  const RunResult run = RunSequence(request).value();
+  EXPECT_EQ(run.status, RunStatus::kOk);
+  ASSERT_THAT(run.frames, SizeIs(kFrames));
+  EXPECT_THAT(done, ElementsAre(1, 2, 3, 4, 5, 6, 7, 8));
+  for (int i = 0; i < kFrames; ++i) {
+    const FrameRecord& frame = run.frames[static_cast<std::size_t>(i)];
+    EXPECT_EQ(frame.frame, i);
+    EXPECT_EQ(frame.timestamp_ns, 100'000'000LL * i);
+    EXPECT_EQ(frame.report.world_from_camera.translation().z(), i);
+    EXPECT_GT(frame.report.features, 20);
+    EXPECT_EQ(frame.refined_world_from_camera.translation().y(), 1.0);
+    for (const char* stage : {"decode", "extract", "match_stereo", "fake", "estimate", "frame"}) {
+      EXPECT_TRUE(frame.times_s.contains(stage)) << stage;
+    }
+  }
+}
+
+TEST_F(Runner, ResultsDoNotDependOnTheNumberOfThreads) {
+  test::CutFile(Right(3));
+  RunRequest request = Request();
+  const std::string one = ResultOf(RunSequence(request).value());
+  for (const int threads : {1, 2, 4, 9}) {
+    request.threads = threads;
+    EXPECT_EQ(ResultOf(RunSequence(request).value()), one) << threads;
+  }
+  request.seed = 1;
+  EXPECT_NE(ResultOf(RunSequence(request).value()), one);
+}
+
+TEST_F(Runner, SkipsAFrameThatCannotBeDecodedAndSaysWhy) {
+  test::CutFile(Left(0));
+  test::CutFile(Right(5));
+  std::filesystem::remove(Left(5));
+  for (const int threads : {1, 3}) {
+    RunRequest request = Request();
+    request.threads = threads;
+    const RunResult run = RunSequence(request).value();
+    EXPECT_EQ(run.status, RunStatus::kOk);
+    ASSERT_THAT(run.frames, SizeIs(kFrames));
+    EXPECT_EQ(run.frames[0].report.status, FrameStatus::kSkipped);
+    EXPECT_EQ(run.frames[5].report.status, FrameStatus::kSkipped);
+    EXPECT_EQ(run.frames[6].report.status, FrameStatus::kTracked);
+    ASSERT_THAT(run.frames[0].problems, SizeIs(1));
+    EXPECT_EQ(run.frames[0].problems[0].image, "image_0/000000.png");
+    EXPECT_THAT(run.frames[0].problems[0].reason, HasSubstr("expected"));
+    EXPECT_THAT(run.frames[0].problems[0].reason, Not(HasSubstr(folder_.path().string())));
+    ASSERT_THAT(run.frames[5].problems, SizeIs(2));
+    EXPECT_EQ(run.frames[5].problems[1].image, "image_1/000005.png");
+  }
+}
+
+TEST_F(Runner, SkipsAnImageOfAnotherSize) {
+  sequence_.camera.width_px += 1;
+  const RunResult run = RunSequence(Request()).value();
+  ASSERT_THAT(run.frames, SizeIs(kFrames));
+  EXPECT_THAT(run.frames[2].problems[0].reason, HasSubstr("256x128"));
+}
+
+TEST_F(Runner, StrictRefusesAFrameThatCannotBeDecoded) {
+  test::CutFile(Right(5));
+  RunRequest request = Request();
+  request.strict = true;
+  for (const int threads : {1, 2}) {
+    request.threads = threads;
+    try {
+      (void)RunSequence(request);
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), AllOf(HasSubstr(Right(5).string()), HasSubstr("expected")));
+    }
+  }
+}
+
+TEST_F(Runner, AnErrorOfTheExtractionIsThrown) {
+  RunRequest request = Request();
+  request.options.orb.levels = 0;
+  for (const int threads : {1, 2, 4}) {
+    request.threads = threads;
+    EXPECT_THROW((void)RunSequence(request), Error);
+  }
+}
+
+TEST_F(Runner, AnErrorOfTheEstimatorIsAResult) {
+  const std::string content = RunSequence(Request())->content;
+  RunRequest request = Request(kFailing);
+  request.threads = 2;
+  const RunResult run = RunSequence(request).value();
+  EXPECT_EQ(run.status, RunStatus::kFailed);
+  EXPECT_EQ(run.message, "frame 3: the fake has had enough");
+  EXPECT_THAT(run.frames, SizeIs(3));
+  EXPECT_EQ(run.content, content);
+  const RunScores scores = ScoreRun(sequence_, run);
+  EXPECT_TRUE(scores.refined.empty());
+  EXPECT_TRUE(scores.causal.empty());
+  EXPECT_NO_THROW(ResultOf(run));
+}
+
+TEST_F(Runner, SaysHowManyFramesWereLost) {
+  const RunResult run = RunSequence(Request(kLosing)).value();
+  EXPECT_EQ(run.status, RunStatus::kLost);
+  EXPECT_EQ(run.message, "2 of 8 frames lost, the first is frame 6");
+}
+
+TEST_F(Runner, StopsAfterTheFrameInWork) {
+  for (const int threads : {1, 2}) {
+    std::size_t frames = 0;
+    RunRequest request = Request();
+    request.threads = threads;
+    request.progress = [&frames](std::size_t done) { frames = done; };
+    request.stop = [&frames] { return frames == 3; };
+    EXPECT_FALSE(RunSequence(request).has_value());
+    EXPECT_EQ(frames, 3U);
+  }
+}
+
+TEST_F(Runner, LooksOnlyAFewFramesAhead) {
+  RunRequest request = Request();
+  request.threads = 4;
+  // Once the first frame is through, images beyond the look-ahead cannot have been read.
+  request.progress = [this](std::size_t done) {
+    if (done != 1) return;
+    for (int i = 1 + static_cast<int>(LookAhead::kFrames); i < kFrames; ++i) {
+      std::filesystem::remove(Left(i));
+    }
+  };
+  const RunResult run = RunSequence(request).value();
+  for (std::size_t i = 0; i < run.frames.size(); ++i) {
+    EXPECT_EQ(run.frames[i].problems.empty(), i <= LookAhead::kFrames) << i;
+  }
+}
+
+TEST_F(Runner, ExtractsWhatTheFrontEndDoes) {
+  Options options;
+  options.stereo.right_features = 2.0;
+  options.orb.features = 60;  // the tiny images have more: the right one's number then matters
+  TaskPool pool(1);
+  LookAhead frames(sequence_, options, pool);
+  const std::vector<StereoFeature> features = frames.Next().frame.features;
+  const cv::Mat left = LoadGrey(sequence_.images[0].left).grey;
+  const cv::Mat right = LoadGrey(sequence_.images[0].right).grey;
+  const std::vector<StereoFeature> expected =
+      ExtractStereoFeatures(left, right, sequence_.camera, options.orb, options.stereo, pool);
+  ASSERT_THAT(features, SizeIs(expected.size()));
+  for (std::size_t i = 0; i < features.size(); ++i) EXPECT_EQ(features[i].z_px, expected[i].z_px);
+  options.stereo.right_features = 1.0;
+  EXPECT_NE(LookAhead(sequence_, options, pool).Next().frame.features.size(), expected.size());
+}
+
+TEST_F(Runner, ScoresBothTrajectories) {
+  const RunResult run = RunSequence(Request()).value();
+  const RunScores scores = ScoreRun(sequence_, run);
+  ASSERT_FALSE(scores.refined.empty());
+  ASSERT_THAT(scores.causal, SizeIs(scores.refined.size()));
+  for (std::size_t i = 0; i < scores.refined.size(); ++i) {
+    EXPECT_THAT(scores.refined[i].name, testing::StartsWith("camera_"));
+    EXPECT_THAT(scores.causal[i].name, testing::StartsWith("camera_causal_"));
+    EXPECT_EQ(scores.refined[i].contract.truth, "official");
+  }
+}
+
+TEST_F(Runner, TheContentHashIsOfBytesAndNotOfPlaces) {
+  const std::string content = RunSequence(Request())->content;
+  const auto copy = folder_.path() / "copy" / "tiny";
+  std::filesystem::create_directories(copy.parent_path());
+  std::filesystem::copy(path(), copy, std::filesystem::copy_options::recursive);
+  const Sequence copied = Open(copy);
+  EXPECT_EQ(RunSequence({.sequence = copied, .variant = kFake, .options = {}})->content, content);
+
+  test::CutFile(copied.images[7].right);
+  EXPECT_NE(RunSequence({.sequence = copied, .variant = kFake, .options = {}})->content, content);
+  sequence_.camera.baseline_m += 1e-9;
+  EXPECT_NE(RunSequence(Request())->content, content);
+}
+
+}  // namespace
+}  // namespace cvo

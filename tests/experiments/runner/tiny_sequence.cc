@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/experiments/runner/tiny_sequence.h"
+
+#include <fstream>
+#include <iomanip>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "core/base/rng.h"
+
+namespace cvo::test {
+namespace {
+
+constexpr double kFocal_px = 200.0;
+constexpr double kBaseline_m = 0.5;
+constexpr int kDisparity_px = 10;  // of the wall
+constexpr int kStep_px = 3;        // that the wall moves to the left per frame
+constexpr int kBlock_px = 4;       // of one grey value
+
+// Blocks of random grey values, wide enough for all frames.
+cv::Mat Wall(int frames) {
+  cv::Mat wall(kTinyHeight_px, kTinyWidth_px + kStep_px * frames + kDisparity_px, CV_8UC1);
+  Rng rng(1, "tiny wall");
+  const int columns = wall.cols / kBlock_px + 1;
+  std::vector<unsigned char> blocks(
+      static_cast<std::size_t>(columns * (wall.rows / kBlock_px + 1)));
+  for (unsigned char& block : blocks) block = static_cast<unsigned char>(rng.UniformInt(256));
+  for (int v = 0; v < wall.rows; ++v) {
+    for (int u = 0; u < wall.cols; ++u) {
+      wall.at<unsigned char>(v, u) =
+          blocks[static_cast<std::size_t>(v / kBlock_px * columns + u / kBlock_px)];
+    }
+  }
+  return wall;
+}
+
+std::string ImageName(int frame) {
+  std::ostringstream name;
+  name << std::setw(6) << std::setfill('0') << frame << ".png";
+  return name.str();
+}
+
+void WriteCalibration(const std::filesystem::path& file) {
+  std::ofstream out(file);
+  for (int camera = 0; camera < 2; ++camera) {
+    out << "P" << camera << ": " << kFocal_px << " 0 128 " << -camera * kFocal_px * kBaseline_m
+        << " 0 " << kFocal_px << " 64 0 0 0 1 0\n";
+  }
+}
+
+}  // namespace
+
+void WriteTinySequence(const std::filesystem::path& folder, int frames) {
+  const cv::Mat wall = Wall(frames);
+  std::filesystem::create_directories(folder / "image_0");
+  std::filesystem::create_directories(folder / "image_1");
+  WriteCalibration(folder / "calib.txt");
+  std::ofstream times(folder / "times.txt");
+  std::ofstream poses(folder / "poses.txt");
+  const double depth_m = kFocal_px * kBaseline_m / kDisparity_px;
+  for (int i = 0; i < frames; ++i) {
+    const cv::Rect left(kStep_px * i, 0, kTinyWidth_px, kTinyHeight_px);
+    const cv::Rect right = left + cv::Point(kDisparity_px, 0);
+    Require(cv::imwrite((folder / "image_0" / ImageName(i)).string(), wall(left)), "imwrite");
+    Require(cv::imwrite((folder / "image_1" / ImageName(i)).string(), wall(right)), "imwrite");
+    times << 0.1 * i << '\n';
+    poses << "1 0 0 " << i * kStep_px * depth_m / kFocal_px << " 0 1 0 0 0 0 1 0\n";
+  }
+}
+
+void CutFile(const std::filesystem::path& file) {
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
+}
+
+}  // namespace cvo::test

@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// Each check passes on a scene that is right and fails when its fault is put in.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+
+#include "core/base/error.h"
+#include "core/files/number.h"
+#include "core/files/text_file.h"
+#include "experiments/metrics/kitti_poses.h"
+#include "experiments/scene_check/check_scene.h"
+#include "experiments/scene_check/checks.h"
+#include "tests/experiments/scene_check/rays.h"
+#include "tests/support/error_message.h"
+#include "tests/support/temp_folder.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+std::vector<std::string> Failed(const std::vector<SceneCheck>& checks) {
+  std::vector<std::string> names;
+  for (const SceneCheck& check : checks) {
+    if (!check.Passed()) names.push_back(check.name);
+  }
+  return names;
+}
+
+std::string Describe(const SceneCheckReport& report) { return DumpJson(SceneCheckJson(report)); }
+
+class SceneCheckTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    original_ = new test::TempFolder();
+    test::WriteRayScene(original_->path() / "rays");
+  }
+  static void TearDownTestSuite() {
+    delete original_;
+    original_ = nullptr;
+  }
+  SceneCheckTest() { fs::copy(original_->path() / "rays", rays(), fs::copy_options::recursive); }
+
+  fs::path rays() const { return folder_.path() / "rays"; }
+
+  std::vector<std::string> FailedIn(std::vector<SceneCheck> (*check)(const SceneFolder&,
+                                                                     TaskPool&)) const {
+    TaskPool pool(2);
+    return Failed(check(OpenSceneFolder(rays()), pool));
+  }
+  // Changes an image in place.
+  void Edit(const std::string& name, const std::function<void(cv::Mat&)>& change) const {
+    cv::Mat image = cv::imread((rays() / name).string(), cv::IMREAD_UNCHANGED);
+    ASSERT_FALSE(image.empty()) << name;
+    change(image);
+    ASSERT_TRUE(cv::imwrite((rays() / name).string(), image));
+  }
+  void EditAll(const std::string& folder, const std::string& extension,
+               const std::function<void(cv::Mat&)>& change) const {
+    for (int i = 0; i < test::RayScene::kFrames; ++i) {
+      Edit(folder + "/00000" + std::to_string(i) + extension, change);
+    }
+  }
+  void Replace(const std::string& name, const std::string& from, const std::string& to) const {
+    std::string text = ReadFileBytes(rays() / name);
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << name << ": " << from;
+    WriteFileBytes(rays() / name, text.replace(at, from.size(), to));
+  }
+
+  static test::TempFolder* original_;
+  test::TempFolder folder_;
+};
+
+test::TempFolder* SceneCheckTest::original_ = nullptr;
+
+void Shift(cv::Mat& image, double du, double dv) {
+  const cv::Matx23d move(1.0, 0.0, du, 0.0, 1.0, dv);
+  cv::warpAffine(image.clone(), image, move, image.size(), cv::INTER_CUBIC, cv::BORDER_REPLICATE);
+}
+
+TEST_F(SceneCheckTest, AScenePassesOnAnyNumberOfThreads) {
+  const SceneCheckReport one = CheckScene(rays(), 1);
+  EXPECT_TRUE(one.Passed()) << Describe(one);
+  EXPECT_EQ(one.frames, test::RayScene::kFrames);
+  EXPECT_EQ(Describe(one), Describe(CheckScene(rays(), 3)));
+}
+
+TEST_F(SceneCheckTest, AFlippedByteAndAStrangeFileAreFound) {
+  std::string bytes = ReadFileBytes(rays() / "depth_0/000001.tiff");
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+  WriteFileBytes(rays() / "depth_0/000001.tiff", bytes);
+  WriteFileBytes(rays() / "notes.txt", "mine");
+  TaskPool pool(1);
+  const std::vector<SceneCheck> checks = CheckFiles(rays(), pool);
+  EXPECT_THAT(Failed(checks),
+              testing::ElementsAre("manifest_changed_files", "manifest_unlisted_files"));
+  EXPECT_THAT(checks[0].where, HasSubstr("depth_0/000001.tiff"));
+  EXPECT_EQ(checks[1].where, "notes.txt");
+}
+
+TEST_F(SceneCheckTest, AFileThatCannotBeReadIsAFailedCheck) {
+  fs::remove(rays() / "instance_0/000002.png");
+  const SceneCheckReport report = CheckScene(rays(), 2);
+  EXPECT_FALSE(report.Passed());
+  EXPECT_THAT(Failed(report.checks), Contains("masks_unreadable"));
+  EXPECT_THAT(Failed(report.checks), Not(Contains("label_box")));
+}
+
+TEST_F(SceneCheckTest, AFolderThatIsNoSceneIsAnError) {
+  EXPECT_THAT(ErrorMessage([&] { CheckScene(folder_.path(), 1); }), HasSubstr("no objects.csv"));
+}
+
+TEST_F(SceneCheckTest, ASideShiftedByATenthOfAPixelIsFound) {
+  EditAll("image_1", ".png", [](cv::Mat& image) { Shift(image, 0.1, 0.0); });
+  EXPECT_THAT(FailedIn(CheckStereo), Contains("disparity_offset"));
+}
+
+TEST_F(SceneCheckTest, ARowShiftIsFound) {
+  EditAll("image_1", ".png", [](cv::Mat& image) { Shift(image, 0.0, 0.1); });
+  const std::vector<std::string> failed = FailedIn(CheckStereo);
+  EXPECT_THAT(failed, Contains("row_offset"));
+  EXPECT_THAT(failed, Not(Contains("disparity_offset")));
+}
+
+TEST_F(SceneCheckTest, DepthOffByOnePerCentIsFound) {
+  EditAll("depth_0", ".tiff", [](cv::Mat& depth) { depth *= 1.01; });
+  EXPECT_THAT(FailedIn(CheckStereo), Contains("disparity_offset"));
+  EXPECT_THAT(FailedIn(CheckMasks), Contains("mask_point_out_of_box"));
+}
+
+TEST_F(SceneCheckTest, OneBlurredImageIsFound) {
+  Edit("image_1/000002.png", [](cv::Mat& image) { cv::blur(image.clone(), image, {7, 7}); });
+  EXPECT_THAT(FailedIn(CheckStereo), Contains("stereo_residual_median"));
+}
+
+TEST_F(SceneCheckTest, SwappedMasksAreFound) {
+  Edit("instance_0/000001.png", [](cv::Mat& instances) {
+    cv::Mat swapped = instances.clone();
+    swapped.setTo(2, instances == 1);
+    swapped.setTo(1, instances == 2);
+    instances = swapped;
+  });
+  const std::vector<std::string> failed = FailedIn(CheckMasks);
+  EXPECT_THAT(failed, Contains("mask_visible_px"));
+  EXPECT_THAT(failed, Contains("mask_visible_box"));
+  EXPECT_THAT(failed, Contains("mask_out_of_box_hull"));
+  EXPECT_THAT(failed, Contains("mask_point_out_of_box"));
+}
+
+TEST_F(SceneCheckTest, AnIdOfNoBodyIsFound) {
+  Edit("instance_0/000001.png", [](cv::Mat& instances) { instances.at<std::uint16_t>(3, 3) = 9; });
+  EXPECT_THAT(FailedIn(CheckMasks), testing::ElementsAre("mask_unknown_ids"));
+}
+
+TEST_F(SceneCheckTest, APerturbedCameraPoseIsFound) {
+  std::vector<RigidTransform> poses = ReadKittiPoses(rays() / "poses.txt");
+  poses[2].data()[4] += 0.005;
+  WriteKittiPoses(rays() / "poses.txt", poses);
+  EXPECT_THAT(FailedIn(CheckPoses), Contains("baseline_error"));
+  EXPECT_THAT(FailedIn(CheckMotion), Contains("motion_shift_background_worst"));
+  EXPECT_THAT(FailedIn(CheckFlow), Contains("flow_error"));
+}
+
+TEST_F(SceneCheckTest, PosesThatLagBehindTheImagesAreFound) {
+  // Both cameras half a frame late: the files still agree with each other, not with the images.
+  std::vector<RigidTransform> left = ReadKittiPoses(rays() / "poses.txt");
+  for (std::size_t i = left.size() - 1; i > 0; --i) {
+    left[i] = left[i - 1].Plus(0.5 * left[i].Minus(left[i - 1]));
+  }
+  std::vector<RigidTransform> right;
+  const double baseline_m = test::RayScene().camera().baseline_m;
+  for (const RigidTransform& pose : left) {
+    right.push_back(pose * RigidTransform(Eigen::Quaterniond::Identity(), {baseline_m, 0.0, 0.0}));
+  }
+  WriteKittiPoses(rays() / "poses.txt", left);
+  WriteKittiPoses(rays() / "poses_right.txt", right);
+  EXPECT_THAT(FailedIn(CheckPoses), IsEmpty());
+  EXPECT_THAT(FailedIn(CheckMotion), Contains("motion_shift_background"));
+}
+
+TEST_F(SceneCheckTest, AWrongVelocityIsFound) {
+  for (int i = 0; i < test::RayScene::kFrames; ++i) {
+    Replace("objects.csv", ",0.5,0,0,0,0,1.428", ",0.7,0,0,0,0,1.428");
+  }
+  EXPECT_THAT(FailedIn(CheckPoses), testing::ElementsAre("velocity_error"));
+}
+
+TEST_F(SceneCheckTest, ABodyThatTurnsOtherThanItsTextureIsFound) {
+  for (int i = 0; i < test::RayScene::kFrames; ++i) {
+    const test::RayScene scene;
+    const auto text = [&](const RigidTransform& pose) {
+      std::string cells;
+      const Eigen::Vector4d quaternion = pose.rotation().coeffs();
+      for (const double value : quaternion) cells += FormatDouble(value) + ",";
+      return cells;
+    };
+    Replace("objects.csv", text(scene.WorldFromObject(1, i)),
+            text(RigidTransform(scene.WorldFromObject(1, 0).rotation(), Eigen::Vector3d::Zero())));
+  }
+  EXPECT_THAT(FailedIn(CheckPoses), testing::ElementsAre("angular_velocity_error"));
+  EXPECT_THAT(FailedIn(CheckMotion), Contains("motion_residual_bodies"));
+}
+
+TEST_F(SceneCheckTest, FaultsOfLabelsAreFound) {
+  Replace("labels.txt", "0 1 Ball 0 0", "0 1 Ball 0.2 1");
+  Replace("labels.txt", "1 2 Block", "1 2 Ball");
+  EXPECT_THAT(FailedIn(CheckLabels),
+              testing::ElementsAre("labels_unmatched", "label_truncation", "label_occlusion"));
+}
+
+TEST_F(SceneCheckTest, ALabelThatFacesElsewhereIsFound) {
+  std::string text = ReadFileBytes(rays() / "labels.txt");
+  const std::size_t end = text.find('\n', text.find("0 2 Block"));
+  const std::size_t heading = text.rfind(' ', end);
+  WriteFileBytes(rays() / "labels.txt", text.replace(heading, end - heading, " 0.1"));
+  EXPECT_THAT(FailedIn(CheckLabels), testing::ElementsAre("label_heading"));
+}
+
+TEST_F(SceneCheckTest, AMissingOracleBoxIsFound) {
+  std::string text = ReadFileBytes(rays() / "detections/oracle.txt");
+  WriteFileBytes(rays() / "detections/oracle.txt", text.substr(text.find('\n') + 1));
+  EXPECT_THAT(FailedIn(CheckDetections), testing::ElementsAre("oracle_boxes_wrong"));
+}
+
+TEST_F(SceneCheckTest, AHalfPixelSlipOfThePrincipalPointIsFound) {
+  for (int camera = 0; camera < 2; ++camera) Replace("calib.txt", "199.5", "200");
+  EXPECT_THAT(
+      FailedIn(CheckTargets),
+      testing::ElementsAre("target_offset_left", "target_offset_right", "target_corner_worst"));
+}
+
+TEST_F(SceneCheckTest, ABlankBallHasNoMatches) {
+  EditAll("image_0", ".png", [](cv::Mat& image) { cv::circle(image, {150, 180}, 90, {90}, -1); });
+  EXPECT_THAT(FailedIn(CheckFeatures), Contains("mover_matches_per_200_px"));
+}
+
+}  // namespace
+}  // namespace cvo

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "experiments/suite/plan.h"
+#include "experiments/suite/shipped_suites.h"
+#include "experiments/suite/suite_overrides.h"
+#include "tests/experiments/suite/examples.h"
+#include "tests/support/error_message.h"
+#include "tests/support/temp_folder.h"
+#include "variants/registry.h"
+
+namespace cvo {
+namespace {
+
+using test::Parse;
+using test::SmallSuite;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+// The small suite with one value changed, named by a JSON pointer.
+Json With(const std::string& pointer, const Json& value) {
+  Json json = SmallSuite();
+  json[Json::json_pointer(pointer)] = value;
+  return json;
+}
+
+std::string MessageOf(const Json& json) {
+  return ErrorMessage([&] { Parse(json); });
+}
+
+TEST(Suite, ReadsWhatAFileSays) {
+  Json json = SmallSuite();
+  json["sequences"].push_back({{"folder", "2011_09_26_drive_0013_sync"},
+                               {"detections", "d.txt"},
+                               {"detections_camera", 2},
+                               {"min_score", 0.5},
+                               {"classes", {"Car"}}});
+  json["options"] = {{"window", {{"spatial", 4}}}};
+  json["oracles"] = Json::array({Json::array(), {"boxes", "labels"}});
+  json["table"]["rows"] = {"variant", "oracle"};
+  const Suite suite = Parse(json);
+  EXPECT_EQ(suite.sequences[0].name, "tiny");
+  EXPECT_EQ(suite.sequences[1].name, "2011_09_26_drive_0013");
+  EXPECT_EQ(suite.sequences[1].detections_camera, 2);
+  EXPECT_EQ(suite.sequences[1].min_score, 0.5);
+  EXPECT_THAT(suite.sequences[1].classes, ElementsAre("Car"));
+  EXPECT_EQ(suite.options["window"]["spatial"], 4);
+  EXPECT_THAT(suite.oracles, ElementsAre(ElementsAre(), ElementsAre("boxes", "labels")));
+}
+
+TEST(Suite, SeedsAreANumberOrAList) {
+  EXPECT_THAT(Parse(With("/seeds", 3)).seeds, ElementsAre(1, 2, 3));
+  EXPECT_THAT(Parse(With("/seeds", {7, 0})).seeds, ElementsAre(7, 0));
+  EXPECT_THAT(MessageOf(With("/seeds", 0)), HasSubstr("s.json, seeds"));
+  EXPECT_THAT(MessageOf(With("/seeds", Json::array())), HasSubstr("s.json, seeds"));
+  EXPECT_THAT(MessageOf(With("/seeds", {1, 1})), HasSubstr("s.json, seeds"));
+  EXPECT_THAT(MessageOf(With("/seeds", {-1})), HasSubstr("s.json, seeds"));
+}
+
+// Pointer, value, and what the message must name.
+struct Wrong {
+  std::string pointer;
+  Json value;
+  std::string key;
+};
+
+class WrongSuite : public testing::TestWithParam<Wrong> {};
+
+TEST_P(WrongSuite, NamesFileAndKey) {
+  const Wrong& wrong = GetParam();
+  EXPECT_THAT(MessageOf(With(wrong.pointer, wrong.value)),
+              AllOf(StartsWith("s.json"), HasSubstr(wrong.key)));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Suite, WrongSuite,
+    testing::Values(
+        Wrong{"/sede", 1, "sede"}, Wrong{"/name", 5, "name"}, Wrong{"/name", "a/b", "name"},
+        Wrong{"/sequences/0/scene", "tinny", "did you mean tiny"},
+        Wrong{"/sequences/0/scne", "tiny", "sequences.0.scne"},
+        Wrong{"/sequences/0/folder", "f", "sequences.0"},
+        Wrong{"/sequences/0/detections", "godo", "did you mean good"},
+        Wrong{"/sequences/0/frames", "3:99", "sequences.0"},
+        Wrong{"/sequences/0/classes", {"Carr"}, "sequences.0.classes.0"},
+        Wrong{"/sequences", Json::array(), "sequences"}, Wrong{"/variants", {"ful"}, "variants.0"},
+        Wrong{"/variants", {"full", "full"}, "variants.1"},
+        Wrong{"/variants", Json::array(), "variants"},
+        Wrong{"/options", {{"window", {{"spatail", 4}}}}, "window.spatail"},
+        Wrong{"/options", {{"window", {{"spatial", 4.5}}}}, "window.spatial"},
+        Wrong{"/grid", {{"window.spatail", {4}}}, "grid.window.spatail"},
+        Wrong{"/grid", {{"window.spatial", {4, 1000}}}, "grid.window.spatial"},
+        Wrong{"/grid", {{"window.spatial", {4, "x"}}}, "grid.window.spatial"},
+        Wrong{"/grid", {{"window.spatial", {4, 4}}}, "grid.window.spatial"},
+        Wrong{"/grid", {{"window.spatial", Json::array()}}, "grid.window.spatial"},
+        Wrong{"/grid", {{"scene.detector.miss_rat", {0.1}}}, "grid"},
+        Wrong{"/grid", {{"scene.detector.miss_rate", {2}}}, "grid"},
+        Wrong{"/grid_one_at_a_time", 1, "grid_one_at_a_time"},
+        Wrong{"/oracles", {{"boxs"}}, "oracles.0.0"}, Wrong{"/oracles", Json::array(), "oracles"},
+        Wrong{"/systems", {{{"name", "full"}}}, "systems.0"},
+        Wrong{"/table/metrics", {"camera_aet"}, "table.metrics.0"},
+        Wrong{"/table/metrics", Json::array(), "table.metrics"},
+        Wrong{"/table/rows", {"varaint"}, "table.rows.0"},
+        Wrong{"/table/reference", "static", "table.reference"},
+        Wrong{"/table/reference", "detections=good", "table.reference"}));
+
+TEST(Suite, RowsTellPointsOfAGridApart) {
+  Json json = With("/grid", {{"window.spatial", {4, 5}}});
+  EXPECT_THAT(MessageOf(json), HasSubstr("table.rows: found no \"window.spatial\""));
+  json["table"]["rows"] = {"window.spatial"};
+  EXPECT_EQ(MessageOf(json), "");
+  EXPECT_THAT(MessageOf(With("/oracles", Json::array({Json::array(), {"boxes"}}))),
+              HasSubstr("table.rows: found no \"oracle\""));
+}
+
+TEST(Suite, ASequenceIsThereOnceUnlessItsBoxesDiffer) {
+  Json json = SmallSuite();
+  json["sequences"].push_back(json["sequences"][0]);
+  EXPECT_THAT(MessageOf(json), HasSubstr("s.json, sequences.1"));
+  json["sequences"][1]["detections"] = "poor";
+  json["table"]["rows"] = {"variant", "detections"};
+  EXPECT_EQ(MessageOf(json), "");
+}
+
+TEST(Suite, ReadsBackWhatItWrote) {
+  Json json = SmallSuite();
+  json["sequences"].push_back(
+      {{"folder", "a/0006"}, {"frames", "0:5"}, {"min_score", -1}, {"pair", "grey"}});
+  json["grid"] = {{"window.spatial", {{"from", 2}, {"to", 4}, {"steps", 3}}}};
+  json["systems"] =
+      Json::array({{{"name", "other"},
+                    {"files", {{{"sequence", "tiny"}, {"camera", "c.txt"}, {"objects", "o"}}}}}});
+  json["table"]["rows"] = {"variant", "window.spatial"};
+  const Json written = SuiteToJson(Parse(json));
+  EXPECT_EQ(SuiteToJson(Parse(written)), written);
+  EXPECT_EQ(written["grid"]["window.spatial"], Json({2, 3, 4}));
+}
+
+TEST(Suite, FindsSceneFilesBesideTheSuite) {
+  const test::TempFolder folder;
+  folder.Write("scenes/mine.json", SuiteToJson(Parse(SmallSuite())).dump());  // never read here
+  Json json = SmallSuite();
+  json["sequences"][0]["scene"] = "scenes/mine.json";
+  const Suite suite = ReadCheckedSuite(json, "s.json", folder.path());
+  EXPECT_EQ(suite.sequences[0].scene, (folder.path() / "scenes" / "mine.json").string());
+  EXPECT_EQ(suite.sequences[0].name, "mine");
+}
+
+TEST(ShippedSuites, AblationAllHasEveryVariant) {
+  std::vector<std::string> names;
+  for (const VariantInfo& variant : Variants()) names.emplace_back(variant.name);
+  EXPECT_THAT(LoadSuite("ablation_all").variants, testing::UnorderedElementsAreArray(names));
+}
+
+TEST(ShippedSuites, AreWholeAndNamedAsTheirFiles) {
+  std::set<std::string> names;
+  for (const ShippedSuite& shipped : ShippedSuites()) {
+    const Suite suite = LoadSuite(shipped.name);
+    EXPECT_EQ(suite.name, shipped.name);
+    EXPECT_FALSE(suite.about.empty()) << shipped.name;
+    names.insert(shipped.name);
+  }
+  EXPECT_THAT(names, testing::IsSupersetOf({"ablation", "ablation_all", "kitti_raw", "sweep_alpha",
+                                            "sweep_eta", "sweep_windows", "sweep_motion_prior",
+                                            "detector_quality", "oracle_ladder", "ci"}));
+  EXPECT_THAT(ErrorMessage([] { LoadSuite("ablatoin"); }), HasSubstr("did you mean ablation"));
+}
+
+TEST(SuiteOverrides, ChangeSeedsOptionsAndAxes) {
+  Json json = With("/grid", {{"unary.eta", {0.5, 0.9}}});
+  json["table"]["rows"] = {"unary.eta"};
+  const Suite suite = Override(
+      Parse(json),
+      {.seeds = 2, .set = {"window.spatial=4", "unary.eta=0.7", "scene.sensor.read_noise=0"}});
+  EXPECT_THAT(suite.seeds, ElementsAre(1, 2));
+  EXPECT_EQ(suite.options["window"]["spatial"], 4);
+  ASSERT_EQ(suite.grid.size(), 2U);
+  EXPECT_THAT(suite.grid[0].values, ElementsAre(Json(0.7)));
+  EXPECT_EQ(suite.grid[1].path, "scene.sensor.read_noise");
+  for (const char* wrong : {"window.spatail=4", "window.spatial=x", "window.spatial",
+                            "scene.sensor.red_noise=0", "unary.eta=7"}) {
+    EXPECT_NE(ErrorMessage([&] { Override(Parse(json), {.set = {wrong}}); }), "") << wrong;
+  }
+}
+
+}  // namespace
+}  // namespace cvo

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+
+#include "reports/figures/numbers.h"
+#include "reports/figures/palette.h"
+#include "reports/figures/plot.h"
+#include "reports/figures/relation.h"
+#include "reports/figures/swept_lines.h"
+#include "tests/reports/figures/drawn_suite.h"
+
+namespace cvo::reports {
+namespace {
+
+TEST(FigureNumbers, AreRoundedToTheirDigits) {
+  EXPECT_EQ(Rounded(0.0123456), 0.01235);
+  EXPECT_EQ(Rounded(123456.0), 123500.0);
+  EXPECT_EQ(Rounded(0.0), 0.0);
+  EXPECT_EQ(RoundedList({1.00001, 2.0}).dump(), "[1.0,2.0]");
+}
+
+TEST(FigureNumbers, AreSaidWithoutPowersOfTen) {
+  EXPECT_EQ(Say(0.0123456), "0.0123");
+  EXPECT_EQ(Say(12.0), "12");
+  EXPECT_EQ(Say(-0.5), "-0.5");
+  EXPECT_EQ(Say(123456.0), "123000");
+  EXPECT_EQ(Say(0.00001), "0.00001");
+  EXPECT_EQ(Say(0.0), "0");
+}
+
+TEST(FigureNumbers, SharesAreInPercentAndCountsHaveNoUnit) {
+  const Shown share = ShownAs("object_success_10cm", "1");
+  EXPECT_EQ(share.unit, "%");
+  EXPECT_EQ(share.scale, 100.0);
+  EXPECT_TRUE(share.higher_is_better);
+  const Shown count = ShownAs("object_id_switches", "1");
+  EXPECT_EQ(count.unit, "");
+  EXPECT_EQ(count.scale, 1.0);
+  EXPECT_EQ(AxisTitle(test::ColumnOf("object_ate", "object ATE", "m")), "object ATE (m)");
+  EXPECT_EQ(AxisTitle(test::ColumnOf("object_id_switches", "id switches", "1")),
+            "id switches (count)");
+}
+
+TEST(FigureNumbers, ACellIsSaidWithItsInterval) {
+  const Column column = test::ColumnOf("object_coverage", "object coverage", "1");
+  EXPECT_EQ(SayCell(test::CellOf(0.5, 0.25, 0.75), column), "50 % (25 to 75)");
+  EXPECT_EQ(SayCell({}, column), "no value");
+}
+
+TEST(FigureTexts, StayTextInMarkup) {
+  EXPECT_EQ(PlotText("<b>&\n"), "&lt;b&gt;&amp; ");
+  EXPECT_EQ(Slug("Room <1>, a/../b"), "room-1-a-b");
+  EXPECT_EQ(Slug("<>"), "x");
+  EXPECT_EQ(Listed({"a", "b", "c"}), "a, b and c");
+  EXPECT_THAT(PlotJson({{{"name", "</script>"}}}, Json::object()),
+              testing::Not(testing::HasSubstr("<")));
+}
+
+TEST(FigureTexts, TheRelationIsThatOfTheContractInBrief) {
+  Column ate = test::ColumnOf("object_ate", "object ATE", "m");
+  Column rpe = test::ColumnOf("object_trpe_all_pairs", "object T.RPE", "m");
+  rpe.contract["delta"] = "all";
+  rpe.contract["alignment"] = "none";
+  const Column share = test::ColumnOf("object_coverage", "object coverage", "1");
+  EXPECT_EQ(RelationText({&ate, &rpe, &share}),
+            "object ATE: alignment SE(3); object T.RPE: delta all, not aligned");
+  rpe.contract = ate.contract;
+  EXPECT_EQ(RelationText({&ate, &rpe}), "object ATE and object T.RPE: alignment SE(3)");
+}
+
+TEST(Palette, AVariantLooksTheSameInEverySuite) {
+  const Palette alone({"2d"});
+  const Palette among({"mine", "full", "2d", "yours"});
+  EXPECT_EQ(alone.Of("2d").colour, among.Of("2d").colour);
+  EXPECT_EQ(alone.Of("2d").symbol, among.Of("2d").symbol);
+  EXPECT_NE(among.Of("mine").colour, among.Of("full").colour);
+  EXPECT_NE(among.Of("mine").colour, among.Of("2d").colour);
+  EXPECT_NE(among.Of("mine").colour, among.Of("yours").colour);
+  EXPECT_EQ(Faded("#0072b2", 0.5), "rgba(0,114,178,0.5)");
+}
+
+TEST(Palette, ASecondRoundOfColoursIsDashed) {
+  std::vector<std::string> names;
+  for (int i = 0; i < 12; ++i) names.push_back("variant " + std::to_string(i));
+  const Palette palette(names);
+  EXPECT_EQ(palette.Of("variant 0").colour, palette.Of("variant 8").colour);
+  EXPECT_NE(palette.Of("variant 0").dash, palette.Of("variant 8").dash);
+  EXPECT_NE(palette.Of("variant 0").symbol, palette.Of("variant 8").symbol);
+}
+
+TEST(LogSpacing, IsSeenInTheValues) {
+  EXPECT_TRUE(AreLogSpaced({0.01, 0.1, 1, 10}));
+  EXPECT_TRUE(AreLogSpaced({1, 2, 3, 5, 8, 12}));
+  EXPECT_FALSE(AreLogSpaced({0, 1, 10, 100})) << "zero has no logarithm";
+  EXPECT_FALSE(AreLogSpaced({5, 10, 15, 20, 30, 40}));
+  EXPECT_FALSE(AreLogSpaced({0.5, 0.7, 0.9})) << "less than a decade";
+  EXPECT_FALSE(AreLogSpaced({1, 10}));
+}
+
+}  // namespace
+}  // namespace cvo::reports

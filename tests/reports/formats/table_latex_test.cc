@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/formats/table_latex.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "reports/formats/latex_panels.h"
+#include "reports/formats/latex_text.h"
+#include "tests/reports/formats/hostile_table.h"
+#include "tests/support/temp_folder.h"
+
+namespace cvo::reports {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+using testing::SizeIs;
+
+bool HasPdflatex() { return std::system("command -v pdflatex > /dev/null") == 0; }
+
+// What pdflatex says of a document; empty where it made a PDF without a complaint.
+std::string Complaints(const test::TempFolder& folder, const std::string& document) {
+  folder.Write("table.tex", document);
+  const std::string command = "cd '" + folder.path().string() +
+                              "' && HOME=. pdflatex -halt-on-error -interaction=nonstopmode "
+                              "-no-shell-escape table.tex > out.txt 2>&1 < /dev/null";
+  const int code = std::system(command.c_str());
+  const std::string out = test::ReadFile(folder.path() / "out.txt");
+  const bool complains = out.find("Overfull") != std::string::npos ||
+                         out.find("Warning") != std::string::npos ||
+                         out.find("Missing character") != std::string::npos;
+  return code != 0 || complains ? out : "";
+}
+
+// As wide as the table of the ablation and with more rows than a page has room for.
+Table LargeTable() {
+  Table table = test::HostileTable();
+  const std::vector<Column> columns = table.columns;
+  Row row = table.rows[1];
+  while (table.columns.size() < 18) {
+    const std::size_t next = table.columns.size() - 4;
+    table.columns.push_back(
+        {"object_" + std::to_string(next), "object error of a long name", "m", {}});
+    row.cells.push_back(test::CellOf(-0.0123, -0.02345, -0.001));
+  }
+  table.rows.assign(40, row);
+  table.others.clear();
+  return table;
+}
+
+TEST(LatexEscaped, LeavesNoCommands) {
+  EXPECT_EQ(LatexEscaped("a_b%c&d#e$f{g}", 99), "a\\_b\\%c\\&d\\#e{\\ttfamily\\char36}f\\{g\\}");
+  EXPECT_EQ(LatexEscaped("~^\\", 99), "\\textasciitilde{}\\textasciicircum{}\\textbackslash{}");
+  EXPECT_EQ(LatexEscaped("<|>", 99), "\\textless{}\\textbar{}\\textgreater{}");
+  EXPECT_EQ(LatexEscaped("a--b", 99), "a-{}-b") << "no dash";
+  EXPECT_EQ(LatexEscaped("[a] *", 99), "{}[a] *") << "nothing for the row above";
+  EXPECT_EQ(LatexEscaped("caf\xC3\xA9 5\xC2\xB0", 99), "caf\xC3\xA9 5$^\\circ$");
+  EXPECT_EQ(LatexEscaped("\xE4\xB8\xAD", 99), "U+4E2D");
+}
+
+TEST(LatexEscaped, LetsLongWordsBreak) {
+  EXPECT_EQ(LatexEscaped("abcdefgh", 4), "abcd\\allowbreak{}efgh\\allowbreak{}");
+  EXPECT_EQ(LatexEscaped("abc_def", 6), "abc\\_\\allowbreak{}def");
+  EXPECT_EQ(LatexEscaped("abc def", 6), "abc def");
+}
+
+TEST(LatexNumber, HasSigns) {
+  EXPECT_EQ(LatexNumber("-0.02..0.01"), "$-$0.02..0.01");
+  EXPECT_EQ(LatexNumber("7..71%"), "7..71\\%");
+  EXPECT_EQ(LatexNumber("-"), "--");
+}
+
+TEST(TableLatex, ShowsValuesIntervalsMarksAndNotes) {
+  const std::string latex = TableLatex(test::HostileTable());
+  EXPECT_THAT(
+      latex,
+      AllOf(
+          HasSubstr("\\toprule\n"), HasSubstr("\\midrule\n"), HasSubstr("\\bottomrule\n"),
+          HasSubstr(" & \\begin{tabular}[t]{@{}r@{}}\\textbf{0.058}\\\\\\scriptsize 0.034..0.085"),
+          HasSubstr("0.104\\rlap{\\textsuperscript{*}}"),
+          HasSubstr("\\begin{tabular}[b]{@{}r@{}}object ATE\\\\{}[m]\\end{tabular}"),
+          HasSubstr("\\relax n, object ATE: "), HasSubstr("bold: best of its column"),
+          HasSubstr("camera ATE: root mean square"), HasSubstr("a caveat: 50 \\%")));
+}
+
+TEST(TableLatex, FiguresOfOthersAreGreyUnlessTheyCompare) {
+  const std::string latex = TableLatex(test::HostileTable());
+  EXPECT_THAT(latex,
+              AllOf(HasSubstr("\\textcolor{black!55}{(0.04)}"),
+                    HasSubstr("\\textcolor{black!55}{Unknown [a]}"), HasSubstr("Same \\& co [a]"),
+                    HasSubstr("\\textbf{0.01}"), HasSubstr("not stated: alignment")));
+}
+
+TEST(TableLatexBare, IsTheTableAlone) {
+  const std::string latex = TableLatexBare(test::HostileTable());
+  EXPECT_THAT(latex, AllOf(Not(HasSubstr("\\documentclass")), Not(HasSubstr("\\end{document}")),
+                           HasSubstr("\\toprule"), HasSubstr("booktabs")));
+}
+
+TEST(LatexPanels, EachAccuracyStandsBesideItsCoverage) {
+  const TableTexts texts = MakeTexts(LargeTable());
+  const std::vector<LatexPanel> panels = SplitBlock(texts, texts.blocks[0], MeasureTexts(texts));
+  ASSERT_GE(panels.size(), 4U);
+  std::size_t last_line = 0;
+  for (const LatexPanel& panel : panels) {
+    EXPECT_LE(panel.lines.size(), kPanelLines / 2) << "each has an interval below it";
+    for (const std::size_t column : panel.columns) {
+      const auto coverage = texts.columns[column].coverage;
+      EXPECT_THAT(panel.columns, Contains(coverage.value_or(column)));
+    }
+    last_line = panel.lines.back();
+  }
+  EXPECT_EQ(last_line, 39U);
+}
+
+TEST(LatexPanels, LeaveOutWhoHasNothingToSay) {
+  const TableTexts texts = MakeTexts(test::HostileTable());
+  const std::vector<LatexPanel> panels = SplitBlock(texts, texts.blocks[0], MeasureTexts(texts));
+  ASSERT_THAT(panels, SizeIs(2));
+  EXPECT_THAT(panels[0].lines, SizeIs(10));
+  EXPECT_THAT(panels[1].columns, ElementsAre(2, 4));
+  EXPECT_THAT(panels[1].lines, ElementsAre(0, 1, 2, 8)) << "ours; others tell of the camera";
+  EXPECT_THAT(SplitBlock(texts, texts.blocks[1], MeasureTexts(texts)), SizeIs(1));
+}
+
+TEST(LatexPanels, OfASmallTableAreOne) {
+  Table table = test::HostileTable();
+  table.rows.resize(2);
+  table.others.clear();
+  for (Row& row : table.rows) row.keys = {"drive_0001", "full"};
+  const TableTexts texts = MakeTexts(table);
+  const std::vector<LatexPanel> panels = SplitBlock(texts, texts.blocks[0], MeasureTexts(texts));
+  ASSERT_THAT(panels, SizeIs(1));
+  EXPECT_THAT(panels[0].columns, ElementsAre(0, 1, 2, 3, 4));
+  EXPECT_THAT(panels[0].lines, ElementsAre(0, 1));
+}
+
+TEST(TableLatex, CompilesWhateverTheNames) {
+  if (!HasPdflatex()) GTEST_SKIP() << "no pdflatex: apt-get install texlive-latex-recommended";
+  const test::TempFolder folder;
+  Table table = test::HostileTable();
+  std::string every;
+  for (char32_t c = 1; c < 0x250; ++c) {
+    if (c < 0x80) every += static_cast<char>(c);
+    if (c >= 0x80)
+      every += {static_cast<char>(0xC0 | (c >> 6)), static_cast<char>(0x80 | (c & 63))};
+    if (c % 16 == 0) every += ' ';
+  }
+  table.notes.push_back(every + " \xE4\xB8\xAD\xF0\x9F\x9A\x97");
+  table.rows[1].keys = {"[1] \\end{document}", "*\\input{/etc/passwd}--''``,,?`!`"};
+  table.others[0].system = "";
+  EXPECT_EQ(Complaints(folder, TableLatex(table)), "");
+  folder.Write("bare.tex", TableLatexBare(LargeTable()));
+  EXPECT_EQ(Complaints(folder,
+                       "\\documentclass[a4paper]{article}\\usepackage[margin=15mm]{geometry}\n"
+                       "\\usepackage{array,booktabs,xcolor}\\begin{document}\n"
+                       "\\input{bare}\\end{document}\n"),
+            "");
+  EXPECT_EQ(Complaints(folder, TableLatex({})), "") << "an empty suite";
+}
+
+}  // namespace
+}  // namespace cvo::reports

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/runs/run_detail.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/reports/results/run_folder.h"
+#include "tests/support/error_message.h"
+
+namespace cvo::reports {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+RunDetail Read(const test::RunFiles& files) {
+  const test::TempFolder folder;
+  files.Write(folder);
+  return ReadRunDetail(folder.path());
+}
+
+TEST(RunDetail, PutsTheTruthBesideTheCameraOfEachFrame) {
+  const RunDetail detail = Read({});
+  EXPECT_THAT(detail.missing, IsEmpty());
+  ASSERT_EQ(detail.camera.size(), 3U);
+  EXPECT_EQ(detail.camera[1].frame, 11);
+  EXPECT_EQ(detail.camera[1].timestamp_ns, 2);
+  EXPECT_EQ(detail.camera[1].status, "tracked");
+  EXPECT_THAT(detail.camera[1].world_from_camera, ElementsAre(0, 0, 1, 0, 0, 0, 1));
+  ASSERT_TRUE(detail.camera[1].truth);
+  EXPECT_THAT(*detail.camera[1].truth, ElementsAre(0.5, 0, 1, 0, 0, 0, 1));
+  EXPECT_FALSE(detail.camera[2].truth);
+}
+
+TEST(RunDetail, TakesTruthOfBodiesAlone) {
+  test::RunFiles files;
+  files.truth["camera"] = test::Json::array();
+  const RunDetail detail = Read(files);
+  EXPECT_THAT(detail.missing, IsEmpty());
+  EXPECT_FALSE(detail.camera[1].truth);
+  EXPECT_EQ(detail.bodies.size(), 1U);
+}
+
+TEST(RunDetail, CountsTheFramesOfBodiesAsTheFolderDoes) {
+  const RunDetail detail = Read({});
+  ASSERT_EQ(detail.bodies.size(), 1U);
+  const BodyDetail& body = detail.bodies[0];
+  EXPECT_EQ(body.name, "the car");
+  EXPECT_EQ(body.cluster, 7);
+  EXPECT_EQ(body.diagonal_m, 2.5);
+  EXPECT_THAT(body.visible, ElementsAre(10, 11));
+  ASSERT_EQ(body.truth.size(), 3U);
+  EXPECT_EQ(body.truth[2].first, 12);
+  ASSERT_EQ(body.estimated.size(), 2U);
+  EXPECT_EQ(body.estimated[1].frame, 11);
+  EXPECT_NEAR(body.estimated[1].error_m, 0.5, 1e-12);  // 3, 4, 5
+  ASSERT_EQ(body.predicted.size(), 1U);
+  EXPECT_EQ(body.predicted[0].frame, 12);
+  EXPECT_NEAR(body.predicted[0].error_m, 2.0, 1e-12);
+}
+
+TEST(RunDetail, TakesAClusterAsLastEstimatedElseAsItWasThen) {
+  const RunDetail detail = Read({});
+  ASSERT_EQ(detail.clusters.size(), 2U);
+  const ClusterRow& refined = detail.clusters[0];
+  EXPECT_EQ(refined.id, 7);
+  EXPECT_EQ(refined.category, "car");
+  EXPECT_FALSE(refined.predicted);
+  EXPECT_EQ(refined.observed_landmarks, 20);
+  EXPECT_THAT(refined.world_from_object, ElementsAre(1, 2, 3, 0, 0, 0, 1));
+  EXPECT_THAT(refined.velocity_m_s, ElementsAre(0.1, 0.2, 0.3));
+  EXPECT_THAT(refined.center_in_object, ElementsAre(4, 5, 6));
+  EXPECT_THAT(refined.half_size_m, ElementsAre(0.4, 0.5, 0.6));
+  const ClusterRow& then = detail.clusters[1];
+  EXPECT_TRUE(then.predicted);
+  EXPECT_THAT(then.world_from_object, ElementsAre(7, 8, 9, 0, 0, 0, 1));
+  EXPECT_THAT(then.velocity_m_s, ElementsAre(0.7, 0.8, 0.9));
+}
+
+TEST(RunDetail, ReadsTimesAndMachine) {
+  const RunDetail detail = Read({});
+  ASSERT_EQ(detail.stages.size(), 1U);
+  EXPECT_EQ(detail.stages[0].stage, "detect");
+  EXPECT_EQ(detail.stages[0].median_ms, 2.0);
+  EXPECT_EQ(detail.stages[0].mean_ms, 2.5);
+  EXPECT_EQ(detail.stages[0].p95_ms, 4.0);
+  EXPECT_EQ(detail.frames_per_second, 12.5);
+  EXPECT_EQ(detail.host, "here");
+  EXPECT_EQ(detail.cpu, "one of 3 GHz");
+  EXPECT_EQ(detail.date, "2026-01-02T03:04:05Z");
+  EXPECT_EQ(detail.sequence_folder, "/data/room");
+}
+
+TEST(RunDetail, ListsFilesThatAreNotThere) {
+  const test::TempFolder folder;
+  folder.Write("result.json", test::RunFiles().result.dump());
+  const RunDetail detail = ReadRunDetail(folder.path());
+  EXPECT_EQ(detail.camera.size(), 3U);
+  EXPECT_THAT(detail.bodies, IsEmpty());
+  EXPECT_THAT(detail.clusters, IsEmpty());
+  EXPECT_THAT(detail.missing, ElementsAre("truth.json: no such file", "objects.csv: no such file",
+                                          "timing.json: no such file"));
+}
+
+TEST(RunDetail, ListsWhatIsDamagedAndKeepsTheRest) {
+  test::RunFiles files;
+  files.truth["bodies"][0]["estimated"]["frames"] = {0, 3};
+  files.timing["stages"]["detect"].erase("p95_ms");
+  files.objects.resize(files.objects.size() - 5);
+  const RunDetail detail = Read(files);
+  EXPECT_THAT(detail.bodies, IsEmpty());
+  EXPECT_FALSE(detail.camera[0].truth);
+  EXPECT_THAT(detail.stages, IsEmpty());
+  EXPECT_EQ(detail.frames_per_second, 0.0);
+  EXPECT_THAT(detail.clusters, IsEmpty());
+  EXPECT_THAT(
+      detail.missing,
+      ElementsAre(
+          AllOf(HasSubstr("truth.json, bodies, estimated, frames"), HasSubstr("one of 3 frames")),
+          AllOf(HasSubstr("objects.csv"), HasSubstr("whole lines")),
+          AllOf(HasSubstr("timing.json, stages, detect, field p95_ms"), HasSubstr("nothing"))));
+}
+
+TEST(RunDetail, NamesTheLineOfADamagedTable) {
+  test::RunFiles files;
+  files.objects += "13,4,7,car,tracked\n";
+  EXPECT_THAT(Read(files).missing,
+              ElementsAre(AllOf(HasSubstr("objects.csv, line 4"), HasSubstr("5 cells"),
+                                HasSubstr("38 as in line 1"))));
+  files = {};
+  files.objects.replace(files.objects.find("\n11,"), 4, "\nxx,");
+  EXPECT_THAT(Read(files).missing,
+              ElementsAre(AllOf(HasSubstr("line 2, column frame"), HasSubstr("\"xx\""))));
+  files = {};
+  files.objects.replace(files.objects.find("0.1,"), 3, "inf");
+  EXPECT_THAT(Read(files).missing, ElementsAre(HasSubstr("column refined_vx")));
+}
+
+TEST(RunDetail, ListsFilesOfAnotherSchemaOrKind) {
+  test::RunFiles files;
+  files.truth["schema_version"] = 9;
+  files.timing["kind"] = "run";
+  EXPECT_THAT(Read(files).missing,
+              ElementsAre(AllOf(HasSubstr("truth.json"), HasSubstr("schema_version 9")),
+                          AllOf(HasSubstr("timing.json"), HasSubstr("kind \"run\""))));
+}
+
+TEST(RunDetail, ListsTruthOfOtherFramesThanTheResult) {
+  test::RunFiles files;
+  files.truth["camera"].erase(0);
+  EXPECT_THAT(Read(files).missing,
+              ElementsAre(AllOf(HasSubstr("2 poses"), HasSubstr("3, one per"))));
+  files = {};
+  files.truth["bodies"][0]["truth"]["visible"].erase(0);
+  EXPECT_THAT(Read(files).missing, ElementsAre(AllOf(HasSubstr("field visible"),
+                                                     HasSubstr("2 values"), HasSubstr("3, one"))));
+}
+
+TEST(RunDetail, NeedsTheResultItself) {
+  const test::TempFolder folder;
+  const auto message = [&] { return ErrorMessage([&] { ReadRunDetail(folder.path()); }); };
+  EXPECT_THAT(message(), HasSubstr("result.json"));
+  test::RunFiles files;
+  folder.Write("result.json", files.result.dump().substr(0, 100));
+  EXPECT_THAT(message(), HasSubstr("one complete JSON value"));
+  files.result["schema_version"] = 1;
+  folder.Write("result.json", files.result.dump());
+  EXPECT_THAT(message(), AllOf(HasSubstr("schema_version 1"), HasSubstr("expected 2")));
+  files = {};
+  files.result["frames"][1]["refined"] = {1, 2};
+  folder.Write("result.json", files.result.dump());
+  EXPECT_THAT(message(), AllOf(HasSubstr("refined"), HasSubstr("7 numbers")));
+}
+
+}  // namespace
+}  // namespace cvo::reports

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// Tables make the metrics of bodies from the bodies of a result file: for one run they must come to
+// what the run itself says.
+#include "reports/tables/body_metrics.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/rng.h"
+#include "experiments/metrics/object_metrics.h"
+#include "experiments/record/bodies_json.h"
+#include "experiments/record/metrics_json.h"
+#include "reports/tables/make_table.h"
+#include "tests/reports/results/result_files.h"
+
+namespace cvo::reports {
+namespace {
+
+RelativeErrors RandomErrors(Rng& rng) { return {rng.Uniform(), rng.Uniform(), 3}; }
+
+BodyScore RandomBody(int id, Rng& rng) {
+  BodyScore body;
+  body.id = id;
+  body.mover = id % 3 != 0;
+  body.visible_frames = 40 + id;
+  if (id == 5) return body;  // no cluster was matched to it
+  body.cluster = id;
+  body.estimated_frames = 30;
+  body.continuity = {.id_switches = id, .fragments = 2 * id};
+  for (int frame = 0; frame < 30; ++frame) body.errors.push_back({frame, 0.2 * rng.Uniform()});
+  for (int frame = 30; frame < 34 + id; ++frame) {
+    body.predicted.push_back({frame, 0.3 * rng.Uniform()});
+  }
+  body.ate_m = rng.Uniform();
+  body.predicted_ate_m = rng.Uniform();
+  body.velocity_m_s = rng.Uniform();
+  body.all_pairs = RandomErrors(rng);
+  if (id != 2) body.one_frame = RandomErrors(rng);
+  body.motion = RandomErrors(rng);
+  return body;
+}
+
+TEST(BodyMetrics, TablesOfOneRunSayWhatItsMetricsSay) {
+  Rng rng(7, "bodies");
+  ObjectTruth truth;
+  truth.source = "made up";
+  ObjectScores scores;
+  for (int id = 1; id <= 9; ++id) scores.bodies.push_back(RandomBody(id, rng));
+  const std::vector<Metric> metrics = ObjectMetrics(truth, scores);
+  test::SuiteResults suite;
+  suite.table["metrics"] = Json::array();
+  test::Json result = test::Result();
+  result["metrics"] = MetricsToJson(metrics, "refined");
+  result["bodies"] = {{"refined", BodiesToJson(scores.bodies)}};
+  for (const Metric& metric : metrics) {
+    EXPECT_TRUE(FindBodyMetric(metric.name)) << metric.name;
+    suite.table["metrics"].push_back(metric.name);
+  }
+  suite.Add(result);
+  const Table table = MakeTable(suite.Written(), {}, "");
+  ASSERT_EQ(table.columns.size(), metrics.size());
+  ASSERT_GT(metrics.size(), 30U);
+  for (std::size_t i = 0; i < metrics.size(); ++i) {
+    const Cell& cell = table.rows[0].cells[i];
+    ASSERT_EQ(table.columns[i].metric, metrics[i].name);
+    ASSERT_TRUE(cell.present) << metrics[i].name;
+    EXPECT_NEAR(cell.value, metrics[i].value, 1e-12) << metrics[i].name;
+    EXPECT_GT(cell.n.bodies, 0U);
+  }
+}
+
+TEST(BodyMetrics, OthersAreOfWholeRuns) {
+  for (const char* name : {"camera_ate", "moving_recall", "object_unmatched_clusters",
+                           "object_success_cm", "object_predicted_coverage", "object_"}) {
+    EXPECT_FALSE(FindBodyMetric(name)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace cvo::reports

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "reports/formats/table_text.h"
+#include "reports/tables/make_table.h"
+#include "reports/tables/moved.h"
+#include "reports/tables/table_json.h"
+#include "tests/reports/results/result_files.h"
+
+namespace cvo::reports {
+namespace {
+
+using test::BodyOf;
+using test::Json;
+using test::Result;
+using test::SuiteResults;
+using test::WithBodies;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const Cell& CellOf(const Table& table, std::size_t row, const std::string& metric) {
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    if (table.columns[i].metric == metric) return table.rows.at(row).cells[i];
+  }
+  throw Error("no column " + metric);
+}
+
+std::string ErrorOf(const SuiteResults& a, const SuiteResults& b) {
+  try {
+    CompareFolders(a.Written(), b.Written());
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// Eight bodies of one room: errors of 5 cm, and `more_m` above it, in 4 frames.
+Json Room(double more_m) {
+  Json bodies = Json::array();
+  for (int id = 1; id <= 8; ++id) {
+    const double error_m = 0.05 + more_m + 0.001 * id;
+    bodies.push_back(BodyOf(id, {error_m, error_m, error_m, error_m}));
+  }
+  return WithBodies(Result("room"), bodies);
+}
+
+TEST(PairedTable, BodiesAreComparedOnFramesThatBothEstimate) {
+  SuiteResults suite;
+  suite.table["rows"] = {"variant"};
+  suite.table["reference"] = "full";
+  // Where both estimate, full has 1 cm and the other 3 cm; full's last frame is a bad one.
+  suite.Add(WithBodies(Result("a"), Json::array({BodyOf(1, {0.01, 0.01, 0.50})})), "full");
+  suite.Add(WithBodies(Result("a"), Json::array({BodyOf(1, {0.03, 0.03, -1.0})})), "2d");
+  const Table table = MakeTable(suite.Written(), {}, "");
+  EXPECT_GT(CellOf(table, 0, "object_ate").value, CellOf(table, 1, "object_ate").value);
+  const auto ate = CellOf(table, 1, "object_ate").difference;
+  ASSERT_TRUE(ate);
+  EXPECT_NEAR(ate->value, 0.03, 1e-12);
+  EXPECT_NEAR(ate->reference_value, 0.01, 1e-12);
+  EXPECT_NEAR(*ate->reference_lower, 200.0 / 3.0, 1e-9);
+  EXPECT_EQ(ate->pairing, "object-frames that both estimate");
+  EXPECT_FALSE(ate->interval) << "one body";
+  // Success counts every visible frame: 2 of 3 both.
+  const auto success = CellOf(table, 1, "object_success_10cm").difference;
+  EXPECT_EQ(success->difference, 0.0);
+  EXPECT_NEAR(success->value, 2.0 / 3.0, 1e-12);
+  EXPECT_NEAR(CellOf(table, 1, "object_coverage").difference->difference, -1.0 / 3.0, 1e-12);
+}
+
+TEST(PairedTable, OnlyCommonScenesAndSeedsArePaired) {
+  SuiteResults suite;
+  suite.table["rows"] = {"variant"};
+  suite.table["reference"] = "full";
+  suite.Add(WithBodies(Result("a"), Json::array({BodyOf(1, {0.01}), BodyOf(2, {-1.0})})), "full",
+            0);
+  suite.Add(WithBodies(Result("a"), Json::array({BodyOf(1, {0.09}), BodyOf(2, {0.09})})), "full",
+            1);
+  suite.Add(WithBodies(Result("b"), Json::array({BodyOf(1, {0.09})})), "full", 0);
+  suite.Add(WithBodies(Result("a"), Json::array({BodyOf(1, {0.02}), BodyOf(2, {0.07})})), "2d", 0);
+  suite.Plan("a", "2d", 1);
+  const Table table = MakeTable(suite.Written(), {}, "");
+  const auto ate = CellOf(table, 1, "object_ate").difference;
+  EXPECT_NEAR(ate->difference, 0.01, 1e-12);
+  EXPECT_EQ(ate->pairs, 1U);
+  EXPECT_THAT(table.notes, ElementsAre(HasSubstr("rows stand on different runs")));
+  EXPECT_THAT(CellOf(table, 0, "object_ate").left_out, HasSubstr("1 of 5 bodies"));
+}
+
+TEST(PairedTable, MarksWhatCanBeToldFromNoise) {
+  SuiteResults suite;
+  suite.table["rows"] = {"variant"};
+  suite.table["reference"] = "full";
+  suite.Add(Room(0.0), "full");
+  suite.Add(Room(0.02), "2d");
+  const Table table = MakeTable(suite.Written(), {}, "");
+  const Cell& ate = CellOf(table, 1, "object_ate");
+  ASSERT_TRUE(ate.difference && ate.difference->interval);
+  EXPECT_TRUE(ate.difference->distinguishable);
+  EXPECT_EQ(ate.difference->interval->meaning,
+            "95 %, these scenes: bootstrap over 8 bodies within 1 scene");
+  EXPECT_FALSE(CellOf(table, 1, "object_coverage").difference->distinguishable);
+  EXPECT_THAT(TableText(table, false), AllOf(HasSubstr("0.0745*"), HasSubstr("+0.0200*"),
+                                             HasSubstr("by how many percent full is lower")));
+  const Json json = Json::parse(TableJson(table));
+  const Json& cell = json["rows"][1]["cells"][2];
+  ASSERT_EQ(cell["metric"], "object_coverage");
+  EXPECT_FALSE(cell["difference"]["distinguishable"].get<bool>());
+  EXPECT_EQ(json["schema_version"], 2);
+  EXPECT_EQ(TableJson(table), TableJson(MakeTable(suite.Written(), {}, "")));
+}
+
+TEST(PairedTable, AReferenceCanBeTheValueOfAnyKey) {
+  SuiteResults suite;
+  suite.table["rows"] = {"crf.alpha"};
+  suite.table["reference"] = "crf.alpha=5";
+  suite.Add(Room(0.01))["parameters"] = {{"crf.alpha", 1}};
+  suite.Add(Room(0.0))["parameters"] = {{"crf.alpha", 5}};
+  const Table table = MakeTable(suite.Written(), {}, "");
+  EXPECT_NEAR(CellOf(table, 0, "object_ate").difference->difference, 0.01, 1e-12);
+  EXPECT_FALSE(CellOf(table, 1, "object_ate").difference);
+}
+
+TEST(CompareFolders, SaysWhatMovedAndByHowMuch) {
+  SuiteResults before;
+  SuiteResults after;
+  before.Add(Room(0.02), "full");
+  after.Add(Room(0.0), "full");
+  const Table table = CompareFolders(before.Written(), after.Written());
+  const auto ate = CellOf(table, 0, "object_ate").difference;
+  EXPECT_NEAR(ate->difference, -0.02, 1e-12);
+  EXPECT_NEAR(*ate->percent, -100.0 * 0.02 / 0.0745, 1e-9);
+  EXPECT_EQ(MovedText(table),
+            "moved, distinguishable from noise:\n"
+            "  room full, object_ate: -0.02 m (-26.85 %), -0.02 to -0.02, 8 pairs\n");
+}
+
+TEST(CompareFolders, EqualFoldersDidNotMove) {
+  SuiteResults before;
+  before.Add(Room(0.0), "full");
+  EXPECT_EQ(MovedText(CompareFolders(before.Written(), before.Written())), "nothing moved\n");
+}
+
+TEST(CompareFolders, OtherContractsAreRefusedNamingTheMetricAndBothFiles) {
+  SuiteResults before;
+  SuiteResults after;
+  before.Add(Room(0.0), "full");
+  Json other = Room(0.0);
+  other["metrics"][2]["contract"]["alignment"] = "per body";
+  after.Add(other, "full");
+  EXPECT_THAT(ErrorOf(before, after),
+              AllOf(HasSubstr("metric object_ate"),
+                    HasSubstr((before.folder().path() / "jobs/job0/result.json").string()),
+                    HasSubstr((after.folder().path() / "jobs/job0/result.json").string()),
+                    HasSubstr("per body")));
+}
+
+TEST(CompareFolders, OtherFramesAreNotPaired) {
+  SuiteResults before;
+  SuiteResults after;
+  before.Add(Room(0.0), "full");
+  Json part = Room(0.0);
+  part["sequence"]["frames"] = 50;
+  after.Add(part, "full");
+  EXPECT_THAT(ErrorOf(before, after), HasSubstr("no row with a run that both have"));
+}
+
+TEST(CompareFolders, OtherRowsAndImagesAreSaid) {
+  SuiteResults before;
+  SuiteResults after;
+  before.Add(Room(0.0), "full");
+  before.Add(Room(0.0), "2d");
+  Json redrawn = Room(0.0);
+  redrawn["sequence"]["content"] = "other images";
+  after.Add(redrawn, "full");
+  after.Add(redrawn, "2d3d");
+  EXPECT_THAT(
+      CompareFolders(before.Written(), after.Written()).notes,
+      ElementsAre(HasSubstr("different images"), "room 2d: no such row in the second folder",
+                  "room 2d3d: no run in common with the first folder"));
+  after.table["rows"] = {"variant"};
+  EXPECT_THAT(ErrorOf(before, after), HasSubstr("rows by sequence, variant and by variant"));
+}
+
+}  // namespace
+}  // namespace cvo::reports

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/tables/reference.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "reports/tables/make_table.h"
+#include "tests/reports/results/result_files.h"
+
+namespace cvo::reports {
+namespace {
+
+using test::Json;
+using test::Result;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+Table TableOf(const Json& result) {
+  test::SuiteResults suite;
+  suite.Add(result);
+  return MakeTable(suite.Written(), ShippedReference(), "");
+}
+
+// The ATE of a system from a source; fails the test where the table does not have it.
+ReferenceCell Ate(const Table& table, const std::string& system, const std::string& source) {
+  for (const ReferenceRow& line : table.rows[0].reference) {
+    if (line.system == system && table.sources[line.source].id == source && line.cells[1]) {
+      return *line.cells[1];
+    }
+  }
+  ADD_FAILURE() << "no ATE of " << system << " from " << source;
+  return {};
+}
+
+TEST(Reference, ShippedFilesHoldTheFacts) {
+  const Reference reference = ShippedReference();
+  EXPECT_THAT(reference.sources, SizeIs(5));
+  double found = 0.0;
+  for (const ReferenceFigure& figure : reference.figures) {
+    EXPECT_EQ(figure.suite.empty(), figure.frames > 0);
+    if (figure.sequence == "2011_09_26_drive_0013" && figure.system == "ClusterVO" &&
+        figure.metric == "camera_ate") {
+      EXPECT_EQ(figure.frames, 144);
+      found = figure.value;
+    }
+  }
+  EXPECT_EQ(found, 0.26);
+}
+
+TEST(Reference, MeasuredFiguresCompareOnTheirFrames) {
+  const Table table = TableOf(Result("2011_09_26_drive_0001", 108));
+  const ReferenceCell cell = Ate(table, "ORB-SLAM2", "measured-upstream");
+  EXPECT_EQ(cell.value, 0.071);
+  EXPECT_EQ(cell.match, Match::kMatches) << cell.reason;
+  EXPECT_EQ(table.sources[0].source, "measured by us with upstream code, grey images");
+}
+
+TEST(Reference, MeasuredFiguresOfOdometryAreAgainstTheOfficialTruth) {
+  Json result = Result("odometry_06", 51);
+  for (Json& metric : result["metrics"]) metric["contract"]["truth"] = "official";
+  EXPECT_EQ(Ate(TableOf(result), "libviso2", "measured-upstream").match, Match::kMatches);
+}
+
+TEST(Reference, WholeDriveFiguresNeedTheWholeDrive) {
+  const Table part = TableOf(Result("2011_09_26_drive_0013", 72));
+  const ReferenceCell other = Ate(part, "ClusterVO", "clustervo-table-2");
+  EXPECT_EQ(other.value, 0.26);
+  EXPECT_EQ(other.match, Match::kOtherFrames);
+  EXPECT_EQ(other.reason, "frames 0:144, ours 0:72");
+  EXPECT_EQ(Ate(part, "ORB-SLAM2", "measured-upstream").match, Match::kMatches);
+  const Table whole = TableOf(Result("2011_09_26_drive_0013", 144));
+  const ReferenceCell same = Ate(whole, "ClusterVO", "clustervo-table-2");
+  EXPECT_EQ(same.match, Match::kMatches);
+  EXPECT_THAT(same.reason, HasSubstr("inferred"));
+  EXPECT_EQ(Ate(whole, "ORB-SLAM2", "measured-upstream").match, Match::kOtherFrames);
+}
+
+TEST(Reference, FiguresThatCompareComeFirst) {
+  const Table table = TableOf(Result("2011_09_26_drive_0013", 72));
+  EXPECT_EQ(table.rows[0].reference[0].system, "ORB-SLAM2");
+  EXPECT_EQ(table.rows[0].reference[0].frames, 72);
+}
+
+TEST(Reference, AContractThatIsNotStatedDoesNotMatch) {
+  const Table table = TableOf(Result("2011_09_26_drive_0013", 144));
+  const ReferenceCell cell = Ate(table, "DynaSLAM II", "dynaslam2-table-2");
+  EXPECT_EQ(cell.match, Match::kContractUnknown);
+  EXPECT_THAT(cell.reason, HasSubstr("not stated: alignment"));
+}
+
+TEST(Reference, AnotherContractOrOtherImagesDoNotMatch) {
+  Json interpolated = Result();
+  for (Json& metric : interpolated["metrics"]) metric["contract"]["truth"] = "interpolated";
+  const ReferenceCell truth = Ate(TableOf(interpolated), "ORB-SLAM2", "measured-upstream");
+  EXPECT_EQ(truth.match, Match::kContractDiffers);
+  EXPECT_EQ(truth.reason, "truth differs");
+  Json colour = Result();
+  colour["sequence"]["pair"] = "colour";
+  const ReferenceCell pair = Ate(TableOf(colour), "ORB-SLAM2", "measured-upstream");
+  EXPECT_EQ(pair.match, Match::kOtherImages);
+  Json causal = Result();
+  causal["metrics"][1]["contract"]["poses"] = "causal";
+  EXPECT_EQ(Ate(TableOf(causal), "ORB-SLAM2", "measured-upstream").match, Match::kContractDiffers);
+}
+
+TEST(Reference, FiguresOfASuiteStandBelowItAndNeverCompare) {
+  const Reference reference = ShippedReference();
+  test::SuiteResults suite;
+  suite.table["metrics"] = {"camera_ate"};
+  suite.Add(Result("indoor_1"));
+  Table table = MakeTable(suite.Written(), reference, "");
+  EXPECT_THAT(table.others, SizeIs(0)) << "a suite of another name";
+  suite.name = "ablation_all";
+  table = MakeTable(suite.Written(), reference, "");
+  ASSERT_THAT(table.others, SizeIs(6));
+  EXPECT_EQ(table.others[3].system, "ClusterVO 2D");
+  ASSERT_TRUE(table.others[3].cells[1]);
+  EXPECT_DOUBLE_EQ(table.others[3].cells[1]->value, 0.0062) << "printed times 100";
+  EXPECT_EQ(table.others[3].cells[1]->match, Match::kOtherScenes);
+  EXPECT_THAT(table.sources[table.others[3].source].caveat, HasSubstr("order"));
+}
+
+TEST(Reference, BadFilesNameTheField) {
+  Reference reference;
+  const auto error = [&reference](const std::string& text) -> std::string {
+    try {
+      AddReference(text, "file", reference);
+    } catch (const Error& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(error("{"), HasSubstr("file: found text that ends"));
+  EXPECT_THAT(error(R"({"schema_version": 7})"), HasSubstr("schema_version 7"));
+  EXPECT_THAT(error(R"({"schema_version": 1, "sources": [{"id": "x"}]})"),
+              HasSubstr("field source: found nothing"));
+}
+
+}  // namespace
+}  // namespace cvo::reports
