@@ -7,10 +7,10 @@
 #include "core/base/error.h"
 #include "core/base/rng.h"
 #include "core/base/task_pool.h"
-#include "synth/scene/camera_motion.h"
+#include "synth/motion/camera_motion.h"
+#include "synth/motion/paths.h"
 #include "synth/scene/check_world.h"
 #include "synth/scene/description.h"
-#include "synth/scene/paths.h"
 #include "synth/scene/scenery.h"
 
 namespace cvo::synth {

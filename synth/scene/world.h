@@ -11,7 +11,7 @@
 
 #include "core/geometry/stereo_camera.h"
 #include "synth/models/mesh.h"
-#include "synth/scene/motion.h"
+#include "synth/motion/motion.h"
 
 namespace cvo::synth {
 

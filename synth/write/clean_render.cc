@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "core/files/number.h"
-#include "synth/write/fixed_number.h"
-#include "synth/write/flow.h"
+#include "synth/truth/fixed_number.h"
+#include "synth/truth/flow.h"
+#include "synth/truth/labels.h"
+#include "synth/truth/object_table.h"
+#include "synth/truth/truth.h"
 #include "synth/write/image_encoding.h"
-#include "synth/write/labels.h"
-#include "synth/write/object_table.h"
-#include "synth/write/truth.h"
 
 namespace cvo::synth {
 namespace {

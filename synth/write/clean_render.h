@@ -9,8 +9,8 @@
 
 #include "core/base/task_pool.h"
 #include "synth/render/renderer.h"
+#include "synth/sensor/sensor.h"
 #include "synth/write/folder_build.h"
-#include "synth/write/sensor.h"
 
 namespace cvo::synth {
 

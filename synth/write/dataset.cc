@@ -7,10 +7,10 @@
 
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
-#include "synth/write/detector.h"
-#include "synth/write/fixed_number.h"
+#include "synth/detector/detector.h"
+#include "synth/truth/fixed_number.h"
+#include "synth/truth/object_table.h"
 #include "synth/write/image_encoding.h"
-#include "synth/write/object_table.h"
 #include "synth/write/render_cache.h"
 #include "synth_sources.h"
 

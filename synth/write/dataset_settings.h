@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/files/json.h"
-#include "synth/write/detector_options.h"
-#include "synth/write/sensor.h"
+#include "synth/detector/detector_options.h"
+#include "synth/sensor/sensor.h"
 
 namespace cvo::synth {
 

@@ -43,7 +43,8 @@ std::vector<Part> CoreParts() {
 std::vector<Part> SynthParts() {
   std::vector<Part> parts;
   std::vector<std::string> below = {"core/base/", "core/geometry/", "core/files/"};
-  for (const char* layer : {"models", "scene", "render", "write"}) {
+  for (const char* layer :
+       {"models", "motion", "scene", "render", "truth", "sensor", "detector", "write", "preview"}) {
     below.push_back(StrCat("synth/", layer, "/"));
     parts.push_back({below.back(), below, {"random"}});
   }

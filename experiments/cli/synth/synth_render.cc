@@ -12,7 +12,7 @@
 #include "experiments/cli/stop_signal.h"
 #include "experiments/cli/synth/synth_command.h"
 #include "experiments/datasets/frame_range.h"
-#include "synth/write/preview.h"
+#include "synth/preview/preview.h"
 #include "synth/write/write_scene.h"
 
 namespace cvo {

@@ -79,7 +79,7 @@ TEST(Grid, DefaultsOfAnAxisAreTheSuitesAndTheScenes) {
       GridPoints(suite, suite.sequences[0]),
       ElementsAre(ElementsAre(Pair("window.spatial", 4)), ElementsAre(Pair("window.spatial", 3))));
   suite = WithGrid({{"scene.detector.miss_rate", {0.5}}, {"scene.camera.height_m", {1.2}}}, true);
-  const double good = 0.01;  // of the level, see synth/write/detector_options.h
+  const double good = 0.01;  // of the level, see synth/detector/detector_options.h
   EXPECT_THAT(
       GridPoints(suite, suite.sequences[0]).front(),
       ElementsAre(Pair("scene.detector.miss_rate", good), Pair("scene.camera.height_m", 1.1)));

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "synth/scene/camera_motion.h"
+#include "synth/motion/camera_motion.h"
+#include "synth/motion/paths.h"
 #include "synth/scene/check_world.h"
 #include "synth/scene/parse_scene.h"
-#include "synth/scene/paths.h"
 #include "synth/scene/separation.h"
 #include "tests/support/error_message.h"
 #include "tests/synth/scene/examples.h"

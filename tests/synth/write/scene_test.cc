@@ -6,7 +6,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "synth/write/object_table.h"
+#include "synth/truth/object_table.h"
 #include "synth/write/write_scene.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"

@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "synth/detector/detector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/files/closest_names.h"
+#include "core/files/text_file.h"
+#include "synth/detector/detector_process.h"
+#include "synth/sensor/quick_normal.h"
+#include "synth/truth/fixed_number.h"
+#include "synth/truth/projected_box.h"
+
+namespace cvo::synth {
+namespace {
+
+// 0 at `half` = 0; 1/2 at `half`; small well above it.
+double MissProbability(double value, double half) {
+  return half > 0.0 ? 1.0 / (1.0 + std::pow(value / half, 4)) : 0.0;
+}
+
+double Overlap(const PixelBox& a, const PixelBox& b) {
+  const double both = IntersectionArea_px2(a, b);
+  return both > 0.0 ? both / (Area_px2(a) + Area_px2(b) - both) : 0.0;
+}
+
+double Score(double mean, double spread, double normal) {
+  return std::clamp(mean + spread * normal, 0.01, 1.0);
+}
+
+// One body as the detector follows it through time, seen or not.
+struct BodyProcess {
+  Rng rng;
+  EdgeJitter jitter;
+  Burst burst;
+};
+
+// A box of nothing.
+struct Ghost {
+  PixelBox box;
+  std::string category;
+  EdgeJitter jitter;
+};
+
+class Detector {
+ public:
+  Detector(const DetectorInput& input, const DetectorOptions& options, std::uint64_t seed)
+      : input_(input), options_(options), seed_(seed), ghost_rng_(seed, "detector false") {
+    for (std::size_t i = 0; i < input.categories.size(); ++i) {
+      bodies_.push_back({Rng(seed, StrCat("detector body ", i + 1)), {}, {}});
+    }
+    for (const FrameTruth& frame : input.frames) {
+      for (const BodyTruth& body : frame.bodies) {
+        if (body.visible_px < options.min_visible_px) continue;
+        real_boxes_.emplace_back(body.id, *body.visible_box);
+      }
+    }
+  }
+
+  std::vector<Detection> Run() {
+    std::vector<Detection> all;
+    for (std::size_t i = 0; i < input_.frames.size(); ++i) {
+      const FrameTruth& frame = input_.frames[i];
+      dt_s_ = i == 0 ? 0.0 : frame.time_s - input_.frames[i - 1].time_s;
+      std::vector<Detection> found = FindBodies(frame);
+      Merge(found);
+      AddGhosts(i == 0, found);
+      for (Detection& detection : found) {
+        detection.frame = static_cast<int>(i);
+        all.push_back(std::move(detection));
+      }
+    }
+    return all;
+  }
+
+ private:
+  std::vector<Detection> FindBodies(const FrameTruth& frame) {
+    std::vector<Detection> found;
+    for (const BodyTruth& body : frame.bodies) {
+      const auto index = static_cast<std::size_t>(body.id - 1);
+      BodyProcess& process = bodies_.at(index);
+      const PixelBox visible = body.visible_box.value_or(PixelBox{});
+      // All draws of every frame, seen or not, so that one outcome does not shift the next.
+      const PixelBox box = process.jitter.Step(process.rng, dt_s_, visible, options_);
+      const bool lost =
+          process.burst.Step(process.rng, dt_s_, options_.burst_rate_hz, options_.burst_s);
+      const double draw = process.rng.Uniform();
+      const double score_draw = process.rng.Normal();
+      if (!body.visible_box || body.visible_px < options_.min_visible_px) continue;
+      if (lost || draw < ProbabilityOfMiss(body)) continue;
+      found.push_back({0, body.id, input_.categories[index],
+                       Tidy(box, input_.width_px, input_.height_px),
+                       Score(options_.score_mean, options_.score_spread, score_draw)});
+    }
+    return found;
+  }
+
+  double ProbabilityOfMiss(const BodyTruth& body) const {
+    const PixelBox& box = *body.visible_box;
+    const double side_px = std::min(box.right - box.left, box.bottom - box.top) + 1.0;
+    return 1.0 - (1.0 - options_.miss_rate) *
+                     (1.0 - MissProbability(side_px, options_.miss_size_px)) *
+                     (1.0 - MissProbability(body.visible_fraction, options_.miss_visible));
+  }
+
+  // Whether the detector takes two neighbours for one now.
+  bool TakenForOne(int a, int b) {
+    const auto key = std::minmax(a, b);
+    auto [pair, added] = pairs_.try_emplace(
+        key, Rng(seed_, StrCat("detector pair ", key.first, " ", key.second)), SlowNormal());
+    auto& [rng, process] = pair->second;
+    return NormalCdf(process.Step(rng, dt_s_, options_.jitter_time_s)) < options_.merge_rate;
+  }
+
+  void Merge(std::vector<Detection>& found) {
+    if (options_.merge_rate == 0.0) return;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      for (std::size_t k = i + 1; k < found.size(); ++k) {
+        if (found[i].category != found[k].category) continue;
+        if (Overlap(found[i].box, found[k].box) < options_.merge_overlap) continue;
+        if (!TakenForOne(found[i].body, found[k].body)) continue;
+        PixelBox& box = found[i].box;
+        const PixelBox other = found[k].box;
+        box = {std::min(box.left, other.left), std::min(box.top, other.top),
+               std::max(box.right, other.right), std::max(box.bottom, other.bottom)};
+        found[i].score = std::max(found[i].score, found[k].score);
+        found.erase(found.begin() + static_cast<std::ptrdiff_t>(k));
+        --k;
+      }
+    }
+  }
+
+  void AddGhosts(bool first, std::vector<Detection>& found) {
+    if (real_boxes_.empty()) return;
+    const double stays =
+        options_.false_positive_s > 0.0 ? std::exp(-dt_s_ / options_.false_positive_s) : 0.0;
+    std::erase_if(ghosts_, [&](const Ghost&) { return ghost_rng_.Uniform() >= stays; });
+    const double born = options_.false_positives * (first ? 1.0 : 1.0 - stays);
+    for (int count = Poisson(ghost_rng_, born); count > 0; --count) ghosts_.push_back(MakeGhost());
+    for (Ghost& ghost : ghosts_) {
+      const PixelBox box = ghost.jitter.Step(ghost_rng_, dt_s_, ghost.box, options_);
+      found.push_back(
+          {0, 0, ghost.category, Tidy(box, input_.width_px, input_.height_px),
+           Score(options_.false_score_mean, options_.false_score_spread, ghost_rng_.Normal())});
+    }
+  }
+
+  // Of a real object's size, anywhere.
+  Ghost MakeGhost() {
+    const auto& [body, like] = real_boxes_[ghost_rng_.UniformInt(real_boxes_.size())];
+    const double scale = ghost_rng_.Uniform(0.6, 1.2);
+    const double width = scale * (like.right - like.left);
+    const double height = scale * (like.bottom - like.top);
+    const double left = ghost_rng_.Uniform(0.0, std::max(input_.width_px - 1.0 - width, 1.0));
+    const double top = ghost_rng_.Uniform(0.0, std::max(input_.height_px - 1.0 - height, 1.0));
+    return {{left, top, left + width, top + height},
+            input_.categories[static_cast<std::size_t>(body - 1)],
+            {}};
+  }
+
+  const DetectorInput& input_;
+  const DetectorOptions& options_;
+  std::uint64_t seed_;
+  double dt_s_ = 0.0;
+  std::vector<BodyProcess> bodies_;
+  std::map<std::pair<int, int>, std::pair<Rng, SlowNormal>> pairs_;
+  Rng ghost_rng_;
+  std::vector<Ghost> ghosts_;
+  std::vector<std::pair<int, PixelBox>> real_boxes_;
+};
+
+DetectorOptions Oracle() {
+  DetectorOptions oracle;
+  oracle.jitter_width = oracle.jitter_height = oracle.jitter_floor_px = 0.0;
+  oracle.miss_rate = oracle.miss_size_px = oracle.miss_visible = oracle.burst_rate_hz = 0.0;
+  oracle.false_positives = oracle.merge_rate = 0.0;
+  oracle.min_visible_px = 1;
+  oracle.score_mean = 1.0;
+  oracle.score_spread = 0.0;
+  return oracle;
+}
+
+DetectorOptions Poor() {
+  DetectorOptions poor;
+  poor.jitter_width = 0.12;
+  poor.jitter_height = 0.1;
+  poor.jitter_floor_px = 2.0;
+  poor.miss_rate = 0.05;
+  poor.miss_size_px = 24.0;
+  poor.miss_visible = 0.35;
+  poor.burst_rate_hz = 0.5;
+  poor.burst_s = 0.5;
+  poor.false_positives = 0.8;
+  poor.merge_rate = 0.8;
+  poor.merge_overlap = 0.3;
+  poor.score_mean = 0.75;
+  poor.score_spread = 0.15;
+  return poor;
+}
+
+}  // namespace
+
+const std::vector<std::string>& DetectorLevels() {
+  static const std::vector<std::string> levels = {"oracle", "good", "poor"};
+  return levels;
+}
+
+DetectorOptions DetectorLevel(const std::string& level) {
+  if (level == "oracle") return Oracle();
+  if (level == "good") return {};
+  if (level == "poor") return Poor();
+  ThrowError("detector level", Quoted(level) + DidYouMean(level, DetectorLevels()),
+             "oracle, good or poor");
+}
+
+std::vector<Detection> Detect(const DetectorInput& input, const DetectorOptions& options,
+                              std::uint64_t seed) {
+  return Detector(input, options, seed).Run();
+}
+
+std::string FormatDetections(const std::vector<Detection>& detections) {
+  std::string rows;
+  for (const Detection& detection : detections) {
+    rows += StrCat(detection.frame, " -1 ", detection.category, " -1 -1 -10");
+    for (const double side :
+         {detection.box.left, detection.box.top, detection.box.right, detection.box.bottom}) {
+      rows += StrCat(" ", FixedNumber(side, 2));
+    }
+    rows += StrCat(" -1 -1 -1 -1000 -1000 -1000 -10 ", FixedNumber(detection.score, 4), "\n");
+  }
+  return rows;
+}
+
+}  // namespace cvo::synth
