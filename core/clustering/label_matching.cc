@@ -29,8 +29,8 @@ std::vector<int> NewBoxes(std::span<const LabelIdentity> labels) {
 }
 
 // Moving clusters that nodes were in and that no label stands for, by id.
-std::vector<ClusterId> Candidates(std::span<const LabelIdentity> labels,
-                                  std::span<const ClusterId> previous_of_node) {
+std::vector<ClusterId> CandidateClusters(std::span<const LabelIdentity> labels,
+                                         std::span<const ClusterId> previous_of_node) {
   std::vector<ClusterId> candidates;
   for (const ClusterId cluster : previous_of_node) {
     const bool has_label =
@@ -80,7 +80,7 @@ std::vector<ClusterId> MatchLabels(std::span<const LabelIdentity> labels,
     if (labels[label].kind == LabelKind::kCluster) matched[label] = labels[label].cluster;
   }
   const std::vector<int> boxes = NewBoxes(labels);
-  const std::vector<ClusterId> clusters = Candidates(labels, previous_of_node);
+  const std::vector<ClusterId> clusters = CandidateClusters(labels, previous_of_node);
   const Eigen::MatrixXd overlaps = Overlaps(boxes, clusters, label_of_node, previous_of_node);
   const std::vector<int> assigned = Assign(-overlaps);
   for (std::size_t b = 0; b < boxes.size(); ++b) {

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <string_view>
 
 namespace cvo {
+
+// Hexadecimal digits of a SHA-256.
+inline constexpr std::size_t kHashBytes = 64;
 
 // SHA-256 of everything that was added, as 64 lower-case hexadecimal digits.
 class Sha256 {

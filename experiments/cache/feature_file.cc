@@ -12,7 +12,6 @@ namespace cvo {
 namespace {
 
 constexpr std::string_view kMagic = "CVOFEATS";
-constexpr std::size_t kHashBytes = 64;  // hexadecimal
 constexpr std::size_t kHeaderBytes =
     kMagic.size() + 2 * sizeof(std::uint32_t) + sizeof(std::uint64_t) + kHashBytes + kHashBytes;
 constexpr std::size_t kPlaceBytes = 2 * sizeof(std::uint64_t) + kHashBytes;

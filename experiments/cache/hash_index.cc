@@ -22,7 +22,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kSchemaVersion = 1;
-constexpr std::size_t kHashBytes = 64;               // hexadecimal
 constexpr std::uint64_t kLimit_bytes = 256'000'000;  // of all folders together
 
 std::int64_t Nanoseconds(const timespec& time) {

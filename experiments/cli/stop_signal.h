@@ -4,6 +4,9 @@
 
 namespace cvo {
 
+// The exit code of what such a signal stopped.
+inline constexpr int kStopped = 130;
+
 // While one exists, the first SIGINT or SIGTERM is only noted; the next one ends the program.
 class StopSignal {
  public:

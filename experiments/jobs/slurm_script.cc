@@ -10,7 +10,7 @@
 namespace cvo {
 namespace {
 
-constexpr double kBytesPerMb = 1e6;
+constexpr double kBytesPerLimitMb = 1e6;
 constexpr double kBytesPerKib = 1024.0;
 
 // `timeout` is in a shell of its own, so that the limit of memory is the task's alone. A second try
@@ -31,7 +31,7 @@ exit "$code"
 
 std::string Case(const Task& task, std::size_t index) {
   const auto limit_kib =
-      static_cast<std::int64_t>(std::ceil(task.limit_memory_mb * kBytesPerMb / kBytesPerKib));
+      static_cast<std::int64_t>(std::ceil(task.limit_memory_mb * kBytesPerLimitMb / kBytesPerKib));
   std::string text = StrCat(index, ")\n  log=", ShellQuoted(task.log.string()),
                             " limit_s=", task.limit_s, " limit_kib=", limit_kib, "\n  set --");
   for (const std::string& word : task.argv) text += StrCat(" ", ShellQuoted(word));

@@ -16,7 +16,7 @@ namespace cvo::reports {
 namespace {
 
 constexpr std::size_t kMostBodies = 6;
-constexpr int kWidth_px = 720;
+constexpr int kCurveWidth_px = 720;
 
 const BodyDetail* FindBody(const DrawnRun& run, int id) {
   for (const BodyDetail& body : run.detail.bodies) {
@@ -277,7 +277,7 @@ Figure DrawScene(const SuiteData& data, const DrawnScene& scene, const SceneBodi
   for (const BodyDetail* body : bodies.drawn) panels.push_back(PanelOf(*body, scale));
   std::vector<std::string> entries = VariantsOf(data.drawn);
   entries.insert(entries.end(), {"predicted", "cluster begins", "identity switch"});
-  Plot plot(AxisOf("frame"), panels, LegendHeight(entries, kWidth_px));
+  Plot plot(AxisOf("frame"), panels, LegendHeight(entries, kCurveWidth_px));
   Held held;
   for (std::size_t i = 0; i < bodies.drawn.size(); ++i) {
     DrawBody(scene, *bodies.drawn[i], i, scale, palette, held, plot);
@@ -293,7 +293,7 @@ Figure DrawScene(const SuiteData& data, const DrawnScene& scene, const SceneBodi
       StrCat("Lines of position error over frames on ", scene.sequence, ", one panel per body. ");
   for (const BodyDetail* body : bodies.drawn) figure.alt += SayBody(scene, *body, scale);
   figure.alt.pop_back();
-  figure.width_px = kWidth_px;
+  figure.width_px = kCurveWidth_px;
   figure.height_px = plot.height_px();
   figure.plotly = plot.Text();
   return figure;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMostLines = 12;
 constexpr std::size_t kMostBands = 6;
-constexpr int kWidth_px = 620;
+constexpr int kSweepWidth_px = 620;
 
 // Columns that belong in one figure, coverage last.
 struct MetricGroup {
@@ -215,7 +215,7 @@ Figure DrawGroup(const SweptOption& option, const MetricGroup& group, const Tabl
   std::vector<std::string> entries;
   for (const SweptLine& line : option.lines) entries.push_back(line.label);
   constexpr int kDefaultMark_px = 8;
-  Plot plot(XAxis(option), panels, LegendHeight(entries, kWidth_px) + kDefaultMark_px);
+  Plot plot(XAxis(option), panels, LegendHeight(entries, kSweepWidth_px) + kDefaultMark_px);
   for (std::size_t i = 0; i < group.columns.size(); ++i) {
     for (const SweptLine& line : option.lines) {  // all bands below all curves
       if (option.lines.size() > kMostBands) break;
@@ -236,7 +236,7 @@ Figure DrawGroup(const SweptOption& option, const MetricGroup& group, const Tabl
   if (!relation.empty()) figure.title += ". " + Capitalised(relation);
   figure.caption = Caption(option, group, table);
   figure.alt = Alt(option, group, table);
-  figure.width_px = kWidth_px;
+  figure.width_px = kSweepWidth_px;
   figure.height_px = plot.height_px();
   figure.plotly = plot.Text();
   return figure;

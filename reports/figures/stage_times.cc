@@ -22,7 +22,7 @@ constexpr std::array kOfTheCache = {"load_features", "store_features", "wait_for
 // In the order of the work; what is not named here follows, the sum comes last.
 constexpr std::array kEstimator = {"track",    "associate",         "label",   "window",
                                    "optimize", "optimize_clusters", "estimate"};
-constexpr int kWidth_px = 620;
+constexpr int kBarsWidth_px = 620;
 constexpr char kSum[] = "estimate";
 constexpr char kAllVariants[] = "front end, all variants";
 
@@ -235,7 +235,7 @@ Plot MakePlot(const SuiteData& data, const std::vector<StageSeries>& series,
   panels.push_back(PanelOf(stages, static_cast<int>(series.size()) - 1));
   Json x_axis = AxisOf("time per frame (ms)");
   x_axis["rangemode"] = "tozero";
-  Plot plot(x_axis, panels, LegendHeight(names, kWidth_px));
+  Plot plot(x_axis, panels, LegendHeight(names, kBarsWidth_px));
   for (const StageSeries& one : series) {
     if (one.name != kAllVariants) {
       plot.AddTrace(panels.size() - 1, Bars(one, stages, palette.Of(one.name).colour));
@@ -270,7 +270,7 @@ void DrawStageTimes(const SuiteData& data, SuiteDrawing& drawing) {
     if (one.runs > 0) figure.alt += SaySeries(one);
   }
   figure.alt.pop_back();
-  figure.width_px = kWidth_px;
+  figure.width_px = kBarsWidth_px;
   figure.height_px = plot.height_px();
   figure.plotly = plot.Text();
   drawing.figures.push_back(std::move(figure));

@@ -6,7 +6,7 @@
 namespace cvo::reports {
 namespace {
 
-std::string Escaped(const std::string& text) {
+std::string EscapedCell(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
     if (c == '|' || c == '*' || c == '_' || c == '<' || c == '`' || c == '\\') escaped += '\\';
@@ -17,7 +17,7 @@ std::string Escaped(const std::string& text) {
 
 std::string Line(const std::vector<std::string>& row) {
   std::string line = "|";
-  for (const std::string& cell : row) line += StrCat(" ", Escaped(cell), " |");
+  for (const std::string& cell : row) line += StrCat(" ", EscapedCell(cell), " |");
   return line + "\n";
 }
 
@@ -32,7 +32,7 @@ std::string MarkdownTable(const TextRows& rows) {
 std::string MarkdownList(const std::vector<std::string>& lines) {
   std::string text;
   for (const std::string& line : lines) {
-    text += StrCat(text.empty() ? "\n- " : "- ", Escaped(line), "\n");
+    text += StrCat(text.empty() ? "\n- " : "- ", EscapedCell(line), "\n");
   }
   return text;
 }
@@ -41,7 +41,7 @@ std::string MarkdownList(const std::vector<std::string>& lines) {
 
 std::string GateMarkdown(const GateReport& report) {
   return StrCat("### ", report.Regressed() ? "Regression" : "No regression", "\n\n",
-                Escaped(Headline(report)), "\n", MarkdownTable(MovedRows(report)),
+                EscapedCell(Headline(report)), "\n", MarkdownTable(MovedRows(report)),
                 MarkdownList(ProblemLines(report)), MarkdownTable(TimeRows(report)),
                 MarkdownList(NoteLines(report)));
 }

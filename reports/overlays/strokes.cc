@@ -12,7 +12,7 @@ namespace cvo::reports {
 namespace {
 
 constexpr int kFractionBits = 4;  // of pixel coordinates
-constexpr double kMargin_px = 50.0;
+constexpr double kClipMargin_px = 50.0;
 
 cv::Point Fixed(cv::Point2d point) {
   constexpr double kOne = 1 << kFractionBits;
@@ -60,7 +60,7 @@ std::vector<PixelSegment> Dashes(const PixelSegment& segment, double dash_px, do
 void DrawStrokes(const std::vector<Stroke>& strokes, double rim_opacity, cv::Mat& image) {
   std::vector<Stroke> seen;
   for (const Stroke& stroke : strokes) {
-    const auto segment = ClipSegment(stroke.segment, image.size(), kMargin_px);
+    const auto segment = ClipSegment(stroke.segment, image.size(), kClipMargin_px);
     if (segment) seen.push_back({*segment, stroke.color, stroke.width_px});
   }
   if (seen.empty()) return;

@@ -14,7 +14,6 @@ namespace {
 
 constexpr int kMargin_px = 30;
 constexpr int kSteps = 200;  // along each path
-const cv::Scalar kInk(60, 50, 45);
 
 using Path = std::vector<Eigen::Vector2d>;
 

@@ -9,6 +9,8 @@
 
 namespace cvo::synth {
 
+inline const cv::Scalar kInk(60, 50, 45);  // BGR, of lines and writing
+
 // One colour (BGR) for each body, neighbours well apart.
 std::vector<cv::Scalar> BodyColours(std::size_t bodies);
 

@@ -18,7 +18,6 @@ constexpr int kGap_px = 8;
 constexpr int kTitle_px = 54;
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 const cv::Scalar kPaper(250, 248, 246);
-const cv::Scalar kInk(60, 50, 45);
 
 // How a frame's pixels become the cell's.
 struct Cell {

@@ -17,6 +17,7 @@ struct Range {
   double min = 0.0;
   double max = 0.0;
 };
+inline constexpr Range kPlace = {-1e5, 1e5};  // coordinates, in metres or pixels
 
 // One object of a JSON text, read key by key. Every function throws Error naming the source and the
 // dotted path for a key that is missing (unless it ends in Or), of another type or out of range.

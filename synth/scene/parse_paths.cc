@@ -10,7 +10,6 @@ namespace cvo::synth {
 namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180.0;
-constexpr Range kPlace = {-1e5, 1e5};
 constexpr Range kLength = {0.0, 1e5};
 constexpr Range kAngle = {-3600.0, 3600.0};
 constexpr Range kSpeed = {0.0, 50.0};

@@ -13,7 +13,6 @@
 namespace cvo::synth {
 namespace {
 
-constexpr Range kPlace = {-1e5, 1e5};
 constexpr Range kUnit = {0.0, 1.0};
 constexpr double kMostCount = 1000;
 

@@ -43,8 +43,8 @@ TEST(Includes, TheEstimatorKnowsNoFilesNoJsonNoClock) {
 TEST(Includes, ArrowsOfTheExperiments) {
   EXPECT_THAT(Include("experiments/metrics/a.cc", "\"experiments/record/job_identity.h\""),
               SizeIs(1));
-  EXPECT_THAT(Include("experiments/files/a.cc", "\"experiments/datasets/sequence.h\""), SizeIs(1));
-  EXPECT_THAT(Include("experiments/datasets/a.cc", "\"experiments/files/json.h\""), IsEmpty());
+  EXPECT_THAT(Include("core/files/a.cc", "\"experiments/datasets/sequence.h\""), SizeIs(1));
+  EXPECT_THAT(Include("experiments/datasets/a.cc", "\"core/files/json.h\""), IsEmpty());
   EXPECT_THAT(Include("experiments/datasets/a.cc", "\"experiments/runner/a.h\""), SizeIs(1));
   EXPECT_THAT(Include("experiments/record/a.cc", "\"experiments/cli/a.h\""), SizeIs(1));
   EXPECT_THAT(Include("experiments/runner/a.cc", "\"reports/tables/table.h\""), SizeIs(1));
@@ -55,7 +55,7 @@ TEST(Includes, ArrowsOfTheExperiments) {
 TEST(Includes, ReportsReadFilesOnly) {
   EXPECT_THAT(Include("reports/tables/a.cc", "\"core/base/error.h\""), IsEmpty());
   EXPECT_THAT(Include("reports/tables/a.cc", "\"core/geometry/rigid_transform.h\""), SizeIs(1));
-  EXPECT_THAT(Include("reports/tables/a.cc", "\"experiments/files/json.h\""), SizeIs(1));
+  EXPECT_THAT(Include("reports/tables/a.cc", "\"experiments/jobs/job_status.h\""), SizeIs(1));
   EXPECT_THAT(Include("reports/tables/a.cc", "<Eigen/Core>"), SizeIs(1));
 }
 
@@ -63,14 +63,14 @@ TEST(Includes, OverlaysAloneOfTheReportsDraw) {
   EXPECT_THAT(Include("reports/overlays/a.cc", "<opencv2/imgproc.hpp>"), IsEmpty());
   EXPECT_THAT(Include("reports/overlays/a.cc", "\"reports/runs/run_detail.h\""), IsEmpty());
   EXPECT_THAT(Include("reports/overlays/a.cc", "\"core/geometry/rigid_transform.h\""), SizeIs(1));
-  EXPECT_THAT(Include("reports/overlays/a.cc", "\"experiments/files/atomic_file.h\""), SizeIs(1));
+  EXPECT_THAT(Include("reports/overlays/a.cc", "\"experiments/cache/cache_file.h\""), SizeIs(1));
   EXPECT_THAT(Include("reports/overlays/a.cc", "<Eigen/Core>"), SizeIs(1));
   EXPECT_THAT(Include("reports/web/a.cc", "<opencv2/core/mat.hpp>"), SizeIs(1));
 }
 
 TEST(Includes, SynthKnowsGeometryOnlyAndNobodyTheTests) {
   EXPECT_THAT(Include("synth/scene/a.cc", "\"core/geometry/stereo_camera.h\""), IsEmpty());
-  EXPECT_THAT(Include("synth/scene/a.cc", "\"experiments/files/json.h\""), IsEmpty());
+  EXPECT_THAT(Include("synth/scene/a.cc", "\"core/files/json.h\""), IsEmpty());
   EXPECT_THAT(Include("synth/scene/a.cc", "\"experiments/datasets/sequence.h\""), SizeIs(1));
   EXPECT_THAT(Include("synth/scene/a.cc", "\"core/features/orb.h\""), SizeIs(1));
   EXPECT_THAT(Include("synth/render/a.cc", "\"synth/scene/world.h\""), IsEmpty());

@@ -25,7 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kStopped = 130;
 constexpr const char* kSheet = "sheet.png";
 
 std::string ImageName(int frame) {

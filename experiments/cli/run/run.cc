@@ -24,8 +24,6 @@
 namespace cvo {
 namespace {
 
-constexpr int kStopped = 130;
-
 struct Flags {
   SequenceFlags sequence;
   RunFlags run;

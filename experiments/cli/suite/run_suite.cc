@@ -28,7 +28,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kIncomplete = 1;
-constexpr int kStopped = 130;
 
 struct Stopped {};
 

@@ -18,8 +18,6 @@
 namespace cvo {
 namespace {
 
-constexpr int kStopped = 130;
-
 // What render and preview share.
 struct SceneFlags {
   std::string scene;
