@@ -11,11 +11,11 @@
 #include "core/clustering/dense_crf.h"
 #include "core/clustering/label_confidence.h"
 #include "core/clustering/motion_term.h"
+#include "core/clusters/cluster_association.h"
 #include "core/estimation/motion_extrapolation.h"
-#include "core/estimation/motion_prior.h"
 #include "core/estimation/window_policies.h"
-#include "core/odometry/cluster_association.h"
 #include "core/odometry/detection_policies.h"
+#include "core/solvers/motion_prior.h"
 
 namespace cvo {
 

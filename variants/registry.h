@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/odometry/odometry.h"
+#include "core/interface/odometry.h"
 
 namespace cvo {
 

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "core/estimation/measurement_noise.h"
 #include "core/geometry/rigid_transform.h"
 #include "core/geometry/stereo_camera.h"
+#include "core/solvers/measurement_noise.h"
 
 namespace cvo {
 

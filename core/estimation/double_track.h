@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/estimation/measurement_noise.h"
 #include "core/estimation/window_policies.h"
+#include "core/solvers/measurement_noise.h"
 
 namespace cvo {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/estimation/reprojection_cost.h"
+#include "core/solvers/reprojection_cost.h"
 
 namespace cvo {
 namespace {

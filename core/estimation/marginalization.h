@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/estimation/window_solver.h"
+#include "core/solvers/window_solver.h"
 
 namespace cvo {
 

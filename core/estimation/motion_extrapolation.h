@@ -4,8 +4,8 @@
 
 #include <span>
 
-#include "core/estimation/motion_prior.h"
 #include "core/geometry/rigid_transform.h"
+#include "core/solvers/motion_prior.h"
 
 namespace cvo {
 

@@ -7,8 +7,8 @@
 
 #include "core/base/ids.h"
 #include "core/estimation/landmark.h"
-#include "core/estimation/window_prior.h"
 #include "core/geometry/stereo_camera.h"
+#include "core/solvers/window_prior.h"
 
 namespace cvo {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/estimation/window.h"
-#include "core/estimation/window_solver.h"
+#include "core/solvers/window_solver.h"
 
 namespace cvo {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/association/descriptor_matching.h"
+#include "core/clusters/point_measurements.h"
 #include "core/estimation/camera_ransac.h"
-#include "core/odometry/point_measurements.h"
 
 namespace cvo {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/base/rng.h"
 #include "core/estimation/window.h"
 #include "core/geometry/stereo_camera.h"
-#include "core/odometry/options.h"
+#include "core/interface/options.h"
 
 namespace cvo {
 

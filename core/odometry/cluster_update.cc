@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/clustering/point_extent.h"
-#include "core/odometry/box_fix.h"
+#include "core/clusters/box_fix.h"
 
 namespace cvo {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/odometry/cluster_labels.h"
+#include "core/labelling/cluster_labels.h"
 
 namespace cvo {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/odometry/frame.h"
+#include "core/interface/frame.h"
 
 namespace cvo {
 

@@ -4,7 +4,7 @@
 
 #include "core/estimation/window.h"
 #include "core/estimation/window_problem.h"
-#include "core/odometry/options.h"
+#include "core/interface/options.h"
 
 namespace cvo {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/odometry/frame.h"
+#include "core/interface/frame.h"
 #include "experiments/metrics/object_estimate.h"
 
 namespace cvo {

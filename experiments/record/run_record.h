@@ -9,8 +9,8 @@
 
 #include "core/base/stage_times.h"
 #include "core/geometry/rigid_transform.h"
-#include "core/odometry/frame.h"
-#include "core/odometry/odometry.h"
+#include "core/interface/frame.h"
+#include "core/interface/odometry.h"
 #include "experiments/metrics/object_estimate.h"
 
 namespace cvo {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/odometry/frame.h"
+#include "core/interface/frame.h"
 #include "experiments/record/job_identity.h"
 #include "experiments/record/result_file.h"
 

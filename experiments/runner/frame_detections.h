@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/geometry/stereo_camera.h"
-#include "core/odometry/frame.h"
+#include "core/interface/frame.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/record/run_record.h"
 

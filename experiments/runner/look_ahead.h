@@ -9,7 +9,7 @@
 
 #include "core/base/stage_times.h"
 #include "core/base/task_pool.h"
-#include "core/odometry/options.h"
+#include "core/interface/options.h"
 #include "experiments/cache/content_hash.h"
 #include "experiments/cache/front_end_frame.h"
 #include "experiments/datasets/sequence.h"

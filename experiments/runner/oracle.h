@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/odometry/frame.h"
+#include "core/interface/frame.h"
 #include "experiments/datasets/body_truth.h"
 #include "experiments/datasets/sequence.h"
 

@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/stage_times.h"
 #include "core/base/task_pool.h"
-#include "core/odometry/odometry.h"
+#include "core/interface/odometry.h"
 #include "experiments/cache/content_hash.h"
 #include "experiments/record/landmark_table.h"
 #include "experiments/runner/frame_source.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/odometry/options.h"
+#include "core/interface/options.h"
 #include "experiments/cache/content_hash.h"
 #include "experiments/cache/front_end_cache.h"
 #include "experiments/datasets/body_truth.h"

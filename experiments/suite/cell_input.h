@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/odometry/options.h"
+#include "core/interface/options.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/runner/oracle.h"
 #include "experiments/runner/system_files.h"

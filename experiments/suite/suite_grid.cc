@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/files/number.h"
 #include "core/files/options_json.h"
-#include "core/odometry/options.h"
+#include "core/interface/options.h"
 #include "experiments/suite/cell_input.h"
 #include "synth/scene/description.h"
 #include "synth/scene/object_reader.h"

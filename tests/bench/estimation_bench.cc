@@ -4,8 +4,8 @@
 
 #include "core/base/rng.h"
 #include "core/estimation/camera_solver.h"
-#include "core/estimation/cluster_solver.h"
 #include "core/estimation/marginalization.h"
+#include "core/solvers/cluster_solver.h"
 #include "tests/support/feature_world.h"
 #include "variants/registry.h"
 

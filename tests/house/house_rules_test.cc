@@ -24,10 +24,14 @@ TEST(Includes, ArrowsOfTheEstimator) {
               ElementsAre("core/base/a.h:3: core/base/ must not include "
                           "core/geometry/rigid_transform.h"));
   EXPECT_THAT(Include("core/features/a.cc", "\"core/estimation/window.h\""), SizeIs(1));
-  EXPECT_THAT(Include("core/association/a.cc", "\"core/odometry/frame.h\""), SizeIs(1));
+  EXPECT_THAT(Include("core/association/a.cc", "\"core/interface/frame.h\""), SizeIs(1));
+  EXPECT_THAT(Include("core/solvers/a.cc", "\"core/estimation/window.h\""), SizeIs(1));
+  EXPECT_THAT(Include("core/clusters/a.cc", "\"core/labelling/label_scene.h\""), SizeIs(1));
+  EXPECT_THAT(Include("core/labelling/a.cc", "\"core/clusters/cluster_map.h\""), IsEmpty());
+  EXPECT_THAT(Include("core/labelling/a.cc", "\"core/odometry/motion_model.h\""), SizeIs(1));
   EXPECT_THAT(Include("core/odometry/a.cc", "\"variants/registry.h\""), SizeIs(1));
   EXPECT_THAT(Include("core/odometry/a.cc", "\"experiments/datasets/sequence.h\""), SizeIs(1));
-  EXPECT_THAT(Include("variants/a.cc", "\"core/odometry/frame.h\""), IsEmpty());
+  EXPECT_THAT(Include("variants/a.cc", "\"core/interface/frame.h\""), IsEmpty());
   EXPECT_THAT(Include("variants/a.cc", "\"experiments/runner/suite.h\""), SizeIs(1));
 }
 

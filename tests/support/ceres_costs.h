@@ -5,10 +5,10 @@
 #include <ceres/manifold.h>
 #include <ceres/sized_cost_function.h>
 
-#include "core/estimation/cluster_problem.h"
-#include "core/estimation/motion_prior_cost.h"
-#include "core/estimation/reprojection_cost.h"
-#include "core/estimation/window_prior.h"
+#include "core/solvers/cluster_problem.h"
+#include "core/solvers/motion_prior_cost.h"
+#include "core/solvers/reprojection_cost.h"
+#include "core/solvers/window_prior.h"
 
 namespace cvo::test {
 

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "core/estimation/cluster_problem.h"
+#include "core/solvers/cluster_problem.h"
 
 namespace cvo::test {
 

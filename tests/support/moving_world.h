@@ -11,7 +11,7 @@
 
 #include "core/base/rng.h"
 #include "core/geometry/stereo_camera.h"
-#include "core/odometry/frame.h"
+#include "core/interface/frame.h"
 
 namespace cvo::testing {
 

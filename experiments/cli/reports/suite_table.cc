@@ -6,7 +6,7 @@
 
 #include "core/files/atomic_file.h"
 #include "core/files/options_json.h"
-#include "core/odometry/options.h"
+#include "core/interface/options.h"
 #include "reports/formats/table_text.h"
 #include "reports/tables/make_table.h"
 #include "reports/tables/table_json.h"

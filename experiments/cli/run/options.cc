@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/odometry/options.h"
+#include "core/interface/options.h"
 
 #include <iostream>
 #include <memory>

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/odometry/options.h"
+#include "core/interface/options.h"
 
 namespace cvo {
 

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
-#include "core/estimation/cluster_solver.h"
+#include "core/solvers/cluster_solver.h"
 #include "tests/support/ceres_costs.h"
 #include "tests/support/gradient_check.h"
 

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/rng.h"
 #include "core/estimation/motion_extrapolation.h"
-#include "core/estimation/motion_prior_cost.h"
+#include "core/solvers/motion_prior_cost.h"
 #include "tests/support/ceres_costs.h"
 #include "tests/support/gradient_check.h"
 

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/clusters/cluster_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cvo {
+namespace {
+
+// What one observation says of the landmark's position, its body's pose taken as exact.
+Eigen::Matrix3d InformationOf(const Window& window, const NoiseOptions& noise, double scale_factor,
+                              const RigidTransform& world_from_camera,
+                              const RigidTransform& world_from_object, const Landmark& landmark,
+                              const Observation& seen) {
+  const RigidTransform camera_from_object = world_from_camera.Inverse() * world_from_object;
+  const Eigen::Vector3d c = camera_from_object * landmark.p_in_body;
+  if (c.z() <= StereoCamera::kMinDepth_m) return Eigen::Matrix3d::Zero();
+  const Eigen::Matrix3d WJ = SqrtInformation(noise, std::pow(scale_factor, seen.octave)) *
+                             window.camera.ProjectionJacobian(c) *
+                             camera_from_object.RotationMatrix();
+  return WJ.transpose() * WJ;
+}
+
+}  // namespace
+
+void AbsorbObservations(const Window& window, const WindowFrame& leaving, const NoiseOptions& noise,
+                        double scale_factor, const ClusterOptions& options, Cluster& cluster) {
+  const ClusterState* state = FindState(cluster, leaving.id);
+  if (!state) return;
+  for (Landmark& landmark : cluster.landmarks) {
+    const Observation* seen = FindObservation(landmark, leaving.id);
+    // A point seen once has no position of its own to defend.
+    if (!seen) continue;
+    const bool is_estimated =
+        landmark.observations.size() > 1 || !landmark.past_information.isZero();
+    if (is_estimated) {
+      const double keep = 1.0 - 1.0 / std::max(1.0, options.max_past_observations);
+      landmark.past_information =
+          keep * landmark.past_information +
+          InformationOf(window, noise, scale_factor, leaving.world_from_camera,
+                        state->world_from_object, landmark, *seen);
+    }
+    std::erase_if(landmark.observations,
+                  [&](const Observation& o) { return o.frame == leaving.id; });
+  }
+}
+
+void TrimCluster(const Window& window, FrameId newest, const ClusterOptions& options,
+                 Cluster& cluster) {
+  const FrameId oldest = window.temporal.front().id;
+  // A hidden cluster is predicted from its last states, however old.
+  const bool is_seen = cluster.last_observed == newest;
+  while (is_seen && cluster.states.size() > 1 && cluster.states.front().frame < oldest) {
+    cluster.states.erase(cluster.states.begin());
+  }
+  for (Landmark& landmark : cluster.landmarks) {
+    std::erase_if(landmark.observations, [&](const Observation& o) { return o.frame < oldest; });
+  }
+  std::erase_if(cluster.landmarks, [](const Landmark& landmark) {
+    return landmark.observations.empty() && landmark.past_information.isZero();
+  });
+  if (static_cast<int>(cluster.landmarks.size()) <= options.max_landmarks) return;
+  std::vector<std::pair<FrameId, LandmarkId>> by_age;
+  for (const Landmark& landmark : cluster.landmarks) {
+    by_age.emplace_back(landmark.last_seen, landmark.id);
+  }
+  std::sort(by_age.rbegin(), by_age.rend());
+  const auto oldest_kept = by_age[static_cast<std::size_t>(options.max_landmarks) - 1];
+  std::erase_if(cluster.landmarks, [&](const Landmark& landmark) {
+    return std::pair(landmark.last_seen, landmark.id) < oldest_kept && landmark.last_seen < newest;
+  });
+}
+
+void RetireClusters(FrameId newest, const ClusterOptions& options, ClusterMap& map) {
+  std::vector<Cluster> live;
+  for (Cluster& cluster : map.live) {
+    const std::int64_t unseen = newest.value - cluster.last_observed.value;
+    const std::int64_t undetected = newest.value - cluster.last_detected.value;
+    const bool is_confirmed = IsConfirmed(cluster, options);
+    const bool is_gone = unseen >= options.live_frames;
+    if (!is_confirmed && (is_gone || undetected >= options.confirm_frames)) {
+      map.trajectories.erase(cluster.id);
+    } else if (is_gone) {
+      map.archived.push_back(std::move(cluster));
+    } else {
+      live.push_back(std::move(cluster));
+    }
+  }
+  map.live = std::move(live);
+  while (static_cast<int>(map.archived.size()) > options.archived) map.archived.pop_front();
+}
+
+std::vector<ClusterTrajectory> ConfirmedTrajectories(const ClusterMap& map,
+                                                     const ClusterOptions& options) {
+  std::vector<ClusterTrajectory> confirmed;
+  for (const auto& [id, trajectory] : map.trajectories) {
+    const auto live = std::find_if(map.live.begin(), map.live.end(),
+                                   [id = id](const Cluster& cluster) { return cluster.id == id; });
+    if (live != map.live.end() && !IsConfirmed(*live, options)) continue;
+    confirmed.push_back(trajectory);
+  }
+  return confirmed;
+}
+
+void UpdateExtent(const ExtentOptions& options, Cluster& cluster) {
+  if (cluster.landmarks.empty()) return;
+  Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(cluster.landmarks.size()));
+  for (std::size_t i = 0; i < cluster.landmarks.size(); ++i) {
+    points.col(static_cast<Eigen::Index>(i)) = cluster.landmarks[i].p_in_body;
+  }
+  const PointExtent extent = ExtentAlong(Eigen::Matrix3d::Identity(), points, options);
+  cluster.center_in_object = extent.center;
+  cluster.half_size_m = extent.half_size_m;
+}
+
+}  // namespace cvo

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <deque>
+#include <map>
+#include <vector>
+
+#include "core/clustering/point_extent.h"
+#include "core/estimation/cluster.h"
+#include "core/estimation/window.h"
+#include "core/interface/cluster_options.h"
+#include "core/interface/odometry.h"
+
+namespace cvo {
+
+// The moving half of the estimator's state.
+struct ClusterMap {
+  std::vector<Cluster> live;                            // by id; some not yet confirmed
+  std::deque<Cluster> archived;                         // the latest archived last
+  std::map<ClusterId, ClusterTrajectory> trajectories;  // of all clusters ever, confirmed or not
+  ClusterId next{1};
+};
+
+inline bool IsConfirmed(const Cluster& cluster, const ClusterOptions& options) {
+  return cluster.detections >= options.confirm_detections || cluster.given_body >= 0;
+}
+
+// The observations of a frame that leaves T_t become past knowledge of their landmarks; the frame
+// is no longer in the window.
+void AbsorbObservations(const Window& window, const WindowFrame& leaving, const NoiseOptions& noise,
+                        double scale_factor, const ClusterOptions& options, Cluster& cluster);
+
+// States and observations older than T_t go (the last state stays, to predict from), and so do the
+// longest unseen landmarks beyond the cap.
+void TrimCluster(const Window& window, FrameId newest, const ClusterOptions& options,
+                 Cluster& cluster);
+
+// Clusters unseen for live_frames go to the archive; those that were never confirmed are dropped.
+void RetireClusters(FrameId newest, const ClusterOptions& options, ClusterMap& map);
+
+// Trajectories of the clusters that were ever confirmed, by id.
+std::vector<ClusterTrajectory> ConfirmedTrajectories(const ClusterMap& map,
+                                                     const ClusterOptions& options);
+
+// Centre and half sides from the landmarks' 30th and 70th percentiles (estimator.md 6.3).
+void UpdateExtent(const ExtentOptions& options, Cluster& cluster);
+
+}  // namespace cvo

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/clusters/cluster_optimization.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "core/estimation/camera_solver.h"
+
+namespace cvo {
+namespace {
+
+// The upper factor U with U^T U = information.
+Eigen::Matrix3d SquareRoot(const Eigen::Matrix3d& information) {
+  return Eigen::LLT<Eigen::Matrix3d>(information).matrixU();
+}
+
+void AddFrames(const Window& window, const Cluster& cluster, ClusterSelection& selection) {
+  for (int i = 0; i < static_cast<int>(cluster.states.size()); ++i) {
+    const ClusterState& state = cluster.states[i];
+    const WindowFrame* frame = window.Find(state.frame);
+    if (!frame) continue;
+    ClusterProblem& problem = selection.problem;
+    selection.states.push_back(i);
+    problem.world_from_camera.push_back(frame->world_from_camera);
+    problem.time_s.push_back(
+        SecondsBetween(cluster.states.front().timestamp_ns, state.timestamp_ns));
+    problem.world_from_object.push_back(state.world_from_object);
+    problem.velocity_m_s.push_back(state.velocity_m_s);
+  }
+}
+
+// The factors of a landmark's observations in the problem's frames.
+std::vector<ReprojectionFactor> FactorsOf(const Options& options, const Cluster& cluster,
+                                          const ClusterSelection& selection,
+                                          const Landmark& landmark) {
+  std::vector<ReprojectionFactor> factors;
+  for (const Observation& seen : landmark.observations) {
+    const auto it = std::find_if(selection.states.begin(), selection.states.end(),
+                                 [&](int s) { return cluster.states[s].frame == seen.frame; });
+    if (it == selection.states.end()) continue;
+    const double scale = std::pow(options.orb.scale_factor, seen.octave);
+    factors.push_back({static_cast<int>(it - selection.states.begin()),
+                       static_cast<int>(selection.problem.points.size()), seen.z_px,
+                       SqrtInformation(options.noise, scale)});
+  }
+  return factors;
+}
+
+}  // namespace
+
+ClusterSelection SelectCluster(const Options& options, const Window& window,
+                               const Cluster& cluster) {
+  ClusterSelection selection;
+  ClusterProblem& problem = selection.problem;
+  problem.camera = window.camera;
+  AddFrames(window, cluster, selection);
+  for (int i = 0; i < static_cast<int>(cluster.landmarks.size()); ++i) {
+    const Landmark& landmark = cluster.landmarks[i];
+    const std::vector<ReprojectionFactor> factors =
+        FactorsOf(options, cluster, selection, landmark);
+    const bool has_past = !landmark.past_information.isZero();
+    if (factors.empty() || (factors.size() < 2 && !has_past)) continue;
+    selection.landmarks.push_back(i);
+    problem.points.push_back(landmark.p_in_body);
+    PointPrior prior;
+    if (has_past) prior = {landmark.p_in_body, SquareRoot(landmark.past_information)};
+    problem.point_priors.push_back(prior);
+    problem.factors.insert(problem.factors.end(), factors.begin(), factors.end());
+  }
+  return selection;
+}
+
+int ApplyClusterSolution(const Options& options, const ClusterSelection& selection,
+                         Cluster& cluster) {
+  const ClusterProblem& problem = selection.problem;
+  std::vector<RigidTransform> camera_from_object;
+  for (std::size_t k = 0; k < selection.states.size(); ++k) {
+    ClusterState& state = cluster.states[selection.states[k]];
+    state.world_from_object = problem.world_from_object[k];
+    state.velocity_m_s = problem.velocity_m_s[k];
+    camera_from_object.push_back(problem.world_from_camera[k].Inverse() *
+                                 problem.world_from_object[k]);
+  }
+  for (std::size_t k = 0; k < selection.landmarks.size(); ++k) {
+    Landmark& landmark = cluster.landmarks[selection.landmarks[k]];
+    landmark.p_in_body = problem.points[k];
+  }
+  int outliers = 0;
+  for (const ReprojectionFactor& factor : problem.factors) {
+    const PointMeasurement m{problem.points[factor.point], factor.z_px, factor.sqrt_information};
+    const auto error = WhitenedError(problem.camera, m, camera_from_object[factor.pose]);
+    if (error && error->squaredNorm() <= options.noise.gate) continue;
+    const FrameId frame = cluster.states[selection.states[factor.pose]].frame;
+    std::erase_if(cluster.landmarks[selection.landmarks[factor.point]].observations,
+                  [&](const Observation& seen) { return seen.frame == frame; });
+    ++outliers;
+  }
+  std::erase_if(cluster.landmarks, [](const Landmark& landmark) {
+    return landmark.observations.empty() && landmark.past_information.isZero();
+  });
+  return outliers;
+}
+
+}  // namespace cvo

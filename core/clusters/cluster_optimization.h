@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/task_pool.h"
+#include "core/clusters/cluster_map.h"
+#include "core/interface/options.h"
+#include "core/solvers/cluster_solver.h"
+
+namespace cvo {
+
+// A cluster's problem and which of its parts are in it.
+struct ClusterSelection {
+  ClusterProblem problem;
+  std::vector<int> states;     // indices of cluster.states, by frame of the problem
+  std::vector<int> landmarks;  // indices of cluster.landmarks, by point
+};
+ClusterSelection SelectCluster(const Options& options, const Window& window,
+                               const Cluster& cluster);
+
+// Writes a solved problem back and removes observations outside the gate; how many.
+int ApplyClusterSolution(const Options& options, const ClusterSelection& selection,
+                         Cluster& cluster);
+
+// Times that a cluster is solved in a frame while outliers are found.
+inline constexpr int kMostRounds = 3;
+
+// Sliding-window estimation of every cluster in sight, the camera held (section 3.3 of the paper,
+// dynamic clusters). They are independent: in parallel, with the same result for any pool. One that
+// is hidden keeps what it was last seen with: nothing new is known of it, while what held its last
+// states leaves the window. So its outliers are found here and now: a body that leaves the image
+// has its worst matches in its last frame.
+template <typename MotionPrior>
+void OptimizeClusters(const Options& options, const Window& window, TaskPool& pool,
+                      ClusterMap& map) {
+  if (window.temporal.empty()) return;
+  const FrameId newest = window.temporal.back().id;
+  pool.ParallelFor(static_cast<int>(map.live.size()), [&](int q) {
+    if (map.live[q].last_observed != newest) return;
+    for (int round = 0; round < kMostRounds; ++round) {
+      ClusterSelection selection = SelectCluster(options, window, map.live[q]);
+      if (selection.landmarks.empty()) return;
+      SolveCluster<MotionPrior>(options.noise, options.solver, options.motion_prior,
+                                selection.problem);
+      if (ApplyClusterSolution(options, selection, map.live[q]) == 0) return;
+    }
+  });
+}
+
+}  // namespace cvo

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/clusters/cluster_prediction.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cvo {
+namespace {
+
+// A new cluster's motion is unknown; each further state tells of it.
+double FallingDeviation(double first, double settled, int frames) {
+  const double n = frames;
+  return std::max(first / (n * n), settled);
+}
+
+// The covariance of a point that rides on the predicted body, in world.
+Eigen::Matrix3d RideCovariance(const PredictedCluster& predicted, double lever_m) {
+  const double variance =
+      predicted.translation_variance_m2 + lever_m * lever_m * predicted.rotation_variance_rad2;
+  return variance * Eigen::Matrix3d::Identity();
+}
+
+}  // namespace
+
+std::vector<MotionState> LastStates(const Cluster& cluster, std::int64_t origin_ns) {
+  std::vector<MotionState> states;
+  const std::size_t first = cluster.states.size() >= 2 ? cluster.states.size() - 2 : 0;
+  for (std::size_t i = first; i < cluster.states.size(); ++i) {
+    const ClusterState& state = cluster.states[i];
+    states.push_back({SecondsBetween(origin_ns, state.timestamp_ns), state.world_from_object,
+                      state.velocity_m_s});
+  }
+  return states;
+}
+
+double SpeedVariance(const Cluster& cluster, const ClusterOptions& options) {
+  const double deviation =
+      FallingDeviation(options.first_speed_m_s, options.speed_deviation_m_s, cluster.frames);
+  return deviation * deviation;
+}
+
+PredictedCluster WithUncertainty(const Cluster& cluster, const PredictedMotion& extrapolated,
+                                 double dt_s, const ClusterOptions& options) {
+  const double turn =
+      FallingDeviation(options.first_turn_rad_s, options.turn_deviation_rad_s, cluster.frames);
+  PredictedCluster predicted;
+  predicted.world_from_object = extrapolated.world_from_object;
+  predicted.velocity_m_s = cluster.Latest().velocity_m_s;
+  predicted.translation_variance_m2 = extrapolated.translation_covariance_m2(0, 0);
+  predicted.rotation_variance_rad2 = turn * turn * dt_s * dt_s;
+  return predicted;
+}
+
+std::optional<PredictedLandmark> PredictLandmark(const Options& options, const StereoCamera& camera,
+                                                 const RigidTransform& world_from_camera,
+                                                 const PredictedCluster& predicted,
+                                                 const Landmark& landmark) {
+  const Eigen::Matrix3d R_camera_from_world = world_from_camera.RotationMatrix().transpose();
+  const Eigen::Vector3d p_in_world = predicted.world_from_object * landmark.p_in_body;
+  const Eigen::Vector3d to_camera = world_from_camera.translation() - p_in_world;
+  const Eigen::Vector3d c = -(R_camera_from_world * to_camera);
+  const auto zeta = camera.Project(c);
+  if (!zeta || !camera.InImage((*zeta)[0], (*zeta)[1])) return std::nullopt;
+
+  const Eigen::Matrix3d R_world_from_object = predicted.world_from_object.RotationMatrix();
+  const double cos_view = (R_world_from_object * landmark.view_in_body).dot(to_camera.normalized());
+  if (cos_view < std::cos(options.association.max_view_change_rad)) return std::nullopt;
+
+  const double log_scale = std::log(options.orb.scale_factor);
+  const int octave =
+      std::clamp(landmark.last_octave +
+                     static_cast<int>(std::lround(std::log(landmark.depth_m / c.z()) / log_scale)),
+                 0, options.orb.levels - 1);
+  const Eigen::Matrix3d J = camera.ProjectionJacobian(c) * R_camera_from_world;
+  const Eigen::Matrix3d JR = J * R_world_from_object;
+  const double lever_m = landmark.p_in_body.norm();
+  PredictedLandmark result;
+  result.zeta_px = *zeta;
+  result.position_px2 = JR * landmark.covariance.in_body_m2 * JR.transpose();
+  result.measurement_px2 =
+      MeasurementCovariance(options.noise, std::pow(options.orb.scale_factor, octave));
+  result.innovation_px2 = result.position_px2 +
+                          J * RideCovariance(predicted, lever_m) * J.transpose() +
+                          result.measurement_px2;
+  result.octave = octave;
+  result.descriptor = landmark.descriptor;
+  return result;
+}
+
+}  // namespace cvo

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/association/gated_matching.h"
+#include "core/estimation/cluster.h"
+#include "core/estimation/motion_extrapolation.h"
+#include "core/estimation/window.h"
+#include "core/interface/options.h"
+
+namespace cvo {
+
+// A cluster moved to the current frame by its velocity (section 3.1 of the paper).
+struct PredictedCluster {
+  RigidTransform world_from_object;
+  Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();
+  double translation_variance_m2 = 0.0;  // of its origin, each axis
+  double rotation_variance_rad2 = 0.0;
+};
+
+// The cluster's last two states, or its only one.
+std::vector<MotionState> LastStates(const Cluster& cluster, std::int64_t origin_ns);
+// How well the next pose can be predicted, `extrapolated` being its mean.
+PredictedCluster WithUncertainty(const Cluster& cluster, const PredictedMotion& extrapolated,
+                                 double dt_s, const ClusterOptions& options);
+// Variance of the cluster's velocity, m^2/s^2.
+double SpeedVariance(const Cluster& cluster, const ClusterOptions& options);
+
+// `Rotation`: HeldRotation or ConstantAngularVelocity.
+template <typename MotionPrior, typename Rotation>
+PredictedCluster PredictCluster(const Cluster& cluster, std::int64_t timestamp_ns,
+                                const MotionPriorOptions& motion, const ClusterOptions& options) {
+  const std::int64_t origin_ns = cluster.Latest().timestamp_ns;
+  const double dt_s = SecondsBetween(origin_ns, timestamp_ns);
+  const Eigen::Matrix3d speed = SpeedVariance(cluster, options) * Eigen::Matrix3d::Identity();
+  return WithUncertainty(
+      cluster,
+      Extrapolate<MotionPrior, Rotation>(motion, LastStates(cluster, origin_ns), dt_s, speed), dt_s,
+      options);
+}
+
+// A landmark of the cluster as the current camera should see it; empty where it is behind the
+// camera, out of the image or on the body's far side.
+std::optional<PredictedLandmark> PredictLandmark(const Options& options, const StereoCamera& camera,
+                                                 const RigidTransform& world_from_camera,
+                                                 const PredictedCluster& predicted,
+                                                 const Landmark& landmark);
+
+}  // namespace cvo

@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/clusters/identity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/association/descriptor_matching.h"
+#include "core/estimation/point_ransac.h"
+
+namespace cvo {
+namespace {
+
+// Centres of a body found twice, by its boxes, differ by about this, in sizes of the body.
+constexpr double kCenterDeviation = 0.3;
+// A prediction does not spread farther than this: bodies turn back, and rooms have walls.
+constexpr double kMaxDeviation_m = 1.0;
+// The next candidate must be so much less likely, nats.
+constexpr double kLeastLead = 0.25;
+// Sizes of a body by the boxes in which it was found twice differ by about this factor.
+constexpr double kSizeFactor = 1.7;
+// Boxes after which a frame is aligned by them where no landmarks could do it better so far.
+constexpr int kEnoughBoxes = 15;
+// From then on it is looked for such landmarks in every so many frames only: it takes time.
+constexpr int kRarely = 5;
+// Landmarks of both frames that are the same lie so near to each other, in sizes of the body.
+constexpr double kPointDeviation = 0.08;
+
+const Cluster& FindCluster(const ClusterMap& map, ClusterId id) {
+  for (const Cluster& cluster : map.live) {
+    if (cluster.id == id) return cluster;
+  }
+  const auto it = std::find_if(map.archived.begin(), map.archived.end(),
+                               [id](const Cluster& cluster) { return cluster.id == id; });
+  Require(it != map.archived.end(),
+          "InheritIdentities: a lost cluster is neither live nor archived");
+  return *it;
+}
+
+// Whether their class and what is given of them let two clusters be one body.
+bool MayBeOne(const Cluster& found, const Cluster& lost) {
+  const bool is_given = found.given_body >= 0 && lost.given_body >= 0;
+  return found.category == lost.category && (!is_given || found.given_body == lost.given_body);
+}
+
+// How badly a lost cluster explains where the found one's centre is, and its size: minus the
+// logarithm of the probability density, 1/m^3. What may be anywhere is a poor explanation.
+double ExplanationEnergy(const Cluster& found, const Cluster& lost,
+                         const PredictedCluster& predicted) {
+  const double spread = std::min(std::sqrt(predicted.translation_variance_m2), kMaxDeviation_m);
+  const double deviation = std::hypot(spread, kCenterDeviation * lost.size_m);
+  const Eigen::Vector3d offset = found.Latest().world_from_object * found.box_center.InObject() -
+                                 predicted.world_from_object * lost.box_center.InObject();
+  // A body that given labels alone told of has no size.
+  const bool has_size = found.size_m > 0.0 && lost.size_m > 0.0;
+  const double size = has_size ? std::log(found.size_m / lost.size_m) / std::log(kSizeFactor) : 0.0;
+  return 0.5 * (offset.squaredNorm() / (deviation * deviation) + size * size) +
+         3.0 * std::log(deviation);
+}
+
+// The one lost cluster that the found one must be; null where there is none or a doubt.
+const LostCluster* FindPredecessor(const Cluster& found, const std::vector<LostCluster>& lost,
+                                   const ClusterMap& map, double gate) {
+  const LostCluster* best = nullptr;
+  double least = 0.5 * gate * gate;
+  double second = std::numeric_limits<double>::infinity();
+  for (const LostCluster& candidate : lost) {
+    const Cluster& cluster = FindCluster(map, candidate.id);
+    if (!MayBeOne(found, cluster)) continue;
+    if (found.given_body >= 0) return &candidate;
+    const double energy = ExplanationEnergy(found, cluster, candidate.predicted);
+    if (energy < least) {
+      if (best) second = least;
+      least = energy;
+      best = &candidate;
+    } else {
+      second = std::min(second, energy);
+    }
+  }
+  return second - least > kLeastLead ? best : nullptr;
+}
+
+// Expresses a cluster and its landmarks in another frame of the same body.
+void ChangeFrame(const RigidTransform& old_from_new, ClusterId id, Cluster& cluster,
+                 ClusterTrajectory& trajectory) {
+  // Poses before the cluster was lost stay.
+  const std::int64_t since = cluster.former.since.value;
+  const RigidTransform new_from_old = old_from_new.Inverse();
+  const Eigen::Matrix3d R = new_from_old.RotationMatrix();
+  for (ClusterState& state : cluster.states) {
+    state.world_from_object = state.world_from_object * old_from_new;
+  }
+  for (ClusterPose& pose : trajectory.poses) {
+    if (pose.frame >= since) pose.world_from_object = pose.world_from_object * old_from_new;
+  }
+  for (Landmark& landmark : cluster.landmarks) {
+    landmark.label.cluster = id;
+    landmark.p_in_body = new_from_old * landmark.p_in_body;
+    landmark.view_in_body = R * landmark.view_in_body;
+    landmark.covariance.in_body_m2 = R * landmark.covariance.in_body_m2 * R.transpose();
+    landmark.past_information = R * landmark.past_information * R.transpose();
+  }
+  cluster.center_in_object = new_from_old * cluster.center_in_object;
+  cluster.box_center = cluster.box_center.In(new_from_old);
+}
+
+// former_from_now from landmarks that look alike: points of both frames, three of which fix it.
+std::optional<RigidTransform> AlignLandmarks(const Options& options, const Cluster& cluster,
+                                             Rng& rng) {
+  std::vector<Descriptor> former;
+  for (const Landmark& landmark : cluster.former.landmarks) former.push_back(landmark.descriptor);
+  std::vector<StereoFeature> now;
+  for (const Landmark& landmark : cluster.landmarks) {
+    StereoFeature feature;
+    feature.descriptor = landmark.descriptor;
+    now.push_back(feature);
+  }
+  const std::vector<Match> matches = MatchDescriptors(
+      former, now, options.association.rematch_hamming, options.association.rematch_ratio);
+  Eigen::Matrix3Xd from(3, static_cast<Eigen::Index>(matches.size()));
+  Eigen::Matrix3Xd to = from;
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const Eigen::Index column = static_cast<Eigen::Index>(i);
+    from.col(column) = cluster.landmarks[matches[i].feature].p_in_body;
+    to.col(column) = cluster.former.landmarks[matches[i].landmark].p_in_body;
+  }
+  return AlignPointsRansac(from, to, kPointDeviation * cluster.size_m,
+                           options.association.min_rematch, options.association.ransac_iterations,
+                           rng);
+}
+
+void Inherit(const LostCluster& lost, ClusterMap& map, Cluster& found) {
+  const Cluster& before = FindCluster(map, lost.id);
+  const RigidTransform now = found.Latest().world_from_object;
+  const Eigen::Quaterniond rotation(lost.predicted.world_from_object.rotation());
+  const Eigen::Vector3d center = now * found.box_center.InObject();
+  const RigidTransform world_from_lost(
+      rotation, Eigen::Vector3d(center - rotation * before.box_center.InObject()));
+  found.former = {FrameId{}, before.landmarks, before.box_center};
+  ClusterTrajectory later = std::move(map.trajectories[found.id]);
+  map.trajectories.erase(found.id);
+  ChangeFrame(now.Inverse() * world_from_lost, lost.id, found, later);
+  found.id = lost.id;
+  found.former.since =
+      later.poses.empty() ? found.Latest().frame : FrameId{later.poses.front().frame};
+  std::vector<ClusterPose>& poses = map.trajectories[lost.id].poses;
+  // While both were live, the lost one was only predicted.
+  std::erase_if(poses, [&](const ClusterPose& pose) {
+    return !later.poses.empty() && pose.frame >= later.poses.front().frame;
+  });
+  poses.insert(poses.end(), later.poses.begin(), later.poses.end());
+}
+
+// The landmarks from before are in the cluster's frame again.
+void AdoptFormer(Cluster& cluster) {
+  for (Landmark& landmark : cluster.former.landmarks) {
+    landmark.observations.clear();
+    if (!landmark.past_information.isZero()) cluster.landmarks.push_back(landmark);
+  }
+  std::sort(cluster.landmarks.begin(), cluster.landmarks.end(),
+            [](const Landmark& a, const Landmark& b) { return a.id < b.id; });
+  cluster.box_center.Add(cluster.former.box_center);
+  cluster.former = {};
+}
+
+void Remove(ClusterId id, FrameId newest, ClusterMap& map) {
+  std::erase_if(map.archived, [&](const Cluster& cluster) { return cluster.id == id; });
+  std::erase_if(map.live, [&](const Cluster& cluster) {
+    return cluster.id == id && cluster.last_observed < newest;
+  });
+}
+
+}  // namespace
+
+void InheritIdentities(const std::vector<LostCluster>& lost, FrameId newest,
+                       const ClusterAssociationOptions& association, const ClusterOptions& options,
+                       ClusterMap& map) {
+  std::vector<ClusterId> inherited;
+  for (Cluster& cluster : map.live) {
+    const bool is_just_confirmed =
+        IsConfirmed(cluster, options) && cluster.detections == options.confirm_detections &&
+        cluster.last_detected == newest && cluster.last_observed == newest;
+    if (!is_just_confirmed) continue;
+    const LostCluster* predecessor = FindPredecessor(cluster, lost, map, association.identity_gate);
+    if (!predecessor) continue;
+    if (std::find(inherited.begin(), inherited.end(), predecessor->id) != inherited.end()) continue;
+    inherited.push_back(predecessor->id);
+    Inherit(*predecessor, map, cluster);
+  }
+  for (const ClusterId id : inherited) Remove(id, newest, map);
+  std::sort(map.live.begin(), map.live.end(),
+            [](const Cluster& a, const Cluster& b) { return a.id < b.id; });
+}
+
+void AlignWithFormer(const Options& options, FrameId newest, ClusterMap& map, Rng& rng) {
+  for (Cluster& cluster : map.live) {
+    Lineage& former = cluster.former;
+    if (!former.since.valid()) continue;
+    if (former.is_centered && (newest.value - former.since.value) % kRarely != 0) continue;
+    ClusterTrajectory& trajectory = map.trajectories[cluster.id];
+    if (const auto former_from_now = AlignLandmarks(options, cluster, rng)) {
+      ChangeFrame(former_from_now->Inverse(), cluster.id, cluster, trajectory);
+      AdoptFormer(cluster);
+    } else if (!former.is_centered && cluster.box_center.boxes >= kEnoughBoxes) {
+      const RigidTransform old_from_new(
+          Eigen::Quaterniond::Identity(),
+          Eigen::Vector3d(cluster.box_center.InObject() - former.box_center.InObject()));
+      ChangeFrame(old_from_new, cluster.id, cluster, trajectory);
+      former.is_centered = true;
+    }
+  }
+}
+
+}  // namespace cvo

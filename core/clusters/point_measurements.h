@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/association/match.h"
+#include "core/estimation/camera_solver.h"
+#include "core/estimation/landmark.h"
+#include "core/interface/options.h"
+
+namespace cvo {
+
+// What a body's matched landmarks and features say of the camera's pose in its frame.
+std::vector<PointMeasurement> MeasurementsOf(const Options& options,
+                                             const std::vector<Landmark>& landmarks,
+                                             std::span<const StereoFeature> features,
+                                             const std::vector<Match>& matches);
+
+}  // namespace cvo

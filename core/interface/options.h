@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/association/cluster_association_options.h"
+#include "core/association/projected_matching.h"
+#include "core/base/options.h"
+#include "core/clustering/label_confidence.h"
+#include "core/clustering/label_matching.h"
+#include "core/clustering/pairwise_options.h"
+#include "core/clustering/point_extent.h"
+#include "core/clustering/unary_options.h"
+#include "core/estimation/window_policies.h"
+#include "core/features/options.h"
+#include "core/interface/cluster_options.h"
+#include "core/solvers/measurement_noise.h"
+#include "core/solvers/motion_prior.h"
+#include "core/solvers/window_solver.h"
+
+namespace cvo {
+
+struct TrackingOptions {
+  int min_inliers = 15;
+  int recovery_hamming = 60;
+  double recovery_ratio = 0.8;
+  int recovery_iterations = 300;
+  int restart_after = 5;
+  double min_disparity_px = 1.0;
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor& visit) {
+    visit.Field("min_inliers", self.min_inliers,
+                {"landmarks", 4, 1000, "a camera with fewer is not believed: the frame is lost",
+                 "well above what chance matches reach"});
+    visit.Field(
+        "recovery_hamming", self.recovery_hamming,
+        {"bits", 1, 256, "largest descriptor distance without a prediction", "estimator.md 3.3"});
+    visit.Field("recovery_ratio", self.recovery_ratio,
+                {"1", 0.1, 1.0, "largest ratio of best to second best without a prediction",
+                 "estimator.md 3.3"});
+    visit.Field("recovery_iterations", self.recovery_iterations,
+                {"1", 1, 100000, "RANSAC hypotheses: 300 find 30 % of inliers with 99.97 %",
+                 "1 - (1 - 0.3^3)^300"});
+    visit.Field(
+        "restart_after", self.restart_after,
+        {"frames", 1, 1000, "lost frames after which the map starts anew at the predicted camera",
+         "half a second at 10 Hz"});
+    visit.Field("min_disparity_px", self.min_disparity_px,
+                {"px", 0.01, 100, "features with less make no landmark: their depth is noise",
+                 "estimator.md 11"});
+  }
+};
+
+// Every option of the estimator, front end included; policies read their own group.
+struct Options {
+  OrbOptions orb;
+  StereoMatchOptions stereo;
+  NoiseOptions noise;
+  MatchingOptions matching;
+  TrackingOptions tracking;
+  WindowOptions window;
+  SolverOptions solver;
+  ClusterAssociationOptions association;
+  UnaryOptions unary;
+  PairwiseOptions pairwise;
+  LabelMatchingOptions label_matching;
+  ConfidenceOptions confidence;
+  ExtentOptions extent;
+  MotionPriorOptions motion_prior;
+  ClusterOptions clusters;
+
+  // Throws Error naming the first option that cannot be.
+  void Check() const {
+    CheckRanges(*this);
+    orb.Check();
+    stereo.Check();
+  }
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor& visit) {
+    visit.Group("orb", self.orb);
+    visit.Group("stereo", self.stereo);
+    visit.Group("noise", self.noise);
+    visit.Group("matching", self.matching);
+    visit.Group("tracking", self.tracking);
+    visit.Group("window", self.window);
+    visit.Group("solver", self.solver);
+    visit.Group("association", self.association);
+    visit.Group("unary", self.unary);
+    visit.Group("pairwise", self.pairwise);
+    visit.Group("label_matching", self.label_matching);
+    visit.Group("confidence", self.confidence);
+    visit.Group("extent", self.extent);
+    visit.Group("motion_prior", self.motion_prior);
+    visit.Group("clusters", self.clusters);
+  }
+};
+
+}  // namespace cvo

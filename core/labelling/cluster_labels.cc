@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/labelling/cluster_labels.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/clustering/label_matching.h"
+
+namespace cvo {
+namespace internal {
+std::vector<int> DecideLabels(const FrameView& view, const std::vector<FramePoint>& points,
+                              const LabelScene& scene, const CrfResult& crf) {
+  std::vector<int> labels = MostLikelyLabels(crf.q);
+  const std::vector<int>& given = view.given.feature_body;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (given.empty() || given[points[i].feature] < 0) continue;
+    labels[i] = static_cast<int>(
+        std::find(scene.given_body.begin(), scene.given_body.end(), given[points[i].feature]) -
+        scene.given_body.begin());
+  }
+  return labels;
+}
+
+std::vector<ClusterId> IdentifyLabels(const FrameView& view, const Window& window,
+                                      const ClusterMap& map, const std::vector<FramePoint>& points,
+                                      const LabelScene& scene, const std::vector<int>& decided,
+                                      FrameLabels& labels) {
+  std::vector<LabelIdentity> identities;
+  for (std::size_t l = 0; l < scene.crf.labels.size(); ++l) {
+    const CrfLabel& label = scene.crf.labels[l];
+    LabelIdentity identity{label.kind, l == 0 ? kStaticScene : ClusterId{}};
+    // A cluster without a detection may be the one that a new box shows.
+    if (label.kind == LabelKind::kCluster && label.box) identity.cluster = map.live[l - 1].id;
+    identities.push_back(identity);
+  }
+  // New points tell nothing of who was there before.
+  std::vector<ClusterId> previous;
+  std::vector<int> label_of_old;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Landmark* landmark = FindLandmark(points[i], window, map);
+    if (!landmark) continue;
+    previous.push_back(landmark->label.cluster);
+    label_of_old.push_back(decided[i]);
+  }
+  std::vector<ClusterId> cluster_of =
+      MatchLabels(identities, label_of_old, previous, view.options.label_matching);
+
+  ClusterId next = map.next;
+  for (int l = 1; l < scene.Outlier(); ++l) {
+    if (!scene.IsNewBox(l)) {
+      cluster_of[l] = map.live[l - 1].id;
+    } else if (cluster_of[l].valid()) {
+      labels.adoptions.push_back({cluster_of[l], scene.detection[l]});
+    } else {
+      labels.births.push_back({next, scene.detection[l], scene.given_body[l]});
+      cluster_of[l] = next;
+      ++next.value;
+    }
+  }
+  return cluster_of;
+}
+
+void DropWeakBirths(const FrameView& view, const Window& window, const ClusterMap& map,
+                    const std::vector<FramePoint>& points, FrameLabels& labels) {
+  std::map<ClusterId, int> members;
+  for (const PointLabel& label : labels.points) ++members[label.assigned.cluster];
+  std::map<ClusterId, ClusterId> renamed;  // births in a row, without the dropped ones
+  std::vector<FrameLabels::Birth> kept;
+  for (FrameLabels::Birth birth : labels.births) {
+    const bool is_weak = members[birth.id] < view.options.clusters.min_landmarks;
+    const ClusterId id{map.next.value + static_cast<std::int64_t>(kept.size())};
+    renamed[birth.id] = is_weak ? ClusterId{} : id;
+    birth.id = id;
+    if (!is_weak) kept.push_back(birth);
+  }
+  labels.births = kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    PointLabel& label = labels.points[i];
+    const auto inferred = renamed.find(label.inferred);
+    if (inferred != renamed.end()) label.inferred = inferred->second;
+    const auto assigned = renamed.find(label.assigned.cluster);
+    if (assigned == renamed.end()) continue;
+    label.assigned.cluster = assigned->second;
+    if (assigned->second.valid()) continue;
+    // Nothing came of the box: the point stays what it was, a new one is taken for static.
+    const Landmark* landmark = FindLandmark(points[i], window, map);
+    label.assigned =
+        landmark ? LabelState{landmark->label.cluster, 1} : LabelState{kStaticScene, 1};
+  }
+}
+
+FrameLabels AllStatic(const Window& window, const ClusterMap& map,
+                      const std::vector<FramePoint>& points) {
+  FrameLabels labels;
+  for (const FramePoint& point : points) {
+    const Landmark* landmark = FindLandmark(point, window, map);
+    PointLabel label;
+    label.inferred = kStaticScene;
+    label.assigned = landmark ? landmark->label : LabelState{kStaticScene, 1};
+    labels.points.push_back(label);
+  }
+  return labels;
+}
+
+}  // namespace internal
+
+void AdoptDetections(const FrameLabels& labels, const ClusterMap& map,
+                     std::vector<ClusterTrack>& tracks) {
+  for (const FrameLabels::Adoption& adoption : labels.adoptions) {
+    for (std::size_t q = 0; q < tracks.size(); ++q) {
+      if (map.live[q].id == adoption.id) tracks[q].detection = adoption.detection;
+    }
+  }
+}
+
+}  // namespace cvo

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "core/clustering/dense_crf.h"
+#include "core/clustering/label_confidence.h"
+#include "core/clustering/unary_terms.h"
+#include "core/labelling/label_scene.h"
+
+namespace cvo {
+
+// What the current frame says of one point.
+struct PointLabel {
+  ClusterId inferred;      // by the CRF; invalid: outlier
+  LabelState assigned;     // q^i and w^i after the confidence rule; invalid: no body's
+  LandmarkId landmark;     // what it is an observation of (UpdateLandmarks); invalid: nothing
+  double energy_2d = 0.0;  // of the inferred label, nats
+  double energy_3d = 0.0;
+  double energy_motion = 0.0;
+};
+
+// Labels of all points of a frame, and the detections that became clusters.
+struct FrameLabels {
+  std::vector<PointLabel> points;
+  struct Birth {
+    ClusterId id;
+    int detection = -1;  // index; -1: from given labels alone
+    int given_body = -1;
+  };
+  std::vector<Birth> births;  // by id, following map.next
+  // Detections that Kuhn-Munkres gave to a live cluster that had none.
+  struct Adoption {
+    ClusterId id;
+    int detection = -1;
+  };
+  std::vector<Adoption> adoptions;
+};
+
+namespace internal {
+
+// By node: the most probable label, or the one that the given labels demand.
+std::vector<int> DecideLabels(const FrameView& view, const std::vector<FramePoint>& points,
+                              const LabelScene& scene, const CrfResult& crf);
+// The cluster of each label, after Kuhn-Munkres; invalid for outliers. New boxes that match a
+// cluster are its `adoptions`, the others `births`, with ids from map.next on.
+std::vector<ClusterId> IdentifyLabels(const FrameView& view, const Window& window,
+                                      const ClusterMap& map, const std::vector<FramePoint>& points,
+                                      const LabelScene& scene, const std::vector<int>& decided,
+                                      FrameLabels& labels);
+// Takes back births of which too few points were accepted.
+void DropWeakBirths(const FrameView& view, const Window& window, const ClusterMap& map,
+                    const std::vector<FramePoint>& points, FrameLabels& labels);
+// Everything static: what a frame without detections and clusters is.
+FrameLabels AllStatic(const Window& window, const ClusterMap& map,
+                      const std::vector<FramePoint>& points);
+
+}  // namespace internal
+
+// The tracks take the detections that their clusters adopted.
+void AdoptDetections(const FrameLabels& labels, const ClusterMap& map,
+                     std::vector<ClusterTrack>& tracks);
+
+// Which body every point of the frame belongs to (section 3.2 of the paper).
+template <typename Variant>
+FrameLabels LabelPoints(const FrameView& view, const Window& window, const ClusterMap& map,
+                        const std::vector<ClusterTrack>& tracks,
+                        const std::vector<FramePoint>& points) {
+  if (tracks.empty() && view.detections.empty() && view.given.feature_body.empty()) {
+    return internal::AllStatic(window, map, points);
+  }
+  const LabelScene scene = BuildLabelScene(view, window, map, tracks, points);
+  const UnaryEnergies unary =
+      ComputeUnaries<typename Variant::BoxTerm, typename Variant::AffinityTerm,
+                     typename Variant::MotionTerm>(scene.crf, view.options.unary);
+  Eigen::Matrix3Xd positions(3, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    positions.col(static_cast<Eigen::Index>(i)) = scene.crf.nodes[i].p_in_camera;
+  }
+  const CrfResult crf =
+      InferDenseCrf<typename Variant::Pairwise>(unary.total, positions, view.options.pairwise);
+  const std::vector<int> decided = internal::DecideLabels(view, points, scene, crf);
+
+  FrameLabels labels;
+  const std::vector<ClusterId> cluster_of =
+      internal::IdentifyLabels(view, window, map, points, scene, decided, labels);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Index row = static_cast<Eigen::Index>(i);
+    PointLabel label;
+    label.inferred = cluster_of[decided[i]];
+    const Landmark* landmark = FindLandmark(points[i], window, map);
+    label.assigned = landmark ? landmark->label : LabelState{label.inferred, 1};
+    if (landmark && Variant::Confidence::Update(label.inferred, view.options.confidence,
+                                                label.assigned) == LabelOutcome::kRemove) {
+      label.assigned.cluster = ClusterId{};
+    }
+    label.energy_2d = unary.box(row, decided[i]);
+    label.energy_3d = unary.affinity(row, decided[i]);
+    label.energy_motion = unary.motion(row, decided[i]);
+    labels.points.push_back(label);
+  }
+  internal::DropWeakBirths(view, window, map, points, labels);
+  return labels;
+}
+
+}  // namespace cvo

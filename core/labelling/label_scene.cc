@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/labelling/label_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "core/clustering/point_extent.h"
+
+namespace cvo {
+namespace {
+
+// The motion term looks this many frames back, or less where a landmark is younger. The paper has
+// T = {t - 5, t}; at 30 Hz a slow body hardly moves in five frames, and T_t holds fourteen.
+constexpr int kPastFrames = 14;
+
+// Frames before the current one, the farthest first; null where the window does not hold one.
+using PastFrames = std::array<const WindowFrame*, kPastFrames>;
+
+PastFrames FindPastFrames(const Window& window) {
+  PastFrames past{};
+  const std::int64_t newest = window.temporal.back().id.value;
+  for (int k = 0; k < kPastFrames; ++k) {
+    past[k] = window.Find(FrameId{newest - (kPastFrames - 1) + k});
+  }
+  return past;
+}
+
+double ScaleOf(const FrameView& view, int octave) {
+  return std::pow(view.options.orb.scale_factor, octave);
+}
+
+CrfNode MakeNode(const FrameView& view, const FramePoint& point, const Landmark* landmark,
+                 const PastFrames& past) {
+  const StereoFeature& feature = view.frame.features[point.feature];
+  const Eigen::Matrix3d noise =
+      MeasurementCovariance(view.options.noise, ScaleOf(view, feature.octave));
+  CrfNode node;
+  node.z_px = feature.z_px;
+  if (const auto p = view.camera.BackProject(feature.z_px)) node.p_in_camera = *p;
+  node.covariance_m2 = view.camera.PointCovariance(feature.z_px, noise);
+  for (int k = 0; landmark && k < kPastFrames; ++k) {
+    const Observation* seen = past[k] ? FindObservation(*landmark, past[k]->id) : nullptr;
+    if (!seen) continue;
+    node.past = CrfNode::Past{
+        k, seen->z_px, MeasurementCovariance(view.options.noise, ScaleOf(view, seen->octave))};
+    break;
+  }
+  return node;
+}
+
+// past_camera_from_body(then) * body_from_camera(now), by past frame.
+std::vector<std::optional<RigidTransform>> PastFromNow(const FrameView& view, int body,
+                                                       const RigidTransform& world_from_body,
+                                                       const ClusterMap& map,
+                                                       const PastFrames& past) {
+  std::vector<std::optional<RigidTransform>> transforms(kPastFrames);
+  const RigidTransform body_from_camera = world_from_body.Inverse() * view.world_from_camera;
+  for (int k = 0; k < kPastFrames; ++k) {
+    if (!past[k]) continue;
+    const auto then = BodyPose(body, past[k]->id, map);
+    if (then) transforms[k] = past[k]->world_from_camera.Inverse() * *then * body_from_camera;
+  }
+  return transforms;
+}
+
+// A body fills its box, also where its landmarks so far are all on one part of it.
+void GrowToBox(const FrameView& view, const ImageBox& box, CrfLabel::Extent& extent) {
+  const double side_px = 0.5 * (box.Width() + box.Height());
+  const double side_m = extent.center_in_camera.z() * side_px / view.camera.fx;
+  extent.half_size_m = extent.half_size_m.cwiseMax(view.options.clusters.box_half_size * side_m);
+}
+
+CrfLabel ClusterLabel(const FrameView& view, int q, const ClusterMap& map,
+                      const ClusterTrack& track, const PastFrames& past) {
+  const Cluster& cluster = map.live[q];
+  const RigidTransform camera_from_object =
+      view.world_from_camera.Inverse() * track.world_from_object;
+  CrfLabel label;
+  label.kind = LabelKind::kCluster;
+  if (track.detection >= 0) {
+    label.box = view.detections[track.detection].box;
+  } else if (track.box.Width() > 0.0) {
+    label.predicted_box = track.box;
+  }
+  label.extent = CrfLabel::Extent{camera_from_object * cluster.center_in_object,
+                                  camera_from_object.RotationMatrix(), cluster.half_size_m};
+  if (label.box) GrowToBox(view, *label.box, *label.extent);
+  label.past_from_now.resize(kPastFrames);
+  if (track.is_tracked) {
+    label.past_from_now = PastFromNow(view, q + 1, track.world_from_object, map, past);
+  }
+  return label;
+}
+
+// Where the body in a box that no cluster claims is: the nearest points in it that are no
+// cluster's.
+std::optional<CrfLabel::Extent> NewBoxExtent(const FrameView& view, const ImageBox& box,
+                                             const std::vector<FramePoint>& points,
+                                             const std::vector<CrfNode>& nodes) {
+  const ImageBox inner = box.Shrunk(view.options.unary.box_shrink);
+  std::vector<Eigen::Vector3d> inside;
+  std::vector<double> depths;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].body > FramePoint::kStaticBody) continue;
+    if (!inner.Contains(nodes[i].z_px[0], nodes[i].z_px[1])) continue;
+    inside.push_back(nodes[i].p_in_camera);
+    depths.push_back(nodes[i].p_in_camera.z());
+  }
+  const double angular_size = std::max(box.Width(), box.Height()) / view.camera.fx;
+  const std::vector<int> mode = NearestMode(depths, angular_size, view.options.extent);
+  if (mode.empty()) return std::nullopt;
+  Eigen::Matrix3Xd front(3, static_cast<Eigen::Index>(mode.size()));
+  for (std::size_t k = 0; k < mode.size(); ++k) {
+    front.col(static_cast<Eigen::Index>(k)) = inside[mode[k]];
+  }
+  const PointExtent extent = ExtentAlong(Eigen::Matrix3d::Identity(), front, view.options.extent);
+  return CrfLabel::Extent{extent.center, Eigen::Matrix3d::Identity(), extent.half_size_m};
+}
+
+// Bodies that given labels tell of and no label stands for yet.
+void AddGivenBodies(const FrameView& view, LabelScene& scene) {
+  const std::vector<int>& bodies = view.given.feature_body;
+  for (const int body : std::set<int>(bodies.begin(), bodies.end())) {
+    const auto known = std::find(scene.given_body.begin(), scene.given_body.end(), body);
+    if (body < 1 || known != scene.given_body.end()) continue;
+    CrfLabel label;
+    label.kind = LabelKind::kNewBox;
+    label.past_from_now.resize(kPastFrames);
+    scene.crf.labels.push_back(label);
+    scene.detection.push_back(-1);
+    scene.given_body.push_back(body);
+  }
+}
+
+}  // namespace
+
+LabelScene BuildLabelScene(const FrameView& view, const Window& window, const ClusterMap& map,
+                           const std::vector<ClusterTrack>& tracks,
+                           const std::vector<FramePoint>& points) {
+  const PastFrames past = window.temporal.empty() ? PastFrames{} : FindPastFrames(window);
+  LabelScene scene;
+  scene.crf.camera = view.camera;
+  for (const FramePoint& point : points) {
+    scene.crf.nodes.push_back(MakeNode(view, point, FindLandmark(point, window, map), past));
+  }
+  CrfLabel still;
+  still.kind = LabelKind::kStatic;
+  still.past_from_now = PastFromNow(view, FramePoint::kStaticBody, RigidTransform(), map, past);
+  scene.crf.labels.push_back(still);
+
+  std::vector<char> is_claimed(view.detections.size(), 0);
+  scene.clusters = static_cast<int>(tracks.size());
+  for (int q = 0; q < scene.clusters; ++q) {
+    scene.crf.labels.push_back(ClusterLabel(view, q, map, tracks[q], past));
+    if (tracks[q].detection >= 0) is_claimed[tracks[q].detection] = 1;
+  }
+  scene.detection.assign(scene.crf.labels.size(), -1);
+  scene.given_body.push_back(0);
+  for (const Cluster& cluster : map.live) scene.given_body.push_back(cluster.given_body);
+  for (int m = 0; m < static_cast<int>(view.detections.size()); ++m) {
+    if (is_claimed[m]) continue;
+    CrfLabel label;
+    label.kind = LabelKind::kNewBox;
+    label.box = view.detections[m].box;
+    label.extent = NewBoxExtent(view, view.detections[m].box, points, scene.crf.nodes);
+    label.past_from_now.resize(kPastFrames);
+    if (!label.extent) continue;
+    scene.crf.labels.push_back(label);
+    scene.detection.push_back(m);
+    const std::vector<int>& given = view.given.detection_body;
+    scene.given_body.push_back(given.empty() ? -1 : given[m]);
+  }
+  AddGivenBodies(view, scene);
+  CrfLabel outlier;
+  outlier.kind = LabelKind::kOutlier;
+  outlier.past_from_now.resize(kPastFrames);
+  scene.crf.labels.push_back(outlier);
+  scene.detection.push_back(-1);
+  scene.given_body.push_back(-1);
+  return scene;
+}
+
+}  // namespace cvo

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "core/solvers/cluster_problem.h"
+#include "core/solvers/motion_prior.h"
+
+namespace cvo {
+
+// The motion prior of a problem's frames.
+struct MotionPriorSteps {
+  // q in m^2/s^3 by step from frame to frame; empty: none, velocities become differences to the
+  // frame before.
+  std::vector<double> power_densities;
+  double turn_rad2_s3 = 0.0;  // q of the angular acceleration; 0: orientations are free
+};
+
+// Minimises a cluster's energy in place (section 3.3 of the paper, dynamic clusters): poses but the
+// oldest, velocities, points. With a single frame only points move. Throws Error where arrays do
+// not fit each other or time does not increase.
+SolverSummary SolveClusterSteps(const NoiseOptions& noise, const SolverOptions& options,
+                                const MotionPriorSteps& steps, ClusterProblem& problem);
+
+// The same with the motion prior of a policy (motion_prior.h).
+template <typename MotionPrior>
+SolverSummary SolveCluster(const NoiseOptions& noise, const SolverOptions& options,
+                           const MotionPriorOptions& motion, ClusterProblem& problem) {
+  MotionPriorSteps steps;
+  if constexpr (MotionPrior::kLinksFrames) {
+    for (std::size_t i = 1; i < problem.time_s.size(); ++i) {
+      const double dt_s = problem.time_s[i] - problem.time_s[i - 1];
+      steps.power_densities.push_back(MotionPrior::PowerDensity(motion, dt_s));
+    }
+  }
+  if constexpr (MotionPrior::kLinksOrientations) steps.turn_rad2_s3 = motion.turn_q_rad2_s3;
+  return SolveClusterSteps(noise, options, steps, problem);
+}
+
+}  // namespace cvo

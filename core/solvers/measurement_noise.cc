@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/solvers/measurement_noise.h"
+
+namespace cvo {
+
+Eigen::Matrix3d SqrtInformation(const NoiseOptions& noise, double scale) {
+  const double corner = 1.0 / (noise.corner_px * scale);
+  const double disparity = 1.0 / (noise.disparity_px * scale);
+  Eigen::Matrix3d W;
+  W << corner, 0.0, 0.0,  //
+      0.0, corner, 0.0,   //
+      disparity, 0.0, -disparity;
+  return W;
+}
+
+Eigen::Matrix3d MeasurementCovariance(const NoiseOptions& noise, double scale) {
+  const double corner = noise.corner_px * noise.corner_px * scale * scale;
+  const double disparity = noise.disparity_px * noise.disparity_px * scale * scale;
+  Eigen::Matrix3d covariance;
+  covariance << corner, 0.0, corner,  //
+      0.0, corner, 0.0,               //
+      corner, 0.0, corner + disparity;
+  return covariance;
+}
+
+}  // namespace cvo

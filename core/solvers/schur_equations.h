@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/geometry/rigid_transform.h"
+#include "core/solvers/window_solver.h"
+
+namespace cvo {
+
+using Matrix63d = Eigen::Matrix<double, 6, 3>;
+
+// How a point's observation ties it to a free pose: d^2 E / (d pose d point) = G^T M with
+// G = [[lever]_x, -I], lever = from the pose's origin to the point, in world axes.
+struct PoseCoupling {
+  int pose = 0;
+  Eigen::Vector3d lever = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d M = Eigen::Matrix3d::Zero();
+};
+
+// G^T A of such a G.
+inline Matrix63d LeverTransposeTimes(const Eigen::Vector3d& lever, const Eigen::Matrix3d& A) {
+  Matrix63d product;
+  for (int k = 0; k < 3; ++k) {
+    product(0, k) = A(1, k) * lever.z() - A(2, k) * lever.y();
+    product(1, k) = A(2, k) * lever.x() - A(0, k) * lever.z();
+    product(2, k) = A(0, k) * lever.y() - A(1, k) * lever.x();
+    product(3, k) = -A(0, k);
+    product(4, k) = -A(1, k);
+    product(5, k) = -A(2, k);
+  }
+  return product;
+}
+
+struct PointEquations {
+  Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d g = Eigen::Vector3d::Zero();
+  Eigen::Vector3d by_shared = Eigen::Vector3d::Zero();  // d^2 E / (d point d first other variable)
+};
+
+// H dx = -g of an energy over poses (tangent: rotation in world axes applied from the left, then
+// translation), a few other variables and many points that only poses and, if
+// `points_see_shared`, the first other variable are tied to.
+struct SchurEquations {
+  // Observations: by point, then by ascending pose; `pose_of_frame` is -1 where a pose is held.
+  SchurEquations(const std::vector<int>& pose_of_frame, int others, std::size_t point_count,
+                 const std::vector<ReprojectionFactor>& factors);
+  void SetZero();
+  double LargestGradient() const;
+  int others_begin() const { return 6 * static_cast<int>(pose_H.size()); }
+
+  std::vector<Matrix6d> pose_H;  // by pose: what observations say of it
+  Eigen::MatrixXd H;             // all else about poses and others; lower triangle
+  Eigen::VectorXd g;
+  std::vector<PointEquations> points;
+  std::vector<PoseCoupling> couplings;  // by point; ascending poses
+  std::vector<int> couplings_begin;     // by point, and one more: the end
+  bool points_see_shared = false;
+};
+
+struct SchurStep {
+  Eigen::VectorXd reduced;  // poses, then others
+  std::vector<Eigen::Vector3d> points;
+  double expected_decrease = 0.0;  // of the energy, by the undamped quadratic model
+  double norm = 0.0;
+};
+
+}  // namespace cvo

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/solvers/window_solver.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/solvers/schur_minimizer.h"
+#include "core/solvers/schur_prior.h"
+#include "core/solvers/schur_reprojection.h"
+
+namespace cvo {
+namespace {
+
+struct WindowState {
+  std::vector<RigidTransform> world_from_camera;
+  std::vector<Eigen::Vector3d> points;
+  double right_shift_px = 0.0;
+};
+
+std::vector<int> PriorFrames(const WindowProblem& problem) {
+  std::vector<int> indices;
+  for (const FrameId id : problem.prior.frames) indices.push_back(FrameIndex(problem, id));
+  return indices;
+}
+
+// Columns of the free poses, in the frames' order; -1 for the fixed ones.
+std::vector<int> PoseColumns(const std::vector<char>& is_fixed) {
+  std::vector<int> columns;
+  int next = 0;
+  for (const char fixed : is_fixed) columns.push_back(fixed ? -1 : next++);
+  return columns;
+}
+
+// The static energy for MinimizeEnergy.
+class WindowModel {
+ public:
+  WindowModel(const NoiseOptions& noise, const WindowProblem& problem)
+      : problem_(&problem),
+        huber_(noise.huber),
+        pose_of_frame_(PoseColumns(problem.is_fixed)),
+        prior_(problem.prior, PriorFrames(problem)),
+        state_{problem.world_from_camera, problem.points, problem.camera.right_shift_px},
+        tried_(state_) {}
+
+  const std::vector<int>& pose_of_frame() const { return pose_of_frame_; }
+  const WindowState& state() const { return state_; }
+
+  double Linearize(SchurEquations& equations) const {
+    equations.SetZero();
+    prior_.AddTo(state_.world_from_camera, state_.right_shift_px, problem_->is_right_shift_fixed,
+                 pose_of_frame_, equations);
+    return prior_.Energy(state_.world_from_camera, state_.right_shift_px) +
+           LinearizeReprojections(Camera(state_), Views(state_), state_.points, problem_->factors,
+                                  huber_, equations);
+  }
+
+  double TryStep(const SchurStep& step) {
+    for (std::size_t i = 0; i < pose_of_frame_.size(); ++i) {
+      if (pose_of_frame_[i] < 0) continue;
+      tried_.world_from_camera[i] =
+          MovePose(state_.world_from_camera[i], step.reduced.segment<6>(6 * pose_of_frame_[i]));
+    }
+    for (std::size_t p = 0; p < state_.points.size(); ++p) {
+      tried_.points[p] = state_.points[p] + step.points[p];
+    }
+    if (!problem_->is_right_shift_fixed) {
+      tried_.right_shift_px = state_.right_shift_px + step.reduced[step.reduced.size() - 1];
+    }
+    return prior_.Energy(tried_.world_from_camera, tried_.right_shift_px) +
+           ReprojectionEnergy(Camera(tried_), Views(tried_), tried_.points, problem_->factors,
+                              huber_);
+  }
+
+  void AcceptStep() { std::swap(state_, tried_); }
+
+  double Norm() const {
+    return std::sqrt(SquaredNorm(state_.world_from_camera) + SquaredNorm(state_.points) +
+                     state_.right_shift_px * state_.right_shift_px);
+  }
+
+ private:
+  StereoCamera Camera(const WindowState& state) const {
+    StereoCamera camera = problem_->camera;
+    camera.right_shift_px = state.right_shift_px;
+    return camera;
+  }
+
+  std::vector<CameraView> Views(const WindowState& state) const {
+    std::vector<CameraView> views;
+    for (std::size_t i = 0; i < pose_of_frame_.size(); ++i) {
+      views.emplace_back(pose_of_frame_[i], state.world_from_camera[i]);
+    }
+    return views;
+  }
+
+  const WindowProblem* problem_;
+  double huber_;
+  std::vector<int> pose_of_frame_;
+  SchurPrior prior_;
+  WindowState state_;
+  WindowState tried_;
+};
+
+}  // namespace
+
+int FrameIndex(const WindowProblem& problem, FrameId frame) {
+  const auto it = std::lower_bound(problem.frames.begin(), problem.frames.end(), frame);
+  Require(it != problem.frames.end() && *it == frame, "WindowProblem: no such frame");
+  return static_cast<int>(it - problem.frames.begin());
+}
+
+SolverSummary SolveWindow(const NoiseOptions& noise, const SolverOptions& options,
+                          WindowProblem& problem) {
+  WindowModel model(noise, problem);
+  SchurEquations equations(model.pose_of_frame(), problem.is_right_shift_fixed ? 0 : 1,
+                           problem.points.size(), problem.factors);
+  equations.points_see_shared = !problem.is_right_shift_fixed;
+  const SolverSummary summary = MinimizeEnergy(options, equations, model);
+  problem.world_from_camera = model.state().world_from_camera;
+  problem.points = model.state().points;
+  problem.camera.right_shift_px = model.state().right_shift_px;
+  return summary;
+}
+
+}  // namespace cvo

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/clusters/box_fix.h"
+
+namespace cvo {
+namespace {
+
+using Eigen::Vector3d;
+
+// A ball of 0.6 m diameter at `center`, seen by a camera at `world_from_camera`; its texture, and
+// so the surface that is seen, is on its right half.
+struct SeenBall {
+  Options options;
+  StereoFrame frame;
+  StereoCamera camera{400.0, 400.0, 320.0, 240.0, 0.2, 640, 480};
+  Vector3d center{0.3, -0.2, 4.0};
+  double depth_bias_m = 0.0;  // of the surface
+  bool hides = false;         // another body, before its lower right quarter
+
+  BoxFix From(const RigidTransform& world_from_camera) {
+    const Vector3d c = world_from_camera.Inverse() * center;
+    const double u = camera.fx * c.x() / c.z() + camera.cx;
+    const double v = camera.fy * c.y() / c.z() + camera.cy;
+    const double half_px = camera.fx * 0.3 / c.z();
+    frame.detections = {{{u - half_px, v - half_px, u + half_px, v + half_px}, "ball", 1.0}};
+    if (hides) frame.detections.push_back({{u, v, u + half_px, v + half_px}, "cart", 1.0});
+    const double surface_m = c.z() - 0.2 + depth_bias_m;
+    const Vector3d surface = c / c.z() * surface_m + Vector3d(0.15, 0.0, 0.0);
+    const FeatureGrid grid(frame.features, camera);
+    const FrameView view{options, frame,  frame.detections, frame.given,
+                         grid,    camera, world_from_camera};
+    return FixFromBox(view, 0, world_from_camera * surface);
+  }
+};
+
+// Looks along +x at the ball from its side.
+RigidTransform FromTheSide() {
+  return {ExpSo3({0.0, std::numbers::pi / 2, 0.0}), Vector3d(-3.0, 0.0, 4.0)};
+}
+
+TEST(BoxFix, LiesBehindTheSurfaceInTheMiddleOfTheBox) {
+  SeenBall ball;
+  const BoxFix fix = ball.From({});
+  EXPECT_NEAR(fix.size_m, 0.6, 0.04);
+  EXPECT_LT((fix.center_in_world - ball.center).norm(), 0.02);
+}
+
+double DeviationAlong(const Vector3d& direction, const BoxFix& fix) {
+  const Vector3d d = direction.normalized();
+  return std::sqrt(1.0 / d.dot(fix.information * d));
+}
+
+TEST(BoxFix, SaysLittleWhereAnEdgeMayNotBeTheBodys) {
+  const Vector3d up = Vector3d::UnitY();
+  SeenBall ball;
+  ball.center = {3.0, 0.0, 5.0};
+  const Vector3d across(5.0, 0.0, -3.0);
+  const BoxFix whole = ball.From({});
+  EXPECT_NEAR(DeviationAlong(up, whole), 0.05 * whole.size_m, 1e-9);
+  EXPECT_NEAR(DeviationAlong(across, whole), 0.05 * whole.size_m, 1e-9);
+  EXPECT_NEAR(DeviationAlong(ball.center, whole), 0.3 * whole.size_m, 1e-9);
+  ball.hides = true;
+  const BoxFix hidden = ball.From({});
+  EXPECT_NEAR(DeviationAlong(up, hidden), 0.3 * hidden.size_m, 1e-9);
+  EXPECT_NEAR(DeviationAlong(across, hidden), 0.3 * hidden.size_m, 1e-9);
+  ball.hides = false;
+  ball.center = {3.9, 0.0, 5.0};  // cut by the right border
+  const BoxFix cut = ball.From({});
+  EXPECT_NEAR(DeviationAlong(up, cut), 0.05 * cut.size_m, 1e-9);
+  EXPECT_NEAR(DeviationAlong({5.0, 0.0, -3.9}, cut), 0.3 * cut.size_m, 1e-9);
+}
+
+TEST(CenterEstimate, TwoSidesFixWhatOneCannotTell) {
+  SeenBall ball;
+  ball.depth_bias_m = 0.15;  // half a radius
+  const BoxFix front = ball.From({});
+  EXPECT_GT((front.center_in_world - ball.center).norm(), 0.12);
+  CenterEstimate center;
+  center.Add(front.center_in_world, front.information);
+  const BoxFix side = ball.From(FromTheSide());
+  center.Add(side.center_in_world, side.information);
+  EXPECT_EQ(center.boxes, 2);
+  EXPECT_LT((center.InObject() - ball.center).norm(), 0.02);
+}
+
+TEST(CenterEstimate, IsTheSamePointInEveryFrame) {
+  SeenBall ball;
+  CenterEstimate center;
+  EXPECT_EQ(center.InObject(), Vector3d::Zero());
+  for (const RigidTransform& camera : {RigidTransform(), FromTheSide()}) {
+    const BoxFix fix = ball.From(camera);
+    center.Add(fix.center_in_world, fix.information);
+  }
+  const RigidTransform new_from_old(ExpSo3({0.3, -0.4, 1.2}), Vector3d(1.0, -2.0, 0.5));
+  const CenterEstimate there = center.In(new_from_old);
+  EXPECT_LT((there.InObject() - new_from_old * center.InObject()).norm(), 1e-9);
+  EXPECT_EQ(there.boxes, 2);
+  EXPECT_LT((there.In(new_from_old.Inverse()).information - center.information).norm(), 1e-6);
+}
+
+}  // namespace
+}  // namespace cvo

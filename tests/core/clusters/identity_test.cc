@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/clusters/identity.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace cvo {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+RigidTransform At(double x, double yaw = 0.0) {
+  return {ExpSo3({0.0, yaw, 0.0}), Eigen::Vector3d(x, 0.0, 6.0)};
+}
+
+// Cluster 1 was lost after frame 10 and is archived, predicted at x = 1; cluster 2 was found in
+// frame 19 and is confirmed in frame 20, at x = 1.1 and turned.
+struct Return {
+  ClusterOptions options;
+  ClusterMap map;
+  std::vector<LostCluster> lost;
+
+  Return() {
+    Cluster old = Make(1, {{10, At(0.0)}});
+    old.detections = 8;
+    map.archived = {old};
+    map.live = {Make(2, {{19, At(1.08, 0.7)}, {20, At(1.1, 0.8)}})};
+    map.live[0].detections = options.confirm_detections;
+    Landmark landmark;
+    landmark.id = LandmarkId{3};
+    landmark.label.cluster = ClusterId{2};
+    landmark.p_in_body = {0.2, -0.1, 0.4};
+    landmark.view_in_body = {0.0, 0.6, -0.8};
+    landmark.covariance.in_body_m2 = Eigen::Vector3d(1.0, 2.0, 3.0).asDiagonal();
+    landmark.past_information = Eigen::Vector3d(4.0, 5.0, 6.0).asDiagonal();
+    map.live[0].landmarks = {landmark};
+    map.live[0].center_in_object = {0.1, 0.0, 0.1};
+    lost = {Predicted(1, 1.0)};
+  }
+  Cluster Make(std::int64_t id, const std::vector<std::pair<std::int64_t, RigidTransform>>& poses) {
+    Cluster cluster;
+    cluster.id = ClusterId{id};
+    cluster.category = "cart";
+    cluster.size_m = 1.0;
+    ClusterTrajectory& trajectory = map.trajectories[cluster.id];
+    trajectory.id = cluster.id;
+    for (const auto& [frame, pose] : poses) {
+      cluster.states.push_back({FrameId{frame}, frame, pose, Eigen::Vector3d::Zero()});
+      cluster.last_observed = cluster.last_detected = FrameId{frame};
+      // Poses are recorded at the end of a frame, that of frame 20 is not there yet.
+      if (frame < 20) {
+        trajectory.poses.push_back(
+            {frame, frame, ClusterStatus::kTracked, pose, Eigen::Vector3d::Zero()});
+      }
+    }
+    return cluster;
+  }
+  static LostCluster Predicted(std::int64_t id, double x, double variance_m2 = 0.04) {
+    LostCluster predicted{ClusterId{id}, {}};
+    predicted.predicted.world_from_object = At(x);
+    predicted.predicted.translation_variance_m2 = variance_m2;
+    return predicted;
+  }
+  // The id under which the found cluster goes on.
+  std::int64_t Found() {
+    InheritIdentities(lost, FrameId{20}, {}, options, map);
+    return map.live.at(0).id.value;
+  }
+};
+
+TEST(InheritIdentities, TheFoundClusterGoesOnAsTheLostOne) {
+  Return r;
+  EXPECT_EQ(r.Found(), 1);
+  EXPECT_THAT(r.map.live, ::testing::SizeIs(1));
+  EXPECT_THAT(r.map.archived, IsEmpty());
+  ASSERT_EQ(r.map.trajectories.size(), 1u);
+  std::vector<std::int64_t> frames;
+  for (const ClusterPose& pose : r.map.trajectories.at(ClusterId{1}).poses) {
+    frames.push_back(pose.frame);
+  }
+  EXPECT_THAT(frames, ElementsAre(10, 19));
+  EXPECT_EQ(r.map.live[0].landmarks[0].label.cluster, ClusterId{1});
+}
+
+TEST(InheritIdentities, OnlyTheFrameOfTheBodyChanges) {
+  Return r;
+  const Cluster before = r.map.live[0];
+  ASSERT_EQ(r.Found(), 1);
+  const Cluster& after = r.map.live[0];
+  // The axes are those that were predicted, the origin is the found one's in every frame.
+  EXPECT_LT(after.Latest().world_from_object.Minus(At(1.1)).norm(), 1e-12);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const RigidTransform& was = before.states[i].world_from_object;
+    const RigidTransform& is = after.states[i].world_from_object;
+    EXPECT_LT((was.translation() - is.translation()).norm(), 1e-12);
+    const Landmark& old = before.landmarks[0];
+    const Landmark& now = after.landmarks[0];
+    EXPECT_LT((was * old.p_in_body - is * now.p_in_body).norm(), 1e-12);
+    EXPECT_LT((was * before.center_in_object - is * after.center_in_object).norm(), 1e-12);
+    const Eigen::Matrix3d R = was.RotationMatrix();
+    const Eigen::Matrix3d S = is.RotationMatrix();
+    EXPECT_LT((R * old.view_in_body - S * now.view_in_body).norm(), 1e-12);
+    EXPECT_LT((R * old.covariance.in_body_m2 * R.transpose() -
+               S * now.covariance.in_body_m2 * S.transpose())
+                  .norm(),
+              1e-12);
+    EXPECT_LT((R * old.past_information * R.transpose() - S * now.past_information * S.transpose())
+                  .norm(),
+              1e-12);
+  }
+  const ClusterPose& recorded = r.map.trajectories.at(ClusterId{1}).poses.back();
+  EXPECT_LT(recorded.world_from_object.Minus(after.states[0].world_from_object).norm(), 1e-12);
+}
+
+TEST(InheritIdentities, ALostLiveClusterThatWasOnlyPredictedMeanwhileGivesWay) {
+  Return r;
+  r.map.live.insert(r.map.live.begin(), r.map.archived[0]);
+  r.map.archived.clear();
+  r.map.trajectories[ClusterId{1}].poses.push_back(
+      {19, 19, ClusterStatus::kPredicted, At(0.9), Eigen::Vector3d::Zero()});
+  EXPECT_EQ(r.Found(), 1);
+  EXPECT_THAT(r.map.live, ::testing::SizeIs(1));
+  EXPECT_EQ(r.map.live[0].last_observed, FrameId{20});
+  const auto& poses = r.map.trajectories.at(ClusterId{1}).poses;
+  ASSERT_EQ(poses.size(), 2u);
+  EXPECT_EQ(poses[1].frame, 19);
+  EXPECT_EQ(poses[1].status, ClusterStatus::kTracked);
+}
+
+TEST(InheritIdentities, NotWhereThePredictionIsElsewhereOrAnotherClass) {
+  Return far;
+  far.lost = {Return::Predicted(1, 3.0)};
+  EXPECT_EQ(far.Found(), 2);
+  Return other;
+  other.map.archived[0].category = "chair";
+  EXPECT_EQ(other.Found(), 2);
+  EXPECT_EQ(other.map.archived.size(), 1u);
+}
+
+TEST(InheritIdentities, NotWhereTwoCouldBeIt) {
+  Return r;
+  r.map.archived.push_back(r.Make(4, {{9, At(0.0)}}));
+  r.lost.push_back(Return::Predicted(4, 1.22));
+  EXPECT_EQ(r.Found(), 2);
+  // Much nearer than the other it is no doubt.
+  Return clear;
+  clear.map.archived.push_back(clear.Make(4, {{9, At(0.0)}}));
+  clear.lost.push_back(Return::Predicted(4, 1.6));
+  EXPECT_EQ(clear.Found(), 1);
+  EXPECT_EQ(clear.map.archived.size(), 1u);
+}
+
+TEST(InheritIdentities, WhatMayBeAnywhereIsNoRivalOfWhatIsExpectedNearby) {
+  Return r;
+  r.map.archived.push_back(r.Make(4, {{9, At(0.0)}}));
+  r.lost.push_back(Return::Predicted(4, 1.2, 25.0));  // fewer deviations away, of larger ones
+  EXPECT_EQ(r.Found(), 1);
+}
+
+TEST(InheritIdentities, NotABodyOfAnotherSize) {
+  Return r;
+  r.lost = {Return::Predicted(1, 1.0, 1.0)};
+  r.map.archived[0].size_m = 5.0;
+  EXPECT_EQ(r.Found(), 2);
+  Return unknown;
+  unknown.lost = {Return::Predicted(1, 1.0, 1.0)};
+  unknown.map.archived[0].size_m = 0.0;  // told of by given labels alone
+  EXPECT_EQ(unknown.Found(), 1);
+}
+
+TEST(InheritIdentities, OnlyAtTheMomentOfConfirmation) {
+  Return early;
+  --early.map.live[0].detections;
+  EXPECT_EQ(early.Found(), 2);
+  Return late;
+  ++late.map.live[0].detections;
+  EXPECT_EQ(late.Found(), 2);
+}
+
+TEST(InheritIdentities, NeverTheIdOfAnotherGivenBody) {
+  Return r;
+  r.map.archived[0].given_body = 1;
+  r.map.live[0].given_body = 2;
+  EXPECT_EQ(r.Found(), 2);
+  r.map.live[0].given_body = 1;
+  EXPECT_EQ(r.Found(), 1);
+}
+
+}  // namespace
+}  // namespace cvo

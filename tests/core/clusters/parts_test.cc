@@ -1,0 +1,369 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// The life of clusters and their prediction: parts that can be looked at without running.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <cmath>
+
+#include "core/clusters/cluster_map.h"
+#include "core/clusters/cluster_prediction.h"
+
+namespace cvo {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+constexpr std::int64_t kInterval_ns = 100'000'000;
+const StereoCamera kCamera = {.fx = 450,
+                              .fy = 450,
+                              .cx = 320,
+                              .cy = 240,
+                              .baseline_m = 0.3,
+                              .width_px = 640,
+                              .height_px = 480};
+
+RigidTransform At(double x, double y, double z, double yaw = 0.0) {
+  return {ExpSo3({0.0, yaw, 0.0}), Eigen::Vector3d(x, y, z)};
+}
+
+ClusterState StateAt(std::int64_t frame, const RigidTransform& world_from_object,
+                     const Eigen::Vector3d& velocity_m_s = Eigen::Vector3d::Zero()) {
+  return {FrameId{frame}, frame * kInterval_ns, world_from_object, velocity_m_s};
+}
+
+Landmark MakeLandmark(std::int64_t id, std::vector<std::int64_t> frames) {
+  Landmark landmark;
+  landmark.id = LandmarkId{id};
+  for (const std::int64_t frame : frames) {
+    landmark.observations.push_back({FrameId{frame}, {300.0, 200.0, 280.0}, 0});
+    landmark.last_seen = FrameId{frame};
+  }
+  return landmark;
+}
+
+Window WindowOf(std::int64_t first, std::int64_t last) {
+  Window window;
+  window.camera = kCamera;
+  for (std::int64_t f = first; f <= last; ++f) window.temporal.push_back({FrameId{f}, {}, false});
+  return window;
+}
+
+std::vector<std::int64_t> Ids(const std::vector<Landmark>& landmarks) {
+  std::vector<std::int64_t> ids;
+  for (const Landmark& landmark : landmarks) ids.push_back(landmark.id.value);
+  return ids;
+}
+
+// One landmark of a turned body in frames 0 and 1, frame 0 leaving the window.
+struct Absorption {
+  Window window = WindowOf(1, 2);
+  WindowFrame leaving{FrameId{0}, At(0.2, 0.1, 0.3, 0.1), false};
+  Cluster cluster;
+  ClusterOptions options;
+
+  Absorption() {
+    cluster.states = {StateAt(0, At(1.0, 0.5, 8.0, 0.7)), StateAt(1, At(1.1, 0.5, 8.0, 0.8))};
+    cluster.landmarks = {MakeLandmark(0, {0, 1})};
+    cluster.landmarks[0].p_in_body = {0.3, -0.2, 0.4};
+    cluster.landmarks[0].observations[0].octave = 2;
+  }
+  void Absorb() { AbsorbObservations(window, leaving, {}, 1.2, options, cluster); }
+  const Landmark& landmark() const { return cluster.landmarks[0]; }
+};
+
+TEST(AbsorbObservations, InformationIsThatOfTheReprojectionError) {
+  Absorption a;
+  a.Absorb();
+  EXPECT_THAT(a.landmark().observations, SizeIs(1));
+  EXPECT_EQ(a.landmark().observations[0].frame, FrameId{1});
+  // J by central differences of the projection of a point of the body.
+  const auto project = [&](const Eigen::Vector3d& p_in_body) {
+    return *kCamera.Project(a.leaving.world_from_camera.Inverse() *
+                            (a.cluster.states[0].world_from_object * p_in_body));
+  };
+  Eigen::Matrix3d J;
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d step = 1e-5 * Eigen::Vector3d::Unit(k);
+    J.col(k) =
+        (project(a.landmark().p_in_body + step) - project(a.landmark().p_in_body - step)) / 2e-5;
+  }
+  const Eigen::Matrix3d expected =
+      J.transpose() * MeasurementCovariance({}, 1.2 * 1.2).inverse() * J;
+  EXPECT_LT((a.landmark().past_information - expected).norm(), 1e-6 * expected.norm());
+}
+
+TEST(AbsorbObservations, WhatIsRememberedIsBounded) {
+  Absorption a;
+  a.options.max_past_observations = 10.0;
+  a.Absorb();
+  const Eigen::Matrix3d one = a.landmark().past_information;
+  for (int k = 0; k < 500; ++k) {
+    a.cluster.landmarks[0].observations.insert(a.cluster.landmarks[0].observations.begin(),
+                                               {FrameId{0}, {300.0, 200.0, 280.0}, 2});
+    a.Absorb();
+    EXPECT_LE(a.landmark().past_information.norm(), 10.0 * one.norm() * (1.0 + 1e-12));
+  }
+  EXPECT_NEAR(a.landmark().past_information.norm(), 10.0 * one.norm(), 1e-6 * one.norm());
+}
+
+TEST(AbsorbObservations, APointSeenOnceHasNothingToDefend) {
+  Absorption a;
+  a.cluster.landmarks[0].observations.pop_back();
+  a.Absorb();
+  EXPECT_THAT(a.landmark().observations, IsEmpty());
+  EXPECT_TRUE(a.landmark().past_information.isZero());
+}
+
+TEST(AbsorbObservations, AFrameWithoutAStateSaysNothing) {
+  Absorption a;
+  a.cluster.states.erase(a.cluster.states.begin());
+  a.Absorb();
+  EXPECT_TRUE(a.landmark().past_information.isZero());
+}
+
+TEST(TrimCluster, DropsWhatIsOlderThanTheWindowButTheLastState) {
+  Cluster cluster;
+  for (int f = 0; f < 4; ++f) cluster.states.push_back(StateAt(f, At(0, 0, 5)));
+  cluster.landmarks = {MakeLandmark(0, {0, 3}), MakeLandmark(1, {0, 1}), MakeLandmark(2, {1})};
+  cluster.landmarks[1].past_information.setIdentity();
+  cluster.last_observed = FrameId{5};
+  TrimCluster(WindowOf(2, 5), FrameId{5}, {}, cluster);
+  ASSERT_THAT(cluster.states, SizeIs(2));
+  EXPECT_EQ(cluster.states[0].frame, FrameId{2});
+  EXPECT_THAT(Ids(cluster.landmarks), ElementsAre(0, 1));
+  EXPECT_THAT(cluster.landmarks[0].observations, SizeIs(1));
+  EXPECT_THAT(cluster.landmarks[1].observations, IsEmpty());
+  cluster.last_observed = FrameId{12};
+  TrimCluster(WindowOf(8, 12), FrameId{12}, {}, cluster);
+  ASSERT_THAT(cluster.states, SizeIs(1));
+  EXPECT_EQ(cluster.states[0].frame, FrameId{3});
+}
+
+TEST(TrimCluster, AHiddenClusterKeepsTheStatesThatPredictIt) {
+  Cluster cluster;
+  for (int f = 0; f < 4; ++f) cluster.states.push_back(StateAt(f, At(0, 0, 5)));
+  cluster.last_observed = FrameId{3};
+  cluster.landmarks = {MakeLandmark(0, {0, 3})};
+  TrimCluster(WindowOf(8, 12), FrameId{12}, {}, cluster);
+  EXPECT_THAT(cluster.states, SizeIs(4));
+  EXPECT_THAT(cluster.landmarks, IsEmpty());
+}
+
+TEST(TrimCluster, BeyondTheCapTheLongestUnseenGo) {
+  ClusterOptions options;
+  options.max_landmarks = 3;
+  Cluster cluster;
+  cluster.states = {StateAt(5, At(0, 0, 5))};
+  cluster.landmarks = {MakeLandmark(0, {4, 5}), MakeLandmark(1, {3}), MakeLandmark(2, {4}),
+                       MakeLandmark(3, {2}),    MakeLandmark(4, {4}), MakeLandmark(5, {1})};
+  Cluster full = cluster;
+  TrimCluster(WindowOf(1, 6), FrameId{6}, options, cluster);
+  // Of those seen in frame 4 the younger ones.
+  EXPECT_THAT(Ids(cluster.landmarks), ElementsAre(0, 2, 4));
+  // What the newest frame shows stays in any case.
+  for (Landmark& landmark : full.landmarks) landmark.last_seen = FrameId{6};
+  TrimCluster(WindowOf(1, 6), FrameId{6}, options, full);
+  EXPECT_THAT(full.landmarks, SizeIs(6));
+}
+
+Cluster ClusterSeen(std::int64_t id, std::int64_t observed, std::int64_t detected, int detections) {
+  Cluster cluster;
+  cluster.id = ClusterId{id};
+  cluster.states = {StateAt(observed, At(0, 0, 5))};
+  cluster.last_observed = FrameId{observed};
+  cluster.last_detected = FrameId{detected};
+  cluster.detections = detections;
+  return cluster;
+}
+
+std::vector<std::int64_t> Ids(const ClusterMap& map, bool live) {
+  std::vector<std::int64_t> ids;
+  if (live) {
+    for (const Cluster& cluster : map.live) ids.push_back(cluster.id.value);
+  } else {
+    for (const Cluster& cluster : map.archived) ids.push_back(cluster.id.value);
+  }
+  return ids;
+}
+
+TEST(RetireClusters, LiveArchivedOrDropped) {
+  const ClusterOptions options;
+  const int L = options.live_frames;
+  ClusterMap map;
+  map.live = {ClusterSeen(1, 100 - L + 1, 80, 2),                        // unseen for L - 1 frames
+              ClusterSeen(2, 100 - L, 80, 2),                            // for L
+              ClusterSeen(3, 100, 100 - options.confirm_frames, 1),      // never confirmed
+              ClusterSeen(4, 100, 100 - options.confirm_frames + 1, 1),  // it has a frame left
+              ClusterSeen(5, 100 - L, -1, 0),
+              ClusterSeen(6, 100 - L, -1, 0)};
+  map.live[5].given_body = 7;  // given ones need no confirmation
+  for (const Cluster& cluster : map.live) map.trajectories[cluster.id].id = cluster.id;
+  RetireClusters(FrameId{100}, options, map);
+  EXPECT_THAT(Ids(map, true), ElementsAre(1, 4));
+  EXPECT_THAT(Ids(map, false), ElementsAre(2, 6));
+  std::vector<std::int64_t> told;
+  for (const auto& cluster : ConfirmedTrajectories(map, options)) told.push_back(cluster.id.value);
+  EXPECT_THAT(told, ElementsAre(1, 2, 6));
+}
+
+TEST(RetireClusters, WhatWasNeverConfirmedIsNeverTold) {
+  ClusterOptions options;
+  options.confirm_frames = 100;  // the body is gone before
+  ClusterMap map;
+  map.live = {ClusterSeen(1, 5, 5, 1)};
+  map.trajectories[ClusterId{1}].id = ClusterId{1};
+  EXPECT_THAT(ConfirmedTrajectories(map, options), IsEmpty());
+  RetireClusters(FrameId{5 + options.live_frames}, options, map);
+  EXPECT_THAT(Ids(map, true), IsEmpty());
+  EXPECT_THAT(Ids(map, false), IsEmpty());
+  EXPECT_THAT(ConfirmedTrajectories(map, options), IsEmpty());
+}
+
+TEST(RetireClusters, TheArchiveForgetsTheOldest) {
+  ClusterOptions options;
+  options.archived = 2;
+  ClusterMap map;
+  for (int id = 1; id <= 4; ++id) map.live.push_back(ClusterSeen(id, 0, 0, 5));
+  RetireClusters(FrameId{100}, options, map);
+  EXPECT_THAT(Ids(map, true), IsEmpty());
+  EXPECT_THAT(Ids(map, false), ElementsAre(3, 4));
+}
+
+// A landmark on a body 6 m ahead, seen last by a camera at the origin.
+struct Prediction {
+  Options options;
+  PredictedCluster predicted;
+  Landmark landmark;
+  RigidTransform world_from_camera;
+
+  Prediction() {
+    predicted.world_from_object = At(0.5, -0.2, 6.0, 0.4);
+    landmark.p_in_body = {0.3, 0.1, -0.5};
+
+    const Eigen::Vector3d p = predicted.world_from_object * landmark.p_in_body;
+    landmark.depth_m = p.z();
+    landmark.view_in_body =
+        predicted.world_from_object.rotation().conjugate() * Eigen::Vector3d(-p.normalized());
+    landmark.covariance.in_body_m2 = Eigen::Vector3d(1e-4, 2e-4, 3e-4).asDiagonal();
+  }
+  std::optional<PredictedLandmark> Predict() const {
+    return PredictLandmark(options, kCamera, world_from_camera, predicted, landmark);
+  }
+};
+
+TEST(PredictLandmark, StandsWhereTheMovedBodyHasIt) {
+  const Prediction p;
+  const auto seen = p.Predict();
+  ASSERT_TRUE(seen);
+  const Eigen::Vector3d p_in_world = p.predicted.world_from_object * p.landmark.p_in_body;
+  EXPECT_LT((seen->zeta_px - *kCamera.Project(p_in_world)).norm(), 1e-9);
+}
+
+TEST(PredictLandmark, InnovationHoldsPositionMotionAndMeasurement) {
+  Prediction p;
+  const Eigen::Vector3d p_in_world = p.predicted.world_from_object * p.landmark.p_in_body;
+  const Eigen::Matrix3d J = kCamera.ProjectionJacobian(p_in_world);
+  const Eigen::Matrix3d R = p.predicted.world_from_object.RotationMatrix();
+  const Eigen::Matrix3d position =
+      J * R * p.landmark.covariance.in_body_m2 * R.transpose() * J.transpose();
+  const Eigen::Matrix3d measurement = MeasurementCovariance(p.options.noise, 1.0);
+  auto seen = p.Predict();
+  EXPECT_LT((seen->position_px2 - position).norm(), 1e-9);
+  EXPECT_LT((seen->measurement_px2 - measurement).norm(), 1e-12);
+  EXPECT_LT((seen->innovation_px2 - position - measurement).norm(), 1e-9);
+  p.predicted.translation_variance_m2 = 0.01;
+  p.predicted.rotation_variance_rad2 = 0.04;
+  seen = p.Predict();
+  // The lever is the landmark's distance from the origin of the body.
+  const double motion_m2 = 0.01 + 0.04 * p.landmark.p_in_body.squaredNorm();
+  EXPECT_LT((seen->innovation_px2 - position - measurement - motion_m2 * J * J.transpose()).norm(),
+            1e-9);
+  EXPECT_LT((seen->position_px2 - position).norm(), 1e-9);
+}
+
+TEST(PredictLandmark, IsInvisibleOnTheFarSide) {
+  Prediction p;
+  const Eigen::Quaterniond before(p.predicted.world_from_object.rotation());
+  const double limit = p.options.association.max_view_change_rad;
+  const auto turned = [&](double angle_rad) {
+    // About the point itself, so that only the side changes that it shows.
+    const Eigen::Vector3d point = At(0.5, -0.2, 6.0, 0.4) * p.landmark.p_in_body;
+    const Eigen::Vector3d axis = point.cross(Eigen::Vector3d::UnitY()).normalized();
+    const Eigen::Quaterniond after = ExpSo3(angle_rad * axis) * before;
+    p.predicted.world_from_object =
+        RigidTransform(after, Eigen::Vector3d(point - after * p.landmark.p_in_body));
+    return p.Predict().has_value();
+  };
+  EXPECT_TRUE(turned(limit - 0.01));
+  EXPECT_FALSE(turned(limit + 0.01));
+  EXPECT_FALSE(turned(3.0));
+  p.landmark.view_in_body = -p.landmark.view_in_body;
+  EXPECT_TRUE(turned(3.0));
+}
+
+TEST(PredictLandmark, IsInvisibleOutOfTheImageAndBehindTheCamera) {
+  Prediction p;
+  p.world_from_camera = At(0.0, 0.0, 0.0, 3.1);
+  EXPECT_FALSE(p.Predict());
+  p.world_from_camera = At(6.0, 0.0, 0.0);
+  EXPECT_FALSE(p.Predict());
+}
+
+TEST(PredictLandmark, OctaveFollowsTheDepth) {
+  Prediction p;
+  p.landmark.last_octave = 3;
+  EXPECT_EQ(p.Predict()->octave, 3);
+  const double z = (p.predicted.world_from_object * p.landmark.p_in_body).z();
+  p.landmark.depth_m = z * 1.2 * 1.2;  // it came nearer: it looks larger
+  EXPECT_EQ(p.Predict()->octave, 5);
+  p.landmark.depth_m = z / 100.0;
+  EXPECT_EQ(p.Predict()->octave, 0);
+}
+
+TEST(PredictCluster, MovesOnAndBecomesLessCertainWithTime) {
+  const ClusterOptions options;
+  const MotionPriorOptions motion;
+  Cluster cluster;
+  cluster.frames = 2;
+  cluster.states = {StateAt(8, At(0.0, 0.0, 5.0, 0.1)),
+                    StateAt(10, At(0.2, 0.0, 5.0, 0.3), {1.0, 0.0, 0.5})};
+  const auto predict = [&](std::int64_t frame) {
+    return PredictCluster<WhiteNoiseOnAcceleration, ConstantAngularVelocity>(
+        cluster, frame * kInterval_ns, motion, options);
+  };
+  const PredictedCluster next = predict(11);
+  EXPECT_LT(next.world_from_object.Minus(At(0.3, 0.0, 5.05, 0.4)).norm(), 1e-12);
+  // q dt^3 / 3 + dt^2 (first_speed / n^2)^2, n = 2.
+  const double speed = options.first_speed_m_s / 4.0;
+  EXPECT_NEAR(next.translation_variance_m2, motion.q_m2_s3 * 1e-3 / 3.0 + 0.01 * speed * speed,
+              1e-12);
+  const double turn = options.first_turn_rad_s / 4.0;
+  EXPECT_NEAR(next.rotation_variance_rad2, 0.01 * turn * turn, 1e-12);
+  EXPECT_GT(predict(15).translation_variance_m2, 20.0 * next.translation_variance_m2);
+  const auto held = PredictCluster<WhiteNoiseOnAcceleration, HeldRotation>(
+      cluster, 11 * kInterval_ns, motion, options);
+  EXPECT_LT(held.world_from_object.Minus(At(0.3, 0.0, 5.05, 0.3)).norm(), 1e-12);
+}
+
+TEST(UpdateExtent, IsThatOfTheMiddleOfTheLandmarks) {
+  Cluster cluster;
+  UpdateExtent({}, cluster);
+  EXPECT_TRUE(cluster.half_size_m.isZero());
+  for (int i = 0; i <= 100; ++i) {
+    cluster.landmarks.push_back(MakeLandmark(i, {0}));
+    cluster.landmarks.back().p_in_body = {0.01 * i, 1.0, -0.02 * i};
+  }
+  UpdateExtent({}, cluster);
+  EXPECT_LT((cluster.center_in_object - Eigen::Vector3d(0.5, 1.0, -1.0)).norm(), 1e-9);
+  EXPECT_LT(
+      (cluster.half_size_m - Eigen::Vector3d(0.2, ExtentOptions().min_half_size_m, 0.4)).norm(),
+      1e-9);
+}
+
+}  // namespace
+}  // namespace cvo
