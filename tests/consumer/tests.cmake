@@ -29,3 +29,14 @@ endif()
 add_test(NAME library.subproject
          COMMAND ${consumer} "-DLIBRARY_SOURCE=${PROJECT_SOURCE_DIR}"
                  "-DWORK=${library_folder}/subproject" ${consumer_script})
+
+if(CVO_PYTHON)
+  add_test(NAME library.python
+           COMMAND "${CVO_PYTHON_EXECUTABLE}" -B
+                   "${PROJECT_SOURCE_DIR}/tests/experiments/python/package_test.py"
+                   "${PROJECT_SOURCE_DIR}/experiments/python/README.md"
+           WORKING_DIRECTORY "${library_folder}")
+  set_tests_properties(library.python PROPERTIES
+    ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/python"
+    FIXTURES_REQUIRED "library_scene;library_run")
+endif()
