@@ -37,6 +37,10 @@ if(NOT command OR command MATCHES " -W| -ffp-contract")
   message(FATAL_ERROR "flags of ours reach those who link us: ${command}")
 endif()
 
+if(LIBRARY_SOURCE AND commands MATCHES " -Werror")
+  message(FATAL_ERROR "a warning of ours ends the build of others")
+endif()
+
 if(LIBRARY_BUILD)
   run("${CMAKE_COMMAND}" --build "${WORK}/build")
   run("${WORK}/build/consumer" "${SCENE}" "${WORK}/camera.tum")
