@@ -72,7 +72,7 @@ baseline: build ## accept what the estimator does now: renew the baseline of mak
 	$(release)/bin/clustervo check results/ci_seeds --write-baseline $(baseline) --gate-seeds 2
 
 test: build ## run the tests; CLUSTERVO_DATA=<folder> adds those on real data
-	ctest --preset release
+	ctest --preset release --output-junit "$(CURDIR)/$(release)/tests.xml"
 
 bench: build ## run the benchmarks, JSON to build/release/bench
 	cmake --build --preset release --target run_benchmarks

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <optional>
 #include <utility>
 
+#include "core/association/clip_box.h"
 #include "core/base/error.h"
 #include "experiments/datasets/object_boxes.h"
 
@@ -35,18 +35,6 @@ ImageBox MoveBox(const ObjectBox& box, const BoxCamera& camera,
   }
   const ObjectBox moved = ShiftBox(box, camera.offset_m, camera.left.fx, depth_m);
   return {moved.left_px, moved.top_px, moved.right_px, moved.bottom_px};
-}
-
-// Empty where no pixel of the image is inside.
-std::optional<ImageBox> ClipToImage(const ImageBox& box, const StereoCamera& camera) {
-  const double right_px = camera.width_px - 1;
-  const double bottom_px = camera.height_px - 1;
-  if (box.right_px < 0.0 || box.bottom_px < 0.0 || box.left_px > right_px ||
-      box.top_px > bottom_px) {
-    return std::nullopt;
-  }
-  return ImageBox{std::max(box.left_px, 0.0), std::max(box.top_px, 0.0),
-                  std::min(box.right_px, right_px), std::min(box.bottom_px, bottom_px)};
 }
 
 }  // namespace

@@ -56,6 +56,8 @@ std::vector<Part> MakeParts() {
   std::vector<std::string> estimator = parts.back().may_include;
   estimator.emplace_back("variants/");
   parts.push_back({"variants/", estimator, NoFiles()});
+  parts.push_back({"experiments/python/", estimator, {}});
+  parts.back().may_include.emplace_back("experiments/python/");
   parts.push_back({"core/files/", {"core/base/", "core/files/"}, {"opencv2/.*", "Eigen/.*"}});
   for (const Part& part : SynthParts()) parts.push_back(part);
   const std::vector<std::string> readers = {"core/", "experiments/datasets/",

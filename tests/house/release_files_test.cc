@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// Files that others read before they build: versions, packages.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <regex>
+#include <sstream>
+
+#include "tests/support/temp_folder.h"
+
+namespace cvo::test {
+namespace {
+
+const std::filesystem::path kTop = CVO_SOURCE_DIR;
+
+// What the first group of the pattern matches first in the file.
+std::string Found(const char* file, const char* pattern) {
+  const std::string text = ReadFile(kTop / file);
+  std::smatch match;
+  return std::regex_search(text, match, std::regex(pattern)) ? match[1].str() : "";
+}
+
+TEST(ReleaseFiles, NameOneVersion) {
+  const std::string version = Found("CMakeLists.txt", R"(project\(ClusterVO VERSION ([\d.]+))");
+  EXPECT_THAT(version, testing::MatchesRegex("[0-9]+[.][0-9]+[.][0-9]+"));
+  EXPECT_EQ(Found("CHANGELOG.md", R"(\n## ([\d.]+)\n)"), version) << "the newest entry";
+  EXPECT_EQ(Found("CITATION.cff", R"(\nversion: ([\d.]+)\n)"), version);
+  const std::string minor = version.substr(0, version.rfind('.'));
+  for (const char* file : {"README.md", "tests/consumer/CMakeLists.txt"}) {
+    EXPECT_EQ(Found(file, R"(find_package\(ClusterVO ([\d.]+))"), minor) << file;
+  }
+}
+
+TEST(ReleaseFiles, EveryPackageHasAReason) {
+  std::istringstream lines(ReadFile(kTop / "packages.txt"));
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_TRUE(std::regex_match(line, std::regex(R"((#.*)|([a-z0-9.+-]+ +# \S.*))"))) << line;
+  }
+}
+
+// Public CI and the development container have no list of their own.
+TEST(ReleaseFiles, OneListOfPackagesAndOneRun) {
+  EXPECT_THAT(ReadFile(kTop / ".github/workflows/ci.yml"), testing::HasSubstr("run: .ci/run\n"));
+  EXPECT_THAT(ReadFile(kTop / ".devcontainer/Dockerfile"),
+              testing::AllOf(testing::HasSubstr("COPY packages.txt"),
+                             testing::HasSubstr("RUN /setup/.ci/install-packages")));
+}
+
+}  // namespace
+}  // namespace cvo::test

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "variants/stereo_odometry.h"
+
+#include <utility>
+
+#include "core/association/clip_box.h"
+#include "core/base/error.h"
+#include "core/features/front_end.h"
+#include "variants/registry.h"
+
+namespace cvo {
+namespace {
+
+// False for NaN too.
+void CheckBox(const ImageBox& box, std::size_t index) {
+  if (box.left_px <= box.right_px && box.top_px <= box.bottom_px) return;
+  ThrowError(StrCat("box ", index),
+             StrCat("(", box.left_px, ", ", box.top_px, ") to (", box.right_px, ", ", box.bottom_px,
+                    ") px"),
+             "left <= right and top <= bottom");
+}
+
+// What the estimator is given of the boxes, and which box each of these is.
+struct Shown {
+  std::vector<Detection> detections;
+  std::vector<int> index;
+};
+
+Shown ShowBoxes(const std::vector<Detection>& boxes, const StereoCamera& camera) {
+  Shown shown;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    CheckBox(boxes[i].box, i);
+    const auto clipped = ClipToImage(boxes[i].box, camera);
+    if (!clipped) continue;
+    shown.detections.push_back({*clipped, boxes[i].category, boxes[i].score});
+    shown.index.push_back(static_cast<int>(i));
+  }
+  return shown;
+}
+
+}  // namespace
+
+StereoOdometry::StereoOdometry(const StereoOdometrySetup& setup)
+    : camera_(setup.camera),
+      options_(setup.options),
+      pool_(std::make_unique<TaskPool>(setup.threads)),
+      odometry_(FindVariant(setup.variant).make({camera_, options_, setup.seed}, *pool_)) {}
+
+FrameReport StereoOdometry::Process(const cv::Mat& left, const cv::Mat& right,
+                                    std::int64_t timestamp_ns,
+                                    const std::vector<Detection>& boxes) {
+  Shown shown = ShowBoxes(boxes, camera_);
+  StereoFrame frame;
+  frame.timestamp_ns = timestamp_ns;
+  frame.features =
+      ExtractStereoFeatures(left, right, camera_, options_.orb, options_.stereo, *pool_);
+  frame.detections = std::move(shown.detections);
+  StageTimes times;
+  FrameReport report = odometry_->Process(frame, times);
+  for (ClusterReport& cluster : report.clusters) {
+    if (cluster.detection >= 0) {
+      cluster.detection = shown.index[static_cast<std::size_t>(cluster.detection)];
+    }
+  }
+  features_ = std::move(frame.features);
+  return report;
+}
+
+FrameReport StereoOdometry::Skip(std::int64_t timestamp_ns) {
+  features_.clear();
+  return odometry_->Skip(timestamp_ns);
+}
+
+}  // namespace cvo
