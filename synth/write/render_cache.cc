@@ -38,6 +38,8 @@ fs::path CacheFolder() {
              "CLUSTERVO_CACHE=<folder> in the environment");
 }
 
+fs::path ScenesFolder(const fs::path& cache) { return cache / "scenes"; }
+
 std::optional<CachedRender> FindCachedRender(const fs::path& cache, const std::string& key,
                                              TaskPool& pool, const WorkHooks& hooks) {
   RemoveStaleTemporaries(cache, "");

@@ -14,6 +14,8 @@ namespace cvo::synth {
 // CLUSTERVO_CACHE, else clustervo in XDG_CACHE_HOME, else in ~/.cache. Throws Error where none of
 // these variables is set.
 std::filesystem::path CacheFolder();
+// Rendered sequences of suites: <name>-<key>/<name>.
+std::filesystem::path ScenesFolder(const std::filesystem::path& cache);
 
 // A complete sequence without what depends on a seed.
 struct CachedRender {

@@ -8,9 +8,9 @@
 #include <memory>
 
 #include "core/base/error.h"
-#include "core/files/atomic_file.h"
 #include "core/files/closest_names.h"
 #include "experiments/cli/command.h"
+#include "experiments/cli/output_file.h"
 #include "experiments/cli/reports/browser.h"
 #include "experiments/cli/reports/suite_table.h"
 #include "reports/figure_files/render_page.h"
@@ -96,7 +96,7 @@ int WriteFigures(const FigureFlags& flags) {
   reports::SuiteDrawing drawing =
       reports::SuiteFigures(reports::ReadSuiteData(flags.folder, table));
   if (!flags.only.empty()) KeepOnly(flags.only, drawing);
-  const OutputFolder out(flags.out, {});
+  const OutputFolder out = OpenOutput(flags.out, {}, {flags.folder});
   if (!drawing.figures.empty()) {
     const std::vector<NamedContent> files = MakeFiles(drawing.figures, flags.format);
     WriteFilesAtomically(out.path(), files);

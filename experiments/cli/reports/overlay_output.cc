@@ -11,8 +11,8 @@
 #include <system_error>
 
 #include "core/base/error.h"
-#include "core/files/atomic_file.h"
 #include "core/files/text_file.h"
+#include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/stop_signal.h"
 #include "reports/overlays/draw_overlay.h"
@@ -164,7 +164,7 @@ int WriteOverlays(const OverlayJob& job, const RunImages& images) {
     if (job.images) names.push_back(ImageName(frame));
   }
   if (job.sheet) names.emplace_back(kSheet);
-  const OutputFolder output(job.output, names);
+  const OutputFolder output = OpenOutput(job.output, names, job.read);
   OverlayWriter writer(job, images, output.path());
   {
     const StopSignal stop;

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "core/files/atomic_file.h"
+#include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/stop_signal.h"
 #include "experiments/cli/suite/job_report.h"
@@ -57,7 +57,9 @@ class SuiteRun {
   explicit SuiteRun(const SuiteRunFlags& flags)
       : flags_(flags),
         suite_(flags.suite.Load()),
-        output_(flags.suite.output, {"plan.json", "jobs/", "failed/", "logs/"}),
+        output_(OpenOutput(
+            flags.suite.output, {"plan.json", "jobs/", "failed/", "logs/"},
+            {flags.suite.suite, flags.suite.Request().data, flags.suite.Request().cache})),
         folder_{fs::absolute(output_.path())},
         lock_(folder_.lock()),
         engine_(flags.engine.Make(folder_)) {
@@ -94,6 +96,7 @@ class SuiteRun {
     // Only worth showing where images have to be read, which is felt on a terminal.
     Stage stage(flags_.quiet || ::isatty(STDERR_FILENO) == 0, kPlanned);
     PlanRequest request = flags_.suite.Request();
+    request.notice = [](const std::string& line) { std::cerr << "clustervo: " << line << '\n'; };
     request.progress = [&](std::size_t done, std::size_t total) {
       if (stop_.Requested()) throw Stopped();
       stage.Report(done, total);
