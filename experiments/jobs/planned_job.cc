@@ -7,8 +7,8 @@
 
 #include "core/base/error.h"
 #include "core/files/atomic_file.h"
+#include "core/files/temporary.h"
 #include "experiments/cache/content_hash.h"
-#include "experiments/jobs/temporaries.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/runner/score_files.h"

@@ -12,15 +12,16 @@
 #include <thread>
 
 #include "core/base/error.h"
+#include "core/files/temporary.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/stop_signal.h"
 #include "experiments/cli/suite/job_report.h"
 #include "experiments/jobs/folder_lock.h"
 #include "experiments/jobs/run_plan.h"
-#include "experiments/jobs/temporaries.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/suite/build_plan.h"
+#include "synth/write/render_cache.h"
 
 namespace cvo {
 namespace {
@@ -64,6 +65,7 @@ class SuiteRun {
         lock_(folder_.lock()),
         engine_(flags.engine.Make(folder_)) {
     RemoveTemporaries(folder_.root);
+    synth::RemoveLeftoversOfRenders(flags.suite.Request().cache);
   }
 
   int Run() {

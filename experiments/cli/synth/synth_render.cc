@@ -157,7 +157,9 @@ int Preview(const SceneFlags& flags) {
 Command AddSynthRenderCommand(CLI::App& synth) {
   CLI::App* app = synth.add_subcommand("render", "Render a scene as a KITTI odometry folder");
   const auto flags = std::make_shared<RenderFlags>();
-  flags->scene.AddTo(*app, "DIR", "folder to make; one that this program rendered is replaced");
+  flags->scene.AddTo(
+      *app, "DIR",
+      "folder to make; one that this program rendered, and nobody added to, is replaced");
   app->add_option_function<std::string>(
          "--seed", [flags](const std::string& text) { flags->seed = ParseSeed(text); },
          "of sensor noise and detector errors; default: the scene's")

@@ -38,6 +38,10 @@ struct Pipe {
     const rlimit limit{setup.file_size_limit, setup.file_size_limit};
     ::setrlimit(RLIMIT_FSIZE, &limit);
   }
+  if (setup.address_space_limit > 0) {
+    const rlimit limit{setup.address_space_limit, setup.address_space_limit};
+    ::setrlimit(RLIMIT_AS, &limit);
+  }
   std::vector<char*> argv;
   std::string program = CVO_PROGRAM;
   argv.push_back(program.data());

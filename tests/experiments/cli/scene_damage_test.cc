@@ -8,6 +8,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "core/files/host_name.h"
 #include "core/files/json.h"
 #include "core/files/text_file.h"
 #include "tests/experiments/cli/process.h"
@@ -125,6 +126,17 @@ TEST_F(CliSceneDamage, OutsideOfTheCacheItIsRefused) {
                                   HasSubstr("render the scene again")));
     EXPECT_EQ(test::LineCount(result.err), 1U) << result.err;
   }
+}
+
+TEST_F(CliSceneDamage, WhatKilledProcessesLeftIsRemoved) {
+  if (IsSkipped()) return;
+  const std::string name = StrCat(".x.tmp-", HostName(), ".9999999-0");
+  const std::vector<fs::path> left = {folder_.path() / "cache" / name / "a",
+                                      scene_.parent_path() / name / "a",
+                                      folder_.path() / "out" / name};
+  for (const fs::path& file : left) folder_.Write(file.lexically_relative(folder_.path()), "half");
+  EXPECT_EQ(Suite("run").exit_code, 0);
+  for (const fs::path& file : left) EXPECT_FALSE(fs::exists(file)) << file;
 }
 
 TEST_F(CliSceneDamage, AFolderWithOtherFilesIsNotReplaced) {
