@@ -6,15 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "core/base/error.h"
-
 namespace cvo {
-
-// What was asked for cannot be, whatever files hold: exit code 2, as for wrong flags.
-class UsageError : public Error {
- public:
-  using Error::Error;
-};
 
 // A subcommand: its flags are parsed into what `run` holds, and `run` returns the exit code.
 struct Command {

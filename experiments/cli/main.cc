@@ -15,6 +15,7 @@
 #include "core/base/error.h"
 #include "core/files/closest_names.h"
 #include "experiments/cli/command.h"
+#include "experiments/cli/output_file.h"
 
 namespace cvo {
 namespace {

@@ -8,7 +8,6 @@
 #include <system_error>
 
 #include "core/files/atomic_file.h"
-#include "experiments/cli/command.h"
 #include "experiments/datasets/sequence_type.h"
 
 namespace cvo {

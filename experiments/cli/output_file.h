@@ -6,10 +6,17 @@
 #include <string>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/files/atomic_file.h"
 #include "experiments/datasets/sequence.h"
 
 namespace cvo {
+
+// What was asked for cannot be, whatever files hold: exit code 2, as for wrong flags.
+class UsageError : public Error {
+ public:
+  using Error::Error;
+};
 
 // All places that a command writes to come from here, before it does any work. Each function throws
 // UsageError where the place, links resolved, is somebody's sequence or below one, is a folder that

@@ -33,6 +33,13 @@ constexpr int kStopped = 130;
 
 struct Stopped {};
 
+std::vector<fs::path> ReadBy(const SuiteFlags& suite) {
+  const PlanRequest request = suite.Request();
+  std::vector<fs::path> read = {request.data, request.cache};
+  if (fs::is_regular_file(suite.suite)) read.emplace_back(suite.suite);  // else a shipped one
+  return read;
+}
+
 // One after the other, each stage with a bar of its own.
 class Stage {
  public:
@@ -58,9 +65,8 @@ class SuiteRun {
   explicit SuiteRun(const SuiteRunFlags& flags)
       : flags_(flags),
         suite_(flags.suite.Load()),
-        output_(OpenOutput(
-            flags.suite.output, {"plan.json", "jobs/", "failed/", "logs/"},
-            {flags.suite.suite, flags.suite.Request().data, flags.suite.Request().cache})),
+        output_(OpenOutput(flags.suite.output, {"plan.json", "jobs/", "failed/", "logs/"},
+                           ReadBy(flags.suite))),
         folder_{fs::absolute(output_.path())},
         lock_(folder_.lock()),
         engine_(flags.engine.Make(folder_)) {
