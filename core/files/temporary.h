@@ -8,8 +8,8 @@
 namespace cvo {
 
 // What is written is complete under its own name or not there: until it is complete it lies beside
-// its target under a name that says which process writes it,
-// "<folder>/.<name>.tmp-<host>.<process>- <end>".
+// its target, and its name says which process writes it:
+// "<folder>/.<name>.tmp-<host>.<process>-<end>".
 std::filesystem::path TemporaryName(const std::filesystem::path& target, const std::string& end);
 
 bool IsTemporary(const std::filesystem::path& file);
