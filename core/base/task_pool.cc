@@ -8,20 +8,38 @@
 #include "core/base/error.h"
 
 namespace cvo {
+namespace {
+
+void JoinAll(std::vector<std::thread>& workers, std::mutex& mutex, bool& stopping,
+             std::condition_variable& changed) {
+  {
+    const std::lock_guard lock(mutex);
+    stopping = true;
+  }
+  changed.notify_all();
+  for (std::thread& worker : workers) worker.join();
+}
+
+}  // namespace
 
 TaskPool::TaskPool(int threads) {
   Require(threads >= 1, "TaskPool: threads must be at least 1");
-  for (int i = 1; i < threads; ++i) workers_.emplace_back([this] { RunWorker(); });
+  workers_.reserve(static_cast<std::size_t>(threads) - 1);
+  try {
+    for (int i = 1; i < threads; ++i) workers_.emplace_back([this] { RunWorker(); });
+  } catch (const std::exception&) {  // the system has no room for more
+    const std::size_t started = workers_.size() + 1;
+    JoinAll(workers_, mutex_, stopping_, changed_);
+    ThrowError("threads", StrCat(threads), StrCat("at most ", started, ", as many as could start"));
+  }
 }
 
 TaskPool::~TaskPool() {
   {
     const std::lock_guard lock(mutex_);
-    stopping_ = true;
     waiting_.clear();
   }
-  changed_.notify_all();
-  for (std::thread& worker : workers_) worker.join();
+  JoinAll(workers_, mutex_, stopping_, changed_);
 }
 
 TaskPool::Ticket TaskPool::Submit(std::function<void()> work) {

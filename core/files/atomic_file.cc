@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/files/temporary.h"
 
 namespace cvo {
 namespace fs = std::filesystem;
@@ -72,11 +73,10 @@ class StagedFile {
   }
 
  private:
-  // A name that no other process uses; a killed run may have left some behind.
+  // A killed process of the same number may have left some behind.
   int Create() {
     for (int attempt = 0;; ++attempt) {
-      temporary_ = target_.parent_path() /
-                   StrCat(".", target_.filename().string(), ".", ::getpid(), "-", attempt, ".tmp");
+      temporary_ = TemporaryName(target_, std::to_string(attempt));
       const int fd = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
       if (fd >= 0) return fd;
       if (errno != EEXIST || attempt == 1000) ThrowErrno(target_, "write", errno);
@@ -161,8 +161,10 @@ OutputFolder::OutputFolder(fs::path folder, const std::vector<std::string>& name
   std::error_code error;
   created_ = fs::create_directories(folder_, error);
   if (error) ThrowErrno(folder_, "create the folder", error.value());
+  RemoveLeftovers(folder_);
   for (const std::string& name : names) {
     const bool wanted = name.ends_with('/');
+    if (wanted) RemoveLeftovers(folder_ / name);
     const fs::path path = folder_ / name.substr(0, name.size() - (wanted ? 1 : 0));
     const fs::file_status status =
         wanted ? fs::status(path, error) : fs::symlink_status(path, error);

@@ -22,12 +22,19 @@ std::string Position(std::string_view text, std::size_t byte) {
   return StrCat("line ", line, ", column ", std::max<std::size_t>(1, before.size() - line_start));
 }
 
-// Refuses keys that an object has twice, which the parser itself would silently overwrite.
-class DuplicateKeys {
- public:
-  explicit DuplicateKeys(const std::string& where) : where_(where) {}
+// What walks through a value calls itself for each level.
+constexpr int kMostDepth = 200;
 
-  bool operator()(int /*depth*/, Json::parse_event_t event, Json& parsed) {
+// Refuses keys that an object has twice, which the parser itself would silently overwrite, and
+// values that are too deep.
+class ParseCheck {
+ public:
+  explicit ParseCheck(const std::string& where) : where_(where) {}
+
+  bool operator()(int depth, Json::parse_event_t event, Json& parsed) {
+    if (depth > kMostDepth) {
+      ThrowError(where_, StrCat("more than ", kMostDepth, " brackets in each other"), "fewer");
+    }
     if (event == Json::parse_event_t::object_start) {
       open_.emplace_back();
     } else if (event == Json::parse_event_t::object_end) {
@@ -120,7 +127,7 @@ class Writer {
 }  // namespace
 
 Json ParseJson(std::string_view text, const std::string& where) {
-  DuplicateKeys check(where);
+  ParseCheck check(where);
   try {
     return Json::parse(text, [&check](int depth, Json::parse_event_t event, Json& parsed) {
       return check(depth, event, parsed);

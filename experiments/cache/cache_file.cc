@@ -3,56 +3,25 @@
 #include "experiments/cache/cache_file.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
-#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
 #include <system_error>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/files/temporary.h"
 
 namespace cvo {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view kTemporaryEnd = ".tmp";
-// A writer has its lock by then.
-constexpr std::chrono::seconds kYoung(60);
-
 [[noreturn]] void ThrowErrno(const fs::path& file, const char* action, int error) {
   throw Error(StrCat(file.string(), ": cannot ", action, ": ", std::strerror(error)));
-}
-
-bool IsTemporary(const fs::path& file) {
-  const std::string name = file.filename().string();
-  return name.starts_with('.') && name.ends_with(kTemporaryEnd);
-}
-
-// Writers hold a lock on their temporary, on a shared folder too, so one that can be locked is
-// nobody's.
-void RemoveIfAbandoned(const fs::path& temporary) {
-  const int fd = ::open(temporary.c_str(), O_RDWR | O_CLOEXEC);
-  if (fd < 0) return;
-  if (::flock(fd, LOCK_EX | LOCK_NB) == 0) ::unlink(temporary.c_str());
-  ::close(fd);
-}
-
-void RemoveAbandonedTemporaries(const fs::path& folder) {
-  std::error_code error;
-  const auto now = fs::file_time_type::clock::now();
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    if (!IsTemporary(entry.path())) continue;
-    const auto written = entry.last_write_time(error);
-    if (!error && now - written > kYoung) RemoveIfAbandoned(entry.path());
-  }
 }
 
 void WriteAll(int fd, std::string_view bytes, std::uint64_t offset, const fs::path& file) {
@@ -71,15 +40,13 @@ NewCacheFile::NewCacheFile(const fs::path& folder) : folder_(folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) ThrowErrno(folder, "create the folder", error.value());
-  RemoveAbandonedTemporaries(folder);
+  RemoveLeftovers(folder);
   for (int attempt = 0;; ++attempt) {
-    temporary_ = folder / StrCat(".", ::getpid(), "-", attempt, kTemporaryEnd);
+    temporary_ = TemporaryName(folder / "new", std::to_string(attempt));
     fd_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (fd_ >= 0) break;
     if (errno != EEXIST || attempt == 1000) ThrowErrno(folder, "write to the folder", errno);
   }
-  // Without locks on this file system nobody can take one either, and the temporary is safe.
-  (void)::flock(fd_, LOCK_EX | LOCK_NB);
 }
 
 NewCacheFile::~NewCacheFile() {
@@ -103,47 +70,6 @@ void NewCacheFile::Publish(const std::string& name) {
   if (::link(temporary_.c_str(), target.c_str()) == 0 || errno == EEXIST) return;
   // File systems without hard links; whichever comes last stays then, and both hold the same.
   if (::rename(temporary_.c_str(), target.c_str()) != 0) ThrowErrno(target, "write", errno);
-}
-
-MappedFile::MappedFile(const fs::path& file) : path_(file) {
-  fd_ = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (fd_ < 0) ThrowErrno(file, "read", errno);
-  struct stat status {};
-  void* data = MAP_FAILED;
-  if (::fstat(fd_, &status) == 0 && status.st_size > 0) {
-    size_bytes_ = static_cast<std::uint64_t>(status.st_size);
-    data = ::mmap(nullptr, size_bytes_, PROT_READ, MAP_SHARED, fd_, 0);
-  } else {
-    errno = ENODATA;
-  }
-  if (data == MAP_FAILED) {
-    const int error = errno;
-    ::close(fd_);
-    ThrowErrno(file, "read", error);
-  }
-  data_ = static_cast<const char*>(data);
-}
-
-MappedFile::MappedFile(MappedFile&& other) noexcept
-    : path_(std::move(other.path_)),
-      fd_(std::exchange(other.fd_, -1)),
-      size_bytes_(std::exchange(other.size_bytes_, 0)),
-      data_(std::exchange(other.data_, nullptr)) {}
-
-MappedFile::~MappedFile() {
-  if (data_ != nullptr) ::munmap(const_cast<char*>(data_), size_bytes_);
-  if (fd_ >= 0) ::close(fd_);
-}
-
-std::string MappedFile::Read(std::uint64_t offset, std::uint64_t count) const {
-  struct stat status {};
-  const bool whole =
-      ::fstat(fd_, &status) == 0 && static_cast<std::uint64_t>(status.st_size) >= size_bytes_;
-  if (!whole || count > size_bytes_ || offset > size_bytes_ - count) {
-    ThrowError(path_.string(), StrCat(whole ? size_bytes_ : status.st_size, " bytes"),
-               StrCat(count, " from the byte ", offset));
-  }
-  return {data_ + offset, count};
 }
 
 bool IsGone(const fs::path& file) {

@@ -33,26 +33,6 @@ class NewCacheFile {
   std::uint64_t size_bytes_ = 0;
 };
 
-// A file's bytes in memory, as the system reads them in. Throws Error where it cannot be opened.
-class MappedFile {
- public:
-  explicit MappedFile(const std::filesystem::path& file);
-  ~MappedFile();
-  MappedFile(MappedFile&& other) noexcept;
-  MappedFile& operator=(MappedFile&&) = delete;
-
-  std::uint64_t size_bytes() const { return size_bytes_; }
-  // A copy, so that what is checked is what is used. Throws Error where there are no such bytes,
-  // as of a file that has been cut since.
-  std::string Read(std::uint64_t offset, std::uint64_t count) const;
-
- private:
-  std::filesystem::path path_;
-  int fd_ = -1;
-  std::uint64_t size_bytes_ = 0;
-  const char* data_ = nullptr;
-};
-
 // Whether there is no such file, as once another process has removed it.
 bool IsGone(const std::filesystem::path& file);
 

@@ -12,7 +12,9 @@
 
 namespace cvo {
 
-std::string HashImage(const std::filesystem::path& file) {
+std::string HashFile(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return "";  // a pipe would block
   std::ifstream in(file, std::ios::binary);
   std::ostringstream bytes;
   bytes << in.rdbuf();
@@ -20,7 +22,7 @@ std::string HashImage(const std::filesystem::path& file) {
 }
 
 ImageHashes HashPair(const StereoPaths& pair) {
-  return {HashImage(pair.left), HashImage(pair.right)};
+  return {HashFile(pair.left), HashFile(pair.right)};
 }
 
 std::vector<ImageHashes> HashImages(const Sequence& sequence) {

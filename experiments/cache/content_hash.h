@@ -23,8 +23,8 @@ std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>
 // Every number of the camera, in the order of its declaration.
 Json CameraNumbers(const StereoCamera& camera);
 
-// Hash of an image file's bytes; empty where it cannot be read.
-std::string HashImage(const std::filesystem::path& file);
+// SHA-256 of a file's bytes; empty where it cannot be read.
+std::string HashFile(const std::filesystem::path& file);
 ImageHashes HashPair(const StereoPaths& pair);
 // Of every frame; reads all images.
 std::vector<ImageHashes> HashImages(const Sequence& sequence);

@@ -57,12 +57,19 @@ Header DecodeHeader(const std::string& bytes, const std::string& name) {
   return header;
 }
 
+std::uint64_t SizeOf(const std::filesystem::path& file) {
+  std::error_code error;  // also of a pipe
+  const std::uint64_t size_bytes = std::filesystem::file_size(file, error);
+  if (error) ThrowError(file.string(), error.message(), "features of a sequence");
+  return size_bytes;
+}
+
 }  // namespace
 
 FeatureFile::FeatureFile(const std::filesystem::path& file, const std::string& key,
                          std::size_t frames)
-    : name_(file.string()), file_(file) {
-  const Header header = DecodeHeader(file_.Read(0, kHeaderBytes), name_);
+    : name_(file.string()), size_bytes_(SizeOf(file)), file_(file, std::ios::binary) {
+  const Header header = DecodeHeader(Read(0, kHeaderBytes), name_);
   if (header.key != key || header.frames != frames) {
     ThrowError(name_, StrCat(header.frames, " frames under the key ", header.key),
                StrCat(frames, " under ", key));
@@ -70,13 +77,24 @@ FeatureFile::FeatureFile(const std::filesystem::path& file, const std::string& k
   places_ = ReadIndex(header.index_offset, frames);
 }
 
+std::string FeatureFile::Read(std::uint64_t offset, std::uint64_t count) const {
+  const bool there = count <= size_bytes_ && offset <= size_bytes_ - count;
+  std::string bytes(there ? count : 0, '\0');
+  file_.seekg(static_cast<std::streamoff>(offset));
+  file_.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!there || !file_) {
+    ThrowError(name_, StrCat(size_bytes_, " bytes"), StrCat(count, " from the byte ", offset));
+  }
+  return bytes;
+}
+
 std::vector<FeatureFile::Place> FeatureFile::ReadIndex(std::uint64_t offset,
                                                        std::size_t frames) const {
   const std::uint64_t index_bytes = frames * kPlaceBytes + kHashBytes;
-  if (file_.size_bytes() < index_bytes || offset != file_.size_bytes() - index_bytes) {
-    ThrowError(name_, StrCat(file_.size_bytes(), " bytes"), StrCat(offset + index_bytes));
+  if (size_bytes_ < index_bytes || offset != size_bytes_ - index_bytes) {
+    ThrowError(name_, StrCat(size_bytes_, " bytes"), StrCat(offset + index_bytes));
   }
-  const std::string index = file_.Read(offset, index_bytes);
+  const std::string index = Read(offset, index_bytes);
   ByteReader reader(Checked(index, name_, "index"));
   std::vector<Place> places;
   std::uint64_t end = kHeaderBytes;
@@ -93,7 +111,7 @@ std::vector<FeatureFile::Place> FeatureFile::ReadIndex(std::uint64_t offset,
 
 FrontEndFrame FeatureFile::Frame(std::size_t index) const {
   const Place& place = places_.at(index);
-  const std::string bytes = file_.Read(place.offset, place.size_bytes);
+  const std::string bytes = Read(place.offset, place.size_bytes);
   if (Sha256Hex(bytes) != place.sha256) {
     ThrowError(name_, StrCat("damage in frame ", index), "the bytes that were written");
   }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -32,10 +33,12 @@ class FeatureFile {
     std::string sha256;
   };
 
+  std::string Read(std::uint64_t offset, std::uint64_t count) const;
   std::vector<Place> ReadIndex(std::uint64_t offset, std::size_t frames) const;
 
   std::string name_;
-  MappedFile file_;
+  std::uint64_t size_bytes_;
+  mutable std::ifstream file_;
   std::vector<Place> places_;
 };
 

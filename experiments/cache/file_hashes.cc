@@ -20,71 +20,32 @@ namespace {
 
 constexpr std::int64_t kRacy_ns = 2'000'000'000;  // the coarsest time stamps in use
 
-// The hashes that a rendered scene came with.
-class SceneManifest {
- public:
-  explicit SceneManifest(const fs::path& folder) : folder_(folder) {
-    const fs::path file = folder / "manifest.json";
-    const std::optional<FileStamp> stamp = StampOf(file);
-    if (!stamp) return;
-    written_ns_ = stamp->changed_ns;
-    try {
-      const Json json = ReadJson(file);
-      if (json.at("kind") != "clustervo synthetic sequence" || json.at("schema_version") != 1) {
-        return;
-      }
-      for (const Json& row : json.at("files")) {
-        files_[row.at("name")] = {row.at("size_bytes"), row.at("sha256")};
-      }
-    } catch (const std::exception&) {  // not a manifest: its folder is hashed
-      files_.clear();
-    }
-  }
-
-  std::string Find(const fs::path& file, const FileStamp& stamp) const {
-    const auto entry = files_.find(file.lexically_relative(folder_).generic_string());
-    if (entry == files_.end() || entry->second.first != stamp.size_bytes) return "";
-    const bool as_written = std::max(stamp.modified_ns, stamp.changed_ns) <= written_ns_;
-    return as_written ? entry->second.second : "";
-  }
-
- private:
-  fs::path folder_;
-  std::int64_t written_ns_ = 0;
-  std::map<std::string, std::pair<std::int64_t, std::string>> files_;  // name: size, SHA-256
-};
-
-struct Image {
+struct UnknownFile {
   const fs::path* file;
   std::string* sha256;
-  std::optional<FileStamp> stamp;  // before it was read
+  FileStamp stamp;  // before it was read
 };
 
-class ImageHasher {
+class FileHasher {
  public:
-  ImageHasher(const Sequence& sequence, fs::path index_folder, const FileHashHooks& hooks)
-      : index_folder_(std::move(index_folder)), hooks_(hooks), manifest_(sequence.folder) {}
+  FileHasher(fs::path index_folder, const FileHashHooks& hooks)
+      : index_folder_(std::move(index_folder)), hooks_(hooks) {}
 
-  // Whether the hash is known without reading the file.
-  bool Lookup(Image& image) {
-    image.stamp = StampOf(*image.file);
-    if (!image.stamp) return true;  // no file, no hash
-    *image.sha256 = IndexOf(*image.file).Find(image.file->filename().string(), *image.stamp);
-    if (image.sha256->empty()) *image.sha256 = manifest_.Find(*image.file, *image.stamp);
-    return !image.sha256->empty();
+  std::string Lookup(const fs::path& file, const FileStamp& stamp) {
+    return IndexOf(file).Find(file.filename().string(), stamp);
   }
 
-  void HashAll(std::vector<Image>& images, TaskPool& pool) {
+  void HashAll(const std::vector<UnknownFile>& files, TaskPool& pool) {
     const std::int64_t start_ns = hooks_.now_ns();
     std::mutex mutex;
     std::size_t done = 0;
-    pool.ParallelFor(static_cast<int>(images.size()), [&](int i) {
-      const Image& image = images[static_cast<std::size_t>(i)];
-      *image.sha256 = HashImage(*image.file);
+    pool.ParallelFor(static_cast<int>(files.size()), [&](int i) {
+      const UnknownFile& unknown = files[static_cast<std::size_t>(i)];
+      *unknown.sha256 = HashFile(*unknown.file);
       const std::lock_guard lock(mutex);
-      hooks_.hashed(++done, images.size());
+      hooks_.hashed(++done, files.size());
     });
-    for (const Image& image : images) Keep(image, start_ns);
+    for (const UnknownFile& unknown : files) Keep(unknown, start_ns);
     for (const auto& [folder, index] : indices_) Save(index);
   }
 
@@ -94,11 +55,11 @@ class ImageHasher {
     return indices_.try_emplace(folder, index_folder_, folder, hooks_.notice).first->second;
   }
 
-  void Keep(const Image& image, std::int64_t start_ns) {
-    const FileStamp& stamp = *image.stamp;
+  void Keep(const UnknownFile& unknown, std::int64_t start_ns) {
+    const auto& [file, sha256, stamp] = unknown;
     const bool settled = std::max(stamp.modified_ns, stamp.changed_ns) + kRacy_ns <= start_ns;
-    if (image.sha256->empty() || !settled || StampOf(*image.file) != image.stamp) return;
-    IndexOf(*image.file).Add(image.file->filename().string(), stamp, *image.sha256);
+    if (sha256->empty() || !settled || StampOf(*file) != stamp) return;
+    IndexOf(*file).Add(file->filename().string(), stamp, *sha256);
   }
 
   void Save(const HashIndex& index) const {
@@ -111,26 +72,40 @@ class ImageHasher {
 
   fs::path index_folder_;
   const FileHashHooks& hooks_;
-  SceneManifest manifest_;
   std::map<fs::path, HashIndex> indices_;
 };
 
 }  // namespace
 
-std::vector<ImageHashes> FindImageHashes(const Sequence& sequence, const fs::path& index_folder,
-                                         TaskPool& pool, const FileHashHooks& hooks) {
-  std::vector<ImageHashes> hashes(sequence.images.size());
-  ImageHasher hasher(sequence, index_folder, hooks);
-  std::vector<Image> unknown;
-  for (std::size_t i = 0; i < hashes.size(); ++i) {
-    Image pair[] = {{&sequence.images[i].left, &hashes[i].left, {}},
-                    {&sequence.images[i].right, &hashes[i].right, {}}};
-    for (Image& image : pair) {
-      if (!hasher.Lookup(image)) unknown.push_back(image);
-    }
+std::vector<std::string> FindFileHashes(const std::vector<fs::path>& files,
+                                        const fs::path& index_folder, TaskPool& pool,
+                                        const FileHashHooks& hooks) {
+  std::vector<std::string> hashes(files.size());
+  FileHasher hasher(index_folder, hooks);
+  std::vector<UnknownFile> unknown;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::optional<FileStamp> stamp = StampOf(files[i]);
+    if (!stamp) continue;  // no file, no hash
+    hashes[i] = hasher.Lookup(files[i], *stamp);
+    if (hashes[i].empty()) unknown.push_back({&files[i], &hashes[i], *stamp});
   }
   if (!unknown.empty()) hasher.HashAll(unknown, pool);
   return hashes;
+}
+
+std::vector<ImageHashes> FindImageHashes(const Sequence& sequence, const fs::path& index_folder,
+                                         TaskPool& pool, const FileHashHooks& hooks) {
+  std::vector<fs::path> files;
+  for (const StereoPaths& pair : sequence.images) {
+    files.push_back(pair.left);
+    files.push_back(pair.right);
+  }
+  std::vector<std::string> hashes = FindFileHashes(files, index_folder, pool, hooks);
+  std::vector<ImageHashes> images;
+  for (std::size_t i = 0; i < hashes.size(); i += 2) {
+    images.push_back({std::move(hashes[i]), std::move(hashes[i + 1])});
+  }
+  return images;
 }
 
 }  // namespace cvo

@@ -25,10 +25,14 @@ struct FileHashHooks {
   };
 };
 
-// Hashes of a sequence's images for ContentHash, without reading a file whose hash is known: from
-// the index in `index_folder`, or from the manifest of a rendered scene that is no older than the
-// file. What had to be read is added to the index, but for files that changed within the last two
-// seconds, whose stamp may not tell another change. An index that cannot be used costs time only.
+// SHA-256 of each file, empty where it cannot be read, without reading one whose hash is known from
+// the index in `index_folder` (empty: there is none). What had to be read is added to the index,
+// but for files that changed within the last two seconds, whose stamp may not tell another change.
+// An index that cannot be used costs time only.
+std::vector<std::string> FindFileHashes(const std::vector<std::filesystem::path>& files,
+                                        const std::filesystem::path& index_folder, TaskPool& pool,
+                                        const FileHashHooks& hooks = {});
+// Those of a sequence's images, for ContentHash.
 std::vector<ImageHashes> FindImageHashes(const Sequence& sequence,
                                          const std::filesystem::path& index_folder, TaskPool& pool,
                                          const FileHashHooks& hooks = {});

@@ -67,7 +67,7 @@ HashIndex::HashIndex(const fs::path& index_folder, const fs::path& folder, const
 
 HashIndex::Entries HashIndex::Read() const {
   const fs::path file = index_folder_ / name_;
-  if (IsGone(file)) return {};
+  if (index_folder_.empty() || IsGone(file)) return {};
   const Json json = ParseIndex(ReadFileBytes(file), file.string());
   if (json.at("folder") != folder_) {
     ThrowError(file.string(), Quoted(json.at("folder").dump()), folder_);
@@ -92,7 +92,7 @@ void HashIndex::Add(const std::string& name, const FileStamp& stamp, const std::
 }
 
 void HashIndex::Save() const {
-  if (!changed_) return;
+  if (!changed_ || index_folder_.empty()) return;
   std::error_code error;
   fs::create_directories(index_folder_, error);
   Entries merged;

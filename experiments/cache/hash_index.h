@@ -29,6 +29,7 @@ struct FileStamp {
 class HashIndex {
  public:
   // Reads what is known of `folder`. A damaged file counts as empty: it is removed, with a notice.
+  // Without an index folder nothing is known and nothing kept.
   HashIndex(const std::filesystem::path& index_folder, const std::filesystem::path& folder,
             const Notice& notice);
 

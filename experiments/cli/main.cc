@@ -1,7 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <opencv2/core/utility.hpp>
 #include <string>
@@ -11,6 +15,7 @@
 #include "core/base/error.h"
 #include "core/files/closest_names.h"
 #include "experiments/cli/command.h"
+#include "experiments/cli/output_file.h"
 
 namespace cvo {
 namespace {
@@ -55,6 +60,22 @@ int UsageError(const CLI::App& program, const CLI::ParseError& error) {
   return Fail(StrCat(error.what(), " (see clustervo", name, " --help)"), kUsage);
 }
 
+// In place of streams that are closed, which the next files to be opened would become. Writing to
+// these fails, too.
+void ReplaceClosedStreams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) < 0) (void)::open("/dev/null", O_RDONLY);
+  }
+}
+
+// A full disk or a closed stream shows now at the latest.
+int CheckPrinted(int exit_code) {
+  std::cout.flush();
+  if (std::cout) return exit_code;
+  const int code = Fail("standard output: what was printed could not all be written", kBadInput);
+  return exit_code == 0 ? code : exit_code;
+}
+
 int Main(int argc, char** argv) {
   cv::setNumThreads(1);  // the program's own threads are enough, and OpenCV's cost determinism
 
@@ -66,7 +87,8 @@ int Main(int argc, char** argv) {
   program.require_subcommand(1);
   program.footer(
       "Start with: clustervo info SEQUENCE, then clustervo run SEQUENCE -o OUT.\n"
-      "Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 internal error, 130 stopped.");
+      "Exit codes: 0 done, 1 bad input or a failure, 2 wrong usage, 3 internal error, 130 "
+      "stopped.");
   const std::vector<Command> commands = {
       AddRunCommand(program),        AddEvalCommand(program),    AddInfoCommand(program),
       AddVariantsCommand(program),   AddOptionsCommand(program), AddSynthCommand(program),
@@ -90,7 +112,13 @@ int Main(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return cvo::Main(argc, argv);
+    cvo::ReplaceClosedStreams();
+    return cvo::CheckPrinted(cvo::Main(argc, argv));
+  } catch (const cvo::UsageError& error) {
+    return cvo::Fail(error.what(), cvo::kUsage);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return cvo::Fail(cvo::StrCat(error.path1().string(), ": ", error.code().message()),
+                     cvo::kUsage);
   } catch (const cvo::Error& error) {
     return cvo::Fail(error.what(), cvo::kBadInput);
   } catch (const std::exception& error) {

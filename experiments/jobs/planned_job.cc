@@ -7,12 +7,13 @@
 
 #include "core/base/error.h"
 #include "core/files/atomic_file.h"
+#include "core/files/temporary.h"
 #include "experiments/cache/content_hash.h"
-#include "experiments/jobs/temporaries.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/runner/score_files.h"
 #include "experiments/suite/cell_input.h"
+#include "experiments/suite/scenes.h"
 #include "variants/registry.h"
 
 namespace cvo {
@@ -96,6 +97,7 @@ void RunPlannedJob(const Plan& plan, const std::string& id, const SuiteFolder& f
                    const JobCache& cache) {
   const PlannedJob& job = FindJob(plan, id, folder);
   const Sequence sequence = OpenSequence(RequestOf(job.cell, job.folder, plan.data));
+  RequireAsRendered(sequence, [&](const auto& files) { return cache.HashesOf(files, 1); });
   const JobFolder output(folder, id);
   (job.cell.system.empty() ? RunVariant : RunSystem)(plan, job.cell, sequence, cache, output);
 }

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/files/temporary.h"
 #include "experiments/jobs/job_status.h"
-#include "experiments/jobs/temporaries.h"
 
 namespace cvo {
 namespace {

@@ -12,6 +12,12 @@ JobCache::JobCache(const std::filesystem::path& cache_folder, std::uint64_t limi
       hashes_(cache_folder / "hashes"),
       front_end_(cache_folder / "frontend", limit_bytes, hooks.notice) {}
 
+std::vector<std::string> JobCache::HashesOf(const std::vector<std::filesystem::path>& files,
+                                            int threads) const {
+  TaskPool pool(threads);
+  return FindFileHashes(files, hashes_, pool, hooks_);
+}
+
 std::vector<ImageHashes> JobCache::ImagesOf(const Sequence& sequence, int threads) const {
   TaskPool pool(threads);
   return FindImageHashes(sequence, hashes_, pool, hooks_);

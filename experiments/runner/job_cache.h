@@ -18,6 +18,9 @@ class JobCache {
   JobCache(const std::filesystem::path& cache_folder, std::uint64_t limit_bytes,
            const FileHashHooks& hooks);
 
+  // See FindFileHashes.
+  std::vector<std::string> HashesOf(const std::vector<std::filesystem::path>& files,
+                                    int threads) const;
   // Hashes of the sequence's images, for ContentHash and IdentifyJob.
   std::vector<ImageHashes> ImagesOf(const Sequence& sequence, int threads) const;
   // Fills in the request's image hashes and lets it use the features. The cache must outlive it.

@@ -18,6 +18,7 @@
 #include "experiments/suite/cell_input.h"
 #include "experiments/suite/data_folder.h"
 #include "experiments/suite/scenes.h"
+#include "synth/write/manifest.h"
 
 namespace cvo {
 namespace {
@@ -45,7 +46,10 @@ class Planner {
         request_(request),
         data_(Absolute(request.data)),
         scenes_(Absolute(request.cache)),
-        pool_(request.threads) {}
+        pool_(request.threads),
+        hash_index_(Absolute(request.cache) / "hashes") {
+    hooks_.notice = request.notice;
+  }
 
   BuiltPlan Build();
 
@@ -53,6 +57,8 @@ class Planner {
   const Input& InputOf(const Cell& cell);
   Input FindInput(const Cell& cell);
   void Open(const Cell& cell, Input& input);
+  std::vector<std::string> Hashes(const std::vector<fs::path>& files);
+  bool IsRendered(RenderedScene& scene);
   PlannedJob PlanCell(const Cell& cell);
   void IdentifyFiles(const Input& input, PlannedJob& job) const;
   void Want(const RenderedScene& scene, const Cell& cell);
@@ -63,6 +69,8 @@ class Planner {
   DataFolder data_;
   SceneFolders scenes_;
   TaskPool pool_;
+  fs::path hash_index_;
+  FileHashHooks hooks_;
   BuildIdentity build_ = ThisBuild();
   std::map<std::string, Input> inputs_;
   std::vector<std::pair<std::string, SceneRender>> wanted_;  // with the key of the drawing
@@ -78,6 +86,22 @@ void Planner::Want(const RenderedScene& scene, const Cell& cell) {
        {name, cell.sequence.name, scene.folder, scene.arguments, scene.frames, !scene.drawn}});
 }
 
+std::vector<std::string> Planner::Hashes(const std::vector<fs::path>& files) {
+  return FindFileHashes(files, hash_index_, pool_, hooks_);
+}
+
+// What is damaged is drawn again: the cache shares files with it.
+bool Planner::IsRendered(RenderedScene& scene) {
+  std::error_code ignored;
+  if (!fs::exists(scene.folder / synth::kManifestName, ignored)) return false;
+  const auto damage =
+      FindSceneDamage(scene.folder, [this](const auto& files) { return Hashes(files); });
+  if (!damage) return true;
+  request_.notice("a scene in the cache is damaged and rendered again: " + *damage);
+  scene.drawn = false;
+  return false;
+}
+
 // One of each drawing draws, unless the cache has it.
 void Planner::OrderRenders() {
   std::set<std::string> drawing;
@@ -89,9 +113,9 @@ void Planner::OrderRenders() {
 void Planner::Open(const Cell& cell, Input& input) {
   input.sequence = OpenSequence(RequestOf(cell, input.folder, data_.root()));
   input.frames = static_cast<int>(input.sequence.images.size());
-  FileHashHooks hooks;
-  hooks.notice = request_.notice;
-  input.images = FindImageHashes(input.sequence, Absolute(request_.cache) / "hashes", pool_, hooks);
+  const auto hash = [this](const auto& files) { return Hashes(files); };
+  if (cell.sequence.scene.empty()) RequireAsRendered(input.sequence, hash);
+  input.images = FindImageHashes(input.sequence, hash_index_, pool_, hooks_);
   input.content = ContentHash(input.sequence, input.images);
 }
 
@@ -105,8 +129,8 @@ Input Planner::FindInput(const Cell& cell) {
       if (input.missing.empty()) Open(cell, input);
       return input;
     }
-    const RenderedScene scene = scenes_.Find(cell.sequence, cell.parameters, cell.seed);
-    if (!IsRendered(scene.folder)) {
+    RenderedScene scene = scenes_.Find(cell.sequence, cell.parameters, cell.seed);
+    if (!IsRendered(scene)) {
       Want(scene, cell);
       input.missing = kNotRendered;
       input.frames = scene.frames;

@@ -17,7 +17,7 @@ struct PlanRequest {
   std::filesystem::path data;   // below it folders are looked for; empty: there is none
   std::filesystem::path cache;  // synth::CacheFolder()
   int threads = 1;              // that hash images
-  Notice notice = [](const std::string&) {};  // of trouble with the cache: it costs time only
+  Notice notice = [](const std::string&) {};  // of damage in the cache: it costs time only
   std::function<void(std::size_t done, std::size_t total)> progress;  // over cells; may be empty
 };
 

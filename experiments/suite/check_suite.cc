@@ -122,6 +122,24 @@ void CheckSequences(const Suite& suite, const std::string& where) {
   }
 }
 
+// Before the cells are listed, which would take all memory.
+void CheckCount(const Suite& suite, const std::string& where) {
+  constexpr double kMostRuns = 100'000;
+  double points = 1.0;
+  for (const GridAxis& axis : suite.grid) {
+    const auto values = static_cast<double>(axis.values.size());
+    points = suite.grid_one_at_a_time ? points + values : points * values;
+  }
+  double runs = points;
+  for (const std::size_t count : {suite.sequences.size(), suite.seeds.size(), suite.oracles.size(),
+                                  suite.variants.size() + suite.systems.size()}) {
+    runs *= static_cast<double>(count);
+  }
+  if (runs > kMostRuns) {
+    ThrowError(where, StrCat(runs, " runs"), StrCat("at most ", kMostRuns, " in one suite"));
+  }
+}
+
 // Each value of each axis alone, then the axes together.
 void CheckGrid(const Suite& suite, const std::string& where) {
   for (const GridAxis& axis : suite.grid) {
@@ -232,6 +250,7 @@ void CheckSuite(const Suite& suite, const std::string& where) {
   if (std::set(suite.seeds.begin(), suite.seeds.end()).size() < suite.seeds.size()) {
     ThrowError(where + ", seeds", "a seed twice", "each once");
   }
+  CheckCount(suite, where);
   At(where + ", options", [&] { OptionsOf(suite, {}); });
   CheckGrid(suite, where);
   CheckOracles(suite, where);

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using synth::ObjectReader;
 
-constexpr double kMostSeeds = 10000;
+constexpr int kMostSeeds = 10000;
 
 std::vector<std::string> TextsOr(ObjectReader& object, const std::string& key,
                                  std::vector<std::string> fallback) {
@@ -94,6 +94,9 @@ std::vector<std::uint64_t> ReadSeeds(ObjectReader& object) {
     seeds.resize(static_cast<std::size_t>(object.Integer("seeds", {1, kMostSeeds})));
     std::iota(seeds.begin(), seeds.end(), 1);
     return seeds;
+  }
+  if (value.size() > kMostSeeds) {
+    ThrowError(object.Where("seeds"), StrCat(value.size()), StrCat("at most ", kMostSeeds));
   }
   for (const Json& seed : value) {
     const bool integer =

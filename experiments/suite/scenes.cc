@@ -5,9 +5,11 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "experiments/datasets/frame_range.h"
+#include "core/files/number.h"
+#include "experiments/cache/content_hash.h"
 #include "experiments/suite/cell_input.h"
 #include "synth/write/manifest.h"
+#include "synth/write/render_cache.h"
 #include "synth/write/write_scene.h"
 
 namespace cvo {
@@ -26,6 +28,14 @@ synth::RenderRequest RenderOf(const SuiteSequence& sequence, std::uint64_t seed)
     if (range.end >= 0) request.frames.end = range.end;
   }
   return request;
+}
+
+// Whether a file of a rendered folder is of one of the frames, or of the sequence as a whole.
+bool IsOf(const FrameRange& frames, const std::string& name) {
+  const fs::path path = name;
+  if (!path.has_parent_path()) return true;
+  const std::optional<std::int64_t> number = ParseInteger(path.stem().string());
+  return !number || (*number >= frames.begin && (frames.end < 0 || *number < frames.end));
 }
 
 }  // namespace
@@ -48,7 +58,7 @@ RenderedScene SceneFolders::Find(const SuiteSequence& sequence, const GridPoint&
   const synth::RenderRequest request = RenderOf(sequence, seed);
   RenderedScene found;
   const std::string key = synth::DatasetKey(source, request).substr(0, kKeyDigits);
-  found.folder = cache_ / "scenes" / StrCat(source.scene, "-", key) / source.scene;
+  found.folder = synth::ScenesFolder(cache_) / StrCat(source.scene, "-", key) / source.scene;
   found.drawing = synth::DrawingKey(source, request);
   std::error_code ignored;
   found.drawn = fs::exists(cache_ / found.drawing / synth::kManifestName, ignored);
@@ -69,18 +79,38 @@ RenderedScene SceneFolders::Find(const SuiteSequence& sequence, const GridPoint&
   return found;
 }
 
-bool IsRendered(const fs::path& folder) {
-  std::error_code error;
-  if (!fs::exists(folder / synth::kManifestName, error)) return false;
-  try {
-    const std::vector<synth::FileRecord> files = synth::ReadManifest(folder).files;
-    return std::all_of(files.begin(), files.end(), [&](const synth::FileRecord& file) {
-      const auto size = fs::file_size(folder / file.name, error);
-      return !error && static_cast<std::int64_t>(size) == file.size_bytes;
-    });
-  } catch (const Error&) {
-    return false;  // damaged: rendered again
+std::vector<std::string> HashesByReading(const std::vector<fs::path>& files) {
+  std::vector<std::string> hashes;
+  for (const fs::path& file : files) hashes.push_back(HashFile(file));
+  return hashes;
+}
+
+std::optional<std::string> FindSceneDamage(const fs::path& folder, const HashFiles& hash,
+                                           const FrameRange& frames) try {
+  std::vector<synth::FileRecord> records = synth::ReadManifest(folder).files;
+  std::erase_if(records, [&](const auto& record) { return !IsOf(frames, record.name); });
+  std::vector<fs::path> files;
+  for (const synth::FileRecord& record : records) files.push_back(folder / record.name);
+  const std::vector<std::string> hashes = hash(files);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (hashes[i] == records[i].sha256) continue;
+    return files[i].string() +
+           (hashes[i].empty() ? " cannot be read" : " has other content than it was written with");
   }
+  return std::nullopt;
+} catch (const Error& error) {
+  return error.what();
+}
+
+void RequireAsRendered(const Sequence& sequence, const HashFiles& hash) {
+  std::error_code ignored;
+  if (!fs::exists(sequence.folder / synth::kManifestName, ignored)) return;
+  const int frames = static_cast<int>(sequence.images.size());
+  const auto damage =
+      FindSceneDamage(sequence.folder, hash, {sequence.first_frame, sequence.first_frame + frames});
+  if (!damage) return;
+  throw Error(StrCat(*damage, "; expected the files that ", synth::kManifestName,
+                     " names: render the scene again, or remove that file to use others"));
 }
 
 }  // namespace cvo

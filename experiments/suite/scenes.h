@@ -4,10 +4,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "experiments/datasets/frame_range.h"
+#include "experiments/datasets/sequence.h"
 #include "experiments/suite/suite.h"
 #include "experiments/suite/suite_grid.h"
 #include "synth/write/dataset.h"
@@ -45,7 +49,19 @@ class SceneFolders {
   std::map<std::string, Source> sources_;  // by scene and assignments
 };
 
-// Whether every file that its manifest lists is there and has its size.
-bool IsRendered(const std::filesystem::path& folder);
+// SHA-256 of files, empty where one cannot be read: FindFileHashes.
+using HashFiles =
+    std::function<std::vector<std::string>(const std::vector<std::filesystem::path>&)>;
+
+std::vector<std::string> HashesByReading(const std::vector<std::filesystem::path>& files);
+
+// What is wrong with a rendered folder: a manifest that cannot be read, or the first file that is
+// gone or has other content than the manifest says. Frame by frame only `frames` are looked at.
+std::optional<std::string> FindSceneDamage(const std::filesystem::path& folder,
+                                           const HashFiles& hash, const FrameRange& frames = {});
+
+// Throws Error where the sequence is a rendered folder and a file that a run on it may read is not
+// the one that was rendered.
+void RequireAsRendered(const Sequence& sequence, const HashFiles& hash);
 
 }  // namespace cvo

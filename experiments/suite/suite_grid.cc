@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::string_view kScene = "scene.";
 constexpr double kLargest = 1e15;
+constexpr int kMostSteps = 1000;
 
 // Six significant digits: what a person would have written.
 double Rounded(double value) {
@@ -40,7 +41,7 @@ Json AxisValue(double value, bool integers) {
 std::vector<Json> RangeValues(synth::ObjectReader range) {
   const double from = range.Number("from", {-kLargest, kLargest});
   const double to = range.Number("to", {-kLargest, kLargest});
-  const int steps = range.Integer("steps", {2, 1000});
+  const int steps = range.Integer("steps", {2, kMostSteps});
   const std::string scale = range.TextOr("scale", "linear");
   const bool integers =
       range.Value("from").is_number_integer() && range.Value("to").is_number_integer();
@@ -151,6 +152,9 @@ std::vector<Json> ParseAxisValues(const Json& json, const std::string& where) {
   if (values.empty()) {
     ThrowError(where, json.is_array() ? "an empty list" : StrCat("a JSON ", json.type_name()),
                "a list of values or {\"from\", \"to\", \"steps\", \"scale\"}");
+  }
+  if (values.size() > kMostSteps) {
+    ThrowError(where, StrCat(values.size(), " values"), StrCat("at most ", kMostSteps));
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {

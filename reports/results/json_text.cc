@@ -138,8 +138,11 @@ std::string_view FindMember(const std::vector<JsonMember>& members, std::string_
 }
 
 std::string ReadText(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in.is_open() || std::filesystem::is_directory(file)) {
+  std::error_code ignored;
+  const bool regular = std::filesystem::is_regular_file(file, ignored);  // a pipe would block
+  std::ifstream in;
+  if (regular) in.open(file, std::ios::binary);
+  if (!in.is_open()) {
     ThrowError(file.string(), "no file that can be read", "a JSON file");
   }
   in.seekg(0, std::ios::end);

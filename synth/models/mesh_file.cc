@@ -48,7 +48,13 @@ cv::Mat ReadDiffuse(const aiScene& scene, const aiMaterial& material, const fs::
   }
   const aiTexture* embedded = scene.GetEmbeddedTexture(name.C_Str());
   const fs::path path = file.parent_path() / name.C_Str();
-  const cv::Mat image = embedded != nullptr ? Decode(*embedded) : cv::imread(path.string());
+  std::error_code ignored;
+  cv::Mat image;
+  if (embedded != nullptr) {
+    image = Decode(*embedded);
+  } else if (fs::is_regular_file(path, ignored)) {
+    image = cv::imread(path.string());
+  }
   if (image.empty()) {
     ThrowError(file.string(), StrCat("texture ", name.C_Str(), " that cannot be read"),
                "an image file beside it");
@@ -98,6 +104,10 @@ void AppendMesh(const aiMesh& from, const aiMatrix4x4& model_from_mesh, Mesh& to
 
 // The file's parts, one per material; a part without a texture has an empty image.
 std::vector<Part> ReadParts(const fs::path& file) {
+  std::error_code ignored;
+  if (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored)) {
+    ThrowError(file.string(), "no file, or a pipe or a device", "OBJ, PLY or glTF");
+  }
   Assimp::Importer importer;
   const aiScene* scene =
       importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_GenSmoothNormals |

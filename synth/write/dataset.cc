@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <opencv2/imgcodecs.hpp>
+#include <set>
 
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
@@ -18,16 +19,23 @@ namespace cvo::synth {
 namespace fs = std::filesystem;
 namespace {
 
-void RequireReplaceable(const fs::path& folder) {
-  std::error_code ignored;
-  if (!fs::exists(folder, ignored)) return;
-  const char* expected = "a new folder or a sequence that this program wrote";
-  if (!fs::is_directory(folder, ignored)) ThrowError(folder.string(), "a file", expected);
-  if (fs::is_empty(folder, ignored)) return;
-  try {
-    ReadManifest(folder);
-  } catch (const Error&) {
-    ThrowError(folder.string(), "other things in it", expected);
+constexpr char kReplaceable[] =
+    "a new folder or a sequence that this program wrote, as it wrote it";
+
+// <cache>/scenes/<name>-<key>/<name> is this program's own, damaged or not.
+bool IsSceneOfCache(const fs::path& folder) {
+  std::error_code none;
+  const fs::path below = fs::relative(folder, ScenesFolder(CacheFolder()), none);
+  return std::distance(below.begin(), below.end()) == 2 && *below.begin() != "..";
+}
+
+// Throws Error where the folder holds what its manifest does not name.
+void RequireNothingElse(const fs::path& folder, const Manifest& manifest) {
+  std::set<fs::path> named = {folder / kManifestName};
+  for (const FileRecord& file : manifest.files) named.insert(folder / file.name);
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    if (named.contains(entry.path()) || (entry.is_directory() && !entry.is_symlink())) continue;
+    ThrowError(entry.path().string(), "a file that manifest.json does not name", kReplaceable);
   }
 }
 
@@ -130,6 +138,20 @@ std::string DatasetKey(const DatasetSource& source, const RenderRequest& request
                             DumpJson(DescriptionOf(source, request.seed.value_or(source.seed))));
   for (const NamedDetector& detector : source.detectors) text += detector.name + "\n";
   return Sha256Hex(text);
+}
+
+void RequireReplaceable(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder, ignored)) return;
+  if (!fs::is_directory(folder, ignored)) ThrowError(folder.string(), "a file", kReplaceable);
+  if (fs::is_empty(folder, ignored) || IsSceneOfCache(folder)) return;
+  std::optional<Manifest> manifest;
+  try {
+    manifest = ReadManifest(folder);
+  } catch (const Error&) {
+    ThrowError(folder.string(), "other things in it", kReplaceable);
+  }
+  RequireNothingElse(folder, *manifest);
 }
 
 void WriteDataset(const DatasetSource& source, const RenderRequest& request,

@@ -49,10 +49,14 @@ std::string DrawingKey(const DatasetSource& source, const RenderRequest& request
 // Of all bytes that WriteDataset would write.
 std::string DatasetKey(const DatasetSource& source, const RenderRequest& request);
 
+// Throws Error where WriteDataset would not replace what is there: a file, a folder of other
+// things, or a data set with files that its manifest does not name. Scenes of the cache always are
+// replaced.
+void RequireReplaceable(const std::filesystem::path& folder);
+
 // Writes a folder in the layout of KITTI odometry with the ground truth beside it
 // (synth/README.md), from the cache where it holds the clean render. The folder appears complete or
-// not at all; one that is not such a data set (or empty) is never replaced: throws Error. Throws
-// Stopped.
+// not at all, and only where RequireReplaceable allows it. Throws Stopped.
 void WriteDataset(const DatasetSource& source, const RenderRequest& request,
                   const std::filesystem::path& folder);
 

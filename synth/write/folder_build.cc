@@ -3,63 +3,23 @@
 #include "synth/write/folder_build.h"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
-#include <optional>
 
 #include "core/base/error.h"
-#include "core/files/number.h"
 #include "core/files/sha256.h"
+#include "core/files/temporary.h"
 
 namespace cvo::synth {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view kMark = ".tmp-";
-constexpr std::chrono::hours kSilence(24);  // no render takes so long
-
 [[noreturn]] void ThrowErrno(const fs::path& path, const char* action, int error) {
   throw Error(StrCat(path.string(), ": cannot ", action, ": ", std::strerror(error)));
-}
-
-std::string HostName() {
-  std::array<char, 256> name{};
-  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
-}
-
-struct Owner {
-  std::string_view host;
-  std::int64_t process = 0;
-};
-
-// Of "name.tmp-<host>.<pid>-<end>"; empty where the name is another.
-std::optional<Owner> OwnerOf(std::string_view name) {
-  const std::size_t mark = name.rfind(kMark);
-  if (mark == std::string_view::npos) return std::nullopt;
-  const std::string_view tail = name.substr(mark + kMark.size());
-  const std::size_t dash = tail.rfind('-');
-  const std::size_t dot = tail.substr(0, dash).rfind('.');
-  if (dash == std::string_view::npos || dot == std::string_view::npos) return std::nullopt;
-  const auto process = ParseInteger(tail.substr(dot + 1, dash - dot - 1));
-  if (!process || *process <= 0) return std::nullopt;
-  return Owner{tail.substr(0, dot), *process};
-}
-
-// Of a process of another computer nothing is known but how long it has been silent.
-bool IsStale(const Owner& owner, const fs::path& temporary) {
-  if (owner.host == HostName()) {
-    return ::kill(static_cast<pid_t>(owner.process), 0) != 0 && errno == ESRCH;
-  }
-  std::error_code gone;
-  const fs::file_time_type written = fs::last_write_time(temporary, gone);
-  return !gone && fs::file_time_type::clock::now() - written > kSilence;
 }
 
 void CreateFolders(const fs::path& path) {
@@ -83,10 +43,6 @@ void Rename(const fs::path& from, const fs::path& to) {
 
 }  // namespace
 
-fs::path TemporaryName(const fs::path& target, const std::string& end) {
-  return StrCat(target.string(), kMark, HostName(), ".", ::getpid(), "-", end);
-}
-
 void WriteNewFile(const fs::path& path, std::string_view bytes) {
   const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (fd < 0) ThrowErrno(path, "write", errno);
@@ -105,21 +61,11 @@ void WriteNewFile(const fs::path& path, std::string_view bytes) {
   ThrowErrno(path, "write", error);
 }
 
-void RemoveStaleTemporaries(const fs::path& folder, const std::string& prefix) {
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-    const std::string name = entry.path().filename().string();
-    if (!name.starts_with(prefix)) continue;
-    const std::optional<Owner> owner = OwnerOf(name);
-    if (owner && IsStale(*owner, entry.path())) fs::remove_all(entry.path(), ignored);
-  }
-}
-
 FolderBuild::FolderBuild(const fs::path& target)
     : target_(fs::absolute(target).lexically_normal()) {
   if (target_.filename().empty()) target_ = target_.parent_path();
   CreateFolders(target_.parent_path());
-  RemoveStaleTemporaries(target_.parent_path(), target_.filename().string() + std::string(kMark));
+  RemoveLeftovers(target_.parent_path());
   temporary_ = CreateTemporary(target_);
 }
 

@@ -14,8 +14,8 @@ namespace cvo::synth {
 enum class Existing { kKeep, kReplace };
 
 // A folder of files that appears complete or not at all: built under a TemporaryName beside its
-// target, renamed at the end, removed otherwise. Temporaries that dead processes left for the
-// same target go away first. Files may be added from several threads; throws Error naming the file
+// target, renamed at the end, removed otherwise. What dead processes left
+// beside it goes away first. Files may be added from several threads; throws Error naming the file
 // and why.
 class FolderBuild {
  public:
@@ -47,12 +47,5 @@ class FolderBuild {
 
 // Writes a new file. Throws Error with the system's reason; nothing is left then.
 void WriteNewFile(const std::filesystem::path& path, std::string_view bytes);
-
-// "<target>.tmp-<host>.<pid>-<end>", of this process.
-std::filesystem::path TemporaryName(const std::filesystem::path& target, const std::string& end);
-
-// Removes temporaries whose name begins with `prefix`, of processes of this computer that do not
-// run any more, and those of others that are a day old.
-void RemoveStaleTemporaries(const std::filesystem::path& folder, const std::string& prefix);
 
 }  // namespace cvo::synth

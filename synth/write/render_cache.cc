@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "core/base/error.h"
+#include "core/files/temporary.h"
 
 namespace cvo::synth {
 namespace fs = std::filesystem;
@@ -38,9 +39,19 @@ fs::path CacheFolder() {
              "CLUSTERVO_CACHE=<folder> in the environment");
 }
 
+fs::path ScenesFolder(const fs::path& cache) { return cache / "scenes"; }
+
+void RemoveLeftoversOfRenders(const fs::path& cache) {
+  RemoveLeftovers(cache);
+  std::error_code none;
+  for (const fs::directory_entry& scene : fs::directory_iterator(ScenesFolder(cache), none)) {
+    RemoveLeftovers(scene.path());
+  }
+}
+
 std::optional<CachedRender> FindCachedRender(const fs::path& cache, const std::string& key,
                                              TaskPool& pool, const WorkHooks& hooks) {
-  RemoveStaleTemporaries(cache, "");
+  RemoveLeftoversOfRenders(cache);
   const fs::path folder = cache / key;
   std::error_code ignored;
   if (!fs::exists(folder, ignored)) return std::nullopt;

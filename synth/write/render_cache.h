@@ -14,6 +14,12 @@ namespace cvo::synth {
 // CLUSTERVO_CACHE, else clustervo in XDG_CACHE_HOME, else in ~/.cache. Throws Error where none of
 // these variables is set.
 std::filesystem::path CacheFolder();
+// Rendered sequences of suites: <name>-<key>/<name>.
+std::filesystem::path ScenesFolder(const std::filesystem::path& cache);
+
+// Removes what renders that were killed left in the cache and in its scenes
+// (core/files/temporary.h).
+void RemoveLeftoversOfRenders(const std::filesystem::path& cache);
 
 // A complete sequence without what depends on a seed.
 struct CachedRender {

@@ -25,9 +25,14 @@ struct CheckFlags {
   bool gate_time = false;
 };
 
+std::vector<std::filesystem::path> ReadBy(const CheckFlags& flags) {
+  return {flags.baseline, std::filesystem::path(flags.folder) / "plan.json"};
+}
+
 int WriteBaseline(const CheckFlags& flags) {
+  CheckOutputFile(flags.write_baseline, ReadBy(flags));
   const reports::Baseline baseline = reports::MakeBaseline(flags.folder, flags.gate_seeds);
-  WriteOutputFile(flags.write_baseline, reports::BaselineJson(baseline));
+  WriteOutputFile(flags.write_baseline, reports::BaselineJson(baseline), ReadBy(flags));
   std::cout << baseline.suite << ": " << baseline.jobs.size() << " runs with "
             << baseline.metrics.size() << " metrics; checked runs need " << baseline.seeds.size()
             << " seeds\nwritten: " << flags.write_baseline << '\n';
@@ -35,10 +40,14 @@ int WriteBaseline(const CheckFlags& flags) {
 }
 
 int Check(const CheckFlags& flags) {
+  for (const std::string& file : {flags.junit, flags.markdown}) {
+    if (!file.empty()) CheckOutputFile(file, ReadBy(flags));
+  }
   const reports::Baseline baseline = reports::ReadBaseline(flags.baseline);
   const reports::GateReport report = reports::CheckRuns(flags.folder, baseline);
-  if (!flags.junit.empty()) WriteOutputFile(flags.junit, reports::GateJunit(report));
-  if (!flags.markdown.empty()) WriteOutputFile(flags.markdown, reports::GateMarkdown(report));
+  if (!flags.junit.empty()) WriteOutputFile(flags.junit, reports::GateJunit(report), ReadBy(flags));
+  if (!flags.markdown.empty())
+    WriteOutputFile(flags.markdown, reports::GateMarkdown(report), ReadBy(flags));
   std::cout << reports::GateText(report);
   const bool failed = report.Regressed() || (flags.gate_time && report.Slower());
   std::cout << (report.Regressed() ? "\nregression\n"

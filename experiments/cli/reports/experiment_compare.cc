@@ -10,6 +10,8 @@
 namespace cvo {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct CompareFlags {
   std::string before;
   std::string after;
@@ -18,7 +20,9 @@ struct CompareFlags {
 
 int Compare(const CompareFlags& flags) {
   const reports::Table table = reports::CompareFolders(flags.before, flags.after);
-  OutputTable(table, flags.format, "\n" + reports::MovedText(table));
+  OutputTable(table, flags.format,
+              {fs::path(flags.before) / "plan.json", fs::path(flags.after) / "plan.json"},
+              "\n" + reports::MovedText(table));
   return 0;
 }
 

@@ -16,7 +16,7 @@ struct TableFlags {
 };
 
 int OutputOldTable(const TableFlags& flags) {
-  OutputTable(reports::ReadTableFile(flags.from), flags.format);
+  OutputTable(reports::ReadTableFile(flags.from), flags.format, {flags.from});
   return 0;
 }
 

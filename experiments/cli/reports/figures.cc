@@ -1,18 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include <stdlib.h>
-
 #include <algorithm>
-#include <cstdlib>
 #include <iostream>
 #include <memory>
 
 #include "core/base/error.h"
-#include "core/files/atomic_file.h"
 #include "core/files/closest_names.h"
 #include "experiments/cli/command.h"
+#include "experiments/cli/output_file.h"
 #include "experiments/cli/reports/browser.h"
 #include "experiments/cli/reports/suite_table.h"
+#include "experiments/cli/scratch_folder.h"
 #include "reports/figure_files/render_page.h"
 #include "reports/figures/suite_figures.h"
 #include "reports/tables/make_table.h"
@@ -20,36 +18,11 @@
 namespace cvo {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct FigureFlags {
   std::string folder;
   std::string out;
   std::string format = "svg";
   std::string only;
-};
-
-// A folder of its own below the system's one for temporary files, gone at the end.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (fs::temp_directory_path() / "clustervo-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      ThrowError(name, "no folder that can be made", "a place for temporary files (TMPDIR)");
-    }
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
 };
 
 void KeepOnly(const std::string& id, reports::SuiteDrawing& drawing) {
@@ -96,7 +69,7 @@ int WriteFigures(const FigureFlags& flags) {
   reports::SuiteDrawing drawing =
       reports::SuiteFigures(reports::ReadSuiteData(flags.folder, table));
   if (!flags.only.empty()) KeepOnly(flags.only, drawing);
-  const OutputFolder out(flags.out, {});
+  const OutputFolder out = OpenOutput(flags.out, {}, {flags.folder});
   if (!drawing.figures.empty()) {
     const std::vector<NamedContent> files = MakeFiles(drawing.figures, flags.format);
     WriteFilesAtomically(out.path(), files);

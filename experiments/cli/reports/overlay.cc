@@ -103,6 +103,7 @@ int DrawOverlays(const OverlayFlags& flags) {
   const bool inferred = flags.labels.empty() ? folders.size() > 1 : flags.labels == "inferred";
   OverlayJob job;
   for (const std::string& folder : folders) {
+    job.read.insert(job.read.end(), {folder, std::filesystem::path(folder) / "clusters"});
     job.runs.push_back(reports::ReadOverlayRun(
         folder, inferred ? reports::LandmarkLabel::kInferred : reports::LandmarkLabel::kCluster));
     for (const std::string& line : job.runs.back().missing) {

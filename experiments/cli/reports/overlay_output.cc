@@ -4,16 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <system_error>
 
 #include "core/base/error.h"
-#include "core/files/atomic_file.h"
 #include "core/files/text_file.h"
+#include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
+#include "experiments/cli/scratch_folder.h"
 #include "experiments/cli/stop_signal.h"
 #include "reports/overlays/draw_overlay.h"
 #include "reports/overlays/encode.h"
@@ -72,28 +71,6 @@ double FramesPerSecond(const OverlayJob& job) {
   return std::clamp(std::round(1000.0 * rate) / 1000.0, 1.0, 60.0);
 }
 
-// A folder of its own for the video while it grows; gone at the end.
-class WorkFolder {
- public:
-  WorkFolder() {
-    std::string name = (fs::temp_directory_path() / "clustervo-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      ThrowError(name, "a folder that cannot be made", "room for a video while it is written");
-    }
-    path_ = name;
-  }
-  ~WorkFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 class OverlayWriter {
  public:
   OverlayWriter(const OverlayJob& job, const RunImages& images, const fs::path& folder)
@@ -151,7 +128,7 @@ class OverlayWriter {
   SheetLayout layout_;
   std::vector<int> on_sheet_;
   std::vector<cv::Mat> tiles_;
-  std::optional<WorkFolder> work_;
+  std::optional<ScratchFolder> work_;
   std::unique_ptr<reports::VideoFile> video_;
 };
 
@@ -163,7 +140,7 @@ int WriteOverlays(const OverlayJob& job, const RunImages& images) {
     if (job.images) names.push_back(ImageName(frame));
   }
   if (job.sheet) names.emplace_back(kSheet);
-  const OutputFolder output(job.output, names);
+  const OutputFolder output = OpenOutput(job.output, names, job.read);
   OverlayWriter writer(job, images, output.path());
   {
     const StopSignal stop;

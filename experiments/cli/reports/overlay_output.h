@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <opencv2/core/mat.hpp>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct OverlayJob {
   std::vector<int> frames;          // counted in the folder of the sequence
   double scale = 1.0;
   std::string output;
+  std::vector<std::filesystem::path> read;  // folders that the runs are in
   bool images = true;
   bool sheet = false;
   bool video = false;

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "core/base/error.h"
-#include "core/files/atomic_file.h"
 #include "experiments/cli/command.h"
+#include "experiments/cli/output_file.h"
 #include "experiments/cli/reports/report_images.h"
 #include "experiments/cli/reports/suite_table.h"
 #include "reports/page/page_html.h"
@@ -48,7 +48,9 @@ int Report(const ReportFlags& flags) {
   }
   reports::PageContent content = reports::ReadPage(request);
   const fs::path out = flags.out.empty() ? fs::path(flags.folder) / "report" : fs::path(flags.out);
-  fs::create_directories(out);
+  std::vector<std::string> names = {"index.html"};
+  if (flags.all_images) names.emplace_back("images/");
+  const OutputFolder output = OpenOutput(out, names, {folder, request.against});
   if (flags.no_images) {
     LeaveOutImages(content);
   } else {

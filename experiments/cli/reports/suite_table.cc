@@ -30,7 +30,7 @@ int OutputSuiteTable(const std::filesystem::path& folder, const TableFormat& for
     WriteFilesAtomically(folder, {{"table.md", reports::TableMarkdown(table)},
                                   {"table.json", reports::TableJson(table)}});
   }
-  OutputTable(table, format);
+  OutputTable(table, format, {folder / "plan.json"});
   if (format.Terminal()) {
     std::cout << (format.output.empty() ? "\n" : "")
               << "written: " << (folder / "table.json").string()

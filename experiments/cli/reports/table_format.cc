@@ -62,13 +62,14 @@ void CheckTableFormat(const TableFormat& format) {
   }
 }
 
-void OutputTable(const reports::Table& table, const TableFormat& format, const std::string& after) {
+void OutputTable(const reports::Table& table, const TableFormat& format,
+                 const std::vector<std::filesystem::path>& read, const std::string& after) {
   const std::string text = Rendered(table, format) + (format.Terminal() ? after : "");
   if (format.output.empty()) {
     std::cout << text;
     return;
   }
-  WriteOutputFile(format.output, text);
+  WriteOutputFile(format.output, text, read);
   std::cout << "written: " << format.output << '\n';
 }
 

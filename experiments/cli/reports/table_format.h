@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "experiments/cli/command.h"
 #include "reports/tables/table.h"
@@ -24,8 +26,9 @@ void AddTableFormat(CLI::App& app, TableFormat& format);
 // Throws an error of the command line where flags do not go together.
 void CheckTableFormat(const TableFormat& format);
 
-// Prints the table or writes it to its file, and says so. `after`: what follows it in a terminal.
+// Prints the table or writes it to its file, which must not be one of `read`, and says so. `after`:
+// what follows it in a terminal.
 void OutputTable(const reports::Table& table, const TableFormat& format,
-                 const std::string& after = "");
+                 const std::vector<std::filesystem::path>& read, const std::string& after = "");
 
 }  // namespace cvo

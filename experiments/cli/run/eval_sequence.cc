@@ -5,16 +5,17 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <optional>
+#include <memory>
 
 #include "core/base/error.h"
-#include "core/files/atomic_file.h"
 #include "experiments/cache/content_hash.h"
+#include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/run/metric_table.h"
 #include "experiments/cli/run/run_summary.h"
 #include "experiments/runner/run_files.h"
 #include "experiments/runner/score_files.h"
+#include "experiments/suite/scenes.h"
 
 namespace cvo {
 namespace {
@@ -27,7 +28,7 @@ std::string HashSequence(const Sequence& sequence) {
   Progress progress(sequence.images.size(), false);
   std::vector<ImageHashes> images;
   for (const StereoPaths& pair : sequence.images) {
-    images.push_back({HashImage(pair.left), HashImage(pair.right)});
+    images.push_back({HashFile(pair.left), HashFile(pair.right)});
     progress.Report(images.size());
   }
   return ContentHash(sequence, images);
@@ -90,11 +91,14 @@ void EvalSequence::AddTo(CLI::App& app) {
 
 int EvaluateSequence(const EvalSequence& eval, const std::string& estimate, bool json) {
   const Sequence sequence = OpenSequence(eval.flags.Request());
-  std::optional<OutputFolder> output;
+  std::unique_ptr<const OutputFolder> output;
   if (!eval.output.empty()) {
     RefuseRunFolder(eval.output);
-    output.emplace(eval.output, std::vector<std::string>{kResult});
+    std::vector<fs::path> read = FoldersOf(sequence);
+    read.insert(read.end(), {estimate, eval.objects});
+    output.reset(new OutputFolder(OpenOutput(eval.output, {kResult}, read)));
   }
+  RequireAsRendered(sequence, HashesByReading);
   const std::string name = eval.name.empty() ? fs::path(estimate).stem().string() : eval.name;
   SystemRequest request{sequence, "", {name, estimate, eval.objects}, 0};
   if (json || output) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/files/atomic_file.h"
 #include "experiments/cli/command.h"
+#include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/run/run_summary.h"
@@ -19,6 +19,7 @@
 #include "experiments/record/build_identity.h"
 #include "experiments/runner/job_cache.h"
 #include "experiments/runner/run_job.h"
+#include "experiments/suite/scenes.h"
 #include "synth/write/render_cache.h"
 
 namespace cvo {
@@ -88,7 +89,15 @@ int Run(const Flags& flags) {
   const std::vector<std::string> classes =
       flags.classes.empty() ? RigidClasses() : ParseClasses(flags.classes);
   const Sequence sequence = OpenSequence(flags.sequence.Request());
-  const OutputFolder output(flags.output, RunFileNames());
+  std::vector<std::filesystem::path> read = FoldersOf(sequence);
+  read.emplace_back(flags.run.config);
+  const OutputFolder output = OpenOutput(flags.output, RunFileNames(), read);
+
+  std::optional<JobCache> cache;
+  if (flags.cache) cache.emplace(OpenCache(flags, sequence.images.size()));
+  RequireAsRendered(sequence, [&](const auto& files) {
+    return cache ? cache->HashesOf(files, flags.run.threads) : HashesByReading(files);
+  });
 
   std::optional<JobOutcome> outcome;
   {
@@ -103,8 +112,7 @@ int Run(const Flags& flags) {
                           .landmarks = flags.landmarks,
                           .strict = flags.strict,
                           .stop = [&stop] { return stop.Requested(); }};
-    std::optional<JobCache> cache;
-    if (flags.cache) cache.emplace(OpenCache(flags, sequence.images.size())).Serve(request);
+    if (cache) cache->Serve(request);
     Progress progress(sequence.images.size(), flags.run.quiet);
     request.progress = [&progress](std::size_t done) { progress.Report(done); };
     outcome = RunJob(request, output.path());

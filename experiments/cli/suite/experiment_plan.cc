@@ -108,6 +108,7 @@ int PrintPlan(const Flags& flags) {
   const bool quiet = flags.quiet || ::isatty(STDERR_FILENO) == 0;
   Progress progress(ExpandSuite(suite).size(), quiet, Progress::Clock::now(), kPlanned);
   request.progress = [&progress](std::size_t done, std::size_t) { progress.Report(done); };
+  request.notice = [](const std::string& line) { std::cerr << "clustervo: " << line << '\n'; };
   const PlanState state = FindPlanState(suite, request, {flags.suite.output});
   Print(state, flags.jobs, std::cout);
   return 0;

@@ -12,15 +12,16 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "core/files/atomic_file.h"
+#include "core/files/temporary.h"
+#include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/stop_signal.h"
 #include "experiments/cli/suite/job_report.h"
 #include "experiments/jobs/folder_lock.h"
 #include "experiments/jobs/run_plan.h"
-#include "experiments/jobs/temporaries.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/suite/build_plan.h"
+#include "synth/write/render_cache.h"
 
 namespace cvo {
 namespace {
@@ -30,6 +31,13 @@ namespace fs = std::filesystem;
 constexpr int kIncomplete = 1;
 
 struct Stopped {};
+
+std::vector<fs::path> ReadBy(const SuiteFlags& suite) {
+  const PlanRequest request = suite.Request();
+  std::vector<fs::path> read = {request.data, request.cache};
+  if (fs::is_regular_file(suite.suite)) read.emplace_back(suite.suite);  // else a shipped one
+  return read;
+}
 
 // One after the other, each stage with a bar of its own.
 class Stage {
@@ -56,11 +64,13 @@ class SuiteRun {
   explicit SuiteRun(const SuiteRunFlags& flags)
       : flags_(flags),
         suite_(flags.suite.Load()),
-        output_(flags.suite.output, {"plan.json", "jobs/", "failed/", "logs/"}),
+        output_(OpenOutput(flags.suite.output, {"plan.json", "jobs/", "failed/", "logs/"},
+                           ReadBy(flags.suite))),
         folder_{fs::absolute(output_.path())},
         lock_(folder_.lock()),
         engine_(flags.engine.Make(folder_)) {
     RemoveTemporaries(folder_.root);
+    synth::RemoveLeftoversOfRenders(flags.suite.Request().cache);
   }
 
   int Run() {
@@ -93,6 +103,7 @@ class SuiteRun {
     // Only worth showing where images have to be read, which is felt on a terminal.
     Stage stage(flags_.quiet || ::isatty(STDERR_FILENO) == 0, kPlanned);
     PlanRequest request = flags_.suite.Request();
+    request.notice = [](const std::string& line) { std::cerr << "clustervo: " << line << '\n'; };
     request.progress = [&](std::size_t done, std::size_t total) {
       if (stop_.Requested()) throw Stopped();
       stage.Report(done, total);

@@ -3,12 +3,11 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include "core/base/error.h"
-#include "core/files/atomic_file.h"
+#include "experiments/cli/output_file.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/run/text_table.h"
 #include "experiments/cli/synth/synth_command.h"
@@ -49,12 +48,11 @@ void Print(const SceneCheckReport& report) {
 }
 
 int Check(const Flags& flags) {
+  if (!flags.json.empty()) CheckOutputFile(flags.json, {flags.folder});
   const SceneCheckReport report = CheckScene(flags.folder, flags.threads);
   Print(report);
   if (!flags.json.empty()) {
-    const std::filesystem::path file = std::filesystem::absolute(flags.json);
-    WriteFilesAtomically(file.parent_path(),
-                         {{file.filename().string(), DumpJson(SceneCheckJson(report))}});
+    WriteOutputFile(flags.json, DumpJson(SceneCheckJson(report)), {flags.folder});
   }
   return report.Passed() ? 0 : kDisagreement;
 }

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/files/atomic_file.h"
+#include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/stop_signal.h"
@@ -17,6 +17,8 @@
 
 namespace cvo {
 namespace {
+
+namespace fs = std::filesystem;
 
 // What render and preview share.
 struct SceneFlags {
@@ -104,6 +106,14 @@ int RunStoppable(bool quiet, const Work& work) {
 }
 
 int Render(const RenderFlags& flags) {
+  std::vector<fs::path> read;
+  if (fs::exists(flags.scene.scene)) read = {fs::absolute(flags.scene.scene).parent_path()};
+  CheckNewSequence(flags.scene.output, read);
+  try {
+    synth::RequireReplaceable(flags.scene.output);
+  } catch (const Error& error) {
+    throw UsageError(error.what());
+  }
   const auto scene = synth::SceneDescription::Load(flags.scene.scene, flags.scene.set);
   const int code = RunStoppable(flags.scene.quiet, [&](const synth::WorkHooks& hooks) {
     synth::WriteDataset(scene,
@@ -122,8 +132,7 @@ int Render(const RenderFlags& flags) {
 int Preview(const SceneFlags& flags) {
   const auto scene = synth::SceneDescription::Load(flags.scene, flags.set);
   const synth::SceneFrames frames = flags.Frames();
-  const std::filesystem::path file = std::filesystem::absolute(flags.output);
-  const OutputFolder folder(file.parent_path(), {file.filename().string()});
+  CheckOutputFile(flags.output, {flags.scene});
   const int code = RunStoppable(flags.quiet, [&](const synth::WorkHooks& hooks) {
     synth::RenderRequest request;
     request.threads = flags.threads;
@@ -135,8 +144,7 @@ int Preview(const SceneFlags& flags) {
         synth::MakeContactSheet(world, range.begin, range.end, source.open_tools(world), hooks);
     std::vector<unsigned char> bytes;
     Require(cv::imencode(".png", sheet, bytes), "synth preview: the sheet cannot be encoded");
-    WriteFilesAtomically(folder.path(),
-                         {{file.filename().string(), std::string(bytes.begin(), bytes.end())}});
+    WriteOutputFile(flags.output, {bytes.begin(), bytes.end()}, {flags.scene});
   });
   if (code == 0) std::cout << "written: " << flags.output << '\n';
   return code;
@@ -147,7 +155,9 @@ int Preview(const SceneFlags& flags) {
 Command AddSynthRenderCommand(CLI::App& synth) {
   CLI::App* app = synth.add_subcommand("render", "Render a scene as a KITTI odometry folder");
   const auto flags = std::make_shared<RenderFlags>();
-  flags->scene.AddTo(*app, "DIR", "folder to make; one that this program rendered is replaced");
+  flags->scene.AddTo(
+      *app, "DIR",
+      "folder to make; one that this program rendered, and nobody added to, is replaced");
   app->add_option_function<std::string>(
          "--seed", [flags](const std::string& text) { flags->seed = ParseSeed(text); },
          "of sensor noise and detector errors; default: the scene's")

@@ -13,6 +13,7 @@
 #include <functional>
 
 #include "core/base/error.h"
+#include "core/files/temporary.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo {
@@ -121,7 +122,8 @@ TEST(WriteFilesAtomically, AFolderInThePlaceOfAFile) {
 
 TEST(WriteFilesAtomically, TemporariesOfAKilledRunAreInNobodysWay) {
   const test::TempFolder folder;
-  folder.Write(StrCat(".a.json.", getpid(), "-0.tmp"), "half");
+  const fs::path leftover = TemporaryName(folder.path() / "a.json", "0");
+  folder.Write(leftover.filename(), "half");
   WriteFilesAtomically(folder.path(), {{"a.json", "new"}});
   EXPECT_EQ(test::ReadFile(folder.path() / "a.json"), "new");
 }

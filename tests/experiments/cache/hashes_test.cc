@@ -63,8 +63,8 @@ class CacheHashes : public testing::Test {
   void ExpectRight(const std::vector<ImageHashes>& hashes) {
     ASSERT_THAT(hashes, SizeIs(kFrames));
     for (std::size_t i = 0; i < kFrames; ++i) {
-      EXPECT_EQ(hashes[i].left, HashImage(sequence_.images[i].left));
-      EXPECT_EQ(hashes[i].right, HashImage(sequence_.images[i].right));
+      EXPECT_EQ(hashes[i].left, HashFile(sequence_.images[i].left));
+      EXPECT_EQ(hashes[i].right, HashFile(sequence_.images[i].right));
     }
   }
 
@@ -155,38 +155,17 @@ TEST_F(CacheHashes, AnotherVersionOfTheIndexIsNotRead) {
   EXPECT_THAT(notices_, SizeIs(1));
 }
 
-TEST_F(CacheHashes, TheManifestOfASceneIsBelievedForFilesAsOldAsIt) {
-  std::string rows;
-  for (int side = 0; side < 2; ++side) {
-    for (int i = 0; i < kFrames; ++i) {
-      const std::string name = StrCat("image_", side, "/", i, ".png");
-      rows += StrCat(rows.empty() ? "" : ", ", "{\"name\": \"", name,
-                     "\", \"size_bytes\": ", fs::file_size(sequence_.folder / name),
-                     ", \"sha256\": \"of ", name, "\"}");
-    }
-  }
-  temp_.Write("sequence/manifest.json",
-              "{\"kind\": \"clustervo synthetic sequence\", \"schema_version\": 1, \"files\": [" +
-                  rows + "]}");
-  EXPECT_EQ(Hashes(0)[2].right, "of image_1/2.png");
-  EXPECT_EQ(read_, 0U);
-  ::usleep(20'000);  // file systems stamp in steps of a few milliseconds
-  WriteFileBytes(sequence_.images[2].right, "RIGHT 2.png");
-  WriteFileBytes(sequence_.images[1].right, "longer than it was");
-  const std::vector<ImageHashes> hashes = Hashes(0);
-  EXPECT_EQ(read_, 2U);
-  EXPECT_EQ(hashes[2].right, Sha256Hex("RIGHT 2.png"));
-  EXPECT_EQ(hashes[1].right, Sha256Hex("longer than it was"));
-  EXPECT_EQ(hashes[0].right, "of image_1/0.png");
+TEST_F(CacheHashes, APipeHasNoHash) {
+  fs::remove(sequence_.images[0].left);
+  ASSERT_EQ(::mkfifo(sequence_.images[0].left.c_str(), 0600), 0);
+  EXPECT_EQ(Hashes()[0].left, "");
 }
 
-TEST_F(CacheHashes, AManifestThatIsNoneIsPassedOver) {
-  for (const char* content : {"", "[]", "{\"kind\": 3}", "{\"files\": []}"}) {
-    temp_.Write("sequence/manifest.json", content);
-    ExpectRight(Hashes(0));
-    EXPECT_EQ(read_, 2U * kFrames) << content;
+TEST_F(CacheHashes, WithoutAnIndexAllIsRead) {
+  TaskPool pool(2);
+  for (int i = 0; i < 2; ++i) {
+    ExpectRight(FindImageHashes(sequence_, "", pool));
   }
-  EXPECT_THAT(notices_, IsEmpty());
 }
 
 TEST_F(CacheHashes, AnIndexThatCannotBeWrittenCostsTimeOnly) {

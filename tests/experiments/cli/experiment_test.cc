@@ -90,14 +90,14 @@ TEST_F(CliExperiment, RunsWhatIsNotDoneAndSaysWhatIs) {
   const std::string bytes = test::ReadFile(results[0]);
   const auto kept = fs::last_write_time(results[1]);
   test::CutFile(results[0]);
-  folder_.Write(results[0].parent_path() / ".result.json.1-0.tmp", "of a killed process");
+  folder_.Write(results[0].parent_path() / ".result.json.tmp-node.1-0", "of a killed process");
   EXPECT_EQ(Status()["counts"]["missing"], 1);
   const ProcessResult again = Run();
   ASSERT_EQ(again.exit_code, 0) << again.err;
   EXPECT_THAT(again.err, HasSubstr("1/1 jobs"));
   EXPECT_EQ(test::ReadFile(results[0]), bytes);
   EXPECT_EQ(fs::last_write_time(results[1]), kept);
-  EXPECT_FALSE(fs::exists(results[0].parent_path() / ".result.json.1-0.tmp"));
+  EXPECT_FALSE(fs::exists(results[0].parent_path() / ".result.json.tmp-node.1-0"));
 }
 
 TEST_F(CliExperiment, AnEditedSuiteUsesWhatIsThere) {

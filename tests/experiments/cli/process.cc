@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/experiments/cli/process.h"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -24,9 +25,10 @@ struct Pipe {
 
 [[noreturn]] void Execute(const std::vector<std::string>& arguments, const ProcessSetup& setup,
                           const Pipe& out, const Pipe& err) {
-  ::dup2(out.ends[1], STDOUT_FILENO);
+  ::dup2(setup.out.empty() ? out.ends[1] : ::open(setup.out.c_str(), O_WRONLY), STDOUT_FILENO);
   ::dup2(err.ends[1], STDERR_FILENO);
   for (const int end : {out.ends[0], out.ends[1], err.ends[0], err.ends[1]}) ::close(end);
+  if (setup.out == "closed") ::close(STDOUT_FILENO);
   for (const std::string& variable : setup.environment) {
     const std::size_t equals = variable.find('=');
     ::setenv(variable.substr(0, equals).c_str(), variable.substr(equals + 1).c_str(), 1);
@@ -35,6 +37,10 @@ struct Pipe {
     std::signal(SIGXFSZ, SIG_IGN);  // is kept by the program: its writes fail
     const rlimit limit{setup.file_size_limit, setup.file_size_limit};
     ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  if (setup.address_space_limit > 0) {
+    const rlimit limit{setup.address_space_limit, setup.address_space_limit};
+    ::setrlimit(RLIMIT_AS, &limit);
   }
   std::vector<char*> argv;
   std::string program = CVO_PROGRAM;

@@ -17,7 +17,9 @@ struct ProcessResult {
 struct ProcessSetup {
   std::vector<std::string> environment = {};  // NAME=VALUE, over the present one
   std::size_t file_size_limit = 0;            // bytes; a larger file cannot be written. 0: none
+  std::size_t address_space_limit = 0;        // bytes; 0: none
   std::string interrupt_at = {};              // SIGINT once stderr holds this text; empty: never
+  std::string out = {};  // a file for standard output, "closed": none; empty: ProcessResult::out
 };
 
 // Runs the program clustervo to its end.

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <set>
 
 #include "experiments/suite/plan.h"
@@ -116,6 +117,20 @@ TEST(Suite, RowsTellPointsOfAGridApart) {
   EXPECT_EQ(MessageOf(json), "");
   EXPECT_THAT(MessageOf(With("/oracles", Json::array({Json::array(), {"boxes"}}))),
               HasSubstr("table.rows: found no \"oracle\""));
+}
+
+TEST(Suite, WhatNobodyWouldWaitForIsRefused) {
+  EXPECT_THAT(MessageOf(With("/seeds", std::vector<int>(10'001, 1))),
+              HasSubstr("s.json, seeds: found 10001, expected at most 10000"));
+  Json json = SmallSuite();
+  std::vector<int> values(1001);
+  std::iota(values.begin(), values.end(), 100);
+  json["grid"]["orb.features"] = values;
+  EXPECT_THAT(MessageOf(json), HasSubstr("grid.orb.features: found 1001 values"));
+  for (const char* path : {"orb.features", "orb.reserve", "window.spatial"}) {
+    json["grid"][path] = {{"from", 1}, {"to", 1000}, {"steps", 1000}};
+  }
+  EXPECT_THAT(MessageOf(json), HasSubstr("s.json: found 1000000000 runs, expected at most 100000"));
 }
 
 TEST(Suite, ASequenceIsThereOnceUnlessItsBoxesDiffer) {

@@ -230,8 +230,11 @@ TEST_F(SuitePlan, ARenderedScenesJobHasTheIdentityOfItsBytes) {
                                   .options = OptionsOf(suite, {}),
                                   .seed = 1}));
   // A file that is gone or cut: rendered again.
+  EXPECT_EQ(FindSceneDamage(render.folder, HashesByReading), std::nullopt);
   fs::resize_file(render.folder / "image_0" / "000001.png", 10);
-  EXPECT_FALSE(IsRendered(render.folder));
+  EXPECT_EQ(FindSceneDamage(render.folder, HashesByReading, {0, 1}), std::nullopt);
+  EXPECT_THAT(FindSceneDamage(render.folder, HashesByReading).value_or(""),
+              HasSubstr("image_0/000001.png has other content"));
   EXPECT_EQ(Build(suite).plan.jobs.at(0).missing, kNotRendered);
 }
 

