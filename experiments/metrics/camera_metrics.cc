@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/base/median.h"
 #include "experiments/metrics/kitti_drift.h"
 
 namespace cvo {
@@ -40,12 +41,6 @@ Metric Coverage(const Frames& frames) {
   return {"camera_coverage",
           static_cast<double>(frames.common) / static_cast<double>(frames.with_truth), "1",
           frames.with_truth, contract};
-}
-
-double Median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
 void AddAte(const CommonPoses& poses, const Frames& frames, std::vector<Metric>& metrics) {

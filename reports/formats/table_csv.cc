@@ -3,6 +3,7 @@
 #include "reports/formats/table_csv.h"
 
 #include "core/base/error.h"
+#include "core/files/number.h"
 #include "reports/formats/csv_text.h"
 #include "reports/formats/digits.h"
 #include "reports/formats/table_texts.h"
@@ -15,7 +16,7 @@ using Record = std::vector<std::string>;
 void AddText(const std::string& text, Record& record) { record.push_back(CsvField(text)); }
 
 void AddNumber(const std::optional<double>& value, Record& record) {
-  record.push_back(value ? Exact(*value) : "");
+  record.push_back(value ? FormatDouble(*value) : "");
 }
 
 void AddCount(std::size_t count, Record& record) { record.push_back(StrCat(count)); }

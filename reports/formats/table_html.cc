@@ -5,8 +5,10 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/files/escape.h"
+#include "core/files/number.h"
+#include "core/files/utf8.h"
 #include "reports/formats/digits.h"
-#include "reports/formats/printable.h"
 #include "reports/formats/table_texts.h"
 #include "reports/results/metric_rule.h"
 
@@ -73,10 +75,10 @@ std::string CellHtml(const Table& table, const TextLine& line, std::size_t colum
   const Numbers numbers = NumbersOf(table, line, column, differences);
   std::string html = "<td" + Attribute("class", ClassesOf(cell)) + Place(line);
   html += Attribute("data-column", StrCat(column));
-  if (numbers.value) html += Attribute("data-value", Exact(*numbers.value));
+  if (numbers.value) html += Attribute("data-value", FormatDouble(*numbers.value));
   if (numbers.interval) {
-    html += Attribute("data-low", Exact(numbers.interval->low)) +
-            Attribute("data-high", Exact(numbers.interval->high)) +
+    html += Attribute("data-low", FormatDouble(numbers.interval->low)) +
+            Attribute("data-high", FormatDouble(numbers.interval->high)) +
             Attribute("data-interval", Printable(numbers.interval->meaning));
   }
   if (!numbers.match.empty()) html += Attribute("data-match", numbers.match);
@@ -148,32 +150,6 @@ std::string ListHtml(const char* kind, const std::vector<std::string>& lines) {
 }
 
 }  // namespace
-
-std::string HtmlEscaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\'':
-        escaped += "&#39;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
 
 std::string TableHtml(const Table& table, const std::string& id) {
   TableTexts texts = MakeTexts(table);

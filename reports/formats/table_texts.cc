@@ -7,9 +7,9 @@
 #include <cstdio>
 
 #include "core/base/error.h"
+#include "core/files/utf8.h"
 #include "reports/formats/best_cells.h"
 #include "reports/formats/digits.h"
-#include "reports/formats/printable.h"
 #include "reports/results/metric_rule.h"
 #include "reports/tables/footnotes.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "reports/results/json_fields.h"
+#include "core/files/json_fields.h"
 #include "reports/results/metric_rule.h"
 
 namespace cvo::reports {
@@ -38,30 +38,6 @@ std::string Lines(const std::vector<T>& rows) {
   return "[" + lines + "\n ]";
 }
 
-std::string TextOf(const Json& json, const std::string& where) {
-  if (!json.is_string()) ThrowError(where, StrCat("a JSON ", json.type_name()), "text");
-  return json.get<std::string>();
-}
-
-std::map<std::string, std::string> ReadTexts(const Fields& fields) {
-  std::map<std::string, std::string> texts;
-  for (const auto& [key, value] : fields.json().items()) {
-    texts[key] = TextOf(value, StrCat(fields.where(), ", field ", key));
-  }
-  return texts;
-}
-
-std::vector<std::uint64_t> ReadSeeds(const Fields& fields) {
-  std::vector<std::uint64_t> seeds;
-  for (const Json& seed : fields.Array("seeds")) {
-    if (!seed.is_number_unsigned()) {
-      ThrowError(fields.where() + ", field seeds", seed.dump(), "whole numbers");
-    }
-    seeds.push_back(seed.get<std::uint64_t>());
-  }
-  return seeds;
-}
-
 BaselineMetric ReadMetric(const Fields& fields) {
   BaselineMetric metric;
   metric.name = fields.Text("name");
@@ -75,19 +51,19 @@ BaselineMetric ReadMetric(const Fields& fields) {
   }
   const Fields contracts = fields.Object("contracts");
   for (const auto& [type, contract] : contracts.json().items()) {
-    metric.contracts[type] = ReadTexts(contracts.Object(type.c_str()));
+    metric.contracts[type] = contracts.NamedTexts(type.c_str());
   }
   return metric;
 }
 
 BaselineJob ReadJob(const Fields& fields) {
   BaselineJob job;
-  job.keys = ReadTexts(fields.Object("keys"));
+  job.keys = fields.NamedTexts("keys");
   if (!job.keys.contains("variant") || !job.keys.contains("sequence")) {
     ThrowError(fields.where() + ", field keys", fields.Object("keys").json().dump(),
                "variant and sequence among them");
   }
-  job.seed = static_cast<std::uint64_t>(fields.Integer("seed"));
+  job.seed = fields.Count("seed");
   job.type = fields.Text("type");
   job.content = fields.Text("content");
   job.status = fields.Text("status");
@@ -134,15 +110,12 @@ std::string BaselineJson(const Baseline& baseline) {
 Baseline ReadBaseline(const std::filesystem::path& file) {
   const Json json = ReadJson(file);
   const Fields fields(json, file.string());
-  CheckSchema(fields, kBaselineSchemaVersion);
-  if (fields.Text("kind") != "baseline") {
-    ThrowError(fields.where(), StrCat("kind \"", fields.Text("kind"), "\""), "\"baseline\"");
-  }
+  fields.Check(kBaselineSchemaVersion, "baseline");
   Baseline baseline;
   baseline.suite = fields.Text("suite");
   baseline.build = fields.Object("build").Text("identity");
   baseline.commit = fields.Object("build").Text("commit");
-  baseline.seeds = ReadSeeds(fields);
+  baseline.seeds = fields.Counts("seeds");
   for (const Json& metric : fields.Array("metrics")) {
     baseline.metrics.push_back(ReadMetric({metric, fields.where() + ", metrics"}));
   }

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-#include "reports/results/json_fields.h"
-#include "reports/results/json_text.h"
+#include "core/files/json_fields.h"
 #include "reports/results/metric_rule.h"
 #include "reports/tables/columns.h"
 
@@ -19,14 +18,9 @@ constexpr int kTimingSchemaVersion = 1;
 // Most of a timing file is about single frames.
 std::optional<double> EstimateTimeMs(const fs::path& file) {
   try {
-    const std::string text = ReadText(file);
-    const auto members = JsonMembers(text, file.string());
-    Json json = Json::object();
-    for (const char* key : {"schema_version", "stages"}) {
-      json[key] = ParseJson(FindMember(members, key), file.string());
-    }
+    const Json json = ReadJson(file, {"frames"});
     const Fields fields(json, file.string());
-    CheckSchema(fields, kTimingSchemaVersion);
+    fields.CheckSchema(kTimingSchemaVersion);
     const double time_ms = fields.Object("stages").Object("estimate").Number("median_ms");
     return time_ms > 0.0 ? std::optional(time_ms) : std::nullopt;
   } catch (const Error&) {

@@ -6,9 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/error.h"
 #include "reports/gate/gate_runs.h"
-#include "reports/results/json_fields.h"
-#include "reports/results/json_text.h"
 
 namespace cvo::reports {
 namespace {
@@ -80,16 +79,6 @@ BaselineJob MakeJob(const SuiteRun& run, const std::map<std::string, double>& ra
   return job;
 }
 
-std::string CommitOf(const std::filesystem::path& result) {
-  const std::string text = ReadText(result);
-  const std::string_view build = FindMember(JsonMembers(text, result.string()), "build");
-  if (build.empty()) return "";
-  const Json json = ParseJson(build, result.string() + ", build");
-  return json.is_object() && json.contains("commit") && json["commit"].is_string()
-             ? json["commit"].get<std::string>()
-             : "";
-}
-
 }  // namespace
 
 Baseline MakeBaseline(const std::filesystem::path& folder, std::size_t gate_seeds) {
@@ -99,7 +88,7 @@ Baseline MakeBaseline(const std::filesystem::path& folder, std::size_t gate_seed
   Baseline baseline;
   baseline.suite = runs.suite;
   baseline.build = runs.runs.front().run->build;
-  baseline.commit = CommitOf(runs.runs.front().run->file);
+  baseline.commit = runs.runs.front().run->commit;
   baseline.seeds = GateSeeds(runs, gate_seeds);
   baseline.metrics = CollectMetrics(runs);
   const std::map<std::string, double> ratios = TimeRatios(runs);

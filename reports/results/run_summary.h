@@ -57,10 +57,11 @@ struct RunSummary {
   std::vector<BodyResult> causal;
   std::string options;  // resolved, as JSON text
   std::string build;    // identity
+  std::string commit;   // of the build, for people
 };
 
-// The metrics of these names, and the bodies that they are about. Throws Error naming the file and
-// the field: another schema version, half-written, not a run.
+// With the metrics of these names. Throws Error naming the file and the field, wherever in it:
+// another schema version, half-written, not a run, a number that is none.
 RunSummary ReadRun(const std::filesystem::path& result_file,
                    const std::vector<std::string>& metrics);
 

@@ -4,8 +4,8 @@
 
 #include <map>
 
+#include "core/files/json_fields.h"
 #include "reports/reference/shipped.h"
-#include "reports/results/json_fields.h"
 
 namespace cvo::reports {
 namespace {
@@ -84,7 +84,7 @@ void AddSource(const Fields& fields, Reference& reference) {
 void AddReference(std::string_view json, const std::string& where, Reference& reference) {
   const Json parsed = ParseJson(json, where);
   const Fields fields(parsed, where);
-  CheckSchema(fields, kReferenceSchemaVersion);
+  fields.CheckSchema(kReferenceSchemaVersion);
   for (const Json& source : fields.Array("sources")) AddSource({source, where}, reference);
 }
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "reports/results/json_fields.h"
+#include "core/files/json_fields.h"
 
 namespace cvo::reports {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "reports/results/json_fields.h"
+#include "core/files/json_fields.h"
 
 namespace cvo::reports {
 namespace {
@@ -32,20 +32,8 @@ SequenceInfo NamedByPlan(const SuiteRun& run) {
   return sequence;
 }
 
-void Flatten(const Json& json, const std::string& path, std::map<std::string, std::string>& flat) {
-  if (!json.is_object()) {
-    flat[path] = json.dump();
-    return;
-  }
-  for (const auto& [key, value] : json.items()) {
-    Flatten(value, path.empty() ? key : path + "." + key, flat);
-  }
-}
-
 std::map<std::string, std::string> Flattened(const std::string& text, const std::string& where) {
-  std::map<std::string, std::string> flat;
-  if (!text.empty()) Flatten(ParseJson(text, where), "", flat);
-  return flat;
+  return text.empty() ? std::map<std::string, std::string>() : FlatJson(ParseJson(text, where));
 }
 
 void AddChanges(const std::map<std::string, std::string>& defaults,
