@@ -13,6 +13,9 @@
 namespace cvo {
 namespace {
 
+using reports::MetricId;
+using enum reports::MetricId;
+
 // How many frames enter, and the contract fields that all camera metrics share.
 struct Frames {
   std::int64_t all = 0;
@@ -38,9 +41,9 @@ Metric Coverage(const Frames& frames) {
   contract.aggregation = "fraction with an estimate";
   contract.left_out =
       StrCat(frames.all - frames.with_truth, " of ", frames.all, " frames without truth");
-  return {"camera_coverage",
-          static_cast<double>(frames.common) / static_cast<double>(frames.with_truth), "1",
-          frames.with_truth, contract};
+  return MakeMetric({kCameraCoverage},
+                    static_cast<double>(frames.common) / static_cast<double>(frames.with_truth),
+                    frames.with_truth, contract);
 }
 
 void AddAte(const CommonPoses& poses, const Frames& frames, std::vector<Metric>& metrics) {
@@ -51,24 +54,23 @@ void AddAte(const CommonPoses& poses, const Frames& frames, std::vector<Metric>&
   MetricContract contract = frames.Contract();
   contract.alignment = "SE(3) over positions, Umeyama without scale";
   contract.pairing = "all frames with truth and estimate";
-  const auto add = [&](const char* name, double value, const char* aggregation) {
+  const auto add = [&](MetricId id, double value, const char* aggregation) {
     contract.aggregation = aggregation;
-    metrics.push_back({name, value, "m", frames.common, contract});
+    metrics.push_back(MakeMetric({id}, value, frames.common, contract));
   };
-  add("camera_ate", std::sqrt(squares / n), "root mean square of position errors");
-  add("camera_ate_mean", sum / n, "mean of position errors");
-  add("camera_ate_median", Median(errors), "median of position errors");
-  add("camera_ate_max", *std::max_element(errors.begin(), errors.end()),
-      "maximum of position errors");
+  add(kCameraAte, std::sqrt(squares / n), "root mean square of position errors");
+  add(kCameraAteMean, sum / n, "mean of position errors");
+  add(kCameraAteMedian, Median(errors), "median of position errors");
+  add(kCameraAteMax, *std::max_element(errors.begin(), errors.end()), "maximum of position errors");
 }
 
-void AddRelative(const RelativeErrors& errors, const std::string& suffix,
+void AddRelative(const RelativeErrors& errors, MetricId rotation, MetricId translation,
                  const MetricContract& base, std::vector<Metric>& metrics) {
   MetricContract contract = base;
   contract.aggregation = "root mean square of rotation angles";
-  metrics.push_back({"camera_rrpe_" + suffix, errors.rotation_rad, "rad", errors.pairs, contract});
+  metrics.push_back(MakeMetric({rotation}, errors.rotation_rad, errors.pairs, contract));
   contract.aggregation = "root mean square of translation norms";
-  metrics.push_back({"camera_trpe_" + suffix, errors.translation_m, "m", errors.pairs, contract});
+  metrics.push_back(MakeMetric({translation}, errors.translation_m, errors.pairs, contract));
 }
 
 void AddRpe(const CommonPoses& poses, const Frames& frames, std::vector<Metric>& metrics) {
@@ -76,12 +78,12 @@ void AddRpe(const CommonPoses& poses, const Frames& frames, std::vector<Metric>&
   if (const auto errors = AllPairsErrors(poses)) {
     contract.pairing = "all ordered pairs i != j of frames with truth and estimate";
     contract.delta = "all";
-    AddRelative(*errors, "all_pairs", contract, metrics);
+    AddRelative(*errors, kCameraRrpeAllPairs, kCameraTrpeAllPairs, contract, metrics);
   }
   if (const auto errors = OneFrameErrors(poses)) {
     contract.pairing = "consecutive frames with truth and estimate";
     contract.delta = "1 frame";
-    AddRelative(*errors, "1_frame", contract, metrics);
+    AddRelative(*errors, kCameraRrpe1Frame, kCameraTrpe1Frame, contract, metrics);
   }
 }
 
@@ -92,10 +94,11 @@ void AddDrift(const KittiDrift& drift, const Frames& frames, std::vector<Metric>
   contract.left_out +=
       StrCat("; ", drift.segments_without_estimate, " sub-sequences without an estimate at an end");
   contract.aggregation = "mean of translation errors over length";
-  metrics.push_back({"camera_t_drift", drift.translation_percent, "%", drift.segments, contract});
+  metrics.push_back(
+      MakeMetric({kCameraTDrift}, drift.translation_percent, drift.segments, contract));
   contract.aggregation = "mean of rotation errors over length";
   metrics.push_back(
-      {"camera_r_drift", drift.rotation_deg_per_100m, "deg/100 m", drift.segments, contract});
+      MakeMetric({kCameraRDrift}, drift.rotation_deg_per_100m, drift.segments, contract));
 }
 
 }  // namespace

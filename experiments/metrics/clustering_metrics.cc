@@ -11,6 +11,9 @@
 namespace cvo {
 namespace {
 
+using reports::MetricId;
+using enum reports::MetricId;
+
 // An observed landmark that is judged: the static scene is 0, and a body one of its own.
 struct Judged {
   int body = 0;
@@ -133,26 +136,26 @@ MetricContract BaseContract(const ObjectTruth& truth, const LeftOut& left_out) {
 
 void AddDecisions(const Decisions& decisions, MetricContract contract,
                   std::vector<Metric>& metrics) {
-  const auto add = [&](const char* name, std::int64_t whole, const char* aggregation) {
+  const auto add = [&](MetricId id, std::int64_t whole, const char* aggregation) {
     if (whole == 0) return;
     contract.aggregation = aggregation;
-    metrics.push_back({name, static_cast<double>(decisions.hits) / static_cast<double>(whole), "1",
-                       whole, contract});
+    metrics.push_back(MakeMetric(
+        {id}, static_cast<double>(decisions.hits) / static_cast<double>(whole), whole, contract));
   };
-  add("moving_precision", decisions.predicted,
+  add(kMovingPrecision, decisions.predicted,
       "fraction that is moving of those in a cluster other than the static scene, all frames "
       "together");
-  add("moving_recall", decisions.moving,
+  add(kMovingRecall, decisions.moving,
       "fraction in a cluster other than the static scene of those that are moving, all frames "
       "together");
 }
 
-void AddMean(const char* name, const Mean& mean, MetricContract contract, const char* pairing,
+void AddMean(MetricId id, const Mean& mean, MetricContract contract, const char* pairing,
              const char* aggregation, std::vector<Metric>& metrics) {
   if (mean.n == 0) return;
   contract.pairing = pairing;
   contract.aggregation = aggregation;
-  metrics.push_back({name, mean.sum / static_cast<double>(mean.n), "1", mean.n, contract});
+  metrics.push_back(MakeMetric({id}, mean.sum / static_cast<double>(mean.n), mean.n, contract));
 }
 
 double Pairs(std::int64_t n) { return 0.5 * static_cast<double>(n) * static_cast<double>(n - 1); }
@@ -199,11 +202,11 @@ std::vector<Metric> ClusteringMetrics(const ObjectTruth& truth, const ObjectEsti
   const MetricContract contract = BaseContract(truth, left_out);
   std::vector<Metric> metrics;
   AddDecisions(Count(frames), contract, metrics);
-  AddMean("clustering_iou", iou, contract, "all frames with such landmarks",
+  AddMean(kClusteringIou, iou, contract, "all frames with such landmarks",
           "intersection over union per body and its matched cluster (the static scene is one, a "
           "body without a cluster has 0), mean over those seen in the frame, mean over frames",
           metrics);
-  AddMean("clustering_ari", ari, contract,
+  AddMean(kClusteringAri, ari, contract,
           "frames with landmarks of at least two of the static scene and the bodies",
           "adjusted Rand index per frame, a landmark of no cluster alone; mean over frames",
           metrics);

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string>
 
+#include "reports/results/metric_catalogue.h"
+
 namespace cvo {
 
 // What a number means. Two numbers are comparable only if these agree (left_out apart).
@@ -21,9 +23,15 @@ struct MetricContract {
 struct Metric {
   std::string name;
   double value = 0.0;  // finite
-  std::string unit;    // "m", "rad", "%", "deg/100 m", "1"
+  std::string unit;
   std::int64_t n = 0;  // how many errors were aggregated
   MetricContract contract;
 };
+
+// With the name and unit of the catalogue.
+inline Metric MakeMetric(const reports::MetricForm& form, double value, std::int64_t n,
+                         const MetricContract& contract) {
+  return {reports::MetricName(form), value, reports::EntryOf(form.id).unit, n, contract};
+}
 
 }  // namespace cvo

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "core/base/error.h"
@@ -13,8 +12,12 @@
 namespace cvo {
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr std::array<int, 3> kSuccess_cm = {5, 10, 20};
+using reports::BodyGroup;
+using reports::EntryOf;
+using reports::MetricId;
+using enum reports::MetricId;
+
+constexpr std::array kSuccesses = {kObjectSuccess5cm, kObjectSuccess10cm, kObjectSuccess20cm};
 constexpr const char* kAligned =
     "world by the camera (chordal mean of orientations, mean of positions), one "
     "object_from_gtobject per body in closed form over its frames";
@@ -51,13 +54,16 @@ MatchWords Words(MatchBy match_by) {
 
 // The bodies that share a row, and what their metrics have in common.
 struct Group {
-  std::string prefix;
+  BodyGroup form = BodyGroup::kMovers;
   MatchWords words;
   std::vector<const BodyScore*> bodies;
   MetricContract contract;
   std::int64_t visible = 0;    // object-frames
   std::int64_t estimated = 0;  // of these
 
+  Metric Make(MetricId id, double value, std::int64_t n, const MetricContract& of) const {
+    return MakeMetric({id, form}, value, n, of);
+  }
   bool Tells(const BodyScore& body) const { return body.estimated_frames > 0; }
 };
 
@@ -73,7 +79,7 @@ std::string Unjudged(const Group& group) {
 Group MakeGroup(const ObjectTruth& truth, const ObjectScores& scores, bool movers) {
   Group group;
   group.words = Words(scores.match_by);
-  group.prefix = movers ? "object_" : "object_standing_";
+  group.form = movers ? BodyGroup::kMovers : BodyGroup::kStanding;
   for (const BodyScore& body : scores.bodies) {
     if (body.mover != movers) continue;
     group.bodies.push_back(&body);
@@ -117,26 +123,27 @@ double Ratio(std::int64_t part, std::int64_t whole) {
   return static_cast<double>(part) / static_cast<double>(whole);
 }
 
+std::string WithinText(MetricId id) {
+  return StrCat("with a position error of at most ", 100.0 * EntryOf(id).limit_m, " cm");
+}
+
 void AddFractions(const Group& group, std::vector<Metric>& metrics) {
-  metrics.push_back({group.prefix + "coverage", Ratio(group.estimated, group.visible), "1",
-                     group.visible, Fraction(group, "none", "with an estimate")});
-  for (const int limit_cm : kSuccess_cm) {
+  metrics.push_back(group.Make(kObjectCoverage, Ratio(group.estimated, group.visible),
+                               group.visible, Fraction(group, "none", "with an estimate")));
+  for (const MetricId id : kSuccesses) {
     std::int64_t successes = 0;
     for (const BodyScore* body : group.bodies) {
-      successes += Within(body->errors, 0.01 * limit_cm);
+      successes += Within(body->errors, EntryOf(id).limit_m);
     }
-    metrics.push_back(
-        {StrCat(group.prefix, "success_", limit_cm, "cm"), Ratio(successes, group.visible), "1",
-         group.visible,
-         Fraction(group, kAligned, StrCat("with a position error of at most ", limit_cm, " cm"))});
+    metrics.push_back(group.Make(id, Ratio(successes, group.visible), group.visible,
+                                 Fraction(group, kAligned, WithinText(id))));
   }
 }
 
 // The mean over the bodies that determine the value; absent where none does.
 template <typename ValueOf>
-void AddMean(const Group& group, const std::string& name, const char* unit,
-             const MetricContract& contract, const ValueOf& value_of,
-             std::vector<Metric>& metrics) {
+void AddMean(const Group& group, MetricId id, const MetricContract& contract,
+             const ValueOf& value_of, std::vector<Metric>& metrics) {
   double sum = 0.0;
   std::int64_t n = 0;
   for (const BodyScore* body : group.bodies) {
@@ -145,15 +152,14 @@ void AddMean(const Group& group, const std::string& name, const char* unit,
     sum += *value;
     ++n;
   }
-  if (n > 0)
-    metrics.push_back({group.prefix + name, sum / static_cast<double>(n), unit, n, contract});
+  if (n > 0) metrics.push_back(group.Make(id, sum / static_cast<double>(n), n, contract));
 }
 
 template <typename Member>
-auto Rotation(Member member, double scale = 1.0) {
+auto Rotation(Member member) {
   return [=](const BodyScore& body) -> std::optional<double> {
     if (!(body.*member)) return std::nullopt;
-    return scale * (body.*member)->rotation_rad;
+    return (body.*member)->rotation_rad;
   };
 }
 template <typename Member>
@@ -167,26 +173,26 @@ auto Translation(Member member) {
 void AddErrors(const ObjectTruth& truth, const Group& group, std::vector<Metric>& metrics) {
   const std::string& counted = group.words.counted;
   AddMean(
-      group, "ate", "m", With(group, kAligned, counted, "none", kMeanOfBodies),
+      group, kObjectAte, With(group, kAligned, counted, "none", kMeanOfBodies),
       [](const BodyScore& body) { return body.ate_m; }, metrics);
   const MetricContract all =
       With(group, kAligned, "all ordered pairs i != j of " + counted, "all", kMeanOfBodies);
-  AddMean(group, "rrpe_all_pairs", "rad", all, Rotation(&BodyScore::all_pairs), metrics);
-  AddMean(group, "trpe_all_pairs", "m", all, Translation(&BodyScore::all_pairs), metrics);
+  AddMean(group, kObjectRrpeAllPairs, all, Rotation(&BodyScore::all_pairs), metrics);
+  AddMean(group, kObjectTrpeAllPairs, all, Translation(&BodyScore::all_pairs), metrics);
   const MetricContract one =
       With(group, kAligned, "consecutive " + counted, "1 frame", kMeanOfBodies);
-  AddMean(group, "rrpe_1_frame", "rad", one, Rotation(&BodyScore::one_frame), metrics);
-  AddMean(group, "trpe_1_frame", "m", one, Translation(&BodyScore::one_frame), metrics);
+  AddMean(group, kObjectRrpe1Frame, one, Rotation(&BodyScore::one_frame), metrics);
+  AddMean(group, kObjectTrpe1Frame, one, Translation(&BodyScore::one_frame), metrics);
   const MetricContract motion =
       With(group, kWorldAligned,
            StrCat("consecutive ", counted, ", within frames ", truth.first_frame, " to ",
                   truth.first_frame + static_cast<int>(truth.frame_count()) - 1,
                   "; E = G_k^-1 H_gt^-1 H_est G_k with the motion H = P_k+1 P_k^-1 in world"),
            "1 frame", kMeanOfBodies);
-  AddMean(group, "motion_r", "deg", motion, Rotation(&BodyScore::motion, kDegrees), metrics);
-  AddMean(group, "motion_t", "m", motion, Translation(&BodyScore::motion), metrics);
+  AddMean(group, kObjectMotionR, motion, Rotation(&BodyScore::motion), metrics);
+  AddMean(group, kObjectMotionT, motion, Translation(&BodyScore::motion), metrics);
   AddMean(
-      group, "velocity", "m/s",
+      group, kObjectVelocity,
       With(group, kAligned, counted + ", against differences of true positions of the same point",
            "central difference, one-sided where the truth begins or ends", kMeanOfBodies),
       [](const BodyScore& body) { return body.velocity_m_s; }, metrics);
@@ -202,17 +208,16 @@ void AddCounts(const Group& group, std::vector<Metric>& metrics) {
     unmatched += body->cluster == -1 ? 1 : 0;
   }
   const auto n = static_cast<std::int64_t>(group.bodies.size());
-  const auto add = [&](const char* name, std::int64_t count, const std::string& how,
-                       const char* of) {
+  const auto add = [&](MetricId id, std::int64_t count, const std::string& how, const char* of) {
     MetricContract contract = With(group, "none", "all visible object-frames; " + how, "none", of);
     contract.left_out = "nothing";
-    metrics.push_back({group.prefix + name, static_cast<double>(count), "1", n, contract});
+    metrics.push_back(group.Make(id, static_cast<double>(count), n, contract));
   };
-  add("id_switches", switches, group.words.in_frame,
+  add(kObjectIdSwitches, switches, group.words.in_frame,
       "number of times a body's cluster is another than the last one");
-  add("fragments", fragments, group.words.in_frame,
+  add(kObjectFragments, fragments, group.words.in_frame,
       "number of times a body has a cluster again after visible frames without one");
-  add("unmatched", unmatched, group.words.clusters,
+  add(kObjectUnmatched, unmatched, group.words.clusters,
       "number of bodies matched to no cluster, one-to-one");
 }
 
@@ -230,24 +235,23 @@ void AddPredicted(const Group& movers, std::vector<Metric>& metrics) {
   }
   if (frames == 0) return;
   Group group = movers;
-  group.prefix = "object_predicted_";
+  group.form = BodyGroup::kPredicted;
   group.contract.left_out = "bodies that are estimated in no frame";
   const std::string pairing = StrCat(
       "object-frames, visible or not, where the pose is predicted "
       "or fewer than ",
       kLandmarksThatCount, " landmarks are observed");
   AddMean(
-      group, "ate", "m", With(group, kAligned, pairing, "none", kMeanOfBodies),
+      group, kObjectAte, With(group, kAligned, pairing, "none", kMeanOfBodies),
       [](const BodyScore& body) { return body.predicted_ate_m; }, metrics);
-  for (const int limit_cm : kSuccess_cm) {
+  for (const MetricId id : kSuccesses) {
     std::int64_t successes = 0;
     for (const BodyScore* body : group.bodies) {
-      successes += Within(body->predicted, 0.01 * limit_cm);
+      successes += Within(body->predicted, EntryOf(id).limit_m);
     }
     metrics.push_back(
-        {StrCat(group.prefix, "success_", limit_cm, "cm"), Ratio(successes, frames), "1", frames,
-         With(group, kAligned, pairing, "none",
-              StrCat("fraction with a position error of at most ", limit_cm, " cm"))});
+        group.Make(id, Ratio(successes, frames), frames,
+                   With(group, kAligned, pairing, "none", "fraction " + WithinText(id))));
   }
 }
 
@@ -262,8 +266,9 @@ void AddUnmatchedClusters(const ObjectTruth& truth, const ObjectScores& scores,
   contract.delta = "none";
   contract.aggregation = "number matched to no body, one-to-one";
   contract.left_out = "nothing";
-  metrics.push_back({"object_unmatched_clusters", static_cast<double>(scores.unmatched_clusters),
-                     "1", scores.clusters, contract});
+  metrics.push_back(MakeMetric({kObjectUnmatchedClusters},
+                               static_cast<double>(scores.unmatched_clusters), scores.clusters,
+                               contract));
 }
 
 }  // namespace

@@ -21,8 +21,9 @@ void Append(std::vector<Metric> from, std::vector<Metric>& to) {
 // "camera_ate" is "camera_causal_ate".
 void NameCausal(std::vector<Metric>& metrics) {
   for (Metric& metric : metrics) {
-    const std::size_t group = metric.name.find('_');
-    if (group != std::string::npos) metric.name.insert(group + 1, "causal_");
+    reports::MetricForm form = reports::FindForm(metric.name).value();
+    form.causal = true;
+    metric.name = reports::MetricName(form);
   }
 }
 

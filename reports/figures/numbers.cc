@@ -7,9 +7,10 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "reports/results/metric_rule.h"
+#include "reports/results/metric_catalogue.h"
 
 namespace cvo::reports {
+
 Json RoundedList(const std::vector<double>& values, int digits) {
   Json list = Json::array();
   for (const double value : values) list.push_back(Rounded(value, digits));
@@ -29,11 +30,11 @@ std::string Say(double value, int digits) {
 }
 
 Shown ShownAs(const std::string& metric, const std::string& unit) {
-  const auto rule = FindRule(metric);
-  Shown shown{1.0, unit == "1" ? "" : unit, rule && rule->higher_is_better, false, false};
+  const MetricEntry* rule = FindEntry(metric);
+  Shown shown{1.0, unit == "1" ? "" : unit, rule && rule->higher_is_better(), false, false};
   if (!rule) return shown;
-  shown.is_error = rule->kind == MetricRule::Kind::kError;
-  shown.is_share = rule->kind == MetricRule::Kind::kFraction && unit == "1";
+  shown.is_error = rule->kind == MetricKind::kError;
+  shown.is_share = rule->kind == MetricKind::kFraction && unit == "1";
   if (shown.is_share) {
     shown.scale = 100.0;
     shown.unit.assign(1, '%');

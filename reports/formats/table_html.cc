@@ -10,7 +10,7 @@
 #include "core/files/utf8.h"
 #include "reports/formats/digits.h"
 #include "reports/formats/table_texts.h"
-#include "reports/results/metric_rule.h"
+#include "reports/results/metric_catalogue.h"
 
 namespace cvo::reports {
 namespace {
@@ -114,10 +114,10 @@ std::string HeaderHtml(const Table& table, const TableTexts& texts) {
   }
   for (std::size_t i = 0; i < texts.columns.size(); ++i) {
     const std::string& metric = table.columns[i].metric;
-    const auto rule = FindRule(metric);
+    const MetricEntry* rule = FindEntry(metric);
     html += "<th scope=\"col\" class=\"number\"" + Attribute("data-column", StrCat(i)) +
             Attribute("data-metric", Printable(metric));
-    if (rule) html += Attribute("data-better", rule->higher_is_better ? "higher" : "lower");
+    if (rule) html += Attribute("data-better", rule->higher_is_better() ? "higher" : "lower");
     html += StrCat(">", HtmlEscaped(texts.columns[i].label));
     const std::string& unit = texts.columns[i].unit;
     if (!unit.empty()) html += StrCat(" ", Span("unit", StrCat("[", unit, "]")));

@@ -10,7 +10,7 @@
 #include "core/files/utf8.h"
 #include "reports/formats/best_cells.h"
 #include "reports/formats/digits.h"
-#include "reports/results/metric_rule.h"
+#include "reports/results/metric_catalogue.h"
 #include "reports/tables/footnotes.h"
 
 namespace cvo::reports {
@@ -130,8 +130,8 @@ CellText DifferenceText(const Difference& difference, int decimals, bool change)
 }
 
 std::string UnitForDigits(const Column& column) {
-  const auto rule = FindRule(column.metric);
-  return rule && rule->kind == MetricRule::Kind::kCount ? kCountUnit : column.unit;
+  const MetricEntry* rule = FindEntry(column.metric);
+  return rule && rule->kind == MetricKind::kCount ? kCountUnit : column.unit;
 }
 
 // Decimals of a column's cells that do or do not compare with each other.

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/files/json_fields.h"
-#include "reports/results/metric_rule.h"
+#include "reports/results/metric_catalogue.h"
 
 namespace cvo::reports {
 namespace {
@@ -16,7 +16,7 @@ Json ToJson(const BaselineMetric& metric) {
   for (const auto& [type, contract] : metric.contracts) contracts[type] = Json(contract);
   return {{"name", metric.name},
           {"unit", metric.unit},
-          {"better", FindRule(metric.name)->higher_is_better ? "higher" : "lower"},
+          {"better", FindEntry(metric.name)->higher_is_better() ? "higher" : "lower"},
           {"contracts", contracts}};
 }
 
@@ -42,8 +42,8 @@ BaselineMetric ReadMetric(const Fields& fields) {
   BaselineMetric metric;
   metric.name = fields.Text("name");
   metric.unit = fields.Text("unit");
-  const auto rule = FindRule(metric.name);
-  const std::string better = !rule ? "" : rule->higher_is_better ? "higher" : "lower";
+  const MetricEntry* rule = FindEntry(metric.name);
+  const std::string better = !rule ? "" : rule->higher_is_better() ? "higher" : "lower";
   if (fields.Text("better") != better) {
     ThrowError(StrCat(fields.where(), ", ", metric.name),
                StrCat("better \"", fields.Text("better"), "\""),

@@ -16,7 +16,7 @@ namespace cvo::reports {
 inline constexpr int kBaselineSchemaVersion = 1;
 
 struct BaselineMetric {
-  std::string name;  // FindRule knows it
+  std::string name;  // FindEntry knows it
   std::string unit;
   std::map<std::string, Contract> contracts;  // by type of dataset; left_out apart
 };

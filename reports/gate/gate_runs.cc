@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/files/json_fields.h"
-#include "reports/results/metric_rule.h"
+#include "reports/results/metric_catalogue.h"
 #include "reports/tables/columns.h"
 
 namespace cvo::reports {
@@ -34,7 +34,7 @@ GateRuns ReadGateRuns(const fs::path& folder, std::vector<std::string> metrics) 
   SuitePlan plan = ReadPlan(folder / "plan.json");
   std::erase_if(plan.runs, [](const PlannedRun& run) { return run.system; });
   if (metrics.empty()) metrics = WithCoverage(plan.metrics);
-  std::erase_if(metrics, [](const std::string& metric) { return !FindRule(metric); });
+  std::erase_if(metrics, [](const std::string& metric) { return !FindEntry(metric); });
   GateRuns runs{folder, plan.name, metrics, {}};
   runs.runs = ReadRuns(folder, plan, metrics);
   return runs;

@@ -3,47 +3,12 @@
 #include "reports/tables/columns.h"
 
 #include <algorithm>
-#include <array>
-#include <utility>
 
 #include "core/base/error.h"
-#include "reports/results/metric_rule.h"
+#include "reports/results/metric_catalogue.h"
 
 namespace cvo::reports {
 namespace {
-
-std::string Label(const std::string& metric) {
-  static const std::array<std::pair<const char*, const char*>, 25> labels = {
-      {{"camera_coverage", "camera coverage"},
-       {"camera_ate", "camera ATE"},
-       {"camera_rrpe_all_pairs", "camera R.RPE"},
-       {"camera_trpe_all_pairs", "camera T.RPE"},
-       {"camera_rrpe_1_frame", "camera R.RPE/frame"},
-       {"camera_trpe_1_frame", "camera T.RPE/frame"},
-       {"camera_t_drift", "t drift"},
-       {"camera_r_drift", "r drift"},
-       {"object_ate", "object ATE"},
-       {"object_rrpe_all_pairs", "object R.RPE"},
-       {"object_trpe_all_pairs", "object T.RPE"},
-       {"object_motion_r", "motion error"},
-       {"object_motion_t", "motion error"},
-       {"object_velocity", "velocity error"},
-       {"object_success_5cm", "within 5 cm"},
-       {"object_success_10cm", "within 10 cm"},
-       {"object_success_20cm", "within 20 cm"},
-       {"object_coverage", "object coverage"},
-       {"object_id_switches", "id switches"},
-       {"object_fragments", "fragments"},
-       {"object_unmatched_clusters", "extra clusters"},
-       {"clustering_iou", "clustering IoU"},
-       {"clustering_ari", "clustering ARI"},
-       {"moving_precision", "moving precision"},
-       {"moving_recall", "moving recall"}}};
-  for (const auto& [name, label] : labels) {
-    if (metric == name) return label;
-  }
-  return metric;
-}
 
 std::string FieldOf(const Contract& contract, const std::string& field) {
   const auto found = contract.find(field);
@@ -107,7 +72,7 @@ std::optional<Column> MakeColumn(const std::string& name, const std::vector<Suit
     }
   }
   if (kinds.empty()) return std::nullopt;
-  return Column{name, Label(name), kinds[0].metric->unit, kinds[0].contract};
+  return Column{name, MetricLabel(name), kinds[0].metric->unit, kinds[0].contract};
 }
 
 }  // namespace

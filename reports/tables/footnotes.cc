@@ -6,7 +6,7 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "reports/results/metric_rule.h"
+#include "reports/results/metric_catalogue.h"
 #include "reports/statistics/estimate.h"
 
 namespace cvo::reports {

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "core/base/rng.h"
 #include "experiments/metrics/object_metrics.h"
 #include "experiments/record/bodies_json.h"
@@ -52,9 +54,16 @@ TEST(BodyMetrics, TablesOfOneRunSayWhatItsMetricsSay) {
   test::Json result = test::Result();
   result["metrics"] = MetricsToJson(metrics, "refined");
   result["bodies"] = {{"refined", BodiesToJson(scores.bodies)}};
+  std::set<MetricId> computed;
   for (const Metric& metric : metrics) {
+    computed.insert(FindForm(metric.name)->id);
     EXPECT_TRUE(FindBodyMetric(metric.name)) << metric.name;
     suite.table["metrics"].push_back(metric.name);
+  }
+  for (std::size_t i = 0; i < kMetricCount; ++i) {
+    const MetricEntry& entry = EntryOf(static_cast<MetricId>(i));
+    if (entry.family == MetricFamily::kBodies)
+      EXPECT_TRUE(computed.contains(entry.id)) << entry.name;
   }
   suite.Add(result);
   const Table table = MakeTable(suite.Written(), {}, "");

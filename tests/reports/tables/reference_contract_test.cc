@@ -35,6 +35,17 @@ TEST(ReferenceContract, TablesAskForMetricsThatExist) {
   }
 }
 
+TEST(ReferenceContract, EveryMetricOfTheCameraIsComputed) {
+  const Json metrics = RecordedMetrics();
+  for (std::size_t i = 0; i < kMetricCount; ++i) {
+    const MetricEntry& entry = EntryOf(static_cast<MetricId>(i));
+    if (entry.family != MetricFamily::kCamera) continue;
+    const Json* recorded = FindRecorded(metrics, entry.name);
+    ASSERT_NE(recorded, nullptr) << entry.name;
+    EXPECT_EQ((*recorded)["unit"], entry.unit);
+  }
+}
+
 TEST(ReferenceContract, FieldsThatASourceStatesAreWordedAsInResults) {
   const Json metrics = RecordedMetrics();
   for (const ReferenceFigure& figure : ShippedReference().figures) {
