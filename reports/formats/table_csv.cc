@@ -7,6 +7,7 @@
 #include "reports/formats/csv_text.h"
 #include "reports/formats/digits.h"
 #include "reports/formats/table_texts.h"
+#include "reports/results/contract_text.h"
 
 namespace cvo::reports {
 namespace {
@@ -59,7 +60,7 @@ void AddHead(const Table& table, const TextLine& line, Record& record) {
                                 row.sequence->first_frame + row.sequence->frames)
                        : "",
           record);
-  AddText(row.truth, record);
+  AddText(TruthText(row.truth), record);
   AddCount(row.jobs.done, record);
   AddCount(row.jobs.planned, record);
 }

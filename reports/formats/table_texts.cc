@@ -40,8 +40,8 @@ std::vector<std::string> TextHeader(const Table& table) {
 }
 
 // What of the truth goes into a cell: its name, without what counts as visible.
-std::string ShortTruth(const std::string& truth) {
-  return truth.empty() ? "-" : truth.substr(0, truth.find(';'));
+std::string ShortTruth(const Contract& contract) {
+  return contract.truth ? NameOf(*contract.truth) : "-";
 }
 
 std::vector<std::string> OurTexts(const Row& row, const Table& table) {

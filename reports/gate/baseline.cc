@@ -12,12 +12,10 @@ namespace cvo::reports {
 namespace {
 
 Json ToJson(const BaselineMetric& metric) {
-  Json contracts = Json::object();
-  for (const auto& [type, contract] : metric.contracts) contracts[type] = Json(contract);
   return {{"name", metric.name},
-          {"unit", metric.unit},
+          {"unit", NameOf(metric.unit)},
           {"better", FindEntry(metric.name)->higher_is_better() ? "higher" : "lower"},
-          {"contracts", contracts}};
+          {"contracts", cvo::ToJson(metric.contracts)}};
 }
 
 Json ToJson(const BaselineJob& job) {
@@ -41,7 +39,7 @@ std::string Lines(const std::vector<T>& rows) {
 BaselineMetric ReadMetric(const Fields& fields) {
   BaselineMetric metric;
   metric.name = fields.Text("name");
-  metric.unit = fields.Text("unit");
+  metric.unit = FromJson<MetricUnit>(fields.Text("unit"), fields.where() + ", field unit");
   const MetricEntry* rule = FindEntry(metric.name);
   const std::string better = !rule ? "" : rule->higher_is_better() ? "higher" : "lower";
   if (fields.Text("better") != better) {
@@ -49,10 +47,8 @@ BaselineMetric ReadMetric(const Fields& fields) {
                StrCat("better \"", fields.Text("better"), "\""),
                rule ? StrCat("\"", better, "\"") : "a metric that the gate knows");
   }
-  const Fields contracts = fields.Object("contracts");
-  for (const auto& [type, contract] : contracts.json().items()) {
-    metric.contracts[type] = contracts.NamedTexts(type.c_str());
-  }
+  metric.contracts = FromJson<std::map<std::string, Contract>>(fields.Object("contracts").json(),
+                                                               fields.where() + ", contracts");
   return metric;
 }
 

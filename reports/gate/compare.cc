@@ -137,7 +137,7 @@ std::vector<Comparison> CompareValues(const Baseline& baseline, const std::vecto
       Comparison comparison;
       comparison.variant = variant;
       comparison.metric = metric.name;
-      comparison.unit = metric.unit;
+      comparison.unit = NameOf(metric.unit);
       candidates.push_back(MakeCandidate(comparison, scenes));
       if (scenes.size() == 1) continue;
       for (const ScenePairs& scene : scenes) {

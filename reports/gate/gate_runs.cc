@@ -41,11 +41,7 @@ GateRuns ReadGateRuns(const fs::path& folder, std::vector<std::string> metrics) 
 }
 
 Contract GateContract(const RunSummary& run, const MetricValue& metric) {
-  Contract contract =
-      ColumnContract(metric.contract, run.sequence.first_frame, run.sequence.frames);
-  const auto truth = metric.contract.find("truth");
-  if (truth != metric.contract.end()) contract["truth"] = truth->second;
-  return contract;
+  return WithTruthOf(ColumnContract(metric.contract, run.sequence.range()), metric.contract);
 }
 
 std::string RunLabel(const std::map<std::string, std::string>& keys, std::uint64_t seed) {

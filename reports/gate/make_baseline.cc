@@ -38,8 +38,7 @@ std::vector<std::uint64_t> GateSeeds(const GateRuns& runs, std::size_t gate_seed
 void AddContract(const RunSummary& run, const MetricValue& value, BaselineMetric& metric) {
   const Contract contract = GateContract(run, value);
   const auto [known, is_new] = metric.contracts.try_emplace(run.sequence.type, contract);
-  const bool is_first = metric.unit.empty();
-  if (is_first) metric.unit = value.unit;
+  if (metric.contracts.size() == 1 && is_new) metric.unit = value.unit;
   if (known->second != contract || metric.unit != value.unit) {
     ThrowError(StrCat(run.file.string(), ", metric ", value.name), "another contract or unit",
                StrCat("that of the other runs on ", run.sequence.type));
@@ -49,7 +48,7 @@ void AddContract(const RunSummary& run, const MetricValue& value, BaselineMetric
 std::vector<BaselineMetric> CollectMetrics(const GateRuns& runs) {
   std::vector<BaselineMetric> metrics;
   for (const std::string& name : runs.metrics) {
-    BaselineMetric metric{name, "", {}};
+    BaselineMetric metric{name, MetricUnit::kOne, {}};
     for (const SuiteRun& run : runs.runs) {
       const MetricValue* value = FindMetric(*run.run, name);
       if (value != nullptr) AddContract(*run.run, *value, metric);

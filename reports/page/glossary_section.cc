@@ -4,6 +4,7 @@
 #include "reports/page/html.h"
 #include "reports/page/page_parts.h"
 #include "reports/page/quantity.h"
+#include "reports/results/contract_text.h"
 #include "reports/results/metric_catalogue.h"
 
 namespace cvo::reports {
@@ -11,11 +12,8 @@ namespace {
 
 std::string ContractHtml(const Contract& contract) {
   std::string html;
-  for (const auto& [field, value] : contract) {
-    if (value.empty()) continue;
-    std::string name = field;
-    for (char& c : name) c = c == '_' ? ' ' : c;
-    html += "<li>" + Element("em", name) + ": " + Escaped(value) + "</li>\n";
+  for (const auto& [name, text] : ContractTexts(contract)) {
+    html += "<li>" + Element("em", name) + ": " + Escaped(text) + "</li>\n";
   }
   return html.empty() ? ""
                       : "<details><summary>Exactly</summary><ul>\n" + html + "</ul></details>\n";

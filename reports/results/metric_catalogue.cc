@@ -16,58 +16,103 @@ using enum MetricFamily;
 using enum MetricKind;
 using enum FromBody;
 
-constexpr MetricEntry Camera(MetricId id, const char* name, const char* unit, MetricKind kind,
-                             const char* label, const char* meaning) {
-  return {id, kCamera, name, unit, kind, kNothing, "", 0.0, false, label, meaning};
+using A = Alignment;
+using P = Pairing;
+using D = Delta;
+using S = Aggregation;  // summary
+
+constexpr MetricEntry Camera(MetricId id, const char* name, MetricUnit unit, MetricKind kind,
+                             Relation relation, const char* label, const char* meaning) {
+  return {id, kCamera, name, unit, relation, kind, kNothing, "", 0.0, false, label, meaning};
 }
 
-constexpr MetricEntry Landmarks(MetricId id, const char* name, const char* label,
-                                const char* meaning) {
-  return {id, kLandmarks, name, "1", kFraction, kNothing, "", 0.0, false, label, meaning};
+constexpr MetricEntry Ate(MetricId id, const char* name, Aggregation summary, const char* label,
+                          const char* meaning) {
+  return Camera(id, name, MetricUnit::kMetres, kError,
+                {A::kPositions, P::kFramesWithBoth, D::kNone, summary}, label, meaning);
 }
 
-constexpr MetricEntry Mean(MetricId id, const char* name, const char* unit, const char* field,
-                           const char* label, const char* meaning) {
-  return {id, kBodies, name, unit, kError, kField, field, 0.0, false, label, meaning};
+constexpr MetricEntry Landmarks(MetricId id, const char* name, Pairing pairing, Aggregation summary,
+                                const char* label, const char* meaning) {
+  return {id,
+          kLandmarks,
+          name,
+          MetricUnit::kOne,
+          {A::kNone, pairing, D::kNone, summary},
+          kFraction,
+          kNothing,
+          "",
+          0.0,
+          false,
+          label,
+          meaning};
+}
+
+constexpr MetricEntry Mean(MetricId id, const char* name, MetricUnit unit, Alignment alignment,
+                           Pairing pairing, Delta delta, const char* field, const char* label,
+                           const char* meaning) {
+  const Relation relation = {alignment, pairing, delta, S::kMeanOverBodies};
+  return {id, kBodies, name, unit, relation, kError, kField, field, 0.0, false, label, meaning};
 }
 
 constexpr MetricEntry Success(MetricId id, const char* name, double limit_m, const char* label,
                               const char* meaning) {
-  return {id, kBodies, name, "1", kFraction, kSuccess, "", limit_m, true, label, meaning};
+  const Relation relation = {A::kWorldAndBody, P::kVisible, D::kNone, S::kFractionWithin};
+  return {id,      kBodies, name,  MetricUnit::kOne, relation, kFraction, kSuccess, "",
+          limit_m, true,    label, meaning};
 }
 
-constexpr MetricEntry Number(MetricId id, const char* name, FromBody from_body, const char* field,
-                             const char* label, const char* meaning) {
-  return {id, kBodies, name, "1", kCount, from_body, field, 0.0, false, label, meaning};
+constexpr MetricEntry Number(MetricId id, const char* name, Pairing pairing, Aggregation summary,
+                             FromBody from_body, const char* field, const char* label,
+                             const char* meaning) {
+  const Relation relation = {A::kNone, pairing, D::kNone, summary};
+  return {id,  kBodies, name,  MetricUnit::kOne, relation, kCount, from_body, field,
+          0.0, false,   label, meaning};
 }
 
 constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
-    Camera(kCameraCoverage, "camera_coverage", "1", kFraction, "camera coverage",
+    Camera(kCameraCoverage, "camera_coverage", MetricUnit::kOne, kFraction,
+           {A::kNone, P::kFramesWithTruth, D::kNone, S::kFractionOfFrames}, "camera coverage",
            "Part of the frames in which the camera has a position."),
-    Camera(kCameraAte, "camera_ate", "m", kError, "camera ATE",
-           "Absolute trajectory error of the camera: distance between estimated and true positions "
-           "after the two trajectories are laid over each other; root mean square over frames."),
-    Camera(kCameraAteMean, "camera_ate_mean", "m", kError, "camera ATE, mean",
-           "As camera ATE, but the mean over frames."),
-    Camera(kCameraAteMedian, "camera_ate_median", "m", kError, "camera ATE, median",
-           "As camera ATE, but the median over frames."),
-    Camera(kCameraAteMax, "camera_ate_max", "m", kError, "camera ATE, maximum",
-           "As camera ATE, but the largest of all frames."),
-    Camera(kCameraRrpeAllPairs, "camera_rrpe_all_pairs", "rad", kError, "camera R.RPE",
+    Ate(kCameraAte, "camera_ate", S::kRmsOfPositions, "camera ATE",
+        "Absolute trajectory error of the camera: distance between estimated and true positions "
+        "after the two trajectories are laid over each other; root mean square over frames."),
+    Ate(kCameraAteMean, "camera_ate_mean", S::kMeanOfPositions, "camera ATE, mean",
+        "As camera ATE, but the mean over frames."),
+    Ate(kCameraAteMedian, "camera_ate_median", S::kMedianOfPositions, "camera ATE, median",
+        "As camera ATE, but the median over frames."),
+    Ate(kCameraAteMax, "camera_ate_max", S::kMaximumOfPositions, "camera ATE, maximum",
+        "As camera ATE, but the largest of all frames."),
+    Camera(kCameraRrpeAllPairs, "camera_rrpe_all_pairs", MetricUnit::kRadians, kError,
+           {A::kNone, P::kOrderedPairs, D::kAll, S::kRmsOfAngles}, "camera R.RPE",
            "Relative rotation error of the camera between every two frames of a run."),
-    Camera(kCameraTrpeAllPairs, "camera_trpe_all_pairs", "m", kError, "camera T.RPE",
+    Camera(kCameraTrpeAllPairs, "camera_trpe_all_pairs", MetricUnit::kMetres, kError,
+           {A::kNone, P::kOrderedPairs, D::kAll, S::kRmsOfTranslations}, "camera T.RPE",
            "Relative translation error of the camera between every two frames of a run."),
-    Camera(kCameraRrpe1Frame, "camera_rrpe_1_frame", "rad", kError, "camera R.RPE/frame",
+    Camera(kCameraRrpe1Frame, "camera_rrpe_1_frame", MetricUnit::kRadians, kError,
+           {A::kNone, P::kConsecutive, D::kOneFrame, S::kRmsOfAngles}, "camera R.RPE/frame",
            "Relative rotation error of the camera from one frame to the next."),
-    Camera(kCameraTrpe1Frame, "camera_trpe_1_frame", "m", kError, "camera T.RPE/frame",
+    Camera(kCameraTrpe1Frame, "camera_trpe_1_frame", MetricUnit::kMetres, kError,
+           {A::kNone, P::kConsecutive, D::kOneFrame, S::kRmsOfTranslations}, "camera T.RPE/frame",
            "Relative translation error of the camera from one frame to the next."),
-    Camera(kCameraTDrift, "camera_t_drift", "%", kError, "t drift",
+    Camera(kCameraTDrift, "camera_t_drift", MetricUnit::kPercent, kError,
+           {A::kNone, P::kKittiStretches, D::kKittiLengths, S::kTranslationOverLength}, "t drift",
            "Translation error of the camera over stretches of 100 to 800 m, in percent of their "
            "length, as the KITTI benchmark has it."),
-    Camera(kCameraRDrift, "camera_r_drift", "deg/100 m", kError, "r drift",
+    Camera(kCameraRDrift, "camera_r_drift", MetricUnit::kDegreesPer100m, kError,
+           {A::kNone, P::kKittiStretches, D::kKittiLengths, S::kRotationOverLength}, "r drift",
            "Rotation error of the camera over stretches of 100 to 800 m, per length, as the KITTI "
            "benchmark has it."),
-    {kObjectCoverage, kBodies, "object_coverage", "1", kFraction, kCoverage, "", 0.0, false,
+    {kObjectCoverage,
+     kBodies,
+     "object_coverage",
+     MetricUnit::kOne,
+     {A::kNone, P::kVisible, D::kNone, S::kFractionEstimated},
+     kFraction,
+     kCoverage,
+     "",
+     0.0,
+     false,
      "object coverage",
      "Part of the frames in which an object should be seen and has an estimate. An error without "
      "it "
@@ -81,39 +126,69 @@ constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
     Success(kObjectSuccess20cm, "object_success_20cm", 0.2, "within 20 cm",
             "Part of all object-frames that should be seen in which the object is within 20 cm of "
             "the truth. One that is missed counts as a failure."),
-    {kObjectAte, kBodies, "object_ate", "m", kError, kField, "ate_m", 0.0, true, "object ATE",
+    {kObjectAte,
+     kBodies,
+     "object_ate",
+     MetricUnit::kMetres,
+     {A::kWorldAndBody, P::kEstimated, D::kNone, S::kMeanOverBodies},
+     kError,
+     kField,
+     "ate_m",
+     0.0,
+     true,
+     "object ATE",
      "Absolute trajectory error of moving objects, in the world of the camera: no object is "
      "aligned "
      "by itself. Over the frames that have an estimate."},
-    Mean(kObjectRrpeAllPairs, "object_rrpe_all_pairs", "rad", "all_pairs_rad", "object R.RPE",
+    Mean(kObjectRrpeAllPairs, "object_rrpe_all_pairs", MetricUnit::kRadians, A::kWorldAndBody,
+         P::kEstimatedPairs, D::kAll, "all_pairs_rad", "object R.RPE",
          "Relative rotation error of objects between every two frames."),
-    Mean(kObjectTrpeAllPairs, "object_trpe_all_pairs", "m", "all_pairs_m", "object T.RPE",
+    Mean(kObjectTrpeAllPairs, "object_trpe_all_pairs", MetricUnit::kMetres, A::kWorldAndBody,
+         P::kEstimatedPairs, D::kAll, "all_pairs_m", "object T.RPE",
          "Relative translation error of objects between every two frames."),
-    Mean(kObjectRrpe1Frame, "object_rrpe_1_frame", "rad", "one_frame_rad", "object R.RPE/frame",
+    Mean(kObjectRrpe1Frame, "object_rrpe_1_frame", MetricUnit::kRadians, A::kWorldAndBody,
+         P::kEstimatedConsecutive, D::kOneFrame, "one_frame_rad", "object R.RPE/frame",
          "Relative rotation error of objects from one frame to the next."),
-    Mean(kObjectTrpe1Frame, "object_trpe_1_frame", "m", "one_frame_m", "object T.RPE/frame",
+    Mean(kObjectTrpe1Frame, "object_trpe_1_frame", MetricUnit::kMetres, A::kWorldAndBody,
+         P::kEstimatedConsecutive, D::kOneFrame, "one_frame_m", "object T.RPE/frame",
          "Relative translation error of objects from one frame to the next."),
-    Mean(kObjectMotionR, "object_motion_r", "rad", "motion_rad", "motion error",
+    Mean(kObjectMotionR, "object_motion_r", MetricUnit::kRadians, A::kWorld, P::kMotions,
+         D::kOneFrame, "motion_rad", "motion error",
          "Error of the rotation that an object makes from one frame to the next."),
-    Mean(kObjectMotionT, "object_motion_t", "m", "motion_m", "motion error",
+    Mean(kObjectMotionT, "object_motion_t", MetricUnit::kMetres, A::kWorld, P::kMotions,
+         D::kOneFrame, "motion_m", "motion error",
          "Error of the translation that an object makes from one frame to the next."),
-    Mean(kObjectVelocity, "object_velocity", "m/s", "velocity_m_s", "velocity error",
-         "Error of the speed of objects."),
-    Number(kObjectIdSwitches, "object_id_switches", kSum, "id_switches", "id switches",
-           "How often a true object gets another id."),
-    Number(kObjectFragments, "object_fragments", kSum, "fragments", "fragments",
+    Mean(kObjectVelocity, "object_velocity", MetricUnit::kMetresPerSecond, A::kWorldAndBody,
+         P::kVelocities, D::kCentral, "velocity_m_s", "velocity error",
+         "Error of the velocity of objects: length of the difference from the true one."),
+    Number(kObjectIdSwitches, "object_id_switches", P::kEachFrameItself, S::kSwitches, kSum,
+           "id_switches", "id switches", "How often a true object gets another id."),
+    Number(kObjectFragments, "object_fragments", P::kEachFrameItself, S::kFragments, kSum,
+           "fragments", "fragments",
            "How often the estimate of an object breaks off and begins again."),
-    Number(kObjectUnmatched, "object_unmatched", kUnmatched, "", "missed objects",
-           "True objects that no cluster belongs to."),
-    {kObjectUnmatchedClusters, kClusters, "object_unmatched_clusters", "1", kCount, kNothing, "",
-     0.0, false, "extra clusters", "Clusters that belong to no true object."},
-    Landmarks(kMovingPrecision, "moving_precision", "moving precision",
-              "Part of the landmarks said to move that do move."),
-    Landmarks(kMovingRecall, "moving_recall", "moving recall",
+    Number(kObjectUnmatched, "object_unmatched", P::kWhole, S::kMissedBodies, kUnmatched, "",
+           "missed objects", "True objects that no cluster belongs to."),
+    {kObjectUnmatchedClusters,
+     kClusters,
+     "object_unmatched_clusters",
+     MetricUnit::kOne,
+     {A::kNone, P::kWhole, D::kNone, S::kExtraClusters},
+     kCount,
+     kNothing,
+     "",
+     0.0,
+     false,
+     "extra clusters",
+     "Clusters that belong to no true object."},
+    Landmarks(kMovingPrecision, "moving_precision", P::kObservations, S::kMovingOfSaid,
+              "moving precision", "Part of the landmarks said to move that do move."),
+    Landmarks(kMovingRecall, "moving_recall", P::kObservations, S::kSaidOfMoving, "moving recall",
               "Part of the landmarks that move and are said to."),
-    Landmarks(kClusteringIou, "clustering_iou", "clustering IoU",
+    Landmarks(kClusteringIou, "clustering_iou", P::kFramesWithLandmarks, S::kMeanOverlap,
+              "clustering IoU",
               "Overlap of the landmarks of a cluster with those of its true object."),
-    Landmarks(kClusteringAri, "clustering_ari", "clustering ARI",
+    Landmarks(kClusteringAri, "clustering_ari", P::kFramesWithGroups, S::kMeanRandIndex,
+              "clustering ARI",
               "Agreement of clusters and true objects on which landmarks belong together: 1 the "
               "same, 0 as by chance."),
 }};
@@ -125,9 +200,8 @@ constexpr bool IsComplete() {
   for (std::size_t i = 0; i < kMetrics.size(); ++i) {
     const MetricEntry& entry = kMetrics[i];
     const bool needs_field = entry.from_body == kField || entry.from_body == kSum;
-    if (entry.id != static_cast<MetricId>(i) || !IsGiven(entry.name) || !IsGiven(entry.unit) ||
-        !IsGiven(entry.label) || !IsGiven(entry.meaning) ||
-        needs_field != IsGiven(entry.body_field) ||
+    if (entry.id != static_cast<MetricId>(i) || !IsGiven(entry.name) || !IsGiven(entry.label) ||
+        !IsGiven(entry.meaning) || needs_field != IsGiven(entry.body_field) ||
         (entry.from_body == kSuccess) != (entry.limit_m > 0.0) ||
         (entry.family == kBodies) != (entry.from_body != kNothing)) {
       return false;
@@ -187,6 +261,17 @@ std::optional<MetricForm> FindForm(const std::string& name) {
   }();
   const auto found = forms.find(name);
   return found == forms.end() ? std::nullopt : std::optional(found->second);
+}
+
+Contract RelationOf(const MetricForm& form) {
+  const MetricEntry& entry = EntryOf(form.id);
+  Contract contract;
+  contract.alignment = entry.relation.alignment;
+  contract.pairing = form.bodies == BodyGroup::kPredicted ? P::kPredicted : entry.relation.pairing;
+  contract.delta = entry.relation.delta;
+  contract.aggregation = entry.relation.aggregation;
+  if (entry.from_body == kSuccess) contract.limit_m = entry.limit_m;
+  return contract;
 }
 
 std::vector<std::string> AllMetricNames() {

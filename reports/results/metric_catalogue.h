@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "reports/results/contract.h"
+
 namespace cvo::reports {
 
 // What is measured, in the order of results. Each has one entry in metric_catalogue.cc, which holds
@@ -67,11 +69,20 @@ enum class FromBody {
   kUnmatched,  // number of bodies without a cluster
 };
 
+// What its function computes, which its contract says.
+struct Relation {
+  Alignment alignment;
+  Pairing pairing;
+  Delta delta;
+  Aggregation aggregation;
+};
+
 struct MetricEntry {
   MetricId id;
   MetricFamily family;
   const char* name;  // of refined poses, and of bodies that move
-  const char* unit;  // "m", "rad", "m/s", "%", "deg/100 m", "1"
+  MetricUnit unit;
+  Relation relation;
   MetricKind kind;
   FromBody from_body;
   const char* body_field;  // of kField and kSum
@@ -99,6 +110,9 @@ struct MetricForm {
 std::string MetricName(const MetricForm& form);
 // Empty for a name that is none.
 std::optional<MetricForm> FindForm(const std::string& name);
+
+// The part of its contract that is the same for every run.
+Contract RelationOf(const MetricForm& form);
 
 // The names of all forms.
 std::vector<std::string> AllMetricNames();

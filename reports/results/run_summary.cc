@@ -24,20 +24,10 @@ SequenceInfo ReadSequence(const Fields& fields) {
   return sequence;
 }
 
-MetricValue ReadMetric(const Fields& fields) {
-  MetricValue metric;
-  metric.name = fields.Text("name");
-  metric.value = fields.Number("value");
-  metric.unit = fields.Text("unit");
-  metric.n = fields.Integer("n");
-  metric.contract = fields.NamedTexts("contract");
-  return metric;
-}
-
 std::vector<MetricValue> ReadMetrics(const Fields& run, const std::vector<std::string>& wanted) {
   std::vector<MetricValue> metrics;
   for (const Json& json : run.Array("metrics")) {
-    MetricValue metric = ReadMetric({json, run.where() + ", metrics"});
+    auto metric = FromJson<MetricValue>(json, run.where() + ", metrics");
     if (std::find(wanted.begin(), wanted.end(), metric.name) != wanted.end()) {
       metrics.push_back(std::move(metric));
     }

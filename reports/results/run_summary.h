@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "reports/results/contract.h"
+#include "reports/results/metric_value.h"
 #include "reports/statistics/common_frames.h"
 
 namespace cvo::reports {
 
-inline constexpr int kRunSchemaVersion = 2;
+inline constexpr int kRunSchemaVersion = 3;
 
 struct SequenceInfo {
   std::string name;
@@ -24,14 +24,8 @@ struct SequenceInfo {
   int total_frames = 0;         // in the folder
   double right_shift_px = 0.0;  // correction of the published calibration; 0: as published
   std::string content;          // hash
-};
 
-struct MetricValue {
-  std::string name;
-  double value = 0.0;
-  std::string unit;
-  std::int64_t n = 0;
-  Contract contract;
+  FrameSpan range() const { return {first_frame, first_frame + frames - 1}; }
 };
 
 // What a run reaches on one body.

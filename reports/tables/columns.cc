@@ -10,23 +10,8 @@
 namespace cvo::reports {
 namespace {
 
-std::string FieldOf(const Contract& contract, const std::string& field) {
-  const auto found = contract.find(field);
-  return found == contract.end() ? "" : found->second;
-}
-
 Contract SharedContract(const RunSummary& run, const MetricValue& metric) {
-  return ColumnContract(metric.contract, run.sequence.first_frame, run.sequence.frames);
-}
-
-// The first field that differs; a field that one lacks is empty there.
-std::string FirstDifference(const Contract& a, const Contract& b) {
-  for (const Contract* contract : {&a, &b}) {
-    for (const auto& [field, value] : *contract) {
-      if (field != "left_out" && FieldOf(a, field) != FieldOf(b, field)) return field;
-    }
-  }
-  return "";
+  return ColumnContract(metric.contract, run.sequence.range());
 }
 
 struct Meaning {
@@ -35,22 +20,25 @@ struct Meaning {
   Contract contract;
 };
 
-[[noreturn]] void Refuse(const Meaning& a, const Meaning& b, const std::string& field,
-                         const std::string& in_a, const std::string& in_b) {
-  ThrowError("metric " + a.metric->name,
-             StrCat(a.run->file.string(), " with ", field, " \"", in_a, "\" and ",
-                    b.run->file.string(), " with ", field, " \"", in_b, "\""),
-             StrCat("one ", field == "unit" ? "unit" : "contract", " in a table"));
-}
-
 void CheckSame(const Meaning& a, const Meaning& b) {
+  const auto refuse = [&](const std::string& field, const std::string& in_a,
+                          const std::string& in_b) {
+    ThrowError("metric " + a.metric->name,
+               StrCat(a.run->file.string(), " with ", field, " \"", in_a, "\" and ",
+                      b.run->file.string(), " with ", field, " \"", in_b, "\""),
+               StrCat("one ", field == "unit" ? "unit" : "contract", " in a table"));
+  };
   const std::string field = FirstDifference(a.contract, b.contract);
-  if (!field.empty()) Refuse(a, b, field, FieldOf(a.contract, field), FieldOf(b.contract, field));
-  if (a.metric->unit != b.metric->unit) Refuse(a, b, "unit", a.metric->unit, b.metric->unit);
+  if (!field.empty()) {
+    refuse(field, FieldText(a.contract, field), FieldText(b.contract, field));
+  }
+  if (a.metric->unit != b.metric->unit) {
+    refuse("unit", NameOf(a.metric->unit), NameOf(b.metric->unit));
+  }
 }
 
 Meaning WithTruth(Meaning meaning) {
-  meaning.contract["truth"] = FieldOf(meaning.metric->contract, "truth");
+  meaning.contract = WithTruthOf(meaning.contract, meaning.metric->contract);
   return meaning;
 }
 
@@ -72,7 +60,7 @@ std::optional<Column> MakeColumn(const std::string& name, const std::vector<Suit
     }
   }
   if (kinds.empty()) return std::nullopt;
-  return Column{name, MetricLabel(name), kinds[0].metric->unit, kinds[0].contract};
+  return Column{name, MetricLabel(name), NameOf(kinds[0].metric->unit), kinds[0].contract};
 }
 
 }  // namespace
@@ -122,8 +110,10 @@ std::string DifferingMeaning(const RowRuns& row, const Column& column) {
     if (metric == nullptr) continue;
     const Contract contract = SharedContract(*run->run, *metric);
     const std::string field =
-        metric->unit != column.unit ? "unit" : FirstDifference(column.contract, contract);
-    return field.empty() ? "" : StrCat(field, " \"", FieldOf(contract, field), "\"");
+        NameOf(metric->unit) != column.unit ? "unit" : FirstDifference(column.contract, contract);
+    if (field.empty()) return "";
+    return StrCat(field, " \"", field == "unit" ? NameOf(metric->unit) : FieldText(contract, field),
+                  "\"");
   }
   return "";
 }

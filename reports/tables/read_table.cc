@@ -28,7 +28,8 @@ Column ReadColumn(const Fields& fields) {
   column.metric = fields.Text("metric");
   column.label = fields.Text("label");
   column.unit = fields.Text("unit");
-  column.contract = fields.NamedTexts("contract");
+  column.contract =
+      FromJson<Contract>(fields.Object("contract").json(), fields.where() + ", contract");
   return column;
 }
 
@@ -94,7 +95,9 @@ Row ReadRow(const Fields& fields, const Table& table) {
     row.keys.push_back(fields.Object("keys").Text(key.c_str()));
   }
   if (fields.Has("sequence")) row.sequence = ReadSequence(fields.Object("sequence"));
-  if (fields.Has("truth")) row.truth = fields.Text("truth");
+  if (fields.Has("truth")) {
+    row.truth = FromJson<Contract>(fields.Object("truth").json(), fields.where() + ", truth");
+  }
   row.jobs = ReadJobs(fields.Object("jobs"));
   ForEach(fields, "runs", [&](const Fields& run) {
     row.runs.push_back({run.Text("sequence"), run.Count("seed"), run.Text("result")});

@@ -17,12 +17,11 @@ std::string Link(const std::filesystem::path& file, const std::filesystem::path&
 }
 
 // The truth of a run's metrics; one that knows none (coverage of a run without truth) says nothing.
-std::string Truth(const RunSummary& run) {
+Contract Truth(const RunSummary& run) {
   for (const MetricValue& metric : run.metrics) {
-    const auto truth = metric.contract.find("truth");
-    if (truth != metric.contract.end() && !truth->second.empty()) return truth->second;
+    if (metric.contract.truth) return WithTruthOf(Contract(), metric.contract);
   }
-  return "";
+  return {};
 }
 
 // A scene's folder is named after its seed too, the suite's name for it is not.
@@ -95,7 +94,7 @@ Row DescribeRow(const RowRuns& row, const std::filesystem::path& folder) {
   }
   if (scenes.size() != 1) {
     described.sequence.reset();
-    described.truth.clear();
+    described.truth = Contract();
   }
   return described;
 }

@@ -56,7 +56,8 @@ void PrintScores(const RunScores& scores, std::ostream& out) {
   TextTable table({"metric", "refined", "causal", "unit", "n"});
   const auto row = [&table](const Metric& metric, const std::string& refined,
                             const std::string& causal) {
-    table.Add({WithoutCausal(metric.name), refined, causal, metric.unit, std::to_string(metric.n)});
+    table.Add({WithoutCausal(metric.name), refined, causal, NameOf(metric.unit),
+               std::to_string(metric.n)});
   };
   for (const Metric& refined : scores.refined) {
     const auto causal = std::find_if(

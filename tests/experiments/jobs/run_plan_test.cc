@@ -28,7 +28,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 std::string ResultText(const std::string& id, const std::string& status = "ok") {
-  return StrCat(R"({"schema_version": 2, "kind": "run", "job": ")", id, R"(", "status": ")", status,
+  return StrCat(R"({"schema_version": 3, "kind": "run", "job": ")", id, R"(", "status": ")", status,
                 R"(", "variant": "full", "seed": 0, "sequence": {"name": "s", "type": "t",)",
                 R"( "pair": "grey", "first_frame": 0, "frames": 2, "total_frames": 2}})");
 }

@@ -196,7 +196,8 @@ TEST(Footnotes, SayOfHowMuchAndWhatLacksItsCoverage) {
 TEST(Footnotes, TellColumnsOfOneLabelApartByTheirUnit) {
   Table table = test::HostileTable();
   table.columns[0].label = table.columns[1].label;
-  EXPECT_THAT(MakeTexts(table).definitions, Contains("camera ATE [m]: root mean square"));
+  EXPECT_THAT(MakeTexts(table).definitions,
+              Contains("camera ATE [m]: root mean square of position errors"));
 }
 
 TEST(TableMarkdown, KeepsNamesInert) {

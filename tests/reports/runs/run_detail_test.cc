@@ -167,7 +167,7 @@ TEST(RunDetail, NeedsTheResultItself) {
   EXPECT_THAT(message(), HasSubstr("one complete JSON value"));
   files.result["schema_version"] = 1;
   folder.Write("result.json", files.result.dump());
-  EXPECT_THAT(message(), AllOf(HasSubstr("schema_version 1"), HasSubstr("expected 2")));
+  EXPECT_THAT(message(), AllOf(HasSubstr("schema_version 1"), HasSubstr("expected 3")));
   files = {};
   files.result["frames"][1]["refined"] = {1, 2};
   folder.Write("result.json", files.result.dump());

@@ -83,7 +83,7 @@ TEST(ReadTable, SaysInOneLineWhatIsNoTable) {
   EXPECT_THAT(ErrorOf("[1]"), HasSubstr("table.json: found a JSON array, expected an object"));
   EXPECT_THAT(ErrorOf("{\"a\": 1}"), HasSubstr("without schema_version and kind"));
   EXPECT_THAT(ErrorAfter([](Json& table) { table["schema_version"] = 1; }),
-              HasSubstr("table.json: found schema_version 1, expected 2"));
+              HasSubstr("table.json: found schema_version 1, expected 3"));
   EXPECT_THAT(ErrorAfter([](Json& table) { table["kind"] = "run"; }),
               HasSubstr("found kind \"run\", expected kind \"table\""));
 }
