@@ -3,13 +3,14 @@
 #include "core/files/json.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <set>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/files/number.h"
 #include "core/files/text_file.h"
+#include "core/files/utf8.h"
 
 namespace cvo {
 namespace {
@@ -22,36 +23,58 @@ std::string Position(std::string_view text, std::size_t byte) {
   return StrCat("line ", line, ", column ", std::max<std::size_t>(1, before.size() - line_start));
 }
 
-// What walks through a value calls itself for each level.
-constexpr int kMostDepth = 200;
+constexpr int kMostNested = 100;  // values within each other: deeper ones could exhaust the stack
 
-// Refuses keys that an object has twice, which the parser itself would silently overwrite, and
-// values that are too deep.
-class ParseCheck {
+// What the parser itself would accept: keys that an object has twice, of which it keeps the last,
+// keys that disturb the messages they are named in, and any depth.
+class StrictEvents {
  public:
-  explicit ParseCheck(const std::string& where) : where_(where) {}
+  StrictEvents(const std::string& where, const std::vector<std::string>& skipped)
+      : where_(where), skipped_(skipped) {}
 
+  // False: the value is not kept.
   bool operator()(int depth, Json::parse_event_t event, Json& parsed) {
-    if (depth > kMostDepth) {
-      ThrowError(where_, StrCat("more than ", kMostDepth, " brackets in each other"), "fewer");
-    }
-    if (event == Json::parse_event_t::object_start) {
-      open_.emplace_back();
-    } else if (event == Json::parse_event_t::object_end) {
-      open_.pop_back();
+    const auto level = static_cast<std::size_t>(depth);
+    if (event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start) {
+      if (depth >= kMostNested) {
+        ThrowError(where_, StrCat("more than ", kMostNested, " values within each other"),
+                   StrCat("at most ", kMostNested));
+      }
+      if (keys_.size() <= level) keys_.resize(level + 1);
+      keys_[level].clear();
     } else if (event == Json::parse_event_t::key) {
       const std::string key = parsed.get<std::string>();
-      if (!open_.back().insert(key).second) {
-        ThrowError(where_, StrCat("key \"", key, "\" twice in one object"), "every key once");
-      }
+      CheckKey(key, keys_[level - 1]);
+      return depth != 1 || std::find(skipped_.begin(), skipped_.end(), key) == skipped_.end();
     }
     return true;
   }
 
  private:
+  void CheckKey(const std::string& key, std::set<std::string>& keys) const {
+    if (HasControl(key))
+      ThrowError(where_, "key " + Quoted(key), "keys without control characters");
+    if (!keys.insert(key).second) {
+      ThrowError(where_, StrCat("key \"", key, "\" twice in one object"), "every key once");
+    }
+  }
+
   const std::string& where_;
-  std::vector<std::set<std::string>> open_;
+  const std::vector<std::string>& skipped_;
+  std::vector<std::set<std::string>> keys_;  // of the object that is open at each depth
 };
+
+[[noreturn]] void FailParse(std::string_view text, const std::string& where,
+                            const Json::parse_error& error) {
+  constexpr char kExpected[] = "one complete JSON value";
+  if (error.byte > text.size()) {
+    ThrowError(where, StrCat("text that ends after ", text.size(), " bytes"), kExpected);
+  }
+  const std::string what = error.what();
+  const std::size_t detail = what.find(": ");
+  ThrowError(StrCat(where, ", ", Position(text, error.byte)),
+             Printable(detail == std::string::npos ? what : what.substr(detail + 2)), kExpected);
+}
 
 bool IsScalar(const Json& value) { return !value.is_structured(); }
 
@@ -88,13 +111,10 @@ class Writer {
  private:
   void WriteNumber(double number, const std::string& path) {
     if (!std::isfinite(number)) ThrowError(path, StrCat(number), "a finite number");
-    char buffer[32];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, number).ptr;
-    text_.append(buffer, end);
+    const std::string digits = FormatDouble(number);
+    text_ += digits;
     // Stays a floating-point number for readers that tell 1 from 1.0.
-    if (std::find_if(buffer, end, [](char c) { return c == '.' || c == 'e'; }) == end) {
-      text_ += ".0";
-    }
+    if (digits.find_first_of(".e") == std::string::npos) text_ += ".0";
   }
 
   void WriteContainer(const Json& value, const std::string& path, int indent, bool one_line) {
@@ -124,26 +144,41 @@ class Writer {
   std::string text_;
 };
 
+void Flatten(const Json& value, const std::string& path, std::map<std::string, std::string>& flat) {
+  if (!value.is_object()) {
+    flat[path] = DumpScalar(value);
+    return;
+  }
+  for (const auto& [key, inner] : value.items()) {
+    Flatten(inner, path.empty() ? key : path + "." + key, flat);
+  }
+}
+
 }  // namespace
 
-Json ParseJson(std::string_view text, const std::string& where) {
-  ParseCheck check(where);
+Json ParseJson(std::string_view text, const std::string& where,
+               const std::vector<std::string>& skipped) {
+  if (text.empty()) ThrowError(where, "an empty file", "JSON");
+  StrictEvents check(where, skipped);
   try {
     return Json::parse(text, [&check](int depth, Json::parse_event_t event, Json& parsed) {
       return check(depth, event, parsed);
     });
   } catch (const Json::parse_error& error) {
-    const std::string what = error.what();
-    const std::size_t detail = what.find(": ");
-    ThrowError(StrCat(where, ", ", Position(text, error.byte)),
-               detail == std::string::npos ? what : what.substr(detail + 2), "JSON");
+    FailParse(text, where, error);
   } catch (const Json::exception& error) {
-    ThrowError(where, error.what(), "JSON");
+    ThrowError(where, Printable(error.what()), "JSON");
   }
 }
 
-Json ReadJson(const std::filesystem::path& file) {
-  return ParseJson(ReadFileBytes(file), file.string());
+Json ReadJson(const std::filesystem::path& file, const std::vector<std::string>& skipped) {
+  return ParseJson(ReadFileBytes(file), file.string(), skipped);
+}
+
+std::map<std::string, std::string> FlatJson(const Json& value) {
+  std::map<std::string, std::string> flat;
+  Flatten(value, "", flat);
+  return flat;
 }
 
 std::string DumpJson(const Json& value) {

@@ -63,6 +63,13 @@ std::optional<Decimal> ParseDecimal(std::string_view text) {
   return decimal;
 }
 
+std::string Formatted(double value, std::chars_format format, int precision) {
+  std::array<char, 512> buffer;
+  const auto result =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, precision);
+  return std::string(buffer.data(), result.ptr);
+}
+
 }  // namespace
 
 std::optional<double> ParseDouble(std::string_view text) {
@@ -106,6 +113,18 @@ std::string FormatDouble(double value) {
   std::array<char, 32> buffer;
   const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
   return std::string(buffer.data(), result.ptr);
+}
+
+std::string FormatFixed(double value, int decimals) {
+  return Formatted(value, std::chars_format::fixed, decimals);
+}
+
+std::string FormatGeneral(double value, int digits) {
+  return Formatted(value, std::chars_format::general, digits);
+}
+
+double RoundedTo(double value, int digits) {
+  return ParseDouble(FormatGeneral(value, digits)).value_or(value);
 }
 
 }  // namespace cvo

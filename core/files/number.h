@@ -21,5 +21,11 @@ std::string FormatSecondsNs(std::int64_t time_ns);
 
 // The shortest decimal that reads back as the same double.
 std::string FormatDouble(double value);
+// With so many digits after the point.
+std::string FormatFixed(double value, int decimals);
+// With at most so many significant digits, as printf's %g.
+std::string FormatGeneral(double value, int digits);
+// The number that FormatGeneral writes.
+double RoundedTo(double value, int digits);
 
 }  // namespace cvo

@@ -94,13 +94,18 @@ double TextRow::Number(std::size_t column) const {
   return *value;
 }
 
-int TextRow::Integer(std::size_t column) const {
+std::int64_t TextRow::Id(std::size_t column) const {
   const auto value = ParseInteger(columns_[column]);
-  if (!value || *value < std::numeric_limits<int>::min() ||
-      *value > std::numeric_limits<int>::max()) {
+  if (!value) FailColumn(column, "a whole number");
+  return *value;
+}
+
+int TextRow::Integer(std::size_t column) const {
+  const std::int64_t value = Id(column);
+  if (value < std::numeric_limits<int>::min() || value > std::numeric_limits<int>::max()) {
     FailColumn(column, "a whole number");
   }
-  return static_cast<int>(*value);
+  return static_cast<int>(value);
 }
 
 std::int64_t TextRow::SecondsNs(std::size_t column) const {

@@ -49,6 +49,7 @@ class TextRow {
   std::string_view Text(std::size_t column) const { return columns_[column]; }
   double Number(std::size_t column) const;  // finite
   int Integer(std::size_t column) const;
+  std::int64_t Id(std::size_t column) const;  // a whole number of 64 bits
   std::int64_t SecondsNs(std::size_t column) const;
   [[noreturn]] void Fail(const std::string& found, const std::string& expected) const;
 

@@ -142,9 +142,10 @@ void LabelBodyTruth::AddLabel(const ObjectBox& label, const Sequence& sequence) 
 
 LabelBodyTruth::LabelBodyTruth(const Sequence& sequence)
     : camera_(sequence.camera), truth_(TruthWithoutBodies(sequence)) {
-  truth_.source = StrCat("labels with 3D boxes, camera ", sequence.groundtruth);
-  truth_.visibility = StrCat("label occlusion 0 or ", kMaxOcclusion, " and a box of at least ",
-                             std::lround(kMinHeight_px), " px in height");
+  truth_.contract.truth = reports::TruthSource::kLabels;
+  truth_.contract.camera_truth = EnumOf<reports::TruthSource>(sequence.groundtruth);
+  truth_.contract.visible = reports::Visibility{
+      reports::VisibleBy::kLabel, static_cast<int>(std::lround(kMinHeight_px)), kMaxOcclusion};
   truth_.mover_travel_m = kOutdoorTravel_m;
   truth_.movers_alone_move = true;
   boxes_.resize(truth_.frame_count());

@@ -24,9 +24,10 @@ constexpr int kEdge_px = 2;
 
 ObjectTruth MakeTruth(const Sequence& sequence, const std::vector<std::vector<SceneBody>>& bodies) {
   ObjectTruth truth = TruthWithoutBodies(sequence);
-  truth.source = "rendered scene";
-  truth.visibility = StrCat("at least ", kMinVisible_px, " px of its mask and ",
-                            std::lround(100.0 * kMinVisibleFraction), " % unoccluded");
+  truth.contract.truth = reports::TruthSource::kScene;
+  truth.contract.visible =
+      reports::Visibility{reports::VisibleBy::kMask, kMinVisible_px,
+                          static_cast<int>(std::lround(100.0 * kMinVisibleFraction))};
   truth.mover_travel_m = kIndoorTravel_m;
   for (std::size_t i = 0; i < bodies.front().size(); ++i) {
     const SceneBody& first = bodies.front()[i];

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "experiments/datasets/csv_file.h"
+#include "core/files/csv_file.h"
 
 namespace cvo {
 
@@ -54,8 +54,8 @@ void CheckFraction(const CsvFile& file, std::size_t row, const char* name, doubl
 SceneBody ReadBody(const CsvFile& file, std::size_t row) {
   SceneBody body;
   body.id = file.Integer(row, 1);
-  body.name = file.Text(row, 2);
-  body.category = file.Text(row, 3);
+  body.name = file.Name(row, 2);
+  body.category = file.Name(row, 3);
   body.world_from_object = {ReadRotation(file, row, 7), ReadVector(file, row, 4)};
   body.velocity_in_world = ReadVector(file, row, 11);
   body.angular_velocity_in_world = ReadVector(file, row, 14);

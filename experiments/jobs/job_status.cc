@@ -8,7 +8,9 @@
 
 #include "core/base/error.h"
 #include "core/files/atomic_file.h"
-#include "experiments/record/result_file.h"
+#include "core/files/json_fields.h"
+#include "experiments/record/run_record.h"
+#include "reports/results/run_summary.h"
 
 namespace cvo {
 namespace {
@@ -17,17 +19,10 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kErrorPrefix = "clustervo: error: ";
 
-std::string Text(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
-// Throws Error where the file is there and no JSON.
+// By what tables and the gate read of a result: what they refuse is not done. Throws Error there.
 bool IsResultOf(const fs::path& file, const std::string& id) {
-  const Json result = ReadJson(file);
-  return result.is_object() && result.value("schema_version", Json()) == kResultSchemaVersion &&
-         Text(result, "kind") == "run" && Text(result, "job") == id &&
-         Text(result, "status") != ToString(RunStatus::kFailed);
+  const reports::RunSummary run = reports::ReadRun(file, {});
+  return run.job == id && run.status != ToString(RunStatus::kFailed);
 }
 
 bool IsDone(const SuiteFolder& folder, const PlannedJob& job) {
@@ -41,7 +36,7 @@ bool IsDone(const SuiteFolder& folder, const PlannedJob& job) {
 std::string FailureMessage(const fs::path& file) {
   try {
     const Json failure = ReadJson(file);
-    const std::string message = failure.is_object() ? Text(failure, "message") : "";
+    const std::string message = Fields(failure, file.string()).TextOr("message", "");
     return message.empty() ? "failed, and its record says nothing" : message;
   } catch (const Error& error) {
     return StrCat("failed, and its record cannot be read: ", error.what());

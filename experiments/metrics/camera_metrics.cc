@@ -7,45 +7,39 @@
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/base/median.h"
 #include "experiments/metrics/kitti_drift.h"
 
 namespace cvo {
 namespace {
 
-// How many frames enter, and the contract fields that all camera metrics share.
+using reports::MetricId;
+using enum reports::MetricId;
+
+// How many frames enter, and what all camera metrics share.
 struct Frames {
   std::int64_t all = 0;
   std::int64_t with_truth = 0;
   std::int64_t common = 0;
-  std::string truth_name;
+  std::optional<reports::TruthSource> truth;
 
-  MetricContract Contract() const {
-    MetricContract contract;
-    contract.frame = "left camera";
-    contract.truth = truth_name;
-    contract.alignment = "none";
-    contract.delta = "none";
-    contract.left_out = StrCat(all - with_truth, " of ", all, " frames without truth, ",
-                               with_truth - common, " with truth but without an estimate");
-    return contract;
+  Metric Make(MetricId id, double value, std::int64_t n) const {
+    Metric metric = MakeMetric({id}, value, n);
+    metric.contract.subject = reports::Subject::kCamera;
+    metric.contract.truth = truth;
+    metric.left_out = StrCat(all - with_truth, " of ", all, " frames without truth, ",
+                             with_truth - common, " with truth but without an estimate");
+    return metric;
   }
 };
 
 Metric Coverage(const Frames& frames) {
-  MetricContract contract = frames.Contract();
-  contract.pairing = "all frames with truth";
-  contract.aggregation = "fraction with an estimate";
-  contract.left_out =
+  Metric metric = frames.Make(
+      kCameraCoverage, static_cast<double>(frames.common) / static_cast<double>(frames.with_truth),
+      frames.with_truth);
+  metric.left_out =
       StrCat(frames.all - frames.with_truth, " of ", frames.all, " frames without truth");
-  return {"camera_coverage",
-          static_cast<double>(frames.common) / static_cast<double>(frames.with_truth), "1",
-          frames.with_truth, contract};
-}
-
-double Median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+  return metric;
 }
 
 void AddAte(const CommonPoses& poses, const Frames& frames, std::vector<Metric>& metrics) {
@@ -53,67 +47,49 @@ void AddAte(const CommonPoses& poses, const Frames& frames, std::vector<Metric>&
   const auto n = static_cast<double>(errors.size());
   const double sum = std::accumulate(errors.begin(), errors.end(), 0.0);
   const double squares = std::inner_product(errors.begin(), errors.end(), errors.begin(), 0.0);
-  MetricContract contract = frames.Contract();
-  contract.alignment = "SE(3) over positions, Umeyama without scale";
-  contract.pairing = "all frames with truth and estimate";
-  const auto add = [&](const char* name, double value, const char* aggregation) {
-    contract.aggregation = aggregation;
-    metrics.push_back({name, value, "m", frames.common, contract});
+  const auto add = [&](MetricId id, double value) {
+    metrics.push_back(frames.Make(id, value, frames.common));
   };
-  add("camera_ate", std::sqrt(squares / n), "root mean square of position errors");
-  add("camera_ate_mean", sum / n, "mean of position errors");
-  add("camera_ate_median", Median(errors), "median of position errors");
-  add("camera_ate_max", *std::max_element(errors.begin(), errors.end()),
-      "maximum of position errors");
-}
-
-void AddRelative(const RelativeErrors& errors, const std::string& suffix,
-                 const MetricContract& base, std::vector<Metric>& metrics) {
-  MetricContract contract = base;
-  contract.aggregation = "root mean square of rotation angles";
-  metrics.push_back({"camera_rrpe_" + suffix, errors.rotation_rad, "rad", errors.pairs, contract});
-  contract.aggregation = "root mean square of translation norms";
-  metrics.push_back({"camera_trpe_" + suffix, errors.translation_m, "m", errors.pairs, contract});
+  add(kCameraAte, std::sqrt(squares / n));
+  add(kCameraAteMean, sum / n);
+  add(kCameraAteMedian, Median(errors));
+  add(kCameraAteMax, *std::max_element(errors.begin(), errors.end()));
 }
 
 void AddRpe(const CommonPoses& poses, const Frames& frames, std::vector<Metric>& metrics) {
-  MetricContract contract = frames.Contract();
+  const auto add = [&](const RelativeErrors& errors, MetricId rotation, MetricId translation) {
+    metrics.push_back(frames.Make(rotation, errors.rotation_rad, errors.pairs));
+    metrics.push_back(frames.Make(translation, errors.translation_m, errors.pairs));
+  };
   if (const auto errors = AllPairsErrors(poses)) {
-    contract.pairing = "all ordered pairs i != j of frames with truth and estimate";
-    contract.delta = "all";
-    AddRelative(*errors, "all_pairs", contract, metrics);
+    add(*errors, kCameraRrpeAllPairs, kCameraTrpeAllPairs);
   }
   if (const auto errors = OneFrameErrors(poses)) {
-    contract.pairing = "consecutive frames with truth and estimate";
-    contract.delta = "1 frame";
-    AddRelative(*errors, "1_frame", contract, metrics);
+    add(*errors, kCameraRrpe1Frame, kCameraTrpe1Frame);
   }
 }
 
 void AddDrift(const KittiDrift& drift, const Frames& frames, std::vector<Metric>& metrics) {
-  MetricContract contract = frames.Contract();
-  contract.pairing = "KITTI devkit sub-sequences that start at every 10th frame";
-  contract.delta = "100, 200, ..., 800 m of the true path";
-  contract.left_out +=
-      StrCat("; ", drift.segments_without_estimate, " sub-sequences without an estimate at an end");
-  contract.aggregation = "mean of translation errors over length";
-  metrics.push_back({"camera_t_drift", drift.translation_percent, "%", drift.segments, contract});
-  contract.aggregation = "mean of rotation errors over length";
-  metrics.push_back(
-      {"camera_r_drift", drift.rotation_deg_per_100m, "deg/100 m", drift.segments, contract});
+  const auto add = [&](MetricId id, double value) {
+    metrics.push_back(frames.Make(id, value, drift.segments));
+    metrics.back().left_out += StrCat("; ", drift.segments_without_estimate,
+                                      " sub-sequences without an estimate at an end");
+  };
+  add(kCameraTDrift, drift.translation_percent);
+  add(kCameraRDrift, drift.rotation_deg_per_100m);
 }
 
 }  // namespace
 
 std::vector<Metric> EvaluateCamera(const OptionalPoses& truth, const OptionalPoses& estimate,
-                                   const std::string& truth_name) {
+                                   std::optional<reports::TruthSource> source) {
   const CommonPoses poses = FindCommonPoses(truth, estimate);
   Frames frames;
   frames.all = static_cast<std::int64_t>(truth.size());
   frames.with_truth =
       std::count_if(truth.begin(), truth.end(), [](const auto& pose) { return pose.has_value(); });
   frames.common = static_cast<std::int64_t>(poses.size());
-  frames.truth_name = truth_name;
+  frames.truth = source;
 
   std::vector<Metric> metrics;
   if (frames.with_truth > 0) metrics.push_back(Coverage(frames));

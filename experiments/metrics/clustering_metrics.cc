@@ -11,6 +11,9 @@
 namespace cvo {
 namespace {
 
+using reports::MetricId;
+using enum reports::MetricId;
+
 // An observed landmark that is judged: the static scene is 0, and a body one of its own.
 struct Judged {
   int body = 0;
@@ -115,44 +118,28 @@ double FrameAri(const std::vector<Judged>& frame) {
   return AdjustedRandIndex(bodies, clusters);
 }
 
-MetricContract BaseContract(const ObjectTruth& truth, const LeftOut& left_out) {
-  MetricContract contract;
-  contract.frame = StrCat(
-      "landmarks observed in a frame; moving: its point of the body moved by "
-      "more than ",
-      kMovedPoint_m, " m within ", kMovedFrames, " frames, now or before");
-  contract.truth = truth.source;
-  contract.alignment = "none";
-  contract.pairing = "each landmark in each frame it is observed in";
-  contract.delta = "none";
-  contract.left_out = StrCat(left_out.unknown, " observations of unknown truth, ",
-                             left_out.standing, " on bodies that have not moved yet, of ",
-                             left_out.unknown + left_out.standing + left_out.judged);
-  return contract;
-}
+// What all of them share.
+struct Base {
+  reports::Contract contract;
+  std::string left_out;
 
-void AddDecisions(const Decisions& decisions, MetricContract contract,
-                  std::vector<Metric>& metrics) {
-  const auto add = [&](const char* name, std::int64_t whole, const char* aggregation) {
-    if (whole == 0) return;
-    contract.aggregation = aggregation;
-    metrics.push_back({name, static_cast<double>(decisions.hits) / static_cast<double>(whole), "1",
-                       whole, contract});
-  };
-  add("moving_precision", decisions.predicted,
-      "fraction that is moving of those in a cluster other than the static scene, all frames "
-      "together");
-  add("moving_recall", decisions.moving,
-      "fraction in a cluster other than the static scene of those that are moving, all frames "
-      "together");
-}
+  void Add(MetricId id, double value, std::int64_t n, std::vector<Metric>& metrics) const {
+    if (n == 0) return;
+    Metric metric = MakeMetric({id}, value / static_cast<double>(n), n);
+    metric.contract.subject = reports::Subject::kLandmarks;
+    metric.contract.travel_m = kMovedPoint_m;
+    metric.contract.travel_frames = kMovedFrames;
+    metric.contract.truth = contract.truth;
+    metric.contract.camera_truth = contract.camera_truth;
+    metric.left_out = left_out;
+    metrics.push_back(std::move(metric));
+  }
+};
 
-void AddMean(const char* name, const Mean& mean, MetricContract contract, const char* pairing,
-             const char* aggregation, std::vector<Metric>& metrics) {
-  if (mean.n == 0) return;
-  contract.pairing = pairing;
-  contract.aggregation = aggregation;
-  metrics.push_back({name, mean.sum / static_cast<double>(mean.n), "1", mean.n, contract});
+Base MakeBase(const ObjectTruth& truth, const LeftOut& left_out) {
+  return {truth.contract, StrCat(left_out.unknown, " observations of unknown truth, ",
+                                 left_out.standing, " on bodies that have not moved yet, of ",
+                                 left_out.unknown + left_out.standing + left_out.judged)};
 }
 
 double Pairs(std::int64_t n) { return 0.5 * static_cast<double>(n) * static_cast<double>(n - 1); }
@@ -196,17 +183,14 @@ std::vector<Metric> ClusteringMetrics(const ObjectTruth& truth, const ObjectEsti
     iou.Add(FrameIou(frame, cluster_of));
     if (HasTwoGroups(frame)) ari.Add(FrameAri(frame));
   }
-  const MetricContract contract = BaseContract(truth, left_out);
+  const Base base = MakeBase(truth, left_out);
+  const Decisions decisions = Count(frames);
+  const auto hits = static_cast<double>(decisions.hits);
   std::vector<Metric> metrics;
-  AddDecisions(Count(frames), contract, metrics);
-  AddMean("clustering_iou", iou, contract, "all frames with such landmarks",
-          "intersection over union per body and its matched cluster (the static scene is one, a "
-          "body without a cluster has 0), mean over those seen in the frame, mean over frames",
-          metrics);
-  AddMean("clustering_ari", ari, contract,
-          "frames with landmarks of at least two of the static scene and the bodies",
-          "adjusted Rand index per frame, a landmark of no cluster alone; mean over frames",
-          metrics);
+  base.Add(kMovingPrecision, hits, decisions.predicted, metrics);
+  base.Add(kMovingRecall, hits, decisions.moving, metrics);
+  base.Add(kClusteringIou, iou.sum, iou.n, metrics);
+  base.Add(kClusteringAri, ari.sum, ari.n, metrics);
   return metrics;
 }
 

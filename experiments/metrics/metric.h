@@ -3,27 +3,28 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
+#include <vector>
+
+#include "reports/results/metric_catalogue.h"
+#include "reports/results/metric_value.h"
 
 namespace cvo {
 
-// What a number means. Two numbers are comparable only if these agree (left_out apart).
-struct MetricContract {
-  std::string frame;        // whose motion, in which frame
-  std::string truth;        // which ground truth: "devkit", "interpolated", "official", ...
-  std::string alignment;    // of the estimate to the truth
-  std::string pairing;      // which frames or pairs of frames are compared
-  std::string delta;        // distance within a pair; "none" for absolute errors
-  std::string aggregation;  // from many errors to one number
-  std::string left_out;     // what does not enter, with counts
-};
+using Metric = reports::MetricValue;
 
-struct Metric {
-  std::string name;
-  double value = 0.0;  // finite
-  std::string unit;    // "m", "rad", "%", "deg/100 m", "1"
-  std::int64_t n = 0;  // how many errors were aggregated
-  MetricContract contract;
-};
+// With the name and unit of the catalogue, and the part of the contract that it knows.
+inline Metric MakeMetric(const reports::MetricForm& form, double value, std::int64_t n) {
+  return {reports::MetricName(form), value, reports::EntryOf(form.id).unit, n,
+          reports::RelationOf(form), ""};
+}
+
+// Says of poses whose they are, and what of the published calibration was changed for them.
+inline void StatePoses(reports::PoseTime poses, double right_shift_px,
+                       std::vector<Metric>& metrics) {
+  for (Metric& metric : metrics) {
+    metric.contract.poses = poses;
+    metric.contract.right_shift_px = right_shift_px;
+  }
+}
 
 }  // namespace cvo

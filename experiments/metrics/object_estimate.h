@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiments/metrics/object_truth.h"
+#include "reports/results/contract.h"
 
 namespace cvo {
 
@@ -42,7 +43,7 @@ struct ClusterEstimate {
 
 // What tells which body a cluster is: the landmarks that the two share, or, of an estimate without
 // landmarks, how near its poses are to the body (object_nearness.h).
-enum class MatchBy { kLandmarks, kNearness };
+using MatchBy = reports::Matching;
 
 // What a run says of the bodies; frames as in the truth it is compared with.
 struct ObjectEstimate {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "core/base/error.h"
@@ -13,52 +12,44 @@
 namespace cvo {
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr std::array<int, 3> kSuccess_cm = {5, 10, 20};
-constexpr const char* kAligned =
-    "world by the camera (chordal mean of orientations, mean of positions), one "
-    "object_from_gtobject per body in closed form over its frames";
-constexpr const char* kWorldAligned =
-    "world by the camera (chordal mean of orientations, mean of positions)";
-constexpr const char* kMeanOfBodies = "root mean square per body, mean over bodies";
+using reports::BodyGroup;
+using reports::EntryOf;
+using reports::MetricId;
+using enum reports::MetricId;
 
-// What tells which body a cluster is, in the words of contracts. It is said in the pairing alone,
-// so that figures which differ in it alone show that they do.
-struct MatchWords {
-  std::string counted;   // frames that errors are taken in
-  std::string in_frame;  // a body's cluster in one frame
-  std::string clusters;  // that are matched at all
-};
-
-MatchWords Words(MatchBy match_by) {
-  if (match_by == MatchBy::kLandmarks) {
-    const std::string enough = StrCat("at least ", kLandmarksThatCount);
-    return {StrCat("visible frames with ", enough,
-                   " observed landmarks of the cluster matched to the body by shared landmarks"),
-            StrCat("a body's cluster: the one with the most landmarks on it, ", enough),
-            StrCat("clusters with ", enough,
-                   " observed landmarks in some frame, matched by shared landmarks")};
-  }
-  const std::string nearness =
-      "nearness (1 - distance of the centres seen from the camera / diagonal of the true box)";
-  return {StrCat("visible frames with a pose of the cluster matched to the body by the largest sum "
-                 "over frames of ",
-                 nearness),
-          StrCat("a body's cluster: one-to-one by ", nearness, " in the frame"),
-          StrCat("clusters with a pose in some frame, matched by the largest sum over frames of ",
-                 nearness)};
-}
+constexpr std::array kSuccesses = {kObjectSuccess5cm, kObjectSuccess10cm, kObjectSuccess20cm};
 
 // The bodies that share a row, and what their metrics have in common.
 struct Group {
-  std::string prefix;
-  MatchWords words;
+  BodyGroup form = BodyGroup::kMovers;
   std::vector<const BodyScore*> bodies;
-  MetricContract contract;
+  reports::Contract contract;
+  std::string left_out;
   std::int64_t visible = 0;    // object-frames
   std::int64_t estimated = 0;  // of these
 
+  // Of errors: what has no estimate is left out.
+  Metric Error(MetricId id, double value, std::int64_t n) const {
+    Metric metric = MakeMetric({id, form}, value, n);
+    StateTruth(contract, metric);
+    metric.left_out = left_out;
+    return metric;
+  }
+  // Of fractions and counts, which leave nothing out.
+  Metric Whole(MetricId id, double value, std::int64_t n) const {
+    Metric metric = Error(id, value, n);
+    metric.left_out = "nothing";
+    return metric;
+  }
   bool Tells(const BodyScore& body) const { return body.estimated_frames > 0; }
+
+  static void StateTruth(const reports::Contract& contract, Metric& metric) {
+    metric.contract = WithTruthOf(metric.contract, contract);
+    metric.contract.subject = contract.subject;
+    metric.contract.travel_m = contract.travel_m;
+    metric.contract.matching = contract.matching;
+    metric.contract.least_landmarks = contract.least_landmarks;
+  }
 };
 
 std::string Unjudged(const Group& group) {
@@ -70,42 +61,28 @@ std::string Unjudged(const Group& group) {
                 " visible object-frames without one");
 }
 
+// What tells which body a cluster is.
+reports::Contract MatchingOf(const ObjectTruth& truth, const ObjectScores& scores) {
+  reports::Contract contract = truth.contract;
+  contract.matching = scores.match_by;
+  if (scores.match_by == MatchBy::kLandmarks) contract.least_landmarks = kLandmarksThatCount;
+  return contract;
+}
+
 Group MakeGroup(const ObjectTruth& truth, const ObjectScores& scores, bool movers) {
   Group group;
-  group.words = Words(scores.match_by);
-  group.prefix = movers ? "object_" : "object_standing_";
+  group.form = movers ? BodyGroup::kMovers : BodyGroup::kStanding;
   for (const BodyScore& body : scores.bodies) {
     if (body.mover != movers) continue;
     group.bodies.push_back(&body);
     group.visible += body.visible_frames;
     group.estimated += body.estimated_frames;
   }
-  group.contract.frame = StrCat("bodies that travel ", movers ? "more than " : "at most ",
-                                truth.mover_travel_m, " m, in the world of the truth");
-  group.contract.truth = StrCat(truth.source, "; visible: ", truth.visibility);
-  group.contract.alignment = "none";
-  group.contract.delta = "none";
-  group.contract.left_out = Unjudged(group);
+  group.contract = MatchingOf(truth, scores);
+  group.contract.subject = movers ? reports::Subject::kMovers : reports::Subject::kStanding;
+  group.contract.travel_m = truth.mover_travel_m;
+  group.left_out = Unjudged(group);
   return group;
-}
-
-MetricContract With(const Group& group, const char* alignment, const std::string& pairing,
-                    const char* delta, const std::string& aggregation) {
-  MetricContract contract = group.contract;
-  contract.alignment = alignment;
-  contract.pairing = pairing;
-  contract.delta = delta;
-  contract.aggregation = aggregation;
-  return contract;
-}
-
-// Frames of which a fraction is taken: nothing is left out of them.
-MetricContract Fraction(const Group& group, const char* alignment, const std::string& of) {
-  MetricContract contract =
-      With(group, alignment, "all visible object-frames; estimates: " + group.words.counted, "none",
-           StrCat("fraction of object-frames ", of, "; one without an estimate has none"));
-  contract.left_out = "nothing";
-  return contract;
 }
 
 std::int64_t Within(const std::vector<ObjectFrameError>& errors, double limit_m) {
@@ -118,24 +95,20 @@ double Ratio(std::int64_t part, std::int64_t whole) {
 }
 
 void AddFractions(const Group& group, std::vector<Metric>& metrics) {
-  metrics.push_back({group.prefix + "coverage", Ratio(group.estimated, group.visible), "1",
-                     group.visible, Fraction(group, "none", "with an estimate")});
-  for (const int limit_cm : kSuccess_cm) {
+  metrics.push_back(
+      group.Whole(kObjectCoverage, Ratio(group.estimated, group.visible), group.visible));
+  for (const MetricId id : kSuccesses) {
     std::int64_t successes = 0;
     for (const BodyScore* body : group.bodies) {
-      successes += Within(body->errors, 0.01 * limit_cm);
+      successes += Within(body->errors, EntryOf(id).limit_m);
     }
-    metrics.push_back(
-        {StrCat(group.prefix, "success_", limit_cm, "cm"), Ratio(successes, group.visible), "1",
-         group.visible,
-         Fraction(group, kAligned, StrCat("with a position error of at most ", limit_cm, " cm"))});
+    metrics.push_back(group.Whole(id, Ratio(successes, group.visible), group.visible));
   }
 }
 
 // The mean over the bodies that determine the value; absent where none does.
 template <typename ValueOf>
-void AddMean(const Group& group, const std::string& name, const char* unit,
-             const MetricContract& contract, const ValueOf& value_of,
+void AddMean(const Group& group, MetricId id, const ValueOf& value_of,
              std::vector<Metric>& metrics) {
   double sum = 0.0;
   std::int64_t n = 0;
@@ -145,15 +118,14 @@ void AddMean(const Group& group, const std::string& name, const char* unit,
     sum += *value;
     ++n;
   }
-  if (n > 0)
-    metrics.push_back({group.prefix + name, sum / static_cast<double>(n), unit, n, contract});
+  if (n > 0) metrics.push_back(group.Error(id, sum / static_cast<double>(n), n));
 }
 
 template <typename Member>
-auto Rotation(Member member, double scale = 1.0) {
+auto Rotation(Member member) {
   return [=](const BodyScore& body) -> std::optional<double> {
     if (!(body.*member)) return std::nullopt;
-    return scale * (body.*member)->rotation_rad;
+    return (body.*member)->rotation_rad;
   };
 }
 template <typename Member>
@@ -165,31 +137,21 @@ auto Translation(Member member) {
 }
 
 void AddErrors(const ObjectTruth& truth, const Group& group, std::vector<Metric>& metrics) {
-  const std::string& counted = group.words.counted;
   AddMean(
-      group, "ate", "m", With(group, kAligned, counted, "none", kMeanOfBodies),
-      [](const BodyScore& body) { return body.ate_m; }, metrics);
-  const MetricContract all =
-      With(group, kAligned, "all ordered pairs i != j of " + counted, "all", kMeanOfBodies);
-  AddMean(group, "rrpe_all_pairs", "rad", all, Rotation(&BodyScore::all_pairs), metrics);
-  AddMean(group, "trpe_all_pairs", "m", all, Translation(&BodyScore::all_pairs), metrics);
-  const MetricContract one =
-      With(group, kAligned, "consecutive " + counted, "1 frame", kMeanOfBodies);
-  AddMean(group, "rrpe_1_frame", "rad", one, Rotation(&BodyScore::one_frame), metrics);
-  AddMean(group, "trpe_1_frame", "m", one, Translation(&BodyScore::one_frame), metrics);
-  const MetricContract motion =
-      With(group, kWorldAligned,
-           StrCat("consecutive ", counted, ", within frames ", truth.first_frame, " to ",
-                  truth.first_frame + static_cast<int>(truth.frame_count()) - 1,
-                  "; E = G_k^-1 H_gt^-1 H_est G_k with the motion H = P_k+1 P_k^-1 in world"),
-           "1 frame", kMeanOfBodies);
-  AddMean(group, "motion_r", "deg", motion, Rotation(&BodyScore::motion, kDegrees), metrics);
-  AddMean(group, "motion_t", "m", motion, Translation(&BodyScore::motion), metrics);
+      group, kObjectAte, [](const BodyScore& body) { return body.ate_m; }, metrics);
+  AddMean(group, kObjectRrpeAllPairs, Rotation(&BodyScore::all_pairs), metrics);
+  AddMean(group, kObjectTrpeAllPairs, Translation(&BodyScore::all_pairs), metrics);
+  AddMean(group, kObjectRrpe1Frame, Rotation(&BodyScore::one_frame), metrics);
+  AddMean(group, kObjectTrpe1Frame, Translation(&BodyScore::one_frame), metrics);
+  const std::size_t before = metrics.size();
+  AddMean(group, kObjectMotionR, Rotation(&BodyScore::motion), metrics);
+  AddMean(group, kObjectMotionT, Translation(&BodyScore::motion), metrics);
+  for (std::size_t i = before; i < metrics.size(); ++i) {
+    metrics[i].contract.frames = reports::FrameSpan{
+        truth.first_frame, truth.first_frame + static_cast<int>(truth.frame_count()) - 1};
+  }
   AddMean(
-      group, "velocity", "m/s",
-      With(group, kAligned, counted + ", against differences of true positions of the same point",
-           "central difference, one-sided where the truth begins or ends", kMeanOfBodies),
-      [](const BodyScore& body) { return body.velocity_m_s; }, metrics);
+      group, kObjectVelocity, [](const BodyScore& body) { return body.velocity_m_s; }, metrics);
 }
 
 void AddCounts(const Group& group, std::vector<Metric>& metrics) {
@@ -202,18 +164,9 @@ void AddCounts(const Group& group, std::vector<Metric>& metrics) {
     unmatched += body->cluster == -1 ? 1 : 0;
   }
   const auto n = static_cast<std::int64_t>(group.bodies.size());
-  const auto add = [&](const char* name, std::int64_t count, const std::string& how,
-                       const char* of) {
-    MetricContract contract = With(group, "none", "all visible object-frames; " + how, "none", of);
-    contract.left_out = "nothing";
-    metrics.push_back({group.prefix + name, static_cast<double>(count), "1", n, contract});
-  };
-  add("id_switches", switches, group.words.in_frame,
-      "number of times a body's cluster is another than the last one");
-  add("fragments", fragments, group.words.in_frame,
-      "number of times a body has a cluster again after visible frames without one");
-  add("unmatched", unmatched, group.words.clusters,
-      "number of bodies matched to no cluster, one-to-one");
+  metrics.push_back(group.Whole(kObjectIdSwitches, static_cast<double>(switches), n));
+  metrics.push_back(group.Whole(kObjectFragments, static_cast<double>(fragments), n));
+  metrics.push_back(group.Whole(kObjectUnmatched, static_cast<double>(unmatched), n));
 }
 
 void AddGroup(const ObjectTruth& truth, const Group& group, std::vector<Metric>& metrics) {
@@ -230,40 +183,27 @@ void AddPredicted(const Group& movers, std::vector<Metric>& metrics) {
   }
   if (frames == 0) return;
   Group group = movers;
-  group.prefix = "object_predicted_";
-  group.contract.left_out = "bodies that are estimated in no frame";
-  const std::string pairing = StrCat(
-      "object-frames, visible or not, where the pose is predicted "
-      "or fewer than ",
-      kLandmarksThatCount, " landmarks are observed");
+  group.form = BodyGroup::kPredicted;
+  group.left_out = "bodies that are estimated in no frame";
   AddMean(
-      group, "ate", "m", With(group, kAligned, pairing, "none", kMeanOfBodies),
-      [](const BodyScore& body) { return body.predicted_ate_m; }, metrics);
-  for (const int limit_cm : kSuccess_cm) {
+      group, kObjectAte, [](const BodyScore& body) { return body.predicted_ate_m; }, metrics);
+  for (const MetricId id : kSuccesses) {
     std::int64_t successes = 0;
     for (const BodyScore* body : group.bodies) {
-      successes += Within(body->predicted, 0.01 * limit_cm);
+      successes += Within(body->predicted, EntryOf(id).limit_m);
     }
-    metrics.push_back(
-        {StrCat(group.prefix, "success_", limit_cm, "cm"), Ratio(successes, frames), "1", frames,
-         With(group, kAligned, pairing, "none",
-              StrCat("fraction with a position error of at most ", limit_cm, " cm"))});
+    metrics.push_back(group.Error(id, Ratio(successes, frames), frames));
   }
 }
 
 void AddUnmatchedClusters(const ObjectTruth& truth, const ObjectScores& scores,
                           std::vector<Metric>& metrics) {
   if (scores.clusters == 0) return;
-  MetricContract contract;
-  contract.frame = "clusters";
-  contract.truth = truth.source;
-  contract.alignment = "none";
-  contract.pairing = Words(scores.match_by).clusters;
-  contract.delta = "none";
-  contract.aggregation = "number matched to no body, one-to-one";
-  contract.left_out = "nothing";
-  metrics.push_back({"object_unmatched_clusters", static_cast<double>(scores.unmatched_clusters),
-                     "1", scores.clusters, contract});
+  Group group;
+  group.contract = MatchingOf(truth, scores);
+  group.contract.subject = reports::Subject::kClusters;
+  metrics.push_back(group.Whole(kObjectUnmatchedClusters,
+                                static_cast<double>(scores.unmatched_clusters), scores.clusters));
 }
 
 }  // namespace

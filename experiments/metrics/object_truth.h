@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiments/metrics/pose_errors.h"
+#include "reports/results/contract.h"
 
 namespace cvo {
 
@@ -30,8 +31,7 @@ struct TruthBody {
 // What is true of the bodies of a sequence. World is that of its camera truth, the left camera of
 // frame 0 of the folder; frames are counted from the first one that is run.
 struct ObjectTruth {
-  std::string source;              // for contracts: "rendered scene", "labels"
-  std::string visibility;          // what `visible` means here, in words
+  reports::Contract contract;      // truth, camera_truth and what `visible` means
   double mover_travel_m = 0.0;     // 0.2 indoors, 2 outdoors
   int first_frame = 0;             // of those run, in the folder; for contracts
   bool movers_alone_move = false;  // poses jitter: a body that is no mover never moves

@@ -11,10 +11,11 @@
 #include "experiments/record/build_identity.h"
 #include "experiments/record/run_record.h"
 #include "experiments/record/truth_file.h"
+#include "reports/results/run_summary.h"
 
 namespace cvo {
 
-inline constexpr int kResultSchemaVersion = 2;
+inline constexpr int kResultSchemaVersion = reports::kRunSchemaVersion;
 
 // A run with everything that decided it.
 struct RunRecord {

@@ -10,19 +10,16 @@
 #include "experiments/record/bodies_json.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/record/job_identity.h"
-#include "experiments/record/metrics_json.h"
 #include "experiments/runner/run_files.h"
 
 namespace cvo {
 namespace {
 
 Json ScoresToJson(const RunScores& scores) {
-  Json metrics = MetricsToJson(scores.refined, "refined");
-  for (Json& metric : MetricsToJson(scores.causal, "causal")) metrics.push_back(std::move(metric));
-  for (Json& metric : MetricsToJson(scores.clustering, "causal")) {
-    metrics.push_back(std::move(metric));
-  }
-  return metrics;
+  std::vector<Metric> all = scores.refined;
+  all.insert(all.end(), scores.causal.begin(), scores.causal.end());
+  all.insert(all.end(), scores.clustering.begin(), scores.clustering.end());
+  return ToJson(all);
 }
 
 Json BodyScoresToJson(const RunScores& scores) {

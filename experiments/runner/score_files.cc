@@ -15,7 +15,6 @@
 #include "experiments/metrics/object_metrics.h"
 #include "experiments/record/bodies_json.h"
 #include "experiments/record/build_identity.h"
-#include "experiments/record/metrics_json.h"
 #include "experiments/record/system_result.h"
 
 namespace cvo {
@@ -45,16 +44,19 @@ SystemHashes HashesOf(const SystemFiles& files) {
 
 void Score(const SystemRequest& request, const ObjectEstimate& estimate, SystemOutcome& outcome) {
   const Sequence& sequence = request.sequence;
-  outcome.metrics = EvaluateCamera(sequence.groundtruth_world_from_camera,
-                                   estimate.world_from_camera, sequence.groundtruth);
-  if (request.files.objects.empty()) return;
-  const std::unique_ptr<BodyTruthReader> truth = ReadBodyTruth(sequence);
-  if (!truth) return;
-  ObjectScores scores = ScoreObjects(truth->objects(), estimate);
-  for (Metric& metric : ObjectMetrics(truth->objects(), scores)) {
-    outcome.metrics.push_back(std::move(metric));
+  outcome.metrics =
+      EvaluateCamera(sequence.groundtruth_world_from_camera, estimate.world_from_camera,
+                     EnumOf<reports::TruthSource>(sequence.groundtruth));
+  const std::unique_ptr<BodyTruthReader> truth =
+      request.files.objects.empty() ? nullptr : ReadBodyTruth(sequence);
+  if (truth) {
+    ObjectScores scores = ScoreObjects(truth->objects(), estimate);
+    for (Metric& metric : ObjectMetrics(truth->objects(), scores)) {
+      outcome.metrics.push_back(std::move(metric));
+    }
+    outcome.bodies = std::move(scores.bodies);
   }
-  outcome.bodies = std::move(scores.bodies);
+  StatePoses(reports::PoseTime::kRefined, sequence.camera.right_shift_px, outcome.metrics);
 }
 
 Json BodyScoresToJson(const std::vector<BodyScore>& bodies) {
@@ -85,7 +87,7 @@ SystemOutcome ScoreSystem(const SystemRequest& request) {
                                      .hashes = hashes,
                                      .content = request.content,
                                      .seed = request.seed,
-                                     .metrics = MetricsToJson(outcome.metrics, "refined"),
+                                     .metrics = ToJson(outcome.metrics),
                                      .bodies = BodyScoresToJson(outcome.bodies),
                                      .estimate = system.objects,
                                      .object_frames = system.object_frames,

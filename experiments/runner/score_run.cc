@@ -21,8 +21,9 @@ void Append(std::vector<Metric> from, std::vector<Metric>& to) {
 // "camera_ate" is "camera_causal_ate".
 void NameCausal(std::vector<Metric>& metrics) {
   for (Metric& metric : metrics) {
-    const std::size_t group = metric.name.find('_');
-    if (group != std::string::npos) metric.name.insert(group + 1, "causal_");
+    reports::MetricForm form = reports::FindForm(metric.name).value();
+    form.causal = true;
+    metric.name = reports::MetricName(form);
   }
 }
 
@@ -34,7 +35,7 @@ RunScores ScoreRun(const Sequence& sequence, const RunResult& run, const ObjectT
   const ObjectEstimate causal = ObjectEstimateOf(run, PoseTime::kCausal);
   const auto camera = [&sequence](const ObjectEstimate& estimate) {
     return EvaluateCamera(sequence.groundtruth_world_from_camera, estimate.world_from_camera,
-                          sequence.groundtruth);
+                          EnumOf<reports::TruthSource>(sequence.groundtruth));
   };
   RunScores scores;
   scores.refined = camera(refined);
@@ -50,6 +51,10 @@ RunScores ScoreRun(const Sequence& sequence, const RunResult& run, const ObjectT
     scores.refined_bodies = std::move(of_refined.bodies);
     scores.causal_bodies = std::move(of_causal.bodies);
   }
+  const double shift_px = sequence.camera.right_shift_px;
+  StatePoses(reports::PoseTime::kRefined, shift_px, scores.refined);
+  StatePoses(reports::PoseTime::kCausal, shift_px, scores.causal);
+  StatePoses(reports::PoseTime::kCausal, shift_px, scores.clustering);
   NameCausal(scores.causal);
   return scores;
 }

@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "core/base/error.h"
+#include "core/files/number.h"
 #include "experiments/datasets/load_image.h"
 
 namespace cvo {
@@ -66,10 +67,6 @@ SceneCheck Worst::AtMost(const std::string& name, const std::string& unit, doubl
   return {name, figure, unit, Bound::kAtMost, limit, figure == 0.0 ? "" : where};
 }
 
-std::string Short(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
-}
+std::string Short(double value) { return FormatGeneral(value, 3); }
 
 }  // namespace cvo

@@ -12,9 +12,9 @@
 #include "experiments/datasets/frame_range.h"
 #include "experiments/runner/frame_detections.h"
 #include "experiments/suite/cell_input.h"
-#include "experiments/suite/known_metrics.h"
 #include "experiments/suite/parse_suite.h"
 #include "experiments/suite/suite_grid.h"
+#include "reports/results/metric_catalogue.h"
 #include "synth/scene/description.h"
 #include "synth/write/dataset_settings.h"
 #include "variants/registry.h"
@@ -257,7 +257,7 @@ void CheckSuite(const Suite& suite, const std::string& where) {
   CheckSystems(suite, where);
   CheckRows(suite, where);
   if (suite.table.metrics.empty()) ThrowError(where + ", table.metrics", "none", "at least one");
-  CheckNames(suite.table.metrics, KnownMetrics(), where + ", table.metrics",
+  CheckNames(suite.table.metrics, reports::AllMetricNames(), where + ", table.metrics",
              "a metric of results, as camera_ate or object_success_10cm");
   CheckReference(suite, where + ", table.reference");
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/suite/suite_grid.h"
 
-#include <charconv>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -21,19 +20,9 @@ constexpr std::string_view kScene = "scene.";
 constexpr double kLargest = 1e15;
 constexpr int kMostSteps = 1000;
 
-// Six significant digits: what a person would have written.
-double Rounded(double value) {
-  char buffer[32];
-  const char* end =
-      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 6).ptr;
-  double rounded = value;
-  std::from_chars(buffer, end, rounded);
-  return rounded;
-}
-
 // An integer where the ends are integers, so that options that count can be swept.
 Json AxisValue(double value, bool integers) {
-  const double rounded = Rounded(value);
+  const double rounded = RoundedTo(value, 6);  // what a person would have written
   if (integers && rounded == std::round(rounded)) return static_cast<std::int64_t>(rounded);
   return rounded;
 }

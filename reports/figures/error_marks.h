@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "core/files/json_fields.h"
 #include "reports/figures/palette.h"
 #include "reports/figures/suite_figures.h"
-#include "reports/results/json_fields.h"
 
 namespace cvo::reports {
 

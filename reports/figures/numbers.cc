@@ -3,31 +3,13 @@
 #include "reports/figures/numbers.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 
-#include "reports/results/metric_rule.h"
+#include "core/base/error.h"
+#include "reports/results/metric_catalogue.h"
 
 namespace cvo::reports {
-namespace {
-
-std::string Formatted(double value, std::chars_format format, int precision) {
-  std::array<char, 512> text{};
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value, format, precision).ptr;
-  return {text.data(), end};
-}
-
-}  // namespace
-
-double Rounded(double value, int digits) {
-  const std::string text = Formatted(value, std::chars_format::general, digits);
-  double rounded = value;
-  std::from_chars(text.data(), text.data() + text.size(), rounded);
-  return rounded;
-}
 
 Json RoundedList(const std::vector<double>& values, int digits) {
   Json list = Json::array();
@@ -37,9 +19,10 @@ Json RoundedList(const std::vector<double>& values, int digits) {
 
 std::string Say(double value, int digits) {
   if (value == 0.0 || !std::isfinite(value)) return value == 0.0 ? "0" : "no number";
-  const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(Rounded(value, digits)))));
+  const int magnitude =
+      static_cast<int>(std::floor(std::log10(std::abs(RoundedTo(value, digits)))));
   const int decimals = std::clamp(digits - 1 - magnitude, 0, 12);
-  std::string text = Formatted(Rounded(value, digits), std::chars_format::fixed, decimals);
+  std::string text = FormatFixed(RoundedTo(value, digits), decimals);
   if (text.find('.') == std::string::npos) return text;
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.') text.pop_back();
@@ -47,11 +30,11 @@ std::string Say(double value, int digits) {
 }
 
 Shown ShownAs(const std::string& metric, const std::string& unit) {
-  const auto rule = FindRule(metric);
-  Shown shown{1.0, unit == "1" ? "" : unit, rule && rule->higher_is_better, false, false};
+  const MetricEntry* rule = FindEntry(metric);
+  Shown shown{1.0, unit == "1" ? "" : unit, rule && rule->higher_is_better(), false, false};
   if (!rule) return shown;
-  shown.is_error = rule->kind == MetricRule::Kind::kError;
-  shown.is_share = rule->kind == MetricRule::Kind::kFraction && unit == "1";
+  shown.is_error = rule->kind == MetricKind::kError;
+  shown.is_share = rule->kind == MetricKind::kFraction && unit == "1";
   if (shown.is_share) {
     shown.scale = 100.0;
     shown.unit.assign(1, '%');

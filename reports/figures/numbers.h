@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "reports/results/json_fields.h"
+#include "core/files/json.h"
+#include "core/files/number.h"
 #include "reports/tables/table.h"
 
 namespace cvo::reports {
 
 // To so many significant digits: a page of many points stays small.
-double Rounded(double value, int digits = 4);
+inline double Rounded(double value, int digits = 4) { return RoundedTo(value, digits); }
 Json RoundedList(const std::vector<double>& values, int digits = 4);
 
 // For sentences: three significant digits, never in powers of ten.

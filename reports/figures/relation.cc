@@ -6,34 +6,14 @@
 
 #include "core/base/error.h"
 #include "reports/figures/numbers.h"
+#include "reports/results/contract_text.h"
 
 namespace cvo::reports {
-namespace {
-
-std::string FieldOr(const Contract& contract, const char* field) {
-  const auto found = contract.find(field);
-  return found == contract.end() || found->second.empty() ? "not stated" : found->second;
-}
-
-// A contract's words up to its first detail, which the definitions of the table hold in full.
-std::string Brief(const std::string& text) {
-  return text.substr(0, std::min({text.find(" ("), text.find(','), text.find(';')}));
-}
-
-std::string Relation(const Column& column) {
-  const std::string delta = Brief(FieldOr(column.contract, "delta"));
-  const std::string alignment = Brief(FieldOr(column.contract, "alignment"));
-  return StrCat(delta == "none" ? "" : StrCat("delta ", delta, ", "),
-                alignment == "none" ? "not aligned" : "alignment " + alignment);
-}
-
-}  // namespace
-
 std::string RelationText(const std::vector<const Column*>& columns) {
   std::vector<std::pair<std::string, std::vector<std::string>>> groups;  // relation, labels
   for (const Column* column : columns) {
     if (!ShownAs(column->metric, column->unit).is_error) continue;
-    const std::string relation = Relation(*column);
+    const std::string relation = RelationText(column->contract);
     auto found = std::find_if(groups.begin(), groups.end(),
                               [&](const auto& group) { return group.first == relation; });
     if (found == groups.end()) found = groups.insert(groups.end(), {relation, {}});

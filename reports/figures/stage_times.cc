@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "core/base/median.h"
 #include "reports/figures/numbers.h"
 #include "reports/figures/palette.h"
 #include "reports/figures/plot.h"
@@ -36,12 +37,6 @@ int Rank(const std::string& stage) {
   if (stage == kSum) return 1000;
   const int place = PlaceIn(kEstimator, stage);
   return place >= 0 ? place : 500;
-}
-
-double Median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
 // Of a stage, one value per run.

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "core/base/error.h"
 #include "reports/figures/numbers.h"
 #include "reports/figures/suite_figures.h"
 #include "reports/figures/swept_lines.h"

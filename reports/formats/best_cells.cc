@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "reports/results/metric_rule.h"
+#include "reports/results/metric_catalogue.h"
 
 namespace cvo::reports {
 namespace {
@@ -114,8 +114,8 @@ bool MarkBest(const Table& table, std::vector<TextLine>& lines) {
       }
     }
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
-      const auto rule = FindRule(table.columns[i].metric);
-      if (rule && MarkColumn(table, group, i, rule->higher_is_better)) any = true;
+      const MetricEntry* rule = FindEntry(table.columns[i].metric);
+      if (rule && MarkColumn(table, group, i, rule->higher_is_better())) any = true;
     }
   }
   return any;

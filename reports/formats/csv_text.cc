@@ -6,7 +6,7 @@
 #include <charconv>
 #include <string_view>
 
-#include "reports/formats/printable.h"
+#include "core/files/utf8.h"
 
 namespace cvo::reports {
 namespace {

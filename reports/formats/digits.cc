@@ -3,10 +3,9 @@
 #include "reports/formats/digits.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <cstdio>
+
+#include "core/files/number.h"
 
 namespace cvo::reports {
 namespace {
@@ -63,17 +62,9 @@ std::vector<int> ColumnDecimals(const std::vector<Measured>& figures, const std:
 }
 
 std::string Fixed(double value, int decimals) {
-  std::array<char, 400> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-  std::string fixed = text.data();
+  std::string fixed = FormatFixed(value, decimals);
   if (fixed[0] == '-' && fixed.find_first_not_of("-0.") == std::string::npos) fixed.erase(0, 1);
   return fixed;
-}
-
-std::string Exact(double value) {
-  std::array<char, 64> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
 }
 
 }  // namespace cvo::reports

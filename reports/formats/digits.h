@@ -27,7 +27,4 @@ std::vector<int> ColumnDecimals(const std::vector<Measured>& figures, const std:
 // With so many decimals; zero has no sign.
 std::string Fixed(double value, int decimals);
 
-// The shortest text that is read back as the same number.
-std::string Exact(double value);
-
 }  // namespace cvo::reports

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/files/utf8.h"
 #include "reports/formats/column_panels.h"
 #include "reports/formats/latex_text.h"
-#include "reports/formats/printable.h"
 
 namespace cvo::reports {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "reports/formats/printable.h"
+#include "core/files/utf8.h"
 
 namespace cvo::reports {
 namespace {

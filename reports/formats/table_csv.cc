@@ -3,9 +3,11 @@
 #include "reports/formats/table_csv.h"
 
 #include "core/base/error.h"
+#include "core/files/number.h"
 #include "reports/formats/csv_text.h"
 #include "reports/formats/digits.h"
 #include "reports/formats/table_texts.h"
+#include "reports/results/contract_text.h"
 
 namespace cvo::reports {
 namespace {
@@ -15,7 +17,7 @@ using Record = std::vector<std::string>;
 void AddText(const std::string& text, Record& record) { record.push_back(CsvField(text)); }
 
 void AddNumber(const std::optional<double>& value, Record& record) {
-  record.push_back(value ? Exact(*value) : "");
+  record.push_back(value ? FormatDouble(*value) : "");
 }
 
 void AddCount(std::size_t count, Record& record) { record.push_back(StrCat(count)); }
@@ -58,7 +60,7 @@ void AddHead(const Table& table, const TextLine& line, Record& record) {
                                 row.sequence->first_frame + row.sequence->frames)
                        : "",
           record);
-  AddText(row.truth, record);
+  AddText(TruthText(row.truth), record);
   AddCount(row.jobs.done, record);
   AddCount(row.jobs.planned, record);
 }

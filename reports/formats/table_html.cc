@@ -5,10 +5,12 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/files/escape.h"
+#include "core/files/number.h"
+#include "core/files/utf8.h"
 #include "reports/formats/digits.h"
-#include "reports/formats/printable.h"
 #include "reports/formats/table_texts.h"
-#include "reports/results/metric_rule.h"
+#include "reports/results/metric_catalogue.h"
 
 namespace cvo::reports {
 namespace {
@@ -73,10 +75,10 @@ std::string CellHtml(const Table& table, const TextLine& line, std::size_t colum
   const Numbers numbers = NumbersOf(table, line, column, differences);
   std::string html = "<td" + Attribute("class", ClassesOf(cell)) + Place(line);
   html += Attribute("data-column", StrCat(column));
-  if (numbers.value) html += Attribute("data-value", Exact(*numbers.value));
+  if (numbers.value) html += Attribute("data-value", FormatDouble(*numbers.value));
   if (numbers.interval) {
-    html += Attribute("data-low", Exact(numbers.interval->low)) +
-            Attribute("data-high", Exact(numbers.interval->high)) +
+    html += Attribute("data-low", FormatDouble(numbers.interval->low)) +
+            Attribute("data-high", FormatDouble(numbers.interval->high)) +
             Attribute("data-interval", Printable(numbers.interval->meaning));
   }
   if (!numbers.match.empty()) html += Attribute("data-match", numbers.match);
@@ -112,10 +114,10 @@ std::string HeaderHtml(const Table& table, const TableTexts& texts) {
   }
   for (std::size_t i = 0; i < texts.columns.size(); ++i) {
     const std::string& metric = table.columns[i].metric;
-    const auto rule = FindRule(metric);
+    const MetricEntry* rule = FindEntry(metric);
     html += "<th scope=\"col\" class=\"number\"" + Attribute("data-column", StrCat(i)) +
             Attribute("data-metric", Printable(metric));
-    if (rule) html += Attribute("data-better", rule->higher_is_better ? "higher" : "lower");
+    if (rule) html += Attribute("data-better", rule->higher_is_better() ? "higher" : "lower");
     html += StrCat(">", HtmlEscaped(texts.columns[i].label));
     const std::string& unit = texts.columns[i].unit;
     if (!unit.empty()) html += StrCat(" ", Span("unit", StrCat("[", unit, "]")));
@@ -148,32 +150,6 @@ std::string ListHtml(const char* kind, const std::vector<std::string>& lines) {
 }
 
 }  // namespace
-
-std::string HtmlEscaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\'':
-        escaped += "&#39;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
 
 std::string TableHtml(const Table& table, const std::string& id) {
   TableTexts texts = MakeTexts(table);

@@ -3,14 +3,10 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "reports/tables/table.h"
 
 namespace cvo::reports {
-
-// A text that stays text, in HTML and in a quoted attribute.
-std::string HtmlEscaped(std::string_view text);
 
 // A <section> with the values as <table>, the differences as another, and their notes. Cells of
 // columns carry data-row and data-column, indices in the Table, and data-value where there is a

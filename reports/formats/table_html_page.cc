@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/error.h"
-#include "reports/formats/printable.h"
+#include "core/files/escape.h"
+#include "core/files/utf8.h"
 #include "reports/formats/table_html.h"
 
 namespace cvo::reports {

@@ -1,33 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/error.h"
+#include "core/files/escape.h"
 #include "reports/formats/table_text.h"
 #include "reports/formats/table_texts.h"
 
 namespace cvo::reports {
 namespace {
 
-// Whether a text stays that text: no emphasis, code, link, definition of a link, mathematics, HTML.
-bool NeedsEscape(const std::string& text, std::size_t at) {
-  static const std::string special = "|*_<>`\\~$&#";
-  const char c = text[at];
-  if (special.find(c) != std::string::npos) return true;
-  const bool behind_bracket = at > 0 && text[at - 1] == ']';
-  return behind_bracket && (c == '(' || c == ':' || c == '[');
-}
-
-std::string Escaped(const std::string& text) {
-  std::string escaped;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (NeedsEscape(text, i)) escaped += '\\';
-    escaped += text[i];
-  }
-  return escaped;
-}
-
 // A line of its own must not become a list, a heading or a rule.
 std::string Paragraph(const std::string& text) {
-  return (std::string("-+=").find(text[0]) != std::string::npos ? "\\" : "") + Escaped(text);
+  return (std::string("-+=").find(text[0]) != std::string::npos ? "\\" : "") +
+         MarkdownEscaped(text);
 }
 
 std::string CellMarkdown(const CellText& cell) {
@@ -46,7 +30,7 @@ std::string LineMarkdown(const TextLine& line) {
   const auto add = [&text](const std::string& cell, bool grey) {
     text += grey && !cell.empty() ? "| *" + cell + "* " : "| " + cell + " ";
   };
-  for (const std::string& cell : line.texts) add(Escaped(cell), line.grey);
+  for (const std::string& cell : line.texts) add(MarkdownEscaped(cell), line.grey);
   for (const CellText& cell : line.cells) add(CellMarkdown(cell), cell.grey);
   return text + "|\n";
 }
@@ -55,11 +39,11 @@ std::string HeaderMarkdown(const TableTexts& texts) {
   std::string header;
   std::string rule;
   for (const std::string& name : texts.text_header) {
-    header += "| " + Escaped(name) + " ";
+    header += "| " + MarkdownEscaped(name) + " ";
     rule += "|---";
   }
   for (const ColumnText& column : texts.columns) {
-    header += "| " + Escaped(column.Heading()) + " ";
+    header += "| " + MarkdownEscaped(column.Heading()) + " ";
     rule += "|---:";
   }
   return header + "|\n" + rule + "|\n";
@@ -69,17 +53,17 @@ std::string HeaderMarkdown(const TableTexts& texts) {
 
 std::string TableMarkdown(const Table& table) {
   const TableTexts texts = MakeTexts(table);
-  std::string text = texts.title.empty() ? "" : "**" + Escaped(texts.title) + "**\n\n";
+  std::string text = texts.title.empty() ? "" : "**" + MarkdownEscaped(texts.title) + "**\n\n";
   if (!texts.about.empty()) text += Paragraph(texts.about) + "\n\n";
   for (const TextBlock& block : texts.blocks) {
-    if (!block.heading.empty()) text += Escaped(block.heading) + ":\n\n";
+    if (!block.heading.empty()) text += MarkdownEscaped(block.heading) + ":\n\n";
     text += HeaderMarkdown(texts);
     for (const TextLine& line : block.lines) text += LineMarkdown(line);
     text += "\n";
   }
   if (texts.any_best) text += "- " + BestNote("bold") + "\n";
-  for (const std::string& note : texts.footnotes) text += "- " + Escaped(note) + "\n";
-  for (const std::string& note : texts.definitions) text += "- " + Escaped(note) + "\n";
+  for (const std::string& note : texts.footnotes) text += "- " + MarkdownEscaped(note) + "\n";
+  for (const std::string& note : texts.definitions) text += "- " + MarkdownEscaped(note) + "\n";
   return text;
 }
 

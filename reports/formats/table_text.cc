@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/files/utf8.h"
 #include "reports/formats/column_panels.h"
-#include "reports/formats/printable.h"
 #include "reports/formats/table_texts.h"
 
 namespace cvo::reports {

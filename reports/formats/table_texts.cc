@@ -7,10 +7,10 @@
 #include <cstdio>
 
 #include "core/base/error.h"
+#include "core/files/utf8.h"
 #include "reports/formats/best_cells.h"
 #include "reports/formats/digits.h"
-#include "reports/formats/printable.h"
-#include "reports/results/metric_rule.h"
+#include "reports/results/metric_catalogue.h"
 #include "reports/tables/footnotes.h"
 
 namespace cvo::reports {
@@ -40,8 +40,8 @@ std::vector<std::string> TextHeader(const Table& table) {
 }
 
 // What of the truth goes into a cell: its name, without what counts as visible.
-std::string ShortTruth(const std::string& truth) {
-  return truth.empty() ? "-" : truth.substr(0, truth.find(';'));
+std::string ShortTruth(const Contract& contract) {
+  return contract.truth ? NameOf(*contract.truth) : "-";
 }
 
 std::vector<std::string> OurTexts(const Row& row, const Table& table) {
@@ -130,8 +130,8 @@ CellText DifferenceText(const Difference& difference, int decimals, bool change)
 }
 
 std::string UnitForDigits(const Column& column) {
-  const auto rule = FindRule(column.metric);
-  return rule && rule->kind == MetricRule::Kind::kCount ? kCountUnit : column.unit;
+  const MetricEntry* rule = FindEntry(column.metric);
+  return rule && rule->kind == MetricKind::kCount ? kCountUnit : column.unit;
 }
 
 // Decimals of a column's cells that do or do not compare with each other.

@@ -5,19 +5,17 @@
 #include <cmath>
 #include <set>
 
-#include "reports/results/json_fields.h"
-#include "reports/results/metric_rule.h"
+#include "core/files/json_fields.h"
+#include "reports/results/metric_catalogue.h"
 
 namespace cvo::reports {
 namespace {
 
 Json ToJson(const BaselineMetric& metric) {
-  Json contracts = Json::object();
-  for (const auto& [type, contract] : metric.contracts) contracts[type] = Json(contract);
   return {{"name", metric.name},
-          {"unit", metric.unit},
-          {"better", FindRule(metric.name)->higher_is_better ? "higher" : "lower"},
-          {"contracts", contracts}};
+          {"unit", NameOf(metric.unit)},
+          {"better", FindEntry(metric.name)->higher_is_better() ? "higher" : "lower"},
+          {"contracts", cvo::ToJson(metric.contracts)}};
 }
 
 Json ToJson(const BaselineJob& job) {
@@ -38,56 +36,30 @@ std::string Lines(const std::vector<T>& rows) {
   return "[" + lines + "\n ]";
 }
 
-std::string TextOf(const Json& json, const std::string& where) {
-  if (!json.is_string()) ThrowError(where, StrCat("a JSON ", json.type_name()), "text");
-  return json.get<std::string>();
-}
-
-std::map<std::string, std::string> ReadTexts(const Fields& fields) {
-  std::map<std::string, std::string> texts;
-  for (const auto& [key, value] : fields.json().items()) {
-    texts[key] = TextOf(value, StrCat(fields.where(), ", field ", key));
-  }
-  return texts;
-}
-
-std::vector<std::uint64_t> ReadSeeds(const Fields& fields) {
-  std::vector<std::uint64_t> seeds;
-  for (const Json& seed : fields.Array("seeds")) {
-    if (!seed.is_number_unsigned()) {
-      ThrowError(fields.where() + ", field seeds", seed.dump(), "whole numbers");
-    }
-    seeds.push_back(seed.get<std::uint64_t>());
-  }
-  return seeds;
-}
-
 BaselineMetric ReadMetric(const Fields& fields) {
   BaselineMetric metric;
   metric.name = fields.Text("name");
-  metric.unit = fields.Text("unit");
-  const auto rule = FindRule(metric.name);
-  const std::string better = !rule ? "" : rule->higher_is_better ? "higher" : "lower";
+  metric.unit = FromJson<MetricUnit>(fields.Text("unit"), fields.where() + ", field unit");
+  const MetricEntry* rule = FindEntry(metric.name);
+  const std::string better = !rule ? "" : rule->higher_is_better() ? "higher" : "lower";
   if (fields.Text("better") != better) {
     ThrowError(StrCat(fields.where(), ", ", metric.name),
                StrCat("better \"", fields.Text("better"), "\""),
                rule ? StrCat("\"", better, "\"") : "a metric that the gate knows");
   }
-  const Fields contracts = fields.Object("contracts");
-  for (const auto& [type, contract] : contracts.json().items()) {
-    metric.contracts[type] = ReadTexts(contracts.Object(type.c_str()));
-  }
+  metric.contracts = FromJson<std::map<std::string, Contract>>(fields.Object("contracts").json(),
+                                                               fields.where() + ", contracts");
   return metric;
 }
 
 BaselineJob ReadJob(const Fields& fields) {
   BaselineJob job;
-  job.keys = ReadTexts(fields.Object("keys"));
+  job.keys = fields.NamedTexts("keys");
   if (!job.keys.contains("variant") || !job.keys.contains("sequence")) {
     ThrowError(fields.where() + ", field keys", fields.Object("keys").json().dump(),
                "variant and sequence among them");
   }
-  job.seed = static_cast<std::uint64_t>(fields.Integer("seed"));
+  job.seed = fields.Count("seed");
   job.type = fields.Text("type");
   job.content = fields.Text("content");
   job.status = fields.Text("status");
@@ -134,15 +106,12 @@ std::string BaselineJson(const Baseline& baseline) {
 Baseline ReadBaseline(const std::filesystem::path& file) {
   const Json json = ReadJson(file);
   const Fields fields(json, file.string());
-  CheckSchema(fields, kBaselineSchemaVersion);
-  if (fields.Text("kind") != "baseline") {
-    ThrowError(fields.where(), StrCat("kind \"", fields.Text("kind"), "\""), "\"baseline\"");
-  }
+  fields.Check(kBaselineSchemaVersion, "baseline");
   Baseline baseline;
   baseline.suite = fields.Text("suite");
   baseline.build = fields.Object("build").Text("identity");
   baseline.commit = fields.Object("build").Text("commit");
-  baseline.seeds = ReadSeeds(fields);
+  baseline.seeds = fields.Counts("seeds");
   for (const Json& metric : fields.Array("metrics")) {
     baseline.metrics.push_back(ReadMetric({metric, fields.where() + ", metrics"}));
   }

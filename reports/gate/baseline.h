@@ -13,12 +13,12 @@
 
 namespace cvo::reports {
 
-inline constexpr int kBaselineSchemaVersion = 1;
+inline constexpr int kBaselineSchemaVersion = 2;
 
 struct BaselineMetric {
-  std::string name;  // FindRule knows it
-  std::string unit;
-  std::map<std::string, Contract> contracts;  // by type of dataset; left_out apart
+  std::string name;  // FindEntry knows it
+  MetricUnit unit = MetricUnit::kOne;
+  std::map<std::string, Contract> contracts;  // by type of dataset
 };
 
 // What a run reached when the baseline was written.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <set>
-#include <tuple>
 
 #include "core/base/error.h"
 #include "reports/gate/compare.h"
@@ -102,25 +101,14 @@ class Check {
     if (known == metric.contracts.end()) {
       Fail(metric.name, StrCat("measured on ", run.sequence.type, ", in the baseline not"));
     } else if (metric.unit != value.unit) {
-      Fail(metric.name, StrCat("in ", value.unit, ", in the baseline in ", metric.unit));
-    } else {
-      const auto [field, now, then] = FirstDifference(contract, known->second);
       Fail(metric.name,
-           StrCat("another contract: ", field, " \"", now, "\", in the baseline \"", then, "\""));
+           StrCat("in ", NameOf(value.unit), ", in the baseline in ", NameOf(metric.unit)));
+    } else {
+      const std::string field = FirstDifference(contract, known->second);
+      Fail(metric.name, StrCat("another contract: ", field, " \"", FieldText(contract, field),
+                               "\", in the baseline \"", FieldText(known->second, field), "\""));
     }
     return false;
-  }
-
-  static std::tuple<std::string, std::string, std::string> FirstDifference(const Contract& now,
-                                                                           const Contract& then) {
-    Contract fields = now;
-    fields.insert(then.begin(), then.end());
-    for (const auto& [field, value] : fields) {
-      const std::string a = now.contains(field) ? now.at(field) : "";
-      const std::string b = then.contains(field) ? then.at(field) : "";
-      if (a != b) return {field, a, b};
-    }
-    return {};
   }
 
   void CheckTimes() {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "reports/results/metric_rule.h"
+#include "reports/results/metric_catalogue.h"
 
 namespace cvo::reports {
 namespace {
@@ -63,7 +63,7 @@ ScenePairs& SceneOf(const Keys& keys, std::vector<ScenePairs>& scenes) {
 std::vector<ScenePairs> GatherScenes(const Baseline& baseline, const BaselineMetric& metric,
                                      const std::string& variant,
                                      const std::vector<RunPair>& pairs) {
-  const double sign = FindRule(metric.name)->higher_is_better ? -1.0 : 1.0;
+  const double sign = FindEntry(metric.name)->higher_is_better() ? -1.0 : 1.0;
   std::vector<ScenePairs> scenes;
   for (const RunPair& pair : pairs) {
     const auto now = pair.values.find(metric.name);
@@ -137,7 +137,7 @@ std::vector<Comparison> CompareValues(const Baseline& baseline, const std::vecto
       Comparison comparison;
       comparison.variant = variant;
       comparison.metric = metric.name;
-      comparison.unit = metric.unit;
+      comparison.unit = NameOf(metric.unit);
       candidates.push_back(MakeCandidate(comparison, scenes));
       if (scenes.size() == 1) continue;
       for (const ScenePairs& scene : scenes) {

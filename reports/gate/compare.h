@@ -21,7 +21,7 @@ struct RunPair {
 // How far seeds are apart, of one variant on one scene. From its own runs; or, because few seeds
 // tell little, from those of all variants of the scene (errors relative to the variant's own) where
 // its own are no further apart and this bounds the noise closer. Never less than one step of
-// MetricRule::Resolution in one of its runs. Empty where no variant has two seeds.
+// MetricEntry::Resolution in one of its runs. Empty where no variant has two seeds.
 struct SeedSpread {
   double variance = 0.0;
   std::size_t degrees = 0;

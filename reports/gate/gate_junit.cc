@@ -4,25 +4,14 @@
 #include <cstdio>
 
 #include "core/base/error.h"
+#include "core/files/escape.h"
+#include "core/files/utf8.h"
 #include "reports/gate/gate_text.h"
 
 namespace cvo::reports {
 namespace {
 
-// XML 1.0 has no way to write most control characters.
-std::string Escaped(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    const bool control = static_cast<unsigned char>(c) < 0x20;
-    if (c == '&') escaped += "&amp;";
-    if (c == '<') escaped += "&lt;";
-    if (c == '>') escaped += "&gt;";
-    if (c == '"') escaped += "&quot;";
-    if (control) escaped += c == '\n' || c == '\r' || c == '\t' ? ' ' : '?';
-    if (!control && c != '&' && c != '<' && c != '>' && c != '"') escaped += c;
-  }
-  return escaped;
-}
+std::string Escaped(const std::string& text) { return HtmlEscaped(Printable(text)); }
 
 // `failure`: empty where the case passes.
 std::string TestCase(const std::string& group, const std::string& name,

@@ -1,19 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/error.h"
+#include "core/files/escape.h"
+#include "core/files/utf8.h"
 #include "reports/gate/gate_text.h"
 
 namespace cvo::reports {
 namespace {
 
-std::string EscapedCell(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '|' || c == '*' || c == '_' || c == '<' || c == '`' || c == '\\') escaped += '\\';
-    escaped += c == '\n' || c == '\r' ? ' ' : c;
-  }
-  return escaped;
-}
+std::string EscapedCell(const std::string& text) { return MarkdownEscaped(Printable(text)); }
 
 std::string Line(const std::vector<std::string>& row) {
   std::string line = "|";

@@ -4,9 +4,8 @@
 
 #include <algorithm>
 
-#include "reports/results/json_fields.h"
-#include "reports/results/json_text.h"
-#include "reports/results/metric_rule.h"
+#include "core/files/json_fields.h"
+#include "reports/results/metric_catalogue.h"
 #include "reports/tables/columns.h"
 
 namespace cvo::reports {
@@ -19,14 +18,9 @@ constexpr int kTimingSchemaVersion = 1;
 // Most of a timing file is about single frames.
 std::optional<double> EstimateTimeMs(const fs::path& file) {
   try {
-    const std::string text = ReadText(file);
-    const auto members = JsonMembers(text, file.string());
-    Json json = Json::object();
-    for (const char* key : {"schema_version", "stages"}) {
-      json[key] = ParseJson(FindMember(members, key), file.string());
-    }
+    const Json json = ReadJson(file, {"frames"});
     const Fields fields(json, file.string());
-    CheckSchema(fields, kTimingSchemaVersion);
+    fields.CheckSchema(kTimingSchemaVersion);
     const double time_ms = fields.Object("stages").Object("estimate").Number("median_ms");
     return time_ms > 0.0 ? std::optional(time_ms) : std::nullopt;
   } catch (const Error&) {
@@ -40,18 +34,14 @@ GateRuns ReadGateRuns(const fs::path& folder, std::vector<std::string> metrics) 
   SuitePlan plan = ReadPlan(folder / "plan.json");
   std::erase_if(plan.runs, [](const PlannedRun& run) { return run.system; });
   if (metrics.empty()) metrics = WithCoverage(plan.metrics);
-  std::erase_if(metrics, [](const std::string& metric) { return !FindRule(metric); });
+  std::erase_if(metrics, [](const std::string& metric) { return !FindEntry(metric); });
   GateRuns runs{folder, plan.name, metrics, {}};
   runs.runs = ReadRuns(folder, plan, metrics);
   return runs;
 }
 
 Contract GateContract(const RunSummary& run, const MetricValue& metric) {
-  Contract contract =
-      ColumnContract(metric.contract, run.sequence.first_frame, run.sequence.frames);
-  const auto truth = metric.contract.find("truth");
-  if (truth != metric.contract.end()) contract["truth"] = truth->second;
-  return contract;
+  return WithTruthOf(ColumnContract(metric.contract, run.sequence.range()), metric.contract);
 }
 
 std::string RunLabel(const std::map<std::string, std::string>& keys, std::uint64_t seed) {

@@ -19,7 +19,7 @@ inline constexpr char kTimeReference[] = "static";
 struct GateRuns {
   std::filesystem::path folder;
   std::string suite;
-  std::vector<std::string> metrics;  // the table's with their coverage, that FindRule knows
+  std::vector<std::string> metrics;  // the table's with their coverage, that FindEntry knows
   std::vector<SuiteRun> runs;
 };
 

@@ -6,9 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/error.h"
 #include "reports/gate/gate_runs.h"
-#include "reports/results/json_fields.h"
-#include "reports/results/json_text.h"
 
 namespace cvo::reports {
 namespace {
@@ -39,8 +38,7 @@ std::vector<std::uint64_t> GateSeeds(const GateRuns& runs, std::size_t gate_seed
 void AddContract(const RunSummary& run, const MetricValue& value, BaselineMetric& metric) {
   const Contract contract = GateContract(run, value);
   const auto [known, is_new] = metric.contracts.try_emplace(run.sequence.type, contract);
-  const bool is_first = metric.unit.empty();
-  if (is_first) metric.unit = value.unit;
+  if (metric.contracts.size() == 1 && is_new) metric.unit = value.unit;
   if (known->second != contract || metric.unit != value.unit) {
     ThrowError(StrCat(run.file.string(), ", metric ", value.name), "another contract or unit",
                StrCat("that of the other runs on ", run.sequence.type));
@@ -50,7 +48,7 @@ void AddContract(const RunSummary& run, const MetricValue& value, BaselineMetric
 std::vector<BaselineMetric> CollectMetrics(const GateRuns& runs) {
   std::vector<BaselineMetric> metrics;
   for (const std::string& name : runs.metrics) {
-    BaselineMetric metric{name, "", {}};
+    BaselineMetric metric{name, MetricUnit::kOne, {}};
     for (const SuiteRun& run : runs.runs) {
       const MetricValue* value = FindMetric(*run.run, name);
       if (value != nullptr) AddContract(*run.run, *value, metric);
@@ -80,16 +78,6 @@ BaselineJob MakeJob(const SuiteRun& run, const std::map<std::string, double>& ra
   return job;
 }
 
-std::string CommitOf(const std::filesystem::path& result) {
-  const std::string text = ReadText(result);
-  const std::string_view build = FindMember(JsonMembers(text, result.string()), "build");
-  if (build.empty()) return "";
-  const Json json = ParseJson(build, result.string() + ", build");
-  return json.is_object() && json.contains("commit") && json["commit"].is_string()
-             ? json["commit"].get<std::string>()
-             : "";
-}
-
 }  // namespace
 
 Baseline MakeBaseline(const std::filesystem::path& folder, std::size_t gate_seeds) {
@@ -99,7 +87,7 @@ Baseline MakeBaseline(const std::filesystem::path& folder, std::size_t gate_seed
   Baseline baseline;
   baseline.suite = runs.suite;
   baseline.build = runs.runs.front().run->build;
-  baseline.commit = CommitOf(runs.runs.front().run->file);
+  baseline.commit = runs.runs.front().run->commit;
   baseline.seeds = GateSeeds(runs, gate_seeds);
   baseline.metrics = CollectMetrics(runs);
   const std::map<std::string, double> ratios = TimeRatios(runs);

@@ -6,7 +6,7 @@
 
 #include "reports/gate/compare.h"
 #include "reports/gate/student.h"
-#include "reports/results/metric_rule.h"
+#include "reports/results/metric_catalogue.h"
 
 namespace cvo::reports {
 namespace {
@@ -39,13 +39,13 @@ double SquaresAroundMean(const std::vector<double>& values) {
 }
 
 // The same of all variants, as if each made errors as large as `own_mean`.
-SeedSpread Pooled(const std::map<std::string, std::vector<double>>& values, const MetricRule& rule,
+SeedSpread Pooled(const std::map<std::string, std::vector<double>>& values, const MetricEntry& rule,
                   double own_mean) {
   SeedSpread pooled;
   double squares = 0.0;
   for (const auto& [variant, of_variant] : values) {
     const double mean = Mean(of_variant);
-    const bool relative = rule.kind == MetricRule::Kind::kError && mean > 0.0;
+    const bool relative = rule.kind == MetricKind::kError && mean > 0.0;
     const double scale = relative ? own_mean / mean : 1.0;
     squares += scale * scale * SquaresAroundMean(of_variant);
     pooled.degrees += of_variant.size() - 1;
@@ -65,7 +65,7 @@ std::optional<SeedSpread> SpreadOfSeeds(const Baseline& baseline, const Baseline
                                         const Keys& keys) {
   const auto values = ValuesByVariant(baseline, metric.name, keys);
   const auto found = values.find(keys.at("variant"));
-  const std::optional<MetricRule> rule = FindRule(metric.name);
+  const MetricEntry* rule = FindEntry(metric.name);
   if (found == values.end() || !rule) return std::nullopt;
   const double mean = Mean(found->second);
   const double count = static_cast<double>(found->second.size());

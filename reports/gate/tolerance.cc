@@ -7,16 +7,11 @@
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/base/median.h"
 #include "reports/gate/student.h"
 
 namespace cvo::reports {
 namespace {
-
-double Median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
 
 // Of the mean of the differences, from the deviation that half of them do not exceed.
 double RobustStandardError(std::vector<double> differences) {

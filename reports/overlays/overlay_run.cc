@@ -4,7 +4,6 @@
 
 #include <functional>
 
-#include "reports/results/json_text.h"
 #include "reports/runs/detail_files.h"
 
 namespace cvo::reports {
@@ -40,24 +39,14 @@ void ReadSequence(const Fields& fields, OverlayRun& run) {
 
 // The members of result.json that a drawing needs; ReadRunDetail has checked what it is.
 void ReadHead(const fs::path& file, OverlayRun& run) {
-  const std::string where = file.string();
-  const std::string text = ReadText(file);
-  const std::vector<JsonMember> members = JsonMembers(text, where);
-  Json head = Json::object();
-  for (const char* key : {"variant", "seed", "sequence", "given"}) {
-    const std::string_view value = FindMember(members, key);
-    if (!value.empty()) head[key] = ParseJson(value, where);
-  }
-  const Fields fields(head, where);
+  const Json json = ReadJson(file, {"bodies", "clusters", "frames", "metrics", "options"});
+  const Fields fields(json, file.string());
   run.variant = fields.Text("variant");
-  run.seed = static_cast<std::uint64_t>(fields.Integer("seed"));
+  run.seed = fields.Count("seed");
   ReadSequence(fields.Object("sequence"), run);
   if (!fields.Has("given")) return;
   const Fields given = fields.Object("given");
-  if (!given.Has("classes")) return;
-  for (const Json& name : given.Array("classes")) {
-    if (name.is_string()) run.classes.push_back(name.get<std::string>());
-  }
+  if (given.Has("classes")) run.classes = given.Texts("classes");
 }
 
 }  // namespace

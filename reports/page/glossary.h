@@ -15,7 +15,4 @@ struct Term {
 // Words that the page uses of estimators, statistics and runs.
 std::vector<Term> Terms();
 
-// What a metric measures, in plain words; its name says enough where there is none.
-std::string MeasureMeaning(const std::string& metric);
-
 }  // namespace cvo::reports

@@ -4,27 +4,32 @@
 #include "reports/page/html.h"
 #include "reports/page/page_parts.h"
 #include "reports/page/quantity.h"
+#include "reports/results/contract_text.h"
+#include "reports/results/metric_catalogue.h"
 
 namespace cvo::reports {
 namespace {
 
 std::string ContractHtml(const Contract& contract) {
   std::string html;
-  for (const auto& [field, value] : contract) {
-    if (value.empty()) continue;
-    std::string name = field;
-    for (char& c : name) c = c == '_' ? ' ' : c;
-    html += "<li>" + Element("em", name) + ": " + Escaped(value) + "</li>\n";
+  for (const auto& [name, text] : ContractTexts(contract)) {
+    html += "<li>" + Element("em", name) + ": " + Escaped(text) + "</li>\n";
   }
   return html.empty() ? ""
                       : "<details><summary>Exactly</summary><ul>\n" + html + "</ul></details>\n";
+}
+
+// Forms of a metric other than its own are said by their contract.
+std::string Meaning(const std::string& metric) {
+  const MetricEntry* entry = FindEntry(metric);
+  return entry != nullptr && metric == entry->name ? entry->meaning : "As defined below.";
 }
 
 std::string MeasureHtml(const Column& column) {
   const std::string direction = BetterDirection(column.metric);
   std::string html = "<dt id=\"measure-" + Escaped(column.metric) + "\">" + Escaped(column.label);
   if (column.unit != "1" && !column.unit.empty()) html += " [" + Escaped(column.unit) + "]";
-  html += "</dt>\n<dd>" + Escaped(MeasureMeaning(column.metric));
+  html += "</dt>\n<dd>" + Escaped(Meaning(column.metric));
   if (!direction.empty()) html += direction == "lower" ? " Lower is better." : " Higher is better.";
   return html + ContractHtml(column.contract) + "</dd>\n";
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/page/html.h"
 
-#include "reports/formats/printable.h"
-#include "reports/formats/table_html.h"
+#include "core/files/escape.h"
+#include "core/files/utf8.h"
 
 namespace cvo::reports {
 std::string Escaped(std::string_view text) { return HtmlEscaped(Printable(text)); }

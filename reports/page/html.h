@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "reports/results/json_fields.h"
+#include "core/files/json_fields.h"
 
 namespace cvo::reports {
 

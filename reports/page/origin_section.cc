@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "core/files/escape.h"
 #include "reports/figures/numbers.h"
 #include "reports/formats/table_html.h"
 #include "reports/page/html.h"

@@ -5,11 +5,11 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/files/json_fields.h"
 #include "reports/page/html.h"
 #include "reports/page/page_data.h"
 #include "reports/page/page_parts.h"
 #include "reports/page/scene_json.h"
-#include "reports/results/json_fields.h"
 #include "reports/web/assets.h"
 
 namespace cvo::reports {

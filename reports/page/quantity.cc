@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "reports/figures/numbers.h"
-#include "reports/results/metric_rule.h"
+#include "reports/results/metric_catalogue.h"
 
 namespace cvo::reports {
 namespace {
@@ -32,14 +32,14 @@ std::string RangeText(const Interval& interval, const Column& column) {
 }
 
 std::string BetterDirection(const std::string& metric) {
-  const auto rule = FindRule(metric);
-  return !rule ? "" : rule->higher_is_better ? "higher" : "lower";
+  const MetricEntry* rule = FindEntry(metric);
+  return !rule ? "" : rule->higher_is_better() ? "higher" : "lower";
 }
 
 std::optional<bool> IsBetter(const std::string& metric, double difference) {
-  const auto rule = FindRule(metric);
+  const MetricEntry* rule = FindEntry(metric);
   if (!rule) return std::nullopt;
-  return (difference > 0.0) == rule->higher_is_better;
+  return (difference > 0.0) == rule->higher_is_better();
 }
 
 }  // namespace cvo::reports

@@ -3,11 +3,9 @@
 #include "reports/page/run_origin.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
-#include "reports/results/json_fields.h"
-#include "reports/results/json_text.h"
+#include "core/files/json_fields.h"
+#include "core/files/number.h"
 
 namespace cvo::reports {
 namespace {
@@ -32,39 +30,29 @@ void AddFact(const std::string& name, const Json& value, std::vector<Fact>& fact
   }
 }
 
-void AddFacts(const std::vector<JsonMember>& members, const std::string& where,
-              const std::vector<std::string>& names, std::vector<Fact>& facts) {
+void AddFacts(const Json& json, const std::vector<std::string>& names, std::vector<Fact>& facts) {
   for (const std::string& name : names) {
-    const std::string_view value = FindMember(members, name);
-    if (!value.empty()) facts.emplace_back(name, TextOf(ParseJson(value, where)));
+    if (json.contains(name)) facts.emplace_back(name, TextOf(json[name]));
   }
 }
 
 void ReadBuild(const std::filesystem::path& file, RunOrigin& origin) {
-  const std::string text = ReadText(file);
-  const std::string_view build = FindMember(JsonMembers(text, file.string()), "build");
-  if (build.empty()) return;
-  const Json json = ParseJson(build, file.string());
-  if (!json.is_object()) return;
-  for (const auto& [name, value] : json.items()) AddFact(name, value, origin.build);
-}
-
-std::string Seconds(double seconds) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.1f s", seconds);
-  return text.data();
+  const Json json = ReadJson(file, {"bodies", "clusters", "frames", "metrics"});
+  const Fields fields(json, file.string());
+  if (!fields.Has("build")) return;
+  for (const auto& [name, value] : fields.Object("build").json().items()) {
+    AddFact(name, value, origin.build);
+  }
 }
 
 void ReadTiming(const std::filesystem::path& file, RunOrigin& origin) {
-  const std::string text = ReadText(file);
-  const std::string where = file.string();
-  const std::vector<JsonMember> members = JsonMembers(text, where);
-  AddFacts(members, where, {"host", "cpu", "cpus", "threads"}, origin.machine);
-  AddFacts(members, where, {"date"}, origin.time);
-  const std::string_view wall = FindMember(members, "wall_s");
-  if (wall.empty()) return;
-  const Json seconds = ParseJson(wall, where);
-  if (seconds.is_number()) origin.time.emplace_back("took", Seconds(seconds.get<double>()));
+  const Json json = ReadJson(file, {"frames"});
+  const Fields fields(json, file.string());
+  AddFacts(json, {"host", "cpu", "cpus", "threads"}, origin.machine);
+  AddFacts(json, {"date"}, origin.time);
+  if (fields.Has("wall_s")) {
+    origin.time.emplace_back("took", FormatFixed(fields.Number("wall_s"), 1) + " s");
+  }
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <map>
 #include <span>
 
+#include "core/files/escape.h"
 #include "reports/overlays/palette.h"
-#include "reports/page/base64.h"
 
 namespace cvo::reports {
 namespace {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/files/json_fields.h"
 #include "reports/page/page_content.h"
-#include "reports/results/json_fields.h"
 
 namespace cvo::reports {
 

@@ -2,25 +2,238 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <map>
+#include <array>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/files/json_record.h"
+
+// What a number means. Two numbers compare where their contracts are equal; texts are made of them
+// for readers alone (contract_text.h). Files hold the names below.
 namespace cvo::reports {
 
-// What a number means, field by field: frame, poses, truth, alignment, pairing, delta, aggregation,
-// left_out. An empty field is one that a source does not state.
-using Contract = std::map<std::string, std::string>;
+enum class MetricUnit { kOne, kMetres, kRadians, kMetresPerSecond, kPercent, kDegreesPer100m, kMs };
+constexpr std::array<const char*, 7> EnumNames(MetricUnit) {
+  return {"1", "m", "rad", "m/s", "%", "deg/100 m", "ms"};
+}
 
-// What makes numbers of different runs one column. The truth belongs to a row (each dataset has its
-// own), left_out to a run, and so do the frames first to first + frames - 1 where they are named.
-Contract ColumnContract(const Contract& contract, int first_frame, int frames);
+// What is measured.
+enum class Subject { kCamera, kMovers, kStanding, kClusters, kLandmarks };
+constexpr std::array<const char*, 5> EnumNames(Subject) {
+  return {"left camera", "bodies that move", "bodies that stay put", "clusters", "landmarks"};
+}
 
-// The first field in which the two say different things; empty where there is none. Fields that one
-// of them leaves empty or lacks are not compared.
-std::string DifferingField(const Contract& a, const Contract& b);
+enum class PoseTime { kRefined, kCausal, kFile };
+constexpr std::array<const char*, 3> EnumNames(PoseTime) { return {"refined", "causal", "file"}; }
 
-// Fields of `wanted` that `contract` lacks or leaves empty.
+enum class TruthSource { kNone, kDevkit, kInterpolated, kOfficial, kFile, kScene, kLabels };
+constexpr std::array<const char*, 7> EnumNames(TruthSource) {
+  return {"none", "devkit",         "interpolated",        "official",
+          "file", "rendered scene", "labels with 3D boxes"};
+}
+
+// Which body is seen well enough to be judged: by its mask, in pixels and percent of it without
+// what hides it, or by its label, in pixels of height and degrees of occlusion.
+enum class VisibleBy { kMask, kLabel };
+constexpr std::array<const char*, 2> EnumNames(VisibleBy) { return {"mask", "label"}; }
+struct Visibility {
+  VisibleBy by = VisibleBy::kMask;
+  int least_px = 0;
+  int limit = 0;  // least percent, or most occlusion
+
+  bool operator==(const Visibility&) const = default;
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("by", self.by);
+    archive.Field("least_px", self.least_px);
+    archive.Field("limit", self.limit);
+  }
+};
+
+enum class Alignment { kNone, kPositions, kWorld, kWorldAndBody };
+constexpr std::array<const char*, 4> EnumNames(Alignment) {
+  return {"none", "SE(3) over positions, Umeyama without scale",
+          "world by the camera (chordal mean of orientations, mean of positions)",
+          "world by the camera (chordal mean of orientations, mean of positions), one "
+          "object_from_gtobject per body in closed form over its frames"};
+}
+
+// Which frames or pairs of frames are compared. Frames of bodies are those in which the body is
+// visible and its estimate counts.
+enum class Pairing {
+  kFramesWithTruth,
+  kFramesWithBoth,
+  kOrderedPairs,
+  kConsecutive,
+  kKittiStretches,
+  kVisible,
+  kEstimated,
+  kEstimatedPairs,
+  kEstimatedConsecutive,
+  kMotions,
+  kVelocities,
+  kEachFrameItself,
+  kPredicted,
+  kWhole,
+  kObservations,
+  kFramesWithLandmarks,
+  kFramesWithGroups
+};
+constexpr std::array<const char*, 17> EnumNames(Pairing) {
+  return {
+      "all frames with truth",
+      "all frames with truth and estimate",
+      "all ordered pairs i != j of frames with truth and estimate",
+      "consecutive frames with truth and estimate",
+      "KITTI devkit sub-sequences that start at every 10th frame",
+      "all visible object-frames",
+      "visible object-frames with an estimate",
+      "all ordered pairs i != j of visible object-frames with an estimate",
+      "consecutive visible object-frames with an estimate",
+      "consecutive visible object-frames with an estimate; E = G_k^-1 H_gt^-1 H_est G_k with the "
+      "motion H = P_k+1 P_k^-1 in world",
+      "visible object-frames with an estimate, against differences of true positions of the same "
+      "point",
+      "all visible object-frames, the cluster of a body in each by itself",
+      "object-frames, visible or not, where the pose is predicted or too few landmarks are "
+      "observed",
+      "bodies and clusters that have an estimate in some frame, one-to-one",
+      "each landmark in each frame it is observed in",
+      "all frames with such landmarks",
+      "frames with landmarks of at least two of the static scene and the bodies"};
+}
+
+// What tells which cluster is a body's.
+enum class Matching { kLandmarks, kNearness };
+constexpr std::array<const char*, 2> EnumNames(Matching) { return {"landmarks", "nearness"}; }
+
+enum class Delta { kNone, kAll, kOneFrame, kKittiLengths, kCentral };
+constexpr std::array<const char*, 5> EnumNames(Delta) {
+  return {"none", "all", "1 frame", "100, 200, ..., 800 m of the true path",
+          "central difference, one-sided where the truth begins or ends"};
+}
+
+enum class Aggregation {
+  kFractionOfFrames,
+  kRmsOfPositions,
+  kMeanOfPositions,
+  kMedianOfPositions,
+  kMaximumOfPositions,
+  kRmsOfAngles,
+  kRmsOfTranslations,
+  kTranslationOverLength,
+  kRotationOverLength,
+  kFractionEstimated,
+  kFractionWithin,
+  kMeanOverBodies,
+  kSwitches,
+  kFragments,
+  kMissedBodies,
+  kExtraClusters,
+  kMovingOfSaid,
+  kSaidOfMoving,
+  kMeanOverlap,
+  kMeanRandIndex
+};
+constexpr std::array<const char*, 20> EnumNames(Aggregation) {
+  return {
+      "fraction with an estimate",
+      "root mean square of position errors",
+      "mean of position errors",
+      "median of position errors",
+      "maximum of position errors",
+      "root mean square of rotation angles",
+      "root mean square of translation norms",
+      "mean of translation errors over length",
+      "mean of rotation errors over length",
+      "fraction of object-frames with an estimate; one without an estimate has none",
+      "fraction of object-frames with a position error within the limit; one without an estimate "
+      "has none",
+      "root mean square per body, mean over bodies",
+      "number of times a body's cluster is another than the last one",
+      "number of times a body has a cluster again after visible frames without one",
+      "number of bodies matched to no cluster",
+      "number of clusters matched to no body",
+      "fraction that is moving of those in a cluster other than the static scene, all frames "
+      "together",
+      "fraction in a cluster other than the static scene of those that are moving, all frames "
+      "together",
+      "intersection over union per body and its matched cluster (the static scene is one, a body "
+      "without a cluster has 0), mean over those seen in the frame, mean over frames",
+      "adjusted Rand index per frame, a landmark of no cluster alone; mean over frames"};
+}
+
+// Of the sequence, the last one included. One that a whole column shares is that of each run.
+struct FrameSpan {
+  int first = 0;
+  int last = 0;
+
+  bool operator==(const FrameSpan&) const = default;
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("first", self.first);
+    archive.Field("last", self.last);
+  }
+};
+inline constexpr FrameSpan kFramesOfRun = {0, -1};
+
+// A field without a value is one that a source does not state, or that the metric has no use for.
+struct Contract {
+  std::optional<Subject> subject;
+  std::optional<double> travel_m;    // that bodies or landmarks must exceed to be moving
+  std::optional<int> travel_frames;  // within which landmarks must
+  std::optional<PoseTime> poses;
+  std::optional<TruthSource> truth;
+  std::optional<TruthSource> camera_truth;  // where labels have their place by the camera
+  std::optional<Visibility> visible;
+  std::optional<double> right_shift_px;  // correction of the published calibration; 0: none
+  std::optional<Alignment> alignment;
+  std::optional<Pairing> pairing;
+  std::optional<Matching> matching;
+  std::optional<int> least_landmarks;  // observed, for an estimate to count
+  std::optional<FrameSpan> frames;
+  std::optional<Delta> delta;
+  std::optional<Aggregation> aggregation;
+  std::optional<double> limit_m;
+
+  bool operator==(const Contract&) const = default;
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Optional("subject", self.subject);
+    archive.Optional("travel_m", self.travel_m);
+    archive.Optional("travel_frames", self.travel_frames);
+    archive.Optional("poses", self.poses);
+    archive.Optional("truth", self.truth);
+    archive.Optional("camera_truth", self.camera_truth);
+    archive.Optional("visible", self.visible);
+    archive.Optional("right_shift_px", self.right_shift_px);
+    archive.Optional("alignment", self.alignment);
+    archive.Optional("pairing", self.pairing);
+    archive.Optional("matching", self.matching);
+    archive.Optional("least_landmarks", self.least_landmarks);
+    archive.Optional("frames", self.frames);
+    archive.Optional("delta", self.delta);
+    archive.Optional("aggregation", self.aggregation);
+    archive.Optional("limit_m", self.limit_m);
+  }
+};
+
+// What makes numbers of different runs one column. Truth and correction belong to a row (each
+// dataset has its own), and frames that are those of the run are kFramesOfRun.
+Contract ColumnContract(const Contract& contract, const FrameSpan& run);
+// With the truth and correction of another.
+Contract WithTruthOf(Contract contract, const Contract& other);
+
+// The first field in which the two are not the same; a field that one lacks is another than one
+// with a value. Empty where there is none.
+std::string FirstDifference(const Contract& a, const Contract& b);
+// The first field that both state, and not the same; empty where there is none.
+std::string ContradictingField(const Contract& a, const Contract& b);
+// Fields that `wanted` states and `contract` does not.
 std::vector<std::string> UnstatedFields(const Contract& contract, const Contract& wanted);
+// A field as files hold it, a text without its quotes; empty where it is not stated.
+std::string FieldText(const Contract& contract, const std::string& field);
 
 }  // namespace cvo::reports

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-#include "reports/results/json_fields.h"
-#include "reports/results/json_text.h"
+#include "core/files/json_fields.h"
 
 namespace cvo::reports {
 namespace {
@@ -25,35 +24,19 @@ SequenceInfo ReadSequence(const Fields& fields) {
   return sequence;
 }
 
-MetricValue ReadMetric(const Fields& fields) {
-  MetricValue metric;
-  metric.name = fields.Text("name");
-  metric.value = fields.Number("value");
-  metric.unit = fields.Text("unit");
-  metric.n = fields.Integer("n");
-  metric.contract = fields.NamedTexts("contract");
-  return metric;
-}
-
-std::vector<MetricValue> ReadMetrics(std::string_view array, const std::string& where,
-                                     const std::vector<std::string>& wanted) {
+std::vector<MetricValue> ReadMetrics(const Fields& run, const std::vector<std::string>& wanted) {
   std::vector<MetricValue> metrics;
-  for (const std::string_view element : JsonElements(array, where)) {
-    const std::string_view name = FindMember(JsonMembers(element, where), "name");
-    const bool is_wanted = std::any_of(wanted.begin(), wanted.end(), [&](const std::string& w) {
-      return name.size() == w.size() + 2 && name.substr(1, w.size()) == w;
-    });
-    if (is_wanted) metrics.push_back(ReadMetric({ParseJson(element, where), where}));
+  for (const Json& json : run.Array("metrics")) {
+    auto metric = FromJson<MetricValue>(json, run.where() + ", metrics");
+    if (std::find(wanted.begin(), wanted.end(), metric.name) != wanted.end()) {
+      metrics.push_back(std::move(metric));
+    }
   }
   return metrics;
 }
 
 FrameErrors ReadErrors(const Fields& fields) {
-  FrameErrors errors;
-  for (const Json& frame : fields.Array("frames")) errors.frames.push_back(frame.get<int>());
-  for (const Json& error : fields.Array("position_m")) {
-    errors.position_m.push_back(error.get<double>());
-  }
+  FrameErrors errors{fields.Integers("frames"), fields.Numbers("position_m")};
   if (errors.frames.size() != errors.position_m.size() ||
       !std::is_sorted(errors.frames.begin(), errors.frames.end())) {
     ThrowError(fields.where(),
@@ -75,71 +58,41 @@ BodyResult ReadBody(const Fields& fields) {
   return body;
 }
 
-std::vector<BodyResult> ReadBodies(std::string_view array, const std::string& where) {
+std::vector<BodyResult> ReadBodies(const Fields& lists, const char* key) {
   std::vector<BodyResult> bodies;
-  if (array.empty() || array == "null") return bodies;
-  const Json json = ParseJson(array, where);
-  if (!json.is_array()) ThrowError(where, StrCat("a JSON ", json.type_name()), "an array");
-  for (const Json& body : json) bodies.push_back(ReadBody({body, where}));
+  for (const Json& body : lists.Array(key)) {
+    bodies.push_back(ReadBody({body, StrCat(lists.where(), ", ", key)}));
+  }
   return bodies;
-}
-
-bool AnyStartsWith(const std::vector<std::string>& names, const char* prefix, bool starts = true) {
-  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-    return name.starts_with("object_") && name.starts_with(prefix) == starts;
-  });
-}
-
-void ReadBodyLists(std::string_view bodies, const std::string& where,
-                   const std::vector<std::string>& wanted, RunSummary& run) {
-  constexpr char kCausal[] = "object_causal_";
-  if (bodies.empty() || bodies == "null") return;
-  const auto lists = JsonMembers(bodies, where);
-  if (AnyStartsWith(wanted, kCausal, false)) {
-    run.refined = ReadBodies(FindMember(lists, "refined"), where + ", bodies, refined");
-  }
-  if (AnyStartsWith(wanted, kCausal)) {
-    run.causal = ReadBodies(FindMember(lists, "causal"), where + ", bodies, causal");
-  }
-}
-
-// The members that are small, parsed.
-Json ParseSmall(const std::vector<JsonMember>& members, const std::string& where) {
-  Json json = Json::object();
-  for (const char* key : {"schema_version", "kind", "job", "status", "message", "variant", "seed",
-                          "sequence", "build"}) {
-    const std::string_view value = FindMember(members, key);
-    if (!value.empty()) json[key] = ParseJson(value, where);
-  }
-  return json;
 }
 
 }  // namespace
 
 RunSummary ReadRun(const std::filesystem::path& result_file,
                    const std::vector<std::string>& metrics) {
-  const std::string text = ReadText(result_file);
-  const std::vector<JsonMember> members = JsonMembers(text, result_file.string());
-  const Json json = ParseSmall(members, result_file.string());
+  // Most of a result is poses, which are for others to read.
+  const Json json = ReadJson(result_file, {"clusters", "frames", "trajectories"});
   const Fields fields(json, result_file.string());
-  CheckSchema(fields, kRunSchemaVersion);
-  if (fields.Text("kind") != "run") {
-    ThrowError(fields.where(), StrCat("kind \"", fields.Text("kind"), "\""), "\"run\"");
-  }
+  fields.Check(kRunSchemaVersion, "run");
   RunSummary run;
   run.file = result_file;
   run.job = fields.Text("job");
   run.variant = fields.Text("variant");
-  run.seed = static_cast<std::uint64_t>(fields.Integer("seed"));
+  run.seed = fields.Count("seed");
   run.status = fields.Text("status");
-  run.message = fields.Has("message") ? fields.Text("message") : "";
+  run.message = fields.TextOr("message", "");
   run.sequence = ReadSequence(fields.Object("sequence"));
-  run.options = FindMember(members, "options");
-  if (fields.Has("build")) run.build = fields.Object("build").Text("identity");
-  const std::string_view values = FindMember(members, "metrics");
-  if (values.empty()) return run;
-  run.metrics = ReadMetrics(values, fields.where() + ", metrics", metrics);
-  ReadBodyLists(FindMember(members, "bodies"), fields.where(), metrics, run);
+  if (fields.Has("options")) run.options = fields.Object("options").json().dump();
+  if (fields.Has("build")) {
+    run.build = fields.Object("build").Text("identity");
+    run.commit = fields.Object("build").TextOr("commit", "");
+  }
+  if (fields.Has("metrics")) run.metrics = ReadMetrics(fields, metrics);
+  if (fields.Has("bodies") && !json["bodies"].is_null()) {
+    const Fields bodies = fields.Object("bodies");
+    run.refined = ReadBodies(bodies, "refined");
+    run.causal = ReadBodies(bodies, "causal");
+  }
   return run;
 }
 

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "reports/results/contract.h"
+#include "reports/results/metric_value.h"
 #include "reports/statistics/common_frames.h"
 
 namespace cvo::reports {
 
-inline constexpr int kRunSchemaVersion = 2;
+inline constexpr int kRunSchemaVersion = 3;
 
 struct SequenceInfo {
   std::string name;
@@ -24,14 +24,8 @@ struct SequenceInfo {
   int total_frames = 0;         // in the folder
   double right_shift_px = 0.0;  // correction of the published calibration; 0: as published
   std::string content;          // hash
-};
 
-struct MetricValue {
-  std::string name;
-  double value = 0.0;
-  std::string unit;
-  std::int64_t n = 0;
-  Contract contract;
+  FrameSpan range() const { return {first_frame, first_frame + frames - 1}; }
 };
 
 // What a run reaches on one body.
@@ -57,10 +51,11 @@ struct RunSummary {
   std::vector<BodyResult> causal;
   std::string options;  // resolved, as JSON text
   std::string build;    // identity
+  std::string commit;   // of the build, for people
 };
 
-// The metrics of these names, and the bodies that they are about. Throws Error naming the file and
-// the field: another schema version, half-written, not a run.
+// With the metrics of these names. Throws Error naming the file and the field, wherever in it:
+// another schema version, half-written, not a run, a number that is none.
 RunSummary ReadRun(const std::filesystem::path& result_file,
                    const std::vector<std::string>& metrics);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/results/suite_runs.h"
 
-#include "reports/results/json_fields.h"
+#include "core/files/json_fields.h"
 
 namespace cvo::reports {
 namespace {
@@ -12,10 +12,6 @@ namespace fs = std::filesystem;
 constexpr int kPlanSchemaVersion = 1;
 constexpr int kFailureSchemaVersion = 1;
 constexpr char kNotRendered[] = "not rendered yet";  // PlannedJob::missing of a scene to be drawn
-
-std::string TextOr(const Fields& fields, const char* key) {
-  return fields.Has(key) ? fields.Text(key) : "";
-}
 
 std::string Joined(const std::vector<std::string>& texts) {
   std::string joined;
@@ -27,10 +23,10 @@ std::string OrNone(const std::string& text) { return text.empty() ? "none" : tex
 
 PlannedRun ReadPlanned(const Fields& fields) {
   PlannedRun run;
-  const std::string system = TextOr(fields, "system");
+  const std::string system = fields.TextOr("system", "");
   run.system = !system.empty();
   run.keys["sequence"] = fields.Text("sequence");
-  run.keys["detections"] = OrNone(TextOr(fields, "detections"));
+  run.keys["detections"] = OrNone(fields.TextOr("detections", ""));
   run.keys["variant"] = run.system ? system : fields.Text("variant");
   run.keys["oracle"] = OrNone(fields.Has("oracle") ? Joined(fields.Texts("oracle")) : "");
   if (fields.Has("parameters")) {
@@ -39,9 +35,9 @@ PlannedRun ReadPlanned(const Fields& fields) {
       run.keys[path] = value.is_string() ? value.get<std::string>() : value.dump();
     }
   }
-  run.seed = static_cast<std::uint64_t>(fields.Integer("seed"));
-  run.job = TextOr(fields, "job");
-  run.missing = TextOr(fields, "missing");
+  run.seed = fields.Count("seed");
+  run.job = fields.TextOr("job", "");
+  run.missing = fields.TextOr("missing", "");
   return run;
 }
 
@@ -69,9 +65,9 @@ void ReadFailure(const fs::path& file, SuiteRun& run) {
   try {
     const Json json = ReadJson(file);
     const Fields fields(json, file.string());
-    CheckSchema(fields, kFailureSchemaVersion);
+    fields.CheckSchema(kFailureSchemaVersion);
     run.message = fields.Text("message");
-    run.log = TextOr(fields, "log");
+    run.log = fields.TextOr("log", "");
   } catch (const Error& error) {
     run.message = error.what();
   }
@@ -85,18 +81,15 @@ SuitePlan ReadPlan(const fs::path& plan_file) {
   }
   const Json json = ReadJson(plan_file);
   const Fields fields(json, plan_file.string());
-  CheckSchema(fields, kPlanSchemaVersion);
-  if (fields.Text("kind") != "plan") {
-    ThrowError(fields.where(), StrCat("kind \"", fields.Text("kind"), "\""), "\"plan\"");
-  }
+  fields.Check(kPlanSchemaVersion, "plan");
   SuitePlan plan;
   plan.file = plan_file;
   plan.name = fields.Object("suite").Text("name");
-  plan.about = TextOr(fields.Object("suite"), "about");
+  plan.about = fields.Object("suite").TextOr("about", "");
   const Fields table = fields.Object("table");
   plan.rows = table.Texts("rows");
   plan.metrics = table.Texts("metrics");
-  plan.reference = TextOr(table, "reference");
+  plan.reference = table.TextOr("reference", "");
   for (const Json& job : fields.Array("jobs")) {
     plan.runs.push_back(ReadPlanned({job, fields.where() + ", jobs"}));
   }

@@ -102,10 +102,7 @@ Pose PoseOf(const Json& json, const std::string& where) { return Numbers<7>(json
 RunTruth ReadTruthFile(const std::filesystem::path& file, const std::vector<CameraFrame>& frames) {
   const Json json = ReadJson(file);
   const Fields fields(json, file.string());
-  CheckSchema(fields, kTruthSchemaVersion);
-  if (fields.Text("kind") != "truth") {
-    ThrowError(fields.where(), StrCat("kind \"", fields.Text("kind"), "\""), "\"truth\"");
-  }
+  fields.Check(kTruthSchemaVersion, "truth");
   RunTruth truth;
   for (const Json& pose : fields.Array("camera")) {
     truth.camera.emplace_back();

@@ -1,47 +1,57 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <string_view>
 
-#include "core/base/error.h"
-#include "reports/results/json_text.h"
-#include "reports/runs/csv_line.h"
+#include "core/files/csv_file.h"
 #include "reports/runs/detail_files.h"
 
 namespace cvo::reports {
 namespace {
 
-ClusterRow ReadRow(const CsvLine& line) {
-  ClusterRow row;
-  row.frame = line.As<int>("frame");
-  row.id = line.As<std::int64_t>("id");
-  row.category = line.Text("category");
-  row.predicted = line.Text("status") == "predicted";
-  // Empty where the run never went back to the frame: then as it was when the frame came.
-  const std::string prefix = line.Text("refined_x").empty() ? "" : "refined_";
-  row.world_from_object = line.Numbers<7>({"x", "y", "z", "qx", "qy", "qz", "qw"}, prefix);
-  row.velocity_m_s = line.Numbers<3>({"vx", "vy", "vz"}, prefix);
-  row.center_in_object = line.Numbers<3>({"center_x", "center_y", "center_z"});
-  row.half_size_m = line.Numbers<3>({"half_x_m", "half_y_m", "half_z_m"});
-  row.observed_landmarks = line.As<int>("observed_landmarks");
-  return row;
-}
+class ClusterTable {
+ public:
+  explicit ClusterTable(const std::filesystem::path& file) : csv_(file) {}
+
+  std::size_t rows() const { return csv_.rows(); }
+  ClusterRow Row(std::size_t i) const {
+    ClusterRow row;
+    row.frame = csv_.Integer(i, frame_);
+    row.id = csv_.Id(i, id_);
+    row.category = csv_.Text(i, category_);
+    row.predicted = csv_.Text(i, status_) == "predicted";
+    // Empty where the run never went back to the frame: then as it was when the frame came.
+    const bool refined = !csv_.Empty(i, refined_pose_);
+    row.world_from_object = csv_.Numbers<7>(i, refined ? refined_pose_ : pose_);
+    row.velocity_m_s = csv_.Numbers<3>(i, refined ? refined_velocity_ : velocity_);
+    row.center_in_object = csv_.Numbers<3>(i, center_);
+    row.half_size_m = csv_.Numbers<3>(i, half_size_);
+    row.observed_landmarks = csv_.Integer(i, observed_);
+    return row;
+  }
+
+ private:
+  CsvFile csv_;
+  // The first of what belongs together.
+  std::size_t frame_ = csv_.Column("frame");
+  std::size_t id_ = csv_.Column("id");
+  std::size_t category_ = csv_.Column("category");
+  std::size_t status_ = csv_.Column("status");
+  std::size_t pose_ = csv_.Columns({"x", "y", "z", "qx", "qy", "qz", "qw"});
+  std::size_t velocity_ = csv_.Columns({"vx", "vy", "vz"});
+  std::size_t refined_pose_ = csv_.Columns({"refined_x", "refined_y", "refined_z", "refined_qx",
+                                            "refined_qy", "refined_qz", "refined_qw"});
+  std::size_t refined_velocity_ = csv_.Columns({"refined_vx", "refined_vy", "refined_vz"});
+  std::size_t center_ = csv_.Columns({"center_x", "center_y", "center_z"});
+  std::size_t half_size_ = csv_.Columns({"half_x_m", "half_y_m", "half_z_m"});
+  std::size_t observed_ = csv_.Column("observed_landmarks");
+};
 
 }  // namespace
 
 std::vector<ClusterRow> ReadClusterTable(const std::filesystem::path& file) {
-  const std::string text = ReadText(file);
-  if (text.back() != '\n') {
-    ThrowError(file.string(), StrCat("text that ends after ", text.size(), " bytes"),
-               "whole lines");
-  }
-  const std::vector<std::string_view> lines =
-      SplitCells(std::string_view(text).substr(0, text.size() - 1), '\n');
-  const std::vector<std::string_view> header = SplitCells(lines.front(), ',');
+  const ClusterTable table(file);
   std::vector<ClusterRow> rows;
-  for (std::size_t i = 1; i < lines.size(); ++i) {
-    rows.push_back(ReadRow({header, lines[i], StrCat(file.string(), ", line ", i + 1)}));
-  }
+  for (std::size_t i = 0; i < table.rows(); ++i) rows.push_back(table.Row(i));
   std::stable_sort(rows.begin(), rows.end(), [](const ClusterRow& a, const ClusterRow& b) {
     return std::pair(a.frame, a.id) < std::pair(b.frame, b.id);
   });

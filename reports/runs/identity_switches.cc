@@ -4,8 +4,7 @@
 
 #include <map>
 
-#include "reports/results/json_text.h"
-#include "reports/runs/csv_line.h"
+#include "core/files/csv_file.h"
 
 namespace cvo::reports {
 namespace {
@@ -16,28 +15,17 @@ constexpr int kLandmarksThatCount = 3;
 using Counts = std::map<int, std::map<int, std::map<std::int64_t, int>>>;
 
 Counts ReadCounts(const std::filesystem::path& file) {
-  const std::string text = ReadText(file);
-  if (text.back() != '\n') {
-    ThrowError(file.string(), StrCat("text that ends after ", text.size(), " bytes"),
-               "whole lines");
-  }
-  const std::string where = file.string() + ", line ";
+  const CsvFile csv(file);
+  const std::size_t frame = csv.Column("frame");
+  const std::size_t body = csv.Column("truth_body");
+  const std::size_t cluster = csv.Column("cluster");
+  const auto is_none = [&](std::size_t row, std::size_t column) {
+    return csv.Empty(row, column) || csv.Text(row, column) == "0";
+  };
   Counts counts;
-  std::vector<std::string_view> header;
-  std::size_t number = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = text.find('\n', begin);
-    const std::string_view line = std::string_view(text).substr(begin, end - begin);
-    begin = end + 1;
-    if (number++ == 0) {
-      header = SplitCells(line, ',');
-      continue;
-    }
-    const CsvLine row(header, line, StrCat(where, number));
-    const std::string_view body = row.Text("truth_body");
-    const std::string_view cluster = row.Text("cluster");
-    if (body.empty() || body == "0" || cluster.empty() || cluster == "0") continue;
-    ++counts[row.As<int>("frame")][row.As<int>("truth_body")][row.As<std::int64_t>("cluster")];
+  for (std::size_t i = 0; i < csv.rows(); ++i) {
+    if (is_none(i, body) || is_none(i, cluster)) continue;
+    ++counts[csv.Integer(i, frame)][csv.Integer(i, body)][csv.Id(i, cluster)];
   }
   return counts;
 }

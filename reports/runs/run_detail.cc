@@ -4,7 +4,6 @@
 
 #include <functional>
 
-#include "reports/results/json_text.h"
 #include "reports/results/run_summary.h"
 #include "reports/runs/detail_files.h"
 
@@ -15,28 +14,15 @@ namespace fs = std::filesystem;
 
 constexpr int kTimingSchemaVersion = 1;
 
-void CheckKind(const std::string& found, const char* expected, const std::string& where) {
-  if (found != expected) {
-    ThrowError(where, StrCat("kind \"", found, "\""), StrCat("\"", expected, "\""));
-  }
-}
-
 // Nothing but the frames: what else a result holds is large and for others.
 std::vector<CameraFrame> ReadFrames(const fs::path& file) {
   const std::string where = file.string();
-  const std::string text = ReadText(file);
-  const std::vector<JsonMember> members = JsonMembers(text, where);
-  Json head = Json::object();
-  for (const char* key : {"schema_version", "kind", "frames"}) {
-    const std::string_view value = FindMember(members, key);
-    if (!value.empty()) head[key] = ParseJson(value, where);
-  }
-  const Fields fields(head, where);
-  CheckSchema(fields, kRunSchemaVersion);
-  CheckKind(fields.Text("kind"), "run", where);
+  const Json json = ReadJson(file, {"bodies", "clusters", "metrics", "options"});
+  const Fields fields(json, where);
+  fields.Check(kRunSchemaVersion, "run");
   std::vector<CameraFrame> frames;
-  for (const Json& json : fields.Array("frames")) {
-    const Fields entry(json, where + ", frames");
+  for (const Json& row : fields.Array("frames")) {
+    const Fields entry(row, where + ", frames");
     CameraFrame frame;
     frame.frame = static_cast<int>(entry.Integer("frame"));
     frame.timestamp_ns = entry.Integer("timestamp_ns");
@@ -50,8 +36,7 @@ std::vector<CameraFrame> ReadFrames(const fs::path& file) {
 void ReadTiming(const fs::path& file, RunDetail& detail) {
   const Json json = ReadJson(file);
   const Fields fields(json, file.string());
-  CheckSchema(fields, kTimingSchemaVersion);
-  CheckKind(fields.Text("kind"), "timing", file.string());
+  fields.Check(kTimingSchemaVersion, "timing");
   const Fields stages = fields.Object("stages");
   std::vector<StageTime> times;
   for (const auto& [name, stage] : stages.json().items()) {

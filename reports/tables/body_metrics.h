@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "reports/results/metric_catalogue.h"
 #include "reports/results/run_summary.h"
 #include "reports/statistics/strata.h"
 
@@ -13,23 +14,19 @@ namespace cvo::reports {
 
 // How a metric of a run follows from its bodies.
 struct BodyMetric {
-  enum class Kind { kError, kCoverage, kSuccess, kCount, kUnmatched };
+  MetricForm form;
 
-  Kind kind = Kind::kError;
-  bool causal = false;
-  bool predicted = false;
-  bool movers = true;      // else: bodies that stay put
-  std::string field;       // of BodyResult::values
-  double scale = 1.0;      // from its unit to that of the metric
-  double limit_m = 0.0;    // of a success
-  bool by_frames = false;  // its errors are listed frame by frame
-
+  const MetricEntry& entry() const { return EntryOf(form.id); }
+  bool predicted() const { return form.bodies == BodyGroup::kPredicted; }
+  bool movers() const { return form.bodies != BodyGroup::kStanding; }
+  // Its errors are listed frame by frame.
+  bool by_frames() const { return form.id == MetricId::kObjectAte; }
   Within within() const {
-    return kind == Kind::kCount || kind == Kind::kUnmatched ? Within::kSum : Within::kMean;
+    return entry().kind == MetricKind::kCount ? Within::kSum : Within::kMean;
   }
 };
 
-// Empty for a metric that is not about bodies, or not known here.
+// Empty for a metric that is not about bodies.
 std::optional<BodyMetric> FindBodyMetric(const std::string& metric);
 
 // The bodies that it is about.

@@ -3,65 +3,15 @@
 #include "reports/tables/columns.h"
 
 #include <algorithm>
-#include <array>
-#include <utility>
 
 #include "core/base/error.h"
-#include "reports/results/metric_rule.h"
+#include "reports/results/metric_catalogue.h"
 
 namespace cvo::reports {
 namespace {
 
-std::string Label(const std::string& metric) {
-  static const std::array<std::pair<const char*, const char*>, 25> labels = {
-      {{"camera_coverage", "camera coverage"},
-       {"camera_ate", "camera ATE"},
-       {"camera_rrpe_all_pairs", "camera R.RPE"},
-       {"camera_trpe_all_pairs", "camera T.RPE"},
-       {"camera_rrpe_1_frame", "camera R.RPE/frame"},
-       {"camera_trpe_1_frame", "camera T.RPE/frame"},
-       {"camera_t_drift", "t drift"},
-       {"camera_r_drift", "r drift"},
-       {"object_ate", "object ATE"},
-       {"object_rrpe_all_pairs", "object R.RPE"},
-       {"object_trpe_all_pairs", "object T.RPE"},
-       {"object_motion_r", "motion error"},
-       {"object_motion_t", "motion error"},
-       {"object_velocity", "velocity error"},
-       {"object_success_5cm", "within 5 cm"},
-       {"object_success_10cm", "within 10 cm"},
-       {"object_success_20cm", "within 20 cm"},
-       {"object_coverage", "object coverage"},
-       {"object_id_switches", "id switches"},
-       {"object_fragments", "fragments"},
-       {"object_unmatched_clusters", "extra clusters"},
-       {"clustering_iou", "clustering IoU"},
-       {"clustering_ari", "clustering ARI"},
-       {"moving_precision", "moving precision"},
-       {"moving_recall", "moving recall"}}};
-  for (const auto& [name, label] : labels) {
-    if (metric == name) return label;
-  }
-  return metric;
-}
-
-std::string FieldOf(const Contract& contract, const std::string& field) {
-  const auto found = contract.find(field);
-  return found == contract.end() ? "" : found->second;
-}
-
 Contract SharedContract(const RunSummary& run, const MetricValue& metric) {
-  return ColumnContract(metric.contract, run.sequence.first_frame, run.sequence.frames);
-}
-
-// The first field that differs; a field that one lacks is empty there.
-std::string FirstDifference(const Contract& a, const Contract& b) {
-  for (const Contract* contract : {&a, &b}) {
-    for (const auto& [field, value] : *contract) {
-      if (field != "left_out" && FieldOf(a, field) != FieldOf(b, field)) return field;
-    }
-  }
-  return "";
+  return ColumnContract(metric.contract, run.sequence.range());
 }
 
 struct Meaning {
@@ -70,22 +20,25 @@ struct Meaning {
   Contract contract;
 };
 
-[[noreturn]] void Refuse(const Meaning& a, const Meaning& b, const std::string& field,
-                         const std::string& in_a, const std::string& in_b) {
-  ThrowError("metric " + a.metric->name,
-             StrCat(a.run->file.string(), " with ", field, " \"", in_a, "\" and ",
-                    b.run->file.string(), " with ", field, " \"", in_b, "\""),
-             StrCat("one ", field == "unit" ? "unit" : "contract", " in a table"));
-}
-
 void CheckSame(const Meaning& a, const Meaning& b) {
+  const auto refuse = [&](const std::string& field, const std::string& in_a,
+                          const std::string& in_b) {
+    ThrowError("metric " + a.metric->name,
+               StrCat(a.run->file.string(), " with ", field, " \"", in_a, "\" and ",
+                      b.run->file.string(), " with ", field, " \"", in_b, "\""),
+               StrCat("one ", field == "unit" ? "unit" : "contract", " in a table"));
+  };
   const std::string field = FirstDifference(a.contract, b.contract);
-  if (!field.empty()) Refuse(a, b, field, FieldOf(a.contract, field), FieldOf(b.contract, field));
-  if (a.metric->unit != b.metric->unit) Refuse(a, b, "unit", a.metric->unit, b.metric->unit);
+  if (!field.empty()) {
+    refuse(field, FieldText(a.contract, field), FieldText(b.contract, field));
+  }
+  if (a.metric->unit != b.metric->unit) {
+    refuse("unit", NameOf(a.metric->unit), NameOf(b.metric->unit));
+  }
 }
 
 Meaning WithTruth(Meaning meaning) {
-  meaning.contract["truth"] = FieldOf(meaning.metric->contract, "truth");
+  meaning.contract = WithTruthOf(meaning.contract, meaning.metric->contract);
   return meaning;
 }
 
@@ -107,7 +60,7 @@ std::optional<Column> MakeColumn(const std::string& name, const std::vector<Suit
     }
   }
   if (kinds.empty()) return std::nullopt;
-  return Column{name, Label(name), kinds[0].metric->unit, kinds[0].contract};
+  return Column{name, MetricLabel(name), NameOf(kinds[0].metric->unit), kinds[0].contract};
 }
 
 }  // namespace
@@ -157,8 +110,10 @@ std::string DifferingMeaning(const RowRuns& row, const Column& column) {
     if (metric == nullptr) continue;
     const Contract contract = SharedContract(*run->run, *metric);
     const std::string field =
-        metric->unit != column.unit ? "unit" : FirstDifference(column.contract, contract);
-    return field.empty() ? "" : StrCat(field, " \"", FieldOf(contract, field), "\"");
+        NameOf(metric->unit) != column.unit ? "unit" : FirstDifference(column.contract, contract);
+    if (field.empty()) return "";
+    return StrCat(field, " \"", field == "unit" ? NameOf(metric->unit) : FieldText(contract, field),
+                  "\"");
   }
   return "";
 }

@@ -6,7 +6,8 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "reports/results/metric_rule.h"
+#include "reports/results/contract_text.h"
+#include "reports/results/metric_catalogue.h"
 #include "reports/statistics/estimate.h"
 
 namespace cvo::reports {
@@ -267,13 +268,9 @@ std::vector<std::string> Definitions(const Table& table) {
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const Column& column = table.columns[i];
     std::string note = ColumnName(table, i) + ":";
-    for (const char* field : {"aggregation", "pairing", "delta", "alignment", "poses", "frame"}) {
-      const auto found = column.contract.find(field);
-      if (found == column.contract.end() || found->second.empty()) continue;
-      if (found->second == "none") continue;
-      note += StrCat(note.back() == ':' ? " " : "; ", field == std::string("poses") ? "poses " : "",
-                     field == std::string("delta") ? "delta " : "",
-                     field == std::string("alignment") ? "alignment " : "", found->second);
+    for (const auto& [field, text] : ContractTexts(column.contract)) {
+      const bool named = field == "poses" || field == "delta" || field == "alignment";
+      note += StrCat(note.back() == ':' ? " " : "; ", named ? field + " " : "", text);
     }
     if (note.back() != ':') lines.push_back(note);
   }

@@ -40,7 +40,7 @@ Difference ReadDifference(const Fields& fields) {
       OptionalInterval(fields, "reference_lower_percent_interval");
   difference.effect = OptionalNumber(fields, "effect");
   difference.distinguishable = fields.Bool("distinguishable");
-  difference.pairs = ReadCount(fields, "pairs");
+  difference.pairs = fields.Count("pairs");
   difference.pairing = fields.Text("pairing");
   return difference;
 }
@@ -54,15 +54,14 @@ void CheckText(const Fields& fields, const char* key, const std::string& expecte
 
 // Indices into the runs of the row.
 std::vector<std::size_t> ReadRunIndices(const Fields& fields, std::size_t runs) {
-  std::vector<std::size_t> indices;
-  for (const Json& index : fields.Array("runs")) {
-    if (!index.is_number_unsigned() || index.get<std::size_t>() >= runs) {
-      ThrowError(fields.where() + ", field runs", index.dump(),
+  const std::vector<std::uint64_t> indices = fields.Counts("runs");
+  for (const std::uint64_t index : indices) {
+    if (index >= runs) {
+      ThrowError(fields.where() + ", field runs", StrCat(index),
                  StrCat("indices of the row's ", runs, " runs"));
     }
-    indices.push_back(index.get<std::size_t>());
   }
-  return indices;
+  return {indices.begin(), indices.end()};
 }
 
 Match ReadMatch(const Fields& fields) {
@@ -76,12 +75,6 @@ Match ReadMatch(const Fields& fields) {
 }
 
 }  // namespace
-
-std::size_t ReadCount(const Fields& fields, const char* key) {
-  const std::int64_t count = fields.Integer(key);
-  if (count < 0) ThrowError(StrCat(fields.where(), ", field ", key), StrCat(count), "0 or more");
-  return static_cast<std::size_t>(count);
-}
 
 Cell ReadCell(const Fields& fields, const Column& column, std::size_t runs) {
   CheckText(fields, "metric", column.metric);
@@ -97,12 +90,11 @@ Cell ReadCell(const Fields& fields, const Column& column, std::size_t runs) {
   cell.present = true;
   cell.value = fields.Number("value");
   const Fields n = fields.Object("n");
-  cell.n = {ReadCount(n, "runs"), ReadCount(n, "scenes"), ReadCount(n, "bodies"),
-            ReadCount(n, "seeds")};
+  cell.n = {n.Count("runs"), n.Count("scenes"), n.Count("bodies"), n.Count("seeds")};
   cell.interval = OptionalInterval(fields, "interval");
   if (fields.Has("difference")) cell.difference = ReadDifference(fields.Object("difference"));
-  if (fields.Has("left_out")) cell.left_out = fields.Text("left_out");
-  if (fields.Has("not_comparable")) cell.not_comparable = fields.Text("not_comparable");
+  cell.left_out = fields.TextOr("left_out", "");
+  cell.not_comparable = fields.TextOr("not_comparable", "");
   cell.runs = ReadRunIndices(fields, runs);
   return cell;
 }

@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "reports/results/json_fields.h"
+#include "core/files/json_fields.h"
 #include "reports/tables/table.h"
 
 namespace cvo::reports {
 
 // Parts of a table.json; each throws Error naming the field.
-
-// An integer from 0.
-std::size_t ReadCount(const Fields& fields, const char* key);
 
 // The cell of a column, in a row of that many runs.
 Cell ReadCell(const Fields& fields, const Column& column, std::size_t runs);

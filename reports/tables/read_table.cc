@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "reports/results/json_fields.h"
-#include "reports/results/json_text.h"
+#include "core/files/json_fields.h"
+#include "core/files/text_file.h"
 #include "reports/tables/read_cells.h"
 #include "reports/tables/table_json.h"
 
@@ -28,7 +28,8 @@ Column ReadColumn(const Fields& fields) {
   column.metric = fields.Text("metric");
   column.label = fields.Text("label");
   column.unit = fields.Text("unit");
-  column.contract = fields.NamedTexts("contract");
+  column.contract =
+      FromJson<Contract>(fields.Object("contract").json(), fields.where() + ", contract");
   return column;
 }
 
@@ -45,27 +46,23 @@ SequenceInfo ReadSequence(const Fields& fields) {
 
 JobCounts ReadJobs(const Fields& fields) {
   JobCounts jobs;
-  jobs.planned = ReadCount(fields, "planned");
-  jobs.done = ReadCount(fields, "done");
-  jobs.lost = ReadCount(fields, "lost");
-  jobs.failed = ReadCount(fields, "failed");
-  jobs.not_run = ReadCount(fields, "not_run");
-  jobs.no_data = ReadCount(fields, "no_data");
+  jobs.planned = fields.Count("planned");
+  jobs.done = fields.Count("done");
+  jobs.lost = fields.Count("lost");
+  jobs.failed = fields.Count("failed");
+  jobs.not_run = fields.Count("not_run");
+  jobs.no_data = fields.Count("no_data");
   return jobs;
-}
-
-std::uint64_t ReadSeed(const Fields& fields) {
-  return static_cast<std::uint64_t>(fields.Integer("seed"));
 }
 
 Problem ReadProblem(const Fields& fields) {
   Problem problem;
   problem.row = fields.Text("row");
   problem.sequence = fields.Text("sequence");
-  problem.seed = ReadSeed(fields);
+  problem.seed = fields.Count("seed");
   problem.state = fields.Text("state");
   problem.message = fields.Text("message");
-  if (fields.Has("log")) problem.log = fields.Text("log");
+  problem.log = fields.TextOr("log", "");
   return problem;
 }
 
@@ -86,12 +83,7 @@ ChangedOption ReadOption(const Fields& fields) {
 Provenance ReadProvenance(const Fields& fields) {
   Provenance provenance;
   provenance.builds = fields.Texts("builds");
-  for (const Json& seed : fields.Array("seeds")) {
-    if (!seed.is_number_integer()) {
-      ThrowError(fields.where() + ", field seeds", seed.dump(), "integers");
-    }
-    provenance.seeds.push_back(seed.get<std::uint64_t>());
-  }
+  provenance.seeds = fields.Counts("seeds");
   ForEach(fields, "options",
           [&](const Fields& option) { provenance.options.push_back(ReadOption(option)); });
   return provenance;
@@ -103,10 +95,12 @@ Row ReadRow(const Fields& fields, const Table& table) {
     row.keys.push_back(fields.Object("keys").Text(key.c_str()));
   }
   if (fields.Has("sequence")) row.sequence = ReadSequence(fields.Object("sequence"));
-  if (fields.Has("truth")) row.truth = fields.Text("truth");
+  if (fields.Has("truth")) {
+    row.truth = FromJson<Contract>(fields.Object("truth").json(), fields.where() + ", truth");
+  }
   row.jobs = ReadJobs(fields.Object("jobs"));
   ForEach(fields, "runs", [&](const Fields& run) {
-    row.runs.push_back({run.Text("sequence"), ReadSeed(run), run.Text("result")});
+    row.runs.push_back({run.Text("sequence"), run.Count("seed"), run.Text("result")});
   });
   ForEach(fields, "cells", [&](const Fields& cell) {
     if (row.cells.size() == table.columns.size()) {
@@ -131,7 +125,7 @@ void CheckKind(const Fields& fields) {
   if (const std::string kind = fields.Text("kind"); kind != "table") {
     ThrowError(fields.where(), StrCat("kind \"", kind, "\""), "kind \"table\", as in table.json");
   }
-  CheckSchema(fields, kTableSchemaVersion);
+  fields.CheckSchema(kTableSchemaVersion);
 }
 
 }  // namespace
@@ -163,7 +157,7 @@ Table ReadTable(std::string_view json, const std::string& where) {
 }
 
 Table ReadTableFile(const std::filesystem::path& file) {
-  return ReadTable(ReadText(file), file.string());
+  return ReadTable(ReadFileBytes(file), file.string());
 }
 
 }  // namespace cvo::reports

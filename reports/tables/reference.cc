@@ -4,30 +4,33 @@
 
 #include <map>
 
+#include "core/files/json_fields.h"
 #include "reports/reference/shipped.h"
-#include "reports/results/json_fields.h"
 
 namespace cvo::reports {
 namespace {
 
-constexpr int kReferenceSchemaVersion = 1;
+constexpr int kReferenceSchemaVersion = 2;
 
 struct MetricMeaning {
-  std::string unit;
+  MetricUnit unit = MetricUnit::kOne;
   Contract contract;
   std::vector<std::string> inferred;
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("unit", self.unit);
+    archive.Field("contract", self.contract);
+    archive.Optional("inferred", self.inferred);
+  }
 };
 
+// A misspelt field would be one that is not stated.
 MetricMeaning ReadMeaning(const Fields& fields) {
-  MetricMeaning meaning;
-  meaning.unit = fields.Text("unit");
-  const Fields contract = fields.Object("contract");
-  for (const auto& [key, value] : contract.json().items()) {
-    meaning.contract[key] = value.is_null() ? "" : contract.Text(key.c_str());
-  }
-  if (!fields.Has("inferred")) return meaning;
-  for (const Json& field : fields.Array("inferred")) {
-    meaning.inferred.push_back(field.get<std::string>());
+  const auto meaning = FromJson<MetricMeaning>(fields.json(), fields.where());
+  for (const auto& [field, value] : fields.Object("contract").json().items()) {
+    if (value.is_null() || !FieldText(meaning.contract, field).empty()) continue;
+    ThrowError(fields.where() + ", contract", field, "a field of a contract");
   }
   return meaning;
 }
@@ -55,7 +58,12 @@ void AddFigures(const Fields& fields, const std::map<std::string, MetricMeaning>
     figure.unit = meaning->second.unit;
     figure.contract = meaning->second.contract;
     figure.inferred = meaning->second.inferred;
-    if (fields.Has("truth")) figure.contract["truth"] = fields.Text("truth");
+    if (fields.Has("truth")) {
+      figure.contract.truth =
+          FromJson<TruthSource>(fields.Text("truth"), fields.where() + ", field truth");
+    }
+    // Who corrects a calibration says so.
+    if (!figure.contract.right_shift_px) figure.contract.right_shift_px = 0.0;
     figures.push_back(std::move(figure));
   }
 }
@@ -84,7 +92,7 @@ void AddSource(const Fields& fields, Reference& reference) {
 void AddReference(std::string_view json, const std::string& where, Reference& reference) {
   const Json parsed = ParseJson(json, where);
   const Fields fields(parsed, where);
-  CheckSchema(fields, kReferenceSchemaVersion);
+  fields.CheckSchema(kReferenceSchemaVersion);
   for (const Json& source : fields.Array("sources")) AddSource({source, where}, reference);
 }
 

@@ -29,8 +29,8 @@ struct ReferenceFigure {
   std::string system;
   std::string metric;
   double value = 0.0;
-  std::string unit;
-  Contract contract;                  // fields that the source does not state are empty
+  MetricUnit unit = MetricUnit::kOne;
+  Contract contract;                  // without what the source does not state
   std::vector<std::string> inferred;  // fields that follow from its figures, not from its text
 };
 

@@ -11,8 +11,7 @@ namespace {
 
 ReferenceCell Compare(const ReferenceFigure& figure, const ReferenceSource& source, const Row& row,
                       const Column& column) {
-  Contract ours = column.contract;
-  ours["truth"] = row.truth;
+  const Contract ours = WithTruthOf(column.contract, row.truth);
   const SequenceInfo& sequence = *row.sequence;
   if (figure.first_frame != sequence.first_frame || figure.frames != sequence.frames) {
     return {figure.value, Match::kOtherFrames,
@@ -23,7 +22,7 @@ ReferenceCell Compare(const ReferenceFigure& figure, const ReferenceSource& sour
     return {figure.value, Match::kOtherImages, source.pair + " images, ours " + sequence.pair};
   }
   const std::string differing =
-      figure.unit != column.unit ? "unit" : DifferingField(figure.contract, ours);
+      NameOf(figure.unit) != column.unit ? "unit" : ContradictingField(figure.contract, ours);
   if (!differing.empty()) return {figure.value, Match::kContractDiffers, differing + " differs"};
   std::string unstated;
   for (const std::string& field : UnstatedFields(figure.contract, ours)) {

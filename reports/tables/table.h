@@ -108,7 +108,7 @@ struct RunLink {
 struct Row {
   std::vector<std::string> keys;         // values of Table::keys
   std::optional<SequenceInfo> sequence;  // where all its runs are of one
-  std::string truth;                     // then
+  Contract truth;                        // then: truth, visibility and correction alone
   JobCounts jobs;
   std::vector<RunLink> runs;
   std::vector<Cell> cells;  // one per column

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "reports/results/json_fields.h"
+#include "core/files/json_fields.h"
 
 namespace cvo::reports {
 namespace {
@@ -14,17 +14,11 @@ double Finite(double value, const std::string& where) {
   return value;
 }
 
-Json ToJson(const Contract& contract) {
-  Json json = Json::object();
-  for (const auto& [field, value] : contract) json[field] = value;
-  return json;
-}
-
 Json ToJson(const Column& column) {
   return {{"metric", column.metric},
           {"label", column.label},
           {"unit", column.unit},
-          {"contract", ToJson(column.contract)}};
+          {"contract", cvo::ToJson(column.contract)}};
 }
 
 Json ToJson(const SequenceInfo& sequence) {
@@ -148,7 +142,7 @@ Json ToJson(const Row& row, const Table& table) {
   Json json = Json::object();
   for (std::size_t i = 0; i < table.keys.size(); ++i) json["keys"][table.keys[i]] = row.keys[i];
   if (row.sequence) json["sequence"] = ToJson(*row.sequence);
-  if (!row.truth.empty()) json["truth"] = row.truth;
+  if (!(row.truth == Contract())) json["truth"] = cvo::ToJson(row.truth);
   json["jobs"] = ToJson(row.jobs);
   json["runs"] = ListOf(row.runs);
   json["cells"] = Json::array();

@@ -8,7 +8,7 @@
 
 namespace cvo::reports {
 
-inline constexpr int kTableSchemaVersion = 2;
+inline constexpr int kTableSchemaVersion = 3;
 
 // table.json: the same bytes for the same results.
 std::string TableJson(const Table& table);

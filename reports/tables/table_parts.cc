@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "reports/results/json_fields.h"
+#include "core/files/json_fields.h"
 
 namespace cvo::reports {
 namespace {
@@ -17,12 +17,11 @@ std::string Link(const std::filesystem::path& file, const std::filesystem::path&
 }
 
 // The truth of a run's metrics; one that knows none (coverage of a run without truth) says nothing.
-std::string Truth(const RunSummary& run) {
+Contract Truth(const RunSummary& run) {
   for (const MetricValue& metric : run.metrics) {
-    const auto truth = metric.contract.find("truth");
-    if (truth != metric.contract.end() && !truth->second.empty()) return truth->second;
+    if (metric.contract.truth) return WithTruthOf(Contract(), metric.contract);
   }
-  return "";
+  return {};
 }
 
 // A scene's folder is named after its seed too, the suite's name for it is not.
@@ -32,20 +31,8 @@ SequenceInfo NamedByPlan(const SuiteRun& run) {
   return sequence;
 }
 
-void Flatten(const Json& json, const std::string& path, std::map<std::string, std::string>& flat) {
-  if (!json.is_object()) {
-    flat[path] = json.dump();
-    return;
-  }
-  for (const auto& [key, value] : json.items()) {
-    Flatten(value, path.empty() ? key : path + "." + key, flat);
-  }
-}
-
 std::map<std::string, std::string> Flattened(const std::string& text, const std::string& where) {
-  std::map<std::string, std::string> flat;
-  if (!text.empty()) Flatten(ParseJson(text, where), "", flat);
-  return flat;
+  return text.empty() ? std::map<std::string, std::string>() : FlatJson(ParseJson(text, where));
 }
 
 void AddChanges(const std::map<std::string, std::string>& defaults,
@@ -107,7 +94,7 @@ Row DescribeRow(const RowRuns& row, const std::filesystem::path& folder) {
   }
   if (scenes.size() != 1) {
     described.sequence.reset();
-    described.truth.clear();
+    described.truth = Contract();
   }
   return described;
 }

@@ -61,7 +61,7 @@ std::vector<Part> MakeParts() {
   parts.push_back({"core/files/", {"core/base/", "core/files/"}, {"opencv2/.*", "Eigen/.*"}});
   for (const Part& part : SynthParts()) parts.push_back(part);
   const std::vector<std::string> readers = {"core/", "experiments/datasets/",
-                                            "experiments/metrics/"};
+                                            "experiments/metrics/", "reports/results/"};
   parts.push_back({"experiments/datasets/", readers, {}});
   parts.push_back({"experiments/metrics/", readers, {}});
   // Reads files only, so that it cannot share a mistake with what wrote them.
@@ -72,22 +72,40 @@ std::vector<Part> MakeParts() {
   parts.push_back(
       {"experiments/cache/", {"core/", "experiments/datasets/", "experiments/cache/"}, {}});
   parts.push_back({"experiments/record/",
-                   {"core/", "variants/", "experiments/datasets/", "experiments/metrics/",
-                    "experiments/record/"},
+                   {"core/",
+                    "reports/results/"
+                    ", " variants /
+                        ", " experiments / datasets / ", " experiments / metrics /
+                        ",
+                        "experiments/record/"},
                    {}});
   parts.push_back({"experiments/runner/",
-                   {"core/", "variants/", "experiments/datasets/", "experiments/metrics/",
-                    "experiments/cache/", "experiments/record/", "experiments/runner/"},
+                   {"core/",
+                    "reports/results/"
+                    ", " variants /
+                        ", " experiments / datasets / ", " experiments / metrics /
+                        ",
+                        "experiments/cache/",
+                    "experiments/record/", "experiments/runner/"},
+                   {}});
+  parts.push_back({"experiments/suite/",
+                   {"core/",
+                    "reports/results/"
+                    ", " variants /
+                        ", " synth / ", " experiments / datasets / ", " experiments / metrics /
+                        ",
+                        "experiments/cache/",
+                    "experiments/record/", "experiments/runner/", "experiments/suite/"},
                    {}});
   parts.push_back(
-      {"experiments/suite/",
-       {"core/", "variants/", "synth/", "experiments/datasets/", "experiments/metrics/",
-        "experiments/cache/", "experiments/record/", "experiments/runner/", "experiments/suite/"},
-       {}});
-  parts.push_back(
       {"experiments/jobs/",
-       {"core/", "variants/", "experiments/datasets/", "experiments/metrics/", "experiments/cache/",
-        "experiments/record/", "experiments/runner/", "experiments/suite/", "experiments/jobs/"},
+       {"core/",
+        "reports/results/"
+        ", " variants /
+            ", " experiments / datasets / ", " experiments / metrics / ", " experiments / cache /
+            ",
+            "experiments/record/",
+        "experiments/runner/", "experiments/suite/", "experiments/jobs/"},
        {}});
   parts.push_back(
       {"experiments/cli/", {"core/", "variants/", "experiments/", "reports/", "synth/"}, {}});

@@ -15,7 +15,6 @@
 #include "experiments/metrics/kitti_poses.h"
 #include "experiments/metrics/pose_format.h"
 #include "experiments/metrics/tum_trajectory.h"
-#include "experiments/record/metrics_json.h"
 
 namespace cvo {
 namespace {
@@ -85,14 +84,16 @@ int EvaluateFiles(const EvalFlags& flags) {
     ThrowError(flags.estimate, StrCat(poses.matched, " poses that match one of the truth"),
                StrCat("2 or more within ", flags.max_time_difference_s, " s"));
   }
-  const std::vector<Metric> metrics = EvaluateCamera(poses.truth, poses.estimate, "file");
+  std::vector<Metric> metrics =
+      EvaluateCamera(poses.truth, poses.estimate, reports::TruthSource::kFile);
+  StatePoses(reports::PoseTime::kFile, 0.0, metrics);
   if (flags.json) {
-    std::cout << DumpJson({{"schema_version", 1},
+    std::cout << DumpJson({{"schema_version", 2},
                            {"kind", "evaluation"},
                            {"matched", poses.matched},
                            {"unmatched_groundtruth", poses.unmatched_truth},
                            {"unmatched_estimate", poses.unmatched_estimate},
-                           {"metrics", MetricsToJson(metrics, "file")}});
+                           {"metrics", ToJson(metrics)}});
     return 0;
   }
   std::cout << poses.matched << " poses matched, unmatched: " << poses.unmatched_truth

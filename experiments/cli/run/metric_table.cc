@@ -11,7 +11,8 @@ namespace cvo {
 void PrintMetrics(const std::vector<Metric>& metrics, std::ostream& out) {
   TextTable table({"metric", "value", "unit", "n"});
   for (const Metric& metric : metrics) {
-    table.Add({metric.name, ForPeople(metric.value), metric.unit, std::to_string(metric.n)});
+    table.Add(
+        {metric.name, ForPeople(metric.value), NameOf(metric.unit), std::to_string(metric.n)});
   }
   table.Print(out);
 }

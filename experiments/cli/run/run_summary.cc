@@ -3,11 +3,9 @@
 #include "experiments/cli/run/run_summary.h"
 
 #include <algorithm>
-#include <numbers>
 #include <optional>
 #include <ostream>
 #include <string>
-#include <string_view>
 
 #include "experiments/cli/run/text_table.h"
 
@@ -17,15 +15,13 @@ namespace {
 const std::string kNone = "-";
 
 // "camera_causal_ate" is "camera_ate".
-std::string WithoutCausal(std::string name) {
-  constexpr std::string_view kCausal = "causal_";
-  const std::size_t at = name.find(kCausal);
-  return at == std::string::npos ? name : name.erase(at, kCausal.size());
+std::string WithoutCausal(const std::string& name) {
+  reports::MetricForm form = reports::FindForm(name).value();
+  form.causal = false;
+  return reports::MetricName(form);
 }
 
-std::string Value(const std::optional<double>& value, double scale = 1.0) {
-  return value ? ForPeople(scale * *value) : kNone;
-}
+std::string Value(const std::optional<double>& value) { return value ? ForPeople(*value) : kNone; }
 
 std::string SuccessAt10cm(const BodyScore& body) {
   constexpr double kLimit_m = 0.1;
@@ -60,7 +56,8 @@ void PrintScores(const RunScores& scores, std::ostream& out) {
   TextTable table({"metric", "refined", "causal", "unit", "n"});
   const auto row = [&table](const Metric& metric, const std::string& refined,
                             const std::string& causal) {
-    table.Add({WithoutCausal(metric.name), refined, causal, metric.unit, std::to_string(metric.n)});
+    table.Add({WithoutCausal(metric.name), refined, causal, NameOf(metric.unit),
+               std::to_string(metric.n)});
   };
   for (const Metric& refined : scores.refined) {
     const auto causal = std::find_if(
@@ -77,9 +74,8 @@ void PrintScores(const RunScores& scores, std::ostream& out) {
 }
 
 void PrintBodies(const std::vector<BodyScore>& bodies, std::ostream& out) {
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
   TextTable table({"body", "class", "moves", "travel m", "cluster", "visible", "estimated", "ATE m",
-                   "in 10 cm", "motion deg", "motion m", "speed m/s", "switches"});
+                   "in 10 cm", "motion rad", "motion m", "speed m/s", "switches"});
   for (const BodyScore& body : bodies) {
     const auto motion = [&body](double RelativeErrors::*member) {
       return body.motion ? std::optional(*body.motion.*member) : std::nullopt;
@@ -87,8 +83,7 @@ void PrintBodies(const std::vector<BodyScore>& bodies, std::ostream& out) {
     table.Add({body.name, body.category, body.mover ? "yes" : "no", ForPeople(body.travel_m),
                body.cluster < 0 ? kNone : std::to_string(body.cluster),
                std::to_string(body.visible_frames), std::to_string(body.estimated_frames),
-               Value(body.ate_m), SuccessAt10cm(body),
-               Value(motion(&RelativeErrors::rotation_rad), kDegrees),
+               Value(body.ate_m), SuccessAt10cm(body), Value(motion(&RelativeErrors::rotation_rad)),
                Value(motion(&RelativeErrors::translation_m)), Value(body.velocity_m_s),
                std::to_string(body.continuity.id_switches)});
   }

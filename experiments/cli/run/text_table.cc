@@ -3,22 +3,13 @@
 #include "experiments/cli/run/text_table.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <ostream>
 
 #include "core/base/error.h"
+#include "core/files/number.h"
+#include "core/files/utf8.h"
 
 namespace cvo {
-namespace {
-
-// What a terminal shows of UTF-8: one cell per character, continuation bytes none.
-std::size_t Width(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) >> 6) != 2; }));
-}
-
-}  // namespace
 
 void TextTable::Add(std::vector<std::string> row) {
   Require(row.size() == rows_.front().size(), "TextTable::Add: one cell per column");
@@ -46,10 +37,6 @@ void TextTable::Print(std::ostream& out) const {
   for (const std::string& line : Lines()) out << line << '\n';
 }
 
-std::string ForPeople(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", value);
-  return text.data();
-}
+std::string ForPeople(double value) { return FormatGeneral(value, 4); }
 
 }  // namespace cvo

@@ -44,6 +44,38 @@ TEST(ParseJson, RefusesAKeyTwice) {
   EXPECT_EQ(ParseProblem(R"({"a": {"b": 1}, "c": {"b": 3}, "d": [{"b": 1}, {"b": 2}]})"), "");
 }
 
+TEST(ParseJson, RefusesKeysThatDisturbMessagesAndAnyDepth) {
+  EXPECT_EQ(ParseProblem(R"({"a\u001bb": 1})"),
+            "options.json: found key \"a?b\", expected keys without control characters");
+  const auto nested = [](std::size_t depth) {
+    return std::string(depth, '[') + std::string(depth, ']');
+  };
+  EXPECT_EQ(ParseProblem(nested(100)), "");
+  EXPECT_THAT(ParseProblem(nested(101)), HasSubstr("more than 100 values within each other"));
+  EXPECT_THAT(ParseProblem(nested(1000000)), HasSubstr("more than 100 values"));
+}
+
+TEST(ParseJson, RefusesWhatIsNoUtf8OnOneReadableLine) {
+  const std::string problem = ParseProblem("{\"a\": \"\xff\n\"}");
+  EXPECT_THAT(problem, HasSubstr("options.json, line 1, column 8"));
+  EXPECT_EQ(problem.find_first_of("\n\xff"), std::string::npos);
+}
+
+TEST(ParseJson, ChecksButDoesNotKeepSkippedMembers) {
+  const std::string text = R"({"frames": [{"frames": 1}, {"a": 2}], "b": {"frames": 3}})";
+  EXPECT_EQ(ParseJson(text, "here", {"frames"}), (Json{{"b", {{"frames", 3}}}}));
+  for (const char* bad : {R"({"frames": [nan]})", R"({"frames": {"a": 1, "a": 2}})",
+                          R"({"frames": 1, "frames": 2})", R"({"frames": [1)"}) {
+    EXPECT_THROW(ParseJson(bad, "here", {"frames"}), Error) << bad;
+  }
+}
+
+TEST(FlatJson, ValuesByDottedPath) {
+  EXPECT_THAT(FlatJson({{"a", {{"b", 0.5}, {"c", {1, 2}}}}, {"d", true}}),
+              testing::ElementsAre(testing::Pair("a.b", "0.5"), testing::Pair("a.c", "[1,2]"),
+                                   testing::Pair("d", "true")));
+}
+
 TEST(ReadJson, NamesTheFile) {
   const test::TempFolder folder;
   EXPECT_THROW(ReadJson(folder.path() / "missing.json"), Error);

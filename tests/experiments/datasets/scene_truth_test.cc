@@ -91,7 +91,7 @@ TEST_F(SceneTruth, RefusesBadCellsNamingLineAndColumn) {
               HasSubstr("objects.csv:2: found \"two\" in column y, expected a finite number"));
   EXPECT_THAT(ObjectsError(InView("12,24", "12.5,24")), HasSubstr("column visible_px"));
   EXPECT_THAT(ObjectsError(InView("1,2,3,", "1,nan,3,")), HasSubstr("column y"));
-  EXPECT_THAT(ObjectsError(InView(",6\n", "\n")), HasSubstr("31 columns"));
+  EXPECT_THAT(ObjectsError(InView(",6\n", "\n")), HasSubstr("31 cells"));
   EXPECT_THAT(ObjectsError(InView("Ball", "")), HasSubstr("column category"));
 }
 

@@ -182,16 +182,13 @@ TEST(ObjectMetrics, EachSaysWhatItMeans) {
   const auto metrics = Evaluate(truth, estimate);
   EXPECT_EQ(metrics.size(), 15u + 4u + 15u + 1u);
   for (const Metric& metric : metrics) {
-    EXPECT_FALSE(metric.unit.empty()) << metric.name;
     EXPECT_GT(metric.n, 0) << metric.name;
-    const MetricContract& c = metric.contract;
-    for (const std::string& field :
-         {c.frame, c.truth, c.alignment, c.pairing, c.delta, c.aggregation, c.left_out}) {
-      EXPECT_FALSE(field.empty()) << metric.name;
-    }
+    const reports::Contract& c = metric.contract;
+    EXPECT_TRUE(c.subject && c.truth && c.alignment && c.pairing && c.delta && c.aggregation)
+        << metric.name;
+    EXPECT_FALSE(metric.left_out.empty()) << metric.name;
   }
-  EXPECT_THAT(FindMetric(metrics, "object_motion_t")->contract.pairing,
-              HasSubstr("frames 10 to 17"));
+  EXPECT_EQ(FindMetric(metrics, "object_motion_t")->contract.frames, (reports::FrameSpan{10, 17}));
 }
 
 TEST(ObjectMetrics, RefuseWhatCannotBe) {

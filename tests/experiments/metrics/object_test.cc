@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "experiments/metrics/object_metrics.h"
 #include "tests/experiments/metrics/object_world.h"
 
@@ -77,7 +75,7 @@ TEST(ObjectMetrics, MotionErrorEqualsItsDefinition) {
     translation += std::sqrt(translation_sum / 19) / 2;
   }
   const auto metrics = Evaluate(truth, estimate);
-  EXPECT_NEAR(Value(metrics, "object_motion_r"), rotation * 180.0 / std::numbers::pi, 1e-6);
+  EXPECT_NEAR(Value(metrics, "object_motion_r"), rotation, 1e-6);
   EXPECT_NEAR(Value(metrics, "object_motion_t"), translation, 1e-9);
 }
 
@@ -89,8 +87,7 @@ TEST(ObjectMetrics, RotationsHandComputed) {
   estimate.clusters[0].frames[2].world_from_object = Pose({0, 0, 0.1}, {2.5, 0, 0});
   const auto metrics = Evaluate(truth, estimate);
   EXPECT_NEAR(Value(metrics, "object_rrpe_1_frame"), std::sqrt(0.01 / 2.0), 1e-9);
-  EXPECT_NEAR(Value(metrics, "object_motion_r"), std::sqrt(0.01 / 2.0) * 180.0 / std::numbers::pi,
-              1e-9);
+  EXPECT_NEAR(Value(metrics, "object_motion_r"), std::sqrt(0.01 / 2.0), 1e-9);
   EXPECT_NEAR(Value(metrics, "object_rrpe_all_pairs"), std::sqrt(4 * 0.01 / 6.0), 1e-9);
   EXPECT_EQ(Count(metrics, "object_rrpe_all_pairs"), 1);  // one body
 }

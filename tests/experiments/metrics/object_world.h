@@ -29,8 +29,8 @@ constexpr std::int64_t kFrame_ns = 100'000'000;
 // Frames at 10 Hz with a camera that stands at the origin; no bodies yet.
 inline ObjectTruth TruthOf(int frames) {
   ObjectTruth truth;
-  truth.source = "test";
-  truth.visibility = "always";
+  truth.contract.truth = reports::TruthSource::kScene;
+  truth.contract.visible = reports::Visibility{reports::VisibleBy::kMask, 0, 0};
   truth.mover_travel_m = 0.2;
   for (int k = 0; k < frames; ++k) {
     truth.timestamps_ns.push_back(kFrame_ns * k);

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "experiments/record/metrics_json.h"
 #include "experiments/record/result_file.h"
 #include "experiments/record/timing_file.h"
 
@@ -107,14 +106,15 @@ TEST_F(Result, RefusesNanAndNamesTheField) {
 }
 
 TEST_F(Result, RefusesAMetricThatIsNotFinite) {
-  const Metric metric{"camera_ate", std::nan(""), "m", 3, {}};
-  EXPECT_THROW(File(MetricsToJson({metric}, "refined")), Error);
+  const Metric metric = MakeMetric({reports::MetricId::kCameraAte}, std::nan(""), 3);
+  EXPECT_THROW(File(ToJson(std::vector{metric})), Error);
 }
 
 TEST_F(Result, MetricsCarryTheirContract) {
-  Metric metric{"camera_ate", 0.5, "m", 3, {}};
-  metric.contract.truth = "devkit";
-  const Json json = ParseJson(File(MetricsToJson({metric}, "causal")), "result")["metrics"][0];
+  std::vector<Metric> metrics = {MakeMetric({reports::MetricId::kCameraAte}, 0.5, 3)};
+  metrics[0].contract.truth = reports::TruthSource::kDevkit;
+  StatePoses(reports::PoseTime::kCausal, 0.0, metrics);
+  const Json json = ParseJson(File(ToJson(metrics)), "result")["metrics"][0];
   EXPECT_EQ(json["value"], 0.5);
   EXPECT_EQ(json["contract"]["truth"], "devkit");
   EXPECT_EQ(json["contract"]["poses"], "causal");

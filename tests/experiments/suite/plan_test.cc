@@ -12,8 +12,8 @@
 #include "experiments/suite/build_plan.h"
 #include "experiments/suite/cell_input.h"
 #include "experiments/suite/data_folder.h"
-#include "experiments/suite/known_metrics.h"
 #include "experiments/suite/scenes.h"
+#include "reports/results/metric_catalogue.h"
 #include "synth/write/write_scene.h"
 #include "tests/experiments/runner/tiny_sequence.h"
 #include "tests/experiments/suite/examples.h"
@@ -69,7 +69,7 @@ TEST_F(SuitePlan, AFoldersJobHasTheIdentityThatARunRecords) {
   EXPECT_EQ(job.job, outcome->context.job);
   EXPECT_EQ(job.content, outcome->run.content);
   std::set<std::string> known;
-  for (const std::string& name : KnownMetrics()) known.insert(name);
+  for (const std::string& name : reports::AllMetricNames()) known.insert(name);
   for (const Metric& metric : outcome->scores.refined) EXPECT_EQ(known.count(metric.name), 1U);
   for (const Metric& metric : outcome->scores.causal) EXPECT_EQ(known.count(metric.name), 1U);
 }

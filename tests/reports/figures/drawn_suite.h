@@ -15,7 +15,10 @@ using Json = nlohmann::ordered_json;
 
 inline reports::Column ColumnOf(const std::string& metric, const std::string& label,
                                 const std::string& unit) {
-  return {metric, label, unit, {{"delta", "none"}, {"alignment", "SE(3), by hand (details)"}}};
+  reports::Column column{metric, label, unit, {}};
+  column.contract.delta = reports::Delta::kNone;
+  column.contract.alignment = reports::Alignment::kPositions;
+  return column;
 }
 
 inline reports::Cell CellOf(double value, double low, double high) {

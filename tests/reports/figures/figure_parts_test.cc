@@ -59,13 +59,14 @@ TEST(FigureTexts, StayTextInMarkup) {
 TEST(FigureTexts, TheRelationIsThatOfTheContractInBrief) {
   Column ate = test::ColumnOf("object_ate", "object ATE", "m");
   Column rpe = test::ColumnOf("object_trpe_all_pairs", "object T.RPE", "m");
-  rpe.contract["delta"] = "all";
-  rpe.contract["alignment"] = "none";
+  rpe.contract.delta = Delta::kAll;
+  rpe.contract.alignment = Alignment::kNone;
   const Column share = test::ColumnOf("object_coverage", "object coverage", "1");
   EXPECT_EQ(RelationText({&ate, &rpe, &share}),
-            "object ATE: alignment SE(3); object T.RPE: delta all, not aligned");
+            "object ATE: alignment SE(3) over positions; object T.RPE: delta all, not aligned");
   rpe.contract = ate.contract;
-  EXPECT_EQ(RelationText({&ate, &rpe}), "object ATE and object T.RPE: alignment SE(3)");
+  EXPECT_EQ(RelationText({&ate, &rpe}),
+            "object ATE and object T.RPE: alignment SE(3) over positions");
 }
 
 TEST(Palette, AVariantLooksTheSameInEverySuite) {

@@ -33,7 +33,7 @@ inline reports::Row RowOf(const std::string& sequence, const std::string& varian
   reports::Row row;
   row.keys = {sequence, variant};
   row.sequence = reports::SequenceInfo{sequence, "kitti-raw", "grey", 0, 72, 72, 0.0, ""};
-  row.truth = "devkit; visible";
+  row.truth.truth = reports::TruthSource::kDevkit;
   row.jobs.planned = 2;
   row.jobs.done = 2;
   row.runs = {{sequence, 1, "jobs/a/result.json"}, {sequence, 2, "jobs/b/result.json"}};
@@ -64,12 +64,14 @@ inline reports::Table HostileTable() {
   table.about = "- about [a link](javascript:alert(1)) | and `code`";
   table.reference = "full";
   table.keys = {"sequence", "variant"};
-  table.columns = {
-      {"camera_coverage", "camera coverage", "1", {{"aggregation", "fraction"}}},
-      {"camera_ate", "camera ATE", "m", {{"aggregation", "root mean square"}, {"delta", "none"}}},
-      {"object_coverage", "object coverage", "1", {}},
-      {"object_ate", "object ATE", "m", {{"alignment", "of the camera <&>"}}},
-      {"object_id_switches", "id switches", "1", {}}};
+  table.columns = {{"camera_coverage", "camera coverage", "1", {}},
+                   {"camera_ate", "camera ATE", "m", {}},
+                   {"object_coverage", "object coverage", "1", {}},
+                   {"object_ate", "object ATE", "m", {}},
+                   {"object_id_switches", "id switches", "1", {}}};
+  table.columns[1].contract.aggregation = reports::Aggregation::kRmsOfPositions;
+  table.columns[1].contract.delta = reports::Delta::kNone;
+  table.columns[3].contract.alignment = reports::Alignment::kWorld;
   reports::Row full = RowOf(kScript, "full");
   full.cells = {CellOf(1.0, 1.0, 1.0), CellOf(0.0612, 0.05, 0.07), CellOf(0.9, 0.8, 0.95),
                 CellOf(0.05761, 0.034, 0.085), CellOf(2.0, 1.0, 3.0)};
@@ -89,7 +91,7 @@ inline reports::Table HostileTable() {
   reports::Row other = RowOf(kFormula, kQuoted);
   other.cells.assign(5, MissingCell());
   other.sequence.reset();
-  other.truth.clear();
+  other.truth = {};
   other.runs.clear();
   other.jobs = {3, 0, 0, 2, 1, 0};
   table.rows = {full, ablation, system, other};

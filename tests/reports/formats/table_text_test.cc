@@ -24,14 +24,14 @@ Table SmallTable() {
   Table table;
   table.title = "Camera";
   table.keys = {"sequence", "variant"};
-  table.columns = {{"camera_coverage", "coverage", "1", {}},
-                   {"camera_ate", "ATE", "m", {{"aggregation", "root mean square"}}}};
+  table.columns = {{"camera_coverage", "coverage", "1", {}}, {"camera_ate", "ATE", "m", {}}};
+  table.columns[1].contract.aggregation = Aggregation::kRmsOfPositions;
   table.jobs.planned = 1;
   table.jobs.done = 1;
   Row row;
   row.keys = {"drive_1", "static"};
   row.sequence = SequenceInfo{"drive_1", "kitti-raw", "grey", 0, 72, 72, 0.0, ""};
-  row.truth = "devkit; visible";
+  row.truth.truth = TruthSource::kDevkit;
   row.jobs = table.jobs;
   row.runs = {{"drive_1", 0, "jobs/x/result.json"}};
   row.cells.resize(2);
@@ -133,15 +133,16 @@ TEST(TableMarkdown, IsATableAndAList) {
                       "ATE [m] |\n|---|---|---|---|---|---:|---:|\n"),
             HasSubstr("| drive\\_1 | static | 0:72 | devkit | 1/1 | 1.000 | **0.0625** |\n"),
             HasSubstr("| *ClusterVO [b]* | *0:144* |  |  |  | *(0.26)* |\n"),
-            HasSubstr("\n- [b] a paper; a caveat\n"), HasSubstr("\n- ATE: root mean square\n")));
+            HasSubstr("\n- [b] a paper; a caveat\n"),
+            HasSubstr("\n- ATE: root mean square of position errors\n")));
 }
 
 TEST(TableJson, HoldsValuesUnitsCountsRunsAndComparisons) {
   const std::string text = TableJson(SmallTable());
   const Json json = Json::parse(text);
-  EXPECT_EQ(json["schema_version"], 2);
+  EXPECT_EQ(json["schema_version"], 3);
   EXPECT_EQ(json["kind"], "table");
-  EXPECT_EQ(json["columns"][1]["contract"]["aggregation"], "root mean square");
+  EXPECT_EQ(json["columns"][1]["contract"]["aggregation"], "root mean square of position errors");
   const Json& row = json["rows"][0];
   EXPECT_EQ(row["keys"]["variant"], "static");
   EXPECT_EQ(row["sequence"]["name"], "drive_1");

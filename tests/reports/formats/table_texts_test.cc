@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/files/utf8.h"
 #include "reports/formats/digits.h"
-#include "reports/formats/printable.h"
 #include "reports/formats/table_text.h"
 #include "tests/reports/formats/hostile_table.h"
 
@@ -196,7 +196,8 @@ TEST(Footnotes, SayOfHowMuchAndWhatLacksItsCoverage) {
 TEST(Footnotes, TellColumnsOfOneLabelApartByTheirUnit) {
   Table table = test::HostileTable();
   table.columns[0].label = table.columns[1].label;
-  EXPECT_THAT(MakeTexts(table).definitions, Contains("camera ATE [m]: root mean square"));
+  EXPECT_THAT(MakeTexts(table).definitions,
+              Contains("camera ATE [m]: root mean square of position errors"));
 }
 
 TEST(TableMarkdown, KeepsNamesInert) {

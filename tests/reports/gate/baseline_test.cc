@@ -86,7 +86,7 @@ TEST(Baseline, BadFilesAreRefusedOnOneLine) {
               HasSubstr("variant and sequence"));
   EXPECT_THAT(message([](Json& json) { json["jobs"][0]["values"]["camera_ate"] = nullptr; }),
               HasSubstr("a JSON null, expected a number"));
-  EXPECT_THAT(message([](Json& json) { json["seeds"] = {-1}; }), HasSubstr("whole numbers"));
+  EXPECT_THAT(message([](Json& json) { json["seeds"] = {-1}; }), HasSubstr("integers from 0"));
   const auto cut = temp.Write("cut.json", good.substr(0, good.size() / 2));
   EXPECT_THAT(ErrorMessage([&] { ReadBaseline(cut); }), HasSubstr("one complete JSON value"));
 }

@@ -12,7 +12,7 @@
 #include "core/base/rng.h"
 #include "reports/gate/compare.h"
 #include "reports/gate/student.h"
-#include "reports/results/metric_rule.h"
+#include "reports/results/metric_catalogue.h"
 
 namespace cvo::reports {
 namespace {
@@ -29,14 +29,14 @@ TEST(Student, Quantiles) {
   EXPECT_THROW(StudentQuantile(0.1, 0), Error);
 }
 
-TEST(MetricRule, KnowsWhichWayIsBetter) {
-  EXPECT_FALSE(FindRule("camera_ate")->higher_is_better);
-  EXPECT_TRUE(FindRule("object_causal_standing_coverage")->higher_is_better);
-  EXPECT_TRUE(FindRule("moving_recall")->higher_is_better);
-  EXPECT_EQ(FindRule("object_id_switches")->kind, MetricRule::Kind::kCount);
-  EXPECT_DOUBLE_EQ(FindRule("object_ate")->Resolution(-0.5), 0.005);
-  EXPECT_FALSE(FindRule("wall_s"));
-  EXPECT_FALSE(FindRule("ate")) << "whose?";
+TEST(MetricEntry, KnowsWhichWayIsBetter) {
+  EXPECT_FALSE(FindEntry("camera_ate")->higher_is_better());
+  EXPECT_TRUE(FindEntry("object_causal_standing_coverage")->higher_is_better());
+  EXPECT_TRUE(FindEntry("moving_recall")->higher_is_better());
+  EXPECT_EQ(FindEntry("object_id_switches")->kind, MetricKind::kCount);
+  EXPECT_DOUBLE_EQ(FindEntry("object_ate")->Resolution(-0.5), 0.005);
+  EXPECT_FALSE(FindEntry("wall_s"));
+  EXPECT_FALSE(FindEntry("ate")) << "whose?";
 }
 
 TEST(Tolerance, ByHand) {

@@ -154,15 +154,15 @@ TEST(OverlayRun, IsDrawnWithoutWhatIsHalfWrittenAndSaysWhere) {
   OverlayFiles files;
   files.landmarks.resize(files.landmarks.size() - 4);
   EXPECT_THAT(files.Read().missing,
-              ElementsAre(AllOf(HasSubstr("drawn without landmarks"), HasSubstr("line 5"),
-                                HasSubstr("ends within it"))));
+              ElementsAre(AllOf(HasSubstr("drawn without landmarks"), HasSubstr("landmarks.csv:5"),
+                                HasSubstr("without a line end"))));
   files = {};
   files.landmarks.insert(files.landmarks.find("40,50"), "x");
-  EXPECT_THAT(files.Read().missing,
-              ElementsAre(AllOf(HasSubstr("line 3, column u_px"), HasSubstr("\"x40\""))));
+  EXPECT_THAT(files.Read().missing, ElementsAre(AllOf(HasSubstr("landmarks.csv:3"),
+                                                      HasSubstr("\"x40\" in column u_px"))));
   files = {};
   files.landmarks += "11,2\n";
-  EXPECT_THAT(files.Read().missing, ElementsAre(HasSubstr("line 6: found 2 cells, expected 15")));
+  EXPECT_THAT(files.Read().missing, ElementsAre(HasSubstr(":6: found 2 cells, expected 15")));
   files = {};
   files.landmarks = "frame,id\n";
   EXPECT_THAT(files.Read().missing, ElementsAre(HasSubstr("no column u_px")));
@@ -174,7 +174,7 @@ TEST(OverlayRun, IsDrawnWithoutWhatIsHalfWrittenAndSaysWhere) {
   files = {};
   files.tracks = "10 7 car\n";
   EXPECT_THAT(files.Read().missing, ElementsAre(AllOf(HasSubstr("drawn without detections"),
-                                                      HasSubstr("tracks.kitti, line 1"))));
+                                                      HasSubstr("tracks.kitti:1"))));
 }
 
 TEST(OverlayRun, TellsWhatIsNoRun) {

@@ -108,7 +108,7 @@ TEST(Page, WhatHasNoResultIsListedWithItsReason) {
   suite.AddFailure("killed by signal 9");
   suite.Plan("waiting", "static");
   suite.Plan("cut", "static");
-  suite.AddText("{\"schema_version\": 2, \"kind\": \"run\"");
+  suite.AddText("{\"schema_version\": 3, \"kind\": \"run\"");
   Json other = Result("old");
   other["schema_version"] = 1;
   suite.Add(other);

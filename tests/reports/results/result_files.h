@@ -21,14 +21,15 @@ inline Json MetricOf(const std::string& name, double value, const std::string& u
           {"unit", unit},
           {"n", 108},
           {"contract",
-           {{"frame", "left camera"},
+           {{"subject", "left camera"},
             {"poses", "refined"},
             {"truth", "devkit"},
+            {"right_shift_px", 0.0},
             {"alignment", "SE(3) over positions, Umeyama without scale"},
             {"pairing", "all frames with truth and estimate"},
             {"delta", "none"},
-            {"aggregation", aggregation},
-            {"left_out", "1 frame"}}}};
+            {"aggregation", aggregation}}},
+          {"left_out", "1 frame"}};
 }
 
 // The part of a result.json that tables read, with ATE and coverage of 108 frames.
@@ -36,7 +37,7 @@ inline Json Result(const std::string& sequence = "2011_09_26_drive_0001", int fr
   Json coverage = MetricOf("camera_coverage", 1.0, "1", "fraction with an estimate");
   coverage["contract"]["alignment"] = "none";
   coverage["contract"]["pairing"] = "all frames with truth";
-  return {{"schema_version", 2},
+  return {{"schema_version", 3},
           {"kind", "run"},
           {"job", "job of " + sequence},
           {"status", "ok"},
@@ -85,9 +86,11 @@ inline Json BodyOf(int id, const std::vector<double>& errors_m) {
 // Adds bodies and the metrics that are made of them (whose values are for tables of one run only).
 inline Json WithBodies(Json result, const Json& bodies) {
   result["bodies"] = {{"refined", bodies}, {"causal", Json::array()}};
-  result["metrics"].push_back(MetricOf("object_ate", 0.0, "m", "mean over bodies"));
-  result["metrics"].push_back(MetricOf("object_success_10cm", 0.0, "1", "fraction"));
-  result["metrics"].push_back(MetricOf("object_coverage", 0.0, "1", "fraction"));
+  result["metrics"].push_back(
+      MetricOf("object_ate", 0.0, "m", "root mean square per body, mean over bodies"));
+  const std::string fraction = "fraction with an estimate";
+  result["metrics"].push_back(MetricOf("object_success_10cm", 0.0, "1", fraction));
+  result["metrics"].push_back(MetricOf("object_coverage", 0.0, "1", fraction));
   return result;
 }
 

@@ -62,7 +62,7 @@ TEST(IdentitySwitches, OfADamagedFileAreAnError) {
   folder.Write("landmarks.csv", kHeader + "1,1,7");
   EXPECT_THAT(message(), HasSubstr("whole lines"));
   folder.Write("landmarks.csv", kHeader + "1,1,7\n");
-  EXPECT_THAT(message(), AllOf(HasSubstr("line 2"), HasSubstr("3 cells")));
+  EXPECT_THAT(message(), AllOf(HasSubstr("landmarks.csv:2"), HasSubstr("3 cells")));
   folder.Write("landmarks.csv", kHeader + "1,1,x,2\n");
   EXPECT_THAT(message(), HasSubstr("column cluster"));
 }

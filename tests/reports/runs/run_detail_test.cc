@@ -127,15 +127,15 @@ TEST(RunDetail, NamesTheLineOfADamagedTable) {
   test::RunFiles files;
   files.objects += "13,4,7,car,tracked\n";
   EXPECT_THAT(Read(files).missing,
-              ElementsAre(AllOf(HasSubstr("objects.csv, line 4"), HasSubstr("5 cells"),
-                                HasSubstr("38 as in line 1"))));
+              ElementsAre(AllOf(HasSubstr("objects.csv:4"), HasSubstr("5 cells"),
+                                HasSubstr("38, as line 1 has"))));
   files = {};
   files.objects.replace(files.objects.find("\n11,"), 4, "\nxx,");
   EXPECT_THAT(Read(files).missing,
-              ElementsAre(AllOf(HasSubstr("line 2, column frame"), HasSubstr("\"xx\""))));
+              ElementsAre(AllOf(HasSubstr("objects.csv:2"), HasSubstr("\"xx\" in column frame"))));
   files = {};
   files.objects.replace(files.objects.find("0.1,"), 3, "inf");
-  EXPECT_THAT(Read(files).missing, ElementsAre(HasSubstr("column refined_vx")));
+  EXPECT_THAT(Read(files).missing, ElementsAre(HasSubstr("in column refined_vx")));
 }
 
 TEST(RunDetail, ListsFilesOfAnotherSchemaOrKind) {
@@ -167,7 +167,7 @@ TEST(RunDetail, NeedsTheResultItself) {
   EXPECT_THAT(message(), HasSubstr("one complete JSON value"));
   files.result["schema_version"] = 1;
   folder.Write("result.json", files.result.dump());
-  EXPECT_THAT(message(), AllOf(HasSubstr("schema_version 1"), HasSubstr("expected 2")));
+  EXPECT_THAT(message(), AllOf(HasSubstr("schema_version 1"), HasSubstr("expected 3")));
   files = {};
   files.result["frames"][1]["refined"] = {1, 2};
   folder.Write("result.json", files.result.dump());

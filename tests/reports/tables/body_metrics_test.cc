@@ -6,10 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "core/base/rng.h"
 #include "experiments/metrics/object_metrics.h"
 #include "experiments/record/bodies_json.h"
-#include "experiments/record/metrics_json.h"
 #include "reports/tables/make_table.h"
 #include "tests/reports/results/result_files.h"
 
@@ -43,18 +44,25 @@ BodyScore RandomBody(int id, Rng& rng) {
 TEST(BodyMetrics, TablesOfOneRunSayWhatItsMetricsSay) {
   Rng rng(7, "bodies");
   ObjectTruth truth;
-  truth.source = "made up";
+  truth.contract.truth = TruthSource::kScene;
   ObjectScores scores;
   for (int id = 1; id <= 9; ++id) scores.bodies.push_back(RandomBody(id, rng));
   const std::vector<Metric> metrics = ObjectMetrics(truth, scores);
   test::SuiteResults suite;
   suite.table["metrics"] = Json::array();
   test::Json result = test::Result();
-  result["metrics"] = MetricsToJson(metrics, "refined");
+  result["metrics"] = ToJson(metrics);
   result["bodies"] = {{"refined", BodiesToJson(scores.bodies)}};
+  std::set<MetricId> computed;
   for (const Metric& metric : metrics) {
+    computed.insert(FindForm(metric.name)->id);
     EXPECT_TRUE(FindBodyMetric(metric.name)) << metric.name;
     suite.table["metrics"].push_back(metric.name);
+  }
+  for (std::size_t i = 0; i < kMetricCount; ++i) {
+    const MetricEntry& entry = EntryOf(static_cast<MetricId>(i));
+    if (entry.family == MetricFamily::kBodies)
+      EXPECT_TRUE(computed.contains(entry.id)) << entry.name;
   }
   suite.Add(result);
   const Table table = MakeTable(suite.Written(), {}, "");

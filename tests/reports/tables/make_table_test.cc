@@ -51,7 +51,7 @@ TEST_F(MakeTableTest, OneRun) {
   ASSERT_THAT(table.rows, SizeIs(1));
   const Row& row = table.rows[0];
   EXPECT_THAT(row.keys, ElementsAre("2011_09_26_drive_0001", "static"));
-  EXPECT_EQ(row.truth, "devkit");
+  EXPECT_EQ(row.truth.truth, TruthSource::kDevkit);
   ASSERT_THAT(row.runs, SizeIs(1));
   EXPECT_EQ(row.runs[0].result, "jobs/job0/result.json");
   EXPECT_TRUE(row.cells[1].present);
@@ -188,9 +188,9 @@ TEST_F(MakeTableTest, ResultsThatCannotBeReadAreFailures) {
     add(whole.substr(0, cut));
   }
   Json newer = Result();
-  newer["schema_version"] = 3;
+  newer["schema_version"] = 4;
   add(newer.dump());
-  add(R"({"schema_version": 2, "kind": "timing"})");
+  add(R"({"schema_version": 3, "kind": "timing"})");
   Json nameless = Result();
   nameless["sequence"].erase("name");
   add(nameless.dump());
@@ -205,7 +205,7 @@ TEST_F(MakeTableTest, ResultsThatCannotBeReadAreFailures) {
   EXPECT_THAT(message(1), HasSubstr("text that ends after"));
   EXPECT_THAT(message(2), HasSubstr("text that ends after"));
   EXPECT_THAT(message(3), HasSubstr("result.json: found text that ends after 300 bytes"));
-  EXPECT_THAT(message(4), HasSubstr("found schema_version 3, expected 2"));
+  EXPECT_THAT(message(4), HasSubstr("found schema_version 4, expected 3"));
   EXPECT_THAT(message(5), HasSubstr("kind \"timing\""));
   EXPECT_THAT(message(6), HasSubstr("sequence, field name: found nothing"));
   EXPECT_THAT(message(7), HasSubstr("metrics, field value: found a JSON string"));
@@ -237,11 +237,11 @@ TEST_F(MakeTableTest, BadPlans) {
 TEST_F(MakeTableTest, OtherContractsAreRefusedNamingBothAndTheField) {
   suite_.Add(Result());
   Json other = Result("2011_09_26_drive_0013");
-  other["metrics"][1]["contract"]["alignment"] = "Sim(3)";
+  other["metrics"][1]["contract"]["alignment"] = "none";
   suite_.Add(other);
   EXPECT_THAT(MakeError(), AllOf(HasSubstr("metric camera_ate"),
                                  HasSubstr("job0/result.json with alignment \"SE"),
-                                 HasSubstr("job1/result.json with alignment \"Sim(3)\"")));
+                                 HasSubstr("job1/result.json with alignment \"none\"")));
 }
 
 TEST_F(MakeTableTest, AContractWithoutAFieldAndAnotherUnitAreRefused) {
@@ -253,7 +253,7 @@ TEST_F(MakeTableTest, AContractWithoutAFieldAndAnotherUnitAreRefused) {
   SuiteResults units;
   units.Add(Result());
   Json cm = Result("b");
-  cm["metrics"][1]["unit"] = "cm";
+  cm["metrics"][1]["unit"] = "rad";
   units.Add(cm);
   EXPECT_THROW(MakeTable(units.Written(), {}, ""), Error);
 }
@@ -264,7 +264,7 @@ TEST_F(MakeTableTest, TheTruthMayDifferBetweenDatasetsOnly) {
   odometry["sequence"]["type"] = "kitti-odometry";
   for (Json& metric : odometry["metrics"]) metric["contract"]["truth"] = "official";
   suite_.Add(odometry);
-  EXPECT_EQ(Make().rows[1].truth, "official");
+  EXPECT_EQ(Make().rows[1].truth.truth, TruthSource::kOfficial);
   Json interpolated = Result("2011_09_26_drive_0013");
   for (Json& metric : interpolated["metrics"]) metric["contract"]["truth"] = "interpolated";
   suite_.Add(interpolated);
@@ -275,26 +275,25 @@ TEST_F(MakeTableTest, TheTruthMayDifferBetweenDatasetsOnly) {
 TEST_F(MakeTableTest, AContractThatNamesTheFramesOfItsRunIsTheSameForEach) {
   for (const int frames : {108, 72}) {
     Json result = Result("drive of " + std::to_string(frames), frames);
-    result["metrics"][1]["contract"]["pairing"] =
-        "frames, within frames 0 to " + std::to_string(frames - 1) + ", all";
+    result["metrics"][1]["contract"]["frames"] = {{"first", 0}, {"last", frames - 1}};
     suite_.Add(result);
   }
-  EXPECT_EQ(Make().columns[1].contract.at("pairing"), "frames, within the frames of the run, all");
+  EXPECT_EQ(Make().columns[1].contract.frames, kFramesOfRun);
   Json part = Result("part", 72);
-  part["metrics"][1]["contract"]["pairing"] = "frames, within frames 0 to 9, all";
+  part["metrics"][1]["contract"]["frames"] = {{"first", 0}, {"last", 9}};
   suite_.Add(part);
-  EXPECT_THAT(MakeError(), HasSubstr("within frames 0 to 9"));
+  EXPECT_THAT(MakeError(), HasSubstr("with frames \"{\"first\":0,\"last\":9}\""));
 }
 
 TEST_F(MakeTableTest, OtherSystemsMayMeanSomethingElseAndAreSaidTo) {
   suite_.Add(Result());
   Json other = Result();
-  other["metrics"][1]["contract"]["pairing"] = "by nearness";
+  other["metrics"][1]["contract"]["matching"] = "nearness";
   suite_.Add(other, "")["system"] = "ORB-SLAM2";
   suite_.table["reference"] = "static";
   const Table table = Make();
   EXPECT_THAT(table.rows[1].keys, ElementsAre("2011_09_26_drive_0001", "ORB-SLAM2"));
-  EXPECT_EQ(table.rows[1].cells[1].not_comparable, "pairing \"by nearness\"");
+  EXPECT_EQ(table.rows[1].cells[1].not_comparable, "matching \"nearness\"");
   EXPECT_FALSE(table.rows[1].cells[1].difference);
   EXPECT_TRUE(table.rows[1].cells[0].not_comparable.empty());
   EXPECT_TRUE(table.rows[1].cells[0].difference);

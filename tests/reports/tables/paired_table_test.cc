@@ -149,13 +149,13 @@ TEST(CompareFolders, OtherContractsAreRefusedNamingTheMetricAndBothFiles) {
   SuiteResults after;
   before.Add(Room(0.0), "full");
   Json other = Room(0.0);
-  other["metrics"][2]["contract"]["alignment"] = "per body";
+  other["metrics"][2]["contract"]["alignment"] = "none";
   after.Add(other, "full");
   EXPECT_THAT(ErrorOf(before, after),
               AllOf(HasSubstr("metric object_ate"),
                     HasSubstr((before.folder().path() / "jobs/job0/result.json").string()),
                     HasSubstr((after.folder().path() / "jobs/job0/result.json").string()),
-                    HasSubstr("per body")));
+                    HasSubstr("alignment \"none\"")));
 }
 
 TEST(CompareFolders, OtherFramesAreNotPaired) {

@@ -83,7 +83,7 @@ TEST(ReadTable, SaysInOneLineWhatIsNoTable) {
   EXPECT_THAT(ErrorOf("[1]"), HasSubstr("table.json: found a JSON array, expected an object"));
   EXPECT_THAT(ErrorOf("{\"a\": 1}"), HasSubstr("without schema_version and kind"));
   EXPECT_THAT(ErrorAfter([](Json& table) { table["schema_version"] = 1; }),
-              HasSubstr("table.json: found schema_version 1, expected 2"));
+              HasSubstr("table.json: found schema_version 1, expected 3"));
   EXPECT_THAT(ErrorAfter([](Json& table) { table["kind"] = "run"; }),
               HasSubstr("found kind \"run\", expected kind \"table\""));
 }
@@ -106,7 +106,7 @@ TEST(ReadTable, NamesTheFieldThatIsWrong) {
   EXPECT_THAT(ErrorAfter([](Json& table) { table["rows"][0]["keys"].erase("variant"); }),
               HasSubstr("rows[0], keys, field variant: found nothing"));
   EXPECT_THAT(ErrorAfter([](Json& table) { table["rows"][0]["jobs"]["done"] = -1; }),
-              HasSubstr("field done: found -1, expected 0 or more"));
+              HasSubstr("field done: found -1, expected an integer from 0"));
   EXPECT_THAT(ErrorAfter([](Json& table) { table["others"][0]["source"] = "x"; }),
               HasSubstr("field source: found x, expected the id of one of the sources"));
   EXPECT_THAT(

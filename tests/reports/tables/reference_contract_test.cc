@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Tables and metrics meet in files only: that they use the same names and words is checked here.
+// Metrics, tables and the figures of others must use the same names and contracts.
 #include <gtest/gtest.h>
 
 #include "experiments/metrics/camera_metrics.h"
-#include "experiments/record/metrics_json.h"
 #include "reports/tables/columns.h"
 #include "reports/tables/reference.h"
 
@@ -12,40 +11,43 @@ namespace cvo::reports {
 namespace {
 
 // Metrics of a straight drive of 200 m, as a result file holds them.
-Json RecordedMetrics() {
+std::vector<Metric> RecordedMetrics() {
   OptionalPoses poses;
   for (int i = 0; i <= 200; ++i) {
     poses.emplace_back(
         RigidTransform(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.0, 0.0, i)));
   }
-  return MetricsToJson(EvaluateCamera(poses, poses, "devkit"), "refined");
-}
-
-const Json* FindRecorded(const Json& metrics, const std::string& name) {
-  for (const Json& metric : metrics) {
-    if (metric["name"] == name) return &metric;
-  }
-  return nullptr;
+  std::vector<Metric> metrics = EvaluateCamera(poses, poses, TruthSource::kDevkit);
+  StatePoses(PoseTime::kRefined, 0.0, metrics);
+  return metrics;
 }
 
 TEST(ReferenceContract, TablesAskForMetricsThatExist) {
-  const Json metrics = RecordedMetrics();
+  const std::vector<Metric> metrics = RecordedMetrics();
   for (const std::string& name : CameraMetrics()) {
-    EXPECT_NE(FindRecorded(metrics, name), nullptr) << name;
+    EXPECT_NE(cvo::FindMetric(metrics, name), nullptr) << name;
   }
 }
 
-TEST(ReferenceContract, FieldsThatASourceStatesAreWordedAsInResults) {
-  const Json metrics = RecordedMetrics();
+TEST(ReferenceContract, EveryMetricOfTheCameraIsComputed) {
+  const std::vector<Metric> metrics = RecordedMetrics();
+  for (std::size_t i = 0; i < kMetricCount; ++i) {
+    const MetricEntry& entry = EntryOf(static_cast<MetricId>(i));
+    if (entry.family != MetricFamily::kCamera) continue;
+    EXPECT_NE(cvo::FindMetric(metrics, entry.name), nullptr) << entry.name;
+  }
+}
+
+// Whose figures are named as a metric of ours mean the same by it, where they say so.
+TEST(ReferenceContract, FiguresOfOthersContradictNoMetricTheyAreNamedAs) {
+  const std::vector<Metric> metrics = RecordedMetrics();
   for (const ReferenceFigure& figure : ShippedReference().figures) {
     if (!figure.metric.starts_with("camera_")) continue;
-    const Json* recorded = FindRecorded(metrics, figure.metric);
+    const Metric* recorded = cvo::FindMetric(metrics, figure.metric);
     ASSERT_NE(recorded, nullptr) << figure.metric;
-    EXPECT_EQ((*recorded)["unit"], figure.unit);
-    for (const auto& [field, words] : figure.contract) {
-      if (words.empty() || field == "truth") continue;
-      EXPECT_EQ((*recorded)["contract"].value(field, ""), words) << figure.metric << ", " << field;
-    }
+    EXPECT_EQ(recorded->unit, figure.unit);
+    const Contract stated = WithTruthOf(figure.contract, recorded->contract);
+    EXPECT_EQ(ContradictingField(recorded->contract, stated), "") << figure.metric;
   }
 }
 

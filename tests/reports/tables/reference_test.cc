@@ -87,7 +87,7 @@ TEST(Reference, AContractThatIsNotStatedDoesNotMatch) {
   const Table table = TableOf(Result("2011_09_26_drive_0013", 144));
   const ReferenceCell cell = Ate(table, "DynaSLAM II", "dynaslam2-table-2");
   EXPECT_EQ(cell.match, Match::kContractUnknown);
-  EXPECT_THAT(cell.reason, HasSubstr("not stated: alignment"));
+  EXPECT_THAT(cell.reason, HasSubstr("not stated: poses, truth, alignment"));
 }
 
 TEST(Reference, AnotherContractOrOtherImagesDoNotMatch) {
@@ -134,8 +134,18 @@ TEST(Reference, BadFilesNameTheField) {
   };
   EXPECT_THAT(error("{"), HasSubstr("file: found text that ends"));
   EXPECT_THAT(error(R"({"schema_version": 7})"), HasSubstr("schema_version 7"));
-  EXPECT_THAT(error(R"({"schema_version": 1, "sources": [{"id": "x"}]})"),
+  EXPECT_THAT(error(R"({"schema_version": 2, "sources": [{"id": "x"}]})"),
               HasSubstr("field source: found nothing"));
+  const auto with_contract = [](const std::string& contract) {
+    return R"({"schema_version": 2, "sources": [{"id": "x", "source": "", "kind": "", "caveat": "",)"
+           R"( "metrics": {"camera_ate": {"unit": "m", "contract": )" +
+           contract + "}}, \"figures\": []}]}";
+  };
+  EXPECT_EQ(error(with_contract(R"({"delta": "all", "poses": null})")), "");
+  EXPECT_THAT(error(with_contract(R"({"detla": "all"})")),
+              HasSubstr("found detla, expected a field of a contract"));
+  EXPECT_THAT(error(with_contract(R"({"delta": "every"})")),
+              HasSubstr("field delta: found \"every\", expected one of \"none\", \"all\""));
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/formats/printable.h"
+#include "core/files/utf8.h"
 
-namespace cvo::reports {
+#include <algorithm>
+
+namespace cvo {
 namespace {
 
 constexpr char32_t kNoCharacter = 0xFFFD;
@@ -61,6 +63,20 @@ std::vector<char32_t> Characters(std::string_view text) {
   return characters;
 }
 
+bool IsUtf8(std::string_view text) {
+  const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
+  if (std::all_of(text.begin(), text.end(), is_ascii)) return true;
+  // U+FFFD itself is a character, too: only its three bytes give it back.
+  std::string again;
+  for (const char32_t character : Characters(text)) AppendUtf8(character, again);
+  return again == text;
+}
+
+bool HasControl(std::string_view text) {
+  return std::any_of(text.begin(), text.end(),
+                     [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
+}
+
 void AppendUtf8(char32_t character, std::string& text) {
   const auto add = [&text](char32_t byte) { text += static_cast<char>(byte); };
   if (character < 0x80) {
@@ -95,4 +111,4 @@ std::string Printable(std::string_view text) {
 
 std::size_t Width(std::string_view text) { return Characters(text).size(); }
 
-}  // namespace cvo::reports
+}  // namespace cvo

@@ -7,10 +7,16 @@
 #include <string_view>
 #include <vector>
 
-namespace cvo::reports {
+namespace cvo {
 
 // The characters of a UTF-8 text; what is none is U+FFFD.
 std::vector<char32_t> Characters(std::string_view text);
+
+// Whether a text is UTF-8 throughout.
+bool IsUtf8(std::string_view text);
+
+// Whether it holds ASCII control characters, line ends among them.
+bool HasControl(std::string_view text);
 
 void AppendUtf8(char32_t character, std::string& text);
 
@@ -21,4 +27,4 @@ std::string Printable(std::string_view text);
 // Characters as seen in a terminal, each counted as one.
 std::size_t Width(std::string_view text);
 
-}  // namespace cvo::reports
+}  // namespace cvo

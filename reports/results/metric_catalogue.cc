@@ -1,0 +1,301 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/results/metric_catalogue.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string_view>
+
+namespace cvo::reports {
+namespace {
+
+using enum MetricId;
+using enum MetricFamily;
+using enum MetricKind;
+using enum FromBody;
+
+using A = Alignment;
+using P = Pairing;
+using D = Delta;
+using S = Aggregation;  // summary
+
+constexpr MetricEntry Camera(MetricId id, const char* name, MetricUnit unit, MetricKind kind,
+                             Relation relation, const char* label, const char* meaning) {
+  return {id, kCamera, name, unit, relation, kind, kNothing, "", 0.0, false, label, meaning};
+}
+
+constexpr MetricEntry Ate(MetricId id, const char* name, Aggregation summary, const char* label,
+                          const char* meaning) {
+  return Camera(id, name, MetricUnit::kMetres, kError,
+                {A::kPositions, P::kFramesWithBoth, D::kNone, summary}, label, meaning);
+}
+
+constexpr MetricEntry Landmarks(MetricId id, const char* name, Pairing pairing, Aggregation summary,
+                                const char* label, const char* meaning) {
+  return {id,
+          kLandmarks,
+          name,
+          MetricUnit::kOne,
+          {A::kNone, pairing, D::kNone, summary},
+          kFraction,
+          kNothing,
+          "",
+          0.0,
+          false,
+          label,
+          meaning};
+}
+
+constexpr MetricEntry Mean(MetricId id, const char* name, MetricUnit unit, Alignment alignment,
+                           Pairing pairing, Delta delta, const char* field, const char* label,
+                           const char* meaning) {
+  const Relation relation = {alignment, pairing, delta, S::kMeanOverBodies};
+  return {id, kBodies, name, unit, relation, kError, kField, field, 0.0, false, label, meaning};
+}
+
+constexpr MetricEntry Success(MetricId id, const char* name, double limit_m, const char* label,
+                              const char* meaning) {
+  const Relation relation = {A::kWorldAndBody, P::kVisible, D::kNone, S::kFractionWithin};
+  return {id,      kBodies, name,  MetricUnit::kOne, relation, kFraction, kSuccess, "",
+          limit_m, true,    label, meaning};
+}
+
+constexpr MetricEntry Number(MetricId id, const char* name, Pairing pairing, Aggregation summary,
+                             FromBody from_body, const char* field, const char* label,
+                             const char* meaning) {
+  const Relation relation = {A::kNone, pairing, D::kNone, summary};
+  return {id,  kBodies, name,  MetricUnit::kOne, relation, kCount, from_body, field,
+          0.0, false,   label, meaning};
+}
+
+constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
+    Camera(kCameraCoverage, "camera_coverage", MetricUnit::kOne, kFraction,
+           {A::kNone, P::kFramesWithTruth, D::kNone, S::kFractionOfFrames}, "camera coverage",
+           "Part of the frames in which the camera has a position."),
+    Ate(kCameraAte, "camera_ate", S::kRmsOfPositions, "camera ATE",
+        "Absolute trajectory error of the camera: distance between estimated and true positions "
+        "after the two trajectories are laid over each other; root mean square over frames."),
+    Ate(kCameraAteMean, "camera_ate_mean", S::kMeanOfPositions, "camera ATE, mean",
+        "As camera ATE, but the mean over frames."),
+    Ate(kCameraAteMedian, "camera_ate_median", S::kMedianOfPositions, "camera ATE, median",
+        "As camera ATE, but the median over frames."),
+    Ate(kCameraAteMax, "camera_ate_max", S::kMaximumOfPositions, "camera ATE, maximum",
+        "As camera ATE, but the largest of all frames."),
+    Camera(kCameraRrpeAllPairs, "camera_rrpe_all_pairs", MetricUnit::kRadians, kError,
+           {A::kNone, P::kOrderedPairs, D::kAll, S::kRmsOfAngles}, "camera R.RPE",
+           "Relative rotation error of the camera between every two frames of a run."),
+    Camera(kCameraTrpeAllPairs, "camera_trpe_all_pairs", MetricUnit::kMetres, kError,
+           {A::kNone, P::kOrderedPairs, D::kAll, S::kRmsOfTranslations}, "camera T.RPE",
+           "Relative translation error of the camera between every two frames of a run."),
+    Camera(kCameraRrpe1Frame, "camera_rrpe_1_frame", MetricUnit::kRadians, kError,
+           {A::kNone, P::kConsecutive, D::kOneFrame, S::kRmsOfAngles}, "camera R.RPE/frame",
+           "Relative rotation error of the camera from one frame to the next."),
+    Camera(kCameraTrpe1Frame, "camera_trpe_1_frame", MetricUnit::kMetres, kError,
+           {A::kNone, P::kConsecutive, D::kOneFrame, S::kRmsOfTranslations}, "camera T.RPE/frame",
+           "Relative translation error of the camera from one frame to the next."),
+    Camera(kCameraTDrift, "camera_t_drift", MetricUnit::kPercent, kError,
+           {A::kNone, P::kKittiStretches, D::kKittiLengths, S::kTranslationOverLength}, "t drift",
+           "Translation error of the camera over stretches of 100 to 800 m, in percent of their "
+           "length, as the KITTI benchmark has it."),
+    Camera(kCameraRDrift, "camera_r_drift", MetricUnit::kDegreesPer100m, kError,
+           {A::kNone, P::kKittiStretches, D::kKittiLengths, S::kRotationOverLength}, "r drift",
+           "Rotation error of the camera over stretches of 100 to 800 m, per length, as the KITTI "
+           "benchmark has it."),
+    {kObjectCoverage,
+     kBodies,
+     "object_coverage",
+     MetricUnit::kOne,
+     {A::kNone, P::kVisible, D::kNone, S::kFractionEstimated},
+     kFraction,
+     kCoverage,
+     "",
+     0.0,
+     false,
+     "object coverage",
+     "Part of the frames in which an object should be seen and has an estimate. An error without "
+     "it "
+     "favours who loses what is hard."},
+    Success(kObjectSuccess5cm, "object_success_5cm", 0.05, "within 5 cm",
+            "Part of all object-frames that should be seen in which the object is within 5 cm of "
+            "the truth. One that is missed counts as a failure."),
+    Success(kObjectSuccess10cm, "object_success_10cm", 0.1, "within 10 cm",
+            "Part of all object-frames that should be seen in which the object is within 10 cm of "
+            "the truth. One that is missed counts as a failure."),
+    Success(kObjectSuccess20cm, "object_success_20cm", 0.2, "within 20 cm",
+            "Part of all object-frames that should be seen in which the object is within 20 cm of "
+            "the truth. One that is missed counts as a failure."),
+    {kObjectAte,
+     kBodies,
+     "object_ate",
+     MetricUnit::kMetres,
+     {A::kWorldAndBody, P::kEstimated, D::kNone, S::kMeanOverBodies},
+     kError,
+     kField,
+     "ate_m",
+     0.0,
+     true,
+     "object ATE",
+     "Absolute trajectory error of moving objects, in the world of the camera: no object is "
+     "aligned "
+     "by itself. Over the frames that have an estimate."},
+    Mean(kObjectRrpeAllPairs, "object_rrpe_all_pairs", MetricUnit::kRadians, A::kWorldAndBody,
+         P::kEstimatedPairs, D::kAll, "all_pairs_rad", "object R.RPE",
+         "Relative rotation error of objects between every two frames."),
+    Mean(kObjectTrpeAllPairs, "object_trpe_all_pairs", MetricUnit::kMetres, A::kWorldAndBody,
+         P::kEstimatedPairs, D::kAll, "all_pairs_m", "object T.RPE",
+         "Relative translation error of objects between every two frames."),
+    Mean(kObjectRrpe1Frame, "object_rrpe_1_frame", MetricUnit::kRadians, A::kWorldAndBody,
+         P::kEstimatedConsecutive, D::kOneFrame, "one_frame_rad", "object R.RPE/frame",
+         "Relative rotation error of objects from one frame to the next."),
+    Mean(kObjectTrpe1Frame, "object_trpe_1_frame", MetricUnit::kMetres, A::kWorldAndBody,
+         P::kEstimatedConsecutive, D::kOneFrame, "one_frame_m", "object T.RPE/frame",
+         "Relative translation error of objects from one frame to the next."),
+    Mean(kObjectMotionR, "object_motion_r", MetricUnit::kRadians, A::kWorld, P::kMotions,
+         D::kOneFrame, "motion_rad", "motion error",
+         "Error of the rotation that an object makes from one frame to the next."),
+    Mean(kObjectMotionT, "object_motion_t", MetricUnit::kMetres, A::kWorld, P::kMotions,
+         D::kOneFrame, "motion_m", "motion error",
+         "Error of the translation that an object makes from one frame to the next."),
+    Mean(kObjectVelocity, "object_velocity", MetricUnit::kMetresPerSecond, A::kWorldAndBody,
+         P::kVelocities, D::kCentral, "velocity_m_s", "velocity error",
+         "Error of the velocity of objects: length of the difference from the true one."),
+    Number(kObjectIdSwitches, "object_id_switches", P::kEachFrameItself, S::kSwitches, kSum,
+           "id_switches", "id switches", "How often a true object gets another id."),
+    Number(kObjectFragments, "object_fragments", P::kEachFrameItself, S::kFragments, kSum,
+           "fragments", "fragments",
+           "How often the estimate of an object breaks off and begins again."),
+    Number(kObjectUnmatched, "object_unmatched", P::kWhole, S::kMissedBodies, kUnmatched, "",
+           "missed objects", "True objects that no cluster belongs to."),
+    {kObjectUnmatchedClusters,
+     kClusters,
+     "object_unmatched_clusters",
+     MetricUnit::kOne,
+     {A::kNone, P::kWhole, D::kNone, S::kExtraClusters},
+     kCount,
+     kNothing,
+     "",
+     0.0,
+     false,
+     "extra clusters",
+     "Clusters that belong to no true object."},
+    Landmarks(kMovingPrecision, "moving_precision", P::kObservations, S::kMovingOfSaid,
+              "moving precision", "Part of the landmarks said to move that do move."),
+    Landmarks(kMovingRecall, "moving_recall", P::kObservations, S::kSaidOfMoving, "moving recall",
+              "Part of the landmarks that move and are said to."),
+    Landmarks(kClusteringIou, "clustering_iou", P::kFramesWithLandmarks, S::kMeanOverlap,
+              "clustering IoU",
+              "Overlap of the landmarks of a cluster with those of its true object."),
+    Landmarks(kClusteringAri, "clustering_ari", P::kFramesWithGroups, S::kMeanRandIndex,
+              "clustering ARI",
+              "Agreement of clusters and true objects on which landmarks belong together: 1 the "
+              "same, 0 as by chance."),
+}};
+
+constexpr bool IsGiven(const char* text) { return text != nullptr && *text != '\0'; }
+
+// An entry that lacks a part, or that stands in another's place, does not compile.
+constexpr bool IsComplete() {
+  for (std::size_t i = 0; i < kMetrics.size(); ++i) {
+    const MetricEntry& entry = kMetrics[i];
+    const bool needs_field = entry.from_body == kField || entry.from_body == kSum;
+    if (entry.id != static_cast<MetricId>(i) || !IsGiven(entry.name) || !IsGiven(entry.label) ||
+        !IsGiven(entry.meaning) || needs_field != IsGiven(entry.body_field) ||
+        (entry.from_body == kSuccess) != (entry.limit_m > 0.0) ||
+        (entry.family == kBodies) != (entry.from_body != kNothing)) {
+      return false;
+    }
+  }
+  return true;
+}
+static_assert(IsComplete());
+
+std::vector<MetricForm> FormsOf(const MetricEntry& entry, bool causal) {
+  if (entry.family == kLandmarks && causal) return {};
+  std::vector<MetricForm> forms = {{entry.id, BodyGroup::kMovers, causal}};
+  if (entry.of_predictions) forms.push_back({entry.id, BodyGroup::kPredicted, causal});
+  if (entry.family == kBodies) forms.push_back({entry.id, BodyGroup::kStanding, causal});
+  return forms;
+}
+
+std::vector<MetricForm> AllForms() {
+  std::vector<MetricForm> all;
+  for (const bool causal : {false, true}) {
+    for (const MetricEntry& entry : kMetrics) {
+      for (const MetricForm& form : FormsOf(entry, causal)) all.push_back(form);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+double MetricEntry::Resolution(double value) const {
+  switch (kind) {
+    case kError:
+      return 0.01 * std::abs(value);
+    case kFraction:
+      return 0.01;
+    case kCount:
+      return 1.0;
+  }
+  return 0.0;
+}
+
+const MetricEntry& EntryOf(MetricId id) { return kMetrics[static_cast<std::size_t>(id)]; }
+
+std::string MetricName(const MetricForm& form) {
+  std::string name = EntryOf(form.id).name;
+  std::string_view group;
+  if (form.bodies == BodyGroup::kStanding) group = "standing_";
+  if (form.bodies == BodyGroup::kPredicted) group = "predicted_";
+  return name.insert(name.find('_') + 1, std::string(form.causal ? "causal_" : "").append(group));
+}
+
+std::optional<MetricForm> FindForm(const std::string& name) {
+  static const std::map<std::string, MetricForm> forms = [] {
+    std::map<std::string, MetricForm> by_name;
+    for (const MetricForm& form : AllForms()) by_name[MetricName(form)] = form;
+    return by_name;
+  }();
+  const auto found = forms.find(name);
+  return found == forms.end() ? std::nullopt : std::optional(found->second);
+}
+
+Contract RelationOf(const MetricForm& form) {
+  const MetricEntry& entry = EntryOf(form.id);
+  Contract contract;
+  contract.alignment = entry.relation.alignment;
+  contract.pairing = form.bodies == BodyGroup::kPredicted ? P::kPredicted : entry.relation.pairing;
+  contract.delta = entry.relation.delta;
+  contract.aggregation = entry.relation.aggregation;
+  if (entry.from_body == kSuccess) contract.limit_m = entry.limit_m;
+  return contract;
+}
+
+std::vector<std::string> AllMetricNames() {
+  std::vector<std::string> names;
+  for (const MetricForm& form : AllForms()) names.push_back(MetricName(form));
+  return names;
+}
+
+const MetricEntry* FindEntry(const std::string& name) {
+  const std::optional<MetricForm> form = FindForm(name);
+  return form ? &EntryOf(form->id) : nullptr;
+}
+
+std::string MetricLabel(const std::string& name) {
+  const MetricEntry* entry = FindEntry(name);
+  return entry != nullptr && name == entry->name ? entry->label : name;
+}
+
+std::string CoverageOf(const std::string& name) {
+  std::optional<MetricForm> form = FindForm(name);
+  if (!form || EntryOf(form->id).family == kLandmarks) return "";
+  form->id = EntryOf(form->id).family == kCamera ? kCameraCoverage : kObjectCoverage;
+  if (form->bodies == BodyGroup::kPredicted) form->bodies = BodyGroup::kMovers;
+  return MetricName(*form);
+}
+
+}  // namespace cvo::reports
