@@ -76,9 +76,9 @@ TEST_F(CliOddInput, BracketsWithoutEndAreRefused) {
     std::string text;
     for (int i = 0; i < 100'000; ++i) text += bracket;
     const std::string file = folder_.Write("deep.json", text);
-    ExpectOneLine(RunWall({"--config", file}), 1, "more than 200 brackets");
-    ExpectOneLine({"experiment", "run", file, "-o", out()}, 1, "more than 200 brackets");
-    ExpectOneLine({"synth", "render", file, "-o", out()}, 1, "more than 200 brackets");
+    ExpectOneLine(RunWall({"--config", file}), 1, "more than 100 values");
+    ExpectOneLine({"experiment", "run", file, "-o", out()}, 1, "more than 100 values");
+    ExpectOneLine({"synth", "render", file, "-o", out()}, 1, "more than 100 values");
     ExpectOneLine(
         {"synth", "render", "tiny", "-o", out(), "--set", "objects.0=" + text.substr(0, 20'000)}, 1,
         "found");
