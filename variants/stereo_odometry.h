@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/task_pool.h"
-#include "core/odometry/odometry.h"
+#include "core/interface/odometry.h"
 
 namespace cvo {
 

@@ -51,7 +51,7 @@ void CheckSubcommand(int argc, char** argv, const CLI::App& program) {
   }
 }
 
-int UsageError(const CLI::App& program, const CLI::ParseError& error) {
+int ExplainUsage(const CLI::App& program, const CLI::ParseError& error) {
   std::string name;
   for (auto parsed = program.get_subcommands(); !parsed.empty();
        parsed = parsed.front()->get_subcommands()) {
@@ -99,7 +99,7 @@ int Main(int argc, char** argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     // Help and version are thrown too.
-    return error.get_exit_code() == 0 ? program.exit(error) : UsageError(program, error);
+    return error.get_exit_code() == 0 ? program.exit(error) : ExplainUsage(program, error);
   }
   for (const Command& command : commands) {
     if (command.app->parsed()) return command.run();

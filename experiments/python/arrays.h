@@ -7,8 +7,8 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "core/odometry/frame.h"
-#include "core/odometry/odometry.h"
+#include "core/interface/frame.h"
+#include "core/interface/odometry.h"
 
 namespace cvo {
 

@@ -71,42 +71,17 @@ std::vector<Part> MakeParts() {
        {}});
   parts.push_back(
       {"experiments/cache/", {"core/", "experiments/datasets/", "experiments/cache/"}, {}});
-  parts.push_back({"experiments/record/",
-                   {"core/",
-                    "reports/results/"
-                    ", " variants /
-                        ", " experiments / datasets / ", " experiments / metrics /
-                        ",
-                        "experiments/record/"},
-                   {}});
-  parts.push_back({"experiments/runner/",
-                   {"core/",
-                    "reports/results/"
-                    ", " variants /
-                        ", " experiments / datasets / ", " experiments / metrics /
-                        ",
-                        "experiments/cache/",
-                    "experiments/record/", "experiments/runner/"},
-                   {}});
-  parts.push_back({"experiments/suite/",
-                   {"core/",
-                    "reports/results/"
-                    ", " variants /
-                        ", " synth / ", " experiments / datasets / ", " experiments / metrics /
-                        ",
-                        "experiments/cache/",
-                    "experiments/record/", "experiments/runner/", "experiments/suite/"},
-                   {}});
-  parts.push_back(
-      {"experiments/jobs/",
-       {"core/",
-        "reports/results/"
-        ", " variants /
-            ", " experiments / datasets / ", " experiments / metrics / ", " experiments / cache /
-            ",
-            "experiments/record/",
-        "experiments/runner/", "experiments/suite/", "experiments/jobs/"},
-       {}});
+  std::vector<std::string> below = {"core/",
+                                    "variants/",
+                                    "synth/",
+                                    "reports/results/",
+                                    "experiments/datasets/",
+                                    "experiments/metrics/"};
+  for (const char* folder : {"cache", "record", "runner", "suite", "jobs"}) {
+    below.push_back(StrCat("experiments/", folder, "/"));
+    if (folder == std::string("suite")) below.emplace_back("synth/");
+    if (folder != std::string("cache")) parts.push_back({below.back(), below, {}});
+  }
   parts.push_back(
       {"experiments/cli/", {"core/", "variants/", "experiments/", "reports/", "synth/"}, {}});
   // They draw on images; all other reports know files of numbers and text alone.
