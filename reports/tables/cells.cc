@@ -37,7 +37,7 @@ const BodyResult* FindBody(const std::vector<BodyResult>& bodies, int id) {
 void GatherBodies(const SuiteRun& run, const BodyMetric& metric, const std::string& repetition,
                   Gathered& gathered) {
   for (const BodyResult& body : BodiesOf(metric, *run.run)) {
-    if (body.mover != metric.movers) continue;
+    if (body.mover != metric.movers()) continue;
     ++gathered.bodies;
     const auto part = PartOf(metric, body);
     if (part) gathered.samples.push_back({SceneOf(run), BodyName(body), repetition, *part});

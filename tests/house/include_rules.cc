@@ -71,42 +71,19 @@ std::vector<Part> MakeParts() {
        {}});
   parts.push_back(
       {"experiments/cache/", {"core/", "experiments/datasets/", "experiments/cache/"}, {}});
-  parts.push_back({"experiments/record/",
-                   {"core/",
-                    "reports/results/"
-                    ", " variants /
-                        ", " experiments / datasets / ", " experiments / metrics /
-                        ",
-                        "experiments/record/"},
-                   {}});
-  parts.push_back({"experiments/runner/",
-                   {"core/",
-                    "reports/results/"
-                    ", " variants /
-                        ", " experiments / datasets / ", " experiments / metrics /
-                        ",
-                        "experiments/cache/",
-                    "experiments/record/", "experiments/runner/"},
-                   {}});
-  parts.push_back({"experiments/suite/",
-                   {"core/",
-                    "reports/results/"
-                    ", " variants /
-                        ", " synth / ", " experiments / datasets / ", " experiments / metrics /
-                        ",
-                        "experiments/cache/",
-                    "experiments/record/", "experiments/runner/", "experiments/suite/"},
-                   {}});
-  parts.push_back(
-      {"experiments/jobs/",
-       {"core/",
-        "reports/results/"
-        ", " variants /
-            ", " experiments / datasets / ", " experiments / metrics / ", " experiments / cache /
-            ",
-            "experiments/record/",
-        "experiments/runner/", "experiments/suite/", "experiments/jobs/"},
-       {}});
+  // Results are written by the schema that reports read them by.
+  const std::vector<std::string> below = {"core/", "variants/", "reports/results/",
+                                          "experiments/datasets/", "experiments/metrics/"};
+  const auto add = [&](const char* room, const std::vector<std::string>& more) {
+    std::vector<std::string> may_include = below;
+    may_include.insert(may_include.end(), more.begin(), more.end());
+    parts.push_back({StrCat("experiments/", room, "/"), may_include, {}});
+  };
+  const std::string e = "experiments/";
+  add("record", {e + "record/"});
+  add("runner", {e + "cache/", e + "record/", e + "runner/"});
+  add("suite", {"synth/", e + "cache/", e + "record/", e + "runner/", e + "suite/"});
+  add("jobs", {e + "cache/", e + "record/", e + "runner/", e + "suite/", e + "jobs/"});
   parts.push_back(
       {"experiments/cli/", {"core/", "variants/", "experiments/", "reports/", "synth/"}, {}});
   // They draw on images; all other reports know files of numbers and text alone.
