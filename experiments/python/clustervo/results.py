@@ -40,10 +40,7 @@ def load(folder):
         camera=_read_tum(folder / "camera.tum"),
         objects=_read_csv(folder / "objects.csv"),
         landmarks=_read_csv(landmarks) if landmarks.exists() else None,
-        metrics={
-            metric["name"]: np.nan if metric["value"] is None else metric["value"]
-            for metric in result["metrics"]
-        },
+        metrics={metric["name"]: metric["value"] for metric in result["metrics"]},
         result=result,
     )
 
