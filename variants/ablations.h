@@ -52,8 +52,15 @@ struct NoProbabilisticAssociation : Full {
 struct WithoutBoxRematch : Full {
   static constexpr std::string_view kName = "no_box_rematch";
   static constexpr std::string_view kChanges =
-      "no brute-force matching inside boxes: what prediction misses stays lost";
+      "no brute-force matching inside boxes: landmarks are found by prediction alone";
   using BoxRematch = NoBoxRematch;
+};
+
+struct WithoutIdentity : Full {
+  static constexpr std::string_view kName = "no_identity";
+  static constexpr std::string_view kChanges =
+      "a found body without known landmarks is always new: no place and size of a lost one";
+  using Identity = AlwaysNewIdentity;
 };
 
 struct NoMarginalization : Full {

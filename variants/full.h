@@ -11,7 +11,8 @@
 #include "core/clustering/dense_crf.h"
 #include "core/clustering/label_confidence.h"
 #include "core/clustering/motion_term.h"
-#include "core/clusters/cluster_association.h"
+#include "core/clusters/box_rematch.h"
+#include "core/clusters/identity.h"
 #include "core/estimation/motion_extrapolation.h"
 #include "core/estimation/window_policies.h"
 #include "core/odometry/detection_policies.h"
@@ -33,6 +34,7 @@ struct Full {
   using BoxWeights = BoundedBoxWeights;
   using BoxRematch = RematchInBox;
   using Rotation = ConstantAngularVelocity;
+  using Identity = InheritLostIdentity;
   // Section 3.2.
   using BoxTerm = Box2dTerm;
   using AffinityTerm = cvo::AffinityTerm;

@@ -4,55 +4,30 @@
 
 #include <array>
 #include <string>
+#include <utility>
 
 #include "core/base/error.h"
-#include "variants/differences.h"
-#include "variants/static_ablations.h"
+#include "variants/all.h"
+#include "variants/instantiate.h"
 
 namespace cvo {
 
-// Instantiated in the variant's own .cc.
-template <typename Variant>
-std::unique_ptr<Odometry> MakeVariant(const OdometrySetup& setup, TaskPool& pool);
-
 namespace {
 
-template <typename Variant>
-constexpr VariantInfo InfoOf() {
-  return {Variant::kName, Variant::kChanges, &MakeVariant<Variant>};
+template <std::size_t kIndex>
+std::unique_ptr<Odometry> Make(const OdometrySetup& setup, TaskPool& pool) {
+  return Instantiate<kIndex % kInstantiations>(kIndex, setup, pool);
 }
 
-// A variant that changes so many axes of Base.
-template <typename Base, typename Variant, int kAxes = 1>
-constexpr VariantInfo AblationOf() {
-  static_assert(CountDifferences<Base, Variant>() == kAxes);
-  return InfoOf<Variant>();
+constexpr auto kInfos = []<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
+  return std::array<VariantInfo, kVariants>{
+      VariantInfo{VariantAt<kIndex>::kName, VariantAt<kIndex>::kChanges, &Make<kIndex>}...};
 }
-
-constexpr std::array kVariants = {
-    InfoOf<Full>(),
-    AblationOf<Full, Only2d, 2>(),
-    AblationOf<Full, Only2d3d>(),
-    AblationOf<Full, NoGpPrior>(),
-    AblationOf<Full, NoTurnPrior>(),
-    AblationOf<Full, NoPairwiseTerm>(),
-    AblationOf<Full, NoProbabilisticAssociation>(),
-    AblationOf<Full, WithoutBoxRematch>(),
-    AblationOf<Full, NoMarginalization>(),
-    AblationOf<Full, NoSpatialTrack>(),
-    AblationOf<Full, NoLabelConfidence>(),
-    AblationOf<Full, PaperLiteral, 10>(),
-    AblationOf<Full, Static>(),
-    AblationOf<Static, StaticNoMarginalization>(),
-    AblationOf<Static, StaticMarginalizeLost>(),
-    AblationOf<Static, StaticPriorGauge>(),
-    AblationOf<Static, StaticNoSpatialTrack>(),
-    AblationOf<Static, StaticSelfCalibration>(),
-};
+(std::make_index_sequence<kVariants>());
 
 }  // namespace
 
-std::span<const VariantInfo> Variants() { return kVariants; }
+std::span<const VariantInfo> Variants() { return kInfos; }
 
 const VariantInfo& FindVariant(std::string_view name) {
   std::string names;

@@ -37,7 +37,7 @@ BoxSums SumWeights(std::span<const BoxMember> cluster, std::span<const ImageBox>
 
 double Information(double p) { return p > 0.0 ? -p * std::log(p) : 0.0; }
 
-// Probabilities and their entropy in nats; `in_none` is the weight of the null box.
+// Probabilities and their entropy; `in_none` is the weight of the null box.
 BoxProbabilities Normalize(const BoxSums& sums, double in_none) {
   BoxProbabilities result{sums.by_box, sums.by_box, sums.members, 0.0};
   double total = in_none;
@@ -48,6 +48,7 @@ BoxProbabilities Normalize(const BoxSums& sums, double in_none) {
     result.entropy += Information(p);
   }
   result.entropy += Information(in_none / total);
+  result.entropy /= std::log(2.0);
   return result;
 }
 
@@ -58,9 +59,7 @@ BoxProbabilities BoundedBoxWeights::Compute(std::span<const BoxMember> cluster,
   const BoxSums sums = SumWeights(cluster, boxes, [](const BoxMember& member) {
     return std::sqrt(member.measurement_determinant / member.innovation_determinant);
   });
-  BoxProbabilities result = Normalize(sums, sums.in_none);
-  result.entropy /= std::log(2.0);
-  return result;
+  return Normalize(sums, sums.in_none);
 }
 
 BoxProbabilities BoxWeightsLiteral::Compute(std::span<const BoxMember> cluster,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <concepts>
 #include <span>
 #include <vector>
 
@@ -25,17 +26,22 @@ struct BoxProbabilities {
   std::vector<double> probability;  // by box
   std::vector<double> weight;       // by box: of the landmarks inside
   std::vector<int> members;         // by box: their number
-  double entropy = 0.0;
+  double entropy = 0.0;             // bits
 };
 
 // How much a landmark says, and over what the probabilities are normalised (estimator.md 3.4).
-// Policy: weights sqrt(|Sigma_z| / |S|) in (0, 1]; a null box takes landmarks that are in no box;
-// entropy in bits.
+template <typename Policy>
+concept BoxWeightsPolicy = requires(std::span<const BoxMember> cluster,
+                                    std::span<const ImageBox> boxes) {
+  { Policy::Compute(cluster, boxes) } -> std::same_as<BoxProbabilities>;
+};
+
+// Policy: weights sqrt(|Sigma_z| / |S|) in (0, 1]; a null box takes landmarks that are in no box.
 struct BoundedBoxWeights {
   static BoxProbabilities Compute(std::span<const BoxMember> cluster,
                                   std::span<const ImageBox> boxes);
 };
-// Policy: as printed, weights 1 / |Gamma|, no null box, natural logarithm.
+// Policy: as printed, weights 1 / |Gamma|, no null box.
 struct BoxWeightsLiteral {
   static BoxProbabilities Compute(std::span<const BoxMember> cluster,
                                   std::span<const ImageBox> boxes);

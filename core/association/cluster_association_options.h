@@ -22,7 +22,6 @@ struct ClusterAssociationOptions {
   double rematch_ratio = 0.85;
   int ransac_iterations = 100;
   int min_rematch = 7;
-  double identity_gate = 2.0;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
@@ -51,15 +50,17 @@ struct ClusterAssociationOptions {
                  "a landmark is looked for while it is seen from within this angle of where it was "
                  "seen last: a body hides its own far side",
                  "corners survive about 60 degrees"});
-    visit.Field("min_box_probability", self.min_box_probability,
-                {"1", 0, 1, "a box is a cluster's from this share of the cluster's weight on",
-                 "estimator.md 3.4"});
+    visit.Field(
+        "min_box_probability", self.min_box_probability,
+        {"1", 0, 1, "minimum share of a cluster's weight inside a box to be assigned that box",
+         "estimator.md 3.4"});
     visit.Field(
         "max_entropy", self.max_entropy,
         {"bit", 0, 20, "a cluster spread over boxes more evenly than this gets none",
          "paper, section 3.1: 1.0, read as nats; one bit refuses every pair of overlapping boxes"});
     visit.Field("min_box_members", self.min_box_members,
-                {"landmarks", 1, 1000, "a box is a cluster's from so many of its landmarks on",
+                {"landmarks", 1, 1000,
+                 "minimum landmarks of a cluster inside a box to be assigned that box",
                  "estimator.md 3.4"});
     visit.Field(
         "rematch_hamming", self.rematch_hamming,
@@ -73,14 +74,8 @@ struct ClusterAssociationOptions {
     visit.Field(
         "min_rematch", self.min_rematch,
         {"landmarks", 3, 1000,
-         "a body that was not predicted is believed from so many consistent ones on",
+         "minimum consistent landmarks to accept a pose that was not predicted",
          "three fix the pose; four more agree by chance in less than one box in a thousand"});
-    visit.Field("identity_gate", self.identity_gate,
-                {"standard deviations", 0, 100,
-                 "a new cluster goes on under the id of a lost one of its class that explains its "
-                 "place and size as well as one expected to within 1 m does at so many of these; "
-                 "larger keeps more identities and mixes up more",
-                 "chosen from 1.5 ... 3 on the rooms, streets and the crowd"});
   }
 };
 

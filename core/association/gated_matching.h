@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <concepts>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,14 @@ struct PredictedLandmark {
 
 // How a feature is found for a predicted landmark (Eq. 2 of the paper): the most similar descriptor
 // among the features within the gate; unique and one-to-one. Features with is_taken are left out.
+template <typename Policy>
+concept LandmarkAssociationPolicy = requires(std::span<const PredictedLandmark> landmarks,
+                                             const FeatureGrid& grid,
+                                             const std::vector<char>& is_taken,
+                                             const ClusterAssociationOptions& options) {
+  { Policy::Find(landmarks, grid, is_taken, options) } -> std::same_as<std::vector<Match>>;
+};
+
 // Policy: Mahalanobis distance in the innovation covariance (estimator.md 3.2).
 struct ProbabilisticAssociation {
   static std::vector<Match> Find(std::span<const PredictedLandmark> landmarks,

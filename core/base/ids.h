@@ -20,7 +20,12 @@ using FrameId = StrongId<struct FrameTag>;
 using LandmarkId = StrongId<struct LandmarkTag>;
 using ClusterId = StrongId<struct ClusterTag>;  // moving bodies count from 1
 
+// A body of the world, by the number that a giver of labels has for it: 0 the static scene, invalid
+// where it is not known.
+using BodyId = StrongId<struct BodyTag>;
+
 // The static scene, q = 0 of the paper. An invalid id is a landmark of no body (outlier class).
 inline constexpr ClusterId kStaticScene{0};
+inline constexpr BodyId kStaticBody{0};
 
 }  // namespace cvo

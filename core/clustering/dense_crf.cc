@@ -199,13 +199,13 @@ double NormalizedGaussianKernel::Scale(double degree) { return 1.0 / std::sqrt(1
 double RawGaussianKernel::BandwidthM(const PairwiseOptions&) { return std::sqrt(0.5); }
 double RawGaussianKernel::Scale(double) { return 1.0; }
 
-template <typename Kernel>
+template <PairwisePolicy Kernel>
 CrfResult InferDenseCrf(const CrfMatrix& energies, const Eigen::Matrix3Xd& points,
                         const PairwiseOptions& options) {
   return Infer<Kernel>(energies, points, options, FastCrfLoops());
 }
 
-template <typename Kernel>
+template <PairwisePolicy Kernel>
 CrfResult InferDenseCrfPlain(const CrfMatrix& energies, const Eigen::Matrix3Xd& points,
                              const PairwiseOptions& options) {
   return Infer<Kernel>(energies, points, options, PlainCrfLoops());

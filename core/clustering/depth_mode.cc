@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/clustering/depth_mode.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
-
-#include "core/clustering/point_extent.h"
 
 namespace cvo {
 namespace {

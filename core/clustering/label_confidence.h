@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 
 #include "core/base/ids.h"
 #include "core/base/options.h"
@@ -16,7 +17,7 @@ struct ConfidenceOptions {
   static void VisitFields(Self& self, Visitor& visit) {
     visit.Field("max_confidence", self.max_confidence,
                 {"frames", 1, 100000,
-                 "how often another label must be inferred at most until a landmark takes it; "
+                 "limit of the confidence: frames of another label after which a landmark takes it; "
                  "larger resists errors, smaller lets a parked car drive off",
                  "estimator.md 2.1"});
   }
@@ -33,8 +34,14 @@ enum class LabelOutcome { kKept, kChanged, kRemove };
 // How a landmark that is seen in the current frame takes the cluster inferred for it, after labels
 // were matched with clusters; an invalid id is the outlier class. Outliers cost confidence but are
 // nothing that a landmark can be: it is to be removed instead, and the state is as before.
+template <typename Policy>
+concept ConfidencePolicy = requires(ClusterId inferred, const ConfidenceOptions& options,
+                                    LabelState& state) {
+  { Policy::Update(inferred, options, state) } -> std::same_as<LabelOutcome>;
+};
 
-// w + 1 for the same label, w - 1 for another, which is accepted with w = 1 when w reaches 0.
+// Policy: w + 1 for the same label, w - 1 for another, which is accepted with w = 1 when w reaches
+// 0.
 struct UnboundedConfidence {
   [[nodiscard]] static LabelOutcome Update(ClusterId inferred, const ConfidenceOptions&,
                                            LabelState& state) {
@@ -52,7 +59,7 @@ struct UnboundedConfidence {
   }
 };
 
-// The same with w <= max_confidence, or what stood still for long could never move again.
+// Policy: the same with w <= max_confidence, or what stood still for long could never move again.
 struct BoundedConfidence {
   [[nodiscard]] static LabelOutcome Update(ClusterId inferred, const ConfidenceOptions& options,
                                            LabelState& state) {
@@ -62,7 +69,7 @@ struct BoundedConfidence {
   }
 };
 
-// No memory: what was inferred last.
+// Policy: no memory, what was inferred last.
 struct TakeLabelsAtOnce {
   [[nodiscard]] static LabelOutcome Update(ClusterId inferred, const ConfidenceOptions&,
                                            LabelState& state) {

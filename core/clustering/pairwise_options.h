@@ -16,7 +16,7 @@ struct PairwiseOptions {
   static void VisitFields(Self& self, Visitor& visit) {
     visit.Field("alpha", self.alpha,
                 {"nats", 0, 1000,
-                 "what it costs at most that a landmark's neighbours have another label; larger "
+                 "maximum cost of a landmark's neighbours having another label; larger "
                  "smooths more and swallows small bodies",
                  "paper 4.1; of a normalised kernel, estimator.md 2.3"});
     visit.Field(

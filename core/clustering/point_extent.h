@@ -83,10 +83,4 @@ PointExtent ExtentAlong(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& poi
 // two variances are alike. At least one point.
 RigidTransform PrincipalAxes(const Eigen::Matrix3Xd& points, const ExtentOptions& options);
 
-// Of the points in a box of angular_size (larger side over focal length), those that make the
-// nearest dense range of depths; ascending indices, empty where there is none. `depths_m` that are
-// not positive are left out.
-std::vector<int> NearestMode(const std::vector<double>& depths_m, double angular_size,
-                             const ExtentOptions& options);
-
 }  // namespace cvo

@@ -14,6 +14,7 @@ struct UnaryOptions {
   double kappa = 2.0;
   double static_energy = 1.0;
   double outlier_energy = 4.0;
+  int past_frames = 14;
   double motion_cap = 25.0;
   double neutral_motion = 1.5;
   double outlier_motion = 4.5;
@@ -48,6 +49,11 @@ struct UnaryOptions {
     visit.Field(
         "outlier_energy", self.outlier_energy,
         {"nats", 0.0, 100.0, "affinity of the outlier class", "estimator.md 6.3, not published"});
+    visit.Field("past_frames", self.past_frames,
+                {"frames", 1, 200,
+                 "how far back the motion term compares where a landmark was, or less where it is "
+                 "younger; more shows slower motion, up to window.temporal - 1",
+                 "paper, section 3.2: 5; at 30 Hz a slow body hardly moves in five frames"});
     visit.Field("motion_cap", self.motion_cap,
                 {"1", 0.1, 1e6, "largest squared whitened error; larger trusts single errors more",
                  "estimator.md 6.4"});

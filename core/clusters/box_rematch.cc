@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/clusters/box_rematch.h"
+
 #include <algorithm>
 
 #include "core/association/descriptor_matching.h"
-#include "core/clusters/cluster_association.h"
+#include "core/clusters/cluster_pose.h"
 
 namespace cvo {
 namespace {
@@ -27,7 +29,7 @@ std::vector<Match> MatchInBox(const FrameView& view, const Cluster& cluster,
   for (int i = 0; i < static_cast<int>(view.frame.features.size()); ++i) {
     const StereoFeature& feature = view.frame.features[i];
     if (taken[i] || !box.Contains(feature.z_px[0], feature.z_px[1])) continue;
-    if (!internal::IsAllowed(view, cluster, i)) continue;
+    if (!IsAllowed(view, cluster, i)) continue;
     features.push_back(feature);
     indices.push_back(i);
   }
@@ -45,44 +47,44 @@ std::vector<Match> MatchInBox(const FrameView& view, const Cluster& cluster,
 // other where it has none.
 void RematchAssociated(const FrameView& view, const Cluster& cluster, Rng& rng,
                        TakenFeatures& taken, ClusterTrack& track) {
-  const ImageBox& box = view.detections[track.detection].box;
+  const ImageBox& box = view.shown.detections[track.detection].box;
   std::vector<Match> matches = MatchInBox(view, cluster, track.matches, box, taken);
   const int min_inliers =
       track.is_tracked ? view.options.clusters.min_tracked : view.options.association.min_rematch;
   matches.insert(matches.end(), track.matches.begin(), track.matches.end());
   std::sort(matches.begin(), matches.end(),
             [](const Match& a, const Match& b) { return a.landmark < b.landmark; });
-  const auto solution = internal::SolvePose(view, cluster, track.world_from_object, matches,
-                                            min_inliers, track.is_tracked, rng);
+  const auto solution = SolvePose(view, cluster, track.world_from_object, matches, min_inliers,
+                                  track.is_tracked, rng);
   const int before = static_cast<int>(track.matches.size());
   if (solution && solution->inliers >= before) {
-    internal::AcceptPose(view, matches, *solution, taken, track);
+    AcceptPose(view, matches, *solution, taken, track);
   }
 }
 
-// The body that the detection is given to show; -1: unknown.
-int GivenBody(const FrameView& view, int detection) {
-  const std::vector<int>& given = view.given.detection_body;
-  return given.empty() ? -1 : given[detection];
+// The body that the detection is given to show; invalid: unknown.
+BodyId GivenBody(const FrameView& view, int detection) {
+  const std::span<const BodyId> given = view.shown.detection_body;
+  return given.empty() ? BodyId() : given[detection];
 }
 
 // Whether the detection may show the cluster, by its class and by whose it is given to be.
 bool MayShow(const FrameView& view, int detection, const Cluster& cluster) {
-  const int given = GivenBody(view, detection);
-  return view.detections[detection].category == cluster.category &&
-         (given < 0 || given == cluster.given_body);
+  const BodyId given = GivenBody(view, detection);
+  return view.shown.detections[detection].category == cluster.category &&
+         (!given.valid() || given == cluster.given_body);
 }
 
 // Whether the cluster is what the detection shows; the track becomes that of the cluster there.
 bool Reacquire(const FrameView& view, const Cluster& cluster, int detection, Rng& rng,
                TakenFeatures& taken, ClusterTrack& track) {
-  const Detection& seen = view.detections[detection];
+  const Detection& seen = view.shown.detections[detection];
   if (!MayShow(view, detection, cluster)) return false;
   const std::vector<Match> matches = MatchInBox(view, cluster, {}, seen.box, taken);
-  const auto solution = internal::SolvePose(view, cluster, track.world_from_object, matches,
-                                            view.options.association.min_rematch, false, rng);
+  const auto solution = SolvePose(view, cluster, track.world_from_object, matches,
+                                  view.options.association.min_rematch, false, rng);
   if (!solution || solution->inliers <= static_cast<int>(track.matches.size())) return false;
-  internal::AcceptPose(view, matches, *solution, taken, track);
+  AcceptPose(view, matches, *solution, taken, track);
   track.detection = detection;
   return true;
 }
@@ -161,21 +163,23 @@ class Reacquisition {
 
 }  // namespace
 
-void RematchInBox::Rematch(const FrameView& view, const std::vector<PredictedCluster>& archived,
-                           ClusterMap& map, Rng& rng, TakenFeatures& taken,
-                           std::vector<ClusterTrack>& tracks) {
-  std::vector<char> is_used(view.detections.size(), 0);
+void RematchInBox::Rematch(const FrameView& view, const ClusterMap& map, Rng& rng,
+                           TakenFeatures& taken, std::vector<ClusterTrack>& tracks) {
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     if (tracks[q].detection < 0) continue;
     RematchAssociated(view, map.live[q], rng, taken, tracks[q]);
   }
-  for (ClusterTrack& track : tracks) {
-    // Of an expected cluster nothing was found: the box may show another body.
-    if (!track.is_tracked) track.detection = -1;
+}
+
+void RematchInBox::Reacquire(const FrameView& view, const std::vector<PredictedCluster>& archived,
+                             ClusterMap& map, Rng& rng, TakenFeatures& taken,
+                             std::vector<ClusterTrack>& tracks) {
+  std::vector<char> is_used(view.shown.detections.size(), 0);
+  for (const ClusterTrack& track : tracks) {
     if (track.detection >= 0) is_used[track.detection] = 1;
   }
   Reacquisition reacquisition(view, archived, map, taken, tracks);
-  for (int m = 0; m < static_cast<int>(view.detections.size()); ++m) {
+  for (int m = 0; m < static_cast<int>(is_used.size()); ++m) {
     if (!is_used[m]) reacquisition.Try(m, rng);
   }
 }

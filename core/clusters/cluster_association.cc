@@ -3,24 +3,10 @@
 #include "core/clusters/cluster_association.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "core/clusters/point_measurements.h"
-#include "core/estimation/camera_ransac.h"
+#include "core/clusters/cluster_pose.h"
 
 namespace cvo::internal {
-namespace {
-
-// A cluster with fewer states has no velocity yet: its first matches may all be wrong.
-constexpr std::size_t kSettledStates = 3;
-
-}  // namespace
-
-bool IsAllowed(const FrameView& view, const Cluster& cluster, int feature) {
-  const std::vector<int>& given = view.given.feature_body;
-  return given.empty() || given[feature] < 0 || given[feature] == cluster.given_body;
-}
-
 PredictedLandmarks PredictLandmarks(const FrameView& view, const ClusterMap& map,
                                     const std::vector<ClusterTrack>& tracks) {
   PredictedLandmarks result;
@@ -31,53 +17,25 @@ PredictedLandmarks PredictLandmarks(const FrameView& view, const ClusterMap& map
                                              tracks[q].predicted, cluster.landmarks[i]);
       if (!predicted) continue;
       result.predicted.push_back(*predicted);
-      result.source.push_back({i, q, 0});
+      result.source.push_back({q, i});
     }
   }
   return result;
 }
 
-std::optional<CameraSolution> SolvePose(const FrameView& view, const Cluster& cluster,
-                                        const RigidTransform& world_from_object,
-                                        const std::vector<Match>& matches, int min_inliers,
-                                        bool is_predicted, Rng& rng) {
-  if (static_cast<int>(matches.size()) < min_inliers) return std::nullopt;
-  const std::vector<PointMeasurement> measurements =
-      MeasurementsOf(view.options, cluster.landmarks, view.frame.features, matches);
-  if (is_predicted) {
-    const RigidTransform object_from_camera = world_from_object.Inverse() * view.world_from_camera;
-    CameraSolution solution =
-        SolveCamera(view.camera, measurements, object_from_camera, view.options.noise);
-    if (solution.inliers >= min_inliers && 2 * solution.inliers >= static_cast<int>(matches.size()))
-      return solution;
-  }
-  return SolveCameraRansac(view.camera, measurements, view.options.noise,
-                           view.options.association.ransac_iterations, min_inliers, rng);
-}
-
-void AcceptPose(const FrameView& view, const std::vector<Match>& matches,
-                const CameraSolution& solution, TakenFeatures& taken, ClusterTrack& track) {
-  track.world_from_object = view.world_from_camera * solution.world_from_camera.Inverse();
-  track.is_tracked = true;
-  track.matches.clear();
-  for (std::size_t i = 0; i < matches.size(); ++i) {
-    if (!solution.is_inlier[i]) continue;
-    track.matches.push_back(matches[i]);
-    taken[matches[i].feature] = 1;
-  }
-}
-
-void TrackClusters(const FrameView& view, const ClusterMap& map, const std::vector<Match>& source,
+void TrackClusters(const FrameView& view, const ClusterMap& map,
+                   const std::vector<PredictedLandmarks::Source>& source,
                    const std::vector<Match>& matches, Rng& rng, TakenFeatures& taken,
                    std::vector<ClusterTrack>& tracks) {
   std::vector<std::vector<Match>> by_cluster(tracks.size());
   for (const Match& match : matches) {
-    const Match& from = source[match.landmark];
-    if (!IsAllowed(view, map.live[from.feature], match.feature)) continue;
-    by_cluster[from.feature].push_back({from.landmark, match.feature, match.hamming});
+    const PredictedLandmarks::Source& from = source[match.landmark];
+    if (!IsAllowed(view, map.live[from.cluster], match.feature)) continue;
+    by_cluster[from.cluster].push_back({from.landmark, match.feature, match.hamming});
   }
   for (std::size_t q = 0; q < tracks.size(); ++q) {
-    const bool is_settled = map.live[q].states.size() >= kSettledStates;
+    const bool is_settled =
+        static_cast<int>(map.live[q].states.size()) >= view.options.clusters.settled_states;
     const auto solution = SolvePose(view, map.live[q], tracks[q].world_from_object, by_cluster[q],
                                     view.options.clusters.min_tracked, is_settled, rng);
     if (solution) AcceptPose(view, by_cluster[q], *solution, taken, tracks[q]);
@@ -105,12 +63,18 @@ std::vector<BoxMember> MembersOf(const FrameView& view, const Cluster& cluster,
 
 void ForgetOtherCategories(const FrameView& view, const Cluster& cluster,
                            BoxProbabilities& probabilities) {
-  for (std::size_t m = 0; m < view.detections.size(); ++m) {
-    if (view.detections[m].category != cluster.category) probabilities.members[m] = 0;
+  for (std::size_t m = 0; m < view.shown.detections.size(); ++m) {
+    if (view.shown.detections[m].category != cluster.category) probabilities.members[m] = 0;
   }
 }
 
-std::vector<ImageBox> BoxesOf(const std::vector<Detection>& detections) {
+void ReleaseUnseen(std::vector<ClusterTrack>& tracks) {
+  for (ClusterTrack& track : tracks) {
+    if (!track.is_tracked) track.detection = -1;
+  }
+}
+
+std::vector<ImageBox> BoxesOf(std::span<const Detection> detections) {
   std::vector<ImageBox> boxes;
   for (const Detection& detection : detections) boxes.push_back(detection.box);
   return boxes;
@@ -118,12 +82,12 @@ std::vector<ImageBox> BoxesOf(const std::vector<Detection>& detections) {
 
 void AssociateGivenDetections(const FrameView& view, const ClusterMap& map,
                               std::vector<ClusterTrack>& tracks) {
-  const std::vector<int>& given = view.given.detection_body;
+  const std::span<const BodyId> given = view.shown.detection_body;
   if (given.empty()) return;
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     tracks[q].detection = -1;
     for (int m = 0; m < static_cast<int>(given.size()); ++m) {
-      if (given[m] >= 0 && given[m] == map.live[q].given_body) tracks[q].detection = m;
+      if (given[m].valid() && given[m] == map.live[q].given_body) tracks[q].detection = m;
     }
   }
 }

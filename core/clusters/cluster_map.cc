@@ -3,20 +3,19 @@
 #include "core/clusters/cluster_map.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace cvo {
 namespace {
 
 // What one observation says of the landmark's position, its body's pose taken as exact.
-Eigen::Matrix3d InformationOf(const Window& window, const NoiseOptions& noise, double scale_factor,
+Eigen::Matrix3d InformationOf(const Window& window, const FeatureNoise& noise,
                               const RigidTransform& world_from_camera,
                               const RigidTransform& world_from_object, const Landmark& landmark,
                               const Observation& seen) {
   const RigidTransform camera_from_object = world_from_camera.Inverse() * world_from_object;
-  const Eigen::Vector3d c = camera_from_object * landmark.p_in_body;
+  const Eigen::Vector3d c = camera_from_object * landmark.p_in_object;
   if (c.z() <= StereoCamera::kMinDepth_m) return Eigen::Matrix3d::Zero();
-  const Eigen::Matrix3d WJ = SqrtInformation(noise, std::pow(scale_factor, seen.octave)) *
+  const Eigen::Matrix3d WJ = noise.SqrtInformation(seen.octave) *
                              window.camera.ProjectionJacobian(c) *
                              camera_from_object.RotationMatrix();
   return WJ.transpose() * WJ;
@@ -24,8 +23,8 @@ Eigen::Matrix3d InformationOf(const Window& window, const NoiseOptions& noise, d
 
 }  // namespace
 
-void AbsorbObservations(const Window& window, const WindowFrame& leaving, const NoiseOptions& noise,
-                        double scale_factor, const ClusterOptions& options, Cluster& cluster) {
+void AbsorbObservations(const Window& window, const WindowFrame& leaving, const FeatureNoise& noise,
+                        const ClusterOptions& options, Cluster& cluster) {
   const ClusterState* state = FindState(cluster, leaving.id);
   if (!state) return;
   for (Landmark& landmark : cluster.landmarks) {
@@ -36,10 +35,9 @@ void AbsorbObservations(const Window& window, const WindowFrame& leaving, const 
         landmark.observations.size() > 1 || !landmark.past_information.isZero();
     if (is_estimated) {
       const double keep = 1.0 - 1.0 / std::max(1.0, options.max_past_observations);
-      landmark.past_information =
-          keep * landmark.past_information +
-          InformationOf(window, noise, scale_factor, leaving.world_from_camera,
-                        state->world_from_object, landmark, *seen);
+      landmark.past_information = keep * landmark.past_information +
+                                  InformationOf(window, noise, leaving.world_from_camera,
+                                                state->world_from_object, landmark, *seen);
     }
     std::erase_if(landmark.observations,
                   [&](const Observation& o) { return o.frame == leaving.id; });
@@ -107,7 +105,7 @@ void UpdateExtent(const ExtentOptions& options, Cluster& cluster) {
   if (cluster.landmarks.empty()) return;
   Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(cluster.landmarks.size()));
   for (std::size_t i = 0; i < cluster.landmarks.size(); ++i) {
-    points.col(static_cast<Eigen::Index>(i)) = cluster.landmarks[i].p_in_body;
+    points.col(static_cast<Eigen::Index>(i)) = cluster.landmarks[i].p_in_object;
   }
   const PointExtent extent = ExtentAlong(Eigen::Matrix3d::Identity(), points, options);
   cluster.center_in_object = extent.center;

@@ -23,13 +23,13 @@ struct ClusterMap {
 };
 
 inline bool IsConfirmed(const Cluster& cluster, const ClusterOptions& options) {
-  return cluster.detections >= options.confirm_detections || cluster.given_body >= 0;
+  return cluster.detections >= options.confirm_detections || cluster.given_body.valid();
 }
 
 // The observations of a frame that leaves T_t become past knowledge of their landmarks; the frame
 // is no longer in the window.
-void AbsorbObservations(const Window& window, const WindowFrame& leaving, const NoiseOptions& noise,
-                        double scale_factor, const ClusterOptions& options, Cluster& cluster);
+void AbsorbObservations(const Window& window, const WindowFrame& leaving, const FeatureNoise& noise,
+                        const ClusterOptions& options, Cluster& cluster);
 
 // States and observations older than T_t go (the last state stays, to predict from), and so do the
 // longest unseen landmarks beyond the cap.

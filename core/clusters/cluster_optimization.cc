@@ -4,7 +4,6 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <cmath>
 
 #include "core/estimation/camera_solver.h"
 
@@ -32,7 +31,7 @@ void AddFrames(const Window& window, const Cluster& cluster, ClusterSelection& s
 }
 
 // The factors of a landmark's observations in the problem's frames.
-std::vector<ReprojectionFactor> FactorsOf(const Options& options, const Cluster& cluster,
+std::vector<ReprojectionFactor> FactorsOf(const FeatureNoise& noise, const Cluster& cluster,
                                           const ClusterSelection& selection,
                                           const Landmark& landmark) {
   std::vector<ReprojectionFactor> factors;
@@ -40,17 +39,16 @@ std::vector<ReprojectionFactor> FactorsOf(const Options& options, const Cluster&
     const auto it = std::find_if(selection.states.begin(), selection.states.end(),
                                  [&](int s) { return cluster.states[s].frame == seen.frame; });
     if (it == selection.states.end()) continue;
-    const double scale = std::pow(options.orb.scale_factor, seen.octave);
     factors.push_back({static_cast<int>(it - selection.states.begin()),
                        static_cast<int>(selection.problem.points.size()), seen.z_px,
-                       SqrtInformation(options.noise, scale)});
+                       noise.SqrtInformation(seen.octave)});
   }
   return factors;
 }
 
 }  // namespace
 
-ClusterSelection SelectCluster(const Options& options, const Window& window,
+ClusterSelection SelectCluster(const FeatureNoise& noise, const Window& window,
                                const Cluster& cluster) {
   ClusterSelection selection;
   ClusterProblem& problem = selection.problem;
@@ -58,21 +56,20 @@ ClusterSelection SelectCluster(const Options& options, const Window& window,
   AddFrames(window, cluster, selection);
   for (int i = 0; i < static_cast<int>(cluster.landmarks.size()); ++i) {
     const Landmark& landmark = cluster.landmarks[i];
-    const std::vector<ReprojectionFactor> factors =
-        FactorsOf(options, cluster, selection, landmark);
+    const std::vector<ReprojectionFactor> factors = FactorsOf(noise, cluster, selection, landmark);
     const bool has_past = !landmark.past_information.isZero();
     if (factors.empty() || (factors.size() < 2 && !has_past)) continue;
     selection.landmarks.push_back(i);
-    problem.points.push_back(landmark.p_in_body);
+    problem.points.push_back(landmark.p_in_object);
     PointPrior prior;
-    if (has_past) prior = {landmark.p_in_body, SquareRoot(landmark.past_information)};
+    if (has_past) prior = {landmark.p_in_object, SquareRoot(landmark.past_information)};
     problem.point_priors.push_back(prior);
     problem.factors.insert(problem.factors.end(), factors.begin(), factors.end());
   }
   return selection;
 }
 
-int ApplyClusterSolution(const Options& options, const ClusterSelection& selection,
+int ApplyClusterSolution(const NoiseOptions& noise, const ClusterSelection& selection,
                          Cluster& cluster) {
   const ClusterProblem& problem = selection.problem;
   std::vector<RigidTransform> camera_from_object;
@@ -85,13 +82,13 @@ int ApplyClusterSolution(const Options& options, const ClusterSelection& selecti
   }
   for (std::size_t k = 0; k < selection.landmarks.size(); ++k) {
     Landmark& landmark = cluster.landmarks[selection.landmarks[k]];
-    landmark.p_in_body = problem.points[k];
+    landmark.p_in_object = problem.points[k];
   }
   int outliers = 0;
   for (const ReprojectionFactor& factor : problem.factors) {
     const PointMeasurement m{problem.points[factor.point], factor.z_px, factor.sqrt_information};
     const auto error = WhitenedError(problem.camera, m, camera_from_object[factor.pose]);
-    if (error && error->squaredNorm() <= options.noise.gate) continue;
+    if (error && error->squaredNorm() <= noise.gate) continue;
     const FrameId frame = cluster.states[selection.states[factor.pose]].frame;
     std::erase_if(cluster.landmarks[selection.landmarks[factor.point]].observations,
                   [&](const Observation& seen) { return seen.frame == frame; });

@@ -57,14 +57,15 @@ std::optional<PredictedLandmark> PredictLandmark(const Options& options, const S
                                                  const PredictedCluster& predicted,
                                                  const Landmark& landmark) {
   const Eigen::Matrix3d R_camera_from_world = world_from_camera.RotationMatrix().transpose();
-  const Eigen::Vector3d p_in_world = predicted.world_from_object * landmark.p_in_body;
+  const Eigen::Vector3d p_in_world = predicted.world_from_object * landmark.p_in_object;
   const Eigen::Vector3d to_camera = world_from_camera.translation() - p_in_world;
   const Eigen::Vector3d c = -(R_camera_from_world * to_camera);
   const auto zeta = camera.Project(c);
   if (!zeta || !camera.InImage((*zeta)[0], (*zeta)[1])) return std::nullopt;
 
   const Eigen::Matrix3d R_world_from_object = predicted.world_from_object.RotationMatrix();
-  const double cos_view = (R_world_from_object * landmark.view_in_body).dot(to_camera.normalized());
+  const double cos_view =
+      (R_world_from_object * landmark.view_in_object).dot(to_camera.normalized());
   if (cos_view < std::cos(options.association.max_view_change_rad)) return std::nullopt;
 
   const double log_scale = std::log(options.orb.scale_factor);
@@ -74,12 +75,11 @@ std::optional<PredictedLandmark> PredictLandmark(const Options& options, const S
                  0, options.orb.levels - 1);
   const Eigen::Matrix3d J = camera.ProjectionJacobian(c) * R_camera_from_world;
   const Eigen::Matrix3d JR = J * R_world_from_object;
-  const double lever_m = landmark.p_in_body.norm();
+  const double lever_m = landmark.p_in_object.norm();
   PredictedLandmark result;
   result.zeta_px = *zeta;
-  result.position_px2 = JR * landmark.covariance.in_body_m2 * JR.transpose();
-  result.measurement_px2 =
-      MeasurementCovariance(options.noise, std::pow(options.orb.scale_factor, octave));
+  result.position_px2 = JR * landmark.covariance.in_object_m2 * JR.transpose();
+  result.measurement_px2 = options.NoiseOfFeatures().Covariance(octave);
   result.innovation_px2 = result.position_px2 +
                           J * RideCovariance(predicted, lever_m) * J.transpose() +
                           result.measurement_px2;

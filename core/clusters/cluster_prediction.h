@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -29,8 +30,7 @@ PredictedCluster WithUncertainty(const Cluster& cluster, const PredictedMotion& 
 // Variance of the cluster's velocity, m^2/s^2.
 double SpeedVariance(const Cluster& cluster, const ClusterOptions& options);
 
-// `Rotation`: HeldRotation or ConstantAngularVelocity.
-template <typename MotionPrior, typename Rotation>
+template <MotionPriorPolicy MotionPrior, RotationPolicy Rotation>
 PredictedCluster PredictCluster(const Cluster& cluster, std::int64_t timestamp_ns,
                                 const MotionPriorOptions& motion, const ClusterOptions& options) {
   const std::int64_t origin_ns = cluster.Latest().timestamp_ns;
@@ -40,6 +40,18 @@ PredictedCluster PredictCluster(const Cluster& cluster, std::int64_t timestamp_n
       cluster,
       Extrapolate<MotionPrior, Rotation>(motion, LastStates(cluster, origin_ns), dt_s, speed), dt_s,
       options);
+}
+
+// Any cluster, as it is predicted at one time.
+using ClusterPredictor = std::function<PredictedCluster(const Cluster&)>;
+
+// The options must outlive the predictor.
+template <MotionPriorPolicy MotionPrior, RotationPolicy Rotation>
+ClusterPredictor PredictorAt(std::int64_t timestamp_ns, const MotionPriorOptions& motion,
+                             const ClusterOptions& options) {
+  return [timestamp_ns, &motion, &options](const Cluster& cluster) {
+    return PredictCluster<MotionPrior, Rotation>(cluster, timestamp_ns, motion, options);
+  };
 }
 
 // A landmark of the cluster as the current camera should see it; empty where it is behind the

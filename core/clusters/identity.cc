@@ -12,21 +12,6 @@
 namespace cvo {
 namespace {
 
-// Centres of a body found twice, by its boxes, differ by about this, in sizes of the body.
-constexpr double kCenterDeviation = 0.3;
-// A prediction does not spread farther than this: bodies turn back, and rooms have walls.
-constexpr double kMaxDeviation_m = 1.0;
-// The next candidate must be so much less likely, nats.
-constexpr double kLeastLead = 0.25;
-// Sizes of a body by the boxes in which it was found twice differ by about this factor.
-constexpr double kSizeFactor = 1.7;
-// Boxes after which a frame is aligned by them where no landmarks could do it better so far.
-constexpr int kEnoughBoxes = 15;
-// From then on it is looked for such landmarks in every so many frames only: it takes time.
-constexpr int kRarely = 5;
-// Landmarks of both frames that are the same lie so near to each other, in sizes of the body.
-constexpr double kPointDeviation = 0.08;
-
 const Cluster& FindCluster(const ClusterMap& map, ClusterId id) {
   for (const Cluster& cluster : map.live) {
     if (cluster.id == id) return cluster;
@@ -40,36 +25,38 @@ const Cluster& FindCluster(const ClusterMap& map, ClusterId id) {
 
 // Whether their class and what is given of them let two clusters be one body.
 bool MayBeOne(const Cluster& found, const Cluster& lost) {
-  const bool is_given = found.given_body >= 0 && lost.given_body >= 0;
+  const bool is_given = found.given_body.valid() && lost.given_body.valid();
   return found.category == lost.category && (!is_given || found.given_body == lost.given_body);
 }
 
 // How badly a lost cluster explains where the found one's centre is, and its size: minus the
 // logarithm of the probability density, 1/m^3. What may be anywhere is a poor explanation.
 double ExplanationEnergy(const Cluster& found, const Cluster& lost,
-                         const PredictedCluster& predicted) {
-  const double spread = std::min(std::sqrt(predicted.translation_variance_m2), kMaxDeviation_m);
-  const double deviation = std::hypot(spread, kCenterDeviation * lost.size_m);
+                         const PredictedCluster& predicted, const IdentityOptions& options) {
+  const double spread =
+      std::min(std::sqrt(predicted.translation_variance_m2), options.max_spread_m);
+  const double deviation = std::hypot(spread, options.center_deviation * lost.size_m);
   const Eigen::Vector3d offset = found.Latest().world_from_object * found.box_center.InObject() -
                                  predicted.world_from_object * lost.box_center.InObject();
   // A body that given labels alone told of has no size.
   const bool has_size = found.size_m > 0.0 && lost.size_m > 0.0;
-  const double size = has_size ? std::log(found.size_m / lost.size_m) / std::log(kSizeFactor) : 0.0;
+  const double size =
+      has_size ? std::log(found.size_m / lost.size_m) / std::log(options.size_factor) : 0.0;
   return 0.5 * (offset.squaredNorm() / (deviation * deviation) + size * size) +
          3.0 * std::log(deviation);
 }
 
 // The one lost cluster that the found one must be; null where there is none or a doubt.
 const LostCluster* FindPredecessor(const Cluster& found, const std::vector<LostCluster>& lost,
-                                   const ClusterMap& map, double gate) {
+                                   const ClusterMap& map, const IdentityOptions& options) {
   const LostCluster* best = nullptr;
-  double least = 0.5 * gate * gate;
+  double least = 0.5 * options.gate * options.gate;
   double second = std::numeric_limits<double>::infinity();
   for (const LostCluster& candidate : lost) {
     const Cluster& cluster = FindCluster(map, candidate.id);
     if (!MayBeOne(found, cluster)) continue;
-    if (found.given_body >= 0) return &candidate;
-    const double energy = ExplanationEnergy(found, cluster, candidate.predicted);
+    if (found.given_body.valid()) return &candidate;
+    const double energy = ExplanationEnergy(found, cluster, candidate.predicted, options);
     if (energy < least) {
       if (best) second = least;
       least = energy;
@@ -78,7 +65,7 @@ const LostCluster* FindPredecessor(const Cluster& found, const std::vector<LostC
       second = std::min(second, energy);
     }
   }
-  return second - least > kLeastLead ? best : nullptr;
+  return second - least > options.min_lead ? best : nullptr;
 }
 
 // Expresses a cluster and its landmarks in another frame of the same body.
@@ -96,9 +83,9 @@ void ChangeFrame(const RigidTransform& old_from_new, ClusterId id, Cluster& clus
   }
   for (Landmark& landmark : cluster.landmarks) {
     landmark.label.cluster = id;
-    landmark.p_in_body = new_from_old * landmark.p_in_body;
-    landmark.view_in_body = R * landmark.view_in_body;
-    landmark.covariance.in_body_m2 = R * landmark.covariance.in_body_m2 * R.transpose();
+    landmark.p_in_object = new_from_old * landmark.p_in_object;
+    landmark.view_in_object = R * landmark.view_in_object;
+    landmark.covariance.in_object_m2 = R * landmark.covariance.in_object_m2 * R.transpose();
     landmark.past_information = R * landmark.past_information * R.transpose();
   }
   cluster.center_in_object = new_from_old * cluster.center_in_object;
@@ -106,8 +93,9 @@ void ChangeFrame(const RigidTransform& old_from_new, ClusterId id, Cluster& clus
 }
 
 // former_from_now from landmarks that look alike: points of both frames, three of which fix it.
-std::optional<RigidTransform> AlignLandmarks(const Options& options, const Cluster& cluster,
-                                             Rng& rng) {
+std::optional<RigidTransform> AlignLandmarks(const IdentityOptions& identity,
+                                             const ClusterAssociationOptions& association,
+                                             const Cluster& cluster, Rng& rng) {
   std::vector<Descriptor> former;
   for (const Landmark& landmark : cluster.former.landmarks) former.push_back(landmark.descriptor);
   std::vector<StereoFeature> now;
@@ -116,18 +104,17 @@ std::optional<RigidTransform> AlignLandmarks(const Options& options, const Clust
     feature.descriptor = landmark.descriptor;
     now.push_back(feature);
   }
-  const std::vector<Match> matches = MatchDescriptors(
-      former, now, options.association.rematch_hamming, options.association.rematch_ratio);
+  const std::vector<Match> matches =
+      MatchDescriptors(former, now, association.rematch_hamming, association.rematch_ratio);
   Eigen::Matrix3Xd from(3, static_cast<Eigen::Index>(matches.size()));
   Eigen::Matrix3Xd to = from;
   for (std::size_t i = 0; i < matches.size(); ++i) {
     const Eigen::Index column = static_cast<Eigen::Index>(i);
-    from.col(column) = cluster.landmarks[matches[i].feature].p_in_body;
-    to.col(column) = cluster.former.landmarks[matches[i].landmark].p_in_body;
+    from.col(column) = cluster.landmarks[matches[i].feature].p_in_object;
+    to.col(column) = cluster.former.landmarks[matches[i].landmark].p_in_object;
   }
-  return AlignPointsRansac(from, to, kPointDeviation * cluster.size_m,
-                           options.association.min_rematch, options.association.ransac_iterations,
-                           rng);
+  return AlignPointsRansac(from, to, identity.point_deviation * cluster.size_m,
+                           association.min_rematch, association.ransac_iterations, rng);
 }
 
 void Inherit(const LostCluster& lost, ClusterMap& map, Cluster& found) {
@@ -173,8 +160,20 @@ void Remove(ClusterId id, FrameId newest, ClusterMap& map) {
 
 }  // namespace
 
+std::vector<LostCluster> FindLostClusters(const ClusterOptions& options, FrameId newest,
+                                          const ClusterPredictor& predict, const ClusterMap& map) {
+  std::vector<LostCluster> lost;
+  const auto add = [&](const Cluster& cluster) {
+    if (cluster.last_observed == newest || !IsConfirmed(cluster, options)) return;
+    lost.push_back({cluster.id, predict(cluster)});
+  };
+  for (const Cluster& cluster : map.live) add(cluster);
+  for (const Cluster& cluster : map.archived) add(cluster);
+  return lost;
+}
+
 void InheritIdentities(const std::vector<LostCluster>& lost, FrameId newest,
-                       const ClusterAssociationOptions& association, const ClusterOptions& options,
+                       const IdentityOptions& identity, const ClusterOptions& options,
                        ClusterMap& map) {
   std::vector<ClusterId> inherited;
   for (Cluster& cluster : map.live) {
@@ -182,7 +181,7 @@ void InheritIdentities(const std::vector<LostCluster>& lost, FrameId newest,
         IsConfirmed(cluster, options) && cluster.detections == options.confirm_detections &&
         cluster.last_detected == newest && cluster.last_observed == newest;
     if (!is_just_confirmed) continue;
-    const LostCluster* predecessor = FindPredecessor(cluster, lost, map, association.identity_gate);
+    const LostCluster* predecessor = FindPredecessor(cluster, lost, map, identity);
     if (!predecessor) continue;
     if (std::find(inherited.begin(), inherited.end(), predecessor->id) != inherited.end()) continue;
     inherited.push_back(predecessor->id);
@@ -193,16 +192,18 @@ void InheritIdentities(const std::vector<LostCluster>& lost, FrameId newest,
             [](const Cluster& a, const Cluster& b) { return a.id < b.id; });
 }
 
-void AlignWithFormer(const Options& options, FrameId newest, ClusterMap& map, Rng& rng) {
+void AlignWithFormer(const IdentityOptions& identity, const ClusterAssociationOptions& association,
+                     FrameId newest, ClusterMap& map, Rng& rng) {
   for (Cluster& cluster : map.live) {
     Lineage& former = cluster.former;
     if (!former.since.valid()) continue;
-    if (former.is_centered && (newest.value - former.since.value) % kRarely != 0) continue;
+    const std::int64_t age = newest.value - former.since.value;
+    if (former.is_centered && age % identity.align_interval != 0) continue;
     ClusterTrajectory& trajectory = map.trajectories[cluster.id];
-    if (const auto former_from_now = AlignLandmarks(options, cluster, rng)) {
+    if (const auto former_from_now = AlignLandmarks(identity, association, cluster, rng)) {
       ChangeFrame(former_from_now->Inverse(), cluster.id, cluster, trajectory);
       AdoptFormer(cluster);
-    } else if (!former.is_centered && cluster.box_center.boxes >= kEnoughBoxes) {
+    } else if (!former.is_centered && cluster.box_center.boxes >= identity.align_boxes) {
       const RigidTransform old_from_new(
           Eigen::Quaterniond::Identity(),
           Eigen::Vector3d(cluster.box_center.InObject() - former.box_center.InObject()));
@@ -210,6 +211,12 @@ void AlignWithFormer(const Options& options, FrameId newest, ClusterMap& map, Rn
       former.is_centered = true;
     }
   }
+}
+
+void InheritLostIdentity::Update(const IdentityStep& step, ClusterMap& map, Rng& rng) {
+  InheritIdentities(FindLostClusters(step.clusters, step.newest, step.predict, map), step.newest,
+                    step.identity, step.clusters, map);
+  AlignWithFormer(step.identity, step.association, step.newest, map, rng);
 }
 
 }  // namespace cvo

@@ -7,6 +7,7 @@
 #include "core/base/rng.h"
 #include "core/clusters/cluster_map.h"
 #include "core/clusters/cluster_prediction.h"
+#include "core/interface/options.h"
 
 namespace cvo {
 
@@ -16,32 +17,43 @@ struct LostCluster {
   PredictedCluster predicted;
 };
 
+std::vector<LostCluster> FindLostClusters(const ClusterOptions& options, FrameId newest,
+                                          const ClusterPredictor& predict, const ClusterMap& map);
+
 // Clusters confirmed in this frame whose place and size one lost cluster of their class explains,
 // and no other nearly as well, go on under its id: a body that turned while it was hidden shows
 // none of its old landmarks. Their frame becomes the lost one's, whose origin is their own and
 // whose rotation is predicted.
 void InheritIdentities(const std::vector<LostCluster>& lost, FrameId newest,
-                       const ClusterAssociationOptions& association, const ClusterOptions& options,
+                       const IdentityOptions& identity, const ClusterOptions& options,
                        ClusterMap& map);
 
 // Clusters that go on under an earlier id: their frame is aligned with what it was, by landmarks
 // that look alike, until then, after enough boxes, by the centres that they show.
-void AlignWithFormer(const Options& options, FrameId newest, ClusterMap& map, Rng& rng);
+void AlignWithFormer(const IdentityOptions& identity, const ClusterAssociationOptions& association,
+                     FrameId newest, ClusterMap& map, Rng& rng);
 
-// The lost clusters of the map at a time.
-template <typename Variant>
-std::vector<LostCluster> FindLostClusters(const Options& options, FrameId newest,
-                                          std::int64_t timestamp_ns, const ClusterMap& map) {
-  std::vector<LostCluster> lost;
-  const auto add = [&](const Cluster& cluster) {
-    if (cluster.last_observed == newest || !IsConfirmed(cluster, options.clusters)) return;
-    lost.push_back(
-        {cluster.id, PredictCluster<typename Variant::MotionPrior, typename Variant::Rotation>(
-                         cluster, timestamp_ns, options.motion_prior, options.clusters)});
-  };
-  for (const Cluster& cluster : map.live) add(cluster);
-  for (const Cluster& cluster : map.archived) add(cluster);
-  return lost;
-}
+// What the end of a frame tells of who its clusters are.
+struct IdentityStep {
+  const IdentityOptions& identity;
+  const ClusterAssociationOptions& association;
+  const ClusterOptions& clusters;
+  FrameId newest;
+  const ClusterPredictor& predict;  // for the frame's time
+};
+
+template <typename Policy>
+concept IdentityPolicy = requires(const IdentityStep& step, ClusterMap& map, Rng& rng) {
+  Policy::Update(step, map, rng);
+};
+
+// Policy: a found cluster may go on as a lost one (InheritIdentities, AlignWithFormer).
+struct InheritLostIdentity {
+  static void Update(const IdentityStep& step, ClusterMap& map, Rng& rng);
+};
+// Policy: a found cluster is always a new one.
+struct AlwaysNewIdentity {
+  static void Update(const IdentityStep&, ClusterMap&, Rng&) {}
+};
 
 }  // namespace cvo

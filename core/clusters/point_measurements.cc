@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/clusters/point_measurements.h"
 
-#include <cmath>
-
 namespace cvo {
 
-std::vector<PointMeasurement> MeasurementsOf(const Options& options,
+std::vector<PointMeasurement> MeasurementsOf(const FeatureNoise& noise,
                                              const std::vector<Landmark>& landmarks,
                                              std::span<const StereoFeature> features,
                                              const std::vector<Match>& matches) {
@@ -14,9 +12,8 @@ std::vector<PointMeasurement> MeasurementsOf(const Options& options,
   measurements.reserve(matches.size());
   for (const Match& match : matches) {
     const StereoFeature& feature = features[match.feature];
-    const double scale = std::pow(options.orb.scale_factor, feature.octave);
-    measurements.push_back(
-        {landmarks[match.landmark].p_in_body, feature.z_px, SqrtInformation(options.noise, scale)});
+    measurements.push_back({landmarks[match.landmark].p_in_object, feature.z_px,
+                            noise.SqrtInformation(feature.octave)});
   }
   return measurements;
 }

@@ -8,12 +8,11 @@
 #include "core/association/match.h"
 #include "core/estimation/camera_solver.h"
 #include "core/estimation/landmark.h"
-#include "core/interface/options.h"
 
 namespace cvo {
 
 // What a body's matched landmarks and features say of the camera's pose in its frame.
-std::vector<PointMeasurement> MeasurementsOf(const Options& options,
+std::vector<PointMeasurement> MeasurementsOf(const FeatureNoise& noise,
                                              const std::vector<Landmark>& landmarks,
                                              std::span<const StereoFeature> features,
                                              const std::vector<Match>& matches);

@@ -7,9 +7,6 @@
 namespace cvo {
 namespace {
 
-// A minimal sample carries its three points' noise: its inliers are counted within a wider gate.
-constexpr double kHypothesisGateFactor = 4.0;
-
 std::array<std::size_t, 3> DrawSample(std::size_t n, Rng& rng) {
   std::array<std::size_t, 3> sample{};
   sample[0] = rng.UniformInt(n);
@@ -54,7 +51,7 @@ std::optional<CameraSolution> SolveCameraRansac(const StereoCamera& camera,
     if (!valid) continue;
     const RigidTransform world_from_camera = AlignPoints(in_camera, in_world);
     const int inliers =
-        CountInliers(camera, measurements, world_from_camera, kHypothesisGateFactor * noise.gate);
+        CountInliers(camera, measurements, world_from_camera, noise.hypothesis_gate * noise.gate);
     if (inliers > best_inliers) {
       best_inliers = inliers;
       best = world_from_camera;
@@ -67,7 +64,7 @@ std::optional<CameraSolution> SolveCameraRansac(const StereoCamera& camera,
   const RigidTransform camera_from_world = best.Inverse();
   for (const PointMeasurement& m : measurements) {
     const auto error = WhitenedError(camera, m, camera_from_world);
-    if (error && error->squaredNorm() <= kHypothesisGateFactor * noise.gate) close.push_back(m);
+    if (error && error->squaredNorm() <= noise.hypothesis_gate * noise.gate) close.push_back(m);
   }
   const RigidTransform refined = SolveCamera(camera, close, best, noise).world_from_camera;
   CameraSolution solution = ClassifyMeasurements(camera, measurements, refined, noise.gate);

@@ -47,7 +47,7 @@ struct Lineage {
 struct Cluster {
   ClusterId id;
   std::string category;
-  int given_body = -1;               // GivenKnowledge's number for it; -1: unknown
+  BodyId given_body;                 // as GivenKnowledge says; invalid: unknown
   std::vector<ClusterState> states;  // in frames of T_t that see it, oldest first; never empty
   std::vector<Landmark> landmarks;   // by id
   // Box around its landmarks along the axes of its frame: the p30/p70 centre and half sides.

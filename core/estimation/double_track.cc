@@ -26,14 +26,14 @@ bool PromoteDistant::Promotes(const Window& window, const WindowFrame& frame,
 }
 
 void MarginalizeFrame(FrameId frame, const std::vector<LandmarkId>& landmarks,
-                      const NoiseOptions& noise, double scale_factor, Window& window) {
+                      const FeatureNoise& noise, Window& window) {
   WindowProblem problem = MakeFrames(window);
   for (const Landmark& landmark : window.landmarks) {
     if (std::binary_search(landmarks.begin(), landmarks.end(), landmark.id)) {
-      AddLandmark(landmark, noise, scale_factor, problem);
+      AddLandmark(landmark, noise, problem);
     }
   }
-  window.prior = Marginalize(noise, problem, frame);
+  window.prior = Marginalize(noise.options, problem, frame);
 }
 
 }  // namespace cvo

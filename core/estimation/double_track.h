@@ -13,15 +13,15 @@ namespace cvo {
 // Sums the frame out of the window's prior, together with the named landmarks (ascending) and all
 // their observations. Frame and landmarks stay in the window.
 void MarginalizeFrame(FrameId frame, const std::vector<LandmarkId>& landmarks,
-                      const NoiseOptions& noise, double scale_factor, Window& window);
+                      const FeatureNoise& noise, Window& window);
 
 // Appends `frame` to T_t and makes room: the oldest frame of T_t is promoted or discarded, the
 // oldest of T_s is marginalised (section 3.3 of the paper, "Double-Track Frame Management").
-template <typename MarginalizationRule, typename SpatialTrack>
+template <MarginalizationPolicy MarginalizationRule, PromotionPolicy SpatialTrack>
 class DoubleTrack {
  public:
-  DoubleTrack(const WindowOptions& options, const NoiseOptions& noise, double scale_factor)
-      : options_(options), noise_(noise), scale_factor_(scale_factor) {}
+  DoubleTrack(const WindowOptions& options, const FeatureNoise& noise)
+      : options_(options), noise_(noise) {}
 
   void Advance(const WindowFrame& frame, Window& window) const {
     window.temporal.push_back(frame);
@@ -43,7 +43,7 @@ class DoubleTrack {
   // A discarded frame's observations are lost; what the prior says of it is summed out.
   void Discard(FrameId frame, Window& window) const {
     if (std::binary_search(window.prior.frames.begin(), window.prior.frames.end(), frame)) {
-      MarginalizeFrame(frame, {}, noise_, scale_factor_, window);
+      MarginalizeFrame(frame, {}, noise_, window);
     }
     window.temporal.erase(window.temporal.begin());
     window.RemoveObservations(frame);
@@ -59,7 +59,7 @@ class DoubleTrack {
       }
     }
     if constexpr (MarginalizationRule::kKeepsPrior) {
-      MarginalizeFrame(leaving, marginalized, noise_, scale_factor_, window);
+      MarginalizeFrame(leaving, marginalized, noise_, window);
     }
     std::erase_if(window.landmarks, [&](const Landmark& landmark) {
       return std::binary_search(marginalized.begin(), marginalized.end(), landmark.id);
@@ -69,8 +69,7 @@ class DoubleTrack {
   }
 
   WindowOptions options_;
-  NoiseOptions noise_;
-  double scale_factor_;
+  FeatureNoise noise_;
 };
 
 }  // namespace cvo

@@ -21,7 +21,7 @@ struct Observation {
 // The best single triangulation of a landmark, the one of the smallest determinant (Eq. 1 of the
 // paper, kept in the body's frame so that it turns with the body: estimator.md 3.1).
 struct LandmarkCovariance {
-  Eigen::Matrix3d in_body_m2 = Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d in_object_m2 = Eigen::Matrix3d::Identity();
   double determinant = std::numeric_limits<double>::infinity();
 };
 
@@ -29,7 +29,7 @@ struct LandmarkCovariance {
 // of a cluster.
 struct Landmark {
   LandmarkId id;
-  Eigen::Vector3d p_in_body = Eigen::Vector3d::Zero();
+  Eigen::Vector3d p_in_object = Eigen::Vector3d::Zero();
   std::vector<Observation> observations;  // in frames of the window, oldest first
   Descriptor descriptor{};                // of the last observation
   double depth_m = 0.0;  // at the last observation; with its octave it predicts the next
@@ -39,8 +39,8 @@ struct Landmark {
 
   LandmarkCovariance covariance;
   // From the point to the camera that saw it last, unit length: a body hides its own far side.
-  Eigen::Vector3d view_in_body = Eigen::Vector3d::Zero();
-  // What a cluster's observations that left the window said of p_in_body (estimator.md 5).
+  Eigen::Vector3d view_in_object = Eigen::Vector3d::Zero();
+  // What a cluster's observations that left the window said of p_in_object (estimator.md 5).
   Eigen::Matrix3d past_information = Eigen::Matrix3d::Zero();
 };
 

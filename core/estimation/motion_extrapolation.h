@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <concepts>
 #include <span>
 
 #include "core/geometry/rigid_transform.h"
@@ -20,7 +21,13 @@ struct PredictedMotion {
   Eigen::Matrix3d translation_covariance_m2 = Eigen::Matrix3d::Zero();  // in world
 };
 
-// How a body turns on. Policy: as it did between its last two states.
+// How a body turns on.
+template <typename Policy>
+concept RotationPolicy = requires(std::span<const MotionState> states, double time_s) {
+  { Policy::Rotation(states, time_s) } -> std::same_as<Eigen::Quaterniond>;
+};
+
+// Policy: as it did between its last two states.
 struct ConstantAngularVelocity {
   static Eigen::Quaterniond Rotation(std::span<const MotionState> states, double time_s);
 };
@@ -36,7 +43,7 @@ PredictedMotion ExtrapolateTranslation(const MotionState& last, double time_s,
                                        const Eigen::Matrix3d& velocity_covariance_m2_s2);
 
 // The body at time_s, after the last of its states (at least one; oldest first, times increasing).
-template <typename MotionPrior, typename RotationModel>
+template <MotionPriorPolicy MotionPrior, RotationPolicy RotationModel>
 PredictedMotion Extrapolate(const MotionPriorOptions& options, std::span<const MotionState> states,
                             double time_s, const Eigen::Matrix3d& velocity_covariance_m2_s2) {
   const MotionState& last = states.back();

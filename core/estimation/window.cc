@@ -46,7 +46,7 @@ double Window::MedianDepth(FrameId frame) const {
   std::vector<double> depths;
   for (const Landmark& landmark : landmarks) {
     if (FindObservation(landmark, frame)) {
-      depths.push_back((camera_from_world * landmark.p_in_body).z());
+      depths.push_back((camera_from_world * landmark.p_in_object).z());
     }
   }
   if (depths.empty()) return 0.0;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <concepts>
+
 #include "core/base/options.h"
 #include "core/estimation/window.h"
 
@@ -44,7 +46,15 @@ struct WindowOptions {
 };
 
 // What becomes of a landmark seen by the frame that leaves T_s: marginalised with all its
-// observations, or only that observation deleted (estimator.md 4.3).
+// observations, or only that observation deleted (estimator.md 4.3). kKeepsPrior: what is
+// marginalised becomes a prior of the window.
+template <typename Policy>
+concept MarginalizationPolicy = requires(const Landmark& landmark, FrameId newest,
+                                         const WindowOptions& options) {
+  { Policy::kKeepsPrior } -> std::convertible_to<bool>;
+  { Policy::Marginalizes(landmark, newest, options) } -> std::same_as<bool>;
+};
+
 // Policy: unseen in the last lost_frames frames -> marginalised.
 struct MarginalizeLost {
   static constexpr bool kKeepsPrior = true;
@@ -65,7 +75,13 @@ struct MarginalizeNothing {
   static bool Marginalizes(const Landmark&, FrameId, const WindowOptions&) { return false; }
 };
 
-// What holds the window in the world. Policy: its oldest frame is held constant.
+// What holds the window in the world: whether frame `index` of the window is held constant.
+template <typename Policy>
+concept GaugePolicy = requires(int index, const WindowPrior& prior) {
+  { Policy::Fixes(index, prior) } -> std::same_as<bool>;
+};
+
+// Policy: its oldest frame.
 struct FixOldestFrame {
   static bool Fixes(int index, const WindowPrior&) { return index == 0; }
 };
@@ -76,7 +92,14 @@ struct PriorHoldsGauge {
   }
 };
 
-// Whether a frame leaving T_t joins T_s. Policy: far from the newest frame in T_s.
+// Whether a frame leaving T_t joins T_s.
+template <typename Policy>
+concept PromotionPolicy = requires(const Window& window, const WindowFrame& frame,
+                                   const WindowOptions& options) {
+  { Policy::Promotes(window, frame, options) } -> std::same_as<bool>;
+};
+
+// Policy: far from the newest frame in T_s.
 struct PromoteDistant {
   static bool Promotes(const Window& window, const WindowFrame& frame,
                        const WindowOptions& options);
@@ -86,8 +109,14 @@ struct PromoteNever {
   static bool Promotes(const Window&, const WindowFrame&, const WindowOptions&) { return false; }
 };
 
-// Whether the rig's calibration is believed. Policy: right_shift_px is estimated with the window;
-// noise.right_shift_px says how far the calibration is trusted.
+// Whether the rig's calibration is believed.
+template <typename Policy>
+concept CalibrationPolicy = requires {
+  { Policy::kFixesRightShift } -> std::convertible_to<bool>;
+};
+
+// Policy: right_shift_px is estimated with the window; noise.right_shift_px says how far the
+// calibration is trusted.
 struct EstimateRightShift {
   static constexpr bool kFixesRightShift = false;
 };

@@ -3,7 +3,6 @@
 #include "core/estimation/window_problem.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace cvo {
 
@@ -19,14 +18,12 @@ WindowProblem MakeFrames(const Window& window) {
   return problem;
 }
 
-void AddLandmark(const Landmark& landmark, const NoiseOptions& noise, double scale_factor,
-                 WindowProblem& problem) {
+void AddLandmark(const Landmark& landmark, const FeatureNoise& noise, WindowProblem& problem) {
   const int point = static_cast<int>(problem.points.size());
-  problem.points.push_back(landmark.p_in_body);
+  problem.points.push_back(landmark.p_in_object);
   for (const Observation& observation : landmark.observations) {
-    const double scale = std::pow(scale_factor, observation.octave);
     problem.factors.push_back({FrameIndex(problem, observation.frame), point, observation.z_px,
-                               SqrtInformation(noise, scale)});
+                               noise.SqrtInformation(observation.octave)});
   }
 }
 

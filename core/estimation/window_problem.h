@@ -11,8 +11,7 @@ namespace cvo {
 WindowProblem MakeFrames(const Window& window);
 
 // Adds the landmark as the problem's next point, with all its observations.
-void AddLandmark(const Landmark& landmark, const NoiseOptions& noise, double scale_factor,
-                 WindowProblem& problem);
+void AddLandmark(const Landmark& landmark, const FeatureNoise& noise, WindowProblem& problem);
 
 // Indices of the landmarks worth optimising: seen at least twice, the longest seen first, at most
 // max_points of them; ascending.

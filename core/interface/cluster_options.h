@@ -15,6 +15,7 @@ struct ClusterOptions {
   int confirm_frames = 5;
   int min_tracked = 4;
   int min_observed = 3;
+  int settled_states = 3;
   int live_frames = 15;
   int archived = 20;
   int max_landmarks = 800;
@@ -29,7 +30,7 @@ struct ClusterOptions {
   static void VisitFields(Self& self, Visitor& visit) {
     visit.Field("min_landmarks", self.min_landmarks,
                 {"landmarks", 3, 1000,
-                 "a new cluster needs so many; fewer finds small and far bodies, and ghosts",
+                 "minimum landmarks of a new cluster; fewer finds small and far bodies, and ghosts",
                  "estimator.md 6.1: 12 indoors, 8 for cars; one value for both"});
     visit.Field(
         "birth_depth", self.birth_depth,
@@ -45,21 +46,26 @@ struct ClusterOptions {
          "half of (p70 - p30) / 2 of a body that fills its box is 0.2; less, as it rarely does"});
     visit.Field("confirm_detections", self.confirm_detections,
                 {"detections", 1, 100,
-                 "a cluster is reported from so many detections on; one only is often false",
+                 "minimum detections of a cluster to be reported; a single one is often false",
                  "the detectors' false positives rarely repeat"});
     visit.Field("confirm_frames", self.confirm_frames,
-                {"frames", 1, 1000, "a cluster not confirmed after so many frames is dropped",
+                {"frames", 1, 1000, "frames after which a cluster that is not confirmed is dropped",
                  "spans the detectors' usual gaps of one to four frames"});
     visit.Field("min_tracked", self.min_tracked,
                 {"landmarks", 3, 1000,
-                 "a pose is estimated from so many consistent landmarks on, else predicted",
+                 "minimum consistent landmarks to estimate a pose; with fewer it is predicted",
                  "three fix the pose, the fourth checks it"});
     visit.Field(
         "min_observed", self.min_observed,
         {"landmarks", 3, 1000, "a frame with fewer has no state of the cluster", "estimator.md 5"});
+    visit.Field("settled_states", self.settled_states,
+                {"states", 1, 1000,
+                 "with fewer, a pose is searched for by RANSAC, not from the predicted one: "
+                 "without a velocity the first matches may all be wrong",
+                 "two states give a velocity, the third checks it"});
     visit.Field("live_frames", self.live_frames,
                 {"frames", 1, 1000,
-                 "a cluster unseen for so many frames, L, is archived; until then it is predicted",
+                 "frames, L, after which a cluster that is not seen is archived; it is predicted before",
                  "paper, section 4.1"});
     visit.Field("archived", self.archived,
                 {"clusters", 0, 1000, "archived clusters that can be found again, the latest ones",
@@ -69,8 +75,8 @@ struct ClusterOptions {
                  "bounds time and memory"});
     visit.Field("max_past_observations", self.max_past_observations,
                 {"observations", 0, 1e6,
-                 "what left the window holds a landmark like so many observations at most; larger "
-                 "drifts less and forgives less",
+                 "limit on the weight of what left the window, in observations per landmark; larger "
+                 "drifts less and corrects errors more slowly",
                  "poses that were held have errors too"});
     visit.Field("first_speed_m_s", self.first_speed_m_s,
                 {"m/s", 0, 1000, "standard deviation of a new cluster's velocity; falls with 1/n^2",

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "core/base/ids.h"
 #include "core/features/stereo_feature.h"
 #include "core/geometry/rigid_transform.h"
+#include "core/solvers/window_solver.h"
 
 namespace cvo {
 
@@ -22,13 +24,12 @@ struct Detection {
 };
 
 // What is known of a frame from elsewhere and taken as it is in place of an estimate: a camera from
-// another odometry, instance segmentation, a tracker of boxes. All of it is optional. Bodies are
-// named by numbers of the giver: 0 the static scene, 1, 2, ... the same body in all frames, -1 not
-// known.
+// another odometry, instance segmentation, a tracker of boxes. All of it is optional. A body has
+// the same id in all frames.
 struct GivenKnowledge {
   std::optional<RigidTransform> world_from_camera;  // world = left camera of the first frame
-  std::vector<int> feature_body;                    // by feature; empty: nothing is given
-  std::vector<int> detection_body;                  // by detection; empty: nothing is given
+  std::vector<BodyId> feature_body;                 // by feature; empty: nothing is given
+  std::vector<BodyId> detection_body;               // by detection; empty: nothing is given
 };
 
 // What the front end makes of one stereo pair; what the estimator is given.
@@ -37,6 +38,13 @@ struct StereoFrame {
   std::vector<StereoFeature> features;
   std::vector<Detection> detections;
   GivenKnowledge given;
+};
+
+// What the estimator is shown of a frame's bodies: views into the frame, which must outlive them.
+struct ShownBodies {
+  std::span<const Detection> detections;
+  std::span<const BodyId> feature_body;    // as GivenKnowledge
+  std::span<const BodyId> detection_body;  // as GivenKnowledge
 };
 
 // Throws Error where what is given of features or detections is not as long as they are.
@@ -98,6 +106,8 @@ struct FrameReport {
   int window_frames = 0;                // spatial and temporal track together, this frame included
   int window_landmarks = 0;             // optimised with the window
   int window_iterations = 0;            // of the bundle adjustment
+  SolverEndings window_endings;         // of the bundle adjustment
+  SolverEndings cluster_endings;        // of the clusters' windows, one per solve
   double right_shift_px = 0.0;          // as estimated so far (StereoCamera)
   double mean_error_px = 0.0;           // RMS whitened reprojection error of the inliers after it
   std::vector<ClusterReport> clusters;  // live ones, by id

@@ -12,7 +12,9 @@
 #include "core/clustering/unary_options.h"
 #include "core/estimation/window_policies.h"
 #include "core/features/options.h"
+#include "core/interface/box_center_options.h"
 #include "core/interface/cluster_options.h"
+#include "core/interface/identity_options.h"
 #include "core/solvers/measurement_noise.h"
 #include "core/solvers/motion_prior.h"
 #include "core/solvers/window_solver.h"
@@ -24,13 +26,14 @@ struct TrackingOptions {
   int recovery_hamming = 60;
   double recovery_ratio = 0.8;
   int recovery_iterations = 300;
+  int recovery_frames = 5;
   int restart_after = 5;
   double min_disparity_px = 1.0;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
     visit.Field("min_inliers", self.min_inliers,
-                {"landmarks", 4, 1000, "a camera with fewer is not believed: the frame is lost",
+                {"landmarks", 4, 1000, "minimum landmarks that agree with a camera; with fewer the frame is lost",
                  "well above what chance matches reach"});
     visit.Field(
         "recovery_hamming", self.recovery_hamming,
@@ -41,12 +44,17 @@ struct TrackingOptions {
     visit.Field("recovery_iterations", self.recovery_iterations,
                 {"1", 1, 100000, "RANSAC hypotheses: 300 find 30 % of inliers with 99.97 %",
                  "1 - (1 - 0.3^3)^300"});
+    visit.Field("recovery_frames", self.recovery_frames,
+                {"frames", 1, 1000,
+                 "latest frames whose landmarks are searched for where there is no prediction; more "
+                 "cost time and confuse more",
+                 "a lost frame shows what the frames before it showed; not swept"});
     visit.Field(
         "restart_after", self.restart_after,
         {"frames", 1, 1000, "lost frames after which the map starts anew at the predicted camera",
          "half a second at 10 Hz"});
     visit.Field("min_disparity_px", self.min_disparity_px,
-                {"px", 0.01, 100, "features with less make no landmark: their depth is noise",
+                {"px", 0.01, 100, "minimum disparity of a new landmark: with less its depth is noise",
                  "estimator.md 11"});
   }
 };
@@ -68,6 +76,10 @@ struct Options {
   ExtentOptions extent;
   MotionPriorOptions motion_prior;
   ClusterOptions clusters;
+  BoxCenterOptions box_center;
+  IdentityOptions identity;
+
+  FeatureNoise NoiseOfFeatures() const { return {noise, orb.scale_factor}; }
 
   // Throws Error naming the first option that cannot be.
   void Check() const {
@@ -93,6 +105,8 @@ struct Options {
     visit.Group("extent", self.extent);
     visit.Group("motion_prior", self.motion_prior);
     visit.Group("clusters", self.clusters);
+    visit.Group("box_center", self.box_center);
+    visit.Group("identity", self.identity);
   }
 };
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/clustering/point_extent.h"
-#include "core/clusters/box_fix.h"
+#include "core/clusters/box_center.h"
 
 namespace cvo {
 namespace {
@@ -38,14 +38,14 @@ Cluster CreateCluster(const FrameView& view, FrameId newest, const FrameLabels::
   Eigen::Vector3d origin = axes.translation();
   cluster.last_observed = newest;
   if (birth.detection >= 0) {
-    const Detection& detection = view.detections[birth.detection];
+    const Detection& detection = view.shown.detections[birth.detection];
     cluster.category = detection.category;
     cluster.detections = 1;
     cluster.score = detection.score;
     cluster.last_detected = newest;
-    const BoxFix fix = FixFromBox(view, birth.detection, origin);
-    origin = fix.center_in_world;
-    cluster.size_m = fix.size_m;
+    const BoxCenter box = CenterFromBox(view, birth.detection, origin);
+    origin = box.center_in_world;
+    cluster.size_m = box.size_m;
   }
   cluster.states.push_back({newest, view.frame.timestamp_ns,
                             RigidTransform(axes.RotationMatrix(), origin),

@@ -9,12 +9,13 @@
 
 namespace cvo {
 namespace internal {
+
 std::vector<int> DecideLabels(const FrameView& view, const std::vector<FramePoint>& points,
                               const LabelScene& scene, const CrfResult& crf) {
   std::vector<int> labels = MostLikelyLabels(crf.q);
-  const std::vector<int>& given = view.given.feature_body;
+  const std::span<const BodyId> given = view.shown.feature_body;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (given.empty() || given[points[i].feature] < 0) continue;
+    if (given.empty() || !given[points[i].feature].valid()) continue;
     labels[i] = static_cast<int>(
         std::find(scene.given_body.begin(), scene.given_body.end(), given[points[i].feature]) -
         scene.given_body.begin());

@@ -27,7 +27,7 @@ struct FrameLabels {
   struct Birth {
     ClusterId id;
     int detection = -1;  // index; -1: from given labels alone
-    int given_body = -1;
+    BodyId given_body;
   };
   std::vector<Birth> births;  // by id, following map.next
   // Detections that Kuhn-Munkres gave to a live cluster that had none.
@@ -63,23 +63,21 @@ void AdoptDetections(const FrameLabels& labels, const ClusterMap& map,
                      std::vector<ClusterTrack>& tracks);
 
 // Which body every point of the frame belongs to (section 3.2 of the paper).
-template <typename Variant>
+template <UnaryTerm Box, UnaryTerm Affinity, UnaryTerm Motion, PairwisePolicy Pairwise,
+          ConfidencePolicy Confidence>
 FrameLabels LabelPoints(const FrameView& view, const Window& window, const ClusterMap& map,
                         const std::vector<ClusterTrack>& tracks,
                         const std::vector<FramePoint>& points) {
-  if (tracks.empty() && view.detections.empty() && view.given.feature_body.empty()) {
+  if (tracks.empty() && view.shown.detections.empty() && view.shown.feature_body.empty()) {
     return internal::AllStatic(window, map, points);
   }
   const LabelScene scene = BuildLabelScene(view, window, map, tracks, points);
-  const UnaryEnergies unary =
-      ComputeUnaries<typename Variant::BoxTerm, typename Variant::AffinityTerm,
-                     typename Variant::MotionTerm>(scene.crf, view.options.unary);
+  const UnaryEnergies unary = ComputeUnaries<Box, Affinity, Motion>(scene.crf, view.options.unary);
   Eigen::Matrix3Xd positions(3, static_cast<Eigen::Index>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
     positions.col(static_cast<Eigen::Index>(i)) = scene.crf.nodes[i].p_in_camera;
   }
-  const CrfResult crf =
-      InferDenseCrf<typename Variant::Pairwise>(unary.total, positions, view.options.pairwise);
+  const CrfResult crf = InferDenseCrf<Pairwise>(unary.total, positions, view.options.pairwise);
   const std::vector<int> decided = internal::DecideLabels(view, points, scene, crf);
 
   FrameLabels labels;
@@ -91,8 +89,8 @@ FrameLabels LabelPoints(const FrameView& view, const Window& window, const Clust
     label.inferred = cluster_of[decided[i]];
     const Landmark* landmark = FindLandmark(points[i], window, map);
     label.assigned = landmark ? landmark->label : LabelState{label.inferred, 1};
-    if (landmark && Variant::Confidence::Update(label.inferred, view.options.confidence,
-                                                label.assigned) == LabelOutcome::kRemove) {
+    if (landmark && Confidence::Update(label.inferred, view.options.confidence, label.assigned) ==
+                        LabelOutcome::kRemove) {
       label.assigned.cluster = ClusterId{};
     }
     label.energy_2d = unary.box(row, decided[i]);

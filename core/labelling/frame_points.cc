@@ -15,7 +15,7 @@ bool AnyContains(const Boxes& boxes, const StereoFeature& feature, BoxOf box_of)
   });
 }
 
-bool IsDetected(const std::vector<Detection>& detections, const StereoFeature& feature) {
+bool IsDetected(std::span<const Detection> detections, const StereoFeature& feature) {
   return AnyContains(detections, feature, [](const Detection& d) { return d.box; });
 }
 
@@ -26,7 +26,7 @@ bool IsExpected(const std::vector<ClusterTrack>& tracks, const StereoFeature& fe
 }  // namespace
 
 std::vector<int> SceneFeatures(const std::vector<StereoFeature>& features,
-                               const std::vector<Detection>& detections) {
+                               std::span<const Detection> detections) {
   std::vector<int> indices;
   for (int i = 0; i < static_cast<int>(features.size()); ++i) {
     if (!features[i].is_reserve || IsDetected(detections, features[i])) indices.push_back(i);
@@ -39,12 +39,12 @@ std::vector<FramePoint> CollectPoints(const FrameView& view,
                                       const std::vector<ClusterTrack>& tracks) {
   std::vector<FramePoint> by_feature(view.frame.features.size());
   for (const Match& match : static_matches) {
-    by_feature[match.feature].body = FramePoint::kStaticBody;
+    by_feature[match.feature].owner = kSceneOwner;
     by_feature[match.feature].landmark = match.landmark;
   }
   for (int q = 0; q < static_cast<int>(tracks.size()); ++q) {
     for (const Match& match : tracks[q].matches) {
-      by_feature[match.feature].body = q + 1;
+      by_feature[match.feature].owner = ClusterOwner(q);
       by_feature[match.feature].landmark = match.landmark;
     }
   }
@@ -53,12 +53,12 @@ std::vector<FramePoint> CollectPoints(const FrameView& view,
     FramePoint point = by_feature[i];
     point.feature = i;
     const StereoFeature& feature = view.frame.features[i];
-    const bool is_new = point.body == FramePoint::kNoBody;
+    const bool is_new = point.owner == kNoOwner;
     if (is_new && view.camera.Disparity(feature.z_px) < view.options.tracking.min_disparity_px) {
       continue;
     }
-    const bool is_wanted =
-        !feature.is_reserve || IsDetected(view.detections, feature) || IsExpected(tracks, feature);
+    const bool is_wanted = !feature.is_reserve || IsDetected(view.shown.detections, feature) ||
+                           IsExpected(tracks, feature);
     if (is_new && !is_wanted) continue;
     points.push_back(point);
   }
@@ -66,14 +66,14 @@ std::vector<FramePoint> CollectPoints(const FrameView& view,
 }
 
 const Landmark* FindLandmark(const FramePoint& point, const Window& window, const ClusterMap& map) {
-  if (point.body == FramePoint::kNoBody) return nullptr;
-  if (point.body == FramePoint::kStaticBody) return &window.landmarks[point.landmark];
-  return &map.live[point.body - 1].landmarks[point.landmark];
+  if (point.owner == kNoOwner) return nullptr;
+  if (point.owner == kSceneOwner) return &window.landmarks[point.landmark];
+  return &map.live[point.owner.cluster].landmarks[point.landmark];
 }
 
-std::optional<RigidTransform> BodyPose(int body, FrameId frame, const ClusterMap& map) {
-  if (body == FramePoint::kStaticBody) return RigidTransform();
-  const ClusterState* state = FindState(map.live[body - 1], frame);
+std::optional<RigidTransform> OwnerPose(PointOwner owner, FrameId frame, const ClusterMap& map) {
+  if (owner == kSceneOwner) return RigidTransform();
+  const ClusterState* state = FindState(map.live[owner.cluster], frame);
   if (!state) return std::nullopt;
   return state->world_from_object;
 }

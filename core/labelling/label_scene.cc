@@ -3,65 +3,55 @@
 #include "core/labelling/label_scene.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <set>
 
+#include "core/clustering/depth_mode.h"
 #include "core/clustering/point_extent.h"
 
 namespace cvo {
 namespace {
 
-// The motion term looks this many frames back, or less where a landmark is younger. The paper has
-// T = {t - 5, t}; at 30 Hz a slow body hardly moves in five frames, and T_t holds fourteen.
-constexpr int kPastFrames = 14;
-
 // Frames before the current one, the farthest first; null where the window does not hold one.
-using PastFrames = std::array<const WindowFrame*, kPastFrames>;
+using PastFrames = std::vector<const WindowFrame*>;
 
-PastFrames FindPastFrames(const Window& window) {
-  PastFrames past{};
+PastFrames FindPastFrames(const Window& window, int frames) {
+  PastFrames past(static_cast<std::size_t>(frames));
+  if (window.temporal.empty()) return past;
   const std::int64_t newest = window.temporal.back().id.value;
-  for (int k = 0; k < kPastFrames; ++k) {
-    past[k] = window.Find(FrameId{newest - (kPastFrames - 1) + k});
+  for (int k = 0; k < frames; ++k) {
+    past[k] = window.Find(FrameId{newest - (frames - 1) + k});
   }
   return past;
-}
-
-double ScaleOf(const FrameView& view, int octave) {
-  return std::pow(view.options.orb.scale_factor, octave);
 }
 
 CrfNode MakeNode(const FrameView& view, const FramePoint& point, const Landmark* landmark,
                  const PastFrames& past) {
   const StereoFeature& feature = view.frame.features[point.feature];
-  const Eigen::Matrix3d noise =
-      MeasurementCovariance(view.options.noise, ScaleOf(view, feature.octave));
+  const FeatureNoise noise = view.options.NoiseOfFeatures();
   CrfNode node;
   node.z_px = feature.z_px;
   if (const auto p = view.camera.BackProject(feature.z_px)) node.p_in_camera = *p;
-  node.covariance_m2 = view.camera.PointCovariance(feature.z_px, noise);
-  for (int k = 0; landmark && k < kPastFrames; ++k) {
+  node.covariance_m2 = view.camera.PointCovariance(feature.z_px, noise.Covariance(feature.octave));
+  for (int k = 0; landmark && k < static_cast<int>(past.size()); ++k) {
     const Observation* seen = past[k] ? FindObservation(*landmark, past[k]->id) : nullptr;
     if (!seen) continue;
-    node.past = CrfNode::Past{
-        k, seen->z_px, MeasurementCovariance(view.options.noise, ScaleOf(view, seen->octave))};
+    node.past = CrfNode::Past{k, seen->z_px, noise.Covariance(seen->octave)};
     break;
   }
   return node;
 }
 
-// past_camera_from_body(then) * body_from_camera(now), by past frame.
-std::vector<std::optional<RigidTransform>> PastFromNow(const FrameView& view, int body,
-                                                       const RigidTransform& world_from_body,
+// past_camera_from_object(then) * object_from_camera(now), by past frame.
+std::vector<std::optional<RigidTransform>> PastFromNow(const FrameView& view, PointOwner owner,
+                                                       const RigidTransform& world_from_object,
                                                        const ClusterMap& map,
                                                        const PastFrames& past) {
-  std::vector<std::optional<RigidTransform>> transforms(kPastFrames);
-  const RigidTransform body_from_camera = world_from_body.Inverse() * view.world_from_camera;
-  for (int k = 0; k < kPastFrames; ++k) {
+  std::vector<std::optional<RigidTransform>> transforms(past.size());
+  const RigidTransform object_from_camera = world_from_object.Inverse() * view.world_from_camera;
+  for (std::size_t k = 0; k < past.size(); ++k) {
     if (!past[k]) continue;
-    const auto then = BodyPose(body, past[k]->id, map);
-    if (then) transforms[k] = past[k]->world_from_camera.Inverse() * *then * body_from_camera;
+    const auto then = OwnerPose(owner, past[k]->id, map);
+    if (then) transforms[k] = past[k]->world_from_camera.Inverse() * *then * object_from_camera;
   }
   return transforms;
 }
@@ -81,16 +71,16 @@ CrfLabel ClusterLabel(const FrameView& view, int q, const ClusterMap& map,
   CrfLabel label;
   label.kind = LabelKind::kCluster;
   if (track.detection >= 0) {
-    label.box = view.detections[track.detection].box;
+    label.box = view.shown.detections[track.detection].box;
   } else if (track.box.Width() > 0.0) {
     label.predicted_box = track.box;
   }
   label.extent = CrfLabel::Extent{camera_from_object * cluster.center_in_object,
                                   camera_from_object.RotationMatrix(), cluster.half_size_m};
   if (label.box) GrowToBox(view, *label.box, *label.extent);
-  label.past_from_now.resize(kPastFrames);
+  label.past_from_now.resize(past.size());
   if (track.is_tracked) {
-    label.past_from_now = PastFromNow(view, q + 1, track.world_from_object, map, past);
+    label.past_from_now = PastFromNow(view, ClusterOwner(q), track.world_from_object, map, past);
   }
   return label;
 }
@@ -104,7 +94,7 @@ std::optional<CrfLabel::Extent> NewBoxExtent(const FrameView& view, const ImageB
   std::vector<Eigen::Vector3d> inside;
   std::vector<double> depths;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].body > FramePoint::kStaticBody) continue;
+    if (points[i].owner.kind == PointOwner::Kind::kCluster) continue;
     if (!inner.Contains(nodes[i].z_px[0], nodes[i].z_px[1])) continue;
     inside.push_back(nodes[i].p_in_camera);
     depths.push_back(nodes[i].p_in_camera.z());
@@ -122,13 +112,13 @@ std::optional<CrfLabel::Extent> NewBoxExtent(const FrameView& view, const ImageB
 
 // Bodies that given labels tell of and no label stands for yet.
 void AddGivenBodies(const FrameView& view, LabelScene& scene) {
-  const std::vector<int>& bodies = view.given.feature_body;
-  for (const int body : std::set<int>(bodies.begin(), bodies.end())) {
+  const std::span<const BodyId> bodies = view.shown.feature_body;
+  for (const BodyId body : std::set<BodyId>(bodies.begin(), bodies.end())) {
     const auto known = std::find(scene.given_body.begin(), scene.given_body.end(), body);
-    if (body < 1 || known != scene.given_body.end()) continue;
+    if (body <= kStaticBody || known != scene.given_body.end()) continue;
     CrfLabel label;
     label.kind = LabelKind::kNewBox;
-    label.past_from_now.resize(kPastFrames);
+    label.past_from_now.resize(view.options.unary.past_frames);
     scene.crf.labels.push_back(label);
     scene.detection.push_back(-1);
     scene.given_body.push_back(body);
@@ -140,7 +130,7 @@ void AddGivenBodies(const FrameView& view, LabelScene& scene) {
 LabelScene BuildLabelScene(const FrameView& view, const Window& window, const ClusterMap& map,
                            const std::vector<ClusterTrack>& tracks,
                            const std::vector<FramePoint>& points) {
-  const PastFrames past = window.temporal.empty() ? PastFrames{} : FindPastFrames(window);
+  const PastFrames past = FindPastFrames(window, view.options.unary.past_frames);
   LabelScene scene;
   scene.crf.camera = view.camera;
   for (const FramePoint& point : points) {
@@ -148,38 +138,38 @@ LabelScene BuildLabelScene(const FrameView& view, const Window& window, const Cl
   }
   CrfLabel still;
   still.kind = LabelKind::kStatic;
-  still.past_from_now = PastFromNow(view, FramePoint::kStaticBody, RigidTransform(), map, past);
+  still.past_from_now = PastFromNow(view, kSceneOwner, RigidTransform(), map, past);
   scene.crf.labels.push_back(still);
 
-  std::vector<char> is_claimed(view.detections.size(), 0);
+  std::vector<char> is_claimed(view.shown.detections.size(), 0);
   scene.clusters = static_cast<int>(tracks.size());
   for (int q = 0; q < scene.clusters; ++q) {
     scene.crf.labels.push_back(ClusterLabel(view, q, map, tracks[q], past));
     if (tracks[q].detection >= 0) is_claimed[tracks[q].detection] = 1;
   }
   scene.detection.assign(scene.crf.labels.size(), -1);
-  scene.given_body.push_back(0);
+  scene.given_body.push_back(kStaticBody);
   for (const Cluster& cluster : map.live) scene.given_body.push_back(cluster.given_body);
-  for (int m = 0; m < static_cast<int>(view.detections.size()); ++m) {
+  for (int m = 0; m < static_cast<int>(view.shown.detections.size()); ++m) {
     if (is_claimed[m]) continue;
     CrfLabel label;
     label.kind = LabelKind::kNewBox;
-    label.box = view.detections[m].box;
-    label.extent = NewBoxExtent(view, view.detections[m].box, points, scene.crf.nodes);
-    label.past_from_now.resize(kPastFrames);
+    label.box = view.shown.detections[m].box;
+    label.extent = NewBoxExtent(view, view.shown.detections[m].box, points, scene.crf.nodes);
+    label.past_from_now.resize(view.options.unary.past_frames);
     if (!label.extent) continue;
     scene.crf.labels.push_back(label);
     scene.detection.push_back(m);
-    const std::vector<int>& given = view.given.detection_body;
-    scene.given_body.push_back(given.empty() ? -1 : given[m]);
+    const std::span<const BodyId> given = view.shown.detection_body;
+    scene.given_body.push_back(given.empty() ? BodyId() : given[m]);
   }
   AddGivenBodies(view, scene);
   CrfLabel outlier;
   outlier.kind = LabelKind::kOutlier;
-  outlier.past_from_now.resize(kPastFrames);
+  outlier.past_from_now.resize(past.size());
   scene.crf.labels.push_back(outlier);
   scene.detection.push_back(-1);
-  scene.given_body.push_back(-1);
+  scene.given_body.push_back(BodyId());
   return scene;
 }
 

@@ -12,10 +12,10 @@ namespace cvo {
 // The classes of the CRF in one frame, M = N1 + N2 + 1: the static scene and the live clusters,
 // detections that belong to none of them, and the outlier class last.
 struct LabelScene {
-  CrfScene crf;                 // nodes by point
-  std::vector<int> detection;   // by label: a new box's detection; -1 for the others
-  std::vector<int> given_body;  // by label: GivenKnowledge's number for it; -1: unknown
-  int clusters = 0;             // labels 1 ... clusters are map.live[0], ...
+  CrfScene crf;                    // nodes by point
+  std::vector<int> detection;      // by label: a new box's detection; -1 for the others
+  std::vector<BodyId> given_body;  // by label, as GivenKnowledge says; invalid: unknown
+  int clusters = 0;                // labels 1 ... clusters are map.live[0], ...
 
   int Outlier() const { return static_cast<int>(crf.labels.size()) - 1; }
   bool IsNewBox(int label) const { return label > clusters && label < Outlier(); }

@@ -3,120 +3,124 @@
 #include "core/labelling/landmark_update.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
+
+#include "core/estimation/camera_solver.h"
 
 namespace cvo {
 namespace {
 
-// A body that can take landmarks in: its pose in the entering frame and where its landmarks are.
-struct Body {
-  int index = FramePoint::kNoBody;  // as FramePoint::body
-  RigidTransform world_from_body;
+// The static scene or a cluster, where it can take landmarks in: its pose in the entering frame and
+// where its landmarks are.
+struct Taker {
+  PointOwner owner;
+  RigidTransform world_from_object;
   std::vector<Landmark>* landmarks = nullptr;
   std::vector<Landmark> arriving;
   std::vector<char> is_leaving;
 };
 
-class Bodies {
+class Takers {
  public:
-  Bodies(const std::vector<ClusterTrack>& tracks, Window& window, ClusterMap& map) {
-    Add(kStaticScene, FramePoint::kStaticBody, RigidTransform(), window.landmarks);
+  Takers(const std::vector<ClusterTrack>& tracks, Window& window, ClusterMap& map) {
+    Add(kStaticScene, kSceneOwner, RigidTransform(), window.landmarks);
     for (int q = 0; q < static_cast<int>(map.live.size()); ++q) {
       Cluster& cluster = map.live[q];
       // Those born in this frame come after the tracks; their pose is their only state's.
       const bool is_new = q >= static_cast<int>(tracks.size());
       if (!is_new && !tracks[q].is_tracked) continue;
-      Add(cluster.id, q + 1,
+      Add(cluster.id, ClusterOwner(q),
           is_new ? cluster.Latest().world_from_object : tracks[q].world_from_object,
           cluster.landmarks);
     }
   }
 
-  Body* Find(ClusterId id) {
-    const auto it = bodies_.find(id);
-    return it == bodies_.end() ? nullptr : &it->second;
+  Taker* Find(ClusterId id) {
+    const auto it = takers_.find(id);
+    return it == takers_.end() ? nullptr : &it->second;
   }
 
   void Settle() {
-    for (auto& [id, body] : bodies_) {
-      std::vector<Landmark>& landmarks = *body.landmarks;
+    for (auto& [id, taker] : takers_) {
+      std::vector<Landmark>& landmarks = *taker.landmarks;
       std::size_t kept = 0;
       for (std::size_t i = 0; i < landmarks.size(); ++i) {
-        if (body.is_leaving[i]) continue;
+        if (taker.is_leaving[i]) continue;
         if (kept != i) landmarks[kept] = std::move(landmarks[i]);
         ++kept;
       }
       landmarks.resize(kept);
-      for (Landmark& landmark : body.arriving) landmarks.push_back(std::move(landmark));
+      for (Landmark& landmark : taker.arriving) landmarks.push_back(std::move(landmark));
       std::sort(landmarks.begin(), landmarks.end(),
                 [](const Landmark& a, const Landmark& b) { return a.id < b.id; });
     }
   }
 
  private:
-  void Add(ClusterId id, int index, const RigidTransform& pose, std::vector<Landmark>& landmarks) {
-    bodies_[id] = {index, pose, &landmarks, {}, std::vector<char>(landmarks.size(), 0)};
+  void Add(ClusterId id, PointOwner owner, const RigidTransform& pose,
+           std::vector<Landmark>& landmarks) {
+    takers_[id] = {owner, pose, &landmarks, {}, std::vector<char>(landmarks.size(), 0)};
   }
 
-  std::map<ClusterId, Body> bodies_;
+  std::map<ClusterId, Taker> takers_;
 };
 
 // Adds the feature as the landmark's observation of the frame.
-void Observe(const FrameView& view, const WindowFrame& frame, const Body& body,
+void Observe(const FrameView& view, const WindowFrame& frame, const Taker& taker,
              const StereoFeature& feature, double depth_m, Landmark& landmark) {
   landmark.observations.push_back({frame.id, feature.z_px, feature.octave});
   landmark.descriptor = feature.descriptor;
   landmark.depth_m = std::max(depth_m, StereoCamera::kMinDepth_m);
   landmark.last_octave = feature.octave;
   landmark.last_seen = frame.id;
-  if (body.index == FramePoint::kStaticBody) return;
+  if (taker.owner == kSceneOwner) return;
 
-  const RigidTransform body_from_camera = body.world_from_body.Inverse() * frame.world_from_camera;
-  landmark.view_in_body =
-      (Eigen::Vector3d(body_from_camera.translation()) - landmark.p_in_body).normalized();
-  const double scale = std::pow(view.options.orb.scale_factor, feature.octave);
-  const Eigen::Matrix3d in_camera =
-      view.camera.PointCovariance(feature.z_px, MeasurementCovariance(view.options.noise, scale));
+  const RigidTransform object_from_camera =
+      taker.world_from_object.Inverse() * frame.world_from_camera;
+  landmark.view_in_object =
+      (Eigen::Vector3d(object_from_camera.translation()) - landmark.p_in_object).normalized();
+  const Eigen::Matrix3d in_camera = view.camera.PointCovariance(
+      feature.z_px, view.options.NoiseOfFeatures().Covariance(feature.octave));
   const double determinant = in_camera.determinant();
   if (determinant >= landmark.covariance.determinant) return;
-  const Eigen::Matrix3d R = body_from_camera.RotationMatrix();
+  const Eigen::Matrix3d R = object_from_camera.RotationMatrix();
   landmark.covariance = {R * in_camera * R.transpose(), determinant};
 }
 
-double DepthIn(const WindowFrame& frame, const Body& body, const Landmark& landmark) {
-  return (frame.world_from_camera.Inverse() * (body.world_from_body * landmark.p_in_body)).z();
+double DepthIn(const WindowFrame& frame, const Taker& taker, const Landmark& landmark) {
+  return (frame.world_from_camera.Inverse() * (taker.world_from_object * landmark.p_in_object)).z();
 }
 
-// Those of the observations of the landmark that the body's motion explains.
+// Those of the observations of the landmark that the taker's motion explains.
 std::vector<Observation> Agreeing(const FrameView& view, const Window& window,
-                                  const ClusterMap& map, const Body& body, const Landmark& landmark,
+                                  const ClusterMap& map, const Taker& taker,
+                                  const Landmark& landmark,
                                   const std::vector<Observation>& observations) {
   std::vector<Observation> agreeing;
   for (const Observation& seen : observations) {
     const WindowFrame* frame = window.Find(seen.frame);
-    const auto pose = frame ? BodyPose(body.index, seen.frame, map) : std::nullopt;
+    const auto pose = frame ? OwnerPose(taker.owner, seen.frame, map) : std::nullopt;
     if (!pose) continue;
-    const double scale = std::pow(view.options.orb.scale_factor, seen.octave);
-    const PointMeasurement m{*pose * landmark.p_in_body, seen.z_px,
-                             SqrtInformation(view.options.noise, scale)};
+    const PointMeasurement m{*pose * landmark.p_in_object, seen.z_px,
+                             view.options.NoiseOfFeatures().SqrtInformation(seen.octave)};
     const auto error = WhitenedError(view.camera, m, frame->world_from_camera.Inverse());
     if (error && error->squaredNorm() <= view.options.noise.gate) agreeing.push_back(seen);
   }
   return agreeing;
 }
 
-// The point of the feature as a landmark of the body, not yet observed; empty where it has none.
+// The point of the feature as a landmark of the taker, not yet observed; empty where it has none.
 std::optional<Landmark> MakeLandmark(const FrameView& view, const WindowFrame& frame,
-                                     const Body& body, const StereoFeature& feature) {
+                                     const Taker& taker, const StereoFeature& feature) {
   const auto p_in_camera = view.camera.BackProject(feature.z_px);
   if (!p_in_camera) return std::nullopt;
   Landmark landmark;
-  landmark.p_in_body = body.world_from_body.Inverse() * (frame.world_from_camera * *p_in_camera);
+  landmark.p_in_object =
+      taker.world_from_object.Inverse() * (frame.world_from_camera * *p_in_camera);
   return landmark;
 }
 
-// The frame's points, one by one, into the bodies' landmarks.
+// The frame's points, one by one, into the takers' landmarks.
 class Updater {
  public:
   Updater(const FrameView& view, const WindowFrame& entering,
@@ -125,11 +129,11 @@ class Updater {
         entering_(entering),
         window_(window),
         map_(map),
-        bodies_(tracks, window, map) {}
+        takers_(tracks, window, map) {}
 
-  // A feature without landmark becomes one of the body. False where the body cannot take it in.
+  // A feature without landmark becomes one. False where its label's owner cannot take it in.
   bool Create(const StereoFeature& feature, const LabelState& label, LandmarkId id) {
-    Body* to = bodies_.Find(label.cluster);
+    Taker* to = takers_.Find(label.cluster);
     std::optional<Landmark> landmark;
     if (to) landmark = MakeLandmark(view_, entering_, *to, feature);
     if (!landmark) return false;
@@ -141,15 +145,15 @@ class Updater {
 
   void Update(const FramePoint& point, const StereoFeature& feature, const LabelState& label) {
     const ClusterId owner =
-        point.body == FramePoint::kStaticBody ? kStaticScene : map_.live[point.body - 1].id;
-    Body* from = bodies_.Find(owner);
+        point.owner == kSceneOwner ? kStaticScene : map_.live[point.owner.cluster].id;
+    Taker* from = takers_.Find(owner);
     Require(from != nullptr, "UpdateLandmarks: a cluster without a pose has matches");
     Landmark& landmark = (*from->landmarks)[point.landmark];
     if (label.cluster == owner) {
       landmark.label = label;
     } else {
-      Body* to = bodies_.Find(label.cluster);
-      // A body that cannot take it in leaves it where it is; that of no body's is removed.
+      Taker* to = takers_.Find(label.cluster);
+      // One that cannot take it in leaves it where it is; what is no body's is removed.
       if (to || !label.cluster.valid()) {
         from->is_leaving[point.landmark] = 1;
         if (to) Move(landmark, feature, label, *to);
@@ -159,10 +163,10 @@ class Updater {
     Observe(view_, entering_, *from, feature, DepthIn(entering_, *from, landmark), landmark);
   }
 
-  void Settle() { bodies_.Settle(); }
+  void Settle() { takers_.Settle(); }
 
  private:
-  void Move(const Landmark& old, const StereoFeature& feature, const LabelState& label, Body& to) {
+  void Move(const Landmark& old, const StereoFeature& feature, const LabelState& label, Taker& to) {
     std::optional<Landmark> moved = MakeLandmark(view_, entering_, to, feature);
     if (!moved) return;
     moved->id = old.id;
@@ -171,7 +175,7 @@ class Updater {
     Arrive(feature, std::move(*moved), to);
   }
 
-  void Arrive(const StereoFeature& feature, Landmark landmark, Body& to) {
+  void Arrive(const StereoFeature& feature, Landmark landmark, Taker& to) {
     Observe(view_, entering_, to, feature, DepthIn(entering_, to, landmark), landmark);
     to.arriving.push_back(std::move(landmark));
   }
@@ -180,7 +184,7 @@ class Updater {
   const WindowFrame& entering_;
   const Window& window_;
   const ClusterMap& map_;
-  Bodies bodies_;
+  Takers takers_;
 };
 
 }  // namespace

@@ -12,9 +12,6 @@
 namespace cvo {
 namespace {
 
-// Landmarks that a lost frame is compared with: seen in so many latest frames.
-constexpr int kRecoveryFrames = 5;
-
 struct Visible {
   std::vector<ProjectedLandmark> projected;
   std::vector<int> landmark;  // index into window.landmarks, by projected
@@ -27,7 +24,7 @@ Visible ProjectLandmarks(const Options& options, const Window& window,
   Visible visible;
   for (int i = 0; i < static_cast<int>(window.landmarks.size()); ++i) {
     const Landmark& landmark = window.landmarks[i];
-    const Eigen::Vector3d p_in_camera = camera_from_world * landmark.p_in_body;
+    const Eigen::Vector3d p_in_camera = camera_from_world * landmark.p_in_object;
     const auto zeta = window.camera.Project(p_in_camera);
     if (!zeta || !window.camera.InImage((*zeta)[0], (*zeta)[1])) continue;
     const int octave =
@@ -57,7 +54,8 @@ std::optional<RigidTransform> FindWithoutPrediction(const Options& options, cons
   std::vector<int> landmark;
   const FrameId newest = window.temporal.back().id;
   for (int i = 0; i < static_cast<int>(window.landmarks.size()); ++i) {
-    if (window.landmarks[i].last_seen.value <= newest.value - kRecoveryFrames) continue;
+    if (window.landmarks[i].last_seen.value <= newest.value - options.tracking.recovery_frames)
+      continue;
     descriptors.push_back(window.landmarks[i].descriptor);
     landmark.push_back(i);
   }
@@ -66,7 +64,8 @@ std::optional<RigidTransform> FindWithoutPrediction(const Options& options, cons
                        options.tracking.recovery_ratio);
   for (Match& match : matches) match.landmark = landmark[match.landmark];
   const auto solution = SolveCameraRansac(
-      window.camera, MeasurementsOf(options, window.landmarks, grid.features(), matches),
+      window.camera,
+      MeasurementsOf(options.NoiseOfFeatures(), window.landmarks, grid.features(), matches),
       options.noise, options.tracking.recovery_iterations, options.tracking.min_inliers, rng);
   if (!solution) return std::nullopt;
   return solution->world_from_camera;
@@ -86,7 +85,8 @@ CameraTrack MatchAround(const Options& options, const Window& window, const Feat
   const std::vector<Match> matches =
       SearchAround(options, window, grid, world_from_camera, options.matching.narrow_radius_px);
   const CameraSolution agreeing = ClassifyMeasurements(
-      window.camera, MeasurementsOf(options, window.landmarks, grid.features(), matches),
+      window.camera,
+      MeasurementsOf(options.NoiseOfFeatures(), window.landmarks, grid.features(), matches),
       world_from_camera, options.noise.gate);
   return {world_from_camera, Inliers(matches, agreeing), static_cast<int>(matches.size())};
 }
@@ -99,9 +99,10 @@ std::optional<CameraTrack> TrackCamera(const Options& options, const Window& win
                                        bool is_given, Rng& rng) {
   if (is_given) return MatchAround(options, window, grid, predicted_world_from_camera);
   const auto solve = [&](const std::vector<Match>& matches, const RigidTransform& initial) {
-    return SolveCamera(window.camera,
-                       MeasurementsOf(options, window.landmarks, grid.features(), matches), initial,
-                       options.noise);
+    return SolveCamera(
+        window.camera,
+        MeasurementsOf(options.NoiseOfFeatures(), window.landmarks, grid.features(), matches),
+        initial, options.noise);
   };
   const std::vector<Match> wide = SearchAround(options, window, grid, predicted_world_from_camera,
                                                options.matching.wide_radius_px);

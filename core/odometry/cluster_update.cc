@@ -6,54 +6,29 @@
 #include <cmath>
 
 #include "core/clustering/point_extent.h"
-#include "core/clusters/box_fix.h"
+#include "core/clusters/box_center.h"
 
 namespace cvo {
 namespace {
 
 // Where the box puts the body's centre.
-void AddFix(const FrameView& view, const ClusterTrack& track, Cluster& cluster) {
+void AddBoxCenter(const FrameView& view, const ClusterTrack& track, Cluster& cluster) {
   if (track.matches.empty()) return;
   Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(track.matches.size()));
   for (std::size_t i = 0; i < track.matches.size(); ++i) {
     points.col(static_cast<Eigen::Index>(i)) =
-        track.world_from_object * cluster.landmarks[track.matches[i].landmark].p_in_body;
+        track.world_from_object * cluster.landmarks[track.matches[i].landmark].p_in_object;
   }
   const Eigen::Vector3d surface = PrincipalAxes(points, view.options.extent).translation();
-  const BoxFix fix = FixFromBox(view, track.detection, surface);
+  const BoxCenter box = CenterFromBox(view, track.detection, surface);
   const RigidTransform object_from_world = track.world_from_object.Inverse();
   const Eigen::Matrix3d R = object_from_world.RotationMatrix();
-  cluster.box_center.Add(object_from_world * fix.center_in_world,
-                         R * fix.information * R.transpose());
+  cluster.box_center.Add(object_from_world * box.center_in_world,
+                         R * box.information * R.transpose());
 }
 
-}  // namespace
-
-void AddStates(const FrameView& view, FrameId newest, const std::vector<ClusterTrack>& tracks,
-               ClusterMap& map) {
-  for (std::size_t q = 0; q < tracks.size(); ++q) {
-    Cluster& cluster = map.live[q];
-    const ClusterTrack& track = tracks[q];
-    cluster.detection = track.detection;
-    if (track.detection >= 0) {
-      ++cluster.detections;
-      cluster.last_detected = newest;
-      cluster.score = view.detections[track.detection].score;
-    } else {
-      cluster.score *= view.options.clusters.score_decay;
-    }
-    if (!track.is_tracked) continue;
-    if (track.detection >= 0) AddFix(view, track, cluster);
-    cluster.states.push_back(
-        {newest, view.frame.timestamp_ns, track.world_from_object, track.predicted.velocity_m_s});
-    cluster.last_observed = newest;
-    ++cluster.frames;
-  }
-}
-
-namespace internal {
-
-ClusterReport DescribeCluster(const Options& options, FrameId newest, const Cluster& cluster) {
+ClusterReport DescribeCluster(const ClusterOptions& options, FrameId newest,
+                              const Cluster& cluster) {
   ClusterReport report;
   report.id = cluster.id;
   report.category = cluster.category;
@@ -66,12 +41,13 @@ ClusterReport DescribeCluster(const Options& options, FrameId newest, const Clus
                     [&](const Landmark& landmark) { return landmark.last_seen == newest; }));
   report.detection = cluster.last_detected == newest ? cluster.detection : -1;
   report.score = cluster.score;
-  const bool is_tracked = cluster.Latest().frame == newest &&
-                          report.observed_landmarks >= options.clusters.min_observed;
+  const bool is_tracked =
+      cluster.Latest().frame == newest && report.observed_landmarks >= options.min_observed;
   report.status = is_tracked ? ClusterStatus::kTracked : ClusterStatus::kPredicted;
   return report;
 }
 
+// Overwrites the poses of the cluster's states and appends the frame's.
 void RecordTrajectory(const Cluster& cluster, const ClusterReport& report, FrameId newest,
                       std::int64_t timestamp_ns, ClusterTrajectory& trajectory) {
   trajectory.id = cluster.id;
@@ -88,7 +64,46 @@ void RecordTrajectory(const Cluster& cluster, const ClusterReport& report, Frame
   }
 }
 
-}  // namespace internal
+}  // namespace
+
+void AddStates(const FrameView& view, FrameId newest, const std::vector<ClusterTrack>& tracks,
+               ClusterMap& map) {
+  for (std::size_t q = 0; q < tracks.size(); ++q) {
+    Cluster& cluster = map.live[q];
+    const ClusterTrack& track = tracks[q];
+    cluster.detection = track.detection;
+    if (track.detection >= 0) {
+      ++cluster.detections;
+      cluster.last_detected = newest;
+      cluster.score = view.shown.detections[track.detection].score;
+    } else {
+      cluster.score *= view.options.clusters.score_decay;
+    }
+    if (!track.is_tracked) continue;
+    if (track.detection >= 0) AddBoxCenter(view, track, cluster);
+    cluster.states.push_back(
+        {newest, view.frame.timestamp_ns, track.world_from_object, track.predicted.velocity_m_s});
+    cluster.last_observed = newest;
+    ++cluster.frames;
+  }
+}
+
+std::vector<ClusterReport> ReportClusters(const ClusterOptions& options, FrameId newest,
+                                          std::int64_t timestamp_ns,
+                                          const ClusterPredictor& predict, ClusterMap& map) {
+  std::vector<ClusterReport> reports;
+  for (const Cluster& cluster : map.live) {
+    ClusterReport report = DescribeCluster(options, newest, cluster);
+    if (cluster.Latest().frame < newest) {
+      const PredictedCluster predicted = predict(cluster);
+      report.world_from_object = predicted.world_from_object;
+      report.velocity_m_s = predicted.velocity_m_s;
+    }
+    RecordTrajectory(cluster, report, newest, timestamp_ns, map.trajectories[cluster.id]);
+    if (IsConfirmed(cluster, options)) reports.push_back(std::move(report));
+  }
+  return reports;
+}
 
 std::vector<LandmarkReport> ReportLandmarks(const FrameView& view,
                                             const std::vector<FramePoint>& points,

@@ -6,12 +6,12 @@
 #include "core/base/rng.h"
 #include "core/clusters/cluster_association.h"
 #include "core/clusters/cluster_optimization.h"
-#include "core/clusters/identity.h"
 #include "core/estimation/double_track.h"
 #include "core/interface/odometry.h"
 #include "core/labelling/cluster_birth.h"
 #include "core/labelling/cluster_labels.h"
 #include "core/labelling/landmark_update.h"
+#include "core/odometry/axes.h"
 #include "core/odometry/camera_tracking.h"
 #include "core/odometry/cluster_update.h"
 #include "core/odometry/motion_model.h"
@@ -20,7 +20,7 @@
 namespace cvo {
 
 // The per-frame loop; the policies of `Variant` are its steps (variants/).
-template <typename Variant>
+template <EstimatorVariant Variant>
 class VisualOdometry final : public Odometry {
  public:
   VisualOdometry(const OdometrySetup& setup, TaskPool& pool)
@@ -29,7 +29,7 @@ class VisualOdometry final : public Odometry {
         pool_(pool),
         rng_(setup.seed, "odometry"),
         cluster_rng_(setup.seed, "clusters"),
-        double_track_(options_.window, options_.noise, options_.orb.scale_factor) {
+        double_track_(options_.window, options_.NoiseOfFeatures()) {
     camera_.Check();
     options_.Check();
   }
@@ -38,10 +38,10 @@ class VisualOdometry final : public Odometry {
     CheckGiven(frame);
     FrameReport report = Begin(frame.timestamp_ns);
     report.features = static_cast<int>(frame.features.size());
-    const auto& detections = Variant::Detections::Shown(frame);
+    const ShownBodies shown = Variant::Detections::Show(frame);
     const FeatureGrid grid(frame.features, camera_);
     const FeatureGrid scene_grid(frame.features, camera_,
-                                 SceneFeatures(frame.features, detections));
+                                 SceneFeatures(frame.features, shown.detections));
     const RigidTransform predicted =
         frame.given.world_from_camera.value_or(motion_.Predict(frame.timestamp_ns));
 
@@ -57,20 +57,17 @@ class VisualOdometry final : public Odometry {
     const std::vector<Match> static_matches = track ? track->inliers : std::vector<Match>();
     const WindowFrame entering{newest_, track ? track->world_from_camera : predicted,
                                frame.given.world_from_camera.has_value()};
-    const FrameView view{options_,
-                         frame,
-                         detections,
-                         Variant::Detections::Given(frame),
-                         grid,
-                         window_.camera,
-                         entering.world_from_camera};
+    const FrameView view{options_, frame, shown, grid, window_.camera, entering.world_from_camera};
 
     // Features and boxes against the clusters (3.1, multi-level probabilistic association).
     std::vector<ClusterTrack> cluster_tracks;
     {
       const ScopedStage stage(times, "associate");
       TakenFeatures taken = TakenBy(static_matches, frame.features.size());
-      cluster_tracks = AssociateClusters<Variant>(view, clusters_, cluster_rng_, taken);
+      cluster_tracks =
+          AssociateClusters<typename Variant::LandmarkAssociation, typename Variant::BoxWeights,
+                            typename Variant::BoxRematch>(view, PredictorOfClusters(), clusters_,
+                                                          cluster_rng_, taken);
     }
 
     // Which body every point belongs to (3.2, heterogeneous CRF).
@@ -78,7 +75,10 @@ class VisualOdometry final : public Odometry {
     FrameLabels labels;
     {
       const ScopedStage stage(times, "label");
-      labels = LabelPoints<Variant>(view, window_, clusters_, cluster_tracks, points);
+      labels = LabelPoints<typename Variant::BoxTerm, typename Variant::AffinityTerm,
+                           typename Variant::MotionTerm, typename Variant::Pairwise,
+                           typename Variant::Confidence>(view, window_, clusters_, cluster_tracks,
+                                                         points);
       AdoptDetections(labels, clusters_, cluster_tracks);
     }
 
@@ -97,9 +97,11 @@ class VisualOdometry final : public Odometry {
     {
       const ScopedStage stage(times, "optimize");
       const WindowReport window =
-          OptimizeWindow<typename Variant::Gauge, typename Variant::Calibration>(options_, window_);
+          OptimizeWindow<typename Variant::Gauge, typename Variant::Calibration>(
+              options_.NoiseOfFeatures(), options_.solver, window_);
       report.window_landmarks = window.landmarks;
       report.window_iterations = window.iterations;
+      report.window_endings = window.endings;
       report.mean_error_px = window.mean_error_px;
       report.right_shift_px = window_.camera.right_shift_px;
     }
@@ -107,7 +109,9 @@ class VisualOdometry final : public Odometry {
     // Every cluster against the camera as it is now (3.3, dynamic clusters).
     {
       const ScopedStage stage(times, "optimize_clusters");
-      OptimizeClusters<typename Variant::MotionPrior>(options_, window_, pool_, clusters_);
+      report.cluster_endings = OptimizeClusters<typename Variant::MotionPrior>(
+          {options_.NoiseOfFeatures(), options_.solver, options_.motion_prior}, window_, pool_,
+          clusters_);
     }
     report.status = !track ? FrameStatus::kFirst
                            : (lost_ > 0 ? FrameStatus::kRecovered : FrameStatus::kTracked);
@@ -139,6 +143,12 @@ class VisualOdometry final : public Odometry {
     return {};
   }
 
+  // Of the frame's time.
+  ClusterPredictor PredictorOfClusters() const {
+    return PredictorAt<typename Variant::MotionPrior, typename Variant::Rotation>(
+        timestamp_ns_, options_.motion_prior, options_.clusters);
+  }
+
   // The first frame starts the map; so does a frame after tracking.restart_after lost ones.
   bool StartsMap(int features) const {
     const bool wanted = window_.temporal.empty() || lost_ >= options_.tracking.restart_after;
@@ -162,8 +172,8 @@ class VisualOdometry final : public Odometry {
     double_track_.Advance(entering, window_);
     for (Cluster& cluster : clusters_.live) {
       if (oldest && window_.temporal.front().id != oldest->id) {
-        AbsorbObservations(window_, *oldest, options_.noise, options_.orb.scale_factor,
-                           options_.clusters, cluster);
+        AbsorbObservations(window_, *oldest, options_.NoiseOfFeatures(), options_.clusters,
+                           cluster);
       }
       RemoveUnconfirmed(newest_, options_.window.lost_frames, cluster.landmarks);
       TrimCluster(window_, newest_, options_.clusters, cluster);
@@ -185,12 +195,11 @@ class VisualOdometry final : public Odometry {
 
   void EndClusters(FrameReport& report) {
     RetireClusters(newest_, options_.clusters, clusters_);
-    if constexpr (Variant::BoxRematch::kInherits) {
-      InheritIdentities(FindLostClusters<Variant>(options_, newest_, timestamp_ns_, clusters_),
-                        newest_, options_.association, options_.clusters, clusters_);
-      AlignWithFormer(options_, newest_, clusters_, cluster_rng_);
-    }
-    report.clusters = ReportClusters<Variant>(options_, newest_, timestamp_ns_, clusters_);
+    const ClusterPredictor predict = PredictorOfClusters();
+    Variant::Identity::Update(
+        {options_.identity, options_.association, options_.clusters, newest_, predict}, clusters_,
+        cluster_rng_);
+    report.clusters = ReportClusters(options_.clusters, newest_, timestamp_ns_, predict, clusters_);
   }
 
   FrameReport EndTracked(std::int64_t timestamp_ns, FrameReport report) {

@@ -32,13 +32,13 @@ double ApplySolution(const NoiseOptions& noise, const WindowProblem& problem,
   std::size_t next = 0;  // factors are in the order of landmarks and their observations
   for (std::size_t k = 0; k < landmarks.size(); ++k) {
     Landmark& landmark = window.landmarks[landmarks[k]];
-    landmark.p_in_body = problem.points[k];
+    landmark.p_in_object = problem.points[k];
     std::vector<Observation> kept;
     for (const Observation& observation : landmark.observations) {
       const ReprojectionFactor& factor = problem.factors[next++];
-      const auto error =
-          WhitenedError(problem.camera, {landmark.p_in_body, factor.z_px, factor.sqrt_information},
-                        camera_from_world[factor.pose]);
+      const auto error = WhitenedError(problem.camera,
+                                       {landmark.p_in_object, factor.z_px, factor.sqrt_information},
+                                       camera_from_world[factor.pose]);
       if (!error || error->squaredNorm() > noise.gate) continue;
       kept.push_back(observation);
       sum += error->squaredNorm();

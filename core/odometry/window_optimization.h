@@ -3,14 +3,15 @@
 #pragma once
 
 #include "core/estimation/window.h"
+#include "core/estimation/window_policies.h"
 #include "core/estimation/window_problem.h"
-#include "core/interface/options.h"
 
 namespace cvo {
 
 struct WindowReport {
   int landmarks = 0;
   int iterations = 0;
+  SolverEndings endings;
   double mean_error_px = 0.0;
 };
 
@@ -22,23 +23,26 @@ double ApplySolution(const NoiseOptions& noise, const WindowProblem& problem,
 
 // Bundle adjustment of the window (static energy of the paper's section 3.3). `Gauge` says which
 // frames are held, `Calibration` whether camera.right_shift_px is.
-template <typename Gauge, typename Calibration>
-WindowReport OptimizeWindow(const Options& options, Window& window) {
+template <GaugePolicy Gauge, CalibrationPolicy Calibration>
+WindowReport OptimizeWindow(const FeatureNoise& noise, const SolverOptions& options,
+                            Window& window) {
   WindowProblem problem = MakeFrames(window);
   const std::vector<const WindowFrame*> frames = window.Frames();
   for (std::size_t i = 0; i < problem.frames.size(); ++i) {
     problem.is_fixed[i] = frames[i]->is_given || Gauge::Fixes(static_cast<int>(i), problem.prior);
   }
   problem.is_right_shift_fixed = Calibration::kFixesRightShift;
-  const std::vector<int> landmarks = SelectLandmarks(window, options.solver.max_points);
+  const std::vector<int> landmarks = SelectLandmarks(window, options.max_points);
   for (const int i : landmarks) {
-    AddLandmark(window.landmarks[i], options.noise, options.orb.scale_factor, problem);
+    AddLandmark(window.landmarks[i], noise, problem);
   }
   WindowReport report;
   report.landmarks = static_cast<int>(landmarks.size());
   if (landmarks.empty()) return report;
-  report.iterations = SolveWindow(options.noise, options.solver, problem).iterations;
-  report.mean_error_px = ApplySolution(options.noise, problem, landmarks, window);
+  const SolverSummary summary = SolveWindow(noise.options, options, problem);
+  report.iterations = summary.iterations;
+  report.endings.Count(summary.ending);
+  report.mean_error_px = ApplySolution(noise.options, problem, landmarks, window);
   return report;
 }
 

@@ -48,7 +48,7 @@ void DifferentiatePositions(ClusterProblem& problem) {
   if (n > 1) problem.velocity_m_s[0] = problem.velocity_m_s[1];
 }
 
-struct ClusterState {
+struct ClusterVariables {
   std::vector<RigidTransform> world_from_object;
   std::vector<Eigen::Vector3d> velocity_m_s;
   std::vector<Eigen::Vector3d> points;
@@ -74,7 +74,7 @@ class ClusterModel {
   }
 
   const std::vector<int>& pose_of_frame() const { return pose_of_frame_; }
-  const ClusterState& state() const { return state_; }
+  const ClusterVariables& state() const { return state_; }
   int others() const { return steps_.empty() ? 0 : 3 * static_cast<int>(pose_of_frame_.size()); }
 
   double Linearize(SchurEquations& equations) const {
@@ -118,7 +118,7 @@ class ClusterModel {
            3 * static_cast<Eigen::Index>(frame);
   }
 
-  std::vector<ObjectView> Views(const ClusterState& state) const {
+  std::vector<ObjectView> Views(const ClusterVariables& state) const {
     std::vector<ObjectView> views;
     for (std::size_t i = 0; i < pose_of_frame_.size(); ++i) {
       views.emplace_back(pose_of_frame_[i], problem_->world_from_camera[i],
@@ -127,7 +127,7 @@ class ClusterModel {
     return views;
   }
 
-  Vector6d StepResidual(const ClusterState& state, std::size_t i) const {
+  Vector6d StepResidual(const ClusterVariables& state, std::size_t i) const {
     return EvaluateMotionPrior(steps_[i], state.world_from_object[i].translation(),
                                state.velocity_m_s[i], state.world_from_object[i + 1].translation(),
                                state.velocity_m_s[i + 1]);
@@ -140,7 +140,7 @@ class ClusterModel {
     return turn_rad2_s3_ > 0.0 && problem_->time_s.size() > 2 ? problem_->time_s.size() - 2 : 0;
   }
 
-  TurnPrior Turn(const ClusterState& state, std::size_t i) const {
+  TurnPrior Turn(const ClusterVariables& state, std::size_t i) const {
     return EvaluateTurnPrior(
         turn_rad2_s3_, {StepTime(i), StepTime(i + 1)},
         {state.world_from_object[i].rotation(), state.world_from_object[i + 1].rotation(),
@@ -191,7 +191,7 @@ class ClusterModel {
     }
   }
 
-  double PriorEnergy(const ClusterState& state) const {
+  double PriorEnergy(const ClusterVariables& state) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < steps_.size(); ++i) sum += StepResidual(state, i).squaredNorm();
     for (std::size_t i = 0; i < Turns(); ++i) sum += Turn(state, i).r.squaredNorm();
@@ -207,8 +207,8 @@ class ClusterModel {
   double turn_rad2_s3_;
   std::vector<MotionPriorFactors> steps_;
   std::vector<int> pose_of_frame_;
-  ClusterState state_;
-  ClusterState tried_;
+  ClusterVariables state_;
+  ClusterVariables tried_;
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ SolverSummary SolveClusterSteps(const NoiseOptions& noise, const SolverOptions& 
                                 const MotionPriorSteps& steps, ClusterProblem& problem);
 
 // The same with the motion prior of a policy (motion_prior.h).
-template <typename MotionPrior>
+template <MotionPriorPolicy MotionPrior>
 SolverSummary SolveCluster(const NoiseOptions& noise, const SolverOptions& options,
                            const MotionPriorOptions& motion, ClusterProblem& problem) {
   MotionPriorSteps steps;

@@ -24,4 +24,12 @@ Eigen::Matrix3d MeasurementCovariance(const NoiseOptions& noise, double scale) {
   return covariance;
 }
 
+Eigen::Matrix3d FeatureNoise::SqrtInformation(int octave) const {
+  return cvo::SqrtInformation(options, std::pow(scale_factor, octave));
+}
+
+Eigen::Matrix3d FeatureNoise::Covariance(int octave) const {
+  return MeasurementCovariance(options, std::pow(scale_factor, octave));
+}
+
 }  // namespace cvo

@@ -18,6 +18,7 @@ struct NoiseOptions {
   double right_shift_px = 0.3;
   double huber = 2.796;
   double gate = 7.815;
+  double hypothesis_gate = 4.0;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
@@ -38,6 +39,11 @@ struct NoiseOptions {
     visit.Field("gate", self.gate,
                 {"1", 0.1, 1e6, "largest squared whitened error of an inlier: 95 % of chi^2, 3 dof",
                  "estimator.md 3.2"});
+    visit.Field("hypothesis_gate", self.hypothesis_gate,
+                {"1", 1, 1000,
+                 "inliers of a RANSAC hypothesis are counted within the gate times this: a minimal "
+                 "sample carries its three points' noise",
+                 "two standard deviations of the sample for one of the measurement"});
   }
 };
 
@@ -46,6 +52,15 @@ Eigen::Matrix3d SqrtInformation(const NoiseOptions& noise, double scale);
 
 // The covariance itself, px^2.
 Eigen::Matrix3d MeasurementCovariance(const NoiseOptions& noise, double scale);
+
+// The noise of features, by the level of the pyramid that they were found in.
+struct FeatureNoise {
+  NoiseOptions options;
+  double scale_factor = 1.0;  // from a level to the next
+
+  Eigen::Matrix3d SqrtInformation(int octave) const;
+  Eigen::Matrix3d Covariance(int octave) const;
+};
 
 // Weight of a residual with this squared whitened norm under Huber's loss: rho'(s).
 inline double HuberWeight(double squared_norm, double huber) {

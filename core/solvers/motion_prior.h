@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <concepts>
+
 #include "core/base/options.h"
 
 namespace cvo {
@@ -34,6 +36,13 @@ struct MotionPriorOptions {
 // What ties a body's states together in time. kLinksFrames: the solver sees the prior and estimates
 // velocities; kLinksOrientations: it sees one on the change of angular velocity; PowerDensity: q in
 // m^2/s^3 of a step of dt_s, also that of predictions.
+template <typename Policy>
+concept MotionPriorPolicy = requires(const MotionPriorOptions& options, double dt_s) {
+  { Policy::kLinksFrames } -> std::convertible_to<bool>;
+  { Policy::kLinksOrientations } -> std::convertible_to<bool>;
+  { Policy::PowerDensity(options, dt_s) } -> std::same_as<double>;
+};
+
 // Policy: white noise on acceleration, of the origin and of the orientation.
 struct WhiteNoiseOnAcceleration {
   static constexpr bool kLinksFrames = true;

@@ -63,23 +63,28 @@ SolverSummary MinimizeEnergy(const SolverOptions& options, SchurEquations& equat
   SchurSolver solver(equations);
   SchurStep step;
   TrustRegion trust;
+  bool converged = false;
+  bool descended = false;
   double energy = summary.initial_cost = model.Linearize(equations);
   while (summary.iterations < options.iterations && trust.radius > TrustRegion::kSmallestRadius) {
-    if (equations.LargestGradient() <= TrustRegion::kSmallGradient) break;
+    converged = equations.LargestGradient() <= TrustRegion::kSmallGradient;
+    if (converged) break;
     ++summary.iterations;
     if (!solver.Solve(equations, trust.radius, step)) {
       trust.Reject();
       continue;
     }
-    if (step.norm <= TrustRegion::kSmallStep * (model.Norm() + TrustRegion::kSmallStep)) break;
+    converged = step.norm <= TrustRegion::kSmallStep * (model.Norm() + TrustRegion::kSmallStep);
+    if (converged) break;
     const double tried = model.TryStep(step);
     const double decrease = energy - tried;
     const double gain = decrease / step.expected_decrease;
-    const bool converged = std::abs(decrease) <= options.function_tolerance * energy;
+    converged = std::abs(decrease) <= options.function_tolerance * energy;
     const bool accepted = gain > TrustRegion::kSmallestGain;
     if (accepted) {
       model.AcceptStep();
       energy = tried;
+      descended = true;
       trust.Accept(gain);
     } else {
       trust.Reject();
@@ -88,6 +93,9 @@ SolverSummary MinimizeEnergy(const SolverOptions& options, SchurEquations& equat
     if (accepted) model.Linearize(equations);
   }
   summary.final_cost = energy;
+  summary.ending = converged   ? SolverEnding::kConverged
+                   : descended ? SolverEnding::kIterationLimit
+                               : SolverEnding::kNoUsableStep;
   return summary;
 }
 

@@ -12,7 +12,7 @@
 namespace cvo {
 namespace {
 
-struct WindowState {
+struct WindowVariables {
   std::vector<RigidTransform> world_from_camera;
   std::vector<Eigen::Vector3d> points;
   double right_shift_px = 0.0;
@@ -44,7 +44,7 @@ class WindowModel {
         tried_(state_) {}
 
   const std::vector<int>& pose_of_frame() const { return pose_of_frame_; }
-  const WindowState& state() const { return state_; }
+  const WindowVariables& state() const { return state_; }
 
   double Linearize(SchurEquations& equations) const {
     equations.SetZero();
@@ -80,13 +80,13 @@ class WindowModel {
   }
 
  private:
-  StereoCamera Camera(const WindowState& state) const {
+  StereoCamera Camera(const WindowVariables& state) const {
     StereoCamera camera = problem_->camera;
     camera.right_shift_px = state.right_shift_px;
     return camera;
   }
 
-  std::vector<CameraView> Views(const WindowState& state) const {
+  std::vector<CameraView> Views(const WindowVariables& state) const {
     std::vector<CameraView> views;
     for (std::size_t i = 0; i < pose_of_frame_.size(); ++i) {
       views.emplace_back(pose_of_frame_[i], state.world_from_camera[i]);
@@ -98,8 +98,8 @@ class WindowModel {
   double huber_;
   std::vector<int> pose_of_frame_;
   SchurPrior prior_;
-  WindowState state_;
-  WindowState tried_;
+  WindowVariables state_;
+  WindowVariables tried_;
 };
 
 }  // namespace
@@ -108,6 +108,19 @@ int FrameIndex(const WindowProblem& problem, FrameId frame) {
   const auto it = std::lower_bound(problem.frames.begin(), problem.frames.end(), frame);
   Require(it != problem.frames.end() && *it == frame, "WindowProblem: no such frame");
   return static_cast<int>(it - problem.frames.begin());
+}
+
+void SolverEndings::Count(SolverEnding ending) {
+  converged += ending == SolverEnding::kConverged;
+  iteration_limit += ending == SolverEnding::kIterationLimit;
+  no_usable_step += ending == SolverEnding::kNoUsableStep;
+}
+
+SolverEndings& SolverEndings::operator+=(const SolverEndings& other) {
+  converged += other.converged;
+  iteration_limit += other.iteration_limit;
+  no_usable_step += other.no_usable_step;
+  return *this;
 }
 
 SolverSummary SolveWindow(const NoiseOptions& noise, const SolverOptions& options,

@@ -33,6 +33,7 @@ struct WindowProblem {
 
 struct SolverOptions {
   int iterations = 4;
+  int cluster_rounds = 3;
   double function_tolerance = 1e-2;
   int max_points = 4000;
 
@@ -40,6 +41,11 @@ struct SolverOptions {
   static void VisitFields(Self& self, Visitor& visit) {
     visit.Field("iterations", self.iterations,
                 {"1", 1, 100, "Levenberg-Marquardt steps per frame", "estimator.md 4.5"});
+    visit.Field("cluster_rounds", self.cluster_rounds,
+                {"1", 1, 100,
+                 "times that a cluster is solved in a frame while each finds outliers; they are "
+                 "removed in between",
+                 "a body that leaves the image has its worst matches in its last frame"});
     visit.Field("function_tolerance", self.function_tolerance,
                 {"1", 0, 1, "stops where a step lowers the energy by less than this fraction",
                  "measured: KITTI accuracy as at 1e-4 with 0.8 of the time, one step per frame"});
@@ -52,7 +58,25 @@ struct SolverOptions {
   }
 };
 
+// How a minimisation ended.
+enum class SolverEnding {
+  kConverged,       // gradient, step or decrease of the energy below its tolerance
+  kIterationLimit,  // iterations used up while the energy still fell
+  kNoUsableStep,    // no step lowered the energy
+};
+
+// How many minimisations ended how.
+struct SolverEndings {
+  int converged = 0;
+  int iteration_limit = 0;
+  int no_usable_step = 0;
+
+  void Count(SolverEnding ending);
+  SolverEndings& operator+=(const SolverEndings& other);
+};
+
 struct SolverSummary {
+  SolverEnding ending = SolverEnding::kNoUsableStep;
   int iterations = 0;
   double initial_cost = 0.0;
   double final_cost = 0.0;

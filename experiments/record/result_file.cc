@@ -24,6 +24,23 @@ Json CountsToJson(const RunResult& run) {
   return counts;
 }
 
+Json EndingsToJson(const SolverEndings& endings) {
+  return {{"converged", endings.converged},
+          {"iteration_limit", endings.iteration_limit},
+          {"no_usable_step", endings.no_usable_step}};
+}
+
+// How the minimisations of all frames ended.
+Json SolverEndingsToJson(const RunResult& run) {
+  SolverEndings camera;
+  SolverEndings clusters;
+  for (const FrameRecord& frame : run.frames) {
+    camera += frame.report.window_endings;
+    clusters += frame.report.cluster_endings;
+  }
+  return {{"camera_windows", EndingsToJson(camera)}, {"cluster_windows", EndingsToJson(clusters)}};
+}
+
 Json UndecodableToJson(const RunResult& run) {
   Json images = Json::array();
   for (const FrameRecord& frame : run.frames) {
@@ -177,6 +194,7 @@ std::string ResultFile(const RunRecord& record) {
                    {"bodies", record.bodies},
                    {"clusters", ClustersToJson(record.run)},
                    {"frame_counts", CountsToJson(record.run)},
+                   {"solver_endings", SolverEndingsToJson(record.run)},
                    {"undecodable", UndecodableToJson(record.run)},
                    {"trajectories", TrajectoriesToJson(record.run)},
                    {"pose_layout", {"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"}},

@@ -84,8 +84,8 @@ OracleSwitches ParseOracle(const std::string& text) {
   return switches;
 }
 
-std::vector<int> BodiesOfDetections(const std::vector<Detection>& detections,
-                                    const std::vector<std::pair<int, ImageBox>>& true_boxes) {
+std::vector<BodyId> BodiesOfDetections(const std::vector<Detection>& detections,
+                                       const std::vector<std::pair<int, ImageBox>>& true_boxes) {
   constexpr double kLeastOverlap = 0.5;
   Eigen::MatrixXd cost(detections.size(), true_boxes.size());
   for (std::size_t i = 0; i < detections.size(); ++i) {
@@ -95,9 +95,10 @@ std::vector<int> BodiesOfDetections(const std::vector<Detection>& detections,
           overlap >= kLeastOverlap ? 1.0 - overlap : std::numeric_limits<double>::infinity();
     }
   }
-  std::vector<int> bodies;
+  std::vector<BodyId> bodies;
   for (const int column : Assign(cost)) {
-    bodies.push_back(column < 0 ? -1 : true_boxes[static_cast<std::size_t>(column)].first);
+    bodies.push_back(column < 0 ? BodyId()
+                                : BodyId{true_boxes[static_cast<std::size_t>(column)].first});
   }
   return bodies;
 }
@@ -143,7 +144,7 @@ void Oracle::Give(int frame_index, const std::vector<LandmarkTruth>& feature_tru
   if (switches_.labels) {
     Require(feature_truth.size() == frame.features.size(), "Oracle: truth for every feature");
     for (const LandmarkTruth& truth : feature_truth) {
-      frame.given.feature_body.push_back(truth.body);
+      frame.given.feature_body.push_back(BodyId{truth.body});
     }
   }
   if (switches_.camera) frame.given.world_from_camera = first_from_camera_.at(i);

@@ -27,9 +27,9 @@ struct OracleSwitches {
 OracleSwitches ParseOracle(const std::string& text);
 
 // Which body each detection shows: pairs of an intersection over union of at least 0.5, one-to-one,
-// as many as can be and then of the largest sum. -1: none.
-std::vector<int> BodiesOfDetections(const std::vector<Detection>& detections,
-                                    const std::vector<std::pair<int, ImageBox>>& true_boxes);
+// as many as can be and then of the largest sum. Invalid: none.
+std::vector<BodyId> BodiesOfDetections(const std::vector<Detection>& detections,
+                                       const std::vector<std::pair<int, ImageBox>>& true_boxes);
 
 // The true body at each feature, -1 where it is not known. Frames count from the first one run.
 std::vector<LandmarkTruth> TruthOfFeatures(int frame, const std::vector<StereoFeature>& features,

@@ -24,7 +24,8 @@ constexpr std::array kKnown = {"full",
                                "no_probabilistic_association",
                                "no_box_rematch",
                                "no_label_confidence",
-                               "paper_literal"};
+                               "paper_literal",
+                               "no_identity"};
 
 constexpr std::array kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                  "#e69f00", "#56b4e9", "#a0892c", "#7a5195"};

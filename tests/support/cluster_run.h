@@ -51,6 +51,13 @@ ClusterRun RunClusters(std::string_view variant, const MovingWorld& world,
   return run;
 }
 
+// The bodies of a WorldView as a giver of labels names them.
+inline std::vector<BodyId> BodyIds(const std::vector<int>& bodies) {
+  std::vector<BodyId> ids;
+  for (const int body : bodies) ids.push_back(BodyId{body});
+  return ids;
+}
+
 inline const auto kAsItIs = [](int, WorldView&) {};
 
 // The cluster that most of the body's features in the frame belong to; invalid: none.

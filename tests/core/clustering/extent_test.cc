@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "core/base/rng.h"
+#include "core/clustering/depth_mode.h"
 #include "core/clustering/point_extent.h"
 #include "tests/support/error_message.h"
 

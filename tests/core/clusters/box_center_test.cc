@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/clusters/box_center.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "core/clusters/box_fix.h"
+#include "core/odometry/detection_policies.h"
 
 namespace cvo {
 namespace {
@@ -22,7 +24,7 @@ struct SeenBall {
   double depth_bias_m = 0.0;  // of the surface
   bool hides = false;         // another body, before its lower right quarter
 
-  BoxFix From(const RigidTransform& world_from_camera) {
+  BoxCenter From(const RigidTransform& world_from_camera) {
     const Vector3d c = world_from_camera.Inverse() * center;
     const double u = camera.fx * c.x() / c.z() + camera.cx;
     const double v = camera.fy * c.y() / c.z() + camera.cy;
@@ -32,9 +34,9 @@ struct SeenBall {
     const double surface_m = c.z() - 0.2 + depth_bias_m;
     const Vector3d surface = c / c.z() * surface_m + Vector3d(0.15, 0.0, 0.0);
     const FeatureGrid grid(frame.features, camera);
-    const FrameView view{options, frame,  frame.detections, frame.given,
+    const FrameView view{options, frame,  UseDetections::Show(frame),
                          grid,    camera, world_from_camera};
-    return FixFromBox(view, 0, world_from_camera * surface);
+    return CenterFromBox(view, 0, world_from_camera * surface);
   }
 };
 
@@ -43,34 +45,34 @@ RigidTransform FromTheSide() {
   return {ExpSo3({0.0, std::numbers::pi / 2, 0.0}), Vector3d(-3.0, 0.0, 4.0)};
 }
 
-TEST(BoxFix, LiesBehindTheSurfaceInTheMiddleOfTheBox) {
+TEST(BoxCenter, LiesBehindTheSurfaceInTheMiddleOfTheBox) {
   SeenBall ball;
-  const BoxFix fix = ball.From({});
+  const BoxCenter fix = ball.From({});
   EXPECT_NEAR(fix.size_m, 0.6, 0.04);
   EXPECT_LT((fix.center_in_world - ball.center).norm(), 0.02);
 }
 
-double DeviationAlong(const Vector3d& direction, const BoxFix& fix) {
+double DeviationAlong(const Vector3d& direction, const BoxCenter& fix) {
   const Vector3d d = direction.normalized();
   return std::sqrt(1.0 / d.dot(fix.information * d));
 }
 
-TEST(BoxFix, SaysLittleWhereAnEdgeMayNotBeTheBodys) {
+TEST(BoxCenter, SaysLittleWhereAnEdgeMayNotBeTheBodys) {
   const Vector3d up = Vector3d::UnitY();
   SeenBall ball;
   ball.center = {3.0, 0.0, 5.0};
   const Vector3d across(5.0, 0.0, -3.0);
-  const BoxFix whole = ball.From({});
+  const BoxCenter whole = ball.From({});
   EXPECT_NEAR(DeviationAlong(up, whole), 0.05 * whole.size_m, 1e-9);
   EXPECT_NEAR(DeviationAlong(across, whole), 0.05 * whole.size_m, 1e-9);
   EXPECT_NEAR(DeviationAlong(ball.center, whole), 0.3 * whole.size_m, 1e-9);
   ball.hides = true;
-  const BoxFix hidden = ball.From({});
+  const BoxCenter hidden = ball.From({});
   EXPECT_NEAR(DeviationAlong(up, hidden), 0.3 * hidden.size_m, 1e-9);
   EXPECT_NEAR(DeviationAlong(across, hidden), 0.3 * hidden.size_m, 1e-9);
   ball.hides = false;
   ball.center = {3.9, 0.0, 5.0};  // cut by the right border
-  const BoxFix cut = ball.From({});
+  const BoxCenter cut = ball.From({});
   EXPECT_NEAR(DeviationAlong(up, cut), 0.05 * cut.size_m, 1e-9);
   EXPECT_NEAR(DeviationAlong({5.0, 0.0, -3.9}, cut), 0.3 * cut.size_m, 1e-9);
 }
@@ -78,11 +80,11 @@ TEST(BoxFix, SaysLittleWhereAnEdgeMayNotBeTheBodys) {
 TEST(CenterEstimate, TwoSidesFixWhatOneCannotTell) {
   SeenBall ball;
   ball.depth_bias_m = 0.15;  // half a radius
-  const BoxFix front = ball.From({});
+  const BoxCenter front = ball.From({});
   EXPECT_GT((front.center_in_world - ball.center).norm(), 0.12);
   CenterEstimate center;
   center.Add(front.center_in_world, front.information);
-  const BoxFix side = ball.From(FromTheSide());
+  const BoxCenter side = ball.From(FromTheSide());
   center.Add(side.center_in_world, side.information);
   EXPECT_EQ(center.boxes, 2);
   EXPECT_LT((center.InObject() - ball.center).norm(), 0.02);
@@ -93,7 +95,7 @@ TEST(CenterEstimate, IsTheSamePointInEveryFrame) {
   CenterEstimate center;
   EXPECT_EQ(center.InObject(), Vector3d::Zero());
   for (const RigidTransform& camera : {RigidTransform(), FromTheSide()}) {
-    const BoxFix fix = ball.From(camera);
+    const BoxCenter fix = ball.From(camera);
     center.Add(fix.center_in_world, fix.information);
   }
   const RigidTransform new_from_old(ExpSo3({0.3, -0.4, 1.2}), Vector3d(1.0, -2.0, 0.5));

@@ -26,7 +26,7 @@ struct Moving {
     for (int i = 0; i < 12; ++i) {
       Landmark landmark;
       landmark.id = LandmarkId{i};
-      landmark.p_in_body = {0.2 * (i % 4) - 0.3, 0.2 * (i / 4) - 0.2, 0.1 * (i % 3)};
+      landmark.p_in_object = {0.2 * (i % 4) - 0.3, 0.2 * (i / 4) - 0.2, 0.1 * (i % 3)};
       cluster.landmarks.push_back(landmark);
     }
     for (std::int64_t f = 0; f < kFrames; ++f) {
@@ -34,7 +34,7 @@ struct Moving {
       cluster.states.push_back(
           {FrameId{f}, f * 100'000'000, Truth(f), Eigen::Vector3d(0.5, 0.0, 0.0)});
       for (Landmark& landmark : cluster.landmarks) {
-        const auto z_px = window.camera.Project(Truth(f) * landmark.p_in_body);
+        const auto z_px = window.camera.Project(Truth(f) * landmark.p_in_object);
         landmark.observations.push_back({FrameId{f}, *z_px, 0});
       }
     }
@@ -54,7 +54,10 @@ struct Moving {
     const RigidTransform& pose = map.live[0].Latest().world_from_object;
     return (pose.translation() - Truth(kFrames - 1).translation()).norm();
   }
-  void Optimize() { OptimizeClusters<WhiteNoiseOnAcceleration>(options, window, pool, map); }
+  SolverEndings Optimize() {
+    return OptimizeClusters<WhiteNoiseOnAcceleration>(
+        {options.NoiseOfFeatures(), options.solver, options.motion_prior}, window, pool, map);
+  }
 };
 
 TEST(OptimizeClusters, FindsThePoses) {
@@ -76,11 +79,26 @@ TEST(OptimizeClusters, OutliersOfTheLastFrameAreFoundInIt) {
   EXPECT_LT(body.LastError_m(), 1e-4);
 }
 
+TEST(OptimizeClusters, SolvesAgainWhileOutliersAreFound) {
+  const auto solves = [](int rounds) {
+    Moving body;
+    body.options.solver.cluster_rounds = rounds;
+    for (int i = 0; i < 4; ++i) {
+      body.map.live[0].landmarks[i].observations.back().z_px += Eigen::Vector3d(12.0, 0.0, 12.0);
+    }
+    const SolverEndings endings = body.Optimize();
+    return endings.converged + endings.iteration_limit + endings.no_usable_step;
+  };
+  EXPECT_EQ(solves(1), 1);
+  EXPECT_EQ(solves(3), 2) << "the second finds none";
+}
+
 TEST(OptimizeClusters, AHiddenClusterKeepsWhatItWasLastSeenWith) {
   Moving body;
   body.map.live[0].last_observed = FrameId{kFrames - 2};
   const RigidTransform before = body.map.live[0].Latest().world_from_object;
-  body.Optimize();
+  const SolverEndings endings = body.Optimize();
+  EXPECT_EQ(endings.converged + endings.iteration_limit + endings.no_usable_step, 0);
   EXPECT_EQ(body.map.live[0].Latest().world_from_object.Minus(before).norm(), 0.0);
 }
 

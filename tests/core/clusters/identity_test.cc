@@ -18,6 +18,7 @@ RigidTransform At(double x, double yaw = 0.0) {
 // Cluster 1 was lost after frame 10 and is archived, predicted at x = 1; cluster 2 was found in
 // frame 19 and is confirmed in frame 20, at x = 1.1 and turned.
 struct Return {
+  IdentityOptions identity;
   ClusterOptions options;
   ClusterMap map;
   std::vector<LostCluster> lost;
@@ -31,9 +32,9 @@ struct Return {
     Landmark landmark;
     landmark.id = LandmarkId{3};
     landmark.label.cluster = ClusterId{2};
-    landmark.p_in_body = {0.2, -0.1, 0.4};
-    landmark.view_in_body = {0.0, 0.6, -0.8};
-    landmark.covariance.in_body_m2 = Eigen::Vector3d(1.0, 2.0, 3.0).asDiagonal();
+    landmark.p_in_object = {0.2, -0.1, 0.4};
+    landmark.view_in_object = {0.0, 0.6, -0.8};
+    landmark.covariance.in_object_m2 = Eigen::Vector3d(1.0, 2.0, 3.0).asDiagonal();
     landmark.past_information = Eigen::Vector3d(4.0, 5.0, 6.0).asDiagonal();
     map.live[0].landmarks = {landmark};
     map.live[0].center_in_object = {0.1, 0.0, 0.1};
@@ -65,7 +66,7 @@ struct Return {
   }
   // The id under which the found cluster goes on.
   std::int64_t Found() {
-    InheritIdentities(lost, FrameId{20}, {}, options, map);
+    InheritIdentities(lost, FrameId{20}, identity, options, map);
     return map.live.at(0).id.value;
   }
 };
@@ -97,13 +98,13 @@ TEST(InheritIdentities, OnlyTheFrameOfTheBodyChanges) {
     EXPECT_LT((was.translation() - is.translation()).norm(), 1e-12);
     const Landmark& old = before.landmarks[0];
     const Landmark& now = after.landmarks[0];
-    EXPECT_LT((was * old.p_in_body - is * now.p_in_body).norm(), 1e-12);
+    EXPECT_LT((was * old.p_in_object - is * now.p_in_object).norm(), 1e-12);
     EXPECT_LT((was * before.center_in_object - is * after.center_in_object).norm(), 1e-12);
     const Eigen::Matrix3d R = was.RotationMatrix();
     const Eigen::Matrix3d S = is.RotationMatrix();
-    EXPECT_LT((R * old.view_in_body - S * now.view_in_body).norm(), 1e-12);
-    EXPECT_LT((R * old.covariance.in_body_m2 * R.transpose() -
-               S * now.covariance.in_body_m2 * S.transpose())
+    EXPECT_LT((R * old.view_in_object - S * now.view_in_object).norm(), 1e-12);
+    EXPECT_LT((R * old.covariance.in_object_m2 * R.transpose() -
+               S * now.covariance.in_object_m2 * S.transpose())
                   .norm(),
               1e-12);
     EXPECT_LT((R * old.past_information * R.transpose() - S * now.past_information * S.transpose())
@@ -181,11 +182,37 @@ TEST(InheritIdentities, OnlyAtTheMomentOfConfirmation) {
 
 TEST(InheritIdentities, NeverTheIdOfAnotherGivenBody) {
   Return r;
-  r.map.archived[0].given_body = 1;
-  r.map.live[0].given_body = 2;
+  r.map.archived[0].given_body = BodyId{1};
+  r.map.live[0].given_body = BodyId{2};
   EXPECT_EQ(r.Found(), 2);
-  r.map.live[0].given_body = 1;
+  r.map.live[0].given_body = BodyId{1};
   EXPECT_EQ(r.Found(), 1);
+}
+
+TEST(IdentityPolicies, OneInheritsAndTheOtherDoesNot) {
+  const ClusterPredictor predict = [](const Cluster& cluster) {
+    return Return::Predicted(cluster.id.value, 1.0).predicted;
+  };
+  const auto found = [&](auto policy) {
+    Return r;
+    Rng rng(0, "identity");
+    const IdentityOptions identity;
+    const ClusterAssociationOptions association;
+    decltype(policy)::Update({identity, association, r.options, FrameId{20}, predict}, r.map, rng);
+    return r.map.live.at(0).id.value;
+  };
+  EXPECT_EQ(found(InheritLostIdentity()), 1);
+  EXPECT_EQ(found(AlwaysNewIdentity()), 2);
+}
+
+TEST(IdentityOptions, AreReadByTheRule) {
+  Return r;
+  r.identity.size_factor = 1.01;
+  r.map.live[0].size_m = 1.2;
+  EXPECT_EQ(r.Found(), 2) << "a size that differs by 20 % is another body's at 1 %";
+  Return s;
+  s.map.live[0].size_m = 1.2;
+  EXPECT_EQ(s.Found(), 1);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "core/clusters/cluster_association.h"
 #include "core/clusters/cluster_map.h"
 #include "core/clusters/cluster_prediction.h"
 
@@ -69,10 +70,10 @@ struct Absorption {
   Absorption() {
     cluster.states = {StateAt(0, At(1.0, 0.5, 8.0, 0.7)), StateAt(1, At(1.1, 0.5, 8.0, 0.8))};
     cluster.landmarks = {MakeLandmark(0, {0, 1})};
-    cluster.landmarks[0].p_in_body = {0.3, -0.2, 0.4};
+    cluster.landmarks[0].p_in_object = {0.3, -0.2, 0.4};
     cluster.landmarks[0].observations[0].octave = 2;
   }
-  void Absorb() { AbsorbObservations(window, leaving, {}, 1.2, options, cluster); }
+  void Absorb() { AbsorbObservations(window, leaving, {{}, 1.2}, options, cluster); }
   const Landmark& landmark() const { return cluster.landmarks[0]; }
 };
 
@@ -82,15 +83,16 @@ TEST(AbsorbObservations, InformationIsThatOfTheReprojectionError) {
   EXPECT_THAT(a.landmark().observations, SizeIs(1));
   EXPECT_EQ(a.landmark().observations[0].frame, FrameId{1});
   // J by central differences of the projection of a point of the body.
-  const auto project = [&](const Eigen::Vector3d& p_in_body) {
+  const auto project = [&](const Eigen::Vector3d& p_in_object) {
     return *kCamera.Project(a.leaving.world_from_camera.Inverse() *
-                            (a.cluster.states[0].world_from_object * p_in_body));
+                            (a.cluster.states[0].world_from_object * p_in_object));
   };
   Eigen::Matrix3d J;
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d step = 1e-5 * Eigen::Vector3d::Unit(k);
     J.col(k) =
-        (project(a.landmark().p_in_body + step) - project(a.landmark().p_in_body - step)) / 2e-5;
+        (project(a.landmark().p_in_object + step) - project(a.landmark().p_in_object - step)) /
+        2e-5;
   }
   const Eigen::Matrix3d expected =
       J.transpose() * MeasurementCovariance({}, 1.2 * 1.2).inverse() * J;
@@ -201,7 +203,7 @@ TEST(RetireClusters, LiveArchivedOrDropped) {
               ClusterSeen(4, 100, 100 - options.confirm_frames + 1, 1),  // it has a frame left
               ClusterSeen(5, 100 - L, -1, 0),
               ClusterSeen(6, 100 - L, -1, 0)};
-  map.live[5].given_body = 7;  // given ones need no confirmation
+  map.live[5].given_body = BodyId{7};  // given ones need no confirmation
   for (const Cluster& cluster : map.live) map.trajectories[cluster.id].id = cluster.id;
   RetireClusters(FrameId{100}, options, map);
   EXPECT_THAT(Ids(map, true), ElementsAre(1, 4));
@@ -243,13 +245,13 @@ struct Prediction {
 
   Prediction() {
     predicted.world_from_object = At(0.5, -0.2, 6.0, 0.4);
-    landmark.p_in_body = {0.3, 0.1, -0.5};
+    landmark.p_in_object = {0.3, 0.1, -0.5};
 
-    const Eigen::Vector3d p = predicted.world_from_object * landmark.p_in_body;
+    const Eigen::Vector3d p = predicted.world_from_object * landmark.p_in_object;
     landmark.depth_m = p.z();
-    landmark.view_in_body =
+    landmark.view_in_object =
         predicted.world_from_object.rotation().conjugate() * Eigen::Vector3d(-p.normalized());
-    landmark.covariance.in_body_m2 = Eigen::Vector3d(1e-4, 2e-4, 3e-4).asDiagonal();
+    landmark.covariance.in_object_m2 = Eigen::Vector3d(1e-4, 2e-4, 3e-4).asDiagonal();
   }
   std::optional<PredictedLandmark> Predict() const {
     return PredictLandmark(options, kCamera, world_from_camera, predicted, landmark);
@@ -260,17 +262,17 @@ TEST(PredictLandmark, StandsWhereTheMovedBodyHasIt) {
   const Prediction p;
   const auto seen = p.Predict();
   ASSERT_TRUE(seen);
-  const Eigen::Vector3d p_in_world = p.predicted.world_from_object * p.landmark.p_in_body;
+  const Eigen::Vector3d p_in_world = p.predicted.world_from_object * p.landmark.p_in_object;
   EXPECT_LT((seen->zeta_px - *kCamera.Project(p_in_world)).norm(), 1e-9);
 }
 
 TEST(PredictLandmark, InnovationHoldsPositionMotionAndMeasurement) {
   Prediction p;
-  const Eigen::Vector3d p_in_world = p.predicted.world_from_object * p.landmark.p_in_body;
+  const Eigen::Vector3d p_in_world = p.predicted.world_from_object * p.landmark.p_in_object;
   const Eigen::Matrix3d J = kCamera.ProjectionJacobian(p_in_world);
   const Eigen::Matrix3d R = p.predicted.world_from_object.RotationMatrix();
   const Eigen::Matrix3d position =
-      J * R * p.landmark.covariance.in_body_m2 * R.transpose() * J.transpose();
+      J * R * p.landmark.covariance.in_object_m2 * R.transpose() * J.transpose();
   const Eigen::Matrix3d measurement = MeasurementCovariance(p.options.noise, 1.0);
   auto seen = p.Predict();
   EXPECT_LT((seen->position_px2 - position).norm(), 1e-9);
@@ -280,7 +282,7 @@ TEST(PredictLandmark, InnovationHoldsPositionMotionAndMeasurement) {
   p.predicted.rotation_variance_rad2 = 0.04;
   seen = p.Predict();
   // The lever is the landmark's distance from the origin of the body.
-  const double motion_m2 = 0.01 + 0.04 * p.landmark.p_in_body.squaredNorm();
+  const double motion_m2 = 0.01 + 0.04 * p.landmark.p_in_object.squaredNorm();
   EXPECT_LT((seen->innovation_px2 - position - measurement - motion_m2 * J * J.transpose()).norm(),
             1e-9);
   EXPECT_LT((seen->position_px2 - position).norm(), 1e-9);
@@ -292,17 +294,17 @@ TEST(PredictLandmark, IsInvisibleOnTheFarSide) {
   const double limit = p.options.association.max_view_change_rad;
   const auto turned = [&](double angle_rad) {
     // About the point itself, so that only the side changes that it shows.
-    const Eigen::Vector3d point = At(0.5, -0.2, 6.0, 0.4) * p.landmark.p_in_body;
+    const Eigen::Vector3d point = At(0.5, -0.2, 6.0, 0.4) * p.landmark.p_in_object;
     const Eigen::Vector3d axis = point.cross(Eigen::Vector3d::UnitY()).normalized();
     const Eigen::Quaterniond after = ExpSo3(angle_rad * axis) * before;
     p.predicted.world_from_object =
-        RigidTransform(after, Eigen::Vector3d(point - after * p.landmark.p_in_body));
+        RigidTransform(after, Eigen::Vector3d(point - after * p.landmark.p_in_object));
     return p.Predict().has_value();
   };
   EXPECT_TRUE(turned(limit - 0.01));
   EXPECT_FALSE(turned(limit + 0.01));
   EXPECT_FALSE(turned(3.0));
-  p.landmark.view_in_body = -p.landmark.view_in_body;
+  p.landmark.view_in_object = -p.landmark.view_in_object;
   EXPECT_TRUE(turned(3.0));
 }
 
@@ -318,7 +320,7 @@ TEST(PredictLandmark, OctaveFollowsTheDepth) {
   Prediction p;
   p.landmark.last_octave = 3;
   EXPECT_EQ(p.Predict()->octave, 3);
-  const double z = (p.predicted.world_from_object * p.landmark.p_in_body).z();
+  const double z = (p.predicted.world_from_object * p.landmark.p_in_object).z();
   p.landmark.depth_m = z * 1.2 * 1.2;  // it came nearer: it looks larger
   EXPECT_EQ(p.Predict()->octave, 5);
   p.landmark.depth_m = z / 100.0;
@@ -356,13 +358,22 @@ TEST(UpdateExtent, IsThatOfTheMiddleOfTheLandmarks) {
   EXPECT_TRUE(cluster.half_size_m.isZero());
   for (int i = 0; i <= 100; ++i) {
     cluster.landmarks.push_back(MakeLandmark(i, {0}));
-    cluster.landmarks.back().p_in_body = {0.01 * i, 1.0, -0.02 * i};
+    cluster.landmarks.back().p_in_object = {0.01 * i, 1.0, -0.02 * i};
   }
   UpdateExtent({}, cluster);
   EXPECT_LT((cluster.center_in_object - Eigen::Vector3d(0.5, 1.0, -1.0)).norm(), 1e-9);
   EXPECT_LT(
       (cluster.half_size_m - Eigen::Vector3d(0.2, ExtentOptions().min_half_size_m, 0.4)).norm(),
       1e-9);
+}
+
+TEST(ReleaseUnseen, ABoxIsFreeAgainWhereNothingOfTheClusterWasFound) {
+  std::vector<ClusterTrack> tracks(2);
+  tracks[0].detection = tracks[1].detection = 3;
+  tracks[1].is_tracked = true;
+  internal::ReleaseUnseen(tracks);
+  EXPECT_EQ(tracks[0].detection, -1);
+  EXPECT_EQ(tracks[1].detection, 3);
 }
 
 }  // namespace

@@ -149,9 +149,9 @@ Window MakeWindow(const std::vector<std::vector<int>>& seen) {
   for (std::size_t k = 0; k < seen.size(); ++k) {
     Landmark landmark;
     landmark.id = LandmarkId{static_cast<std::int64_t>(k)};
-    landmark.p_in_body = {0.1 * static_cast<double>(k), 0.2, 10.0};
+    landmark.p_in_object = {0.1 * static_cast<double>(k), 0.2, 10.0};
     for (const int frame : seen[k]) {
-      const auto z = kCamera.Project(CameraAt(frame).Inverse() * landmark.p_in_body);
+      const auto z = kCamera.Project(CameraAt(frame).Inverse() * landmark.p_in_object);
       landmark.observations.push_back({FrameId{frame}, *z, 0});
       landmark.last_seen = FrameId{frame};
     }
@@ -169,7 +169,7 @@ TEST(DoubleTrack, MarginalisesWhatTheNewestFrameDoesNotSee) {
     (i < 2 ? window.spatial : window.temporal).push_back(frame);
   }
   const WindowOptions options = {.spatial = 2, .temporal = 3};
-  const DoubleTrack<MarginalizeUnseenByNewest, PromoteDistant> track(options, {}, 1.2);
+  const DoubleTrack<MarginalizeUnseenByNewest, PromoteDistant> track(options, {{}, 1.2});
   track.Advance({FrameId{20}, CameraAt(20)}, window);
 
   ASSERT_EQ(window.spatial.size(), 2u);
@@ -191,7 +191,7 @@ TEST(DoubleTrack, KeepsNoPriorWhereNothingIsMarginalised) {
   window.spatial = {{FrameId{0}, CameraAt(0)}, {FrameId{4}, CameraAt(4)}};
   window.temporal = {{FrameId{8}, CameraAt(8)}};
   const WindowOptions options = {.spatial = 2, .temporal = 1};
-  const DoubleTrack<MarginalizeNothing, PromoteDistant> track(options, {}, 1.2);
+  const DoubleTrack<MarginalizeNothing, PromoteDistant> track(options, {{}, 1.2});
   track.Advance({FrameId{12}, CameraAt(12)}, window);
   EXPECT_EQ(window.spatial[0].id, FrameId{4});
   EXPECT_TRUE(window.prior.frames.empty());
@@ -200,7 +200,7 @@ TEST(DoubleTrack, KeepsNoPriorWhereNothingIsMarginalised) {
 
 TEST(DoubleTrack, DiscardsEverythingWithoutASpatialTrack) {
   const WindowOptions options = {.spatial = 2, .temporal = 3};
-  const DoubleTrack<MarginalizeUnseenByNewest, PromoteNever> track(options, {}, 1.2);
+  const DoubleTrack<MarginalizeUnseenByNewest, PromoteNever> track(options, {{}, 1.2});
   Window window = MakeWindow({});
   for (int i = 0; i < 8; ++i) track.Advance({FrameId{i}, CameraAt(i)}, window);
   EXPECT_TRUE(window.spatial.empty());

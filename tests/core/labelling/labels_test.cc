@@ -7,9 +7,11 @@
 #include <cmath>
 
 #include "core/base/rng.h"
-#include "core/clusters/box_fix.h"
+#include "core/clusters/box_center.h"
+#include "core/clusters/cluster_pose.h"
 #include "core/labelling/cluster_birth.h"
 #include "core/labelling/landmark_update.h"
+#include "core/odometry/detection_policies.h"
 
 namespace cvo {
 namespace {
@@ -45,11 +47,11 @@ struct Frame {
   static Eigen::Vector3d Pixel(const Eigen::Vector3d& p_in_camera) {
     return *kCamera.Project(p_in_camera);
   }
-  // A feature that shows a landmark of `body` (FramePoint), labelled `assigned`.
-  void Add(const Eigen::Vector3d& p_in_camera, int body, int landmark, ClusterId assigned) {
+  // A feature that shows a landmark of `owner`, labelled `assigned`.
+  void Add(const Eigen::Vector3d& p_in_camera, PointOwner owner, int landmark, ClusterId assigned) {
     FramePoint point;
     point.feature = static_cast<int>(frame.features.size());
-    point.body = body;
+    point.owner = owner;
     point.landmark = landmark;
     points.push_back(point);
     StereoFeature feature;
@@ -63,7 +65,7 @@ struct Frame {
   template <typename Use>
   auto With(Use use) {
     const FeatureGrid grid(frame.features, kCamera);
-    const FrameView view{options, frame,   frame.detections, frame.given,
+    const FrameView view{options, frame,   UseDetections::Show(frame),
                          grid,    kCamera, RigidTransform()};
     return use(view);
   }
@@ -72,7 +74,7 @@ struct Frame {
 // A body that moves 0.1 m to the right per frame, of which and of a static point frames 0 to 3 are
 // in the window. Frame 4 is entering; the body is then at x = 0.4 m.
 struct Moving : Frame {
-  static constexpr int kBody = 1;                   // as FramePoint::body
+  static constexpr PointOwner kBody = ClusterOwner(0);
   const Eigen::Vector3d p_in_world{0.5, 0.2, 6.0};  // of the point, static, or now on the body
   std::vector<ClusterTrack> tracks{1};
   LandmarkId next{10};
@@ -94,10 +96,10 @@ struct Moving : Frame {
   }
   // The landmark that was at `where(frame)` in frames 0 to 3.
   template <typename Where>
-  static Landmark Seen(const Eigen::Vector3d& p_in_body, Where where) {
+  static Landmark Seen(const Eigen::Vector3d& p_in_object, Where where) {
     Landmark landmark;
     landmark.id = LandmarkId{7};
-    landmark.p_in_body = p_in_body;
+    landmark.p_in_object = p_in_object;
     landmark.last_seen = FrameId{3};
     for (std::int64_t f = 0; f < 4; ++f) {
       landmark.observations.push_back({FrameId{f}, Pixel(where(f)), 0});
@@ -124,7 +126,7 @@ std::vector<std::int64_t> FramesOf(const Landmark& landmark) {
 TEST(UpdateLandmarks, AStaticPointThatWasTheBodysTakesItsPastAlong) {
   Moving m;
   m.window.landmarks = {Moving::Seen(m.p_in_world, [&](std::int64_t f) { return m.OnBody(f); })};
-  m.Add(m.p_in_world, FramePoint::kStaticBody, 0, ClusterId{1});
+  m.Add(m.p_in_world, kSceneOwner, 0, ClusterId{1});
   EXPECT_EQ(m.Update(), 0);
   EXPECT_THAT(m.window.landmarks, IsEmpty());
   ASSERT_THAT(m.map.live[0].landmarks, SizeIs(1));
@@ -133,14 +135,14 @@ TEST(UpdateLandmarks, AStaticPointThatWasTheBodysTakesItsPastAlong) {
   EXPECT_EQ(m.labels.points[0].landmark, LandmarkId{7});
   EXPECT_EQ(landmark.label.cluster, ClusterId{1});
   EXPECT_THAT(FramesOf(landmark), ElementsAre(0, 1, 2, 3, 4));
-  EXPECT_LT((Moving::BodyAt(4) * landmark.p_in_body - m.p_in_world).norm(), 1e-9);
+  EXPECT_LT((Moving::BodyAt(4) * landmark.p_in_object - m.p_in_world).norm(), 1e-9);
 }
 
 TEST(UpdateLandmarks, WhatDisagreesWithTheNewBodyIsLeftBehind) {
   Moving m;
   // It stood still: 0.1 m at 6 m are 7.5 px, at once beyond any gate.
   m.window.landmarks = {Moving::Seen(m.p_in_world, [&](std::int64_t) { return m.p_in_world; })};
-  m.Add(m.p_in_world, FramePoint::kStaticBody, 0, ClusterId{1});
+  m.Add(m.p_in_world, kSceneOwner, 0, ClusterId{1});
   m.Update();
   ASSERT_THAT(m.map.live[0].landmarks, SizeIs(1));
   EXPECT_THAT(FramesOf(m.map.live[0].landmarks[0]), ElementsAre(4));
@@ -148,17 +150,17 @@ TEST(UpdateLandmarks, WhatDisagreesWithTheNewBodyIsLeftBehind) {
 
 TEST(UpdateLandmarks, APointOfTheBodyThatStoodStillBecomesStatic) {
   Moving m;
-  const Eigen::Vector3d p_in_body = Moving::BodyAt(4).Inverse() * m.p_in_world;
+  const Eigen::Vector3d p_in_object = Moving::BodyAt(4).Inverse() * m.p_in_world;
   // Still in frames 2 and 3, on the body before.
-  m.map.live[0].landmarks = {
-      Moving::Seen(p_in_body, [&](std::int64_t f) { return f < 2 ? m.OnBody(f) : m.p_in_world; })};
+  m.map.live[0].landmarks = {Moving::Seen(
+      p_in_object, [&](std::int64_t f) { return f < 2 ? m.OnBody(f) : m.p_in_world; })};
   m.map.live[0].landmarks[0].past_information.setIdentity();
   m.Add(m.p_in_world, Moving::kBody, 0, kStaticScene);
   EXPECT_EQ(m.Update(), 0);
   EXPECT_THAT(m.map.live[0].landmarks, IsEmpty());
   ASSERT_THAT(m.window.landmarks, SizeIs(1));
   EXPECT_THAT(FramesOf(m.window.landmarks[0]), ElementsAre(2, 3, 4));
-  EXPECT_LT((m.window.landmarks[0].p_in_body - m.p_in_world).norm(), 1e-9);
+  EXPECT_LT((m.window.landmarks[0].p_in_object - m.p_in_world).norm(), 1e-9);
   // The past was knowledge of its place on the body.
   EXPECT_TRUE(m.window.landmarks[0].past_information.isZero());
 }
@@ -166,16 +168,17 @@ TEST(UpdateLandmarks, APointOfTheBodyThatStoodStillBecomesStatic) {
 TEST(UpdateLandmarks, AnOutlierIsRemovedAndANewPointIsCreated) {
   Moving m;
   m.window.landmarks = {Moving::Seen(m.p_in_world, [&](std::int64_t) { return m.p_in_world; })};
-  m.Add(m.p_in_world, FramePoint::kStaticBody, 0, kNone);
-  m.Add({0.0, 0.0, 9.0}, FramePoint::kNoBody, -1, kStaticScene);
-  m.Add({0.1, 0.0, 6.0}, FramePoint::kNoBody, -1, ClusterId{1});
-  m.Add({0.2, 0.0, 9.0}, FramePoint::kNoBody, -1, kNone);
+  m.Add(m.p_in_world, kSceneOwner, 0, kNone);
+  m.Add({0.0, 0.0, 9.0}, kNoOwner, -1, kStaticScene);
+  m.Add({0.1, 0.0, 6.0}, kNoOwner, -1, ClusterId{1});
+  m.Add({0.2, 0.0, 9.0}, kNoOwner, -1, kNone);
   EXPECT_EQ(m.Update(), 2);
   ASSERT_THAT(m.window.landmarks, SizeIs(1));
   EXPECT_EQ(m.window.landmarks[0].id, LandmarkId{10});
   ASSERT_THAT(m.map.live[0].landmarks, SizeIs(1));
   EXPECT_EQ(m.map.live[0].landmarks[0].id, LandmarkId{11});
-  EXPECT_LT((m.map.live[0].landmarks[0].p_in_body - Eigen::Vector3d(-0.3, 0.0, 0.0)).norm(), 1e-9);
+  EXPECT_LT((m.map.live[0].landmarks[0].p_in_object - Eigen::Vector3d(-0.3, 0.0, 0.0)).norm(),
+            1e-9);
   EXPECT_EQ(m.next, LandmarkId{12});
   EXPECT_EQ(m.labels.points[2].landmark, LandmarkId{11});
   EXPECT_FALSE(m.labels.points[3].landmark.valid());
@@ -185,8 +188,8 @@ TEST(UpdateLandmarks, ABodyWithoutAPoseTakesNothingIn) {
   Moving m;
   m.tracks[0].is_tracked = false;
   m.window.landmarks = {Moving::Seen(m.p_in_world, [&](std::int64_t) { return m.p_in_world; })};
-  m.Add(m.p_in_world, FramePoint::kStaticBody, 0, ClusterId{1});
-  m.Add({0.1, 0.0, 6.0}, FramePoint::kNoBody, -1, ClusterId{1});
+  m.Add(m.p_in_world, kSceneOwner, 0, ClusterId{1});
+  m.Add({0.1, 0.0, 6.0}, kNoOwner, -1, ClusterId{1});
   EXPECT_EQ(m.Update(), 0);
   EXPECT_THAT(m.map.live[0].landmarks, IsEmpty());
   ASSERT_THAT(m.window.landmarks, SizeIs(1));
@@ -197,14 +200,14 @@ TEST(UpdateLandmarks, CovarianceIsTheBestTriangulationInTheBodysFrame) {
   Moving m;
   m.tracks[0].world_from_object =
       RigidTransform(ExpSo3({0.0, 1.2, 0.0}), Eigen::Vector3d(0.4, 0.0, 6.0));
-  m.Add(m.p_in_world, FramePoint::kNoBody, -1, ClusterId{1});
+  m.Add(m.p_in_world, kNoOwner, -1, ClusterId{1});
   m.Update();
   const Landmark& landmark = m.map.live[0].landmarks.at(0);
   const Eigen::Matrix3d R = m.tracks[0].world_from_object.RotationMatrix();
   const Eigen::Matrix3d in_camera = kCamera.PointCovariance(
       Frame::Pixel(m.p_in_world), MeasurementCovariance(m.options.noise, 1.0));
-  EXPECT_LT((R * landmark.covariance.in_body_m2 * R.transpose() - in_camera).norm(), 1e-12);
-  EXPECT_LT((R * landmark.view_in_body + m.p_in_world.normalized()).norm(), 1e-9);
+  EXPECT_LT((R * landmark.covariance.in_object_m2 * R.transpose() - in_camera).norm(), 1e-12);
+  EXPECT_LT((R * landmark.view_in_object + m.p_in_world.normalized()).norm(), 1e-9);
 }
 
 TEST(RemoveUnconfirmed, ForgetsWhatWasSeenOnceLongAgo) {
@@ -230,7 +233,7 @@ Frame Ball(const Eigen::Vector3d& center, double radius_m) {
     const Eigen::Vector3d n =
         Eigen::Vector3d(rng.Normal(), rng.Normal(), rng.Normal()).normalized();
     const Eigen::Vector3d p = center + radius_m * n;
-    if (n.dot(p) < 0.0) frame.Add(p, FramePoint::kNoBody, -1, ClusterId{1});
+    if (n.dot(p) < 0.0) frame.Add(p, kNoOwner, -1, ClusterId{1});
   }
   const Eigen::Vector3d z = Frame::Pixel(center);
   const double half_px = kCamera.fx * radius_m / center.z();
@@ -267,7 +270,7 @@ TEST(CreateClusters, GivenLabelsAloneMakeAnUnnamedBodyOfItsPoints) {
     return 0;
   });
   const Cluster& cluster = frame.map.live.at(0);
-  EXPECT_EQ(cluster.given_body, 5);
+  EXPECT_EQ(cluster.given_body, BodyId{5});
   EXPECT_EQ(cluster.category, "object");
   EXPECT_EQ(cluster.detections, 0);
   EXPECT_TRUE(IsConfirmed(cluster, {}));
@@ -280,11 +283,11 @@ TEST(DropWeakBirths, RenumbersTheOthersAndGivesPointsBack) {
   frame.window.landmarks.resize(1);
   frame.window.landmarks[0].label = {kStaticScene, 1};
   const Eigen::Vector3d p(0.0, 0.0, 5.0);
-  for (int i = 0; i < 3; ++i) frame.Add(p, FramePoint::kNoBody, -1, ClusterId{5});
-  frame.Add(p, FramePoint::kNoBody, -1, ClusterId{6});
-  frame.Add(p, FramePoint::kStaticBody, 0, ClusterId{6});
-  for (int i = 0; i < 4; ++i) frame.Add(p, FramePoint::kNoBody, -1, ClusterId{7});
-  frame.Add(p, FramePoint::kNoBody, -1, kStaticScene);
+  for (int i = 0; i < 3; ++i) frame.Add(p, kNoOwner, -1, ClusterId{5});
+  frame.Add(p, kNoOwner, -1, ClusterId{6});
+  frame.Add(p, kSceneOwner, 0, ClusterId{6});
+  for (int i = 0; i < 4; ++i) frame.Add(p, kNoOwner, -1, ClusterId{7});
+  frame.Add(p, kNoOwner, -1, kStaticScene);
   // Inferred to be of a birth, but not yet assigned to it.
   frame.labels.points.back().inferred = ClusterId{7};
   frame.labels.births = {{ClusterId{5}, 0, -1}, {ClusterId{6}, 1, -1}, {ClusterId{7}, 2, -1}};
@@ -310,10 +313,11 @@ TEST(DropWeakBirths, RenumbersTheOthersAndGivesPointsBack) {
 TEST(IsAllowed, AFeatureIsGivenToItsBodyOnly) {
   Frame frame;
   Cluster cluster;
-  const auto allowed = [&](std::vector<int> given, int body) {
-    frame.frame.given.feature_body = std::move(given);
-    cluster.given_body = body;
-    return frame.With([&](const FrameView& view) { return internal::IsAllowed(view, cluster, 1); });
+  const auto allowed = [&](const std::vector<int>& given, int body) {
+    frame.frame.given.feature_body.clear();
+    for (const int id : given) frame.frame.given.feature_body.push_back(BodyId{id});
+    cluster.given_body = BodyId{body};
+    return frame.With([&](const FrameView& view) { return IsAllowed(view, cluster, 1); });
   };
   EXPECT_TRUE(allowed({}, 3));
   EXPECT_TRUE(allowed({2, 3}, 3));
@@ -325,19 +329,19 @@ TEST(IsAllowed, AFeatureIsGivenToItsBodyOnly) {
 
 TEST(CollectPoints, LeavesOutNewPointsWithoutDisparityOnly) {
   Frame frame;
-  frame.Add({0.0, 0.0, 5.0}, FramePoint::kNoBody, -1, kNone);
-  for (int i = 0; i < 3; ++i) frame.Add({0.0, 0.0, 200.0}, FramePoint::kNoBody, -1, kNone);
+  frame.Add({0.0, 0.0, 5.0}, kNoOwner, -1, kNone);
+  for (int i = 0; i < 3; ++i) frame.Add({0.0, 0.0, 200.0}, kNoOwner, -1, kNone);
   std::vector<ClusterTrack> tracks(2);
   tracks[1].matches = {{4, 2, 0}};
   const auto points = frame.With([&](const FrameView& view) {
     return CollectPoints(view, {{9, 3, 0}}, tracks);
   });
   ASSERT_THAT(points, SizeIs(3));
-  EXPECT_EQ(points[0].body, FramePoint::kNoBody);
+  EXPECT_EQ(points[0].owner, kNoOwner);
   EXPECT_EQ(points[1].feature, 2);
-  EXPECT_EQ(points[1].body, 2);
+  EXPECT_EQ(points[1].owner, ClusterOwner(1));
   EXPECT_EQ(points[1].landmark, 4);
-  EXPECT_EQ(points[2].body, FramePoint::kStaticBody);
+  EXPECT_EQ(points[2].owner, kSceneOwner);
   EXPECT_EQ(points[2].landmark, 9);
 }
 
@@ -346,7 +350,7 @@ TEST(CollectPoints, TheReserveIsForWhereBodiesAre) {
   const std::vector<Eigen::Vector3d> p = {
       {-1.0, 0.0, 5.0}, {0.0, 0.0, 5.0}, {1.0, 0.0, 5.0}, {1.0, 1.0, 5.0}};
   for (const Eigen::Vector3d& point : p) {
-    frame.Add(point, FramePoint::kNoBody, -1, kNone);
+    frame.Add(point, kNoOwner, -1, kNone);
     frame.frame.features.back().is_reserve = true;
   }
   const auto around = [&](int feature) {
@@ -373,7 +377,8 @@ TEST(SceneFeatures, TheReserveOnlyInDetections) {
   features[2].z_px = {52.0, 50.0, 40.0};
   features[1].is_reserve = features[2].is_reserve = true;
   EXPECT_THAT(SceneFeatures(features, {}), ElementsAre(0));
-  EXPECT_THAT(SceneFeatures(features, {{{45.0, 45.0, 55.0, 55.0}, "Car", 0.9}}), ElementsAre(0, 2));
+  const std::vector<Detection> car = {{{45.0, 45.0, 55.0, 55.0}, "Car", 0.9}};
+  EXPECT_THAT(SceneFeatures(features, car), ElementsAre(0, 2));
 }
 
 }  // namespace

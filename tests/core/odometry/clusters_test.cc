@@ -235,8 +235,8 @@ TEST_P(EveryVariantWithBodies, GoesOnInAPlaceItDoesNotKnow) {
 
 TEST_P(EveryVariantWithBodies, TakesGivenLabelsAndBoxesTogether) {
   const ClusterRun run = Watch(12, [](int, WorldView& view) {
-    view.frame.given.feature_body = view.of_body;
-    view.frame.given.detection_body = view.box_body;
+    view.frame.given.feature_body = BodyIds(view.of_body);
+    view.frame.given.detection_body = BodyIds(view.box_body);
   });
   ExpectSound(run);
   const bool is_static = GetParam().substr(0, 6) == "static";
@@ -245,7 +245,7 @@ TEST_P(EveryVariantWithBodies, TakesGivenLabelsAndBoxesTogether) {
 
 TEST_P(EveryVariantWithBodies, RefusesGivenKnowledgeOfAnotherLength) {
   const auto give_too_few_labels = [](int, WorldView& view) {
-    view.frame.given.feature_body = {0, 1};
+    view.frame.given.feature_body = {BodyId{0}, BodyId{1}};
   };
   EXPECT_THROW(Watch(1, give_too_few_labels), Error);
   const auto give_too_many_boxes = [](int, WorldView& view) {

@@ -126,6 +126,52 @@ TEST(SolveWindow, KeepsAFrameThatNothingIsKnownOf) {
   EXPECT_EQ(problem.world_from_camera[2].Minus(before).norm(), 0.0);
 }
 
+TEST(SolveWindow, SaysHowItEnded) {
+  Rng rng(5, "solvers");
+  WindowProblem problem = RandomWindow(4, 40, rng);
+  problem.is_fixed[0] = 1;
+  const auto ending = [&](const SolverOptions& options) {
+    return SolveWindow({}, options, problem).ending;
+  };
+  EXPECT_EQ(ending({.iterations = 1, .function_tolerance = 0.0}), SolverEnding::kIterationLimit);
+  EXPECT_EQ(ending({.iterations = 100, .function_tolerance = 1e-6}), SolverEnding::kConverged);
+}
+
+// Whatever it is asked to do makes it worse.
+struct Uphill {
+  static double Linearize(SchurEquations& equations) {
+    equations.SetZero();
+    equations.points[0].H.setIdentity();
+    equations.points[0].g.setOnes();
+    return 1.0;
+  }
+  static double TryStep(const SchurStep&) { return 2.0; }
+  static void AcceptStep() { FAIL() << "it leads uphill"; }
+  static double Norm() { return 1.0; }
+};
+
+TEST(MinimizeEnergy, WithoutAUsableStepItSaysSo) {
+  SchurEquations equations({}, 0, 1, {});
+  Uphill model;
+  const SolverSummary summary = MinimizeEnergy({}, equations, model);
+  EXPECT_EQ(summary.ending, SolverEnding::kNoUsableStep);
+  EXPECT_EQ(summary.iterations, SolverOptions().iterations);
+  EXPECT_EQ(summary.final_cost, 1.0);
+}
+
+TEST(SolverEndings, AreCountedByKind) {
+  SolverEndings a;
+  a.Count(SolverEnding::kConverged);
+  a.Count(SolverEnding::kNoUsableStep);
+  SolverEndings b;
+  b.Count(SolverEnding::kIterationLimit);
+  b += a;
+  b += a;
+  EXPECT_EQ(b.converged, 2);
+  EXPECT_EQ(b.iteration_limit, 1);
+  EXPECT_EQ(b.no_usable_step, 2);
+}
+
 ClusterProblem RandomCluster(int frames, int points, Rng& rng) {
   ClusterProblem problem;
   problem.camera = kCamera;

@@ -69,6 +69,18 @@ TEST_F(Result, SaysWhatHappenedToEachFrame) {
   EXPECT_EQ(json["trajectories"]["camera.tum"]["omitted_frames"], Json::array({6}));
 }
 
+TEST_F(Result, CountsHowTheSolversEnded) {
+  run_.frames[0].report.window_endings.converged = 1;
+  run_.frames[1].report.window_endings.iteration_limit = 1;
+  run_.frames[1].report.cluster_endings = {4, 2, 1};
+  run_.frames[3].report.cluster_endings = {1, 0, 0};
+  const Json endings = ParseJson(File(), "result")["solver_endings"];
+  EXPECT_EQ(endings["camera_windows"],
+            Json({{"converged", 1}, {"iteration_limit", 1}, {"no_usable_step", 0}}));
+  EXPECT_EQ(endings["cluster_windows"],
+            Json({{"converged", 5}, {"iteration_limit", 2}, {"no_usable_step", 1}}));
+}
+
 TEST_F(Result, KeepsBothPosesOfAFrame) {
   run_.frames[1].report.world_from_camera =
       RigidTransform(Eigen::Quaterniond::Identity(), Eigen::Vector3d(1, 2, 3));

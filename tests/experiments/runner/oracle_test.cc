@@ -88,11 +88,11 @@ TEST(Oracle, GivesOnlyWhatIsAskedFor) {
   EXPECT_THAT(frame.given.detection_body, IsEmpty());
 
   Oracle(sequence, {.boxes = true}, &truth).Give(1, {}, frame);
-  EXPECT_THAT(frame.given.detection_body, ElementsAre(4));
+  EXPECT_THAT(frame.given.detection_body, ElementsAre(BodyId{4}));
   EXPECT_THAT(frame.given.feature_body, IsEmpty());
 
   Oracle(sequence, {.labels = true}, &truth).Give(1, feature_truth, frame);
-  EXPECT_THAT(frame.given.feature_body, ElementsAre(0, 4));
+  EXPECT_THAT(frame.given.feature_body, ElementsAre(kStaticBody, BodyId{4}));
   EXPECT_FALSE(frame.given.world_from_camera.has_value());
 
   Oracle(sequence, {.camera = true}, nullptr).Give(1, {}, frame);
@@ -103,7 +103,7 @@ TEST(Oracle, ABoxInAFrameWithoutTrueOnesIsNobodys) {
   FakeTruth truth;
   StereoFrame frame = FrameWithABox();
   Oracle(TwoFrames(), {.boxes = true}, &truth).Give(0, {}, frame);
-  EXPECT_THAT(frame.given.detection_body, ElementsAre(-1));
+  EXPECT_THAT(frame.given.detection_body, ElementsAre(BodyId()));
 }
 
 TEST(Oracle, AFeatureWithoutDepthIsUnknown) {
@@ -128,8 +128,8 @@ TEST(BodiesOfDetections, OneToOneFromHalfOverlapOn) {
   // Both of the first two overlap body 7 alone; the second is nearer. The third overlaps by a
   // third.
   EXPECT_THAT(BodiesOfDetections(detections, {{7, {2, 0, 12, 10}}, {9, {45, 0, 55, 10}}}),
-              ElementsAre(-1, 7, -1));
-  EXPECT_THAT(BodiesOfDetections(detections, {}), ElementsAre(-1, -1, -1));
+              ElementsAre(BodyId(), BodyId{7}, BodyId()));
+  EXPECT_THAT(BodiesOfDetections(detections, {}), ElementsAre(BodyId(), BodyId(), BodyId()));
   EXPECT_THAT(BodiesOfDetections({}, {{7, {2, 0, 12, 10}}}), IsEmpty());
 }
 

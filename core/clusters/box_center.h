@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/clusters/cluster_association.h"
+#include "core/clusters/cluster_track.h"
 
 namespace cvo {
 
 // Where a body's centre is, judged by its box and the nearest points in it alone.
-struct BoxFix {
+struct BoxCenter {
   Eigen::Vector3d center_in_world = Eigen::Vector3d::Zero();
   double size_m = 0.0;  // smaller side of the box at the body's depth
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  // of the centre, in world, 1/m^2
@@ -17,6 +17,7 @@ struct BoxFix {
 // side behind the surface points seen in it. Where the surface lies in the box says nothing of the
 // centre: texture may be on one side. A box says little where it shows a part of the body only: cut
 // by the image's border, or overlapped by another box.
-BoxFix FixFromBox(const FrameView& view, int detection, const Eigen::Vector3d& surface_in_world);
+BoxCenter CenterFromBox(const FrameView& view, int detection,
+                        const Eigen::Vector3d& surface_in_world);
 
 }  // namespace cvo

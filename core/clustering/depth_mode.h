@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "core/clustering/point_extent.h"
+
+namespace cvo {
+
+// Of the points in a box of angular_size (larger side over focal length), those that make the
+// nearest dense range of depths; ascending indices, empty where there is none. `depths_m` that are
+// not positive are left out.
+std::vector<int> NearestMode(const std::vector<double>& depths_m, double angular_size,
+                             const ExtentOptions& options);
+
+}  // namespace cvo

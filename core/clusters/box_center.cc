@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/clusters/box_center.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cvo {
+namespace {
+
+constexpr double kLeastSize_m = 0.01;  // no box is so small: keeps the information finite
+
+bool MayBeHidden(const FrameView& view, int detection) {
+  const ImageBox& box = view.shown.detections[detection].box;
+  for (int m = 0; m < static_cast<int>(view.shown.detections.size()); ++m) {
+    const ImageBox& other = view.shown.detections[m].box;
+    const double width_px =
+        std::min(box.right_px, other.right_px) - std::max(box.left_px, other.left_px);
+    const double height_px =
+        std::min(box.bottom_px, other.bottom_px) - std::max(box.top_px, other.top_px);
+    if (m == detection || width_px <= 0.0 || height_px <= 0.0) continue;
+    if (width_px * height_px > view.options.box_center.max_overlap * box.Width() * box.Height())
+      return true;
+  }
+  return false;
+}
+
+// Along the axes of the camera.
+Eigen::Vector3d Deviations(const FrameView& view, int detection, double size_m) {
+  const BoxCenterOptions& options = view.options.box_center;
+  const ImageBox& box = view.shown.detections[detection].box;
+  const bool is_hidden = MayBeHidden(view, detection);
+  const auto of_edges = [&](double low_px, double high_px, int image_px) {
+    const bool is_cut = low_px < options.border_px || high_px > image_px - 1 - options.border_px;
+    return size_m * (is_cut || is_hidden ? options.unseen_deviation : options.edge_deviation);
+  };
+  return {of_edges(box.left_px, box.right_px, view.camera.width_px),
+          of_edges(box.top_px, box.bottom_px, view.camera.height_px),
+          size_m * options.unseen_deviation};
+}
+
+}  // namespace
+
+BoxCenter CenterFromBox(const FrameView& view, int detection,
+                        const Eigen::Vector3d& surface_in_world) {
+  const ImageBox& box = view.shown.detections[detection].box;
+  const double surface_m = (view.world_from_camera.Inverse() * surface_in_world).z();
+  const Eigen::Vector3d ray((0.5 * (box.left_px + box.right_px) - view.camera.cx) / view.camera.fx,
+                            (0.5 * (box.top_px + box.bottom_px) - view.camera.cy) / view.camera.fy,
+                            1.0);
+  BoxCenter result;
+  result.size_m = std::max(kLeastSize_m, surface_m * std::min(box.Width() / view.camera.fx,
+                                                              box.Height() / view.camera.fy));
+  const double center_m = surface_m + view.options.clusters.birth_depth * result.size_m;
+  result.center_in_world = view.world_from_camera * (center_m * ray);
+  // Of the axes of a camera that looks along the ray.
+  const Eigen::Matrix3d R =
+      view.world_from_camera.RotationMatrix() *
+      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), ray).toRotationMatrix();
+  result.information =
+      R * Deviations(view, detection, result.size_m).cwiseAbs2().cwiseInverse().asDiagonal() *
+      R.transpose();
+  return result;
+}
+
+}  // namespace cvo

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "core/association/feature_grid.h"
+#include "core/association/image_box.h"
+#include "core/association/match.h"
+#include "core/clusters/cluster_map.h"
+#include "core/clusters/cluster_prediction.h"
+#include "core/interface/frame.h"
+#include "core/interface/options.h"
+
+namespace cvo {
+
+// What association finds out about one live cluster in the current frame.
+struct ClusterTrack {
+  PredictedCluster predicted;
+  RigidTransform world_from_object;  // provisional P_t^q if is_tracked, else predicted
+  bool is_tracked = false;           // at least min_tracked consistent landmarks
+  std::vector<Match> matches;        // consistent ones: index into cluster.landmarks, feature
+  int detection = -1;                // index into the frame's detections; -1: none
+  ImageBox box;                      // around its landmarks, matched or predicted
+};
+
+// The current frame, as far as it is known when clusters are associated.
+struct FrameView {
+  const Options& options;
+  const StereoFrame& frame;
+  ShownBodies shown;
+  const FeatureGrid& grid;
+  StereoCamera camera;
+  RigidTransform world_from_camera;
+};
+
+// Features that are matched already, by index.
+using TakenFeatures = std::vector<char>;
+
+}  // namespace cvo

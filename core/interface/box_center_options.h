@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/options.h"
+
+namespace cvo {
+
+// How well a box tells where the centre of the body in it is.
+struct BoxCenterOptions {
+  double edge_deviation = 0.05;
+  double unseen_deviation = 0.3;
+  double border_px = 3.0;
+  double max_overlap = 0.05;
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor& visit) {
+    visit.Field("edge_deviation", self.edge_deviation,
+                {"sizes of the body", 1e-4, 10,
+                 "standard deviation of the centre between two edges of a whole box",
+                 "edges of detections jitter by some per cent of the box"});
+    visit.Field("unseen_deviation", self.unseen_deviation,
+                {"sizes of the body", 1e-4, 10,
+                 "the same along the line of sight, and where an edge may not be the body's: how "
+                 "far it reaches there depends on its shape",
+                 "half of a body as deep as it is wide, or less; not swept"});
+    visit.Field("border_px", self.border_px,
+                {"px", 0, 1000, "an edge nearer to the image's border may be cut by it",
+                 "detectors end boxes up to some pixels before the border"});
+    visit.Field(
+        "max_overlap", self.max_overlap,
+        {"1", 0, 1, "share of a box that another one may overlap without hiding part of the body",
+         "boxes of neighbours touch by the jitter of their edges"});
+  }
+};
+
+}  // namespace cvo

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+
+#include "core/odometry/axes.h"
+#include "variants/static_ablations.h"
+
+namespace cvo {
+
+template <typename... A, typename... B>
+constexpr int CountDifferences(Axes<A...>, Axes<B...>) {
+  return (!std::is_same_v<A, B> + ...);
+}
+
+// In how many axes two variants differ. An ablation that misspells its axis differs in none.
+template <EstimatorVariant A, EstimatorVariant B>
+constexpr int CountDifferences() {
+  return CountDifferences(AxesOf<A>(), AxesOf<B>());
+}
+
+// A variant of the program that changes so many axes of `Base`.
+template <typename Base, typename V, int kAxes = 1>
+struct Listed {
+  static_assert(CountDifferences<Base, V>() == kAxes);
+  using Variant = V;
+};
+
+// Every variant in the program, in the order in which they are listed to users.
+using AllVariants = std::tuple<Listed<Full, Full, 0>,                     //
+                               Listed<Full, Only2d, 2>,                   //
+                               Listed<Full, Only2d3d>,                    //
+                               Listed<Full, NoGpPrior>,                   //
+                               Listed<Full, NoTurnPrior>,                 //
+                               Listed<Full, NoPairwiseTerm>,              //
+                               Listed<Full, NoProbabilisticAssociation>,  //
+                               Listed<Full, WithoutBoxRematch>,           //
+                               Listed<Full, WithoutIdentity>,             //
+                               Listed<Full, NoMarginalization>,           //
+                               Listed<Full, NoSpatialTrack>,              //
+                               Listed<Full, NoLabelConfidence>,           //
+                               Listed<Full, PaperLiteral, 10>,            //
+                               Listed<Full, Static>,                      //
+                               Listed<Static, StaticNoMarginalization>,   //
+                               Listed<Static, StaticMarginalizeLost>,     //
+                               Listed<Static, StaticPriorGauge>,          //
+                               Listed<Static, StaticNoSpatialTrack>,      //
+                               Listed<Static, StaticSelfCalibration>>;
+inline constexpr std::size_t kVariants = std::tuple_size_v<AllVariants>;
+
+template <std::size_t kIndex>
+using VariantAt = typename std::tuple_element_t<kIndex, AllVariants>::Variant;
+
+}  // namespace cvo
