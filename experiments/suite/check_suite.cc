@@ -15,7 +15,7 @@
 #include "experiments/suite/parse_suite.h"
 #include "experiments/suite/suite_grid.h"
 #include "reports/results/metric_catalogue.h"
-#include "synth/scene/description.h"
+#include "synth/family/generate.h"
 #include "synth/write/dataset_settings.h"
 #include "variants/registry.h"
 
@@ -84,8 +84,7 @@ void CheckName(const std::string& name, const std::string& where) {
 }
 
 void CheckScene(const SuiteSequence& sequence, const GridPoint& point) {
-  const auto scene =
-      synth::SceneDescription::Load(sequence.scene, SceneAssignments(sequence, point));
+  const auto scene = synth::LoadScene(sequence.scene, SceneAssignments(sequence, point));
   synth::ReadSensor(scene.sensor(), scene.where());
   const bool level = !sequence.detections.empty() && sequence.detections != kDetectionsFromLabels;
   synth::ReadDetectors(scene.detector(), scene.where(),
@@ -186,6 +185,22 @@ void CheckSystems(const Suite& suite, const std::string& where) {
   }
 }
 
+// Scenes that options were chosen on and those that results are reported on never share a row.
+void CheckSplits(const Suite& suite, const std::string& where) {
+  if (Among(suite.table.rows, "sequence")) return;
+  std::string split;
+  for (std::size_t i = 0; i < suite.sequences.size(); ++i) {
+    const std::string other = SplitOf(suite.sequences[i]);
+    if (!split.empty() && !other.empty() && other != split) {
+      ThrowError(StrCat(where, ", sequences.", i),
+                 StrCat("the ", other, " split (", suite.sequences[i].name, ") beside the ", split,
+                        " split"),
+                 "one split in a suite, or \"sequence\" among table.rows");
+    }
+    if (!other.empty()) split = other;
+  }
+}
+
 // Rows must tell apart whatever differs between cells, but for the sequence and the seed.
 void CheckRows(const Suite& suite, const std::string& where) {
   Names keys = {"sequence", "detections", "variant", "oracle"};
@@ -238,6 +253,22 @@ void CheckOracles(const Suite& suite, const std::string& where) {
 
 }  // namespace
 
+std::string SplitOf(const SuiteSequence& sequence) {
+  if (sequence.scene.empty()) return "";
+  if (!synth::IsFamilyScene(sequence.scene)) return synth::SplitName(synth::Split::kDevelopment);
+  return synth::SplitName(synth::SplitOf(synth::ParseFamilyScene(sequence.scene).seed));
+}
+
+std::string SplitOf(const Suite& suite) {
+  std::string split;
+  for (const SuiteSequence& sequence : suite.sequences) {
+    const std::string other = SplitOf(sequence);
+    if (!split.empty() && !other.empty() && other != split) return "mixed";
+    if (!other.empty()) split = other;
+  }
+  return split;
+}
+
 void CheckSuite(const Suite& suite, const std::string& where) {
   CheckName(suite.name, where + ", name");
   CheckSequences(suite, where);
@@ -256,6 +287,7 @@ void CheckSuite(const Suite& suite, const std::string& where) {
   CheckOracles(suite, where);
   CheckSystems(suite, where);
   CheckRows(suite, where);
+  CheckSplits(suite, where);
   if (suite.table.metrics.empty()) ThrowError(where + ", table.metrics", "none", "at least one");
   CheckNames(suite.table.metrics, reports::AllMetricNames(), where + ", table.metrics",
              "a metric of results, as camera_ate or object_success_10cm");

@@ -10,6 +10,7 @@
 #include "core/files/text_file.h"
 #include "experiments/suite/shipped_suites.h"
 #include "experiments/suite/suite_grid.h"
+#include "synth/family/generate.h"
 #include "synth/scene/object_reader.h"
 #include "synth/scene/shipped_scenes.h"
 
@@ -42,6 +43,15 @@ std::string ResolveScene(const std::string& scene, const fs::path& folder) {
   return fs::exists(file, ignored) ? fs::absolute(file).lexically_normal().string() : scene;
 }
 
+std::string ResolveFamily(const std::string& family, const fs::path& folder) {
+  for (const synth::ShippedFamily& shipped : synth::ShippedFamilies()) {
+    if (shipped.name == family) return family;
+  }
+  std::error_code ignored;
+  const fs::path file = folder / family;
+  return fs::exists(file, ignored) ? fs::absolute(file).lexically_normal().string() : family;
+}
+
 std::string DefaultName(const SuiteSequence& sequence) {
   if (!sequence.scene.empty()) return fs::path(sequence.scene).stem().string();
   fs::path folder = fs::path(sequence.folder).lexically_normal();
@@ -52,9 +62,57 @@ std::string DefaultName(const SuiteSequence& sequence) {
   return name;
 }
 
+constexpr std::uint64_t kMostFamilySeeds = 10000;
+
+// "1000:1040" (its end not included), or one number.
+std::pair<std::uint32_t, std::uint64_t> ReadSeedRange(ObjectReader& object) {
+  const std::string where = object.Where("seeds");
+  try {
+    if (object.Value("seeds").is_number()) {
+      const std::uint32_t seed = synth::ParseFamilySeed(object.Value("seeds").dump());
+      return {seed, seed + std::uint64_t{1}};
+    }
+    const std::string text = object.Text("seeds");
+    const std::size_t colon = std::min(text.find(':'), text.size());
+    const std::uint32_t first = synth::ParseFamilySeed(text.substr(0, colon));
+    const std::uint32_t end = synth::ParseFamilySeed(text.substr(std::min(colon + 1, text.size())));
+    if (end > first && end - first <= kMostFamilySeeds) return {first, end};
+  } catch (const Error&) {
+  }
+  ThrowError(where, object.Value("seeds").dump(),
+             "\"FIRST:END\" with seeds from 0 to 4294967295, END not included, or one seed");
+}
+
+// A sequence for each seed.
+void ReadFamily(ObjectReader object, const fs::path& folder, std::vector<SuiteSequence>& out) {
+  SuiteSequence sequence;
+  const std::string family = object.Text("family");
+  const auto [first, end] = ReadSeedRange(object);
+  synth::FamilyScene scene;
+  scene.family = ResolveFamily(family, folder);
+  if (object.Has("set")) {
+    ObjectReader set = object.Object("set");
+    for (const auto& [knob, value] : object.Value("set").items()) {
+      const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+      scene.set.push_back(knob + "=" + text);
+    }
+  }
+  const std::string name = object.TextOr("name", fs::path(family).stem().string());
+  sequence.frames = object.TextOr("frames", "");
+  sequence.detections = object.TextOr("detections", "");
+  sequence.classes = TextsOr(object, "classes", {});
+  object.Finish();
+  for (std::uint64_t seed = first; seed < end; ++seed) {
+    scene.seed = static_cast<std::uint32_t>(seed);
+    sequence.scene = scene.Name();
+    sequence.name = StrCat(name, "_", seed);
+    out.push_back(sequence);
+  }
+}
+
 SuiteSequence ReadSequence(ObjectReader object, const fs::path& folder) {
   SuiteSequence sequence;
-  if (object.OneOf({"scene", "folder"}) == "scene") {
+  if (object.OneOf({"scene", "folder", "family"}) == "scene") {
     sequence.scene = ResolveScene(object.Text("scene"), folder);
   } else {
     sequence.folder = object.Text("folder");
@@ -152,7 +210,11 @@ Suite ReadCheckedSuite(const Json& json, const std::string& where, const fs::pat
   suite.name = object.Text("name");
   suite.about = object.TextOr("about", "");
   for (ObjectReader& sequence : object.ObjectsOr("sequences")) {
-    suite.sequences.push_back(ReadSequence(std::move(sequence), folder));
+    if (sequence.Has("family")) {
+      ReadFamily(std::move(sequence), folder, suite.sequences);
+    } else {
+      suite.sequences.push_back(ReadSequence(std::move(sequence), folder));
+    }
   }
   suite.variants = TextsOr(object, "variants", {});
   suite.seeds = ReadSeeds(object);

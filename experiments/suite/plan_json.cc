@@ -65,17 +65,19 @@ PlannedJob ParseJob(const Json& json, const Suite& suite) {
 Json PlanToJson(const Plan& plan) {
   Json jobs = Json::array();
   for (const PlannedJob& job : plan.jobs) jobs.push_back(JobToJson(job, plan.suite));
-  return {{"schema_version", kSchemaVersion},
-          {"kind", kKind},
-          {"suite", {{"name", plan.suite.name}, {"about", plan.suite.about}}},
-          {"build", plan.build},
-          {"data", plan.data},
-          {"table",
-           {{"rows", plan.suite.table.rows},
-            {"metrics", plan.suite.table.metrics},
-            {"reference", plan.suite.table.reference}}},
-          {"definition", SuiteToJson(plan.suite)},
-          {"jobs", std::move(jobs)}};
+  return {
+      {"schema_version", kSchemaVersion},
+      {"kind", kKind},
+      {"suite",
+       {{"name", plan.suite.name}, {"about", plan.suite.about}, {"split", SplitOf(plan.suite)}}},
+      {"build", plan.build},
+      {"data", plan.data},
+      {"table",
+       {{"rows", plan.suite.table.rows},
+        {"metrics", plan.suite.table.metrics},
+        {"reference", plan.suite.table.reference}}},
+      {"definition", SuiteToJson(plan.suite)},
+      {"jobs", std::move(jobs)}};
 }
 
 Plan ParsePlan(const Json& json, const std::string& where) {

@@ -8,6 +8,7 @@
 #include "core/files/number.h"
 #include "experiments/cache/content_hash.h"
 #include "experiments/suite/cell_input.h"
+#include "synth/family/generate.h"
 #include "synth/write/manifest.h"
 #include "synth/write/render_cache.h"
 #include "synth/write/write_scene.h"
@@ -46,7 +47,7 @@ const SceneFolders::Source& SceneFolders::SourceFor(const SuiteSequence& sequenc
   for (const std::string& assignment : assignments) key += "\n" + assignment;
   const auto found = sources_.find(key);
   if (found != sources_.end()) return found->second;
-  const auto scene = synth::SceneDescription::Load(sequence.scene, assignments);
+  const auto scene = synth::LoadScene(sequence.scene, assignments);
   Source source = {synth::SourceOf(scene, {}), scene.parts().frames};
   return sources_.emplace(key, std::move(source)).first->second;
 }

@@ -26,6 +26,10 @@ struct SuiteSequence {
   std::string labels;                // file below the data folder; empty: the folder's own
 };
 
+// "development" or "test" for scenes (synth/family/family.h), "none" for other seeds of a family;
+// empty for a folder of images. Shipped scenes are for development.
+std::string SplitOf(const SuiteSequence& sequence);
+
 // Values that one option takes, in order: of the estimator ("crf.alpha") or, with "scene." before
 // it, of the scene file ("scene.detector.miss_rate": over the level that a sequence names).
 struct GridAxis {
@@ -68,5 +72,8 @@ struct Suite {
   bool landmarks = false;  // jobs of the first seed keep every landmark: what overlays draw
   SuiteTable table;
 };
+
+// Of all its scenes: "development", "test", "none", "mixed"; empty without scenes.
+std::string SplitOf(const Suite& suite);
 
 }  // namespace cvo

@@ -9,7 +9,7 @@
 #include "core/files/options_json.h"
 #include "core/interface/options.h"
 #include "experiments/suite/cell_input.h"
-#include "synth/scene/description.h"
+#include "synth/family/generate.h"
 #include "synth/scene/object_reader.h"
 #include "synth/write/dataset_settings.h"
 
@@ -74,7 +74,7 @@ Json AtPath(const Json& whole, const std::string& path) {
 
 // What the scene says and, of sensor and detector, what it leaves at the defaults.
 Json SceneDefaults(const SuiteSequence& sequence) {
-  const auto scene = synth::SceneDescription::Load(sequence.scene, {});
+  const auto scene = synth::LoadScene(sequence.scene, {});
   Json values = scene.json();
   synth::SensorOptions sensor = synth::ReadSensor(scene.sensor(), scene.where());
   values["sensor"] = OptionsToJson(OptionLeaves(sensor));

@@ -39,8 +39,8 @@ struct BodyProcess {
   Burst burst;
 };
 
-// A box of nothing.
-struct Ghost {
+// A false positive.
+struct FalseBox {
   PixelBox box;
   std::string category;
   EdgeJitter jitter;
@@ -49,7 +49,7 @@ struct Ghost {
 class Detector {
  public:
   Detector(const DetectorInput& input, const DetectorOptions& options, std::uint64_t seed)
-      : input_(input), options_(options), seed_(seed), ghost_rng_(seed, "detector false") {
+      : input_(input), options_(options), seed_(seed), false_box_rng_(seed, "detector false") {
     for (std::size_t i = 0; i < input.categories.size(); ++i) {
       bodies_.push_back({Rng(seed, StrCat("detector body ", i + 1)), {}, {}});
     }
@@ -68,7 +68,7 @@ class Detector {
       dt_s_ = i == 0 ? 0.0 : frame.time_s - input_.frames[i - 1].time_s;
       std::vector<Detection> found = FindBodies(frame);
       Merge(found);
-      AddGhosts(i == 0, found);
+      AddFalseBoxs(i == 0, found);
       for (Detection& detection : found) {
         detection.frame = static_cast<int>(i);
         all.push_back(std::move(detection));
@@ -107,8 +107,8 @@ class Detector {
                      (1.0 - MissProbability(body.visible_fraction, options_.miss_visible));
   }
 
-  // Whether the detector takes two neighbours for one now.
-  bool TakenForOne(int a, int b) {
+  // Whether the detector merges two neighbours into one box now.
+  bool AreMerged(int a, int b) {
     const auto key = std::minmax(a, b);
     auto [pair, added] = pairs_.try_emplace(
         key, Rng(seed_, StrCat("detector pair ", key.first, " ", key.second)), SlowNormal());
@@ -122,7 +122,7 @@ class Detector {
       for (std::size_t k = i + 1; k < found.size(); ++k) {
         if (found[i].category != found[k].category) continue;
         if (Overlap(found[i].box, found[k].box) < options_.merge_overlap) continue;
-        if (!TakenForOne(found[i].body, found[k].body)) continue;
+        if (!AreMerged(found[i].body, found[k].body)) continue;
         PixelBox& box = found[i].box;
         const PixelBox other = found[k].box;
         box = {std::min(box.left, other.left), std::min(box.top, other.top),
@@ -134,29 +134,30 @@ class Detector {
     }
   }
 
-  void AddGhosts(bool first, std::vector<Detection>& found) {
+  void AddFalseBoxs(bool first, std::vector<Detection>& found) {
     if (real_boxes_.empty()) return;
     const double stays =
         options_.false_positive_s > 0.0 ? std::exp(-dt_s_ / options_.false_positive_s) : 0.0;
-    std::erase_if(ghosts_, [&](const Ghost&) { return ghost_rng_.Uniform() >= stays; });
+    std::erase_if(false_boxes_, [&](const FalseBox&) { return false_box_rng_.Uniform() >= stays; });
     const double born = options_.false_positives * (first ? 1.0 : 1.0 - stays);
-    for (int count = Poisson(ghost_rng_, born); count > 0; --count) ghosts_.push_back(MakeGhost());
-    for (Ghost& ghost : ghosts_) {
-      const PixelBox box = ghost.jitter.Step(ghost_rng_, dt_s_, ghost.box, options_);
+    for (int count = Poisson(false_box_rng_, born); count > 0; --count)
+      false_boxes_.push_back(MakeFalseBox());
+    for (FalseBox& false_box : false_boxes_) {
+      const PixelBox box = false_box.jitter.Step(false_box_rng_, dt_s_, false_box.box, options_);
       found.push_back(
-          {0, 0, ghost.category, Tidy(box, input_.width_px, input_.height_px),
-           Score(options_.false_score_mean, options_.false_score_spread, ghost_rng_.Normal())});
+          {0, 0, false_box.category, Tidy(box, input_.width_px, input_.height_px),
+           Score(options_.false_score_mean, options_.false_score_spread, false_box_rng_.Normal())});
     }
   }
 
   // Of a real object's size, anywhere.
-  Ghost MakeGhost() {
-    const auto& [body, like] = real_boxes_[ghost_rng_.UniformInt(real_boxes_.size())];
-    const double scale = ghost_rng_.Uniform(0.6, 1.2);
+  FalseBox MakeFalseBox() {
+    const auto& [body, like] = real_boxes_[false_box_rng_.UniformInt(real_boxes_.size())];
+    const double scale = false_box_rng_.Uniform(0.6, 1.2);
     const double width = scale * (like.right - like.left);
     const double height = scale * (like.bottom - like.top);
-    const double left = ghost_rng_.Uniform(0.0, std::max(input_.width_px - 1.0 - width, 1.0));
-    const double top = ghost_rng_.Uniform(0.0, std::max(input_.height_px - 1.0 - height, 1.0));
+    const double left = false_box_rng_.Uniform(0.0, std::max(input_.width_px - 1.0 - width, 1.0));
+    const double top = false_box_rng_.Uniform(0.0, std::max(input_.height_px - 1.0 - height, 1.0));
     return {{left, top, left + width, top + height},
             input_.categories[static_cast<std::size_t>(body - 1)],
             {}};
@@ -168,8 +169,8 @@ class Detector {
   double dt_s_ = 0.0;
   std::vector<BodyProcess> bodies_;
   std::map<std::pair<int, int>, std::pair<Rng, SlowNormal>> pairs_;
-  Rng ghost_rng_;
-  std::vector<Ghost> ghosts_;
+  Rng false_box_rng_;
+  std::vector<FalseBox> false_boxes_;
   std::vector<std::pair<int, PixelBox>> real_boxes_;
 };
 

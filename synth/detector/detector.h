@@ -12,7 +12,7 @@
 
 namespace cvo::synth {
 
-// What a detector could see. Of the truth it uses times, visible boxes, pixels and fractions.
+// Input of a detector. Of the truth it uses times, visible boxes, pixels and fractions.
 struct DetectorInput {
   int width_px = 0;
   int height_px = 0;
@@ -22,14 +22,14 @@ struct DetectorInput {
 
 struct Detection {
   int frame = 0;  // index into DetectorInput::frames
-  int body = 0;   // 0: a box of nothing
+  int body = 0;   // 0: a false positive
   std::string category;
   PixelBox box;
   double score = 0.0;
 };
 
-// Every body errs from a random stream of its own: what one option changes leaves the rest as it
-// is. Jitter follows a first-order autoregressive process, bursts of misses a Markov chain.
+// Every body has a random stream of its own, so that changing one option leaves the rest as it is.
+// Jitter follows a first-order autoregressive process, bursts of misses a Markov chain.
 std::vector<Detection> Detect(const DetectorInput& input, const DetectorOptions& options,
                               std::uint64_t seed);
 

@@ -9,7 +9,7 @@
 
 namespace cvo::synth {
 
-// How a detector errs. Defaults: level "good", fitted to two real detectors (synth/README.md).
+// Errors of a detector. Defaults: level "good", fitted to two real detectors (synth/README.md).
 struct DetectorOptions {
   double jitter_width = 0.07;
   double jitter_height = 0.055;

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A cut across the car, in parts of its length, half width and height.
+// A cross-section of the car, as fractions of its length, half width and height.
 struct Station {
   double x;      // -0.5 ... 0.5
   double roof;   // highest point
@@ -68,7 +68,7 @@ void AddShell(Part& paint, Part& glass, const Pen& paint_pen, const Pen& glass_p
   }
   Mesh whole;
   AddLattice(whole, paint_pen, body);
-  // Painted faces stay, those of glass are made anew.
+  // Glass faces become a part of their own.
   const auto at = [&](std::size_t r, int c) { return body.points[r * kColumns + c]; };
   paint.mesh.vertices = whole.vertices;
   for (std::size_t r = 0; r + 1 < kStations.size(); ++r) {

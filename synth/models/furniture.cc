@@ -91,8 +91,8 @@ Model BuildCrate(const BuildRequest& request, Rng& look) {
   return model;
 }
 
-// Upholstered, as thin bars alone would hardly show in a stereo pair; legs and the room above the
-// seat leave much of its box to the background.
+// Upholstered: thin bars alone are hardly visible in a stereo pair. Between the legs and above the
+// seat its box shows background.
 Model BuildChair(const BuildRequest& request, Rng& look) {
   const Texture wood = MaterialOr(request, "wood", look);
   const Texture cloth = MakeTexture("fabric", look);
@@ -121,7 +121,7 @@ Model BuildChair(const BuildRequest& request, Rng& look) {
   return model;
 }
 
-// Its height holds what lies on it.
+// Its height includes what lies on it.
 Model BuildTable(const BuildRequest& request, Rng& look) {
   const Texture wood = MaterialOr(request, "wood", look);
   const Vector3d& size = request.size_m;

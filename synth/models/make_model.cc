@@ -55,7 +55,7 @@ Eigen::Vector3d FindSize(const ModelDescription& description, const Kind& kind) 
   const bool is_ball = description.kind == "ball";
   if (is_ball && (size_m.x() != size_m.y() || size_m.x() != size_m.z())) {
     ThrowError("size_m of ball", StrCat(size_m.x(), " ", size_m.y(), " ", size_m.z()),
-               "thrice the same diameter");
+               "the same diameter three times");
   }
   return size_m;
 }

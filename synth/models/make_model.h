@@ -13,7 +13,8 @@ namespace cvo::synth {
 
 struct ModelDescription {
   std::string kind;  // one of ModelKinds()
-  // Of its box along x, y, z; zero where the model has a usual size. Balls: the diameter, thrice.
+  // Of its box along x, y, z; zero where the model has a usual size. Balls: the diameter three
+  // times.
   Eigen::Vector3d size_m = Eigen::Vector3d::Zero();
   std::string material;        // one of MaterialNames(); empty: what suits the model
   std::filesystem::path file;  // kind "mesh": OBJ, PLY or glTF in metres, z up, scaled to size_m

@@ -19,7 +19,7 @@ struct Part {
   bool casts_shadow = true;
 };
 
-// A convex piece of what other things must not enter: a ball where radius_m > 0, else a box.
+// A convex part of the collision shape: a ball where radius_m > 0, else a box.
 struct CollisionShape {
   RigidTransform model_from_shape;
   Eigen::Vector3d half_size_m = Eigen::Vector3d::Zero();

@@ -102,7 +102,7 @@ void AddShell(RoomState& state, Rng& look) {
                BoxFace(low, {high.x(), high.y(), 0.0}, 4));
   AddRectangle(above.mesh, {ceiling.size_m, {0, 0}, {}, kCell_m},
                BoxFace({low.x(), low.y(), high.z()}, high, 5));
-  // Flowers behind what moves, a calm wall above: corners are spread over all that has texture.
+  // Textured wallpaper behind the bodies, a plain wall above: corners are spread over the image.
   const Texture paper = MakeTexture("wallpaper", look);
   const Texture calm = MakeTexture("embossed", look);
   const double rail = std::min(kRail_m, size.z());
@@ -214,7 +214,7 @@ bool Place(RoomState& state, const Piece& piece, Rng& look) {
   return false;
 }
 
-// False where something finds no place.
+// False if a piece does not fit.
 bool AddFurniture(RoomState& state, Rng& look) {
   const RoomDescription& room = state.room;
   const double depth = room.furniture_depth_m - 0.03;
@@ -240,7 +240,7 @@ bool AddFurniture(RoomState& state, Rng& look) {
   return true;
 }
 
-// Where the wall is free; a poster that finds no place is left out.
+// On free parts of the walls; a poster that does not fit is left out.
 void AddPosters(RoomState& state, Rng& look) {
   const double height = state.room.size_m.z();
   for (int i = 0; i < state.room.posters; ++i) {
@@ -285,7 +285,7 @@ void CheckRoom(const RoomDescription& room) {
 Surroundings MakeRoom(const RoomDescription& room, Rng& look) {
   CheckRoom(room);
   Rng own(look.NextU64(), "room");
-  // Doors and windows may leave too little of the walls: others then.
+  // Doors and windows may leave too little of the walls: drawn again then.
   const double least_m = 0.8 * room.shelves + 0.9 * room.tables + 0.35 * room.crates;
   const int attempts = least_m < 2.0 * (room.size_m.x() + room.size_m.y()) ? 12 : 0;
   for (int attempt = 0; attempt < attempts; ++attempt) {

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// What many things share.
+// Shared by many models.
 struct StreetTextures {
   std::vector<Texture> facades;
   std::vector<Texture> roofs;
@@ -74,8 +74,8 @@ Place PlaceAt(const StreetState& state, const Side& side, std::size_t index) {
   return {road.line[index] + road.half_width_m * away, forward, away};
 }
 
-// Stands the model on the ground with its front (x) to the road.
-void Stand(StreetState& state, Model model, const Vector2d& at, const Vector2d& front) {
+// Puts the model on the ground with its front (x) to the road.
+void PutOnGround(StreetState& state, Model model, const Vector2d& at, const Vector2d& front) {
   Eigen::Matrix3d turn;
   turn << front.x(), -front.y(), 0, front.y(), front.x(), 0, 0, 0, 1;
   const Vector3d middle(at.x(), at.y(), 0.5 * model.size_m.z());
@@ -91,7 +91,7 @@ bool TryBuilding(StreetState& state, const Place& place, const Vector3d& size, R
   state.map.plots.push_back(plot);
   const Texture& facade = AnyOf(state.textures.facades, look);
   const Texture& roof = AnyOf(state.textures.roofs, look);
-  Stand(state, MakeBuilding(size, facade, roof, look), middle, -place.away);
+  PutOnGround(state, MakeBuilding(size, facade, roof, look), middle, -place.away);
   return true;
 }
 
@@ -145,8 +145,9 @@ void AddTrees(StreetState& state, const Side& side, Rng& look) {
     if (!TakePlot(state, side, index, {out, half})) continue;
     const Place place = PlaceAt(state, side, index);
     const Texture& leaves = AnyOf(state.textures.leaves, look);
-    Stand(state, MakeTree({2.0 * half, 2.0 * half, height}, leaves, state.textures.bark, look),
-          place.kerb + out * place.away, -place.away);
+    PutOnGround(state,
+                MakeTree({2.0 * half, 2.0 * half, height}, leaves, state.textures.bark, look),
+                place.kerb + out * place.away, -place.away);
   }
 }
 
@@ -158,18 +159,19 @@ void AddPosts(StreetState& state, const Side& side, Rng& look) {
     const Place place = PlaceAt(state, side, index);
     if (look.Uniform() < 0.45) {
       if (!TakePlot(state, side, index, {0.98, 0.8})) continue;
-      Stand(state, MakeLampPost(look.Uniform(5.0, 5.6), state.textures.metal, state.textures.lamp),
-            place.kerb + 0.98 * place.away, -place.away);
+      PutOnGround(state,
+                  MakeLampPost(look.Uniform(5.0, 5.6), state.textures.metal, state.textures.lamp),
+                  place.kerb + 0.98 * place.away, -place.away);
     } else {
       if (!TakePlot(state, side, index, {0.85, 0.65})) continue;
       const Texture& picture = AnyOf(state.textures.pictures, look);
-      Stand(state, MakeSign(picture, state.textures.metal, look), place.kerb + 0.85 * place.away,
-            -side.sign * place.forward);
+      PutOnGround(state, MakeSign(picture, state.textures.metal, look),
+                  place.kerb + 0.85 * place.away, -side.sign * place.forward);
     }
   }
 }
 
-// Where no building came to stand.
+// Where there is no building.
 void AddHedges(StreetState& state, const Side& side, Rng& look) {
   const auto points = state.map.roads[side.road].line.size();
   for (std::size_t index = 2; index < points; index += 4) {
@@ -181,7 +183,7 @@ void AddHedges(StreetState& state, const Side& side, Rng& look) {
     if (!state.map.IsFree(plot, state.map.pavement_m + 0.1)) continue;
     state.map.plots.push_back(plot);
     const Texture& leaves = AnyOf(state.textures.leaves, look);
-    Stand(state, MakeHedge(size, leaves, look), middle, -place.away);
+    PutOnGround(state, MakeHedge(size, leaves, look), middle, -place.away);
   }
 }
 

@@ -15,7 +15,7 @@ using Eigen::Vector2d;
 
 Vector2d LeftOf(const Vector2d& v) { return {-v.y(), v.x()}; }
 
-// Half the length of a plot's shadow on a line.
+// Half the length of a plot's projection on a line.
 double Reach(const Plot& plot, const Vector2d& axis) {
   return std::abs(axis.dot(plot.forward)) * plot.half_m.x() +
          std::abs(axis.dot(LeftOf(plot.forward))) * plot.half_m.y();

@@ -25,7 +25,7 @@ struct Plot {
 
 bool Overlap(const Plot& a, const Plot& b);
 
-// Where the roads are and what is built on already.
+// The roads, and the plots that are taken.
 struct StreetMap {
   std::vector<Road> roads;
   double pavement_m = 0.0;
@@ -33,7 +33,7 @@ struct StreetMap {
 
   // Within `margin_m` of the carriageway of a road other than `own` (-1: of any).
   bool IsOnRoad(const Eigen::Vector2d& point, double margin_m, int own) const;
-  // Keeps off all roads by `margin_m` and off all plots.
+  // At least `margin_m` from all roads, and on no plot that is taken.
   bool IsFree(const Plot& plot, double margin_m) const;
 };
 

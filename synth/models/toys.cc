@@ -41,7 +41,7 @@ Model BuildBlock(const BuildRequest& request, Rng& look) {
   return model;
 }
 
-// Boxes upon each other, the upper ones a little smaller.
+// A stack of boxes, the upper ones a little smaller.
 Model BuildTower(const BuildRequest& request, Rng& look) {
   Model model;
   const Vector3d& size = request.size_m;

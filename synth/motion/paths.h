@@ -10,7 +10,7 @@
 
 namespace cvo::synth {
 
-// What a path must know of the body that takes it.
+// What a path needs to know about its body.
 struct BodyShape {
   double half_height_m = 0.0;
   double rolling_radius_m = 0.0;  // > 0: rolls on its route without slipping

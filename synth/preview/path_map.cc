@@ -113,7 +113,7 @@ void DrawScaleBar(double pixels_per_m, cv::Mat& canvas) {
 }  // namespace
 
 std::vector<cv::Scalar> BodyColours(std::size_t bodies) {
-  // Tableau's ten, which people tell apart; later ones are darker.
+  // Tableau's ten colours, easy to distinguish; later ones are darker.
   constexpr std::array<std::array<int, 3>, 10> kRgb = {{{31, 119, 180},
                                                         {255, 127, 14},
                                                         {44, 160, 44},

@@ -30,7 +30,7 @@ struct Cell {
   }
 };
 
-// Half grey, half the body's colour would hide the texture: a quarter tells enough.
+// A quarter of the body's colour: more would hide the texture.
 void Tint(const cv::Mat& instances, const std::vector<cv::Scalar>& colours, cv::Mat& image) {
   for (int v = 0; v < image.rows; ++v) {
     const auto* ids = instances.ptr<std::uint16_t>(v);

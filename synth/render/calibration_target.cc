@@ -88,7 +88,8 @@ View Place(const StereoCamera& rig, const Placement& placement) {
                                       (placement.v * rig.height_px - rig.cy) / rig.fy * depth,
                                       depth);
   const double rad = std::acos(-1.0) / 180.0;
-  // Half the baseline aside, so that the board is as far off the middle in one eye as in the other.
+  // Half the baseline aside, so that the board is as far off the middle in the left camera as in
+  // the right.
   const Eigen::Vector3d aside(0.5 * rig.baseline_m, 0.0, 0.0);
   const Eigen::Quaterniond left_from_board =
       ExpSo3(Eigen::Vector3d(placement.tilt_x_deg * rad, 0.0, 0.0)) *

@@ -9,7 +9,7 @@
 namespace cvo::synth {
 namespace {
 
-// More than the rounding of 32-bit depth leaves outside of a box, less than anyone would notice.
+// More than the rounding of 32-bit depth leaves outside of a box, less than matters.
 constexpr double kTolerance_m = 0.003;
 
 // The box of a body as this camera sees it.

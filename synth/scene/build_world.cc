@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <opencv2/core.hpp>
 #include <utility>
 
 #include "core/base/error.h"
@@ -80,6 +81,24 @@ std::vector<Eigen::Vector4d> WallsAndFloor(const Surroundings& surroundings) {
   return walls;
 }
 
+// Towards the mean colour of each texture (below 1) or away from it.
+void ScaleContrast(double contrast, World& world) {
+  if (contrast == 1.0) return;
+  for (cv::Mat& texture : world.textures) {
+    const cv::Scalar mean = cv::mean(texture);
+    cv::Mat scaled = texture.clone();  // parts may share the original
+    for (int row = 0; row < scaled.rows; ++row) {
+      for (int column = 0; column < scaled.cols; ++column) {
+        auto& pixel = scaled.at<cv::Vec3b>(row, column);
+        for (int k = 0; k < 3; ++k) {
+          pixel[k] = cv::saturate_cast<unsigned char>(mean[k] + contrast * (pixel[k] - mean[k]));
+        }
+      }
+    }
+    texture = scaled;
+  }
+}
+
 }  // namespace
 
 World BuildWorld(const SceneDescription& description, int threads) {
@@ -110,6 +129,7 @@ World BuildWorld(const SceneDescription& description, int threads) {
                             MakeMotion(object.path, ShapeOf(model), scene.Duration_s())});
     scenery.AddBody(model, id);
   }
+  ScaleContrast(scene.texture_contrast, world);
   CheckCollisions(MakeSolids(scene, world, models), WallsAndFloor(models.surroundings),
                   scene.Duration_s(), threads, description.where());
   CheckInView(world, description.where());

@@ -22,7 +22,7 @@ constexpr double kLongestStep_m = 0.02;  // of what nearly touches
 constexpr double kWallStep_m = 0.05;     // nothing comes out on the other side of a wall
 constexpr double kNever_s = std::numeric_limits<double>::infinity();
 
-// A solid with what spares looking at it closely.
+// A solid with bounds that make most checks cheap.
 struct Moving {
   const Solid* solid = nullptr;
   double radius_m = 0.0;      // around the origin
@@ -65,7 +65,7 @@ Moving MakeMoving(const Solid& solid, double duration_s) {
   return moving;
 }
 
-// Where two things are too near for their bounding balls to say how near.
+// Exact where the bounding balls are close.
 double SeparationOf(const Moving& a, const Moving& b, double time_s) {
   constexpr double kFar_m = 0.5;
   const RigidTransform at_a = a.At(time_s);
@@ -90,7 +90,7 @@ double SeparationOf(const Moving& a, const Eigen::Vector4d& plane, double time_s
   return least;
 }
 
-struct Offence {
+struct Collision {
   double time_s = kNever_s;
   double depth_m = 0.0;
   double worst_time_s = 0.0;
@@ -100,36 +100,36 @@ struct Offence {
 // Steps through time by what the present separation allows at the greatest closing speed, so that
 // nothing is missed but what moves less than the shortest step within another.
 template <typename SeparationAt>
-Offence FindOffence(const SeparationAt& separation_at, double closing_mps, double shortest_step_m,
-                    double duration_s) {
-  Offence offence;
+Collision FindCollision(const SeparationAt& separation_at, double closing_mps,
+                        double shortest_step_m, double duration_s) {
+  Collision collision;
   for (double time_s = 0.0; time_s <= duration_s;) {
     const double separation = separation_at(time_s);
     if (separation < -kTolerance_m) {
-      if (offence.time_s == kNever_s) offence = {time_s, -separation, time_s, -separation};
-      if (-separation > offence.worst_depth_m) {
-        offence.worst_time_s = time_s;
-        offence.worst_depth_m = -separation;
+      if (collision.time_s == kNever_s) collision = {time_s, -separation, time_s, -separation};
+      if (-separation > collision.worst_depth_m) {
+        collision.worst_time_s = time_s;
+        collision.worst_depth_m = -separation;
       }
-    } else if (offence.time_s != kNever_s) {
+    } else if (collision.time_s != kNever_s) {
       break;
     }
     if (closing_mps <= 0.0) break;
     time_s += std::max(separation, shortest_step_m) / closing_mps;
   }
-  return offence;
+  return collision;
 }
 
 // A pair of solids, or a solid and a wall.
-struct Meeting {
+struct SolidPair {
   std::size_t first = 0;
   std::size_t second = 0;
   bool with_wall = false;
 };
 
-std::vector<Meeting> FindMeetings(const std::vector<Moving>& solids,
-                                  const std::vector<Eigen::Vector4d>& walls) {
-  std::vector<Meeting> meetings;
+std::vector<SolidPair> FindPairs(const std::vector<Moving>& solids,
+                                 const std::vector<Eigen::Vector4d>& walls) {
+  std::vector<SolidPair> pairs;
   std::vector<std::size_t> order(solids.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
@@ -142,29 +142,29 @@ std::vector<Meeting> FindMeetings(const std::vector<Moving>& solids,
       if (b.swept.min().x() > a.swept.max().x()) break;
       const bool both_stay = !a.solid->motion && !b.solid->motion;
       if (both_stay || !a.swept.intersects(b.swept)) continue;
-      meetings.push_back({std::min(order[i], order[j]), std::max(order[i], order[j]), false});
+      pairs.push_back({std::min(order[i], order[j]), std::max(order[i], order[j]), false});
     }
   }
   for (std::size_t i = 0; i < solids.size(); ++i) {
     if (!solids[i].solid->motion) continue;
-    for (std::size_t wall = 0; wall < walls.size(); ++wall) meetings.push_back({i, wall, true});
+    for (std::size_t wall = 0; wall < walls.size(); ++wall) pairs.push_back({i, wall, true});
   }
-  return meetings;
+  return pairs;
 }
 
 double ShortestStep_m(double least_half_m) { return std::min(kLongestStep_m, 0.1 * least_half_m); }
 
-Offence FindOffence(const Meeting& meeting, const std::vector<Moving>& solids,
-                    const std::vector<Eigen::Vector4d>& walls, double duration_s) {
-  const Moving& a = solids[meeting.first];
-  if (meeting.with_wall) {
-    const auto separation = [&](double t) { return SeparationOf(a, walls[meeting.second], t); };
-    return FindOffence(separation, a.fastest_mps, kWallStep_m, duration_s);
+Collision FindCollision(const SolidPair& pair, const std::vector<Moving>& solids,
+                        const std::vector<Eigen::Vector4d>& walls, double duration_s) {
+  const Moving& a = solids[pair.first];
+  if (pair.with_wall) {
+    const auto separation = [&](double t) { return SeparationOf(a, walls[pair.second], t); };
+    return FindCollision(separation, a.fastest_mps, kWallStep_m, duration_s);
   }
-  const Moving& b = solids[meeting.second];
+  const Moving& b = solids[pair.second];
   const auto separation = [&](double t) { return SeparationOf(a, b, t); };
-  return FindOffence(separation, a.fastest_mps + b.fastest_mps,
-                     ShortestStep_m(std::min(a.least_half_m, b.least_half_m)), duration_s);
+  return FindCollision(separation, a.fastest_mps + b.fastest_mps,
+                       ShortestStep_m(std::min(a.least_half_m, b.least_half_m)), duration_s);
 }
 
 std::string WallName(const Eigen::Vector4d& wall) {
@@ -180,15 +180,15 @@ std::string Fixed(double value, int digits) {
   return out.str();
 }
 
-[[noreturn]] void ThrowOffence(const std::string& where, const std::string& first,
-                               const std::string& second, const Offence& offence) {
-  std::string found = StrCat(first, " and ", second, " overlap by ", Fixed(offence.depth_m, 3),
-                             " m at ", Fixed(offence.time_s, 2), " s");
-  if (offence.worst_time_s > offence.time_s) {
-    found += StrCat(" (by ", Fixed(offence.worst_depth_m, 2), " m at ",
-                    Fixed(offence.worst_time_s, 2), " s)");
+[[noreturn]] void ThrowCollision(const std::string& where, const std::string& first,
+                                 const std::string& second, const Collision& collision) {
+  std::string found = StrCat(first, " and ", second, " overlap by ", Fixed(collision.depth_m, 3),
+                             " m at ", Fixed(collision.time_s, 2), " s");
+  if (collision.worst_time_s > collision.time_s) {
+    found += StrCat(" (by ", Fixed(collision.worst_depth_m, 2), " m at ",
+                    Fixed(collision.worst_time_s, 2), " s)");
   }
-  ThrowError(where, found, "nothing that goes through another thing");
+  ThrowError(where, found, "no collisions");
 }
 
 // Whether a ball may touch the left camera's field of view.
@@ -211,19 +211,18 @@ void CheckCollisions(const std::vector<Solid>& solids, const std::vector<Eigen::
   std::vector<Moving> moving(solids.size());
   pool.ParallelFor(static_cast<int>(solids.size()),
                    [&](int i) { moving[i] = MakeMoving(solids[i], duration_s); });
-  const std::vector<Meeting> meetings = FindMeetings(moving, walls);
-  std::vector<Offence> offences(meetings.size());
-  pool.ParallelFor(static_cast<int>(meetings.size()), [&](int i) {
-    offences[i] = FindOffence(meetings[i], moving, walls, duration_s);
+  const std::vector<SolidPair> pairs = FindPairs(moving, walls);
+  std::vector<Collision> collisions(pairs.size());
+  pool.ParallelFor(static_cast<int>(pairs.size()), [&](int i) {
+    collisions[i] = FindCollision(pairs[i], moving, walls, duration_s);
   });
   const auto first =
-      std::min_element(offences.begin(), offences.end(),
-                       [](const Offence& a, const Offence& b) { return a.time_s < b.time_s; });
-  if (first == offences.end() || first->time_s == kNever_s) return;
-  const Meeting& meeting = meetings[first - offences.begin()];
-  ThrowOffence(where, solids[meeting.first].name,
-               meeting.with_wall ? WallName(walls[meeting.second]) : solids[meeting.second].name,
-               *first);
+      std::min_element(collisions.begin(), collisions.end(),
+                       [](const Collision& a, const Collision& b) { return a.time_s < b.time_s; });
+  if (first == collisions.end() || first->time_s == kNever_s) return;
+  const SolidPair& pair = pairs[first - collisions.begin()];
+  ThrowCollision(where, solids[pair.first].name,
+                 pair.with_wall ? WallName(walls[pair.second]) : solids[pair.second].name, *first);
 }
 
 void CheckInView(const World& world, const std::string& where) {
@@ -241,7 +240,7 @@ void CheckInView(const World& world, const std::string& where) {
   const auto unseen = std::find(seen.begin(), seen.end(), false);
   if (unseen == seen.end()) return;
   ThrowError(where, world.bodies[unseen - seen.begin()].name + " never in front of the camera",
-             "bodies that at least one frame may show");
+             "bodies that may be visible in at least one frame");
 }
 
 }  // namespace cvo::synth

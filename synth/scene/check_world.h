@@ -21,8 +21,8 @@ struct Solid {
 };
 
 // From time zero to `duration_s`: no solid in another, none but those without motion beyond a wall
-// (inward planes). Touching is no offence. Throws Error at `where` naming the first offence in time
-// and when it is at its worst. The same for every number of threads.
+// (inward planes). Touching is allowed. Throws Error at `where` naming the first collision and when
+// it is deepest. The same for every number of threads.
 void CheckCollisions(const std::vector<Solid>& solids, const std::vector<Eigen::Vector4d>& walls,
                      double duration_s, int threads, const std::string& where);
 

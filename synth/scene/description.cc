@@ -126,8 +126,10 @@ SceneDescription::SceneDescription(Json json, std::string where,
       where_(std::move(where)),
       parts_(std::make_shared<SceneParts>(ParseScene(json_, where_, folder))) {}
 
-SceneDescription SceneDescription::Parse(const Json& json, const std::string& where) {
-  return {json, where, {}};
+SceneDescription SceneDescription::Parse(Json json, const std::string& where,
+                                         const std::vector<std::string>& assignments) {
+  for (const std::string& assignment : assignments) Assign(json, assignment);
+  return {std::move(json), where, {}};
 }
 
 SceneDescription SceneDescription::Load(const std::string& scene,

@@ -13,7 +13,7 @@
 namespace cvo::synth {
 
 // A scene file as read: strict JSON with `--set` assignments applied, every key and value checked.
-// What `seed`, `sensor` and `detector` say does not touch what is drawn.
+// `seed`, `sensor` and `detector` do not change what is drawn.
 class SceneDescription {
  public:
   // A shipped scene's name or the path of a JSON file; "sensor.read_noise=0",
@@ -21,7 +21,8 @@ class SceneDescription {
   static SceneDescription Load(const std::string& scene,
                                const std::vector<std::string>& assignments);
   // Mesh files are meant relative to the working folder.
-  static SceneDescription Parse(const Json& json, const std::string& where);
+  static SceneDescription Parse(Json json, const std::string& where,
+                                const std::vector<std::string>& assignments = {});
 
   const Json& json() const { return json_; }  // as given, assignments applied
   const std::string& where() const { return where_; }
@@ -46,7 +47,7 @@ class SceneDescription {
 // sensor.motion_blur.
 std::string RenderKeyText(const SceneDescription& scene);
 
-// Throws Error for a scene that cannot be: bodies through each other or through a wall, a camera
+// Throws Error for an impossible scene: bodies through each other or through a wall, a camera
 // inside something, a body that is never in front of the camera.
 World BuildWorld(const SceneDescription& scene, int threads);
 

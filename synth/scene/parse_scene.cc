@@ -80,8 +80,9 @@ Light ParseLight(ObjectReader reader) {
   if (light.direction.norm() < 1e-6) {
     ThrowError(reader.Where("direction"), "a vector of length zero", "a direction");
   }
-  light.directional = reader.NumberOr("directional", {0.0, 10.0}, light.directional);
-  light.ambient = reader.NumberOr("ambient", {0.0, 10.0}, light.ambient);
+  const double brightness = reader.NumberOr("brightness", {0.0, 10.0}, 1.0);
+  light.directional = brightness * reader.NumberOr("directional", {0.0, 10.0}, light.directional);
+  light.ambient = brightness * reader.NumberOr("ambient", {0.0, 10.0}, light.ambient);
   light.sky_rgb = reader.Vector3Or("sky_rgb", kUnit, light.sky_rgb);
   light.shadow_range_m = reader.NumberOr("shadow_range_m", {0.5, 1e3}, light.shadow_range_m);
   reader.Finish();
@@ -210,6 +211,7 @@ SceneParts ParseScene(const Json& json, const std::string& where,
     scene.surroundings = ParseStreet(reader.Object("street"));
   }
   if (reader.Has("light")) scene.light = ParseLight(reader.Object("light"));
+  scene.texture_contrast = reader.NumberOr("texture_contrast", {0.0, 2.0}, scene.texture_contrast);
   scene.camera = ParseCamera(reader.Object("camera"));
   for (ObjectReader& object : reader.ObjectsOr("objects")) ParseObject(object, folder, scene);
   for (const char* key : {"sensor", "detector"}) {

@@ -38,6 +38,7 @@ struct SceneParts {
   double rate_hz = 0.0;
   std::variant<RoomDescription, StreetDescription> surroundings;
   Light light;
+  double texture_contrast = 1.0;  // of all textures about their mean colour
   CameraDescription camera;
   std::vector<ObjectDescription> objects;  // copies are objects of their own
   Json sensor = Json::object();

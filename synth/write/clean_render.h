@@ -14,13 +14,13 @@
 
 namespace cvo::synth {
 
-// The user asked to stop; nothing was left that looks complete.
+// The user asked to stop; no incomplete output is left.
 class Stopped : public Error {
  public:
   using Error::Error;
 };
 
-// How work tells of itself. Called one at a time.
+// Progress and messages of long work. Never called at the same time.
 struct WorkHooks {
   std::function<void(int done, int total, const std::string& stage)> progress;
   std::function<bool()> stop;                      // asked for each frame
@@ -41,7 +41,7 @@ struct TargetImages {
   std::vector<Eigen::Vector3d> corners_in_left;
 };
 
-// A renderer, or what stands in for one.
+// A renderer, or a substitute in tests.
 struct DrawingTools {
   std::function<Rendering(const View&)> draw;
   std::function<void(const View&, cv::Mat& left, cv::Mat& right)> draw_images;

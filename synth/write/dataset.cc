@@ -75,7 +75,7 @@ cv::Mat ReadClean(const fs::path& path) {
   return image;
 }
 
-// Both images of all frames; a few at a time, so that a stop comes through.
+// Both images of all frames; a few at a time, so that a stop takes effect soon.
 void WriteImages(const DatasetSource& source, const RenderRequest& request, std::uint64_t seed,
                  const CachedRender& clean, TaskPool& pool, FolderBuild& build) {
   const int total = clean.manifest.frames;
@@ -149,7 +149,7 @@ void RequireReplaceable(const fs::path& folder) {
   try {
     manifest = ReadManifest(folder);
   } catch (const Error&) {
-    ThrowError(folder.string(), "other things in it", kReplaceable);
+    ThrowError(folder.string(), "other files in it", kReplaceable);
   }
   RequireNothingElse(folder, *manifest);
 }

@@ -28,7 +28,7 @@ void CreateFolders(const fs::path& path) {
   if (error) ThrowErrno(path, "create the folder", error.value());
 }
 
-// A name that nobody else has.
+// A unique name.
 fs::path CreateTemporary(const fs::path& target) {
   for (int attempt = 0;; ++attempt) {
     const fs::path path = TemporaryName(target, std::to_string(attempt));

@@ -33,7 +33,7 @@ class FolderBuild {
   // Adds the manifest with what was written and linked, then renames. kKeep: where the target came
   // into being meanwhile it stays, and this build goes away.
   void Commit(Manifest manifest, Existing existing);
-  // Files must not change under those who link them.
+  // Read-only: other folders link these files.
   void MakeReadOnly();
 
  private:

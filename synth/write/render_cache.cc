@@ -17,7 +17,7 @@ std::optional<fs::path> FolderFrom(const char* variable) {
   return fs::path(value);
 }
 
-// Out of everybody's way first, so that no half of it is ever found.
+// Renamed first, so that nobody finds a half-removed entry.
 void RemoveEntry(const fs::path& entry) {
   const fs::path aside = TemporaryName(entry, "damaged");
   std::error_code error;

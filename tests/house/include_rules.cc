@@ -43,8 +43,8 @@ std::vector<Part> CoreParts() {
 std::vector<Part> SynthParts() {
   std::vector<Part> parts;
   std::vector<std::string> below = {"core/base/", "core/geometry/", "core/files/"};
-  for (const char* layer :
-       {"models", "motion", "scene", "render", "truth", "sensor", "detector", "write", "preview"}) {
+  for (const char* layer : {"models", "motion", "scene", "family", "render", "truth", "sensor",
+                            "detector", "write", "preview", "diversity"}) {
     below.push_back(StrCat("synth/", layer, "/"));
     parts.push_back({below.back(), below, {"random"}});
   }

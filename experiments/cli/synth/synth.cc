@@ -7,12 +7,13 @@
 namespace cvo {
 
 Command AddSynthCommand(CLI::App& program) {
-  CLI::App* app = program.add_subcommand(
-      "synth",
-      "Synthetic scenes: list, render, preview and check stereo sequences with exact truth");
+  CLI::App* app = program.add_subcommand("synth",
+                                         "Synthetic scenes: list, generate, render, preview and "
+                                         "check stereo sequences with exact truth");
   app->require_subcommand(1);
-  const std::vector<Command> commands = {AddSynthListCommand(*app), AddSynthRenderCommand(*app),
-                                         AddSynthPreviewCommand(*app), AddSynthCheckCommand(*app)};
+  const std::vector<Command> commands = {
+      AddSynthListCommand(*app),    AddSynthGenerateCommand(*app), AddSynthRenderCommand(*app),
+      AddSynthPreviewCommand(*app), AddSynthCheckCommand(*app),    AddSynthDiversityCommand(*app)};
   app->footer(
       "Start with: clustervo synth render indoor_1 -o indoor_1, then clustervo synth check "
       "indoor_1\n"

@@ -8,6 +8,8 @@ namespace cvo {
 
 // What `clustervo synth` offers, one command each.
 Command AddSynthListCommand(CLI::App& synth);
+Command AddSynthGenerateCommand(CLI::App& synth);
+Command AddSynthDiversityCommand(CLI::App& synth);
 Command AddSynthRenderCommand(CLI::App& synth);
 Command AddSynthPreviewCommand(CLI::App& synth);
 Command AddSynthCheckCommand(CLI::App& synth);

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "experiments/cli/run/text_table.h"
 #include "experiments/cli/synth/synth_command.h"
+#include "synth/family/family.h"
 #include "synth/scene/description.h"
 #include "synth/scene/shipped_scenes.h"
 
@@ -37,13 +38,20 @@ int List() {
                std::to_string(CountMovers(parts)), scene.about()});
   }
   table.Print(std::cout);
+  std::cout << '\n';
+  TextTable families({"family", "knobs", "about"});
+  for (const synth::ShippedFamily& shipped : synth::ShippedFamilies()) {
+    const synth::Family family = synth::LoadFamily(shipped.name);
+    families.Add({family.name, std::to_string(family.knobs.size()), family.about});
+  }
+  families.Print(std::cout);
   return 0;
 }
 
 }  // namespace
 
 Command AddSynthListCommand(CLI::App& synth) {
-  return {synth.add_subcommand("list", "List the shipped scenes"), List};
+  return {synth.add_subcommand("list", "List the shipped scenes and families of scenes"), List};
 }
 
 }  // namespace cvo

@@ -12,6 +12,7 @@
 #include "experiments/cli/stop_signal.h"
 #include "experiments/cli/synth/synth_command.h"
 #include "experiments/datasets/frame_range.h"
+#include "synth/family/generate.h"
 #include "synth/preview/preview.h"
 #include "synth/write/write_scene.h"
 
@@ -30,7 +31,9 @@ struct SceneFlags {
   bool quiet = false;
 
   void AddTo(CLI::App& app, const char* output_kind, const char* output_meaning) {
-    app.add_option("SCENE", scene, "a shipped scene (clustervo synth list) or a JSON file")
+    app.add_option(
+           "SCENE", scene,
+           "a shipped scene (clustervo synth list), a JSON file or a family's seed, as room@17")
         ->type_name("")
         ->required();
     app.add_option("-o,--output", output, output_meaning)->type_name(output_kind)->required();
@@ -114,7 +117,7 @@ int Render(const RenderFlags& flags) {
   } catch (const Error& error) {
     throw UsageError(error.what());
   }
-  const auto scene = synth::SceneDescription::Load(flags.scene.scene, flags.scene.set);
+  const auto scene = synth::LoadScene(flags.scene.scene, flags.scene.set);
   const int code = RunStoppable(flags.scene.quiet, [&](const synth::WorkHooks& hooks) {
     synth::WriteDataset(scene,
                         {.frames = flags.scene.Frames(),
@@ -130,7 +133,7 @@ int Render(const RenderFlags& flags) {
 }
 
 int Preview(const SceneFlags& flags) {
-  const auto scene = synth::SceneDescription::Load(flags.scene, flags.set);
+  const auto scene = synth::LoadScene(flags.scene, flags.set);
   const synth::SceneFrames frames = flags.Frames();
   CheckOutputFile(flags.output, {flags.scene});
   const int code = RunStoppable(flags.quiet, [&](const synth::WorkHooks& hooks) {

@@ -51,7 +51,7 @@ bool Covers(const SphereLeaf& leaf, const Eigen::Vector3f& direction) {
   }
 }
 
-// From the top to the bottom: the last, larger than the sphere's half, is the ground.
+// From top to bottom: the last, larger than half the sphere, is the background.
 std::vector<SphereLeaf> MakeLeaves(Rng& rng) {
   const Palette& palette = RandomPalette(rng);
   constexpr double kSmallest = 0.045;

@@ -26,7 +26,7 @@ Rgb Mix(const Rgb& a, const Rgb& b, double part_of_b);
 // A colour as given, lighter or darker by up to `part`.
 Rgb Vary(const Rgb& colour, double part, Rng& rng);
 
-// A canvas is CV_8UC3; what crosses one of its sides goes on at the opposite one.
+// A canvas is CV_8UC3 and tileable: what crosses one side continues at the opposite one.
 cv::Mat MakeCanvas(cv::Size size, const Rgb& colour);
 void FillPolygon(cv::Mat& canvas, const std::vector<cv::Point2f>& points, const Rgb& colour);
 void FillDisc(cv::Mat& canvas, cv::Point2f centre, double radius, const Rgb& colour);
@@ -63,10 +63,10 @@ struct CollageOptions {
   double largest_px = 60.0;
   int shapes = 300;
 };
-// Shapes upon shapes, the large ones below: corners at every scale.
+// Overlapping shapes, large ones first: corners at every scale.
 void DrawCollage(cv::Mat& canvas, const cv::Rect2f& area, const CollageOptions& options,
                  const Palette& palette, Rng& rng);
-// A crooked line that forks now and then.
+// An irregular line with branches.
 void DrawCrack(cv::Mat& canvas, cv::Point2f from, double length_px, double width_px,
                const Rgb& colour, Rng& rng);
 

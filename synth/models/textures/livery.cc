@@ -86,8 +86,8 @@ void DrawDecal(cv::Mat& canvas, cv::Point2f middle, const Livery& livery, Rng& r
 
 }  // namespace
 
-// A car that carries advertisements all over: nothing smaller would give the corners by which a
-// body of some hundred pixels is tracked.
+// A car covered with prints: smaller ones give too few corners to track a body of some hundred
+// pixels.
 Texture PaintCarPaint(Rng& rng) {
   const Livery livery = MakeLivery(rng);
   cv::Mat canvas = MakeCanvas({kSide_px, kSide_px}, livery.ground);

@@ -6,7 +6,7 @@
 
 namespace cvo::synth {
 
-// Calm, as a road is: the corners that a front end looks for are to be found on what drives there.
+// Low contrast, as on real roads: corners should be found on vehicles.
 Texture PaintAsphalt(Rng& rng) {
   const Rgb base = {104, 104, 107};
   cv::Mat canvas = MakeCanvas({1024, 1024}, base);

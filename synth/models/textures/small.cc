@@ -54,7 +54,7 @@ Texture MakeDoorTexture(Rng& look) {
   return {canvas, {1.0, 1.0}};
 }
 
-// Dark, with the bright sky and what stands along the road mirrored in it, and a few stickers.
+// Dark, with reflections of the sky and the roadside, and a few stickers.
 Texture MakeCarGlassTexture(Rng& look) {
   Rng own(look.NextU64(), "car glass");
   cv::Mat canvas = MakeCanvas({256, 256}, {40, 48, 58});

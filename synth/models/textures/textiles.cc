@@ -20,8 +20,8 @@ struct SpotOptions {
   double apart_px;  // centres
 };
 
-// Single shapes in no order, light ones on dark ground and dark ones on light: each a corner of its
-// own, in the shade too, and no two rows alike.
+// Separate random shapes, light on dark and dark on light: each gives corners, in shadow too, and
+// no two rows are the same.
 void DrawSpots(cv::Mat& canvas, const SpotOptions& options, const Palette& palette, Rng& rng) {
   constexpr int kTrials = 3000;
   const cv::Mat ground = canvas.clone();
@@ -134,7 +134,7 @@ Texture PaintCarpet(Rng& rng) {
 
 Texture PaintWallpaper(Rng& rng) { return PaintFlowers(0.6, rng); }
 
-// As if embossed: too faint for corners, which are left to what hangs and moves before it.
+// Too faint for corners, which should be found on posters and bodies.
 Texture PaintEmbossed(Rng& rng) { return PaintFlowers(0.06, rng); }
 
 Texture PaintPoster(Rng& rng) {

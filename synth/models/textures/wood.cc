@@ -13,7 +13,7 @@ const Rgb& RandomTimber(Rng& rng) {
   return timbers[rng.UniformInt(timbers.size())];
 }
 
-// Rings drawn out along u around a dark heart.
+// Rings drawn out along u around a dark centre.
 void DrawKnot(cv::Mat& canvas, cv::Point2f centre, double radius, const Rgb& timber, Rng& rng) {
   for (const double part : {1.0, 0.78, 0.55, 0.3}) {
     std::vector<cv::Point2f> ring;
@@ -98,7 +98,7 @@ Texture PaintWood(Rng& rng) {
 }
 
 Texture PaintParquet(Rng& rng) {
-  // Large calm boards: what moves on them must stand out.
+  // Large boards of low contrast: bodies on them should stand out.
   const BoardOptions boards = {64.0f, 200.0, 480.0, 0.28, 1.0f / 650.0f, 1.0f / 8000.0f};
   return {PaintBoards({1024, 1024}, boards, rng), {2.56, 2.56}};
 }

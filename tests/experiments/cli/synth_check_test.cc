@@ -26,6 +26,29 @@ TEST(CliSynth, ListsTheShippedScenes) {
   EXPECT_THAT(list.out, AllOf(HasSubstr("movers"), HasSubstr("tiny"), HasSubstr("640x480")));
 }
 
+TEST(CliSynth, GeneratesTheSceneOfASeed) {
+  const test::TempFolder folder;
+  const auto file = [&](const char* name) { return (folder.path() / name).string(); };
+  const auto generate = [&](const std::string& seed, const std::string& set, const char* name) {
+    return RunProgram(
+        {"synth", "generate", "room", "--seed", seed, "--set", set, "-o", file(name)});
+  };
+  const ProcessResult once = generate("17", "movers=2", "a.json");
+  EXPECT_EQ(once.exit_code, 0) << once.err;
+  EXPECT_EQ(generate("17", "movers=2", "b.json").exit_code, 0);
+  EXPECT_EQ(ReadFileBytes(file("a.json")), ReadFileBytes(file("b.json")));
+  for (const char* seed : {"-1", "4294967296", "x"}) {
+    const ProcessResult wrong = generate(seed, "movers=2", "c.json");
+    EXPECT_EQ(wrong.exit_code, 1) << seed;
+    EXPECT_THAT(wrong.err, HasSubstr("an integer from 0 to 4294967295"));
+  }
+  const ProcessResult wrong = generate("17", "mover=2", "c.json");
+  EXPECT_EQ(wrong.exit_code, 1);
+  EXPECT_THAT(wrong.err, HasSubstr("no knob \"mover\""));
+  EXPECT_FALSE(fs::exists(file("c.json")));
+  EXPECT_THAT(RunProgram({"synth", "generate", "room", "--knobs"}).out, HasSubstr("speed_mps"));
+}
+
 TEST(CliSynth, AMisspeltCommandIsWrongUsage) {
   const ProcessResult run = RunProgram({"synth", "chek"});
   EXPECT_EQ(run.exit_code, 2);

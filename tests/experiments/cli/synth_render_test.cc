@@ -210,7 +210,7 @@ TEST_F(CliSynthRender, NeverReplacesWhatItDidNotWrite) {
   folder_.Write("mine/notes.txt", "mine");
   const ProcessResult render = Render("mine", {"-q"});
   EXPECT_EQ(render.exit_code, 2);
-  EXPECT_THAT(render.err, HasSubstr("other things in it"));
+  EXPECT_THAT(render.err, HasSubstr("other files in it"));
   EXPECT_TRUE(fs::exists(out("mine") / "notes.txt"));
 }
 

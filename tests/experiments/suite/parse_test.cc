@@ -64,6 +64,55 @@ TEST(Suite, SeedsAreANumberOrAList) {
   EXPECT_THAT(MessageOf(With("/seeds", {-1})), HasSubstr("s.json, seeds"));
 }
 
+Json RoomsEntry(const std::string& seeds) {
+  return {{"family", "room"}, {"seeds", seeds}, {"detections", "good"}, {"set", {{"movers", 2}}}};
+}
+
+TEST(Suite, AFamilyIsASequenceForEachSeed) {
+  const Suite suite = Parse(With("/sequences", Json::array({RoomsEntry("10:12")})));
+  ASSERT_EQ(suite.sequences.size(), 2u);
+  EXPECT_EQ(suite.sequences[0].name, "room_10");
+  EXPECT_EQ(suite.sequences[1].scene, "room@11,movers=2");
+  EXPECT_EQ(suite.sequences[1].detections, "good");
+  EXPECT_EQ(SplitOf(suite), "development");
+  EXPECT_EQ(Parse(SuiteToJson(suite)).sequences[1].scene, "room@11,movers=2");
+}
+
+TEST(Suite, SplitsNeverShareARow) {
+  EXPECT_THAT(
+      MessageOf(With("/sequences", Json::array({RoomsEntry("999:1001")}))),
+      HasSubstr("sequences.1: found the test split (room_1000) beside the development split"));
+  EXPECT_THAT(MessageOf(With("/sequences", Json::array({{{"scene", "tiny"}}, RoomsEntry("1000")}))),
+              HasSubstr("found the test split"));
+  Json json = With("/sequences", Json::array({{{"scene", "tiny"}}, RoomsEntry("1000")}));
+  json["table"]["rows"] = {"sequence", "variant"};
+  EXPECT_EQ(SplitOf(Parse(json)), "mixed");
+}
+
+TEST(Suite, NamesWhatAFamilyEntryHasWrong) {
+  for (const char* seeds : {"12:10", "-1:3", "0:4294967297", "a", ""}) {
+    EXPECT_THAT(MessageOf(With("/sequences", Json::array({RoomsEntry(seeds)}))),
+                HasSubstr("sequences.0.seeds"))
+        << seeds;
+  }
+  Json entry = RoomsEntry("3");
+  entry["set"] = {{"mover", 2}};
+  EXPECT_THAT(MessageOf(With("/sequences", Json::array({entry}))), HasSubstr("no knob \"mover\""));
+  entry = RoomsEntry("3");
+  entry["family"] = "rooms";
+  EXPECT_THAT(MessageOf(With("/sequences", Json::array({entry}))), HasSubstr("did you mean room?"));
+}
+
+TEST(Suite, AKnobIsAnAxisOfAGrid) {
+  Json json = With("/sequences", Json::array({RoomsEntry("3")}));
+  json["grid"] = {{"scene.knob.rate_hz", {10, 20}}};
+  json["table"]["rows"] = {"variant", "scene.knob.rate_hz"};
+  EXPECT_EQ(MessageOf(json), "");
+  json["grid"] = {{"scene.knob.rate", {10, 20}}};
+  json["table"]["rows"] = {"variant", "scene.knob.rate"};
+  EXPECT_THAT(MessageOf(json), HasSubstr("no knob \"rate\""));
+}
+
 // Pointer, value, and what the message must name.
 struct Wrong {
   std::string pointer;

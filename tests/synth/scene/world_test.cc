@@ -45,6 +45,30 @@ TEST(BuildWorld, TinyHasWhatItsFileSays) {
   EXPECT_EQ(pictures.size(), world.textures.size());
 }
 
+TEST(BuildWorld, ContrastIsThatOfAllTexturesAboutTheirMean) {
+  const auto deviation = [](const std::string& contrast) {
+    const World world =
+        BuildWorld(SceneDescription::Load("tiny", {"texture_contrast=" + contrast}), 1);
+    double sum = 0.0;
+    for (const cv::Mat& texture : world.textures) {
+      cv::Scalar mean, deviations;
+      cv::meanStdDev(texture, mean, deviations);
+      sum += deviations[0];
+    }
+    return sum / static_cast<double>(world.textures.size());
+  };
+  const double as_painted = deviation("1");
+  EXPECT_LT(deviation("0"), 1e-9);
+  EXPECT_NEAR(deviation("0.5"), 0.5 * as_painted, 0.05 * as_painted);
+}
+
+TEST(BuildWorld, BrightnessScalesAllLight) {
+  const World world = BuildWorld(SceneDescription::Load("tiny", {"light.brightness=0.5"}), 1);
+  const World usual = BuildWorld(SceneDescription::Load("tiny", {}), 1);
+  EXPECT_NEAR(world.light.directional, 0.5 * usual.light.directional, 1e-12);
+  EXPECT_NEAR(world.light.ambient, 0.5 * usual.light.ambient, 1e-12);
+}
+
 TEST(BuildWorld, ShippedScenesCanBe) {
   for (const ShippedScene& shipped : ShippedScenes()) {
     EXPECT_EQ(ErrorMessage([&] { BuildWorld(SceneDescription::Load(shipped.name, {}), 2); }), "");

@@ -226,7 +226,7 @@ TEST_F(WriteDatasetTest, FailedRenderLeavesNothing) {
 
 TEST_F(WriteDatasetTest, ForeignFolderIsRefusedBeforeAnythingIsDrawn) {
   temp_.Write("mine/notes.txt", "precious");
-  EXPECT_THAT(ErrorMessage([&] { Write("mine"); }), HasSubstr("mine: found other things in it"));
+  EXPECT_THAT(ErrorMessage([&] { Write("mine"); }), HasSubstr("mine: found other files in it"));
   temp_.Write("file", "precious");
   EXPECT_THAT(ErrorMessage([&] { Write("file"); }), HasSubstr("file: found a file"));
   EXPECT_EQ(ReadFile(temp_.path() / "mine/notes.txt"), "precious");

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "synth/family/placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "synth/scene/separation.h"
+
+namespace cvo::synth {
+namespace {
+
+constexpr double kStep_s = 1.0 / 30.0;
+constexpr double kCameraRadius_m = 0.15;
+constexpr double kRounding_m = 1e-6;  // bodies stand on the floor
+constexpr double kLeastDepth_m = 0.4;
+
+bool IsInView(const StereoCamera& rig, double view_m, const Eigen::Vector3d& p_in_left) {
+  if (p_in_left.z() < kLeastDepth_m || p_in_left.z() > view_m) return false;
+  const double u = rig.fx * p_in_left.x() / p_in_left.z() + rig.cx;
+  const double v = rig.fy * p_in_left.y() / p_in_left.z() + rig.cy;
+  return u >= 0.0 && v >= 0.0 && u < rig.width_px && v < rig.height_px;
+}
+
+}  // namespace
+
+double Track::Moved_m() const {
+  return (world_from_body.back().translation() - world_from_body.front().translation()).norm();
+}
+
+Placement::Placement(const StereoCamera& rig, const Motion& camera, double duration_s,
+                     PlacementLimits limits)
+    : rig_(rig), duration_s_(duration_s), limits_(std::move(limits)) {
+  CollisionShape ball;
+  ball.radius_m = kCameraRadius_m;
+  camera_ = MakeTrack(ball, camera);
+}
+
+Track Placement::MakeTrack(const CollisionShape& shape, const Motion& motion) const {
+  Track track{shape, {}};
+  const int steps = static_cast<int>(std::ceil(duration_s_ / kStep_s));
+  for (int i = 0; i <= steps; ++i) {
+    track.world_from_body.push_back(motion.At(duration_s_ * i / steps).world_from_body);
+  }
+  return track;
+}
+
+bool Placement::StaysInside(const Track& track) const {
+  return std::all_of(limits_.walls.begin(), limits_.walls.end(), [&](const Eigen::Vector4d& wall) {
+    return std::all_of(track.world_from_body.begin(), track.world_from_body.end(),
+                       [&](const RigidTransform& at) {
+                         return PlaneSeparation(track.shape, at, wall) >= -kRounding_m;
+                       });
+  });
+}
+
+bool Placement::KeepsAway(const Track& a, const Track& b, double clearance_m) const {
+  for (std::size_t i = 0; i < a.world_from_body.size(); ++i) {
+    if (Separation(a.shape, a.world_from_body[i], b.shape, b.world_from_body[i]) < clearance_m) {
+      return false;
+    }
+  }
+  return true;
+}
+
+double Placement::PartInView(const Track& track) const {
+  int seen = 0;
+  for (std::size_t i = 0; i < track.world_from_body.size(); ++i) {
+    const RigidTransform left_from_world = camera_.world_from_body[i].Inverse();
+    const Eigen::Vector3d p_in_left = left_from_world * track.world_from_body[i].translation();
+    if (IsInView(rig_, limits_.view_m, p_in_left)) ++seen;
+  }
+  return static_cast<double>(seen) / static_cast<double>(track.world_from_body.size());
+}
+
+bool Placement::TryAdd(const CollisionShape& shape, const Motion& motion, double in_view) {
+  Track track = MakeTrack(shape, motion);
+  if (!StaysInside(track) || PartInView(track) < in_view) return false;
+  if (!KeepsAway(track, camera_, limits_.camera_clearance_m)) return false;
+  for (const Track& other : bodies_) {
+    if (!KeepsAway(track, other, limits_.clearance_m)) return false;
+  }
+  bodies_.push_back(std::move(track));
+  return true;
+}
+
+}  // namespace cvo::synth
