@@ -113,7 +113,9 @@ TEST(ForbiddenText, MacrosInTheEstimator) {
   EXPECT_THAT(Text("core/base/a.h", "#ifdef X"), ElementsAre(HasSubstr("core/base/a.h:2: ")));
   EXPECT_THAT(Text("variants/a.cc", "  # if X"), SizeIs(1));
   EXPECT_THAT(Text("core/base/a.h", "#if defined(X)"), SizeIs(1));
-  EXPECT_THAT(Text("core/base/a.h", "#if defined(__x86_64__)"), IsEmpty());
+  EXPECT_THAT(Text("core/base/a.cc", "#if defined(CVO_WITH_AVX2)"), IsEmpty());
+  EXPECT_THAT(Text("core/base/a.cc", "#if defined(__x86_64__)"), SizeIs(1));
+  EXPECT_THAT(Text("core/features/cpu_level.h", "#if defined(__x86_64__)"), IsEmpty());
   EXPECT_THAT(Text("core/base/a.h", "#define X 1"), SizeIs(1));
   EXPECT_THAT(Text("core/base/a.h", "// #define X 1"), IsEmpty());
 }
