@@ -28,7 +28,7 @@ struct BoxProbabilities {
   double entropy = 0.0;
 };
 
-// How much a landmark says, and over what the probabilities are normalised (estimator.md 3.4).
+// How much a landmark says, and over what the probabilities are normalised (METHOD.md 4.5).
 // Policy: weights sqrt(|Sigma_z| / |S|) in (0, 1]; a null box takes landmarks that are in no box;
 // entropy in bits.
 struct BoundedBoxWeights {

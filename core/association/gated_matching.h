@@ -23,7 +23,7 @@ struct PredictedLandmark {
 
 // How a feature is found for a predicted landmark (Eq. 2 of the paper): the most similar descriptor
 // among the features within the gate; unique and one-to-one. Features with is_taken are left out.
-// Policy: Mahalanobis distance in the innovation covariance (estimator.md 3.2).
+// Policy: Mahalanobis distance in the innovation covariance (METHOD.md 4.2).
 struct ProbabilisticAssociation {
   static std::vector<Match> Find(std::span<const PredictedLandmark> landmarks,
                                  const FeatureGrid& grid, const std::vector<char>& is_taken,

@@ -18,7 +18,7 @@ struct ConfidenceOptions {
                 {"frames", 1, 100000,
                  "how often another label must be inferred at most until a landmark takes it; "
                  "larger resists errors, smaller lets a parked car drive off",
-                 "estimator.md 2.1"});
+                 "METHOD.md 5.8"});
   }
 };
 

@@ -30,7 +30,7 @@ struct ClusterOptions {
     visit.Field("min_landmarks", self.min_landmarks,
                 {"landmarks", 3, 1000,
                  "a new cluster needs so many; fewer finds small and far bodies, and ghosts",
-                 "estimator.md 6.1: 12 indoors, 8 for cars; one value for both"});
+                 "METHOD.md 6.1: 12 indoors, 8 for cars; one value for both"});
     visit.Field(
         "birth_depth", self.birth_depth,
         {"1", 0, 2,
@@ -56,7 +56,7 @@ struct ClusterOptions {
                  "three fix the pose, the fourth checks it"});
     visit.Field(
         "min_observed", self.min_observed,
-        {"landmarks", 3, 1000, "a frame with fewer has no state of the cluster", "estimator.md 5"});
+        {"landmarks", 3, 1000, "a frame with fewer has no state of the cluster", "METHOD.md 8.1"});
     visit.Field("live_frames", self.live_frames,
                 {"frames", 1, 1000,
                  "a cluster unseen for so many frames, L, is archived; until then it is predicted",
@@ -86,7 +86,7 @@ struct ClusterOptions {
                  "residuals of predictions on the indoor scenes"});
     visit.Field("score_decay", self.score_decay,
                 {"1", 0, 1, "the detection's score falls by this factor per frame without one",
-                 "estimator.md 8.4"});
+                 "METHOD.md 10.1"});
   }
 };
 

@@ -34,10 +34,10 @@ struct TrackingOptions {
                  "well above what chance matches reach"});
     visit.Field(
         "recovery_hamming", self.recovery_hamming,
-        {"bits", 1, 256, "largest descriptor distance without a prediction", "estimator.md 3.3"});
+        {"bits", 1, 256, "largest descriptor distance without a prediction", "METHOD.md 3.3"});
     visit.Field("recovery_ratio", self.recovery_ratio,
                 {"1", 0.1, 1.0, "largest ratio of best to second best without a prediction",
-                 "estimator.md 3.3"});
+                 "METHOD.md 3.3"});
     visit.Field("recovery_iterations", self.recovery_iterations,
                 {"1", 1, 100000, "RANSAC hypotheses: 300 find 30 % of inliers with 99.97 %",
                  "1 - (1 - 0.3^3)^300"});
@@ -47,7 +47,7 @@ struct TrackingOptions {
          "half a second at 10 Hz"});
     visit.Field("min_disparity_px", self.min_disparity_px,
                 {"px", 0.01, 100, "features with less make no landmark: their depth is noise",
-                 "estimator.md 11"});
+                 "METHOD.md 2.2"});
   }
 };
 

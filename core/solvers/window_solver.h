@@ -39,7 +39,7 @@ struct SolverOptions {
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
     visit.Field("iterations", self.iterations,
-                {"1", 1, 100, "Levenberg-Marquardt steps per frame", "estimator.md 4.5"});
+                {"1", 1, 100, "Levenberg-Marquardt steps per frame", "METHOD.md 7.5"});
     visit.Field("function_tolerance", self.function_tolerance,
                 {"1", 0, 1, "stops where a step lowers the energy by less than this fraction",
                  "measured: KITTI accuracy as at 1e-4 with 0.8 of the time, one step per frame"});

@@ -172,5 +172,23 @@ TEST(CheckTypeNames, FindsTheSameNameTwiceInOneNamespace) {
               IsEmpty());
 }
 
+TEST(Citations, NameWhatIsThere) {
+  const std::vector<SourceFile> documents = {
+      {"core/METHOD.md", "## 4 Boxes\n### 4.2 Gate\nFiles: `gate.cc`, `lost.cc`.\n"},
+      {"README.md", "see core/METHOD.md\n"}};
+  const auto check = [&](const std::string& text) {
+    return CheckCitations({{"core/gate.cc", text}, {"core/lost.cc", ""}}, documents);
+  };
+  EXPECT_THAT(check("// METHOD.md 4.2, METHOD.md 4\n// README.md\n"), IsEmpty());
+  EXPECT_THAT(check("\n// (METHOD.md 4.3)"),
+              ElementsAre("core/gate.cc:2: METHOD.md has no section 4.3"));
+  const std::string gone = std::string("gone") + ".md";  // or this file would cite it
+  EXPECT_THAT(check("// as " + gone + " says"),
+              ElementsAre(HasSubstr("no such document in the repository: " + gone)));
+  EXPECT_THAT(check("// the " + std::string("design") + " notes"), SizeIs(1));
+  EXPECT_THAT(CheckCitations({{"core/gate.cc", ""}}, documents),
+              ElementsAre("core/METHOD.md:3: no such file: `lost.cc`"));
+}
+
 }  // namespace
 }  // namespace cvo::test
