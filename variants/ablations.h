@@ -93,7 +93,7 @@ struct Static : Full {
 struct PaperLiteral : Full {
   static constexpr std::string_view kName = "paper_literal";
   static constexpr std::string_view kChanges =
-      "the printed equations without the corrections of the design notes";
+      "the printed equations without the corrections of METHOD.md 9";
   using LandmarkAssociation = ProbabilisticAssociationLiteral;
   using BoxWeights = BoxWeightsLiteral;
   using Rotation = HeldRotation;

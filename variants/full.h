@@ -20,7 +20,7 @@
 
 namespace cvo {
 
-// The whole system, with the corrections of the design notes. The static half was chosen among its
+// The whole system, with the corrections of METHOD.md 9. The static half was chosen among its
 // ablations on three KITTI drives (0001, 0013, odometry 06; camera ATE 0.063, 0.192, 0.025 m): no
 // marginalisation (0.062, 0.192, 0.024), the lost rule (0.064, 0.192, 0.025) and the free gauge
 // (0.058, 0.190, 0.024) cannot be told from it there, so the paper's rule stays, with the oldest

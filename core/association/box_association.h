@@ -29,7 +29,7 @@ struct BoxProbabilities {
   double entropy = 0.0;             // bits
 };
 
-// How much a landmark says, and over what the probabilities are normalised (estimator.md 3.4).
+// How much a landmark says, and over what the probabilities are normalised (METHOD.md 4.5).
 template <typename Policy>
 concept BoxWeightsPolicy = requires(std::span<const BoxMember> cluster,
                                     std::span<const ImageBox> boxes) {

@@ -33,15 +33,14 @@ struct ClusterAssociationOptions {
          "95 % of chi^2 with 3 degrees of freedom; the paper has 4.0 (74 %)"});
     visit.Field("min_radius_px", self.min_radius_px,
                 {"px", 0, 100, "the search is never narrower: a prediction is never that good",
-                 "estimator.md 3.2"});
+                 "METHOD.md 4.2"});
     visit.Field("max_radius_px", self.max_radius_px,
-                {"px", 1, 500, "the search is never wider", "estimator.md 3.2"});
+                {"px", 1, 500, "the search is never wider", "METHOD.md 4.2"});
     visit.Field("fixed_radius_px", self.fixed_radius_px,
                 {"px", 1, 500, "search of variants without probabilistic association",
                  "as the wide search of static landmarks"});
-    visit.Field(
-        "max_hamming", self.max_hamming,
-        {"bits", 1, 256, "largest descriptor distance within the gate", "estimator.md 3.3"});
+    visit.Field("max_hamming", self.max_hamming,
+                {"bits", 1, 256, "largest descriptor distance within the gate", "METHOD.md 4.3"});
     visit.Field("ratio", self.ratio,
                 {"1", 0.1, 1.0, "best distance must be below this fraction of the second best",
                  "as for static landmarks"});
@@ -53,21 +52,21 @@ struct ClusterAssociationOptions {
     visit.Field(
         "min_box_probability", self.min_box_probability,
         {"1", 0, 1, "minimum share of a cluster's weight inside a box to be assigned that box",
-         "estimator.md 3.4"});
+         "METHOD.md 4.5"});
     visit.Field(
         "max_entropy", self.max_entropy,
         {"bit", 0, 20, "a cluster spread over boxes more evenly than this gets none",
          "paper, section 3.1: 1.0, read as nats; one bit refuses every pair of overlapping boxes"});
-    visit.Field("min_box_members", self.min_box_members,
-                {"landmarks", 1, 1000,
-                 "minimum landmarks of a cluster inside a box to be assigned that box",
-                 "estimator.md 3.4"});
+    visit.Field(
+        "min_box_members", self.min_box_members,
+        {"landmarks", 1, 1000,
+         "minimum landmarks of a cluster inside a box to be assigned that box", "METHOD.md 4.5"});
     visit.Field(
         "rematch_hamming", self.rematch_hamming,
-        {"bits", 1, 256, "largest descriptor distance without a prediction", "estimator.md 3.3"});
+        {"bits", 1, 256, "largest descriptor distance without a prediction", "METHOD.md 4.6"});
     visit.Field("rematch_ratio", self.rematch_ratio,
                 {"1", 0.1, 1.0, "largest ratio of best to second best without a prediction",
-                 "estimator.md 3.3"});
+                 "METHOD.md 4.6"});
     visit.Field("ransac_iterations", self.ransac_iterations,
                 {"1", 1, 100000, "hypotheses per cluster: 100 find 35 % of inliers with 99 %",
                  "1 - (1 - 0.35^3)^100"});

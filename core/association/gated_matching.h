@@ -32,7 +32,7 @@ concept LandmarkAssociationPolicy = requires(std::span<const PredictedLandmark> 
   { Policy::Find(landmarks, grid, is_taken, options) } -> std::same_as<std::vector<Match>>;
 };
 
-// Policy: Mahalanobis distance in the innovation covariance (estimator.md 3.2).
+// Policy: Mahalanobis distance in the innovation covariance (METHOD.md 4.2).
 struct ProbabilisticAssociation {
   static std::vector<Match> Find(std::span<const PredictedLandmark> landmarks,
                                  const FeatureGrid& grid, const std::vector<char>& is_taken,

@@ -35,10 +35,10 @@ struct MatchingOptions {
                 {"px", 0.5, 100, "search around the solved camera, at level 0",
                  "4 standard deviations of a corner"});
     visit.Field("max_hamming", self.max_hamming,
-                {"bits", 1, 256, "largest descriptor distance of a match", "estimator.md 3.3"});
+                {"bits", 1, 256, "largest descriptor distance of a match", "METHOD.md 3.1"});
     visit.Field("ratio", self.ratio,
                 {"1", 0.1, 1.0, "best distance must be below this fraction of the second best",
-                 "estimator.md 3.3"});
+                 "METHOD.md 3.1"});
   }
 };
 

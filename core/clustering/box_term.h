@@ -10,7 +10,7 @@ namespace cvo {
 // others, C the labels whose detection, shrunk by box_shrink, contains the landmark, and the static
 // scene if it is in the lowest box_foot of all of these. Where there are none: the labels whose
 // predicted box does (as it is) and the static scene, for the detector's silence neither confirms
-// nor denies them; or else the static scene alone (estimator.md 6.2).
+// nor denies them; or else the static scene alone (METHOD.md 5.3).
 struct Box2dTerm {
   static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
 };

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/clustering/crf_lanes.h"
+#include "core/features/cpu_level.h"
 
-#if defined(__x86_64__)
+#if defined(CVO_WITH_AVX2)
 #include <immintrin.h>
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 
 namespace cvo {
 
-#if defined(__x86_64__)
+#if defined(CVO_WITH_AVX2)
 namespace {
 
 // The kernel matrix is multiplied this many rows at a time: each of its elements that is loaded
@@ -138,10 +139,8 @@ __attribute__((target("avx2,fma"))) float Update(const CrfUpdate& update) {
 #endif
 
 CrfLoops FastCrfLoops() {
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
-    return {Fill, Multiply, Update};
-  }
+#if defined(CVO_WITH_AVX2)
+  if (UsesAvx2()) return {Fill, Multiply, Update};
 #endif
   return PlainCrfLoops();
 }

@@ -15,11 +15,12 @@ struct ConfidenceOptions {
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
-    visit.Field("max_confidence", self.max_confidence,
-                {"frames", 1, 100000,
-                 "limit of the confidence: frames of another label after which a landmark takes it; "
-                 "larger resists errors, smaller lets a parked car drive off",
-                 "estimator.md 2.1"});
+    visit.Field(
+        "max_confidence", self.max_confidence,
+        {"frames", 1, 100000,
+         "limit of the confidence: frames of another label after which a landmark takes it; "
+         "larger resists errors, smaller lets a parked car drive off",
+         "METHOD.md 5.8"});
   }
 };
 

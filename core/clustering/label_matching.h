@@ -20,7 +20,7 @@ struct LabelMatchingOptions {
                 {"1", 0.01, 1.0,
                  "landmarks shared by a new box and an earlier cluster, over those of either, for "
                  "the box to be that cluster; fewer make a new one",
-                 "estimator.md 6.5"});
+                 "METHOD.md 5.7"});
   }
 };
 

@@ -6,7 +6,7 @@
 
 namespace cvo {
 
-// p_mot as estimator.md 6.4 has it: -log p = min(e^T S^-1 e, motion_cap) / 2, e from where the body
+// p_mot as METHOD.md 5.5 has it: -log p = min(e^T S^-1 e, motion_cap) / 2, e from where the body
 // says the landmark was seen in the past frame to where it was, S = Sigma_z + J R Sigma_Z R^T J^T.
 // Behind the past camera: the cap. No motion known then, or a new box: neutral_motion; the outlier
 // class: outlier_motion. All equal where the landmark has no past or no label has a pose then.

@@ -18,16 +18,16 @@ struct PairwiseOptions {
                 {"nats", 0, 1000,
                  "maximum cost of a landmark's neighbours having another label; larger "
                  "smooths more and swallows small bodies",
-                 "paper 4.1; of a normalised kernel, estimator.md 2.3"});
+                 "paper 4.1; of a normalised kernel, METHOD.md 5.6"});
     visit.Field(
         "bandwidth_m", self.bandwidth_m,
         {"m", 0.01, 100, "standard deviation of the Gaussian that makes two landmarks neighbours",
          "exp(-d^2) of the paper"});
     visit.Field("sweeps", self.sweeps,
-                {"1", 1, 1000, "mean-field sweeps at most", "5 to 10 suffice, estimator.md 2.2"});
+                {"1", 1, 1000, "mean-field sweeps at most", "5 to 10 suffice, METHOD.md 5.6"});
     visit.Field("tolerance", self.tolerance,
                 {"1", 0, 1, "stop when no probability changed by this much; 0: all sweeps",
-                 "estimator.md 2.2"});
+                 "METHOD.md 5.6"});
   }
 };
 

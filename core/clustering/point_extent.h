@@ -30,13 +30,13 @@ struct ExtentOptions {
                  "minus it; larger keeps more outliers out",
                  "paper, section 3.2"});
     visit.Field("min_half_size_m", self.min_half_size_m,
-                {"m", 1e-4, 10.0, "least half size along an axis", "estimator.md 6.3: indoors"});
+                {"m", 1e-4, 10.0, "least half size along an axis", "METHOD.md 6.2: indoors"});
     visit.Field(
         "inlier_mads", self.inlier_mads,
         {"standard deviations", 0.5, 100.0,
          "points farther from the median along an axis do not shape the axes; the deviation "
          "is 1.48 median absolute deviations",
-         "estimator.md 6.1"});
+         "METHOD.md 6.1"});
     visit.Field("min_axis_ratio", self.min_axis_ratio,
                 {"1", 1.0, 100.0, "least ratio of successive variances for axes of a body's own",
                  "sqrt(2 / n) is a variance's relative error: 0.2 of 50 points"});
@@ -74,12 +74,12 @@ struct PointExtent {
 };
 
 // (p70 + p30) / 2 and (p70 - p30) / 2 of the points (columns, at least one) along the columns of
-// the rotation `axes` (estimator.md 6.3); half sizes are at least min_half_size_m.
+// the rotation `axes` (METHOD.md 6.2); half sizes are at least min_half_size_m.
 PointExtent ExtentAlong(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points,
                         const ExtentOptions& options);
 
 // points_from_axes: from the median of the points, the axes of their inliers, the longest first,
-// with the largest component positive but for the last axis (estimator.md 6.1). No rotation where
+// with the largest component positive but for the last axis (METHOD.md 6.1). No rotation where
 // two variances are alike. At least one point.
 RigidTransform PrincipalAxes(const Eigen::Matrix3Xd& points, const ExtentOptions& options);
 

@@ -29,7 +29,7 @@ struct UnaryOptions {
                 {"1", 0.0, 0.49,
                  "share of its width and height by which each side of a detection moves inwards: "
                  "its rim is background",
-                 "estimator.md 6.2"});
+                 "METHOD.md 5.3"});
     visit.Field("box_foot", self.box_foot,
                 {"1", 0.0, 1.0,
                  "share of a detection's height, from below, in which a landmark may as well be of "
@@ -40,15 +40,15 @@ struct UnaryOptions {
     visit.Field("kappa", self.kappa,
                 {"half sizes", 0.1, 100.0,
                  "standard deviation of a body's points; 2 to 2.5 reach the surface of a box",
-                 "estimator.md 6.3"});
+                 "METHOD.md 5.4"});
     visit.Field("static_energy", self.static_energy,
                 {"nats", 0.0, 100.0,
                  "affinity of the static scene: a landmark is a body's within sqrt(2 * this) "
                  "standard deviations of its centre",
-                 "estimator.md 6.3, not published"});
+                 "METHOD.md 5.4, not published"});
     visit.Field(
         "outlier_energy", self.outlier_energy,
-        {"nats", 0.0, 100.0, "affinity of the outlier class", "estimator.md 6.3, not published"});
+        {"nats", 0.0, 100.0, "affinity of the outlier class", "METHOD.md 5.4, not published"});
     visit.Field("past_frames", self.past_frames,
                 {"frames", 1, 200,
                  "how far back the motion term compares where a landmark was, or less where it is "
@@ -56,17 +56,17 @@ struct UnaryOptions {
                  "paper, section 3.2: 5; at 30 Hz a slow body hardly moves in five frames"});
     visit.Field("motion_cap", self.motion_cap,
                 {"1", 0.1, 1e6, "largest squared whitened error; larger trusts single errors more",
-                 "estimator.md 6.4"});
+                 "METHOD.md 5.5"});
     visit.Field("neutral_motion", self.neutral_motion,
                 {"nats", 0.0, 100.0,
                  "motion term of a class without a known motion: the mean of chi^2 / 2, 3 dof",
-                 "estimator.md 6.4"});
+                 "METHOD.md 5.5"});
     visit.Field(
         "outlier_motion", self.outlier_motion,
-        {"nats", 0.0, 100.0, "motion term of the outlier class: half of 9", "estimator.md 6.4"});
+        {"nats", 0.0, 100.0, "motion term of the outlier class: half of 9", "METHOD.md 5.5"});
     visit.Field("max_energy", self.max_energy,
                 {"nats", 1.0, 1000.0, "largest energy of one term: none vetoes the others",
-                 "estimator.md 2.2 and 13"});
+                 "METHOD.md 5.2"});
   }
 };
 

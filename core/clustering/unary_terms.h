@@ -21,8 +21,8 @@ concept UnaryTerm = requires(const CrfScene& scene, const UnaryOptions& options,
   T::Energies(scene, options, energies);
 };
 
-// Makes each row -log of probabilities that add up to 1, then cuts it off at max_energy (section
-// 2.2 of estimator.md). A row that prefers no label becomes zero, also where all is impossible.
+// Makes each row -log of probabilities that add up to 1, then cuts it off at max_energy
+// (METHOD.md 5.2). A row that prefers no label becomes zero, also where all is impossible.
 // Throws Error on a row that is no number: a covariance that is none.
 void NormalizeEnergies(double max_energy, EnergyMatrix& energies);
 

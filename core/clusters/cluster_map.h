@@ -43,7 +43,7 @@ void RetireClusters(FrameId newest, const ClusterOptions& options, ClusterMap& m
 std::vector<ClusterTrajectory> ConfirmedTrajectories(const ClusterMap& map,
                                                      const ClusterOptions& options);
 
-// Centre and half sides from the landmarks' 30th and 70th percentiles (estimator.md 6.3).
+// Centre and half sides from the landmarks' 30th and 70th percentiles (METHOD.md 6.2).
 void UpdateExtent(const ExtentOptions& options, Cluster& cluster);
 
 }  // namespace cvo

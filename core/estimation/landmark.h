@@ -19,7 +19,7 @@ struct Observation {
 };
 
 // The best single triangulation of a landmark, the one of the smallest determinant (Eq. 1 of the
-// paper, kept in the body's frame so that it turns with the body: estimator.md 3.1).
+// paper, kept in the body's frame so that it turns with the body: METHOD.md 4.1).
 struct LandmarkCovariance {
   Eigen::Matrix3d in_object_m2 = Eigen::Matrix3d::Identity();
   double determinant = std::numeric_limits<double>::infinity();
@@ -40,7 +40,7 @@ struct Landmark {
   LandmarkCovariance covariance;
   // From the point to the camera that saw it last, unit length: a body hides its own far side.
   Eigen::Vector3d view_in_object = Eigen::Vector3d::Zero();
-  // What a cluster's observations that left the window said of p_in_object (estimator.md 5).
+  // What a cluster's observations that left the window said of p_in_object (METHOD.md 8.4).
   Eigen::Matrix3d past_information = Eigen::Matrix3d::Zero();
 };
 

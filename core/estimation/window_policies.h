@@ -27,26 +27,26 @@ struct WindowOptions {
                 {"median depths", 0, 100,
                  "a frame this far from the newest one in T_s is promoted; larger spans more time "
                  "with less overlap",
-                 "estimator.md 4.1"});
+                 "METHOD.md 7.1"});
     visit.Field("promote_rotation_rad", self.promote_rotation_rad,
                 {"rad", 0, 3.15, "a frame turned this far from the newest one in T_s is promoted",
-                 "estimator.md 4.1"});
+                 "METHOD.md 7.1"});
     visit.Field(
         "promote_common", self.promote_common,
         {"1", 0, 1,
          "a frame sharing less than this fraction of landmarks with the newest one in T_s is "
          "promoted",
-         "estimator.md 4.1"});
+         "METHOD.md 7.1"});
     visit.Field("lost_frames", self.lost_frames,
                 {"frames", 1, 100,
                  "a landmark seen once and then not in so many frames is forgotten; under the rule "
                  "MarginalizeLost, unseen in so many it is marginalised with the frame that leaves",
-                 "estimator.md 4.3"});
+                 "METHOD.md 7.3"});
   }
 };
 
 // What becomes of a landmark seen by the frame that leaves T_s: marginalised with all its
-// observations, or only that observation deleted (estimator.md 4.3). kKeepsPrior: what is
+// observations, or only that observation deleted (METHOD.md 7.3). kKeepsPrior: what is
 // marginalised becomes a prior of the window.
 template <typename Policy>
 concept MarginalizationPolicy = requires(const Landmark& landmark, FrameId newest,

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/features/cpu_level.h"
 
 namespace cvo {
 namespace {
@@ -58,7 +59,7 @@ void ScoreRowPlain(const Byte* row, const std::ptrdiff_t (&ring)[kRing], int cou
   ScoreRow(row, ring, count, scores);
 }
 
-#if defined(__x86_64__)
+#if defined(CVO_WITH_AVX2)
 __attribute__((target("avx2"))) void ScoreRowAvx2(const Byte* row,
                                                   const std::ptrdiff_t (&ring)[kRing], int count,
                                                   Byte* scores) {
@@ -125,8 +126,8 @@ void AppendMarked(const std::vector<Byte>& marks, int y, int first, int last,
 }  // namespace
 
 void ComputeFastScores(const cv::Mat& image, cv::Mat& scores) {
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2")) {
+#if defined(CVO_WITH_AVX2)
+  if (UsesAvx2()) {
     ScoreImage(image, scores, ScoreRowAvx2);
     return;
   }

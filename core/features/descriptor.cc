@@ -4,10 +4,12 @@
 
 #include <bit>
 
+#include "core/features/cpu_level.h"
+
 namespace cvo {
 namespace {
 
-#if defined(__x86_64__)
+#if defined(CVO_WITH_AVX2)
 __attribute__((target("popcnt"))) int HammingDistancePopcnt(const Descriptor& a,
                                                             const Descriptor& b) {
   return std::popcount(a[0] ^ b[0]) + std::popcount(a[1] ^ b[1]) + std::popcount(a[2] ^ b[2]) +
@@ -36,8 +38,8 @@ int HammingDistancePlain(const Descriptor& a, const Descriptor& b) {
 }
 
 int HammingDistance(const Descriptor& a, const Descriptor& b) {
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("popcnt")) return HammingDistancePopcnt(a, b);
+#if defined(CVO_WITH_AVX2)
+  if (UsesAvx2()) return HammingDistancePopcnt(a, b);
 #endif
   return HammingDistancePlain(a, b);
 }

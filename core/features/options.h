@@ -24,24 +24,24 @@ struct OrbOptions {
   static void VisitFields(Self& self, Visitor& visit) {
     visit.Field("features", self.features,
                 {"1", 10, kMaxFeatures, "corners kept per image; more cost time in every stage",
-                 "estimator.md 13"});
+                 "METHOD.md 2.1"});
     visit.Field("reserve", self.reserve,
                 {"1", 0.0, 10.0,
                  "further corners, over orb.features, that become landmarks where detections or "
                  "clusters are: bodies are small",
-                 "estimator.md 11: chosen from 0 ... 2 on the rooms and streets"});
+                 "METHOD.md 2.1: chosen from 0 ... 2 on the rooms and streets"});
     visit.Field("levels", self.levels,
-                {"1", 1, 16, "pyramid levels; fewer lose scale invariance", "estimator.md 13"});
+                {"1", 1, 16, "pyramid levels; fewer lose scale invariance", "METHOD.md 2.1"});
     visit.Field("scale_factor", self.scale_factor,
-                {"1", 1.01, 2.0, "scale between pyramid levels", "estimator.md 13"});
+                {"1", 1.01, 2.0, "scale between pyramid levels", "METHOD.md 2.1"});
     visit.Field("cell_px", self.cell_px,
                 {"px", 8, 200, "side of a detection cell; smaller spreads corners more evenly",
-                 "estimator.md 11"});
+                 "METHOD.md 2.1"});
     visit.Field("fast_threshold", self.fast_threshold,
-                {"grey levels", 1, 255, "FAST threshold", "estimator.md 13"});
+                {"grey levels", 1, 255, "FAST threshold", "METHOD.md 2.1"});
     visit.Field(
         "fast_threshold_min", self.fast_threshold_min,
-        {"grey levels", 1, 255, "FAST threshold in cells without a corner", "estimator.md 13"});
+        {"grey levels", 1, 255, "FAST threshold in cells without a corner", "METHOD.md 2.1"});
   }
 };
 
@@ -72,9 +72,9 @@ struct StereoMatchOptions {
     visit.Field("max_hamming", self.max_hamming,
                 {"bits", 1, 256, "largest descriptor distance of a pair",
                  "measured on KITTI: 6 % more features than 75, no more outliers"});
-    visit.Field("uniqueness", self.uniqueness,
-                {"1", 0.1, 1.0, "largest ratio of the best to the second best distance",
-                 "estimator.md 11"});
+    visit.Field(
+        "uniqueness", self.uniqueness,
+        {"1", 0.1, 1.0, "largest ratio of the best to the second best distance", "METHOD.md 2.2"});
     visit.Field("min_margin_bits", self.min_margin_bits,
                 {"bits", 0, 256,
                  "least difference of the second best to the best distance: where texture repeats, "
@@ -82,10 +82,10 @@ struct StereoMatchOptions {
                  "measured on KITTI: 16 costs 2 % of the features"});
     visit.Field("left_right_tolerance_px", self.left_right_tolerance_px,
                 {"px", 0.0, 10.0, "largest left-right disagreement, at the corner's scale",
-                 "estimator.md 11"});
+                 "METHOD.md 2.2"});
     visit.Field("row_tolerance_px", self.row_tolerance_px,
                 {"px", 0.5, 10.0, "largest difference in rows of a pair, at the corner's scale",
-                 "estimator.md 11"});
+                 "METHOD.md 2.2"});
     visit.Field(
         "max_row_error_px", self.max_row_error_px,
         {"px", 0.1, 10.0, "the same after the rows of the image pair have been aligned as a whole",
@@ -97,17 +97,17 @@ struct StereoMatchOptions {
          "measured on KITTI"});
     visit.Field("min_depth_baselines", self.min_depth_baselines,
                 {"baselines", 0.5, 100.0, "depth of the nearest point; larger leaves fewer rivals",
-                 "estimator.md 11"});
+                 "METHOD.md 2.2"});
     visit.Field("min_disparity_px", self.min_disparity_px,
-                {"px", 1e-3, 10.0, "disparity of the farthest point", "estimator.md 11"});
+                {"px", 1e-3, 10.0, "disparity of the farthest point", "METHOD.md 2.2"});
     visit.Field("patch_radius_px", self.patch_radius_px,
-                {"px", 2, 15, "radius of the patch that is aligned", "estimator.md 11"});
+                {"px", 2, 15, "radius of the patch that is aligned", "METHOD.md 2.2"});
     visit.Field("search_radius_px", self.search_radius_px,
-                {"px", 1, 20, "alignment search around the matched corner", "estimator.md 11"});
+                {"px", 1, 20, "alignment search around the matched corner", "METHOD.md 2.2"});
     visit.Field("max_sigma_medians", self.max_sigma_medians,
                 {"1", 1.0, 1000.0,
                  "largest standard deviation of a disparity (of the level), over the median of all",
-                 "estimator.md 11: 1.5 * 1.4, there of the SAD"});
+                 "METHOD.md 2.2: 1.5 * 1.4, there of the SAD"});
   }
 };
 

@@ -37,7 +37,7 @@ void Blur(const cv::Mat& image, cv::Mat& blurred, int side_px, double sigma_px) 
 }
 
 // Corners of a level: its share of a geometric series that falls by scale_factor from level to
-// level (estimator.md 11), of what is left for it and the finer ones.
+// level (METHOD.md 2.1), of what is left for it and the finer ones.
 int LevelQuota(int left, int level, double scale_factor) {
   const double f = 1.0 / scale_factor;
   const double share = std::pow(f, level) * (1.0 - f) / (1.0 - std::pow(f, level + 1));

@@ -27,7 +27,7 @@ struct OrbImage {
   std::vector<cv::Mat> pyramid;  // CV_8UC1, level 0 first
 };
 
-// ORB corners spread over the image (estimator.md 11). `image` is CV_8UC1. Pure: the same image
+// ORB corners spread over the image (METHOD.md 2.1). `image` is CV_8UC1. Pure: the same image
 // gives the same corners on any thread.
 OrbImage ExtractOrb(const cv::Mat& image, const OrbOptions& options);
 

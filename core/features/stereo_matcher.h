@@ -12,7 +12,7 @@
 namespace cvo {
 
 // Left corners with their column in the right image: search along rows, mutual and unique best
-// descriptor, sub-pixel alignment of patches (estimator.md 11). Order of the left corners is kept.
+// descriptor, sub-pixel alignment of patches (METHOD.md 2.2). Order of the left corners is kept.
 std::vector<StereoFeature> MatchStereo(const OrbImage& left, const OrbImage& right,
                                        const StereoCamera& camera, const OrbOptions& orb,
                                        const StereoMatchOptions& options);

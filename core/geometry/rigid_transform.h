@@ -11,7 +11,7 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 // a_from_b: p_in_a = a_from_b * p_in_b. Stored as the block [qx qy qz qw tx ty tz] that the solvers
-// see. Tangent [rotation, translation] (estimator.md section 0): R <- R Exp(rotation), t <- t +
+// see. Tangent [rotation, translation] (METHOD.md 1.1): R <- R Exp(rotation), t <- t +
 // translation in frame a.
 class RigidTransform {
  public:

@@ -7,7 +7,7 @@
 
 namespace cvo {
 
-// Rectified stereo pair (estimator.md section 0). The camera frame is the left camera's: x right, y
+// Rectified stereo pair (METHOD.md 1.2). The camera frame is the left camera's: x right, y
 // down, z forward, metres. A measurement is z = (u_left, v, u_right) in pixels, pixel centres at
 // integers.
 struct StereoCamera {

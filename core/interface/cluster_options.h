@@ -31,7 +31,7 @@ struct ClusterOptions {
     visit.Field("min_landmarks", self.min_landmarks,
                 {"landmarks", 3, 1000,
                  "minimum landmarks of a new cluster; fewer finds small and far bodies, and ghosts",
-                 "estimator.md 6.1: 12 indoors, 8 for cars; one value for both"});
+                 "METHOD.md 6.1: 12 indoors, 8 for cars; one value for both"});
     visit.Field(
         "birth_depth", self.birth_depth,
         {"1", 0, 2,
@@ -57,27 +57,29 @@ struct ClusterOptions {
                  "three fix the pose, the fourth checks it"});
     visit.Field(
         "min_observed", self.min_observed,
-        {"landmarks", 3, 1000, "a frame with fewer has no state of the cluster", "estimator.md 5"});
+        {"landmarks", 3, 1000, "a frame with fewer has no state of the cluster", "METHOD.md 8.1"});
     visit.Field("settled_states", self.settled_states,
                 {"states", 1, 1000,
                  "with fewer, a pose is searched for by RANSAC, not from the predicted one: "
                  "without a velocity the first matches may all be wrong",
                  "two states give a velocity, the third checks it"});
-    visit.Field("live_frames", self.live_frames,
-                {"frames", 1, 1000,
-                 "frames, L, after which a cluster that is not seen is archived; it is predicted before",
-                 "paper, section 4.1"});
+    visit.Field(
+        "live_frames", self.live_frames,
+        {"frames", 1, 1000,
+         "frames, L, after which a cluster that is not seen is archived; it is predicted before",
+         "paper, section 4.1"});
     visit.Field("archived", self.archived,
                 {"clusters", 0, 1000, "archived clusters that can be found again, the latest ones",
                  "bounds time and memory"});
     visit.Field("max_landmarks", self.max_landmarks,
                 {"landmarks", 10, 100000, "of one cluster; the longest unseen go first",
                  "bounds time and memory"});
-    visit.Field("max_past_observations", self.max_past_observations,
-                {"observations", 0, 1e6,
-                 "limit on the weight of what left the window, in observations per landmark; larger "
-                 "drifts less and corrects errors more slowly",
-                 "poses that were held have errors too"});
+    visit.Field(
+        "max_past_observations", self.max_past_observations,
+        {"observations", 0, 1e6,
+         "limit on the weight of what left the window, in observations per landmark; larger "
+         "drifts less and corrects errors more slowly",
+         "poses that were held have errors too"});
     visit.Field("first_speed_m_s", self.first_speed_m_s,
                 {"m/s", 0, 1000, "standard deviation of a new cluster's velocity; falls with 1/n^2",
                  "between walking and driving; the search radius is bounded anyway"});
@@ -92,7 +94,7 @@ struct ClusterOptions {
                  "residuals of predictions on the indoor scenes"});
     visit.Field("score_decay", self.score_decay,
                 {"1", 0, 1, "the detection's score falls by this factor per frame without one",
-                 "estimator.md 8.4"});
+                 "METHOD.md 10.1"});
   }
 };
 

@@ -65,7 +65,7 @@ enum class ClusterStatus {
 };
 const char* ToString(ClusterStatus status);
 
-// A moving or movable rigid body in one frame. Its frame is arbitrary (estimator.md 6.1) and the
+// A moving or movable rigid body in one frame. Its frame is arbitrary (METHOD.md 6.1) and the
 // same at all times.
 struct ClusterReport {
   ClusterId id;

@@ -50,11 +50,12 @@ struct IdentityOptions {
                  "boxes after which a cluster's frame is aligned with the former one by the boxes' "
                  "centres, where landmarks did not align it before",
                  "half a second at 30 Hz, not swept"});
-    visit.Field("align_interval", self.align_interval,
-                {"frames", 1, 1000,
-                 "frames between searches for landmarks that align a frame better which was aligned "
-                 "by centres",
-                 "bounds time"});
+    visit.Field(
+        "align_interval", self.align_interval,
+        {"frames", 1, 1000,
+         "frames between searches for landmarks that align a frame better which was aligned "
+         "by centres",
+         "bounds time"});
     visit.Field("point_deviation", self.point_deviation,
                 {"sizes of the body", 1e-4, 1,
                  "landmarks of the former and the new frame are the same point within this "

@@ -33,29 +33,32 @@ struct TrackingOptions {
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
     visit.Field("min_inliers", self.min_inliers,
-                {"landmarks", 4, 1000, "minimum landmarks that agree with a camera; with fewer the frame is lost",
+                {"landmarks", 4, 1000,
+                 "minimum landmarks that agree with a camera; with fewer the frame is lost",
                  "well above what chance matches reach"});
     visit.Field(
         "recovery_hamming", self.recovery_hamming,
-        {"bits", 1, 256, "largest descriptor distance without a prediction", "estimator.md 3.3"});
+        {"bits", 1, 256, "largest descriptor distance without a prediction", "METHOD.md 3.3"});
     visit.Field("recovery_ratio", self.recovery_ratio,
                 {"1", 0.1, 1.0, "largest ratio of best to second best without a prediction",
-                 "estimator.md 3.3"});
+                 "METHOD.md 3.3"});
     visit.Field("recovery_iterations", self.recovery_iterations,
                 {"1", 1, 100000, "RANSAC hypotheses: 300 find 30 % of inliers with 99.97 %",
                  "1 - (1 - 0.3^3)^300"});
-    visit.Field("recovery_frames", self.recovery_frames,
-                {"frames", 1, 1000,
-                 "latest frames whose landmarks are searched for where there is no prediction; more "
-                 "cost time and confuse more",
-                 "a lost frame shows what the frames before it showed; not swept"});
+    visit.Field(
+        "recovery_frames", self.recovery_frames,
+        {"frames", 1, 1000,
+         "latest frames whose landmarks are searched for where there is no prediction; more "
+         "cost time and confuse more",
+         "a lost frame shows what the frames before it showed; not swept"});
     visit.Field(
         "restart_after", self.restart_after,
         {"frames", 1, 1000, "lost frames after which the map starts anew at the predicted camera",
          "half a second at 10 Hz"});
-    visit.Field("min_disparity_px", self.min_disparity_px,
-                {"px", 0.01, 100, "minimum disparity of a new landmark: with less its depth is noise",
-                 "estimator.md 11"});
+    visit.Field(
+        "min_disparity_px", self.min_disparity_px,
+        {"px", 0.01, 100, "minimum disparity of a new landmark: with less its depth is noise",
+         "METHOD.md 2.2"});
   }
 };
 

@@ -7,7 +7,7 @@
 namespace cvo {
 
 // Makes the clusters that the frame's labels found, without landmarks yet: at rest, axes from the
-// principal axes of their points, origin near the body's centre (estimator.md 6.1, birth_depth).
+// principal axes of their points, origin near the body's centre (METHOD.md 6.1, birth_depth).
 void CreateClusters(const FrameView& view, FrameId newest, const std::vector<FramePoint>& points,
                     const FrameLabels& labels, ClusterMap& map);
 

@@ -35,10 +35,10 @@ struct NoiseOptions {
                  "measured: 0.1-0.3 px on KITTI drives; read by variants that estimate it"});
     visit.Field("huber", self.huber,
                 {"standard deviations", 0.1, 1e6, "where the loss turns linear: sqrt(7.815)",
-                 "estimator.md 4.5"});
+                 "METHOD.md 7.2"});
     visit.Field("gate", self.gate,
                 {"1", 0.1, 1e6, "largest squared whitened error of an inlier: 95 % of chi^2, 3 dof",
-                 "estimator.md 3.2"});
+                 "METHOD.md 3.2"});
     visit.Field("hypothesis_gate", self.hypothesis_gate,
                 {"1", 1, 1000,
                  "inliers of a RANSAC hypothesis are counted within the gate times this: a minimal "

@@ -19,7 +19,7 @@ struct MotionPriorOptions {
                 {"m^2/s^3", 1e-6, 1e6,
                  "power density of a body's acceleration: smaller smooths more and follows turns "
                  "and braking later; one value for every frame rate",
-                 "estimator.md 5: chosen from 0.01 ... 300 on 10 Hz and 30 Hz data"});
+                 "METHOD.md 8.2: chosen from 0.01 ... 300 on 10 Hz and 30 Hz data"});
     visit.Field("q_m2_frame3", self.q_m2_frame3,
                 {"m^2/frame^3", 1e-9, 1e6,
                  "the same with a frame as the unit of time; read by the variant that takes the "
@@ -53,7 +53,7 @@ struct WhiteNoiseOnAcceleration {
 struct WhiteNoiseOnTranslation : WhiteNoiseOnAcceleration {
   static constexpr bool kLinksOrientations = false;
 };
-// Policy: the same, q in frames as the paper's 0.01 without a unit reads (estimator.md 5).
+// Policy: the same, q in frames as the paper's 0.01 without a unit reads (METHOD.md 8.2).
 struct WhiteNoiseOnAccelerationFrameUnits {
   static constexpr bool kLinksFrames = true;
   static constexpr bool kLinksOrientations = false;

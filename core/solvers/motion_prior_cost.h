@@ -9,7 +9,7 @@
 namespace cvo {
 
 // The white-noise-on-acceleration prior between two states dt_s apart (section 3.3 of the paper;
-// estimator.md 5): e = (t+ - t - dt v, v+ - v), ||r||^2 = e^T Qhat^-1 e with
+// METHOD.md 8.2): e = (t+ - t - dt v, v+ - v), ||r||^2 = e^T Qhat^-1 e with
 //   r = (displacement (t+ - t) - velocity (v+ + v), change (v+ - v)),
 // so that the Jacobian by each of t, v, t+, v+ is made of these factors.
 struct MotionPriorFactors {

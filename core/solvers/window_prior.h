@@ -15,7 +15,7 @@ namespace cvo {
 // of the frames they were connected to, and how far the calibration is trusted. The energy 1/2 ||r0
 // + J0 dx||^2, dx = stacked world_from_camera [-] linearization_point of the frames, then
 // right_shift_px - right_shift_point_px (the last term of the paper's static energy; one joint
-// term, estimator.md 4.2).
+// term, METHOD.md 7.3).
 struct WindowPrior {
   std::vector<FrameId> frames;  // ascending
   std::vector<RigidTransform> linearization_point;

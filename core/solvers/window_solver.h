@@ -40,7 +40,7 @@ struct SolverOptions {
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
     visit.Field("iterations", self.iterations,
-                {"1", 1, 100, "Levenberg-Marquardt steps per frame", "estimator.md 4.5"});
+                {"1", 1, 100, "Levenberg-Marquardt steps per frame", "METHOD.md 7.5"});
     visit.Field("cluster_rounds", self.cluster_rounds,
                 {"1", 1, 100,
                  "times that a cluster is solved in a frame while each finds outliers; they are "

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // KITTI odometry: <sequences>/<number>/{image_0..3/,times.txt,calib.txt}, poses in
-// <sequences>/../poses/<number>.txt. Our synthetic scenes have them in poses.txt beside the images,
-// with labels.txt and detections/<level>.txt.
+// <sequences>/../poses/<number>.txt or <sequences>/poses/<number>.txt. Our synthetic scenes have
+// them in poses.txt beside the images, with labels.txt and detections/<level>.txt.
 
 #include "core/base/error.h"
 #include "experiments/datasets/sequence_parts.h"
@@ -15,18 +15,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// "odometry_06" in the layout of KITTI; elsewhere the folder's own name.
-std::string SequenceName(const fs::path& folder) {
-  const std::string name = folder.filename().string();
-  return folder.parent_path().filename() == "sequences" ? "odometry_" + name : name;
-}
-
 fs::path FindPoses(const fs::path& folder) {
-  const fs::path beside = folder / "poses.txt";
-  const fs::path apart =
-      folder.parent_path().parent_path() / "poses" / (folder.filename().string() + ".txt");
-  if (fs::exists(beside)) return beside;
-  return fs::exists(apart) ? apart : fs::path();
+  const fs::path parent = folder.parent_path();
+  const fs::path below = fs::path("poses") / (folder.filename().string() + ".txt");
+  for (const fs::path& file :
+       {folder / "poses.txt", parent / below, parent.parent_path() / below}) {
+    if (fs::exists(file)) return file;
+  }
+  return {};
 }
 
 // The file has poses of camera 0, relative to its first frame.
@@ -70,7 +66,7 @@ Sequence ReadKittiOdometry(const SequenceRequest& request) {
   RequireDevkitTruth(request, "KITTI odometry comes with one set of poses");
   Sequence sequence;
   sequence.folder = request.folder;
-  sequence.name = SequenceName(request.folder);
+  sequence.name = request.folder.filename().string();
   const auto images = [&](const char* image) { return request.folder / image; };
   const CameraPair pair =
       ChoosePair(request, {{"grey", 0, 1, images("image_0"), images("image_1")},

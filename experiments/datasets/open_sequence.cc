@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/error.h"
-#include "experiments/datasets/rectification_error.h"
+#include "experiments/datasets/data_set.h"
 #include "experiments/datasets/sequence_parts.h"
 #include "experiments/datasets/sequence_type.h"
 
@@ -54,6 +54,11 @@ Sequence OpenSequence(const SequenceRequest& request) try {
   resolved.type = TypeOf(resolved);
   Sequence sequence = ReadSequence(resolved);
   sequence.type = resolved.type;
+  sequence.dataset = DataSetOf(sequence, resolved.dataset);
+  // KITTI numbers its odometry sequences.
+  if (sequence.type == kKittiOdometry && sequence.dataset == kKittiDataSet) {
+    sequence.name.insert(0, "odometry_");
+  }
   sequence.camera.right_shift_px =
       request.right_shift_px ? *request.right_shift_px : KnownRightShift(sequence);
   if (sequence.groundtruth.empty()) sequence.groundtruth = "none";

@@ -44,8 +44,9 @@ struct StereoPaths {
 // A stereo sequence on disk, its images still undecoded. All vectors over frames have the same
 // length and start at `first_frame` of the folder.
 struct Sequence {
-  std::string name;  // "2011_09_26_drive_0001", "odometry_06", "tracking_0005"
-  std::string type;  // "kitti-raw", "kitti-odometry", "kitti-tracking"
+  std::string name;     // "2011_09_26_drive_0001", "odometry_06", "tracking_0005"
+  std::string type;     // "kitti-raw", "kitti-odometry", "kitti-tracking": the layout
+  std::string dataset;  // whose recording it is: "kitti" or "other"
   std::filesystem::path folder;
   std::string pair;  // "grey" or "colour"
   int first_frame = 0;
@@ -80,6 +81,7 @@ inline constexpr const char* kDetectionsFromLabels = "labels";
 struct SequenceRequest {
   std::filesystem::path folder = {};
   std::string type = {};               // "", "kitti-raw", "kitti-odometry", "kitti-tracking"
+  std::string dataset = {};            // "", "kitti", "other"
   std::string pair = {};               // "", "grey", "colour"
   std::string groundtruth = "devkit";  // KITTI raw: "devkit" or "interpolated"; others: "devkit"
   int begin_frame = 0;                 // half-open range; end -1: to the last

@@ -49,7 +49,9 @@ class JobFolder {
   void CheckIdentity(const std::string& made, const Sequence& sequence) const {
     if (made == id_) return;
     RemoveResult();
-    ThrowError(sequence.folder.string(), "other files than when the suite was planned",
+    ThrowError(sequence.folder.string(),
+               StrCat("other files than when the suite was planned, or another processor level (",
+                      ThisBuild().cpu_level, " here)"),
                "the same; clustervo experiment run plans anew");
   }
   void RemoveResult() const {

@@ -24,8 +24,8 @@ void CheckCluster(const ClusterEstimate& cluster, std::size_t frame_count) {
     last = frame.frame;
     const bool finite_velocity = !frame.velocity_m_s || frame.velocity_m_s->allFinite();
     if (!frame.world_from_object.Matrix().allFinite() || !finite_velocity ||
-        !frame.center_in_object.allFinite()) {
-      ThrowError(where, "a pose, velocity or centre that is not finite", "finite numbers");
+        !frame.point_in_object.allFinite()) {
+      ThrowError(where, "a pose, velocity or point that is not finite", "finite numbers");
     }
   }
 }

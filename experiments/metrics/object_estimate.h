@@ -29,8 +29,9 @@ struct LandmarkObservation {
 struct ClusterFrame {
   int frame = 0;
   RigidTransform world_from_object;
-  Eigen::Vector3d center_in_object = Eigen::Vector3d::Zero();
-  std::optional<Eigen::Vector3d> velocity_m_s;  // of that centre, in world; empty: not known
+  // The point that stands for the body: its velocity is given, its nearness tells bodies apart.
+  Eigen::Vector3d point_in_object = Eigen::Vector3d::Zero();
+  std::optional<Eigen::Vector3d> velocity_m_s;  // of that point, in world; empty: not known
   std::optional<int> observed_landmarks = 0;    // empty: whoever made the estimate tells of none
   bool predicted = false;                       // by the motion model alone
 };

@@ -9,7 +9,7 @@
 
 namespace cvo {
 
-// The object rows of results.md in a fixed order: object_* over movers, object_predicted_* where
+// The object rows in a fixed order: object_* over movers, object_predicted_* where
 // their pose is a prediction, object_standing_* over bodies that stay put, and clusters without a
 // body. A metric that the bodies do not determine is absent.
 std::vector<Metric> ObjectMetrics(const ObjectTruth& truth, const ObjectScores& scores);

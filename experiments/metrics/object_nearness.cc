@@ -45,7 +45,7 @@ Eigen::MatrixXd NearnessInFrame(const ObjectTruth& truth, const ObjectEstimate& 
     const ClusterFrame* cluster = FindFrame(estimate.clusters[c], frame);
     if (cluster == nullptr) continue;
     const Eigen::Vector3d center =
-        camera_from_world * (cluster->world_from_object * cluster->center_in_object);
+        camera_from_world * (cluster->world_from_object * cluster->point_in_object);
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       if (!bodies[b]) continue;
       nearness(static_cast<Eigen::Index>(b), static_cast<Eigen::Index>(c)) =

@@ -94,7 +94,7 @@ std::optional<double> VelocityError(const ObjectTruth& truth, const TruthBody& b
   std::size_t n = 0;
   for (const ClusterFrame* frame : frames) {
     const auto expected =
-        PointVelocity(truth, body, frame->frame, gtobject_from_object * frame->center_in_object);
+        PointVelocity(truth, body, frame->frame, gtobject_from_object * frame->point_in_object);
     if (!expected || !frame->velocity_m_s) continue;
     sum += (truth_from_estimate.rotation() * *frame->velocity_m_s - *expected).squaredNorm();
     ++n;

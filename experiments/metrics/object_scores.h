@@ -54,7 +54,7 @@ struct ObjectScores {
 RigidTransform AlignByCamera(const OptionalPoses& truth, const OptionalPoses& estimate);
 
 // object_from_gtobject that brings the estimated poses nearest to the true ones of the same world
-// (estimator.md 7.2). At least one pair.
+// (METHOD.md 10.2). At least one pair.
 RigidTransform AlignObject(const CommonPoses& poses);
 
 // Throws Error as CheckEstimate.

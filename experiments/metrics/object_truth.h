@@ -15,7 +15,7 @@ namespace cvo {
 // A body in one frame. The frame of the body is that of its truth, the same at all times.
 struct BodyFrame {
   RigidTransform world_from_object;
-  bool visible = false;  // enough of it to be judged (results.md, "what counts")
+  bool visible = false;  // enough of it to be judged (METHOD.md 10.3)
 };
 
 struct TruthBody {

@@ -8,20 +8,11 @@
 #include "build_sources.h"
 #include "build_tools.h"
 #include "core/base/error.h"
+#include "core/features/cpu_level.h"
 #include "core/files/sha256.h"
 
 namespace cvo {
 namespace {
-
-constexpr char kRecordedLevel[] = "avx2";
-
-// Asks OpenCV, whose code it is about and whose answer OPENCV_CPU_DISABLE changes. The C library
-// uses fused multiply-add in its own functions where the CPU has it.
-std::string CpuLevel() {
-  const bool recorded =
-      cv::checkHardwareSupport(CV_CPU_AVX2) && cv::checkHardwareSupport(CV_CPU_FMA3);
-  return recorded ? kRecordedLevel : "below avx2";
-}
 
 Json IdentityFields(const BuildIdentity& build) {
   return {{"version", build.version},
@@ -55,17 +46,9 @@ BuildIdentity ThisBuild() {
   build.flags = kFlags;
   build.opencv = cv::getVersionString();
   build.eigen = StrCat(EIGEN_WORLD_VERSION, ".", EIGEN_MAJOR_VERSION, ".", EIGEN_MINOR_VERSION);
-  build.cpu_level = CpuLevel();
+  build.cpu_level = CpuLevelName();
   build.commit = kCommit;
   return build;
-}
-
-void RequireRecordedCpu(const BuildIdentity& build) {
-  if (build.cpu_level != kRecordedLevel) {
-    ThrowError("this CPU", build.cpu_level,
-               "AVX2 and FMA: without them OpenCV computes other ORB descriptors, and a recorded "
-               "run could not be compared with others");
-  }
 }
 
 }  // namespace cvo

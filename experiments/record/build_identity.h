@@ -19,7 +19,7 @@ struct BuildIdentity {
   std::string flags;
   std::string opencv;
   std::string eigen;
-  std::string cpu_level;  // "avx2", or "below avx2": cv::ORB computes other descriptors there
+  std::string cpu_level;  // CpuLevelName
   std::string commit;     // with "+changes" where the sources differ from it
 
   // All of it, and the identity's hash without the commit.
@@ -29,8 +29,5 @@ struct BuildIdentity {
 
 // Of the running program on this CPU.
 BuildIdentity ThisBuild();
-
-// Throws Error on a CPU whose results could not be compared with recorded ones.
-void RequireRecordedCpu(const BuildIdentity& build);
 
 }  // namespace cvo

@@ -18,7 +18,7 @@ std::string ObjectTable(const Sequence& sequence, const RunResult& run);
 // tracks.kitti: KITTI tracking rows with a score, of clusters in view. 2D box: of the associated
 // detection, else of the projected 3D box, in the left image read. 3D box: upright, around the
 // cluster's, in rectified camera 0, as last estimated. Heading: that of the velocity above 1 m/s,
-// else along the optical axis (estimator.md 8.4). Predicted ones are rows too: see objects.csv.
+// else along the optical axis (METHOD.md 10.1). Predicted ones are rows too: see objects.csv.
 std::string KittiTracks(const Sequence& sequence, const RunResult& run);
 
 // clusters/<id>.tum: where the cluster was tracked, world_from_object as last estimated.

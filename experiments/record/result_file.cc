@@ -135,6 +135,7 @@ Json PoseToJson(const RigidTransform& pose) {
 Json SequenceToJson(const Sequence& sequence, const std::string& content) {
   return {{"name", sequence.name},
           {"type", sequence.type},
+          {"dataset", sequence.dataset},
           {"pair", sequence.pair},
           {"groundtruth", sequence.groundtruth},
           {"first_frame", sequence.first_frame},

@@ -34,6 +34,12 @@ Json CountsToJson(const OptionalPoses& poses) {
           {ToString(FrameStatus::kSkipped), missing}};
 }
 
+Json GivenSequence(const SystemRecord& record) {
+  Json sequence = SequenceToJson(record.sequence, record.content);
+  sequence["camera"]["right_shift_px"] = record.right_shift_px;
+  return sequence;
+}
+
 Json ClustersToJson(const SystemRecord& record) {
   Json clusters = Json::array();
   for (const ClusterEstimate& cluster : record.estimate.clusters) {
@@ -81,7 +87,7 @@ std::string SystemResultFile(const SystemRecord& record) {
        {"variant", SystemVariant(record.system)},
        {"system", FilesToJson(record)},
        {"seed", record.seed},
-       {"sequence", SequenceToJson(record.sequence, record.content)},
+       {"sequence", GivenSequence(record)},
        {"options", Json::object()},
        {"given", GivenToJson({}, {})},
        {"build", record.build.ToJson()},

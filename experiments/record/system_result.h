@@ -24,7 +24,8 @@ struct SystemRecord {
   BuildIdentity build;
   std::string system;
   SystemHashes hashes;
-  std::string content;  // ContentHash of the sequence
+  std::string content;          // ContentHash of the sequence
+  double right_shift_px = 0.0;  // correction that the system was given, not the sequence's
   std::uint64_t seed = 0;
   Json metrics = {};
   Json bodies = {};  // null without truth or objects

@@ -16,7 +16,7 @@ ClusterFrame FrameOf(const ClusterRow& row, std::size_t frame, PoseTime time) {
   cluster.frame = static_cast<int>(frame);
   cluster.world_from_object =
       refined ? row.refined->world_from_object : row.report.world_from_object;
-  cluster.center_in_object = row.report.center_in_object;
+  // Of the cluster's origin, as point_in_object is.
   cluster.velocity_m_s = refined ? row.refined->velocity_m_s : row.report.velocity_m_s;
   cluster.observed_landmarks = row.report.observed_landmarks;
   cluster.predicted = row.report.status == ClusterStatus::kPredicted;

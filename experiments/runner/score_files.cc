@@ -56,7 +56,7 @@ void Score(const SystemRequest& request, const ObjectEstimate& estimate, SystemO
     }
     outcome.bodies = std::move(scores.bodies);
   }
-  StatePoses(reports::PoseTime::kRefined, sequence.camera.right_shift_px, outcome.metrics);
+  StatePoses(reports::PoseTime::kRefined, request.right_shift_px, outcome.metrics);
 }
 
 Json BodyScoresToJson(const std::vector<BodyScore>& bodies) {
@@ -86,6 +86,7 @@ SystemOutcome ScoreSystem(const SystemRequest& request) {
                                      .system = request.files.name,
                                      .hashes = hashes,
                                      .content = request.content,
+                                     .right_shift_px = request.right_shift_px,
                                      .seed = request.seed,
                                      .metrics = ToJson(outcome.metrics),
                                      .bodies = BodyScoresToJson(outcome.bodies),

@@ -18,7 +18,8 @@ struct SystemRequest {
   const Sequence& sequence;
   std::string content;  // ContentHash of the sequence
   SystemFiles files;
-  std::uint64_t seed = 0;  // of the rendered scene: to stand beside the runs on it
+  std::uint64_t seed = 0;       // of the rendered scene: to stand beside the runs on it
+  double right_shift_px = 0.0;  // correction that the system was given, not the sequence's
 };
 
 struct SystemOutcome {

@@ -65,6 +65,7 @@ SequenceRequest RequestOf(const Cell& cell, const fs::path& folder, const fs::pa
   const SuiteSequence& sequence = cell.sequence;
   SequenceRequest request;
   request.folder = folder;
+  request.dataset = sequence.dataset;
   request.pair = sequence.pair;
   request.groundtruth = sequence.groundtruth;
   if (!sequence.scene.empty()) {

@@ -122,6 +122,7 @@ SuiteSequence ReadSequence(ObjectReader object, const fs::path& folder) {
   sequence.detections = object.TextOr("detections", "");
   sequence.classes = TextsOr(object, "classes", {});
   if (!sequence.folder.empty()) {
+    sequence.dataset = object.TextOr("dataset", "");
     sequence.pair = object.TextOr("pair", "");
     sequence.groundtruth = object.TextOr("groundtruth", sequence.groundtruth);
     sequence.detections_camera = object.IntegerOr("detections_camera", {0, 3}, -1);

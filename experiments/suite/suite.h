@@ -13,11 +13,12 @@ namespace cvo {
 
 // One sequence of a suite, as written: a scene that is rendered, or a folder of images.
 struct SuiteSequence {
-  std::string scene;   // shipped name or scene file; empty: a folder
-  std::string folder;  // below the suite's data folder; empty: a scene
-  std::string name;    // for rows; default: the scene's or the folder's last part
-  std::string frames;  // "A:B"; empty: all
-  std::string pair;    // as SequenceRequest, empty: decide from the folder
+  std::string scene;    // shipped name or scene file; empty: a folder
+  std::string folder;   // below the suite's data folder; empty: a scene
+  std::string name;     // for rows; default: the scene's or the folder's last part
+  std::string frames;   // "A:B"; empty: all
+  std::string dataset;  // as SequenceRequest, empty: decide from the folder
+  std::string pair;     // the same
   std::string groundtruth = "devkit";
   std::string detections;  // level, "labels", a file below the data folder, or empty: none
   int detections_camera = -1;

@@ -18,6 +18,7 @@ Json SequenceToJson(const SuiteSequence& sequence) {
   AddText("detections", sequence.detections, json);
   if (!sequence.classes.empty()) json["classes"] = sequence.classes;
   if (sequence.folder.empty()) return json;
+  AddText("dataset", sequence.dataset, json);
   AddText("pair", sequence.pair, json);
   json["groundtruth"] = sequence.groundtruth;
   if (sequence.detections_camera >= 0) json["detections_camera"] = sequence.detections_camera;

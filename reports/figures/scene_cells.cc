@@ -45,9 +45,7 @@ std::vector<Cell> CellsOf(const RowRuns& row, const RowRuns* reference,
   std::vector<Cell> cells;
   for (const Column& column : table.columns) {
     Cell cell = MakeCell(row, keys, column);
-    const bool comparable = DifferingMeaning(row, column).empty();
-    if (reference != nullptr && cell.present && comparable &&
-        DifferingMeaning(*reference, column).empty()) {
+    if (reference != nullptr && cell.present && AreComparable(row, *reference, column)) {
       cell.difference = MakeDifference({keys, row, *reference, table.reference}, column);
     }
     cells.push_back(std::move(cell));

@@ -15,12 +15,13 @@ bool TellsDataApart(const std::string& key) {
   return key == "sequence" || key == "detections" || key.starts_with("scene.");
 }
 
-// Values of the keys that say on which data a row stands.
+// Values of the keys that say on which data a row stands, and with which correction of it.
 std::vector<std::string> DataOf(const Row& row, const std::vector<std::string>& keys) {
   std::vector<std::string> data;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     if (TellsDataApart(keys[i])) data.push_back(row.keys[i]);
   }
+  data.push_back(row.corrections);
   return data;
 }
 

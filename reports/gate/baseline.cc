@@ -111,6 +111,7 @@ Baseline ReadBaseline(const std::filesystem::path& file) {
   baseline.suite = fields.Text("suite");
   baseline.build = fields.Object("build").Text("identity");
   baseline.commit = fields.Object("build").Text("commit");
+  baseline.cpu_level = fields.Object("build").TextOr("cpu_level", baseline.cpu_level);
   baseline.seeds = fields.Counts("seeds");
   for (const Json& metric : fields.Array("metrics")) {
     baseline.metrics.push_back(ReadMetric({metric, fields.where() + ", metrics"}));

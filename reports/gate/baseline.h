@@ -35,8 +35,9 @@ struct BaselineJob {
 // What later runs of a suite are held against.
 struct Baseline {
   std::string suite;
-  std::string build;   // identity
-  std::string commit;  // for people
+  std::string build;               // identity
+  std::string cpu_level = "avx2";  // of the processor; older files do not say, and needed this one
+  std::string commit;              // for people
   // Seeds that a checked run must have; the others only tell how far seeds are apart.
   std::vector<std::uint64_t> seeds;
   std::vector<BaselineMetric> metrics;

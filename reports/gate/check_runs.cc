@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "reports/gate/compare.h"
 #include "reports/gate/gate_runs.h"
+#include "reports/tables/table_parts.h"
 
 namespace cvo::reports {
 namespace {
@@ -134,6 +135,9 @@ class Check {
     };
     note(more, " jobs are not in the baseline");
     note(new_values_, " values are of metrics that the baseline lacks for their job");
+    std::set<std::string> levels = CpuLevels(runs_.runs);
+    levels.insert(baseline_.cpu_level);
+    if (levels.size() > 1) report_.notes.push_back(CpuLevelNote(levels));
     note(other_images_, " runs saw other images than the baseline's: scenes were drawn anew");
   }
 

@@ -88,6 +88,8 @@ Baseline MakeBaseline(const std::filesystem::path& folder, std::size_t gate_seed
   baseline.suite = runs.suite;
   baseline.build = runs.runs.front().run->build;
   baseline.commit = runs.runs.front().run->commit;
+  const std::string& cpu_level = runs.runs.front().run->cpu_level;
+  if (!cpu_level.empty()) baseline.cpu_level = cpu_level;
   baseline.seeds = GateSeeds(runs, gate_seeds);
   baseline.metrics = CollectMetrics(runs);
   const std::map<std::string, double> ratios = TimeRatios(runs);

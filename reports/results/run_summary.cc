@@ -86,6 +86,7 @@ RunSummary ReadRun(const std::filesystem::path& result_file,
   if (fields.Has("build")) {
     run.build = fields.Object("build").Text("identity");
     run.commit = fields.Object("build").TextOr("commit", "");
+    run.cpu_level = fields.Object("build").TextOr("cpu_level", "");
   }
   if (fields.Has("metrics")) run.metrics = ReadMetrics(fields, metrics);
   if (fields.Has("bodies") && !json["bodies"].is_null()) {

@@ -49,9 +49,10 @@ struct RunSummary {
   std::vector<MetricValue> metrics;
   std::vector<BodyResult> refined;
   std::vector<BodyResult> causal;
-  std::string options;  // resolved, as JSON text
-  std::string build;    // identity
-  std::string commit;   // of the build, for people
+  std::string options;    // resolved, as JSON text
+  std::string build;      // identity
+  std::string commit;     // of the build, for people
+  std::string cpu_level;  // of the processor that it ran on
 };
 
 // With the metrics of these names. Throws Error naming the file and the field, wherever in it:

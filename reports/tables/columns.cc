@@ -3,6 +3,7 @@
 #include "reports/tables/columns.h"
 
 #include <algorithm>
+#include <set>
 
 #include "core/base/error.h"
 #include "reports/results/metric_catalogue.h"
@@ -116,6 +117,19 @@ std::string DifferingMeaning(const RowRuns& row, const Column& column) {
                   "\"");
   }
   return "";
+}
+
+bool AreComparable(const RowRuns& row, const RowRuns& reference, const Column& column) {
+  std::set<double> shifts_px;
+  bool systems = false;
+  for (const RowRuns* runs : {&row, &reference}) {
+    for (const SuiteRun* run : runs->runs) {
+      if (run->run) shifts_px.insert(run->run->sequence.right_shift_px);
+      systems = systems || run->planned.system;
+    }
+  }
+  return DifferingMeaning(row, column).empty() && DifferingMeaning(reference, column).empty() &&
+         (!systems || shifts_px.size() <= 1);
 }
 
 void CheckSameMetric(const RunSummary& a, const MetricValue& in_a, const RunSummary& b,

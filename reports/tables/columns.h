@@ -28,6 +28,10 @@ std::vector<Column> MakeColumns(const std::vector<std::string>& metrics,
 // Why the first run of a row that has the metric means something else by it; empty where none does.
 std::string DifferingMeaning(const RowRuns& row, const Column& column);
 
+// Whether a difference between two rows says something: both mean what the column does, and another
+// system's row stands on the same corrections of calibrations as the other.
+bool AreComparable(const RowRuns& row, const RowRuns& reference, const Column& column);
+
 // Throws Error naming both files unless two runs of one scene mean the same by a metric.
 void CheckSameMetric(const RunSummary& a, const MetricValue& in_a, const RunSummary& b,
                      const MetricValue& in_b);

@@ -33,8 +33,7 @@ void AddRows(const std::vector<RowRuns>& rows, const std::filesystem::path& fold
     for (const Column& column : table.columns) {
       Cell cell = MakeCell(runs, table.keys, column);
       cell.not_comparable = DifferingMeaning(runs, column);
-      if (reference != nullptr && cell.present && cell.not_comparable.empty() &&
-          DifferingMeaning(*reference, column).empty()) {
+      if (reference != nullptr && cell.present && AreComparable(runs, *reference, column)) {
         cell.difference = MakeDifference({table.keys, runs, *reference, table.reference}, column);
       }
       row.cells.push_back(std::move(cell));
@@ -155,6 +154,7 @@ Table CompareFolders(const std::filesystem::path& before, const std::filesystem:
   AddRows(
       rows, folder, [&](const RowRuns& row) { return FindRow(rows_before, row.keys); }, table);
   for (const std::string& note : OtherImages(runs_before, runs)) table.notes.push_back(note);
+  if (CpuLevels(runs) != CpuLevels(both)) table.notes.push_back(CpuLevelNote(CpuLevels(both)));
   NoteUnpaired(rows_before, rows, table);
   return table;
 }

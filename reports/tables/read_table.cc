@@ -98,6 +98,7 @@ Row ReadRow(const Fields& fields, const Table& table) {
   if (fields.Has("truth")) {
     row.truth = FromJson<Contract>(fields.Object("truth").json(), fields.where() + ", truth");
   }
+  row.corrections = fields.TextOr("corrections", "");
   row.jobs = ReadJobs(fields.Object("jobs"));
   ForEach(fields, "runs", [&](const Fields& run) {
     row.runs.push_back({run.Text("sequence"), run.Count("seed"), run.Text("result")});

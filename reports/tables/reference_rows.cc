@@ -122,8 +122,8 @@ void AddReferenceRows(const Reference& reference, Table& table) {
   for (auto row = table.rows.rbegin(); row != table.rows.rend(); ++row) {
     if (!row->sequence) continue;
     const SequenceInfo& sequence = *row->sequence;
-    const std::string key =
-        StrCat(sequence.name, "/", sequence.pair, "/", sequence.first_frame, "/", sequence.frames);
+    const std::string key = StrCat(sequence.name, "/", sequence.pair, "/", sequence.first_frame,
+                                   "/", sequence.frames, "/", row->corrections);
     if (std::find(seen.begin(), seen.end(), key) != seen.end()) continue;
     seen.push_back(key);
     AddToRow(reference, table.columns, *row);

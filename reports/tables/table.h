@@ -109,6 +109,7 @@ struct Row {
   std::vector<std::string> keys;         // values of Table::keys
   std::optional<SequenceInfo> sequence;  // where all its runs are of one
   Contract truth;                        // then: truth, visibility and correction alone
+  std::string corrections;               // of its runs' calibrations; empty: none
   JobCounts jobs;
   std::vector<RunLink> runs;
   std::vector<Cell> cells;  // one per column

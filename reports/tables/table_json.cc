@@ -143,6 +143,7 @@ Json ToJson(const Row& row, const Table& table) {
   for (std::size_t i = 0; i < table.keys.size(); ++i) json["keys"][table.keys[i]] = row.keys[i];
   if (row.sequence) json["sequence"] = ToJson(*row.sequence);
   if (!(row.truth == Contract())) json["truth"] = cvo::ToJson(row.truth);
+  if (!row.corrections.empty()) json["corrections"] = row.corrections;
   json["jobs"] = ToJson(row.jobs);
   json["runs"] = ListOf(row.runs);
   json["cells"] = Json::array();

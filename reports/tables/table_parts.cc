@@ -82,8 +82,10 @@ Row DescribeRow(const RowRuns& row, const std::filesystem::path& folder) {
   described.keys = row.keys;
   described.jobs = CountJobs(row.runs);
   std::set<std::string> scenes;
+  std::set<double> shifts_px;
   for (const SuiteRun* run : row.runs) {
     if (!run->run) continue;
+    shifts_px.insert(run->run->sequence.right_shift_px);
     described.runs.push_back(
         {KeyOf(run->planned, "sequence"), run->planned.seed, Link(run->run->file, folder)});
     if (scenes.empty()) {
@@ -95,6 +97,10 @@ Row DescribeRow(const RowRuns& row, const std::filesystem::path& folder) {
   if (scenes.size() != 1) {
     described.sequence.reset();
     described.truth = Contract();
+  }
+  shifts_px.erase(0.0);
+  for (const double shift_px : shifts_px) {
+    described.corrections += StrCat(described.corrections.empty() ? "" : ", ", shift_px, " px");
   }
   return described;
 }
@@ -144,12 +150,29 @@ std::set<std::string> RunsOf(const RowRuns& row, const std::vector<std::string>&
 
 }  // namespace
 
+std::string CpuLevelNote(const std::set<std::string>& levels) {
+  if (levels.size() < 2) return "";
+  std::string names;
+  for (const std::string& level : levels) names += (names.empty() ? "" : ", ") + level;
+  return StrCat("results are of processors of different levels (", names,
+                "): what differs by rounding alone means nothing");
+}
+
+std::set<std::string> CpuLevels(const std::vector<SuiteRun>& runs) {
+  std::set<std::string> levels;
+  for (const SuiteRun& run : runs) {
+    if (run.run && !run.run->cpu_level.empty()) levels.insert(run.run->cpu_level);
+  }
+  return levels;
+}
+
 std::vector<std::string> TableNotes(const std::vector<SuiteRun>& runs, const Table& table) {
   std::vector<std::string> notes;
   for (const SuiteRun& run : runs) {
     if (!run.run || run.run->sequence.right_shift_px == 0.0) continue;
-    AddOnce(StrCat(KeyOf(run.planned, "sequence"), ": calibration corrected, u_right by ",
-                   run.run->sequence.right_shift_px, " px; figures of others use it as published"),
+    AddOnce(StrCat(KeyOf(run.planned, "sequence"), ", ", KeyOf(run.planned, "variant"),
+                   ": calibration corrected, u_right by ", run.run->sequence.right_shift_px,
+                   " px; does not compare with rows on the calibration as published"),
             notes);
   }
   for (const std::string& pooled : PooledKeys(runs, table.keys)) {
@@ -165,7 +188,9 @@ std::vector<std::string> TableNotes(const std::vector<SuiteRun>& runs, const Tab
         "rows stand on different runs: compare them by their paired differences only");
   }
   const std::vector<std::string>& builds = table.provenance.builds;
-  if (builds.size() > 1) {
+  const std::set<std::string> levels = CpuLevels(runs);
+  if (levels.size() > 1) AddOnce(CpuLevelNote(levels), notes);
+  if (builds.size() > std::max<std::size_t>(levels.size(), 1)) {
     notes.push_back(StrCat("results are of ", builds.size(),
                            " builds of the program: run the suite again for one"));
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,13 @@ std::vector<Problem> ListProblems(const std::vector<RowRuns>& rows);
 // Builds, seeds and options of the runs. `default_options`: nested JSON, empty where not known.
 Provenance DescribeRuns(const std::vector<SuiteRun>& runs, const std::string& default_options);
 
-// What a reader must know: corrected calibrations, what rows average over, several builds.
+// Levels of the processors that runs were made on, and what is to be said where there are several;
+// empty where there are not.
+std::set<std::string> CpuLevels(const std::vector<SuiteRun>& runs);
+std::string CpuLevelNote(const std::set<std::string>& levels);
+
+// What a reader must know: corrected calibrations, what rows average over, several builds or
+// levels of processors.
 std::vector<std::string> TableNotes(const std::vector<SuiteRun>& runs, const Table& table);
 
 }  // namespace cvo::reports

@@ -5,8 +5,8 @@
 #include "core/base/rng.h"
 #include "core/clustering/affinity_term.h"
 #include "core/clustering/box_term.h"
-#include "core/clustering/motion_term.h"
 #include "core/clustering/depth_mode.h"
+#include "core/clustering/motion_term.h"
 #include "core/clustering/point_extent.h"
 
 namespace cvo {

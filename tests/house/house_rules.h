@@ -37,4 +37,9 @@ std::vector<std::string> CheckRegistered(const std::vector<SourceFile>& files);
 // Headers define a type's name once per namespace: two definitions would be one to the linker.
 std::vector<std::string> CheckTypeNames(const std::vector<SourceFile>& files);
 
+// Sources and documents name only documents that are there, and only sections that core/METHOD.md
+// has; the files that METHOD.md names exist.
+std::vector<std::string> CheckCitations(const std::vector<SourceFile>& files,
+                                        const std::vector<SourceFile>& documents);
+
 }  // namespace cvo::test

@@ -113,7 +113,9 @@ TEST(ForbiddenText, MacrosInTheEstimator) {
   EXPECT_THAT(Text("core/base/a.h", "#ifdef X"), ElementsAre(HasSubstr("core/base/a.h:2: ")));
   EXPECT_THAT(Text("variants/a.cc", "  # if X"), SizeIs(1));
   EXPECT_THAT(Text("core/base/a.h", "#if defined(X)"), SizeIs(1));
-  EXPECT_THAT(Text("core/base/a.h", "#if defined(__x86_64__)"), IsEmpty());
+  EXPECT_THAT(Text("core/base/a.cc", "#if defined(CVO_WITH_AVX2)"), IsEmpty());
+  EXPECT_THAT(Text("core/base/a.cc", "#if defined(__x86_64__)"), SizeIs(1));
+  EXPECT_THAT(Text("core/features/cpu_level.h", "#if defined(__x86_64__)"), IsEmpty());
   EXPECT_THAT(Text("core/base/a.h", "#define X 1"), SizeIs(1));
   EXPECT_THAT(Text("core/base/a.h", "// #define X 1"), IsEmpty());
 }
@@ -168,6 +170,24 @@ TEST(CheckTypeNames, FindsTheSameNameTwiceInOneNamespace) {
               ElementsAre("y/two.h:3: a::Thing is defined in x/one.h:3"));
   EXPECT_THAT(CheckTypeNames({{"x/one.h", text}, {"y/two.h", "namespace b {\nclass Thing {\n"}}),
               IsEmpty());
+}
+
+TEST(Citations, NameWhatIsThere) {
+  const std::vector<SourceFile> documents = {
+      {"core/METHOD.md", "## 4 Boxes\n### 4.2 Gate\nFiles: `gate.cc`, `lost.cc`.\n"},
+      {"README.md", "see core/METHOD.md\n"}};
+  const auto check = [&](const std::string& text) {
+    return CheckCitations({{"core/gate.cc", text}, {"core/lost.cc", ""}}, documents);
+  };
+  EXPECT_THAT(check("// METHOD.md 4.2, METHOD.md 4\n// README.md\n"), IsEmpty());
+  EXPECT_THAT(check("\n// (METHOD.md 4.3)"),
+              ElementsAre("core/gate.cc:2: METHOD.md has no section 4.3"));
+  const std::string gone = std::string("gone") + ".md";  // or this file would cite it
+  EXPECT_THAT(check("// as " + gone + " says"),
+              ElementsAre(HasSubstr("no such document in the repository: " + gone)));
+  EXPECT_THAT(check("// the " + std::string("design") + " notes"), SizeIs(1));
+  EXPECT_THAT(CheckCitations({{"core/gate.cc", ""}}, documents),
+              ElementsAre("core/METHOD.md:3: no such file: `lost.cc`"));
 }
 
 }  // namespace

@@ -24,13 +24,13 @@ bool IsSource(const fs::path& path) {
          extension == ".sh" || path.filename() == "CMakeLists.txt";
 }
 
-std::vector<SourceFile> Sources() {
-  std::vector<fs::path> paths = {kTop / "CMakeLists.txt", kTop / "Makefile", kTop / ".ci/run",
-                                 kTop / ".ci/install-packages"};
+bool IsDocument(const fs::path& path) { return path.extension() == ".md"; }
+
+std::vector<SourceFile> FilesThat(bool (*is_wanted)(const fs::path&), std::vector<fs::path> paths) {
   for (const char* folder : {"core", "variants", "experiments", "synth", "reports", "tests"}) {
     if (!fs::is_directory(kTop / folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(kTop / folder)) {
-      if (entry.is_regular_file() && IsSource(entry.path())) paths.push_back(entry.path());
+      if (entry.is_regular_file() && is_wanted(entry.path())) paths.push_back(entry.path());
     }
   }
   std::sort(paths.begin(), paths.end());
@@ -39,6 +39,19 @@ std::vector<SourceFile> Sources() {
     files.push_back({path.lexically_relative(kTop).generic_string(), ReadFile(path)});
   }
   return files;
+}
+
+std::vector<SourceFile> Sources() {
+  return FilesThat(IsSource, {kTop / "CMakeLists.txt", kTop / "Makefile", kTop / ".ci/run",
+                              kTop / ".ci/install-packages"});
+}
+
+std::vector<SourceFile> Documents() {
+  std::vector<fs::path> paths;
+  for (const auto& entry : fs::directory_iterator(kTop)) {
+    if (IsDocument(entry.path())) paths.push_back(entry.path());
+  }
+  return FilesThat(IsDocument, std::move(paths));
 }
 
 template <typename Check>
@@ -61,6 +74,10 @@ TEST(SourceTree, TypesHaveNamesOfTheirOwn) { EXPECT_THAT(CheckTypeNames(Sources(
 TEST(SourceTree, FilesAreShort) { EXPECT_THAT(OnAll(CheckLength), IsEmpty()); }
 
 TEST(SourceTree, NothingForbidden) { EXPECT_THAT(OnAll(CheckForbiddenText), IsEmpty()); }
+
+TEST(SourceTree, WhatIsCitedIsThere) {
+  EXPECT_THAT(CheckCitations(Sources(), Documents()), IsEmpty());
+}
 
 TEST(SourceTree, EverySourceIsBuilt) { EXPECT_THAT(CheckRegistered(Sources()), IsEmpty()); }
 

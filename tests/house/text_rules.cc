@@ -34,11 +34,12 @@ const std::vector<TextRule>& TextRules() {
   static const std::regex library(
       R"((core|variants|synth|reports|experiments/(datasets|metrics|record|runner|scene_check))/.*\.(h|cc))");
   static const std::regex any(".*");
-  // A kernel of its own for a CPU, chosen at run time, may ask for the architecture.
+  // One file asks for the architecture; a kernel for it, chosen at run time, asks that file.
+  static const std::regex portable(R"((core|variants)/(?!features/cpu_level\.).*\.(h|cc))");
   static const std::vector<TextRule> rules = {
-      {estimator,
+      {portable,
        std::regex(
-           R"(^\s*#\s*((ifdef|ifndef|elif|else|define|undef)\b|if (?!defined\(__x86_64__\)$)))"),
+           R"(^\s*#\s*((ifdef|ifndef|elif|else|define|undef)\b|if (?!defined\(CVO_WITH_AVX2\)$)))"),
        "preprocessor branch or macro in the estimator"},
       {any, std::regex("-march=[n]ative|-ffast-[m]ath|-O[f]ast"),
        "flag that makes results depend on the computer or reorders arithmetic"},

@@ -14,7 +14,7 @@ namespace cvo::test {
 
 // RigidTransform::Plus and Minus for Ceres. The costs below write their Jacobians with
 // respect to the tangent into the first six of the block's seven columns, so PlusJacobian is
-// [I6; 0] (estimator.md 4.5): on these blocks, tools that differentiate with respect to the ambient
+// [I6; 0] (METHOD.md 7.5): on these blocks, tools that differentiate with respect to the ambient
 // space see nothing sensible.
 class PoseManifold final : public ceres::Manifold {
  public:
@@ -57,7 +57,7 @@ class PriorCost final : public ceres::CostFunction {
 };
 
 // r = W (pi(camera_from_world world_from_object p_in_object) - z), the camera held: the
-// reprojection term of the paper's energy of a cluster, corrected (estimator.md 12, row 1). J_pose
+// reprojection term of the paper's energy of a cluster, corrected (METHOD.md 9). J_pose
 // in the tangent of world_from_object. Near points as in EvaluateReprojection.
 struct ObjectReprojectionResidual {
   Eigen::Vector3d r;

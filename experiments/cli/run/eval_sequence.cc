@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "experiments/cache/content_hash.h"
+#include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/run/metric_table.h"
@@ -70,8 +71,8 @@ void PrintOutcome(const Sequence& sequence, const EvalSequence& eval,
 }  // namespace
 
 std::vector<std::string> EvalSequence::FlagNames() {
-  return {"--type",          "--pair",    "--frames", "--labels",
-          "--labels-camera", "--objects", "--name",   "--output"};
+  return {"--type",          "--dataset", "--pair", "--frames", "--labels",
+          "--labels-camera", "--objects", "--name", "--output", "--right-shift"};
 }
 
 void EvalSequence::AddTo(CLI::App& app) {
@@ -85,6 +86,9 @@ void EvalSequence::AddTo(CLI::App& app) {
       "KITTI tracking rows with 3D boxes, or a folder of <id>.tum");
   add("--name", name, "NAME", "of the system, for tables; default: the estimate's file name");
   add("-o,--output", output, "FOLDER", "for result.json, in the form of a run's");
+  add("--right-shift", right_shift_px, "PX",
+      "correction of the rectification that the system was given; default: 0, as published");
+  app.get_option("--right-shift")->check(FiniteProblem);
   flags.AddTruthTo(app);
   for (const std::string& flag : FlagNames()) app.get_option(flag)->group("With --sequence");
 }
@@ -100,7 +104,7 @@ int EvaluateSequence(const EvalSequence& eval, const std::string& estimate, bool
   }
   RequireAsRendered(sequence, HashesByReading);
   const std::string name = eval.name.empty() ? fs::path(estimate).stem().string() : eval.name;
-  SystemRequest request{sequence, "", {name, estimate, eval.objects}, 0};
+  SystemRequest request{sequence, "", {name, estimate, eval.objects}, 0, eval.right_shift_px};
   if (json || output) {
     ReadSystem(sequence, request.files);  // bad files show before the images are hashed
     request.content = HashSequence(sequence);

@@ -16,6 +16,7 @@ struct EvalSequence {
   std::string objects;
   std::string name;
   std::string output;
+  double right_shift_px = 0.0;
 
   void AddTo(CLI::App& app);
   // Of the flags that mean nothing without --sequence.

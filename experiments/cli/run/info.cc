@@ -46,6 +46,7 @@ Json InfoJson(const Sequence& sequence) {
   const StereoCamera& camera = sequence.camera;
   return {{"name", sequence.name},
           {"type", sequence.type},
+          {"dataset", sequence.dataset},
           {"folder", sequence.folder.string()},
           {"pair", sequence.pair},
           {"first_frame", sequence.first_frame},
@@ -69,6 +70,7 @@ void PrintInfo(const Sequence& sequence) {
       sequence.first_frame + static_cast<std::ptrdiff_t>(sequence.images.size());
   TextTable table({"sequence", sequence.name});
   table.Add({"type", sequence.type});
+  table.Add({"data set", sequence.dataset});
   table.Add({"folder", sequence.folder.string()});
   table.Add({"frames", StrCat(sequence.images.size(), " (", sequence.first_frame, " to ",
                               last_frame - 1, " of ", sequence.total_frames, ")")});

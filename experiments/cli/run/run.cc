@@ -16,7 +16,6 @@
 #include "experiments/cli/run/sequence_flags.h"
 #include "experiments/cli/run/text_table.h"
 #include "experiments/cli/stop_signal.h"
-#include "experiments/record/build_identity.h"
 #include "experiments/runner/job_cache.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/suite/scenes.h"
@@ -83,7 +82,6 @@ JobCache OpenCache(const Flags& flags, std::size_t frames) {
 }
 
 int Run(const Flags& flags) {
-  RequireRecordedCpu(ThisBuild());
   const VariantInfo& variant = FindVariant(flags.variant);
   const Options options = flags.run.Resolve();
   const std::vector<std::string> classes =

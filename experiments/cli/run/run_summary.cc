@@ -75,7 +75,7 @@ void PrintScores(const RunScores& scores, std::ostream& out) {
 
 void PrintBodies(const std::vector<BodyScore>& bodies, std::ostream& out) {
   TextTable table({"body", "class", "moves", "travel m", "cluster", "visible", "estimated", "ATE m",
-                   "in 10 cm", "motion rad", "motion m", "speed m/s", "switches"});
+                   "in 10 cm", "motion rad", "motion m", "velocity error m/s", "switches"});
   for (const BodyScore& body : bodies) {
     const auto motion = [&body](double RelativeErrors::*member) {
       return body.motion ? std::optional(*body.motion.*member) : std::nullopt;

@@ -12,6 +12,9 @@ void SequenceFlags::AddTruthTo(CLI::App& app) {
     return app.add_option(flag, value, meaning)->type_name(kind);
   };
   add("--type", type, "NAME", "kitti-raw, kitti-odometry or kitti-tracking; default: by its looks");
+  add("--dataset", dataset, "NAME",
+      "kitti or other: whose recording it is, for corrections that are known of it; default: kitti "
+      "where the calibration is KITTI's");
   add("--pair", pair, "NAME",
       "images to read, grey or colour; default: grey if there, else colour");
   add("--frames", frames, "A:B", "frames A to B-1, counted from 0; default: all");
@@ -56,6 +59,7 @@ SequenceRequest SequenceFlags::Request() const {
   SequenceRequest request;
   request.folder = folder;
   request.type = type;
+  request.dataset = dataset;
   request.pair = pair;
   request.groundtruth = groundtruth;
   if (!frames.empty()) {

@@ -14,6 +14,7 @@ namespace cvo {
 struct SequenceFlags {
   std::string folder;
   std::string type;
+  std::string dataset;
   std::string pair;
   std::string groundtruth = "devkit";
   std::string frames;

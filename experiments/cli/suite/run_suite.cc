@@ -19,7 +19,6 @@
 #include "experiments/cli/suite/job_report.h"
 #include "experiments/jobs/folder_lock.h"
 #include "experiments/jobs/run_plan.h"
-#include "experiments/record/build_identity.h"
 #include "experiments/suite/build_plan.h"
 #include "synth/write/render_cache.h"
 
@@ -201,7 +200,6 @@ class SuiteRun {
 }  // namespace
 
 int RunSuite(const SuiteRunFlags& flags) {
-  RequireRecordedCpu(ThisBuild());
   SuiteRun run(flags);
   try {
     return run.Run();

@@ -110,7 +110,7 @@ TEST(ProbabilisticAssociationLiteral, MissesMostOfWhatItShouldAccept) {
   Rng rng(2, "gate");
   Scene scene;
   for (int i = 0; i < kDraws; ++i) {
-    // A perfect prediction of a body at constant depth: Gamma is Sigma_z (estimator.md 3.2).
+    // A perfect prediction of a body at constant depth: Gamma is Sigma_z (METHOD.md 4.2).
     const Eigen::Matrix3d covariance = RandomCovariance(rng);
     scene.Add(covariance, covariance, Draw(2.0 * covariance, rng), rng);
   }

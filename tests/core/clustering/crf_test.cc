@@ -219,7 +219,7 @@ TEST(DenseCrf, FarNodesDoNotSpeakToEachOther) {
   EXPECT_LT(Difference(Normalized(problem, AllSweeps(5.0, 10)), alone), 1e-5);
 }
 
-// A body of 0.6 m in a room, as estimator.md 2.3: background in its box, no box around 3 % of it.
+// A body of 0.6 m in a room, as METHOD.md 5.6: background in its box, no box around 3 % of it.
 TEST(DenseCrf, RoomDoesNotAbsorbASmallBodyUnlessTheKernelIsRaw) {
   Rng rng(8, "crf");
   Problem problem{CrfMatrix(485, 3), Eigen::Matrix3Xd(3, 485)};

@@ -105,7 +105,7 @@ TEST(UnaryTerms, TheFootOfTheBoxPrunesTheRoadWithoutMotion) {
   EXPECT_GE(counts.car_as_car, 50);
 }
 
-// Estimator.md 2.3: the printed 3D term knows no noise of the body's size and loses the body.
+// METHOD.md 5.4: the printed 3D term knows no noise of the body's size and loses the body.
 TEST(UnaryTerms, ThePrintedAffinityLosesTheBody) {
   EXPECT_GE((CountCar<AffinityTerm, NoMotionTerm>().car_as_car), 55);
   EXPECT_LE((CountCar<AffinityTermLiteral, NoMotionTerm>().car_as_car), 30);

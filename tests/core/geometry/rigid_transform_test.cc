@@ -94,7 +94,7 @@ TEST(RigidTransform, PlusTurnsOnTheRightAndMovesInA) {
   EXPECT_LT((y.RotationMatrix() - expected).norm(), 1e-15);
 }
 
-// c = R^T (p - t): the derivatives that estimator.md section 0 states for this tangent.
+// c = R^T (p - t): the derivatives that METHOD.md 1.1 states for this tangent.
 TEST(RigidTransform, DerivativeOfAPointInTheCamera) {
   Rng rng(4, "derivative");
   const RigidTransform world_from_camera = RandomTransform(rng);

@@ -96,7 +96,7 @@ TEST(StereoCamera, BackProjectionJacobianMatchesCentralDifferencesAndIsTheInvers
   }
 }
 
-// det J_pi = fx^2 fy b / Z^4 (estimator.md section 0).
+// det J_pi = fx^2 fy b / Z^4 (METHOD.md 1.2).
 TEST(StereoCamera, DeterminantOfTheProjectionJacobian) {
   Rng rng(4, "determinant");
   const StereoCamera camera = Camera();

@@ -27,7 +27,7 @@ class EveryVariantWithBodies : public ::testing::TestWithParam<std::string_view>
   }
 
   // The static ones are shown no detections. Of paper_literal nothing is asked: its affinity term
-  // leaves next to nothing to the bodies (estimator.md 6.3).
+  // leaves next to nothing to the bodies (METHOD.md 5.4).
   static void ExpectClusters(bool are_there) {
     if (GetParam() == "paper_literal") return;
     EXPECT_EQ(are_there, GetParam().substr(0, 6) != "static");

@@ -68,14 +68,45 @@ TEST_F(Sequences, InterpolatedTruthIsThatOfTheImageTimes) {
   EXPECT_THAT(s.missing, ElementsAre(HasSubstr("no ground truth for 1 of 3 images")));
 }
 
-TEST_F(Sequences, RightShiftIsKnownForGreyKittiOnlyAndCanBeGiven) {
-  const fs::path raw = WriteRawDrive(root_);
-  const fs::path odometry = WriteOdometrySequence(root_);
-  EXPECT_EQ(OpenSequence({.folder = raw}).camera.right_shift_px, 0.16);
-  EXPECT_EQ(OpenSequence({.folder = raw, .right_shift_px = 0.0}).camera.right_shift_px, 0.0);
-  EXPECT_EQ(OpenSequence({.folder = odometry}).camera.right_shift_px, 0.16);
-  fs::rename(odometry, root_.path() / "scene");
-  EXPECT_EQ(OpenSequence({.folder = root_.path() / "scene"}).camera.right_shift_px, 0.0);
+TEST_F(Sequences, AFoldersLookDoesNotMakeItKitti) {
+  for (const fs::path& folder : {WriteRawDrive(root_), WriteOdometrySequence(root_)}) {
+    const Sequence s = OpenSequence({.folder = folder});
+    EXPECT_EQ(s.dataset, "other");
+    EXPECT_EQ(s.camera.right_shift_px, 0.0);
+    const Sequence named = OpenSequence({.folder = folder, .dataset = "kitti"});
+    EXPECT_EQ(named.dataset, "kitti");
+    EXPECT_EQ(named.camera.right_shift_px, 0.16);
+    const Sequence both =
+        OpenSequence({.folder = folder, .dataset = "kitti", .right_shift_px = 0.0});
+    EXPECT_EQ(both.camera.right_shift_px, 0.0);
+  }
+  EXPECT_THAT(ErrorMessage([&] {
+                OpenSequence({.folder = root_.path() / "sequences/06", .dataset = "kiti"});
+              }),
+              testing::EndsWith("option --dataset: found \"kiti\", expected kitti or other"));
+}
+
+// The calibration of odometry 04 to 12.
+constexpr const char* kKitti06 =
+    "P0: 707.0912 0 601.8873 0 0 707.0912 183.1104 0 0 0 1 0\n"
+    "P1: 707.0912 0 601.8873 -379.8145 0 707.0912 183.1104 0 0 0 1 0\n";
+
+TEST_F(Sequences, KittiIsKnownByItsCalibrationWhereverItLies) {
+  const fs::path there = WriteOdometrySequence(root_);
+  root_.Write("sequences/06/calib.txt", kKitti06);
+  fs::create_directories(root_.path() / "elsewhere");
+  fs::copy(root_.path() / "poses", root_.path() / "elsewhere/poses");
+  fs::copy(there, root_.path() / "elsewhere/06", fs::copy_options::recursive);
+  for (const fs::path& folder : {there, root_.path() / "elsewhere/06"}) {
+    const Sequence s = OpenSequence({.folder = folder});
+    EXPECT_EQ(s.name, "odometry_06");
+    EXPECT_EQ(s.dataset, "kitti");
+    EXPECT_EQ(s.camera.right_shift_px, 0.16);
+    EXPECT_EQ(s.groundtruth, "official");
+  }
+  EXPECT_EQ(OpenSequence({.folder = there, .dataset = "other"}).camera.right_shift_px, 0.0);
+  root_.Write("sequences/06/scene.json", "{}");
+  EXPECT_EQ(OpenSequence({.folder = there}).dataset, "other") << "rendered with KITTI's camera";
 }
 
 TEST_F(Sequences, RawDriveInColour) {
@@ -130,7 +161,7 @@ TEST_F(Sequences, RawDriveWithoutOxtsHasNoTruth) {
 
 TEST_F(Sequences, Odometry) {
   const Sequence s = OpenSequence({.folder = WriteOdometrySequence(root_)});
-  EXPECT_EQ(s.name, "odometry_06");
+  EXPECT_EQ(s.name, "06");
   EXPECT_EQ(s.type, "kitti-odometry");
   EXPECT_EQ(s.groundtruth, "official");
   EXPECT_THAT(s.timestamps_ns, ElementsAre(0, 100'000'000, 200'000'000));

@@ -177,7 +177,7 @@ TEST(ObjectMetrics, VelocityIsThatOfTheGivenPoint) {
   ObjectEstimate estimate = PerfectEstimate(truth);
   EXPECT_NEAR(Value(Evaluate(truth, estimate), "object_velocity"), 0.0, 1e-12);
   for (ClusterFrame& frame : estimate.clusters[0].frames) {
-    frame.center_in_object = Eigen::Vector3d::UnitX();
+    frame.point_in_object = Eigen::Vector3d::UnitX();
   }
   // In the middle by 2 sin(0.2) over two frames; before and after it by a chord of 2 sin(0.1).
   const double middle = std::sin(0.2) / 0.1, side = 2.0 * std::sin(0.1) / 0.1;

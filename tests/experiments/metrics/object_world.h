@@ -107,7 +107,7 @@ inline ObjectEstimate Restate(const ObjectEstimate& estimate,
   for (std::size_t c = 0; c < other.clusters.size(); ++c) {
     for (ClusterFrame& frame : other.clusters[c].frames) {
       frame.world_from_object = other_from_world * frame.world_from_object * object_from_other[c];
-      frame.center_in_object = object_from_other[c].Inverse() * frame.center_in_object;
+      frame.point_in_object = object_from_other[c].Inverse() * frame.point_in_object;
       frame.velocity_m_s = other_from_world.rotation() * *frame.velocity_m_s;
     }
   }

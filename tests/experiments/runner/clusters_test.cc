@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/files/json.h"
+#include "experiments/metrics/object_scores.h"
 #include "experiments/runner/object_estimate_of.h"
 #include "experiments/runner/run_job.h"
 #include "tests/experiments/runner/tiny_sequence.h"
@@ -207,6 +208,37 @@ TEST_F(RunnerClusters, AnEstimateHasTheClustersOfBothTimes) {
   EXPECT_NEAR(refined.clusters[0].frames[2].world_from_object.translation().x(), 0.41, 1e-12);
   EXPECT_EQ(causal.clusters[0].frames[2].observed_landmarks, 5);
   EXPECT_THAT(causal.world_from_camera, SizeIs(kFrames));
+}
+
+// A body that turns about its origin, of which the landmarks of one side are seen: their centre
+// moves, the origin does not.
+TEST(ObjectEstimateOf, VelocityIsComparedAtThePointItIsOf) {
+  ObjectTruth truth;
+  truth.mover_travel_m = -1.0;
+  TruthBody body{.id = 1, .name = "top", .category = "Ball"};
+  RunResult run;
+  for (int k = 0; k < 3; ++k) {
+    const RigidTransform pose(ExpSo3({0.0, 0.3 * k, 0.0}), {0.0, 0.0, 5.0});
+    truth.timestamps_ns.push_back(100'000'000 * k);
+    truth.world_from_camera.emplace_back(RigidTransform());
+    body.frames.push_back(BodyFrame{pose, true});
+    ClusterReport cluster;
+    cluster.id = ClusterId{1};
+    cluster.world_from_object = pose;
+    cluster.center_in_object = Eigen::Vector3d(0.2, 0.0, -0.3);
+    cluster.observed_landmarks = 5;
+    FrameRecord frame;
+    frame.frame = k;
+    frame.report.status = FrameStatus::kTracked;
+    frame.report.clusters = {cluster};
+    frame.landmarks.assign(5, {1, {1, PointMotion::kMoving}});
+    run.frames.push_back(frame);
+  }
+  truth.bodies.push_back(body);
+  FinishTruth(truth);
+  const ObjectScores scores = ScoreObjects(truth, ObjectEstimateOf(run, PoseTime::kCausal));
+  ASSERT_THAT(scores.bodies, SizeIs(1));
+  EXPECT_NEAR(*scores.bodies[0].velocity_m_s, 0.0, 1e-12);
 }
 
 }  // namespace

@@ -67,6 +67,21 @@ TEST(ScoreSystem, VelocityIsThatOfTheBoxes) {
   EXPECT_NEAR(*outcome.bodies[0].velocity_m_s, 1.0, 1e-6);
 }
 
+// What our readers know of a calibration says nothing of what the system was given.
+TEST(ScoreSystem, CorrectionIsTheSystemsOwn) {
+  SystemDrive drive;
+  drive.sequence().camera.right_shift_px = 0.16;
+  const auto correction = [&](double right_shift_px) {
+    SystemRequest request = drive.Request(FormatTumTrajectory(SystemDrive::Camera()), Rows());
+    request.right_shift_px = right_shift_px;
+    const Json result = ParseJson(ScoreSystem(request).result, "result");
+    EXPECT_EQ(result["sequence"]["camera"]["right_shift_px"], right_shift_px);
+    return result["metrics"][0]["contract"]["right_shift_px"].get<double>();
+  };
+  EXPECT_EQ(correction(0.0), 0.0);
+  EXPECT_EQ(correction(0.2), 0.2);
+}
+
 TEST(ScoreSystem, BodiesAreFoundByWhereTheyAreNotByNumber) {
   const SystemDrive drive;
   const SystemOutcome outcome = drive.Score(Rows([](SaidBox said, int) {

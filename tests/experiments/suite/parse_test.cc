@@ -38,6 +38,7 @@ std::string MessageOf(const Json& json) {
 TEST(Suite, ReadsWhatAFileSays) {
   Json json = SmallSuite();
   json["sequences"].push_back({{"folder", "2011_09_26_drive_0013_sync"},
+                               {"dataset", "kitti"},
                                {"detections", "d.txt"},
                                {"detections_camera", 2},
                                {"min_score", 0.5},
@@ -48,6 +49,7 @@ TEST(Suite, ReadsWhatAFileSays) {
   const Suite suite = Parse(json);
   EXPECT_EQ(suite.sequences[0].name, "tiny");
   EXPECT_EQ(suite.sequences[1].name, "2011_09_26_drive_0013");
+  EXPECT_EQ(suite.sequences[1].dataset, "kitti");
   EXPECT_EQ(suite.sequences[1].detections_camera, 2);
   EXPECT_EQ(suite.sequences[1].min_score, 0.5);
   EXPECT_THAT(suite.sequences[1].classes, ElementsAre("Car"));

@@ -126,6 +126,22 @@ TEST_F(GateTest, LostRunFails) {
   EXPECT_THAT(Check().problems, Problem("full on room", "ended as lost"));
 }
 
+TEST_F(GateTest, OtherLevelOfProcessorIsNoted) {
+  const auto run_on = [](const GateFolder& folder, const char* level) {
+    folder.ForEachJob([&](const std::string& scene, const std::string& variant, int seed) {
+      folder.Edit(GateFolder::Id(scene, variant, seed),
+                  [&](Json& result) { result["build"]["cpu_level"] = level; });
+    });
+  };
+  run_on(now_, "plain aarch64");
+  EXPECT_THAT(NoteLines(Check()), testing::Contains(HasSubstr("(avx2, plain aarch64)")))
+      << "a baseline that does not say was made with AVX2";
+  run_on(then_, "plain aarch64");
+  const GateReport same = Check();
+  EXPECT_FALSE(same.Regressed());
+  EXPECT_THAT(NoteLines(same), IsEmpty());
+}
+
 TEST_F(GateTest, NothingMeasuredFails) {
   const Baseline baseline = MakeBaseline(then_.path());
   std::filesystem::remove_all(now_.path() / "jobs");

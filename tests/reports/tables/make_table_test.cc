@@ -316,14 +316,6 @@ TEST_F(MakeTableTest, ProvenanceNamesBuildsSeedsAndChangedOptions) {
   EXPECT_THAT(table.notes, ElementsAre(HasSubstr("2 builds")));
 }
 
-TEST_F(MakeTableTest, SaysWhereTheCalibrationWasCorrected) {
-  Json corrected = Result();
-  corrected["sequence"]["camera"]["right_shift_px"] = 0.16;
-  suite_.Add(corrected);
-  suite_.Add(Result("2011_09_26_drive_0013", 72));
-  EXPECT_THAT(Make().notes, ElementsAre(AllOf(HasSubstr("drive_0001"), HasSubstr("0.16 px"))));
-}
-
 TEST_F(MakeTableTest, MissingMetricsAreSaidPlainly) {
   suite_.Add(Result());
   Json coverage_only = Result("2011_09_26_drive_0013");
