@@ -15,12 +15,36 @@ constexpr double kStep_s = 1.0 / 30.0;
 constexpr double kCameraRadius_m = 0.15;
 constexpr double kRounding_m = 1e-6;  // bodies stand on the floor
 constexpr double kLeastDepth_m = 0.4;
+constexpr double kVisiblePart = 0.6;  // of the least part in view
 
 bool IsInView(const StereoCamera& rig, double view_m, const Eigen::Vector3d& p_in_left) {
   if (p_in_left.z() < kLeastDepth_m || p_in_left.z() > view_m) return false;
   const double u = rig.fx * p_in_left.x() / p_in_left.z() + rig.cx;
   const double v = rig.fy * p_in_left.y() / p_in_left.z() + rig.cy;
   return u >= 0.0 && v >= 0.0 && u < rig.width_px && v < rig.height_px;
+}
+
+// Whether the straight line between two points goes through a box around the origin.
+bool Crosses(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& half) {
+  double first = 0.0;
+  double last = 1.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double step = to[axis] - from[axis];
+    if (std::abs(step) < 1e-9) {
+      if (std::abs(from[axis]) > half[axis]) return false;
+      continue;
+    }
+    const double low = (-half[axis] - from[axis]) / step;
+    const double high = (half[axis] - from[axis]) / step;
+    first = std::max(first, std::min(low, high));
+    last = std::min(last, std::max(low, high));
+  }
+  return first <= last;
+}
+
+double PartOf(const std::vector<bool>& steps) {
+  return static_cast<double>(std::count(steps.begin(), steps.end(), true)) /
+         static_cast<double>(steps.size());
 }
 
 }  // namespace
@@ -38,7 +62,8 @@ Placement::Placement(const StereoCamera& rig, const Motion& camera, double durat
 }
 
 Track Placement::MakeTrack(const CollisionShape& shape, const Motion& motion) const {
-  Track track{shape, {}};
+  Track track;
+  track.shape = shape;
   const int steps = static_cast<int>(std::ceil(duration_s_ / kStep_s));
   for (int i = 0; i <= steps; ++i) {
     track.world_from_body.push_back(motion.At(duration_s_ * i / steps).world_from_body);
@@ -64,23 +89,51 @@ bool Placement::KeepsAway(const Track& a, const Track& b, double clearance_m) co
   return true;
 }
 
-double Placement::PartInView(const Track& track) const {
-  int seen = 0;
+std::vector<bool> Placement::InView(const Track& track) const {
+  std::vector<bool> seen;
   for (std::size_t i = 0; i < track.world_from_body.size(); ++i) {
     const RigidTransform left_from_world = camera_.world_from_body[i].Inverse();
     const Eigen::Vector3d p_in_left = left_from_world * track.world_from_body[i].translation();
-    if (IsInView(rig_, limits_.view_m, p_in_left)) ++seen;
+    seen.push_back(IsInView(rig_, limits_.view_m, p_in_left));
   }
-  return static_cast<double>(seen) / static_cast<double>(track.world_from_body.size());
+  return seen;
+}
+
+std::vector<bool> Placement::VisibleBehind(const Track& track, const Track& other) const {
+  std::vector<bool> visible = track.visible;
+  for (std::size_t i = 0; i < visible.size(); ++i) {
+    const RigidTransform other_from_world = other.world_from_body[i].Inverse();
+    if (!visible[i]) continue;
+    visible[i] = !Crosses(other_from_world * camera_.world_from_body[i].translation(),
+                          other_from_world * track.world_from_body[i].translation(),
+                          other.shape.half_size_m);
+  }
+  return visible;
+}
+
+// Also of those before it: none may be hidden most of the time.
+bool Placement::TryVisibility(Track& track) {
+  std::vector<std::vector<bool>> visible;
+  for (const Track& other : bodies_) {
+    track.visible = VisibleBehind(track, other);
+    visible.push_back(VisibleBehind(other, track));
+    if (PartOf(visible.back()) < kVisiblePart * other.in_view) return false;
+  }
+  if (PartOf(track.visible) < kVisiblePart * track.in_view) return false;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i].visible = std::move(visible[i]);
+  return true;
 }
 
 bool Placement::TryAdd(const CollisionShape& shape, const Motion& motion, double in_view) {
   Track track = MakeTrack(shape, motion);
-  if (!StaysInside(track) || PartInView(track) < in_view) return false;
+  track.in_view = in_view;
+  track.visible = InView(track);
+  if (!StaysInside(track) || PartOf(track.visible) < in_view) return false;
   if (!KeepsAway(track, camera_, limits_.camera_clearance_m)) return false;
   for (const Track& other : bodies_) {
     if (!KeepsAway(track, other, limits_.clearance_m)) return false;
   }
+  if (!TryVisibility(track)) return false;
   bodies_.push_back(std::move(track));
   return true;
 }

@@ -16,6 +16,8 @@ namespace cvo::synth {
 struct Track {
   CollisionShape shape;  // around the body's origin
   std::vector<RigidTransform> world_from_body;
+  double in_view = 0.0;       // least part of the time in view
+  std::vector<bool> visible;  // in view, and nothing between its middle and the camera
 
   // Between the first and the last step.
   double Moved_m() const;
@@ -35,7 +37,8 @@ class Placement {
             PlacementLimits limits);
 
   // Adds a body whose middle is in the left image, not too far away, for at least the part
-  // `in_view` of the time and that comes near nothing; else changes nothing and returns false.
+  // `in_view` of the time. It comes near nothing and hides no other body most of the time, nor is
+  // it hidden. Otherwise changes nothing and returns false.
   bool TryAdd(const CollisionShape& shape, const Motion& motion, double in_view);
 
   const std::vector<Track>& bodies() const { return bodies_; }
@@ -46,7 +49,10 @@ class Placement {
   Track MakeTrack(const CollisionShape& shape, const Motion& motion) const;
   bool StaysInside(const Track& track) const;
   bool KeepsAway(const Track& a, const Track& b, double clearance_m) const;
-  double PartInView(const Track& track) const;
+  std::vector<bool> InView(const Track& track) const;
+  // The track's `visible`, less where the other body hides its middle.
+  std::vector<bool> VisibleBehind(const Track& track, const Track& other) const;
+  bool TryVisibility(Track& track);
 
   StereoCamera rig_;
   double duration_s_;
