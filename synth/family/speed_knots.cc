@@ -34,13 +34,14 @@ Knots WithStops(const SpeedRequest& request, Rng& rng) {
 // Comes to rest before the way is longer than allowed.
 void StopWithin(double length_m, double duration_s, Knots& knots) {
   constexpr double kStop_s = 0.8;
-  constexpr double kStep_s = 0.05;
+  constexpr double kStopStep_s = 0.05;
   const SpeedProfile profile(knots);
   if (profile.Way_m(duration_s) <= length_m) return;
   double time_s = 0.0;
-  while (profile.Way_m(time_s + kStep_s) + 0.5 * kStop_s * profile.Speed_mps(time_s + kStep_s) <
+  while (profile.Way_m(time_s + kStopStep_s) +
+             0.5 * kStop_s * profile.Speed_mps(time_s + kStopStep_s) <
          length_m) {
-    time_s += kStep_s;
+    time_s += kStopStep_s;
   }
   const double speed_mps = profile.Speed_mps(time_s);
   std::erase_if(knots, [&](const SpeedProfile::Knot& knot) { return knot.time_s >= time_s; });
