@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/files/json_record.h"
 
+#include "core/files/json_fields.h"
 #include "core/files/text_file.h"
 
 namespace cvo::internal {
@@ -41,6 +42,18 @@ std::uint64_t ReadJsonCount(const Json& json, const std::string& where) {
     FailType(json, where, "an integer from 0");
   }
   return json.get<std::uint64_t>();
+}
+
+void ReadJsonNumbers(const Json& json, const std::string& where, double* numbers,
+                     std::size_t count) {
+  bool good = json.is_array() && json.size() == count;
+  for (std::size_t i = 0; good && i < count; ++i) good = json[i].is_number();
+  if (!good) ThrowError(where, json.dump().substr(0, 80), StrCat(count, " numbers"));
+  for (std::size_t i = 0; i < count; ++i) numbers[i] = json[i].get<double>();
+}
+
+void CheckFile(const Json& json, const std::string& where, int schema_version, const char* kind) {
+  Fields(json, where).Check(schema_version, kind);
 }
 
 const Json* FindField(const Json& object, const char* key, const std::string& where) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <optional>
@@ -76,6 +77,11 @@ inline constexpr bool kIsMap = false;
 template <typename T>
 inline constexpr bool kIsMap<std::map<std::string, T>> = true;
 
+template <typename T>
+inline constexpr bool kIsArray = false;
+template <typename T, std::size_t kSize>
+inline constexpr bool kIsArray<std::array<T, kSize>> = true;
+
 // What its elements are named in errors: "<where>, metrics" and not "<where>, field metrics".
 template <typename T>
 inline constexpr bool kHasParts = JsonRecord<T> || kIsVector<T> || kIsMap<T>;
@@ -90,6 +96,10 @@ bool ReadJsonBool(const Json& json, const std::string& where);
 std::int64_t ReadJsonInteger(const Json& json, const std::string& where, std::int64_t least,
                              std::int64_t most);
 std::uint64_t ReadJsonCount(const Json& json, const std::string& where);
+void ReadJsonNumbers(const Json& json, const std::string& where, double* numbers,
+                     std::size_t count);
+// Throws Error unless the file says so of itself.
+void CheckFile(const Json& json, const std::string& where, int schema_version, const char* kind);
 // nullptr where there is none. Throws Error where `object` is no object.
 const Json* FindField(const Json& object, const char* key, const std::string& where);
 [[noreturn]] void FailMissing(const char* key, const std::string& where);
@@ -166,6 +176,22 @@ Json ToJson(const T& value) {
   }
 }
 
+// A whole file, which says its schema version and kind first: T::kSchemaVersion and T::kKind.
+template <JsonRecord T>
+std::string FileText(const T& record) {
+  JsonWriter writer;
+  writer.Field("schema_version", T::kSchemaVersion);
+  writer.Field("kind", std::string(T::kKind));
+  T::VisitFields(record, writer);
+  return DumpJson(writer.Take());
+}
+template <JsonRecord T>
+T ReadRecord(const std::filesystem::path& file) {
+  const Json json = ReadJson(file);
+  internal::CheckFile(json, file.string(), T::kSchemaVersion, T::kKind);
+  return FromJson<T>(json, file.string());
+}
+
 template <typename T>
 T FromJson(const Json& json, const std::string& where) {
   if constexpr (NamedEnum<T>) {
@@ -195,9 +221,17 @@ T FromJson(const Json& json, const std::string& where) {
     if (!json.is_object()) internal::FailType(json, where, "an object");
     T map;
     for (const auto& [key, element] : json.items()) {
-      map[key] = FromJson<typename T::mapped_type>(element, where + ", field " + key);
+      constexpr const char* kNext =
+          internal::kHasParts<typename T::mapped_type> ? ", " : ", field ";
+      map[key] = FromJson<typename T::mapped_type>(element, where + kNext + key);
     }
     return map;
+  } else if constexpr (internal::kIsArray<T>) {
+    T numbers{};
+    internal::ReadJsonNumbers(json, where, numbers.data(), numbers.size());
+    return numbers;
+  } else if constexpr (std::same_as<T, Json>) {
+    return json;
   } else if constexpr (std::same_as<T, std::string>) {
     return internal::ReadJsonText(json, where);
   } else if constexpr (std::same_as<T, bool>) {

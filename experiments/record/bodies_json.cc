@@ -2,55 +2,56 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/record/bodies_json.h"
 
-#include <optional>
+#include "reports/results/body_row.h"
 
 namespace cvo {
 namespace {
 
-Json OrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
-Json ErrorsToJson(const std::vector<ObjectFrameError>& errors) {
-  Json frames = Json::array();
-  Json positions_m = Json::array();
+reports::FrameErrors ErrorsOf(const std::vector<ObjectFrameError>& errors) {
+  reports::FrameErrors list;
   for (const ObjectFrameError& error : errors) {
-    frames.push_back(error.frame);
-    positions_m.push_back(error.position_m);
+    list.frames.push_back(error.frame);
+    list.position_m.push_back(error.position_m);
   }
-  return {{"frames", frames}, {"position_m", positions_m}};
+  return list;
 }
 
-void AddRelative(const char* name, const std::optional<RelativeErrors>& errors, Json& body) {
-  const std::string prefix = name;
-  body[prefix + "_rad"] = errors ? Json(errors->rotation_rad) : Json(nullptr);
-  body[prefix + "_m"] = errors ? Json(errors->translation_m) : Json(nullptr);
+void SetRelative(const std::optional<RelativeErrors>& errors, std::optional<double>& rotation_rad,
+                 std::optional<double>& translation_m) {
+  if (!errors) return;
+  rotation_rad = errors->rotation_rad;
+  translation_m = errors->translation_m;
+}
+
+reports::BodyRow RowOf(const BodyScore& score) {
+  reports::BodyRow row;
+  row.id = score.id;
+  row.name = score.name;
+  row.category = score.category;
+  row.mover = score.mover;
+  row.travel_m = score.travel_m;
+  row.cluster = score.cluster;
+  row.visible_frames = score.visible_frames;
+  row.estimated_frames = score.estimated_frames;
+  row.id_switches = score.continuity.id_switches;
+  row.fragments = score.continuity.fragments;
+  row.ate_m = score.ate_m;
+  row.predicted_ate_m = score.predicted_ate_m;
+  row.velocity_m_s = score.velocity_m_s;
+  SetRelative(score.all_pairs, row.all_pairs_rad, row.all_pairs_m);
+  SetRelative(score.one_frame, row.one_frame_rad, row.one_frame_m);
+  SetRelative(score.motion, row.motion_rad, row.motion_m);
+  row.errors = ErrorsOf(score.errors);
+  row.predicted = ErrorsOf(score.predicted);
+  return row;
 }
 
 }  // namespace
 
 Json BodiesToJson(const std::vector<BodyScore>& bodies) {
-  Json list = Json::array();
-  for (const BodyScore& score : bodies) {
-    Json body = {{"id", score.id},
-                 {"name", score.name},
-                 {"category", score.category},
-                 {"mover", score.mover},
-                 {"travel_m", score.travel_m},
-                 {"cluster", score.cluster},
-                 {"visible_frames", score.visible_frames},
-                 {"estimated_frames", score.estimated_frames},
-                 {"id_switches", score.continuity.id_switches},
-                 {"fragments", score.continuity.fragments},
-                 {"ate_m", OrNull(score.ate_m)},
-                 {"predicted_ate_m", OrNull(score.predicted_ate_m)},
-                 {"velocity_m_s", OrNull(score.velocity_m_s)}};
-    AddRelative("all_pairs", score.all_pairs, body);
-    AddRelative("one_frame", score.one_frame, body);
-    AddRelative("motion", score.motion, body);
-    body["errors"] = ErrorsToJson(score.errors);
-    body["predicted"] = ErrorsToJson(score.predicted);
-    list.push_back(std::move(body));
-  }
-  return list;
+  std::vector<reports::BodyRow> rows;
+  for (const BodyScore& score : bodies) rows.push_back(RowOf(score));
+  return ToJson(rows);
 }
 
 }  // namespace cvo

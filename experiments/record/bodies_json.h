@@ -9,9 +9,8 @@
 
 namespace cvo {
 
-// One row per body, for means over bodies of several runs, with its position errors frame by frame
-// ("errors", and "predicted" ones), which pair one variant with another. Frames count from the
-// first one run; a value that the frames do not determine is null.
+// One reports::BodyRow per body, for means over bodies of several runs, with its position errors
+// frame by frame, which pair one variant with another.
 Json BodiesToJson(const std::vector<BodyScore>& bodies);
 
 }  // namespace cvo

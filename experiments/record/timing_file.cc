@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "core/files/host_name.h"
-#include "core/files/json.h"
+#include "reports/results/timing.h"
 
 namespace cvo {
 namespace {
@@ -58,12 +58,10 @@ double Quantile(std::vector<double> samples, double q) {
 // Whole microseconds: more digits are noise.
 double Milliseconds(double seconds) { return std::round(1e6 * seconds) / 1e3; }
 
-Json Summary(const std::vector<double>& samples_ms) {
+reports::StageSummary Summary(const std::vector<double>& samples_ms) {
   const double total_s = 1e-3 * std::accumulate(samples_ms.begin(), samples_ms.end(), 0.0);
-  return {{"median_ms", Quantile(samples_ms, 0.5)},
-          {"mean_ms", Milliseconds(total_s / static_cast<double>(samples_ms.size()))},
-          {"p95_ms", Quantile(samples_ms, 0.95)},
-          {"total_ms", Milliseconds(total_s)}};
+  return {Quantile(samples_ms, 0.5), Milliseconds(total_s / static_cast<double>(samples_ms.size())),
+          Quantile(samples_ms, 0.95), Milliseconds(total_s)};
 }
 
 // Samples by stage; a frame without the stage counts as zero.
@@ -90,30 +88,25 @@ RunContext ThisProcess() {
 }
 
 std::string TimingFile(const RunResult& run, const RunContext& context) {
-  Json stages = Json::object();
-  for (const auto& [stage, samples] : StageSamples(run)) stages[stage] = Summary(samples);
-  Json frames = Json::array();
+  reports::TimingData timing;
+  timing.job = context.job;
+  timing.date = context.date;
+  timing.host = context.host;
+  timing.cpu = context.cpu;
+  timing.cpus = static_cast<int>(std::thread::hardware_concurrency());
+  timing.threads = context.threads;
+  timing.paths = {context.sequence_folder, context.output_folder};
+  timing.peak_memory_mb = context.peak_memory_mb;
+  timing.wall_s = run.wall_s;
+  const double count = static_cast<double>(run.frames.size());
+  timing.frames_per_second = run.wall_s > 0.0 ? count / run.wall_s : 0.0;
+  for (const auto& [stage, samples] : StageSamples(run)) timing.stages[stage] = Summary(samples);
   for (const FrameRecord& frame : run.frames) {
     Json row = {{"frame", frame.frame}};
     for (const auto& [stage, seconds] : frame.times_s) row[stage + "_ms"] = Milliseconds(seconds);
-    frames.push_back(std::move(row));
+    timing.frames.push_back(std::move(row));
   }
-  const double count = static_cast<double>(run.frames.size());
-  return DumpJson(
-      {{"schema_version", 1},
-       {"kind", "timing"},
-       {"job", context.job},
-       {"date", context.date},
-       {"host", context.host},
-       {"cpu", context.cpu},
-       {"cpus", std::thread::hardware_concurrency()},
-       {"threads", context.threads},
-       {"paths", {{"sequence", context.sequence_folder}, {"output", context.output_folder}}},
-       {"peak_memory_mb", context.peak_memory_mb},
-       {"wall_s", run.wall_s},
-       {"frames_per_second", run.wall_s > 0.0 ? count / run.wall_s : 0.0},
-       {"stages", stages},
-       {"frames", frames}});
+  return FileText(timing);
 }
 
 }  // namespace cvo

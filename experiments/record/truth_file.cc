@@ -2,76 +2,73 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/record/truth_file.h"
 
-#include "core/files/json.h"
-#include "experiments/record/result_file.h"
+#include "reports/results/truth.h"
 
 namespace cvo {
 namespace {
 
-constexpr int kSchemaVersion = 1;
+reports::Pose PoseOf(const RigidTransform& pose) {
+  const auto t = pose.translation();
+  const auto q = pose.rotation();
+  return {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
+}
 
-Json CameraToJson(const OptionalPoses& camera, const RigidTransform& estimate_from_truth) {
-  Json poses = Json::array();
-  for (const auto& world_from_camera : camera) {
-    poses.push_back(world_from_camera ? PoseToJson(estimate_from_truth * *world_from_camera)
-                                      : Json(nullptr));
+reports::TruthPoses PosesOf(const TruthBody& body, const RigidTransform& estimate_from_truth) {
+  reports::TruthPoses poses;
+  for (std::size_t i = 0; i < body.frames.size(); ++i) {
+    if (!body.frames[i]) continue;
+    poses.frames.push_back(static_cast<int>(i));
+    poses.poses.push_back(PoseOf(estimate_from_truth * body.frames[i]->world_from_object));
+    poses.visible.push_back(body.frames[i]->visible);
   }
   return poses;
 }
 
-Json TruthToJson(const TruthBody& body, const RigidTransform& estimate_from_truth) {
-  Json frames = Json::array();
-  Json poses = Json::array();
-  Json visible = Json::array();
-  for (std::size_t i = 0; i < body.frames.size(); ++i) {
-    if (!body.frames[i]) continue;
-    frames.push_back(i);
-    poses.push_back(PoseToJson(estimate_from_truth * body.frames[i]->world_from_object));
-    visible.push_back(body.frames[i]->visible);
-  }
-  return {{"frames", frames}, {"poses", poses}, {"visible", visible}};
-}
-
-Json PositionsToJson(const std::vector<ObjectFrameError>& errors,
-                     const RigidTransform& estimate_from_truth) {
-  Json frames = Json::array();
-  Json positions_m = Json::array();
+reports::FramePositions PositionsOf(const std::vector<ObjectFrameError>& errors,
+                                    const RigidTransform& estimate_from_truth) {
+  reports::FramePositions positions;
   for (const ObjectFrameError& error : errors) {
     const Eigen::Vector3d p = estimate_from_truth * error.estimate;
-    frames.push_back(error.frame);
-    positions_m.push_back({p.x(), p.y(), p.z()});
+    positions.frames.push_back(error.frame);
+    positions.positions_m.push_back({p.x(), p.y(), p.z()});
   }
-  return {{"frames", frames}, {"positions_m", positions_m}};
+  return positions;
 }
 
-Json BodiesToJson(const TruthRecord& truth, const RigidTransform& estimate_from_truth) {
-  Json bodies = Json::array();
-  for (const BodyScore& score : *truth.bodies) {
-    const TruthBody& body = *FindBody(*truth.objects, score.id);
-    bodies.push_back({{"id", score.id},
-                      {"name", score.name},
-                      {"category", score.category},
-                      {"mover", score.mover},
-                      {"diagonal_m", body.diagonal_m},
-                      {"cluster", score.cluster},
-                      {"truth", TruthToJson(body, estimate_from_truth)},
-                      {"estimated", PositionsToJson(score.errors, estimate_from_truth)},
-                      {"predicted", PositionsToJson(score.predicted, estimate_from_truth)}});
-  }
-  return bodies;
+reports::TruthOfBody BodyOf(const BodyScore& score, const TruthBody& body,
+                            const RigidTransform& estimate_from_truth) {
+  reports::TruthOfBody truth;
+  truth.id = score.id;
+  truth.name = score.name;
+  truth.category = score.category;
+  truth.mover = score.mover;
+  truth.diagonal_m = body.diagonal_m;
+  truth.cluster = score.cluster;
+  truth.truth = PosesOf(body, estimate_from_truth);
+  truth.estimated = PositionsOf(score.errors, estimate_from_truth);
+  truth.predicted = PositionsOf(score.predicted, estimate_from_truth);
+  return truth;
 }
 
 }  // namespace
 
 std::string TruthFile(const std::string& job, const TruthRecord& truth) {
   const RigidTransform estimate_from_truth = truth.truth_from_estimate.Inverse();
-  return DumpJson(
-      {{"schema_version", kSchemaVersion},
-       {"kind", "truth"},
-       {"job", job},
-       {"camera", truth.camera ? CameraToJson(*truth.camera, estimate_from_truth) : Json::array()},
-       {"bodies",
-        truth.objects && truth.bodies ? BodiesToJson(truth, estimate_from_truth) : Json::array()}});
+  reports::TruthData data;
+  data.job = job;
+  if (truth.camera) {
+    for (const auto& world_from_camera : *truth.camera) {
+      data.camera.emplace_back();
+      if (world_from_camera) data.camera.back() = PoseOf(estimate_from_truth * *world_from_camera);
+    }
+  }
+  if (truth.objects && truth.bodies) {
+    for (const BodyScore& score : *truth.bodies) {
+      data.bodies.push_back(
+          BodyOf(score, *FindBody(*truth.objects, score.id), estimate_from_truth));
+    }
+  }
+  return FileText(data);
 }
 
 }  // namespace cvo

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/files/options_json.h"
 #include "experiments/suite/cell_input.h"
+#include "reports/results/timing.h"
 
 namespace cvo {
 namespace {
@@ -72,10 +73,10 @@ std::string WhyItRuns(const Plan& plan, const PlannedJob& job, const EarlierRuns
 // Empty where it cannot be read: an estimate can do without.
 std::optional<double> FrameTimeOf(const std::filesystem::path& file) {
   try {
-    const Json timing = ReadJson(file);
-    const double frames = static_cast<double>(timing.at("frames").size());
-    if (frames > 0.0) return timing.at("wall_s").get<double>() / frames;
-  } catch (const std::exception&) {
+    const auto timing = ReadRecord<reports::TimingData>(file);
+    const double frames = static_cast<double>(timing.frames.size());
+    if (frames > 0.0) return timing.wall_s / frames;
+  } catch (const Error&) {
   }
   return std::nullopt;
 }

@@ -6,6 +6,7 @@
 
 #include "core/files/json_fields.h"
 #include "reports/results/metric_catalogue.h"
+#include "reports/results/timing.h"
 #include "reports/tables/columns.h"
 
 namespace cvo::reports {
@@ -13,16 +14,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kTimingSchemaVersion = 1;
-
-// Most of a timing file is about single frames.
 std::optional<double> EstimateTimeMs(const fs::path& file) {
   try {
-    const Json json = ReadJson(file, {"frames"});
-    const Fields fields(json, file.string());
-    fields.CheckSchema(kTimingSchemaVersion);
-    const double time_ms = fields.Object("stages").Object("estimate").Number("median_ms");
-    return time_ms > 0.0 ? std::optional(time_ms) : std::nullopt;
+    const auto timing = ReadRecord<TimingData>(file);
+    const auto estimate = timing.stages.find("estimate");
+    if (estimate == timing.stages.end() || estimate->second.median_ms <= 0.0) return std::nullopt;
+    return estimate->second.median_ms;
   } catch (const Error&) {
     return std::nullopt;
   }

@@ -23,7 +23,8 @@ using S = Aggregation;  // summary
 
 constexpr MetricEntry Camera(MetricId id, const char* name, MetricUnit unit, MetricKind kind,
                              Relation relation, const char* label, const char* meaning) {
-  return {id, kCamera, name, unit, relation, kind, kNothing, "", 0.0, false, label, meaning};
+  return {id,      kCamera, name, unit,  relation, kind,   kNothing,
+          nullptr, nullptr, 0.0,  false, label,    meaning};
 }
 
 constexpr MetricEntry Ate(MetricId id, const char* name, Aggregation summary, const char* label,
@@ -34,40 +35,42 @@ constexpr MetricEntry Ate(MetricId id, const char* name, Aggregation summary, co
 
 constexpr MetricEntry Landmarks(MetricId id, const char* name, Pairing pairing, Aggregation summary,
                                 const char* label, const char* meaning) {
-  return {id,
-          kLandmarks,
-          name,
-          MetricUnit::kOne,
-          {A::kNone, pairing, D::kNone, summary},
-          kFraction,
-          kNothing,
-          "",
-          0.0,
-          false,
-          label,
-          meaning};
+  return {id,        kLandmarks, name,    MetricUnit::kOne, {A::kNone, pairing, D::kNone, summary},
+          kFraction, kNothing,   nullptr, nullptr,          0.0,
+          false,     label,      meaning};
 }
 
 constexpr MetricEntry Mean(MetricId id, const char* name, MetricUnit unit, Alignment alignment,
-                           Pairing pairing, Delta delta, const char* field, const char* label,
-                           const char* meaning) {
+                           Pairing pairing, Delta delta, std::optional<double> BodyRow::*error,
+                           const char* label, const char* meaning) {
   const Relation relation = {alignment, pairing, delta, S::kMeanOverBodies};
-  return {id, kBodies, name, unit, relation, kError, kField, field, 0.0, false, label, meaning};
+  return {id,    kBodies, name, unit,  relation, kError, kField,
+          error, nullptr, 0.0,  false, label,    meaning};
 }
 
 constexpr MetricEntry Success(MetricId id, const char* name, double limit_m, const char* label,
                               const char* meaning) {
   const Relation relation = {A::kWorldAndBody, P::kVisible, D::kNone, S::kFractionWithin};
-  return {id,      kBodies, name,  MetricUnit::kOne, relation, kFraction, kSuccess, "",
-          limit_m, true,    label, meaning};
+  return {id,        kBodies,  name,    MetricUnit::kOne, relation,
+          kFraction, kSuccess, nullptr, nullptr,          limit_m,
+          true,      label,    meaning};
 }
 
 constexpr MetricEntry Number(MetricId id, const char* name, Pairing pairing, Aggregation summary,
-                             FromBody from_body, const char* field, const char* label,
+                             FromBody from_body, int BodyRow::*count, const char* label,
                              const char* meaning) {
   const Relation relation = {A::kNone, pairing, D::kNone, summary};
-  return {id,  kBodies, name,  MetricUnit::kOne, relation, kCount, from_body, field,
+  return {id,  kBodies, name,  MetricUnit::kOne, relation, kCount, from_body, nullptr, count,
           0.0, false,   label, meaning};
+}
+
+constexpr MetricEntry Other(MetricId id, MetricFamily family, const char* name, MetricUnit unit,
+                            Relation relation, MetricKind kind, FromBody from_body,
+                            std::optional<double> BodyRow::*error, const char* label,
+                            const char* meaning) {
+  const bool of_predictions = error != nullptr;
+  return {id,    family,  name, unit,           relation, kind,   from_body,
+          error, nullptr, 0.0,  of_predictions, label,    meaning};
 }
 
 constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
@@ -103,20 +106,11 @@ constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
            {A::kNone, P::kKittiStretches, D::kKittiLengths, S::kRotationOverLength}, "r drift",
            "Rotation error of the camera over stretches of 100 to 800 m, per length, as the KITTI "
            "benchmark has it."),
-    {kObjectCoverage,
-     kBodies,
-     "object_coverage",
-     MetricUnit::kOne,
-     {A::kNone, P::kVisible, D::kNone, S::kFractionEstimated},
-     kFraction,
-     kCoverage,
-     "",
-     0.0,
-     false,
-     "object coverage",
-     "Part of the frames in which an object should be seen and has an estimate. An error without "
-     "it "
-     "favours who loses what is hard."},
+    Other(kObjectCoverage, kBodies, "object_coverage", MetricUnit::kOne,
+          {A::kNone, P::kVisible, D::kNone, S::kFractionEstimated}, kFraction, kCoverage, nullptr,
+          "object coverage",
+          "Part of the frames in which an object should be seen and has an estimate. An error "
+          "without it favours who loses what is hard."),
     Success(kObjectSuccess5cm, "object_success_5cm", 0.05, "within 5 cm",
             "Part of all object-frames that should be seen in which the object is within 5 cm of "
             "the truth. One that is missed counts as a failure."),
@@ -126,60 +120,42 @@ constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
     Success(kObjectSuccess20cm, "object_success_20cm", 0.2, "within 20 cm",
             "Part of all object-frames that should be seen in which the object is within 20 cm of "
             "the truth. One that is missed counts as a failure."),
-    {kObjectAte,
-     kBodies,
-     "object_ate",
-     MetricUnit::kMetres,
-     {A::kWorldAndBody, P::kEstimated, D::kNone, S::kMeanOverBodies},
-     kError,
-     kField,
-     "ate_m",
-     0.0,
-     true,
-     "object ATE",
-     "Absolute trajectory error of moving objects, in the world of the camera: no object is "
-     "aligned "
-     "by itself. Over the frames that have an estimate."},
+    Other(kObjectAte, kBodies, "object_ate", MetricUnit::kMetres,
+          {A::kWorldAndBody, P::kEstimated, D::kNone, S::kMeanOverBodies}, kError, kField,
+          &BodyRow::ate_m, "object ATE",
+          "Absolute trajectory error of moving objects, in the world of the camera: no object is "
+          "aligned by itself. Over the frames that have an estimate."),
     Mean(kObjectRrpeAllPairs, "object_rrpe_all_pairs", MetricUnit::kRadians, A::kWorldAndBody,
-         P::kEstimatedPairs, D::kAll, "all_pairs_rad", "object R.RPE",
+         P::kEstimatedPairs, D::kAll, &BodyRow::all_pairs_rad, "object R.RPE",
          "Relative rotation error of objects between every two frames."),
     Mean(kObjectTrpeAllPairs, "object_trpe_all_pairs", MetricUnit::kMetres, A::kWorldAndBody,
-         P::kEstimatedPairs, D::kAll, "all_pairs_m", "object T.RPE",
+         P::kEstimatedPairs, D::kAll, &BodyRow::all_pairs_m, "object T.RPE",
          "Relative translation error of objects between every two frames."),
     Mean(kObjectRrpe1Frame, "object_rrpe_1_frame", MetricUnit::kRadians, A::kWorldAndBody,
-         P::kEstimatedConsecutive, D::kOneFrame, "one_frame_rad", "object R.RPE/frame",
+         P::kEstimatedConsecutive, D::kOneFrame, &BodyRow::one_frame_rad, "object R.RPE/frame",
          "Relative rotation error of objects from one frame to the next."),
     Mean(kObjectTrpe1Frame, "object_trpe_1_frame", MetricUnit::kMetres, A::kWorldAndBody,
-         P::kEstimatedConsecutive, D::kOneFrame, "one_frame_m", "object T.RPE/frame",
+         P::kEstimatedConsecutive, D::kOneFrame, &BodyRow::one_frame_m, "object T.RPE/frame",
          "Relative translation error of objects from one frame to the next."),
     Mean(kObjectMotionR, "object_motion_r", MetricUnit::kRadians, A::kWorld, P::kMotions,
-         D::kOneFrame, "motion_rad", "motion error",
+         D::kOneFrame, &BodyRow::motion_rad, "motion error",
          "Error of the rotation that an object makes from one frame to the next."),
     Mean(kObjectMotionT, "object_motion_t", MetricUnit::kMetres, A::kWorld, P::kMotions,
-         D::kOneFrame, "motion_m", "motion error",
+         D::kOneFrame, &BodyRow::motion_m, "motion error",
          "Error of the translation that an object makes from one frame to the next."),
     Mean(kObjectVelocity, "object_velocity", MetricUnit::kMetresPerSecond, A::kWorldAndBody,
-         P::kVelocities, D::kCentral, "velocity_m_s", "velocity error",
+         P::kVelocities, D::kCentral, &BodyRow::velocity_m_s, "velocity error",
          "Error of the velocity of objects: length of the difference from the true one."),
     Number(kObjectIdSwitches, "object_id_switches", P::kEachFrameItself, S::kSwitches, kSum,
-           "id_switches", "id switches", "How often a true object gets another id."),
+           &BodyRow::id_switches, "id switches", "How often a true object gets another id."),
     Number(kObjectFragments, "object_fragments", P::kEachFrameItself, S::kFragments, kSum,
-           "fragments", "fragments",
+           &BodyRow::fragments, "fragments",
            "How often the estimate of an object breaks off and begins again."),
-    Number(kObjectUnmatched, "object_unmatched", P::kWhole, S::kMissedBodies, kUnmatched, "",
+    Number(kObjectUnmatched, "object_unmatched", P::kWhole, S::kMissedBodies, kUnmatched, nullptr,
            "missed objects", "True objects that no cluster belongs to."),
-    {kObjectUnmatchedClusters,
-     kClusters,
-     "object_unmatched_clusters",
-     MetricUnit::kOne,
-     {A::kNone, P::kWhole, D::kNone, S::kExtraClusters},
-     kCount,
-     kNothing,
-     "",
-     0.0,
-     false,
-     "extra clusters",
-     "Clusters that belong to no true object."},
+    Other(kObjectUnmatchedClusters, kClusters, "object_unmatched_clusters", MetricUnit::kOne,
+          {A::kNone, P::kWhole, D::kNone, S::kExtraClusters}, kCount, kNothing, nullptr,
+          "extra clusters", "Clusters that belong to no true object."),
     Landmarks(kMovingPrecision, "moving_precision", P::kObservations, S::kMovingOfSaid,
               "moving precision", "Part of the landmarks said to move that do move."),
     Landmarks(kMovingRecall, "moving_recall", P::kObservations, S::kSaidOfMoving, "moving recall",
@@ -199,9 +175,9 @@ constexpr bool IsGiven(const char* text) { return text != nullptr && *text != '\
 constexpr bool IsComplete() {
   for (std::size_t i = 0; i < kMetrics.size(); ++i) {
     const MetricEntry& entry = kMetrics[i];
-    const bool needs_field = entry.from_body == kField || entry.from_body == kSum;
     if (entry.id != static_cast<MetricId>(i) || !IsGiven(entry.name) || !IsGiven(entry.label) ||
-        !IsGiven(entry.meaning) || needs_field != IsGiven(entry.body_field) ||
+        !IsGiven(entry.meaning) || (entry.from_body == kField) != (entry.body_error != nullptr) ||
+        (entry.from_body == kSum) != (entry.body_count != nullptr) ||
         (entry.from_body == kSuccess) != (entry.limit_m > 0.0) ||
         (entry.family == kBodies) != (entry.from_body != kNothing)) {
       return false;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/results/body_row.h"
 #include "reports/results/contract.h"
 
 namespace cvo::reports {
@@ -85,11 +86,12 @@ struct MetricEntry {
   Relation relation;
   MetricKind kind;
   FromBody from_body;
-  const char* body_field;  // of kField and kSum
-  double limit_m;          // of kSuccess
-  bool of_predictions;     // also of bodies whose pose is predicted
-  const char* label;       // heads a column
-  const char* meaning;     // for readers who do not know it
+  std::optional<double> BodyRow::*body_error;  // of kField
+  int BodyRow::*body_count;                    // of kSum
+  double limit_m;                              // of kSuccess
+  bool of_predictions;                         // also of bodies whose pose is predicted
+  const char* label;                           // heads a column
+  const char* meaning;                         // for readers who do not know it
 
   bool higher_is_better() const { return kind == MetricKind::kFraction; }
   // The least step worth telling, of a figure that is `value`: a hundredth of an error, 0.01 of a

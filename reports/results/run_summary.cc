@@ -35,33 +35,21 @@ std::vector<MetricValue> ReadMetrics(const Fields& run, const std::vector<std::s
   return metrics;
 }
 
-FrameErrors ReadErrors(const Fields& fields) {
-  FrameErrors errors{fields.Integers("frames"), fields.Numbers("position_m")};
+void CheckErrors(const FrameErrors& errors, const std::string& where) {
   if (errors.frames.size() != errors.position_m.size() ||
       !std::is_sorted(errors.frames.begin(), errors.frames.end())) {
-    ThrowError(fields.where(),
+    ThrowError(where,
                StrCat(errors.frames.size(), " frames and ", errors.position_m.size(), " errors"),
                "one error per frame, frames ascending");
   }
-  return errors;
 }
 
-BodyResult ReadBody(const Fields& fields) {
-  BodyResult body;
-  body.id = static_cast<int>(fields.Integer("id"));
-  body.mover = fields.Bool("mover");
-  for (const auto& [key, value] : fields.json().items()) {
-    if (value.is_number()) body.values[key] = value.get<double>();
-  }
-  body.errors = ReadErrors(fields.Object("errors"));
-  body.predicted = ReadErrors(fields.Object("predicted"));
-  return body;
-}
-
-std::vector<BodyResult> ReadBodies(const Fields& lists, const char* key) {
-  std::vector<BodyResult> bodies;
-  for (const Json& body : lists.Array(key)) {
-    bodies.push_back(ReadBody({body, StrCat(lists.where(), ", ", key)}));
+std::vector<BodyRow> ReadBodies(const Fields& lists, const char* key) {
+  const std::string where = StrCat(lists.where(), ", ", key);
+  auto bodies = FromJson<std::vector<BodyRow>>(lists.Array(key), where);
+  for (const BodyRow& body : bodies) {
+    CheckErrors(body.errors, where + ", errors");
+    CheckErrors(body.predicted, where + ", predicted");
   }
   return bodies;
 }

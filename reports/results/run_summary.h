@@ -4,12 +4,11 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
+#include "reports/results/body_row.h"
 #include "reports/results/metric_value.h"
-#include "reports/statistics/common_frames.h"
 
 namespace cvo::reports {
 
@@ -28,15 +27,6 @@ struct SequenceInfo {
   FrameSpan range() const { return {first_frame, first_frame + frames - 1}; }
 };
 
-// What a run reaches on one body.
-struct BodyResult {
-  int id = 0;
-  bool mover = false;
-  std::map<std::string, double> values;  // as result.json names them; those that are null lack
-  FrameErrors errors;
-  FrameErrors predicted;
-};
-
 // What a table needs of one result.json.
 struct RunSummary {
   std::filesystem::path file;
@@ -47,8 +37,8 @@ struct RunSummary {
   std::string message;
   SequenceInfo sequence;
   std::vector<MetricValue> metrics;
-  std::vector<BodyResult> refined;
-  std::vector<BodyResult> causal;
+  std::vector<BodyRow> refined;
+  std::vector<BodyRow> causal;
   std::string options;    // resolved, as JSON text
   std::string build;      // identity
   std::string commit;     // of the build, for people

@@ -8,115 +8,93 @@
 namespace cvo::reports {
 namespace {
 
-constexpr int kTruthSchemaVersion = 1;
-
-template <std::size_t kSize>
-std::array<double, kSize> Numbers(const Json& json, const std::string& where) {
-  std::array<double, kSize> numbers{};
-  bool good = json.is_array() && json.size() == kSize;
-  for (std::size_t i = 0; good && i < kSize; ++i) {
-    good = json[i].is_number();
-    if (good) numbers[i] = json[i].get<double>();
-  }
-  if (!good) ThrowError(where, json.dump().substr(0, 80), StrCat(kSize, " numbers"));
-  return numbers;
-}
-
 class Reader {
  public:
-  Reader(const std::vector<CameraFrame>& frames) : frames_(frames) {}
+  Reader(const std::vector<CameraFrame>& frames, std::string where)
+      : frames_(frames), where_(std::move(where)) {}
 
-  BodyDetail Body(const Fields& fields) const {
+  BodyDetail Body(const TruthOfBody& of) const {
     BodyDetail body;
-    body.id = static_cast<int>(fields.Integer("id"));
-    body.name = fields.Text("name");
-    body.category = fields.Text("category");
-    body.mover = fields.Bool("mover");
-    body.diagonal_m = fields.Number("diagonal_m");
-    body.cluster = fields.Integer("cluster");
-    Truth(fields.Object("truth"), body);
-    body.estimated = Positions(fields.Object("estimated"), body);
-    body.predicted = Positions(fields.Object("predicted"), body);
+    body.id = of.id;
+    body.name = of.name;
+    body.category = of.category;
+    body.mover = of.mover;
+    body.diagonal_m = of.diagonal_m;
+    body.cluster = of.cluster;
+    AddTruth(of.truth, body);
+    body.estimated = Positions(of.estimated, "estimated", body);
+    body.predicted = Positions(of.predicted, "predicted", body);
     return body;
   }
 
  private:
   // The number in the folder of a frame given by its index.
-  int Frame(const Json& json, const std::string& where) const {
-    const bool good = json.is_number_integer() && json.get<std::int64_t>() >= 0 &&
-                      json.get<std::int64_t>() < static_cast<std::int64_t>(frames_.size());
-    if (!good) ThrowError(where, json.dump(), StrCat("one of ", frames_.size(), " frames"));
-    return frames_[json.get<std::size_t>()].frame;
-  }
-  static const Json& ListLike(const Fields& fields, const char* key, const Json& frames) {
-    const Json& list = fields.Array(key);
-    if (list.size() != frames.size()) {
-      ThrowError(StrCat(fields.where(), ", field ", key), StrCat(list.size(), " values"),
-                 StrCat(frames.size(), ", one per frame"));
+  int Frame(int index, const char* list) const {
+    if (index < 0 || index >= static_cast<int>(frames_.size())) {
+      ThrowError(StrCat(where_, ", bodies, ", list, ", frames"), StrCat(index),
+                 StrCat("one of ", frames_.size(), " frames"));
     }
-    return list;
+    return frames_[static_cast<std::size_t>(index)].frame;
   }
-  void Truth(const Fields& fields, BodyDetail& body) const {
-    const Json& frames = fields.Array("frames");
-    const Json& poses = ListLike(fields, "poses", frames);
-    const Json& visible = ListLike(fields, "visible", frames);
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-      const int frame = Frame(frames[i], fields.where() + ", frames");
-      body.truth.emplace_back(frame, PoseOf(poses[i], fields.where() + ", poses"));
-      if (visible[i] == true) body.visible.push_back(frame);
+  void CheckLike(std::size_t frames, std::size_t values, const char* list,
+                 const char* field) const {
+    if (values == frames) return;
+    ThrowError(StrCat(where_, ", bodies, ", list, ", field ", field), StrCat(values, " values"),
+               StrCat(frames, ", one per frame"));
+  }
+  void AddTruth(const TruthPoses& truth, BodyDetail& body) const {
+    CheckLike(truth.frames.size(), truth.poses.size(), "truth", "poses");
+    CheckLike(truth.frames.size(), truth.visible.size(), "truth", "visible");
+    for (std::size_t i = 0; i < truth.frames.size(); ++i) {
+      const int frame = Frame(truth.frames[i], "truth");
+      body.truth.emplace_back(frame, truth.poses[i]);
+      if (truth.visible[i]) body.visible.push_back(frame);
     }
     std::sort(body.truth.begin(), body.truth.end());
     std::sort(body.visible.begin(), body.visible.end());
   }
-  std::vector<BodyPosition> Positions(const Fields& fields, const BodyDetail& body) const {
-    const Json& frames = fields.Array("frames");
-    const Json& positions = ListLike(fields, "positions_m", frames);
-    std::vector<BodyPosition> list;
-    for (std::size_t i = 0; i < frames.size(); ++i) {
+  std::vector<BodyPosition> Positions(const FramePositions& positions, const char* list,
+                                      const BodyDetail& body) const {
+    CheckLike(positions.frames.size(), positions.positions_m.size(), list, "positions_m");
+    std::vector<BodyPosition> found;
+    for (std::size_t i = 0; i < positions.frames.size(); ++i) {
       BodyPosition position;
-      position.frame = Frame(frames[i], fields.where() + ", frames");
-      position.position_m = Numbers<3>(positions[i], fields.where() + ", positions_m");
+      position.frame = Frame(positions.frames[i], list);
+      position.position_m = positions.positions_m[i];
       const auto truth = std::find_if(body.truth.begin(), body.truth.end(), [&](const auto& known) {
         return known.first == position.frame;
       });
       if (truth == body.truth.end()) {
-        ThrowError(fields.where() + ", frames", frames[i].dump(), "a frame in which it has truth");
+        ThrowError(StrCat(where_, ", bodies, ", list, ", frames"), StrCat(positions.frames[i]),
+                   "a frame in which it has truth");
       }
       position.error_m = std::hypot(position.position_m[0] - truth->second[0],
                                     position.position_m[1] - truth->second[1],
                                     position.position_m[2] - truth->second[2]);
-      list.push_back(position);
+      found.push_back(position);
     }
-    std::sort(list.begin(), list.end(),
+    std::sort(found.begin(), found.end(),
               [](const auto& a, const auto& b) { return a.frame < b.frame; });
-    return list;
+    return found;
   }
 
   const std::vector<CameraFrame>& frames_;
+  std::string where_;
 };
 
 }  // namespace
 
-Pose PoseOf(const Json& json, const std::string& where) { return Numbers<7>(json, where); }
-
 RunTruth ReadTruthFile(const std::filesystem::path& file, const std::vector<CameraFrame>& frames) {
-  const Json json = ReadJson(file);
-  const Fields fields(json, file.string());
-  fields.Check(kTruthSchemaVersion, "truth");
+  const auto data = ReadRecord<TruthData>(file);
   RunTruth truth;
-  for (const Json& pose : fields.Array("camera")) {
-    truth.camera.emplace_back();
-    if (!pose.is_null()) truth.camera.back() = PoseOf(pose, fields.where() + ", camera");
-  }
+  truth.camera = data.camera;
   if (truth.camera.empty()) truth.camera.resize(frames.size());  // of bodies alone
   if (truth.camera.size() != frames.size()) {
-    ThrowError(fields.where() + ", field camera", StrCat(truth.camera.size(), " poses"),
+    ThrowError(file.string() + ", field camera", StrCat(truth.camera.size(), " poses"),
                StrCat(frames.size(), ", one per frame of result.json"));
   }
-  const Reader reader(frames);
-  for (const Json& body : fields.Array("bodies")) {
-    truth.bodies.push_back(reader.Body({body, fields.where() + ", bodies"}));
-  }
+  const Reader reader(frames, file.string());
+  for (const TruthOfBody& body : data.bodies) truth.bodies.push_back(reader.Body(body));
   return truth;
 }
 

@@ -7,9 +7,6 @@
 
 namespace cvo::reports {
 
-// Seven finite numbers. Throws Error naming `where`.
-Pose PoseOf(const Json& json, const std::string& where);
-
 // What truth.json holds, for frames as result.json lists them. Its frames are indices into these.
 struct RunTruth {
   std::vector<std::optional<Pose>> camera;  // one per frame

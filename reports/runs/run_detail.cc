@@ -5,14 +5,13 @@
 #include <functional>
 
 #include "reports/results/run_summary.h"
+#include "reports/results/timing.h"
 #include "reports/runs/detail_files.h"
 
 namespace cvo::reports {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kTimingSchemaVersion = 1;
 
 // Nothing but the frames: what else a result holds is large and for others.
 std::vector<CameraFrame> ReadFrames(const fs::path& file) {
@@ -27,30 +26,22 @@ std::vector<CameraFrame> ReadFrames(const fs::path& file) {
     frame.frame = static_cast<int>(entry.Integer("frame"));
     frame.timestamp_ns = entry.Integer("timestamp_ns");
     frame.status = entry.Text("status");
-    frame.world_from_camera = PoseOf(entry.Array("refined"), entry.where() + ", refined");
+    frame.world_from_camera = FromJson<Pose>(entry.Array("refined"), entry.where() + ", refined");
     frames.push_back(std::move(frame));
   }
   return frames;
 }
 
 void ReadTiming(const fs::path& file, RunDetail& detail) {
-  const Json json = ReadJson(file);
-  const Fields fields(json, file.string());
-  fields.Check(kTimingSchemaVersion, "timing");
-  const Fields stages = fields.Object("stages");
-  std::vector<StageTime> times;
-  for (const auto& [name, stage] : stages.json().items()) {
-    const Fields time(stage, stages.where() + ", " + name);
-    times.push_back(
-        {name, time.Number("median_ms"), time.Number("mean_ms"), time.Number("p95_ms")});
+  const auto timing = ReadRecord<TimingData>(file);
+  for (const auto& [stage, time] : timing.stages) {
+    detail.stages.push_back({stage, time.median_ms, time.mean_ms, time.p95_ms});
   }
-  const std::string folder = fields.Object("paths").Text("sequence");
-  detail.frames_per_second = fields.Number("frames_per_second");
-  detail.host = fields.Text("host");
-  detail.cpu = fields.Text("cpu");
-  detail.date = fields.Text("date");
-  detail.sequence_folder = folder;
-  detail.stages = std::move(times);
+  detail.frames_per_second = timing.frames_per_second;
+  detail.host = timing.host;
+  detail.cpu = timing.cpu;
+  detail.date = timing.date;
+  detail.sequence_folder = timing.paths.sequence;
 }
 
 void ReadTruth(const fs::path& file, RunDetail& detail) {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -10,10 +9,9 @@
 #include <string>
 #include <vector>
 
-namespace cvo::reports {
+#include "reports/results/truth.h"
 
-using Position = std::array<double, 3>;  // m
-using Pose = std::array<double, 7>;      // tx ty tz qx qy qz qw
+namespace cvo::reports {
 
 struct CameraFrame {
   int frame = 0;  // counted in the folder of the sequence

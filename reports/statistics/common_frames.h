@@ -12,6 +12,12 @@ namespace cvo::reports {
 struct FrameErrors {
   std::vector<int> frames;  // ascending
   std::vector<double> position_m;
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("frames", self.frames);
+    archive.Field("position_m", self.position_m);
+  }
 };
 
 // Root mean squares of both over the frames that both have. Empty where there are none.

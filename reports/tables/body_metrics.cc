@@ -7,26 +7,19 @@
 namespace cvo::reports {
 namespace {
 
-const FrameErrors& ErrorsOf(const BodyMetric& metric, const BodyResult& body) {
+const FrameErrors& ErrorsOf(const BodyMetric& metric, const BodyRow& body) {
   return metric.predicted() ? body.predicted : body.errors;
 }
 
-std::optional<double> ValueOf(const BodyResult& body, const std::string& field) {
-  const auto found = body.values.find(field);
-  if (found == body.values.end()) return std::nullopt;
-  return found->second;
-}
-
-std::optional<Part> FractionOf(const BodyMetric& metric, const BodyResult& body) {
+std::optional<Part> FractionOf(const BodyMetric& metric, const BodyRow& body) {
   const FrameErrors& errors = ErrorsOf(metric, body);
-  const std::optional<double> frames = metric.predicted()
-                                           ? static_cast<double>(errors.frames.size())
-                                           : ValueOf(body, "visible_frames");
-  if (!frames || *frames <= 0.0) return std::nullopt;
+  const int frames =
+      metric.predicted() ? static_cast<int>(errors.frames.size()) : body.visible_frames;
+  if (frames <= 0) return std::nullopt;
   const auto within =
       std::count_if(errors.position_m.begin(), errors.position_m.end(),
                     [&](double error_m) { return error_m <= metric.entry().limit_m; });
-  return Part{static_cast<double>(within), *frames};
+  return Part{static_cast<double>(within), static_cast<double>(frames)};
 }
 
 }  // namespace
@@ -37,29 +30,37 @@ std::optional<BodyMetric> FindBodyMetric(const std::string& metric) {
   return BodyMetric{*form};
 }
 
-const std::vector<BodyResult>& BodiesOf(const BodyMetric& metric, const RunSummary& run) {
+const std::vector<BodyRow>& BodiesOf(const BodyMetric& metric, const RunSummary& run) {
   return metric.form.causal ? run.causal : run.refined;
 }
 
-std::optional<Part> PartOf(const BodyMetric& metric, const BodyResult& body) {
+std::optional<Part> PartOf(const BodyMetric& metric, const BodyRow& body) {
   if (body.mover != metric.movers()) return std::nullopt;
-  const FromBody from = metric.entry().from_body;
-  if (from == FromBody::kSuccess) return FractionOf(metric, body);
-  const char* field = from == FromBody::kCoverage    ? "estimated_frames"
-                      : from == FromBody::kUnmatched ? "cluster"
-                      : metric.predicted()           ? "predicted_ate_m"
-                                                     : metric.entry().body_field;
-  const std::optional<double> value = ValueOf(body, field);
-  if (!value) return std::nullopt;
-  if (from == FromBody::kUnmatched) return Part{*value == -1.0 ? 1.0 : 0.0};
-  if (from != FromBody::kCoverage) return Part{*value};
-  const std::optional<double> visible = ValueOf(body, "visible_frames");
-  if (!visible || *visible <= 0.0) return std::nullopt;
-  return Part{*value, *visible};
+  const MetricEntry& entry = metric.entry();
+  switch (entry.from_body) {
+    case FromBody::kSuccess:
+      return FractionOf(metric, body);
+    case FromBody::kUnmatched:
+      return Part{body.cluster == -1 ? 1.0 : 0.0};
+    case FromBody::kSum:
+      return Part{static_cast<double>(body.*entry.body_count)};
+    case FromBody::kCoverage:
+      if (body.visible_frames <= 0) return std::nullopt;
+      return Part{static_cast<double>(body.estimated_frames),
+                  static_cast<double>(body.visible_frames)};
+    case FromBody::kField: {
+      const std::optional<double>& error =
+          metric.predicted() ? body.predicted_ate_m : body.*entry.body_error;
+      return error ? std::optional(Part{*error}) : std::nullopt;
+    }
+    case FromBody::kNothing:
+      break;
+  }
+  return std::nullopt;
 }
 
-std::optional<std::pair<Part, Part>> PairOf(const BodyMetric& metric, const BodyResult& body,
-                                            const BodyResult& reference) {
+std::optional<std::pair<Part, Part>> PairOf(const BodyMetric& metric, const BodyRow& body,
+                                            const BodyRow& reference) {
   if (body.mover != metric.movers() || reference.mover != metric.movers()) return std::nullopt;
   if (metric.by_frames()) {
     const auto errors = CommonRootMeanSquares(ErrorsOf(metric, body), ErrorsOf(metric, reference));

@@ -30,14 +30,14 @@ struct BodyMetric {
 std::optional<BodyMetric> FindBodyMetric(const std::string& metric);
 
 // The bodies that it is about.
-const std::vector<BodyResult>& BodiesOf(const BodyMetric& metric, const RunSummary& run);
+const std::vector<BodyRow>& BodiesOf(const BodyMetric& metric, const RunSummary& run);
 
 // What a body adds; empty where the run does not tell.
-std::optional<Part> PartOf(const BodyMetric& metric, const BodyResult& body);
+std::optional<Part> PartOf(const BodyMetric& metric, const BodyRow& body);
 
 // The same of one body in two runs: errors that are listed by frames over the frames of both.
-std::optional<std::pair<Part, Part>> PairOf(const BodyMetric& metric, const BodyResult& body,
-                                            const BodyResult& reference);
+std::optional<std::pair<Part, Part>> PairOf(const BodyMetric& metric, const BodyRow& body,
+                                            const BodyRow& reference);
 
 // In words what PairOf compares.
 const char* PairingText(const BodyMetric& metric);

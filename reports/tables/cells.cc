@@ -26,17 +26,17 @@ struct Gathered {
   std::size_t runs_without = 0;
 };
 
-std::string BodyName(const BodyResult& body) { return StrCat("body ", body.id); }
+std::string BodyName(const BodyRow& body) { return StrCat("body ", body.id); }
 
-const BodyResult* FindBody(const std::vector<BodyResult>& bodies, int id) {
+const BodyRow* FindBody(const std::vector<BodyRow>& bodies, int id) {
   const auto found = std::find_if(bodies.begin(), bodies.end(),
-                                  [id](const BodyResult& body) { return body.id == id; });
+                                  [id](const BodyRow& body) { return body.id == id; });
   return found == bodies.end() ? nullptr : &*found;
 }
 
 void GatherBodies(const SuiteRun& run, const BodyMetric& metric, const std::string& repetition,
                   Gathered& gathered) {
-  for (const BodyResult& body : BodiesOf(metric, *run.run)) {
+  for (const BodyRow& body : BodiesOf(metric, *run.run)) {
     if (body.mover != metric.movers()) continue;
     ++gathered.bodies;
     const auto part = PartOf(metric, body);
@@ -120,8 +120,8 @@ void GatherPair(const SuiteRun& run, const SuiteRun& reference,
     samples.push_back({kAllScenes, SceneOf(run), repetition, {ours->value}, {theirs->value}});
     return;
   }
-  for (const BodyResult& body : BodiesOf(*body_metric, *run.run)) {
-    const BodyResult* other = FindBody(BodiesOf(*body_metric, *reference.run), body.id);
+  for (const BodyRow& body : BodiesOf(*body_metric, *run.run)) {
+    const BodyRow* other = FindBody(BodiesOf(*body_metric, *reference.run), body.id);
     if (other == nullptr) continue;
     if (const auto pair = PairOf(*body_metric, body, *other)) {
       samples.push_back({SceneOf(run), BodyName(body), repetition, pair->first, pair->second});

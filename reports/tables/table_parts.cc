@@ -17,7 +17,7 @@ std::string Link(const std::filesystem::path& file, const std::filesystem::path&
 }
 
 // The truth of a run's metrics; one that knows none (coverage of a run without truth) says nothing.
-Contract Truth(const RunSummary& run) {
+Contract TruthOfRun(const RunSummary& run) {
   for (const MetricValue& metric : run.metrics) {
     if (metric.contract.truth) return WithTruthOf(Contract(), metric.contract);
   }
@@ -90,7 +90,7 @@ Row DescribeRow(const RowRuns& row, const std::filesystem::path& folder) {
         {KeyOf(run->planned, "sequence"), run->planned.seed, Link(run->run->file, folder)});
     if (scenes.empty()) {
       described.sequence = NamedByPlan(*run);
-      described.truth = Truth(*run->run);
+      described.truth = TruthOfRun(*run->run);
     }
     scenes.insert(SceneOf(*run));
   }

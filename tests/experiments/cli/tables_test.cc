@@ -138,7 +138,7 @@ TEST(CliTables, AnOldTableNeedsNoResults) {
       "plan.json: found kind \"plan\", expected kind \"table\"");
   suite.folder().Write("table.json", "{\"schema_version\": 1, \"kind\": \"table\"}");
   ExpectOneLine(RunProgram({"experiment", "table", "--from", json.string()}),
-                "table.json: found schema_version 1, expected 2");
+                "table.json: found schema_version 1, expected 3");
 }
 
 TEST(CliTables, GoToAFile) {

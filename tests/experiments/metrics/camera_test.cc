@@ -182,15 +182,14 @@ TEST(OneFrameRpe, SkipsGaps) {
 TEST(Coverage, CountsFramesWithTruthAlone) {
   const OptionalPoses truth = {std::nullopt, At(1), At(2), At(3), At(4)};
   const OptionalPoses estimate = {At(0), At(1), std::nullopt, At(3), At(4)};
-  const auto metrics = EvaluateCamera(truth, estimate, "interpolated");
+  const auto metrics = EvaluateCamera(truth, estimate, reports::TruthSource::kInterpolated);
   EXPECT_EQ(Value(metrics, "camera_coverage"), 0.75);
   EXPECT_EQ(Count(metrics, "camera_coverage"), 4);
   const Metric* ate = FindMetric(metrics, "camera_ate");
   ASSERT_NE(ate, nullptr);
   EXPECT_EQ(ate->n, 3);
-  EXPECT_EQ(ate->contract.truth, "interpolated");
-  EXPECT_EQ(ate->contract.left_out,
-            "1 of 5 frames without truth, 1 with truth but without an estimate");
+  EXPECT_EQ(ate->contract.truth, reports::TruthSource::kInterpolated);
+  EXPECT_EQ(ate->left_out, "1 of 5 frames without truth, 1 with truth but without an estimate");
 }
 
 TEST(CameraMetrics, DegenerateInputsLeaveMetricsOut) {

@@ -77,7 +77,7 @@ TEST(ClusteringMetrics, BodiesThatStandStillCountNeitherWay) {
     EXPECT_EQ(world(name), 1.0) << name;
   }
   const auto metrics = world.Evaluate();
-  EXPECT_EQ(FindMetric(metrics, "moving_precision")->contract.left_out,
+  EXPECT_EQ(FindMetric(metrics, "moving_precision")->left_out,
             "7 observations of unknown truth, 8 on bodies that have not moved yet, of 25");
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "experiments/metrics/metric.h"
 #include "experiments/record/result_file.h"
 #include "experiments/record/timing_file.h"
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "experiments/suite/plan_outlook.h"
+#include "reports/results/timing.h"
 #include "tests/experiments/suite/examples.h"
 #include "tests/support/temp_folder.h"
 
@@ -75,7 +76,10 @@ TEST(PlanOutlook, TellsWhatIsNotRunYetAndWhatFailed) {
 
 TEST(PlanOutlook, EstimatesFromWhatWasMeasured) {
   const test::TempFolder folder;
-  folder.Write("job of full/timing.json", R"({"wall_s": 7, "frames": [{}, {}]})");
+  reports::TimingData timing;
+  timing.wall_s = 7.0;
+  timing.frames = Json::array({Json::object(), Json::object()});
+  folder.Write("job of full/timing.json", FileText(timing));
   folder.Write("job of 2d/timing.json", "damaged");
   BuiltPlan built{PlanOf({"full", "static", "2d"}), {}};
   auto outlook = OutlookOf(built.plan, With(std::nullopt, {}));

@@ -28,7 +28,8 @@ TEST(Sensitivity, DrawsErrorAboveCoverageOverTheOption) {
   ASSERT_THAT(drawing.figures, SizeIs(1));
   const Figure& figure = drawing.figures[0];
   EXPECT_EQ(figure.id, "sensitivity-window-spatial-object-errors");
-  EXPECT_EQ(figure.title, "Object errors over window.spatial. Object ATE: alignment SE(3)");
+  EXPECT_EQ(figure.title,
+            "Object errors over window.spatial. Object ATE: alignment SE(3) over positions");
   const Json plotly = Json::parse(figure.plotly);
   const auto curves = test::TracesNamed(plotly, "full");
   ASSERT_THAT(curves, SizeIs(2));

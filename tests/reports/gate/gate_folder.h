@@ -55,11 +55,7 @@ class GateFolder {
     folder_.Write("plan.json", json.dump());
   }
   void WriteTime(const std::string& id, double median_ms) const {
-    folder_.Write("jobs/" + id + "/timing.json",
-                  Json{{"schema_version", 1},
-                       {"kind", "timing"},
-                       {"stages", {{"estimate", {{"median_ms", median_ms}}}}}}
-                      .dump());
+    folder_.Write("jobs/" + id + "/timing.json", TimingOf("estimate", median_ms).dump());
   }
   void Write(const std::string& name, const std::string& content) const {
     folder_.Write(name, content);

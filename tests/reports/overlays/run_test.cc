@@ -187,7 +187,7 @@ TEST(OverlayRun, TellsWhatIsNoRun) {
   files.files.result["schema_version"] = 9;
   const test::TempFolder other;
   files.Write(other);
-  EXPECT_THAT(read(other), HasSubstr("schema_version 9, expected 2"));
+  EXPECT_THAT(read(other), HasSubstr("schema_version 9, expected 3"));
   files = {};
   files.files.result["sequence"]["camera"]["fx_px"] = -1.0;
   const test::TempFolder camera;

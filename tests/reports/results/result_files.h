@@ -73,12 +73,24 @@ inline Json BodyOf(int id, const std::vector<double>& errors_m) {
   }
   const auto n = static_cast<double>(frames.size());
   return {{"id", id},
+          {"name", "body"},
+          {"category", "car"},
           {"mover", true},
+          {"travel_m", 3.0},
           {"cluster", n > 0.0 ? id : -1},
           {"visible_frames", errors_m.size()},
           {"estimated_frames", frames.size()},
           {"id_switches", 1},
+          {"fragments", 0},
           {"ate_m", n > 0.0 ? Json(std::sqrt(sum / n)) : Json(nullptr)},
+          {"predicted_ate_m", nullptr},
+          {"velocity_m_s", nullptr},
+          {"all_pairs_rad", nullptr},
+          {"all_pairs_m", nullptr},
+          {"one_frame_rad", nullptr},
+          {"one_frame_m", nullptr},
+          {"motion_rad", nullptr},
+          {"motion_m", nullptr},
           {"errors", {{"frames", frames}, {"position_m", positions_m}}},
           {"predicted", {{"frames", Json::array()}, {"position_m", Json::array()}}}};
 }
@@ -92,6 +104,26 @@ inline Json WithBodies(Json result, const Json& bodies) {
   result["metrics"].push_back(MetricOf("object_success_10cm", 0.0, "1", fraction));
   result["metrics"].push_back(MetricOf("object_coverage", 0.0, "1", fraction));
   return result;
+}
+
+// A timing.json whose one stage takes so long.
+inline Json TimingOf(const std::string& stage, double median_ms) {
+  return {
+      {"schema_version", 1},
+      {"kind", "timing"},
+      {"job", "a"},
+      {"date", "2026-01-02T03:04:05Z"},
+      {"host", "here"},
+      {"cpu", "one of 3 GHz"},
+      {"cpus", 2},
+      {"threads", 1},
+      {"paths", {{"sequence", "/data/room"}, {"output", "/out"}}},
+      {"peak_memory_mb", 100.0},
+      {"wall_s", 8.0},
+      {"frames_per_second", 12.5},
+      {"stages",
+       {{stage, {{"median_ms", median_ms}, {"mean_ms", 2.5}, {"p95_ms", 4.0}, {"total_ms", 9.0}}}}},
+      {"frames", Json::array()}};
 }
 
 // A job of a plan.json, as reports read it.

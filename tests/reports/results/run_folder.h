@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
-#include "tests/support/temp_folder.h"
+#include "tests/reports/results/result_files.h"
 
 namespace cvo::test {
-
-using Json = nlohmann::ordered_json;
 
 inline Json PoseAt(double x, double y, double z) { return {x, y, z, 0.0, 0.0, 0.0, 1.0}; }
 
@@ -18,14 +15,7 @@ inline Json PoseAt(double x, double y, double z) { return {x, y, z, 0.0, 0.0, 0.
 struct RunFiles {
   Json result = {{"schema_version", 3}, {"kind", "run"}, {"frames", Json::array()}};
   Json truth = {{"schema_version", 1}, {"kind", "truth"}, {"job", "a"}, {"camera", Json::array()}};
-  Json timing = {{"schema_version", 1},
-                 {"kind", "timing"},
-                 {"date", "2026-01-02T03:04:05Z"},
-                 {"host", "here"},
-                 {"cpu", "one of 3 GHz"},
-                 {"paths", {{"sequence", "/data/room"}, {"output", "/out"}}},
-                 {"frames_per_second", 12.5},
-                 {"stages", {{"detect", {{"median_ms", 2.0}, {"mean_ms", 2.5}, {"p95_ms", 4.0}}}}}};
+  Json timing = TimingOf("detect", 2.0);
   std::string objects =
       "frame,timestamp_ns,id,category,status,x,y,z,qx,qy,qz,qw,vx,vy,vz,refined_x,refined_y,"
       "refined_z,refined_qx,refined_qy,refined_qz,refined_qw,refined_vx,refined_vy,refined_vz,"

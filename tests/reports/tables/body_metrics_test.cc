@@ -52,7 +52,7 @@ TEST(BodyMetrics, TablesOfOneRunSayWhatItsMetricsSay) {
   suite.table["metrics"] = Json::array();
   test::Json result = test::Result();
   result["metrics"] = ToJson(metrics);
-  result["bodies"] = {{"refined", BodiesToJson(scores.bodies)}};
+  result["bodies"] = {{"refined", BodiesToJson(scores.bodies)}, {"causal", Json::array()}};
   std::set<MetricId> computed;
   for (const Metric& metric : metrics) {
     computed.insert(FindForm(metric.name)->id);

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/files/json_record.h"
+#include "reports/statistics/common_frames.h"
+
+namespace cvo::reports {
+
+// What a run reaches on one body, as result files hold it. Root mean squares over its frames; empty
+// where these do not determine one. Frames count from the first one run.
+struct BodyRow {
+  int id = 0;
+  std::string name;
+  std::string category;
+  bool mover = false;
+  double travel_m = 0.0;
+  std::int64_t cluster = -1;  // its id; -1: none
+  int visible_frames = 0;
+  int estimated_frames = 0;  // of these
+  int id_switches = 0;
+  int fragments = 0;
+  std::optional<double> ate_m;
+  std::optional<double> predicted_ate_m;
+  std::optional<double> velocity_m_s;
+  std::optional<double> all_pairs_rad;
+  std::optional<double> all_pairs_m;
+  std::optional<double> one_frame_rad;
+  std::optional<double> one_frame_m;
+  std::optional<double> motion_rad;
+  std::optional<double> motion_m;
+  FrameErrors errors;
+  FrameErrors predicted;
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("id", self.id);
+    archive.Field("name", self.name);
+    archive.Field("category", self.category);
+    archive.Field("mover", self.mover);
+    archive.Field("travel_m", self.travel_m);
+    archive.Field("cluster", self.cluster);
+    archive.Field("visible_frames", self.visible_frames);
+    archive.Field("estimated_frames", self.estimated_frames);
+    archive.Field("id_switches", self.id_switches);
+    archive.Field("fragments", self.fragments);
+    archive.Field("ate_m", self.ate_m);
+    archive.Field("predicted_ate_m", self.predicted_ate_m);
+    archive.Field("velocity_m_s", self.velocity_m_s);
+    archive.Field("all_pairs_rad", self.all_pairs_rad);
+    archive.Field("all_pairs_m", self.all_pairs_m);
+    archive.Field("one_frame_rad", self.one_frame_rad);
+    archive.Field("one_frame_m", self.one_frame_m);
+    archive.Field("motion_rad", self.motion_rad);
+    archive.Field("motion_m", self.motion_m);
+    archive.Field("errors", self.errors);
+    archive.Field("predicted", self.predicted);
+  }
+};
+
+}  // namespace cvo::reports
