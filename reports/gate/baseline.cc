@@ -95,7 +95,8 @@ void CheckJobs(const Baseline& baseline, const std::string& where) {
 
 std::string BaselineJson(const Baseline& baseline) {
   const Json suite = baseline.suite;
-  const Json build = {{"identity", baseline.build}, {"commit", baseline.commit}};
+  const Json build = {
+      {"identity", baseline.build}, {"cpu_level", baseline.cpu_level}, {"commit", baseline.commit}};
   return StrCat("{\n \"schema_version\": ", kBaselineSchemaVersion,
                 ",\n \"kind\": \"baseline\",\n \"suite\": ", suite.dump(),
                 ",\n \"build\": ", build.dump(), ",\n \"seeds\": ", Json(baseline.seeds).dump(),

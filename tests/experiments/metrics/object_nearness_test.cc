@@ -36,7 +36,7 @@ TEST(MatchByNearness, SharesOneMinusDistanceOverDiagonal) {
   ObjectEstimate estimate = WithoutLandmarks(truth);
   const Eigen::Matrix2d expected = (Eigen::Matrix2d() << 1.0, 0.5, 0.5, 1.0).finished();
   EXPECT_TRUE(NearnessInFrame(truth, estimate, 1).isApprox(expected));
-  estimate.clusters[0].frames[1].center_in_object.y() = -3.0;
+  estimate.clusters[0].frames[1].point_in_object.y() = -3.0;
   EXPECT_EQ(NearnessInFrame(truth, estimate, 1)(0, 0), 0.0);
   estimate.clusters[0].frames.erase(estimate.clusters[0].frames.begin() + 1);
   EXPECT_TRUE(NearnessInFrame(truth, estimate, 1).col(0).isZero());

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// Files of the schema versions that are written today. Where these do not read any more, or are
+// written otherwise, the version must change.
+#include <gtest/gtest.h>
+
+#include "core/files/json_record.h"
+#include "reports/gate/baseline.h"
+#include "reports/results/run_summary.h"
+#include "reports/results/suite_runs.h"
+#include "reports/results/timing.h"
+#include "reports/results/truth.h"
+#include "reports/tables/read_table.h"
+#include "reports/tables/table_json.h"
+
+namespace cvo::reports {
+namespace {
+
+std::filesystem::path Golden(const char* name) {
+  return std::filesystem::path(CVO_GOLDEN_FILES) / name;
+}
+
+// The same keys in the same order, with the same values.
+void ExpectWritten(const std::string& text, const char* name) {
+  EXPECT_EQ(ParseJson(text, "written").dump(1), ReadJson(Golden(name)).dump(1));
+}
+
+TEST(GoldenFiles, ResultIsRead) {
+  const RunSummary run = ReadRun(Golden("result.json"), {"object_causal_motion_r", "camera_ate"});
+  EXPECT_EQ(run.seed, 18446744073709551615u);
+  EXPECT_EQ(run.sequence.range(), (FrameSpan{10, 11}));
+  ASSERT_EQ(run.metrics.size(), 2U);
+  const Contract& motion = run.metrics[1].contract;
+  EXPECT_EQ(motion.subject, Subject::kMovers);
+  EXPECT_EQ(motion.travel_m, 0.2);
+  EXPECT_EQ(motion.visible, (Visibility{VisibleBy::kMask, 400, 30}));
+  EXPECT_EQ(motion.frames, (FrameSpan{10, 11}));
+  ASSERT_EQ(run.refined.size(), 1U);
+  EXPECT_EQ(run.refined[0].ate_m, 0.05);
+  EXPECT_FALSE(run.refined[0].predicted_ate_m);
+}
+
+TEST(GoldenFiles, MetricsAndBodiesAreWrittenAsTheyAreRead) {
+  const Json result = ReadJson(Golden("result.json"));
+  for (const Json& metric : result["metrics"]) {
+    EXPECT_EQ(ToJson(FromJson<MetricValue>(metric, "metric")).dump(1), metric.dump(1));
+  }
+  const Json& bodies = result["bodies"]["refined"];
+  EXPECT_EQ(ToJson(FromJson<std::vector<BodyRow>>(bodies, "bodies")).dump(1), bodies.dump(1));
+}
+
+TEST(GoldenFiles, OthersAreWrittenAsTheyAreRead) {
+  ExpectWritten(FileText(ReadRecord<TimingData>(Golden("timing.json"))), "timing.json");
+  ExpectWritten(FileText(ReadRecord<TruthData>(Golden("truth.json"))), "truth.json");
+  ExpectWritten(BaselineJson(ReadBaseline(Golden("baseline.json"))), "baseline.json");
+  ExpectWritten(TableJson(ReadTableFile(Golden("table.json"))), "table.json");
+}
+
+TEST(GoldenFiles, PlanIsRead) {
+  const SuitePlan plan = ReadPlan(Golden("plan.json"));
+  ASSERT_EQ(plan.runs.size(), 1U);
+  EXPECT_EQ(plan.runs[0].keys.at("orb.features"), "1000");
+  EXPECT_EQ(plan.runs[0].keys.at("oracle"), "camera");
+  EXPECT_EQ(plan.runs[0].job, "0123abcd");
+}
+
+}  // namespace
+}  // namespace cvo::reports
