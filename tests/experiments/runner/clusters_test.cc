@@ -215,7 +215,10 @@ TEST_F(RunnerClusters, AnEstimateHasTheClustersOfBothTimes) {
 TEST(ObjectEstimateOf, VelocityIsComparedAtThePointItIsOf) {
   ObjectTruth truth;
   truth.mover_travel_m = -1.0;
-  TruthBody body{.id = 1, .name = "top", .category = "Ball"};
+  TruthBody body;
+  body.id = 1;
+  body.name = "top";
+  body.category = "Ball";
   RunResult run;
   for (int k = 0; k < 3; ++k) {
     const RigidTransform pose(ExpSo3({0.0, 0.3 * k, 0.0}), {0.0, 0.0, 5.0});

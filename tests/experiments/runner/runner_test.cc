@@ -287,7 +287,7 @@ TEST_F(Runner, ScoresBothTrajectories) {
   for (std::size_t i = 0; i < scores.refined.size(); ++i) {
     EXPECT_THAT(scores.refined[i].name, testing::StartsWith("camera_"));
     EXPECT_THAT(scores.causal[i].name, testing::StartsWith("camera_causal_"));
-    EXPECT_EQ(scores.refined[i].contract.truth, "official");
+    EXPECT_EQ(scores.refined[i].contract.truth, reports::TruthSource::kOfficial);
   }
 }
 
