@@ -11,7 +11,7 @@
 namespace cvo::synth {
 namespace {
 
-constexpr double kStep_s = 1.0 / 30.0;
+constexpr double kTrackStep_s = 1.0 / 30.0;
 constexpr double kCameraRadius_m = 0.15;
 constexpr double kRounding_m = 1e-6;  // bodies stand on the floor
 constexpr double kLeastDepth_m = 0.4;
@@ -64,7 +64,7 @@ Placement::Placement(const StereoCamera& rig, const Motion& camera, double durat
 Track Placement::MakeTrack(const CollisionShape& shape, const Motion& motion) const {
   Track track;
   track.shape = shape;
-  const int steps = static_cast<int>(std::ceil(duration_s_ / kStep_s));
+  const int steps = static_cast<int>(std::ceil(duration_s_ / kTrackStep_s));
   for (int i = 0; i <= steps; ++i) {
     track.world_from_body.push_back(motion.At(duration_s_ * i / steps).world_from_body);
   }
