@@ -13,11 +13,11 @@
 namespace cvo::test {
 namespace {
 
-const std::filesystem::path kTop = CVO_SOURCE_DIR;
+const std::filesystem::path kRepository = CVO_SOURCE_DIR;
 
 // What the first group of the pattern matches first in the file.
 std::string Found(const char* file, const char* pattern) {
-  const std::string text = ReadFile(kTop / file);
+  const std::string text = ReadFile(kRepository / file);
   std::smatch match;
   return std::regex_search(text, match, std::regex(pattern)) ? match[1].str() : "";
 }
@@ -34,7 +34,7 @@ TEST(ReleaseFiles, NameOneVersion) {
 }
 
 TEST(ReleaseFiles, EveryPackageHasAReason) {
-  std::istringstream lines(ReadFile(kTop / "packages.txt"));
+  std::istringstream lines(ReadFile(kRepository / "packages.txt"));
   for (std::string line; std::getline(lines, line);) {
     EXPECT_TRUE(std::regex_match(line, std::regex(R"((#.*)|([a-z0-9.+-]+ +# \S.*))"))) << line;
   }
@@ -42,8 +42,9 @@ TEST(ReleaseFiles, EveryPackageHasAReason) {
 
 // Public CI and the development container have no list of their own.
 TEST(ReleaseFiles, OneListOfPackagesAndOneRun) {
-  EXPECT_THAT(ReadFile(kTop / ".github/workflows/ci.yml"), testing::HasSubstr("run: .ci/run\n"));
-  EXPECT_THAT(ReadFile(kTop / ".devcontainer/Dockerfile"),
+  EXPECT_THAT(ReadFile(kRepository / ".github/workflows/ci.yml"),
+              testing::HasSubstr("run: .ci/run\n"));
+  EXPECT_THAT(ReadFile(kRepository / ".devcontainer/Dockerfile"),
               testing::AllOf(testing::HasSubstr("COPY packages.txt"),
                              testing::HasSubstr("RUN /setup/.ci/install-packages")));
 }

@@ -50,6 +50,16 @@ ceres::Solver::Options CeresOptions(const SolverOptions& options, WindowProblem&
   return ceres_options;
 }
 
+SolverSummary Summary(const ceres::Solver::Summary& summary) {
+  const SolverEnding ending =
+      summary.termination_type == ceres::CONVERGENCE
+          ? SolverEnding::kConverged
+          : (summary.termination_type == ceres::NO_CONVERGENCE ? SolverEnding::kIterationLimit
+                                                               : SolverEnding::kNoUsableStep);
+  return {ending, static_cast<int>(summary.iterations.size()) - 1, summary.initial_cost,
+          summary.final_cost};
+}
+
 }  // namespace
 
 SolverSummary SolveWindowWithCeres(const NoiseOptions& noise, const SolverOptions& options,
@@ -78,8 +88,7 @@ SolverSummary SolveWindowWithCeres(const NoiseOptions& noise, const SolverOption
 
   ceres::Solver::Summary summary;
   ceres::Solve(CeresOptions(options, problem), &ceres_problem, &summary);
-  return {static_cast<int>(summary.iterations.size()) - 1, summary.initial_cost,
-          summary.final_cost};
+  return Summary(summary);
 }
 
 SolverSummary SolveClusterWithCeres(const NoiseOptions& noise, const SolverOptions& options,
@@ -135,8 +144,7 @@ SolverSummary SolveClusterWithCeres(const NoiseOptions& noise, const SolverOptio
   ceres_options.linear_solver_ordering = ordering;
   ceres::Solver::Summary summary;
   ceres::Solve(ceres_options, &ceres_problem, &summary);
-  return {static_cast<int>(summary.iterations.size()) - 1, summary.initial_cost,
-          summary.final_cost};
+  return Summary(summary);
 }
 
 }  // namespace cvo::test

@@ -272,7 +272,7 @@ TEST(Given, CameraIsReturnedAsGiven) {
 TEST(Given, LabelsAreObeyed) {
   const auto give = [](int, WorldView& view) {
     view.frame.detections.clear();
-    view.frame.given.feature_body = BodyIds(view.of_body);
+    view.frame.given.feature_body = testing::BodyIds(view.of_body);
   };
   const ClusterRun run = Watch(25, give);
   EXPECT_EQ(run.clusters.size(), 2u);
@@ -292,7 +292,7 @@ TEST(Given, BoxesOfAnArchivedBodyAreItsOwnAgain) {
       testing::RemoveFeatures(1, view);
       testing::RemoveBoxes(1, view);
     }
-    view.frame.given.detection_body = BodyIds(view.box_body);
+    view.frame.given.detection_body = testing::BodyIds(view.box_body);
   };
   const ClusterRun run = Watch(36, give);
   const ClusterId id = ClusterOfBody(run, 10, 1);
@@ -304,7 +304,7 @@ TEST(Given, BoxesOfAnArchivedBodyAreItsOwnAgain) {
 
 TEST(Given, BoxesAreObeyed) {
   const auto give = [](int, WorldView& view) {
-    view.frame.given.detection_body = BodyIds(view.box_body);
+    view.frame.given.detection_body = testing::BodyIds(view.box_body);
   };
   const ClusterRun run = Watch(25, give);
   ASSERT_EQ(run.clusters.size(), 2u);
@@ -334,7 +334,7 @@ TEST(Given, BoxesAreObeyedWhereNothingElseSaysThatItIsTheSameBody) {
         testing::RemoveFeatures(1, view);
         testing::RemoveBoxes(1, view);
       }
-      view.frame.given.detection_body = BodyIds(view.box_body);
+      view.frame.given.detection_body = testing::BodyIds(view.box_body);
     };
     RunSettings settings;
     settings.frames = 36;
@@ -350,7 +350,7 @@ TEST(Given, BoxesKeepTheirIdsWhereTheBoxesAlternateInOrder) {
       std::swap(view.box_body[0], view.box_body[1]);
       std::swap(view.frame.detections[0], view.frame.detections[1]);
     }
-    view.frame.given.detection_body = BodyIds(view.box_body);
+    view.frame.given.detection_body = testing::BodyIds(view.box_body);
   };
   const ClusterRun run = Watch(20, give);
   ASSERT_EQ(run.clusters.size(), 2u);

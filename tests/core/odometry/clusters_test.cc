@@ -235,8 +235,8 @@ TEST_P(EveryVariantWithBodies, GoesOnInAPlaceItDoesNotKnow) {
 
 TEST_P(EveryVariantWithBodies, TakesGivenLabelsAndBoxesTogether) {
   const ClusterRun run = Watch(12, [](int, WorldView& view) {
-    view.frame.given.feature_body = BodyIds(view.of_body);
-    view.frame.given.detection_body = BodyIds(view.box_body);
+    view.frame.given.feature_body = testing::BodyIds(view.of_body);
+    view.frame.given.detection_body = testing::BodyIds(view.box_body);
   });
   ExpectSound(run);
   const bool is_static = GetParam().substr(0, 6) == "static";

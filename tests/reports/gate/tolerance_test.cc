@@ -76,7 +76,8 @@ World RandomWorld(std::uint64_t seed, const Noise& noise, double shift) {
   World world;
   const std::vector<std::string> metrics = {"camera_ate", "object_ate", "object_coverage",
                                             "moving_recall"};
-  for (const std::string& metric : metrics) world.baseline.metrics.push_back({metric, "m", {}});
+  for (const std::string& metric : metrics)
+    world.baseline.metrics.push_back({metric, MetricUnit::kMetres, {}});
   std::vector<std::map<std::string, double>> now;
   for (int job = 0; job < 3 * 3 * kSeeds; ++job) {
     const int scene = job / (3 * kSeeds);

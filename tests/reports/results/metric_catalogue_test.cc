@@ -28,7 +28,8 @@ TEST(MetricCatalogue, ColumnsOfOneTableHaveHeadingsOfTheirOwn) {
   std::set<std::string> headings;
   for (std::size_t i = 0; i < kMetricCount; ++i) {
     const MetricEntry& entry = EntryOf(static_cast<MetricId>(i));
-    EXPECT_TRUE(headings.insert(std::string(entry.label) + " " + entry.unit).second) << entry.name;
+    EXPECT_TRUE(headings.insert(std::string(entry.label) + " " + NameOf(entry.unit)).second)
+        << entry.name;
     EXPECT_EQ(MetricLabel(entry.name), entry.label);
   }
   EXPECT_EQ(MetricLabel("camera_causal_ate"), "camera_causal_ate");
@@ -37,7 +38,7 @@ TEST(MetricCatalogue, ColumnsOfOneTableHaveHeadingsOfTheirOwn) {
 TEST(MetricCatalogue, RotationsHaveOneUnit) {
   for (const char* name : {"camera_rrpe_all_pairs", "camera_rrpe_1_frame", "object_rrpe_all_pairs",
                            "object_rrpe_1_frame", "object_motion_r"}) {
-    EXPECT_STREQ(FindEntry(name)->unit, "rad") << name;
+    EXPECT_EQ(FindEntry(name)->unit, MetricUnit::kRadians) << name;
   }
 }
 

@@ -46,8 +46,8 @@ TEST_F(MakeTableTest, OneRun) {
   ASSERT_THAT(table.columns, SizeIs(2));
   EXPECT_EQ(table.columns[0].metric, "camera_coverage") << "never accuracy without coverage";
   EXPECT_EQ(table.columns[1].label, "camera ATE");
-  EXPECT_EQ(table.columns[1].contract.count("truth"), 0u);
-  EXPECT_EQ(table.columns[1].contract.at("poses"), "refined");
+  EXPECT_EQ(table.columns[1].contract.truth, std::nullopt);
+  EXPECT_EQ(table.columns[1].contract.poses, PoseTime::kRefined);
   ASSERT_THAT(table.rows, SizeIs(1));
   const Row& row = table.rows[0];
   EXPECT_THAT(row.keys, ElementsAre("2011_09_26_drive_0001", "static"));
