@@ -38,7 +38,7 @@ std::vector<std::string> CheckRegistered(const std::vector<SourceFile>& files);
 std::vector<std::string> CheckTypeNames(const std::vector<SourceFile>& files);
 
 // Sources and documents name only documents that are there, and only sections that core/METHOD.md
-// has; the files that METHOD.md names exist.
+// has; the files and options that METHOD.md names exist.
 std::vector<std::string> CheckCitations(const std::vector<SourceFile>& files,
                                         const std::vector<SourceFile>& documents);
 

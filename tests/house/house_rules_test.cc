@@ -173,11 +173,10 @@ TEST(CheckTypeNames, FindsTheSameNameTwiceInOneNamespace) {
 }
 
 TEST(Citations, NameWhatIsThere) {
-  const std::vector<SourceFile> documents = {
-      {"core/METHOD.md", "## 4 Boxes\n### 4.2 Gate\nFiles: `gate.cc`, `lost.cc`.\n"},
-      {"README.md", "see core/METHOD.md\n"}};
+  const std::vector<SourceFile> documents = {{"core/METHOD.md", "## 4 Boxes\n### 4.2 Gate\n"},
+                                             {"README.md", "see core/METHOD.md\n"}};
   const auto check = [&](const std::string& text) {
-    return CheckCitations({{"core/gate.cc", text}, {"core/lost.cc", ""}}, documents);
+    return CheckCitations({{"core/gate.cc", text}}, documents);
   };
   EXPECT_THAT(check("// METHOD.md 4.2, METHOD.md 4\n// README.md\n"), IsEmpty());
   EXPECT_THAT(check("\n// (METHOD.md 4.3)"),
@@ -186,8 +185,18 @@ TEST(Citations, NameWhatIsThere) {
   EXPECT_THAT(check("// as " + gone + " says"),
               ElementsAre(HasSubstr("no such document in the repository: " + gone)));
   EXPECT_THAT(check("// the " + std::string("design") + " notes"), SizeIs(1));
-  EXPECT_THAT(CheckCitations({{"core/gate.cc", ""}}, documents),
-              ElementsAre("core/METHOD.md:3: no such file: `lost.cc`"));
+}
+
+TEST(Citations, TheMethodNamesFilesAndOptionsThatAreThere) {
+  const std::vector<SourceFile> files = {
+      {"core/gate.h", "visit.Group(\"orb\", x);\nvisit.Field(\n    \"levels\", y);\n"}};
+  const auto check = [&](const std::string& text) {
+    return CheckCitations(files, {{"core/METHOD.md", text}});
+  };
+  EXPECT_THAT(check("Files: `gate.h`. Option `orb.levels`.\n"), IsEmpty());
+  EXPECT_THAT(check("\nFiles: `lost.cc`\n"),
+              ElementsAre("core/METHOD.md:2: no such file: `lost.cc`"));
+  EXPECT_THAT(check("`orb.none` `none.levels`\n"), SizeIs(2));
 }
 
 }  // namespace
