@@ -90,9 +90,8 @@ TEST_F(CliOddInput, BracketsWithoutEndAreRefused) {
 TEST_F(CliOddInput, PathsThatCannotBeAreOneLine) {
   const std::string circle = folder_.path() / "circle";
   fs::create_symlink(circle, circle);
-  const std::string much = std::string(5000, 'x');
-  const std::string below = (folder_.path() / std::string(300, 'x')).string();
-  for (const std::string& path : {circle, circle + "/below", much, below}) {
+  const std::string much = (folder_.path() / std::string(300, 'x')).string();
+  for (const std::string& path : {circle, circle + "/below", much}) {
     for (const Arguments& reads : {Arguments{"run", path, "-o", out()},
                                    {"info", path},
                                    {"experiment", "run", path, "-o", out()},

@@ -39,8 +39,9 @@ std::vector<std::string> CommandsOf(Arguments command) {
 }
 
 // "run", "synth list": every command of the program.
-std::vector<Arguments> AllCommands() {
-  std::vector<Arguments> all;
+const std::vector<Arguments>& AllCommands() {
+  static std::vector<Arguments> all;
+  if (!all.empty()) return all;
   for (const std::string& name : CommandsOf({})) {
     const std::vector<std::string> below = CommandsOf({name});
     if (below.empty()) all.push_back({name});
@@ -67,12 +68,12 @@ class CliOutputs : public testing::Test {
     test::WriteTinySequence(Path("data/wall"), 4);
     folder_->Write("suite.json",
                    "{\"name\": \"small\", \"sequences\": [{\"folder\": \"wall\"}], \"variants\": "
-                   "[\"static\"], \"seeds\": 1, \"table\": {\"rows\": [\"variant\"], "
+                   "[\"static\"], \"seeds\": 2, \"table\": {\"rows\": [\"variant\"], "
                    "\"metrics\": [\"camera_ate\"], \"reference\": \"static\"}}");
     const Arguments suite = {"experiment", "run", Path("suite.json"), "-o", Path("suite"), "-q"};
     const Arguments table = {"experiment", "table", Path("suite")};
     const Arguments baseline = {"check", Path("suite"), "--write-baseline", Path("base.json")};
-    const Arguments run = {"run", Path("data/wall"), "-o", Path("run"), "-q"};
+    const Arguments run = {"run", Path("data/wall"), "-o", Path("run"), "-q", "--landmarks"};
     for (const Arguments& arguments : {suite, table, baseline, run}) {
       const ProcessResult result = Run(arguments);
       ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -135,8 +136,9 @@ std::unique_ptr<test::TempFolder> CliOutputs::folder_;
 
 TEST_F(CliOutputs, NothingIsWrittenIntoASequence) {
   fs::create_directory_symlink(Path("data/wall/image_0"), Path("link"));
-  for (const char* place : {"data/wall", "data/wall/image_0", "data/wall/new/below", "link"}) {
-    for (const Arguments& arguments : WritersTo(Path(place))) ExpectRefused(arguments);
+  for (const Arguments& arguments : WritersTo(Path("link"))) ExpectRefused(arguments);
+  for (const char* place : {"data/wall", "data/wall/image_0", "data/wall/new/below"}) {
+    for (std::size_t i : {0U, 5U, 9U}) ExpectRefused(WritersTo(Path(place))[i]);
   }
 }
 
@@ -144,10 +146,9 @@ TEST_F(CliOutputs, EveryCommandThatWritesIsTried) {
   for (Arguments command : AllCommands()) {
     if (command.back() == "plan") continue;  // only looks at the folder
     const bool tried = IsIn(WritersTo(""), command);
-    Arguments help = command;
-    help.emplace_back("--help");
-    const std::string text = test::RunProgram(help).out;
-    if (text.find("--output") != std::string::npos) EXPECT_TRUE(tried) << command.back();
+    command.emplace_back("--help");
+    const bool writes = test::RunProgram(command).out.find("--output") != std::string::npos;
+    EXPECT_TRUE(tried || !writes) << command.front() << " " << command[1];
   }
 }
 
@@ -158,7 +159,7 @@ TEST_F(CliOutputs, NothingIsWrittenOverWhatIsRead) {
       {"figures", Path("suite"), "-o", Path("suite"), "--format", "json"},
       {"report", Path("suite"), "-o", Path("suite")},
       {"run", Path("data/wall"), "-o", Path("suite/jobs/mine")},
-      {"run", Path("data/wall"), "-o", Path("run"), "--config", Path("run/result.json")},
+      {"run", Path("data/wall"), "-o", Path("mine"), "--config", Path("mine/result.json")},
       {"eval", "--sequence", Path("data/wall"), "--estimate", Path("run/camera.tum"), "--objects",
        Path("run/clusters"), "-o", Path("run/clusters")},
       {"experiment", "run", Path("suite.json"), "-o", Path("data")},
@@ -167,6 +168,7 @@ TEST_F(CliOutputs, NothingIsWrittenOverWhatIsRead) {
       {"check", Path("suite"), "--write-baseline", Path("suite/plan.json")},
       {"check", Path("suite"), "--baseline", Path("base.json"), "--markdown", Path("base.json")}};
   fs::create_directories(Path("run/clusters"));
+  folder_->Write("mine/result.json", "{}");
   for (const Arguments& arguments : commands) ExpectRefused(arguments);
 }
 
@@ -209,13 +211,12 @@ TEST_F(CliOutputs, WhatCannotBePrintedIsAnError) {
     if (!draws && arguments[0] == "synth" && arguments[1] != "list") continue;
     std::string line;
     for (const std::string& argument : arguments) line += argument + " ";
-    for (const char* out : {"/dev/full", "closed"}) {
-      const ProcessResult result = Run(arguments, out);
-      EXPECT_EQ(result.exit_code, 1) << line << out << "\n" << result.err;
-      EXPECT_THAT(result.err, testing::EndsWith("clustervo: error: standard output: what was "
-                                                "printed could not all be written\n"))
-          << line << out;
-    }
+    const bool closed = arguments.back() == "--json" || arguments.back() == "-q";
+    const ProcessResult result = Run(arguments, closed ? "closed" : "/dev/full");
+    EXPECT_EQ(result.exit_code, 1) << line << "\n" << result.err;
+    EXPECT_THAT(result.err, testing::EndsWith("clustervo: error: standard output: what was "
+                                              "printed could not all be written\n"))
+        << line;
   }
   for (const Arguments& command : AllCommands()) {
     if (command.back() == "job") continue;  // prints nothing

@@ -130,7 +130,7 @@ TEST(Tolerance, RegressionOfFourSpreadsFires) { EXPECT_GE(Alarms(100, Normal, 4.
 
 TEST(Tolerance, SpreadOfAVariantWithFewSeedsIsThatOfAll) {
   Baseline baseline;
-  baseline.metrics = {{"camera_ate", "m", {}}};
+  baseline.metrics = {{"camera_ate", MetricUnit::kMetres, {}}};
   const auto add = [&](const char* variant, std::uint64_t seed, double value) {
     BaselineJob job;
     job.keys = {{"sequence", "room"}, {"variant", variant}};
