@@ -71,16 +71,14 @@ std::vector<Part> MakeParts() {
        {}});
   parts.push_back(
       {"experiments/cache/", {"core/", "experiments/datasets/", "experiments/cache/"}, {}});
-  std::vector<std::string> below = {"core/",
-                                    "variants/",
-                                    "synth/",
-                                    "reports/results/",
-                                    "experiments/datasets/",
-                                    "experiments/metrics/"};
+  // Results are written by the schema that reports read them by.
+  std::vector<std::string> below = {"core/", "variants/", "reports/results/",
+                                    "experiments/datasets/", "experiments/metrics/"};
   for (const char* folder : {"cache", "record", "runner", "suite", "jobs"}) {
-    below.push_back(StrCat("experiments/", folder, "/"));
+    const std::string part = StrCat("experiments/", folder, "/");
+    below.push_back(part);
     if (folder == std::string("suite")) below.emplace_back("synth/");
-    if (folder != std::string("cache")) parts.push_back({below.back(), below, {}});
+    if (folder != std::string("cache")) parts.push_back({part, below, {}});
   }
   parts.push_back(
       {"experiments/cli/", {"core/", "variants/", "experiments/", "reports/", "synth/"}, {}});

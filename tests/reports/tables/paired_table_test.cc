@@ -109,7 +109,7 @@ TEST(PairedTable, MarksWhatCanBeToldFromNoise) {
   const Json& cell = json["rows"][1]["cells"][2];
   ASSERT_EQ(cell["metric"], "object_coverage");
   EXPECT_FALSE(cell["difference"]["distinguishable"].get<bool>());
-  EXPECT_EQ(json["schema_version"], 2);
+  EXPECT_EQ(json["schema_version"], 3);
   EXPECT_EQ(TableJson(table), TableJson(MakeTable(suite.Written(), {}, "")));
 }
 
