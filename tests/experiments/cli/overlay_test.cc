@@ -146,7 +146,7 @@ TEST_F(CliOverlay, TellsWhatCannotBe) {
   result["schema_version"] = 99;
   std::ofstream(out("other") / "result.json") << result.dump();
   ExpectError(Overlay({out("other").string()}), "schema_version 99");
-  result["schema_version"] = 2;
+  result["schema_version"] = 3;
   result["sequence"]["name"] = "another";
   std::ofstream(out("other") / "result.json") << result.dump();
   ExpectError(Overlay({run().string(), out("other").string()}), "a run of another");
