@@ -69,7 +69,9 @@ void PrintRenders(const std::vector<SceneRender>& renders, std::ostream& out) {
 void Print(const PlanState& state, int processes, std::ostream& out) {
   const Plan& plan = state.built.plan;
   out << "suite " << plan.suite.name << ": " << plan.jobs.size() << " jobs on "
-      << plan.suite.sequences.size() << " sequences\n";
+      << plan.suite.sequences.size() << " sequences";
+  const std::string split = SplitOf(plan.suite);
+  out << (split.empty() ? "" : " (" + split + " split)") << '\n';
   const std::array<std::pair<JobState, const char*>, 4> states = {
       {{JobState::kDone, "done"},
        {JobState::kRuns, "to run"},

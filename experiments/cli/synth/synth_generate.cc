@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "core/base/error.h"
-#include "core/files/atomic_file.h"
+#include "core/files/json.h"
+#include "experiments/cli/output_file.h"
 #include "experiments/cli/run/text_table.h"
 #include "experiments/cli/synth/synth_command.h"
 #include "synth/family/generate.h"
@@ -37,11 +36,11 @@ int Generate(const GenerateFlags& flags) {
   const synth::Family family = synth::LoadFamily(flags.family);
   if (flags.knobs) return PrintKnobs(family);
   if (flags.seed.empty() || flags.output.empty()) {
-    ThrowError("synth generate", "no --seed or no --output", "both, or --knobs");
+    throw UsageError("--seed and --output are needed, or --knobs");
   }
-  const std::filesystem::path file = std::filesystem::absolute(flags.output);
+  CheckOutputFile(flags.output, {flags.family});
   const Json scene = synth::GenerateScene(family, synth::ParseFamilySeed(flags.seed), flags.set);
-  WriteFilesAtomically(file.parent_path(), {{file.filename().string(), DumpJson(scene)}});
+  WriteOutputFile(flags.output, DumpJson(scene), {flags.family});
   std::cout << "written: " << flags.output << '\n';
   return 0;
 }

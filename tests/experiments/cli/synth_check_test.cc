@@ -46,6 +46,9 @@ TEST(CliSynth, GeneratesTheSceneOfASeed) {
   EXPECT_EQ(wrong.exit_code, 1);
   EXPECT_THAT(wrong.err, HasSubstr("no knob \"mover\""));
   EXPECT_FALSE(fs::exists(file("c.json")));
+  const ProcessResult none = RunProgram({"synth", "generate", "room", "--seed", "17"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.err, HasSubstr("--seed and --output are needed"));
   EXPECT_THAT(RunProgram({"synth", "generate", "room", "--knobs"}).out, HasSubstr("speed_mps"));
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "core/files/sha256.h"
 #include "tests/support/error_message.h"
 
 namespace cvo::synth {
@@ -66,6 +67,18 @@ std::vector<std::string> Names() {
 
 INSTANTIATE_TEST_SUITE_P(Shipped, Families, testing::ValuesIn(Names()),
                          [](const auto& tested) { return tested.param; });
+
+// On every machine: a change here is a change of every result on families, test split included.
+TEST(GenerateScene, GivesTheseBytes) {
+  const auto hash = [](const std::string& family) {
+    return Sha256Hex(DumpJson(GenerateScene(LoadFamily(family), 0, {}))).substr(0, 16);
+  };
+  EXPECT_EQ(hash("room"), "b5d27f077a24945d");
+  EXPECT_EQ(hash("street"), "a5bc0707f06f2250");
+  EXPECT_EQ(hash("bench"), "e4b5a317594e1f65");
+  EXPECT_EQ(hash("crowd"), "4190d7cd0cfe24e9");
+  EXPECT_EQ(hash("quiet"), "9fe719748526ec5d");
+}
 
 TEST(GenerateScene, KnobsHaveTheirMeaning) {
   const Family room = LoadFamily("room");
