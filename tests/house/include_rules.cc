@@ -71,15 +71,11 @@ std::vector<Part> MakeParts() {
        {}});
   parts.push_back(
       {"experiments/cache/", {"core/", "experiments/datasets/", "experiments/cache/"}, {}});
-  std::vector<std::string> below = {"core/",
-                                    "variants/",
-                                    "synth/",
-                                    "reports/results/",
-                                    "experiments/datasets/",
-                                    "experiments/metrics/"};
+  std::vector<std::string> below = {"core/", "variants/", "reports/results/",
+                                    "experiments/datasets/", "experiments/metrics/"};
   for (const char* folder : {"cache", "record", "runner", "suite", "jobs"}) {
-    below.push_back(StrCat("experiments/", folder, "/"));
     if (folder == std::string("suite")) below.emplace_back("synth/");
+    below.push_back(StrCat("experiments/", folder, "/"));
     if (folder != std::string("cache")) parts.push_back({below.back(), below, {}});
   }
   parts.push_back(
