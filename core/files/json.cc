@@ -68,7 +68,10 @@ class StrictEvents {
                             const Json::parse_error& error) {
   constexpr char kExpected[] = "one complete JSON value";
   if (error.byte > text.size()) {
-    ThrowError(where, StrCat("text that ends after ", text.size(), " bytes"), kExpected);
+    ThrowError(
+        where,
+        StrCat("text that ends after ", text.size(), " bytes, at ", Position(text, text.size())),
+        kExpected);
   }
   const std::string what = error.what();
   const std::size_t detail = what.find(": ");

@@ -83,7 +83,7 @@ std::string FeatureFile::Read(std::uint64_t offset, std::uint64_t count) const {
   file_.seekg(static_cast<std::streamoff>(offset));
   file_.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (!there || !file_) {
-    ThrowError(name_, StrCat(size_bytes_, " bytes"), StrCat(count, " from the byte ", offset));
+    ThrowError(name_, StrCat(SizeOf(name_), " bytes"), StrCat(count, " from the byte ", offset));
   }
   return bytes;
 }

@@ -73,9 +73,10 @@ std::pair<std::uint32_t, std::uint64_t> ReadSeedRange(ObjectReader& object) {
       return {seed, seed + std::uint64_t{1}};
     }
     const std::string text = object.Text("seeds");
-    const std::size_t colon = std::min(text.find(':'), text.size());
+    const std::size_t colon = text.find(':');
     const std::uint32_t first = synth::ParseFamilySeed(text.substr(0, colon));
-    const std::uint32_t end = synth::ParseFamilySeed(text.substr(std::min(colon + 1, text.size())));
+    if (colon == std::string::npos) return {first, first + std::uint64_t{1}};
+    const std::uint32_t end = synth::ParseFamilySeed(text.substr(colon + 1));
     if (end > first && end - first <= kMostFamilySeeds) return {first, end};
   } catch (const Error&) {
   }

@@ -76,7 +76,8 @@ TEST_F(Cli, BadConfiguration) {
   };
   EXPECT_THAT(config(R"({"orb": {"feature": 5}})"), FailsWith(1, "unknown option orb.feature"));
   EXPECT_THAT(config(R"({"orb": {"features": "5"}})"), FailsWith(1, "option orb.features"));
-  EXPECT_THAT(config("{\n\"orb\": "), FailsWith(1, "config.json, line 2"));
+  EXPECT_THAT(config("{\n\"orb\": "),
+              FailsWith(1, "config.json: found text that ends after 9 bytes, at line 2"));
   EXPECT_THAT(FailingRun({"--config", "/no/such/file"}), FailsWith(1, "/no/such/file"));
 }
 

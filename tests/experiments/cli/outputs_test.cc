@@ -120,6 +120,7 @@ class CliOutputs : public testing::Test {
         {"report", Path("suite"), "-o", out},
         {"synth", "render", "tiny", "-o", out},
         {"synth", "preview", "tiny", "-o", out + "/sheet.png"},
+        {"synth", "generate", "room", "--seed", "3", "-o", out + "/scene.json"},
         {"synth", "check", Path("data/wall"), "--json", out + "/check.json"},
         {"experiment", "run", Path("suite.json"), "-o", out},
         {"experiment", "table", Path("suite"), "--format", "csv", "-o", out + "/table.csv"},
@@ -138,7 +139,7 @@ TEST_F(CliOutputs, NothingIsWrittenIntoASequence) {
   fs::create_directory_symlink(Path("data/wall/image_0"), Path("link"));
   for (const Arguments& arguments : WritersTo(Path("link"))) ExpectRefused(arguments);
   for (const char* place : {"data/wall", "data/wall/image_0", "data/wall/new/below"}) {
-    for (std::size_t i : {0U, 5U, 9U}) ExpectRefused(WritersTo(Path(place))[i]);
+    for (std::size_t i : {0U, 5U, 10U}) ExpectRefused(WritersTo(Path(place))[i]);
   }
 }
 
@@ -192,6 +193,7 @@ TEST_F(CliOutputs, WhatCannotBePrintedIsAnError) {
       {"synth", "render", "tiny", "-o", Path("scene_2"), "-q", "--frames", "0:2"},
       {"synth", "preview", "tiny", "-o", Path("sheet.png"), "-q", "--frames", "0:2"},
       {"experiment", "list"},
+      {"synth", "generate", "room", "--seed", "3", "-o", Path("scene.json")},
       {"experiment", "plan", Path("suite.json"), "-o", suite},
       {"experiment", "run", Path("suite.json"), "-o", suite, "-q"},
       {"experiment", "status", suite},
