@@ -12,9 +12,6 @@ bool IsInteger(const Json& json) { return json.is_number_integer(); }
 bool IsSigned(const Json& json) {
   return IsInteger(json) && (!json.is_number_unsigned() || json.get<std::int64_t>() >= 0);
 }
-bool IsInt(const Json& json) {
-  return IsSigned(json) && json.get<std::int64_t>() == json.get<int>();
-}
 bool IsCount(const Json& json) { return json.is_number_unsigned(); }
 bool IsBool(const Json& json) { return json.is_boolean(); }
 bool IsObject(const Json& json) { return json.is_object(); }
@@ -80,14 +77,6 @@ std::vector<T> Fields::List(const char* key, bool (*is_type)(const Json&),
 
 std::vector<std::string> Fields::Texts(const char* key) const {
   return List<std::string>(key, IsText, "texts");
-}
-
-std::vector<double> Fields::Numbers(const char* key) const {
-  return List<double>(key, IsNumber, "numbers");
-}
-
-std::vector<int> Fields::Integers(const char* key) const {
-  return List<int>(key, IsInt, "integers");
 }
 
 std::vector<std::uint64_t> Fields::Counts(const char* key) const {

@@ -31,8 +31,6 @@ class Fields {
   Fields Object(const char* key) const;
   const Json& Array(const char* key) const;
   std::vector<std::string> Texts(const char* key) const;
-  std::vector<double> Numbers(const char* key) const;
-  std::vector<int> Integers(const char* key) const;
   std::vector<std::uint64_t> Counts(const char* key) const;
   std::map<std::string, std::string> NamedTexts(const char* key) const;
 

@@ -123,6 +123,10 @@ std::string FormatGeneral(double value, int digits) {
   return Formatted(value, std::chars_format::general, digits);
 }
 
+std::string FormatSigned(double value, int digits) {
+  return (std::signbit(value) ? "" : "+") + FormatGeneral(value, digits);
+}
+
 double RoundedTo(double value, int digits) {
   return ParseDouble(FormatGeneral(value, digits)).value_or(value);
 }

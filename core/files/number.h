@@ -25,6 +25,8 @@ std::string FormatDouble(double value);
 std::string FormatFixed(double value, int decimals);
 // With at most so many significant digits, as printf's %g.
 std::string FormatGeneral(double value, int digits);
+// The same with its sign, be it a plus.
+std::string FormatSigned(double value, int digits);
 // The number that FormatGeneral writes.
 double RoundedTo(double value, int digits);
 

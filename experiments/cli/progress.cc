@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "core/base/error.h"
+#include "core/files/number.h"
 
 namespace cvo {
 namespace {
@@ -51,9 +52,7 @@ std::string Progress::Text(std::size_t done) const {
   if (done == 0) return counts;
   const double elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count();
   const double rate = static_cast<double>(done) / std::max(elapsed_s, 1e-9);
-  char shown[32];
-  std::snprintf(shown, sizeof shown, "%.1f", rate * unit_.per_s);
-  return StrCat(counts, "  ", shown, " ", unit_.rate, "  ",
+  return StrCat(counts, "  ", FormatFixed(rate * unit_.per_s, 1), " ", unit_.rate, "  ",
                 Duration(static_cast<double>(total_ - done) / rate), " left");
 }
 

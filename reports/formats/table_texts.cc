@@ -3,10 +3,9 @@
 #include "reports/formats/table_texts.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 #include "core/base/error.h"
+#include "core/files/number.h"
 #include "core/files/utf8.h"
 #include "reports/formats/best_cells.h"
 #include "reports/formats/digits.h"
@@ -15,12 +14,6 @@
 
 namespace cvo::reports {
 namespace {
-
-std::string Printed(double value, const char* format) {
-  std::array<char, 400> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
 
 std::string RangeText(const Interval& interval, int decimals) {
   return Fixed(interval.low, decimals) + ".." + Fixed(interval.high, decimals);
@@ -77,7 +70,7 @@ CellText ValueText(const Cell& cell, int decimals) {
 CellText TheirText(const std::optional<ReferenceCell>& cell) {
   CellText text;
   if (!cell) return text;
-  text.value = Printed(cell->value, "%.6g");
+  text.value = FormatGeneral(cell->value, 6);
   text.grey = cell->match != Match::kMatches;
   text.note = Printable(cell->reason);
   if (text.grey && text.note.empty()) text.note = ToString(cell->match);

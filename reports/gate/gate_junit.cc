@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include <array>
-#include <cstdio>
-
 #include "core/base/error.h"
 #include "core/files/escape.h"
+#include "core/files/number.h"
 #include "core/files/utf8.h"
 #include "reports/gate/gate_text.h"
 
@@ -24,10 +22,10 @@ std::string TestCase(const std::string& group, const std::string& name,
 
 std::string Failure(const Comparison& comparison) {
   if (comparison.verdict != Verdict::kWorse) return "";
-  std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(), "%.6g, in the baseline %.6g: %+.3g, tolerance %.3g",
-                comparison.now, comparison.baseline, comparison.difference(), comparison.tolerance);
-  return text.data();
+  return StrCat(FormatGeneral(comparison.now, 6), ", in the baseline ",
+                FormatGeneral(comparison.baseline, 6), ": ",
+                FormatSigned(comparison.difference(), 3), ", tolerance ",
+                FormatGeneral(comparison.tolerance, 3));
 }
 
 }  // namespace

@@ -3,11 +3,10 @@
 #include "reports/gate/gate_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "core/base/error.h"
+#include "core/files/number.h"
 #include "reports/gate/gate_runs.h"
 
 namespace cvo::reports {
@@ -15,12 +14,6 @@ namespace {
 
 constexpr std::size_t kNearest = 5;
 constexpr std::size_t kMostProblems = 20;
-
-std::string Number(double value, const char* format = "%.4g") {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
 
 std::string Plural(std::size_t count, const std::string& noun) {
   return StrCat(count, " ", noun, count == 1 ? "" : "s");
@@ -30,10 +23,10 @@ std::vector<std::string> Cells(const Comparison& comparison) {
   return {comparison.variant,
           comparison.scene.empty() ? "all" : comparison.scene,
           comparison.metric + (comparison.unit == "1" ? "" : " (" + comparison.unit + ")"),
-          Number(comparison.baseline),
-          Number(comparison.now),
-          Number(comparison.difference(), "%+.3g"),
-          Number(comparison.tolerance, "%.3g"),
+          FormatGeneral(comparison.baseline, 4),
+          FormatGeneral(comparison.now, 4),
+          FormatSigned(comparison.difference(), 3),
+          FormatGeneral(comparison.tolerance, 3),
           StrCat(comparison.pairs),
           comparison.verdict == Verdict::kWorse ? "WORSE" : ToString(comparison.verdict)};
 }
@@ -91,8 +84,9 @@ TextRows TimeRows(const GateReport& report) {
     const char* verdict = time.verdict == Verdict::kWorse    ? "SLOWER"
                           : time.verdict == Verdict::kBetter ? "faster"
                                                              : "within";
-    rows.push_back({time.variant, Number(time.baseline, "%.3g"), Number(time.now, "%.3g"),
-                    Number(time.now / time.baseline, "%.3g"), Number(time.limit, "%.3g"), verdict});
+    rows.push_back({time.variant, FormatGeneral(time.baseline, 3), FormatGeneral(time.now, 3),
+                    FormatGeneral(time.now / time.baseline, 3), FormatGeneral(time.limit, 3),
+                    verdict});
   }
   return rows;
 }

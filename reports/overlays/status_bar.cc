@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cstdio>
 
 #include "core/base/error.h"
+#include "core/files/number.h"
 #include "reports/overlays/draw_cluster.h"
 #include "reports/overlays/text_plate.h"
 
@@ -50,10 +50,8 @@ std::string CountLandmarks(const OverlayFrame& frame) {
 }  // namespace
 
 std::vector<std::string> StatusWords(const OverlayFrame& frame, const OverlayCamera& camera) {
-  char time[32];
-  std::snprintf(time, sizeof time, "%.2f s", frame.time_s);
   return {StrCat("frame ", frame.frame),
-          time,
+          FormatFixed(frame.time_s, 2) + " s",
           "camera " + frame.status,
           frame.has_clusters ? CountClusters(frame, camera) : "bodies not recorded",
           frame.has_landmarks ? CountLandmarks(frame) : "landmarks not recorded",

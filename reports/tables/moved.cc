@@ -2,28 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/tables/moved.h"
 
-#include <array>
-#include <cstdio>
-
 #include "core/base/error.h"
+#include "core/files/number.h"
 
 namespace cvo::reports {
 namespace {
 
-std::string Signed(double value) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%+.4g", value);
-  return text.data();
-}
-
 std::string Line(const Row& row, const Column& column, const Difference& difference) {
   const std::string unit = column.unit == "1" ? "" : " " + column.unit;
-  std::string line =
-      StrCat("  ", RowLabel(row), ", ", column.metric, ": ", Signed(difference.difference), unit);
-  if (difference.percent) line += StrCat(" (", Signed(*difference.percent), " %)");
+  std::string line = StrCat("  ", RowLabel(row), ", ", column.metric, ": ",
+                            FormatSigned(difference.difference, 4), unit);
+  if (difference.percent) line += StrCat(" (", FormatSigned(*difference.percent, 4), " %)");
   if (difference.interval) {
-    line +=
-        StrCat(", ", Signed(difference.interval->low), " to ", Signed(difference.interval->high));
+    line += StrCat(", ", FormatSigned(difference.interval->low, 4), " to ",
+                   FormatSigned(difference.interval->high, 4));
   } else {
     line += ", no interval";
   }

@@ -37,6 +37,7 @@ TEST(Number, FixedAndGeneral) {
   EXPECT_EQ(FormatFixed(2.5, 2), "2.50");
   EXPECT_EQ(FormatGeneral(1234567.0, 4), "1.235e+06");
   EXPECT_EQ(FormatGeneral(0.0625, 4), "0.0625");
+  EXPECT_EQ(FormatSigned(0.5, 3) + FormatSigned(-2.0, 3) + FormatSigned(0.0, 3), "+0.5-2+0");
   EXPECT_EQ(RoundedTo(0.0123456, 4), 0.01235);
 }
 
