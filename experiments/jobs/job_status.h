@@ -32,7 +32,7 @@ bool HasFiles(const SuiteFolder& folder, const PlannedJob& job);
 // In the order of the plan; cells with the same identity share their status.
 std::vector<JobStatus> StatusOfAll(const SuiteFolder& folder, const Plan& plan);
 
-// "indoor_1 full, seed 3, crf.alpha=5".
+// "indoor_1 full, seed 3, pairwise.alpha=5".
 std::string Describe(const Cell& cell);
 
 // Writes failed/<id>.json: the message, and the end of what the job printed. Throws Error.

@@ -31,8 +31,8 @@ struct SuiteSequence {
 // empty for a folder of images. Shipped scenes are for development.
 std::string SplitOf(const SuiteSequence& sequence);
 
-// Values that one option takes, in order: of the estimator ("crf.alpha") or, with "scene." before
-// it, of the scene file ("scene.detector.miss_rate": over the level that a sequence names).
+// Values that one option takes, in order: of the estimator ("pairwise.alpha") or, with "scene."
+// before it, of the scene file ("scene.detector.miss_rate": over the level that a sequence names).
 struct GridAxis {
   std::string path;
   std::vector<Json> values;

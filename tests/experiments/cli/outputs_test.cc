@@ -194,6 +194,7 @@ TEST_F(CliOutputs, WhatCannotBePrintedIsAnError) {
       {"synth", "preview", "tiny", "-o", Path("sheet.png"), "-q", "--frames", "0:2"},
       {"experiment", "list"},
       {"synth", "generate", "room", "--seed", "3", "-o", Path("scene.json")},
+      {"synth", "diversity", Path("scene")},
       {"experiment", "plan", Path("suite.json"), "-o", suite},
       {"experiment", "run", Path("suite.json"), "-o", suite, "-q"},
       {"experiment", "status", suite},
