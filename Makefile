@@ -9,12 +9,19 @@
 
 release := build/release
 asan := build/asan
+lint := build/lint
 folders := $(wildcard core variants experiments synth reports tests)
 sources = $(shell find $(folders) -name '*.h' -o -name '*.cc')
 baseline := reports/baselines/ci.json
 # Compilers, and jobs of a suite, to run at once; empty: one per processor.
 JOBS ?=
 jobs := $(if $(JOBS),--parallel $(JOBS))
+
+# What the two commands are about to do; times are of two idle cores.
+about_test := install missing packages, build everything (10 minutes from nothing), run the tests (6 minutes)
+about_table := install missing packages, build the program (7 minutes from nothing), render four rooms and \
+  run the ablation on them (12 minutes)
+$(foreach goal,$(filter test table,$(MAKECMDGOALS)),$(info make $(goal): $(about_$(goal))))
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1|\2/p' Makefile | awk -F'|' '{printf "%-18s %s\n", $$1, $$2}'
@@ -29,6 +36,11 @@ build/%/build.ninja: CMakePresets.json | deps
 build: $(release)/build.ninja ## build everything, Release
 	cmake --build --preset release $(jobs)
 
+# The program alone, without tests and benchmarks.
+.PHONY: program
+program: $(release)/build.ninja
+	cmake --build --preset release --target clustervo $(jobs)
+
 # A suite to results/<suite>: what is done there is not done again. Its table is printed also where
 # some jobs failed, which the exit code then says.
 suite = $(release)/bin/clustervo experiment run $(1) -o results/$(1) $(addprefix -j ,$(JOBS)) \
@@ -36,17 +48,17 @@ suite = $(release)/bin/clustervo experiment run $(1) -o results/$(1) $(addprefix
 	$(release)/bin/clustervo experiment table results/$(1) && \
 	echo "page: results/$(1)/report/index.html, written by: make report SUITE=$(1)" && exit $$code
 
-table: build ## the paper's ablation on rendered rooms, end to end: its table, and results/ablation
+table: program ## the paper's ablation on rendered rooms, end to end: its table, and results/ablation
 	@$(call suite,ablation)
 
-table-all: build ## the same for every variant
+table-all: program ## the same for every variant
 	@$(call suite,ablation_all)
 
-table-kitti: $(if $(DATA),build) ## DATA=<KITTI folder>: the table of KITTI raw, of the drives that are there
+table-kitti: $(if $(DATA),program) ## DATA=<KITTI folder>: the table of KITTI raw, of the drives that are there
 	$(if $(DATA),,$(error make table-kitti: give DATA=<KITTI folder>))
 	@$(call suite,kitti_raw)
 
-sweep: build ## one table per parameter that is swept
+sweep: program ## one table per parameter that is swept
 	@$(call suite,sweep_alpha)
 	@$(call suite,sweep_eta)
 	@$(call suite,sweep_windows)
@@ -54,20 +66,20 @@ sweep: build ## one table per parameter that is swept
 
 # The page is also made where jobs failed, and says so.
 SUITE ?= ablation
-report: build ## the results of make table as one page: results/ablation/report/index.html (SUITE=<name>)
+report: program ## the results of make table as one page: results/ablation/report/index.html (SUITE=<name>)
 	@test -e results/$(SUITE)/plan.json || \
 	  { echo "make report: no results/$(SUITE): run the suite first (make table)" >&2; exit 2; }
 	@$(release)/bin/clustervo report results/$(SUITE)
 
 # Jobs that failed are told of by the check too.
-regression: build ## run the suite ci and hold it against the committed baseline
+regression: program ## run the suite ci and hold it against the committed baseline
 	@$(release)/bin/clustervo experiment run ci -o results/ci $(addprefix -j ,$(JOBS)); \
 	code=$$?; test $$code -le 1 || exit $$code; \
 	$(release)/bin/clustervo check results/ci --baseline $(baseline) --junit results/ci/check.xml \
 	  --markdown results/ci/check.md
 
 # Sixteen seeds tell how far seeds are apart; a check runs the suite's own two.
-baseline: build ## accept what the estimator does now: renew the baseline of make regression
+baseline: program ## accept what the estimator does now: renew the baseline of make regression
 	$(release)/bin/clustervo experiment run ci --seeds 16 -o results/ci_seeds $(addprefix -j ,$(JOBS))
 	$(release)/bin/clustervo check results/ci_seeds --write-baseline $(baseline) --gate-seeds 2
 
@@ -87,9 +99,11 @@ format: deps ## format all C++ sources in place
 format-check: deps ## fail where a source is not formatted
 	@clang-format --dry-run -Werror $(sources)
 
-lint: build ## run clang-tidy on all C++ sources (minutes)
+# Of sources by themselves, not joined.
+lint: $(lint)/build.ninja ## run clang-tidy on all C++ sources (minutes)
 	@.ci/install-packages clang-tidy
-	run-clang-tidy -quiet -p $(release) '$(CURDIR)/($(subst $() ,|,$(strip $(folders))))/'
+	cmake --build $(lint) --target cvo_generated
+	run-clang-tidy -quiet -p $(lint) '$(CURDIR)/($(subst $() ,|,$(strip $(folders))))/'
 
 clean: ## remove everything that was built
 	rm -rf build
