@@ -37,10 +37,11 @@ void RefuseBelowSequence(const fs::path& output, const fs::path& resolved) {
 }
 
 void RefuseRunsOfSuite(const fs::path& output, const fs::path& resolved) {
-  constexpr std::array kOwn = {"jobs", "failed", "logs", "slurm"};
+  constexpr std::array kSuiteFolders = {"jobs", "failed", "logs", "slurm"};
   std::error_code ignored;
   for (fs::path folder = resolved; folder != folder.parent_path(); folder = folder.parent_path()) {
-    const bool own = std::find(kOwn.begin(), kOwn.end(), folder.filename()) != kOwn.end();
+    const bool own = std::find(kSuiteFolders.begin(), kSuiteFolders.end(), folder.filename()) !=
+                     kSuiteFolders.end();
     if (own && fs::exists(folder.parent_path() / "plan.json", ignored)) {
       Refuse(output, "the runs of a suite in " + folder.string());
     }

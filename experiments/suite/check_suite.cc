@@ -123,7 +123,7 @@ void CheckSequences(const Suite& suite, const std::string& where) {
 
 // Before the cells are listed, which would take all memory.
 void CheckCount(const Suite& suite, const std::string& where) {
-  constexpr double kMostRuns = 100'000;
+  constexpr double kMaxRuns = 100'000;
   double points = 1.0;
   for (const GridAxis& axis : suite.grid) {
     const auto values = static_cast<double>(axis.values.size());
@@ -134,8 +134,8 @@ void CheckCount(const Suite& suite, const std::string& where) {
                                   suite.variants.size() + suite.systems.size()}) {
     runs *= static_cast<double>(count);
   }
-  if (runs > kMostRuns) {
-    ThrowError(where, StrCat(runs, " runs"), StrCat("at most ", kMostRuns, " in one suite"));
+  if (runs > kMaxRuns) {
+    ThrowError(where, StrCat(runs, " runs"), StrCat("at most ", kMaxRuns, " in one suite"));
   }
 }
 

@@ -57,8 +57,8 @@ std::string Differences(const Plan& plan, const PlannedJob& job, const Plan& ear
   return why.empty() ? "other boxes or files" : why;
 }
 
-std::string WhyItRuns(const Plan& plan, const PlannedJob& job, const EarlierRuns& earlier,
-                      const std::map<std::string, const PlannedJob*>& before) {
+std::string ReasonToRun(const Plan& plan, const PlannedJob& job, const EarlierRuns& earlier,
+                        const std::map<std::string, const PlannedJob*>& before) {
   if (const std::string message = earlier.failed(job.job); !message.empty()) {
     return "failed before: " + message;
   }
@@ -83,12 +83,12 @@ std::optional<double> FrameTimeOf(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::vector<JobOutlook> OutlookOf(const Plan& plan, const EarlierRuns& earlier) {
+std::vector<PredictedState> PredictStates(const Plan& plan, const EarlierRuns& earlier) {
   std::map<std::string, const PlannedJob*> before;
   if (earlier.plan) {
     for (const PlannedJob& job : earlier.plan->jobs) before.emplace(NameOf(job.cell), &job);
   }
-  std::vector<JobOutlook> outlook;
+  std::vector<PredictedState> outlook;
   for (const PlannedJob& job : plan.jobs) {
     if (job.missing == kNotRendered) {
       outlook.push_back({JobState::kRenders, "its scene is not rendered"});
@@ -97,7 +97,7 @@ std::vector<JobOutlook> OutlookOf(const Plan& plan, const EarlierRuns& earlier) 
     } else if (earlier.done(job)) {
       outlook.push_back({JobState::kDone, ""});
     } else {
-      outlook.push_back({JobState::kRuns, WhyItRuns(plan, job, earlier, before)});
+      outlook.push_back({JobState::kRuns, ReasonToRun(plan, job, earlier, before)});
     }
   }
   return outlook;
@@ -127,7 +127,7 @@ std::map<std::string, double> MeasuredFrameTimes(
   return times_s;
 }
 
-double EstimatedSeconds(const BuiltPlan& built, const std::vector<JobOutlook>& outlook,
+double EstimatedSeconds(const BuiltPlan& built, const std::vector<PredictedState>& outlook,
                         const std::map<std::string, double>& frame_times_s) {
   double seconds = 0.0;
   for (const SceneRender& render : built.renders) {

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view kScene = "scene.";
 constexpr double kLargest = 1e15;
-constexpr int kMostSteps = 1000;
+constexpr int kMaxAxisValues = 1000;
 
 // An integer where the ends are integers, so that options that count can be swept.
 Json AxisValue(double value, bool integers) {
@@ -30,7 +30,7 @@ Json AxisValue(double value, bool integers) {
 std::vector<Json> RangeValues(synth::ObjectReader range) {
   const double from = range.Number("from", {-kLargest, kLargest});
   const double to = range.Number("to", {-kLargest, kLargest});
-  const int steps = range.Integer("steps", {2, kMostSteps});
+  const int steps = range.Integer("steps", {2, kMaxAxisValues});
   const std::string scale = range.TextOr("scale", "linear");
   const bool integers =
       range.Value("from").is_number_integer() && range.Value("to").is_number_integer();
@@ -142,8 +142,8 @@ std::vector<Json> ParseAxisValues(const Json& json, const std::string& where) {
     ThrowError(where, json.is_array() ? "an empty list" : StrCat("a JSON ", json.type_name()),
                "a list of values or {\"from\", \"to\", \"steps\", \"scale\"}");
   }
-  if (values.size() > kMostSteps) {
-    ThrowError(where, StrCat(values.size(), " values"), StrCat("at most ", kMostSteps));
+  if (values.size() > kMaxAxisValues) {
+    ThrowError(where, StrCat(values.size(), " values"), StrCat("at most ", kMaxAxisValues));
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {

@@ -58,7 +58,7 @@ RowFindings FindingsOf(const Row& row, const Table& table, const std::string& re
     } else if (difference->difference == 0.0) {
       found.same.push_back(name);
     } else {
-      (difference->pairs < kLeastPairs ? found.few : found.noise).push_back(name);
+      (difference->pairs < kMinPairs ? found.few : found.noise).push_back(name);
     }
   }
   return found;
@@ -84,7 +84,7 @@ std::string Headline(const RowFindings& found) {
   return StrCat(Listed(parts), " of ", CountText(all, "measure", "measures"));
 }
 
-std::string Unclear(const char* what, const std::vector<std::string>& labels) {
+std::string InconclusiveHtml(const char* what, const std::vector<std::string>& labels) {
   if (labels.empty()) return "";
   return StrCat("<p class=\"unclear\">", what, ": ", Escaped(Listed(labels)), ".</p>\n");
 }
@@ -108,9 +108,9 @@ std::string FindingsHtml(const Table& table, const std::string& reference) {
       for (const std::string& item : *list) html += item;
     }
     if (any) html += "</ul>\n";
-    html += Unclear("Cannot be told from noise", found.noise);
-    html += Unclear("Too few pairs to tell", found.few);
-    html += Unclear("The same", found.same);
+    html += InconclusiveHtml("Cannot be told from noise", found.noise);
+    html += InconclusiveHtml("Too few pairs to tell", found.few);
+    html += InconclusiveHtml("The same", found.same);
   }
   if (!unchanged.empty()) {
     html += Element("p", "The same in every measure: " + Listed(unchanged) + ".") + "\n";

@@ -40,7 +40,7 @@ std::string JobsWithoutValue(const std::vector<PageRun>& runs) {
 }
 
 // What several things lack is said once, with their number.
-class Counted {
+class NamesPerText {
  public:
   void Add(const std::string& text, const std::string& whose) {
     if (whose_[text].insert(whose).second && whose_[text].size() == 1) order_.push_back(text);
@@ -61,7 +61,7 @@ class Counted {
 };
 
 std::string CellsWithoutValue(const Table& table) {
-  Counted cells;
+  NamesPerText cells;
   for (const Row& row : table.rows) {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       if (row.cells[i].present) continue;
@@ -73,8 +73,8 @@ std::string CellsWithoutValue(const Table& table) {
   return cells.Html("Cells without a value");
 }
 
-std::string FilesThatLack(const PageContent& content) {
-  Counted files;
+std::string UnreadableFiles(const PageContent& content) {
+  NamesPerText files;
   for (const PageRun& run : content.runs) {
     for (const std::string& file : run.origin.missing) files.Add(file, RunText(run.run));
   }
@@ -98,7 +98,7 @@ std::string MissingSection(const PageContent& content) {
       html += "</ul>\n";
     }
   }
-  html += FilesThatLack(content);
+  html += UnreadableFiles(content);
   if (!content.drawing.not_drawn.empty()) {
     html += "<h3>What is in no figure</h3>\n<ul>\n";
     for (const std::string& line : content.drawing.not_drawn) html += Element("li", line) + "\n";

@@ -21,8 +21,8 @@ std::string FactsHtml(const std::vector<Fact>& facts) {
 }
 
 // Each set of facts once, with the number of runs that it holds for.
-std::string CountedFacts(const std::vector<PageRun>& runs, std::vector<Fact> RunOrigin::*facts,
-                         const char* heading) {
+std::string FactsWithRunCounts(const std::vector<PageRun>& runs,
+                               std::vector<Fact> RunOrigin::*facts, const char* heading) {
   std::vector<std::pair<std::vector<Fact>, std::size_t>> counted;
   for (const PageRun& run : runs) {
     const std::vector<Fact>& of_run = run.origin.*facts;
@@ -61,8 +61,8 @@ std::string OptionsHtml(const Provenance& provenance) {
 
 std::string OriginSection(const PageContent& content) {
   std::string html = "<section id=\"origin\">\n<h2>Where the numbers come from</h2>\n";
-  html += CountedFacts(content.runs, &RunOrigin::build, "Program");
-  html += CountedFacts(content.runs, &RunOrigin::machine, "Machine");
+  html += FactsWithRunCounts(content.runs, &RunOrigin::build, "Program");
+  html += FactsWithRunCounts(content.runs, &RunOrigin::machine, "Machine");
   if (content.table) html += OptionsHtml(content.table->provenance);
   return html + "</section>\n";
 }

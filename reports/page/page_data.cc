@@ -77,8 +77,8 @@ std::string CountsText(const Counts& n) {
 std::string VerdictOf(const Difference& difference, const Column& column) {
   if (difference.difference == 0.0) return "the same";
   if (!difference.distinguishable) {
-    return difference.pairs < kLeastPairs ? StrCat("too few pairs to tell: it takes ", kLeastPairs)
-                                          : "cannot be told from noise";
+    return difference.pairs < kMinPairs ? StrCat("too few pairs to tell: it takes ", kMinPairs)
+                                        : "cannot be told from noise";
   }
   const auto better = IsBetter(column.metric, difference.difference);
   return !better ? "differs" : *better ? "better" : "worse";
@@ -97,7 +97,7 @@ Json DifferenceJson(const Difference& difference, const Column& column) {
   }
   add("here and there", StrCat(QuantityText(difference.value, column), " and ",
                                QuantityText(difference.reference_value, column)));
-  if (difference.percent) add("in percent", StrCat(Say(*difference.percent), " %"));
+  if (difference.percent) add("in percent", StrCat(NumberText(*difference.percent), " %"));
   add("pairs", StrCat(difference.pairs, ": ", difference.pairing));
   add("verdict", VerdictOf(difference, column));
   return json;

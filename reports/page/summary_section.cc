@@ -77,7 +77,7 @@ std::string RuleText(const std::string& reference) {
   return StrCat("Differences are against ", reference,
                 ", on what both have in common, pair by pair. A difference counts as real here "
                 "where its 95 % interval does not contain 0 and there are at least ",
-                kLeastPairs,
+                kMinPairs,
                 " pairs. Intervals say what other bodies of these scenes would give, not other "
                 "scenes. Of many comparisons about 1 in 20 looks real by chance alone.");
 }

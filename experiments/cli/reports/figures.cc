@@ -40,7 +40,7 @@ std::vector<NamedContent> Render(const std::vector<reports::Figure>& figures, bo
   const ScratchFolder scratch;
   const Browser browser(scratch.path());
   std::vector<reports::PaperFigure> papers;
-  for (const reports::Figure& figure : figures) papers.push_back(reports::OnPaper(figure));
+  for (const reports::Figure& figure : figures) papers.push_back(reports::ToPaperFigure(figure));
   const std::vector<std::string> svgs =
       reports::ReadRendered(browser.Run(reports::RenderPage(papers)), papers);
   std::vector<NamedContent> files;

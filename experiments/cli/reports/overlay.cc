@@ -74,7 +74,7 @@ void CheckSameSequence(const std::vector<reports::OverlayRun>& runs,
 }
 
 // ": labels from ..."; nothing of a variant that this program does not have.
-std::string WhatItChanges(const std::string& variant) {
+std::string VariantChanges(const std::string& variant) {
   for (const VariantInfo& info : Variants()) {
     if (info.name == variant) return StrCat(": ", info.changes);
   }
@@ -89,7 +89,7 @@ std::vector<std::string> Titles(const std::vector<reports::OverlayRun>& runs,
     const auto same = std::count_if(
         runs.begin(), runs.end(), [&](const auto& run) { return run.variant == runs[i].variant; });
     titles.push_back(same > 1 ? StrCat(runs[i].variant, ": ", folders[i])
-                              : runs[i].variant + WhatItChanges(runs[i].variant));
+                              : runs[i].variant + VariantChanges(runs[i].variant));
   }
   return titles;
 }

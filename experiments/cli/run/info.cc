@@ -74,14 +74,15 @@ void PrintInfo(const Sequence& sequence) {
   table.Add({"folder", sequence.folder.string()});
   table.Add({"frames", StrCat(sequence.images.size(), " (", sequence.first_frame, " to ",
                               last_frame - 1, " of ", sequence.total_frames, ")")});
-  table.Add({"rate", StrCat(ForPeople(rate.median_hz), " Hz, ", ForPeople(rate.duration_s),
-                            " s, longest gap ", ForPeople(rate.longest_gap_s), " s")});
-  table.Add({"images", StrCat(sequence.pair, ", ", camera.width_px, "x", camera.height_px, " px")});
   table.Add(
-      {"calibration", StrCat("fx ", ForPeople(camera.fx), ", fy ", ForPeople(camera.fy), ", cx ",
-                             ForPeople(camera.cx), ", cy ", ForPeople(camera.cy), " px, baseline ",
-                             ForPeople(camera.baseline_m), " m, u_right shifted by ",
-                             ForPeople(camera.right_shift_px), " px")});
+      {"rate", StrCat(ReadableNumber(rate.median_hz), " Hz, ", ReadableNumber(rate.duration_s),
+                      " s, longest gap ", ReadableNumber(rate.longest_gap_s), " s")});
+  table.Add({"images", StrCat(sequence.pair, ", ", camera.width_px, "x", camera.height_px, " px")});
+  table.Add({"calibration",
+             StrCat("fx ", ReadableNumber(camera.fx), ", fy ", ReadableNumber(camera.fy), ", cx ",
+                    ReadableNumber(camera.cx), ", cy ", ReadableNumber(camera.cy), " px, baseline ",
+                    ReadableNumber(camera.baseline_m), " m, u_right shifted by ",
+                    ReadableNumber(camera.right_shift_px), " px")});
   table.Add(
       {"ground truth", StrCat(sequence.groundtruth, ", ", FramesWithTruth(sequence), " frames")});
   table.Add({"labels", StrCat(sequence.labels.size(), " boxes")});

@@ -50,10 +50,10 @@ void PrintProblems(const RunResult& run) {
 void PrintSummary(const Sequence& sequence, const JobOutcome& outcome) {
   const RunResult& run = outcome.run;
   const double rate = static_cast<double>(run.frames.size()) / run.wall_s;
-  std::cout << sequence.name << ": " << run.frames.size() << " frames in " << ForPeople(run.wall_s)
-            << " s, " << ForPeople(rate) << " frames/s, "
-            << ForPeople(outcome.context.peak_memory_mb) << " MB, status " << ToString(run.status)
-            << (run.message.empty() ? "" : ": ") << run.message << '\n';
+  std::cout << sequence.name << ": " << run.frames.size() << " frames in "
+            << ReadableNumber(run.wall_s) << " s, " << ReadableNumber(rate) << " frames/s, "
+            << ReadableNumber(outcome.context.peak_memory_mb) << " MB, status "
+            << ToString(run.status) << (run.message.empty() ? "" : ": ") << run.message << '\n';
   PrintProblems(run);
   PrintDetections(sequence, run.detections, std::cout);
   if (outcome.scores.refined.empty()) {

@@ -33,16 +33,16 @@ std::string Duration(double seconds) {
   return StrCat(std::round(seconds / 360.0) / 10.0, " h");
 }
 
-std::size_t Count(const std::vector<JobOutlook>& outlook, JobState state) {
+std::size_t Count(const std::vector<PredictedState>& outlook, JobState state) {
   return static_cast<std::size_t>(
       std::count_if(outlook.begin(), outlook.end(),
-                    [state](const JobOutlook& job) { return job.state == state; }));
+                    [state](const PredictedState& job) { return job.state == state; }));
 }
 
 // "  12 x <reason>", the reasons in the order in which they occur.
-void PrintReasons(const std::vector<JobOutlook>& outlook, JobState state, std::ostream& out) {
+void PrintReasons(const std::vector<PredictedState>& outlook, JobState state, std::ostream& out) {
   std::vector<std::pair<std::string, int>> reasons;
-  for (const JobOutlook& job : outlook) {
+  for (const PredictedState& job : outlook) {
     if (job.state != state) continue;
     const auto found = std::find_if(reasons.begin(), reasons.end(),
                                     [&](const auto& reason) { return reason.first == job.why; });

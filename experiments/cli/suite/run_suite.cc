@@ -91,7 +91,7 @@ class SuiteRun {
     return RunJobs(built.plan);
   }
 
-  int SayStopped() const {
+  int ReportStopped() const {
     std::cerr << "clustervo: stopped; what is done is kept, and the same command goes on from "
                  "there\n";
     return kStopped;
@@ -176,7 +176,7 @@ class SuiteRun {
       Stage stage(flags_.quiet, kJobs);
       outcome = RunPlan(plan, Settings(stage), *engine_);
     }
-    if (outcome.stopped) return SayStopped();
+    if (outcome.stopped) return ReportStopped();
     std::cout << plan.suite.name << ": ";
     PrintJobs(folder_, plan, StatusOfAll(folder_, plan), std::cout);
     if (outcome.done == 0 && outcome.failed == 0) {
@@ -204,7 +204,7 @@ int RunSuite(const SuiteRunFlags& flags) {
   try {
     return run.Run();
   } catch (const Stopped&) {
-    return run.SayStopped();
+    return run.ReportStopped();
   }
 }
 

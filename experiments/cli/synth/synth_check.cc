@@ -26,7 +26,7 @@ struct Flags {
 
 std::string Limit(const SceneCheck& check) {
   if (check.bound == Bound::kNone) return "-";
-  return (check.bound == Bound::kAtMost ? "<= " : ">= ") + ForPeople(check.limit);
+  return (check.bound == Bound::kAtMost ? "<= " : ">= ") + ReadableNumber(check.limit);
 }
 
 std::string Verdict(const SceneCheck& check) {
@@ -37,8 +37,8 @@ std::string Verdict(const SceneCheck& check) {
 void Print(const SceneCheckReport& report) {
   TextTable table({"check", "figure", "unit", "limit", "", "worst"});
   for (const SceneCheck& check : report.checks) {
-    table.Add({check.name, std::isfinite(check.figure) ? ForPeople(check.figure) : "-", check.unit,
-               Limit(check), Verdict(check), check.where});
+    table.Add({check.name, std::isfinite(check.figure) ? ReadableNumber(check.figure) : "-",
+               check.unit, Limit(check), Verdict(check), check.where});
   }
   table.Print(std::cout);
   std::cout << '\n'

@@ -25,9 +25,9 @@ std::string FamilyOf(const std::filesystem::path& folder) {
 
 std::string Spread(const std::vector<double>& values) {
   if (values.empty()) return "-";
-  return StrCat(ForPeople(synth::Quantile(values, 0.1)), " / ",
-                ForPeople(synth::Quantile(values, 0.5)), " / ",
-                ForPeople(synth::Quantile(values, 0.9)));
+  return StrCat(ReadableNumber(synth::Quantile(values, 0.1)), " / ",
+                ReadableNumber(synth::Quantile(values, 0.5)), " / ",
+                ReadableNumber(synth::Quantile(values, 0.9)));
 }
 
 int PrintDiversity(const std::vector<std::string>& folders) {
