@@ -80,8 +80,8 @@ int Main(int argc, char** argv) {
   cv::setNumThreads(1);  // the program's own threads are enough, and OpenCV's cost determinism
 
   CLI::App program(
-      "Stereo visual odometry on recorded drives, and its errors under a stated "
-      "contract.");
+      "Stereo visual odometry on recorded drives, scored under explicitly stated error "
+      "definitions.");
   program.name("clustervo");
   program.set_version_flag("--version", VersionText);
   program.require_subcommand(1);

@@ -97,7 +97,7 @@ bool Planner::IsRendered(RenderedScene& scene) {
   const auto damage =
       FindSceneDamage(scene.folder, [this](const auto& files) { return Hashes(files); });
   if (!damage) return true;
-  request_.notice("a scene in the cache is damaged and rendered again: " + *damage);
+  request_.notice("a cached scene is damaged and will be rendered again:  " + *damage);
   scene.drawn = false;
   return false;
 }

@@ -128,13 +128,13 @@ int ShowInfo(const SequenceFlags& flags, bool json) {
 
 Command AddInfoCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "info", "Say what a folder holds: frames, rate, calibration, ground truth, what is missing");
+      "info", "Describe a sequence folder: frames, rate, calibration, ground truth, missing files");
   const auto flags = std::make_shared<SequenceFlags>();
   const auto json = std::make_shared<bool>(false);
   flags->AddTo(*app);
   app->add_flag("--json", *json, "print JSON");
   app->footer(
-      "A folder above several sequences is answered with their list.\n"
+      "For a folder that contains several sequences, lists them.\n"
       "Example: clustervo info kitti_raw/2011_09_26/2011_09_26_drive_0001_sync");
   return {app, [flags, json] { return ShowInfo(*flags, *json); }};
 }

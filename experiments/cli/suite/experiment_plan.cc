@@ -119,18 +119,19 @@ int PrintPlan(const Flags& flags) {
 }  // namespace
 
 Command AddExperimentPlanCommand(CLI::App& experiment) {
-  CLI::App* app = experiment.add_subcommand(
-      "plan", "Say what a suite would run, what is done, why anything runs again, and how long");
+  CLI::App* app = experiment.add_subcommand("plan",
+                                            "Show which jobs a suite would run, which are done, "
+                                            "why any run again, and the estimated time");
   const auto flags = std::make_shared<Flags>();
   flags->suite.AddTo(*app);
-  app->add_option("-j,--jobs", flags->jobs, "processes that the time is estimated for")
+  app->add_option("-j,--jobs", flags->jobs, "number of processes to estimate the time for")
       ->type_name("N")
       ->check(CLI::Range(1, 10000).description(""))
       ->capture_default_str();
   AddQuiet(*app, flags->quiet);
   app->footer(
-      "Nothing is rendered or run. Images whose hashes are not known yet are read, and their\n"
-      "hashes kept in CLUSTERVO_CACHE.\n"
+      "Nothing is rendered or run. Images whose hashes are not known yet are read, and "
+      "their\nhashes are stored in CLUSTERVO_CACHE.\n"
       "Example: clustervo experiment plan ablation -o results/ablation -j 2");
   return {app, [flags] { return PrintPlan(*flags); }};
 }

@@ -92,8 +92,8 @@ class SuiteRun {
   }
 
   int ReportStopped() const {
-    std::cerr << "clustervo: stopped; what is done is kept, and the same command goes on from "
-                 "there\n";
+    std::cerr << "clustervo: stopped; finished jobs are kept, and running the same command again "
+                 "continues\n";
     return kStopped;
   }
 

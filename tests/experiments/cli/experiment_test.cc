@@ -166,8 +166,8 @@ TEST_F(CliExperiment, AnInterruptKeepsWhatIsDone) {
   WriteSuite("{\"folder\": \"wall\"}", "3");
   const ProcessResult run = Run({}, {.interrupt_at = "  2/6 jobs"});
   EXPECT_EQ(run.exit_code, 130) << run.err;
-  EXPECT_THAT(run.err, EndsWith("clustervo: stopped; what is done is kept, and the same command "
-                                "goes on from there\n"));
+  EXPECT_THAT(run.err, EndsWith("clustervo: stopped; finished jobs are kept, and running the same "
+                                "command again continues\n"));
   const std::size_t done = Results().size();
   EXPECT_GE(done, 2U);
   EXPECT_FALSE(fs::exists(out() / "failed") && !fs::is_empty(out() / "failed"));
