@@ -72,7 +72,7 @@ void ReplaceClosedStreams() {
 int CheckPrinted(int exit_code) {
   std::cout.flush();
   if (std::cout) return exit_code;
-  const int code = Fail("standard output: what was printed could not all be written", kBadInput);
+  const int code = Fail("standard output: not all output could be written", kBadInput);
   return exit_code == 0 ? code : exit_code;
 }
 

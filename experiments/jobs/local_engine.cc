@@ -56,7 +56,7 @@ void LocalEngine::Run(std::span<const Task> tasks, const EngineHooks& hooks) {
   for (const Task& task : tasks) {
     Require(!task.argv.empty(), "Task: no program");
     if (::access(task.argv.front().c_str(), X_OK) != 0) {
-      ThrowError(task.argv.front(), "nothing that can be run", "a program");
+      ThrowError(task.argv.front(), "a file that cannot be executed", "a program");
     }
   }
   Running running;

@@ -31,7 +31,7 @@ void CheckSpace(const fs::path& root) {
   ThrowError(root.string(),
              StrCat("a full disk, ", std::floor(static_cast<double>(space.available) / 1e5) / 10.0,
                     " MB free"),
-             StrCat("at least ", kReserve_bytes / 1'000'000, " MB; what is done is kept"));
+             StrCat("at least ", kReserve_bytes / 1'000'000, " MB; finished jobs are kept"));
 }
 
 void MakeFolder(const fs::path& folder) {

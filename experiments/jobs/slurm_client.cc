@@ -127,13 +127,13 @@ Captured SlurmClient::Ask(const std::vector<std::string>& argv, double patience_
     Captured captured = Capture(
         argv, [&](const Captured&) { return Since(asked) > kCommandLimitS || hooks_.stop(); });
     const bool answered = !silent(captured);
-    if (answered && delay_s > 1.0) hooks_.notice("slurm: answers again");
+    if (answered && delay_s > 1.0) hooks_.notice("slurm: responds again");
     if (answered) return captured;
     const std::string words = StrCat(argv.front(), ": ", LastLine(captured.err));
-    if (delay_s == 1.0) hooks_.notice(StrCat("slurm: ", words, ": trying again"));
+    if (delay_s == 1.0) hooks_.notice(StrCat("slurm: ", words, ": retrying"));
     const double left_s = patience_s - Since(start);
     if (left_s <= 0.0 || !Pause(std::min(delay_s, left_s))) {
-      throw SlurmUnreachable(StrCat("slurm does not answer: ", words));
+      throw SlurmUnreachable(StrCat("Slurm does not respond: ", words));
     }
   }
 }
@@ -148,7 +148,7 @@ SlurmSetup SlurmClient::Setup() const {
   if (const std::size_t at = scheduler.find(key); at != std::string::npos) {
     setup.array_size = std::min(setup.array_size, ToCount(scheduler.substr(at + key.size())));
   }
-  if (setup.array_size == 0) ThrowError("slurm", "job arrays switched off", "MaxArraySize above 0");
+  if (setup.array_size == 0) ThrowError("slurm", "job arrays disabled", "MaxArraySize above 0");
   const std::string storage = ConfigValue(config, "AccountingStorageType");
   setup.accounting = !storage.empty() && storage.find("none") == std::string::npos;
   return setup;
@@ -204,7 +204,7 @@ SlurmSubmitted SlurmClient::Submit(const SlurmArray& array,
     if (const std::optional<std::string> job = Find(array.name)) return {*job, "", {}};
     if (refused) return {"", words, refusal};
     if (Since(start) > patience_s_ || !Pause(delay_s)) {
-      throw SlurmUnreachable(StrCat("slurm does not answer: ", words));
+      throw SlurmUnreachable(StrCat("Slurm does not respond: ", words));
     }
   }
 }

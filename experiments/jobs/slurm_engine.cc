@@ -49,7 +49,7 @@ void SlurmEngine::KeepOnly(const std::set<std::string>& names, const EngineHooks
   client.Cancel(strangers);
   if (strangers.empty()) return;
   hooks.notice(
-      StrCat("slurm: cancelled what an earlier run submitted and nobody asks for any more: ",
+      StrCat("slurm: cancelled tasks that an earlier run submitted and that are no longer needed: ",
              strangers.size(), strangers.size() == 1 ? " task" : " tasks"));
 }
 

@@ -32,9 +32,9 @@ bool IsOrdinary(const std::string& reason) {
 }
 
 std::string PendingReasonText(const std::string& reason) {
-  if (reason == "BeginTime") return "put back into the queue by Slurm, which starts it in a while";
+  if (reason == "BeginTime") return "requeued by Slurm, which will start it later";
   const bool held = reason.find("held") != std::string::npos || reason == "JobHeldUser";
-  return reason + (held ? " (scontrol release JOB lets it go)" : "");
+  return reason + (held ? " (use scontrol release JOB)" : "");
 }
 
 }  // namespace
@@ -57,8 +57,8 @@ void SlurmRun::RunToCompletion() {
     }
   } catch (const SlurmUnreachable& error) {
     if (!hooks_.stop()) {
-      throw Error(
-          StrCat(error.what(), "; what was submitted goes on: run this again to follow it"));
+      throw Error(StrCat(error.what(),
+                         "; submitted jobs continue: run the same command again to follow them"));
     }
   }
   if (hooks_.stop()) return Stop();
@@ -101,8 +101,8 @@ void SlurmRun::ResumeEarlierArrays() {
   for (Followed& followed : followed_) {
     Claim(followed, queue, wanted);
     if (followed.open.empty()) continue;
-    hooks_.notice(StrCat("slurm: job ", followed.job,
-                         ", submitted by an earlier run, goes on: ", Tasks(followed.open.size())));
+    hooks_.notice(StrCat("slurm: job ", followed.job, ", submitted by an earlier run, continues: ",
+                         Tasks(followed.open.size())));
   }
   client_.Cancel(wanted.outdated);
   std::erase_if(followed_, [](const Followed& followed) {
@@ -153,8 +153,8 @@ void SlurmRun::Refused(std::size_t count, const SlurmSubmitted& submitted) {
       submitted.refusal == SlurmRefusal::kPermanent || (count == 1 && Open() == 0 && !passing);
   if (hopeless) throw Error(submitted.refused);
   if (count == 1 && !room_.told) {
-    hooks_.notice(StrCat("slurm: takes no more now (", submitted.refused,
-                         "): ", Tasks(waiting_.size()), " still to be submitted"));
+    hooks_.notice(StrCat("slurm: accepts no more tasks at present (", submitted.refused,
+                         "): ", Tasks(waiting_.size()), " not submitted yet"));
   }
   room_ = {true, count / 2, room_.told || count == 1, Clock::now()};
 }
@@ -236,7 +236,7 @@ void SlurmRun::Stop() {
     client.Cancel({jobs.begin(), jobs.end()});
     client.Pause(kStopPollS);
   }
-  hooks_.notice("slurm: what was cancelled has not ended yet: see squeue");
+  hooks_.notice("slurm: some cancelled tasks have not ended yet: see squeue");
 }
 
 std::size_t SlurmRun::Open() const {

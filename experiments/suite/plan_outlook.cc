@@ -48,13 +48,13 @@ std::string Differences(const Plan& plan, const PlannedJob& job, const Plan& ear
   const auto add = [&why](bool differs, const char* what) {
     if (differs) why += (why.empty() ? "" : ", ") + std::string(what);
   };
-  add(plan.build != earlier.build, "another build of the program");
+  add(plan.build != earlier.build, "different build of the program");
   add(job.content != before.content, "the sequence has changed");
   if (job.cell.system.empty()) {
     add(ResolvedOptions(plan.suite, job.cell) != ResolvedOptions(earlier.suite, before.cell),
-        "other options");
+        "different options");
   }
-  return why.empty() ? "other boxes or files" : why;
+  return why.empty() ? "different boxes or files" : why;
 }
 
 std::string ReasonToRun(const Plan& plan, const PlannedJob& job, const EarlierRuns& earlier,
@@ -63,7 +63,7 @@ std::string ReasonToRun(const Plan& plan, const PlannedJob& job, const EarlierRu
     return "failed before: " + message;
   }
   const auto found = before.find(NameOf(job.cell));
-  if (found == before.end()) return earlier.plan ? "not in the plan so far" : "new";
+  if (found == before.end()) return earlier.plan ? "not in the previous plan" : "new";
   if (found->second->job == job.job || found->second->job.empty()) return "not run yet";
   // Only what was computed once is computed again.
   if (!earlier.done(*found->second)) return "not run yet";
@@ -91,7 +91,7 @@ std::vector<PredictedState> PredictStates(const Plan& plan, const EarlierRuns& e
   std::vector<PredictedState> outlook;
   for (const PlannedJob& job : plan.jobs) {
     if (job.missing == kNotRendered) {
-      outlook.push_back({JobState::kRenders, "its scene is not rendered"});
+      outlook.push_back({JobState::kRenders, "its scene is not rendered yet"});
     } else if (!job.missing.empty()) {
       outlook.push_back({JobState::kMissing, job.missing});
     } else if (earlier.done(job)) {

@@ -39,7 +39,7 @@ std::vector<Json> RangeValues(synth::ObjectReader range) {
     ThrowError(range.Where("scale"), "\"" + scale + "\"", "\"linear\" or \"log\"");
   }
   if (scale == "log" && !(from > 0.0 && to > 0.0)) {
-    ThrowError(range.Where(""), StrCat(from, " to ", to), "ends above 0 on a log scale");
+    ThrowError(range.Where(""), StrCat(from, " to ", to), "bounds above 0 on a log scale");
   }
   std::vector<Json> values = {range.Value("from")};
   for (int i = 1; i + 1 < steps; ++i) {
@@ -101,8 +101,8 @@ GridPoint DefaultPoint(const Suite& suite, const SuiteSequence& sequence) {
       if (scene.is_null()) scene = SceneDefaults(sequence);
       value = AtPath(scene, SceneKey(axis.path));
       if (value.is_null()) {
-        ThrowError("grid." + axis.path, "no such value in scene " + sequence.scene,
-                   "a key that it has: one axis at a time starts from the scene's own values");
+        ThrowError("grid." + axis.path, "no such key in scene " + sequence.scene,
+                   "an existing key: one-at-a-time grids start from the scene's own values");
       }
     } else {
       value = AtPath(estimator, axis.path);

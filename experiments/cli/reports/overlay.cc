@@ -124,8 +124,8 @@ int DrawOverlays(const OverlayFlags& flags) {
   const RunImages images(job.runs.front(), images_folder);
   for (reports::OverlayRun& run : job.runs) {
     if (AdoptDetections(images_folder, run) || run.boxes == 0) continue;
-    std::cerr << "clustervo: drawn with those detections alone that a cluster was associated with: "
-                 "the others are not in the sequence's folder\n";
+    std::cerr << "clustervo: only detections associated with a cluster are drawn: the others are "
+                 "not in the sequence's folder\n";
   }
   return WriteOverlays(job, images);
 }

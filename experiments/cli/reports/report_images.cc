@@ -55,7 +55,7 @@ reports::ThumbnailOptions OptionsFor(std::size_t most_bytes, int every, std::siz
 // Throws Error where there is nothing to draw.
 reports::OverlayRun ReadDrawn(const fs::path& run_folder) {
   if (!fs::exists(run_folder / "landmarks.csv")) {
-    throw Error("the run has no landmarks.csv, so nothing is drawn on its images");
+    throw Error("the run has no landmarks.csv, so its images are not shown");
   }
   reports::OverlayRun run = reports::ReadOverlayRun(run_folder, reports::LandmarkLabel::kCluster);
   AdoptDetections("", run);

@@ -56,10 +56,10 @@ void AddTableFormat(CLI::App& app, TableFormat& format) {
 
 void CheckTableFormat(const TableFormat& format) {
   if (format.bare && format.format != "latex" && format.format != "html") {
-    throw CLI::ValidationError("--bare", "goes with --format latex or html");
+    throw CLI::ValidationError("--bare", "requires --format latex or html");
   }
   if (format.longer && format.format != "csv") {
-    throw CLI::ValidationError("--long", "goes with --format csv");
+    throw CLI::ValidationError("--long", "requires --format csv");
   }
 }
 

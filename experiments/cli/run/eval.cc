@@ -108,12 +108,13 @@ void CheckUsage(const CLI::App& app, const EvalFlags& flags) {
     if (app.count(flag) > 0) throw CLI::ValidationError(flag, why);
   };
   if (of_sequence) {
-    refuse("--format", "is for two files; with --sequence it is told by the number of columns");
-    refuse("--max-time-difference", "is for two files; with --sequence it is 0.02 s");
+    refuse("--format",
+           "applies to two files; with --sequence the format follows from the number of columns");
+    refuse("--max-time-difference", "applies to two files; with --sequence it is 0.02 s");
     return;
   }
   if (flags.groundtruth.empty()) {
-    throw CLI::ValidationError("--groundtruth", "is needed, or --sequence in its place");
+    throw CLI::ValidationError("--groundtruth", "is required, unless --sequence is given");
   }
   for (const std::string& flag : EvalSequence::FlagNames()) refuse(flag, "needs --sequence");
 }

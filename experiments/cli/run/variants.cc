@@ -20,7 +20,7 @@ int ListVariants(bool json) {
     std::cout << DumpJson(list);
     return 0;
   }
-  TextTable table({"variant", "what it is"});
+  TextTable table({"variant", "description"});
   for (const VariantInfo& variant : Variants()) {
     table.Add({std::string(variant.name), std::string(variant.changes)});
   }

@@ -63,7 +63,7 @@ void PrintRenders(const std::vector<SceneRender>& renders, std::ostream& out) {
     draws += render.draws ? 1 : 0;
   }
   out << "scenes to render: " << renders.size() << " with " << frames << " frames, " << draws
-      << " of them drawn first, the rest from what is drawn\n";
+      << " of them drawn first, the rest from cached drawings\n";
 }
 
 void Print(const PlanState& state, int processes, std::ostream& out) {
@@ -94,7 +94,7 @@ void Print(const PlanState& state, int processes, std::ostream& out) {
   out << "time: about " << Duration(seconds / processes) << " with " << processes
       << (processes == 1 ? " process" : " processes")
       << (state.frame_times_s.empty() ? ", assumed: 35 frames/s, 4 frames/s drawn\n"
-                                      : ", as measured by jobs that are done\n");
+                                      : ", as measured in finished jobs\n");
 }
 
 int PrintPlan(const Flags& flags) {

@@ -40,7 +40,7 @@ Json StatusToJson(const SuiteFolder& folder, const Plan& plan,
 int ShowStatus(const std::string& path, bool json) {
   const SuiteFolder folder{path};
   if (!std::filesystem::exists(folder.plan())) {
-    ThrowError(path, "no plan.json", "a folder that clustervo experiment run wrote to");
+    ThrowError(path, "no plan.json", "an output folder of clustervo experiment run");
   }
   const Plan plan = ParsePlan(ReadJson(folder.plan()), folder.plan().string());
   const std::vector<JobStatus> status = StatusOfAll(folder, plan);

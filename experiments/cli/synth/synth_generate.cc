@@ -36,7 +36,7 @@ int Generate(const GenerateFlags& flags) {
   const synth::Family family = synth::LoadFamily(flags.family);
   if (flags.knobs) return PrintKnobs(family);
   if (flags.seed.empty() || flags.output.empty()) {
-    throw UsageError("--seed and --output are needed, or --knobs");
+    throw UsageError("--seed and --output are required, unless --knobs is given");
   }
   CheckOutputFile(flags.output, {flags.family});
   const Json scene = synth::GenerateScene(family, synth::ParseFamilySeed(flags.seed), flags.set);

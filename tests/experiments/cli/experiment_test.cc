@@ -144,7 +144,7 @@ TEST_F(CliExperiment, AJobRefusesOtherFilesThanItsPlan) {
   fs::remove_all(out() / "jobs" / id);
   const ProcessResult job = Experiment({"job", out().string(), id});
   EXPECT_EQ(job.exit_code, 1);
-  EXPECT_THAT(job.err, HasSubstr("other files than when the suite was planned"));
+  EXPECT_THAT(job.err, HasSubstr("differ from when the suite was planned"));
   EXPECT_FALSE(fs::exists(out() / "jobs" / id));
   EXPECT_THAT(Experiment({"job", out().string(), "none"}).err, HasSubstr("found no job \"none\""));
   // The plan is made anew: another identity, and the old results stay.

@@ -103,7 +103,7 @@ TEST_F(CliSceneDamage, ARunRendersItAgain) {
   fs::remove(scene_ / "times.txt");
   const ProcessResult run = Suite("run");
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("damaged and rendered again"));
+  EXPECT_THAT(run.err, HasSubstr("damaged and will be rendered again"));
   EXPECT_TRUE(Files() == before);
   EXPECT_EQ(ReadJson(folder_.path() / "out" / "plan.json")["jobs"][0]["job"], job_);
 }

@@ -162,7 +162,8 @@ TEST_F(SlurmEngineTest, WaitsForADrainedNodeAndForTasksPutBack) {
       Printed({"scontrol", "update", "NodeName=" + cluster_.node(), "State=DRAIN", "Reason=test"});
       Printed({"scontrol", "requeue", Job(output) + "_0"});
     }
-    if (requeued && !waits && ::testing::Value(output.notices, Contains(HasSubstr("put back")))) {
+    if (requeued && !waits &&
+        ::testing::Value(output.notices, Contains(HasSubstr("requeued by")))) {
       waits = true;  // Slurm would let two minutes pass before it starts a task again
       Printed({"scontrol", "update", "JobId=" + Job(output) + "_0", "StartTime=now"});
     }
@@ -220,7 +221,7 @@ TEST_F(SlurmEngineTest, ARunnerThatWasKilledFindsItsTasksAgain) {
   };
   SlurmEngine engine(options_);
   engine.KeepOnly({"another", "task0", "task2", "task3", "task4", "task5"}, hooks);
-  EXPECT_THAT(output.notices, ElementsAre(HasSubstr("cancelled what")));
+  EXPECT_THAT(output.notices, ElementsAre(HasSubstr("cancelled tasks")));
   // In two parts: what is not asked for yet is left alone.
   engine.Run(std::span(tasks).first(3), hooks);
   hooks.ended = [&](std::size_t task, const TaskEnd& end) {
@@ -269,7 +270,7 @@ exec /usr/bin/squeue "$@"
       cluster_.StopController();
       down = true;
     }
-    if (!back && ::testing::Value(output.notices, Contains(HasSubstr("trying again")))) {
+    if (!back && ::testing::Value(output.notices, Contains(HasSubstr("retrying")))) {
       cluster_.StartController();
       back = true;
     }
@@ -279,7 +280,7 @@ exec /usr/bin/squeue "$@"
   EXPECT_TRUE(output.ends.at("during").front().ok) << output.ends["during"].front().message;
   EXPECT_TRUE(output.ends.at("after").front().ok) << output.ends["after"].front().message;
   EXPECT_EQ(Starts("during"), 1u);
-  EXPECT_THAT(output.notices, Contains(HasSubstr("answers again")));
+  EXPECT_THAT(output.notices, Contains(HasSubstr("responds again")));
 }
 
 // In front of the real sbatch: a user who may have two tasks in the queue.
@@ -303,7 +304,7 @@ TEST_F(SlurmEngineTest, SubmitsNoMoreThanSlurmTakes) {
   const EngineOutput output = RunAll(tasks);
   for (const Task& task : tasks) EXPECT_EQ(Starts(task.name), 1u) << task.name;
   EXPECT_EQ(output.ends.size(), 5u);
-  EXPECT_THAT(output.notices, Contains(HasSubstr("takes no more now")).Times(1));
+  EXPECT_THAT(output.notices, Contains(HasSubstr("accepts no more tasks")).Times(1));
 }
 
 TEST_F(SlurmEngineTest, WhatSlurmRefusesForGoodIsAnError) {
@@ -325,7 +326,7 @@ exit 1
   EXPECT_THAT(ErrorMessage([&] {
                 SlurmEngine(options).Run({&task, 1}, {});
               }),
-              HasSubstr("slurm does not answer: scontrol: slurm_load_ctl_conf error"));
+              HasSubstr("Slurm does not respond: scontrol: slurm_load_ctl_conf error"));
 }
 
 TEST(SlurmOptions, FlagsAreOneWordEach) {

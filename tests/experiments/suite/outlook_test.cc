@@ -53,13 +53,13 @@ TEST(PlanOutlook, TellsWhyADoneJobRunsAgain) {
   };
   Plan plan = earlier;
   plan.build = "other";
-  EXPECT_EQ(why(plan), "another build of the program");
+  EXPECT_EQ(why(plan), "different build of the program");
   plan.jobs[0].content = "changed";
   EXPECT_EQ(why(plan), "another build of the program, the sequence has changed");
   plan = earlier;
   plan.suite.options = {{"window", {{"spatial", 7}}}};
-  EXPECT_EQ(why(plan), "other options");
-  EXPECT_EQ(why(earlier), "other boxes or files");
+  EXPECT_EQ(why(plan), "different options");
+  EXPECT_EQ(why(earlier), "different boxes or files");
 }
 
 TEST(PlanOutlook, TellsWhatIsNotRunYetAndWhatFailed) {
@@ -67,7 +67,7 @@ TEST(PlanOutlook, TellsWhatIsNotRunYetAndWhatFailed) {
   const Plan plan = PlanOf({"full", "static"});
   EarlierRuns runs = With(earlier, {});
   EXPECT_EQ(PredictStates(plan, runs)[0].why, "not run yet");
-  EXPECT_EQ(PredictStates(plan, runs)[1].why, "not in the plan so far");
+  EXPECT_EQ(PredictStates(plan, runs)[1].why, "not in the previous plan");
   runs.failed = [](const std::string& job) {
     return job == "job of full" ? std::string("no memory") : "";
   };
