@@ -78,10 +78,10 @@ std::string Headline(const RowFindings& found) {
   if (!found.better.empty()) parts.push_back(StrCat("better in ", found.better.size()));
   if (!found.worse.empty()) parts.push_back(StrCat("worse in ", found.worse.size()));
   if (!found.other.empty()) parts.push_back(StrCat("different in ", found.other.size()));
-  if (parts.empty()) return "no difference that is real";
+  if (parts.empty()) return "no significant difference";
   const std::size_t all = found.better.size() + found.worse.size() + found.other.size() +
                           found.noise.size() + found.few.size() + found.same.size();
-  return StrCat(Listed(parts), " of ", CountText(all, "measure", "measures"));
+  return StrCat(Listed(parts), " of ", CountText(all, "metric", "metrics"));
 }
 
 std::string InconclusiveHtml(const char* what, const std::vector<std::string>& labels) {
@@ -108,12 +108,12 @@ std::string FindingsHtml(const Table& table, const std::string& reference) {
       for (const std::string& item : *list) html += item;
     }
     if (any) html += "</ul>\n";
-    html += InconclusiveHtml("Cannot be told from noise", found.noise);
-    html += InconclusiveHtml("Too few pairs to tell", found.few);
+    html += InconclusiveHtml("Not significant", found.noise);
+    html += InconclusiveHtml("Too few pairs", found.few);
     html += InconclusiveHtml("The same", found.same);
   }
   if (!unchanged.empty()) {
-    html += Element("p", "The same in every measure: " + Listed(unchanged) + ".") + "\n";
+    html += Element("p", "The same in every metric: " + Listed(unchanged) + ".") + "\n";
   }
   return html;
 }

@@ -44,7 +44,7 @@ std::string FactsWithRunCounts(const std::vector<PageRun>& runs,
 }
 
 std::string OptionsHtml(const Provenance& provenance) {
-  std::string html = "<h3>Options that are not at their default</h3>\n";
+  std::string html = "<h3>Options with values other than the default</h3>\n";
   if (provenance.options.empty()) return html + "<p>None.</p>\n";
   html += "<ul>\n";
   for (const ChangedOption& option : provenance.options) {
@@ -68,8 +68,8 @@ std::string OriginSection(const PageContent& content) {
 }
 
 std::string LicenceSection() {
-  return "<section id=\"licences\">\n<details><summary>Licences of what this page "
-         "carries</summary>\n<p>Charts are drawn by Plotly.js:</p>\n<pre>" +
+  return "<section id=\"licences\">\n<details><summary>Licences of components included in this "
+         "page</summary>\n<p>Charts are drawn with Plotly.js:</p>\n<pre>" +
          HtmlEscaped(PlotlyLicence()) + "</pre>\n</details>\n</section>\n";
 }
 
