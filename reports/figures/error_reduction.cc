@@ -324,7 +324,7 @@ void DrawErrorReduction(const SuiteData& data, const std::vector<SeriesRows>& se
       "paired difference holds 0, or there are too few pairs). Empty: nothing to compare. Of "
       "shares the error is what is missing to 100 %. Each cell is on what both have in common.");
   figure.alt = StrCat("Heat map of ", map.rows, " rows by ", map.columns.size(),
-                      " measures, against ", data.table.reference, ". ");
+                      " metrics, against ", data.table.reference, ". ");
   for (const HeatBlock& block : map.blocks) figure.alt += HeatBlockText(block, map, data.table);
   figure.alt.pop_back();
   figure.width_px = WidthOf(map, 58);

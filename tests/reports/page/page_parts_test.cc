@@ -161,7 +161,7 @@ TEST(Findings, ARealDifferenceSaysWhichWayAndHowMuch) {
 TEST(Findings, ColumnsOfOneNameAreToldApartByTheirUnits) {
   Table table = TwoRows(0.25, 8, false);
   table.columns.push_back({"object_rrpe", "object ATE", "rad", {}});
-  EXPECT_THAT(FindingsHtml(table, "full"), HasSubstr("from noise: object ATE (m)."));
+  EXPECT_THAT(FindingsHtml(table, "full"), HasSubstr("Not significant: object ATE (m)."));
 }
 
 TEST(PageData, TheVerdictOfACellIsThatOfTheSummary) {
@@ -180,7 +180,7 @@ TEST(Findings, NoiseAndFewPairsAreNoFindings) {
   EXPECT_THAT(noise, HasSubstr("2d: no significant difference"));
   EXPECT_THAT(noise, HasSubstr("Not significant: object ATE."));
   EXPECT_THAT(FindingsHtml(TwoRows(0.25, 5, false), "full"),
-              HasSubstr("Too few pairs to tell: object ATE."));
+              HasSubstr("Too few pairs: object ATE."));
   EXPECT_THAT(FindingsHtml(TwoRows(0.0, 8, false), "full"),
               HasSubstr("The same in every metric: 2d."));
   EXPECT_THAT(noise, Not(HasSubstr("<li")));
