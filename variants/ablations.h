@@ -10,7 +10,7 @@ namespace cvo {
 struct Only2d : Full {
   static constexpr std::string_view kName = "2d";
   static constexpr std::string_view kChanges =
-      "labels from the 2D boxes alone: no 3D, no motion term";
+      "labels from the 2D boxes only: no 3D affinity, no motion term";
   using AffinityTerm = NoAffinityTerm;
   using MotionTerm = NoMotionTerm;
 };
@@ -25,20 +25,21 @@ struct Only2d3d : Full {
 struct NoGpPrior : Full {
   static constexpr std::string_view kName = "no_gp_prior";
   static constexpr std::string_view kChanges =
-      "no white-noise-on-acceleration prior: every pose of a cluster for itself";
+      "no white-noise-on-acceleration prior: each pose of a cluster is estimated independently";
   using MotionPrior = NoMotionPrior;
 };
 
 struct NoTurnPrior : Full {
   static constexpr std::string_view kName = "no_turn_prior";
   static constexpr std::string_view kChanges =
-      "the motion prior is on positions alone, as in the paper: orientations are free";
+      "the motion prior constrains only positions, as in the paper: orientations are free";
   using MotionPrior = WhiteNoiseOnTranslation;
 };
 
 struct NoPairwiseTerm : Full {
   static constexpr std::string_view kName = "no_pairwise";
-  static constexpr std::string_view kChanges = "no pairwise term: every label for itself";
+  static constexpr std::string_view kChanges =
+      "no pairwise term: each label is inferred independently";
   using Pairwise = NoPairwise;
 };
 
@@ -52,21 +53,22 @@ struct NoProbabilisticAssociation : Full {
 struct WithoutBoxRematch : Full {
   static constexpr std::string_view kName = "no_box_rematch";
   static constexpr std::string_view kChanges =
-      "no brute-force matching inside boxes: landmarks are found by prediction alone";
+      "no brute-force matching inside boxes: landmarks are matched only by prediction";
   using BoxRematch = NoBoxRematch;
 };
 
 struct WithoutIdentity : Full {
   static constexpr std::string_view kName = "no_identity";
   static constexpr std::string_view kChanges =
-      "a found body without known landmarks is always new: no place and size of a lost one";
+      "a body without known landmarks always gets a new id: it is not matched to lost ones by "
+      "position and size";
   using Identity = AlwaysNewIdentity;
 };
 
 struct NoMarginalization : Full {
   static constexpr std::string_view kName = "no_marginalization";
   static constexpr std::string_view kChanges =
-      "a frame leaving the spatial track is dropped, there is no prior";
+      "frames leaving the spatial track are dropped without a prior";
   using MarginalizationRule = MarginalizeNothing;
 };
 
@@ -79,7 +81,8 @@ struct NoSpatialTrack : Full {
 
 struct NoLabelConfidence : Full {
   static constexpr std::string_view kName = "no_label_confidence";
-  static constexpr std::string_view kChanges = "the labels of each frame are taken at once";
+  static constexpr std::string_view kChanges =
+      "the inferred labels of each frame are adopted immediately";
   using Confidence = TakeLabelsAtOnce;
 };
 

@@ -10,21 +10,21 @@ namespace cvo {
 struct StaticNoMarginalization : Static {
   static constexpr std::string_view kName = "static_no_marginalization";
   static constexpr std::string_view kChanges =
-      "static; a frame leaving the spatial track is dropped, there is no prior";
+      "static; frames leaving the spatial track are dropped without a prior";
   using MarginalizationRule = MarginalizeNothing;
 };
 
 struct StaticMarginalizeLost : Static {
   static constexpr std::string_view kName = "static_marginalize_lost";
   static constexpr std::string_view kChanges =
-      "static; marginalises what the last window.lost_frames frames do not see";
+      "static; marginalises landmarks not seen in the last window.lost_frames frames";
   using MarginalizationRule = MarginalizeLost;
 };
 
 struct StaticPriorGauge : Static {
   static constexpr std::string_view kName = "static_prior_gauge";
   static constexpr std::string_view kChanges =
-      "static; the prior alone holds the window, no frame is fixed";
+      "static; the gauge is fixed only by the prior, no frame is held fixed";
   using Gauge = PriorHoldsGauge;
 };
 
@@ -38,7 +38,7 @@ struct StaticNoSpatialTrack : Static {
 struct StaticSelfCalibration : Static {
   static constexpr std::string_view kName = "static_self_calibration";
   static constexpr std::string_view kChanges =
-      "static; the right camera's column shift is estimated with the window";
+      "static; the column shift of the right camera is estimated in the window";
   using Calibration = EstimateRightShift;
 };
 

@@ -25,51 +25,57 @@ struct ClusterAssociationOptions {
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
-    visit.Field(
-        "gamma", self.gamma,
-        {"1", 0.1, 1000,
-         "gate on the squared Mahalanobis distance of a feature from its prediction; larger "
-         "misses fewer and confuses more",
-         "95 % of chi^2 with 3 degrees of freedom; the paper has 4.0 (74 %)"});
+    visit.Field("gamma", self.gamma,
+                {"1", 0.1, 1000,
+                 "gate on the squared Mahalanobis distance of a feature from its prediction; "
+                 "larger gives fewer missed and more false matches",
+                 "95 % of chi^2 with 3 degrees of freedom; the paper has 4.0 (74 %)"});
     visit.Field("min_radius_px", self.min_radius_px,
-                {"px", 0, 100, "the search is never narrower: a prediction is never that good",
+                {"px", 0, 100, "minimum search radius: predictions are never more accurate",
                  "METHOD.md 4.2"});
     visit.Field("max_radius_px", self.max_radius_px,
-                {"px", 1, 500, "the search is never wider", "METHOD.md 4.2"});
+                {"px", 1, 500, "maximum search radius", "METHOD.md 4.2"});
     visit.Field("fixed_radius_px", self.fixed_radius_px,
-                {"px", 1, 500, "search of variants without probabilistic association",
+                {"px", 1, 500, "search radius of variants without probabilistic association",
                  "as the wide search of static landmarks"});
     visit.Field("max_hamming", self.max_hamming,
-                {"bits", 1, 256, "largest descriptor distance within the gate", "METHOD.md 4.3"});
+                {"bits", 1, 256, "maximum descriptor distance within the gate", "METHOD.md 4.3"});
     visit.Field("ratio", self.ratio,
-                {"1", 0.1, 1.0, "best distance must be below this fraction of the second best",
+                {"1", 0.1, 1.0, "maximum ratio of the best to the second best distance",
                  "as for static landmarks"});
     visit.Field("max_view_change_rad", self.max_view_change_rad,
                 {"rad", 0.1, 3.15,
-                 "a landmark is looked for while it is seen from within this angle of where it was "
-                 "seen last: a body hides its own far side",
+                 "maximum change of viewing direction since a landmark was last observed for it to "
+                 "be searched: a body occludes its own far side",
                  "corners survive about 60 degrees"});
-    visit.Field(
-        "min_box_probability", self.min_box_probability,
-        {"1", 0, 1, "minimum share of a cluster's weight inside a box to be assigned that box",
-         "METHOD.md 4.5"});
+    visit.Field("min_box_probability", self.min_box_probability,
+                {"1", 0, 1,
+                 "minimum share of a cluster's weight inside a box for the cluster to be assigned "
+                 "to that box",
+                 "METHOD.md 4.5"});
     visit.Field(
         "max_entropy", self.max_entropy,
-        {"bit", 0, 20, "a cluster spread over boxes more evenly than this gets none",
+        {"bit", 0, 20,
+         "maximum entropy of a cluster's distribution over boxes for the cluster to be assigned to "
+         "one",
          "paper, section 3.1: 1.0, read as nats; one bit refuses every pair of overlapping boxes"});
     visit.Field(
         "min_box_members", self.min_box_members,
         {"landmarks", 1, 1000,
-         "minimum landmarks of a cluster inside a box to be assigned that box", "METHOD.md 4.5"});
+         "minimum landmarks of a cluster inside a box for the cluster to be assigned to that box",
+         "METHOD.md 4.5"});
     visit.Field(
         "rematch_hamming", self.rematch_hamming,
-        {"bits", 1, 256, "largest descriptor distance without a prediction", "METHOD.md 4.6"});
+        {"bits", 1, 256, "maximum descriptor distance without a prediction", "METHOD.md 4.6"});
     visit.Field("rematch_ratio", self.rematch_ratio,
-                {"1", 0.1, 1.0, "largest ratio of best to second best without a prediction",
+                {"1", 0.1, 1.0,
+                 "maximum ratio of the best to the second best distance without a prediction",
                  "METHOD.md 4.6"});
-    visit.Field("ransac_iterations", self.ransac_iterations,
-                {"1", 1, 100000, "hypotheses per cluster: 100 find 35 % of inliers with 99 %",
-                 "1 - (1 - 0.35^3)^100"});
+    visit.Field(
+        "ransac_iterations", self.ransac_iterations,
+        {"1", 1, 100000,
+         "RANSAC hypotheses per cluster: with 35 % inliers, 100 succeed with probability 99 %",
+         "1 - (1 - 0.35^3)^100"});
     visit.Field(
         "min_rematch", self.min_rematch,
         {"landmarks", 3, 1000,

@@ -28,17 +28,17 @@ struct MatchingOptions {
   static void VisitFields(Self& self, Visitor& visit) {
     visit.Field("wide_radius_px", self.wide_radius_px,
                 {"px", 1, 500,
-                 "search around the predicted camera, at level 0; larger survives harder turns, "
-                 "smaller makes fewer false matches",
+                 "search radius with the predicted camera pose, at level 0; larger tolerates "
+                 "sharper turns, smaller gives fewer false matches",
                  "chosen on KITTI at 10 Hz"});
     visit.Field("narrow_radius_px", self.narrow_radius_px,
-                {"px", 0.5, 100, "search around the solved camera, at level 0",
+                {"px", 0.5, 100, "search radius with the solved camera pose, at level 0",
                  "4 standard deviations of a corner"});
     visit.Field("max_hamming", self.max_hamming,
-                {"bits", 1, 256, "largest descriptor distance of a match", "METHOD.md 3.1"});
-    visit.Field("ratio", self.ratio,
-                {"1", 0.1, 1.0, "best distance must be below this fraction of the second best",
-                 "METHOD.md 3.1"});
+                {"bits", 1, 256, "maximum descriptor distance of a match", "METHOD.md 3.1"});
+    visit.Field(
+        "ratio", self.ratio,
+        {"1", 0.1, 1.0, "maximum ratio of the best to the second best distance", "METHOD.md 3.1"});
   }
 };
 

@@ -21,7 +21,7 @@ Boxes DetectedBoxes(const CrfScene& scene, double shrink) {
 }
 
 // The boxes without what the body stands on.
-Boxes WithoutFeet(const Boxes& boxes, double foot) {
+Boxes WithoutBoxFoot(const Boxes& boxes, double foot) {
   Boxes bodies = boxes;
   for (auto& box : bodies) {
     if (box) box->bottom_px -= foot * box->Height();
@@ -85,7 +85,7 @@ class Candidates {
 void Box2dTerm::Energies(const CrfScene& scene, const UnaryOptions& options,
                          EnergyMatrix& energies) {
   const Boxes detected = DetectedBoxes(scene, options.box_shrink);
-  const Boxes bodies = WithoutFeet(detected, options.box_foot);
+  const Boxes bodies = WithoutBoxFoot(detected, options.box_foot);
   const Boxes predicted = PredictedBoxes(scene);
   Candidates candidates(scene.labels.size());
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {

@@ -68,8 +68,8 @@ DepthDensity MakeDensity(const std::vector<double>& log_depths, double width) {
 
 // From the peak to where the density has fallen below `floor`, down the bins or up. Empty where it
 // rises above the peak before: the peak is the shoulder of a larger one.
-std::optional<std::size_t> FootOf(const std::vector<double>& values, std::size_t peak, bool up,
-                                  double floor) {
+std::optional<std::size_t> ValleyBeside(const std::vector<double>& values, std::size_t peak,
+                                        bool up, double floor) {
   const std::size_t last = up ? values.size() - 1 : 0;
   std::size_t bin = peak;
   while (bin != last && values[bin] >= floor) {
@@ -85,8 +85,8 @@ std::optional<Range> ModeAt(const DepthDensity& density, std::size_t bin, double
   if (values[bin] <= 0.0 || values[bin] < values[bin - 1] || values[bin] < values[bin + 1]) {
     return std::nullopt;
   }
-  const auto near = FootOf(values, bin, false, valley * values[bin]);
-  const auto far = FootOf(values, bin, true, valley * values[bin]);
+  const auto near = ValleyBeside(values, bin, false, valley * values[bin]);
+  const auto far = ValleyBeside(values, bin, true, valley * values[bin]);
   if (!near || !far) return std::nullopt;
   return Range{density.At(*near), density.At(*far)};
 }

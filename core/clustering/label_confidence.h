@@ -15,12 +15,12 @@ struct ConfidenceOptions {
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
-    visit.Field(
-        "max_confidence", self.max_confidence,
-        {"frames", 1, 100000,
-         "limit of the confidence: frames of another label after which a landmark takes it; "
-         "larger resists errors, smaller lets a parked car drive off",
-         "METHOD.md 5.8"});
+    visit.Field("max_confidence", self.max_confidence,
+                {"frames", 1, 100000,
+                 "maximum label confidence: number of frames with a different label before a "
+                 "landmark changes to it; larger is more robust to errors, smaller reacts faster "
+                 "when a parked car drives off",
+                 "METHOD.md 5.8"});
   }
 };
 

@@ -18,8 +18,8 @@ struct LabelMatchingOptions {
   static void VisitFields(Self& self, Visitor& visit) {
     visit.Field("min_iou", self.min_iou,
                 {"1", 0.01, 1.0,
-                 "landmarks shared by a new box and an earlier cluster, over those of either, for "
-                 "the box to be that cluster; fewer make a new one",
+                 "minimum intersection over union of the landmarks of a new box and an existing "
+                 "cluster to match them; below it a new cluster is created",
                  "METHOD.md 5.7"});
   }
 };

@@ -24,10 +24,11 @@ struct PairwiseOptions {
         {"m", 0.01, 100, "standard deviation of the Gaussian that makes two landmarks neighbours",
          "exp(-d^2) of the paper"});
     visit.Field("sweeps", self.sweeps,
-                {"1", 1, 1000, "mean-field sweeps at most", "5 to 10 suffice, METHOD.md 5.6"});
-    visit.Field("tolerance", self.tolerance,
-                {"1", 0, 1, "stop when no probability changed by this much; 0: all sweeps",
-                 "METHOD.md 5.6"});
+                {"1", 1, 1000, "maximum mean-field iterations", "5 to 10 suffice, METHOD.md 5.6"});
+    visit.Field(
+        "tolerance", self.tolerance,
+        {"1", 0, 1, "stop when all probabilities change by less than this; 0: run all iterations",
+         "METHOD.md 5.6"});
   }
 };
 

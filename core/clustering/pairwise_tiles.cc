@@ -10,8 +10,8 @@
 namespace cvo {
 namespace {
 
-constexpr double kReach = 6.0;       // bandwidths
-constexpr float kFarAway_m = 1e18F;  // where the last tile has no node: the kernel is 0
+constexpr double kCutoffBandwidths = 6.0;  // bandwidths
+constexpr float kFarAway_m = 1e18F;        // where the last tile has no node: the kernel is 0
 
 Eigen::AlignedBox3d BoxAround(const Eigen::Matrix3Xd& points, std::span<const int> nodes) {
   Eigen::AlignedBox3d box;
@@ -73,7 +73,7 @@ PairwiseTiles::PairwiseTiles(const Eigen::Matrix3Xd& points, double bandwidth_m,
       padded_(static_cast<int>((points.cols() + kCrfTile - 1) / kCrfTile) * kCrfTile) {
   std::iota(order_.begin(), order_.end(), 0);
   OrderByPlace(points, order_);
-  ListTiles(points, kReach * bandwidth_m);
+  ListTiles(points, kCutoffBandwidths * bandwidth_m);
   FillTiles(points, bandwidth_m);
   AddDegrees();
 }

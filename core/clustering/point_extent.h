@@ -26,32 +26,32 @@ struct ExtentOptions {
   static void VisitFields(Self& self, Visitor& visit) {
     visit.Field("quantile", self.quantile,
                 {"1", 0.0, 0.49,
-                 "a body's size is taken between this share of its points and one "
-                 "minus it; larger keeps more outliers out",
+                 "a body's size is measured between this quantile of its points and one minus it; "
+                 "larger rejects more outliers",
                  "paper, section 3.2"});
     visit.Field("min_half_size_m", self.min_half_size_m,
-                {"m", 1e-4, 10.0, "least half size along an axis", "METHOD.md 6.2: indoors"});
+                {"m", 1e-4, 10.0, "minimum half size along an axis", "METHOD.md 6.2: indoors"});
+    visit.Field("inlier_mads", self.inlier_mads,
+                {"standard deviations", 0.5, 100.0,
+                 "points farther from the median along an axis are not used to estimate the axes; "
+                 "the standard deviation is 1.48 median absolute deviations",
+                 "METHOD.md 6.1"});
     visit.Field(
-        "inlier_mads", self.inlier_mads,
-        {"standard deviations", 0.5, 100.0,
-         "points farther from the median along an axis do not shape the axes; the deviation "
-         "is 1.48 median absolute deviations",
-         "METHOD.md 6.1"});
-    visit.Field("min_axis_ratio", self.min_axis_ratio,
-                {"1", 1.0, 100.0, "least ratio of successive variances for axes of a body's own",
-                 "sqrt(2 / n) is a variance's relative error: 0.2 of 50 points"});
+        "min_axis_ratio", self.min_axis_ratio,
+        {"1", 1.0, 100.0, "minimum ratio of successive variances for a body to have its own axes",
+         "sqrt(2 / n) is a variance's relative error: 0.2 of 50 points"});
     visit.Field("mode_min_points", self.mode_min_points,
-                {"1", 1, 1000, "least points that make a new box's foreground",
+                {"1", 1, 1000, "minimum points in the foreground of a new box",
                  "the fewest whose 30 and 70 percentiles lie within them"});
     visit.Field("mode_min_share", self.mode_min_share,
                 {"1", 0.0, 1.0,
-                 "least share of the points in a box that make its foreground: fewer "
-                 "are outliers or something small in front",
+                 "minimum fraction of the points in a box that form its foreground: fewer are "
+                 "outliers or a small object in front",
                  "simulated: passes over 2 of 30, finds bodies that have 40 %"});
     visit.Field("mode_valley", self.mode_valley,
                 {"1", 0.0, 1.0,
-                 "depths part where their density falls below this share of the "
-                 "foreground's; larger splits bodies, smaller joins them with the background",
+                 "depths are split where their density falls below this fraction of the foreground "
+                 "peak; larger splits bodies, smaller merges them with the background",
                  "simulated: cars at 8 to 40 m and furniture before walls, 12 to 60 points"});
     visit.Field("mode_width", self.mode_width,
                 {"angular sizes", 0.01, 10.0,
@@ -59,10 +59,10 @@ struct ExtentOptions {
                  "depths: bodies are about as deep as they are wide",
                  "simulated, as mode_valley"});
     visit.Field("mode_min_width", self.mode_min_width,
-                {"log depth", 0.005, 1.0, "least width of the kernel that smooths depths",
+                {"log depth", 0.005, 1.0, "minimum width of the kernel that smooths depths",
                  "two deviations of a depth at 30 m: 0.3 px of 13 px of disparity"});
     visit.Field("mode_max_width", self.mode_max_width,
-                {"log depth", 0.005, 1.0, "largest width of the kernel that smooths depths",
+                {"log depth", 0.005, 1.0, "maximum width of the kernel that smooths depths",
                  "boxes that fill the image"});
   }
 };

@@ -22,51 +22,55 @@ struct UnaryOptions {
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
-    visit.Field("eta", self.eta,
-                {"1", 0.0, 1.0, "probability that a landmark belongs where the boxes say",
-                 "paper, section 4.1"});
+    visit.Field(
+        "eta", self.eta,
+        {"1", 0.0, 1.0, "prior probability that a landmark has the label given by the boxes",
+         "paper, section 4.1"});
     visit.Field("box_shrink", self.box_shrink,
                 {"1", 0.0, 0.49,
-                 "share of its width and height by which each side of a detection moves inwards: "
-                 "its rim is background",
+                 "fraction of the width and height by which each side of a detection is moved "
+                 "inwards, since the border of a box shows background",
                  "METHOD.md 5.3"});
     visit.Field("box_foot", self.box_foot,
                 {"1", 0.0, 1.0,
-                 "share of a detection's height, from below, in which a landmark may as well be of "
-                 "the static scene: what a body stands on is seen there, between legs or wheels; 0 "
-                 "is the paper's",
-                 "chosen from 0 ... 0.35 on the rooms: half of the background that bodies took was "
-                 "in this part of their boxes"});
+                 "lower fraction of a detection's height in which landmarks may equally be static: "
+                 "the ground is visible there between legs or wheels; 0 as in the paper",
+                 "chosen from 0 ... 0.35 on the rooms: half of the background landmarks wrongly "
+                 "assigned to bodies were in this part of their boxes"});
     visit.Field("kappa", self.kappa,
                 {"half sizes", 0.1, 100.0,
-                 "standard deviation of a body's points; 2 to 2.5 reach the surface of a box",
+                 "standard deviation of a body's points; 2 to 2.5 reaches the surface of a box",
                  "METHOD.md 5.4"});
     visit.Field("static_energy", self.static_energy,
                 {"nats", 0.0, 100.0,
-                 "affinity of the static scene: a landmark is a body's within sqrt(2 * this) "
-                 "standard deviations of its centre",
+                 "affinity energy of the static scene: a landmark within sqrt(2 * static_energy) "
+                 "standard deviations of a body's centre is assigned to the body",
+                 "METHOD.md 5.4, not published"});
+    visit.Field("outlier_energy", self.outlier_energy,
+                {"nats", 0.0, 100.0, "affinity energy of the outlier class",
                  "METHOD.md 5.4, not published"});
     visit.Field(
-        "outlier_energy", self.outlier_energy,
-        {"nats", 0.0, 100.0, "affinity of the outlier class", "METHOD.md 5.4, not published"});
-    visit.Field("past_frames", self.past_frames,
-                {"frames", 1, 200,
-                 "how far back the motion term compares where a landmark was, or less where it is "
-                 "younger; more shows slower motion, up to window.temporal - 1",
-                 "paper, section 3.2: 5; at 30 Hz a slow body hardly moves in five frames"});
-    visit.Field("motion_cap", self.motion_cap,
-                {"1", 0.1, 1e6, "largest squared whitened error; larger trusts single errors more",
-                 "METHOD.md 5.5"});
+        "past_frames", self.past_frames,
+        {"frames", 1, 200,
+         "number of past frames that the motion term compares landmark positions over, fewer for "
+         "newer landmarks; more detects slower motion, at most window.temporal - 1",
+         "paper, section 3.2: 5; at 30 Hz a slow body hardly moves in five frames"});
+    visit.Field(
+        "motion_cap", self.motion_cap,
+        {"1", 0.1, 1e6, "maximum squared whitened error; larger gives more weight to single errors",
+         "METHOD.md 5.5"});
     visit.Field("neutral_motion", self.neutral_motion,
                 {"nats", 0.0, 100.0,
-                 "motion term of a class without a known motion: the mean of chi^2 / 2, 3 dof",
+                 "motion term of a class without a known motion: mean of chi^2 / 2 with 3 degrees "
+                 "of freedom",
                  "METHOD.md 5.5"});
     visit.Field(
         "outlier_motion", self.outlier_motion,
         {"nats", 0.0, 100.0, "motion term of the outlier class: half of 9", "METHOD.md 5.5"});
-    visit.Field("max_energy", self.max_energy,
-                {"nats", 1.0, 1000.0, "largest energy of one term: none vetoes the others",
-                 "METHOD.md 5.2"});
+    visit.Field(
+        "max_energy", self.max_energy,
+        {"nats", 1.0, 1000.0, "maximum energy of one term, so that no term overrules the others",
+         "METHOD.md 5.2"});
   }
 };
 

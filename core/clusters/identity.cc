@@ -140,7 +140,7 @@ void Inherit(const LostCluster& lost, ClusterMap& map, Cluster& found) {
 }
 
 // The landmarks from before are in the cluster's frame again.
-void AdoptFormer(Cluster& cluster) {
+void MergeFormerLandmarks(Cluster& cluster) {
   for (Landmark& landmark : cluster.former.landmarks) {
     landmark.observations.clear();
     if (!landmark.past_information.isZero()) cluster.landmarks.push_back(landmark);
@@ -192,8 +192,9 @@ void InheritIdentities(const std::vector<LostCluster>& lost, FrameId newest,
             [](const Cluster& a, const Cluster& b) { return a.id < b.id; });
 }
 
-void AlignWithFormer(const IdentityOptions& identity, const ClusterAssociationOptions& association,
-                     FrameId newest, ClusterMap& map, Rng& rng) {
+void AlignInheritedFrames(const IdentityOptions& identity,
+                          const ClusterAssociationOptions& association, FrameId newest,
+                          ClusterMap& map, Rng& rng) {
   for (Cluster& cluster : map.live) {
     Lineage& former = cluster.former;
     if (!former.since.valid()) continue;
@@ -202,7 +203,7 @@ void AlignWithFormer(const IdentityOptions& identity, const ClusterAssociationOp
     ClusterTrajectory& trajectory = map.trajectories[cluster.id];
     if (const auto former_from_now = AlignLandmarks(identity, association, cluster, rng)) {
       ChangeFrame(former_from_now->Inverse(), cluster.id, cluster, trajectory);
-      AdoptFormer(cluster);
+      MergeFormerLandmarks(cluster);
     } else if (!former.is_centered && cluster.box_center.boxes >= identity.align_boxes) {
       const RigidTransform old_from_new(
           Eigen::Quaterniond::Identity(),
@@ -216,7 +217,7 @@ void AlignWithFormer(const IdentityOptions& identity, const ClusterAssociationOp
 void InheritLostIdentity::Update(const IdentityStep& step, ClusterMap& map, Rng& rng) {
   InheritIdentities(FindLostClusters(step.clusters, step.newest, step.predict, map), step.newest,
                     step.identity, step.clusters, map);
-  AlignWithFormer(step.identity, step.association, step.newest, map, rng);
+  AlignInheritedFrames(step.identity, step.association, step.newest, map, rng);
 }
 
 }  // namespace cvo

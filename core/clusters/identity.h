@@ -30,8 +30,9 @@ void InheritIdentities(const std::vector<LostCluster>& lost, FrameId newest,
 
 // Clusters that go on under an earlier id: their frame is aligned with what it was, by landmarks
 // that look alike, until then, after enough boxes, by the centres that they show.
-void AlignWithFormer(const IdentityOptions& identity, const ClusterAssociationOptions& association,
-                     FrameId newest, ClusterMap& map, Rng& rng);
+void AlignInheritedFrames(const IdentityOptions& identity,
+                          const ClusterAssociationOptions& association, FrameId newest,
+                          ClusterMap& map, Rng& rng);
 
 // What the end of a frame tells of who its clusters are.
 struct IdentityStep {
@@ -47,7 +48,7 @@ concept IdentityPolicy = requires(const IdentityStep& step, ClusterMap& map, Rng
   Policy::Update(step, map, rng);
 };
 
-// Policy: a found cluster may go on as a lost one (InheritIdentities, AlignWithFormer).
+// Policy: a found cluster may go on as a lost one (InheritIdentities, AlignInheritedFrames).
 struct InheritLostIdentity {
   static void Update(const IdentityStep& step, ClusterMap& map, Rng& rng);
 };

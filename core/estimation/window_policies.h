@@ -25,22 +25,23 @@ struct WindowOptions {
                 {"frames", 2, 200, "frames in the temporal track, |T_t|", "paper, section 4.1"});
     visit.Field("promote_translation", self.promote_translation,
                 {"median depths", 0, 100,
-                 "a frame this far from the newest one in T_s is promoted; larger spans more time "
-                 "with less overlap",
-                 "METHOD.md 7.1"});
-    visit.Field("promote_rotation_rad", self.promote_rotation_rad,
-                {"rad", 0, 3.15, "a frame turned this far from the newest one in T_s is promoted",
+                 "distance from the newest frame in T_s beyond which a frame is promoted; larger "
+                 "spans more time with less overlap",
                  "METHOD.md 7.1"});
     visit.Field(
-        "promote_common", self.promote_common,
-        {"1", 0, 1,
-         "a frame sharing less than this fraction of landmarks with the newest one in T_s is "
-         "promoted",
+        "promote_rotation_rad", self.promote_rotation_rad,
+        {"rad", 0, 3.15, "rotation from the newest frame in T_s beyond which a frame is promoted",
          "METHOD.md 7.1"});
+    visit.Field("promote_common", self.promote_common,
+                {"1", 0, 1,
+                 "a frame is promoted if it shares less than this fraction of its landmarks with "
+                 "the newest frame in T_s",
+                 "METHOD.md 7.1"});
     visit.Field("lost_frames", self.lost_frames,
                 {"frames", 1, 100,
-                 "a landmark seen once and then not in so many frames is forgotten; under the rule "
-                 "MarginalizeLost, unseen in so many it is marginalised with the frame that leaves",
+                 "a landmark seen only once is removed after this many frames without an "
+                 "observation; with the rule MarginalizeLost, a landmark not seen for this many "
+                 "frames is marginalised with the frame that leaves",
                  "METHOD.md 7.3"});
   }
 };

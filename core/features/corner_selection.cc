@@ -26,9 +26,9 @@ std::vector<Corner> SortByScore(const std::vector<Corner>& corners) {
 
 // Corners at least a distance apart, strongest first. Keeps a picture of what the discs around
 // those already chosen cover.
-class Spreader {
+class EvenSelector {
  public:
-  explicit Spreader(const std::vector<Corner>& strongest_first) : corners_(strongest_first) {
+  explicit EvenSelector(const std::vector<Corner>& strongest_first) : corners_(strongest_first) {
     x0_ = x1_ = corners_[0].x;
     y0_ = y1_ = corners_[0].y;
     for (const Corner& corner : corners_) {
@@ -84,16 +84,16 @@ std::vector<Corner> SelectEvenly(const std::vector<Corner>& corners, int quota) 
   if (quota <= 0) return {};
   if (static_cast<int>(corners.size()) <= quota) return corners;
   const std::vector<Corner> sorted = SortByScore(corners);
-  Spreader spreader(sorted);
+  EvenSelector selector(sorted);
   const int enough = static_cast<int>(quota * kExcess) + 1;
   double low = 1.0;  // leaves all of them, as no two share a pixel
-  double high = std::hypot(spreader.width(), spreader.height());
-  double distance = std::sqrt(static_cast<double>(spreader.width()) * spreader.height() / quota);
+  double high = std::hypot(selector.width(), selector.height());
+  double distance = std::sqrt(static_cast<double>(selector.width()) * selector.height() / quota);
   std::vector<Corner> selected = sorted;
   for (int trial = 0; trial < kMaxTrials; ++trial) {
     // Counts fall with the square of the distance.
     if (!(distance > low && distance < high)) distance = std::sqrt(low * high);
-    std::vector<Corner> spread = spreader.Spread(distance, 2 * quota);
+    std::vector<Corner> spread = selector.Spread(distance, 2 * quota);
     const int count = static_cast<int>(spread.size());
     (count < quota ? high : low) = distance;
     distance *= std::sqrt(count / (0.5 * (quota + enough)));

@@ -27,11 +27,11 @@ struct OrbOptions {
                  "METHOD.md 2.1"});
     visit.Field("reserve", self.reserve,
                 {"1", 0.0, 10.0,
-                 "further corners, over orb.features, that become landmarks where detections or "
-                 "clusters are: bodies are small",
+                 "additional corners, relative to orb.features, that can become landmarks only "
+                 "inside detections or clusters, since bodies are small",
                  "METHOD.md 2.1: chosen from 0 ... 2 on the rooms and streets"});
     visit.Field("levels", self.levels,
-                {"1", 1, 16, "pyramid levels; fewer lose scale invariance", "METHOD.md 2.1"});
+                {"1", 1, 16, "pyramid levels; fewer reduce scale invariance", "METHOD.md 2.1"});
     visit.Field("scale_factor", self.scale_factor,
                 {"1", 1.01, 2.0, "scale between pyramid levels", "METHOD.md 2.1"});
     visit.Field("cell_px", self.cell_px,
@@ -67,46 +67,48 @@ struct StereoMatchOptions {
   static void VisitFields(Self& self, Visitor& visit) {
     visit.Field("right_features", self.right_features,
                 {"1", 1.0, 5.0,
-                 "corners sought in the right image over orb.features; more find more partners",
+                 "corners extracted in the right image, relative to orb.features; more give more "
+                 "stereo matches",
                  "measured on KITTI: 1.5 gives 7 % more features than 1, no more outliers"});
     visit.Field("max_hamming", self.max_hamming,
-                {"bits", 1, 256, "largest descriptor distance of a pair",
+                {"bits", 1, 256, "maximum descriptor distance of a stereo match",
                  "measured on KITTI: 6 % more features than 75, no more outliers"});
     visit.Field(
         "uniqueness", self.uniqueness,
-        {"1", 0.1, 1.0, "largest ratio of the best to the second best distance", "METHOD.md 2.2"});
+        {"1", 0.1, 1.0, "maximum ratio of the best to the second best distance", "METHOD.md 2.2"});
     visit.Field("min_margin_bits", self.min_margin_bits,
                 {"bits", 0, 256,
-                 "least difference of the second best to the best distance: where texture repeats, "
-                 "noise alone passes the ratio",
+                 "minimum difference between the second best and the best distance: on repetitive "
+                 "texture, noise alone can pass the ratio test",
                  "measured on KITTI: 16 costs 2 % of the features"});
     visit.Field("left_right_tolerance_px", self.left_right_tolerance_px,
-                {"px", 0.0, 10.0, "largest left-right disagreement, at the corner's scale",
+                {"px", 0.0, 10.0, "maximum left-right disagreement, at the corner's scale",
                  "METHOD.md 2.2"});
     visit.Field("row_tolerance_px", self.row_tolerance_px,
-                {"px", 0.5, 10.0, "largest difference in rows of a pair, at the corner's scale",
+                {"px", 0.5, 10.0, "maximum row difference of a stereo match, at the corner's scale",
                  "METHOD.md 2.2"});
+    visit.Field("max_row_error_px", self.max_row_error_px,
+                {"px", 0.1, 10.0, "the same after global row alignment of the image pair",
+                 "measured on KITTI"});
+    visit.Field("max_row_correction_px", self.max_row_correction_px,
+                {"px", 0.0, 10.0,
+                 "maximum row shift of patches to compensate a rectification error; 0: none",
+                 "measured on KITTI"});
     visit.Field(
-        "max_row_error_px", self.max_row_error_px,
-        {"px", 0.1, 10.0, "the same after the rows of the image pair have been aligned as a whole",
-         "measured on KITTI"});
-    visit.Field(
-        "max_row_correction_px", self.max_row_correction_px,
-        {"px", 0.0, 10.0,
-         "largest shift of rows by which patches follow a faulty rectification; 0 trusts it",
-         "measured on KITTI"});
-    visit.Field("min_depth_baselines", self.min_depth_baselines,
-                {"baselines", 0.5, 100.0, "depth of the nearest point; larger leaves fewer rivals",
-                 "METHOD.md 2.2"});
+        "min_depth_baselines", self.min_depth_baselines,
+        {"baselines", 0.5, 100.0, "minimum depth of a point; larger leaves fewer match candidates",
+         "METHOD.md 2.2"});
     visit.Field("min_disparity_px", self.min_disparity_px,
-                {"px", 1e-3, 10.0, "disparity of the farthest point", "METHOD.md 2.2"});
+                {"px", 1e-3, 10.0, "minimum disparity of a point", "METHOD.md 2.2"});
     visit.Field("patch_radius_px", self.patch_radius_px,
-                {"px", 2, 15, "radius of the patch that is aligned", "METHOD.md 2.2"});
-    visit.Field("search_radius_px", self.search_radius_px,
-                {"px", 1, 20, "alignment search around the matched corner", "METHOD.md 2.2"});
+                {"px", 2, 15, "radius of the patch used for alignment", "METHOD.md 2.2"});
+    visit.Field(
+        "search_radius_px", self.search_radius_px,
+        {"px", 1, 20, "search radius of the alignment around the matched corner", "METHOD.md 2.2"});
     visit.Field("max_sigma_medians", self.max_sigma_medians,
                 {"1", 1.0, 1000.0,
-                 "largest standard deviation of a disparity (of the level), over the median of all",
+                 "maximum standard deviation of a disparity (in pixels of its level), relative to "
+                 "the median of all",
                  "METHOD.md 2.2: 1.5 * 1.4, there of the SAD"});
   }
 };

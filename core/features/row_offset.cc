@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kIterations = 8;
 constexpr int kWideIterations = 3;
-constexpr double kWide = 4.0;
+constexpr double kWideFactor = 4.0;
 constexpr double kPriorSigma_px = 1.0;  // of each coefficient
 
 }  // namespace
@@ -20,7 +20,7 @@ RowOffset::RowOffset(const std::vector<RowOffsetSample>& samples, double width_p
   // Iteratively reweighted least squares with Geman and McClure's weights, at first wide ones so
   // that samples far from zero have a say.
   for (int i = 0; i < kIterations; ++i) {
-    const double width = i < kWideIterations ? kWide : 1.0;
+    const double width = i < kWideIterations ? kWideFactor : 1.0;
     Matrix6 H = Matrix6::Identity() / (kPriorSigma_px * kPriorSigma_px);
     Vector6 b = Vector6::Zero();
     for (const RowOffsetSample& sample : samples) {

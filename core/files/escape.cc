@@ -55,8 +55,8 @@ std::string MarkdownEscaped(std::string_view text) {
 }
 
 std::string Base64(std::string_view bytes) {
-  constexpr std::size_t kMost = 1'000'000'000;  // EVP_EncodeBlock counts in int
-  Require(bytes.size() <= kMost, "Base64: at most 10^9 bytes");
+  constexpr std::size_t kMaxBytes = 1'000'000'000;  // EVP_EncodeBlock counts in int
+  Require(bytes.size() <= kMaxBytes, "Base64: at most 10^9 bytes");
   std::string text((bytes.size() + 2) / 3 * 4 + 1, '\0');  // it ends the text with a zero
   const int size = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
                                    reinterpret_cast<const unsigned char*>(bytes.data()),

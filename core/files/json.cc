@@ -23,7 +23,7 @@ std::string Position(std::string_view text, std::size_t byte) {
   return StrCat("line ", line, ", column ", std::max<std::size_t>(1, before.size() - line_start));
 }
 
-constexpr int kMostNested = 100;  // values within each other: deeper ones could exhaust the stack
+constexpr int kMaxNesting = 100;  // values within each other: deeper ones could exhaust the stack
 
 // What the parser itself would accept: keys that an object has twice, of which it keeps the last,
 // keys that disturb the messages they are named in, and any depth.
@@ -36,9 +36,9 @@ class StrictEvents {
   bool operator()(int depth, Json::parse_event_t event, Json& parsed) {
     const auto level = static_cast<std::size_t>(depth);
     if (event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start) {
-      if (depth >= kMostNested) {
-        ThrowError(where_, StrCat("more than ", kMostNested, " values within each other"),
-                   StrCat("at most ", kMostNested));
+      if (depth >= kMaxNesting) {
+        ThrowError(where_, StrCat("more than ", kMaxNesting, " values within each other"),
+                   StrCat("at most ", kMaxNesting));
       }
       if (keys_.size() <= level) keys_.resize(level + 1);
       keys_[level].clear();

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kMark = ".tmp-";
-constexpr std::chrono::hours kSilence(24);  // nothing takes so long
+constexpr std::chrono::hours kMaxAge(24);  // nothing takes so long
 
 struct Owner {
   std::string host;
@@ -49,7 +49,7 @@ bool IsStale(const Owner& owner, const fs::path& temporary) {
   }
   std::error_code gone;
   const fs::file_time_type written = fs::last_write_time(temporary, gone);
-  return !gone && fs::file_time_type::clock::now() - written > kSilence;
+  return !gone && fs::file_time_type::clock::now() - written > kMaxAge;
 }
 
 void RemoveWhere(const fs::path& folder,

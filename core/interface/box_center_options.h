@@ -17,20 +17,22 @@ struct BoxCenterOptions {
   static void VisitFields(Self& self, Visitor& visit) {
     visit.Field("edge_deviation", self.edge_deviation,
                 {"sizes of the body", 1e-4, 10,
-                 "standard deviation of the centre between two edges of a whole box",
+                 "standard deviation of the centre between two edges of a complete box",
                  "edges of detections jitter by some per cent of the box"});
     visit.Field("unseen_deviation", self.unseen_deviation,
                 {"sizes of the body", 1e-4, 10,
-                 "the same along the line of sight, and where an edge may not be the body's: how "
-                 "far it reaches there depends on its shape",
+                 "the same along the line of sight, and where an edge may not be the body's own: "
+                 "the extent there depends on the body's shape",
                  "half of a body as deep as it is wide, or less; not swept"});
-    visit.Field("border_px", self.border_px,
-                {"px", 0, 1000, "an edge nearer to the image's border may be cut by it",
-                 "detectors end boxes up to some pixels before the border"});
     visit.Field(
-        "max_overlap", self.max_overlap,
-        {"1", 0, 1, "share of a box that another one may overlap without hiding part of the body",
-         "boxes of neighbours touch by the jitter of their edges"});
+        "border_px", self.border_px,
+        {"px", 0, 1000, "box edges closer than this to the image border may be truncated by it",
+         "detectors end boxes up to a few pixels before the border"});
+    visit.Field("max_overlap", self.max_overlap,
+                {"1", 0, 1,
+                 "maximum fraction of a box that another box may overlap without being taken to "
+                 "occlude the body",
+                 "boxes of neighbours touch by the jitter of their edges"});
   }
 };
 

@@ -30,56 +30,61 @@ struct ClusterOptions {
   static void VisitFields(Self& self, Visitor& visit) {
     visit.Field("min_landmarks", self.min_landmarks,
                 {"landmarks", 3, 1000,
-                 "minimum landmarks of a new cluster; fewer finds small and far bodies, and ghosts",
+                 "minimum landmarks of a new cluster; fewer detects small and distant bodies, but "
+                 "also false ones",
                  "METHOD.md 6.1: 12 indoors, 8 for cars; one value for both"});
     visit.Field(
         "birth_depth", self.birth_depth,
         {"1", 0, 2,
-         "a new cluster's frame lies this share of its box's smaller side behind the "
-         "visible surface, near the body's centre: a spinning body's surface swings",
+         "depth of a new cluster's origin behind the visible surface, as a fraction of the smaller "
+         "side of its box, to place it near the body's centre: the surface of a rotating body "
+         "moves",
          "exact for a sphere: its visible disk lies 1/3 of the diameter before its centre"});
     visit.Field(
         "box_half_size", self.box_half_size,
         {"1", 0, 1,
-         "half sides of a cluster in its box are not less than this share of the box's mean "
-         "side: its landmarks so far may all be on one part",
+         "minimum half size of a cluster, as a fraction of the mean side of its box: its landmarks "
+         "may so far all be on one part",
          "half of (p70 - p30) / 2 of a body that fills its box is 0.2; less, as it rarely does"});
     visit.Field("confirm_detections", self.confirm_detections,
                 {"detections", 1, 100,
                  "minimum detections of a cluster to be reported; a single one is often false",
                  "the detectors' false positives rarely repeat"});
     visit.Field("confirm_frames", self.confirm_frames,
-                {"frames", 1, 1000, "frames after which a cluster that is not confirmed is dropped",
+                {"frames", 1, 1000, "frames after which an unconfirmed cluster is removed",
                  "spans the detectors' usual gaps of one to four frames"});
-    visit.Field("min_tracked", self.min_tracked,
-                {"landmarks", 3, 1000,
-                 "minimum consistent landmarks to estimate a pose; with fewer it is predicted",
-                 "three fix the pose, the fourth checks it"});
+    visit.Field(
+        "min_tracked", self.min_tracked,
+        {"landmarks", 3, 1000,
+         "minimum consistent landmarks to estimate a cluster's pose; with fewer it is predicted",
+         "three fix the pose, the fourth checks it"});
     visit.Field(
         "min_observed", self.min_observed,
-        {"landmarks", 3, 1000, "a frame with fewer has no state of the cluster", "METHOD.md 8.1"});
+        {"landmarks", 3, 1000,
+         "minimum observed landmarks for a frame to have a state of the cluster", "METHOD.md 8.1"});
     visit.Field("settled_states", self.settled_states,
                 {"states", 1, 1000,
-                 "with fewer, a pose is searched for by RANSAC, not from the predicted one: "
-                 "without a velocity the first matches may all be wrong",
+                 "number of states below which a pose is estimated by RANSAC instead of from the "
+                 "prediction: without a velocity, the first matches may all be wrong",
                  "two states give a velocity, the third checks it"});
-    visit.Field(
-        "live_frames", self.live_frames,
-        {"frames", 1, 1000,
-         "frames, L, after which a cluster that is not seen is archived; it is predicted before",
-         "paper, section 4.1"});
+    visit.Field("live_frames", self.live_frames,
+                {"frames", 1, 1000,
+                 "number of frames L after which an unobserved cluster is archived; until then it "
+                 "is predicted",
+                 "paper, section 4.1"});
     visit.Field("archived", self.archived,
-                {"clusters", 0, 1000, "archived clusters that can be found again, the latest ones",
+                {"clusters", 0, 1000,
+                 "maximum number of archived clusters that can be found again, most recent first",
                  "bounds time and memory"});
     visit.Field("max_landmarks", self.max_landmarks,
-                {"landmarks", 10, 100000, "of one cluster; the longest unseen go first",
+                {"landmarks", 10, 100000,
+                 "maximum landmarks of one cluster; those unseen for longest are removed first",
                  "bounds time and memory"});
-    visit.Field(
-        "max_past_observations", self.max_past_observations,
-        {"observations", 0, 1e6,
-         "limit on the weight of what left the window, in observations per landmark; larger "
-         "drifts less and corrects errors more slowly",
-         "poses that were held have errors too"});
+    visit.Field("max_past_observations", self.max_past_observations,
+                {"observations", 0, 1e6,
+                 "maximum weight of observations that left the window, in observations per "
+                 "landmark; larger drifts less and corrects errors more slowly",
+                 "fixed poses have errors too"});
     visit.Field("first_speed_m_s", self.first_speed_m_s,
                 {"m/s", 0, 1000, "standard deviation of a new cluster's velocity; falls with 1/n^2",
                  "between walking and driving; the search radius is bounded anyway"});
@@ -87,13 +92,14 @@ struct ClusterOptions {
                 {"m/s", 0, 100, "standard deviation of a tracked cluster's velocity",
                  "residuals of predictions on the indoor scenes"});
     visit.Field("first_turn_rad_s", self.first_turn_rad_s,
-                {"rad/s", 0, 100, "standard deviation of a new cluster's turn; falls with 1/n^2",
+                {"rad/s", 0, 100,
+                 "standard deviation of a new cluster's angular velocity; falls with 1/n^2",
                  "a rolling ball"});
     visit.Field("turn_deviation_rad_s", self.turn_deviation_rad_s,
-                {"rad/s", 0, 100, "standard deviation of a tracked cluster's turn",
+                {"rad/s", 0, 100, "standard deviation of a tracked cluster's angular velocity",
                  "residuals of predictions on the indoor scenes"});
     visit.Field("score_decay", self.score_decay,
-                {"1", 0, 1, "the detection's score falls by this factor per frame without one",
+                {"1", 0, 1, "factor on a cluster's detection score per frame without a detection",
                  "METHOD.md 10.1"});
   }
 };

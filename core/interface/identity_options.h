@@ -21,40 +21,40 @@ struct IdentityOptions {
   static void VisitFields(Self& self, Visitor& visit) {
     visit.Field("gate", self.gate,
                 {"standard deviations", 0, 100,
-                 "a new cluster goes on under the id of a lost one of its class that explains its "
-                 "place and size as well as one expected within max_spread_m does at this many of "
-                 "them; larger keeps more identities and confuses more",
+                 "threshold for a new cluster to inherit the id of a lost one of its class: the "
+                 "lost one must explain its position and size at least as well as a cluster "
+                 "expected within max_spread_m does at this many standard deviations; larger keeps "
+                 "more identities and confuses more",
                  "chosen from 1.5 ... 3 on the rooms, streets and the crowd"});
     visit.Field("center_deviation", self.center_deviation,
                 {"sizes of the body", 1e-3, 10,
-                 "standard deviation between the centres of one body that was found twice, by its "
-                 "boxes",
+                 "standard deviation between the centres of one body estimated from its boxes "
+                 "before and after it was lost",
                  "set by hand on the rendered rooms, not swept"});
     visit.Field("max_spread_m", self.max_spread_m,
                 {"m", 1e-3, 1000,
-                 "largest standard deviation of a lost cluster's predicted place: bodies turn "
+                 "maximum standard deviation of a lost cluster's predicted position: bodies turn "
                  "back, and rooms have walls",
                  "the free space of the rendered rooms, not swept"});
     visit.Field("min_lead", self.min_lead,
                 {"nats", 0, 100,
-                 "the next candidate must be less likely by more than this; larger leaves doubtful "
-                 "identities new",
+                 "minimum margin by which the next candidate must be less likely; with larger "
+                 "values, doubtful identities stay new",
                  "set by hand on the rooms and the crowd, not swept"});
     visit.Field("size_factor", self.size_factor,
                 {"1", 1.01, 100,
-                 "standard deviation of a body's size from box to box, as a factor: a turning body "
+                 "standard deviation of a body's size between boxes, as a factor: a turning body "
                  "shows another side",
                  "set by hand on the rendered rooms, not swept"});
     visit.Field("align_boxes", self.align_boxes,
                 {"boxes", 1, 10000,
-                 "boxes after which a cluster's frame is aligned with the former one by the boxes' "
-                 "centres, where landmarks did not align it before",
+                 "number of boxes after which a cluster's frame is aligned with the former one by "
+                 "box centres, unless landmarks aligned it earlier",
                  "half a second at 30 Hz, not swept"});
     visit.Field(
         "align_interval", self.align_interval,
         {"frames", 1, 1000,
-         "frames between searches for landmarks that align a frame better which was aligned "
-         "by centres",
+         "frames between searches for landmarks to refine a frame that was aligned by centres",
          "bounds time"});
     visit.Field("point_deviation", self.point_deviation,
                 {"sizes of the body", 1e-4, 1,

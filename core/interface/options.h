@@ -34,31 +34,32 @@ struct TrackingOptions {
   static void VisitFields(Self& self, Visitor& visit) {
     visit.Field("min_inliers", self.min_inliers,
                 {"landmarks", 4, 1000,
-                 "minimum landmarks that agree with a camera; with fewer the frame is lost",
+                 "minimum inlier landmarks of a camera pose; with fewer the frame is lost",
                  "well above what chance matches reach"});
     visit.Field(
         "recovery_hamming", self.recovery_hamming,
-        {"bits", 1, 256, "largest descriptor distance without a prediction", "METHOD.md 3.3"});
+        {"bits", 1, 256, "maximum descriptor distance without a prediction", "METHOD.md 3.3"});
     visit.Field("recovery_ratio", self.recovery_ratio,
-                {"1", 0.1, 1.0, "largest ratio of best to second best without a prediction",
+                {"1", 0.1, 1.0,
+                 "maximum ratio of the best to the second best distance without a prediction",
                  "METHOD.md 3.3"});
     visit.Field("recovery_iterations", self.recovery_iterations,
-                {"1", 1, 100000, "RANSAC hypotheses: 300 find 30 % of inliers with 99.97 %",
+                {"1", 1, 100000,
+                 "RANSAC hypotheses: with 30 % inliers, 300 succeed with probability 99.97 %",
                  "1 - (1 - 0.3^3)^300"});
-    visit.Field(
-        "recovery_frames", self.recovery_frames,
-        {"frames", 1, 1000,
-         "latest frames whose landmarks are searched for where there is no prediction; more "
-         "cost time and confuse more",
-         "a lost frame shows what the frames before it showed; not swept"});
-    visit.Field(
-        "restart_after", self.restart_after,
-        {"frames", 1, 1000, "lost frames after which the map starts anew at the predicted camera",
-         "half a second at 10 Hz"});
-    visit.Field(
-        "min_disparity_px", self.min_disparity_px,
-        {"px", 0.01, 100, "minimum disparity of a new landmark: with less its depth is noise",
-         "METHOD.md 2.2"});
+    visit.Field("recovery_frames", self.recovery_frames,
+                {"frames", 1, 1000,
+                 "number of latest frames whose landmarks are searched without a prediction; more "
+                 "cost time and give more false matches",
+                 "a lost frame shows what the frames before it showed; not swept"});
+    visit.Field("restart_after", self.restart_after,
+                {"frames", 1, 1000,
+                 "lost frames after which the map is restarted at the predicted camera pose",
+                 "half a second at 10 Hz"});
+    visit.Field("min_disparity_px", self.min_disparity_px,
+                {"px", 0.01, 100,
+                 "minimum disparity of a new landmark: below it, depth is dominated by noise",
+                 "METHOD.md 2.2"});
   }
 };
 

@@ -15,8 +15,8 @@ namespace cvo {
 // Whose landmark a point is: nobody's yet, the static scene's (window.landmarks) or a live
 // cluster's (map.live[cluster].landmarks).
 struct PointOwner {
-  enum class Kind { kNobody, kScene, kCluster };
-  Kind kind = Kind::kNobody;
+  enum class Kind { kUnassigned, kScene, kCluster };
+  Kind kind = Kind::kUnassigned;
   int cluster = -1;
 
   friend constexpr bool operator==(const PointOwner&, const PointOwner&) = default;

@@ -12,7 +12,7 @@ namespace {
 
 // The static scene or a cluster, where it can take landmarks in: its pose in the entering frame and
 // where its landmarks are.
-struct Taker {
+struct ReassignmentTarget {
   PointOwner owner;
   RigidTransform world_from_object;
   std::vector<Landmark>* landmarks = nullptr;
@@ -20,9 +20,9 @@ struct Taker {
   std::vector<char> is_leaving;
 };
 
-class Takers {
+class ReassignmentTargets {
  public:
-  Takers(const std::vector<ClusterTrack>& tracks, Window& window, ClusterMap& map) {
+  ReassignmentTargets(const std::vector<ClusterTrack>& tracks, Window& window, ClusterMap& map) {
     Add(kStaticScene, kSceneOwner, RigidTransform(), window.landmarks);
     for (int q = 0; q < static_cast<int>(map.live.size()); ++q) {
       Cluster& cluster = map.live[q];
@@ -35,22 +35,22 @@ class Takers {
     }
   }
 
-  Taker* Find(ClusterId id) {
-    const auto it = takers_.find(id);
-    return it == takers_.end() ? nullptr : &it->second;
+  ReassignmentTarget* Find(ClusterId id) {
+    const auto it = targets_.find(id);
+    return it == targets_.end() ? nullptr : &it->second;
   }
 
-  void Settle() {
-    for (auto& [id, taker] : takers_) {
-      std::vector<Landmark>& landmarks = *taker.landmarks;
+  void ApplyMoves() {
+    for (auto& [id, target] : targets_) {
+      std::vector<Landmark>& landmarks = *target.landmarks;
       std::size_t kept = 0;
       for (std::size_t i = 0; i < landmarks.size(); ++i) {
-        if (taker.is_leaving[i]) continue;
+        if (target.is_leaving[i]) continue;
         if (kept != i) landmarks[kept] = std::move(landmarks[i]);
         ++kept;
       }
       landmarks.resize(kept);
-      for (Landmark& landmark : taker.arriving) landmarks.push_back(std::move(landmark));
+      for (Landmark& landmark : target.arriving) landmarks.push_back(std::move(landmark));
       std::sort(landmarks.begin(), landmarks.end(),
                 [](const Landmark& a, const Landmark& b) { return a.id < b.id; });
     }
@@ -59,24 +59,24 @@ class Takers {
  private:
   void Add(ClusterId id, PointOwner owner, const RigidTransform& pose,
            std::vector<Landmark>& landmarks) {
-    takers_[id] = {owner, pose, &landmarks, {}, std::vector<char>(landmarks.size(), 0)};
+    targets_[id] = {owner, pose, &landmarks, {}, std::vector<char>(landmarks.size(), 0)};
   }
 
-  std::map<ClusterId, Taker> takers_;
+  std::map<ClusterId, ReassignmentTarget> targets_;
 };
 
 // Adds the feature as the landmark's observation of the frame.
-void Observe(const FrameView& view, const WindowFrame& frame, const Taker& taker,
+void Observe(const FrameView& view, const WindowFrame& frame, const ReassignmentTarget& target,
              const StereoFeature& feature, double depth_m, Landmark& landmark) {
   landmark.observations.push_back({frame.id, feature.z_px, feature.octave});
   landmark.descriptor = feature.descriptor;
   landmark.depth_m = std::max(depth_m, StereoCamera::kMinDepth_m);
   landmark.last_octave = feature.octave;
   landmark.last_seen = frame.id;
-  if (taker.owner == kSceneOwner) return;
+  if (target.owner == kSceneOwner) return;
 
   const RigidTransform object_from_camera =
-      taker.world_from_object.Inverse() * frame.world_from_camera;
+      target.world_from_object.Inverse() * frame.world_from_camera;
   landmark.view_in_object =
       (Eigen::Vector3d(object_from_camera.translation()) - landmark.p_in_object).normalized();
   const Eigen::Matrix3d in_camera = view.camera.PointCovariance(
@@ -87,19 +87,21 @@ void Observe(const FrameView& view, const WindowFrame& frame, const Taker& taker
   landmark.covariance = {R * in_camera * R.transpose(), determinant};
 }
 
-double DepthIn(const WindowFrame& frame, const Taker& taker, const Landmark& landmark) {
-  return (frame.world_from_camera.Inverse() * (taker.world_from_object * landmark.p_in_object)).z();
+double DepthIn(const WindowFrame& frame, const ReassignmentTarget& target,
+               const Landmark& landmark) {
+  return (frame.world_from_camera.Inverse() * (target.world_from_object * landmark.p_in_object))
+      .z();
 }
 
-// Those of the observations of the landmark that the taker's motion explains.
+// Those of the observations of the landmark that the target's motion explains.
 std::vector<Observation> Agreeing(const FrameView& view, const Window& window,
-                                  const ClusterMap& map, const Taker& taker,
+                                  const ClusterMap& map, const ReassignmentTarget& target,
                                   const Landmark& landmark,
                                   const std::vector<Observation>& observations) {
   std::vector<Observation> agreeing;
   for (const Observation& seen : observations) {
     const WindowFrame* frame = window.Find(seen.frame);
-    const auto pose = frame ? OwnerPose(taker.owner, seen.frame, map) : std::nullopt;
+    const auto pose = frame ? OwnerPose(target.owner, seen.frame, map) : std::nullopt;
     if (!pose) continue;
     const PointMeasurement m{*pose * landmark.p_in_object, seen.z_px,
                              view.options.NoiseOfFeatures().SqrtInformation(seen.octave)};
@@ -109,14 +111,15 @@ std::vector<Observation> Agreeing(const FrameView& view, const Window& window,
   return agreeing;
 }
 
-// The point of the feature as a landmark of the taker, not yet observed; empty where it has none.
+// The point of the feature as a landmark of the target, not yet observed; empty where it has none.
 std::optional<Landmark> MakeLandmark(const FrameView& view, const WindowFrame& frame,
-                                     const Taker& taker, const StereoFeature& feature) {
+                                     const ReassignmentTarget& target,
+                                     const StereoFeature& feature) {
   const auto p_in_camera = view.camera.BackProject(feature.z_px);
   if (!p_in_camera) return std::nullopt;
   Landmark landmark;
   landmark.p_in_object =
-      taker.world_from_object.Inverse() * (frame.world_from_camera * *p_in_camera);
+      target.world_from_object.Inverse() * (frame.world_from_camera * *p_in_camera);
   return landmark;
 }
 
@@ -129,11 +132,11 @@ class Updater {
         entering_(entering),
         window_(window),
         map_(map),
-        takers_(tracks, window, map) {}
+        targets_(tracks, window, map) {}
 
   // A feature without landmark becomes one. False where its label's owner cannot take it in.
   bool Create(const StereoFeature& feature, const LabelState& label, LandmarkId id) {
-    Taker* to = takers_.Find(label.cluster);
+    ReassignmentTarget* to = targets_.Find(label.cluster);
     std::optional<Landmark> landmark;
     if (to) landmark = MakeLandmark(view_, entering_, *to, feature);
     if (!landmark) return false;
@@ -146,13 +149,13 @@ class Updater {
   void Update(const FramePoint& point, const StereoFeature& feature, const LabelState& label) {
     const ClusterId owner =
         point.owner == kSceneOwner ? kStaticScene : map_.live[point.owner.cluster].id;
-    Taker* from = takers_.Find(owner);
+    ReassignmentTarget* from = targets_.Find(owner);
     Require(from != nullptr, "UpdateLandmarks: a cluster without a pose has matches");
     Landmark& landmark = (*from->landmarks)[point.landmark];
     if (label.cluster == owner) {
       landmark.label = label;
     } else {
-      Taker* to = takers_.Find(label.cluster);
+      ReassignmentTarget* to = targets_.Find(label.cluster);
       // One that cannot take it in leaves it where it is; what is no body's is removed.
       if (to || !label.cluster.valid()) {
         from->is_leaving[point.landmark] = 1;
@@ -163,10 +166,11 @@ class Updater {
     Observe(view_, entering_, *from, feature, DepthIn(entering_, *from, landmark), landmark);
   }
 
-  void Settle() { takers_.Settle(); }
+  void ApplyMoves() { targets_.ApplyMoves(); }
 
  private:
-  void Move(const Landmark& old, const StereoFeature& feature, const LabelState& label, Taker& to) {
+  void Move(const Landmark& old, const StereoFeature& feature, const LabelState& label,
+            ReassignmentTarget& to) {
     std::optional<Landmark> moved = MakeLandmark(view_, entering_, to, feature);
     if (!moved) return;
     moved->id = old.id;
@@ -175,7 +179,7 @@ class Updater {
     Arrive(feature, std::move(*moved), to);
   }
 
-  void Arrive(const StereoFeature& feature, Landmark landmark, Taker& to) {
+  void Arrive(const StereoFeature& feature, Landmark landmark, ReassignmentTarget& to) {
     Observe(view_, entering_, to, feature, DepthIn(entering_, to, landmark), landmark);
     to.arriving.push_back(std::move(landmark));
   }
@@ -184,7 +188,7 @@ class Updater {
   const WindowFrame& entering_;
   const Window& window_;
   const ClusterMap& map_;
-  Takers takers_;
+  ReassignmentTargets targets_;
 };
 
 }  // namespace
@@ -206,7 +210,7 @@ int UpdateLandmarks(const FrameView& view, const WindowFrame& entering,
       ++added;
     }
   }
-  updater.Settle();
+  updater.ApplyMoves();
   return added;
 }
 

@@ -34,15 +34,17 @@ struct NoiseOptions {
                  "degree of vergence is 0.13 px",
                  "measured: 0.1-0.3 px on KITTI drives; read by variants that estimate it"});
     visit.Field("huber", self.huber,
-                {"standard deviations", 0.1, 1e6, "where the loss turns linear: sqrt(7.815)",
-                 "METHOD.md 7.2"});
+                {"standard deviations", 0.1, 1e6,
+                 "threshold at which the Huber loss becomes linear: sqrt(7.815)", "METHOD.md 7.2"});
     visit.Field("gate", self.gate,
-                {"1", 0.1, 1e6, "largest squared whitened error of an inlier: 95 % of chi^2, 3 dof",
+                {"1", 0.1, 1e6,
+                 "maximum squared whitened error of an inlier: 95 % quantile of chi^2 with 3 "
+                 "degrees of freedom",
                  "METHOD.md 3.2"});
     visit.Field("hypothesis_gate", self.hypothesis_gate,
                 {"1", 1, 1000,
-                 "inliers of a RANSAC hypothesis are counted within the gate times this: a minimal "
-                 "sample carries its three points' noise",
+                 "factor on the gate when counting inliers of a RANSAC hypothesis: a minimal "
+                 "sample carries the noise of its three points",
                  "two standard deviations of the sample for one of the measurement"});
   }
 };

@@ -22,14 +22,14 @@ struct MotionPriorOptions {
                  "METHOD.md 8.2: chosen from 0.01 ... 300 on 10 Hz and 30 Hz data"});
     visit.Field("q_m2_frame3", self.q_m2_frame3,
                 {"m^2/frame^3", 1e-9, 1e6,
-                 "the same with a frame as the unit of time; read by the variant that takes the "
-                 "paper's figure so",
+                 "the same with the frame as the unit of time; used by the variant that interprets "
+                 "the paper's value this way",
                  "paper, section 4.1"});
     visit.Field(
         "turn_q_rad2_s3", self.turn_q_rad2_s3,
         {"rad^2/s^3", 1e-6, 1e6,
-         "power density of a body's angular acceleration: smaller smooths its turning more",
-         "chosen from 0.01 ... 0.3 on 10 Hz and 30 Hz data: from 0.1 to 0.01 little changes"});
+         "power density of a body's angular acceleration: smaller smooths rotation more",
+         "chosen from 0.01 ... 0.3 on 10 Hz and 30 Hz data: little changes between 0.1 and 0.01"});
   }
 };
 

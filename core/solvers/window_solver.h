@@ -43,18 +43,17 @@ struct SolverOptions {
                 {"1", 1, 100, "Levenberg-Marquardt steps per frame", "METHOD.md 7.5"});
     visit.Field("cluster_rounds", self.cluster_rounds,
                 {"1", 1, 100,
-                 "times that a cluster is solved in a frame while each finds outliers; they are "
-                 "removed in between",
+                 "maximum solves of a cluster per frame; outliers are removed after each, and it "
+                 "is solved again while new ones are found",
                  "a body that leaves the image has its worst matches in its last frame"});
     visit.Field("function_tolerance", self.function_tolerance,
-                {"1", 0, 1, "stops where a step lowers the energy by less than this fraction",
+                {"1", 0, 1, "stop when a step lowers the energy by less than this fraction",
                  "measured: KITTI accuracy as at 1e-4 with 0.8 of the time, one step per frame"});
-    visit.Field(
-        "max_points", self.max_points,
-        {"1", 10, 100000,
-         "landmarks optimised with the window, the longest seen first; fewer cost less time "
-         "and tilt the choice towards far ones, which biases the scale",
-         "measured: KITTI fills 2700-3500; 600 double the one-frame error on odometry 06"});
+    visit.Field("max_points", self.max_points,
+                {"1", 10, 100000,
+                 "maximum landmarks optimised with the window, longest observed first; fewer take "
+                 "less time but favour distant landmarks, which biases the scale",
+                 "measured: KITTI fills 2700-3500; 600 double the one-frame error on odometry 06"});
   }
 };
 

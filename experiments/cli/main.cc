@@ -72,7 +72,7 @@ void ReplaceClosedStreams() {
 int CheckPrinted(int exit_code) {
   std::cout.flush();
   if (std::cout) return exit_code;
-  const int code = Fail("standard output: what was printed could not all be written", kBadInput);
+  const int code = Fail("standard output: not all output could be written", kBadInput);
   return exit_code == 0 ? code : exit_code;
 }
 
@@ -80,8 +80,8 @@ int Main(int argc, char** argv) {
   cv::setNumThreads(1);  // the program's own threads are enough, and OpenCV's cost determinism
 
   CLI::App program(
-      "Stereo visual odometry on recorded drives, and its errors under a stated "
-      "contract.");
+      "Stereo visual odometry on recorded drives, scored under explicitly stated error "
+      "definitions.");
   program.name("clustervo");
   program.set_version_flag("--version", VersionText);
   program.require_subcommand(1);

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void Refuse(const fs::path& output, const std::string& found) {
   throw UsageError(StrCat(output.string(), ": found ", found,
-                          ", expected a place for results that nothing is read from"));
+                          ", expected an output folder or file that is not also an input"));
 }
 
 bool IsSame(const fs::path& a, const fs::path& b) {
@@ -37,10 +37,11 @@ void RefuseBelowSequence(const fs::path& output, const fs::path& resolved) {
 }
 
 void RefuseRunsOfSuite(const fs::path& output, const fs::path& resolved) {
-  constexpr std::array kOwn = {"jobs", "failed", "logs", "slurm"};
+  constexpr std::array kSuiteFolders = {"jobs", "failed", "logs", "slurm"};
   std::error_code ignored;
   for (fs::path folder = resolved; folder != folder.parent_path(); folder = folder.parent_path()) {
-    const bool own = std::find(kOwn.begin(), kOwn.end(), folder.filename()) != kOwn.end();
+    const bool own = std::find(kSuiteFolders.begin(), kSuiteFolders.end(), folder.filename()) !=
+                     kSuiteFolders.end();
     if (own && fs::exists(folder.parent_path() / "plan.json", ignored)) {
       Refuse(output, "the runs of a suite in " + folder.string());
     }
@@ -49,13 +50,13 @@ void RefuseRunsOfSuite(const fs::path& output, const fs::path& resolved) {
 
 void RefuseFolders(const fs::path& output, const std::vector<fs::path>& read) {
   for (const fs::path& path : read) {
-    if (fs::is_directory(path) && IsSame(output, path)) Refuse(output, "a folder that is read");
+    if (fs::is_directory(path) && IsSame(output, path)) Refuse(output, "an input folder");
   }
 }
 
 void RefuseFile(const fs::path& output, const std::vector<fs::path>& read) {
   for (const fs::path& path : read) {
-    if (!fs::is_directory(path) && IsSame(output, path)) Refuse(output, "a file that is read");
+    if (!fs::is_directory(path) && IsSame(output, path)) Refuse(output, "an input file");
   }
 }
 

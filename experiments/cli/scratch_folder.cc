@@ -21,8 +21,8 @@ ScratchFolder::ScratchFolder() {
     path_ = TemporaryName(parent / "clustervo", std::to_string(attempt));
     if (::mkdir(path_.c_str(), 0700) == 0) return;
     if (errno != EEXIST || attempt == 1000) {
-      ThrowError(path_.string(), "no folder that can be made",
-                 "a place for temporary files (TMPDIR)");
+      ThrowError(path_.string(), "a folder that cannot be created",
+                 "a writable folder for temporary files (TMPDIR)");
     }
   }
 }

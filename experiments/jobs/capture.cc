@@ -18,7 +18,7 @@
 namespace cvo {
 namespace {
 
-constexpr int kAskEveryMs = 100;
+constexpr int kPollIntervalMs = 100;
 
 // A pipe whose two ends are not inherited unless they are duplicated on purpose.
 struct Pipe {
@@ -96,7 +96,7 @@ Captured Capture(const std::vector<std::string>& argv,
   const std::array<std::string*, 2> texts = {&captured.out, &captured.err};
   bool killed = false;
   while (streams[0].fd >= 0 || streams[1].fd >= 0) {
-    if (::poll(streams.data(), streams.size(), kAskEveryMs) > 0) {
+    if (::poll(streams.data(), streams.size(), kPollIntervalMs) > 0) {
       for (std::size_t i = 0; i < streams.size(); ++i) {
         if (streams[i].fd < 0 || streams[i].revents == 0) continue;
         if (!ReadSome(streams[i].fd, *texts[i])) streams[i].fd = -1;

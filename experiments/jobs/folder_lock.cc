@@ -38,7 +38,7 @@ FolderLock::FolderLock(const std::filesystem::path& file)
       throw Error(StrCat(file.string(), ": cannot lock: ", std::strerror(error)));
     }
     ThrowError(file.parent_path().string(), StrCat("in use by ", holder),
-               "a folder that no other run writes to");
+               "a folder not in use by another run");
   }
   // Only for the message above, so that a disk without room for it is no reason to give up.
   const std::string me = StrCat("process ", ::getpid(), " on ", HostName(), '\n');

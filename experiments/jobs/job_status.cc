@@ -37,7 +37,7 @@ std::string FailureMessage(const fs::path& file) {
   try {
     const Json failure = ReadJson(file);
     const std::string message = Fields(failure, file.string()).TextOr("message", "");
-    return message.empty() ? "failed, and its record says nothing" : message;
+    return message.empty() ? "failed, without a message in its record" : message;
   } catch (const Error& error) {
     return StrCat("failed, and its record cannot be read: ", error.what());
   }

@@ -27,7 +27,7 @@ void Start(std::span<const Task> tasks, std::size_t task, const EngineHooks& hoo
 }
 
 // Until a process ended, a signal arrived, or it is time to look.
-void WaitForNews(const Running& running) {
+void WaitForEvent(const Running& running) {
   std::vector<pollfd> fds;
   for (const auto& [task, process] : running) fds.push_back({process.poll_fd(), POLLIN, 0});
   ::poll(fds.data(), fds.size(), kPoll_ms);
@@ -56,7 +56,7 @@ void LocalEngine::Run(std::span<const Task> tasks, const EngineHooks& hooks) {
   for (const Task& task : tasks) {
     Require(!task.argv.empty(), "Task: no program");
     if (::access(task.argv.front().c_str(), X_OK) != 0) {
-      ThrowError(task.argv.front(), "nothing that can be run", "a program");
+      ThrowError(task.argv.front(), "a file that cannot be executed", "a program");
     }
   }
   Running running;
@@ -65,7 +65,7 @@ void LocalEngine::Run(std::span<const Task> tasks, const EngineHooks& hooks) {
       Start(tasks, next++, hooks, running);
     }
     if (running.empty()) continue;
-    WaitForNews(running);
+    WaitForEvent(running);
     TakeEnded(hooks, running);
   }
 }

@@ -28,8 +28,8 @@ const PlannedJob& FindJob(const Plan& plan, const std::string& id, const SuiteFo
     ThrowError(folder.plan().string(), StrCat("no job \"", id, "\""), "a job of the plan");
   }
   if (plan.build != ThisBuild().Hash()) {
-    ThrowError(folder.plan().string(), "a plan of another build of this program",
-               "one of this build, which clustervo experiment run makes");
+    ThrowError(folder.plan().string(), "a plan made by another build of this program",
+               "one made by this build, see clustervo experiment run");
   }
   return *found;
 }
@@ -50,9 +50,9 @@ class JobFolder {
     if (made == id_) return;
     RemoveResult();
     ThrowError(sequence.folder.string(),
-               StrCat("other files than when the suite was planned, or another processor level (",
+               StrCat("files or processor level that differ from when the suite was planned (",
                       ThisBuild().cpu_level, " here)"),
-               "the same; clustervo experiment run plans anew");
+               "no change since planning; clustervo experiment run makes a new plan");
   }
   void RemoveResult() const {
     std::error_code ignored;  // one of another identity does not count in any case

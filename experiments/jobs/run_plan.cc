@@ -22,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 
 // Below this a disk counts as full: what jobs in flight may still write.
 constexpr std::uintmax_t kReserve_bytes = 16'000'000;
-constexpr std::chrono::milliseconds kLookAgainAfter(200);
+constexpr std::chrono::milliseconds kRecheckInterval(200);
 
 void CheckSpace(const fs::path& root) {
   std::error_code error;
@@ -31,7 +31,7 @@ void CheckSpace(const fs::path& root) {
   ThrowError(root.string(),
              StrCat("a full disk, ", std::floor(static_cast<double>(space.available) / 1e5) / 10.0,
                     " MB free"),
-             StrCat("at least ", kReserve_bytes / 1'000'000, " MB; what is done is kept"));
+             StrCat("at least ", kReserve_bytes / 1'000'000, " MB; finished jobs are kept"));
 }
 
 void MakeFolder(const fs::path& folder) {
@@ -65,7 +65,7 @@ Pending FindPending(const Plan& plan, const std::vector<JobStatus>& status) {
   return pending;
 }
 
-void EndWhatIsNotAskedFor(const Plan& plan, const PlanRun& run, Engine& engine) {
+void CancelUnplannedTasks(const Plan& plan, const PlanRun& run, Engine& engine) {
   std::set<std::string> names;
   for (const PlannedJob& job : plan.jobs) names.insert(job.job);
   EngineHooks hooks;
@@ -120,7 +120,7 @@ class JobRunner {
     const std::chrono::duration<double> late(end.ok ? engine_.latency_s() : 0.0);
     while (StatusOf(run_.folder, job).state != JobStatus::State::kDone) {
       if (Clock::now() - start >= late || Stopped()) return false;
-      std::this_thread::sleep_for(kLookAgainAfter);
+      std::this_thread::sleep_for(kRecheckInterval);
     }
     return true;
   }
@@ -179,7 +179,7 @@ PlanOutcome RunPlan(const Plan& plan, const PlanRun& run, Engine& engine) {
   for (std::size_t i = 0; i < status.size(); ++i) {
     if (status[i].state == JobStatus::State::kDone) RemoveFailure(run.folder, plan.jobs[i].job);
   }
-  EndWhatIsNotAskedFor(plan, run, engine);
+  CancelUnplannedTasks(plan, run, engine);
   const Pending pending = FindPending(plan, status);
   if (pending.first.empty()) return CountJobs(status);
   for (const char* name : {"jobs", "failed", "logs"}) MakeFolder(run.folder.root / name);

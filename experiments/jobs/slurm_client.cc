@@ -18,9 +18,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kFirstContactS = 60.0;   // there may be no Slurm at all: nobody waits long to know
-constexpr double kLongestDelayS = 60.0;   // between two tries
+constexpr double kMaxDelayS = 60.0;       // between two tries
 constexpr double kCommandLimitS = 120.0;  // a command that hangs longer is killed
-constexpr double kAskStopEveryS = 0.2;
+constexpr double kStopCheckIntervalS = 0.2;
 
 double Since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -32,7 +32,7 @@ bool HasAny(const std::string& text, std::span<const char* const> parts) {
 }
 
 // What Slurm's commands say when its controller is away, slow, or just starting.
-bool IsSilence(const Captured& captured) {
+bool IsUnreachable(const Captured& captured) {
   static constexpr std::array<const char*, 6> kWords = {"contact slurm controller",
                                                         "timed out",
                                                         "Zero Bytes were transmitted",
@@ -45,12 +45,12 @@ bool IsSilence(const Captured& captured) {
 bool IsFailure(const Captured& captured) { return captured.exit_code != 0; }
 
 // From what sbatch says.
-SlurmRefusal RefusalOf(const std::string& words) {
-  static constexpr std::array<const char*, 3> kFullForNow = {
+SlurmRefusal ClassifyRefusal(const std::string& words) {
+  static constexpr std::array<const char*, 3> kQueueFull = {
       "temporarily unable to accept job", "Resource temporarily unavailable", "MaxSubmitJob"};
   static constexpr std::array<const char*, 1> kLimit = {"job submit limit"};
-  if (HasAny(words, kFullForNow)) return SlurmRefusal::kFullForNow;
-  return HasAny(words, kLimit) ? SlurmRefusal::kLimit : SlurmRefusal::kForGood;
+  if (HasAny(words, kQueueFull)) return SlurmRefusal::kQueueFull;
+  return HasAny(words, kLimit) ? SlurmRefusal::kLimit : SlurmRefusal::kPermanent;
 }
 
 std::string LastLine(const std::string& text) {
@@ -98,11 +98,11 @@ std::vector<std::string> SbatchCommand(const SlurmArray& array,
 
 }  // namespace
 
-bool SlurmTaskOver(const std::string& state) {
-  static constexpr std::array<const char*, 10> kOver = {
+bool IsTaskFinished(const std::string& state) {
+  static constexpr std::array<const char*, 10> kFinishedStates = {
       "COMPLETED", "FAILED",    "CANCELLED", "TIMEOUT",  "OUT_OF_MEMORY",
       "NODE_FAIL", "BOOT_FAIL", "PREEMPTED", "DEADLINE", "REVOKED"};
-  return std::find(kOver.begin(), kOver.end(), state) != kOver.end();
+  return std::find(kFinishedStates.begin(), kFinishedStates.end(), state) != kFinishedStates.end();
 }
 
 SlurmClient::SlurmClient(double patience_s, EngineHooks hooks)
@@ -113,7 +113,8 @@ bool SlurmClient::Pause(double seconds) const {
   while (!hooks_.stop()) {
     const double left_s = seconds - Since(start);
     if (left_s <= 0.0) return true;
-    std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left_s, kAskStopEveryS)));
+    std::this_thread::sleep_for(
+        std::chrono::duration<double>(std::min(left_s, kStopCheckIntervalS)));
   }
   return false;
 }
@@ -121,18 +122,18 @@ bool SlurmClient::Pause(double seconds) const {
 Captured SlurmClient::Ask(const std::vector<std::string>& argv, double patience_s,
                           const Judge& silent) const {
   const Clock::time_point start = Clock::now();
-  for (double delay_s = 1.0;; delay_s = std::min(2.0 * delay_s, kLongestDelayS)) {
+  for (double delay_s = 1.0;; delay_s = std::min(2.0 * delay_s, kMaxDelayS)) {
     const Clock::time_point asked = Clock::now();
     Captured captured = Capture(
         argv, [&](const Captured&) { return Since(asked) > kCommandLimitS || hooks_.stop(); });
     const bool answered = !silent(captured);
-    if (answered && delay_s > 1.0) hooks_.notice("slurm: answers again");
+    if (answered && delay_s > 1.0) hooks_.notice("slurm: responds again");
     if (answered) return captured;
     const std::string words = StrCat(argv.front(), ": ", LastLine(captured.err));
-    if (delay_s == 1.0) hooks_.notice(StrCat("slurm: ", words, ": trying again"));
+    if (delay_s == 1.0) hooks_.notice(StrCat("slurm: ", words, ": retrying"));
     const double left_s = patience_s - Since(start);
     if (left_s <= 0.0 || !Pause(std::min(delay_s, left_s))) {
-      throw SlurmSilent(StrCat("slurm does not answer: ", words));
+      throw SlurmUnreachable(StrCat("Slurm does not respond: ", words));
     }
   }
 }
@@ -147,7 +148,7 @@ SlurmSetup SlurmClient::Setup() const {
   if (const std::size_t at = scheduler.find(key); at != std::string::npos) {
     setup.array_size = std::min(setup.array_size, ToCount(scheduler.substr(at + key.size())));
   }
-  if (setup.array_size == 0) ThrowError("slurm", "job arrays switched off", "MaxArraySize above 0");
+  if (setup.array_size == 0) ThrowError("slurm", "job arrays disabled", "MaxArraySize above 0");
   const std::string storage = ConfigValue(config, "AccountingStorageType");
   setup.accounting = !storage.empty() && storage.find("none") == std::string::npos;
   return setup;
@@ -186,23 +187,24 @@ SlurmSubmitted SlurmClient::Submit(const SlurmArray& array,
                                    const std::vector<std::string>& flags) const {
   const std::vector<std::string> argv = SbatchCommand(array, flags);
   const Clock::time_point start = Clock::now();
-  for (double delay_s = 1.0;; delay_s = std::min(2.0 * delay_s, kLongestDelayS)) {
+  for (double delay_s = 1.0;; delay_s = std::min(2.0 * delay_s, kMaxDelayS)) {
     const Clock::time_point asked = Clock::now();
     // Where there is no room, sbatch itself would wait for minutes.
     const Captured answer = Capture(argv, [&](const Captured& so_far) {
-      return RefusalOf(so_far.err) == SlurmRefusal::kFullForNow || Since(asked) > kCommandLimitS;
+      return ClassifyRefusal(so_far.err) == SlurmRefusal::kQueueFull ||
+             Since(asked) > kCommandLimitS;
     });
     if (answer.exit_code == 0)
       return {answer.out.substr(0, answer.out.find_first_of(";\n")), "", {}};
-    const SlurmRefusal refusal = RefusalOf(answer.err);
-    const bool refused = refusal != SlurmRefusal::kForGood || !IsSilence(answer);
+    const SlurmRefusal refusal = ClassifyRefusal(answer.err);
+    const bool refused = refusal != SlurmRefusal::kPermanent || !IsUnreachable(answer);
     const std::string words = LastLine(answer.err);  // "sbatch: error: ..."
-    if (refused && refusal != SlurmRefusal::kFullForNow) return {"", words, refusal};
+    if (refused && refusal != SlurmRefusal::kQueueFull) return {"", words, refusal};
     // It may have been accepted all the same, where only the answer was lost.
     if (const std::optional<std::string> job = Find(array.name)) return {*job, "", {}};
     if (refused) return {"", words, refusal};
     if (Since(start) > patience_s_ || !Pause(delay_s)) {
-      throw SlurmSilent(StrCat("slurm does not answer: ", words));
+      throw SlurmUnreachable(StrCat("Slurm does not respond: ", words));
     }
   }
 }
@@ -211,13 +213,13 @@ void SlurmClient::Cancel(const std::vector<std::string>& jobs) const {
   if (jobs.empty()) return;
   std::vector<std::string> argv = {"scancel", "--quiet"};
   argv.insert(argv.end(), jobs.begin(), jobs.end());
-  Ask(argv, patience_s_, IsSilence);
+  Ask(argv, patience_s_, IsUnreachable);
 }
 
 std::string SlurmClient::AccountedState(const std::string& job, std::size_t number) const {
   const Captured answer = Ask({"sacct", "--noheader", "--allocations", "--parsable2",
                                "--format=State", StrCat("--jobs=", job, "_", number)},
-                              patience_s_, IsSilence);
+                              patience_s_, IsUnreachable);
   return answer.exit_code == 0 && !answer.out.empty() ? LastLine(answer.out) : "";
 }
 

@@ -32,29 +32,29 @@ struct SlurmTask {
 using SlurmQueue = std::map<std::pair<std::string, std::size_t>, SlurmTask>;
 
 // Whether a task in this state is over and does not come back by itself.
-bool SlurmTaskOver(const std::string& state);
+bool IsTaskFinished(const std::string& state);
 
 enum class SlurmRefusal {
-  kForGood,     // an unknown partition, too much memory, ...
-  kLimit,       // too many tasks, or another limit of this user: Slurm does not tell
-  kFullForNow,  // too many tasks in the queue at present
+  kPermanent,  // an unknown partition, too much memory, ...
+  kLimit,      // too many tasks, or another limit of this user: Slurm does not tell
+  kQueueFull,  // too many tasks in the queue at present
 };
 
 // What became of an array that was to be submitted.
 struct SlurmSubmitted {
   std::string job;      // empty: refused
   std::string refused;  // Slurm's words
-  SlurmRefusal refusal = SlurmRefusal::kForGood;
+  SlurmRefusal refusal = SlurmRefusal::kPermanent;
 };
 
 // Slurm does not answer; what was submitted goes on without us.
-class SlurmSilent : public Error {
+class SlurmUnreachable : public Error {
  public:
   using Error::Error;
 };
 
 // Slurm's commands. While Slurm does not answer they are tried again, less and less often, and the
-// user is told once; after `patience_s`, or when `stop` says so, SlurmSilent is thrown.
+// user is told once; after `patience_s`, or when `stop` says so, SlurmUnreachable is thrown.
 class SlurmClient {
  public:
   SlurmClient(double patience_s, EngineHooks hooks);

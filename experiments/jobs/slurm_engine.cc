@@ -24,7 +24,7 @@ void SlurmOptions::Check() const {
 SlurmEngine::SlurmEngine(SlurmOptions options) : options_(std::move(options)) { options_.Check(); }
 
 void SlurmEngine::Run(std::span<const Task> tasks, const EngineHooks& hooks) {
-  if (!tasks.empty()) SlurmRun(options_, tasks, hooks).ToTheEnd();
+  if (!tasks.empty()) SlurmRun(options_, tasks, hooks).RunToCompletion();
 }
 
 void SlurmEngine::KeepOnly(const std::set<std::string>& names, const EngineHooks& hooks) {
@@ -39,7 +39,7 @@ void SlurmEngine::KeepOnly(const std::set<std::string>& names, const EngineHooks
     bool alive = false;
     for (std::size_t number = 0; number < array.entries.size(); ++number) {
       const auto found = queue.find({array.name, number});
-      if (found == queue.end() || SlurmTaskOver(found->second.state)) continue;
+      if (found == queue.end() || IsTaskFinished(found->second.state)) continue;
       alive = true;
       if (names.contains(array.entries[number].name)) continue;
       strangers.push_back(StrCat(found->second.job, "_", number));
@@ -49,7 +49,7 @@ void SlurmEngine::KeepOnly(const std::set<std::string>& names, const EngineHooks
   client.Cancel(strangers);
   if (strangers.empty()) return;
   hooks.notice(
-      StrCat("slurm: cancelled what an earlier run submitted and nobody asks for any more: ",
+      StrCat("slurm: cancelled tasks that an earlier run submitted and that are no longer needed: ",
              strangers.size(), strangers.size() == 1 ? " task" : " tasks"));
 }
 

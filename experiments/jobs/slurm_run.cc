@@ -17,10 +17,10 @@ namespace {
 constexpr double kBytesPerMb = 1e6;
 constexpr double kBytesPerSlurmMb = 1048576.0;
 constexpr double kSecondsPerMinute = 60.0;
-constexpr double kStopPatienceS = 15.0;  // for Slurm to end what was cancelled
+constexpr double kStopTimeoutS = 15.0;  // for Slurm to end what was cancelled
 constexpr double kStopPollS = 0.5;
 constexpr double kShortestPollS = 0.5;
-constexpr double kPollPart = 0.05;  // of the time that has passed: short suites need not wait
+constexpr double kPollFraction = 0.05;  // of the time that has passed: short suites need not wait
 
 std::string Tasks(std::size_t count) { return StrCat(count, count == 1 ? " task" : " tasks"); }
 
@@ -31,10 +31,10 @@ bool IsOrdinary(const std::string& reason) {
   return kReasons.contains(reason);
 }
 
-std::string InWords(const std::string& reason) {
-  if (reason == "BeginTime") return "put back into the queue by Slurm, which starts it in a while";
+std::string PendingReasonText(const std::string& reason) {
+  if (reason == "BeginTime") return "requeued by Slurm, which will start it later";
   const bool held = reason.find("held") != std::string::npos || reason == "JobHeldUser";
-  return reason + (held ? " (scontrol release JOB lets it go)" : "");
+  return reason + (held ? " (use scontrol release JOB)" : "");
 }
 
 }  // namespace
@@ -43,22 +43,22 @@ SlurmRun::SlurmRun(const SlurmOptions& options, std::span<const Task> tasks,
                    const EngineHooks& hooks)
     : options_(options), tasks_(tasks), hooks_(hooks), client_(options.patience_s, hooks) {}
 
-void SlurmRun::ToTheEnd() {
+void SlurmRun::RunToCompletion() {
   const Clock::time_point start = Clock::now();
   try {
     setup_ = client_.Setup();
-    TakeUpEarlierArrays();
+    ResumeEarlierArrays();
     while (!hooks_.stop()) {
       SubmitWaiting();
       if (Open() == 0 && waiting_.empty()) break;
       const double elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
-      client_.Pause(std::min(options_.poll_s, std::max(kShortestPollS, elapsed_s * kPollPart)));
+      client_.Pause(std::min(options_.poll_s, std::max(kShortestPollS, elapsed_s * kPollFraction)));
       if (!hooks_.stop()) Follow(client_.Queue(Names()));
     }
-  } catch (const SlurmSilent& error) {
+  } catch (const SlurmUnreachable& error) {
     if (!hooks_.stop()) {
-      throw Error(
-          StrCat(error.what(), "; what was submitted goes on: run this again to follow it"));
+      throw Error(StrCat(error.what(),
+                         "; submitted jobs continue: run the same command again to follow them"));
     }
   }
   if (hooks_.stop()) return Stop();
@@ -73,7 +73,7 @@ void SlurmRun::Claim(Followed& followed, const SlurmQueue& queue, Wanted& wanted
   const std::map<std::size_t, SlurmEnd> ends = ReadSlurmEnds(array);
   for (std::size_t number = 0; number < array.entries.size(); ++number) {
     const auto found = queue.find({array.name, number});
-    const bool alive = found != queue.end() && !SlurmTaskOver(found->second.state);
+    const bool alive = found != queue.end() && !IsTaskFinished(found->second.state);
     const auto end = ends.find(number);
     if (!alive && (end == ends.end() || end->second.code != 0)) continue;
     if (alive) followed.job = found->second.job;
@@ -90,7 +90,7 @@ void SlurmRun::Claim(Followed& followed, const SlurmQueue& queue, Wanted& wanted
   }
 }
 
-void SlurmRun::TakeUpEarlierArrays() {
+void SlurmRun::ResumeEarlierArrays() {
   Wanted wanted;
   for (std::size_t i = 0; i < tasks_.size(); ++i) wanted.tasks.emplace(tasks_[i].name, i);
   Require(wanted.tasks.size() == tasks_.size(), "SlurmEngine: a task that is given twice");
@@ -101,8 +101,8 @@ void SlurmRun::TakeUpEarlierArrays() {
   for (Followed& followed : followed_) {
     Claim(followed, queue, wanted);
     if (followed.open.empty()) continue;
-    hooks_.notice(StrCat("slurm: job ", followed.job,
-                         ", submitted by an earlier run, goes on: ", Tasks(followed.open.size())));
+    hooks_.notice(StrCat("slurm: job ", followed.job, ", submitted by an earlier run, continues: ",
+                         Tasks(followed.open.size())));
   }
   client_.Cancel(wanted.outdated);
   std::erase_if(followed_, [](const Followed& followed) {
@@ -148,13 +148,13 @@ void SlurmRun::SubmitArray(std::size_t count) {
 }
 
 void SlurmRun::Refused(std::size_t count, const SlurmSubmitted& submitted) {
-  const bool passing = submitted.refusal == SlurmRefusal::kFullForNow;
+  const bool passing = submitted.refusal == SlurmRefusal::kQueueFull;
   const bool hopeless =
-      submitted.refusal == SlurmRefusal::kForGood || (count == 1 && Open() == 0 && !passing);
+      submitted.refusal == SlurmRefusal::kPermanent || (count == 1 && Open() == 0 && !passing);
   if (hopeless) throw Error(submitted.refused);
   if (count == 1 && !room_.told) {
-    hooks_.notice(StrCat("slurm: takes no more now (", submitted.refused,
-                         "): ", Tasks(waiting_.size()), " still to be submitted"));
+    hooks_.notice(StrCat("slurm: accepts no more tasks at present (", submitted.refused,
+                         "): ", Tasks(waiting_.size()), " not submitted yet"));
   }
   room_ = {true, count / 2, room_.told || count == 1, Clock::now()};
 }
@@ -174,7 +174,7 @@ void SlurmRun::Follow(const SlurmQueue& queue) {
       hooks_.ended(task, *end);
     }
   }
-  TellWhyTheyWait(queue);
+  ReportPendingReasons(queue);
 }
 
 // Empty while the task is in the queue, and while a file that tells more may be on its way.
@@ -182,7 +182,7 @@ std::optional<TaskEnd> SlurmRun::Judge(const Followed& followed, std::size_t num
                                        const SlurmTask* entry,
                                        const std::map<std::size_t, SlurmEnd>& ends) {
   const std::size_t task = followed.open.at(number);
-  if (entry != nullptr && !SlurmTaskOver(entry->state)) {
+  if (entry != nullptr && !IsTaskFinished(entry->state)) {
     missed_.erase(task);
     return std::nullopt;
   }
@@ -202,7 +202,7 @@ std::optional<TaskEnd> SlurmRun::Judge(const Followed& followed, std::size_t num
   return EndByState(state, SlurmWords(followed.array, number));
 }
 
-void SlurmRun::TellWhyTheyWait(const SlurmQueue& queue) {
+void SlurmRun::ReportPendingReasons(const SlurmQueue& queue) {
   std::map<std::string, std::size_t> reasons;
   for (const auto& [where, entry] : queue) {
     if (entry.state == "PENDING" && !IsOrdinary(entry.reason)) ++reasons[entry.reason];
@@ -212,7 +212,8 @@ void SlurmRun::TellWhyTheyWait(const SlurmQueue& queue) {
   if (all == told_) return;
   told_ = all;
   for (const auto& [reason, count] : reasons) {
-    hooks_.notice(StrCat("slurm: not started yet: ", Tasks(count), ": ", InWords(reason)));
+    hooks_.notice(
+        StrCat("slurm: not started yet: ", Tasks(count), ": ", PendingReasonText(reason)));
   }
 }
 
@@ -220,13 +221,13 @@ void SlurmRun::TellWhyTheyWait(const SlurmQueue& queue) {
 void SlurmRun::Stop() {
   EngineHooks hooks = hooks_;
   hooks.stop = [] { return false; };
-  const SlurmClient client(kStopPatienceS, hooks);
+  const SlurmClient client(kStopTimeoutS, hooks);
   const Clock::time_point start = Clock::now();
-  while (Clock::now() - start < std::chrono::duration<double>(kStopPatienceS)) {
+  while (Clock::now() - start < std::chrono::duration<double>(kStopTimeoutS)) {
     const SlurmQueue queue = client.Queue(Names());
     std::set<std::string> jobs;
     for (const auto& [where, entry] : queue) {
-      if (!SlurmTaskOver(entry.state)) jobs.insert(entry.job);
+      if (!IsTaskFinished(entry.state)) jobs.insert(entry.job);
     }
     if (jobs.empty()) {
       for (const Followed& followed : followed_) RemoveSlurmArray(followed.array);
@@ -235,7 +236,7 @@ void SlurmRun::Stop() {
     client.Cancel({jobs.begin(), jobs.end()});
     client.Pause(kStopPollS);
   }
-  hooks_.notice("slurm: what was cancelled has not ended yet: see squeue");
+  hooks_.notice("slurm: some cancelled tasks have not ended yet: see squeue");
 }
 
 std::size_t SlurmRun::Open() const {

@@ -20,7 +20,7 @@ class SlurmRun {
  public:
   SlurmRun(const SlurmOptions& options, std::span<const Task> tasks, const EngineHooks& hooks);
 
-  void ToTheEnd();
+  void RunToCompletion();
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -45,7 +45,7 @@ class SlurmRun {
     Clock::time_point refused{};  // last time that it had none
   };
 
-  void TakeUpEarlierArrays();
+  void ResumeEarlierArrays();
   void Claim(Followed& followed, const SlurmQueue& queue, Wanted& wanted);
   void SubmitWaiting();
   void SubmitArray(std::size_t count);
@@ -53,7 +53,7 @@ class SlurmRun {
   void Follow(const SlurmQueue& queue);
   std::optional<TaskEnd> Judge(const Followed& followed, std::size_t number, const SlurmTask* entry,
                                const std::map<std::size_t, SlurmEnd>& ends);
-  void TellWhyTheyWait(const SlurmQueue& queue);
+  void ReportPendingReasons(const SlurmQueue& queue);
   void Stop();
   std::size_t Open() const;
   std::vector<std::string> Names() const;

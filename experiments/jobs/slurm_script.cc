@@ -15,7 +15,7 @@ constexpr double kBytesPerKib = 1024.0;
 
 // `timeout` is in a shell of its own, so that the limit of memory is the task's alone. A second try
 // may start while the first still runs on a node that was given up: each has its own files.
-constexpr const char* kRunIt = R"sh(
+constexpr const char* kRunCommand = R"sh(
 rm -f -- "$end/$index" "$log" || exit
 start=$(date +%s.%N)
 (
@@ -52,7 +52,7 @@ std::string SlurmScript(std::span<const Task> tasks, const std::filesystem::path
              "index=${1:-$SLURM_ARRAY_TASK_ID}\nend=", ShellQuoted((folder / "end").string()),
              "\ncase $index in\n");
   for (std::size_t i = 0; i < tasks.size(); ++i) text += Case(tasks[i], i);
-  return text + "*) echo \"no task '$index'\" >&2; exit 2 ;;\nesac\n" + kRunIt;
+  return text + "*) echo \"no task '$index'\" >&2; exit 2 ;;\nesac\n" + kRunCommand;
 }
 
 }  // namespace cvo

@@ -26,7 +26,7 @@ std::string StateText(const std::string& state) {
   if (state == "OUT_OF_MEMORY") return "stopped by Slurm at its memory limit";
   if (state == "NODE_FAIL") return "its node failed";
   if (state.empty()) return "left Slurm's queue without an exit code";
-  return StrCat("failed in Slurm (", state, "): do the nodes see this folder?");
+  return StrCat("failed in Slurm (", state, "): check that the nodes can access this folder");
 }
 
 }  // namespace

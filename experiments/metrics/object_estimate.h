@@ -56,10 +56,10 @@ struct ObjectEstimate {
 
 // An estimate counts where at least this many of its landmarks are observed in the frame, and
 // wherever there is one if none are told of.
-constexpr int kLandmarksThatCount = 3;
+constexpr int kMinObservedLandmarks = 3;
 inline bool Counts(const ClusterFrame& frame) {
   return !frame.predicted &&
-         frame.observed_landmarks.value_or(kLandmarksThatCount) >= kLandmarksThatCount;
+         frame.observed_landmarks.value_or(kMinObservedLandmarks) >= kMinObservedLandmarks;
 }
 
 // Throws Error where lengths differ from the truth's, ids or frames do not increase or lie outside

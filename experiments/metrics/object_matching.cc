@@ -78,7 +78,7 @@ std::vector<int> AssignMostShared(const Eigen::MatrixXd& shared) {
 std::int64_t BestCluster(const std::vector<Overlap>& overlaps, int body, std::int64_t last) {
   const Overlap* best = nullptr;
   for (const Overlap& overlap : overlaps) {
-    if (overlap.body != body || overlap.landmarks < kLandmarksThatCount) continue;
+    if (overlap.body != body || overlap.landmarks < kMinObservedLandmarks) continue;
     const bool better = best == nullptr || overlap.landmarks > best->landmarks ||
                         (overlap.landmarks == best->landmarks && overlap.cluster == last);
     if (better) best = &overlap;

@@ -21,8 +21,8 @@ struct ObjectMatch {
 std::vector<ObjectMatch> MatchObjects(const ObjectTruth& truth, const ObjectEstimate& estimate);
 
 // How steadily a body is followed, over its visible frames. Its cluster in a frame is the one with
-// the most landmarks on it, at least kLandmarksThatCount; ties: the one before, then the lowest id.
-// By nearness: the one of the one-to-one pairs that share the most in the frame.
+// the most landmarks on it, at least kMinObservedLandmarks; ties: the one before, then the lowest
+// id. By nearness: the one of the one-to-one pairs that share the most in the frame.
 struct Continuity {
   int id_switches = 0;  // another cluster than the last time it had one, also across occlusions
   int fragments = 0;    // has a cluster again after visible frames without

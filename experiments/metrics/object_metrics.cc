@@ -52,7 +52,7 @@ struct Group {
   }
 };
 
-std::string Unjudged(const Group& group) {
+std::string UnmatchedBodiesText(const Group& group) {
   std::int64_t matched = 0;
   for (const BodyScore* body : group.bodies) matched += group.Tells(*body) ? 1 : 0;
   return StrCat(static_cast<std::int64_t>(group.bodies.size()) - matched, " of ",
@@ -65,7 +65,7 @@ std::string Unjudged(const Group& group) {
 reports::Contract MatchingOf(const ObjectTruth& truth, const ObjectScores& scores) {
   reports::Contract contract = truth.contract;
   contract.matching = scores.match_by;
-  if (scores.match_by == MatchBy::kLandmarks) contract.least_landmarks = kLandmarksThatCount;
+  if (scores.match_by == MatchBy::kLandmarks) contract.least_landmarks = kMinObservedLandmarks;
   return contract;
 }
 
@@ -81,7 +81,7 @@ Group MakeGroup(const ObjectTruth& truth, const ObjectScores& scores, bool mover
   group.contract = MatchingOf(truth, scores);
   group.contract.subject = movers ? reports::Subject::kMovers : reports::Subject::kStanding;
   group.contract.travel_m = truth.mover_travel_m;
-  group.left_out = Unjudged(group);
+  group.left_out = UnmatchedBodiesText(group);
   return group;
 }
 

@@ -22,8 +22,8 @@ void CheckBody(const ObjectTruth& truth, const TruthBody& body) {
 }
 
 // Whether the point lies more than kMovedPoint_m from p in one of the frames [begin, end).
-bool WasElsewhere(const TruthBody& body, int begin, int end, const Eigen::Vector3d& p_in_object,
-                  const Eigen::Vector3d& p_in_world) {
+bool HasMoved(const TruthBody& body, int begin, int end, const Eigen::Vector3d& p_in_object,
+              const Eigen::Vector3d& p_in_world) {
   for (int k = end - 1; k >= begin; --k) {
     const auto& frame = body.frames[static_cast<std::size_t>(k)];
     if (!frame) continue;
@@ -99,8 +99,8 @@ PointMotion MotionOfPoint(const ObjectTruth& truth, const TruthBody& body, int f
   if (!now) return PointMotion::kStill;
   const Eigen::Vector3d p_in_world = now->world_from_object * p_in_object;
   const int recent = std::max(0, frame - kMovedFrames);
-  if (WasElsewhere(body, recent, frame, p_in_object, p_in_world)) return PointMotion::kMoving;
-  if (WasElsewhere(body, 0, recent, p_in_object, p_in_world)) return PointMotion::kStopped;
+  if (HasMoved(body, recent, frame, p_in_object, p_in_world)) return PointMotion::kMoving;
+  if (HasMoved(body, 0, recent, p_in_object, p_in_world)) return PointMotion::kStopped;
   return PointMotion::kStill;
 }
 

@@ -56,7 +56,7 @@ std::vector<std::string> ParseClasses(const std::string& text) {
 
 double DepthInBox(const ObjectBox& box, const BoxCamera& camera,
                   const std::vector<StereoFeature>& features) {
-  constexpr std::size_t kFewest = 3;
+  constexpr std::size_t kMinDepths = 3;
   constexpr double kModeWidth = 1.15;     // farthest over nearest depth: a car 5 m long at 30 m
   constexpr double kDenseFraction = 0.5;  // of the densest mode; less is clutter in front
   std::vector<double> depths_m;
@@ -69,7 +69,7 @@ double DepthInBox(const ObjectBox& box, const BoxCamera& camera,
     if (!drawn.Contains(drawn_u_px, feature.z_px[1])) continue;
     depths_m.push_back(camera.left.fx * camera.left.baseline_m / disparity_px);
   }
-  if (depths_m.size() < kFewest) return 0.0;
+  if (depths_m.size() < kMinDepths) return 0.0;
   std::sort(depths_m.begin(), depths_m.end());
   const auto end_of_mode = [&](std::size_t first) {
     return static_cast<std::size_t>(

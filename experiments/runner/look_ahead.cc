@@ -61,11 +61,11 @@ struct LookAhead::Slot {
   StageTimes match_times_s;
   std::atomic<int> unfinished = 2;
 
-  bool BothFine() const { return sides[0].problem.empty() && sides[1].problem.empty(); }
+  bool BothValid() const { return sides[0].problem.empty() && sides[1].problem.empty(); }
 
   // The pyramids are of no use once matched; frames wait here without them.
   void Match(const Sequence& sequence, const Options& options) {
-    if (BothFine()) {
+    if (BothValid()) {
       const ScopedStage stage(match_times_s, "match_stereo");
       features =
           MatchStereo(sides[0].orb, sides[1].orb, sequence.camera, options.orb, options.stereo);

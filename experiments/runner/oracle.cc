@@ -86,13 +86,13 @@ OracleSwitches ParseOracle(const std::string& text) {
 
 std::vector<BodyId> BodiesOfDetections(const std::vector<Detection>& detections,
                                        const std::vector<std::pair<int, ImageBox>>& true_boxes) {
-  constexpr double kLeastOverlap = 0.5;
+  constexpr double kMinOverlap = 0.5;
   Eigen::MatrixXd cost(detections.size(), true_boxes.size());
   for (std::size_t i = 0; i < detections.size(); ++i) {
     for (std::size_t k = 0; k < true_boxes.size(); ++k) {
       const double overlap = IntersectionOverUnion(detections[i].box, true_boxes[k].second);
       cost(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
-          overlap >= kLeastOverlap ? 1.0 - overlap : std::numeric_limits<double>::infinity();
+          overlap >= kMinOverlap ? 1.0 - overlap : std::numeric_limits<double>::infinity();
     }
   }
   std::vector<BodyId> bodies;

@@ -31,7 +31,7 @@ void RefuseProblems(const Sequence& sequence, const PreparedFrame& prepared) {
 }
 
 // What is known of the true bodies beside the estimator.
-struct TruthBeside {
+struct TruthOfFrame {
   BodyTruthReader* reader = nullptr;  // may be null
   Oracle oracle;
   double seconds = 0.0;  // that the last frame took here
@@ -51,7 +51,7 @@ void AddDetections(const RunRequest& request, const std::vector<ObjectBox>& boxe
 }
 
 // The truth at the frame's features, and what the oracle gives of it. Empty without a truth.
-std::vector<LandmarkTruth> AddTruth(const RunRequest& request, int index, TruthBeside& truth,
+std::vector<LandmarkTruth> AddTruth(const RunRequest& request, int index, TruthOfFrame& truth,
                                     PreparedFrame& prepared) {
   const auto start = std::chrono::steady_clock::now();
   std::vector<LandmarkTruth> feature_truth;
@@ -147,7 +147,7 @@ std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader*
   Require(request.images.empty() || request.images.size() == sequence.images.size(),
           "RunSequence: the hashes of all frames, or of none");
   const std::vector<std::vector<ObjectBox>> boxes = DetectionsByFrame(sequence);
-  TruthBeside beside{truth, Oracle(sequence, request.oracle, truth)};
+  TruthOfFrame beside{truth, Oracle(sequence, request.oracle, truth)};
   const auto run_start = std::chrono::steady_clock::now();
   TaskPool pool(request.threads);
   const std::unique_ptr<Odometry> odometry =

@@ -155,7 +155,8 @@ std::vector<SceneCheck> CheckMovers(const SceneFolder& scene,
     for (const SceneBody& body : scene.bodies[frame]) {
       const auto at = static_cast<std::size_t>(body.id) - 1;
       const int pixels = results[i].matchable_px[at];
-      if (pixels < limits::kMinMoverPixels || body.visible_fraction < limits::kUnhidden ||
+      if (pixels < limits::kMinMoverPixels ||
+          body.visible_fraction < limits::kMinUnoccludedFraction ||
           !IsMover(scene.bodies, body.id)) {
         continue;
       }

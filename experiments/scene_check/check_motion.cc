@@ -23,7 +23,7 @@ struct BodyMotion {
   double noise = 0.0;            // of the difference of both images
 };
 
-RigidTransform NextFromThis(const SceneFolder& scene, int frame, int body) {
+RigidTransform RelativeMotion(const SceneFolder& scene, int frame, int body) {
   const auto i = static_cast<std::size_t>(frame);
   const RigidTransform left_from_world = scene.world_from_left[i + 1].Inverse();
   if (body == 0) return left_from_world * scene.world_from_left[i];
@@ -49,7 +49,7 @@ std::vector<BodyMotion> CompareFrames(const SceneFolder& scene, int frame) {
   for (int body = 0; body <= static_cast<int>(scene.bodies[i].size()); ++body) {
     std::vector<float> depth_errors;
     const std::vector<PixelPrediction> predictions =
-        PredictNext(scene.sequence.camera, surface, next, body, NextFromThis(scene, frame, body),
+        PredictNext(scene.sequence.camera, surface, next, body, RelativeMotion(scene, frame, body),
                     body == 0 ? 2 : 1, depth_errors);
     if (static_cast<int>(predictions.size()) < limits::kMinShiftPixels) continue;
     ImageShift shift = EstimateShift(image, next_image, predictions);
@@ -122,7 +122,7 @@ double CompareFlow(const SceneFolder& scene, int frame) {
   const Surface surface = {scene.Depth(frame), scene.Instances(frame)};
   std::vector<RigidTransform> next_from_this;
   for (int body = 0; body <= static_cast<int>(scene.bodies[0].size()); ++body) {
-    next_from_this.push_back(NextFromThis(scene, frame, body));
+    next_from_this.push_back(RelativeMotion(scene, frame, body));
   }
   double worst_px = -1.0;
   for (int v = 0; v < scene.size().height; ++v) {

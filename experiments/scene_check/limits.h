@@ -65,7 +65,7 @@ constexpr double kMatches = 600;
 constexpr double kFramesWithMatches = 0.95;
 constexpr int kMinMoverPixels = 2400;
 constexpr double kPixelsPerMatch = 200;
-constexpr double kUnhidden = 0.9;
+constexpr double kMinUnoccludedFraction = 0.9;
 // Of the descriptors, at the finest level.
 constexpr int kDescriptorBorder_px = 16;
 // The ring of the corner detector and one pixel more.

@@ -15,10 +15,10 @@ namespace cvo {
 namespace {
 
 // Comparing images costs 0.2 s per frame, which 250 frames would make a minute of.
-constexpr int kMostImageFrames = 40;
+constexpr int kMaxImageFrames = 40;
 
 std::vector<int> ChooseImageFrames(int frames) {
-  const int count = std::min(frames, kMostImageFrames);
+  const int count = std::min(frames, kMaxImageFrames);
   std::vector<int> chosen;
   for (int i = 0; i < count; ++i) {
     chosen.push_back(count == 1 ? 0 : static_cast<int>(1LL * i * (frames - 1) / (count - 1)));

@@ -61,7 +61,7 @@ class Planner {
   bool IsRendered(RenderedScene& scene);
   PlannedJob PlanCell(const Cell& cell);
   void IdentifyFiles(const Input& input, PlannedJob& job) const;
-  void Want(const RenderedScene& scene, const Cell& cell);
+  void AddRender(const RenderedScene& scene, const Cell& cell);
   void OrderRenders();
 
   const Suite& suite_;
@@ -77,7 +77,7 @@ class Planner {
   std::set<fs::path> wanted_folders_;
 };
 
-void Planner::Want(const RenderedScene& scene, const Cell& cell) {
+void Planner::AddRender(const RenderedScene& scene, const Cell& cell) {
   if (!wanted_folders_.insert(scene.folder).second) return;
   const std::string name =
       StrCat("render-", cell.sequence.name, "-", scene.folder.parent_path().filename().string());
@@ -97,7 +97,7 @@ bool Planner::IsRendered(RenderedScene& scene) {
   const auto damage =
       FindSceneDamage(scene.folder, [this](const auto& files) { return Hashes(files); });
   if (!damage) return true;
-  request_.notice("a scene in the cache is damaged and rendered again: " + *damage);
+  request_.notice("a cached scene is damaged and will be rendered again:  " + *damage);
   scene.drawn = false;
   return false;
 }
@@ -131,7 +131,7 @@ Input Planner::FindInput(const Cell& cell) {
     }
     RenderedScene scene = scenes_.Find(cell.sequence, cell.parameters, cell.seed);
     if (!IsRendered(scene)) {
-      Want(scene, cell);
+      AddRender(scene, cell);
       input.missing = kNotRendered;
       input.frames = scene.frames;
       return input;

@@ -44,7 +44,7 @@ void CheckNames(const Names& names, const Names& known, const std::string& where
     }
     if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
         names.begin() + static_cast<std::ptrdiff_t>(i)) {
-      ThrowError(at, Quoted(names[i]) + " again", "each name once");
+      ThrowError(at, Quoted(names[i]) + " twice", "each name once");
     }
   }
 }
@@ -102,8 +102,8 @@ void CheckSequences(const Suite& suite, const std::string& where) {
     const std::string at = StrCat(where, ", sequences.", i);
     CheckName(sequence.name, at + ".name");
     if (!seen.emplace(sequence.name, sequence.detections).second) {
-      ThrowError(at, Quoted(sequence.name) + " with these detections again",
-                 "a \"name\" of its own for each sequence");
+      ThrowError(at, Quoted(sequence.name) + " with these detections twice",
+                 "a unique \"name\" for each sequence");
     }
     CheckNames(sequence.classes, KnownClasses(), at + ".classes",
                "classes of detections, of " + Listed(KnownClasses()));
@@ -123,7 +123,7 @@ void CheckSequences(const Suite& suite, const std::string& where) {
 
 // Before the cells are listed, which would take all memory.
 void CheckCount(const Suite& suite, const std::string& where) {
-  constexpr double kMostRuns = 100'000;
+  constexpr double kMaxRuns = 100'000;
   double points = 1.0;
   for (const GridAxis& axis : suite.grid) {
     const auto values = static_cast<double>(axis.values.size());
@@ -134,8 +134,8 @@ void CheckCount(const Suite& suite, const std::string& where) {
                                   suite.variants.size() + suite.systems.size()}) {
     runs *= static_cast<double>(count);
   }
-  if (runs > kMostRuns) {
-    ThrowError(where, StrCat(runs, " runs"), StrCat("at most ", kMostRuns, " in one suite"));
+  if (runs > kMaxRuns) {
+    ThrowError(where, StrCat(runs, " runs"), StrCat("at most ", kMaxRuns, " in one suite"));
   }
 }
 
@@ -176,7 +176,7 @@ void CheckSystems(const Suite& suite, const std::string& where) {
     const std::string at = StrCat(where, ", systems.", i);
     CheckName(system.name, at + ".name");
     if (Among(names, system.name)) {
-      ThrowError(at + ".name", Quoted(system.name) + " again", "a name of its own");
+      ThrowError(at + ".name", Quoted(system.name) + " twice", "a unique name");
     }
     names.push_back(system.name);
     Names given;
@@ -220,8 +220,9 @@ void CheckRows(const Suite& suite, const std::string& where) {
   CheckNames(suite.table.rows, keys, where + ", table.rows", "one of " + Listed(keys));
   for (const std::string& key : needed) {
     if (!Among(suite.table.rows, key)) {
-      ThrowError(where + ", table.rows", "no \"" + key + "\", though the suite has several",
-                 "rows that tell them apart");
+      ThrowError(where + ", table.rows",
+                 "no \"" + key + "\", although the suite has several values of it",
+                 "rows that distinguish them");
     }
   }
 }
@@ -246,7 +247,7 @@ void CheckOracles(const Suite& suite, const std::string& where) {
     const std::string at = StrCat(where, ", oracles.", i);
     CheckNames(suite.oracles[i], {"boxes", "labels", "camera"}, at, "boxes, labels or camera");
     if (!seen.insert(OracleOf(suite.oracles[i]).Names()).second) {
-      ThrowError(at, "these switches again", "each set once");
+      ThrowError(at, "these switches twice", "each set once");
     }
   }
 }

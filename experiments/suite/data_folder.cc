@@ -28,7 +28,7 @@ const std::vector<FoundSequence>& DataFolder::All() {
 }
 
 DataFolder::Found DataFolder::Find(const std::string& folder) {
-  if (root_.empty()) return {{}, "no data folder: give --data or set CLUSTERVO_DATA"};
+  if (root_.empty()) return {{}, "no data folder: use --data or set CLUSTERVO_DATA"};
   std::error_code ignored;
   if (!fs::is_directory(root_, ignored)) return {{}, "no data folder " + root_.string()};
   const fs::path direct = NormalFolder(root_ / folder);

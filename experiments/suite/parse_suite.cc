@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using synth::ObjectReader;
 
-constexpr int kMostSeeds = 10000;
+constexpr int kMaxSeeds = 10000;
 
 std::vector<std::string> TextsOr(ObjectReader& object, const std::string& key,
                                  std::vector<std::string> fallback) {
@@ -62,7 +62,7 @@ std::string DefaultName(const SuiteSequence& sequence) {
   return name;
 }
 
-constexpr std::uint64_t kMostFamilySeeds = 10000;
+constexpr std::uint64_t kMaxFamilySeeds = 10000;
 
 // "1000:1040" (its end not included), or one number.
 std::pair<std::uint32_t, std::uint64_t> ReadSeedRange(ObjectReader& object) {
@@ -77,7 +77,7 @@ std::pair<std::uint32_t, std::uint64_t> ReadSeedRange(ObjectReader& object) {
     const std::uint32_t first = synth::ParseFamilySeed(text.substr(0, colon));
     if (colon == std::string::npos) return {first, first + std::uint64_t{1}};
     const std::uint32_t end = synth::ParseFamilySeed(text.substr(colon + 1));
-    if (end > first && end - first <= kMostFamilySeeds) return {first, end};
+    if (end > first && end - first <= kMaxFamilySeeds) return {first, end};
   } catch (const Error&) {
   }
   ThrowError(where, object.Value("seeds").dump(),
@@ -151,12 +151,12 @@ std::vector<std::uint64_t> ReadSeeds(ObjectReader& object) {
   const Json& value = object.Value("seeds");
   std::vector<std::uint64_t> seeds;
   if (!value.is_array()) {
-    seeds.resize(static_cast<std::size_t>(object.Integer("seeds", {1, kMostSeeds})));
+    seeds.resize(static_cast<std::size_t>(object.Integer("seeds", {1, kMaxSeeds})));
     std::iota(seeds.begin(), seeds.end(), 1);
     return seeds;
   }
-  if (value.size() > kMostSeeds) {
-    ThrowError(object.Where("seeds"), StrCat(value.size()), StrCat("at most ", kMostSeeds));
+  if (value.size() > kMaxSeeds) {
+    ThrowError(object.Where("seeds"), StrCat(value.size()), StrCat("at most ", kMaxSeeds));
   }
   for (const Json& seed : value) {
     const bool integer =

@@ -48,22 +48,22 @@ std::string Differences(const Plan& plan, const PlannedJob& job, const Plan& ear
   const auto add = [&why](bool differs, const char* what) {
     if (differs) why += (why.empty() ? "" : ", ") + std::string(what);
   };
-  add(plan.build != earlier.build, "another build of the program");
+  add(plan.build != earlier.build, "different build of the program");
   add(job.content != before.content, "the sequence has changed");
   if (job.cell.system.empty()) {
     add(ResolvedOptions(plan.suite, job.cell) != ResolvedOptions(earlier.suite, before.cell),
-        "other options");
+        "different options");
   }
-  return why.empty() ? "other boxes or files" : why;
+  return why.empty() ? "different boxes or files" : why;
 }
 
-std::string WhyItRuns(const Plan& plan, const PlannedJob& job, const EarlierRuns& earlier,
-                      const std::map<std::string, const PlannedJob*>& before) {
+std::string ReasonToRun(const Plan& plan, const PlannedJob& job, const EarlierRuns& earlier,
+                        const std::map<std::string, const PlannedJob*>& before) {
   if (const std::string message = earlier.failed(job.job); !message.empty()) {
     return "failed before: " + message;
   }
   const auto found = before.find(NameOf(job.cell));
-  if (found == before.end()) return earlier.plan ? "not in the plan so far" : "new";
+  if (found == before.end()) return earlier.plan ? "not in the previous plan" : "new";
   if (found->second->job == job.job || found->second->job.empty()) return "not run yet";
   // Only what was computed once is computed again.
   if (!earlier.done(*found->second)) return "not run yet";
@@ -83,21 +83,21 @@ std::optional<double> FrameTimeOf(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::vector<JobOutlook> OutlookOf(const Plan& plan, const EarlierRuns& earlier) {
+std::vector<PredictedState> PredictStates(const Plan& plan, const EarlierRuns& earlier) {
   std::map<std::string, const PlannedJob*> before;
   if (earlier.plan) {
     for (const PlannedJob& job : earlier.plan->jobs) before.emplace(NameOf(job.cell), &job);
   }
-  std::vector<JobOutlook> outlook;
+  std::vector<PredictedState> outlook;
   for (const PlannedJob& job : plan.jobs) {
     if (job.missing == kNotRendered) {
-      outlook.push_back({JobState::kRenders, "its scene is not rendered"});
+      outlook.push_back({JobState::kRenders, "its scene is not rendered yet"});
     } else if (!job.missing.empty()) {
       outlook.push_back({JobState::kMissing, job.missing});
     } else if (earlier.done(job)) {
       outlook.push_back({JobState::kDone, ""});
     } else {
-      outlook.push_back({JobState::kRuns, WhyItRuns(plan, job, earlier, before)});
+      outlook.push_back({JobState::kRuns, ReasonToRun(plan, job, earlier, before)});
     }
   }
   return outlook;
@@ -127,7 +127,7 @@ std::map<std::string, double> MeasuredFrameTimes(
   return times_s;
 }
 
-double EstimatedSeconds(const BuiltPlan& built, const std::vector<JobOutlook>& outlook,
+double EstimatedSeconds(const BuiltPlan& built, const std::vector<PredictedState>& outlook,
                         const std::map<std::string, double>& frame_times_s) {
   double seconds = 0.0;
   for (const SceneRender& render : built.renders) {

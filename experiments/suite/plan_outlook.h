@@ -21,7 +21,7 @@ enum class JobState {
 };
 
 // What will become of a planned job.
-struct JobOutlook {
+struct PredictedState {
   JobState state = JobState::kRuns;
   std::string why;  // it runs, or is missing: one phrase for the user
 };
@@ -35,7 +35,7 @@ struct EarlierRuns {
 
 // One per job of the plan. A job that the earlier plan had under another identity is said to run
 // because of what differs: the build, the options, the sequence.
-std::vector<JobOutlook> OutlookOf(const Plan& plan, const EarlierRuns& earlier);
+std::vector<PredictedState> PredictStates(const Plan& plan, const EarlierRuns& earlier);
 
 // Seconds per frame and process, by variant ("": the mean over those measured), of timing.json of
 // the finished jobs of both plans; a few files of each variant are read, those that cannot be are
@@ -50,7 +50,7 @@ inline constexpr double kAssumedDrawnFrame_s = 0.25;
 inline constexpr double kAssumedNoisyFrame_s = 0.03;
 
 // Seconds of one process for all that has to be rendered and run, each job once.
-double EstimatedSeconds(const BuiltPlan& built, const std::vector<JobOutlook>& outlook,
+double EstimatedSeconds(const BuiltPlan& built, const std::vector<PredictedState>& outlook,
                         const std::map<std::string, double>& frame_times_s);
 
 }  // namespace cvo

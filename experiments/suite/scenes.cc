@@ -96,7 +96,7 @@ std::optional<std::string> FindSceneDamage(const fs::path& folder, const HashFil
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (hashes[i] == records[i].sha256) continue;
     return files[i].string() +
-           (hashes[i].empty() ? " cannot be read" : " has other content than it was written with");
+           (hashes[i].empty() ? " cannot be read" : " has changed since it was written");
   }
   return std::nullopt;
 } catch (const Error& error) {
@@ -111,7 +111,7 @@ void RequireAsRendered(const Sequence& sequence, const HashFiles& hash) {
       FindSceneDamage(sequence.folder, hash, {sequence.first_frame, sequence.first_frame + frames});
   if (!damage) return;
   throw Error(StrCat(*damage, "; expected the files that ", synth::kManifestName,
-                     " names: render the scene again, or remove that file to use others"));
+                     " lists: render the scene again, or remove that file to use other files"));
 }
 
 }  // namespace cvo

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view kScene = "scene.";
 constexpr double kLargest = 1e15;
-constexpr int kMostSteps = 1000;
+constexpr int kMaxAxisValues = 1000;
 
 // An integer where the ends are integers, so that options that count can be swept.
 Json AxisValue(double value, bool integers) {
@@ -30,7 +30,7 @@ Json AxisValue(double value, bool integers) {
 std::vector<Json> RangeValues(synth::ObjectReader range) {
   const double from = range.Number("from", {-kLargest, kLargest});
   const double to = range.Number("to", {-kLargest, kLargest});
-  const int steps = range.Integer("steps", {2, kMostSteps});
+  const int steps = range.Integer("steps", {2, kMaxAxisValues});
   const std::string scale = range.TextOr("scale", "linear");
   const bool integers =
       range.Value("from").is_number_integer() && range.Value("to").is_number_integer();
@@ -39,7 +39,7 @@ std::vector<Json> RangeValues(synth::ObjectReader range) {
     ThrowError(range.Where("scale"), "\"" + scale + "\"", "\"linear\" or \"log\"");
   }
   if (scale == "log" && !(from > 0.0 && to > 0.0)) {
-    ThrowError(range.Where(""), StrCat(from, " to ", to), "ends above 0 on a log scale");
+    ThrowError(range.Where(""), StrCat(from, " to ", to), "bounds above 0 on a log scale");
   }
   std::vector<Json> values = {range.Value("from")};
   for (int i = 1; i + 1 < steps; ++i) {
@@ -101,8 +101,8 @@ GridPoint DefaultPoint(const Suite& suite, const SuiteSequence& sequence) {
       if (scene.is_null()) scene = SceneDefaults(sequence);
       value = AtPath(scene, SceneKey(axis.path));
       if (value.is_null()) {
-        ThrowError("grid." + axis.path, "no such value in scene " + sequence.scene,
-                   "a key that it has: one axis at a time starts from the scene's own values");
+        ThrowError("grid." + axis.path, "no such key in scene " + sequence.scene,
+                   "an existing key: one-at-a-time grids start from the scene's own values");
       }
     } else {
       value = AtPath(estimator, axis.path);
@@ -142,8 +142,8 @@ std::vector<Json> ParseAxisValues(const Json& json, const std::string& where) {
     ThrowError(where, json.is_array() ? "an empty list" : StrCat("a JSON ", json.type_name()),
                "a list of values or {\"from\", \"to\", \"steps\", \"scale\"}");
   }
-  if (values.size() > kMostSteps) {
-    ThrowError(where, StrCat(values.size(), " values"), StrCat("at most ", kMostSteps));
+  if (values.size() > kMaxAxisValues) {
+    ThrowError(where, StrCat(values.size(), " values"), StrCat("at most ", kMaxAxisValues));
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {

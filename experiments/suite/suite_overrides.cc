@@ -50,8 +50,8 @@ void Set(const std::string& assignment, Suite& suite) {
                                  [&](const GridAxis& other) { return other.path == path; });
   const bool of_scene = IsScenePath(path);
   if ((of_scene || axis != suite.grid.end()) && suite.grid_one_at_a_time) {
-    ThrowError("--set " + assignment, "a suite that changes one axis of its grid at a time",
-               "an option that is no axis");
+    ThrowError("--set " + assignment, "a suite that varies one axis of its grid at a time",
+               "an option that is not an axis");
   }
   if (axis != suite.grid.end()) {
     axis->values = {value};

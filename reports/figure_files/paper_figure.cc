@@ -73,7 +73,7 @@ std::vector<std::string> Wrapped(const std::string& text, std::size_t characters
   return lines;
 }
 
-PaperFigure OnPaper(const Figure& figure) {
+PaperFigure ToPaperFigure(const Figure& figure) {
   Json plotly = ParseJson(figure.plotly, "figure " + figure.id);
   Json& layout = plotly["layout"];
   const Title title = MakeTitle(figure);

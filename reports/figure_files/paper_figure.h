@@ -17,7 +17,7 @@ struct PaperFigure {
   int width_px = 0;
   int height_px = 0;
 };
-PaperFigure OnPaper(const Figure& figure);
+PaperFigure ToPaperFigure(const Figure& figure);
 
 // All there is of a figure, as JSON for other programs.
 std::string FigureJson(const Figure& figure);

@@ -17,7 +17,7 @@
 namespace cvo::reports {
 namespace {
 
-constexpr std::size_t kMostSeries = 20;
+constexpr std::size_t kMaxSeries = 20;
 constexpr int kWidth_px = 560;
 
 // An error and the coverage that it must be read with.
@@ -107,8 +107,8 @@ Json MeanPoint(const SeriesRows& series, const Table& table, const ErrorAndCover
   const Cell& coverage = series.all->cells[pair.coverage];
   const Column& error_column = table.columns[pair.error];
   const Column& coverage_column = table.columns[pair.coverage];
-  const std::string said = StrCat(series.label, ": ", SayCell(error, error_column), " at ",
-                                  SayCell(coverage, coverage_column));
+  const std::string said = StrCat(series.label, ": ", CellValueText(error, error_column), " at ",
+                                  CellValueText(coverage, coverage_column));
   return {{"type", "scatter"},
           {"mode", series.options.empty() ? "markers" : "markers+text"},
           {"name", PlotText(series.name)},
@@ -127,8 +127,8 @@ Json MeanPoint(const SeriesRows& series, const Table& table, const ErrorAndCover
 
 // Texts beside marks that would lie on each other: the first of them stays, hovering tells the
 // rest.
-void ThinTexts(Json& points) {
-  constexpr double kApart = 0.04;  // of what marks and intervals span
+void RemoveOverlappingTexts(Json& points) {
+  constexpr double kMinSeparation = 0.04;  // of what marks and intervals span
   const auto at = [](const Json& point, const char* axis) { return point[axis][0].get<double>(); };
   const auto span = [&](const char* axis, const char* whiskers) {
     double low = std::numeric_limits<double>::infinity();
@@ -146,8 +146,8 @@ void ThinTexts(Json& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       if (points[k]["text"][0] == "") continue;
-      if (std::abs(at(points[i], "x") - at(points[k], "x")) > kApart * span_x) continue;
-      if (std::abs(at(points[i], "y") - at(points[k], "y")) > kApart * span_y) continue;
+      if (std::abs(at(points[i], "x") - at(points[k], "x")) > kMinSeparation * span_x) continue;
+      if (std::abs(at(points[i], "y") - at(points[k], "y")) > kMinSeparation * span_y) continue;
       points[i]["text"][0] = "";
     }
   }
@@ -164,9 +164,9 @@ std::string WithoutPoint(const std::vector<SeriesRows>& series, const Table& tab
   std::string text;
   for (const SeriesRows& rows : series) {
     if (rows.all == nullptr || HasMean(rows, pair)) continue;
-    text += StrCat(" Without a mark: ", rows.label, ", no ", table.columns[pair.error].label,
-                   ", coverage ",
-                   SayCell(rows.all->cells[pair.coverage], table.columns[pair.coverage]), ".");
+    text += StrCat(
+        " Without a mark: ", rows.label, ", no ", table.columns[pair.error].label, ", coverage ",
+        CellValueText(rows.all->cells[pair.coverage], table.columns[pair.coverage]), ".");
   }
   return text;
 }
@@ -179,15 +179,16 @@ std::string Alt(const std::vector<SeriesRows>& series, const Table& table,
       StrCat("Scatter of ", error.label, " over ", coverage.label, "; down and right is better. ");
   for (const SeriesRows& rows : series) {
     if (HasMean(rows, pair)) {
-      text += StrCat(Capitalised(rows.label), ": ", SayCell(rows.all->cells[pair.error], error),
-                     " at ", SayCell(rows.all->cells[pair.coverage], coverage), " coverage. ");
+      text +=
+          StrCat(Capitalised(rows.label), ": ", CellValueText(rows.all->cells[pair.error], error),
+                 " at ", CellValueText(rows.all->cells[pair.coverage], coverage), " coverage. ");
       continue;
     }
     for (const SceneRow& scene : rows.scenes) {
       if (!scene.cells[pair.error].present || !scene.cells[pair.coverage].present) continue;
       text += StrCat(Capitalised(rows.label), " on ", scene.sequence, ": ",
-                     SayCell(scene.cells[pair.error], error), " at ",
-                     SayCell(scene.cells[pair.coverage], coverage), " coverage. ");
+                     CellValueText(scene.cells[pair.error], error), " at ",
+                     CellValueText(scene.cells[pair.coverage], coverage), " coverage. ");
     }
   }
   text.pop_back();
@@ -221,7 +222,7 @@ Plot MakePlot(const SuiteData& data, const std::vector<SeriesRows>& series,
     point["showlegend"] = in_legend.insert(rows.name).second;
     means.push_back(std::move(point));
   }
-  ThinTexts(means);
+  RemoveOverlappingTexts(means);
   for (Json& point : means) plot.AddTrace(0, std::move(point));
   return plot;
 }
@@ -263,9 +264,9 @@ void DrawErrorOverCoverage(const SuiteData& data, const std::vector<SeriesRows>&
                            SuiteDrawing& drawing) {
   const std::vector<ErrorAndCoverage> pairs = FindPairs(data.table, drawing.not_drawn);
   if (pairs.empty()) return;
-  if (series.size() > kMostSeries) {
+  if (series.size() > kMaxSeries) {
     drawing.not_drawn.push_back(StrCat("Error over coverage: ", series.size(),
-                                       " kinds of marks, at most ", kMostSeries,
+                                       " kinds of marks, at most ", kMaxSeries,
                                        " can be told apart."));
     return;
   }

@@ -28,8 +28,8 @@ std::optional<double> ErrorAt(const BodyDetail& body, int frame) {
 }  // namespace
 
 double ErrorScale::Shown(double error_m) const {
-  constexpr double kLeastOnLog = 0.01;
-  return Rounded(log ? std::max(from_m * error_m, kLeastOnLog) : from_m * error_m, 3);
+  constexpr double kMinOnLogAxis = 0.01;
+  return Rounded(log ? std::max(from_m * error_m, kMinOnLogAxis) : from_m * error_m, 3);
 }
 
 Json ErrorLine(const std::vector<BodyPosition>& positions, const ErrorScale& scale) {

@@ -15,7 +15,7 @@
 namespace cvo::reports {
 namespace {
 
-constexpr std::size_t kMostBodies = 6;
+constexpr std::size_t kMaxBodies = 6;
 constexpr int kCurveWidth_px = 720;
 
 const BodyDetail* FindBody(const DrawnRun& run, int id) {
@@ -50,9 +50,9 @@ SceneBodies ChooseBodies(const DrawnScene& scene) {
                    [](const BodyDetail* a, const BodyDetail* b) {
                      return a->visible.size() > b->visible.size();
                    });
-  if (bodies.drawn.size() > kMostBodies) {
-    bodies.left_out = bodies.drawn.size() - kMostBodies;
-    bodies.drawn.resize(kMostBodies);
+  if (bodies.drawn.size() > kMaxBodies) {
+    bodies.left_out = bodies.drawn.size() - kMaxBodies;
+    bodies.drawn.resize(kMaxBodies);
   }
   std::sort(bodies.drawn.begin(), bodies.drawn.end(),
             [](const BodyDetail* a, const BodyDetail* b) { return a->id < b->id; });
@@ -141,7 +141,7 @@ bool ShadeHidden(const BodyDetail& body, std::size_t panel, Plot& plot) {
 }
 
 // What a figure has come to hold, for its legend and caption.
-struct Held {
+struct DrawnMarks {
   bool predictions = false;
   bool births = false;
   bool switches = false;
@@ -150,7 +150,7 @@ struct Held {
 
 // Legend entries of their own, so that it is whole whatever the first panel holds.
 void AddLegend(const DrawnScene& scene, const SceneBodies& bodies, const Palette& palette,
-               const Held& held, Plot& plot) {
+               const DrawnMarks& marks, Plot& plot) {
   const auto add = [&](Json trace) {
     trace.update({{"type", "scatter"}, {"x", {nullptr}}, {"y", {nullptr}}, {"hoverinfo", "skip"}});
     plot.AddTrace(0, std::move(trace));
@@ -171,16 +171,17 @@ void AddLegend(const DrawnScene& scene, const SceneBodies& bodies, const Palette
          {"legendgroup", PlotText(run->variant)},
          {"line", {{"color", palette.Of(run->variant).colour}, {"width", 2}}}});
   }
-  if (held.predictions) {
+  if (marks.predictions) {
     add({{"mode", "lines"},
          {"name", "predicted"},
          {"line", {{"color", kTruthColour}, {"dash", "dot"}}}});
   }
-  if (held.births) add_mark("cluster begins", kBirth);
-  if (held.switches) add_mark("identity switch", kSwitch);
+  if (marks.births) add_mark("cluster begins", kBirth);
+  if (marks.switches) add_mark("identity switch", kSwitch);
 }
 
-std::string SayBody(const DrawnScene& scene, const BodyDetail& drawn, const ErrorScale& scale) {
+std::string BodyErrorText(const DrawnScene& scene, const BodyDetail& drawn,
+                          const ErrorScale& scale) {
   std::string text =
       StrCat(Capitalised(drawn.name), ", visible in ", drawn.visible.size(), " frames: ");
   bool first = true;
@@ -199,8 +200,9 @@ std::string SayBody(const DrawnScene& scene, const BodyDetail& drawn, const Erro
       most = std::max(most, position.error_m);
     }
     const double rmse = std::sqrt(squares / static_cast<double>(body->estimated.size()));
-    text += StrCat(Say(scale.from_m * rmse, 2), " ", scale.unit, " root mean square, at most ",
-                   Say(scale.from_m * most, 2), ", in ", body->estimated.size(), " frames");
+    text +=
+        StrCat(NumberText(scale.from_m * rmse, 2), " ", scale.unit, " root mean square, at most ",
+               NumberText(scale.from_m * most, 2), ", in ", body->estimated.size(), " frames");
     if (!body->predicted.empty()) text += StrCat(" and ", body->predicted.size(), " predicted");
   }
   return text + ". ";
@@ -220,9 +222,9 @@ Panel PanelOf(const BodyDetail& body, const ErrorScale& scale) {
 }
 
 std::string Caption(const DrawnScene& scene, const SceneBodies& bodies, const ErrorScale& scale,
-                    const Held& held) {
+                    const DrawnMarks& marks) {
   std::string text = "Dotted: predicted by the motion model alone. Gaps: no estimate that counts. ";
-  if (held.shades) {
+  if (marks.shades) {
     text += "Shaded: the body is not visible: hidden, too small or out of the image. ";
   }
   if (scale.log) text += "The scale of errors is logarithmic. ";
@@ -247,8 +249,8 @@ std::string Caption(const DrawnScene& scene, const SceneBodies& bodies, const Er
 
 // One panel: what all runs say of a body.
 void DrawBody(const DrawnScene& scene, const BodyDetail& drawn, std::size_t panel,
-              const ErrorScale& scale, const Palette& palette, Held& held, Plot& plot) {
-  held.shades = ShadeHidden(drawn, panel, plot) || held.shades;
+              const ErrorScale& scale, const Palette& palette, DrawnMarks& marks, Plot& plot) {
+  marks.shades = ShadeHidden(drawn, panel, plot) || marks.shades;
   FrameMarks births(kBirth, "cluster begins");
   FrameMarks switches(kSwitch, "identity switch");
   for (const DrawnRun* run : scene.runs) {
@@ -256,7 +258,7 @@ void DrawBody(const DrawnScene& scene, const BodyDetail& drawn, std::size_t pane
     if (body == nullptr) continue;
     const Style& style = palette.Of(run->variant);
     DrawRun(*run, *body, scale, style, panel, plot);
-    held.predictions = held.predictions || !body->predicted.empty();
+    marks.predictions = marks.predictions || !body->predicted.empty();
     const auto birth = FirstFrameOf(*run, body->cluster);
     if (birth) births.Add(*body, *birth, *run, scale, style);
     if (!run->switches) continue;
@@ -264,8 +266,8 @@ void DrawBody(const DrawnScene& scene, const BodyDetail& drawn, std::size_t pane
       if (change.body == body->id) switches.Add(*body, change.frame, *run, scale, style);
     }
   }
-  held.births = held.births || !births.empty();
-  held.switches = held.switches || !switches.empty();
+  marks.births = marks.births || !births.empty();
+  marks.switches = marks.switches || !switches.empty();
   if (!births.empty()) plot.AddTrace(panel, births.Trace());
   if (!switches.empty()) plot.AddTrace(panel, switches.Trace());
 }
@@ -278,20 +280,20 @@ Figure DrawScene(const SuiteData& data, const DrawnScene& scene, const SceneBodi
   std::vector<std::string> entries = VariantsOf(data.drawn);
   entries.insert(entries.end(), {"predicted", "cluster begins", "identity switch"});
   Plot plot(AxisOf("frame"), panels, LegendHeight(entries, kCurveWidth_px));
-  Held held;
+  DrawnMarks marks;
   for (std::size_t i = 0; i < bodies.drawn.size(); ++i) {
-    DrawBody(scene, *bodies.drawn[i], i, scale, palette, held, plot);
+    DrawBody(scene, *bodies.drawn[i], i, scale, palette, marks, plot);
   }
-  AddLegend(scene, bodies, palette, held, plot);
+  AddLegend(scene, bodies, palette, marks, plot);
   Figure figure;
   figure.id = "error-over-time-" + Slug(scene.sequence);
   figure.group = "Error over time";
   figure.title = StrCat("Position error of moving bodies on ", scene.sequence, ", ",
                         SeedText(scene), ". Per frame, ", kTruthAlignment);
-  figure.caption = Caption(scene, bodies, scale, held);
+  figure.caption = Caption(scene, bodies, scale, marks);
   figure.alt =
       StrCat("Lines of position error over frames on ", scene.sequence, ", one panel per body. ");
-  for (const BodyDetail* body : bodies.drawn) figure.alt += SayBody(scene, *body, scale);
+  for (const BodyDetail* body : bodies.drawn) figure.alt += BodyErrorText(scene, *body, scale);
   figure.alt.pop_back();
   figure.width_px = kCurveWidth_px;
   figure.height_px = plot.height_px();

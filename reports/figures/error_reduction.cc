@@ -14,7 +14,7 @@
 namespace cvo::reports {
 namespace {
 
-constexpr std::size_t kMostRows = 150;
+constexpr std::size_t kMaxRows = 150;
 constexpr char kAllScenes[] = "all";
 
 struct HeatCell {
@@ -51,8 +51,8 @@ HeatCell MakeHeatCell(const Cell& cell, const Column& column) {
   const Shown shown = ShownAs(column.metric, column.unit);
   const std::string unit = shown.unit.empty() ? "" : " " + shown.unit;
   heat.distinguishable = cell.difference->distinguishable;
-  heat.hover = StrCat(Say(shown.scale * cell.difference->value), unit, " against ",
-                      Say(shown.scale * cell.difference->reference_value), unit, ", ",
+  heat.hover = StrCat(NumberText(shown.scale * cell.difference->value), unit, " against ",
+                      NumberText(shown.scale * cell.difference->reference_value), unit, ", ",
                       cell.difference->pairs, " pairs");
   if (!heat.reduction_percent) heat.hover += ": the reference has no error";
   return heat;
@@ -112,7 +112,7 @@ HeatMap MakeHeatMap(const SuiteData& data, const std::vector<SeriesRows>& series
 std::string CellText(const HeatCell& cell) {
   if (!cell.reduction_percent) return "";
   const double percent = std::round(*cell.reduction_percent);
-  std::string text = percent <= -1000.0 ? "−999+" : Say(std::abs(percent), 4);
+  std::string text = percent <= -1000.0 ? "−999+" : NumberText(std::abs(percent), 4);
   if (percent > -1000.0 && percent != 0.0) text = (percent < 0.0 ? "−" : "+") + text;
   return cell.distinguishable ? "<b>" + text + "</b>" : "(" + text + ")";
 }
@@ -243,7 +243,7 @@ Plot MakePlot(const HeatMap& map, const Table& table) {
 }
 
 // Per block what is real and the largest change either way.
-std::string SayBlock(const HeatBlock& block, const HeatMap& map, const Table& table) {
+std::string HeatBlockText(const HeatBlock& block, const HeatMap& map, const Table& table) {
   std::size_t cells = 0;
   std::size_t real = 0;
   std::string largest[2];
@@ -257,7 +257,7 @@ std::string SayBlock(const HeatBlock& block, const HeatMap& map, const Table& ta
       const int worse = *cell.reduction_percent < 0.0 ? 1 : 0;
       if (!cell.distinguishable || std::abs(*cell.reduction_percent) <= most[worse]) continue;
       most[worse] = std::abs(*cell.reduction_percent);
-      largest[worse] = StrCat(Say(most[worse], 2), worse ? " % more " : " % less ",
+      largest[worse] = StrCat(NumberText(most[worse], 2), worse ? " % more " : " % less ",
                               LabelOf(column, table), " on ", row.label);
     }
   }
@@ -306,9 +306,8 @@ void DrawErrorReduction(const SuiteData& data, const std::vector<SeriesRows>& se
                                        data.table.reference, " and of another."));
     return;
   }
-  if (map.rows > kMostRows) {
-    drawing.not_drawn.push_back(
-        StrCat(what, map.rows, " rows, at most ", kMostRows, " are drawn."));
+  if (map.rows > kMaxRows) {
+    drawing.not_drawn.push_back(StrCat(what, map.rows, " rows, at most ", kMaxRows, " are drawn."));
     return;
   }
   const Plot plot = MakePlot(map, data.table);
@@ -325,8 +324,8 @@ void DrawErrorReduction(const SuiteData& data, const std::vector<SeriesRows>& se
       "paired difference holds 0, or there are too few pairs). Empty: nothing to compare. Of "
       "shares the error is what is missing to 100 %. Each cell is on what both have in common.");
   figure.alt = StrCat("Heat map of ", map.rows, " rows by ", map.columns.size(),
-                      " measures, against ", data.table.reference, ". ");
-  for (const HeatBlock& block : map.blocks) figure.alt += SayBlock(block, map, data.table);
+                      " metrics, against ", data.table.reference, ". ");
+  for (const HeatBlock& block : map.blocks) figure.alt += HeatBlockText(block, map, data.table);
   figure.alt.pop_back();
   figure.width_px = WidthOf(map, 58);
   figure.least_px = WidthOf(map, 46);

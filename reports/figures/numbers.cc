@@ -17,7 +17,7 @@ Json RoundedList(const std::vector<double>& values, int digits) {
   return list;
 }
 
-std::string Say(double value, int digits) {
+std::string NumberText(double value, int digits) {
   if (value == 0.0 || !std::isfinite(value)) return value == 0.0 ? "0" : "no number";
   const int magnitude =
       static_cast<int>(std::floor(std::log10(std::abs(RoundedTo(value, digits)))));
@@ -47,14 +47,14 @@ std::string AxisTitle(const Column& column) {
   return StrCat(column.label, " (", unit.empty() ? "count" : unit, ")");
 }
 
-std::string SayCell(const Cell& cell, const Column& column) {
+std::string CellValueText(const Cell& cell, const Column& column) {
   if (!cell.present) return "no value";
   const Shown shown = ShownAs(column.metric, column.unit);
-  std::string text = Say(shown.scale * cell.value);
+  std::string text = NumberText(shown.scale * cell.value);
   if (!shown.unit.empty()) text += " " + shown.unit;
   if (!cell.interval) return text;
-  return StrCat(text, " (", Say(shown.scale * cell.interval->low), " to ",
-                Say(shown.scale * cell.interval->high), ")");
+  return StrCat(text, " (", NumberText(shown.scale * cell.interval->low), " to ",
+                NumberText(shown.scale * cell.interval->high), ")");
 }
 
 std::string Capitalised(std::string text) {

@@ -17,7 +17,7 @@ inline double Rounded(double value, int digits = 4) { return RoundedTo(value, di
 Json RoundedList(const std::vector<double>& values, int digits = 4);
 
 // For sentences: three significant digits, never in powers of ten.
-std::string Say(double value, int digits = 3);
+std::string NumberText(double value, int digits = 3);
 
 // How figures show a metric: shares in percent, the rest in its own unit.
 struct Shown {
@@ -33,7 +33,7 @@ Shown ShownAs(const std::string& metric, const std::string& unit);
 std::string AxisTitle(const Column& column);
 
 // "0.0213 m (0.018 to 0.025)".
-std::string SayCell(const Cell& cell, const Column& column);
+std::string CellValueText(const Cell& cell, const Column& column);
 
 // First letter large.
 std::string Capitalised(std::string text);

@@ -14,8 +14,8 @@
 namespace cvo::reports {
 namespace {
 
-constexpr std::size_t kMostLines = 12;
-constexpr std::size_t kMostBands = 6;
+constexpr std::size_t kMaxLines = 12;
+constexpr std::size_t kMaxBands = 6;
 constexpr int kSweepWidth_px = 620;
 
 // Columns that belong in one figure, coverage last.
@@ -68,7 +68,7 @@ Json XAxis(const SweptOption& option) {
   axis["type"] = "log";
   axis["tickvals"] = RoundedList(option.values);
   axis["ticktext"] = Json::array();
-  for (const double value : option.values) axis["ticktext"].push_back(Say(value, 2));
+  for (const double value : option.values) axis["ticktext"].push_back(NumberText(value, 2));
   return axis;
 }
 
@@ -119,7 +119,7 @@ Json Curve(const SweptLine& line, const Table& table, std::size_t column, const 
     const Cell& cell = table.rows[row].cells[column];
     x.push_back(Rounded(value));
     y.push_back(cell.present ? Json(Rounded(shown.scale * cell.value)) : Json(nullptr));
-    texts.push_back(PlotText(SayCell(cell, metric)));
+    texts.push_back(PlotText(CellValueText(cell, metric)));
   }
   return {{"type", "scatter"},
           {"mode", "lines+markers"},
@@ -151,12 +151,12 @@ void MarkDefault(const SweptOption& option, std::size_t panels, Plot& plot) {
                          {"x", option.log_spaced ? Rounded(std::log10(value), 8) : value},
                          {"y", 1},
                          {"yanchor", "bottom"},
-                         {"text", "default " + Say(value)},
+                         {"text", "default " + NumberText(value)},
                          {"font", {{"size", 11}}}});
 }
 
 // What a curve says: where it starts and ends, and where it is best.
-std::string SayCurve(const SweptLine& line, const Table& table, std::size_t column) {
+std::string CurveText(const SweptLine& line, const Table& table, std::size_t column) {
   const Column& metric = table.columns[column];
   const Shown shown = ShownAs(metric.metric, metric.unit);
   const std::pair<double, std::size_t>* best = nullptr;
@@ -176,8 +176,8 @@ std::string SayCurve(const SweptLine& line, const Table& table, std::size_t colu
   }
   if (first == nullptr) return StrCat(metric.label, " of ", line.label, ": no values. ");
   const auto say = [&](const auto& point) {
-    return StrCat(SayCell(table.rows[point.second].cells[column], metric), " at ",
-                  Say(point.first));
+    return StrCat(CellValueText(table.rows[point.second].cells[column], metric), " at ",
+                  NumberText(point.first));
   };
   return StrCat(Capitalised(metric.label), " of ", line.label, ": ", say(*first), ", ", say(*last),
                 "; best ", say(*best), ". ");
@@ -186,9 +186,9 @@ std::string SayCurve(const SweptLine& line, const Table& table, std::size_t colu
 std::string Alt(const SweptOption& option, const MetricGroup& group, const Table& table) {
   std::string text =
       StrCat("Curves over ", option.path, ", ", option.values.size(), " values from ",
-             Say(option.values.front()), " to ", Say(option.values.back()), ". ");
+             NumberText(option.values.front()), " to ", NumberText(option.values.back()), ". ");
   for (const std::size_t column : group.columns) {
-    for (const SweptLine& line : option.lines) text += SayCurve(line, table, column);
+    for (const SweptLine& line : option.lines) text += CurveText(line, table, column);
   }
   text.pop_back();
   return text;
@@ -196,9 +196,9 @@ std::string Alt(const SweptOption& option, const MetricGroup& group, const Table
 
 std::string Caption(const SweptOption& option, const MetricGroup& group, const Table& table) {
   std::string text = "Points: values of the table";
-  text += option.lines.size() <= kMostBands ? ", bands: their intervals. " : ". ";
+  text += option.lines.size() <= kMaxBands ? ", bands: their intervals. " : ". ";
   text += IntervalText(table, group.columns);
-  text += option.default_value ? " Dotted: the default, " + Say(*option.default_value) + "."
+  text += option.default_value ? " Dotted: the default, " + NumberText(*option.default_value) + "."
                                : " The default of this option is not known here.";
   if (!group.has_coverage) text += " The suite's table has no coverage for these metrics.";
   return text;
@@ -218,7 +218,7 @@ Figure DrawGroup(const SweptOption& option, const MetricGroup& group, const Tabl
   Plot plot(XAxis(option), panels, LegendHeight(entries, kSweepWidth_px) + kDefaultMark_px);
   for (std::size_t i = 0; i < group.columns.size(); ++i) {
     for (const SweptLine& line : option.lines) {  // all bands below all curves
-      if (option.lines.size() > kMostBands) break;
+      if (option.lines.size() > kMaxBands) break;
       plot.AddTrace(i, Band(line, table, group.columns[i], palette.Of(line.label)));
     }
     for (const SweptLine& line : option.lines) {
@@ -246,9 +246,9 @@ Figure DrawGroup(const SweptOption& option, const MetricGroup& group, const Tabl
 
 void DrawSensitivity(const SuiteData& data, SuiteDrawing& drawing) {
   for (const SweptOption& option : FindSweptOptions(data.plan, data.table, drawing.not_drawn)) {
-    if (option.lines.size() > kMostLines) {
+    if (option.lines.size() > kMaxLines) {
       drawing.not_drawn.push_back(StrCat("Sensitivity to ", option.path, ": ", option.lines.size(),
-                                         " curves would cover each other, at most ", kMostLines,
+                                         " curves would cover each other, at most ", kMaxLines,
                                          " are drawn."));
       continue;
     }

@@ -18,8 +18,8 @@ namespace {
 // run computes it.
 constexpr std::array kFrontEnd = {"decode", "extract", "match_stereo"};
 // What depends on whether features were kept already.
-constexpr std::array kOfTheCache = {"load_features", "store_features", "wait_for_features",
-                                    "frame"};
+constexpr std::array kCacheStages = {"load_features", "store_features", "wait_for_features",
+                                     "frame"};
 // In the order of the work; what is not named here follows, the sum comes last.
 constexpr std::array kEstimator = {"track",    "associate",         "label",   "window",
                                    "optimize", "optimize_clusters", "estimate"};
@@ -84,7 +84,7 @@ bool HasFrontEnd(const DrawnRun& run) {
 void AddRun(const DrawnRun& run, bool front_end, StageSeries& series) {
   ++series.runs;
   for (const StageTime& stage : run.detail.stages) {
-    if (PlaceIn(kOfTheCache, stage.stage) >= 0) continue;
+    if (PlaceIn(kCacheStages, stage.stage) >= 0) continue;
     if ((PlaceIn(kFrontEnd, stage.stage) >= 0) != front_end) continue;
     series.stages[stage.stage].median_ms.push_back(stage.median_ms);
     series.stages[stage.stage].p95_ms.push_back(stage.p95_ms);
@@ -177,7 +177,7 @@ Panel PanelOf(const std::vector<std::string>& stages, int bars) {
 }
 
 // The sum where there is one, and the stages that take the most.
-std::string SaySeries(const StageSeries& series) {
+std::string StageSeriesText(const StageSeries& series) {
   std::vector<std::pair<double, std::string>> largest;
   for (const auto& [stage, samples] : series.stages) {
     if (stage != kSum) largest.emplace_back(-Median(samples.median_ms), StageName(stage));
@@ -186,10 +186,11 @@ std::string SaySeries(const StageSeries& series) {
   std::string text = Capitalised(series.name) + ": ";
   const auto sum = series.stages.find(kSum);
   if (sum != series.stages.end()) {
-    text += StrCat(Say(Median(sum->second.median_ms)), " ms for all of the estimator, most in ");
+    text +=
+        StrCat(NumberText(Median(sum->second.median_ms)), " ms for all of the estimator, most in ");
   }
   for (std::size_t i = 0; i < largest.size() && i < 3; ++i) {
-    text += StrCat(i > 0 ? ", " : "", largest[i].second, " ", Say(-largest[i].first), " ms");
+    text += StrCat(i > 0 ? ", " : "", largest[i].second, " ", NumberText(-largest[i].first), " ms");
   }
   return text + ". ";
 }
@@ -262,7 +263,7 @@ void DrawStageTimes(const SuiteData& data, SuiteDrawing& drawing) {
   figure.alt = StrCat("Bars of ", stages.size(), " stages, median milliseconds per frame, on ",
                       machine, ". ");
   for (const StageSeries& one : series) {
-    if (one.runs > 0) figure.alt += SaySeries(one);
+    if (one.runs > 0) figure.alt += StageSeriesText(one);
   }
   figure.alt.pop_back();
   figure.width_px = kBarsWidth_px;

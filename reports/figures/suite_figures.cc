@@ -10,7 +10,7 @@
 namespace cvo::reports {
 namespace {
 
-constexpr std::size_t kMostSceneRows = 400;
+constexpr std::size_t kMaxSceneRows = 400;
 
 // Names that differ only in marks have one id: the later ones are numbered.
 void MakeIdsUnique(std::vector<Figure>& figures) {
@@ -26,14 +26,14 @@ void MakeIdsUnique(std::vector<Figure>& figures) {
 SuiteDrawing SuiteFigures(const SuiteData& data) {
   SuiteDrawing drawing;
   const std::size_t rows = CountSceneRows(data);
-  if (rows <= kMostSceneRows) {
+  if (rows <= kMaxSceneRows) {
     const std::vector<SeriesRows> series = SplitByScene(data);
     DrawErrorReduction(data, series, drawing);
     DrawErrorOverCoverage(data, series, drawing);
   } else {
     drawing.not_drawn.push_back(
         StrCat("Error reduction by sequence, and error over coverage: ", rows,
-               " rows of the table by sequence, at most ", kMostSceneRows, " can be read."));
+               " rows of the table by sequence, at most ", kMaxSceneRows, " can be read."));
   }
   DrawSensitivity(data, drawing);
   DrawErrorOverTime(data, drawing);

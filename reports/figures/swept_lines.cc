@@ -94,14 +94,14 @@ SweptOption ReadOption(const SuitePlan& plan, const Table& table, std::size_t ke
 }  // namespace
 
 bool IsOption(const std::string& key) {
-  constexpr std::array kOthers = {"sequence", "detections", "variant", "oracle"};
-  return std::find(kOthers.begin(), kOthers.end(), key) == kOthers.end();
+  constexpr std::array kNonOptionKeys = {"sequence", "detections", "variant", "oracle"};
+  return std::find(kNonOptionKeys.begin(), kNonOptionKeys.end(), key) == kNonOptionKeys.end();
 }
 
 bool AreLogSpaced(const std::vector<double>& ascending) {
-  constexpr double kLeastRatio = 8.0;
+  constexpr double kMinRatio = 8.0;
   if (ascending.size() < 3 || ascending.front() <= 0.0) return false;
-  if (ascending.back() / ascending.front() < kLeastRatio) return false;
+  if (ascending.back() / ascending.front() < kMinRatio) return false;
   std::vector<double> logarithms;
   for (const double value : ascending) logarithms.push_back(std::log(value));
   return Unevenness(logarithms) < Unevenness(ascending);

@@ -13,8 +13,8 @@
 namespace cvo::reports {
 namespace {
 
-constexpr std::size_t kMostPanels = 9;
-constexpr std::size_t kMostPoints = 150;  // of a line
+constexpr std::size_t kMaxPanels = 9;
+constexpr std::size_t kMaxPoints = 150;  // of a line
 
 // From above: x to the right of the first camera, z ahead of it.
 struct GroundPoint {
@@ -85,7 +85,7 @@ Track EstimatedTrack(const BodyDetail& body) {
 
 // Of a line, at most so many points, ends and gaps among them.
 Json LineOf(const Track& track) {
-  const std::size_t step = std::max<std::size_t>(1, (track.size() + kMostPoints - 1) / kMostPoints);
+  const std::size_t step = std::max<std::size_t>(1, (track.size() + kMaxPoints - 1) / kMaxPoints);
   Json x = Json::array();
   Json y = Json::array();
   for (std::size_t i = 0; i < track.size(); ++i) {
@@ -307,11 +307,12 @@ double EndError(const Track& estimate, const Track& truth) {
   return -1.0;
 }
 
-std::string SayRun(const DrawnRun& run) {
+std::string TrajectoryErrorText(const DrawnRun& run) {
   std::string text = run.variant + ": ";
   const double camera_m = EndError(CameraTrack(run.detail, false), CameraTrack(run.detail, true));
-  text += camera_m < 0.0 ? "camera without truth"
-                         : StrCat("camera ends ", Say(100.0 * camera_m, 2), " cm from the truth");
+  text += camera_m < 0.0
+              ? "camera without truth"
+              : StrCat("camera ends ", NumberText(100.0 * camera_m, 2), " cm from the truth");
   for (const BodyDetail& body : run.detail.bodies) {
     if (!body.mover) continue;
     double sum = 0.0;
@@ -319,7 +320,7 @@ std::string SayRun(const DrawnRun& run) {
     text += StrCat("; ", body.name, " ");
     text += body.estimated.empty()
                 ? "not estimated"
-                : StrCat(Say(100.0 * sum / static_cast<double>(body.estimated.size()), 2),
+                : StrCat(NumberText(100.0 * sum / static_cast<double>(body.estimated.size()), 2),
                          " cm off on average");
   }
   return text + ". ";
@@ -338,7 +339,7 @@ void DrawTrajectories(const SuiteData& data, SuiteDrawing& drawing) {
   const Palette palette = PaletteOf(data.plan, VariantsOf(data.drawn));
   for (const DrawnScene& scene : GroupByScene(data.drawn)) {
     std::vector<const DrawnRun*> runs = scene.runs;
-    if (runs.size() > kMostPanels) runs.resize(kMostPanels);
+    if (runs.size() > kMaxPanels) runs.resize(kMaxPanels);
     const Extent extent = ExtentOf(runs);
     if (extent.x_high <= extent.x_low || !std::isfinite(extent.x_high - extent.x_low)) {
       drawing.not_drawn.push_back(StrCat("Trajectories on ", scene.sequence, ": no poses."));
@@ -347,13 +348,13 @@ void DrawTrajectories(const SuiteData& data, SuiteDrawing& drawing) {
     Panels panels(runs, extent);
     Figure figure;
     figure.alt = StrCat("Map of the camera and of moving bodies from above on ", scene.sequence,
-                        ", ", Say(extent.x_high - extent.x_low, 2), " by ",
-                        Say(extent.z_high - extent.z_low, 2), " m. ");
+                        ", ", NumberText(extent.x_high - extent.x_low, 2), " by ",
+                        NumberText(extent.z_high - extent.z_low, 2), " m. ");
     AddLegend(panels);
     std::vector<std::string> cut;
     for (std::size_t i = 0; i < runs.size(); ++i) {
       DrawRun(*runs[i], palette.Of(runs[i]->variant), i, panels);
-      figure.alt += SayRun(*runs[i]);
+      figure.alt += TrajectoryErrorText(*runs[i]);
       if (LeavesExtent(*runs[i], extent)) cut.push_back(runs[i]->variant);
     }
     figure.alt.pop_back();

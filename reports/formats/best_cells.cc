@@ -11,7 +11,7 @@
 namespace cvo::reports {
 namespace {
 
-bool TellsDataApart(const std::string& key) {
+bool IdentifiesData(const std::string& key) {
   return key == "sequence" || key == "detections" || key.starts_with("scene.");
 }
 
@@ -19,7 +19,7 @@ bool TellsDataApart(const std::string& key) {
 std::vector<std::string> DataOf(const Row& row, const std::vector<std::string>& keys) {
   std::vector<std::string> data;
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (TellsDataApart(keys[i])) data.push_back(row.keys[i]);
+    if (IdentifiesData(keys[i])) data.push_back(row.keys[i]);
   }
   data.push_back(row.corrections);
   return data;
@@ -40,7 +40,7 @@ struct Candidate {
 // What competes in one column.
 class Contest {
  public:
-  void AddOurs(const Row& row, const Cell& cell, CellText& text) {
+  void AddResult(const Row& row, const Cell& cell, CellText& text) {
     if (!cell.present || text.grey) return;
     std::set<std::string> scenes;
     for (const std::size_t run : cell.runs) scenes.insert(row.runs[run].sequence);
@@ -48,7 +48,7 @@ class Contest {
     scenes_ = std::move(scenes);
     candidates_.push_back({cell.value, &text});
   }
-  void AddTheirs(const ReferenceCell& cell, CellText& text) {
+  void AddReferenceValue(const ReferenceCell& cell, CellText& text) {
     if (cell.match == Match::kMatches) candidates_.push_back({cell.value, &text});
   }
   bool Mark(bool higher_is_better) const {
@@ -73,7 +73,7 @@ class Contest {
 };
 
 // Where nothing is covered nothing is best, such as no switch of an identity.
-bool CoversNothing(const Table& table, const Row& row, std::size_t column) {
+bool HasZeroCoverage(const Table& table, const Row& row, std::size_t column) {
   const std::string coverage = CoverageOf(table.columns[column].metric);
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     if (table.columns[i].metric == coverage && i != column) {
@@ -89,10 +89,10 @@ bool MarkColumn(const Table& table, const std::vector<TextLine*>& lines, std::si
   for (TextLine* line : lines) {
     const Row& row = table.rows[*line->row];
     if (!line->reference) {
-      if (CoversNothing(table, row, column)) continue;
-      contest.AddOurs(row, row.cells[column], line->cells[column]);
+      if (HasZeroCoverage(table, row, column)) continue;
+      contest.AddResult(row, row.cells[column], line->cells[column]);
     } else if (const auto& cell = row.reference[*line->reference].cells[column]) {
-      contest.AddTheirs(*cell, line->cells[column]);
+      contest.AddReferenceValue(*cell, line->cells[column]);
     }
   }
   return contest.Mark(higher_is_better);

@@ -12,14 +12,14 @@ namespace cvo::reports {
 namespace {
 
 // Line ends stay, which CSV can hold; nothing else that a terminal would act upon does.
-std::string Harmless(const std::string& text) {
-  std::string harmless;
+std::string PrintableLines(const std::string& text) {
+  std::string printable;
   std::size_t begin = 0;
   while (true) {
     const std::size_t end = text.find('\n', begin);
-    harmless += Printable(std::string_view(text).substr(begin, end - begin));
-    if (end == std::string::npos) return harmless;
-    harmless += '\n';
+    printable += Printable(std::string_view(text).substr(begin, end - begin));
+    if (end == std::string::npos) return printable;
+    printable += '\n';
     begin = end + 1;
   }
 }
@@ -44,7 +44,7 @@ std::string CsvField(const std::string& text) {
   if (IsNumber(text)) return text;
   std::string field;
   if (LooksLikeFormula(text)) field += '\'';
-  field += Harmless(text);
+  field += PrintableLines(text);
   const bool blank_ends = !field.empty() && (field.front() == ' ' || field.back() == ' ');
   if (!blank_ends && field.find_first_of(",;\"\n") == std::string::npos) return field;
   std::string quoted = "\"";

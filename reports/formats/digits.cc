@@ -10,13 +10,13 @@
 namespace cvo::reports {
 namespace {
 
-constexpr int kMostDecimals = 9;
+constexpr int kMaxDecimals = 9;
 constexpr double kNoWidth = 1e-9;  // of the figure: an interval of equal values, but for rounding
 
 // Decimals that show so many significant digits of a value that is not 0.
 int Significant(double value, int digits) {
   return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0,
-                    kMostDecimals);
+                    kMaxDecimals);
 }
 
 int ByUnit(double value, const std::string& unit) {
@@ -54,7 +54,7 @@ std::vector<int> ColumnDecimals(const std::vector<Measured>& figures, const std:
   for (const Measured& figure : figures) {
     const bool alone = !figure.interval || !most;
     const double magnitude = Magnitude(figure);
-    const int limit = magnitude == 0.0 ? kMostDecimals : Significant(magnitude, 4);
+    const int limit = magnitude == 0.0 ? kMaxDecimals : Significant(magnitude, 4);
     decimals.push_back(alone ? ByUnit(figure.value, unit)
                              : std::max(ByInterval(figure).value_or(0), std::min(*most, limit)));
   }

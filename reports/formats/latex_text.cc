@@ -70,7 +70,7 @@ bool Joins(char32_t character) { return character == '-' || character == ',' || 
 // The end of a row takes these for its own where they stand behind it.
 bool BelongsToRowEnd(char32_t character) { return character == '[' || character == '*'; }
 
-bool BreaksBehind(char32_t character) {
+bool AllowsBreakAfter(char32_t character) {
   return std::u32string_view(U"_/.:-,").find(character) != std::u32string_view::npos;
 }
 
@@ -103,7 +103,7 @@ std::string LatexEscaped(std::string_view text, std::size_t longest_word) {
       letters = CodePoint(character).size();
     }
     word = character == ' ' ? 0 : word + letters;
-    if (word >= longest_word || (word > longest_word / 2 && BreaksBehind(character))) {
+    if (word >= longest_word || (word > longest_word / 2 && AllowsBreakAfter(character))) {
       escaped += "\\allowbreak{}";
       word = 0;
     }

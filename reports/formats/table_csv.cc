@@ -32,7 +32,7 @@ std::optional<double> High(const std::optional<Interval>& interval) {
   return interval ? std::optional(interval->high) : std::nullopt;
 }
 
-const ReferenceRow& TheirRow(const Table& table, const TextLine& line) {
+const ReferenceRow& FindReferenceRow(const Table& table, const TextLine& line) {
   return line.row ? table.rows[*line.row].reference[*line.reference]
                   : table.others[*line.reference];
 }
@@ -45,7 +45,7 @@ void AddHead(const Table& table, const TextLine& line, Record& record) {
     AddBlanks(table.keys.size(), record);
   }
   if (line.reference) {
-    const ReferenceRow& theirs = TheirRow(table, line);
+    const ReferenceRow& theirs = FindReferenceRow(table, line);
     AddText(theirs.system, record);
     AddText(table.sources[theirs.source].source, record);
     AddText(theirs.frames > 0 ? StrCat(theirs.first_frame, ":", theirs.first_frame + theirs.frames)
@@ -89,7 +89,7 @@ std::string Marks(const CellText& cell) {
 // Value, low, high, n, marks and note of one cell.
 void AddWideCell(const Table& table, const TextLine& line, std::size_t column, Record& record) {
   if (line.reference) {
-    const auto& cell = TheirRow(table, line).cells[column];
+    const auto& cell = FindReferenceRow(table, line).cells[column];
     AddNumber(cell ? std::optional(cell->value) : std::nullopt, record);
     AddBlanks(3, record);
   } else {
@@ -103,7 +103,7 @@ void AddWideCell(const Table& table, const TextLine& line, std::size_t column, R
   AddText(line.cells[column].note, record);
 }
 
-void AddOurCell(const Cell& cell, Record& record) {
+void AddResultCell(const Cell& cell, Record& record) {
   AddNumber(cell.present ? std::optional(cell.value) : std::nullopt, record);
   AddNumber(Low(cell.interval), record);
   AddNumber(High(cell.interval), record);
@@ -141,7 +141,7 @@ std::string LongRecord(const Table& table, const TableTexts& texts, const TextLi
   AddText(table.columns[column].metric, record);
   AddText(table.columns[column].unit, record);
   if (line.reference) {
-    const ReferenceCell& cell = *TheirRow(table, line).cells[column];
+    const ReferenceCell& cell = *FindReferenceRow(table, line).cells[column];
     AddNumber(cell.value, record);
     AddBlanks(7 + 1 + 6 + 1, record);
     AddText(Marks(line.cells[column]), record);
@@ -151,7 +151,7 @@ std::string LongRecord(const Table& table, const TableTexts& texts, const TextLi
     return CsvRecord(record);
   }
   const Cell& cell = table.rows[*line.row].cells[column];
-  AddOurCell(cell, record);
+  AddResultCell(cell, record);
   AddCoverage(table, texts, line, column, record);
   AddDifference(cell.difference, record);
   AddText(cell.left_out, record);
@@ -215,7 +215,7 @@ std::string TableLongCsv(const Table& table) {
   std::string csv = CsvRecord(header);
   for (const TextLine& line : texts.blocks[0].lines) {
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
-      if (line.reference && !TheirRow(table, line).cells[i]) continue;
+      if (line.reference && !FindReferenceRow(table, line).cells[i]) continue;
       csv += LongRecord(table, texts, line, i);
     }
   }

@@ -37,7 +37,7 @@ std::string ShortTruth(const Contract& contract) {
   return contract.truth ? NameOf(*contract.truth) : "-";
 }
 
-std::vector<std::string> OurTexts(const Row& row, const Table& table) {
+std::vector<std::string> ResultTexts(const Row& row, const Table& table) {
   std::vector<std::string> texts;
   for (const std::string& key : row.keys) texts.push_back(Printable(key));
   if (ShowsSequences(table)) {
@@ -67,7 +67,7 @@ CellText ValueText(const Cell& cell, int decimals) {
 }
 
 // Their figures as they print them.
-CellText TheirText(const std::optional<ReferenceCell>& cell) {
+CellText ReferenceText(const std::optional<ReferenceCell>& cell) {
   CellText text;
   if (!cell) return text;
   text.value = FormatGeneral(cell->value, 6);
@@ -80,7 +80,7 @@ CellText TheirText(const std::optional<ReferenceCell>& cell) {
   return text;
 }
 
-TextLine TheirLine(const ReferenceRow& line, const Table& table) {
+TextLine ReferenceLine(const ReferenceRow& line, const Table& table) {
   TextLine texts;
   texts.texts.resize(TextHeader(table).size());
   const auto variant = std::find(table.keys.begin(), table.keys.end(), "variant");
@@ -92,7 +92,7 @@ TextLine TheirLine(const ReferenceRow& line, const Table& table) {
   }
   texts.grey = true;
   for (const auto& cell : line.cells) {
-    texts.cells.push_back(TheirText(cell));
+    texts.cells.push_back(ReferenceText(cell));
     if (cell && cell->match == Match::kMatches) texts.grey = false;
   }
   return texts;
@@ -176,16 +176,16 @@ void AddDifferenceColumn(const Table& table, std::size_t column, std::vector<Tex
 }
 
 // Our rows without their cells.
-std::vector<TextLine> OurLines(const Table& table) {
+std::vector<TextLine> ResultLines(const Table& table) {
   std::vector<TextLine> lines;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    lines.push_back({i, std::nullopt, OurTexts(table.rows[i], table), {}, false});
+    lines.push_back({i, std::nullopt, ResultTexts(table.rows[i], table), {}, false});
   }
   return lines;
 }
 
 TextBlock ValueBlock(const Table& table) {
-  std::vector<TextLine> ours = OurLines(table);
+  std::vector<TextLine> ours = ResultLines(table);
   for (std::size_t i = 0; i < table.columns.size(); ++i) AddValueColumn(table, i, ours);
   TextBlock block;
   for (TextLine& line : ours) {
@@ -193,13 +193,13 @@ TextBlock ValueBlock(const Table& table) {
     const std::size_t row = *line.row;
     block.lines.push_back(std::move(line));
     for (std::size_t i = 0; i < references.size(); ++i) {
-      block.lines.push_back(TheirLine(references[i], table));
+      block.lines.push_back(ReferenceLine(references[i], table));
       block.lines.back().row = row;
       block.lines.back().reference = i;
     }
   }
   for (std::size_t i = 0; i < table.others.size(); ++i) {
-    block.lines.push_back(TheirLine(table.others[i], table));
+    block.lines.push_back(ReferenceLine(table.others[i], table));
     block.lines.back().reference = i;
   }
   return block;
@@ -207,7 +207,7 @@ TextBlock ValueBlock(const Table& table) {
 
 // Without rows that have no difference, such as the reference itself.
 TextBlock DifferenceBlock(const Table& table) {
-  std::vector<TextLine> lines = OurLines(table);
+  std::vector<TextLine> lines = ResultLines(table);
   for (std::size_t i = 0; i < table.columns.size(); ++i) AddDifferenceColumn(table, i, lines);
   std::erase_if(lines, [](const TextLine& line) {
     return std::all_of(line.cells.begin(), line.cells.end(),

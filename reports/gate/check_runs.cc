@@ -88,11 +88,12 @@ class Check {
     if (value == nullptr && expected) Fail(label, StrCat("no ", metric.name));
     if (value != nullptr && !expected) ++new_values_;
     if (value == nullptr || !expected) return;
-    if (MeansTheSame(metric, *run.run, *value)) pair.values[metric.name] = value->value;
+    if (HasSameMeaning(metric, *run.run, *value)) pair.values[metric.name] = value->value;
   }
 
   // One line per metric and type of dataset says what differs.
-  bool MeansTheSame(const BaselineMetric& metric, const RunSummary& run, const MetricValue& value) {
+  bool HasSameMeaning(const BaselineMetric& metric, const RunSummary& run,
+                      const MetricValue& value) {
     const auto known = metric.contracts.find(run.sequence.type);
     const Contract contract = GateContract(run, value);
     if (known != metric.contracts.end() && known->second == contract && metric.unit == value.unit) {

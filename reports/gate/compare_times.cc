@@ -8,7 +8,7 @@
 namespace cvo::reports {
 namespace {
 
-constexpr double kLeastFactor = 1.25;
+constexpr double kMinFactor = 1.25;
 
 struct Logarithms {
   double baseline = 0.0;  // sum
@@ -29,7 +29,7 @@ TimeComparison Compare(const std::string& variant, const Logarithms& logarithms)
   time.variant = variant;
   time.baseline = std::exp(logarithms.baseline / count);
   time.now = time.baseline * std::exp(mean);
-  time.limit = std::max(kLeastFactor, std::exp(kStandardErrors * error));
+  time.limit = std::max(kMinFactor, std::exp(kStandardErrors * error));
   time.pairs = logarithms.differences.size();
   time.verdict = std::exp(mean) > time.limit         ? Verdict::kWorse
                  : std::exp(mean) < 1.0 / time.limit ? Verdict::kBetter

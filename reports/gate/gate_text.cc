@@ -13,7 +13,7 @@ namespace cvo::reports {
 namespace {
 
 constexpr std::size_t kNearest = 5;
-constexpr std::size_t kMostProblems = 20;
+constexpr std::size_t kMaxProblems = 20;
 
 std::string Plural(std::size_t count, const std::string& noun) {
   return StrCat(count, " ", noun, count == 1 ? "" : "s");
@@ -102,7 +102,7 @@ std::string Headline(const GateReport& report) {
 std::vector<std::string> ProblemLines(const GateReport& report) {
   std::vector<std::string> lines;
   for (const GateProblem& problem : report.problems) {
-    if (lines.size() == kMostProblems) {
+    if (lines.size() == kMaxProblems) {
       lines.push_back(StrCat("and ", report.problems.size() - lines.size(), " more"));
       break;
     }

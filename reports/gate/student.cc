@@ -12,7 +12,7 @@ namespace cvo::reports {
 namespace {
 
 // Beyond this many the distribution is the normal one to four digits.
-constexpr int kMostDegrees = 1000;
+constexpr int kMaxDegrees = 1000;
 
 // Probability of exceeding sqrt(degrees) * tan(theta), theta >= 0.
 double Tail(double theta, int degrees) {
@@ -35,7 +35,7 @@ double Tail(double theta, int degrees) {
 double StudentQuantile(double tail, int degrees) {
   Require(tail >= 1e-9 && tail <= 0.5, "StudentQuantile: a tail within [1e-9, 0.5]");
   Require(degrees >= 1, "StudentQuantile: at least one degree of freedom");
-  degrees = std::min(degrees, kMostDegrees);
+  degrees = std::min(degrees, kMaxDegrees);
   double low = 0.0;
   double high = std::numbers::pi / 2.0;
   for (int step = 0; step < 60; ++step) {

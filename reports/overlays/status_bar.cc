@@ -13,7 +13,7 @@ namespace {
 constexpr Rgb kBarColor{24, 24, 28};
 constexpr Rgb kBarInk{235, 235, 235};
 constexpr Rgb kDimInk{175, 175, 180};
-constexpr std::size_t kLongestWord = 80;
+constexpr std::size_t kMaxWordLength = 80;
 constexpr int kMargin_px = 2;
 
 int RowHeight(int text_px) { return PlateSize("x", text_px).height; }
@@ -67,7 +67,7 @@ void DrawBar(const std::vector<std::string>& words, int text_px, cv::Mat& bar) {
   cv::Point at(kMargin_px, kMargin_px);
   int right = bar.cols - kMargin_px;
   std::vector<std::string> drawable;
-  for (const std::string& word : words) drawable.push_back(DrawableText(word, kLongestWord));
+  for (const std::string& word : words) drawable.push_back(DrawableText(word, kMaxWordLength));
   const bool has_end =
       words.size() > 1 && width_of(drawable[0]) + width_of(drawable.back()) < right;
   for (std::size_t i = 0; i + (has_end ? 1 : 0) < drawable.size(); ++i) {

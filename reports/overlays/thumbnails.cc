@@ -17,7 +17,7 @@ struct DrawnFrame {
   cv::Mat picture;
 };
 
-std::string InWords(const OverlayFrame& frame, const OverlayCamera& camera) {
+std::string StatusText(const OverlayFrame& frame, const OverlayCamera& camera) {
   std::string words;
   for (const std::string& word : StatusWords(frame, camera)) {
     words += (words.empty() ? "" : "; ") + word;
@@ -38,7 +38,7 @@ std::vector<DrawnFrame> DrawFrames(const OverlayRun& run, const ImageOfFrame& im
       ++without;
       continue;
     }
-    drawn.push_back({{frame.frame, frame.time_s, "", InWords(frame, run.camera)},
+    drawn.push_back({{frame.frame, frame.time_s, "", StatusText(frame, run.camera)},
                      DrawOverlay(image, frame, run.camera, style)});
   }
   if (without > 0) strip.missing.push_back(StrCat(without, " frames have no image"));

@@ -44,7 +44,7 @@ std::string FigureHtml(const Figure& figure, std::size_t index) {
 std::string FigureSection(const PageContent& content) {
   std::string html = "<section id=\"figures\">\n<h2>Figures</h2>\n";
   if (content.drawing.figures.empty())
-    html += "<p class=\"problem\">No figure could be made of these results.</p>\n";
+    html += "<p class=\"problem\">No figure could be made from these results.</p>\n";
   for (const std::string& group : Groups(content.drawing.figures)) {
     html += Element("h3", group) + "\n<div class=\"figures\">\n";
     for (std::size_t i = 0; i < content.drawing.figures.size(); ++i) {
@@ -60,9 +60,9 @@ std::string SceneSection(const PageContent& content) {
   std::string html = "<section id=\"scenes\">\n<h2>Runs, frame by frame</h2>\n";
   if (content.scenes.empty()) {
     return html +
-           "<p class=\"problem\">No run can be shown: none has its trajectories.</p>\n</section>\n";
+           "<p class=\"problem\">No run can be shown: none has trajectories.</p>\n</section>\n";
   }
-  html += "<p>Trajectories and clusters of one run, its images and its errors, at one time.";
+  html += "<p>Trajectories, clusters, images and errors of one run at a selected time.";
   if (content.scenes_left_out > 0) {
     html += StrCat(" The page holds ", content.scenes.size(), " runs; ", content.scenes_left_out,
                    " more would make it too large.");

@@ -58,7 +58,7 @@ RowFindings FindingsOf(const Row& row, const Table& table, const std::string& re
     } else if (difference->difference == 0.0) {
       found.same.push_back(name);
     } else {
-      (difference->pairs < kLeastPairs ? found.few : found.noise).push_back(name);
+      (difference->pairs < kMinPairs ? found.few : found.noise).push_back(name);
     }
   }
   return found;
@@ -78,13 +78,13 @@ std::string Headline(const RowFindings& found) {
   if (!found.better.empty()) parts.push_back(StrCat("better in ", found.better.size()));
   if (!found.worse.empty()) parts.push_back(StrCat("worse in ", found.worse.size()));
   if (!found.other.empty()) parts.push_back(StrCat("different in ", found.other.size()));
-  if (parts.empty()) return "no difference that is real";
+  if (parts.empty()) return "no significant difference";
   const std::size_t all = found.better.size() + found.worse.size() + found.other.size() +
                           found.noise.size() + found.few.size() + found.same.size();
-  return StrCat(Listed(parts), " of ", CountText(all, "measure", "measures"));
+  return StrCat(Listed(parts), " of ", CountText(all, "metric", "metrics"));
 }
 
-std::string Unclear(const char* what, const std::vector<std::string>& labels) {
+std::string InconclusiveHtml(const char* what, const std::vector<std::string>& labels) {
   if (labels.empty()) return "";
   return StrCat("<p class=\"unclear\">", what, ": ", Escaped(Listed(labels)), ".</p>\n");
 }
@@ -108,12 +108,12 @@ std::string FindingsHtml(const Table& table, const std::string& reference) {
       for (const std::string& item : *list) html += item;
     }
     if (any) html += "</ul>\n";
-    html += Unclear("Cannot be told from noise", found.noise);
-    html += Unclear("Too few pairs to tell", found.few);
-    html += Unclear("The same", found.same);
+    html += InconclusiveHtml("Not significant", found.noise);
+    html += InconclusiveHtml("Too few pairs", found.few);
+    html += InconclusiveHtml("The same", found.same);
   }
   if (!unchanged.empty()) {
-    html += Element("p", "The same in every measure: " + Listed(unchanged) + ".") + "\n";
+    html += Element("p", "The same in every metric: " + Listed(unchanged) + ".") + "\n";
   }
   return html;
 }

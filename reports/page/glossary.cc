@@ -6,19 +6,21 @@ namespace cvo::reports {
 std::vector<Term> Terms() {
   return {
       {"variant",
-       "One form of the estimator. full is the whole method; the others lack or change one part."},
+       "A version of the estimator. full is the complete method; the others omit or change one "
+       "part."},
       {"cluster", "A set of landmarks that move together: the estimate of one object."},
       {"landmark", "A point in the scene that is seen in the images."},
-      {"sequence", "A recorded or rendered drive of images with its truth."},
+      {"sequence", "A recorded or rendered image sequence with its ground truth."},
       {"seed",
-       "A number that starts the random draws. Runs that differ only in the seed show how much is "
-       "chance."},
+       "Initial value of the random number generator. Runs that differ only in the seed show the "
+       "random variation."},
       {"interval",
-       "Where 95 % of the values lie when the bodies (or scenes) that a mean is made of are drawn "
-       "again at random. Seeds are averaged first."},
-      {"pair", "A body or scene that both rows of a difference have."},
-      {"occluded, predicted", "Hidden by something else; then only the motion model says where."},
-      {"left out", "What does not count in a value, and why."},
+       "95 % confidence interval of a mean, by bootstrap over its bodies (or scenes). Seeds are "
+       "averaged first."},
+      {"pair", "A body or scene that is present in both rows of a difference."},
+      {"occluded, predicted",
+       "Hidden by another object; its pose is then given only by the motion model."},
+      {"left out", "What is excluded from a value, and why."},
   };
 }
 

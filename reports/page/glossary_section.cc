@@ -15,14 +15,15 @@ std::string ContractHtml(const Contract& contract) {
   for (const auto& [name, text] : ContractTexts(contract)) {
     html += "<li>" + Element("em", name) + ": " + Escaped(text) + "</li>\n";
   }
-  return html.empty() ? ""
-                      : "<details><summary>Exactly</summary><ul>\n" + html + "</ul></details>\n";
+  return html.empty()
+             ? ""
+             : "<details><summary>Exact definition</summary><ul>\n" + html + "</ul></details>\n";
 }
 
 // Forms of a metric other than its own are said by their contract.
 std::string Meaning(const std::string& metric) {
   const MetricEntry* entry = FindEntry(metric);
-  return entry != nullptr && metric == entry->name ? entry->meaning : "As defined below.";
+  return entry != nullptr && metric == entry->name ? entry->meaning : "See the definition below.";
 }
 
 std::string MeasureHtml(const Column& column) {
@@ -45,7 +46,7 @@ std::string TermsHtml() {
 }  // namespace
 
 std::string GlossarySection(const PageContent& content) {
-  std::string html = "<section id=\"glossary\">\n<h2>Words and measures</h2>\n<dl>\n" + TermsHtml();
+  std::string html = "<section id=\"glossary\">\n<h2>Terms and metrics</h2>\n<dl>\n" + TermsHtml();
   if (content.table) {
     for (const Column& column : content.table->columns) html += MeasureHtml(column);
   }

@@ -36,11 +36,11 @@ std::string JobsWithoutValue(const std::vector<PageRun>& runs) {
   }
   if (html.empty()) return "";
   if (count > kShownJobs) html += StrCat("<li>and ", count - kShownJobs, " more</li>\n");
-  return "<h3>Runs without a value, or lost</h3>\n<ul>\n" + html + "</ul>\n";
+  return "<h3>Runs that failed, are missing or lost the camera</h3>\n<ul>\n" + html + "</ul>\n";
 }
 
 // What several things lack is said once, with their number.
-class Counted {
+class NamesPerText {
  public:
   void Add(const std::string& text, const std::string& whose) {
     if (whose_[text].insert(whose).second && whose_[text].size() == 1) order_.push_back(text);
@@ -61,7 +61,7 @@ class Counted {
 };
 
 std::string CellsWithoutValue(const Table& table) {
-  Counted cells;
+  NamesPerText cells;
   for (const Row& row : table.rows) {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       if (row.cells[i].present) continue;
@@ -73,8 +73,8 @@ std::string CellsWithoutValue(const Table& table) {
   return cells.Html("Cells without a value");
 }
 
-std::string FilesThatLack(const PageContent& content) {
-  Counted files;
+std::string UnreadableFiles(const PageContent& content) {
+  NamesPerText files;
   for (const PageRun& run : content.runs) {
     for (const std::string& file : run.origin.missing) files.Add(file, RunText(run.run));
   }
@@ -83,7 +83,7 @@ std::string FilesThatLack(const PageContent& content) {
     for (const std::string& file : scene.detail.missing) files.Add(file, whose);
     if (!scene.no_images.empty()) files.Add("images: " + scene.no_images, whose);
   }
-  return files.Html("Files that are not there or cannot be read");
+  return files.Html("Missing or unreadable files");
 }
 
 }  // namespace
@@ -93,14 +93,14 @@ std::string MissingSection(const PageContent& content) {
   if (content.table) {
     html += CellsWithoutValue(*content.table);
     if (!content.table->notes.empty()) {
-      html += "<h3>To be known when comparing</h3>\n<ul>\n";
+      html += "<h3>Notes for comparison</h3>\n<ul>\n";
       for (const std::string& note : content.table->notes) html += Element("li", note) + "\n";
       html += "</ul>\n";
     }
   }
-  html += FilesThatLack(content);
+  html += UnreadableFiles(content);
   if (!content.drawing.not_drawn.empty()) {
-    html += "<h3>What is in no figure</h3>\n<ul>\n";
+    html += "<h3>Not shown in figures</h3>\n<ul>\n";
     for (const std::string& line : content.drawing.not_drawn) html += Element("li", line) + "\n";
     html += "</ul>\n";
   }

@@ -21,8 +21,8 @@ std::string FactsHtml(const std::vector<Fact>& facts) {
 }
 
 // Each set of facts once, with the number of runs that it holds for.
-std::string CountedFacts(const std::vector<PageRun>& runs, std::vector<Fact> RunOrigin::*facts,
-                         const char* heading) {
+std::string FactsWithRunCounts(const std::vector<PageRun>& runs,
+                               std::vector<Fact> RunOrigin::*facts, const char* heading) {
   std::vector<std::pair<std::vector<Fact>, std::size_t>> counted;
   for (const PageRun& run : runs) {
     const std::vector<Fact>& of_run = run.origin.*facts;
@@ -44,7 +44,7 @@ std::string CountedFacts(const std::vector<PageRun>& runs, std::vector<Fact> Run
 }
 
 std::string OptionsHtml(const Provenance& provenance) {
-  std::string html = "<h3>Options that are not at their default</h3>\n";
+  std::string html = "<h3>Options with values other than the default</h3>\n";
   if (provenance.options.empty()) return html + "<p>None.</p>\n";
   html += "<ul>\n";
   for (const ChangedOption& option : provenance.options) {
@@ -61,15 +61,15 @@ std::string OptionsHtml(const Provenance& provenance) {
 
 std::string OriginSection(const PageContent& content) {
   std::string html = "<section id=\"origin\">\n<h2>Where the numbers come from</h2>\n";
-  html += CountedFacts(content.runs, &RunOrigin::build, "Program");
-  html += CountedFacts(content.runs, &RunOrigin::machine, "Machine");
+  html += FactsWithRunCounts(content.runs, &RunOrigin::build, "Program");
+  html += FactsWithRunCounts(content.runs, &RunOrigin::machine, "Machine");
   if (content.table) html += OptionsHtml(content.table->provenance);
   return html + "</section>\n";
 }
 
 std::string LicenceSection() {
-  return "<section id=\"licences\">\n<details><summary>Licences of what this page "
-         "carries</summary>\n<p>Charts are drawn by Plotly.js:</p>\n<pre>" +
+  return "<section id=\"licences\">\n<details><summary>Licences of components included in this "
+         "page</summary>\n<p>Charts are drawn with Plotly.js:</p>\n<pre>" +
          HtmlEscaped(PlotlyLicence()) + "</pre>\n</details>\n</section>\n";
 }
 

@@ -77,8 +77,8 @@ std::string CountsText(const Counts& n) {
 std::string VerdictOf(const Difference& difference, const Column& column) {
   if (difference.difference == 0.0) return "the same";
   if (!difference.distinguishable) {
-    return difference.pairs < kLeastPairs ? StrCat("too few pairs to tell: it takes ", kLeastPairs)
-                                          : "cannot be told from noise";
+    return difference.pairs < kMinPairs ? StrCat("too few pairs: at least ", kMinPairs)
+                                        : "not significant";
   }
   const auto better = IsBetter(column.metric, difference.difference);
   return !better ? "differs" : *better ? "better" : "worse";
@@ -92,12 +92,12 @@ Json DifferenceJson(const Difference& difference, const Column& column) {
   add("against", difference.reference);
   add("difference", ChangeText(difference.difference, column));
   if (difference.interval) {
-    add("its interval", RangeText(*difference.interval, column));
+    add("interval of the difference", RangeText(*difference.interval, column));
     add("interval of", difference.interval->meaning);
   }
-  add("here and there", StrCat(QuantityText(difference.value, column), " and ",
-                               QuantityText(difference.reference_value, column)));
-  if (difference.percent) add("in percent", StrCat(Say(*difference.percent), " %"));
+  add("value and reference value", StrCat(QuantityText(difference.value, column), " and ",
+                                          QuantityText(difference.reference_value, column)));
+  if (difference.percent) add("in percent", StrCat(NumberText(*difference.percent), " %"));
   add("pairs", StrCat(difference.pairs, ": ", difference.pairing));
   add("verdict", VerdictOf(difference, column));
   return json;
@@ -116,7 +116,7 @@ Json CellJson(const Cell& cell, const Column& column) {
   }
   add("mean of", cell.present ? CountsText(cell.n) : "");
   add("left out", cell.left_out);
-  add("does not compare", cell.not_comparable);
+  add("not comparable", cell.not_comparable);
   Json json = {{"facts", facts}, {"runs", cell.runs}};
   if (cell.difference) json["difference"] = DifferenceJson(*cell.difference, column);
   return json;

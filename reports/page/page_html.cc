@@ -37,7 +37,7 @@ std::string Navigation(const PageContent& content) {
   add("figures", "Figures");
   add("scenes", "Frame by frame");
   add("missing", "What is missing");
-  add("glossary", "Words");
+  add("glossary", "Terms");
   add("origin", "Origin");
   return html + "</ul></nav>\n";
 }

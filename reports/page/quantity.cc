@@ -17,18 +17,19 @@ std::string WithUnit(const std::string& number, const std::string& unit) {
 
 std::string QuantityText(double value, const Column& column) {
   const Shown shown = ShownAs(column.metric, column.unit);
-  return WithUnit(Say(shown.scale * value), shown.unit);
+  return WithUnit(NumberText(shown.scale * value), shown.unit);
 }
 
 std::string ChangeText(double value, const Column& column) {
   const Shown shown = ShownAs(column.metric, column.unit);
-  return WithUnit(StrCat(value > 0.0 ? "+" : "", Say(shown.scale * value)),
+  return WithUnit(StrCat(value > 0.0 ? "+" : "", NumberText(shown.scale * value)),
                   shown.is_share ? "percentage points" : shown.unit);
 }
 
 std::string RangeText(const Interval& interval, const Column& column) {
   const Shown shown = ShownAs(column.metric, column.unit);
-  return StrCat(Say(shown.scale * interval.low), " to ", QuantityText(interval.high, column));
+  return StrCat(NumberText(shown.scale * interval.low), " to ",
+                QuantityText(interval.high, column));
 }
 
 std::string BetterDirection(const std::string& metric) {

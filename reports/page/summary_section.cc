@@ -74,12 +74,12 @@ std::string JobsText(const JobCounts& jobs) {
 }
 
 std::string RuleText(const std::string& reference) {
-  return StrCat("Differences are against ", reference,
-                ", on what both have in common, pair by pair. A difference counts as real here "
-                "where its 95 % interval does not contain 0 and there are at least ",
-                kLeastPairs,
-                " pairs. Intervals say what other bodies of these scenes would give, not other "
-                "scenes. Of many comparisons about 1 in 20 looks real by chance alone.");
+  return StrCat("Differences are relative to ", reference,
+                ", over the pairs that both have in common. A difference is considered significant "
+                "if its 95 % interval does not contain 0 and there are at least ",
+                kMinPairs,
+                " pairs. Intervals cover the variation over bodies of these scenes, not over other "
+                "scenes. About 1 in 20 comparisons appears significant by chance alone.");
 }
 
 }  // namespace
@@ -97,9 +97,9 @@ std::string SummarySection(const PageContent& content) {
     html += table.problems.empty() ? "</p>\n"
                                    : " <a href=\"#missing\">What is missing, and why</a>.</p>\n";
     if (table.reference.empty()) {
-      html += "<p>No row is the reference, so no differences are told.</p>\n";
+      html += "<p>No row is the reference, so no differences are reported.</p>\n";
     } else {
-      html += "<h2>Which differences are real</h2>\n" + Element("p", RuleText(table.reference));
+      html += "<h2>Significant differences</h2>\n" + Element("p", RuleText(table.reference));
       const std::string findings = FindingsHtml(table, table.reference);
       html += findings.empty() ? "<p>There is nothing to compare yet.</p>\n" : findings;
     }
@@ -112,11 +112,13 @@ std::string ComparisonSection(const PageContent& content) {
   std::string html = "<section id=\"comparison\">\n<h2>Compared with " +
                      Escaped(content.compared_with) + "</h2>\n";
   if (!content.comparison) {
-    return html + "<p class=\"problem\">The two cannot be compared: see above.</p>\n</section>\n";
+    return html +
+           "<p class=\"problem\">The two results cannot be compared: see above.</p>\n</section>\n";
   }
-  html += Element("p", StrCat("How these results differ from those of ", content.compared_with,
-                              ". Runs are paired by row, sequence and seed. ",
-                              RuleText(content.compared_with)));
+  html +=
+      Element("p", StrCat("Differences between these results and those of ", content.compared_with,
+                          ". Runs are paired by row, sequence and seed. ",
+                          RuleText(content.compared_with)));
   html += FindingsHtml(*content.comparison, content.compared_with);
   return html + TableFrame(*content.comparison, "comparison") + "</section>\n";
 }

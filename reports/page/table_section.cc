@@ -16,10 +16,10 @@ std::string TableSection(const PageContent& content) {
     return html + "<p class=\"problem\">There is no table: see above.</p>\n</section>\n";
   }
   html +=
-      "<p>Each value is a mean. Below it: its 95 % interval, and how many bodies or scenes it is a "
-      "mean of. A star marks a difference to the reference that is real. Grey rows are figures of "
-      "others, with their sources in the notes below; in brackets where they do not compare with "
-      "ours. Select a cell for the runs behind it, and a heading to sort by it.</p>\n";
+      "<p>Each value is a mean, with its 95 % interval and the number of bodies or scenes below "
+      "it. A star marks a significant difference from the reference. Grey rows are published "
+      "results of others, with their sources in the notes below; values in brackets are not "
+      "comparable with ours. Select a cell to see its runs, and a heading to sort by it.</p>\n";
   return html + TableFrame(*content.table, "table") + "</section>\n";
 }
 

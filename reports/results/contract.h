@@ -132,8 +132,8 @@ enum class Aggregation {
   kFragments,
   kMissedBodies,
   kExtraClusters,
-  kMovingOfSaid,
-  kSaidOfMoving,
+  kMovingOfReported,
+  kReportedOfMoving,
   kMeanOverlap,
   kMeanRandIndex
 };

@@ -76,10 +76,10 @@ constexpr MetricEntry Other(MetricId id, MetricFamily family, const char* name, 
 constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
     Camera(kCameraCoverage, "camera_coverage", MetricUnit::kOne, kFraction,
            {A::kNone, P::kFramesWithTruth, D::kNone, S::kFractionOfFrames}, "camera coverage",
-           "Part of the frames in which the camera has a position."),
+           "Fraction of the frames in which the camera has an estimated position."),
     Ate(kCameraAte, "camera_ate", S::kRmsOfPositions, "camera ATE",
         "Absolute trajectory error of the camera: distance between estimated and true positions "
-        "after the two trajectories are laid over each other; root mean square over frames."),
+        "after the two trajectories are aligned; root mean square over frames."),
     Ate(kCameraAteMean, "camera_ate_mean", S::kMeanOfPositions, "camera ATE, mean",
         "As camera ATE, but the mean over frames."),
     Ate(kCameraAteMedian, "camera_ate_median", S::kMedianOfPositions, "camera ATE, median",
@@ -101,30 +101,30 @@ constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
     Camera(kCameraTDrift, "camera_t_drift", MetricUnit::kPercent, kError,
            {A::kNone, P::kKittiStretches, D::kKittiLengths, S::kTranslationOverLength}, "t drift",
            "Translation error of the camera over stretches of 100 to 800 m, in percent of their "
-           "length, as the KITTI benchmark has it."),
+           "length, as defined by the KITTI benchmark."),
     Camera(kCameraRDrift, "camera_r_drift", MetricUnit::kDegreesPer100m, kError,
            {A::kNone, P::kKittiStretches, D::kKittiLengths, S::kRotationOverLength}, "r drift",
-           "Rotation error of the camera over stretches of 100 to 800 m, per length, as the KITTI "
-           "benchmark has it."),
+           "Rotation error of the camera over stretches of 100 to 800 m, per length, as defined by "
+           "the KITTI benchmark."),
     Other(kObjectCoverage, kBodies, "object_coverage", MetricUnit::kOne,
           {A::kNone, P::kVisible, D::kNone, S::kFractionEstimated}, kFraction, kCoverage, nullptr,
           "object coverage",
-          "Part of the frames in which an object should be seen and has an estimate. An error "
-          "without it favours who loses what is hard."),
+          "Fraction of the frames in which a visible object has an estimate. Errors must be read "
+          "together with it: a method that loses difficult objects gets lower errors."),
     Success(kObjectSuccess5cm, "object_success_5cm", 0.05, "within 5 cm",
-            "Part of all object-frames that should be seen in which the object is within 5 cm of "
-            "the truth. One that is missed counts as a failure."),
+            "Fraction of all visible object-frames in which the object is within 5 cm of the "
+            "truth. Missed objects count as failures."),
     Success(kObjectSuccess10cm, "object_success_10cm", 0.1, "within 10 cm",
-            "Part of all object-frames that should be seen in which the object is within 10 cm of "
-            "the truth. One that is missed counts as a failure."),
+            "Fraction of all visible object-frames in which the object is within 10 cm of the "
+            "truth. Missed objects count as failures."),
     Success(kObjectSuccess20cm, "object_success_20cm", 0.2, "within 20 cm",
-            "Part of all object-frames that should be seen in which the object is within 20 cm of "
-            "the truth. One that is missed counts as a failure."),
+            "Fraction of all visible object-frames in which the object is within 20 cm of the "
+            "truth. Missed objects count as failures."),
     Other(kObjectAte, kBodies, "object_ate", MetricUnit::kMetres,
           {A::kWorldAndBody, P::kEstimated, D::kNone, S::kMeanOverBodies}, kError, kField,
           &BodyRow::ate_m, "object ATE",
-          "Absolute trajectory error of moving objects, in the world of the camera: no object is "
-          "aligned by itself. Over the frames that have an estimate."),
+          "Absolute trajectory error of moving objects, in the world frame of the camera: objects "
+          "are not aligned individually. Computed over the frames that have an estimate."),
     Mean(kObjectRrpeAllPairs, "object_rrpe_all_pairs", MetricUnit::kRadians, A::kWorldAndBody,
          P::kEstimatedPairs, D::kAll, &BodyRow::all_pairs_rad, "object R.RPE",
          "Relative rotation error of objects between every two frames."),
@@ -139,34 +139,35 @@ constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
          "Relative translation error of objects from one frame to the next."),
     Mean(kObjectMotionR, "object_motion_r", MetricUnit::kRadians, A::kWorld, P::kMotions,
          D::kOneFrame, &BodyRow::motion_rad, "motion error",
-         "Error of the rotation that an object makes from one frame to the next."),
+         "Error of the rotation of an object from one frame to the next."),
     Mean(kObjectMotionT, "object_motion_t", MetricUnit::kMetres, A::kWorld, P::kMotions,
          D::kOneFrame, &BodyRow::motion_m, "motion error",
-         "Error of the translation that an object makes from one frame to the next."),
+         "Error of the translation of an object from one frame to the next."),
     Mean(kObjectVelocity, "object_velocity", MetricUnit::kMetresPerSecond, A::kWorldAndBody,
          P::kVelocities, D::kCentral, &BodyRow::velocity_m_s, "velocity error",
          "Error of the velocity of objects: length of the difference from the true one."),
     Number(kObjectIdSwitches, "object_id_switches", P::kEachFrameItself, S::kSwitches, kSum,
-           &BodyRow::id_switches, "id switches", "How often a true object gets another id."),
+           &BodyRow::id_switches, "id switches",
+           "Number of times a true object is assigned a different id."),
     Number(kObjectFragments, "object_fragments", P::kEachFrameItself, S::kFragments, kSum,
            &BodyRow::fragments, "fragments",
-           "How often the estimate of an object breaks off and begins again."),
+           "Number of times the estimate of an object is interrupted and resumes."),
     Number(kObjectUnmatched, "object_unmatched", P::kWhole, S::kMissedBodies, kUnmatched, nullptr,
-           "missed objects", "True objects that no cluster belongs to."),
+           "missed objects", "Number of true objects without a matching cluster."),
     Other(kObjectUnmatchedClusters, kClusters, "object_unmatched_clusters", MetricUnit::kOne,
           {A::kNone, P::kWhole, D::kNone, S::kExtraClusters}, kCount, kNothing, nullptr,
-          "extra clusters", "Clusters that belong to no true object."),
-    Landmarks(kMovingPrecision, "moving_precision", P::kObservations, S::kMovingOfSaid,
-              "moving precision", "Part of the landmarks said to move that do move."),
-    Landmarks(kMovingRecall, "moving_recall", P::kObservations, S::kSaidOfMoving, "moving recall",
-              "Part of the landmarks that move and are said to."),
+          "extra clusters", "Number of clusters without a matching true object."),
+    Landmarks(kMovingPrecision, "moving_precision", P::kObservations, S::kMovingOfReported,
+              "moving precision", "Fraction of the landmarks labelled as moving that do move."),
+    Landmarks(kMovingRecall, "moving_recall", P::kObservations, S::kReportedOfMoving,
+              "moving recall", "Fraction of the moving landmarks that are labelled as moving."),
     Landmarks(kClusteringIou, "clustering_iou", P::kFramesWithLandmarks, S::kMeanOverlap,
               "clustering IoU",
               "Overlap of the landmarks of a cluster with those of its true object."),
     Landmarks(kClusteringAri, "clustering_ari", P::kFramesWithGroups, S::kMeanRandIndex,
               "clustering ARI",
-              "Agreement of clusters and true objects on which landmarks belong together: 1 the "
-              "same, 0 as by chance."),
+              "Agreement of clusters and true objects on which landmarks belong together: 1 for "
+              "identical groups, 0 for chance level."),
 }};
 
 constexpr bool IsGiven(const char* text) { return text != nullptr && *text != '\0'; }

@@ -9,7 +9,7 @@
 namespace cvo::reports {
 namespace {
 
-constexpr int kLandmarksThatCount = 3;
+constexpr int kMinObservedLandmarks = 3;
 
 // Landmarks by frame, body and cluster.
 using Counts = std::map<int, std::map<int, std::map<std::int64_t, int>>>;
@@ -33,7 +33,7 @@ Counts ReadCounts(const std::filesystem::path& file) {
 // -1: none with enough landmarks. Of two with as many, the last one, else the lower id.
 std::int64_t BestCluster(const std::map<std::int64_t, int>& landmarks, std::int64_t last) {
   std::int64_t best = -1;
-  int most = kLandmarksThatCount - 1;
+  int most = kMinObservedLandmarks - 1;
   for (const auto& [cluster, count] : landmarks) {
     if (count > most || (count == most && best != -1 && cluster == last)) {
       best = cluster;

@@ -90,7 +90,7 @@ std::optional<PairedEstimate> EstimateDifference(const std::vector<Sample>& pair
     estimate.reference_lower_interval = PercentRange(resampled, 0);
   }
   estimate.distinguishable =
-      estimate.interval && !estimate.interval->Contains(0.0) && estimate.units >= kLeastPairs;
+      estimate.interval && !estimate.interval->Contains(0.0) && estimate.units >= kMinPairs;
   return estimate;
 }
 

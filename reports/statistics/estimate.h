@@ -13,7 +13,7 @@ namespace cvo::reports {
 
 // With fewer pairs not even all of one sign would be unlikely enough by chance (two-sided sign
 // test: 2 * 0.5^5 > 0.05), whatever the interval says.
-inline constexpr std::size_t kLeastPairs = 6;
+inline constexpr std::size_t kMinPairs = 6;
 
 struct Estimate {
   double value = 0.0;
@@ -40,7 +40,7 @@ struct PairedEstimate {
   std::optional<double> effect;  // difference over the standard deviation of the units' own ones
   std::size_t strata = 0;
   std::size_t units = 0;
-  bool distinguishable = false;  // interval excludes 0, with at least kLeastPairs units
+  bool distinguishable = false;  // interval excludes 0, with at least kMinPairs units
 };
 
 std::optional<PairedEstimate> EstimateDifference(const std::vector<Sample>& pairs, Within within);

@@ -70,7 +70,7 @@ Gathered Gather(const RowRuns& row, const std::vector<std::string>& keys, const 
   return gathered;
 }
 
-std::string LeftOut(const Gathered& gathered, std::size_t runs) {
+std::string LeftOutText(const Gathered& gathered, std::size_t runs) {
   std::string left_out;
   if (gathered.runs_without > 0) {
     left_out = StrCat("no value in ", gathered.runs_without, " of ", runs, " runs");
@@ -150,7 +150,7 @@ Cell MakeCell(const RowRuns& row, const std::vector<std::string>& keys, const Co
       ToInterval(estimate->interval, Resampled(estimate->units, gathered.scenes.size(),
                                                body_metric.has_value(), gathered.seeds.size()));
   if (!body_metric && !cell.interval) cell.interval = SpreadOfSeeds(gathered);
-  cell.left_out = LeftOut(gathered, runs);
+  cell.left_out = LeftOutText(gathered, runs);
   return cell;
 }
 

@@ -17,7 +17,7 @@ constexpr std::size_t kShownProblems = 12;
 
 using Lines = std::vector<std::string>;
 
-std::string Counted(std::size_t count, const char* one, const char* many) {
+std::string CountWithNoun(std::size_t count, const char* one, const char* many) {
   return StrCat(count, " ", count == 1 ? one : many);
 }
 
@@ -34,7 +34,7 @@ std::string ColumnName(const Table& table, std::size_t index) {
 }
 
 // Things that are said of several columns or rows, each once, in the order in which they come up.
-class ByNames {
+class NamesByText {
  public:
   void Add(const std::string& text, const std::string& name) {
     if (text.empty()) return;
@@ -88,9 +88,9 @@ void AddProblems(const Table& table, Lines& lines) {
 }
 
 void AddIntervals(const Table& table, Lines& lines) {
-  ByNames meanings;
+  NamesByText meanings;
   bool differences = false;
-  ByNames pairings;
+  NamesByText pairings;
   for (const Row& row : table.rows) {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const Cell& cell = row.cells[i];
@@ -106,15 +106,15 @@ void AddIntervals(const Table& table, Lines& lines) {
   lines.push_back(StrCat(
       "*: distinguishable from noise, the interval of the paired difference excludes 0; never said "
       "of fewer than ",
-      kLeastPairs, " pairs"));
+      kMinPairs, " pairs"));
   pairings.Print("", lines);
 }
 
 // What is the same for several rows is said once.
 void AddCells(const Table& table, Lines& lines) {
-  ByNames rows;
+  NamesByText rows;
   for (const Row& row : table.rows) {
-    ByNames said;
+    NamesByText said;
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const Cell& cell = row.cells[i];
       const std::string label = ColumnName(table, i);
@@ -150,7 +150,7 @@ std::string CountsOfColumn(const Table& table, std::size_t column) {
 }
 
 void AddCounts(const Table& table, Lines& lines) {
-  ByNames counts;
+  NamesByText counts;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     counts.Add(CountsOfColumn(table, i), ColumnName(table, i));
   }
@@ -159,7 +159,7 @@ void AddCounts(const Table& table, Lines& lines) {
 
 // Accuracy without its coverage favours who loses what is hard.
 void AddMissingCoverage(const Table& table, Lines& lines) {
-  ByNames missing;
+  NamesByText missing;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const std::string coverage = CoverageOf(table.columns[i].metric);
     const bool there = coverage.empty() ||
@@ -234,7 +234,7 @@ std::string SourceMark(std::size_t source) {
 std::string CountsText(const Counts& n) {
   std::string text;
   const auto add = [&text](std::size_t count, const char* one, const char* many) {
-    if (count > 0) text += (text.empty() ? "" : ", ") + Counted(count, one, many);
+    if (count > 0) text += (text.empty() ? "" : ", ") + CountWithNoun(count, one, many);
   };
   add(n.bodies, "body", "bodies");
   add(n.scenes, "scene", "scenes");
@@ -244,9 +244,9 @@ std::string CountsText(const Counts& n) {
 }
 
 std::string UnitsText(const Counts& n) {
-  if (n.bodies > 0) return Counted(n.bodies, "body", "bodies");
-  if (n.scenes > 1) return Counted(n.scenes, "scene", "scenes");
-  return Counted(n.runs, "run", "runs");
+  if (n.bodies > 0) return CountWithNoun(n.bodies, "body", "bodies");
+  if (n.scenes > 1) return CountWithNoun(n.scenes, "scene", "scenes");
+  return CountWithNoun(n.runs, "run", "runs");
 }
 
 std::vector<std::string> Footnotes(const Table& table) {

@@ -62,12 +62,12 @@ Generator::Generator(const Family& family, std::uint32_t seed, const std::vector
 }
 
 void Generator::TakeScene() {
-  constexpr std::uint64_t kLooks = 1000000000;
+  constexpr std::uint64_t kLookSeeds = 1000000000;
   scene_ = {{"name", StrCat(family_.name, "_", seed_)},
             {"about", StrCat("Family ", family_.name, ", seed ", seed_, " (",
                              SplitName(SplitOf(seed_)), " split)", set_text_)},
             {"seed", seed_},
-            {"look_seed", draws_.Stream("look").UniformInt(kLooks)}};
+            {"look_seed", draws_.Stream("look").UniformInt(kLookSeeds)}};
   const Json taken = draws_.Take(family_.scene, "scene");
   ObjectReader reader(taken, family_.where, "scene");
   duration_s_ = reader.Number("duration_s", {0.1, 3600.0});

@@ -13,21 +13,21 @@ namespace {
 constexpr double kTolerance_m = 0.003;
 
 // The box of a body as this camera sees it.
-struct SeenBox {
+struct BodyBox {
   RigidTransform body_from_left;
   Eigen::Vector3d half_size_m;
   double middle_z_m = 0.0;
 };
 
-std::optional<SeenBox> SeeBox(const Body& body, const View& view) {
+std::optional<BodyBox> SeeBox(const Body& body, const View& view) {
   if (!(body.size_m.minCoeff() > 0.0)) return std::nullopt;
   const RigidTransform& world_from_body =
       view.world_from_body[static_cast<std::size_t>(body.id) - 1];
   const RigidTransform left_from_body = view.world_from_left.Inverse() * world_from_body;
-  return SeenBox{left_from_body.Inverse(), 0.5 * body.size_m, left_from_body.translation().z()};
+  return BodyBox{left_from_body.Inverse(), 0.5 * body.size_m, left_from_body.translation().z()};
 }
 
-bool IsInside(const StereoCamera& rig, const SeenBox& box, int u, int v, double z_m) {
+bool IsInside(const StereoCamera& rig, const BodyBox& box, int u, int v, double z_m) {
   const Eigen::Vector3d p_in_left((u - rig.cx) * z_m / rig.fx, (v - rig.cy) * z_m / rig.fy, z_m);
   const Eigen::Vector3d p_in_body = box.body_from_left * p_in_left;
   const Eigen::Vector3d bound =
@@ -53,14 +53,14 @@ float DepthOfNeighbour(const cv::Mat& drawn, const cv::Mat& instances, int u, in
 
 void CorrectEdgeDepth(const StereoCamera& rig, const std::vector<Body>& bodies, const View& view,
                       Rendering& rendering) {
-  std::vector<std::optional<SeenBox>> boxes;
+  std::vector<std::optional<BodyBox>> boxes;
   for (const Body& body : bodies) boxes.push_back(SeeBox(body, view));
   const cv::Mat drawn = rendering.depth.clone();
   for (int v = 0; v < drawn.rows; ++v) {
     const auto* ids = rendering.instances.ptr<std::uint16_t>(v);
     for (int u = 0; u < drawn.cols; ++u) {
       if (ids[u] == 0 || !boxes[ids[u] - 1U]) continue;
-      const SeenBox& box = *boxes[ids[u] - 1U];
+      const BodyBox& box = *boxes[ids[u] - 1U];
       if (IsInside(rig, box, u, v, drawn.at<float>(v, u))) continue;
       rendering.depth.at<float>(v, u) =
           DepthOfNeighbour(drawn, rendering.instances, u, v, box.middle_z_m);

@@ -14,7 +14,7 @@ namespace cvo::synth {
 namespace {
 
 constexpr Range kUnit = {0.0, 1.0};
-constexpr double kMostCount = 1000;
+constexpr double kMaxCount = 1000;
 
 // Names become file names and parts of other names.
 std::string ParseName(ObjectReader& reader) {
@@ -44,10 +44,10 @@ StereoCamera ParseRig(ObjectReader reader) {
 RoomDescription ParseRoom(ObjectReader reader) {
   RoomDescription room;
   room.size_m = reader.Vector3Or("size_m", {1.0, 200.0}, room.size_m);
-  room.shelves = reader.IntegerOr("shelves", {0, kMostCount}, room.shelves);
-  room.tables = reader.IntegerOr("tables", {0, kMostCount}, room.tables);
-  room.crates = reader.IntegerOr("crates", {0, kMostCount}, room.crates);
-  room.posters = reader.IntegerOr("posters", {0, kMostCount}, room.posters);
+  room.shelves = reader.IntegerOr("shelves", {0, kMaxCount}, room.shelves);
+  room.tables = reader.IntegerOr("tables", {0, kMaxCount}, room.tables);
+  room.crates = reader.IntegerOr("crates", {0, kMaxCount}, room.crates);
+  room.posters = reader.IntegerOr("posters", {0, kMaxCount}, room.posters);
   room.furniture_depth_m = reader.NumberOr("furniture_depth_m", {0.1, 5.0}, room.furniture_depth_m);
   reader.Finish();
   return room;
@@ -132,7 +132,7 @@ Copies ParseCopies(ObjectReader reader) {
 }
 
 // The path of the copy that is `way_m` further: along the route, else in a straight line.
-struct MovedOn {
+struct MovedPath {
   double way_m;
   std::optional<double> direction_rad;
 
@@ -172,16 +172,16 @@ void ParseObject(ObjectReader& reader, const std::filesystem::path& folder, Scen
   for (int i = 0; i < copies.count; ++i) {
     ObjectDescription copy = object;
     if (repeated) copy.name += StrCat("_", i + 1);
-    copy.path = std::visit(MovedOn{i * copies.spacing_m, copies.direction_rad}, object.path);
+    copy.path = std::visit(MovedPath{i * copies.spacing_m, copies.direction_rad}, object.path);
     scene.objects.push_back(copy);
   }
 }
 
 void CheckObjects(const SceneParts& scene, const std::string& where) {
-  constexpr std::size_t kMostBodies = 65535;  // instance masks have 16 bits
-  if (scene.objects.size() > kMostBodies) {
+  constexpr std::size_t kMaxBodies = 65535;  // instance masks have 16 bits
+  if (scene.objects.size() > kMaxBodies) {
     ThrowError(where + ", objects", StrCat(scene.objects.size(), " bodies"),
-               StrCat("at most ", kMostBodies));
+               StrCat("at most ", kMaxBodies));
   }
   std::set<std::string> names;
   for (const ObjectDescription& object : scene.objects) {

@@ -23,7 +23,7 @@ std::optional<std::string> FileDamage(const std::filesystem::path& path, const F
     return StrCat(path.string(), " has ", size, " bytes instead of ", file.size_bytes);
   }
   if (Sha256Hex(ReadFileBytes(path)) != file.sha256) {
-    return path.string() + " has other content than it was written with";
+    return path.string() + " has changed since it was written";
   }
   return std::nullopt;
 }

@@ -25,7 +25,7 @@ const StereoImages& SyntheticPair() {
   static const StereoImages images = [] {
     const cv::Mat scene = testing::DrawScene(1242, 375, 1);
     return StereoImages{testing::Render(scene, 0, 2.0, 1),
-                        testing::Render(scene, 20 * testing::kFine, 2.0, 2)};
+                        testing::Render(scene, 20 * testing::kSubpixelSteps, 2.0, 2)};
   }();
   return images;
 }

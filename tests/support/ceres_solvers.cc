@@ -15,7 +15,7 @@
 namespace cvo::test {
 namespace {
 
-ceres::Problem::Options BorrowEverything() {
+ceres::Problem::Options NonOwningOptions() {
   ceres::Problem::Options options;
   options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
@@ -68,7 +68,7 @@ SolverSummary SolveWindowWithCeres(const NoiseOptions& noise, const SolverOption
   ceres::HuberLoss loss(noise.huber);
   std::deque<ReprojectionCost> costs;  // never moves its elements
   PriorCost prior_cost(problem.prior);
-  ceres::Problem ceres_problem(BorrowEverything());
+  ceres::Problem ceres_problem(NonOwningOptions());
   for (std::size_t i = 0; i < problem.frames.size(); ++i) {
     double* block = problem.world_from_camera[i].data();
     ceres_problem.AddParameterBlock(block, 7, &manifold);

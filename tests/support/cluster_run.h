@@ -58,7 +58,7 @@ inline std::vector<BodyId> BodyIds(const std::vector<int>& bodies) {
   return ids;
 }
 
-inline const auto kAsItIs = [](int, WorldView&) {};
+inline const auto kNoChange = [](int, WorldView&) {};
 
 // The cluster that most of the body's features in the frame belong to; invalid: none.
 inline ClusterId ClusterOfBody(const ClusterRun& run, int frame, int body) {

@@ -115,8 +115,8 @@ class MovingWorld {
   }
 
   // Whether the ray from `from` meets the body before it gets to the point.
-  static bool Hides(const MovingBody& body, const RigidTransform& body_from_world,
-                    const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  static bool Occludes(const MovingBody& body, const RigidTransform& body_from_world,
+                       const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
     const Eigen::Vector3d origin = body_from_world * from;
     const Eigen::Vector3d ray = body_from_world * to - origin;
     double enter = 0.0;
@@ -137,7 +137,7 @@ class MovingWorld {
     if (!z || !camera_.InImage((*z)[0], (*z)[1])) return std::nullopt;
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       const RigidTransform body_from_world = BodyAt(static_cast<int>(b), frame).Inverse();
-      if (Hides(bodies_[b], body_from_world, world_from_camera.translation(), p_in_world)) {
+      if (Occludes(bodies_[b], body_from_world, world_from_camera.translation(), p_in_world)) {
         return std::nullopt;
       }
     }

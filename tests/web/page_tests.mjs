@@ -40,9 +40,9 @@ const tooWide = () => {
 };
 
 export const pageTests = {
-  async 'the page says what was compared, on what, and what of it is real'({ good }) {
+  async 'the page says what was compared, on what, and what of it is significant'({ good }) {
     const text = await good.page.locator('#summary').innerText();
-    for (const part of ['Compared: 3 values of variant (full, 2d and static). On 2 sequences (tiny and short)', 'each with 2 seeds', '12 of 12 runs are there', 'Which differences are real', 'labels from the 2D boxes alone']) {
+    for (const part of ['Compared: 3 values of variant (full, 2d and static). On 2 sequences (tiny and short)', 'each with 2 seeds', '12 of 12 runs are there', 'Significant differences', 'labels from the 2D boxes only']) {
       assert.ok(text.includes(part), part);
     }
   },

@@ -43,7 +43,7 @@ Browser::Browser(fs::path scratch) : program_("/usr/bin/chromium"), scratch_(std
   const char* chosen = std::getenv("CLUSTERVO_BROWSER");
   if (chosen != nullptr && *chosen != '\0') program_ = chosen;
   if (::access(program_.c_str(), X_OK) != 0 || fs::is_directory(program_)) {
-    ThrowError(program_.string(), "no program that can be run",
+    ThrowError(program_.string(), "a program that cannot be run",
                "a Chromium (Debian: apt install chromium; elsewhere: CLUSTERVO_BROWSER=PATH)");
   }
 }
@@ -98,7 +98,7 @@ std::string Browser::Start(const std::string& page, const std::string& flag,
   const TaskEnd end = WaitFor(process);
   if (!end.ok) {
     ThrowError(program_.string(), StrCat(end.message, ", last line ", LastLine(log)),
-               "a page drawn");
+               "a rendered page");
   }
   if (!fs::exists(out)) {
     ThrowError(program_.string(), StrCat("nothing written, last line ", LastLine(log)),

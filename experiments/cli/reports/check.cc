@@ -60,35 +60,31 @@ int Check(const CheckFlags& flags) {
 
 Command AddCheckCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "check", "Hold the results of a suite against a baseline: the regression gate");
+      "check", "Check the results of a suite against a baseline (regression gate)");
   const auto flags = std::make_shared<CheckFlags>();
   const auto add = [app](const char* flag, auto& value, const char* kind, const char* meaning) {
     return app->add_option(flag, value, meaning)->type_name(kind);
   };
-  add("DIR", flags->folder, "", "folder that the suite was run to")->required();
-  CLI::Option* check = add("--baseline", flags->baseline, "FILE", "the baseline to check against");
+  add("DIR", flags->folder, "", "output folder of the suite")->required();
+  CLI::Option* check = add("--baseline", flags->baseline, "FILE", "baseline to check against");
   CLI::Option* write = add("--write-baseline", flags->write_baseline, "FILE",
-                           "instead of a check: make these results the baseline");
+                           "write these results as the baseline instead of checking");
   add("--gate-seeds", flags->gate_seeds, "N",
-      "how many seeds checked runs must have; the others of DIR only tell how far seeds are apart; "
-      "default: all")
+      "number of seeds required of checked runs; further seeds of DIR only measure the spread "
+      "between seeds; default: all")
       ->check(CLI::Range(1, 10000).description(""))
       ->needs(write);
   add("--junit", flags->junit, "FILE", "also write JUnit XML")->needs(check);
   add("--markdown", flags->markdown, "FILE", "also write a summary in Markdown")->needs(check);
-  app->add_flag("--gate-time", flags->gate_time, "let a slower variant fail the check too")
+  app->add_flag("--gate-time", flags->gate_time, "also fail the check if a variant is slower")
       ->needs(check);
   check->excludes(write);
   app->footer(
-      "Runs are paired by scene and seed. A variant regresses in a metric where its mean "
-      "difference\n"
-      "is worse by more than a tolerance: three standard errors of the differences, and at least\n"
-      "what other seeds would change, such that noise alone fails a whole check once in a "
-      "hundred.\n"
-      "Exit code 1 on a regression, and where a job or a metric of the baseline is missing, "
-      "failed\n"
-      "or means something else. Time is told in the time of the variant static and only warned "
-      "of.\n"
+      "Runs are paired by scene and seed. A variant regresses in a metric if its mean difference "
+      "is\nworse by more than a tolerance: three standard errors of the differences, and at least "
+      "the\nspread between seeds, chosen so that noise alone fails one check in a hundred.\nExit "
+      "code 1 on a regression, or if a job or a metric of the baseline is missing, failed or "
+      "is\ndefined differently. Times are relative to the variant static and only cause warnings.\n"
       "Example: clustervo check results/ci --baseline reports/baselines/ci.json");
   app->callback([flags] {
     if (!flags->baseline.empty() || !flags->write_baseline.empty()) return;

@@ -30,15 +30,18 @@ int Compare(const CompareFlags& flags) {
 
 Command AddExperimentCompareCommand(CLI::App& experiment) {
   CLI::App* app = experiment.add_subcommand(
-      "compare", "Compare the results of two folders run by run, and say what moved");
+      "compare", "Compare the results of two suite folders run by run and report the differences");
   const auto flags = std::make_shared<CompareFlags>();
-  app->add_option("A", flags->before, "folder of a suite, as it was")->type_name("")->required();
-  app->add_option("B", flags->after, "folder of a suite, as it is")->type_name("")->required();
+  app->add_option("A", flags->before, "suite folder with the earlier results")
+      ->type_name("")
+      ->required();
+  app->add_option("B", flags->after, "suite folder with the later results")
+      ->type_name("")
+      ->required();
   AddTableFormat(*app, flags->format);
   app->footer(
-      "Rows, scenes, seeds and bodies are paired; differences are B - A. Results that mean "
-      "different\n"
-      "things by the same metric are refused.\n"
+      "Rows, scenes, seeds and bodies are paired; differences are B - A. Results that define "
+      "the\nsame metric differently are rejected.\n"
       "Example: clustervo experiment compare results/before results/after");
   app->callback([flags] { CheckTableFormat(flags->format); });
   return {app, [flags] { return Compare(*flags); }};

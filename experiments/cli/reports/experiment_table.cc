@@ -24,18 +24,18 @@ int OutputOldTable(const TableFlags& flags) {
 
 Command AddExperimentTableCommand(CLI::App& experiment) {
   CLI::App* app = experiment.add_subcommand(
-      "table", "Print and write the table of what a suite has run so far, with its intervals");
+      "table", "Print and write the table of a suite's results so far, with confidence intervals");
   const auto flags = std::make_shared<TableFlags>();
   CLI::Option* folder =
-      app->add_option("DIR", flags->folder, "folder that the suite is run to")->type_name("");
-  app->add_option("--from", flags->from, "in place of DIR: a table.json, without its results")
+      app->add_option("DIR", flags->folder, "output folder of the suite")->type_name("");
+  app->add_option("--from", flags->from, "table.json to read instead of DIR, without the results")
       ->type_name("FILE")
       ->excludes(folder);
   AddTableFormat(*app, flags->format);
   app->footer(
-      "Every row says on how many of its runs it stands. In a terminal DIR/table.json and\n"
-      "DIR/table.md are written too; csv has all digits; latex and html are whole documents.\n"
-      "Exit code 1 where jobs failed or have not run yet; sequences that are not there are "
+      "Every row states how many of its runs it is based on. With format terminal, "
+      "DIR/table.json\nand DIR/table.md are written too; csv has all digits; latex and html are "
+      "complete documents.\nExit code 1 if jobs failed or have not run yet; absent sequences are "
       "listed.\n"
       "Example: clustervo experiment table results/ablation --format latex -o ablation.tex");
   app->callback([flags] {

@@ -40,7 +40,7 @@ std::vector<NamedContent> Render(const std::vector<reports::Figure>& figures, bo
   const ScratchFolder scratch;
   const Browser browser(scratch.path());
   std::vector<reports::PaperFigure> papers;
-  for (const reports::Figure& figure : figures) papers.push_back(reports::OnPaper(figure));
+  for (const reports::Figure& figure : figures) papers.push_back(reports::ToPaperFigure(figure));
   const std::vector<std::string> svgs =
       reports::ReadRendered(browser.Run(reports::RenderPage(papers)), papers);
   std::vector<NamedContent> files;
@@ -89,22 +89,20 @@ int WriteFigures(const FigureFlags& flags) {
 
 Command AddFiguresCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "figures", "Write the figures of a suite's results as files for papers");
+      "figures", "Write the figures of a suite's results as files for publication");
   const auto flags = std::make_shared<FigureFlags>();
-  app->add_option("DIR", flags->folder, "folder that the suite is run to")
-      ->type_name("")
-      ->required();
-  app->add_option("-o,--output", flags->out, "folder to write to")->type_name("OUT")->required();
-  app->add_option("--format", flags->format, "svg, pdf, or json (what Plotly draws)")
+  app->add_option("DIR", flags->folder, "output folder of the suite")->type_name("")->required();
+  app->add_option("-o,--output", flags->out, "output folder")->type_name("OUT")->required();
+  app->add_option("--format", flags->format, "svg, pdf, or json (Plotly figure)")
       ->type_name("FORMAT")
       ->check(CLI::IsMember({"svg", "pdf", "json"}));
-  app->add_option("--only", flags->only, "this figure alone, by the name of its file")
+  app->add_option("--only", flags->only, "write only this figure, given by its file name")
       ->type_name("ID");
   app->footer(
-      "Which figures there are follows from the results: options that vary, references, bodies "
-      "with\n"
-      "truth, times. What cannot be drawn is listed with its reason. SVG and PDF are drawn by\n"
-      "Chromium: Debian's, or CLUSTERVO_BROWSER. The same results give the same bytes.\n"
+      "The set of figures depends on the results: varied options, references, bodies with "
+      "ground\ntruth, times. Figures that cannot be drawn are listed with the reason. SVG and PDF "
+      "are\nrendered by Chromium (Debian's, or CLUSTERVO_BROWSER). The same results give "
+      "byte-identical\nfiles.\n"
       "Example: clustervo figures results/ablation -o figures --format pdf");
   return {app, [flags] { return WriteFigures(*flags); }};
 }

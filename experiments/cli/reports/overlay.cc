@@ -74,7 +74,7 @@ void CheckSameSequence(const std::vector<reports::OverlayRun>& runs,
 }
 
 // ": labels from ..."; nothing of a variant that this program does not have.
-std::string WhatItChanges(const std::string& variant) {
+std::string VariantChanges(const std::string& variant) {
   for (const VariantInfo& info : Variants()) {
     if (info.name == variant) return StrCat(": ", info.changes);
   }
@@ -89,7 +89,7 @@ std::vector<std::string> Titles(const std::vector<reports::OverlayRun>& runs,
     const auto same = std::count_if(
         runs.begin(), runs.end(), [&](const auto& run) { return run.variant == runs[i].variant; });
     titles.push_back(same > 1 ? StrCat(runs[i].variant, ": ", folders[i])
-                              : runs[i].variant + WhatItChanges(runs[i].variant));
+                              : runs[i].variant + VariantChanges(runs[i].variant));
   }
   return titles;
 }
@@ -124,33 +124,33 @@ int DrawOverlays(const OverlayFlags& flags) {
   const RunImages images(job.runs.front(), images_folder);
   for (reports::OverlayRun& run : job.runs) {
     if (AdoptDetections(images_folder, run) || run.boxes == 0) continue;
-    std::cerr << "clustervo: drawn with those detections alone that a cluster was associated with: "
-                 "the others are not in the sequence's folder\n";
+    std::cerr << "clustervo: only detections associated with a cluster are drawn: the others are "
+                 "not in the sequence's folder\n";
   }
   return WriteOverlays(job, images);
 }
 
 void AddSuiteFlags(CLI::App& app, const std::shared_ptr<OverlayFlags>& flags) {
-  CLI::Option* runs =
-      app.add_option("RUN", flags->runs,
-                     "folder that clustervo run wrote, or DIR/jobs/ID of a suite; several of one "
-                     "sequence are drawn beside each other")
-          ->type_name("");
+  CLI::Option* runs = app.add_option("RUN", flags->runs,
+                                     "output folder of clustervo run, or DIR/jobs/ID of a suite; "
+                                     "several runs on one sequence are drawn side by side")
+                          ->type_name("");
   CLI::Option* suite =
-      app.add_option("--suite", flags->suite, "in place of RUN: folder that a suite was run to")
+      app.add_option("--suite", flags->suite, "output folder of a suite, to use instead of RUN")
           ->type_name("DIR");
   suite->excludes(runs);
   app.add_option("--sequence", flags->sequence,
-                 "where the images are, if not where the run found them; with --suite: the name of "
-                 "the suite's sequence")
+                 "folder of the images, if they have moved since the run; with --suite: name of a "
+                 "sequence of the suite")
       ->type_name("FOLDER|NAME");
-  app.add_option("--variant", flags->variants, "with --suite: one, or several beside each other")
+  app.add_option("--variant", flags->variants,
+                 "with --suite: variant to draw; several are drawn side by side")
       ->type_name("A,B,...")
       ->capture_default_str()
       ->needs(suite);
   app.add_option_function<std::string>(
          "--seed", [flags](const std::string& text) { flags->seed = ParseSeed(text); },
-         "with --suite; default: the first that the suite has")
+         "with --suite: seed to draw; default: the first of the suite")
       ->type_name("N")
       ->needs(suite);
 }
@@ -159,22 +159,25 @@ void AddDrawingFlags(CLI::App& app, OverlayFlags& flags) {
   const auto add = [&app](const char* flag, auto& value, const char* kind, const char* meaning) {
     return app.add_option(flag, value, meaning)->type_name(kind);
   };
-  add("-o,--output", flags.output, "DIR", "folder for DIR/000123.png and so on")->required();
-  CLI::Option* frame = add("--frame", flags.frame, "N", "this frame alone");
+  add("-o,--output", flags.output, "DIR", "output folder for DIR/000123.png etc.")->required();
+  CLI::Option* frame = add("--frame", flags.frame, "N", "draw only this frame");
   frame->check(CLI::NonNegativeNumber.description(""));
   add("--frames", flags.frames, "A:B", "frames A to B-1 as numbered in the sequence; default: all")
       ->excludes(frame);
-  add("--every", flags.every, "K", "every K-th of them; default: 1")
+  add("--every", flags.every, "K", "draw every K-th frame; default: 1")
       ->check(CLI::Range(1, 1000000).description(""));
-  add("--scale", flags.scale, "S", "size of the drawing over that of the image; default: 1")
+  add("--scale", flags.scale, "S", "scale of the drawing relative to the image; default: 1")
       ->check(CLI::Range(0.1, 4.0).description(""));
   add("--labels", flags.labels, "NAME",
-      "colours of landmarks: cluster, what they belong to; inferred, what the energy terms made of "
-      "them in the frame, drawn without 3D boxes; default: cluster, of several runs inferred")
+      "label that colours the landmarks: cluster (the cluster they belong to) or inferred (the "
+      "label inferred from the energy terms in the frame, drawn without 3D boxes); default: "
+      "cluster, for several runs inferred")
       ->check(CLI::IsMember({"cluster", "inferred"}).description(""));
-  app.add_flag("--sheet", flags.sheet, "also DIR/sheet.png: frames from all over in one image");
-  app.add_flag("--video", flags.video, "also DIR/video.mp4, or .webm or .avi where OpenCV cannot");
-  app.add_flag("--no-images", flags.no_images, "no image per frame: the sheet or video alone");
+  app.add_flag("--sheet", flags.sheet,
+               "also write DIR/sheet.png: evenly spaced frames in one image");
+  app.add_flag("--video", flags.video,
+               "also write DIR/video.mp4, or .webm or .avi if OpenCV cannot write MP4");
+  app.add_flag("--no-images", flags.no_images, "write only the sheet or video, no image per frame");
   AddQuiet(app, flags.quiet);
 }
 
@@ -182,18 +185,18 @@ void AddDrawingFlags(CLI::App& app, OverlayFlags& flags) {
 
 Command AddOverlayCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "overlay", "Draw what a run found on the left images: landmarks, boxes, ids, motion");
+      "overlay", "Draw the results of a run on the left images: landmarks, boxes, ids, motion");
   const auto flags = std::make_shared<OverlayFlags>();
   AddSuiteFlags(*app, flags);
   AddDrawingFlags(*app, *flags);
   app->footer(
-      "Landmarks are drawn where the run has landmarks.csv (clustervo run --landmarks; in a suite\n"
-      "the first seed). A cluster id has one colour everywhere; of several runs all have the\n"
-      "colours of the last. Grey dots are static, tiny white ones outliers. White frames:\n"
-      "detections. Dashed and shaded: a cluster that too few landmarks show in the frame, where "
-      "its\n"
-      "motion predicts it. Arrows reach half a second ahead, small dots two seconds back. White\n"
-      "rings, with inferred labels: those that are wrong, where the run knows the truth.\n"
+      "Landmarks are drawn if the run has landmarks.csv (clustervo run --landmarks; in a suite, "
+      "the\nfirst seed). A cluster id has the same colour in all frames; with several runs, the "
+      "colours\nare those of the last run. Grey dots: static landmarks; tiny white dots: outliers. "
+      "White\nframes: detections. Dashed and shaded: clusters with too few landmarks in the frame, "
+      "drawn at\ntheir predicted pose. Arrows: predicted motion over the next half second; small "
+      "dots: path\nover the last two seconds. White rings (inferred labels): wrong labels, if the "
+      "run has\nground truth.\n"
       "Examples:\n"
       "  clustervo overlay results/indoor_1 -o pictures --every 5 --sheet --video\n"
       "  clustervo overlay RUN_2D RUN_2D3D RUN_FULL --frame 120 -o figure   # as labelled by each\n"

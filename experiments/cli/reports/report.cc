@@ -66,29 +66,28 @@ int Report(const ReportFlags& flags) {
 }  // namespace
 
 Command AddReportCommand(CLI::App& program) {
-  CLI::App* app = program.add_subcommand(
-      "report", "Write the results of a suite as one page that opens in any browser");
+  CLI::App* app =
+      program.add_subcommand("report", "Write the results of a suite as a single HTML page");
   const auto flags = std::make_shared<ReportFlags>();
-  app->add_option("DIR", flags->folder, "folder that the suite is run to")
-      ->type_name("")
-      ->required();
-  app->add_option("-o,--output", flags->out, "folder for index.html (default: DIR/report)")
+  app->add_option("DIR", flags->folder, "output folder of the suite")->type_name("")->required();
+  app->add_option("-o,--output", flags->out, "output folder for index.html; default: DIR/report")
       ->type_name("OUT");
-  app->add_option("--against", flags->against, "another folder of the suite to compare with")
+  app->add_option("--against", flags->against, "second output folder of the suite to compare with")
       ->type_name("DIR");
   CLI::Option* every =
       app->add_option("--every", flags->every,
-                      "images of every K-th frame in the page (default: as many as fit)")
+                      "include images of every K-th frame; default: as many as fit")
           ->type_name("K")
           ->check(CLI::Range(1, 1000000).description(""));
-  CLI::Option* none = app->add_flag("--no-images", flags->no_images, "no images in the page");
+  CLI::Option* none =
+      app->add_flag("--no-images", flags->no_images, "write the page without images");
   none->excludes(every);
   app->add_flag("--all-images", flags->all_images,
-                "also OUT/images: every frame of every run that can be drawn, as JPEG")
+                "also write OUT/images: every drawable frame of every run, as JPEG")
       ->excludes(none);
   app->footer(
-      "The page needs no network and nothing beside it. What is missing or failed is said in it.\n"
-      "Exit code 1 where a whole part of the page could not be made.\n"
+      "The page is self-contained and works offline. It lists what is missing or failed.\nExit "
+      "code 1 if a whole section of the page could not be made.\n"
       "Example: clustervo report results/ablation");
   return {app, [flags] { return Report(*flags); }};
 }

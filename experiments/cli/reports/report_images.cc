@@ -20,33 +20,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostPageBytes = 14'500'000;
-constexpr std::size_t kMostBytes = 4'500'000;   // of all images of a page, which base64 makes 6 MB
-constexpr std::size_t kLeastBytes = 1'000'000;  // what is left for them where runs are long
-constexpr std::size_t kUsualBytes = 12'000;     // of one
-constexpr int kAllWidth = 640;                  // of the images beside the page, pixels
+constexpr std::size_t kMaxPageBytes = 14'500'000;
+constexpr std::size_t kMaxImageBytes =
+    4'500'000;                                // of all images of a page, which base64 makes 6 MB
+constexpr std::size_t kMinBytes = 1'000'000;  // what is left for them where runs are long
+constexpr std::size_t kTypicalImageBytes = 12'000;  // of one
+constexpr int kAllWidth = 640;                      // of the images beside the page, pixels
 constexpr int kAllQuality = 80;
-constexpr int kFewestFrames = 8;
-constexpr int kMostFrames = 150;
+constexpr int kMinFrames = 8;
+constexpr int kMaxFrames = 150;
 
 // Leaves out scenes, the last first, until there is room for images; how many bytes of images.
 std::size_t MakeRoom(reports::PageContent& content) {
-  constexpr std::size_t kLeastBase64 = kLeastBytes / 3 * 4;
+  constexpr std::size_t kMinBase64 = kMinBytes / 3 * 4;
   std::size_t size = reports::PageHtml(content).size();
-  while (size + kLeastBase64 > kMostPageBytes && content.scenes.size() > 1) {
+  while (size + kMinBase64 > kMaxPageBytes && content.scenes.size() > 1) {
     content.scenes.pop_back();
     ++content.scenes_left_out;
     size = reports::PageHtml(content).size();
   }
-  if (size + kLeastBase64 > kMostPageBytes) return kLeastBytes;
-  return std::min(kMostBytes, (kMostPageBytes - size) / 4 * 3);
+  if (size + kMinBase64 > kMaxPageBytes) return kMinBytes;
+  return std::min(kMaxImageBytes, (kMaxPageBytes - size) / 4 * 3);
 }
 
 reports::ThumbnailOptions OptionsFor(std::size_t most_bytes, int every, std::size_t frames) {
   reports::ThumbnailOptions options;
   options.most_bytes = most_bytes;
   options.most_frames =
-      std::clamp(static_cast<int>(options.most_bytes / kUsualBytes), kFewestFrames, kMostFrames);
+      std::clamp(static_cast<int>(options.most_bytes / kTypicalImageBytes), kMinFrames, kMaxFrames);
   if (every > 0) options.most_frames = std::max(1, static_cast<int>(frames) / every);
   return options;
 }
@@ -54,7 +55,7 @@ reports::ThumbnailOptions OptionsFor(std::size_t most_bytes, int every, std::siz
 // Throws Error where there is nothing to draw.
 reports::OverlayRun ReadDrawn(const fs::path& run_folder) {
   if (!fs::exists(run_folder / "landmarks.csv")) {
-    throw Error("the run has no landmarks.csv, so nothing is drawn on its images");
+    throw Error("the run has no landmarks.csv, so its images are not shown");
   }
   reports::OverlayRun run = reports::ReadOverlayRun(run_folder, reports::LandmarkLabel::kCluster);
   AdoptDetections("", run);

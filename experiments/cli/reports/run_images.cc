@@ -30,14 +30,15 @@ Sequence OpenImages(const reports::OverlayRun& run, const std::string& folder) {
   const SequenceRequest request = RequestOf(run, folder);
   if (request.folder.empty()) {
     ThrowError("the images of " + run.sequence_name, "no folder in the run's timing.json",
-               "one, or --sequence FOLDER");
+               "a folder, or --sequence FOLDER");
   }
   try {
     return OpenSequence(request);
   } catch (const Error& error) {
     if (!folder.empty()) throw;
-    throw Error(StrCat("the images of ", run.sequence_name, " are not where the run found them: ",
-                       error.what(), "; --sequence FOLDER says where they are"));
+    throw Error(StrCat("the images of ", run.sequence_name,
+                       " are not in the folder that the run read them from: ", error.what(),
+                       "; give their folder with --sequence FOLDER"));
   }
 }
 

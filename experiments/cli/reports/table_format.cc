@@ -42,23 +42,24 @@ std::string Rendered(const reports::Table& table, const TableFormat& format) {
 }  // namespace
 
 void AddTableFormat(CLI::App& app, TableFormat& format) {
-  app.add_option("--format", format.format, "how the table is printed")
+  app.add_option("--format", format.format, "output format of the table")
       ->type_name("NAME")
       ->check(CLI::IsMember({"terminal", "markdown", "csv", "latex", "html"}))
       ->capture_default_str();
-  app.add_option("-o,--output", format.output, "file to write it to, in place of printing it")
+  app.add_option("-o,--output", format.output,
+                 "write the table to this file instead of printing it")
       ->type_name("FILE");
   app.add_flag("--bare", format.bare,
-               "latex, html: the table alone, for \\input or a page of your own");
-  app.add_flag("--long", format.longer, "csv: one record per cell, with all that is known of it");
+               "latex, html: only the table, for \\input or embedding in a page");
+  app.add_flag("--long", format.longer, "csv: one record per cell, with all its fields");
 }
 
 void CheckTableFormat(const TableFormat& format) {
   if (format.bare && format.format != "latex" && format.format != "html") {
-    throw CLI::ValidationError("--bare", "goes with --format latex or html");
+    throw CLI::ValidationError("--bare", "requires --format latex or html");
   }
   if (format.longer && format.format != "csv") {
-    throw CLI::ValidationError("--long", "goes with --format csv");
+    throw CLI::ValidationError("--long", "requires --format csv");
   }
 }
 

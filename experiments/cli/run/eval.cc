@@ -108,12 +108,13 @@ void CheckUsage(const CLI::App& app, const EvalFlags& flags) {
     if (app.count(flag) > 0) throw CLI::ValidationError(flag, why);
   };
   if (of_sequence) {
-    refuse("--format", "is for two files; with --sequence it is told by the number of columns");
-    refuse("--max-time-difference", "is for two files; with --sequence it is 0.02 s");
+    refuse("--format",
+           "applies to two files; with --sequence the format follows from the number of columns");
+    refuse("--max-time-difference", "applies to two files; with --sequence it is 0.02 s");
     return;
   }
   if (flags.groundtruth.empty()) {
-    throw CLI::ValidationError("--groundtruth", "is needed, or --sequence in its place");
+    throw CLI::ValidationError("--groundtruth", "is required, unless --sequence is given");
   }
   for (const std::string& flag : EvalSequence::FlagNames()) refuse(flag, "needs --sequence");
 }
@@ -128,32 +129,32 @@ int Evaluate(const CLI::App& app, EvalFlags& flags) {
 
 Command AddEvalCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "eval", "Score a trajectory file, or what another system made of a sequence");
+      "eval", "Score a trajectory file, or the results of another system on a sequence");
   const auto flags = std::make_shared<EvalFlags>();
   app->add_option("--groundtruth", flags->groundtruth,
-                  "trajectory file with the truth; with --sequence, of KITTI raw: devkit or "
+                  "trajectory file with the ground truth; with --sequence on KITTI raw: devkit or "
                   "interpolated")
       ->type_name("FILE");
-  app->add_option("--estimate", flags->estimate, "trajectory file to be scored")
+  app->add_option("--estimate", flags->estimate, "trajectory file to score")
       ->type_name("FILE")
       ->required();
   app->add_option("--format", flags->format,
-                  "tum (time tx ty tz qx qy qz qw) or kitti (12 numbers); default: by the number "
+                  "tum (time tx ty tz qx qy qz qw) or kitti (12 numbers); default: from the number "
                   "of columns")
       ->check(CLI::IsMember({"tum", "kitti"}));
   app->add_option("--max-time-difference", flags->max_time_difference_s,
-                  "s; TUM poses further apart in time do not match")
+                  "maximum time difference of matching TUM poses, in seconds")
       ->check(CLI::Range(0.0, 1e6).description(""))
       ->check(FiniteProblem)
       ->capture_default_str();
   app->add_flag("--json", flags->json, "print JSON, with the contract of each metric");
   flags->sequence.AddTo(*app);
   app->footer(
-      "Poses are world_from_camera. The estimate is aligned by SE(3) over positions for ATE.\n"
-      "With --sequence, camera and objects are scored as those of a run: KITTI tracking rows with\n"
-      "3D boxes in rectified camera 0, or a folder of <id>.tum with world_from_object. Objects "
-      "are\n"
-      "matched to bodies by nearness, as they have no landmarks: the contracts say so.\n"
+      "Poses are world_from_camera. For ATE, the estimate is aligned by SE(3) over "
+      "positions.\nWith --sequence, camera and objects are scored in the same way as a run. "
+      "Objects are KITTI\ntracking rows with 3D boxes in rectified camera 0, or a folder of "
+      "<id>.tum files with\nworld_from_object. They have no landmarks, so they are matched to "
+      "bodies by distance, as\nstated in the contracts.\n"
       "Examples:\n"
       "  clustervo eval --groundtruth poses/06.txt --estimate OUT/camera.kitti\n"
       "  clustervo eval --sequence scenes/indoor_1 --estimate cam.tum --objects tracks.kitti \\\n"

@@ -61,7 +61,7 @@ void PrintOutcome(const Sequence& sequence, const EvalSequence& eval,
   std::cout << '\n';
   PrintMetrics(outcome.metrics, std::cout);
   if (!eval.objects.empty() && outcome.bodies.empty()) {
-    std::cout << "\nobjects not scored: the sequence has no truth of its bodies\n";
+    std::cout << "\nobjects not scored: the sequence has no ground truth of its bodies\n";
   }
   if (outcome.bodies.empty()) return;
   std::cout << "\nbodies:\n";
@@ -80,14 +80,14 @@ void EvalSequence::AddTo(CLI::App& app) {
     app.add_option(flag, value, meaning)->type_name(kind);
   };
   app.add_option("--sequence", flags.folder,
-                 "score against the truth of this sequence, in place of a file")
+                 "score against the ground truth of this sequence instead of a file")
       ->type_name("FOLDER");
   add("--objects", objects, "FILE|FOLDER",
-      "KITTI tracking rows with 3D boxes, or a folder of <id>.tum");
-  add("--name", name, "NAME", "of the system, for tables; default: the estimate's file name");
-  add("-o,--output", output, "FOLDER", "for result.json, in the form of a run's");
+      "KITTI tracking rows with 3D boxes, or a folder of <id>.tum files");
+  add("--name", name, "NAME", "name of the system in tables; default: the estimate's file name");
+  add("-o,--output", output, "FOLDER", "output folder for result.json, in the format of a run");
   add("--right-shift", right_shift_px, "PX",
-      "correction of the rectification that the system was given; default: 0, as published");
+      "rectification correction applied to the system's input; default: 0, as published");
   app.get_option("--right-shift")->check(FiniteProblem);
   flags.AddTruthTo(app);
   for (const std::string& flag : FlagNames()) app.get_option(flag)->group("With --sequence");

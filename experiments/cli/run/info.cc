@@ -74,14 +74,15 @@ void PrintInfo(const Sequence& sequence) {
   table.Add({"folder", sequence.folder.string()});
   table.Add({"frames", StrCat(sequence.images.size(), " (", sequence.first_frame, " to ",
                               last_frame - 1, " of ", sequence.total_frames, ")")});
-  table.Add({"rate", StrCat(ForPeople(rate.median_hz), " Hz, ", ForPeople(rate.duration_s),
-                            " s, longest gap ", ForPeople(rate.longest_gap_s), " s")});
-  table.Add({"images", StrCat(sequence.pair, ", ", camera.width_px, "x", camera.height_px, " px")});
   table.Add(
-      {"calibration", StrCat("fx ", ForPeople(camera.fx), ", fy ", ForPeople(camera.fy), ", cx ",
-                             ForPeople(camera.cx), ", cy ", ForPeople(camera.cy), " px, baseline ",
-                             ForPeople(camera.baseline_m), " m, u_right shifted by ",
-                             ForPeople(camera.right_shift_px), " px")});
+      {"rate", StrCat(ReadableNumber(rate.median_hz), " Hz, ", ReadableNumber(rate.duration_s),
+                      " s, longest gap ", ReadableNumber(rate.longest_gap_s), " s")});
+  table.Add({"images", StrCat(sequence.pair, ", ", camera.width_px, "x", camera.height_px, " px")});
+  table.Add({"calibration",
+             StrCat("fx ", ReadableNumber(camera.fx), ", fy ", ReadableNumber(camera.fy), ", cx ",
+                    ReadableNumber(camera.cx), ", cy ", ReadableNumber(camera.cy), " px, baseline ",
+                    ReadableNumber(camera.baseline_m), " m, u_right shifted by ",
+                    ReadableNumber(camera.right_shift_px), " px")});
   table.Add(
       {"ground truth", StrCat(sequence.groundtruth, ", ", FramesWithTruth(sequence), " frames")});
   table.Add({"labels", StrCat(sequence.labels.size(), " boxes")});
@@ -127,13 +128,13 @@ int ShowInfo(const SequenceFlags& flags, bool json) {
 
 Command AddInfoCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "info", "Say what a folder holds: frames, rate, calibration, ground truth, what is missing");
+      "info", "Describe a sequence folder: frames, rate, calibration, ground truth, missing files");
   const auto flags = std::make_shared<SequenceFlags>();
   const auto json = std::make_shared<bool>(false);
   flags->AddTo(*app);
   app->add_flag("--json", *json, "print JSON");
   app->footer(
-      "A folder above several sequences is answered with their list.\n"
+      "For a folder that contains several sequences, lists them.\n"
       "Example: clustervo info kitti_raw/2011_09_26/2011_09_26_drive_0001_sync");
   return {app, [flags, json] { return ShowInfo(*flags, *json); }};
 }

@@ -12,7 +12,7 @@ void PrintMetrics(const std::vector<Metric>& metrics, std::ostream& out) {
   TextTable table({"metric", "value", "unit", "n"});
   for (const Metric& metric : metrics) {
     table.Add(
-        {metric.name, ForPeople(metric.value), NameOf(metric.unit), std::to_string(metric.n)});
+        {metric.name, ReadableNumber(metric.value), NameOf(metric.unit), std::to_string(metric.n)});
   }
   table.Print(out);
 }

@@ -50,10 +50,10 @@ void PrintProblems(const RunResult& run) {
 void PrintSummary(const Sequence& sequence, const JobOutcome& outcome) {
   const RunResult& run = outcome.run;
   const double rate = static_cast<double>(run.frames.size()) / run.wall_s;
-  std::cout << sequence.name << ": " << run.frames.size() << " frames in " << ForPeople(run.wall_s)
-            << " s, " << ForPeople(rate) << " frames/s, "
-            << ForPeople(outcome.context.peak_memory_mb) << " MB, status " << ToString(run.status)
-            << (run.message.empty() ? "" : ": ") << run.message << '\n';
+  std::cout << sequence.name << ": " << run.frames.size() << " frames in "
+            << ReadableNumber(run.wall_s) << " s, " << ReadableNumber(rate) << " frames/s, "
+            << ReadableNumber(outcome.context.peak_memory_mb) << " MB, status "
+            << ToString(run.status) << (run.message.empty() ? "" : ": ") << run.message << '\n';
   PrintProblems(run);
   PrintDetections(sequence, run.detections, std::cout);
   if (outcome.scores.refined.empty()) {
@@ -134,40 +134,38 @@ Command AddRunCommand(CLI::App& program) {
   const auto add = [app](const char* flag, auto& value, const char* kind, const char* meaning) {
     return app->add_option(flag, value, meaning)->type_name(kind);
   };
-  add("-o,--output", flags->output, "FOLDER", "for what the run found")->required();
-  add("--variant", flags->variant, "NAME", "estimator: clustervo variants lists them")
+  add("-o,--output", flags->output, "FOLDER", "output folder for the results")->required();
+  add("--variant", flags->variant, "NAME", "estimator variant (see clustervo variants)")
       ->capture_default_str();
   flags->run.AddTo(*app);
   app->add_option_function<std::string>(
          "--seed", [flags](const std::string& text) { flags->seed = ParseSeed(text); },
-         "of the estimator's random draws; default: 0")
+         "random seed of the estimator; default: 0")
       ->type_name("N");
   add("--classes", flags->classes, "A,B,...",
-      "of detections, those that are rigid bodies; others are left out; default: vehicles, and "
-      "what "
-      "moves in the shipped scenes");
+      "detection classes to treat as rigid bodies, others are ignored; default: vehicles and the "
+      "moving objects of the shipped scenes");
   add("--oracle", flags->oracle, "A,B,...",
-      "gives the estimator ground truth in place of what it would find out: boxes (which body each "
-      "detection shows), labels (which body each feature is on), camera")
+      "quantities taken from ground truth instead of being estimated: boxes (the body shown by "
+      "each detection), labels (the body of each feature), camera")
       ->capture_default_str();
   app->add_flag("--landmarks", flags->landmarks,
                 "write landmarks.csv: every landmark of every frame with its labels");
   app->add_flag("--strict", flags->strict,
-                "an image that cannot be decoded is an error; else its frame is skipped");
-  app->add_flag(
-      "--cache", flags->cache,
-      "keeps extracted features in the cache folder (CLUSTERVO_CACHE) and takes them from "
-      "there: faster where only the variant or its options change, same results");
+                "treat an image that cannot be decoded as an error instead of skipping its frame");
+  app->add_flag("--cache", flags->cache,
+                "store extracted features in the cache folder (CLUSTERVO_CACHE) and reuse them: "
+                "faster when only the variant or its options change, with identical results");
   add("--cache-size", flags->cache_size, "SIZE",
-      "with --cache, features kept in all; the least used go first; default: "
-      "CLUSTERVO_CACHE_SIZE or 20G");
+      "with --cache: maximum total size of cached features, the least recently used are removed "
+      "first; default: CLUSTERVO_CACHE_SIZE or 20G");
   app->footer(
-      "Written: result.json, timing.json; camera.tum, camera.kitti; for moving bodies objects.csv\n"
-      "(every cluster in every frame, with its life state), tracks.kitti (KITTI tracking rows; no\n"
-      "column for the life state) and clusters/<id>.tum.\n"
-      "camera.kitti has one line per frame, skipped frames with their predicted pose (listed in\n"
-      "result.json); camera.tum leaves skipped frames out. Poses are world_from_camera, as last\n"
-      "estimated. result.json and the trajectories are the same bytes on every run.\n"
+      "Output files: result.json, timing.json, camera.tum, camera.kitti; for moving "
+      "bodies\nobjects.csv (every cluster in every frame, with its life state), tracks.kitti "
+      "(KITTI\ntracking rows, without the life state) and clusters/<id>.tum.\ncamera.kitti has one "
+      "line per frame; skipped frames, listed in result.json, have their\npredicted pose. "
+      "camera.tum omits skipped frames. Poses are the final estimates of\nworld_from_camera. "
+      "result.json and the trajectories are byte-identical on every run.\n"
       "Examples:\n"
       "  clustervo run kitti_raw/2011_09_26/2011_09_26_drive_0001_sync -o results/0001\n"
       "  clustervo run kitti_odometry/sequences/06 -o results/06 --frames 0:51 \\\n"

@@ -11,10 +11,11 @@
 namespace cvo {
 
 void RunFlags::AddTo(CLI::App& app) {
-  app.add_option("--set", set, "changes one option (clustervo options); can be repeated")
+  app.add_option("--set", set, "set one option (see clustervo options); can be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
-  app.add_option("--config", config, "JSON with options as nested objects; --set goes over it")
+  app.add_option("--config", config,
+                 "JSON file with options as nested objects; --set takes precedence")
       ->type_name("FILE");
   AddThreads(app, threads);
   AddQuiet(app, quiet);
@@ -23,14 +24,16 @@ void RunFlags::AddTo(CLI::App& app) {
 Options RunFlags::Resolve() const { return ResolveOptions<Options>(config, set); }
 
 void AddQuiet(CLI::App& app, bool& quiet) {
-  app.add_flag("-q,--quiet", quiet, "no progress on stderr");
+  app.add_flag("-q,--quiet", quiet, "do not print progress to stderr");
 }
 
 int DefaultThreads() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
 
 void AddThreads(CLI::App& app, int& threads) {
   threads = DefaultThreads();
-  app.add_option("--threads", threads, "threads in all; results do not depend on it; default: CPUs")
+  app.add_option(
+         "--threads", threads,
+         "total number of threads, which does not affect the results; default: number of CPUs")
       ->type_name("N")
       ->check(CLI::Range(1, 1024).description(""));
 }

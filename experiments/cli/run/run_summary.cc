@@ -21,14 +21,16 @@ std::string WithoutCausal(const std::string& name) {
   return reports::MetricName(form);
 }
 
-std::string Value(const std::optional<double>& value) { return value ? ForPeople(*value) : kNone; }
+std::string Value(const std::optional<double>& value) {
+  return value ? ReadableNumber(*value) : kNone;
+}
 
 std::string SuccessAt10cm(const BodyScore& body) {
   constexpr double kLimit_m = 0.1;
   const auto within =
       std::count_if(body.errors.begin(), body.errors.end(),
                     [](const ObjectFrameError& error) { return error.position_m <= kLimit_m; });
-  return ForPeople(static_cast<double>(within) / body.visible_frames);
+  return ReadableNumber(static_cast<double>(within) / body.visible_frames);
 }
 
 }  // namespace
@@ -63,10 +65,10 @@ void PrintScores(const RunScores& scores, std::ostream& out) {
     const auto causal = std::find_if(
         scores.causal.begin(), scores.causal.end(),
         [&](const Metric& metric) { return WithoutCausal(metric.name) == refined.name; });
-    row(refined, ForPeople(refined.value),
-        causal == scores.causal.end() ? kNone : ForPeople(causal->value));
+    row(refined, ReadableNumber(refined.value),
+        causal == scores.causal.end() ? kNone : ReadableNumber(causal->value));
   }
-  for (const Metric& metric : scores.clustering) row(metric, kNone, ForPeople(metric.value));
+  for (const Metric& metric : scores.clustering) row(metric, kNone, ReadableNumber(metric.value));
   table.Print(out);
   if (scores.refined_bodies.empty()) return;
   out << "\nbodies, poses as last estimated:\n";
@@ -80,7 +82,7 @@ void PrintBodies(const std::vector<BodyScore>& bodies, std::ostream& out) {
     const auto motion = [&body](double RelativeErrors::*member) {
       return body.motion ? std::optional(*body.motion.*member) : std::nullopt;
     };
-    table.Add({body.name, body.category, body.mover ? "yes" : "no", ForPeople(body.travel_m),
+    table.Add({body.name, body.category, body.mover ? "yes" : "no", ReadableNumber(body.travel_m),
                body.cluster < 0 ? kNone : std::to_string(body.cluster),
                std::to_string(body.visible_frames), std::to_string(body.estimated_frames),
                Value(body.ate_m), SuccessAt10cm(body), Value(motion(&RelativeErrors::rotation_rad)),

@@ -11,16 +11,18 @@ void SequenceFlags::AddTruthTo(CLI::App& app) {
   const auto add = [&app](const char* flag, auto& value, const char* kind, const char* meaning) {
     return app.add_option(flag, value, meaning)->type_name(kind);
   };
-  add("--type", type, "NAME", "kitti-raw, kitti-odometry or kitti-tracking; default: by its looks");
+  add("--type", type, "NAME",
+      "kitti-raw, kitti-odometry or kitti-tracking; default: detected from the folder's contents");
   add("--dataset", dataset, "NAME",
-      "kitti or other: whose recording it is, for corrections that are known of it; default: kitti "
-      "where the calibration is KITTI's");
+      "recorded data set, kitti or other, which selects the known corrections; default: kitti if "
+      "the calibration is KITTI's");
   add("--pair", pair, "NAME",
-      "images to read, grey or colour; default: grey if there, else colour");
+      "images to read, grey or colour; default: grey if present, else colour");
   add("--frames", frames, "A:B", "frames A to B-1, counted from 0; default: all");
-  add("--labels", labels, "FILE", "KITTI label file in place of the folder's own");
+  add("--labels", labels, "FILE", "KITTI label file to use instead of the folder's own");
   add("--labels-camera", labels_camera, "X",
-      "labels were drawn in image_0X; default: 2, KITTI odometry: the left image read");
+      "camera (image_0X) in which the labels were drawn; default: 2, for KITTI odometry the left "
+      "camera in use");
 }
 
 void SequenceFlags::AddTo(CLI::App& app) {
@@ -35,22 +37,23 @@ void SequenceFlags::AddTo(CLI::App& app) {
   };
   AddTruthTo(app);
   add("--groundtruth", groundtruth, "NAME",
-      "KITTI raw: devkit (OxTS packets as they stand) or interpolated (OxTS at image times)")
+      "KITTI raw: devkit (OxTS packets as recorded) or interpolated (OxTS interpolated to image "
+      "times)")
       ->capture_default_str();
   add("--detections", detections, "FILE|labels|none",
-      "2D boxes in KITTI format (track ids are not used), a synthetic scene's level (oracle, good, "
-      "poor), the 2D boxes of the labels, or none");
+      "source of 2D boxes: a file in KITTI format (track ids are ignored), a detector level of a "
+      "synthetic scene (oracle, good, poor), the 2D boxes of the labels, or none");
   add("--detections-camera", detections_camera, "X",
-      "boxes were detected in image_0X; default: the left image read");
+      "camera (image_0X) in which the boxes were detected; default: the left camera in use");
   AddRightShift(app, right_shift_px);
-  add("--min-score", min_score, "SCORE", "leaves out detections below it; default: none")
+  add("--min-score", min_score, "SCORE", "minimum score of a detection; default: none")
       ->check(FiniteProblem);
 }
 
 void AddRightShift(CLI::App& app, std::optional<double>& right_shift_px) {
   app.add_option("--right-shift", right_shift_px,
-                 "rectification error: u_right is seen this much too far right; default: 0.16 for "
-                 "KITTI's grey images, else 0")
+                 "rectification error: offset of u_right to the right; default: 0.16 for KITTI's "
+                 "grey images, else 0")
       ->type_name("PX")
       ->check(FiniteProblem);
 }

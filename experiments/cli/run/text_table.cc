@@ -37,6 +37,6 @@ void TextTable::Print(std::ostream& out) const {
   for (const std::string& line : Lines()) out << line << '\n';
 }
 
-std::string ForPeople(double value) { return FormatGeneral(value, 4); }
+std::string ReadableNumber(double value) { return FormatGeneral(value, 4); }
 
 }  // namespace cvo

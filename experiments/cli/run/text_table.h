@@ -24,6 +24,6 @@ class TextTable {
 };
 
 // A number for people, with four significant digits.
-std::string ForPeople(double value);
+std::string ReadableNumber(double value);
 
 }  // namespace cvo

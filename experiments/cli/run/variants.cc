@@ -20,7 +20,7 @@ int ListVariants(bool json) {
     std::cout << DumpJson(list);
     return 0;
   }
-  TextTable table({"variant", "what it is"});
+  TextTable table({"variant", "description"});
   for (const VariantInfo& variant : Variants()) {
     table.Add({std::string(variant.name), std::string(variant.changes)});
   }
@@ -31,7 +31,7 @@ int ListVariants(bool json) {
 }  // namespace
 
 Command AddVariantsCommand(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("variants", "List the estimators that can be run");
+  CLI::App* app = program.add_subcommand("variants", "List the available estimator variants");
   const auto json = std::make_shared<bool>(false);
   app->add_flag("--json", *json, "print JSON");
   return {app, [json] { return ListVariants(*json); }};

@@ -10,18 +10,19 @@
 namespace cvo {
 
 void EngineFlags::AddTo(CLI::App& app) {
-  app.add_option("-j,--jobs", jobs, "jobs to run at once; default: CPUs, and all with slurm")
+  app.add_option("-j,--jobs", jobs,
+                 "number of jobs to run in parallel; default: number of CPUs, with slurm all jobs")
       ->type_name("N")
       ->check(CLI::Range(1, 1024).description(""));
   app.add_option(
          "--engine", name,
-         "where jobs run: local (processes of this machine) or slurm (experiments/README.md)")
+         "where jobs run: local (processes on this machine) or slurm (see experiments/README.md)")
       ->type_name("NAME")
       ->check(CLI::IsMember({"local", "slurm"}).description(""))
       ->capture_default_str();
   app.add_option("--sbatch", sbatch,
-                 "with slurm: one more flag for sbatch, as in --sbatch=--partition=short; can be "
-                 "repeated")
+                 "with slurm: additional flag for sbatch, such as --sbatch=--partition=short; can "
+                 "be repeated")
       ->type_name("FLAG")
       ->allow_extra_args(false);
 }

@@ -8,7 +8,8 @@ namespace cvo {
 
 Command AddExperimentCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "experiment", "Suites: many sequences, estimators, options and seeds, and their tables");
+      "experiment",
+      "Run suites of sequences, estimators, options and seeds, and tabulate their results");
   app->require_subcommand(1);
   const std::vector<Command> commands = {
       AddExperimentListCommand(*app),  AddExperimentPlanCommand(*app),

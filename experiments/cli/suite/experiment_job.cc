@@ -38,7 +38,7 @@ int RunWithinMemory(const SuiteFolder& folder, const std::string& id) {
 
 Command AddExperimentJobCommand(CLI::App& experiment) {
   CLI::App* app = experiment.add_subcommand(
-      "job", "Run one job of a suite's folder: what experiment run starts for each");
+      "job", "Run one job of a suite folder; experiment run starts this for each job");
   const auto folder = std::make_shared<std::string>();
   const auto id = std::make_shared<std::string>();
   app->add_option("DIR", *folder, "the suite's folder")->type_name("")->required();

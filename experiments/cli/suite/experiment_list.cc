@@ -30,7 +30,7 @@ int List() {
 }  // namespace
 
 Command AddExperimentListCommand(CLI::App& experiment) {
-  return {experiment.add_subcommand("list", "List the suites that come with the program"), List};
+  return {experiment.add_subcommand("list", "List the shipped suites"), List};
 }
 
 }  // namespace cvo

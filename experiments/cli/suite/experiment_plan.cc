@@ -33,16 +33,16 @@ std::string Duration(double seconds) {
   return StrCat(std::round(seconds / 360.0) / 10.0, " h");
 }
 
-std::size_t Count(const std::vector<JobOutlook>& outlook, JobState state) {
+std::size_t Count(const std::vector<PredictedState>& outlook, JobState state) {
   return static_cast<std::size_t>(
       std::count_if(outlook.begin(), outlook.end(),
-                    [state](const JobOutlook& job) { return job.state == state; }));
+                    [state](const PredictedState& job) { return job.state == state; }));
 }
 
 // "  12 x <reason>", the reasons in the order in which they occur.
-void PrintReasons(const std::vector<JobOutlook>& outlook, JobState state, std::ostream& out) {
+void PrintReasons(const std::vector<PredictedState>& outlook, JobState state, std::ostream& out) {
   std::vector<std::pair<std::string, int>> reasons;
-  for (const JobOutlook& job : outlook) {
+  for (const PredictedState& job : outlook) {
     if (job.state != state) continue;
     const auto found = std::find_if(reasons.begin(), reasons.end(),
                                     [&](const auto& reason) { return reason.first == job.why; });
@@ -63,7 +63,7 @@ void PrintRenders(const std::vector<SceneRender>& renders, std::ostream& out) {
     draws += render.draws ? 1 : 0;
   }
   out << "scenes to render: " << renders.size() << " with " << frames << " frames, " << draws
-      << " of them drawn first, the rest from what is drawn\n";
+      << " of them drawn first, the rest from cached drawings\n";
 }
 
 void Print(const PlanState& state, int processes, std::ostream& out) {
@@ -94,7 +94,7 @@ void Print(const PlanState& state, int processes, std::ostream& out) {
   out << "time: about " << Duration(seconds / processes) << " with " << processes
       << (processes == 1 ? " process" : " processes")
       << (state.frame_times_s.empty() ? ", assumed: 35 frames/s, 4 frames/s drawn\n"
-                                      : ", as measured by jobs that are done\n");
+                                      : ", as measured in finished jobs\n");
 }
 
 int PrintPlan(const Flags& flags) {
@@ -119,18 +119,19 @@ int PrintPlan(const Flags& flags) {
 }  // namespace
 
 Command AddExperimentPlanCommand(CLI::App& experiment) {
-  CLI::App* app = experiment.add_subcommand(
-      "plan", "Say what a suite would run, what is done, why anything runs again, and how long");
+  CLI::App* app = experiment.add_subcommand("plan",
+                                            "Show which jobs a suite would run, which are done, "
+                                            "why any run again, and the estimated time");
   const auto flags = std::make_shared<Flags>();
   flags->suite.AddTo(*app);
-  app->add_option("-j,--jobs", flags->jobs, "processes that the time is estimated for")
+  app->add_option("-j,--jobs", flags->jobs, "number of processes to estimate the time for")
       ->type_name("N")
       ->check(CLI::Range(1, 10000).description(""))
       ->capture_default_str();
   AddQuiet(*app, flags->quiet);
   app->footer(
-      "Nothing is rendered or run. Images whose hashes are not known yet are read, and their\n"
-      "hashes kept in CLUSTERVO_CACHE.\n"
+      "Nothing is rendered or run. Images whose hashes are not known yet are read, and "
+      "their\nhashes are stored in CLUSTERVO_CACHE.\n"
       "Example: clustervo experiment plan ablation -o results/ablation -j 2");
   return {app, [flags] { return PrintPlan(*flags); }};
 }

@@ -17,20 +17,21 @@ Command AddExperimentRunCommand(CLI::App& experiment) {
     return app->add_option(flag, value, meaning)->type_name(kind);
   };
   flags->engine.AddTo(*app);
-  add("--time-limit", flags->limit_s, "S", "wall time of one job, 0: none")
+  add("--time-limit", flags->limit_s, "S", "wall time limit of one job; 0: no limit")
       ->check(CLI::NonNegativeNumber.description(""))
       ->check(FiniteProblem)
       ->capture_default_str();
-  add("--memory-limit", flags->limit_memory_mb, "MB", "address space of one job, 0: none")
+  add("--memory-limit", flags->limit_memory_mb, "MB", "address space limit of one job; 0: no limit")
       ->check(CLI::NonNegativeNumber.description(""))
       ->check(FiniteProblem)
       ->capture_default_str();
   AddQuiet(*app, flags->quiet);
   app->footer(
-      "A job is one estimator with one set of options on one sequence with one seed, in a process\n"
-      "of its own. One that fails leaves its message and log and stops nothing else; the same\n"
-      "command runs what failed and what is missing, after an interrupt or a crash too.\n"
-      "Written: plan.json, jobs/<id>/ (as clustervo run), failed/<id>.json, logs/<id>.log.\n"
+      "A job is one estimator with one set of options on one sequence with one seed, and runs "
+      "in\nits own process. A failed job leaves its message and log and does not stop the "
+      "others.\nRunning the same command again runs failed and missing jobs, also after an "
+      "interrupt or a\ncrash.\nOutput files: plan.json, jobs/<id>/ (as clustervo run), "
+      "failed/<id>.json, logs/<id>.log.\n"
       "Exit code 1: some jobs failed, 130: stopped.\n"
       "Example: clustervo experiment run ablation -o results/ablation");
   return {app, [flags] { return RunSuite(*flags); }};

@@ -40,7 +40,7 @@ Json StatusToJson(const SuiteFolder& folder, const Plan& plan,
 int ShowStatus(const std::string& path, bool json) {
   const SuiteFolder folder{path};
   if (!std::filesystem::exists(folder.plan())) {
-    ThrowError(path, "no plan.json", "a folder that clustervo experiment run wrote to");
+    ThrowError(path, "no plan.json", "an output folder of clustervo experiment run");
   }
   const Plan plan = ParsePlan(ReadJson(folder.plan()), folder.plan().string());
   const std::vector<JobStatus> status = StatusOfAll(folder, plan);
@@ -58,17 +58,15 @@ int ShowStatus(const std::string& path, bool json) {
 
 Command AddExperimentStatusCommand(CLI::App& experiment) {
   CLI::App* app = experiment.add_subcommand(
-      "status", "Say which jobs of a suite's folder are done, failed or missing, and why");
+      "status", "Show which jobs of a suite folder are done, failed or missing, and why");
   const auto folder = std::make_shared<std::string>();
   const auto json = std::make_shared<bool>(false);
-  app->add_option("DIR", *folder, "the folder that the suite was run to")
-      ->type_name("")
-      ->required();
+  app->add_option("DIR", *folder, "output folder of the suite")->type_name("")->required();
   app->add_flag("--json", *json, "print JSON, one entry per job");
   app->footer(
-      "Reads only, also while the suite runs. Exit code 0: all that has a sequence is done, 1: "
-      "not.\n"
-      "Failed and missing jobs run again with clustervo experiment run.");
+      "Read-only; can be used while the suite runs. Exit code 0: all jobs whose sequence is "
+      "present\nare done, 1: some are not. clustervo experiment run runs failed and missing jobs "
+      "again.");
   return {app, [folder, json] { return ShowStatus(*folder, *json); }};
 }
 

@@ -35,7 +35,7 @@ PlanState FindPlanState(const Suite& suite, const PlanRequest& request, const Su
   const EarlierRuns earlier = {
       EarlierPlan(folder), [&](const PlannedJob& job) { return HasFiles(folder, job); },
       [&](const std::string& job) { return FailureOf(folder.failure(job)); }};
-  state.outlook = OutlookOf(state.built.plan, earlier);
+  state.outlook = PredictStates(state.built.plan, earlier);
   state.frame_times_s = MeasuredFrameTimes(state.built.plan, earlier,
                                            [&](const std::string& job) { return folder.job(job); });
   return state;

@@ -14,7 +14,7 @@ namespace cvo {
 // A plan and what of it the output folder already has.
 struct PlanState {
   BuiltPlan built;
-  std::vector<JobOutlook> outlook;
+  std::vector<PredictedState> outlook;
   std::map<std::string, double> frame_times_s;  // MeasuredFrameTimes
 };
 

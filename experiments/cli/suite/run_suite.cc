@@ -91,9 +91,9 @@ class SuiteRun {
     return RunJobs(built.plan);
   }
 
-  int SayStopped() const {
-    std::cerr << "clustervo: stopped; what is done is kept, and the same command goes on from "
-                 "there\n";
+  int ReportStopped() const {
+    std::cerr << "clustervo: stopped; finished jobs are kept, and running the same command again "
+                 "continues\n";
     return kStopped;
   }
 
@@ -176,11 +176,12 @@ class SuiteRun {
       Stage stage(flags_.quiet, kJobs);
       outcome = RunPlan(plan, Settings(stage), *engine_);
     }
-    if (outcome.stopped) return SayStopped();
+    if (outcome.stopped) return ReportStopped();
     std::cout << plan.suite.name << ": ";
     PrintJobs(folder_, plan, StatusOfAll(folder_, plan), std::cout);
     if (outcome.done == 0 && outcome.failed == 0) {
-      throw Error(StrCat(plan.suite.name, ": found no sequence, expected some below --data"));
+      throw Error(
+          StrCat(plan.suite.name, ": found no sequence, expected at least one below --data"));
     }
     if (outcome.failed == 0) return 0;
     std::cerr << "clustervo: " << outcome.failed << " of " << plan.jobs.size()
@@ -204,7 +205,7 @@ int RunSuite(const SuiteRunFlags& flags) {
   try {
     return run.Run();
   } catch (const Stopped&) {
-    return run.SayStopped();
+    return run.ReportStopped();
   }
 }
 

@@ -13,17 +13,15 @@ void SuiteFlags::AddTo(CLI::App& app) {
   app.add_option("SUITE", suite, "a shipped suite (clustervo experiment list) or a suite file")
       ->type_name("")
       ->required();
-  app.add_option("-o,--output", output, "folder for everything that the suite makes")
-      ->type_name("DIR")
-      ->required();
-  app.add_option("--data", data, "folder with real sequences below it; default: CLUSTERVO_DATA")
+  app.add_option("-o,--output", output, "output folder of the suite")->type_name("DIR")->required();
+  app.add_option("--data", data, "root folder of the real sequences; default: CLUSTERVO_DATA")
       ->type_name("FOLDER");
-  app.add_option("--seeds", overrides.seeds, "seeds 1 to N in place of the suite's")
+  app.add_option("--seeds", overrides.seeds, "use seeds 1 to N instead of the suite's")
       ->type_name("N")
       ->check(CLI::Range(1, 10000).description(""));
   app.add_option("--set", overrides.set,
-                 "changes an option (clustervo options), an axis of the suite's grid, or with "
-                 "scene. before it a value of all scenes; can be repeated")
+                 "set an option (see clustervo options), an axis of the suite's grid, or, with the "
+                 "prefix scene., a value of all scenes; can be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
 }

@@ -49,7 +49,7 @@ std::string FolderOf(const reports::SuitePlan& plan, const SuiteRunChoice& choic
     if (reports::KeyOf(run, "sequence") != choice.sequence) continue;
     if (run.system || reports::KeyOf(run, "variant") != variant) continue;
     if (choice.seed && run.seed != *choice.seed) continue;
-    if (run.job.empty()) ThrowError(what, run.missing, "a sequence that is there");
+    if (run.job.empty()) ThrowError(what, run.missing, "a sequence that exists");
     const fs::path folder = fs::path(choice.folder) / "jobs" / run.job;
     if (!fs::exists(folder / "result.json")) {
       ThrowError(folder.string(), "no result", StrCat("that of ", what, ", seed ", run.seed));

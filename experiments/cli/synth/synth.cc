@@ -8,8 +8,8 @@ namespace cvo {
 
 Command AddSynthCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand("synth",
-                                         "Synthetic scenes: list, generate, render, preview and "
-                                         "check stereo sequences with exact truth");
+                                         "List, generate, render, preview and check synthetic "
+                                         "stereo sequences with exact ground truth");
   app->require_subcommand(1);
   const std::vector<Command> commands = {
       AddSynthListCommand(*app),    AddSynthGenerateCommand(*app), AddSynthRenderCommand(*app),

@@ -26,7 +26,7 @@ struct Flags {
 
 std::string Limit(const SceneCheck& check) {
   if (check.bound == Bound::kNone) return "-";
-  return (check.bound == Bound::kAtMost ? "<= " : ">= ") + ForPeople(check.limit);
+  return (check.bound == Bound::kAtMost ? "<= " : ">= ") + ReadableNumber(check.limit);
 }
 
 std::string Verdict(const SceneCheck& check) {
@@ -37,8 +37,8 @@ std::string Verdict(const SceneCheck& check) {
 void Print(const SceneCheckReport& report) {
   TextTable table({"check", "figure", "unit", "limit", "", "worst"});
   for (const SceneCheck& check : report.checks) {
-    table.Add({check.name, std::isfinite(check.figure) ? ForPeople(check.figure) : "-", check.unit,
-               Limit(check), Verdict(check), check.where});
+    table.Add({check.name, std::isfinite(check.figure) ? ReadableNumber(check.figure) : "-",
+               check.unit, Limit(check), Verdict(check), check.where});
   }
   table.Print(std::cout);
   std::cout << '\n'
@@ -61,15 +61,15 @@ int Check(const Flags& flags) {
 
 Command AddSynthCheckCommand(CLI::App& synth) {
   CLI::App* app = synth.add_subcommand(
-      "check", "Compare a rendered sequence's images, depth, masks, poses and tables");
+      "check",
+      "Check that a rendered sequence's images, depth, masks, poses and tables are consistent");
   const auto flags = std::make_shared<Flags>();
   app->add_option("DIR", flags->folder, "folder of a rendered sequence")->type_name("")->required();
-  app->add_option("--json", flags->json, "writes the figures there too")->type_name("FILE");
+  app->add_option("--json", flags->json, "also write the results to this file")->type_name("FILE");
   AddThreads(*app, flags->threads);
   app->footer(
-      "Reads the folder's files only. Text files and masks of all frames are checked, images of "
-      "at\n"
-      "most 40. Exit code 1 where a figure is out of its limit.\n"
+      "Only the folder's files are read. Text files and masks of all frames are checked, and "
+      "the\nimages of at most 40 frames. Exit code 1 if a value exceeds its limit.\n"
       "Example: clustervo synth check indoor_1 --json check.json");
   return {app, [flags] { return Check(*flags); }};
 }

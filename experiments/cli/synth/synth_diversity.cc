@@ -25,9 +25,9 @@ std::string FamilyOf(const std::filesystem::path& folder) {
 
 std::string Spread(const std::vector<double>& values) {
   if (values.empty()) return "-";
-  return StrCat(ForPeople(synth::Quantile(values, 0.1)), " / ",
-                ForPeople(synth::Quantile(values, 0.5)), " / ",
-                ForPeople(synth::Quantile(values, 0.9)));
+  return StrCat(ReadableNumber(synth::Quantile(values, 0.1)), " / ",
+                ReadableNumber(synth::Quantile(values, 0.5)), " / ",
+                ReadableNumber(synth::Quantile(values, 0.9)));
 }
 
 int PrintDiversity(const std::vector<std::string>& folders) {
@@ -48,7 +48,8 @@ int PrintDiversity(const std::vector<std::string>& folders) {
 
 Command AddSynthDiversityCommand(CLI::App& synth) {
   CLI::App* app = synth.add_subcommand(
-      "diversity", "How the bodies of rendered sequences differ: 10 % / median / 90 % by family");
+      "diversity",
+      "Show how the bodies of rendered sequences vary: 10 % / median / 90 % quantiles by family");
   const auto folders = std::make_shared<std::vector<std::string>>();
   app->add_option("DIR", *folders, "folders of rendered sequences")->type_name("")->required();
   app->footer("Example: clustervo synth diversity room_0 room_1 street_0");

@@ -36,7 +36,7 @@ int Generate(const GenerateFlags& flags) {
   const synth::Family family = synth::LoadFamily(flags.family);
   if (flags.knobs) return PrintKnobs(family);
   if (flags.seed.empty() || flags.output.empty()) {
-    throw UsageError("--seed and --output are needed, or --knobs");
+    throw UsageError("--seed and --output are required, unless --knobs is given");
   }
   CheckOutputFile(flags.output, {flags.family});
   const Json scene = synth::GenerateScene(family, synth::ParseFamilySeed(flags.seed), flags.set);
@@ -54,17 +54,16 @@ Command AddSynthGenerateCommand(CLI::App& synth) {
       ->type_name("")
       ->required();
   app->add_option("--seed", flags->seed,
-                  "0 to 999: for development; 1000 to 1999: the test split, for reports alone")
+                  "0 to 999: for development; 1000 to 1999: test split, for reporting only")
       ->type_name("N");
-  app->add_option("--set", flags->set, "fixes one knob, can be repeated")
+  app->add_option("--set", flags->set, "set one parameter (knob); can be repeated")
       ->type_name("KNOB=VALUE")
       ->allow_extra_args(false);
   app->add_option("-o,--output", flags->output, "scene file to write")->type_name("FILE");
-  app->add_flag("--knobs", flags->knobs, "lists the family's knobs and writes nothing");
+  app->add_flag("--knobs", flags->knobs, "only list the parameters (knobs) of the family");
   app->footer(
-      "The same seed and knobs give the same bytes on every machine. A scene of a family is also "
-      "known\n"
-      "by name, without a file: clustervo synth render room@17 -o room_17.\n"
+      "The same seed and knobs give byte-identical files on every machine. A scene of a family "
+      "can\nalso be given by name, without a file: clustervo synth render room@17 -o room_17.\n"
       "Example: clustervo synth generate room --seed 17 --set movers=3 -o room_17.json");
   return {app, [flags] { return Generate(*flags); }};
 }

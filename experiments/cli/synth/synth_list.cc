@@ -33,7 +33,7 @@ int List() {
   for (const synth::ShippedScene& shipped : synth::ShippedScenes()) {
     const auto scene = synth::SceneDescription::Load(shipped.name, {});
     const synth::SceneParts& parts = scene.parts();
-    table.Add({scene.name(), std::to_string(parts.frames), ForPeople(parts.rate_hz) + " Hz",
+    table.Add({scene.name(), std::to_string(parts.frames), ReadableNumber(parts.rate_hz) + " Hz",
                StrCat(parts.rig.width_px, "x", parts.rig.height_px),
                std::to_string(CountMovers(parts)), scene.about()});
   }

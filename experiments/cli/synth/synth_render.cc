@@ -31,15 +31,15 @@ struct SceneFlags {
   bool quiet = false;
 
   void AddTo(CLI::App& app, const char* output_kind, const char* output_meaning) {
-    app.add_option(
-           "SCENE", scene,
-           "a shipped scene (clustervo synth list), a JSON file or a family's seed, as room@17")
+    app.add_option("SCENE", scene,
+                   "a shipped scene (clustervo synth list), a JSON file or a seed of a family, "
+                   "such as room@17")
         ->type_name("")
         ->required();
     app.add_option("-o,--output", output, output_meaning)->type_name(output_kind)->required();
     app.add_option("--frames", frames, "frames A to B-1 of the scene; default: all")
         ->type_name("A:B");
-    app.add_option("--set", set, "changes one value of the scene, such as sensor.read_noise=0")
+    app.add_option("--set", set, "set one value of the scene, such as sensor.read_noise=0")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     AddThreads(app, threads);
@@ -160,21 +160,22 @@ Command AddSynthRenderCommand(CLI::App& synth) {
   const auto flags = std::make_shared<RenderFlags>();
   flags->scene.AddTo(
       *app, "DIR",
-      "folder to make; one that this program rendered, and nobody added to, is replaced");
+      "output folder; replaced if it exists and contains only files rendered by this program");
   app->add_option_function<std::string>(
          "--seed", [flags](const std::string& text) { flags->seed = ParseSeed(text); },
-         "of sensor noise and detector errors; default: the scene's")
+         "seed of sensor noise and detector errors; default: the scene's")
       ->type_name("N");
   app->add_option("--detector", flags->detectors,
-                  "oracle, good or poor, can be repeated; default: all of them")
+                  "detector level: oracle, good or poor; can be repeated; default: all")
       ->type_name("LEVEL")
       ->allow_extra_args(false);
-  app->add_flag("--flow", flags->flow, "also optical flow, flow_0/%06d.png in KITTI's encoding");
+  app->add_flag("--flow", flags->flow,
+                "also write optical flow: flow_0/%06d.png in KITTI's encoding");
   app->footer(
-      "Another seed changes the sensor's noise and the detector's errors, and, given to clustervo\n"
-      "run, the estimator's own random draws; never the motion, the textures or the ground truth.\n"
-      "What was drawn is kept in CLUSTERVO_CACHE (default: ~/.cache/clustervo), so that another\n"
-      "seed, noise or detector needs no drawing.\n"
+      "The seed changes sensor noise and detector errors (and, in clustervo run, the "
+      "estimator's\nrandom draws), but not motion, textures or ground truth. Rendered images are "
+      "cached in\nCLUSTERVO_CACHE (default: ~/.cache/clustervo), so another seed, noise level or "
+      "detector does\nnot render again.\n"
       "Examples:\n"
       "  clustervo synth render indoor_1 -o indoor_1\n"
       "  clustervo synth render indoor_1 -o quiet --seed 3 --frames 0:50 --set "

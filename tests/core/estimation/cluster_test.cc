@@ -24,7 +24,7 @@ const StereoCamera kCamera = {.fx = 500,
                               .baseline_m = 0.5,
                               .width_px = 640,
                               .height_px = 480};
-const SolverOptions kToTheEnd = {.iterations = 80, .function_tolerance = 1e-14};
+const SolverOptions kToConvergence = {.iterations = 80, .function_tolerance = 1e-14};
 
 Eigen::Vector3d RandomVector(Rng& rng) { return {rng.Normal(), rng.Normal(), rng.Normal()}; }
 
@@ -126,7 +126,7 @@ TEST(SolveCluster, ReturnsToTheTruth) {
   const ClusterProblem truth = MakeProblem({}, rng);
   ClusterProblem problem = truth;
   Disturb(problem, 0.03, rng);
-  SolveCluster<WhiteNoiseOnAcceleration>({}, kToTheEnd, {}, problem);
+  SolveCluster<WhiteNoiseOnAcceleration>({}, kToConvergence, {}, problem);
   EXPECT_LT(PoseError(problem, truth), 1e-6);
   for (std::size_t i = 0; i < truth.time_s.size(); ++i) {
     EXPECT_LT((problem.velocity_m_s[i] - truth.velocity_m_s[i]).norm(), 1e-5);
@@ -138,7 +138,7 @@ TEST(SolveCluster, BridgesMissingFrames) {
   const ClusterProblem truth = MakeProblem({.times_s = {0.0, 0.1, 0.13, 0.9, 1.0, 2.4}}, rng);
   ClusterProblem problem = truth;
   Disturb(problem, 0.03, rng);
-  SolveCluster<WhiteNoiseOnAcceleration>({}, kToTheEnd, {}, problem);
+  SolveCluster<WhiteNoiseOnAcceleration>({}, kToConvergence, {}, problem);
   EXPECT_LT(PoseError(problem, truth), 1e-6);
 }
 
@@ -163,7 +163,7 @@ MotionError OneFrameError(const MotionPriorOptions& motion) {
     const ClusterProblem truth = MakeProblem(scene, rng);
     ClusterProblem problem = truth;
     for (ReprojectionFactor& factor : problem.factors) factor.z_px += 0.5 * RandomVector(rng);
-    SolveCluster<MotionPrior>({}, kToTheEnd, motion, problem);
+    SolveCluster<MotionPrior>({}, kToConvergence, motion, problem);
     for (std::size_t i = 1; i < truth.time_s.size(); ++i) {
       const Eigen::Vector3d moved = problem.world_from_object[i].translation() -
                                     problem.world_from_object[i - 1].translation();
@@ -195,7 +195,7 @@ TEST(SolveCluster, PriorOnTurnsLowersTheirErrorFurther) {
 TEST(SolveCluster, TurnsAtOneRateWhereNothingElseIsAllowed) {
   Rng rng(12, "cluster");
   ClusterProblem problem = MakeProblem({.noise_px = 1.0}, rng);
-  SolveCluster<WhiteNoiseOnAcceleration>({}, kToTheEnd, {.turn_q_rad2_s3 = 1e-9}, problem);
+  SolveCluster<WhiteNoiseOnAcceleration>({}, kToConvergence, {.turn_q_rad2_s3 = 1e-9}, problem);
   const Eigen::Vector3d first = LogSo3(TurnOfStep(problem, 1));
   EXPECT_GT(first.norm(), 0.02);
   for (std::size_t i = 2; i < problem.time_s.size(); ++i) {
@@ -207,9 +207,9 @@ TEST(SolveCluster, WithoutPriorIsTheLimitOfLargeQ) {
   Rng rng(5, "cluster");
   ClusterProblem loose = MakeProblem({.noise_px = 0.3}, rng);
   ClusterProblem none = loose;
-  SolveCluster<WhiteNoiseOnAcceleration>({}, kToTheEnd, {.q_m2_s3 = 1e10, .turn_q_rad2_s3 = 1e10},
-                                         loose);
-  SolveCluster<NoMotionPrior>({}, kToTheEnd, {}, none);
+  SolveCluster<WhiteNoiseOnAcceleration>({}, kToConvergence,
+                                         {.q_m2_s3 = 1e10, .turn_q_rad2_s3 = 1e10}, loose);
+  SolveCluster<NoMotionPrior>({}, kToConvergence, {}, none);
   EXPECT_LT(PoseError(loose, none), 1e-6);
   const Eigen::Vector3d moved =
       none.world_from_object[3].translation() - none.world_from_object[2].translation();
@@ -221,8 +221,8 @@ TEST(SolveCluster, FrameUnitsAreSecondsWithTheStepsOwnQ) {
   Rng rng(6, "cluster");
   ClusterProblem frames = MakeProblem({.noise_px = 0.3}, rng);
   ClusterProblem seconds = frames;
-  SolveCluster<WhiteNoiseOnAccelerationFrameUnits>({}, kToTheEnd, {}, frames);
-  SolveCluster<WhiteNoiseOnTranslation>({}, kToTheEnd, {.q_m2_s3 = 10.0}, seconds);
+  SolveCluster<WhiteNoiseOnAccelerationFrameUnits>({}, kToConvergence, {}, frames);
+  SolveCluster<WhiteNoiseOnTranslation>({}, kToConvergence, {.q_m2_s3 = 10.0}, seconds);
   EXPECT_LT(PoseError(frames, seconds), 1e-6);
 }
 
@@ -233,8 +233,8 @@ TEST(SolveCluster, PointPriorHoldsAgainstTheData) {
   free.points[0].x() += 0.01;
   ClusterProblem held = free;
   held.point_priors[0] = {held.points[0], 1e4 * Eigen::Matrix3d::Identity()};
-  SolveCluster<WhiteNoiseOnAcceleration>({}, kToTheEnd, {}, free);
-  SolveCluster<WhiteNoiseOnAcceleration>({}, kToTheEnd, {}, held);
+  SolveCluster<WhiteNoiseOnAcceleration>({}, kToConvergence, {}, free);
+  SolveCluster<WhiteNoiseOnAcceleration>({}, kToConvergence, {}, held);
   EXPECT_LT((free.points[0] - truth.points[0]).norm(), 1e-6);
   EXPECT_LT((held.points[0] - held.point_priors[0].mean_in_object).norm(), 1e-4);
 }
@@ -244,7 +244,7 @@ TEST(SolveCluster, WithASingleFrameOnlyPointsMove) {
   const ClusterProblem truth = MakeProblem({.times_s = {3.0}}, rng);
   ClusterProblem problem = truth;
   for (Eigen::Vector3d& point : problem.points) point += 0.05 * RandomVector(rng);
-  SolveCluster<WhiteNoiseOnAcceleration>({}, kToTheEnd, {}, problem);
+  SolveCluster<WhiteNoiseOnAcceleration>({}, kToConvergence, {}, problem);
   EXPECT_EQ(PoseError(problem, truth), 0.0);
   EXPECT_EQ(problem.velocity_m_s[0], truth.velocity_m_s[0]);
   for (std::size_t i = 0; i < truth.points.size(); ++i) {

@@ -58,14 +58,14 @@ void Disturb(WindowProblem& problem, double size, Rng& rng) {
   }
 }
 
-const SolverOptions kToTheEnd = {.iterations = 60, .function_tolerance = 1e-14};
+const SolverOptions kToConvergence = {.iterations = 60, .function_tolerance = 1e-14};
 
 TEST(SolveWindow, ReturnsToTheTruth) {
   Rng rng(1, "window");
   WindowProblem problem = MakeProblem(5, 60, 0.0, rng);
   const WindowProblem truth = problem;
   Disturb(problem, 0.02, rng);
-  SolveWindow({}, kToTheEnd, problem);
+  SolveWindow({}, kToConvergence, problem);
   for (std::size_t i = 0; i < problem.frames.size(); ++i) {
     EXPECT_LT(problem.world_from_camera[i].Minus(truth.world_from_camera[i]).norm(), 1e-6);
   }
@@ -77,7 +77,7 @@ TEST(SolveWindow, FindsTheRightShiftThatThePixelsCarry) {
   for (ReprojectionFactor& factor : problem.factors) factor.z_px[2] += 0.3;
   problem.is_right_shift_fixed = false;
   problem.prior = CalibrationPrior(kCamera, 100.0);
-  SolveWindow({}, kToTheEnd, problem);
+  SolveWindow({}, kToConvergence, problem);
   EXPECT_NEAR(problem.camera.right_shift_px, 0.3, 1e-3);
   EXPECT_LT(problem.world_from_camera.back().Minus(CameraAt(5)).norm(), 1e-3);
 }
@@ -88,7 +88,7 @@ TEST(SolveWindow, RefusesAPriorAboutAFrameItDoesNotHave) {
   problem.prior.frames = {FrameId{99}};
   problem.prior.linearization_point = {RigidTransform()};
   problem.prior.J0 = Eigen::MatrixXd::Zero(1, 7);
-  EXPECT_THROW(SolveWindow({}, kToTheEnd, problem), Error);
+  EXPECT_THROW(SolveWindow({}, kToConvergence, problem), Error);
 }
 
 // The window without the marginalised frame and points but with their prior, against all of it.
@@ -97,11 +97,11 @@ TEST(Marginalize, LeavesTheOptimumOfTheOthersWhereItWas) {
   WindowProblem batch = MakeProblem(5, 60, 0.3, rng);
   batch.is_fixed.assign(5, 0);
   batch.is_fixed[4] = 1;
-  SolveWindow({}, kToTheEnd, batch);
+  SolveWindow({}, kToConvergence, batch);
 
   // Frame 10 goes, with the points 0 to 29; its observations of the others were never made.
   std::erase_if(batch.factors, [](const auto& f) { return f.point >= 30 && f.pose == 0; });
-  SolveWindow({}, kToTheEnd, batch);
+  SolveWindow({}, kToConvergence, batch);
   WindowProblem removed = batch;
   std::erase_if(removed.factors, [](const auto& f) { return f.point >= 30; });
   WindowProblem rest = batch;
@@ -118,7 +118,7 @@ TEST(Marginalize, LeavesTheOptimumOfTheOthersWhereItWas) {
   const WindowProblem before = rest;
   Disturb(rest, 1e-4, rng);
   rest.world_from_camera[3] = before.world_from_camera[3];
-  SolveWindow({}, kToTheEnd, rest);
+  SolveWindow({}, kToConvergence, rest);
   for (int i = 0; i < 4; ++i) {
     EXPECT_LT(rest.world_from_camera[i].Minus(batch.world_from_camera[i + 1]).norm(), 2e-6);
   }

@@ -17,19 +17,20 @@
 namespace cvo::testing {
 
 // Images with known disparities: overlapping shades ("dead leaves", whose statistics are close to
-// those of natural images) on a grid kFine times finer than the pixels.
-inline constexpr int kFine = 8;
+// those of natural images) on a grid kSubpixelSteps times finer than the pixels.
+inline constexpr int kSubpixelSteps = 8;
 inline constexpr int kMargin_px = 48;  // of the scene to the right of the image, for disparities
 
 inline cv::Mat DrawScene(int width_px, int height_px, std::uint64_t seed) {
   Rng rng(seed, "scene");
-  cv::Mat scene(height_px * kFine, (width_px + kMargin_px) * kFine, CV_8UC1, cv::Scalar(128));
-  const int shapes = scene.cols / kFine * height_px / 25;
+  cv::Mat scene(height_px * kSubpixelSteps, (width_px + kMargin_px) * kSubpixelSteps, CV_8UC1,
+                cv::Scalar(128));
+  const int shapes = scene.cols / kSubpixelSteps * height_px / 25;
   for (int i = 0; i < shapes; ++i) {
     const cv::Point2f centre(static_cast<float>(rng.Uniform(0.0, scene.cols)),
                              static_cast<float>(rng.Uniform(0.0, scene.rows)));
     const double radius_px = std::min(40.0, 2.0 / std::sqrt(1e-3 + rng.Uniform()));
-    const float radius = static_cast<float>(radius_px * kFine);
+    const float radius = static_cast<float>(radius_px * kSubpixelSteps);
     const cv::Scalar shade(20.0 + static_cast<double>(rng.UniformInt(216)));
     const float aspect = static_cast<float>(rng.Uniform(0.5, 2.0));
     const float angle = static_cast<float>(rng.Uniform(0.0, 180.0));
@@ -39,7 +40,7 @@ inline cv::Mat DrawScene(int width_px, int height_px, std::uint64_t seed) {
     for (int k = 0; k < 4; ++k) rounded[k] = corners[k];
     cv::fillConvexPoly(scene, rounded, 4, shade);
   }
-  cv::GaussianBlur(scene, scene, cv::Size(), 0.5 * kFine);  // the lens
+  cv::GaussianBlur(scene, scene, cv::Size(), 0.5 * kSubpixelSteps);  // the lens
   return scene;
 }
 
@@ -47,16 +48,18 @@ inline cv::Mat DrawScene(int width_px, int height_px, std::uint64_t seed) {
 inline cv::Mat Render(const cv::Mat& scene, const std::function<int(int)>& fine_shift,
                       double noise = 0.0, std::uint64_t seed = 0) {
   Rng rng(seed, "noise");
-  cv::Mat image(scene.rows / kFine, scene.cols / kFine - kMargin_px, CV_8UC1);
+  cv::Mat image(scene.rows / kSubpixelSteps, scene.cols / kSubpixelSteps - kMargin_px, CV_8UC1);
   for (int v = 0; v < image.rows; ++v) {
-    const int left = std::clamp(fine_shift(v), 0, kMargin_px * kFine);
+    const int left = std::clamp(fine_shift(v), 0, kMargin_px * kSubpixelSteps);
     for (int u = 0; u < image.cols; ++u) {
       int sum = 0;
-      for (int y = 0; y < kFine; ++y) {
-        const std::uint8_t* row = scene.ptr<std::uint8_t>(v * kFine + y) + u * kFine + left;
-        for (int x = 0; x < kFine; ++x) sum += row[x];
+      for (int y = 0; y < kSubpixelSteps; ++y) {
+        const std::uint8_t* row =
+            scene.ptr<std::uint8_t>(v * kSubpixelSteps + y) + u * kSubpixelSteps + left;
+        for (int x = 0; x < kSubpixelSteps; ++x) sum += row[x];
       }
-      const double value = static_cast<double>(sum) / (kFine * kFine) + noise * rng.Normal();
+      const double value =
+          static_cast<double>(sum) / (kSubpixelSteps * kSubpixelSteps) + noise * rng.Normal();
       image.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(value);
     }
   }

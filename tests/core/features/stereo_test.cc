@@ -17,7 +17,7 @@ using testing::CameraFor;
 using testing::Disparity;
 using testing::DrawScene;
 using ::testing::HasSubstr;
-using testing::kFine;
+using testing::kSubpixelSteps;
 using testing::MatchImages;
 using testing::Render;
 using ::testing::ThrowsMessage;
@@ -50,9 +50,9 @@ Errors Measure(const std::vector<StereoFeature>& features, Truth truth) {
 TEST(MatchStereo, SubPixelDisparityWithoutBias) {
   const cv::Mat scene = DrawScene(320, 240, 1);
   const cv::Mat left = Render(scene, 0, 2.0, 1);
-  for (int eighths = 0; eighths < kFine; ++eighths) {
-    const cv::Mat right = Render(scene, 20 * kFine + eighths, 2.0, 2 + eighths);
-    const double truth = 20.0 + eighths / static_cast<double>(kFine);
+  for (int eighths = 0; eighths < kSubpixelSteps; ++eighths) {
+    const cv::Mat right = Render(scene, 20 * kSubpixelSteps + eighths, 2.0, 2 + eighths);
+    const double truth = 20.0 + eighths / static_cast<double>(kSubpixelSteps);
     const Errors errors = Measure(MatchImages(left, right), [&](const auto&) { return truth; });
     EXPECT_GT(errors.count, 400);
     EXPECT_EQ(errors.gross, 0);
@@ -65,7 +65,7 @@ TEST(MatchStereo, SubPixelDisparityWithoutBias) {
 TEST(MatchStereo, DisparityOfTheGroundWithoutBias) {
   const cv::Mat scene = DrawScene(320, 240, 2);
   const auto fine_shift = [](int v) {
-    return static_cast<int>(std::lround(kFine * (4 + v / 7.0)));
+    return static_cast<int>(std::lround(kSubpixelSteps * (4 + v / 7.0)));
   };
   const Errors errors = Measure(MatchImages(Render(scene, 0), Render(scene, fine_shift)),
                                 [](const StereoFeature& f) { return 4.0 + f.z_px.y() / 7.0; });
@@ -89,12 +89,12 @@ TEST(MatchStereo, ColumnsOfThePairAreOrderedAndOrderOfCornersIsKept) {
 
 TEST(MatchStereo, RepetitiveTextureIsMostlyRejected) {
   // A tile of 40 px again and again: every place in a row has rivals.
-  const cv::Mat tile = DrawScene(40, 240, 4).colRange(0, 40 * kFine);
+  const cv::Mat tile = DrawScene(40, 240, 4).colRange(0, 40 * kSubpixelSteps);
   cv::Mat scene;
   cv::repeat(tile, 1, (320 + testing::kMargin_px) / 40 + 1, scene);
-  scene = scene.colRange(0, (320 + testing::kMargin_px) * kFine).clone();
+  scene = scene.colRange(0, (320 + testing::kMargin_px) * kSubpixelSteps).clone();
   const cv::Mat left = Render(scene, 0, 2.0, 1);
-  const cv::Mat right = Render(scene, 12 * kFine, 2.0, 2);
+  const cv::Mat right = Render(scene, 12 * kSubpixelSteps, 2.0, 2);
   const auto truth = [](const StereoFeature&) { return 12.0; };
   StereoMatchOptions credulous;
   credulous.uniqueness = 1.0;
@@ -110,12 +110,12 @@ TEST(MatchStereo, OccludedCornersFindNoPartner) {
   const cv::Mat far_scene = DrawScene(320, 240, 5);
   const cv::Mat near_scene = DrawScene(320, 240, 6);
   cv::Mat left = Render(far_scene, 0, 2.0, 1);
-  cv::Mat right = Render(far_scene, 6 * kFine, 2.0, 2);
+  cv::Mat right = Render(far_scene, 6 * kSubpixelSteps, 2.0, 2);
   // A near square, 30 px of disparity: columns [150, 230) of the left image.
   const cv::Rect in_left(150, 60, 80, 120);
   const cv::Rect in_right(120, 60, 80, 120);
   Render(near_scene, 0, 2.0, 3)(in_left).copyTo(left(in_left));
-  Render(near_scene, 30 * kFine, 2.0, 4)(in_right).copyTo(right(in_right));
+  Render(near_scene, 30 * kSubpixelSteps, 2.0, 4)(in_right).copyTo(right(in_right));
   int near_count = 0;
   int wrong = 0;
   const std::vector<StereoFeature> features = MatchImages(left, right);
@@ -133,7 +133,7 @@ TEST(MatchStereo, OccludedCornersFindNoPartner) {
 TEST(MatchStereo, FollowsRowsOfAFaultyRectificationIfAllowed) {
   const cv::Mat scene = DrawScene(320, 240, 7);
   const cv::Mat left = Render(scene, 0);
-  const cv::Mat level = Render(scene, 15 * kFine);
+  const cv::Mat level = Render(scene, 15 * kSubpixelSteps);
   cv::Mat right = level.clone();  // one row too low
   level.rowRange(0, 239).copyTo(right.rowRange(1, 240));
   const auto truth = [](const StereoFeature&) { return 15.0; };
@@ -155,7 +155,7 @@ TEST(MatchStereo, NothingInNothingOut) {
 TEST(ExtractStereoFeatures, SameForEveryNumberOfThreads) {
   const cv::Mat scene = DrawScene(320, 240, 9);
   const cv::Mat left = Render(scene, 0);
-  const cv::Mat right = Render(scene, 10 * kFine);
+  const cv::Mat right = Render(scene, 10 * kSubpixelSteps);
   std::vector<std::vector<StereoFeature>> results;
   for (int threads : {1, 2, 2}) {
     TaskPool pool(threads);

@@ -12,7 +12,7 @@ namespace cvo {
 namespace {
 
 template <typename Policy>
-concept ShowsATemporary = requires {
+concept HasRvalueOverload = requires {
   Policy::Show(StereoFrame());
 };
 
@@ -56,7 +56,9 @@ TEST(DetectionPolicies, ShowTheFrameItselfOrNothing) {
   EXPECT_TRUE(none.detection_body.empty());
 }
 
-TEST(DetectionPolicies, ATemporaryFrameIsRefused) { EXPECT_FALSE(ShowsATemporary<UseDetections>); }
+TEST(DetectionPolicies, ATemporaryFrameIsRefused) {
+  EXPECT_FALSE(HasRvalueOverload<UseDetections>);
+}
 
 TEST(Instantiate, MakesItsOwnVariantsOnly) {
   TaskPool pool(1);

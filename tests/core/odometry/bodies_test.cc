@@ -80,7 +80,7 @@ Eigen::Vector3d TrueVelocity(int b, int frame, const Eigen::Vector3d& p_in_body)
 }
 
 TEST(MovingBodies, KeepOneIdEach) {
-  const ClusterRun run = Watch(40, testing::kAsItIs);
+  const ClusterRun run = Watch(40, testing::kNoChange);
   for (int body = 1; body <= 2; ++body) {
     const ClusterId id = ClusterOfBody(run, 5, body);
     ASSERT_TRUE(id.valid());
@@ -97,7 +97,7 @@ TEST(MovingBodies, KeepOneIdEach) {
 }
 
 TEST(MovingBodies, PosesFollowTheTruthUpToAConstantFrame) {
-  const ClusterRun run = Watch(40, testing::kAsItIs);
+  const ClusterRun run = Watch(40, testing::kNoChange);
   for (int b = 0; b < 2; ++b) {
     const ClusterTrajectory* cluster = FindTrajectory(run, ClusterOfBody(run, 10, b + 1));
     ASSERT_NE(cluster, nullptr);
@@ -110,7 +110,7 @@ TEST(MovingBodies, PosesFollowTheTruthUpToAConstantFrame) {
 }
 
 TEST(MovingBodies, VelocitiesAreThoseOfTheClustersOrigin) {
-  const ClusterRun run = Watch(40, testing::kAsItIs);
+  const ClusterRun run = Watch(40, testing::kNoChange);
   for (int b = 0; b < 2; ++b) {
     const ClusterTrajectory* cluster = FindTrajectory(run, ClusterOfBody(run, 10, b + 1));
     ASSERT_NE(cluster, nullptr);
@@ -127,7 +127,7 @@ TEST(MovingBodies, VelocitiesAreThoseOfTheClustersOrigin) {
 }
 
 TEST(MovingBodies, LandmarksAreTheirsAndThoseOfTheBackgroundAreNot) {
-  const ClusterRun run = Watch(40, testing::kAsItIs);
+  const ClusterRun run = Watch(40, testing::kNoChange);
   const ClusterId id[] = {kStaticScene, ClusterOfBody(run, 10, 1), ClusterOfBody(run, 10, 2)};
   int right[3] = {};
   int all[3] = {};
@@ -144,7 +144,7 @@ TEST(MovingBodies, LandmarksAreTheirsAndThoseOfTheBackgroundAreNot) {
 }
 
 TEST(LandmarkReports, TellTheSameLandmarkByTheSameId) {
-  const ClusterRun run = Watch(20, testing::kAsItIs);
+  const ClusterRun run = Watch(20, testing::kNoChange);
   std::map<Descriptor, LandmarkId> id;  // every point of the world has its own
   std::map<LandmarkId, Descriptor> point;
   int again = 0;
@@ -240,7 +240,7 @@ TEST(MovingBodies, ScoreDecaysWhileThereIsNoBox) {
 TEST(StaticVariant, IsTheWholeSystemWithoutDetections) {
   const auto blind = [](int, WorldView& view) { view.frame.detections.clear(); };
   const ClusterRun full = Watch(25, blind);
-  const ClusterRun still = Watch(25, testing::kAsItIs, "static");
+  const ClusterRun still = Watch(25, testing::kNoChange, "static");
   EXPECT_THAT(still.clusters, IsEmpty());
   for (int i = 0; i < 25; ++i) {
     EXPECT_THAT(still.reports[i].clusters, IsEmpty());

@@ -23,7 +23,7 @@ const StereoCamera kCamera = {.fx = 500,
                               .width_px = 640,
                               .height_px = 480,
                               .right_shift_px = 0.1};
-const SolverOptions kToTheEnd = {.iterations = 100, .function_tolerance = 0.0};
+const SolverOptions kToConvergence = {.iterations = 100, .function_tolerance = 0.0};
 
 Eigen::Vector3d RandomVector(Rng& rng) { return {rng.Normal(), rng.Normal(), rng.Normal()}; }
 
@@ -76,8 +76,8 @@ WindowPrior RandomPrior(const WindowProblem& problem, int first, int count, Rng&
 void ExpectAgreement(const WindowProblem& problem) {
   WindowProblem own = problem;
   WindowProblem reference = problem;
-  const SolverSummary own_summary = SolveWindow({}, kToTheEnd, own);
-  const SolverSummary summary = test::SolveWindowWithCeres({}, kToTheEnd, reference);
+  const SolverSummary own_summary = SolveWindow({}, kToConvergence, own);
+  const SolverSummary summary = test::SolveWindowWithCeres({}, kToConvergence, reference);
   EXPECT_NEAR(own_summary.initial_cost / summary.initial_cost, 1.0, 1e-9);
   EXPECT_NEAR(own_summary.final_cost / summary.final_cost, 1.0, 1e-6);
   EXPECT_LT(own_summary.final_cost, 0.9 * own_summary.initial_cost);
@@ -209,8 +209,9 @@ TEST(SolveCluster, AgreesWithCeres) {
     const std::vector<double> q_by_step(q > 0.0 ? 7 : 0, q);
     ClusterProblem own = problem;
     ClusterProblem reference = problem;
-    const SolverSummary own_summary = SolveClusterSteps({}, kToTheEnd, {q_by_step}, own);
-    const SolverSummary summary = test::SolveClusterWithCeres({}, kToTheEnd, q_by_step, reference);
+    const SolverSummary own_summary = SolveClusterSteps({}, kToConvergence, {q_by_step}, own);
+    const SolverSummary summary =
+        test::SolveClusterWithCeres({}, kToConvergence, q_by_step, reference);
     EXPECT_NEAR(own_summary.initial_cost / summary.initial_cost, 1.0, 1e-9);
     EXPECT_NEAR(own_summary.final_cost / summary.final_cost, 1.0, 1e-6);
     for (std::size_t i = 0; i < own.time_s.size(); ++i) {

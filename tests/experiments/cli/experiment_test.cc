@@ -144,7 +144,7 @@ TEST_F(CliExperiment, AJobRefusesOtherFilesThanItsPlan) {
   fs::remove_all(out() / "jobs" / id);
   const ProcessResult job = Experiment({"job", out().string(), id});
   EXPECT_EQ(job.exit_code, 1);
-  EXPECT_THAT(job.err, HasSubstr("other files than when the suite was planned"));
+  EXPECT_THAT(job.err, HasSubstr("differ from when the suite was planned"));
   EXPECT_FALSE(fs::exists(out() / "jobs" / id));
   EXPECT_THAT(Experiment({"job", out().string(), "none"}).err, HasSubstr("found no job \"none\""));
   // The plan is made anew: another identity, and the old results stay.
@@ -166,8 +166,8 @@ TEST_F(CliExperiment, AnInterruptKeepsWhatIsDone) {
   WriteSuite("{\"folder\": \"wall\"}", "3");
   const ProcessResult run = Run({}, {.interrupt_at = "  2/6 jobs"});
   EXPECT_EQ(run.exit_code, 130) << run.err;
-  EXPECT_THAT(run.err, EndsWith("clustervo: stopped; what is done is kept, and the same command "
-                                "goes on from there\n"));
+  EXPECT_THAT(run.err, EndsWith("clustervo: stopped; finished jobs are kept, and running the same "
+                                "command again continues\n"));
   const std::size_t done = Results().size();
   EXPECT_GE(done, 2U);
   EXPECT_FALSE(fs::exists(out() / "failed") && !fs::is_empty(out() / "failed"));

@@ -85,7 +85,7 @@ TEST(CliFigures, OneAloneByItsName) {
 TEST(CliFigures, SayInOneLineWhatIsMissing) {
   const HostileSuite suite;
   ExpectOneLine(suite.Draw({}, {.environment = {"CLUSTERVO_BROWSER=/nowhere"}}),
-                "/nowhere: found no program that can be run, expected a Chromium");
+                "/nowhere: found a program that cannot be run, expected a Chromium");
   EXPECT_FALSE(fs::exists(suite.out())) << "nothing is left of what was not made";
   ExpectOneLine(suite.Draw({}, {.environment = {"CLUSTERVO_BROWSER=/bin/false"}}),
                 "/bin/false: found exit code 1");

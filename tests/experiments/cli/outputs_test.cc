@@ -217,8 +217,9 @@ TEST_F(CliOutputs, WhatCannotBePrintedIsAnError) {
     const bool closed = arguments.back() == "--json" || arguments.back() == "-q";
     const ProcessResult result = Run(arguments, closed ? "closed" : "/dev/full");
     EXPECT_EQ(result.exit_code, 1) << line << "\n" << result.err;
-    EXPECT_THAT(result.err, testing::EndsWith("clustervo: error: standard output: what was "
-                                              "printed could not all be written\n"))
+    EXPECT_THAT(
+        result.err,
+        testing::EndsWith("clustervo: error: standard output: not all output could be written\n"))
         << line;
   }
   for (const Arguments& command : AllCommands()) {

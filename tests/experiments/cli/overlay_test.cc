@@ -156,7 +156,8 @@ TEST_F(CliOverlay, TellsWhatCannotBe) {
 TEST_F(CliOverlay, SaysWhereImagesWereAndTakesThemFromElsewhere) {
   MakeRun();
   fs::rename(tiny(), out("moved"));
-  ExpectError(Overlay({run().string(), "--frame", "1"}), "are not where the run found them");
+  ExpectError(Overlay({run().string(), "--frame", "1"}),
+              "are not in the folder that the run read them from");
   const ProcessResult moved =
       Overlay({run().string(), "--frame", "1", "--sequence", out("moved").string()});
   EXPECT_EQ(moved.exit_code, 0) << moved.err;

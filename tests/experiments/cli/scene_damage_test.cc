@@ -82,8 +82,8 @@ TEST_F(CliSceneDamage, EveryKindOfFileIsNoticed) {
     EXPECT_EQ(plan.exit_code, 0) << name << plan.err;
     // A manifest that is not as written names files that are not there.
     const fs::path named = std::string(name) == "manifest.json" ? scene_ : scene_ / name;
-    EXPECT_THAT(plan.err,
-                HasSubstr("a scene in the cache is damaged and rendered again: " + named.string()));
+    EXPECT_THAT(plan.err, HasSubstr("a cached scene is damaged and will be rendered again:  " +
+                                    named.string()));
     EXPECT_EQ(test::LineCount(plan.err), 1U) << plan.err;
     EXPECT_THAT(plan.out, HasSubstr("scenes to render: 1")) << name;
     const ProcessResult job =
@@ -103,7 +103,7 @@ TEST_F(CliSceneDamage, ARunRendersItAgain) {
   fs::remove(scene_ / "times.txt");
   const ProcessResult run = Suite("run");
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("damaged and rendered again"));
+  EXPECT_THAT(run.err, HasSubstr("damaged and will be rendered again"));
   EXPECT_TRUE(Files() == before);
   EXPECT_EQ(ReadJson(folder_.path() / "out" / "plan.json")["jobs"][0]["job"], job_);
 }

@@ -121,7 +121,7 @@ bool HasEnded(pid_t runner) {
          info.si_pid == runner;
 }
 
-enum class Victim { kRunner, kWorker, kAll };
+enum class KillTarget { kRunner, kWorker, kAll };
 
 class KillTest {
  public:
@@ -143,8 +143,8 @@ class KillTest {
       MakeTable();
       Compare();
     }
-    std::cout << kills_ << " kills: " << counts_[Victim::kRunner] << " of the runner, "
-              << counts_[Victim::kWorker] << " of a worker, " << counts_[Victim::kAll]
+    std::cout << kills_ << " kills: " << counts_[KillTarget::kRunner] << " of the runner, "
+              << counts_[KillTarget::kWorker] << " of a worker, " << counts_[KillTarget::kAll]
               << " of all; every result and the table the same bytes\n";
   }
 
@@ -160,10 +160,10 @@ class KillTest {
       const pid_t runner = suite_.Start();
       bool worker_killed = false;
       while (kills_ < kills && !WaitOrEnd(runner, rng_.Uniform(0.0, longest_s))) {
-        const Victim victim = Kill(runner);
+        const KillTarget target = Kill(runner);
         ++kills_;
-        ++counts_[victim];
-        worker_killed = victim == Victim::kWorker;
+        ++counts_[target];
+        worker_killed = target == KillTarget::kWorker;
         if (!worker_killed) break;
       }
       const int code = WaitFor(runner);
@@ -182,22 +182,22 @@ class KillTest {
     return HasEnded(runner);
   }
 
-  Victim Kill(pid_t runner) {
-    auto victim = static_cast<Victim>(rng_.UniformInt(3));
+  KillTarget Kill(pid_t runner) {
+    auto target = static_cast<KillTarget>(rng_.UniformInt(3));
     const std::vector<pid_t> workers = WorkersOf(runner);
-    if (workers.empty()) victim = Victim::kRunner;
-    if (victim == Victim::kWorker) {
+    if (workers.empty()) target = KillTarget::kRunner;
+    if (target == KillTarget::kWorker) {
       ::kill(workers[rng_.UniformInt(workers.size())], SIGKILL);
-      return victim;
+      return target;
     }
     ::kill(runner, SIGKILL);
-    if (victim == Victim::kAll) {
+    if (target == KillTarget::kAll) {
       for (const pid_t worker : workers) ::kill(worker, SIGKILL);
     }
     for (const pid_t worker : workers) {
       if (!WaitUntil([worker] { return IsGone(worker); })) throw Error("a worker lives on");
     }
-    return victim;
+    return target;
   }
 
   void Compare() const {
@@ -216,7 +216,7 @@ class KillTest {
   Rng rng_;
   Files expected_;
   int kills_ = 0;
-  std::map<Victim, int> counts_;
+  std::map<KillTarget, int> counts_;
 };
 
 int Main(int argc, char** argv) {

@@ -48,7 +48,7 @@ TEST(CliSynth, GeneratesTheSceneOfASeed) {
   EXPECT_FALSE(fs::exists(file("c.json")));
   const ProcessResult none = RunProgram({"synth", "generate", "room", "--seed", "17"});
   EXPECT_EQ(none.exit_code, 2);
-  EXPECT_THAT(none.err, HasSubstr("--seed and --output are needed"));
+  EXPECT_THAT(none.err, HasSubstr("--seed and --output are required"));
   EXPECT_THAT(RunProgram({"synth", "generate", "room", "--knobs"}).out, HasSubstr("speed_mps"));
 }
 

@@ -35,7 +35,7 @@ std::string ProgramPath(const std::string& name) {
   return "";
 }
 
-std::string WhyNot() {
+std::string ReasonUnavailable() {
   if (::geteuid() != 0) return "Slurm starts as root only";
   for (const char* name : {"munged", "slurmctld", "slurmd", "sbatch", "squeue", "scontrol"}) {
     if (ProgramPath(name).empty()) return StrCat("no ", name, ": install slurm-wlm and munge");
@@ -152,7 +152,7 @@ std::string Printed(const std::vector<std::string>& argv) {
 }
 
 SlurmCluster::SlurmCluster()
-    : guard_(folder_.path() / "slurm.conf"), node_(ShortHostName()), missing_(WhyNot()) {
+    : guard_(folder_.path() / "slurm.conf"), node_(ShortHostName()), missing_(ReasonUnavailable()) {
   if (!missing_.empty()) return;
   WriteConfig();
   ::setenv("SLURM_CONF", (folder() / "slurm.conf").c_str(), 1);
@@ -167,7 +167,7 @@ SlurmCluster::SlurmCluster()
   }
   StartController();
   others_.push_back(Daemon({ProgramPath("slurmd"), "-D"}, folder() / "slurmd.out"));
-  if (!ComesUp()) missing_ = "Slurm does not come up: " + ReadFile(folder() / "slurmd.out");
+  if (!WaitUntilReady()) missing_ = "Slurm does not come up: " + ReadFile(folder() / "slurmd.out");
 }
 
 SlurmCluster::~SlurmCluster() {
@@ -217,7 +217,7 @@ void SlurmCluster::WriteConfig() const {
              "KillWait=1\n"));
 }
 
-bool SlurmCluster::ComesUp() const {
+bool SlurmCluster::WaitUntilReady() const {
   for (int i = 0; i < kTries; ++i) {
     if (Run({"sinfo", "--noheader", "--format=%T"}).out == "idle\n") return true;
     std::this_thread::sleep_for(milliseconds(100));

@@ -59,7 +59,7 @@ class SlurmCluster {
 
  private:
   void WriteConfig() const;
-  bool ComesUp() const;
+  bool WaitUntilReady() const;
 
   TempFolder folder_;
   SlurmGuard guard_;

@@ -29,7 +29,7 @@ using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
 // What one Run said.
-struct Heard {
+struct EngineOutput {
   std::map<std::string, std::vector<TaskEnd>> ends;  // by the task's name
   std::vector<std::string> notices;
 };
@@ -82,18 +82,18 @@ class SlurmEngineTest : public ::testing::Test {
   fs::path Started(const std::string& name) const { return folder_ / (name + ".started"); }
   std::size_t Starts(const std::string& name) const { return LinesOf(Started(name)); }
 
-  EngineHooks Hooks(const std::vector<Task>& tasks, Heard& heard) const {
+  EngineHooks Hooks(const std::vector<Task>& tasks, EngineOutput& output) const {
     EngineHooks hooks;
     hooks.ended = [&](std::size_t task, const TaskEnd& end) {
-      heard.ends[tasks[task].name].push_back(end);
+      output.ends[tasks[task].name].push_back(end);
     };
-    hooks.notice = [&](const std::string& line) { heard.notices.push_back(line); };
+    hooks.notice = [&](const std::string& line) { output.notices.push_back(line); };
     return hooks;
   }
-  Heard RunAll(const std::vector<Task>& tasks) const {
-    Heard heard;
-    SlurmEngine(options_).Run(tasks, Hooks(tasks, heard));
-    return heard;
+  EngineOutput RunAll(const std::vector<Task>& tasks) const {
+    EngineOutput output;
+    SlurmEngine(options_).Run(tasks, Hooks(tasks, output));
+    return output;
   }
   // Run in a process of its own, which ends with it.
   pid_t StartRunner(const std::vector<Task>& tasks) const {
@@ -111,8 +111,8 @@ class SlurmEngineTest : public ::testing::Test {
   SlurmCluster cluster_;
 };
 
-std::string Job(const Heard& heard) {
-  for (const std::string& line : heard.notices) {
+std::string Job(const EngineOutput& output) {
+  for (const std::string& line : output.notices) {
     if (line.starts_with("slurm: job ")) return line.substr(11, line.find(':', 11) - 11);
   }
   return "";
@@ -129,21 +129,21 @@ TEST_F(SlurmEngineTest, RunsMoreTasksThanAnArrayHoldsOnceEach) {
   tasks[4] = Shell("task4", "ulimit -v");
   tasks[4].limit_memory_mb = 512.0;
   tasks[5] = Shell("task5", "kill -9 $$");
-  const Heard heard = RunAll(tasks);
-  ASSERT_EQ(heard.ends.size(), tasks.size());
+  const EngineOutput output = RunAll(tasks);
+  ASSERT_EQ(output.ends.size(), tasks.size());
   for (const Task& task : tasks) {
-    EXPECT_EQ(heard.ends.at(task.name).size(), 1u) << task.name;
+    EXPECT_EQ(output.ends.at(task.name).size(), 1u) << task.name;
     EXPECT_EQ(Starts(task.name), 1u) << task.name;
   }
-  EXPECT_TRUE(heard.ends.at("task0").front().ok);
+  EXPECT_TRUE(output.ends.at("task0").front().ok);
   EXPECT_EQ(ReadFile(tasks[1].log),
             tasks[1].argv[4] + "|it's|two\nlines|$HOME `id`||-n|\\|to stderr\n");
-  EXPECT_EQ(heard.ends.at("task2").front().message, "exit code 3");
-  EXPECT_EQ(heard.ends.at("task3").front().message, "stopped after 0.5 s");
-  EXPECT_TRUE(heard.ends.at("task4").front().ok);
+  EXPECT_EQ(output.ends.at("task2").front().message, "exit code 3");
+  EXPECT_EQ(output.ends.at("task3").front().message, "stopped after 0.5 s");
+  EXPECT_TRUE(output.ends.at("task4").front().ok);
   EXPECT_EQ(ReadFile(tasks[4].log), "500000\n");
-  EXPECT_EQ(heard.ends.at("task5").front().message, "killed by signal 9 (SIGKILL)");
-  EXPECT_THAT(heard.notices, ElementsAre(HasSubstr("4 tasks"), HasSubstr("2 tasks")));
+  EXPECT_EQ(output.ends.at("task5").front().message, "killed by signal 9 (SIGKILL)");
+  EXPECT_THAT(output.notices, ElementsAre(HasSubstr("4 tasks"), HasSubstr("2 tasks")));
   EXPECT_TRUE(NothingLeft());
 }
 
@@ -151,8 +151,8 @@ TEST_F(SlurmEngineTest, WaitsForADrainedNodeAndForTasksPutBack) {
   std::vector<Task> tasks = {Shell("long", "[ $(wc -l <\"$1\") -gt 1 ] || sleep 60"),
                              Shell("short", "true")};
   options_.sbatch_flags = {"--cpus-per-task=8"};  // one after the other
-  Heard heard;
-  EngineHooks hooks = Hooks(tasks, heard);
+  EngineOutput output;
+  EngineHooks hooks = Hooks(tasks, output);
   bool requeued = false;
   bool waits = false;
   bool resumed = false;
@@ -160,13 +160,14 @@ TEST_F(SlurmEngineTest, WaitsForADrainedNodeAndForTasksPutBack) {
     if (!requeued && Starts("long") == 1) {
       requeued = true;
       Printed({"scontrol", "update", "NodeName=" + cluster_.node(), "State=DRAIN", "Reason=test"});
-      Printed({"scontrol", "requeue", Job(heard) + "_0"});
+      Printed({"scontrol", "requeue", Job(output) + "_0"});
     }
-    if (requeued && !waits && ::testing::Value(heard.notices, Contains(HasSubstr("put back")))) {
+    if (requeued && !waits &&
+        ::testing::Value(output.notices, Contains(HasSubstr("requeued by")))) {
       waits = true;  // Slurm would let two minutes pass before it starts a task again
-      Printed({"scontrol", "update", "JobId=" + Job(heard) + "_0", "StartTime=now"});
+      Printed({"scontrol", "update", "JobId=" + Job(output) + "_0", "StartTime=now"});
     }
-    if (waits && !resumed && ::testing::Value(heard.notices, Contains(HasSubstr("DRAINED")))) {
+    if (waits && !resumed && ::testing::Value(output.notices, Contains(HasSubstr("DRAINED")))) {
       resumed = true;
       Printed({"scontrol", "update", "NodeName=" + cluster_.node(), "State=RESUME"});
     }
@@ -176,29 +177,29 @@ TEST_F(SlurmEngineTest, WaitsForADrainedNodeAndForTasksPutBack) {
   EXPECT_TRUE(resumed);
   EXPECT_EQ(Starts("long"), 2u);
   EXPECT_EQ(Starts("short"), 1u);
-  ASSERT_EQ(heard.ends["long"].size(), 1u);
-  EXPECT_TRUE(heard.ends["long"].front().ok) << heard.ends["long"].front().message;
-  EXPECT_TRUE(heard.ends["short"].front().ok);
+  ASSERT_EQ(output.ends["long"].size(), 1u);
+  EXPECT_TRUE(output.ends["long"].front().ok) << output.ends["long"].front().message;
+  EXPECT_TRUE(output.ends["short"].front().ok);
 }
 
 TEST_F(SlurmEngineTest, TasksThatEndWithoutACodeFailAlone) {
   const std::vector<Task> tasks = {Shell("cancelled", "sleep 60"), Shell("fine", "true"),
                                    Shell("lost", "kill -9 $PPID")};
-  Heard heard;
-  EngineHooks hooks = Hooks(tasks, heard);
+  EngineOutput output;
+  EngineHooks hooks = Hooks(tasks, output);
   bool done = false;
   hooks.stop = [&] {
     if (!done && Starts("cancelled") == 1) {
       done = true;
-      Printed({"scancel", Job(heard) + "_0"});
+      Printed({"scancel", Job(output) + "_0"});
     }
     return false;
   };
   SlurmEngine(options_).Run(tasks, hooks);
-  ASSERT_EQ(heard.ends.size(), 3u);
-  EXPECT_THAT(heard.ends["cancelled"].front().message, StartsWith("cancelled in Slurm"));
-  EXPECT_TRUE(heard.ends["fine"].front().ok);
-  EXPECT_THAT(heard.ends["lost"].front().message, StartsWith("failed in Slurm (FAILED)"));
+  ASSERT_EQ(output.ends.size(), 3u);
+  EXPECT_THAT(output.ends["cancelled"].front().message, StartsWith("cancelled in Slurm"));
+  EXPECT_TRUE(output.ends["fine"].front().ok);
+  EXPECT_THAT(output.ends["lost"].front().message, StartsWith("failed in Slurm (FAILED)"));
 }
 
 TEST_F(SlurmEngineTest, ARunnerThatWasKilledFindsItsTasksAgain) {
@@ -212,28 +213,28 @@ TEST_F(SlurmEngineTest, ARunnerThatWasKilledFindsItsTasksAgain) {
   ASSERT_TRUE(started);
   tasks[1] = Shell("another", "true");  // the suite was edited: task1 is not asked for any more
   tasks[4].limit_s = 60.0;              // and task4 is to run in another way
-  Heard heard;
-  EngineHooks hooks = Hooks(tasks, heard);
+  EngineOutput output;
+  EngineHooks hooks = Hooks(tasks, output);
   hooks.stop = [&] {
-    if (heard.ends.contains("another")) std::ofstream(folder_ / "go") << "go";
+    if (output.ends.contains("another")) std::ofstream(folder_ / "go") << "go";
     return false;
   };
   SlurmEngine engine(options_);
   engine.KeepOnly({"another", "task0", "task2", "task3", "task4", "task5"}, hooks);
-  EXPECT_THAT(heard.notices, ElementsAre(HasSubstr("cancelled what")));
+  EXPECT_THAT(output.notices, ElementsAre(HasSubstr("cancelled tasks")));
   // In two parts: what is not asked for yet is left alone.
   engine.Run(std::span(tasks).first(3), hooks);
   hooks.ended = [&](std::size_t task, const TaskEnd& end) {
-    heard.ends[tasks[task + 3].name].push_back(end);
+    output.ends[tasks[task + 3].name].push_back(end);
   };
   engine.Run(std::span(tasks).subspan(3), hooks);
-  ASSERT_EQ(heard.ends.size(), 6u);
+  ASSERT_EQ(output.ends.size(), 6u);
   for (const Task& task : tasks) {
-    ASSERT_EQ(heard.ends[task.name].size(), 1u) << task.name;
-    EXPECT_TRUE(heard.ends[task.name].front().ok) << heard.ends[task.name].front().message;
+    ASSERT_EQ(output.ends[task.name].size(), 1u) << task.name;
+    EXPECT_TRUE(output.ends[task.name].front().ok) << output.ends[task.name].front().message;
     EXPECT_EQ(Starts(task.name), task.name == "task4" ? 2u : 1u) << task.name;
   }
-  EXPECT_THAT(heard.notices, Contains(HasSubstr("submitted by an earlier run")));
+  EXPECT_THAT(output.notices, Contains(HasSubstr("submitted by an earlier run")));
   engine.KeepOnly({}, hooks);
   EXPECT_TRUE(NothingLeft());
 }
@@ -241,11 +242,11 @@ TEST_F(SlurmEngineTest, ARunnerThatWasKilledFindsItsTasksAgain) {
 TEST_F(SlurmEngineTest, StopCancelsAll) {
   std::vector<Task> tasks;
   for (int i = 0; i < 6; ++i) tasks.push_back(Shell(StrCat("task", i), "sleep 60"));
-  Heard heard;
-  EngineHooks hooks = Hooks(tasks, heard);
+  EngineOutput output;
+  EngineHooks hooks = Hooks(tasks, output);
   hooks.stop = [&] { return Starts("task0") > 0; };
   SlurmEngine(options_).Run(tasks, hooks);
-  EXPECT_THAT(heard.ends, IsEmpty());
+  EXPECT_THAT(output.ends, IsEmpty());
   EXPECT_EQ(Printed({"squeue", "--noheader"}), "");
   EXPECT_TRUE(NothingLeft());
 }
@@ -260,8 +261,8 @@ fi
 exec /usr/bin/squeue "$@"
 )sh");
   const std::vector<Task> tasks = {Shell("during", "sleep 0.5"), Shell("after", "sleep 4")};
-  Heard heard;
-  EngineHooks hooks = Hooks(tasks, heard);
+  EngineOutput output;
+  EngineHooks hooks = Hooks(tasks, output);
   bool down = false;
   bool back = false;
   hooks.stop = [&] {
@@ -269,21 +270,21 @@ exec /usr/bin/squeue "$@"
       cluster_.StopController();
       down = true;
     }
-    if (!back && ::testing::Value(heard.notices, Contains(HasSubstr("trying again")))) {
+    if (!back && ::testing::Value(output.notices, Contains(HasSubstr("retrying")))) {
       cluster_.StartController();
       back = true;
     }
     return false;
   };
   SlurmEngine(options_).Run(tasks, hooks);
-  EXPECT_TRUE(heard.ends.at("during").front().ok) << heard.ends["during"].front().message;
-  EXPECT_TRUE(heard.ends.at("after").front().ok) << heard.ends["after"].front().message;
+  EXPECT_TRUE(output.ends.at("during").front().ok) << output.ends["during"].front().message;
+  EXPECT_TRUE(output.ends.at("after").front().ok) << output.ends["after"].front().message;
   EXPECT_EQ(Starts("during"), 1u);
-  EXPECT_THAT(heard.notices, Contains(HasSubstr("answers again")));
+  EXPECT_THAT(output.notices, Contains(HasSubstr("responds again")));
 }
 
 // In front of the real sbatch: a user who may have two tasks in the queue.
-constexpr const char* kStingySbatch = R"sh(#!/bin/sh
+constexpr const char* kLimitingSbatch = R"sh(#!/bin/sh
 for word; do case $word in --array=0-*) last=${word#--array=0-} ;; esac; done
 if [ $(($(squeue --noheader --array | wc -l) + last + 1)) -gt 2 ]; then
   echo "sbatch: error: AssocMaxSubmitJobLimit" >&2
@@ -296,14 +297,14 @@ exec /usr/bin/sbatch "$@"
 TEST_F(SlurmEngineTest, SubmitsNoMoreThanSlurmTakes) {
   // Somebody else's, as far as this engine knows.
   Printed({"sbatch", "--array=0-1", "--output=/dev/null", "--wrap=sleep 2"});
-  const Programs programs("sbatch", kStingySbatch);
+  const Programs programs("sbatch", kLimitingSbatch);
   options_.full_s = 0.5;
   std::vector<Task> tasks;
   for (int i = 0; i < 5; ++i) tasks.push_back(Shell(StrCat("task", i), "true"));
-  const Heard heard = RunAll(tasks);
+  const EngineOutput output = RunAll(tasks);
   for (const Task& task : tasks) EXPECT_EQ(Starts(task.name), 1u) << task.name;
-  EXPECT_EQ(heard.ends.size(), 5u);
-  EXPECT_THAT(heard.notices, Contains(HasSubstr("takes no more now")).Times(1));
+  EXPECT_EQ(output.ends.size(), 5u);
+  EXPECT_THAT(output.notices, Contains(HasSubstr("accepts no more tasks")).Times(1));
 }
 
 TEST_F(SlurmEngineTest, WhatSlurmRefusesForGoodIsAnError) {
@@ -325,7 +326,7 @@ exit 1
   EXPECT_THAT(ErrorMessage([&] {
                 SlurmEngine(options).Run({&task, 1}, {});
               }),
-              HasSubstr("slurm does not answer: scontrol: slurm_load_ctl_conf error"));
+              HasSubstr("Slurm does not respond: scontrol: slurm_load_ctl_conf error"));
 }
 
 TEST(SlurmOptions, FlagsAreOneWordEach) {

@@ -11,7 +11,7 @@ namespace {
 
 using testing::MatchesRegex;
 
-const std::string kAnother = "another";
+const std::string kDifferentText = "another";
 
 BuildIdentity SomeBuild() {
   BuildIdentity build = ThisBuild();
@@ -38,7 +38,7 @@ TEST(BuildIdentity, IsComplete) {
 TEST(BuildIdentity, TheCommitTakesNoPart) {
   BuildIdentity build = SomeBuild();
   const std::string hash = build.Hash();
-  build.commit = kAnother;
+  build.commit = kDifferentText;
   EXPECT_EQ(build.Hash(), hash);
   build.flags += " -O0";
   EXPECT_NE(build.Hash(), hash);
@@ -60,11 +60,14 @@ TEST(JobIdentity, IsStable) {
 TEST(JobIdentity, DependsOnEveryPart) {
   const std::string identity = JobIdentity(SomeJob());
   EXPECT_EQ(JobIdentity(SomeJob()), identity);
-  for (const auto& change : std::vector<void (*)(Job&)>{
-           [](Job& job) { job.build = kAnother; }, [](Job& job) { job.variant = kAnother; },
-           [](Job& job) { job.options["window"]["spatial"] = 6; },
-           [](Job& job) { job.content = kAnother; }, [](Job& job) { job.detections = kAnother; },
-           [](Job& job) { job.given["oracle"] = kAnother; }, [](Job& job) { job.seed = 1; }}) {
+  for (const auto& change :
+       std::vector<void (*)(Job&)>{[](Job& job) { job.build = kDifferentText; },
+                                   [](Job& job) { job.variant = kDifferentText; },
+                                   [](Job& job) { job.options["window"]["spatial"] = 6; },
+                                   [](Job& job) { job.content = kDifferentText; },
+                                   [](Job& job) { job.detections = kDifferentText; },
+                                   [](Job& job) { job.given["oracle"] = kDifferentText; },
+                                   [](Job& job) { job.seed = 1; }}) {
     Job job = SomeJob();
     change(job);
     EXPECT_NE(JobIdentity(job), identity);

@@ -11,12 +11,12 @@ namespace cvo {
 namespace {
 
 using test::kDriveFrames;
+using test::ReportedBox;
 using test::Rows;
-using test::SaidBox;
 using test::SystemDrive;
 using test::ValueOf;
 
-SaidBox Moved(SaidBox said, const Eigen::Vector3d& by) {
+ReportedBox Moved(ReportedBox said, const Eigen::Vector3d& by) {
   said.world_from_object = RigidTransform(Eigen::Matrix3d::Identity(), by) * said.world_from_object;
   return said;
 }
@@ -25,7 +25,7 @@ TEST(ScoreSystem, AnyFrameOfTheBodiesAndAnyWorldIsRight) {
   const SystemDrive drive;
   const RigidTransform off[] = {{ExpSo3({0.0, 0.3, 0.0}), {0.5, -0.2, 0.1}},
                                 {ExpSo3({0.0, -1.0, 0.0}), {-0.3, 0.0, 0.4}}};
-  const SystemOutcome outcome = drive.Score(Rows([&](SaidBox said, int) {
+  const SystemOutcome outcome = drive.Score(Rows([&](ReportedBox said, int) {
     said.world_from_object = said.world_from_object * off[said.track];
     return said;
   }));
@@ -43,7 +43,7 @@ TEST(ScoreSystem, AnyFrameOfTheBodiesAndAnyWorldIsRight) {
 // Off by 0.3 m to one side and to the other in turn: the mean is no error, the rest is.
 TEST(ScoreSystem, ErrorsAreThoseOfTheBoxes) {
   const SystemDrive drive;
-  const SystemOutcome outcome = drive.Score(Rows([](SaidBox said, int frame) {
+  const SystemOutcome outcome = drive.Score(Rows([](ReportedBox said, int frame) {
     if (said.track == 0) {
       said = Moved(said, {frame % 2 == 0 ? 0.3 : -0.3, 0, 0});
     }
@@ -60,7 +60,7 @@ TEST(ScoreSystem, VelocityIsThatOfTheBoxes) {
   const SystemDrive drive;
   EXPECT_LT(ValueOf(drive.Score(Rows()), "object_velocity"), 1e-9);
   // 0.1 m per frame of 0.1 s too fast.
-  const SystemOutcome outcome = drive.Score(Rows([](SaidBox said, int frame) {
+  const SystemOutcome outcome = drive.Score(Rows([](ReportedBox said, int frame) {
     said = Moved(said, {0.0, 0.0, 0.1 * frame});
     return said;
   }));
@@ -84,7 +84,7 @@ TEST(ScoreSystem, CorrectionIsTheSystemsOwn) {
 
 TEST(ScoreSystem, BodiesAreFoundByWhereTheyAreNotByNumber) {
   const SystemDrive drive;
-  const SystemOutcome outcome = drive.Score(Rows([](SaidBox said, int) {
+  const SystemOutcome outcome = drive.Score(Rows([](ReportedBox said, int) {
     said.track = 1 - said.track;
     return said;
   }));
@@ -96,7 +96,7 @@ TEST(ScoreSystem, BodiesAreFoundByWhereTheyAreNotByNumber) {
 
 TEST(ScoreSystem, IdsThatSwapAreSwitchesAndAnotherBodysFramesErrors) {
   const SystemDrive drive;
-  const SystemOutcome outcome = drive.Score(Rows([](SaidBox said, int frame) {
+  const SystemOutcome outcome = drive.Score(Rows([](ReportedBox said, int frame) {
     if (frame >= 5) said.track = 1 - said.track;
     return said;
   }));
@@ -109,7 +109,7 @@ TEST(ScoreSystem, IdsThatSwapAreSwitchesAndAnotherBodysFramesErrors) {
 
 TEST(ScoreSystem, MissingFramesAreMissingCoverage) {
   const SystemDrive drive;
-  const SystemOutcome outcome = drive.Score(Rows([](SaidBox said, int frame) {
+  const SystemOutcome outcome = drive.Score(Rows([](ReportedBox said, int frame) {
     const bool missing = said.track == 1 || frame % 4 >= 2;
     return missing ? std::nullopt : std::optional(said);
   }));
@@ -124,7 +124,7 @@ TEST(ScoreSystem, MissingFramesAreMissingCoverage) {
 
 TEST(ScoreSystem, WhatIsNowhereNearABodyIsNoEstimateOfIt) {
   const SystemDrive drive;
-  const SystemOutcome outcome = drive.Score(Rows([](SaidBox said, int) {
+  const SystemOutcome outcome = drive.Score(Rows([](ReportedBox said, int) {
     // Diagonal of the box: 4.64 m.
     const double off_m = said.track == 0 ? 4.7 : 4.6;
     said = Moved(said, {0.0, -off_m, 0.0});

@@ -35,13 +35,13 @@ inline RigidTransform CarInWorld(int track, int frame) {
 }
 
 // How a box is said to be, from how it is.
-struct SaidBox {
+struct ReportedBox {
   int track = 0;
   RigidTransform world_from_object;
 };
 
 // The box in camera 0.
-inline ObjectBox BoxOf(const SaidBox& said, int frame) {
+inline ObjectBox BoxOf(const ReportedBox& said, int frame) {
   const RigidTransform camera_from_object = DriveCamera(frame).Inverse() * said.world_from_object;
   const Eigen::Vector3d forward = camera_from_object.rotation() * Eigen::Vector3d::UnitX();
   ObjectBox box;
@@ -66,13 +66,15 @@ inline std::string Row(const ObjectBox& box) {
   return row.str();
 }
 
-// As the sequence's labels have them, or as `say` changes them; none where it has no value.
-using Say = std::function<std::optional<SaidBox>(SaidBox truth, int frame)>;
-inline std::string Rows(const Say& say = [](const SaidBox& truth, int) { return truth; }) {
+// As the sequence's labels have them, or as `report` changes them; none where it has no value.
+using ReportBox = std::function<std::optional<ReportedBox>(ReportedBox truth, int frame)>;
+inline std::string Rows(const ReportBox& report = [](const ReportedBox& truth, int) {
+  return truth;
+}) {
   std::string rows;
   for (int frame = 0; frame < kDriveFrames; ++frame) {
     for (const int track : {0, 1}) {
-      const auto said = say({track, CarInWorld(track, frame)}, frame);
+      const auto said = report({track, CarInWorld(track, frame)}, frame);
       if (said) rows += Row(BoxOf(*said, frame));
     }
   }

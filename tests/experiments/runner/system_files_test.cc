@@ -64,7 +64,7 @@ TEST(SystemFiles, OfAPartOfAFolderTheRestIsPassedOver) {
 TEST(SystemFiles, RowsMayComeInAnyOrder) {
   const SystemDrive drive;
   const auto only = [](int track) {
-    return Rows([track](const test::SaidBox& said, int) {
+    return Rows([track](const test::ReportedBox& said, int) {
       return said.track == track ? std::optional(said) : std::nullopt;
     });
   };

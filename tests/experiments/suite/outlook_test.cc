@@ -36,42 +36,42 @@ EarlierRuns With(const std::optional<Plan>& plan, const std::set<std::string>& d
 TEST(PlanOutlook, TellsWhatIsDoneNewAndMissing) {
   Plan plan = PlanOf({"full", "static", "2d"});
   plan.jobs[2].missing = kNotRendered;
-  const auto outlook = OutlookOf(plan, With(std::nullopt, {"job of full"}));
+  const auto outlook = PredictStates(plan, With(std::nullopt, {"job of full"}));
   EXPECT_EQ(outlook[0].state, JobState::kDone);
   EXPECT_EQ(outlook[1].state, JobState::kRuns);
   EXPECT_EQ(outlook[1].why, "new");
   EXPECT_EQ(outlook[2].state, JobState::kRenders);
   plan.jobs[2].missing = "no such drive";
-  EXPECT_EQ(OutlookOf(plan, With(std::nullopt, {}))[2].why, "no such drive");
+  EXPECT_EQ(PredictStates(plan, With(std::nullopt, {}))[2].why, "no such drive");
 }
 
 TEST(PlanOutlook, TellsWhyADoneJobRunsAgain) {
   const Plan earlier = PlanOf({"full"});
   const auto why = [&](Plan plan) {
     plan.jobs[0].job = "another";
-    return OutlookOf(plan, With(earlier, {"job of full"})).at(0).why;
+    return PredictStates(plan, With(earlier, {"job of full"})).at(0).why;
   };
   Plan plan = earlier;
   plan.build = "other";
-  EXPECT_EQ(why(plan), "another build of the program");
+  EXPECT_EQ(why(plan), "different build of the program");
   plan.jobs[0].content = "changed";
   EXPECT_EQ(why(plan), "another build of the program, the sequence has changed");
   plan = earlier;
   plan.suite.options = {{"window", {{"spatial", 7}}}};
-  EXPECT_EQ(why(plan), "other options");
-  EXPECT_EQ(why(earlier), "other boxes or files");
+  EXPECT_EQ(why(plan), "different options");
+  EXPECT_EQ(why(earlier), "different boxes or files");
 }
 
 TEST(PlanOutlook, TellsWhatIsNotRunYetAndWhatFailed) {
   const Plan earlier = PlanOf({"full"});
   const Plan plan = PlanOf({"full", "static"});
   EarlierRuns runs = With(earlier, {});
-  EXPECT_EQ(OutlookOf(plan, runs)[0].why, "not run yet");
-  EXPECT_EQ(OutlookOf(plan, runs)[1].why, "not in the plan so far");
+  EXPECT_EQ(PredictStates(plan, runs)[0].why, "not run yet");
+  EXPECT_EQ(PredictStates(plan, runs)[1].why, "not in the previous plan");
   runs.failed = [](const std::string& job) {
     return job == "job of full" ? std::string("no memory") : "";
   };
-  EXPECT_EQ(OutlookOf(plan, runs)[0].why, "failed before: no memory");
+  EXPECT_EQ(PredictStates(plan, runs)[0].why, "failed before: no memory");
 }
 
 TEST(PlanOutlook, EstimatesFromWhatWasMeasured) {
@@ -82,10 +82,10 @@ TEST(PlanOutlook, EstimatesFromWhatWasMeasured) {
   folder.Write("job of full/timing.json", FileText(timing));
   folder.Write("job of 2d/timing.json", "damaged");
   BuiltPlan built{PlanOf({"full", "static", "2d"}), {}};
-  auto outlook = OutlookOf(built.plan, With(std::nullopt, {}));
+  auto outlook = PredictStates(built.plan, With(std::nullopt, {}));
   EXPECT_DOUBLE_EQ(EstimatedSeconds(built, outlook, {}), 3 * 70 * kAssumedFrame_s);
   const EarlierRuns earlier = With(PlanOf({"no_pairwise"}), {"job of full", "job of 2d"});
-  outlook = OutlookOf(built.plan, earlier);
+  outlook = PredictStates(built.plan, earlier);
   const auto times_s = MeasuredFrameTimes(
       built.plan, earlier, [&](const std::string& job) { return folder.path() / job; });
   EXPECT_EQ(times_s, (std::map<std::string, double>{{"", 3.5}, {"full", 3.5}}));
@@ -98,7 +98,7 @@ TEST(PlanOutlook, EstimatesFromWhatWasMeasured) {
 TEST(PlanOutlook, CountsAJobOnceThatTwoCellsShare) {
   BuiltPlan built{PlanOf({"full", "static"}), {}};
   built.plan.jobs[1].job = built.plan.jobs[0].job;
-  const auto outlook = OutlookOf(built.plan, With(std::nullopt, {}));
+  const auto outlook = PredictStates(built.plan, With(std::nullopt, {}));
   EXPECT_DOUBLE_EQ(EstimatedSeconds(built, outlook, {}), 70 * kAssumedFrame_s);
 }
 

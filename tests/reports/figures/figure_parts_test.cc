@@ -20,12 +20,12 @@ TEST(FigureNumbers, AreRoundedToTheirDigits) {
 }
 
 TEST(FigureNumbers, AreSaidWithoutPowersOfTen) {
-  EXPECT_EQ(Say(0.0123456), "0.0123");
-  EXPECT_EQ(Say(12.0), "12");
-  EXPECT_EQ(Say(-0.5), "-0.5");
-  EXPECT_EQ(Say(123456.0), "123000");
-  EXPECT_EQ(Say(0.00001), "0.00001");
-  EXPECT_EQ(Say(0.0), "0");
+  EXPECT_EQ(NumberText(0.0123456), "0.0123");
+  EXPECT_EQ(NumberText(12.0), "12");
+  EXPECT_EQ(NumberText(-0.5), "-0.5");
+  EXPECT_EQ(NumberText(123456.0), "123000");
+  EXPECT_EQ(NumberText(0.00001), "0.00001");
+  EXPECT_EQ(NumberText(0.0), "0");
 }
 
 TEST(FigureNumbers, SharesAreInPercentAndCountsHaveNoUnit) {
@@ -43,8 +43,8 @@ TEST(FigureNumbers, SharesAreInPercentAndCountsHaveNoUnit) {
 
 TEST(FigureNumbers, ACellIsSaidWithItsInterval) {
   const Column column = test::ColumnOf("object_coverage", "object coverage", "1");
-  EXPECT_EQ(SayCell(test::CellOf(0.5, 0.25, 0.75), column), "50 % (25 to 75)");
-  EXPECT_EQ(SayCell({}, column), "no value");
+  EXPECT_EQ(CellValueText(test::CellOf(0.5, 0.25, 0.75), column), "50 % (25 to 75)");
+  EXPECT_EQ(CellValueText({}, column), "no value");
 }
 
 TEST(FigureTexts, StayTextInMarkup) {

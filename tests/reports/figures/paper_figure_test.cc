@@ -34,7 +34,7 @@ TEST(PaperFigure, WrapsTextsAtWords) {
 
 TEST(PaperFigure, HasRoomForTitleAndCaption) {
   const Figure figure = SmallFigure();
-  const PaperFigure paper = OnPaper(figure);
+  const PaperFigure paper = ToPaperFigure(figure);
   const Json before = Json::parse(figure.plotly)["layout"];
   const Json layout = Json::parse(paper.plotly)["layout"];
   EXPECT_EQ(layout["width"], figure.width_px);
@@ -61,14 +61,14 @@ TEST(PaperFigure, AsJsonHasAllThereIs) {
 }
 
 TEST(RenderPage, HasNothingRandomAndNoNetwork) {
-  const std::string page = RenderPage({OnPaper(SmallFigure())});
+  const std::string page = RenderPage({ToPaperFigure(SmallFigure())});
   EXPECT_THAT(page, AllOf(StartsWith("<!DOCTYPE html>"), HasSubstr("Math.random = ")));
   EXPECT_LT(page.find("Math.random = "), page.find("Plotly"));
   EXPECT_THAT(page, Not(HasSubstr("<script src")));
 }
 
 TEST(RenderPage, ItsResultIsReadBackWithTitleAndCaption) {
-  const std::vector<PaperFigure> papers = {OnPaper(SmallFigure())};
+  const std::vector<PaperFigure> papers = {ToPaperFigure(SmallFigure())};
   // base64 of "<svg></svg>"
   const std::string page = "<html><body>[[figure PHN2Zz48L3N2Zz4=]]</body></html>";
   const std::vector<std::string> svgs = ReadRendered(page, papers);
@@ -76,7 +76,7 @@ TEST(RenderPage, ItsResultIsReadBackWithTitleAndCaption) {
 }
 
 TEST(RenderPage, SaysWhatFailed) {
-  const std::vector<PaperFigure> papers = {OnPaper(SmallFigure())};
+  const std::vector<PaperFigure> papers = {ToPaperFigure(SmallFigure())};
   const auto message = [&](const std::string& page) {
     return ErrorMessage([&] { ReadRendered(page, papers); });
   };
@@ -90,7 +90,7 @@ TEST(RenderPage, SaysWhatFailed) {
 }
 
 TEST(PrintPage, HasTheSizeOfTheFigure) {
-  const PaperFigure paper = OnPaper(SmallFigure());
+  const PaperFigure paper = ToPaperFigure(SmallFigure());
   EXPECT_THAT(PrintPage("<svg></svg>", paper),
               AllOf(HasSubstr("size:" + std::to_string(paper.width_px) + "px " +
                               std::to_string(paper.height_px) + "px"),

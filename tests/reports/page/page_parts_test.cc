@@ -152,7 +152,7 @@ Table TwoRows(double difference, std::size_t pairs, bool distinguishable) {
 
 TEST(Findings, ARealDifferenceSaysWhichWayAndHowMuch) {
   const std::string worse = FindingsHtml(TwoRows(0.25, 8, true), "full");
-  EXPECT_THAT(worse, HasSubstr("<h3>2d: worse in 1 of 1 measure</h3>"));
+  EXPECT_THAT(worse, HasSubstr("<h3>2d: worse in 1 of 1 metric</h3>"));
   EXPECT_THAT(worse, HasSubstr("0.5 m instead of 0.25 m with full: +0.25 m (interval 0.125 to 0.5 "
                                "m; 8 pairs)"));
   EXPECT_THAT(FindingsHtml(TwoRows(-0.25, 8, true), "full"), HasSubstr("2d: better in 1 of 1"));
@@ -161,7 +161,7 @@ TEST(Findings, ARealDifferenceSaysWhichWayAndHowMuch) {
 TEST(Findings, ColumnsOfOneNameAreToldApartByTheirUnits) {
   Table table = TwoRows(0.25, 8, false);
   table.columns.push_back({"object_rrpe", "object ATE", "rad", {}});
-  EXPECT_THAT(FindingsHtml(table, "full"), HasSubstr("from noise: object ATE (m)."));
+  EXPECT_THAT(FindingsHtml(table, "full"), HasSubstr("Not significant: object ATE (m)."));
 }
 
 TEST(PageData, TheVerdictOfACellIsThatOfTheSummary) {
@@ -171,18 +171,18 @@ TEST(PageData, TheVerdictOfACellIsThatOfTheSummary) {
     return PageDataJson(content);
   };
   EXPECT_THAT(verdict(0.25, 8, true), HasSubstr("worse"));
-  EXPECT_THAT(verdict(0.25, 8, false), HasSubstr("cannot be told from noise"));
-  EXPECT_THAT(verdict(0.25, 5, false), HasSubstr("too few pairs to tell: it takes 6"));
+  EXPECT_THAT(verdict(0.25, 8, false), HasSubstr("not significant"));
+  EXPECT_THAT(verdict(0.25, 5, false), HasSubstr("too few pairs: at least 6"));
 }
 
 TEST(Findings, NoiseAndFewPairsAreNoFindings) {
   const std::string noise = FindingsHtml(TwoRows(0.25, 8, false), "full");
-  EXPECT_THAT(noise, HasSubstr("2d: no difference that is real"));
-  EXPECT_THAT(noise, HasSubstr("Cannot be told from noise: object ATE."));
+  EXPECT_THAT(noise, HasSubstr("2d: no significant difference"));
+  EXPECT_THAT(noise, HasSubstr("Not significant: object ATE."));
   EXPECT_THAT(FindingsHtml(TwoRows(0.25, 5, false), "full"),
-              HasSubstr("Too few pairs to tell: object ATE."));
+              HasSubstr("Too few pairs: object ATE."));
   EXPECT_THAT(FindingsHtml(TwoRows(0.0, 8, false), "full"),
-              HasSubstr("The same in every measure: 2d."));
+              HasSubstr("The same in every metric: 2d."));
   EXPECT_THAT(noise, Not(HasSubstr("<li")));
 }
 

@@ -194,7 +194,7 @@ TEST(Page, AComparisonThatCannotBeIsSaid) {
   const PageContent content = ReadPage(request);
   ASSERT_EQ(content.problems.size(), 1U);
   EXPECT_THAT(content.problems[0], HasSubstr("comparison: "));
-  EXPECT_THAT(OwnHtml(content), HasSubstr("The two cannot be compared"));
+  EXPECT_THAT(OwnHtml(content), HasSubstr("The two results cannot be compared"));
 }
 
 }  // namespace
