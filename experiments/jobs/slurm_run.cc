@@ -177,7 +177,7 @@ void SlurmRun::Follow(const SlurmQueue& queue) {
   ReportPendingReasons(queue);
 }
 
-// Empty while the task is in the queue, and while a file that tells more may be on its way.
+// Empty while the task is in the queue, and while its result file may still arrive.
 std::optional<TaskEnd> SlurmRun::Judge(const Followed& followed, std::size_t number,
                                        const SlurmTask* entry,
                                        const std::map<std::size_t, SlurmEnd>& ends) {

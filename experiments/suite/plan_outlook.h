@@ -26,7 +26,7 @@ struct PredictedState {
   std::string why;  // reason that it runs or is missing, shown to the user
 };
 
-// What an output folder already has.
+// Contents of an existing output folder.
 struct EarlierRuns {
   std::optional<Plan> plan;                         // of the previous run
   std::function<bool(const PlannedJob& job)> done;  // its files exist
