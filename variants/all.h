@@ -22,7 +22,7 @@ constexpr int CountDifferences() {
   return CountDifferences(AxesOf<A>(), AxesOf<B>());
 }
 
-// A variant of the program that changes so many axes of `Base`.
+// A variant of the program that changes some axes of `Base`.
 template <typename Base, typename V, int kAxes = 1>
 struct Listed {
   static_assert(CountDifferences<Base, V>() == kAxes);

@@ -10,7 +10,7 @@
 
 namespace cvo {
 
-// What a user is told about one option. Numbers are valid in [min, max].
+// Description of one option for the user. Numbers are valid in [min, max].
 struct FieldInfo {
   const char* unit;  // "px", "m", "1" for a pure number
   double min;

@@ -20,7 +20,7 @@ Boxes DetectedBoxes(const CrfScene& scene, double shrink) {
   return boxes;
 }
 
-// The boxes without what the body stands on.
+// The boxes without their lower part, where the ground is visible.
 Boxes WithoutBoxFoot(const Boxes& boxes, double foot) {
   Boxes bodies = boxes;
   for (auto& box : bodies) {

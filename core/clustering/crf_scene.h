@@ -31,7 +31,7 @@ enum class LabelKind { kStatic, kCluster, kNewBox, kOutlier };
 
 struct CrfLabel {
   LabelKind kind = LabelKind::kStatic;
-  std::optional<ImageBox> box;  // of the detection associated with it, or that it stands for
+  std::optional<ImageBox> box;  // of the detection associated with it or represented by it
   // Where the cluster is expected in the image though no detection was associated with it.
   std::optional<ImageBox> predicted_box;
   // Centre and size of a cluster or new box: half sides along the columns of camera_from_axes.

@@ -28,7 +28,7 @@ std::vector<int> NewBoxes(std::span<const LabelIdentity> labels) {
   return boxes;
 }
 
-// Moving clusters that nodes were in and that no label stands for, by id.
+// Moving clusters that nodes were in and that have no label, by id.
 std::vector<ClusterId> CandidateClusters(std::span<const LabelIdentity> labels,
                                          std::span<const ClusterId> previous_of_node) {
   std::vector<ClusterId> candidates;

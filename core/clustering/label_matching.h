@@ -24,7 +24,7 @@ struct LabelMatchingOptions {
   }
 };
 
-// What a label of the CRF stands for.
+// What a label of the CRF represents.
 struct LabelIdentity {
   LabelKind kind = LabelKind::kStatic;
   ClusterId cluster;  // of kStatic and kCluster

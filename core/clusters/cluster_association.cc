@@ -93,7 +93,7 @@ void AssociateGivenDetections(const FrameView& view, const ClusterMap& map,
 }
 
 void FindBoxOfTrack(const FrameView& view, const Cluster& cluster, ClusterTrack& track) {
-  if (track.detection >= 0) return;  // the detection's own box stands for it
+  if (track.detection >= 0) return;  // represented by the detection's own box
   bool is_first = true;
   for (const BoxMember& member : MembersOf(view, cluster, track)) {
     const double u = member.zeta_px[0];

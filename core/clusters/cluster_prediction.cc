@@ -8,7 +8,7 @@
 namespace cvo {
 namespace {
 
-// A new cluster's motion is unknown; each further state tells of it.
+// A new cluster's motion is unknown; each further state constrains it.
 double FallingDeviation(double first, double settled, int frames) {
   const double n = frames;
   return std::max(first / (n * n), settled);

@@ -34,7 +34,7 @@ void AlignInheritedFrames(const IdentityOptions& identity,
                           const ClusterAssociationOptions& association, FrameId newest,
                           ClusterMap& map, Rng& rng);
 
-// What the end of a frame tells of who its clusters are.
+// Updates cluster identities at the end of a frame.
 struct IdentityStep {
   const IdentityOptions& identity;
   const ClusterAssociationOptions& association;

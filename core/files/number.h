@@ -21,9 +21,9 @@ std::string FormatSecondsNs(std::int64_t time_ns);
 
 // The shortest decimal that reads back as the same double.
 std::string FormatDouble(double value);
-// With so many digits after the point.
+// With a fixed number of digits after the point.
 std::string FormatFixed(double value, int decimals);
-// With at most so many significant digits, as printf's %g.
+// With a maximum number of significant digits, as printf's %g.
 std::string FormatGeneral(double value, int digits);
 // The same with its sign, be it a plus.
 std::string FormatSigned(double value, int digits);

@@ -6,7 +6,7 @@
 
 namespace cvo {
 
-// How well a box tells where the centre of the body in it is.
+// How accurately a box determines the centre of the body in it.
 struct BoxCenterOptions {
   double edge_deviation = 0.05;
   double unseen_deviation = 0.3;

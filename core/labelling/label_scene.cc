@@ -110,7 +110,7 @@ std::optional<CrfLabel::Extent> NewBoxExtent(const FrameView& view, const ImageB
   return CrfLabel::Extent{extent.center, Eigen::Matrix3d::Identity(), extent.half_size_m};
 }
 
-// Bodies that given labels tell of and no label stands for yet.
+// Bodies that occur in the given labels and have no label yet.
 void AddGivenBodies(const FrameView& view, LabelScene& scene) {
   const std::span<const BodyId> bodies = view.shown.feature_body;
   for (const BodyId body : std::set<BodyId>(bodies.begin(), bodies.end())) {

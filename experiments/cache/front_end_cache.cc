@@ -40,7 +40,7 @@ FrontEndRecording::FrontEndRecording(fs::path folder, std::uint64_t limit_bytes,
   try {
     writer_ = std::make_unique<FeatureFileWriter>(folder_);
   } catch (const std::exception& error) {
-    GiveUp(error.what());
+    StopRecording(error.what());
   }
 }
 
@@ -49,7 +49,7 @@ void FrontEndRecording::Add(const FrontEndFrame& frame) {
   try {
     writer_->Add(frame);
   } catch (const std::exception& error) {
-    GiveUp(error.what());
+    StopRecording(error.what());
   }
 }
 
@@ -58,17 +58,17 @@ void FrontEndRecording::Finish(const std::string& key) {
   try {
     const std::uint64_t size_bytes = writer_->Complete(key);
     if (size_bytes > limit_bytes_) {
-      GiveUp(StrCat(size_bytes, " bytes, and the cache may have ", limit_bytes_));
+      StopRecording(StrCat(size_bytes, " bytes, and the cache may have ", limit_bytes_));
       return;
     }
     writer_->Publish(FileName(key));
     TrimFolder(folder_, limit_bytes_);
   } catch (const std::exception& error) {
-    GiveUp(error.what());
+    StopRecording(error.what());
   }
 }
 
-void FrontEndRecording::GiveUp(const std::string& reason) {
+void FrontEndRecording::StopRecording(const std::string& reason) {
   writer_.reset();
   notice_(StrCat("features are not kept for other runs: ", reason));
 }

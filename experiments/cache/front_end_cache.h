@@ -40,7 +40,7 @@ class FrontEndRecording {
   void Finish(const std::string& key);
 
  private:
-  void GiveUp(const std::string& reason);
+  void StopRecording(const std::string& reason);
 
   std::filesystem::path folder_;
   std::uint64_t limit_bytes_;

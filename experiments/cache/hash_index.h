@@ -16,7 +16,7 @@ namespace cvo {
 struct FileStamp {
   std::int64_t size_bytes = 0;
   std::int64_t modified_ns = 0;  // content
-  std::int64_t changed_ns = 0;   // content, name or rights: nobody can set it back
+  std::int64_t changed_ns = 0;   // of content, name or permissions; cannot be set back
   std::uint64_t inode = 0;
 
   bool operator==(const FileStamp&) const = default;

@@ -49,7 +49,7 @@ void AddTruth(Sequence& sequence) {
   sequence.groundtruth = "official";
 }
 
-// The name of a level stands for the folder's own file of it.
+// The name of a level selects the folder's own file of it.
 SequenceRequest WithLevel(const SequenceRequest& request) {
   SequenceRequest resolved = request;
   const fs::path own = request.folder / "detections" / (request.detections_file.string() + ".txt");

@@ -44,8 +44,8 @@ class Engine {
   // Returns when all tasks ended or `stop` did. Throws Error where nothing can be started at all.
   virtual void Run(std::span<const Task> tasks, const EngineHooks& hooks) = 0;
 
-  // Of what an earlier process left behind, ends the tasks that have none of these names. Those
-  // that have one are taken up by Run, which starts none of them a second time.
+  // Cancels tasks of an earlier process that have none of these names. Tasks with one of them are
+  // resumed by Run, which starts none of them a second time.
   virtual void KeepOnly(const std::set<std::string>& /*names*/, const EngineHooks& /*hooks*/) {}
 
   // How long a file that a task wrote may take to be seen here.

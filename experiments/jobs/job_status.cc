@@ -43,7 +43,7 @@ std::string FailureMessage(const fs::path& file) {
   }
 }
 
-// At most so much of a file's end, from the start of a line.
+// A limited part of a file's end, from the start of a line.
 std::string Tail(const fs::path& file) {
   constexpr std::streamoff kBytes = 4000;
   std::ifstream in(file, std::ios::binary | std::ios::ate);

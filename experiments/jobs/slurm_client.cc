@@ -17,7 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kFirstContactS = 60.0;   // there may be no Slurm at all: nobody waits long to know
+constexpr double kFirstContactS = 60.0;   // short, since there may be no Slurm at all
 constexpr double kMaxDelayS = 60.0;       // between two tries
 constexpr double kCommandLimitS = 120.0;  // a command that hangs longer is killed
 constexpr double kStopCheckIntervalS = 0.2;
@@ -31,7 +31,7 @@ bool HasAny(const std::string& text, std::span<const char* const> parts) {
                      [&](const char* part) { return text.find(part) != std::string::npos; });
 }
 
-// What Slurm's commands say when its controller is away, slow, or just starting.
+// Messages of Slurm's commands while its controller is unreachable, slow or starting.
 bool IsUnreachable(const Captured& captured) {
   static constexpr std::array<const char*, 6> kWords = {"contact slurm controller",
                                                         "timed out",
@@ -44,7 +44,7 @@ bool IsUnreachable(const Captured& captured) {
 
 bool IsFailure(const Captured& captured) { return captured.exit_code != 0; }
 
-// From what sbatch says.
+// From the messages of sbatch.
 SlurmRefusal ClassifyRefusal(const std::string& words) {
   static constexpr std::array<const char*, 3> kQueueFull = {
       "temporarily unable to accept job", "Resource temporarily unavailable", "MaxSubmitJob"};

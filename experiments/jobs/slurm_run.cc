@@ -152,11 +152,11 @@ void SlurmRun::Refused(std::size_t count, const SlurmSubmitted& submitted) {
   const bool hopeless =
       submitted.refusal == SlurmRefusal::kPermanent || (count == 1 && Open() == 0 && !passing);
   if (hopeless) throw Error(submitted.refused);
-  if (count == 1 && !room_.told) {
+  if (count == 1 && !room_.reported) {
     hooks_.notice(StrCat("slurm: accepts no more tasks at present (", submitted.refused,
                          "): ", Tasks(waiting_.size()), " not submitted yet"));
   }
-  room_ = {true, count / 2, room_.told || count == 1, Clock::now()};
+  room_ = {true, count / 2, room_.reported || count == 1, Clock::now()};
 }
 
 void SlurmRun::Follow(const SlurmQueue& queue) {
@@ -177,7 +177,7 @@ void SlurmRun::Follow(const SlurmQueue& queue) {
   ReportPendingReasons(queue);
 }
 
-// Empty while the task is in the queue, and while a file that tells more may be on its way.
+// Empty while the task is in the queue, and while its result file may still arrive.
 std::optional<TaskEnd> SlurmRun::Judge(const Followed& followed, std::size_t number,
                                        const SlurmTask* entry,
                                        const std::map<std::size_t, SlurmEnd>& ends) {
@@ -209,8 +209,8 @@ void SlurmRun::ReportPendingReasons(const SlurmQueue& queue) {
   }
   std::string all;
   for (const auto& [reason, count] : reasons) all += reason + "\n";
-  if (all == told_) return;
-  told_ = all;
+  if (all == reported_reason_) return;
+  reported_reason_ = all;
   for (const auto& [reason, count] : reasons) {
     hooks_.notice(
         StrCat("slurm: not started yet: ", Tasks(count), ": ", PendingReasonText(reason)));

@@ -29,20 +29,20 @@ class SlurmRun {
     std::string job;  // empty: not known to be submitted
     // By number: which of our tasks, while it is not known to have ended.
     std::map<std::size_t, std::size_t> open;
-    bool others = false;  // holds tasks that another Run may ask for
+    bool others = false;  // has tasks of other runs
   };
 
-  // Our tasks that are not submitted, and what is in the way of submitting them.
+  // Our tasks that are not submitted yet, and outdated tasks that prevent it.
   struct Wanted {
     std::map<std::string, std::size_t> tasks;  // by name
-    std::vector<std::string> outdated;         // job_number of those that run otherwise
+    std::vector<std::string> outdated;         // job_number of tasks with another command
   };
-  // How many tasks Slurm takes. Known from its refusals only.
+  // Number of tasks that Slurm accepts, known only from its refusals.
   struct Room {
     bool limited = false;
     std::size_t tasks = 0;        // where limited
-    bool told = false;            // the user
-    Clock::time_point refused{};  // last time that it had none
+    bool reported = false;        // to the user
+    Clock::time_point refused{};  // time of the last refusal
   };
 
   void ResumeEarlierArrays();
@@ -65,10 +65,11 @@ class SlurmRun {
   SlurmClient client_;
   SlurmSetup setup_;
   std::vector<Followed> followed_;
-  std::deque<std::size_t> waiting_;                  // tasks that are not submitted
-  std::map<std::size_t, Clock::time_point> missed_;  // tasks that are over: since when
+  std::deque<std::size_t> waiting_;  // tasks not submitted yet
+  std::map<std::size_t, Clock::time_point>
+      missed_;  // finished tasks without a recorded end: since when
   Room room_;
-  std::string told_;  // why tasks wait, as the user was told last
+  std::string reported_reason_;  // why tasks are pending, as last reported
 };
 
 }  // namespace cvo

@@ -61,7 +61,7 @@ std::string UnmatchedBodiesText(const Group& group) {
                 " visible object-frames without one");
 }
 
-// What tells which body a cluster is.
+// How clusters are matched to bodies.
 reports::Contract MatchingOf(const ObjectTruth& truth, const ObjectScores& scores) {
   reports::Contract contract = truth.contract;
   contract.matching = scores.match_by;

@@ -30,14 +30,14 @@ void RefuseProblems(const Sequence& sequence, const PreparedFrame& prepared) {
       StrCat((sequence.folder / problem.image).lexically_normal().string(), ": ", problem.reason));
 }
 
-// What is known of the true bodies beside the estimator.
+// Ground truth of the bodies, kept separate from the estimator.
 struct TruthOfFrame {
   BodyTruthReader* reader = nullptr;  // may be null
   Oracle oracle;
   double seconds = 0.0;  // that the last frame took here
 };
 
-// Boxes of the frame into what the estimator is given.
+// Adds the boxes of the frame to the estimator's input.
 void AddDetections(const RunRequest& request, const std::vector<ObjectBox>& boxes,
                    PreparedFrame& prepared, DetectionCounts& counts) {
   if (!prepared.problems.empty()) {
@@ -107,7 +107,7 @@ void Estimate(const RunRequest& request, PreparedFrame prepared,
   result.frames.push_back(std::move(record));
 }
 
-// The poses as they stand at the end; those of a failed run stay what they were.
+// The final poses; those of a failed run stay unchanged.
 void Refine(const Odometry& odometry, RunResult& result) {
   if (result.status == RunStatus::kFailed) return;
   const std::vector<RigidTransform> trajectory = odometry.Trajectory();

@@ -15,41 +15,42 @@ namespace cvo {
 
 enum class JobState {
   kDone,
-  kRuns,     // its input is there
-  kRenders,  // when its scene is rendered
+  kRuns,     // its input exists
+  kRenders,  // runs after its scene is rendered
   kMissing,
 };
 
-// What will become of a planned job.
+// What will happen to a planned job.
 struct PredictedState {
   JobState state = JobState::kRuns;
-  std::string why;  // it runs, or is missing: one phrase for the user
+  std::string why;  // reason that it runs or is missing, shown to the user
 };
 
-// What an output folder already has.
+// Contents of an existing output folder.
 struct EarlierRuns {
-  std::optional<Plan> plan;                                   // of the last time
-  std::function<bool(const PlannedJob& job)> done;            // its files are there
-  std::function<std::string(const std::string& job)> failed;  // why its last try failed, or empty
+  std::optional<Plan> plan;                         // of the previous run
+  std::function<bool(const PlannedJob& job)> done;  // its files exist
+  std::function<std::string(const std::string& job)>
+      failed;  // message of its last failure, or empty
 };
 
-// One per job of the plan. A job that the earlier plan had under another identity is said to run
-// because of what differs: the build, the options, the sequence.
+// One per job of the plan. For a job that the earlier plan had under another identity, the reason
+// names what differs: the build, the options, the sequence.
 std::vector<PredictedState> PredictStates(const Plan& plan, const EarlierRuns& earlier);
 
 // Seconds per frame and process, by variant ("": the mean over those measured), of timing.json of
-// the finished jobs of both plans; a few files of each variant are read, those that cannot be are
-// left out.
+// the finished jobs of both plans; a few files of each variant are read, unreadable ones are
+// ignored.
 std::map<std::string, double> MeasuredFrameTimes(
     const Plan& plan, const EarlierRuns& earlier,
     const std::function<std::filesystem::path(const std::string& job)>& folder_of);
 
-// What is assumed where nothing was measured.
+// Assumed where nothing was measured.
 inline constexpr double kAssumedFrame_s = 1.0 / 35.0;
 inline constexpr double kAssumedDrawnFrame_s = 0.25;
 inline constexpr double kAssumedNoisyFrame_s = 0.03;
 
-// Seconds of one process for all that has to be rendered and run, each job once.
+// Seconds that one process takes to render and run everything, each job once.
 double EstimatedSeconds(const BuiltPlan& built, const std::vector<PredictedState>& outlook,
                         const std::map<std::string, double>& frame_times_s);
 

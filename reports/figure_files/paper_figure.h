@@ -22,7 +22,7 @@ PaperFigure ToPaperFigure(const Figure& figure);
 // All there is of a figure, as JSON for other programs.
 std::string FigureJson(const Figure& figure);
 
-// Words of a text in lines of at most so many characters; a longer word has its own line.
+// Breaks a text into lines of limited length; a longer word gets its own line.
 std::vector<std::string> Wrapped(const std::string& text, std::size_t characters);
 
 }  // namespace cvo::reports

@@ -107,8 +107,8 @@ Json MeanPoint(const SeriesRows& series, const Table& table, const ErrorAndCover
   const Cell& coverage = series.all->cells[pair.coverage];
   const Column& error_column = table.columns[pair.error];
   const Column& coverage_column = table.columns[pair.coverage];
-  const std::string said = StrCat(series.label, ": ", CellValueText(error, error_column), " at ",
-                                  CellValueText(coverage, coverage_column));
+  const std::string hover = StrCat(series.label, ": ", CellValueText(error, error_column), " at ",
+                                   CellValueText(coverage, coverage_column));
   return {{"type", "scatter"},
           {"mode", series.options.empty() ? "markers" : "markers+text"},
           {"name", PlotText(series.name)},
@@ -118,7 +118,7 @@ Json MeanPoint(const SeriesRows& series, const Table& table, const ErrorAndCover
           {"text", {PlotText(series.options)}},
           {"textposition", "top right"},
           {"textfont", {{"size", 10}}},
-          {"customdata", {PlotText(said)}},
+          {"customdata", {PlotText(hover)}},
           {"hovertemplate", "%{customdata}<extra></extra>"},
           {"error_x", Whiskers(coverage, ScaleOf(coverage_column), style.colour)},
           {"error_y", Whiskers(error, ScaleOf(error_column), style.colour)},

@@ -140,7 +140,7 @@ bool ShadeHidden(const BodyDetail& body, std::size_t panel, Plot& plot) {
   return any;
 }
 
-// What a figure has come to hold, for its legend and caption.
+// Kinds of marks drawn in a figure, for its legend and caption.
 struct DrawnMarks {
   bool predictions = false;
   bool births = false;

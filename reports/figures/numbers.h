@@ -12,11 +12,11 @@
 
 namespace cvo::reports {
 
-// To so many significant digits: a page of many points stays small.
+// Rounded to significant digits, to keep pages with many points small.
 inline double Rounded(double value, int digits = 4) { return RoundedTo(value, digits); }
 Json RoundedList(const std::vector<double>& values, int digits = 4);
 
-// For sentences: three significant digits, never in powers of ten.
+// For sentences: three significant digits, without exponents.
 std::string NumberText(double value, int digits = 3);
 
 // How figures show a metric: shares in percent, the rest in its own unit.

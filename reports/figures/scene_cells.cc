@@ -18,7 +18,7 @@ std::string ValueOf(const std::vector<std::string>& keys, const std::vector<std:
   return found == keys.end() ? "" : values[static_cast<std::size_t>(found - keys.begin())];
 }
 
-// What tells a row apart but for the sequence: its label, name and values of options.
+// What identifies a row apart from the sequence: its label, name and option values.
 SeriesRows Describe(const std::vector<std::string>& keys, const std::vector<std::string>& values) {
   SeriesRows series;
   const auto add = [](const std::string& text, std::string& list) {

@@ -28,7 +28,7 @@ struct SweptOption {
   std::vector<SweptLine> lines;
 };
 
-bool IsOption(const std::string& key);  // else what tells inputs and estimators apart
+bool IsOption(const std::string& key);  // otherwise it identifies inputs and estimators
 
 // The options that tell rows of the table apart by number. Why others are not drawn goes to
 // `not_drawn`.

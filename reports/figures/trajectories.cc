@@ -83,7 +83,7 @@ Track EstimatedTrack(const BodyDetail& body) {
   return track;
 }
 
-// Of a line, at most so many points, ends and gaps among them.
+// Limits the points of a line, keeping its ends and gaps.
 Json LineOf(const Track& track) {
   const std::size_t step = std::max<std::size_t>(1, (track.size() + kMaxPoints - 1) / kMaxPoints);
   Json x = Json::array();

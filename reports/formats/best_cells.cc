@@ -15,7 +15,7 @@ bool IdentifiesData(const std::string& key) {
   return key == "sequence" || key == "detections" || key.starts_with("scene.");
 }
 
-// Values of the keys that say on which data a row stands, and with which correction of it.
+// Values of the keys that identify the data of a row, and its correction.
 std::vector<std::string> DataOf(const Row& row, const std::vector<std::string>& keys) {
   std::vector<std::string> data;
   for (std::size_t i = 0; i < keys.size(); ++i) {

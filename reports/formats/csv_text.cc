@@ -11,7 +11,7 @@
 namespace cvo::reports {
 namespace {
 
-// Line ends stay, which CSV can hold; nothing else that a terminal would act upon does.
+// Keeps line ends, which CSV allows, and removes other control characters.
 std::string PrintableLines(const std::string& text) {
   std::string printable;
   std::size_t begin = 0;

@@ -13,7 +13,7 @@ namespace {
 constexpr int kMaxDecimals = 9;
 constexpr double kNoWidth = 1e-9;  // of the figure: an interval of equal values, but for rounding
 
-// Decimals that show so many significant digits of a value that is not 0.
+// Number of decimals that shows the given significant digits of a nonzero value.
 int Significant(double value, int digits) {
   return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0,
                     kMaxDecimals);

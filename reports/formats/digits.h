@@ -24,7 +24,7 @@ inline constexpr char kCountUnit[] = "events";
 // decimals as the one that needs most. Without an interval the unit decides.
 std::vector<int> ColumnDecimals(const std::vector<Measured>& figures, const std::string& unit);
 
-// With so many decimals; zero has no sign.
+// With a fixed number of decimals; zero has no sign.
 std::string Fixed(double value, int decimals);
 
 }  // namespace cvo::reports

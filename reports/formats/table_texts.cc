@@ -32,7 +32,7 @@ std::vector<std::string> TextHeader(const Table& table) {
   return header;
 }
 
-// What of the truth goes into a cell: its name, without what counts as visible.
+// The truth as shown in a cell: its name, without the definition of visibility.
 std::string ShortTruth(const Contract& contract) {
   return contract.truth ? NameOf(*contract.truth) : "-";
 }

@@ -25,9 +25,10 @@ struct BaselineMetric {
 struct BaselineJob {
   std::map<std::string, std::string> keys;  // PlannedRun::keys
   std::uint64_t seed = 0;
-  std::string type;     // of dataset
-  std::string content;  // of its images; tells another rendering from another estimate
-  std::string status;   // "ok" or "lost"
+  std::string type;  // of dataset
+  std::string
+      content;  // of its images; distinguishes a different rendering from a different estimate
+  std::string status;                    // "ok" or "lost"
   std::map<std::string, double> values;  // by metric; those that the run does not have lack
   std::optional<double> time_ratio;      // time of the estimate over that of kTimeReference
 };

@@ -91,7 +91,7 @@ class Check {
     if (HasSameMeaning(metric, *run.run, *value)) pair.values[metric.name] = value->value;
   }
 
-  // One line per metric and type of dataset says what differs.
+  // Reports what differs in one line per metric and type of dataset.
   bool HasSameMeaning(const BaselineMetric& metric, const RunSummary& run,
                       const MetricValue& value) {
     const auto known = metric.contracts.find(run.sequence.type);

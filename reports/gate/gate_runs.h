@@ -12,7 +12,7 @@
 
 namespace cvo::reports {
 
-// The variant that times are told in: of another computer or another day only ratios compare.
+// Reference variant for times: across computers and days, only ratios are comparable.
 inline constexpr char kTimeReference[] = "static";
 
 // The runs of a folder that the gate looks at: those of the program's own variants.

@@ -38,7 +38,7 @@ double SquaresAroundMean(const std::vector<double>& values) {
   });
 }
 
-// The same of all variants, as if each made errors as large as `own_mean`.
+// The same of all variants, scaled to errors of mean `own_mean`.
 SeedSpread Pooled(const std::map<std::string, std::vector<double>>& values, const MetricEntry& rule,
                   double own_mean) {
   SeedSpread pooled;

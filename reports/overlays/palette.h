@@ -20,7 +20,7 @@ inline constexpr Rgb kDetectionColor{255, 255, 255};
 
 // The same for the same id in every frame, run and report. Seven colours that remain apart for
 // people who confuse red and green (after Okabe and Ito), then the same half way to white; ids that
-// share one are told apart by their number.
+// share one are distinguished by their number.
 Rgb ClusterColor(std::int64_t id);
 
 // Black or white, whichever is read better on it.

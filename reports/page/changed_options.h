@@ -13,7 +13,7 @@ namespace cvo::reports {
 // Which options of a run are not at their default. Runs with the same options are compared once.
 class OptionDefaults {
  public:
-  // Nested JSON; empty: not known, then nothing is said to differ.
+  // Nested JSON; empty: not known, then no option is reported as changed.
   explicit OptionDefaults(const std::string& json);
 
   std::vector<ChangedOption> ChangedIn(const std::string& options, const std::string& where);

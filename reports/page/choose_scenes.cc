@@ -8,7 +8,7 @@
 namespace cvo::reports {
 namespace {
 
-// All that tells runs apart but the seed.
+// Everything that identifies a run except the seed.
 using Keys = std::map<std::string, std::string>;
 
 std::vector<std::size_t> FirstSeeds(const std::vector<PageRun>& runs) {

@@ -12,7 +12,7 @@ struct Term {
   std::string meaning;
 };
 
-// Words that the page uses of estimators, statistics and runs.
+// Terms of the page for estimators, statistics and runs.
 std::vector<Term> Terms();
 
 }  // namespace cvo::reports

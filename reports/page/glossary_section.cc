@@ -20,7 +20,7 @@ std::string ContractHtml(const Contract& contract) {
              : "<details><summary>Exact definition</summary><ul>\n" + html + "</ul></details>\n";
 }
 
-// Forms of a metric other than its own are said by their contract.
+// Forms of a metric other than its own are described by their contract.
 std::string Meaning(const std::string& metric) {
   const MetricEntry* entry = FindEntry(metric);
   return entry != nullptr && metric == entry->name ? entry->meaning : "See the definition below.";

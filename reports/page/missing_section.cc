@@ -39,17 +39,18 @@ std::string JobsWithoutValue(const std::vector<PageRun>& runs) {
   return "<h3>Runs that failed, are missing or lost the camera</h3>\n<ul>\n" + html + "</ul>\n";
 }
 
-// What several things lack is said once, with their number.
+// Texts that apply to several names, each listed once with those names.
 class NamesPerText {
  public:
-  void Add(const std::string& text, const std::string& whose) {
-    if (whose_[text].insert(whose).second && whose_[text].size() == 1) order_.push_back(text);
+  void Add(const std::string& text, const std::string& name) {
+    if (names_by_text_[text].insert(name).second && names_by_text_[text].size() == 1)
+      order_.push_back(text);
   }
   std::string Html(const std::string& heading) const {
     std::string html;
     for (const std::string& text : order_) {
-      const std::set<std::string>& whose = whose_.at(text);
-      std::vector<std::string> names(whose.begin(), whose.end());
+      const std::set<std::string>& sorted = names_by_text_.at(text);
+      std::vector<std::string> names(sorted.begin(), sorted.end());
       html += StrCat("<li>", Escaped(text), " (", Escaped(Listed(names)), ")</li>\n");
     }
     return html.empty() ? "" : StrCat("<h3>", heading, "</h3>\n<ul>\n", html, "</ul>\n");
@@ -57,7 +58,7 @@ class NamesPerText {
 
  private:
   std::vector<std::string> order_;
-  std::map<std::string, std::set<std::string>> whose_;
+  std::map<std::string, std::set<std::string>> names_by_text_;
 };
 
 std::string CellsWithoutValue(const Table& table) {
@@ -79,9 +80,9 @@ std::string UnreadableFiles(const PageContent& content) {
     for (const std::string& file : run.origin.missing) files.Add(file, RunText(run.run));
   }
   for (const PageScene& scene : content.scenes) {
-    const std::string whose = RunText(content.runs[scene.run].run);
-    for (const std::string& file : scene.detail.missing) files.Add(file, whose);
-    if (!scene.no_images.empty()) files.Add("images: " + scene.no_images, whose);
+    const std::string name = RunText(content.runs[scene.run].run);
+    for (const std::string& file : scene.detail.missing) files.Add(file, name);
+    if (!scene.no_images.empty()) files.Add("images: " + scene.no_images, name);
   }
   return files.Html("Missing or unreadable files");
 }

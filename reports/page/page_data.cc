@@ -73,7 +73,7 @@ std::string CountsText(const Counts& n) {
   return text;
 }
 
-// As the summary puts it.
+// As worded in the summary.
 std::string VerdictOf(const Difference& difference, const Column& column) {
   if (difference.difference == 0.0) return "the same";
   if (!difference.distinguishable) {

@@ -16,7 +16,7 @@ std::string ChangeText(double value, const Column& column);
 // "0.05 to 0.07 m".
 std::string RangeText(const Interval& interval, const Column& column);
 
-// "lower", "higher", or empty where nobody said which is better.
+// "lower", "higher", or empty if neither is defined as better.
 std::string BetterDirection(const std::string& metric);
 
 // Whether a difference (here minus reference) makes it better; empty where that is not known.

@@ -85,7 +85,7 @@ Table Compare(const PageRequest& request) {
   return table;
 }
 
-// Messages name files; where the folder lies is nobody's business and not the same everywhere.
+// Messages name files; the path of the folder is private and differs between machines.
 void ForgetFolder(const std::string& folder, std::string& text) {
   for (auto at = text.find(folder); at != std::string::npos; at = text.find(folder)) {
     text.erase(at, folder.size());

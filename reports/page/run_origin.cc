@@ -19,7 +19,7 @@ std::string Words(std::string name) {
   return name;
 }
 
-// What an object holds is a fact each.
+// One fact per member of an object.
 void AddFact(const std::string& name, const Json& value, std::vector<Fact>& facts) {
   if (!value.is_object()) {
     facts.emplace_back(Words(name), TextOf(value));

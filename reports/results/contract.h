@@ -105,7 +105,7 @@ constexpr std::array<const char*, 17> EnumNames(Pairing) {
       "frames with landmarks of at least two of the static scene and the bodies"};
 }
 
-// What tells which cluster is a body's.
+// How clusters are matched to bodies.
 enum class Matching { kLandmarks, kNearness };
 constexpr std::array<const char*, 2> EnumNames(Matching) { return {"landmarks", "nearness"}; }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 1;
 
-// Sums keep their size: fewer units stand for all.
+// Sums keep their scale: the drawn units represent all.
 void Resample(const std::vector<Unit>& units, Within within, Rng& rng, std::vector<Unit>& drawn) {
   const std::size_t draws = units.size() - 1;
   const double scale =

@@ -33,7 +33,7 @@ std::string ColumnName(const Table& table, std::size_t index) {
   return same == 1 ? column.label : StrCat(column.label, " [", column.unit, "]");
 }
 
-// Things that are said of several columns or rows, each once, in the order in which they come up.
+// Remarks that apply to several columns or rows, each listed once, in order of first appearance.
 class NamesByText {
  public:
   void Add(const std::string& text, const std::string& name) {
@@ -68,10 +68,10 @@ void AddJobs(const Table& table, Lines& lines) {
 }
 
 void AddProblems(const Table& table, Lines& lines) {
-  Lines said;
+  Lines problems;
   for (const Problem& problem : table.problems) {
     if (problem.state == "not run") continue;
-    // A sequence that is not there is said once, not once per variant and seed.
+    // A sequence that is not there is listed once, not once per variant and seed.
     const std::string whose =
         problem.state == "no data"
             ? problem.sequence
@@ -79,11 +79,12 @@ void AddProblems(const Table& table, Lines& lines) {
     AddOnce(
         StrCat(whose, ": ", problem.state, problem.message.empty() ? "" : ": " + problem.message,
                problem.log.empty() ? "" : " (log: " + problem.log + ")"),
-        said);
+        problems);
   }
-  for (std::size_t i = 0; i < std::min(said.size(), kShownProblems); ++i) lines.push_back(said[i]);
-  if (said.size() > kShownProblems) {
-    lines.push_back(StrCat("and ", said.size() - kShownProblems, " more: table.json has all"));
+  for (std::size_t i = 0; i < std::min(problems.size(), kShownProblems); ++i)
+    lines.push_back(problems[i]);
+  if (problems.size() > kShownProblems) {
+    lines.push_back(StrCat("and ", problems.size() - kShownProblems, " more: table.json has all"));
   }
 }
 
@@ -110,22 +111,22 @@ void AddIntervals(const Table& table, Lines& lines) {
   pairings.Print("", lines);
 }
 
-// What is the same for several rows is said once.
+// Remarks that are the same for several rows are listed once.
 void AddCells(const Table& table, Lines& lines) {
   NamesByText rows;
   for (const Row& row : table.rows) {
-    NamesByText said;
+    NamesByText remarks;
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const Cell& cell = row.cells[i];
       const std::string label = ColumnName(table, i);
-      if (!row.runs.empty() && !cell.present) said.Add(cell.message, label);
-      said.Add(cell.left_out, label);
+      if (!row.runs.empty() && !cell.present) remarks.Add(cell.message, label);
+      remarks.Add(cell.left_out, label);
       if (!cell.not_comparable.empty()) {
-        said.Add("in brackets, means something else: " + cell.not_comparable, label);
+        remarks.Add("in brackets, means something else: " + cell.not_comparable, label);
       }
     }
     Lines of_row;
-    said.Print("", of_row);
+    remarks.Print("", of_row);
     for (const std::string& line : of_row) rows.Add(line, RowLabel(row));
   }
   rows.Print("", lines, "; ");

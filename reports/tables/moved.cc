@@ -25,18 +25,19 @@ std::string Line(const Row& row, const Column& column, const Difference& differe
 }  // namespace
 
 std::string MovedText(const Table& table) {
-  std::string told;
+  std::string distinguishable;
   std::string noise;
   for (const Row& row : table.rows) {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const auto& difference = row.cells[i].difference;
       if (!difference || difference->difference == 0.0) continue;
-      (difference->distinguishable ? told : noise) += Line(row, table.columns[i], *difference);
+      (difference->distinguishable ? distinguishable : noise) +=
+          Line(row, table.columns[i], *difference);
     }
   }
-  if (told.empty() && noise.empty()) return "nothing moved\n";
+  if (distinguishable.empty() && noise.empty()) return "nothing moved\n";
   std::string text;
-  if (!told.empty()) text += "moved, distinguishable from noise:\n" + told;
+  if (!distinguishable.empty()) text += "moved, distinguishable from noise:\n" + distinguishable;
   if (!noise.empty()) text += "moved, not distinguishable from noise:\n" + noise;
   return text;
 }

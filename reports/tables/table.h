@@ -144,7 +144,7 @@ struct Table {
   std::string about;
   std::string reference;          // what differences are against; empty: none
   bool change = false;            // the reference is how it was before, not a row of this table
-  std::vector<std::string> keys;  // what tells rows apart
+  std::vector<std::string> keys;  // keys that identify a row
   std::vector<Column> columns;
   std::vector<Row> rows;
   std::vector<ReferenceRow> others;      // figures of others that belong to no row

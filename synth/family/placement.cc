@@ -80,7 +80,7 @@ bool Placement::StaysInside(const Track& track) const {
   });
 }
 
-bool Placement::KeepsAway(const Track& a, const Track& b, double clearance_m) const {
+bool Placement::HasClearance(const Track& a, const Track& b, double clearance_m) const {
   for (std::size_t i = 0; i < a.world_from_body.size(); ++i) {
     if (Separation(a.shape, a.world_from_body[i], b.shape, b.world_from_body[i]) < clearance_m) {
       return false;
@@ -129,9 +129,9 @@ bool Placement::TryAdd(const CollisionShape& shape, const Motion& motion, double
   track.in_view = in_view;
   track.visible = InView(track);
   if (!StaysInside(track) || PartOf(track.visible) < in_view) return false;
-  if (!KeepsAway(track, camera_, limits_.camera_clearance_m)) return false;
+  if (!HasClearance(track, camera_, limits_.camera_clearance_m)) return false;
   for (const Track& other : bodies_) {
-    if (!KeepsAway(track, other, limits_.clearance_m)) return false;
+    if (!HasClearance(track, other, limits_.clearance_m)) return false;
   }
   if (!TryVisibility(track)) return false;
   bodies_.push_back(std::move(track));

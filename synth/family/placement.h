@@ -48,7 +48,7 @@ class Placement {
  private:
   Track MakeTrack(const CollisionShape& shape, const Motion& motion) const;
   bool StaysInside(const Track& track) const;
-  bool KeepsAway(const Track& a, const Track& b, double clearance_m) const;
+  bool HasClearance(const Track& a, const Track& b, double clearance_m) const;
   std::vector<bool> InView(const Track& track) const;
   // The track's `visible`, less where the other body hides its middle.
   std::vector<bool> VisibleBehind(const Track& track, const Track& other) const;

@@ -77,7 +77,7 @@ SensorOptions NoiselessSensor(SensorOptions options) {
   return off;
 }
 
-bool ChangesNothing(const SensorOptions& options) {
+bool HasNoEffect(const SensorOptions& options) {
   return options.full_well == 0.0 && options.read_noise == 0.0 && options.gain == 1.0 &&
          options.vignetting == 0.0 && options.exposure_difference == 0.0 &&
          options.black_level == 0.0;
@@ -86,7 +86,7 @@ bool ChangesNothing(const SensorOptions& options) {
 cv::Mat ApplySensor(const cv::Mat& clean, const SensorOptions& options, std::uint64_t seed,
                     int camera, int frame) {
   Require(clean.type() == CV_8UC1, "ApplySensor: the image must be CV_8UC1");
-  if (ChangesNothing(options)) return clean.clone();
+  if (HasNoEffect(options)) return clean.clone();
   Rng rng(seed, StrCat("sensor ", camera, " ", frame));
   const double exposure = camera == 1 ? 1.0 + options.exposure_difference : 1.0;
   RowModel model;

@@ -64,7 +64,7 @@ struct SensorOptions {
 // Everything off but motion blur, which is left as it is.
 SensorOptions NoiselessSensor(SensorOptions options);
 // Whether ApplySensor returns what it is given.
-bool ChangesNothing(const SensorOptions& options);
+bool HasNoEffect(const SensorOptions& options);
 
 // What an 8-bit camera makes of a clean CV_8UC1 image. One random stream for each seed, camera (0
 // left, 1 right) and frame: bytes depend on nothing else.

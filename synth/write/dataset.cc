@@ -165,7 +165,7 @@ void WriteDataset(const DatasetSource& source, const RenderRequest& request,
   const CachedRender clean = found ? *found : Draw(source, request, cache, key, pool);
 
   const std::uint64_t seed = request.seed.value_or(source.seed);
-  const bool images_as_drawn = ChangesNothing(source.sensor);
+  const bool images_as_drawn = HasNoEffect(source.sensor);
   for (const FileRecord& file : clean.manifest.files) {
     if (images_as_drawn || !IsSensorImage(file.name)) build.Link(clean.folder, file);
   }

@@ -73,7 +73,7 @@ void CheckSameSequence(const std::vector<reports::OverlayRun>& runs,
   }
 }
 
-// ": labels from ..."; nothing of a variant that this program does not have.
+// ": labels from ..."; empty for a variant that this program does not have.
 std::string VariantChanges(const std::string& variant) {
   for (const VariantInfo& info : Variants()) {
     if (info.name == variant) return StrCat(": ", info.changes);

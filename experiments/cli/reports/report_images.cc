@@ -102,7 +102,7 @@ std::vector<NamedContent> DrawAll(const fs::path& run_folder) {
   return files;
 }
 
-// Names of a suite are nobody's file names: the number keeps two apart that look the same.
+// Names of a suite need not be valid file names: the number keeps similar ones distinct.
 std::string FolderName(std::size_t index, const reports::PlannedRun& run) {
   return StrCat(index, "-", reports::Slug(reports::KeyOf(run, "sequence")), "-",
                 reports::Slug(reports::KeyOf(run, "variant")));

@@ -23,7 +23,7 @@ class TextTable {
   std::vector<std::vector<std::string>> rows_;
 };
 
-// A number for people, with four significant digits.
+// A number for display, with four significant digits.
 std::string ReadableNumber(double value);
 
 }  // namespace cvo

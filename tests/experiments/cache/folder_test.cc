@@ -47,7 +47,7 @@ class CacheFolderTest : public testing::Test {
   }
   fs::path FileOf(const std::string& key) const { return temp_.path() / (key + ".features"); }
 
-  // Last used so many seconds ago.
+  // Seconds since the last use.
   static void Age(const fs::path& file, time_t seconds) {
     timespec times[2] = {{0, UTIME_OMIT}, {::time(nullptr) - seconds, 0}};
     ASSERT_EQ(::utimensat(AT_FDCWD, file.c_str(), times, 0), 0);

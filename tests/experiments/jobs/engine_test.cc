@@ -30,7 +30,7 @@ double Seconds(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// A process that ended and that nobody waited for is not.
+// A process that ended without being waited for is not.
 bool IsAlive(pid_t process) {
   std::ifstream in(StrCat("/proc/", process, "/stat"));
   std::string number;

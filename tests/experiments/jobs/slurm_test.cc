@@ -28,7 +28,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-// What one Run said.
+// Output of one Run.
 struct EngineOutput {
   std::map<std::string, std::vector<TaskEnd>> ends;  // by the task's name
   std::vector<std::string> notices;

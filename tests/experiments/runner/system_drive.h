@@ -34,19 +34,20 @@ inline RigidTransform CarInWorld(int track, int frame) {
           Eigen::Vector3d(track == 0 ? -2.0 : 4.0, 0.8, 12.0 + 3.0 * track + 0.9 * frame)};
 }
 
-// How a box is said to be, from how it is.
+// A box as the system reports it.
 struct ReportedBox {
   int track = 0;
   RigidTransform world_from_object;
 };
 
 // The box in camera 0.
-inline ObjectBox BoxOf(const ReportedBox& said, int frame) {
-  const RigidTransform camera_from_object = DriveCamera(frame).Inverse() * said.world_from_object;
+inline ObjectBox BoxOf(const ReportedBox& reported, int frame) {
+  const RigidTransform camera_from_object =
+      DriveCamera(frame).Inverse() * reported.world_from_object;
   const Eigen::Vector3d forward = camera_from_object.rotation() * Eigen::Vector3d::UnitX();
   ObjectBox box;
   box.frame = frame;
-  box.track = said.track;
+  box.track = reported.track;
   box.type = "Car";
   box.occlusion = 0;
   box.right_px = box.bottom_px = 100.0;
@@ -74,8 +75,8 @@ inline std::string Rows(const ReportBox& report = [](const ReportedBox& truth, i
   std::string rows;
   for (int frame = 0; frame < kDriveFrames; ++frame) {
     for (const int track : {0, 1}) {
-      const auto said = report({track, CarInWorld(track, frame)}, frame);
-      if (said) rows += Row(BoxOf(*said, frame));
+      const auto reported = report({track, CarInWorld(track, frame)}, frame);
+      if (reported) rows += Row(BoxOf(*reported, frame));
     }
   }
   return rows;

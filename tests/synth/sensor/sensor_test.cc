@@ -49,9 +49,9 @@ TEST(NormalQuantiles, UnitVarianceAndNormalShape) {
 
 TEST(ApplySensor, AllOffChangesNothing) {
   const cv::Mat clean = Flat(77);
-  EXPECT_TRUE(ChangesNothing(AllOff()));
+  EXPECT_TRUE(HasNoEffect(AllOff()));
   EXPECT_TRUE(Same(ApplySensor(clean, AllOff(), 1, 1, 5), clean));
-  EXPECT_FALSE(ChangesNothing(SensorOptions()));
+  EXPECT_FALSE(HasNoEffect(SensorOptions()));
 }
 
 TEST(ApplySensor, ReadNoiseHasItsVariance) {

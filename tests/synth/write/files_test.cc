@@ -125,7 +125,7 @@ TEST(FolderBuild, UnwritablePlaceIsNamed) {
   EXPECT_THAT(message, HasSubstr("cannot create the folder"));
 }
 
-// A limit on the size of files stands for a full disk: writing fails in the middle.
+// A file size limit simulates a full disk: writing fails midway.
 TEST(WriteNewFile, FailedWriteIsNamedAndLeavesNothing) {
   const TempFolder temp;
   rlimit before;
