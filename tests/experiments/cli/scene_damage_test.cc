@@ -124,7 +124,7 @@ TEST_F(CliSceneDamage, OutsideOfTheCacheItIsRefused) {
         {"eval", "--sequence", copy.string(), "--estimate", out + "/camera.tum"}}) {
     const ProcessResult result = Program(arguments);
     EXPECT_EQ(result.exit_code, 1) << arguments[0];
-    EXPECT_THAT(result.err, AllOf(HasSubstr("depth_0/000001.tiff has other content"),
+    EXPECT_THAT(result.err, AllOf(HasSubstr("depth_0/000001.tiff has changed since it was written"),
                                   HasSubstr("render the scene again")));
     EXPECT_EQ(test::LineCount(result.err), 1U) << result.err;
   }

@@ -159,8 +159,8 @@ TEST(CliTables, FlagsThatDoNotGoTogetherAreAnError) {
     EXPECT_EQ(run.exit_code, 2);
     return run.err;
   };
-  EXPECT_THAT(error({"--bare"}), HasSubstr("--bare: goes with --format latex or html"));
-  EXPECT_THAT(error({"--format", "html", "--long"}), HasSubstr("--long: goes with --format csv"));
+  EXPECT_THAT(error({"--bare"}), HasSubstr("--bare: requires --format latex or html"));
+  EXPECT_THAT(error({"--format", "html", "--long"}), HasSubstr("--long: requires --format csv"));
   EXPECT_THAT(error({"--format", "pdf"}), HasSubstr("pdf"));
   EXPECT_THAT(error({"--from", "table.json"}), HasSubstr("DIR excludes --from"));
   EXPECT_THAT(RunProgram({"experiment", "table"}).err, HasSubstr("DIR or --from is required"));

@@ -55,7 +55,7 @@ TEST(PlanOutlook, TellsWhyADoneJobRunsAgain) {
   plan.build = "other";
   EXPECT_EQ(why(plan), "different build of the program");
   plan.jobs[0].content = "changed";
-  EXPECT_EQ(why(plan), "another build of the program, the sequence has changed");
+  EXPECT_EQ(why(plan), "different build of the program, the sequence has changed");
   plan = earlier;
   plan.suite.options = {{"window", {{"spatial", 7}}}};
   EXPECT_EQ(why(plan), "different options");

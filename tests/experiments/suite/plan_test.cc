@@ -234,7 +234,7 @@ TEST_F(SuitePlan, ARenderedScenesJobHasTheIdentityOfItsBytes) {
   fs::resize_file(render.folder / "image_0" / "000001.png", 10);
   EXPECT_EQ(FindSceneDamage(render.folder, HashesByReading, {0, 1}), std::nullopt);
   EXPECT_THAT(FindSceneDamage(render.folder, HashesByReading).value_or(""),
-              HasSubstr("image_0/000001.png has other content"));
+              HasSubstr("image_0/000001.png has changed since it was written"));
   EXPECT_EQ(Build(suite).plan.jobs.at(0).missing, kNotRendered);
 }
 

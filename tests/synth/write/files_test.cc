@@ -174,7 +174,7 @@ TEST_F(Damage, OtherSize) {
 
 TEST_F(Damage, OtherContent) {
   temp_.Write("set/a", "abd");
-  EXPECT_THAT(Found(), HasSubstr("a has other content"));
+  EXPECT_THAT(Found(), HasSubstr("a has changed since it was written"));
 }
 
 TEST(ReadManifest, RefusesOtherJson) {
