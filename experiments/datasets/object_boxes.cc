@@ -9,38 +9,66 @@ namespace cvo {
 namespace {
 
 constexpr std::size_t kLabelColumns = 17;
+constexpr std::size_t kObjectColumns = 15;
 constexpr std::size_t kMaxDetectionColumns = 19;
 
-// frame track type truncation occlusion alpha left top right bottom height width length x y z ry
-ObjectBox ReadBox(const TextRow& row, int frame_count) {
+// type truncation occlusion alpha left top right bottom height width length x y z ry [score], from
+// column `first`.
+ObjectBox ReadObject(const TextRow& row, std::size_t first) {
   ObjectBox box;
-  box.frame = row.Integer(0);
-  if (box.frame < 0 || box.frame >= frame_count) {
-    row.Fail(StrCat("frame ", box.frame),
-             StrCat("a frame of the sequence, 0 to ", frame_count - 1));
-  }
-  box.track = row.Integer(1);
-  box.type = std::string(row.Text(2));
-  box.truncation = row.Number(3);
-  box.occlusion = row.Integer(4);
-  row.Number(5);
-  box.left_px = row.Number(6);
-  box.top_px = row.Number(7);
-  box.right_px = row.Number(8);
-  box.bottom_px = row.Number(9);
+  box.type = std::string(row.Text(first));
+  box.truncation = row.Number(first + 1);
+  box.occlusion = row.Integer(first + 2);
+  row.Number(first + 3);
+  box.left_px = row.Number(first + 4);
+  box.top_px = row.Number(first + 5);
+  box.right_px = row.Number(first + 6);
+  box.bottom_px = row.Number(first + 7);
   if (box.right_px < box.left_px || box.bottom_px < box.top_px) {
     row.Fail(StrCat("a box of ", box.right_px - box.left_px, " x ", box.bottom_px - box.top_px,
                     " pixels"),
              "left <= right and top <= bottom");
   }
-  const ObjectBox::Box3d box3d = {row.Number(10),
-                                  row.Number(11),
-                                  row.Number(12),
-                                  {row.Number(13), row.Number(14), row.Number(15)},
-                                  row.Number(16)};
+  const ObjectBox::Box3d box3d = {
+      row.Number(first + 8),
+      row.Number(first + 9),
+      row.Number(first + 10),
+      {row.Number(first + 11), row.Number(first + 12), row.Number(first + 13)},
+      row.Number(first + 14)};
   if (box3d.height_m > 0.0 && box3d.width_m > 0.0 && box3d.length_m > 0.0) box.box3d = box3d;
-  for (std::size_t i = kLabelColumns; i < row.size(); ++i) box.score = row.Number(i);
+  for (std::size_t i = first + kObjectColumns; i < row.size(); ++i) box.score = row.Number(i);
   return box;
+}
+
+// frame track, then an object.
+ObjectBox ReadBox(const TextRow& row, int frame_count) {
+  const int frame = row.Integer(0);
+  if (frame < 0 || frame >= frame_count) {
+    row.Fail(StrCat("frame ", frame), StrCat("a frame of the sequence, 0 to ", frame_count - 1));
+  }
+  ObjectBox box = ReadObject(row, kLabelColumns - kObjectColumns);
+  box.frame = frame;
+  box.track = row.Integer(1);
+  return box;
+}
+
+// Rows of between `least` and `most` columns, as many in each.
+template <typename Read>
+std::vector<ObjectBox> ReadRows(const std::filesystem::path& path, std::size_t least,
+                                std::size_t most, const char* what, const Read& read) {
+  const TextFile file(path);
+  std::vector<ObjectBox> boxes;
+  std::size_t columns = 0;
+  for (std::size_t i = 0; i < file.size(); ++i) {
+    const TextRow row(file, i);
+    if (i == 0) {
+      columns = row.size();
+      if (columns < least || columns > most) row.ExpectColumns(least + 1, what);
+    }
+    row.ExpectColumns(columns, "as in the first line");
+    boxes.push_back(read(row));
+  }
+  return boxes;
 }
 
 }  // namespace
@@ -57,21 +85,17 @@ std::vector<ObjectBox> ReadLabels(const std::filesystem::path& path, int frame_c
 }
 
 std::vector<ObjectBox> ReadDetections(const std::filesystem::path& path, int frame_count) {
-  const TextFile file(path);
-  std::vector<ObjectBox> boxes;
-  std::size_t columns = 0;
-  for (std::size_t i = 0; i < file.size(); ++i) {
-    const TextRow row(file, i);
-    if (i == 0) {
-      columns = row.size();
-      if (columns < kLabelColumns || columns > kMaxDetectionColumns) {
-        row.ExpectColumns(kLabelColumns + 1, "a KITTI tracking result");
-      }
-    }
-    row.ExpectColumns(columns, "as in the first line");
-    boxes.push_back(ReadBox(row, frame_count));
-  }
-  return boxes;
+  return ReadRows(path, kLabelColumns, kMaxDetectionColumns, "a KITTI tracking result",
+                  [&](const TextRow& row) { return ReadBox(row, frame_count); });
+}
+
+std::vector<ObjectBox> ReadObjectFile(const std::filesystem::path& path, int frame) {
+  return ReadRows(path, kObjectColumns, kObjectColumns + 1, "a KITTI object",
+                  [&](const TextRow& row) {
+                    ObjectBox box = ReadObject(row, 0);
+                    box.frame = frame;
+                    return box;
+                  });
 }
 
 ObjectBox ShiftBox(const ObjectBox& box, double offset_m, double fx, double depth_m) {

@@ -18,6 +18,10 @@ std::vector<ObjectBox> ReadLabels(const std::filesystem::path& path, int frame_c
 // pass too, without scores.
 std::vector<ObjectBox> ReadDetections(const std::filesystem::path& path, int frame_count);
 
+// KITTI object files, of one image: 15 columns per row, or 16 with a score; the same number in
+// every row.
+std::vector<ObjectBox> ReadObjectFile(const std::filesystem::path& path, int frame);
+
 // The box as seen from a camera `offset_m` to the left: p_in_given = p_in_result + (offset_m, 0,
 // 0). A point at depth z moves by -fx offset / z pixels in u. Throws Error unless depth_m > 0.
 ObjectBox ShiftBox(const ObjectBox& box, double offset_m, double fx, double depth_m);

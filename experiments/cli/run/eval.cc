@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "experiments/cli/command.h"
+#include "experiments/cli/run/eval_ap.h"
 #include "experiments/cli/run/eval_sequence.h"
 #include "experiments/cli/run/metric_table.h"
 #include "experiments/metrics/association.h"
@@ -26,6 +27,7 @@ struct EvalFlags {
   double max_time_difference_s = 1e-9 * static_cast<double>(kDefaultAssociation_ns);
   bool json = false;
   EvalSequence sequence;  // whose own truth is used; without a folder: two files
+  EvalAp ap;              // of boxes, if wanted
 };
 
 // Poses frame by frame of the truth.
@@ -102,24 +104,41 @@ int EvaluateFiles(const EvalFlags& flags) {
   return 0;
 }
 
+// Two files, a sequence and its estimate, or boxes: each has flags of its own.
 void CheckUsage(const CLI::App& app, const EvalFlags& flags) {
-  const bool of_sequence = app.count("--sequence") > 0;
-  const auto refuse = [&](const std::string& flag, const char* why) {
+  const auto refuse = [&](const std::string& flag, const std::string& why) {
     if (app.count(flag) > 0) throw CLI::ValidationError(flag, why);
   };
-  if (of_sequence) {
+  if (flags.ap.wanted) {
+    if (flags.sequence.flags.labels.empty()) {
+      throw CLI::ValidationError("--labels", "is required with --ap");
+    }
+    for (const char* flag : {"--groundtruth", "--sequence", "--format", "--max-time-difference"}) {
+      refuse(flag, "does not apply with --ap");
+    }
+    for (const std::string& flag : EvalSequence::FlagNames()) {
+      if (flag != "--labels" && flag != "--frames") refuse(flag, "does not apply with --ap");
+    }
+    return;
+  }
+  for (const std::string& flag : EvalAp::FlagNames()) refuse(flag, "needs --ap");
+  if (app.count("--sequence") > 0) {
     refuse("--format",
            "applies to two files; with --sequence the format follows from the number of columns");
     refuse("--max-time-difference", "applies to two files; with --sequence it is 0.02 s");
     return;
   }
   if (flags.groundtruth.empty()) {
-    throw CLI::ValidationError("--groundtruth", "is required, unless --sequence is given");
+    throw CLI::ValidationError("--groundtruth", "is required, unless --sequence or --ap is given");
   }
   for (const std::string& flag : EvalSequence::FlagNames()) refuse(flag, "needs --sequence");
 }
 
 int Evaluate(const CLI::App& app, EvalFlags& flags) {
+  if (flags.ap.wanted) {
+    const SequenceFlags& part = flags.sequence.flags;
+    return EvaluateApOfFiles(flags.ap, part.labels, flags.estimate, part.frames, flags.json);
+  }
   if (app.count("--sequence") == 0) return EvaluateFiles(flags);
   if (!flags.groundtruth.empty()) flags.sequence.flags.groundtruth = flags.groundtruth;
   return EvaluateSequence(flags.sequence, flags.estimate, flags.json);
@@ -129,13 +148,13 @@ int Evaluate(const CLI::App& app, EvalFlags& flags) {
 
 Command AddEvalCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "eval", "Score a trajectory file, or the results of another system on a sequence");
+      "eval", "Score a trajectory file, boxes, or the results of another system on a sequence");
   const auto flags = std::make_shared<EvalFlags>();
   app->add_option("--groundtruth", flags->groundtruth,
                   "trajectory file with the ground truth; with --sequence on KITTI raw: devkit or "
                   "interpolated")
       ->type_name("FILE");
-  app->add_option("--estimate", flags->estimate, "trajectory file to score")
+  app->add_option("--estimate", flags->estimate, "trajectory file to score; with --ap: boxes")
       ->type_name("FILE")
       ->required();
   app->add_option("--format", flags->format,
@@ -149,6 +168,7 @@ Command AddEvalCommand(CLI::App& program) {
       ->capture_default_str();
   app->add_flag("--json", flags->json, "print JSON, with the contract of each metric");
   flags->sequence.AddTo(*app);
+  flags->ap.AddTo(*app);
   app->footer(
       "Poses are world_from_camera. For ATE, the estimate is aligned by SE(3) over "
       "positions.\nWith --sequence, camera and objects are scored in the same way as a run. "
@@ -158,7 +178,8 @@ Command AddEvalCommand(CLI::App& program) {
       "Examples:\n"
       "  clustervo eval --groundtruth poses/06.txt --estimate OUT/camera.kitti\n"
       "  clustervo eval --sequence scenes/indoor_1 --estimate cam.tum --objects tracks.kitti \\\n"
-      "      --name other -o results/other_indoor_1");
+      "      --name other -o results/other_indoor_1\n"
+      "  clustervo eval --ap --labels label_02/0003.txt --estimate tracks.kitti --iou 0.25");
   app->final_callback([app, flags] { CheckUsage(*app, *flags); });
   return {app, [app, flags] { return Evaluate(*app, *flags); }};
 }

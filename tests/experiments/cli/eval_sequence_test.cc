@@ -82,5 +82,29 @@ TEST_F(EvalSequence, BodiesWithoutTruthAreNotScored) {
   EXPECT_THAT(result.out, AllOf(HasSubstr("1 object-frames"), HasSubstr("objects not scored")));
 }
 
+// Boxes of KITTI: every flag of the other uses is refused, and JSON states the contract.
+TEST_F(EvalSequence, AveragePrecision) {
+  const std::string row = "0 1 Car 0 0 0 10 20 90 80 1.5 1.6 3.9 1 2 30 0.1";
+  const std::string labels = folder_.Write("labels.txt", row + "\n").string();
+  const std::string rows = folder_.Write("rows.txt", row + " 0.5\n").string();
+  const std::vector<std::string> boxes = {"eval", "--ap", "--labels", labels, "--estimate", rows};
+  const auto run = [&boxes](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = boxes;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return RunProgram(arguments);
+  };
+  EXPECT_THAT(run({}).out, HasSubstr("bv              11      100.00"));
+  const Json json = ParseJson(run({"--iou", "0.25", "--json"}).out, "eval --ap");
+  EXPECT_EQ(json["kind"], "average precision");
+  EXPECT_EQ(json["average_precision"][1]["contract"]["least_overlap"], 0.25);
+  EXPECT_EQ(json["average_precision"][1]["levels"][0]["ap11"], 1.0);
+  ExpectError(run({"--iou", "1.5"}), 2, "--iou");
+  ExpectError(run({"--class", "Tram"}), 2, "--class");
+  ExpectError(run({"--sequence", tiny()}), 2, "--sequence");
+  ExpectError(run({"--frames", "4:"}), 1, "--frames");
+  ExpectError(RunProgram({"eval", "--ap", "--estimate", rows}), 2, "--labels");
+  ExpectError(Evaluate({poses(), "--iou", "0.5"}), 2, "--iou");
+}
+
 }  // namespace
 }  // namespace cvo

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/metrics/kitti_ap/average_precision.h"
+
+#include <gtest/gtest.h>
+
+namespace cvo {
+namespace {
+
+// A box 50 px high and `width_px` wide.
+ObjectBox Box(const std::string& type, double left_px, double width_px = 50.0,
+              double height_px = 50.0) {
+  ObjectBox box;
+  box.type = type;
+  box.truncation = 0.0;
+  box.occlusion = 0;
+  box.left_px = left_px;
+  box.right_px = left_px + width_px;
+  box.bottom_px = height_px;
+  return box;
+}
+
+ObjectBox Scored(ObjectBox box, double score) {
+  box.score = score;
+  return box;
+}
+
+AveragePrecision Moderate(const std::vector<ApFrame>& frames, const ApProtocol& protocol = {}) {
+  return EvaluateAp(frames, protocol)[1];
+}
+
+// What a frame with a found car counts for, and one with a missed car.
+const ApFrame kFound = {{Box("Car", 0)}, {Scored(Box("Car", 0), 0.9)}};
+const ApFrame kMissed = {{Box("Car", 0)}, {}};
+
+// All cars found, at scores of their own; 41 or more of them fill every slot.
+TEST(AveragePrecision, AllFoundIsOne) {
+  std::vector<ApFrame> frames;
+  for (int i = 0; i < 50; ++i) {
+    frames.push_back({{Box("Car", 0)}, {Scored(Box("Car", 0), 1.0 - 0.01 * i)}});
+  }
+  for (const AveragePrecision& level : EvaluateAp(frames, {})) {
+    EXPECT_DOUBLE_EQ(level.ap11, 1.0);
+    EXPECT_DOUBLE_EQ(level.ap40, 1.0);
+    EXPECT_EQ(level.valid_labels, 50);
+  }
+}
+
+// The known floor of the 11 points: one detection of the right car is worth 1/11 and nothing at 40.
+TEST(AveragePrecision, OneOfManyFoundFillsTheFirstSlotAlone) {
+  std::vector<ApFrame> frames(100, kMissed);
+  frames[3] = kFound;
+  const AveragePrecision ap = Moderate(frames);
+  EXPECT_DOUBLE_EQ(ap.ap11, 1.0 / 11.0);
+  EXPECT_DOUBLE_EQ(ap.ap40, 0.0);
+}
+
+// Half of 80 cars, in order of score each second detection false: precision 1/2 up to recall 1/2.
+TEST(AveragePrecision, FalseDetectionsHalveThePrecision) {
+  std::vector<ApFrame> frames(80, kMissed);
+  for (int i = 0; i < 40; ++i) {
+    const double score = 1.0 - 0.01 * i;
+    frames[static_cast<std::size_t>(i)].detections = {Scored(Box("Car", 500), score),
+                                                      Scored(Box("Car", 0), score)};
+  }
+  const AveragePrecision ap = Moderate(frames);
+  EXPECT_DOUBLE_EQ(ap.precision[0], 0.5);
+  EXPECT_DOUBLE_EQ(ap.ap40, 0.25);
+}
+
+TEST(AveragePrecision, LabelsBeyondTheLevelAreIgnored) {
+  ObjectBox small = Box("Car", 0, 50.0, 30.0);
+  ObjectBox hidden = Box("Car", 100);
+  hidden.occlusion = 2;
+  ObjectBox cut = Box("Car", 200);
+  cut.truncation = 0.4;
+  const std::vector<ApFrame> frames = {{{small, hidden, cut, Box("Car", 300)}, {}}};
+  const auto levels = EvaluateAp(frames, {});
+  EXPECT_EQ(levels[0].valid_labels, 1);
+  EXPECT_EQ(levels[1].valid_labels, 2);
+  EXPECT_EQ(levels[2].valid_labels, 4);
+  ApProtocol truncated;
+  truncated.truncation = TruncationRule::kIgnored;
+  EXPECT_EQ(EvaluateAp(frames, truncated)[1].valid_labels, 3);
+}
+
+// Exactly the least height is valid; a detection's height is cut to whole pixels first.
+TEST(AveragePrecision, HeightLimits) {
+  EXPECT_EQ(Moderate({{{Box("Car", 0, 50, 25.0)}, {}}}).valid_labels, 1);
+  EXPECT_EQ(Moderate({{{Box("Car", 0, 50, 24.99)}, {}}}).valid_labels, 0);
+  const auto precision_beside = [](double height_px) {
+    ApFrame frame = kFound;
+    frame.detections.push_back(Scored(Box("Car", 500, 50, height_px), 0.95));
+    return Moderate({frame}).precision[0];
+  };
+  EXPECT_EQ(precision_beside(24.99), 1.0);
+  EXPECT_EQ(precision_beside(25.0), 0.5);
+}
+
+TEST(AveragePrecision, NeighboursAndOtherClasses) {
+  const auto precision_beside = [](const ObjectBox& label, const ObjectBox& detection) {
+    ApFrame frame = kFound;
+    frame.labels.push_back(label);
+    frame.detections.push_back(Scored(detection, 0.95));
+    return Moderate({frame}).precision[0];
+  };
+  EXPECT_EQ(precision_beside(Box("Van", 500), Box("Car", 500)), 1.0);
+  EXPECT_EQ(precision_beside(Box("Truck", 500), Box("Car", 500)), 0.5);
+  EXPECT_EQ(precision_beside(Box("Truck", 500), Box("Truck", 500)), 1.0);
+  ApProtocol walkers;
+  walkers.category = "Pedestrian";
+  const ApFrame sitting = {{Box("Pedestrian", 0), Box("Person", 500), Box("Person_sitting", 900)},
+                           {Scored(Box("Pedestrian", 0), 0.9), Scored(Box("Pedestrian", 500), 1.0),
+                            Scored(Box("Pedestrian", 900), 1.0)}};
+  EXPECT_EQ(Moderate({sitting}, walkers).precision[0], 1.0);
+}
+
+TEST(AveragePrecision, DontCareForgivesWhatLiesInside) {
+  ApFrame frame = kFound;
+  frame.labels.push_back(Box("DontCare", 480, 200));
+  frame.detections.push_back(Scored(Box("Car", 500), 0.95));
+  EXPECT_EQ(Moderate({frame}).precision[0], 1.0);
+  frame.detections.back() = Scored(Box("Car", 650), 0.95);  // 60 % inside
+  EXPECT_EQ(Moderate({frame}).precision[0], 0.5);
+}
+
+// In bird's view DontCare regions count by their box in the image, and only if asked for.
+TEST(AveragePrecision, DontCareInBirdsEyeView) {
+  const ObjectBox::Box3d near = {1.5, 1.6, 3.9, {0, 0, 10}, 0};
+  const ObjectBox::Box3d far = {1.5, 1.6, 3.9, {0, 0, 40}, 0};
+  ApFrame frame = kFound;
+  frame.labels[0].box3d = near;
+  frame.detections[0].box3d = near;
+  frame.labels.push_back(Box("DontCare", 480, 200));
+  frame.detections.push_back(Scored(Box("Car", 500), 0.95));
+  frame.detections.back().box3d = far;
+  ApProtocol protocol;
+  protocol.space = BoxSpace::kBirdsEye;
+  EXPECT_EQ(Moderate({frame}, protocol).precision[0], 0.5);
+  protocol.dont_care = DontCareRule::kAll;
+  EXPECT_EQ(Moderate({frame}, protocol).precision[0], 1.0);
+}
+
+// A true positive's score is that of the best-ranked box on the label; at a threshold the label
+// takes the box of largest overlap, and one that is ignored only where there is no other.
+TEST(AveragePrecision, WhichDetectionALabelTakes) {
+  ApFrame frame = {{Box("Car", 0)},
+                   {Scored(Box("Car", 5), 0.9), Scored(Box("Car", 0), 0.5),
+                    Scored(Box("Truck", 0, 50, 24.0), 1.0)}};
+  const AveragePrecision ap = Moderate({frame});
+  EXPECT_EQ(ap.precision[0], 1.0);  // at score 0.9: one car, and the truck is ignored
+  frame.labels[0] = Box("Car", 0, 50, 26.0);
+  frame.detections = {Scored(Box("Truck", 0, 50, 24.5), 1.0), Scored(Box("Car", 0, 50, 26.0), 0.5)};
+  // The small box ranks first, takes the label and leaves no score: no threshold, nothing found.
+  EXPECT_EQ(Moderate({frame}).precision[0], 0.0);
+}
+
+// Overlap must exceed the limit.
+TEST(AveragePrecision, OverlapAtTheLimitIsNone) {
+  ApProtocol protocol;
+  protocol.least_overlap = 0.5;
+  ApFrame frame = {{Box("Car", 0, 100)}, {Scored(Box("Car", 0, 50), 1.0)}};
+  EXPECT_EQ(Moderate({frame}, protocol).precision[0], 0.0);
+  protocol.least_overlap = 0.499;
+  EXPECT_EQ(Moderate({frame}, protocol).precision[0], 1.0);
+}
+
+TEST(AveragePrecision, NothingAtAll) {
+  EXPECT_EQ(Moderate({}).ap40, 0.0);
+  EXPECT_EQ(Moderate({{{}, {Scored(Box("Car", 0), 1.0)}}}).ap11, 0.0);
+}
+
+}  // namespace
+}  // namespace cvo

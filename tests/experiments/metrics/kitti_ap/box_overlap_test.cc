@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/metrics/kitti_ap/box_overlap.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace cvo {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+ObjectBox ImageBox(double left, double top, double right, double bottom) {
+  ObjectBox box;
+  box.left_px = left;
+  box.top_px = top;
+  box.right_px = right;
+  box.bottom_px = bottom;
+  return box;
+}
+
+ObjectBox Solid(double x, double y, double z, double heading, double length = 4.0,
+                double width = 2.0, double height = 1.5) {
+  ObjectBox box;
+  box.box3d = ObjectBox::Box3d{height, width, length, {x, y, z}, heading};
+  return box;
+}
+
+TEST(BoxOverlap, InTheImage) {
+  const ObjectBox a = ImageBox(0, 0, 10, 10);
+  const ObjectBox b = ImageBox(5, 0, 15, 10);
+  EXPECT_DOUBLE_EQ(IntersectionOverUnion(BoxSpace::kImage, a, b), 50.0 / 150.0);
+  EXPECT_DOUBLE_EQ(ShareInside(ImageBox(0, 0, 10, 10), ImageBox(5, 5, 100, 100)), 0.25);
+  EXPECT_EQ(IntersectionOverUnion(BoxSpace::kImage, a, ImageBox(10, 0, 20, 10)), 0.0);
+  EXPECT_EQ(ShareInside(ImageBox(3, 3, 3, 3), a), 0.0);
+}
+
+// At heading 0 the length lies along x.
+TEST(BoxOverlap, LengthIsAlongTheHeading) {
+  const ObjectBox a = Solid(0, 0, 10, 0.0);
+  EXPECT_NEAR(IntersectionOverUnion(BoxSpace::kBirdsEye, a, Solid(2, 0, 10, 0.0)), 1.0 / 3.0,
+              1e-12);
+  EXPECT_NEAR(IntersectionOverUnion(BoxSpace::kBirdsEye, a, Solid(0, 0, 11, 0.0)), 1.0 / 3.0,
+              1e-12);
+  EXPECT_EQ(IntersectionOverUnion(BoxSpace::kBirdsEye, a, Solid(0, 0, 12.5, 0.0)), 0.0);
+  EXPECT_NEAR(IntersectionOverUnion(BoxSpace::kBirdsEye, a, Solid(0, 0, 10, kPi / 2)), 4.0 / 12.0,
+              1e-12);
+  EXPECT_NEAR(IntersectionOverUnion(BoxSpace::kBirdsEye, a, Solid(0, 0, 10, kPi)), 1.0, 1e-12);
+}
+
+// A square in a square turned by 45 degrees: their intersection is a regular octagon.
+TEST(BoxOverlap, OfTurnedSquares) {
+  const double octagon = 2.0 * (std::sqrt(2.0) - 1.0);
+  const ObjectBox a = Solid(1, 0, 5, 0.3, 1.0, 1.0);
+  const ObjectBox b = Solid(1, 0, 5, 0.3 + kPi / 4, 1.0, 1.0);
+  EXPECT_NEAR(IntersectionOverUnion(BoxSpace::kBirdsEye, a, b), octagon / (2.0 - octagon), 1e-12);
+}
+
+// Boxes reach up from the centre of their bottom; y points down.
+TEST(BoxOverlap, HeightReachesUpFromTheBottom) {
+  const ObjectBox a = Solid(0, 0, 10, 0.7);
+  EXPECT_NEAR(IntersectionOverUnion(BoxSpace::kVolume, a, Solid(0, -0.75, 10, 0.7)), 1.0 / 3.0,
+              1e-12);
+  const ObjectBox taller = Solid(0, 0, 10, 0.7, 4.0, 2.0, 3.0);
+  EXPECT_NEAR(IntersectionOverUnion(BoxSpace::kVolume, a, taller), 0.5, 1e-12);
+  EXPECT_EQ(IntersectionOverUnion(BoxSpace::kVolume, a, Solid(0, -1.5, 10, 0.7)), 0.0);
+}
+
+TEST(BoxOverlap, WithoutA3dBoxIsNone) {
+  EXPECT_EQ(IntersectionOverUnion(BoxSpace::kBirdsEye, ImageBox(0, 0, 9, 9), Solid(0, 0, 5, 0)),
+            0.0);
+}
+
+// Against the share of random points that lie in both.
+TEST(BoxOverlap, AsSampled) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const auto inside = [](const ObjectBox& box, double x, double z) {
+    const double dx = x - box.box3d->bottom_in_camera.x();
+    const double dz = z - box.box3d->bottom_in_camera.z();
+    const double c = std::cos(box.box3d->heading_rad);
+    const double s = std::sin(box.box3d->heading_rad);
+    return std::abs(c * dx - s * dz) < 0.5 * box.box3d->length_m &&
+           std::abs(s * dx + c * dz) < 0.5 * box.box3d->width_m;
+  };
+  for (int trial = 0; trial < 20; ++trial) {
+    const ObjectBox a = Solid(uniform(random), 0, uniform(random), 4.0 * uniform(random));
+    const ObjectBox b = Solid(uniform(random), 0, uniform(random), 4.0 * uniform(random));
+    int both = 0;
+    int any = 0;
+    for (int i = 0; i < 40'000; ++i) {
+      const double x = 4.0 * uniform(random);
+      const double z = 4.0 * uniform(random);
+      const bool in_a = inside(a, x, z);
+      const bool in_b = inside(b, x, z);
+      both += in_a && in_b;
+      any += in_a || in_b;
+    }
+    const double overlap = IntersectionOverUnion(BoxSpace::kBirdsEye, a, b);
+    EXPECT_NEAR(overlap, static_cast<double>(both) / any, 0.02);
+    EXPECT_NEAR(overlap, IntersectionOverUnion(BoxSpace::kBirdsEye, b, a), 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace cvo
