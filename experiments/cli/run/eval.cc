@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/run/eval_ap.h"
+#include "experiments/cli/run/eval_boxes.h"
 #include "experiments/cli/run/eval_sequence.h"
 #include "experiments/cli/run/metric_table.h"
 #include "experiments/metrics/association.h"
@@ -27,7 +27,7 @@ struct EvalFlags {
   double max_time_difference_s = 1e-9 * static_cast<double>(kDefaultAssociation_ns);
   bool json = false;
   EvalSequence sequence;  // whose own truth is used; without a folder: two files
-  EvalAp ap;              // of boxes, if wanted
+  EvalBoxes boxes;        // if wanted
 };
 
 // Poses frame by frame of the truth.
@@ -106,22 +106,22 @@ int EvaluateFiles(const EvalFlags& flags) {
 
 // Two files, a sequence and its estimate, or boxes: each has flags of its own.
 void CheckUsage(const CLI::App& app, const EvalFlags& flags) {
-  const auto refuse = [&](const std::string& flag, const std::string& why) {
+  const auto refuse = [&](const std::string& flag, const char* why) {
     if (app.count(flag) > 0) throw CLI::ValidationError(flag, why);
   };
-  if (flags.ap.wanted) {
+  flags.boxes.CheckUsage(app);
+  if (flags.boxes.wanted()) {
     if (flags.sequence.flags.labels.empty()) {
-      throw CLI::ValidationError("--labels", "is required with --ap");
+      throw CLI::ValidationError("--labels", "is required with --ap and --tracking");
     }
-    for (const char* flag : {"--groundtruth", "--sequence", "--format", "--max-time-difference"}) {
-      refuse(flag, "does not apply with --ap");
-    }
-    for (const std::string& flag : EvalSequence::FlagNames()) {
-      if (flag != "--labels" && flag != "--frames") refuse(flag, "does not apply with --ap");
+    std::vector<std::string> others = EvalSequence::FlagNames();
+    others.insert(others.end(),
+                  {"--groundtruth", "--sequence", "--format", "--max-time-difference"});
+    for (const std::string& flag : others) {
+      if (flag != "--labels" && flag != "--frames") refuse(flag, "does not apply to boxes");
     }
     return;
   }
-  for (const std::string& flag : EvalAp::FlagNames()) refuse(flag, "needs --ap");
   if (app.count("--sequence") > 0) {
     refuse("--format",
            "applies to two files; with --sequence the format follows from the number of columns");
@@ -129,15 +129,16 @@ void CheckUsage(const CLI::App& app, const EvalFlags& flags) {
     return;
   }
   if (flags.groundtruth.empty()) {
-    throw CLI::ValidationError("--groundtruth", "is required, unless --sequence or --ap is given");
+    throw CLI::ValidationError("--groundtruth",
+                               "is required, unless --sequence, --ap or --tracking is given");
   }
   for (const std::string& flag : EvalSequence::FlagNames()) refuse(flag, "needs --sequence");
 }
 
 int Evaluate(const CLI::App& app, EvalFlags& flags) {
-  if (flags.ap.wanted) {
+  if (flags.boxes.wanted()) {
     const SequenceFlags& part = flags.sequence.flags;
-    return EvaluateApOfFiles(flags.ap, part.labels, flags.estimate, part.frames, flags.json);
+    return EvaluateBoxes(flags.boxes, {part.labels, flags.estimate, part.frames}, flags.json);
   }
   if (app.count("--sequence") == 0) return EvaluateFiles(flags);
   if (!flags.groundtruth.empty()) flags.sequence.flags.groundtruth = flags.groundtruth;
@@ -154,7 +155,8 @@ Command AddEvalCommand(CLI::App& program) {
                   "trajectory file with the ground truth; with --sequence on KITTI raw: devkit or "
                   "interpolated")
       ->type_name("FILE");
-  app->add_option("--estimate", flags->estimate, "trajectory file to score; with --ap: boxes")
+  app->add_option("--estimate", flags->estimate,
+                  "trajectory file to score; with --ap and --tracking: boxes")
       ->type_name("FILE")
       ->required();
   app->add_option("--format", flags->format,
@@ -168,7 +170,7 @@ Command AddEvalCommand(CLI::App& program) {
       ->capture_default_str();
   app->add_flag("--json", flags->json, "print JSON, with the contract of each metric");
   flags->sequence.AddTo(*app);
-  flags->ap.AddTo(*app);
+  flags->boxes.AddTo(*app);
   app->footer(
       "Poses are world_from_camera. For ATE, the estimate is aligned by SE(3) over "
       "positions.\nWith --sequence, camera and objects are scored in the same way as a run. "

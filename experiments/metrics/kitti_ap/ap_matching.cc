@@ -3,8 +3,9 @@
 #include "experiments/metrics/kitti_ap/ap_matching.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
+
+#include "experiments/metrics/kitti_ap/box_class.h"
 
 namespace cvo {
 namespace {
@@ -20,22 +21,6 @@ LevelLimits LimitsOf(ApLevel level) {
       {{40.0, 0, 0.15}, {25.0, 1, 0.30}, {25.0, 2, 0.50}}};
   return kLimits[static_cast<std::size_t>(level)];
 }
-
-bool SameText(const std::string& a, const std::string& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
-    return std::tolower(x) == std::tolower(y);
-  });
-}
-
-// Classes so close that a detection of either may lie on the other at no cost. Tracking labels call
-// sitting persons "Person".
-bool IsNeighbour(const std::string& type, const std::string& category) {
-  if (SameText(category, "car")) return SameText(type, "van");
-  return SameText(category, "pedestrian") &&
-         (SameText(type, "person_sitting") || SameText(type, "person"));
-}
-
-bool IsDontCare(const ObjectBox& label) { return SameText(label.type, "dontcare"); }
 
 bool Exceeds(const ObjectBox& label, const LevelLimits& limits, TruncationRule truncation) {
   return label.occlusion > limits.most_occlusion ||
@@ -54,7 +39,7 @@ MatchedFrame::MatchedFrame(const ApFrame& frame, const ApProtocol& protocol, ApL
   for (const ObjectBox& box : frame.detections) {
     // Small boxes of any class are ignored; the devkit cuts their height to whole pixels.
     const bool small = std::trunc(std::abs(box.bottom_px - box.top_px)) < limits.least_height_px;
-    if (!small && !SameText(box.type, protocol.category)) continue;
+    if (!small && !IsOfClass(box, protocol.category)) continue;
     const bool in_dont_care =
         spares &&
         std::any_of(frame.labels.begin(), frame.labels.end(), [&](const ObjectBox& label) {
@@ -64,8 +49,8 @@ MatchedFrame::MatchedFrame(const ApFrame& frame, const ApProtocol& protocol, ApL
     detections_.push_back({small, box.score.value_or(1.0), in_dont_care});
   }
   for (const ObjectBox& label : frame.labels) {
-    const bool neighbour = IsNeighbour(label.type, protocol.category);
-    if (!neighbour && !SameText(label.type, protocol.category)) continue;
+    const bool neighbour = IsNeighbour(label, protocol.category);
+    if (!neighbour && !IsOfClass(label, protocol.category)) continue;
     Label kept{neighbour || Exceeds(label, limits, protocol.truncation), {}};
     for (const ObjectBox* box : boxes) {
       kept.overlaps.push_back(IntersectionOverUnion(protocol.space, *box, label));

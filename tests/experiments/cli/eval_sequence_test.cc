@@ -104,6 +104,25 @@ TEST_F(EvalSequence, AveragePrecision) {
   ExpectError(run({"--frames", "4:"}), 1, "--frames");
   ExpectError(RunProgram({"eval", "--ap", "--estimate", rows}), 2, "--labels");
   ExpectError(Evaluate({poses(), "--iou", "0.5"}), 2, "--iou");
+  ExpectError(run({"--tracking"}), 2, "--tracking");
+}
+
+TEST_F(EvalSequence, TrackingScores) {
+  const std::string row = "0 1 Car 0 0 0 10 20 90 80 1.5 1.6 3.9 1 2 30 0.1";
+  const std::string labels = folder_.Write("labels.txt", row + "\n").string();
+  const std::string rows = folder_.Write("rows.txt", row + " 0.5\n").string();
+  const ProcessResult result =
+      RunProgram({"eval", "--tracking", "--labels", labels, "--estimate", rows, "--json"});
+  const Json json = ParseJson(result.out, "eval --tracking");
+  EXPECT_EQ(json["tracking"].size(), 2U);
+  EXPECT_EQ(json["tracking"][1]["overlap"], "3d");
+  EXPECT_EQ(json["tracking"][1]["clear"]["mota"], 1.0);
+  ExpectError(RunProgram({"eval", "--tracking", "--labels", folder_.path().string(), "--estimate",
+                          folder_.path().string()}),
+              1, "");
+  ExpectError(
+      RunProgram({"eval", "--tracking", "--labels", labels, "--estimate", rows, "--iou", "0.5"}), 2,
+      "--iou");
 }
 
 }  // namespace

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/cli/run/eval_boxes.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <iostream>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/files/number.h"
+#include "experiments/cli/command.h"
+#include "experiments/cli/run/text_table.h"
+#include "experiments/metrics/kitti_ap/ap_files.h"
+#include "experiments/metrics/tracking/kitti_rules.h"
+#include "experiments/metrics/tracking/tracking_scores.h"
+
+namespace cvo {
+namespace {
+
+// What `eval --ap --json` prints.
+struct ApOfSpace {
+  ApProtocol contract;
+  std::vector<AveragePrecision> levels;
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("contract", self.contract);
+    archive.Field("levels", self.levels);
+  }
+};
+
+// What `eval --tracking --json` prints; the overlap is the similarity.
+struct TrackingOfSpace {
+  BoxSpace overlap = BoxSpace::kImage;
+  HotaScores hota;
+  ClearScores clear;
+  IdentityScores identity;
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("overlap", self.overlap);
+    archive.Field("hota", self.hota);
+    archive.Field("clear", self.clear);
+    archive.Field("identity", self.identity);
+  }
+};
+
+// Boxes without any 3D box are of a detector in the image.
+std::vector<BoxSpace> SpacesOf(const std::vector<ApFrame>& frames) {
+  const bool has_3d = std::any_of(frames.begin(), frames.end(), [](const ApFrame& frame) {
+    return std::any_of(frame.detections.begin(), frame.detections.end(),
+                       [](const ObjectBox& box) { return box.box3d.has_value(); });
+  });
+  if (!has_3d) return {BoxSpace::kImage};
+  return {BoxSpace::kImage, BoxSpace::kBirdsEye, BoxSpace::kVolume};
+}
+
+std::vector<ApOfSpace> AveragePrecisions(const EvalBoxes& eval,
+                                         const std::vector<ApFrame>& frames) {
+  std::vector<ApOfSpace> all;
+  for (const BoxSpace space : SpacesOf(frames)) {
+    ApProtocol protocol;
+    protocol.category = eval.category;
+    protocol.space = space;
+    protocol.least_overlap = eval.least_overlap.value_or(eval.category == "Car" ? 0.7 : 0.5);
+    protocol.truncation = *EnumOf<TruncationRule>(eval.truncation);
+    protocol.dont_care = *EnumOf<DontCareRule>(eval.dont_care);
+    const auto levels = EvaluateAp(frames, protocol);
+    all.push_back({protocol, {levels.begin(), levels.end()}});
+  }
+  return all;
+}
+
+std::vector<TrackingOfSpace> TrackingScores(const EvalBoxes& eval,
+                                            const std::vector<ApFrame>& frames) {
+  std::vector<TrackingOfSpace> all;
+  for (const BoxSpace space : SpacesOf(frames)) {
+    if (space == BoxSpace::kBirdsEye) continue;
+    const TrackedSequence sequence = CountedBoxes(frames, eval.category, space);
+    all.push_back(
+        {space, EvaluateHota(sequence), EvaluateClear(sequence), EvaluateIdentities(sequence)});
+  }
+  return all;
+}
+
+std::string Percent(double fraction) { return FormatFixed(100.0 * fraction, 2); }
+
+void Print(const std::vector<ApOfSpace>& all, std::ostream& out) {
+  const ApProtocol& contract = all.front().contract;
+  out << contract.category << ", overlap over " << contract.least_overlap << ", truncation "
+      << NameOf(contract.truncation) << ", DontCare regions: "
+      << (contract.dont_care == DontCareRule::kAll ? "all boxes" : "2D alone") << "\n\n";
+  TextTable table({"AP, percent", "points", "easy", "moderate", "hard"});
+  for (const ApOfSpace& space : all) {
+    for (const bool at_40 : {false, true}) {
+      std::vector<std::string> row = {NameOf(space.contract.space), at_40 ? "40" : "11"};
+      for (const AveragePrecision& level : space.levels) {
+        row.push_back(Percent(at_40 ? level.ap40 : level.ap11));
+      }
+      table.Add(std::move(row));
+    }
+  }
+  std::vector<std::string> counts = {"labels", ""};
+  for (const AveragePrecision& level : all.front().levels) {
+    counts.push_back(std::to_string(level.valid_labels));
+  }
+  table.Add(std::move(counts));
+  table.Print(out);
+}
+
+void Print(const std::vector<TrackingOfSpace>& all, std::ostream& out) {
+  out << "similarity: intersection over union of boxes, at 0.5 but for HOTA, DetA, AssA and LocA; "
+         "what counts is decided by the boxes in the image\n\n";
+  TextTable table({"percent", "HOTA", "DetA", "AssA", "LocA", "MOTA", "MOTP", "IDF1", "switches",
+                   "fragments", "missed", "false"});
+  for (const TrackingOfSpace& space : all) {
+    table.Add({NameOf(space.overlap), Percent(space.hota.hota), Percent(space.hota.det_a),
+               Percent(space.hota.ass_a), Percent(space.hota.loc_a), Percent(space.clear.mota),
+               Percent(space.clear.motp), Percent(space.identity.idf1),
+               std::to_string(space.clear.switches), std::to_string(space.clear.fragments),
+               std::to_string(space.clear.missed), std::to_string(space.clear.false_boxes)});
+  }
+  table.Print(out);
+}
+
+std::size_t CountDetections(const std::vector<ApFrame>& frames) {
+  std::size_t count = 0;
+  for (const ApFrame& frame : frames) count += frame.detections.size();
+  return count;
+}
+
+template <typename Scores>
+void Print(const char* kind, const char* key, const std::vector<ApFrame>& frames,
+           const std::vector<Scores>& scores, bool json) {
+  if (json) {
+    std::cout << DumpJson({{"schema_version", 1},
+                           {"kind", kind},
+                           {"frames", frames.size()},
+                           {"detections", CountDetections(frames)},
+                           {key, ToJson(scores)}});
+    return;
+  }
+  std::cout << frames.size() << " frames, " << CountDetections(frames)
+            << " detections of all classes\n";
+  Print(scores, std::cout);
+}
+
+// Flags that apply to average precision alone.
+constexpr std::array<const char*, 3> kOfAp = {"--iou", "--truncation", "--dontcare"};
+
+}  // namespace
+
+void EvalBoxes::AddTo(CLI::App& app) {
+  app.add_flag("--ap", ap,
+               "score boxes by KITTI's average precision: --labels and --estimate are files of "
+               "KITTI tracking, or folders of KITTI object files");
+  app.add_flag(
+      "--tracking", tracking,
+      "score boxes over time by HOTA, CLEAR and IDF1, as TrackEval does on KITTI: --labels "
+      "and --estimate are files of KITTI tracking");
+  std::vector<CLI::Option*> options;
+  options.push_back(app.add_option("--class", category,
+                                   "class that is scored; Van and Person_sitting are neighbours")
+                        ->check(CLI::IsMember({"Car", "Pedestrian", "Cyclist"}))
+                        ->capture_default_str());
+  options.push_back(app.add_option("--iou", least_overlap,
+                                   "with --ap: intersection over union to exceed; default: the "
+                                   "benchmark's, 0.7 for Car, else 0.5")
+                        ->type_name("NUMBER")
+                        ->check(CLI::Range(0.0, 1.0).description(""))
+                        ->check(FiniteProblem));
+  options.push_back(
+      app.add_option("--truncation", truncation,
+                     "with --ap: applied (labels truncated beyond a level's limit are "
+                     "ignored there, in a tracking file each of 1 or 2) or ignored")
+          ->check(CLI::IsMember({"applied", "ignored"}))
+          ->capture_default_str());
+  options.push_back(app.add_option("--dontcare", dont_care,
+                                   "with --ap: whose false positives DontCare regions forgive: 2d, "
+                                   "as in KITTI's benchmark, or all, by the box in the image")
+                        ->check(CLI::IsMember({"2d", "all"}))
+                        ->capture_default_str());
+  for (CLI::Option* option : options) option->group("With --ap or --tracking");
+}
+
+void EvalBoxes::CheckUsage(const CLI::App& app) const {
+  if (!wanted() && app.count("--class") > 0) {
+    throw CLI::ValidationError("--class", "needs --ap or --tracking");
+  }
+  for (const char* flag : kOfAp) {
+    if (!ap && app.count(flag) > 0) throw CLI::ValidationError(flag, "needs --ap");
+  }
+  if (ap && tracking) throw CLI::ValidationError("--tracking", "does not apply with --ap");
+}
+
+int EvaluateBoxes(const EvalBoxes& eval, const BoxFiles& files, bool json) {
+  const FrameRange range = files.frames.empty() ? FrameRange() : ParseFrameRange(files.frames);
+  const std::vector<ApFrame> frames = ReadApFrames(files.labels, files.estimate, range);
+  if (eval.ap) {
+    Print("average precision", "average_precision", frames, AveragePrecisions(eval, frames), json);
+    return 0;
+  }
+  if (std::filesystem::is_directory(files.labels)) {
+    ThrowError(files.labels, "a folder", "a file of KITTI tracking: object files have no tracks");
+  }
+  Print("tracking scores", "tracking", frames, TrackingScores(eval, frames), json);
+  return 0;
+}
+
+}  // namespace cvo
