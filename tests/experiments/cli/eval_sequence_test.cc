@@ -93,11 +93,11 @@ TEST_F(EvalSequence, AveragePrecision) {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return RunProgram(arguments);
   };
-  EXPECT_THAT(run({}).out, HasSubstr("bv              11      100.00"));
+  EXPECT_THAT(run({}).out, HasSubstr("bv              11      9.09"));
   const Json json = ParseJson(run({"--iou", "0.25", "--json"}).out, "eval --ap");
   EXPECT_EQ(json["kind"], "average precision");
   EXPECT_EQ(json["average_precision"][1]["contract"]["least_overlap"], 0.25);
-  EXPECT_EQ(json["average_precision"][1]["levels"][0]["ap11"], 1.0);
+  EXPECT_EQ(json["average_precision"][1]["levels"][0]["ap11"], 1.0 / 11.0);
   ExpectError(run({"--iou", "1.5"}), 2, "--iou");
   ExpectError(run({"--class", "Tram"}), 2, "--class");
   ExpectError(run({"--sequence", tiny()}), 2, "--sequence");
