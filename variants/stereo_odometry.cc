@@ -39,6 +39,15 @@ Shown ShowBoxes(const std::vector<Detection>& boxes, const StereoCamera& camera)
   return shown;
 }
 
+std::vector<cv::Rect2d> RegionsOf(const std::vector<Detection>& detections) {
+  std::vector<cv::Rect2d> regions;
+  for (const Detection& detection : detections) {
+    const ImageBox& box = detection.box;
+    regions.emplace_back(box.left_px, box.top_px, box.Width(), box.Height());
+  }
+  return regions;
+}
+
 }  // namespace
 
 StereoOdometry::StereoOdometry(const StereoOdometrySetup& setup)
@@ -53,8 +62,8 @@ FrameReport StereoOdometry::Process(const cv::Mat& left, const cv::Mat& right,
   Shown shown = ShowBoxes(boxes, camera_);
   StereoFrame frame;
   frame.timestamp_ns = timestamp_ns;
-  frame.features =
-      ExtractStereoFeatures(left, right, camera_, options_.orb, options_.stereo, *pool_);
+  frame.features = ExtractStereoFeatures(left, right, camera_, options_.orb, options_.stereo,
+                                         *pool_, RegionsOf(shown.detections));
   frame.detections = std::move(shown.detections);
   StageTimes times;
   FrameReport report = odometry_->Process(frame, times);

@@ -39,7 +39,8 @@ OrbOptions RightOrb(const OrbOptions& orb, const StereoMatchOptions& stereo) {
 
 std::vector<StereoFeature> ExtractStereoFeatures(const cv::Mat& left, const cv::Mat& right,
                                                  const StereoCamera& camera, const OrbOptions& orb,
-                                                 const StereoMatchOptions& stereo, TaskPool& pool) {
+                                                 const StereoMatchOptions& stereo, TaskPool& pool,
+                                                 const std::vector<cv::Rect2d>& boxes) {
   CheckImage("left", left, camera);
   CheckImage("right", right, camera);
   orb.Check();
@@ -47,7 +48,8 @@ std::vector<StereoFeature> ExtractStereoFeatures(const cv::Mat& left, const cv::
   const OrbOptions right_orb = RightOrb(orb, stereo);
   std::array<OrbImage, 2> extracted;
   pool.ParallelFor(2, [&](int i) {
-    extracted[i] = i == 0 ? ExtractOrb(left, orb) : ExtractOrb(right, right_orb);
+    extracted[i] = i == 0 ? ExtractOrb(left, orb, LeftRegions(boxes, orb))
+                          : ExtractOrb(right, right_orb, RightRegions(boxes, orb, stereo, camera));
   });
   return MatchStereo(extracted[0], extracted[1], camera, orb, stereo);
 }

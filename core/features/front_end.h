@@ -18,9 +18,11 @@ OrbOptions RightOrb(const OrbOptions& orb, const StereoMatchOptions& stereo);
 
 // Corners of the left image with their columns in the right one, sorted by (v, u, octave). Images
 // are CV_8UC1 and of the camera's size: throws Error otherwise. Uses two threads of the pool; the
-// result does not depend on their number.
+// result does not depend on their number. `boxes`: where bodies may be in the left image
+// (OrbOptions::box_features).
 std::vector<StereoFeature> ExtractStereoFeatures(const cv::Mat& left, const cv::Mat& right,
                                                  const StereoCamera& camera, const OrbOptions& orb,
-                                                 const StereoMatchOptions& stereo, TaskPool& pool);
+                                                 const StereoMatchOptions& stereo, TaskPool& pool,
+                                                 const std::vector<cv::Rect2d>& boxes = {});
 
 }  // namespace cvo

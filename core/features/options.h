@@ -11,6 +11,7 @@ struct OrbOptions {
 
   int features = 2000;         // per image
   double reserve = 1.0;        // as many more, over features
+  int box_features = 100;      // of these, in each region where a body may be
   int levels = 8;              // of the pyramid
   double scale_factor = 1.2;   // between levels
   int cell_px = 30;            // side of a detection cell
@@ -30,6 +31,12 @@ struct OrbOptions {
                  "additional corners, relative to orb.features, that can become landmarks only "
                  "inside detections or clusters, since bodies are small",
                  "METHOD.md 2.1: chosen from 0 ... 2 on the rooms and streets"});
+    visit.Field(
+        "box_features", self.box_features,
+        {"1", 0, kMaxFeatures,
+         "corners wanted in each detection, taken from the reserve before the rest of it is "
+         "spread over the image: evenly spread, small bodies have too few",
+         "METHOD.md 2.1"});
     visit.Field("levels", self.levels,
                 {"1", 1, 16, "pyramid levels; fewer reduce scale invariance", "METHOD.md 2.1"});
     visit.Field("scale_factor", self.scale_factor,

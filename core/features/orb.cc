@@ -53,22 +53,63 @@ void ScoreLevel(const cv::Mat& image, cv::Mat& blurred, cv::Mat& scores) {
 }
 
 // Those that are not among the selected ones; both are in reading order.
-std::vector<Corner> Others(const std::vector<Corner>& corners,
-                           const std::vector<Corner>& selected) {
+std::vector<Corner> Without(const std::vector<Corner>& corners,
+                            const std::vector<Corner>& selected) {
   std::vector<Corner> others;
   std::set_difference(corners.begin(), corners.end(), selected.begin(), selected.end(),
                       std::back_inserter(others), InReadingOrder);
   return others;
 }
 
-// How many corners and how many of the reserve are still wanted, or were found.
-struct Counts {
+std::vector<Corner> Within(const cv::Rect2d& region, const LevelCoordinates& coordinates,
+                           const std::vector<Corner>& corners) {
+  std::vector<Corner> inside;
+  std::copy_if(corners.begin(), corners.end(), std::back_inserter(inside), [&](const Corner& c) {
+    return region.contains({coordinates.FullU(c.x), coordinates.FullV(c.y)});
+  });
+  return inside;
+}
+
+// How many corners are still wanted: first ones, of the reserve, and in each region.
+struct Wanted {
   int first = 0;
   int reserve = 0;
+  std::vector<CornerRegion> regions;
 };
 
-Counts ExtractLevel(const std::vector<cv::Mat>& pyramid, int level, const Counts& quota,
-                    const OrbOptions& options, Work& work, std::vector<OrbKeypoint>& keypoints) {
+// The level's part of the reserve: what the regions lack, then evenly.
+std::vector<Corner> SelectReserve(const std::vector<Corner>& corners,
+                                  const std::vector<Corner>& first,
+                                  const LevelCoordinates& coordinates, int level,
+                                  double scale_factor, Wanted& wanted) {
+  std::vector<Corner> rest = Without(corners, first);
+  std::vector<Corner> reserve;
+  int left = wanted.reserve;
+  const auto take = [&](const std::vector<Corner>& selected) {
+    std::vector<Corner> both;
+    std::set_union(reserve.begin(), reserve.end(), selected.begin(), selected.end(),
+                   std::back_inserter(both), InReadingOrder);
+    rest = Without(rest, selected);
+    reserve = std::move(both);
+    left -= static_cast<int>(selected.size());
+  };
+  const int evenly = LevelQuota(wanted.reserve, level, scale_factor);
+  for (CornerRegion& region : wanted.regions) {
+    const int found =
+        static_cast<int>(Within(region.box, coordinates, Without(corners, rest)).size());
+    const int quota = LevelQuota(region.corners, level, scale_factor);
+    const std::vector<Corner> selected =
+        SelectEvenly(Within(region.box, coordinates, rest), std::min(quota - found, left));
+    region.corners -= found + static_cast<int>(selected.size());
+    take(selected);
+  }
+  take(SelectEvenly(rest, evenly - static_cast<int>(reserve.size())));
+  wanted.reserve = left;
+  return reserve;
+}
+
+void ExtractLevel(const std::vector<cv::Mat>& pyramid, int level, const OrbOptions& options,
+                  Wanted& wanted, Work& work, std::vector<OrbKeypoint>& keypoints) {
   const cv::Mat& image = pyramid[level];
   cv::Mat& blurred = work.blurred[level];
   cv::Mat& scores = work.scores[level];
@@ -79,10 +120,13 @@ Counts ExtractLevel(const std::vector<cv::Mat>& pyramid, int level, const Counts
   search.threshold = options.fast_threshold;
   search.min_threshold = options.fast_threshold_min;
   const std::vector<Corner> corners = FindCorners(scores, search);
-  const std::vector<Corner> first = SelectEvenly(corners, quota.first);
-  const std::vector<Corner> reserve = SelectEvenly(Others(corners, first), quota.reserve);
-  Blur(image, blurred, kBlurSide_px, kBlurSigma_px);
   const LevelCoordinates coordinates(pyramid, level);
+  const std::vector<Corner> first =
+      SelectEvenly(corners, LevelQuota(wanted.first, level, options.scale_factor));
+  wanted.first -= static_cast<int>(first.size());
+  const std::vector<Corner> reserve =
+      SelectReserve(corners, first, coordinates, level, options.scale_factor, wanted);
+  Blur(image, blurred, kBlurSide_px, kBlurSigma_px);
   const auto add = [&](const Corner& corner, bool is_reserve) {
     const Eigen::Vector2d move = RefineCorner(scores, corner.x, corner.y);
     OrbKeypoint keypoint;
@@ -97,12 +141,12 @@ Counts ExtractLevel(const std::vector<cv::Mat>& pyramid, int level, const Counts
   };
   for (const Corner& corner : first) add(corner, false);
   for (const Corner& corner : reserve) add(corner, true);
-  return {static_cast<int>(first.size()), static_cast<int>(reserve.size())};
 }
 
 }  // namespace
 
-OrbImage ExtractOrb(const cv::Mat& image, const OrbOptions& options) {
+OrbImage ExtractOrb(const cv::Mat& image, const OrbOptions& options,
+                    std::span<const CornerRegion> regions) {
   Require(image.type() == CV_8UC1 && !image.empty(), "ExtractOrb: needs a CV_8UC1 image");
   options.Check();
   OrbImage result;
@@ -110,14 +154,11 @@ OrbImage ExtractOrb(const cv::Mat& image, const OrbOptions& options) {
   Work work{AllocateLike(result.pyramid), AllocateLike(result.pyramid),
             BriefDescriber(result.pyramid[0].step)};
   // Coarse to fine: what a level cannot fill is left for the finer ones, which have more to offer.
-  Counts left{options.features, cvRound(options.features * options.reserve)};
+  Wanted wanted{options.features,
+                cvRound(options.features * options.reserve),
+                {regions.begin(), regions.end()}};
   for (int level = static_cast<int>(result.pyramid.size()) - 1; level >= 0; --level) {
-    const Counts quota{LevelQuota(left.first, level, options.scale_factor),
-                       LevelQuota(left.reserve, level, options.scale_factor)};
-    const Counts found =
-        ExtractLevel(result.pyramid, level, quota, options, work, result.keypoints);
-    left.first -= found.first;
-    left.reserve -= found.reserve;
+    ExtractLevel(result.pyramid, level, options, wanted, work, result.keypoints);
   }
   const auto key = [](const OrbKeypoint& k) { return std::tie(k.v_px, k.u_px, k.octave); };
   std::sort(result.keypoints.begin(), result.keypoints.end(),

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <opencv2/core/mat.hpp>
+#include <span>
 #include <vector>
 
+#include "core/features/corner_region.h"
 #include "core/features/options.h"
 #include "core/features/stereo_feature.h"
 
@@ -27,8 +29,9 @@ struct OrbImage {
   std::vector<cv::Mat> pyramid;  // CV_8UC1, level 0 first
 };
 
-// ORB corners spread over the image (METHOD.md 2.1). `image` is CV_8UC1. Pure: the same image
-// gives the same corners on any thread.
-OrbImage ExtractOrb(const cv::Mat& image, const OrbOptions& options);
+// ORB corners spread over the image (METHOD.md 2.1), the reserve in `regions` first. `image` is
+// CV_8UC1. Pure: the same image and regions give the same corners on any thread.
+OrbImage ExtractOrb(const cv::Mat& image, const OrbOptions& options,
+                    std::span<const CornerRegion> regions = {});
 
 }  // namespace cvo

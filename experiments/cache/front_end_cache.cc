@@ -24,6 +24,13 @@ std::string FrontEndKey(const FrontEndSettings& settings, const std::vector<Imag
     if (pair.left.empty() || pair.right.empty()) return "";
     image_files.push_back(Json::array({pair.left, pair.right}));
   }
+  Json boxes = Json::array();
+  for (const std::vector<cv::Rect2d>& of_frame : settings.boxes) {
+    boxes.push_back(Json::array());
+    for (const cv::Rect2d& box : of_frame) {
+      boxes.back().push_back(Json::array({box.x, box.y, box.width, box.height}));
+    }
+  }
   OrbOptions orb = settings.orb;
   StereoMatchOptions stereo = settings.stereo;
   return Sha256Hex(DumpJson({{"format", kFeatureFileVersion},
@@ -31,6 +38,7 @@ std::string FrontEndKey(const FrontEndSettings& settings, const std::vector<Imag
                              {"camera", CameraNumbers(settings.camera)},
                              {"orb", OptionsToJson(OptionLeaves(orb))},
                              {"stereo", OptionsToJson(OptionLeaves(stereo))},
+                             {"boxes", boxes},
                              {"images", image_files}}));
 }
 

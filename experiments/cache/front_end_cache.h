@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <opencv2/core/types.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ struct FrontEndSettings {
   StereoCamera camera;
   OrbOptions orb;
   StereoMatchOptions stereo;
+  std::vector<std::vector<cv::Rect2d>> boxes = {};  // where bodies may be, by frame
 };
 
 // The name of a sequence's front-end output; empty where an image could not be read, since what

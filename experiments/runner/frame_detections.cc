@@ -116,4 +116,16 @@ std::vector<std::vector<ObjectBox>> DetectionsByFrame(const Sequence& sequence) 
   return frames;
 }
 
+std::vector<std::vector<cv::Rect2d>> BoxesByFrame(const Sequence& sequence) {
+  std::vector<std::vector<cv::Rect2d>> frames;
+  for (const std::vector<ObjectBox>& drawn : DetectionsByFrame(sequence)) {
+    std::vector<cv::Rect2d>& boxes = frames.emplace_back();
+    for (const ObjectBox& box : drawn) {
+      boxes.emplace_back(box.left_px, box.top_px, box.right_px - box.left_px,
+                         box.bottom_px - box.top_px);
+    }
+  }
+  return frames;
+}
+
 }  // namespace cvo

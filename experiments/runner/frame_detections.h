@@ -4,6 +4,7 @@
 
 #include <array>
 #include <map>
+#include <opencv2/core/types.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,5 +46,8 @@ double DepthInBox(const ObjectBox& box, const BoxCamera& camera,
 
 // Boxes frame by frame of the sequence, in file order.
 std::vector<std::vector<ObjectBox>> DetectionsByFrame(const Sequence& sequence);
+
+// The same as drawn, whatever they show: where the front end looks for corners of bodies.
+std::vector<std::vector<cv::Rect2d>> BoxesByFrame(const Sequence& sequence);
 
 }  // namespace cvo

@@ -9,13 +9,15 @@
 
 #include "core/base/error.h"
 #include "experiments/record/build_identity.h"
+#include "experiments/runner/frame_detections.h"
 #include "experiments/runner/look_ahead.h"
 
 namespace cvo {
 namespace {
 
 FrontEndSettings Settings(const FrameInput& input) {
-  return {ThisBuild().Hash(), input.sequence.camera, input.options.orb, input.options.stereo};
+  return {ThisBuild().Hash(), input.sequence.camera, input.options.orb, input.options.stereo,
+          BoxesByFrame(input.sequence)};
 }
 
 // Extracts, and keeps what it gives for later runs under the hashes of the bytes it read.

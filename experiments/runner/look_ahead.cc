@@ -10,6 +10,7 @@
 #include "core/features/orb.h"
 #include "core/features/stereo_matcher.h"
 #include "experiments/datasets/load_image.h"
+#include "experiments/runner/frame_detections.h"
 
 namespace cvo {
 namespace {
@@ -29,7 +30,7 @@ std::string WithoutPath(const std::string& problem, const std::filesystem::path&
 }
 
 Side PrepareSide(const std::filesystem::path& path, const StereoCamera& camera,
-                 const OrbOptions& options) {
+                 const OrbOptions& options, const std::vector<CornerRegion>& regions) {
   Side side;
   LoadedImage image;
   {
@@ -45,7 +46,7 @@ Side PrepareSide(const std::filesystem::path& path, const StereoCamera& camera,
     return side;
   }
   const ScopedStage stage(side.times_s, "extract");
-  side.orb = ExtractOrb(image.grey, options);
+  side.orb = ExtractOrb(image.grey, options, regions);
   return side;
 }
 
@@ -76,22 +77,30 @@ struct LookAhead::Slot {
 
 LookAhead::LookAhead(const Sequence& sequence, const Options& options, TaskPool& pool,
                      std::size_t first_frame)
-    : sequence_(sequence), options_(options), pool_(pool), submitted_(first_frame) {
+    : sequence_(sequence),
+      options_(options),
+      pool_(pool),
+      boxes_(BoxesByFrame(sequence)),
+      submitted_(first_frame) {
   for (std::size_t i = 0; i < kFrames; ++i) SubmitNext();
 }
 
 void LookAhead::SubmitNext() {
   if (submitted_ == sequence_.images.size()) return;
+  const std::vector<cv::Rect2d>& boxes = boxes_[submitted_];
   const StereoPaths& paths = sequence_.images[submitted_++];
   Submitted next;
   next.slot = std::make_shared<Slot>();
   for (std::size_t side = 0; side < 2; ++side) {
     // The slot is kept alive by its tasks: they may still run when an error has ended the run.
     next.tickets[side] =
-        pool_.Submit([slot = next.slot, side, &sequence = sequence_, &options = options_,
+        pool_.Submit([slot = next.slot, side, &sequence = sequence_, &options = options_, boxes,
                       &path = side == 0 ? paths.left : paths.right] {
           const OrbOptions orb = side == 0 ? options.orb : RightOrb(options.orb, options.stereo);
-          slot->sides[side] = PrepareSide(path, sequence.camera, orb);
+          const std::vector<CornerRegion> regions =
+              side == 0 ? LeftRegions(boxes, orb)
+                        : RightRegions(boxes, options.orb, options.stereo, sequence.camera);
+          slot->sides[side] = PrepareSide(path, sequence.camera, orb, regions);
           // Whichever image is ready last matches the pair; an error leaves the count above zero.
           if (slot->unfinished.fetch_sub(1) == 1) slot->Match(sequence, options);
         });

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <deque>
 #include <memory>
+#include <opencv2/core/types.hpp>
+#include <vector>
 
 #include "core/base/stage_times.h"
 #include "core/base/task_pool.h"
@@ -53,6 +55,7 @@ class LookAhead final : public FrameSource {
   const Sequence& sequence_;
   const Options& options_;
   TaskPool& pool_;
+  const std::vector<std::vector<cv::Rect2d>> boxes_;  // of the sequence's detections, by frame
   std::size_t submitted_ = 0;
   std::deque<Submitted> ahead_;
 };

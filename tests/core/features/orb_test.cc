@@ -86,6 +86,60 @@ TEST(ExtractOrb, AReserveComesOnTopAndLeavesTheOthersAsTheyAre) {
                              [&](const auto& a, const auto& b) { return key(a) < key(b); }));
 }
 
+// Corners of the image within the box, and all of its reserve.
+struct RegionCount {
+  int inside = 0;
+  int reserve = 0;
+};
+RegionCount CountIn(const cv::Rect2d& box, const OrbImage& image) {
+  RegionCount count;
+  for (const OrbKeypoint& keypoint : image.keypoints) {
+    count.inside += box.contains({keypoint.u_px, keypoint.v_px}) ? 1 : 0;
+    count.reserve += keypoint.is_reserve ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(ExtractOrb, TheReserveGoesToRegionsFirst) {
+  OrbOptions options;
+  options.features = 200;
+  options.reserve = 0.5;
+  const cv::Mat image = Textured(320, 240);
+  const cv::Rect2d box(140.0, 100.0, 30.0, 30.0);
+  const RegionCount evenly = CountIn(box, ExtractOrb(image, options));
+  const CornerRegion region{box, 30};
+  const RegionCount favoured = CountIn(box, ExtractOrb(image, options, {&region, 1}));
+  EXPECT_LT(evenly.inside, 10);
+  EXPECT_GE(favoured.inside, 25);
+  EXPECT_LE(favoured.inside, 32);  // refinement moves corners across the edge
+  EXPECT_EQ(favoured.reserve, evenly.reserve);
+}
+
+TEST(ExtractOrb, RegionsShareWhatTheReserveHas) {
+  OrbOptions options;
+  options.features = 200;
+  options.reserve = 0.1;
+  const std::vector<CornerRegion> regions{{{20.0, 20.0, 120.0, 200.0}, 500},
+                                          {{160.0, 20.0, 120.0, 200.0}, 500}};
+  EXPECT_EQ(CountIn({}, ExtractOrb(Textured(320, 240), options, regions)).reserve, 20);
+}
+
+TEST(RightRegions, ReachToTheLargestDisparityAtTheSameDensity) {
+  const StereoCamera camera{450.0, 450.0, 319.5, 239.5, 0.12, 640, 480};
+  OrbOptions orb;
+  orb.box_features = 40;
+  StereoMatchOptions stereo;
+  stereo.right_features = 1.5;
+  stereo.min_depth_baselines = 3.0;  // 150 px
+  const auto regions =
+      RightRegions({{300.0, 100.0, 50.0, 40.0}, {30.0, 0.0, 60.0, 20.0}}, orb, stereo, camera);
+  ASSERT_EQ(regions.size(), 2u);
+  EXPECT_EQ(regions[0].box, cv::Rect2d(150.0, 100.0, 200.0, 40.0));
+  EXPECT_EQ(regions[0].corners, 240);
+  EXPECT_EQ(regions[1].box, cv::Rect2d(0.0, 0.0, 90.0, 20.0));
+  EXPECT_EQ(regions[1].corners, 90);
+}
+
 TEST(ExtractOrb, CoversWeakRegions) {
   cv::Mat image = Textured(480, 240);
   cv::Mat weak = image.colRange(160, 480);

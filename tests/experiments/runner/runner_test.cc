@@ -279,6 +279,32 @@ TEST_F(Runner, ExtractsWhatTheFrontEndDoes) {
   EXPECT_NE(LookAhead(sequence_, options, pool).Next().frame.features.size(), expected.size());
 }
 
+TEST_F(Runner, LooksForCornersWhereBodiesAreDetected) {
+  Options options;
+  options.orb.features = 60;
+  options.orb.box_features = 50;
+  ObjectBox box;
+  box.frame = sequence_.first_frame;
+  box.left_px = 60.0;
+  box.top_px = 40.0;
+  box.right_px = 100.0;
+  box.bottom_px = 80.0;
+  sequence_.detections = {box};
+  TaskPool pool(1);
+  const std::vector<StereoFeature> features =
+      LookAhead(sequence_, options, pool).Next().frame.features;
+  const cv::Mat left = LoadGrey(sequence_.images[0].left).grey;
+  const cv::Mat right = LoadGrey(sequence_.images[0].right).grey;
+  const auto extract = [&](const std::vector<cv::Rect2d>& boxes) {
+    return ExtractStereoFeatures(left, right, sequence_.camera, options.orb, options.stereo, pool,
+                                 boxes);
+  };
+  const std::vector<StereoFeature> expected = extract({{60.0, 40.0, 40.0, 40.0}});
+  ASSERT_THAT(features, SizeIs(expected.size()));
+  for (std::size_t i = 0; i < features.size(); ++i) EXPECT_EQ(features[i].z_px, expected[i].z_px);
+  EXPECT_NE(extract({}).size(), expected.size());
+}
+
 TEST_F(Runner, ScoresBothTrajectories) {
   const RunResult run = RunSequence(Request()).value();
   const RunScores scores = ScoreRun(sequence_, run);
