@@ -15,6 +15,7 @@ struct Command {
 };
 
 Command AddRunCommand(CLI::App& program);
+Command AddDetectCommand(CLI::App& program);
 Command AddEvalCommand(CLI::App& program);
 Command AddSynthCommand(CLI::App& program);
 Command AddExperimentCommand(CLI::App& program);

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/yolo/detector_model.h"
+
+#include <algorithm>
+#include <map>
+#include <opencv2/dnn.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/error.h"
+#include "core/files/number.h"
+#include "core/files/text_file.h"
+#include "experiments/yolo/letterbox.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> ReadNames(const fs::path& path) {
+  const TextFile file(path);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < file.size(); ++i) names.push_back(KittiClass(file.line(i)));
+  if (names.empty()) ThrowError(path.string(), "no line", "the name of a class per line");
+  return names;
+}
+
+// "width=960" of the section [net].
+int NetSize(const fs::path& cfg, const std::string& key) {
+  const TextFile file(cfg);
+  for (std::size_t i = 0; i < file.size(); ++i) {
+    std::string line = file.line(i);
+    std::erase_if(line, [](char c) { return c == ' ' || c == '\t'; });
+    if (!line.starts_with(key + "=")) continue;
+    const std::optional<std::int64_t> value = ParseInteger(line.substr(key.size() + 1));
+    if (value && *value > 0 && *value <= 16'384) return static_cast<int>(*value);
+    ThrowError(file.Where(i), Quoted(line), key + " of 1 to 16384 px");
+  }
+  ThrowError(cfg.string(), "no " + key, key + "=<pixels> in section [net]");
+}
+
+// OpenCV's errors hold its own source paths and lines.
+template <typename Call>
+auto OrError(const fs::path& file, const char* expected, const Call& call) {
+  try {
+    return call();
+  } catch (const cv::Exception& exception) {
+    ThrowError(file.string(), Quoted(exception.err), expected);
+  }
+}
+
+cv::dnn::Net ReadNetwork(const DetectorFiles& files) {
+  if (files.model.extension() == ".onnx") {
+    const std::string bytes = ReadFileBytes(files.model);
+    return OrError(files.model, "an ONNX network that OpenCV reads",
+                   [&] { return cv::dnn::readNetFromONNX(bytes.data(), bytes.size()); });
+  }
+  if (files.model.extension() != ".cfg") {
+    ThrowError(files.model.string(), Quoted(files.model.extension().string()),
+               "a model .cfg (Darknet) or .onnx");
+  }
+  const fs::path weights_file =
+      files.weights.empty() ? fs::path(files.model).replace_extension(".weights") : files.weights;
+  const std::string cfg = ReadFileBytes(files.model);
+  const std::string weights = ReadFileBytes(weights_file);
+  return OrError(weights_file, "the weights of this Darknet network", [&] {
+    return cv::dnn::readNetFromDarknet(cfg.data(), cfg.size(), weights.data(), weights.size());
+  });
+}
+
+}  // namespace
+
+std::string KittiClass(const std::string& name) {
+  static const std::map<std::string, std::string> kClasses = {
+      {"car", "Car"},           {"truck", "Truck"},        {"bus", "Bus"},
+      {"train", "Tram"},        {"person", "Pedestrian"},  {"bicycle", "Cyclist"},
+      {"motorbike", "Cyclist"}, {"motorcycle", "Cyclist"}, {"chair", "Chair"},
+      {"sports ball", "Ball"}};
+  const auto found = kClasses.find(name);
+  return found == kClasses.end() ? name : found->second;
+}
+
+struct DetectorModel::Network {
+  DetectorFiles files;
+  cv::Size size;
+  std::vector<std::string> names;
+  cv::dnn::Net net;
+  std::vector<std::string> outputs;
+  OutputLayout layout = OutputLayout::kDarknet;
+
+  bool IsDarknet() const { return files.model.extension() == ".cfg"; }
+  // YOLOX was trained on grey levels of 0 to 255, blue first.
+  bool IsYolox() const { return layout == OutputLayout::kYolox; }
+
+  std::vector<cv::Mat> Forward(const cv::Mat& input) {
+    net.setInput(cv::dnn::blobFromImage(input, IsYolox() ? 1.0 : 1.0 / 255.0, cv::Size(),
+                                        cv::Scalar(), !IsYolox()));
+    std::vector<cv::Mat> results;
+    OrError(files.model, "a network that runs on such an input", [&] {
+      net.forward(results, outputs);
+      return 0;
+    });
+    return results;
+  }
+
+  // One run on an empty image tells what the outputs are.
+  void FindLayout() {
+    const std::vector<cv::Mat> results = Forward(cv::Mat(size, CV_8UC3, cv::Scalar::all(0)));
+    for (const cv::Mat& result : results) {
+      const std::vector<int> sizes(result.size.p, result.size.p + result.dims);
+      const std::optional<OutputLayout> found = LayoutOf(sizes, size);
+      if (!found || result.type() != CV_32F || (*found == OutputLayout::kDarknet) != IsDarknet()) {
+        std::string text;
+        for (const int count : sizes) text += StrCat(text.empty() ? "" : " x ", count);
+        ThrowError(files.model.string(), "an output of " + text,
+                   StrCat("boxes of YOLO for an input of ", size.width, "x", size.height));
+      }
+      layout = *found;
+      DecodeOutput(result, layout, size, static_cast<int>(names.size()), 2.0);
+    }
+  }
+};
+
+DetectorModel::DetectorModel(const DetectorFiles& files) : network_(new Network) {
+  Network& network = *network_;
+  network.files = files;
+  network.names = ReadNames(files.names);
+  network.net = ReadNetwork(files);
+  network.net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
+  network.net.setPreferableTarget(cv::dnn::DNN_TARGET_CPU);
+  network.outputs = network.net.getUnconnectedOutLayersNames();
+  network.size = files.input;
+  if (network.size.empty()) {
+    constexpr int kOnnxSize_px = 640;
+    network.size = network.IsDarknet()
+                       ? cv::Size(NetSize(files.model, "width"), NetSize(files.model, "height"))
+                       : cv::Size(kOnnxSize_px, kOnnxSize_px);
+  }
+  network.FindLayout();
+}
+
+DetectorModel::~DetectorModel() = default;
+
+std::vector<Detection> DetectorModel::Detect(const cv::Mat& image, const DetectorOptions& options) {
+  Network& network = *network_;
+  cv::Mat colour = image;
+  if (image.channels() == 1) cv::cvtColor(image, colour, cv::COLOR_GRAY2BGR);
+  cv::Mat input;
+  const Letterbox letterbox = FillInput(
+      colour, network.size, network.IsYolox() ? Placement::kTopLeft : Placement::kCentered, input);
+  std::vector<RawBox> boxes;
+  for (const cv::Mat& output : network.Forward(input)) {
+    const std::vector<RawBox> more =
+        DecodeOutput(output, network.layout, network.size, static_cast<int>(network.names.size()),
+                     options.min_score);
+    boxes.insert(boxes.end(), more.begin(), more.end());
+  }
+  std::vector<Detection> detections;
+  for (const RawBox& raw : SuppressOverlaps(std::move(boxes), options.max_overlap)) {
+    const ImageBox box = letterbox.ToImage(raw.box);
+    const ImageBox inside = {std::max(0.0, box.left_px), std::max(0.0, box.top_px),
+                             std::min(image.cols - 1.0, box.right_px),
+                             std::min(image.rows - 1.0, box.bottom_px)};
+    if (!(inside.Width() > 0.0) || !(inside.Height() > 0.0)) continue;
+    Detection detection;
+    detection.box = inside;
+    detection.category = network.names.at(static_cast<std::size_t>(raw.category));
+    detection.score = raw.score;
+    detections.push_back(std::move(detection));
+  }
+  return detections;
+}
+
+OutputLayout DetectorModel::layout() const { return network_->layout; }
+cv::Size DetectorModel::input() const { return network_->size; }
+
+}  // namespace cvo
