@@ -90,10 +90,11 @@ int Main(int argc, char** argv) {
       "Exit codes: 0 done, 1 bad input or a failure, 2 wrong usage, 3 internal error, 130 "
       "stopped.");
   const std::vector<Command> commands = {
-      AddRunCommand(program),     AddDetectCommand(program),     AddEvalCommand(program),
-      AddInfoCommand(program),    AddVariantsCommand(program),   AddOptionsCommand(program),
-      AddSynthCommand(program),   AddExperimentCommand(program), AddCheckCommand(program),
-      AddOverlayCommand(program), AddReportCommand(program),     AddFiguresCommand(program)};
+      AddRunCommand(program),     AddDetectCommand(program),  AddEvalCommand(program),
+      AddImportCommand(program),  AddInfoCommand(program),    AddVariantsCommand(program),
+      AddOptionsCommand(program), AddSynthCommand(program),   AddExperimentCommand(program),
+      AddCheckCommand(program),   AddOverlayCommand(program), AddReportCommand(program),
+      AddFiguresCommand(program)};
   try {
     CheckSubcommand(argc, argv, program);
     program.parse(argc, argv);

@@ -3,7 +3,11 @@
 #include "experiments/cli/run/sequence_flags.h"
 
 #include "experiments/cli/command.h"
+#include "experiments/cli/output_file.h"
+#include "experiments/cli/progress.h"
 #include "experiments/datasets/frame_range.h"
+#include "experiments/import/import_cache.h"
+#include "synth/write/render_cache.h"
 
 namespace cvo {
 
@@ -29,9 +33,8 @@ void SequenceFlags::AddTo(CLI::App& app) {
   app.add_option(
          "SEQUENCE", folder,
          "folder of a KITTI raw drive (synced and rectified), of a KITTI odometry sequence, "
-         "or <training>/<number> of KITTI tracking")
-      ->type_name("")
-      ->required();
+         "or <training>/<number> of KITTI tracking; or --left, --right and --calib")
+      ->type_name("");
   const auto add = [&app](const char* flag, auto& value, const char* kind, const char* meaning) {
     return app.add_option(flag, value, meaning)->type_name(kind);
   };
@@ -46,6 +49,7 @@ void SequenceFlags::AddTo(CLI::App& app) {
   add("--detections-camera", detections_camera, "X",
       "camera (image_0X) in which the boxes were detected; default: the left camera in use");
   AddRightShift(app, right_shift_px);
+  AddStereo(app, stereo);
   add("--min-score", min_score, "SCORE", "minimum score of a detection; default: none")
       ->check(FiniteProblem);
 }
@@ -58,9 +62,46 @@ void AddRightShift(CLI::App& app, std::optional<double>& right_shift_px) {
       ->check(FiniteProblem);
 }
 
+void CheckStereo(const StereoImport& stereo) {
+  if (stereo.left.empty()) throw UsageError("--left is missing");
+  if (stereo.right.empty()) throw UsageError("--right is missing");
+  if (stereo.calibration.empty()) throw UsageError("--calib is missing");
+}
+
+void AddStereo(CLI::App& app, StereoImport& stereo) {
+  const auto add = [&app](const char* flag, auto& value, const char* kind, const char* meaning) {
+    return app.add_option(flag, value, meaning)->type_name(kind)->group("Your own stereo images");
+  };
+  add("--left", stereo.left, "FOLDER|VIDEO", "images of the left camera");
+  add("--right", stereo.right, "FOLDER|VIDEO", "images of the right camera, as many");
+  add("--calib", stereo.calibration, "FILE",
+      "calibration: YAML or JSON, OpenCV's, Kalibr's or KITTI's (experiments/README.md); images "
+      "that are not rectified will be");
+  add("--times", stereo.times, "FILE",
+      "times of the images, one per line, in seconds or whole nanoseconds; default: the images' "
+      "names, where they are nanoseconds, else --rate");
+  add("--rate", stereo.rate_hz, "HZ", "images per second, where nothing else gives times")
+      ->check(CLI::Range(1e-3, 1e6).description(""))
+      ->check(FiniteProblem)
+      ->capture_default_str();
+}
+
 SequenceRequest SequenceFlags::Request() const {
   SequenceRequest request;
   request.folder = folder;
+  if (stereo.left.empty() && stereo.right.empty()) {
+    if (folder.empty())
+      throw UsageError("no sequence: give a folder, or --left, --right and --calib");
+  } else {
+    if (!folder.empty()) throw UsageError("two sequences: " + folder + " and --left");
+    CheckStereo(stereo);
+    std::optional<Progress> progress;
+    request.folder =
+        ImportIntoCache(stereo, synth::CacheFolder(), [&](std::size_t done, std::size_t total) {
+          if (!progress) progress.emplace(total, false);
+          progress->Report(done);
+        });
+  }
   request.type = type;
   request.dataset = dataset;
   request.pair = pair;

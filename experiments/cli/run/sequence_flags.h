@@ -7,6 +7,7 @@
 #include <string>
 
 #include "experiments/datasets/sequence.h"
+#include "experiments/import/import_stereo.h"
 
 namespace cvo {
 
@@ -24,14 +25,21 @@ struct SequenceFlags {
   int detections_camera = -1;
   double min_score = -1e300;
   std::optional<double> right_shift_px;
+  StereoImport stereo;  // in place of the folder, where --left is given
 
   void AddTo(CLI::App& app);
   // Those alone that say which part is read and what is true of it; the folder and --groundtruth
   // are left to the caller.
   void AddTruthTo(CLI::App& app);
-  // Throws Error for a range of frames that is none.
+  // Images of --left and --right become a sequence in the cache first, with progress on stderr.
+  // Throws Error for a range of frames that is none, UsageError where there is no sequence or two.
   SequenceRequest Request() const;
 };
+
+// --left, --right, --calib, --times and --rate.
+void AddStereo(CLI::App& app, StereoImport& stereo);
+// Throws UsageError where one of the first three is missing.
+void CheckStereo(const StereoImport& stereo);
 
 void AddRightShift(CLI::App& app, std::optional<double>& right_shift_px);
 

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/import/import_stereo.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <opencv2/imgcodecs.hpp>
+
+#include "core/base/error.h"
+#include "core/files/json.h"
+#include "core/files/number.h"
+#include "core/files/sha256.h"
+#include "core/files/temporary.h"
+#include "core/files/text_file.h"
+#include "experiments/import/rectification.h"
+#include "experiments/import/rig_file.h"
+#include "experiments/import/stereo_source.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder under a temporary name, which goes away unless it is kept.
+class NewFolder {
+ public:
+  explicit NewFolder(const fs::path& target)
+      : target_(target), temporary_(TemporaryName(target, "import")) {
+    if (fs::exists(target)) ThrowError(target.string(), "a folder or file", "a new folder");
+    if (target.has_parent_path()) fs::create_directories(target.parent_path());
+    fs::create_directories(temporary_ / "image_0");
+    fs::create_directories(temporary_ / "image_1");
+  }
+  ~NewFolder() {
+    std::error_code ignored;
+    fs::remove_all(temporary_, ignored);
+  }
+  NewFolder(const NewFolder&) = delete;
+  NewFolder& operator=(const NewFolder&) = delete;
+
+  const fs::path& path() const { return temporary_; }
+  void Keep() { fs::rename(temporary_, target_); }
+
+ private:
+  fs::path target_;
+  fs::path temporary_;
+};
+
+std::string FrameName(std::size_t frame) {
+  constexpr std::size_t kDigits = 6;
+  const std::string digits = std::to_string(frame);
+  return StrCat(std::string(kDigits - std::min(kDigits, digits.size()), '0'), digits, ".png");
+}
+
+void WriteImage(const fs::path& path, const cv::Mat& image) {
+  if (!cv::imwrite(path.string(), image)) {
+    ThrowError(path.string(), "an image that cannot be written", "space and permission to write");
+  }
+}
+
+// Pairs of images, of one size.
+class PairReader {
+ public:
+  explicit PairReader(const StereoImport& request)
+      : request_(request), left_(OpenImages(request.left)), right_(OpenImages(request.right)) {
+    if (left_->size() != right_->size()) {
+      ThrowError(request.right.string(), StrCat(right_->size(), " images"),
+                 StrCat(left_->size(), ", as many as in ", request.left.string()));
+    }
+  }
+
+  std::size_t size() const { return left_->size(); }
+  const ImageSource& left() const { return *left_; }
+
+  // False at the end.
+  bool Next(cv::Mat& left, cv::Mat& right) {
+    left = left_->Next();
+    right = right_->Next();
+    if (left.empty() != right.empty()) {
+      ThrowError((left.empty() ? request_.left : request_.right).string(),
+                 StrCat("an end after ", read_, " images"),
+                 "as many images as of the other camera");
+    }
+    if (left.empty()) return false;
+    if (size_.empty()) size_ = left.size();
+    if (left.size() != size_ || right.size() != size_) {
+      const cv::Size found = left.size() != size_ ? left.size() : right.size();
+      ThrowError(StrCat((left.size() != size_ ? request_.left : request_.right).string(),
+                        ", image ", read_),
+                 StrCat(found.width, "x", found.height, " px"),
+                 StrCat(size_.width, "x", size_.height, " px, as the first image"));
+    }
+    ++read_;
+    return true;
+  }
+
+ private:
+  const StereoImport& request_;
+  std::unique_ptr<ImageSource> left_;
+  std::unique_ptr<ImageSource> right_;
+  std::size_t read_ = 0;
+  cv::Size size_;
+};
+
+struct Times {
+  const char* source = "";
+  std::vector<std::int64_t> ns;
+};
+
+Times NominalTimes(const char* source, double rate_hz, std::size_t count) {
+  Times times{source, {}};
+  for (std::size_t i = 0; i < count; ++i) {
+    times.ns.push_back(std::llround(1e9 * static_cast<double>(i) / rate_hz));
+  }
+  return times;
+}
+
+Times TimesOf(const StereoImport& request, const ImageSource& left, std::size_t count) {
+  if (!request.times.empty()) return {"file", ReadTimes(request.times, count)};
+  Times times{"names", TimesOfNames(left.files())};
+  if (!times.ns.empty()) return times;
+  if (left.rate_hz() > 0.0) return NominalTimes("video", left.rate_hz(), count);
+  return NominalTimes("nominal", request.rate_hz, count);
+}
+
+void CheckSize(const StereoRig& rig, const cv::Size& size, const fs::path& calibration) {
+  if (rig.width_px == 0 || (rig.width_px == size.width && rig.height_px == size.height)) return;
+  ThrowError(calibration.string(),
+             StrCat("a calibration of ", rig.width_px, "x", rig.height_px, " px"),
+             StrCat(size.width, "x", size.height, " px, as the images"));
+}
+
+StereoCamera CameraOf(const StereoRig& rig, const cv::Size& size) {
+  const LensCamera& left = rig.left;
+  return {left.fx,    left.fy,    left.cx, left.cy, -rig.right_from_left.translation().x(),
+          size.width, size.height};
+}
+
+std::string CalibrationText(const StereoCamera& camera) {
+  const auto row = [&](const char* key, double offset_px) {
+    std::string text = key;
+    for (const double value : {camera.fx, 0.0, camera.cx, offset_px, 0.0, camera.fy, camera.cy, 0.0,
+                               0.0, 0.0, 1.0, 0.0}) {
+      text += ' ';
+      text += FormatDouble(value);
+    }
+    return text + "\n";
+  };
+  return row("P0:", 0.0) + row("P1:", -camera.fx * camera.baseline_m);
+}
+
+Json RowsOf(const Eigen::Matrix3d& matrix) {
+  Json rows = Json::array();
+  for (int i = 0; i < 3; ++i) rows.push_back({matrix(i, 0), matrix(i, 1), matrix(i, 2)});
+  return rows;
+}
+
+Json Record(const StereoImport& request, const ImportOutcome& outcome,
+            const std::optional<Rectification>& rectification) {
+  Json record = {{"schema_version", 1},
+                 {"kind", "import"},
+                 {"calibration", request.calibration.filename().string()},
+                 {"calibration_sha256", Sha256Hex(ReadFileBytes(request.calibration))},
+                 {"frames", outcome.frames},
+                 {"times", outcome.times},
+                 {"rectified", outcome.rectified}};
+  if (rectification) {
+    record["rectified_from_left"] = RowsOf(rectification->rectified_from_left());
+    record["rectified_from_right"] = RowsOf(rectification->rectified_from_right());
+  }
+  return record;
+}
+
+}  // namespace
+
+ImportOutcome ImportStereo(
+    const StereoImport& request, const fs::path& folder,
+    const std::function<void(std::size_t done, std::size_t total)>& progress) {
+  const StereoRig rig = ReadStereoRig(request.calibration);
+  PairReader pairs(request);
+  NewFolder target(folder);
+  std::optional<Rectification> rectification;
+  ImportOutcome outcome;
+  outcome.rectified = !IsRectified(rig);
+  cv::Mat left;
+  cv::Mat right;
+  while (pairs.Next(left, right)) {
+    if (outcome.frames == 0) {
+      CheckSize(rig, left.size(), request.calibration);
+      if (outcome.rectified) rectification.emplace(rig, left.size());
+      outcome.camera = rectification ? rectification->camera() : CameraOf(rig, left.size());
+    }
+    if (rectification) {
+      left = rectification->Left(left);
+      right = rectification->Right(right);
+    }
+    WriteImage(target.path() / "image_0" / FrameName(outcome.frames), left);
+    WriteImage(target.path() / "image_1" / FrameName(outcome.frames), right);
+    progress(++outcome.frames, pairs.size());
+  }
+  const Times times = TimesOf(request, pairs.left(), outcome.frames);
+  outcome.times = times.source;
+  std::string lines;
+  for (const std::int64_t time_ns : times.ns) lines += FormatSecondsNs(time_ns) + "\n";
+  WriteFileBytes(target.path() / "times.txt", lines);
+  WriteFileBytes(target.path() / "calib.txt", CalibrationText(outcome.camera));
+  WriteFileBytes(target.path() / "import.json", DumpJson(Record(request, outcome, rectification)));
+  target.Keep();
+  return outcome;
+}
+
+}  // namespace cvo

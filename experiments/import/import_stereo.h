@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "core/geometry/stereo_camera.h"
+
+namespace cvo {
+
+// Stereo images of anybody, with a calibration (rig_file.h).
+struct StereoImport {
+  std::filesystem::path left;  // a folder of images, or a video
+  std::filesystem::path right;
+  std::filesystem::path calibration;
+  std::filesystem::path times =
+      {};  // empty: from the images' names, from the video, else `rate_hz`
+  double rate_hz = 10.0;
+};
+
+struct ImportOutcome {
+  std::size_t frames = 0;
+  bool rectified = false;  // by us; else the images were used as they are
+  const char* times = "";  // where they come from: "file", "names", "video" or "nominal"
+  StereoCamera camera;     // of the images written
+};
+
+// Writes a sequence in the layout of KITTI odometry: image_0, image_1 (8-bit grey PNG), calib.txt,
+// times.txt and import.json, which says what was made of what. Images that are not rectified are.
+// The folder appears whole or not at all. Throws Error where it exists, where the cameras have
+// different numbers or sizes of images, and for files that cannot be read.
+ImportOutcome ImportStereo(
+    const StereoImport& request, const std::filesystem::path& folder,
+    const std::function<void(std::size_t done, std::size_t total)>& progress);
+
+}  // namespace cvo

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/import/rig_file.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/files/json_record.h"
+#include "core/files/text_file.h"
+#include "experiments/datasets/kitti_calibration.h"
+#include "experiments/import/yaml_file.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Rotation and translation of 12 or 16 numbers, row by row. Calibrations are written with few
+// digits, so the nearest rotation is taken.
+RigidTransform TransformOf(const YamlMap& map, const std::string& key) {
+  const std::vector<double> numbers = map.Numbers(key);
+  if (numbers.size() != 12 && numbers.size() != 16) {
+    map.Fail(key, StrCat(numbers.size(), " numbers"), "12 of [R t], or 16");
+  }
+  Eigen::Matrix3d rotation;
+  Eigen::Vector3d translation;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) rotation(i, j) = numbers[static_cast<std::size_t>(4 * i + j)];
+    translation[i] = numbers[static_cast<std::size_t>(4 * i + 3)];
+  }
+  constexpr double kRounding = 1e-3;
+  if ((rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm() > kRounding ||
+      rotation.determinant() < 0.0) {
+    map.Fail(key, "no rotation", "[R t] with R^T R = I and determinant 1");
+  }
+  return RigidTransform(NearestRotation(rotation), translation);
+}
+
+void SetLens(const YamlMap& map, const std::string& key, LensModel lens, LensCamera& camera) {
+  camera.lens = lens;
+  camera.coefficients = map.Numbers(key);
+  const std::size_t count = camera.coefficients.size();
+  const bool fits = lens == LensModel::kPinhole    ? count == 0
+                    : lens == LensModel::kPlumbBob ? count == 4 || count == 5 || count == 8
+                                                   : count == 4;
+  if (!fits) {
+    map.Fail(
+        key, StrCat(count, " coefficients"),
+        lens == LensModel::kEquidistant ? "4: k1 k2 k3 k4" : "4, 5 or 8: k1 k2 p1 p2 [k3 ...]");
+  }
+  const bool none = std::all_of(camera.coefficients.begin(), camera.coefficients.end(),
+                                [](double k) { return k == 0.0; });
+  if (none && lens == LensModel::kPlumbBob) camera.lens = LensModel::kPinhole;
+}
+
+void SetIntrinsics(double fx, double fy, double cx, double cy, LensCamera& camera) {
+  camera.fx = fx;
+  camera.fy = fy;
+  camera.cx = cx;
+  camera.cy = cy;
+}
+
+// Ours.
+
+LensCamera OurCamera(const YamlMap& map) {
+  map.AllowOnly({"fx", "fy", "cx", "cy", "lens", "coefficients"});
+  LensCamera camera;
+  SetIntrinsics(map.Number("fx"), map.Number("fy"), map.Number("cx"), map.Number("cy"), camera);
+  if (!map.Has("lens")) return camera;
+  const std::optional<LensModel> lens = EnumOf<LensModel>(map.Text("lens"));
+  if (!lens) map.Fail("lens", Quoted(map.Text("lens")), "none, plumb_bob or equidistant");
+  if (*lens != LensModel::kPinhole) SetLens(map, "coefficients", *lens, camera);
+  return camera;
+}
+
+StereoRig ReadOurs(const YamlMap& map) {
+  StereoRig rig;
+  if (map.Has("left")) {
+    map.AllowOnly({"left", "right", "right_from_left", "width_px", "height_px"});
+    rig.left = OurCamera(map.Map("left"));
+    rig.right = OurCamera(map.Map("right"));
+    rig.right_from_left = TransformOf(map, "right_from_left");
+  } else {
+    map.AllowOnly({"fx", "fy", "cx", "cy", "baseline_m", "width_px", "height_px"});
+    SetIntrinsics(map.Number("fx"), map.Number("fy"), map.Number("cx"), map.Number("cy"), rig.left);
+    rig.right = rig.left;
+    const double baseline_m = map.Number("baseline_m");
+    if (!(baseline_m > 0.0)) map.Fail("baseline_m", StrCat(baseline_m), "a positive number");
+    rig.right_from_left = RigidTransform(Eigen::Matrix3d::Identity(), {-baseline_m, 0.0, 0.0});
+  }
+  if (map.Has("width_px")) rig.width_px = static_cast<int>(map.Number("width_px"));
+  if (map.Has("height_px")) rig.height_px = static_cast<int>(map.Number("height_px"));
+  return rig;
+}
+
+// Kalibr.
+
+LensCamera KalibrCamera(const YamlMap& map) {
+  LensCamera camera;
+  const std::vector<double> k = map.Numbers("intrinsics");
+  const std::string model = map.Text("camera_model");
+  if (model != "pinhole") map.Fail("camera_model", Quoted(model), "pinhole");
+  if (k.size() != 4) map.Fail("intrinsics", StrCat(k.size(), " numbers"), "4: fu fv cu cv");
+  SetIntrinsics(k[0], k[1], k[2], k[3], camera);
+  const std::string lens = map.Text("distortion_model");
+  if (lens == "none") return camera;
+  if (lens != "radtan" && lens != "equidistant") {
+    map.Fail("distortion_model", Quoted(lens), "radtan, equidistant or none");
+  }
+  SetLens(map, "distortion_coeffs",
+          lens == "radtan" ? LensModel::kPlumbBob : LensModel::kEquidistant, camera);
+  return camera;
+}
+
+StereoRig ReadKalibr(const YamlMap& map) {
+  const YamlMap left = map.Map("cam0");
+  const YamlMap right = map.Map("cam1");
+  StereoRig rig = {KalibrCamera(left), KalibrCamera(right), TransformOf(right, "T_cn_cnm1")};
+  const std::vector<double> size = left.Numbers("resolution", 2);
+  rig.width_px = static_cast<int>(size[0]);
+  rig.height_px = static_cast<int>(size[1]);
+  return rig;
+}
+
+// OpenCV.
+
+struct OpenCvKeys {
+  const char* matrix;
+  const char* distortion;
+};
+constexpr std::array<OpenCvKeys, 3> kOpenCvKeys = {
+    {{"K", "D"}, {"M", "D"}, {"cameraMatrix", "distCoeffs"}}};
+
+LensCamera OpenCvCamera(const YamlMap& map, const OpenCvKeys& keys, const char* number) {
+  const std::vector<double> k = map.Numbers(std::string(keys.matrix) + number, 9);
+  LensCamera camera;
+  SetIntrinsics(k[0], k[4], k[2], k[5], camera);
+  SetLens(map, std::string(keys.distortion) + number, LensModel::kPlumbBob, camera);
+  return camera;
+}
+
+StereoRig ReadOpenCv(const YamlMap& map, const OpenCvKeys& keys) {
+  const std::vector<double> r = map.Numbers("R", 9);
+  const std::vector<double> t = map.Numbers("T", 3);
+  const Eigen::Matrix3d rotation =
+      Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(r.data());
+  return {OpenCvCamera(map, keys, "1"), OpenCvCamera(map, keys, "2"),
+          RigidTransform(NearestRotation(rotation), {t[0], t[1], t[2]})};
+}
+
+// KITTI.
+
+bool IsKittiText(const fs::path& path) {
+  const TextFile file(path);
+  for (std::size_t i = 0; i < file.size(); ++i) {
+    const std::string& line = file.line(i);
+    if (line.starts_with("P_rect_00") || line.starts_with("P0:") || line.starts_with("P0 ")) {
+      return true;
+    }
+  }
+  return false;
+}
+
+StereoRig ReadKitti(const fs::path& path) {
+  const CalibrationFile file(path);
+  const bool raw = file.Has("P_rect_00");
+  const bool grey = file.Has(raw ? "P_rect_01" : "P1");
+  const CameraRig cameras(file, raw ? "P_rect_0" : "P");
+  constexpr int kAnySize_px = 1;
+  const StereoCamera pair = cameras.Stereo(grey ? 0 : 2, grey ? 1 : 3, kAnySize_px, kAnySize_px);
+  StereoRig rig;
+  SetIntrinsics(pair.fx, pair.fy, pair.cx, pair.cy, rig.left);
+  rig.right = rig.left;
+  rig.right_from_left = RigidTransform(Eigen::Matrix3d::Identity(), {-pair.baseline_m, 0.0, 0.0});
+  return rig;
+}
+
+StereoRig ReadAny(const fs::path& path) {
+  if (IsKittiText(path)) return ReadKitti(path);
+  const YamlMap map = YamlMap::Read(path);
+  if (map.Has("cam0")) return ReadKalibr(map);
+  for (const OpenCvKeys& keys : kOpenCvKeys) {
+    if (map.Has(std::string(keys.matrix) + "1")) return ReadOpenCv(map, keys);
+  }
+  return ReadOurs(map);
+}
+
+void Check(const fs::path& path, const char* name, const LensCamera& camera) {
+  if (!(camera.fx > 0.0) || !(camera.fy > 0.0)) {
+    ThrowError(StrCat(path.string(), ", ", name),
+               StrCat("focal lengths ", camera.fx, ", ", camera.fy), "positive numbers of pixels");
+  }
+}
+
+}  // namespace
+
+StereoRig ReadStereoRig(const fs::path& path) {
+  const StereoRig rig = ReadAny(path);
+  Check(path, "left camera", rig.left);
+  Check(path, "right camera", rig.right);
+  if ((rig.left.lens == LensModel::kEquidistant) != (rig.right.lens == LensModel::kEquidistant)) {
+    ThrowError(path.string(), "one equidistant lens", "two, or none");
+  }
+  const Eigen::Vector3d& t = rig.right_from_left.translation();
+  if (!(t.x() < 0.0) || std::abs(t.x()) < t.tail<2>().norm()) {
+    ThrowError(path.string(), StrCat("the right camera at ", -t.x(), " m to the right of the left"),
+               "a positive baseline along x (left and right may be swapped)");
+  }
+  return rig;
+}
+
+}  // namespace cvo

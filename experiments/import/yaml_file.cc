@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/import/yaml_file.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/base/error.h"
+#include "core/files/closest_names.h"
+#include "core/files/number.h"
+#include "core/files/text_file.h"
+
+namespace cvo {
+namespace {
+
+constexpr std::size_t kMostBytes = 1 << 20;
+
+YAML::Node Parse(const std::filesystem::path& path) {
+  std::string text = ReadFileBytes(path);
+  if (text.size() > kMostBytes) {
+    ThrowError(path.string(), StrCat(text.size(), " bytes"), "a calibration below 1 MB");
+  }
+  if (text.starts_with("%YAML:")) text.erase(0, text.find('\n'));
+  try {
+    return YAML::Load(text);
+  } catch (const YAML::Exception& error) {
+    ThrowError(StrCat(path.string(), ":", error.mark.line + 1), error.msg, "YAML or JSON");
+  }
+}
+
+void Collect(const YAML::Node& node, std::vector<std::string>& scalars) {
+  if (node.IsScalar()) scalars.push_back(node.Scalar());
+  if (!node.IsSequence()) return;
+  for (const YAML::Node& part : node) Collect(part, scalars);
+}
+
+}  // namespace
+
+YamlMap YamlMap::Read(const std::filesystem::path& path) {
+  YAML::Node root = Parse(path);
+  if (!root.IsMap()) ThrowError(path.string(), "no keys", "a calibration with keys and values");
+  return {path.string(), std::move(root)};
+}
+
+void YamlMap::Fail(const std::string& key, const std::string& found,
+                   const std::string& expected) const {
+  ThrowError(where_ + ", " + key, found, expected);
+}
+
+YAML::Node YamlMap::Get(const std::string& key) const {
+  const YAML::Node node = node_[key];
+  if (!node) Fail(key, "nothing", "a value");
+  return node;
+}
+
+YamlMap YamlMap::Map(const std::string& key) const {
+  YAML::Node node = Get(key);
+  if (!node.IsMap()) Fail(key, "no keys", "keys and values");
+  return {where_ + ", " + key, std::move(node)};
+}
+
+double YamlMap::Number(const std::string& key) const { return Numbers(key, 1).front(); }
+
+std::string YamlMap::Text(const std::string& key) const {
+  const YAML::Node node = Get(key);
+  if (!node.IsScalar()) Fail(key, "a list or map", "a text");
+  return node.Scalar();
+}
+
+std::vector<double> YamlMap::Numbers(const std::string& key) const {
+  YAML::Node node = Get(key);
+  if (node.IsMap()) {
+    const YAML::Node data = node["data"];
+    if (!data) Fail(key, "keys without data", "a list of numbers, or a matrix with data");
+    node.reset(data);
+  }
+  std::vector<std::string> scalars;
+  Collect(node, scalars);
+  std::vector<double> numbers;
+  for (const std::string& scalar : scalars) {
+    const std::optional<double> number = ParseDouble(scalar);
+    if (!number) Fail(key, Quoted(scalar), "a number");
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+std::vector<double> YamlMap::Numbers(const std::string& key, std::size_t count) const {
+  std::vector<double> numbers = Numbers(key);
+  if (numbers.size() != count) {
+    Fail(key, StrCat(numbers.size(), " numbers"), std::to_string(count));
+  }
+  return numbers;
+}
+
+void YamlMap::AllowOnly(const std::vector<std::string>& keys) const {
+  for (const auto& entry : node_) {
+    const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
+    if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
+      ThrowError(where_, "key " + Quoted(key) + DidYouMean(key, keys), "a key of a calibration");
+    }
+  }
+}
+
+}  // namespace cvo

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace cvo {
+
+// A YAML (or JSON) file as calibrations use it. What is missing or of another kind is an Error that
+// names file and key.
+class YamlMap {
+ public:
+  // Throws Error unless the file is one map. OpenCV's first line is no YAML of today and is
+  // skipped.
+  static YamlMap Read(const std::filesystem::path& path);
+
+  bool Has(const std::string& key) const { return static_cast<bool>(node_[key]); }
+  YamlMap Map(const std::string& key) const;
+  double Number(const std::string& key) const;  // finite
+  std::string Text(const std::string& key) const;
+  // All numbers of a list, of a list of lists row by row, or of OpenCV's matrices.
+  std::vector<double> Numbers(const std::string& key) const;
+  std::vector<double> Numbers(const std::string& key, std::size_t count) const;
+  // Throws Error for a key that is not among them.
+  void AllowOnly(const std::vector<std::string>& keys) const;
+  [[noreturn]] void Fail(const std::string& key, const std::string& found,
+                         const std::string& expected) const;
+
+ private:
+  YamlMap(std::string where, YAML::Node node) : where_(std::move(where)), node_(std::move(node)) {}
+  YAML::Node Get(const std::string& key) const;
+
+  std::string where_;
+  YAML::Node node_;
+};
+
+}  // namespace cvo

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// Stereo images of the user's own, from outside.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/experiments/cli/process.h"
+#include "tests/experiments/runner/tiny_sequence.h"
+#include "tests/support/temp_folder.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ProcessResult;
+using testing::HasSubstr;
+
+class OwnStereo : public testing::Test {
+ protected:
+  OwnStereo() {
+    test::WriteTinySequence(tiny(), 3);
+    flags_ = {"--left",  tiny() + "/image_0",  "--right", tiny() + "/image_1",
+              "--calib", tiny() + "/calib.txt"};
+    ::setenv("CLUSTERVO_CACHE", (folder_.path() / "cache").c_str(), 1);
+  }
+  ~OwnStereo() override { ::unsetenv("CLUSTERVO_CACHE"); }
+
+  std::string tiny() const { return (folder_.path() / "tiny").string(); }
+  std::string out(const std::string& name) const { return (folder_.path() / name).string(); }
+  ProcessResult Run(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.end(), flags_.begin(), flags_.end());
+    return test::RunProgram(arguments);
+  }
+
+  test::TempFolder folder_;
+  std::vector<std::string> flags_;
+};
+
+// Images and calibration of a sequence, given by hand, make the same trajectory as the sequence.
+TEST_F(OwnStereo, TheSameTrajectoryAsOfTheSequence) {
+  ASSERT_EQ(test::RunProgram({"run", tiny(), "-o", out("a")}).exit_code, 0);
+  const ProcessResult result = Run({"run", "-o", out("b")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(test::ReadFile(out("a") + "/camera.kitti"), test::ReadFile(out("b") + "/camera.kitti"));
+  const ProcessResult imported = Run({"import", "-o", out("c")});
+  EXPECT_THAT(imported.out, HasSubstr("3 pairs of"));
+  EXPECT_TRUE(fs::exists(out("c") + "/import.json"));
+}
+
+TEST_F(OwnStereo, BadUse) {
+  const ProcessResult none = test::RunProgram({"run", "-o", out("x")});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.err, HasSubstr("no sequence: give a folder, or --left, --right and --calib"));
+  EXPECT_EQ(Run({"run", tiny(), "-o", out("x")}).exit_code, 2);
+  EXPECT_EQ(test::RunProgram({"run", "--left", tiny() + "/image_0", "-o", out("x")}).exit_code, 2);
+  EXPECT_EQ(Run({"import", "-o", tiny() + "/image_0/x"}).exit_code, 2);
+  fs::remove(tiny() + "/image_1/000002.png");
+  const ProcessResult fewer = Run({"run", "-o", out("x")});
+  EXPECT_EQ(fewer.exit_code, 1);
+  EXPECT_THAT(fewer.err, HasSubstr("found 2 images, expected 3"));
+  EXPECT_FALSE(fs::exists(out("x")));
+}
+
+}  // namespace
+}  // namespace cvo
