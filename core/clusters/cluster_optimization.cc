@@ -69,7 +69,7 @@ ClusterSelection SelectCluster(const FeatureNoise& noise, const Window& window,
   return selection;
 }
 
-int ApplyClusterSolution(const NoiseOptions& noise, const ClusterSelection& selection,
+int ApplyClusterSolution(double gate, const ClusterSelection& selection,
                          Cluster& cluster) {
   const ClusterProblem& problem = selection.problem;
   std::vector<RigidTransform> camera_from_object;
@@ -88,7 +88,7 @@ int ApplyClusterSolution(const NoiseOptions& noise, const ClusterSelection& sele
   for (const ReprojectionFactor& factor : problem.factors) {
     const PointMeasurement m{problem.points[factor.point], factor.z_px, factor.sqrt_information};
     const auto error = WhitenedError(problem.camera, m, camera_from_object[factor.pose]);
-    if (error && error->squaredNorm() <= noise.gate) continue;
+    if (error && error->squaredNorm() <= gate) continue;
     const FrameId frame = cluster.states[selection.states[factor.pose]].frame;
     std::erase_if(cluster.landmarks[selection.landmarks[factor.point]].observations,
                   [&](const Observation& seen) { return seen.frame == frame; });

@@ -214,10 +214,9 @@ void AlignInheritedFrames(const IdentityOptions& identity,
   }
 }
 
-void InheritLostIdentity::Update(const IdentityStep& step, ClusterMap& map, Rng& rng) {
+void InheritLostIdentity::Update(const IdentityStep& step, ClusterMap& map, Rng&) {
   InheritIdentities(FindLostClusters(step.clusters, step.newest, step.predict, map), step.newest,
                     step.identity, step.clusters, map);
-  AlignInheritedFrames(step.identity, step.association, step.newest, map, rng);
 }
 
 }  // namespace cvo

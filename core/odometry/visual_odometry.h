@@ -66,6 +66,7 @@ class VisualOdometry final : public Odometry {
       TakenFeatures taken = TakenBy(static_matches, frame.features.size());
       cluster_tracks =
           AssociateClusters<typename Variant::LandmarkAssociation, typename Variant::BoxWeights,
+                            typename Variant::BoxCost, typename Variant::ClassGate,
                             typename Variant::BoxRematch>(view, PredictorOfClusters(), clusters_,
                                                           cluster_rng_, taken);
     }
@@ -77,8 +78,10 @@ class VisualOdometry final : public Odometry {
       const ScopedStage stage(times, "label");
       labels = LabelPoints<typename Variant::BoxTerm, typename Variant::AffinityTerm,
                            typename Variant::MotionTerm, typename Variant::Pairwise,
-                           typename Variant::Confidence>(view, window_, clusters_, cluster_tracks,
-                                                         points);
+                           typename Variant::LabelMatching, typename Variant::Confidence>(
+          view, window_, clusters_, cluster_tracks, points,
+          StepsOf<typename Variant::PointPlace, typename Variant::PastFrame,
+                  typename Variant::NewBody>());
       AdoptDetections(labels, clusters_, cluster_tracks);
     }
 
@@ -86,7 +89,7 @@ class VisualOdometry final : public Odometry {
     {
       const ScopedStage stage(times, "window");
       AddStates(view, newest_, cluster_tracks, clusters_);
-      CreateClusters(view, newest_, points, labels, clusters_);
+      CreateClusters(view, newest_, points, labels, &Variant::BirthOrigin::Origin, clusters_);
       report.new_landmarks = UpdateLandmarks(view, entering, cluster_tracks, points, labels,
                                              next_landmark_, window_, clusters_);
       RemoveUnconfirmed(newest_, options_.window.lost_frames, window_.landmarks);
@@ -97,7 +100,8 @@ class VisualOdometry final : public Odometry {
     {
       const ScopedStage stage(times, "optimize");
       const WindowReport window =
-          OptimizeWindow<typename Variant::Gauge, typename Variant::Calibration>(
+          OptimizeWindow<typename Variant::Gauge, typename Variant::Calibration,
+                         typename Variant::Outliers>(
               options_.NoiseOfFeatures(), options_.solver, window_);
       report.window_landmarks = window.landmarks;
       report.window_iterations = window.iterations;
@@ -109,7 +113,8 @@ class VisualOdometry final : public Odometry {
     // Every cluster against the camera as it is now (3.3, dynamic clusters).
     {
       const ScopedStage stage(times, "optimize_clusters");
-      report.cluster_endings = OptimizeClusters<typename Variant::MotionPrior>(
+      report.cluster_endings = OptimizeClusters<typename Variant::MotionPrior,
+                                                typename Variant::Outliers>(
           {options_.NoiseOfFeatures(), options_.solver, options_.motion_prior}, window_, pool_,
           clusters_);
     }
@@ -172,8 +177,8 @@ class VisualOdometry final : public Odometry {
     double_track_.Advance(entering, window_);
     for (Cluster& cluster : clusters_.live) {
       if (oldest && window_.temporal.front().id != oldest->id) {
-        AbsorbObservations(window_, *oldest, options_.NoiseOfFeatures(), options_.clusters,
-                           cluster);
+        Variant::Past::Leave(window_, *oldest, options_.NoiseOfFeatures(), options_.clusters,
+                             cluster);
       }
       RemoveUnconfirmed(newest_, options_.window.lost_frames, cluster.landmarks);
       TrimCluster(window_, newest_, options_.clusters, cluster);

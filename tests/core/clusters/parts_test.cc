@@ -99,6 +99,16 @@ TEST(AbsorbObservations, InformationIsThatOfTheReprojectionError) {
   EXPECT_LT((a.landmark().past_information - expected).norm(), 1e-6 * expected.norm());
 }
 
+TEST(PastPolicies, WhatLeavesIsKeptOrForgotten) {
+  Absorption kept;
+  KeepPastInformation::Leave(kept.window, kept.leaving, {{}, 1.2}, kept.options, kept.cluster);
+  EXPECT_FALSE(kept.landmark().past_information.isZero());
+  Absorption forgotten;
+  ForgetPast::Leave(forgotten.window, forgotten.leaving, {{}, 1.2}, forgotten.options,
+                    forgotten.cluster);
+  EXPECT_TRUE(forgotten.landmark().past_information.isZero());
+}
+
 TEST(AbsorbObservations, WhatIsRememberedIsBounded) {
   Absorption a;
   a.options.max_past_observations = 10.0;
