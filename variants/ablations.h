@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "variants/clustervo.h"
 #include "variants/full.h"
 
 namespace cvo {
@@ -83,18 +82,6 @@ struct Static : Full {
   static constexpr std::string_view kName = "static";
   static constexpr std::string_view kChanges = "no clusters: the static-world baseline";
   using Detections = IgnoreDetections;
-};
-
-// The equations as the paper prints them, where they can be run: what each correction is worth.
-struct PaperLiteral : ClusterVo {
-  static constexpr std::string_view kName = "paper_literal";
-  static constexpr std::string_view kChanges =
-      "clustervo without the corrections of the printed equations (METHOD.md 9)";
-  using LandmarkAssociation = ProbabilisticAssociationLiteral;
-  using BoxTerm = Box2dTermLiteral;
-  using AffinityTerm = AffinityTermLiteral;
-  using MotionTerm = MotionTermLiteral;
-  using Pairwise = RawGaussianKernel;
 };
 
 }  // namespace cvo

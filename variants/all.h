@@ -9,6 +9,7 @@
 
 #include "core/odometry/axes.h"
 #include "variants/ladder.h"
+#include "variants/printed.h"
 #include "variants/static_ablations.h"
 
 namespace cvo {
@@ -49,7 +50,12 @@ static_assert(CountDifferences<UpTo<kRungs - 1>, Full>() == 0);
 // Every variant in the program, in the order in which they are listed to users.
 using NamedVariants = std::tuple<Listed<Full, Full, 0>,                     //
                                  Listed<ClusterVo, ClusterVo, 0>,           //
-                                 Listed<ClusterVo, PaperLiteral, 5>,        //
+                                 Listed<ClusterVo, PrintedGate>,            //
+                                 Listed<ClusterVo, PrintedBoxes>,           //
+                                 Listed<ClusterVo, PrintedAffinity>,        //
+                                 Listed<ClusterVo, PrintedMotion>,          //
+                                 Listed<ClusterVo, PrintedKernel>,          //
+                                 Listed<ClusterVo, PrintedSeconds>,         //
                                  Listed<Full, Only2d, 2>,                   //
                                  Listed<Full, Only2d3d>,                    //
                                  Listed<Full, NoGpPrior>,                   //

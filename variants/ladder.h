@@ -22,15 +22,16 @@ struct Rung {
   static constexpr std::string_view kName = R<ClusterVo>::kRung;
   static constexpr std::string_view kAdds = R<ClusterVo>::kAdds;
 };
-using Rungs = std::tuple<
-    Rung<AddBoxWeights>, Rung<AddEntropyInNats>, Rung<AddBoxShare>, Rung<AddLeastShare>,
-    Rung<AddClassGate>, Rung<AddWideGate>, Rung<AddTurning>, Rung<AddViewGate>,
-    Rung<AddReacquisition>, Rung<AddMissedDetections>, Rung<AddBoxFoot>, Rung<AddBoxShrink>,
-    Rung<AddCheapStatic>, Rung<AddBoxSize>, Rung<AddNearestDepths>, Rung<AddTriangulation>,
-    Rung<AddLongPast>, Rung<AddKeptLabels>, Rung<AddBoundedConfidence>, Rung<AddReserve>,
-    Rung<AddBirthOrigin>, Rung<AddConfirmation>, Rung<AddFixedGauge>, Rung<AddOutlierRemoval>,
-    Rung<AddEarlyStop>, Rung<AddStifferPrior>, Rung<AddTurnPrior>, Rung<AddPastInformation>,
-    Rung<AddIdentity>, Rung<AddAlignment>>;
+using Rungs =
+    std::tuple<Rung<AddBoxWeights>, Rung<AddEntropyInNats>, Rung<AddBoxShare>, Rung<AddLeastShare>,
+               Rung<AddClassGate>, Rung<AddWideGate>, Rung<AddTurning>, Rung<AddViewGate>,
+               Rung<AddReacquisition>, Rung<AddMissedDetections>, Rung<AddBoxFoot>,
+               Rung<AddBoxShrink>, Rung<AddCheapStatic>, Rung<AddBoxSize>, Rung<AddNearestDepths>,
+               Rung<AddTriangulation>, Rung<AddLongPast>, Rung<AddKeptLabels>,
+               Rung<AddBoundedConfidence>, Rung<AddReserve>, Rung<AddBirthOrigin>,
+               Rung<AddConfirmation>, Rung<AddFixedGauge>, Rung<AddOutlierRemoval>,
+               Rung<AddEarlyStop>, Rung<AddStifferPrior>, Rung<AddTurnPrior>,
+               Rung<AddPastInformation>, Rung<AddIdentity>, Rung<AddAlignment>>;
 inline constexpr std::size_t kRungs = std::tuple_size_v<Rungs>;
 
 namespace internal {
@@ -39,9 +40,9 @@ namespace internal {
 template <std::size_t kCount, std::size_t kLeftOut>
 struct Climbed {
   using Below = typename Climbed<kCount - 1, kLeftOut>::Type;
-  using Type = std::conditional_t<
-      kCount - 1 == kLeftOut, Below,
-      typename std::tuple_element_t<kCount - 1, Rungs>::template On<Below>>;
+  using Type =
+      std::conditional_t<kCount - 1 == kLeftOut, Below,
+                         typename std::tuple_element_t<kCount - 1, Rungs>::template On<Below>>;
 };
 template <std::size_t kLeftOut>
 struct Climbed<0, kLeftOut> {

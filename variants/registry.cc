@@ -27,9 +27,8 @@ Options Defaults() {
 }
 
 constexpr auto kInfos = []<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
-  return std::array<VariantInfo, kVariants>{
-      VariantInfo{VariantAt<kIndex>::kName, VariantAt<kIndex>::kChanges,
-                  &Defaults<kIndex>, &Make<kIndex>}...};
+  return std::array<VariantInfo, kVariants>{VariantInfo{
+      VariantAt<kIndex>::kName, VariantAt<kIndex>::kChanges, &Defaults<kIndex>, &Make<kIndex>}...};
 }
 (std::make_index_sequence<kVariants>());
 

@@ -18,8 +18,8 @@ struct StereoOdometrySetup {
   StereoCamera camera;  // rectified pair: intrinsics in px, baseline_m, image size
   std::string variant = "full";
   std::optional<Options> options = {};  // of front end and estimator; default: the variant's own
-  std::uint64_t seed = 0;  // of the estimator's random draws
-  int threads = 1;         // results do not depend on it
+  std::uint64_t seed = 0;               // of the estimator's random draws
+  int threads = 1;                      // results do not depend on it
 };
 
 // Stereo visual odometry that finds moving rigid bodies: front end and estimator in one object.
@@ -39,7 +39,6 @@ class StereoOdometry {
  public:
   // The options that a variant starts from.
   static Options DefaultsOf(const std::string& variant);
-
 
   explicit StereoOdometry(const StereoOdometrySetup& setup);
 

@@ -28,8 +28,8 @@ struct LabelMatchingOptions {
 // What a label of the CRF represents.
 struct LabelIdentity {
   LabelKind kind = LabelKind::kStatic;
-  ClusterId cluster;            // of kStatic and kCluster
-  bool is_detected = true;      // a cluster's: it has a box
+  ClusterId cluster;        // of kStatic and kCluster
+  bool is_detected = true;  // a cluster's: it has a box
 };
 
 // The result of the CRF for landmarks that there were before. By node, all alike in length.

@@ -91,9 +91,8 @@ std::vector<ClusterTrack> AssociateClusters(const FrameView& view, const Cluster
         BoxWeights::Compute(internal::MembersOf(view, map.live[q], tracks[q]), boxes));
     ClassGate::Apply(view, map.live[q], probabilities.back());
   }
-  const std::vector<int> chosen =
-      AssociateBoxes(probabilities, static_cast<int>(boxes.size()), view.options.association,
-                     &BoxCost::Cost);
+  const std::vector<int> chosen = AssociateBoxes(probabilities, static_cast<int>(boxes.size()),
+                                                 view.options.association, &BoxCost::Cost);
   for (std::size_t q = 0; q < tracks.size(); ++q) tracks[q].detection = chosen[q];
   internal::AssociateGivenDetections(view, map, tracks);
   BoxRematch::Rematch(view, map, rng, taken, tracks);

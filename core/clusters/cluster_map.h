@@ -58,7 +58,8 @@ void TrimCluster(const Window& window, FrameId newest, const ClusterOptions& opt
                  Cluster& cluster);
 
 // Clusters unseen for live_frames go to the archive; those that were never confirmed are dropped.
-void RetireClusters(FrameId newest, const ClusterOptions& options, ClusterMap& map);
+void RetireClusters(FrameId newest, int live_frames, const ClusterOptions& options,
+                    ClusterMap& map);
 
 // Trajectories of the clusters that were ever confirmed, by id.
 std::vector<ClusterTrajectory> ConfirmedTrajectories(const ClusterMap& map,

@@ -62,15 +62,14 @@ ClusterSelection SelectCluster(const FeatureNoise& noise, const Window& window,
     selection.landmarks.push_back(i);
     problem.points.push_back(landmark.p_in_object);
     PointPrior prior;
-    if (has_past) prior = {landmark.p_in_object, SquareRoot(landmark.past_information)};
+    if (has_past) prior = {landmark.past_mean_in_object, SquareRoot(landmark.past_information)};
     problem.point_priors.push_back(prior);
     problem.factors.insert(problem.factors.end(), factors.begin(), factors.end());
   }
   return selection;
 }
 
-int ApplyClusterSolution(double gate, const ClusterSelection& selection,
-                         Cluster& cluster) {
+int ApplyClusterSolution(double gate, const ClusterSelection& selection, Cluster& cluster) {
   const ClusterProblem& problem = selection.problem;
   std::vector<RigidTransform> camera_from_object;
   for (std::size_t k = 0; k < selection.states.size(); ++k) {

@@ -20,8 +20,7 @@ ClusterSelection SelectCluster(const FeatureNoise& noise, const Window& window,
 
 // Writes a solved problem back and removes observations whose squared whitened error is above
 // `gate`; how many.
-int ApplyClusterSolution(double gate, const ClusterSelection& selection,
-                         Cluster& cluster);
+int ApplyClusterSolution(double gate, const ClusterSelection& selection, Cluster& cluster);
 
 // What the windows of the clusters are solved with.
 struct ClusterSolverOptions {

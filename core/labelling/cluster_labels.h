@@ -91,9 +91,8 @@ FrameLabels LabelPoints(const FrameView& view, const Window& window, const Clust
   FrameLabels labels;
   const internal::DecidedLabels decision =
       internal::DescribeDecision(window, map, points, scene, decided);
-  std::vector<ClusterId> cluster_of =
-      LabelMatching::Match(decision.identities, {decision.label_of_old, decision.previous},
-                           view.options.label_matching);
+  std::vector<ClusterId> cluster_of = LabelMatching::Match(
+      decision.identities, {decision.label_of_old, decision.previous}, view.options.label_matching);
   internal::NameLabels(map, scene, cluster_of, labels);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Index row = static_cast<Eigen::Index>(i);

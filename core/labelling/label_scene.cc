@@ -6,7 +6,6 @@
 #include <numeric>
 #include <set>
 
-
 namespace cvo {
 namespace {
 
@@ -118,7 +117,7 @@ void AddGivenBodies(const FrameView& view, LabelScene& scene) {
     if (body <= kStaticBody || known != scene.given_body.end()) continue;
     CrfLabel label;
     label.kind = LabelKind::kNewBox;
-    label.past_from_now.resize(view.options.unary.past_frames);
+    label.past_from_now.resize(view.options.PastFrames());
     scene.crf.labels.push_back(label);
     scene.detection.push_back(-1);
     scene.given_body.push_back(body);
@@ -146,7 +145,7 @@ std::vector<int> AllDepths::Choose(const std::vector<double>& depths_m, double,
 LabelScene BuildLabelScene(const FrameView& view, const Window& window, const ClusterMap& map,
                            const std::vector<ClusterTrack>& tracks,
                            const std::vector<FramePoint>& points, const LabelSceneSteps& steps) {
-  const PastFrames past = FindPastFrames(window, view.options.unary.past_frames);
+  const PastFrames past = FindPastFrames(window, view.options.PastFrames());
   LabelScene scene;
   scene.crf.camera = view.camera;
   for (const FramePoint& point : points) {
@@ -176,7 +175,7 @@ LabelScene BuildLabelScene(const FrameView& view, const Window& window, const Cl
     label.kind = LabelKind::kNewBox;
     label.box = view.shown.detections[m].box;
     label.extent = NewBoxExtent(view, view.shown.detections[m].box, points, scene.crf.nodes, steps);
-    label.past_from_now.resize(view.options.unary.past_frames);
+    label.past_from_now.resize(view.options.PastFrames());
     if (!label.extent) continue;
     scene.crf.labels.push_back(label);
     scene.detection.push_back(m);

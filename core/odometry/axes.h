@@ -64,11 +64,11 @@ using AxesOf =
     Axes<typename V::Detections, typename V::LandmarkAssociation, typename V::BoxWeights,
          typename V::BoxCost, typename V::ClassGate, typename V::BoxRematch, typename V::Rotation,
          typename V::Identity, typename V::BoxTerm, typename V::AffinityTerm,
-         typename V::MotionTerm, typename V::PointPlace, typename V::PastFrame,
-         typename V::NewBody, typename V::Pairwise, typename V::LabelMatching,
-         typename V::Confidence, typename V::BirthOrigin, typename V::MotionPrior,
-         typename V::Past, typename V::Outliers, typename V::MarginalizationRule, typename V::Gauge,
-         typename V::SpatialTrack, typename V::Calibration>;
+         typename V::MotionTerm, typename V::PointPlace, typename V::PastFrame, typename V::NewBody,
+         typename V::Pairwise, typename V::LabelMatching, typename V::Confidence,
+         typename V::BirthOrigin, typename V::MotionPrior, typename V::Past, typename V::Outliers,
+         typename V::MarginalizationRule, typename V::Gauge, typename V::SpatialTrack,
+         typename V::Calibration>;
 
 template <typename V>
 concept EstimatorVariant = requires {

@@ -64,11 +64,10 @@ class VisualOdometry final : public Odometry {
     {
       const ScopedStage stage(times, "associate");
       TakenFeatures taken = TakenBy(static_matches, frame.features.size());
-      cluster_tracks =
-          AssociateClusters<typename Variant::LandmarkAssociation, typename Variant::BoxWeights,
-                            typename Variant::BoxCost, typename Variant::ClassGate,
-                            typename Variant::BoxRematch>(view, PredictorOfClusters(), clusters_,
-                                                          cluster_rng_, taken);
+      cluster_tracks = AssociateClusters<typename Variant::LandmarkAssociation,
+                                         typename Variant::BoxWeights, typename Variant::BoxCost,
+                                         typename Variant::ClassGate, typename Variant::BoxRematch>(
+          view, PredictorOfClusters(), clusters_, cluster_rng_, taken);
     }
 
     // Which body every point belongs to (3.2, heterogeneous CRF).
@@ -101,8 +100,8 @@ class VisualOdometry final : public Odometry {
       const ScopedStage stage(times, "optimize");
       const WindowReport window =
           OptimizeWindow<typename Variant::Gauge, typename Variant::Calibration,
-                         typename Variant::Outliers>(
-              options_.NoiseOfFeatures(), options_.solver, window_);
+                         typename Variant::Outliers>(options_.NoiseOfFeatures(), options_.solver,
+                                                     window_);
       report.window_landmarks = window.landmarks;
       report.window_iterations = window.iterations;
       report.window_endings = window.endings;
@@ -113,10 +112,10 @@ class VisualOdometry final : public Odometry {
     // Every cluster against the camera as it is now (3.3, dynamic clusters).
     {
       const ScopedStage stage(times, "optimize_clusters");
-      report.cluster_endings = OptimizeClusters<typename Variant::MotionPrior,
-                                                typename Variant::Outliers>(
-          {options_.NoiseOfFeatures(), options_.solver, options_.motion_prior}, window_, pool_,
-          clusters_);
+      report.cluster_endings =
+          OptimizeClusters<typename Variant::MotionPrior, typename Variant::Outliers>(
+              {options_.NoiseOfFeatures(), options_.solver, options_.motion_prior}, window_, pool_,
+              clusters_);
     }
     report.status = !track ? FrameStatus::kFirst
                            : (lost_ > 0 ? FrameStatus::kRecovered : FrameStatus::kTracked);
@@ -199,7 +198,7 @@ class VisualOdometry final : public Odometry {
   }
 
   void EndClusters(FrameReport& report) {
-    RetireClusters(newest_, options_.clusters, clusters_);
+    RetireClusters(newest_, options_.LiveFrames(), options_.clusters, clusters_);
     const ClusterPredictor predict = PredictorOfClusters();
     Variant::Identity::Update(
         {options_.identity, options_.association, options_.clusters, newest_, predict}, clusters_,

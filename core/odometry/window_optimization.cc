@@ -19,8 +19,8 @@ void CopyFrames(const WindowProblem& problem, Window& window) {
 
 }  // namespace
 
-double ApplySolution(double gate, const WindowProblem& problem,
-                     const std::vector<int>& landmarks, Window& window) {
+double ApplySolution(double gate, const WindowProblem& problem, const std::vector<int>& landmarks,
+                     Window& window) {
   window.camera = problem.camera;
   CopyFrames(problem, window);
   std::vector<RigidTransform> camera_from_world;

@@ -18,8 +18,8 @@ struct WindowReport {
 // Writes a solved problem back: camera, frames, and the positions of the landmarks it was made
 // from. Removes observations whose squared whitened error is above `gate`, and returns the RMS
 // whitened error of those that stay.
-double ApplySolution(double gate, const WindowProblem& problem,
-                     const std::vector<int>& landmarks, Window& window);
+double ApplySolution(double gate, const WindowProblem& problem, const std::vector<int>& landmarks,
+                     Window& window);
 
 // Bundle adjustment of the window (static energy of the paper's section 3.3). `Gauge` says which
 // frames are held, `Calibration` whether camera.right_shift_px is.

@@ -19,8 +19,8 @@ void AddVariants(const Suite& suite, const SuiteSequence& sequence, std::vector<
     for (std::size_t point = 0; !points.empty() && point < points.front().size(); ++point) {
       for (const std::vector<std::string>& oracle : suite.oracles) {
         for (std::size_t v = 0; v < suite.variants.size(); ++v) {
-          cells.push_back({sequence, suite.variants[v], "", seed, points[v][point], oracle,
-                           landmarks});
+          cells.push_back(
+              {sequence, suite.variants[v], "", seed, points[v][point], oracle, landmarks});
         }
       }
     }

@@ -127,8 +127,7 @@ std::vector<int> Associate(const std::vector<std::vector<BoxMember>>& clusters,
   for (const auto& cluster : clusters) {
     probabilities.push_back(BoundedBoxWeights::Compute(cluster, boxes));
   }
-  return AssociateBoxes(probabilities, static_cast<int>(boxes.size()), {},
-                        &SharedBoxCost::Cost);
+  return AssociateBoxes(probabilities, static_cast<int>(boxes.size()), {}, &SharedBoxCost::Cost);
 }
 
 TEST(AssociateBoxes, EachClusterGetsItsBoxInWhateverOrder) {

@@ -205,7 +205,7 @@ std::vector<std::int64_t> Ids(const ClusterMap& map, bool live) {
 
 TEST(RetireClusters, LiveArchivedOrDropped) {
   const ClusterOptions options;
-  const int L = options.live_frames;
+  const int L = Options().LiveFrames();
   ClusterMap map;
   map.live = {ClusterSeen(1, 100 - L + 1, 80, 2),                        // unseen for L - 1 frames
               ClusterSeen(2, 100 - L, 80, 2),                            // for L
@@ -215,7 +215,7 @@ TEST(RetireClusters, LiveArchivedOrDropped) {
               ClusterSeen(6, 100 - L, -1, 0)};
   map.live[5].given_body = BodyId{7};  // given ones need no confirmation
   for (const Cluster& cluster : map.live) map.trajectories[cluster.id].id = cluster.id;
-  RetireClusters(FrameId{100}, options, map);
+  RetireClusters(FrameId{100}, Options().LiveFrames(), options, map);
   EXPECT_THAT(Ids(map, true), ElementsAre(1, 4));
   EXPECT_THAT(Ids(map, false), ElementsAre(2, 6));
   std::vector<std::int64_t> told;
@@ -230,7 +230,7 @@ TEST(RetireClusters, WhatWasNeverConfirmedIsNeverTold) {
   map.live = {ClusterSeen(1, 5, 5, 1)};
   map.trajectories[ClusterId{1}].id = ClusterId{1};
   EXPECT_THAT(ConfirmedTrajectories(map, options), IsEmpty());
-  RetireClusters(FrameId{5 + options.live_frames}, options, map);
+  RetireClusters(FrameId{5 + Options().LiveFrames()}, Options().LiveFrames(), options, map);
   EXPECT_THAT(Ids(map, true), IsEmpty());
   EXPECT_THAT(Ids(map, false), IsEmpty());
   EXPECT_THAT(ConfirmedTrajectories(map, options), IsEmpty());
@@ -241,7 +241,7 @@ TEST(RetireClusters, TheArchiveForgetsTheOldest) {
   options.archived = 2;
   ClusterMap map;
   for (int id = 1; id <= 4; ++id) map.live.push_back(ClusterSeen(id, 0, 0, 5));
-  RetireClusters(FrameId{100}, options, map);
+  RetireClusters(FrameId{100}, Options().LiveFrames(), options, map);
   EXPECT_THAT(Ids(map, true), IsEmpty());
   EXPECT_THAT(Ids(map, false), ElementsAre(3, 4));
 }
