@@ -10,113 +10,21 @@
 #include "core/clusters/box_center.h"
 #include "core/clusters/cluster_pose.h"
 #include "core/labelling/cluster_birth.h"
-#include "core/labelling/label_scene.h"
 #include "core/labelling/landmark_update.h"
-#include "core/odometry/detection_policies.h"
+#include "tests/core/labelling/labelled_frame.h"
 
 namespace cvo {
 namespace {
 
+using test::At;
+using test::Frame;
+using test::kCamera;
+using test::Moving;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-const StereoCamera kCamera = {.fx = 450,
-                              .fy = 450,
-                              .cx = 320,
-                              .cy = 240,
-                              .baseline_m = 0.3,
-                              .width_px = 640,
-                              .height_px = 480};
 constexpr ClusterId kNone{};
-
-RigidTransform At(double x, double y, double z) {
-  return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, y, z)};
-}
-
-// A frame seen from the origin, its features at given points.
-struct Frame {
-  Options options;
-  StereoFrame frame;
-  std::vector<FramePoint> points;
-  FrameLabels labels;
-  Window window;
-  ClusterMap map;
-
-  Frame() { window.camera = kCamera; }
-
-  static Eigen::Vector3d Pixel(const Eigen::Vector3d& p_in_camera) {
-    return *kCamera.Project(p_in_camera);
-  }
-  // A feature that shows a landmark of `owner`, labelled `assigned`.
-  void Add(const Eigen::Vector3d& p_in_camera, PointOwner owner, int landmark, ClusterId assigned) {
-    FramePoint point;
-    point.feature = static_cast<int>(frame.features.size());
-    point.owner = owner;
-    point.landmark = landmark;
-    points.push_back(point);
-    StereoFeature feature;
-    feature.z_px = Pixel(p_in_camera);
-    frame.features.push_back(feature);
-    PointLabel label;
-    label.inferred = assigned;
-    label.assigned.cluster = assigned;
-    labels.points.push_back(label);
-  }
-  template <typename Use>
-  auto With(Use use) {
-    const FeatureGrid grid(frame.features, kCamera);
-    const FrameView view{options, frame,   UseDetections::Show(frame),
-                         grid,    kCamera, RigidTransform()};
-    return use(view);
-  }
-};
-
-// A body that moves 0.1 m to the right per frame, of which and of a static point frames 0 to 3 are
-// in the window. Frame 4 is entering; the body is then at x = 0.4 m.
-struct Moving : Frame {
-  static constexpr PointOwner kBody = ClusterOwner(0);
-  const Eigen::Vector3d p_in_world{0.5, 0.2, 6.0};  // of the point, static, or now on the body
-  std::vector<ClusterTrack> tracks{1};
-  LandmarkId next{10};
-
-  Moving() {
-    Cluster cluster;
-    cluster.id = ClusterId{1};
-    for (std::int64_t f = 0; f < 4; ++f) {
-      window.temporal.push_back({FrameId{f}, {}, false});
-      cluster.states.push_back({FrameId{f}, f, BodyAt(f), {1.0, 0.0, 0.0}});
-    }
-    map.live = {cluster};
-    map.next = ClusterId{2};
-    tracks[0].is_tracked = true;
-    tracks[0].world_from_object = BodyAt(4);
-  }
-  static RigidTransform BodyAt(std::int64_t frame) {
-    return At(0.1 * static_cast<double>(frame), 0.0, 6.0);
-  }
-  // The landmark that was at `where(frame)` in frames 0 to 3.
-  template <typename Where>
-  static Landmark Seen(const Eigen::Vector3d& p_in_object, Where where) {
-    Landmark landmark;
-    landmark.id = LandmarkId{7};
-    landmark.p_in_object = p_in_object;
-    landmark.last_seen = FrameId{3};
-    for (std::int64_t f = 0; f < 4; ++f) {
-      landmark.observations.push_back({FrameId{f}, Pixel(where(f)), 0});
-    }
-    return landmark;
-  }
-  Eigen::Vector3d OnBody(std::int64_t f) const {
-    return BodyAt(f) * (BodyAt(4).Inverse() * p_in_world);
-  }
-  int Update() {
-    return With([&](const FrameView& view) {
-      return UpdateLandmarks(view, {FrameId{4}, {}, false}, tracks, points, labels, next, window,
-                             map);
-    });
-  }
-};
 
 std::vector<std::int64_t> FramesOf(const Landmark& landmark) {
   std::vector<std::int64_t> frames;
@@ -395,70 +303,6 @@ TEST(SceneFeatures, TheReserveOnlyInDetections) {
   EXPECT_THAT(SceneFeatures(features, {}), ElementsAre(0));
   const std::vector<Detection> car = {{{45.0, 45.0, 55.0, 55.0}, "Car", 0.9}};
   EXPECT_THAT(SceneFeatures(features, car), ElementsAre(0, 2));
-}
-
-constexpr LabelSceneSteps kOurSteps = StepsOf<TriangulatedPlace, OldestPastFrame, NearestDepths>();
-
-// A static landmark that frames 1 to 3 saw, past_frames being 4: frame 0 is the exact one.
-LabelScene SceneOfThreeFrames(const LabelSceneSteps& steps) {
-  Moving m;
-  m.options.unary.past_frames = 4;
-  m.window.landmarks = {Moving::Seen(m.p_in_world, [&](std::int64_t) { return m.p_in_world; })};
-  m.window.landmarks[0].p_in_object.z() += 0.5;
-  std::erase_if(m.window.landmarks[0].observations,
-                [](const Observation& seen) { return seen.frame == FrameId{0}; });
-  m.Add(m.p_in_world, kSceneOwner, 0, kStaticScene);
-  return m.With([&](const FrameView& view) {
-    return BuildLabelScene(view, m.window, m.map, m.tracks, m.points, steps);
-  });
-}
-
-TEST(BuildLabelScene, ThePastIsTheOldestFrameOrTheExactOne) {
-  const auto oldest = SceneOfThreeFrames(kOurSteps).crf.nodes.at(0).past;
-  ASSERT_TRUE(oldest);
-  EXPECT_EQ(oldest->frame, 1);
-  constexpr auto kExact = StepsOf<TriangulatedPlace, ExactPastFrame, NearestDepths>();
-  EXPECT_FALSE(SceneOfThreeFrames(kExact).crf.nodes.at(0).past);
-}
-
-TEST(BuildLabelScene, ALandmarksPlaceIsTriangulatedOrItsOwn) {
-  EXPECT_FALSE(SceneOfThreeFrames(kOurSteps).crf.nodes.at(0).estimate);
-  constexpr auto kOwn = StepsOf<EstimatedPlace, OldestPastFrame, NearestDepths>();
-  const CrfNode node = SceneOfThreeFrames(kOwn).crf.nodes.at(0);
-  ASSERT_TRUE(node.estimate);
-  EXPECT_NEAR(node.estimate->p_in_camera.z(), node.p_in_camera.z() + 0.5, 1e-9);
-  EXPECT_TRUE(node.estimate->covariance_m2.isZero());
-}
-
-TEST(NewBodyPolicies, TheNearestDepthsOrAllOfThem) {
-  const std::vector<double> depths_m = {2.0, 2.01, 2.02, 2.0, 2.01, 9.0, 9.1};
-  EXPECT_THAT(NearestDepths::Choose(depths_m, 0.2, {}), ElementsAre(0, 1, 2, 3, 4));
-  EXPECT_THAT(AllDepths::Choose(depths_m, 0.2, {}), SizeIs(7));
-  EXPECT_THAT(AllDepths::Choose({2.0, 2.0, 2.0, 2.0}, 0.2, {}), IsEmpty());
-}
-
-// Two clusters that exchange their labels, and one whose label begins a new one.
-TEST(NameLabels, BoxesGoWithTheLabels) {
-  LabelScene scene;
-  scene.crf.labels.resize(5);
-  scene.clusters = 3;
-  scene.detection = {-1, 0, 1, 2, -1};
-  scene.given_body.resize(5);
-  ClusterMap map;
-  map.live.resize(3);
-  for (int q = 0; q < 3; ++q) map.live[q].id = ClusterId{q + 1};
-  map.next = ClusterId{9};
-  std::vector<ClusterId> cluster_of = {kStaticScene, ClusterId{2}, ClusterId{1}, kNone, kNone};
-  FrameLabels labels;
-  internal::NameLabels(map, scene, cluster_of, labels);
-  EXPECT_THAT(cluster_of,
-              ElementsAre(kStaticScene, ClusterId{2}, ClusterId{1}, ClusterId{9}, kNone));
-  std::vector<ClusterTrack> tracks(3);
-  for (int q = 0; q < 3; ++q) tracks[q].detection = q;
-  AdoptDetections(labels, map, tracks);
-  EXPECT_EQ(tracks[0].detection, 1);
-  EXPECT_EQ(tracks[1].detection, 0);
-  EXPECT_EQ(tracks[2].detection, -1);
 }
 
 }  // namespace
