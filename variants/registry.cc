@@ -39,13 +39,16 @@ std::span<const VariantInfo> Variants() { return kInfos; }
 std::span<const VariantInfo> NamedVariantInfos() { return Variants().first(kNamedVariants); }
 
 const VariantInfo& FindVariant(std::string_view name) {
-  std::string names;
   for (const VariantInfo& variant : Variants()) {
     if (variant.name == name) return variant;
+  }
+  std::string names;
+  for (const VariantInfo& variant : NamedVariantInfos()) {
     names += names.empty() ? "" : ", ";
     names += variant.name;
   }
-  ThrowError("variant", StrCat("\"", name, "\""), StrCat("one of: ", names));
+  ThrowError("variant", StrCat("\"", name, "\""),
+             StrCat("one of: ", names, ", or a step of the ladder"));
 }
 
 }  // namespace cvo

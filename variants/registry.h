@@ -22,7 +22,7 @@ struct VariantInfo {
 std::span<const VariantInfo> Variants();
 std::span<const VariantInfo> NamedVariantInfos();
 
-// Throws Error naming the variants there are.
+// Throws Error naming the first of these.
 const VariantInfo& FindVariant(std::string_view name);
 
 }  // namespace cvo

@@ -129,8 +129,9 @@ TEST(AbsorbObservations, WhatIsRememberedIsBounded) {
   a.Absorb();
   const Eigen::Matrix3d one = a.landmark().past_information;
   for (int k = 0; k < 500; ++k) {
-    a.cluster.landmarks[0].observations.insert(a.cluster.landmarks[0].observations.begin(),
-                                               {FrameId{0}, {300.0, 200.0, 280.0}, 2});
+    a.cluster.landmarks[0].observations.insert(
+        a.cluster.landmarks[0].observations.begin(),
+        {FrameId{0}, a.Project(a.landmark().p_in_object), 2});
     a.Absorb();
     EXPECT_LE(a.landmark().past_information.norm(), 10.0 * one.norm() * (1.0 + 1e-12));
   }

@@ -204,7 +204,7 @@ TEST(Variants, UnknownNameListsThoseThereAre) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("statik"));
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("one of: full, 2d, "));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("one of: full, clustervo, "));
   }
 }
 
