@@ -25,15 +25,15 @@ struct Only2d3d : Full {
 struct NoGpPrior : Full {
   static constexpr std::string_view kName = "no_gp_prior";
   static constexpr std::string_view kChanges =
-      "no white-noise-on-acceleration prior: each pose of a cluster is estimated independently";
-  using MotionPrior = NoMotionPrior;
+      "no white-noise-on-acceleration prior on positions, the paper's; that on orientations stays";
+  using MotionPrior = WithTurnPrior<cvo::NoMotionPrior>;
 };
 
-struct NoTurnPrior : Full {
-  static constexpr std::string_view kName = "no_turn_prior";
+struct WithoutMotionPrior : Full {
+  static constexpr std::string_view kName = "no_motion_prior";
   static constexpr std::string_view kChanges =
-      "the motion prior constrains only positions, as in the paper: orientations are free";
-  using MotionPrior = WhiteNoiseOnTranslation;
+      "no motion prior at all: each pose of a cluster is estimated independently";
+  using MotionPrior = cvo::NoMotionPrior;
 };
 
 struct NoPairwiseTerm : Full {
@@ -55,14 +55,6 @@ struct WithoutBoxRematch : Full {
   static constexpr std::string_view kChanges =
       "no brute-force matching inside boxes: landmarks are matched only by prediction";
   using BoxRematch = NoBoxRematch;
-};
-
-struct WithoutIdentity : Full {
-  static constexpr std::string_view kName = "no_identity";
-  static constexpr std::string_view kChanges =
-      "a body without known landmarks always gets a new id: it is not matched to lost ones by "
-      "position and size";
-  using Identity = AlwaysNewIdentity;
 };
 
 struct NoMarginalization : Full {
@@ -90,23 +82,6 @@ struct Static : Full {
   static constexpr std::string_view kName = "static";
   static constexpr std::string_view kChanges = "no clusters: the static-world baseline";
   using Detections = IgnoreDetections;
-};
-
-// The equations as the paper prints them, where they can be run: what each correction is worth.
-struct PaperLiteral : Full {
-  static constexpr std::string_view kName = "paper_literal";
-  static constexpr std::string_view kChanges =
-      "the printed equations without the corrections of METHOD.md 9";
-  using LandmarkAssociation = ProbabilisticAssociationLiteral;
-  using BoxWeights = BoxWeightsLiteral;
-  using Rotation = HeldRotation;
-  using BoxTerm = Box2dTermLiteral;
-  using AffinityTerm = AffinityTermLiteral;
-  using MotionTerm = MotionTermLiteral;
-  using Pairwise = RawGaussianKernel;
-  using Confidence = UnboundedConfidence;
-  using MotionPrior = WhiteNoiseOnAccelerationFrameUnits;
-  using Gauge = PriorHoldsGauge;
 };
 
 }  // namespace cvo

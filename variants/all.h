@@ -5,8 +5,11 @@
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include "core/odometry/axes.h"
+#include "variants/ladder.h"
+#include "variants/printed.h"
 #include "variants/static_ablations.h"
 
 namespace cvo {
@@ -29,26 +32,50 @@ struct Listed {
   using Variant = V;
 };
 
+namespace internal {
+
+template <typename Indices>
+struct LadderVariants;
+template <std::size_t... kRung>
+struct LadderVariants<std::index_sequence<kRung...>> {
+  // The last step is Full itself.
+  using Steps = std::tuple<Listed<UpTo<kRung>, UpTo<kRung>, 0>...>;
+  using LeftOut = std::tuple<Listed<Without<kRung>, Without<kRung>, 0>...>;
+};
+
+}  // namespace internal
+
+static_assert(CountDifferences<UpTo<kRungs - 1>, Full>() == 0);
+
 // Every variant in the program, in the order in which they are listed to users.
-using AllVariants = std::tuple<Listed<Full, Full, 0>,                     //
-                               Listed<Full, Only2d, 2>,                   //
-                               Listed<Full, Only2d3d>,                    //
-                               Listed<Full, NoGpPrior>,                   //
-                               Listed<Full, NoTurnPrior>,                 //
-                               Listed<Full, NoPairwiseTerm>,              //
-                               Listed<Full, NoProbabilisticAssociation>,  //
-                               Listed<Full, WithoutBoxRematch>,           //
-                               Listed<Full, WithoutIdentity>,             //
-                               Listed<Full, NoMarginalization>,           //
-                               Listed<Full, NoSpatialTrack>,              //
-                               Listed<Full, NoLabelConfidence>,           //
-                               Listed<Full, PaperLiteral, 10>,            //
-                               Listed<Full, Static>,                      //
-                               Listed<Static, StaticNoMarginalization>,   //
-                               Listed<Static, StaticMarginalizeLost>,     //
-                               Listed<Static, StaticPriorGauge>,          //
-                               Listed<Static, StaticNoSpatialTrack>,      //
-                               Listed<Static, StaticSelfCalibration>>;
+using NamedVariants = std::tuple<Listed<Full, Full, 0>,                     //
+                                 Listed<ClusterVo, ClusterVo, 0>,           //
+                                 Listed<ClusterVo, PrintedGate>,            //
+                                 Listed<ClusterVo, PrintedBoxes>,           //
+                                 Listed<ClusterVo, PrintedAffinity>,        //
+                                 Listed<ClusterVo, PrintedMotion>,          //
+                                 Listed<ClusterVo, PrintedKernel>,          //
+                                 Listed<ClusterVo, PrintedSeconds>,         //
+                                 Listed<Full, Only2d, 2>,                   //
+                                 Listed<Full, Only2d3d>,                    //
+                                 Listed<Full, NoGpPrior>,                   //
+                                 Listed<Full, WithoutMotionPrior>,          //
+                                 Listed<Full, NoPairwiseTerm>,              //
+                                 Listed<Full, NoProbabilisticAssociation>,  //
+                                 Listed<Full, WithoutBoxRematch>,           //
+                                 Listed<Full, NoMarginalization>,           //
+                                 Listed<Full, NoSpatialTrack>,              //
+                                 Listed<Full, NoLabelConfidence>,           //
+                                 Listed<Full, Static>,                      //
+                                 Listed<Static, StaticNoMarginalization>,   //
+                                 Listed<Static, StaticMarginalizeLost>,     //
+                                 Listed<Static, StaticPriorGauge>,          //
+                                 Listed<Static, StaticNoSpatialTrack>,      //
+                                 Listed<Static, StaticSelfCalibration>>;
+using AllVariants = decltype(std::tuple_cat(
+    NamedVariants(), internal::LadderVariants<std::make_index_sequence<kRungs>>::LeftOut(),
+    internal::LadderVariants<std::make_index_sequence<kRungs - 1>>::Steps()));
+inline constexpr std::size_t kNamedVariants = std::tuple_size_v<NamedVariants>;
 inline constexpr std::size_t kVariants = std::tuple_size_v<AllVariants>;
 
 template <std::size_t kIndex>

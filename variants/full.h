@@ -10,11 +10,17 @@
 #include "core/clustering/box_term.h"
 #include "core/clustering/dense_crf.h"
 #include "core/clustering/label_confidence.h"
+#include "core/clustering/label_matching.h"
 #include "core/clustering/motion_term.h"
 #include "core/clusters/box_rematch.h"
+#include "core/clusters/cluster_association.h"
+#include "core/clusters/cluster_map.h"
 #include "core/clusters/identity.h"
 #include "core/estimation/motion_extrapolation.h"
 #include "core/estimation/window_policies.h"
+#include "core/interface/options.h"
+#include "core/labelling/cluster_birth.h"
+#include "core/labelling/label_scene.h"
 #include "core/odometry/detection_policies.h"
 #include "core/solvers/motion_prior.h"
 
@@ -32,21 +38,33 @@ struct Full {
   // Section 3.1.
   using LandmarkAssociation = ProbabilisticAssociation;
   using BoxWeights = BoundedBoxWeights;
+  using BoxCost = SharedBoxCost;
+  using ClassGate = RefuseOtherClasses;
   using BoxRematch = RematchInBox;
   using Rotation = ConstantAngularVelocity;
-  using Identity = InheritLostIdentity;
+  using Identity = WithAlignedFrames<InheritLostIdentity>;
   // Section 3.2.
   using BoxTerm = Box2dTerm;
   using AffinityTerm = cvo::AffinityTerm;
   using MotionTerm = cvo::MotionTerm;
+  using PointPlace = TriangulatedPlace;
+  using PastFrame = OldestPastFrame;
+  using NewBody = NearestDepths;
   using Pairwise = NormalizedGaussianKernel;
+  using LabelMatching = MatchNewBoxes;
   using Confidence = BoundedConfidence;
+  using BirthOrigin = OriginBehindBox;
   // Section 3.3.
   using MotionPrior = WhiteNoiseOnAcceleration;
+  using Past = KeepPastInformation;
+  using Outliers = RemoveOutliers;
   using MarginalizationRule = MarginalizeUnseenByNewest;
   using Gauge = FixOldestFrame;
   using SpatialTrack = PromoteDistant;
   using Calibration = TrustCalibration;
+
+  // The options that a variant starts from; these are the defaults.
+  static void SetDefaults(Options&) {}
 };
 
 }  // namespace cvo

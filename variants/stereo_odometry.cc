@@ -50,9 +50,13 @@ std::vector<cv::Rect2d> RegionsOf(const std::vector<Detection>& detections) {
 
 }  // namespace
 
+Options StereoOdometry::DefaultsOf(const std::string& variant) {
+  return FindVariant(variant).defaults();
+}
+
 StereoOdometry::StereoOdometry(const StereoOdometrySetup& setup)
     : camera_(setup.camera),
-      options_(setup.options),
+      options_(setup.options.value_or(DefaultsOf(setup.variant))),
       pool_(std::make_unique<TaskPool>(setup.threads)),
       odometry_(FindVariant(setup.variant).make({camera_, options_, setup.seed}, *pool_)) {}
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,9 @@ namespace cvo {
 struct StereoOdometrySetup {
   StereoCamera camera;  // rectified pair: intrinsics in px, baseline_m, image size
   std::string variant = "full";
-  Options options = {};    // of front end and estimator, each with its default
-  std::uint64_t seed = 0;  // of the estimator's random draws
-  int threads = 1;         // results do not depend on it
+  std::optional<Options> options = {};  // of front end and estimator; default: the variant's own
+  std::uint64_t seed = 0;               // of the estimator's random draws
+  int threads = 1;                      // results do not depend on it
 };
 
 // Stereo visual odometry that finds moving rigid bodies: front end and estimator in one object.
@@ -36,6 +37,9 @@ struct StereoOdometrySetup {
 // other; one object is used by one thread at a time.
 class StereoOdometry {
  public:
+  // The options that a variant starts from.
+  static Options DefaultsOf(const std::string& variant);
+
   explicit StereoOdometry(const StereoOdometrySetup& setup);
 
   // One rectified pair, CV_8UC1 and of the camera's size, at a time later than that of the frame

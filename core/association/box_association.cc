@@ -69,10 +69,14 @@ BoxProbabilities BoxWeightsLiteral::Compute(std::span<const BoxMember> cluster,
   return Normalize(sums, 0.0);
 }
 
+double SharedBoxCost::Cost(double p, double share) { return -std::log(p) - std::log(share); }
+
+double UnsharedBoxCost::Cost(double p, double) { return -std::log(p); }
+
 std::vector<int> AssociateBoxes(std::span<const BoxProbabilities> clusters, int boxes,
-                                const ClusterAssociationOptions& options) {
-  Eigen::MatrixXd cost = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(clusters.size()),
-                                                   boxes, std::numeric_limits<double>::infinity());
+                                const ClusterAssociationOptions& options, BoxCostFunction cost) {
+  Eigen::MatrixXd costs = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(clusters.size()),
+                                                    boxes, std::numeric_limits<double>::infinity());
   std::vector<double> total(static_cast<std::size_t>(boxes), 0.0);
   for (const BoxProbabilities& cluster : clusters) {
     for (int m = 0; m < boxes; ++m) total[m] += cluster.weight[m];
@@ -83,11 +87,10 @@ std::vector<int> AssociateBoxes(std::span<const BoxProbabilities> clusters, int 
       const double p = clusters[q].probability[m];
       if (p < options.min_box_probability || !(p > 0.0)) continue;
       if (clusters[q].members[m] < options.min_box_members) continue;
-      cost(static_cast<Eigen::Index>(q), m) =
-          -std::log(p) - std::log(clusters[q].weight[m] / total[m]);
+      costs(static_cast<Eigen::Index>(q), m) = cost(p, clusters[q].weight[m] / total[m]);
     }
   }
-  return Assign(cost);
+  return Assign(costs);
 }
 
 }  // namespace cvo

@@ -47,10 +47,26 @@ struct BoxWeightsLiteral {
                                   std::span<const ImageBox> boxes);
 };
 
-// The box of each cluster, or -1: one-to-one, the most probable choice in all. Where clusters want
-// the same box, the share of its weight that is theirs counts too: p_q(m) alone does not say which
-// of two clusters inside a box it shows.
+// What it costs to give a box to a cluster that has the probability p = p_q(m) of it and `share`
+// of the weight that all clusters have in the box.
+template <typename Policy>
+concept BoxCostPolicy = requires(double p, double share) {
+  { Policy::Cost(p, share) } -> std::same_as<double>;
+};
+
+// Policy: both count. p_q(m) alone does not say which of two clusters inside a box it shows.
+struct SharedBoxCost {
+  static double Cost(double p, double share);
+};
+// Policy: p_q(m) alone (the paper's argmax).
+struct UnsharedBoxCost {
+  static double Cost(double p, double share);
+};
+
+using BoxCostFunction = double (*)(double p, double share);
+
+// The box of each cluster, or -1: one-to-one, as many pairs as can be, of least total cost.
 std::vector<int> AssociateBoxes(std::span<const BoxProbabilities> clusters, int boxes,
-                                const ClusterAssociationOptions& options);
+                                const ClusterAssociationOptions& options, BoxCostFunction cost);
 
 }  // namespace cvo

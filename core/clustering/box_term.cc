@@ -80,13 +80,11 @@ class Candidates {
   double count_ = 0.0;
 };
 
-}  // namespace
-
-void Box2dTerm::Energies(const CrfScene& scene, const UnaryOptions& options,
-                         EnergyMatrix& energies) {
+// `predicted`: boxes that count where there is no detection.
+void BoxEnergies(const CrfScene& scene, const UnaryOptions& options, const Boxes& predicted,
+                 EnergyMatrix& energies) {
   const Boxes detected = DetectedBoxes(scene, options.box_shrink);
   const Boxes bodies = WithoutBoxFoot(detected, options.box_foot);
-  const Boxes predicted = PredictedBoxes(scene);
   Candidates candidates(scene.labels.size());
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Eigen::Vector3d& z_px = scene.nodes[i].z_px;
@@ -96,6 +94,18 @@ void Box2dTerm::Energies(const CrfScene& scene, const UnaryOptions& options,
     if (!AnyContains(bodies, z_px)) candidates.AddStatic(scene);
     candidates.Write(options.eta, static_cast<Eigen::Index>(i), energies);
   }
+}
+
+}  // namespace
+
+void Box2dTerm::Energies(const CrfScene& scene, const UnaryOptions& options,
+                         EnergyMatrix& energies) {
+  BoxEnergies(scene, options, PredictedBoxes(scene), energies);
+}
+
+void DetectedBox2dTerm::Energies(const CrfScene& scene, const UnaryOptions& options,
+                                 EnergyMatrix& energies) {
+  BoxEnergies(scene, options, {}, energies);
 }
 
 void Box2dTermLiteral::Energies(const CrfScene& scene, const UnaryOptions& options,

@@ -15,6 +15,12 @@ struct Box2dTerm {
   static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
 };
 
+// The same without predictions: outside of all detections the static scene alone, as if a body that
+// the detector missed were not there.
+struct DetectedBox2dTerm {
+  static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
+};
+
 // As printed: detections in full size, predictions unknown, and where C is empty all labels are
 // equally likely.
 struct Box2dTermLiteral {

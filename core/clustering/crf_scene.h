@@ -23,6 +23,13 @@ struct CrfNode {
     Eigen::Matrix3d covariance_px2 = Eigen::Matrix3d::Identity();
   };
   std::optional<Past> past;  // empty: nothing can be said of its motion
+  // Where the landmark is in the current camera, for the motion and the pairwise term.
+  struct Place {
+    Eigen::Vector3d p_in_camera = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d covariance_m2 = Eigen::Matrix3d::Zero();
+  };
+  std::optional<Place> estimate;  // p_t^i of the landmark; empty: Z_t^i stands for it
+  Place MovingPlace() const { return estimate.value_or(Place{p_in_camera, covariance_m2}); }
 };
 
 // One of the M classes. The order is: the static scene first, live clusters, boxes that belong to

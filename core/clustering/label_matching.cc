@@ -9,83 +9,107 @@
 namespace cvo {
 namespace {
 
-void CheckInput(std::span<const LabelIdentity> labels, std::span<const int> label_of_node,
-                std::span<const ClusterId> previous_of_node) {
-  Require(label_of_node.size() == previous_of_node.size(),
-          "MatchLabels: needs a label and a previous cluster for each node");
-  for (const int label : label_of_node) {
+void CheckInput(std::span<const LabelIdentity> labels, const LabeledNodes& nodes) {
+  Require(nodes.label.size() == nodes.previous.size(),
+          "Match: needs a label and a previous cluster for each node");
+  for (const int label : nodes.label) {
     if (label < 0 || label >= static_cast<int>(labels.size())) {
-      ThrowError("MatchLabels", StrCat("label ", label), StrCat("one of ", labels.size()));
+      ThrowError("Match", StrCat("label ", label), StrCat("one of ", labels.size()));
     }
   }
 }
 
-std::vector<int> NewBoxes(std::span<const LabelIdentity> labels) {
-  std::vector<int> boxes;
+// Labels of the kinds that `wants` accepts.
+template <typename Wants>
+std::vector<int> LabelsThat(std::span<const LabelIdentity> labels, Wants wants) {
+  std::vector<int> chosen;
   for (int label = 0; label < static_cast<int>(labels.size()); ++label) {
-    if (labels[label].kind == LabelKind::kNewBox) boxes.push_back(label);
+    if (wants(labels[label].kind)) chosen.push_back(label);
   }
-  return boxes;
+  return chosen;
 }
 
-// Moving clusters that nodes were in and that have no label, by id.
-std::vector<ClusterId> CandidateClusters(std::span<const LabelIdentity> labels,
-                                         std::span<const ClusterId> previous_of_node) {
-  std::vector<ClusterId> candidates;
-  for (const ClusterId cluster : previous_of_node) {
-    const bool has_label =
-        std::any_of(labels.begin(), labels.end(), [&](const LabelIdentity& label) {
-          return label.kind == LabelKind::kCluster && label.cluster == cluster;
-        });
-    if (cluster.valid() && cluster != kStaticScene && !has_label) candidates.push_back(cluster);
-  }
-  std::sort(candidates.begin(), candidates.end());
-  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-  return candidates;
+// Moving clusters that nodes were in, by id.
+std::vector<ClusterId> PreviousClusters(std::span<const ClusterId> previous_of_node) {
+  std::vector<ClusterId> clusters(previous_of_node.begin(), previous_of_node.end());
+  std::erase_if(clusters, [](ClusterId id) { return !id.valid() || id == kStaticScene; });
+  std::sort(clusters.begin(), clusters.end());
+  clusters.erase(std::unique(clusters.begin(), clusters.end()), clusters.end());
+  return clusters;
 }
 
 // Nodes in both over nodes in either.
-Eigen::MatrixXd Overlaps(std::span<const int> boxes, std::span<const ClusterId> clusters,
-                         std::span<const int> label_of_node,
-                         std::span<const ClusterId> previous_of_node) {
-  Eigen::MatrixXd shared = Eigen::MatrixXd::Zero(boxes.size(), clusters.size());
-  Eigen::VectorXd of_box = Eigen::VectorXd::Zero(boxes.size());
+Eigen::MatrixXd Overlaps(std::span<const int> chosen, std::span<const ClusterId> clusters,
+                         const LabeledNodes& nodes) {
+  Eigen::MatrixXd shared = Eigen::MatrixXd::Zero(chosen.size(), clusters.size());
+  Eigen::VectorXd of_label = Eigen::VectorXd::Zero(chosen.size());
   Eigen::RowVectorXd of_cluster = Eigen::RowVectorXd::Zero(clusters.size());
-  for (std::size_t i = 0; i < label_of_node.size(); ++i) {
-    const auto box = std::lower_bound(boxes.begin(), boxes.end(), label_of_node[i]);
-    const auto cluster = std::lower_bound(clusters.begin(), clusters.end(), previous_of_node[i]);
-    const bool is_in_box = box != boxes.end() && *box == label_of_node[i];
-    const bool is_in_cluster = cluster != clusters.end() && *cluster == previous_of_node[i];
-    if (is_in_box) of_box[box - boxes.begin()] += 1.0;
+  for (std::size_t i = 0; i < nodes.label.size(); ++i) {
+    const auto label = std::lower_bound(chosen.begin(), chosen.end(), nodes.label[i]);
+    const auto cluster = std::lower_bound(clusters.begin(), clusters.end(), nodes.previous[i]);
+    const bool is_in_label = label != chosen.end() && *label == nodes.label[i];
+    const bool is_in_cluster = cluster != clusters.end() && *cluster == nodes.previous[i];
+    if (is_in_label) of_label[label - chosen.begin()] += 1.0;
     if (is_in_cluster) of_cluster[cluster - clusters.begin()] += 1.0;
-    if (is_in_box && is_in_cluster) {
-      shared(box - boxes.begin(), cluster - clusters.begin()) += 1.0;
+    if (is_in_label && is_in_cluster) {
+      shared(label - chosen.begin(), cluster - clusters.begin()) += 1.0;
     }
   }
   const Eigen::MatrixXd either =
-      of_box.replicate(1, of_cluster.size()) + of_cluster.replicate(of_box.size(), 1) - shared;
+      of_label.replicate(1, of_cluster.size()) + of_cluster.replicate(of_label.size(), 1) - shared;
   return shared.cwiseQuotient(either.cwiseMax(1.0));
+}
+
+// Gives the chosen labels the clusters that they overlap most in all.
+void MatchByOverlap(std::span<const int> chosen, std::span<const ClusterId> clusters,
+                    const LabeledNodes& nodes, const LabelMatchingOptions& options,
+                    std::vector<ClusterId>& matched) {
+  const Eigen::MatrixXd overlaps = Overlaps(chosen, clusters, nodes);
+  const std::vector<int> assigned = Assign(-overlaps);
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    if (assigned[k] < 0 || overlaps(k, assigned[k]) < options.min_iou) continue;
+    matched[chosen[k]] = clusters[assigned[k]];
+  }
+}
+
+bool Contains(std::span<const ClusterId> ids, ClusterId id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
 }  // namespace
 
-std::vector<ClusterId> MatchLabels(std::span<const LabelIdentity> labels,
-                                   std::span<const int> label_of_node,
-                                   std::span<const ClusterId> previous_of_node,
-                                   const LabelMatchingOptions& options) {
-  CheckInput(labels, label_of_node, previous_of_node);
-  std::vector<ClusterId> matched(labels.size());
-  for (std::size_t label = 0; label < labels.size(); ++label) {
-    if (labels[label].kind == LabelKind::kStatic) matched[label] = kStaticScene;
-    if (labels[label].kind == LabelKind::kCluster) matched[label] = labels[label].cluster;
+std::vector<ClusterId> MatchNewBoxes::Match(std::span<const LabelIdentity> labels,
+                                            const LabeledNodes& nodes,
+                                            const LabelMatchingOptions& options) {
+  CheckInput(labels, nodes);
+  std::vector<ClusterId> matched;
+  std::vector<ClusterId> detected;
+  for (const LabelIdentity& label : labels) {
+    matched.push_back(label.cluster);
+    if (label.kind == LabelKind::kCluster && label.is_detected) detected.push_back(label.cluster);
   }
-  const std::vector<int> boxes = NewBoxes(labels);
-  const std::vector<ClusterId> clusters = CandidateClusters(labels, previous_of_node);
-  const Eigen::MatrixXd overlaps = Overlaps(boxes, clusters, label_of_node, previous_of_node);
-  const std::vector<int> assigned = Assign(-overlaps);
-  for (std::size_t b = 0; b < boxes.size(); ++b) {
-    if (assigned[b] < 0 || overlaps(b, assigned[b]) < options.min_iou) continue;
-    matched[boxes[b]] = clusters[assigned[b]];
+  std::vector<ClusterId> clusters = PreviousClusters(nodes.previous);
+  std::erase_if(clusters, [&](ClusterId id) { return Contains(detected, id); });
+  MatchByOverlap(LabelsThat(labels, [](LabelKind kind) { return kind == LabelKind::kNewBox; }),
+                 clusters, nodes, options, matched);
+  return matched;
+}
+
+std::vector<ClusterId> MatchAllLabels::Match(std::span<const LabelIdentity> labels,
+                                             const LabeledNodes& nodes,
+                                             const LabelMatchingOptions& options) {
+  CheckInput(labels, nodes);
+  std::vector<ClusterId> matched(labels.size());
+  MatchByOverlap(LabelsThat(labels,
+                            [](LabelKind kind) {
+                              return kind == LabelKind::kCluster || kind == LabelKind::kNewBox;
+                            }),
+                 PreviousClusters(nodes.previous), nodes, options, matched);
+  const std::vector<ClusterId> taken = matched;
+  for (std::size_t label = 0; label < labels.size(); ++label) {
+    if (!matched[label].valid() && !Contains(taken, labels[label].cluster)) {
+      matched[label] = labels[label].cluster;
+    }
   }
   return matched;
 }

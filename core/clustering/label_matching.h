@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <concepts>
 #include <span>
 #include <vector>
 
@@ -27,16 +28,38 @@ struct LabelMatchingOptions {
 // What a label of the CRF represents.
 struct LabelIdentity {
   LabelKind kind = LabelKind::kStatic;
-  ClusterId cluster;  // of kStatic and kCluster
+  ClusterId cluster;        // of kStatic and kCluster
+  bool is_detected = true;  // a cluster's: it has a box
 };
 
-// By label, the cluster it continues (section 3.2 of the paper, Kuhn-Munkres): its own; for a new
-// box the cluster, among those without a label and not the static scene, that its nodes were in
-// before, or an invalid id; for the outliers an invalid id.
-// label_of_node: result of the CRF. previous_of_node: invalid for a landmark without a cluster.
-std::vector<ClusterId> MatchLabels(std::span<const LabelIdentity> labels,
-                                   std::span<const int> label_of_node,
-                                   std::span<const ClusterId> previous_of_node,
-                                   const LabelMatchingOptions& options);
+// The result of the CRF for landmarks that there were before. By node, all alike in length.
+struct LabeledNodes {
+  std::span<const int> label;
+  std::span<const ClusterId> previous;  // invalid for a landmark without a cluster
+};
+
+// By label, the cluster it continues (section 3.2 of the paper, Kuhn-Munkres over intersection over
+// union); an invalid id for the outliers, and where a new cluster begins.
+template <typename Policy>
+concept LabelMatchingPolicy = requires(std::span<const LabelIdentity> labels,
+                                       const LabeledNodes& nodes,
+                                       const LabelMatchingOptions& options) {
+  { Policy::Match(labels, nodes, options) } -> std::same_as<std::vector<ClusterId>>;
+};
+
+// Policy: clusters keep their label. A new box continues the cluster that its nodes were in before,
+// of those without a box and not the static scene.
+struct MatchNewBoxes {
+  static std::vector<ClusterId> Match(std::span<const LabelIdentity> labels,
+                                      const LabeledNodes& nodes,
+                                      const LabelMatchingOptions& options);
+};
+// Policy: as the paper reads, all labels compete for all clusters; the label of a cluster that
+// matches none keeps it if no other label took it.
+struct MatchAllLabels {
+  static std::vector<ClusterId> Match(std::span<const LabelIdentity> labels,
+                                      const LabeledNodes& nodes,
+                                      const LabelMatchingOptions& options);
+};
 
 }  // namespace cvo

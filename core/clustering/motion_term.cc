@@ -49,12 +49,13 @@ void MotionTerm::Energies(const CrfScene& scene, const UnaryOptions& options,
     if (label.kind == LabelKind::kOutlier) return options.outlier_motion;
     const RigidTransform* past_from_now = PastFromNow(label, node.past->frame);
     if (past_from_now == nullptr) return options.neutral_motion;
-    const Eigen::Vector3d p_in_past = *past_from_now * node.p_in_camera;
+    const CrfNode::Place place = node.MovingPlace();
+    const Eigen::Vector3d p_in_past = *past_from_now * place.p_in_camera;
     const auto z_px = scene.camera.Project(p_in_past);
     if (!z_px) return 0.5 * options.motion_cap;
     const Eigen::Matrix3d J =
         scene.camera.ProjectionJacobian(p_in_past) * past_from_now->RotationMatrix();
-    const Eigen::Matrix3d S = node.past->covariance_px2 + J * node.covariance_m2 * J.transpose();
+    const Eigen::Matrix3d S = node.past->covariance_px2 + J * place.covariance_m2 * J.transpose();
     return 0.5 * std::min(MahalanobisSquared(S, node.past->z_px - *z_px), options.motion_cap);
   };
   EnergiesOfNodesWithPast(scene, label_energy, energies);
@@ -65,7 +66,7 @@ void MotionTermLiteral::Energies(const CrfScene& scene, const UnaryOptions&,
   const auto label_energy = [&](const CrfNode& node, const CrfLabel& label) {
     const RigidTransform* past_from_now = PastFromNow(label, node.past->frame);
     if (past_from_now == nullptr) return 0.0;
-    const auto z_px = scene.camera.Project(*past_from_now * node.p_in_camera);
+    const auto z_px = scene.camera.Project(*past_from_now * node.MovingPlace().p_in_camera);
     if (!z_px) return std::numeric_limits<double>::infinity();
     return MahalanobisSquared(node.past->covariance_px2, node.past->z_px - *z_px) +
            0.5 * std::log(node.past->covariance_px2.determinant());

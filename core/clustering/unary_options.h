@@ -14,7 +14,7 @@ struct UnaryOptions {
   double kappa = 2.0;
   double static_energy = 1.0;
   double outlier_energy = 4.0;
-  int past_frames = 14;
+  int past_frames = 0;
   double motion_cap = 25.0;
   double neutral_motion = 1.5;
   double outlier_motion = 4.5;
@@ -51,9 +51,9 @@ struct UnaryOptions {
                  "METHOD.md 5.4, not published"});
     visit.Field(
         "past_frames", self.past_frames,
-        {"frames", 1, 200,
+        {"frames", 0, 200,
          "number of past frames that the motion term compares landmark positions over, fewer for "
-         "newer landmarks; more detects slower motion, at most window.temporal - 1",
+         "newer landmarks; more detects slower motion; 0: all of the temporal track",
          "paper, section 3.2: 5; at 30 Hz a slow body hardly moves in five frames"});
     visit.Field(
         "motion_cap", self.motion_cap,

@@ -30,6 +30,11 @@ struct RematchInBox {
                         ClusterMap& map, Rng& rng, TakenFeatures& taken,
                         std::vector<ClusterTrack>& tracks);
 };
+// Policy: inside the boxes that clusters were given alone, as the paper.
+struct RematchInOwnBox : RematchInBox {
+  static void Reacquire(const FrameView&, const std::vector<PredictedCluster>&, ClusterMap&, Rng&,
+                        TakenFeatures&, std::vector<ClusterTrack>&) {}
+};
 // Policy: nothing.
 struct NoBoxRematch {
   static void Rematch(const FrameView&, const ClusterMap&, Rng&, TakenFeatures&,

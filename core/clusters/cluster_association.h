@@ -36,7 +36,7 @@ void TrackClusters(const FrameView& view, const ClusterMap& map,
                    std::vector<ClusterTrack>& tracks);
 void AssociateGivenDetections(const FrameView& view, const ClusterMap& map,
                               std::vector<ClusterTrack>& tracks);
-// A box of another class is not the cluster's.
+// Takes the boxes of another class from the cluster.
 void ForgetOtherCategories(const FrameView& view, const Cluster& cluster,
                            BoxProbabilities& probabilities);
 // Of an expected cluster nothing was found: its box may show another body.
@@ -46,11 +46,30 @@ void FindBoxOfTrack(const FrameView& view, const Cluster& cluster, ClusterTrack&
 
 }  // namespace internal
 
+// Whether a box of another class may be the cluster's.
+template <typename Policy>
+concept ClassGatePolicy = requires(const FrameView& view, const Cluster& cluster,
+                                   BoxProbabilities& probabilities) {
+  Policy::Apply(view, cluster, probabilities);
+};
+
+// Policy: it may not.
+struct RefuseOtherClasses {
+  static void Apply(const FrameView& view, const Cluster& cluster,
+                    BoxProbabilities& probabilities) {
+    internal::ForgetOtherCategories(view, cluster, probabilities);
+  }
+};
+// Policy: it may; the paper does not compare classes.
+struct AcceptAnyClass {
+  static void Apply(const FrameView&, const Cluster&, BoxProbabilities&) {}
+};
+
 // Multi-level association (section 3.1 of the paper): features with landmarks of the live clusters,
 // detections with clusters. One track per cluster of map.live, which may grow by clusters that are
 // found again.
 template <LandmarkAssociationPolicy LandmarkAssociation, BoxWeightsPolicy BoxWeights,
-          BoxRematchPolicy BoxRematch>
+          BoxCostPolicy BoxCost, ClassGatePolicy ClassGate, BoxRematchPolicy BoxRematch>
 std::vector<ClusterTrack> AssociateClusters(const FrameView& view, const ClusterPredictor& predict,
                                             ClusterMap& map, Rng& rng, TakenFeatures& taken) {
   std::vector<PredictedCluster> archived;
@@ -70,10 +89,10 @@ std::vector<ClusterTrack> AssociateClusters(const FrameView& view, const Cluster
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     probabilities.push_back(
         BoxWeights::Compute(internal::MembersOf(view, map.live[q], tracks[q]), boxes));
-    internal::ForgetOtherCategories(view, map.live[q], probabilities.back());
+    ClassGate::Apply(view, map.live[q], probabilities.back());
   }
-  const std::vector<int> chosen =
-      AssociateBoxes(probabilities, static_cast<int>(boxes.size()), view.options.association);
+  const std::vector<int> chosen = AssociateBoxes(probabilities, static_cast<int>(boxes.size()),
+                                                 view.options.association, &BoxCost::Cost);
   for (std::size_t q = 0; q < tracks.size(); ++q) tracks[q].detection = chosen[q];
   internal::AssociateGivenDetections(view, map, tracks);
   BoxRematch::Rematch(view, map, rng, taken, tracks);

@@ -2,23 +2,45 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/clusters/cluster_map.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 
 namespace cvo {
 namespace {
 
-// What one observation says of the landmark's position, its body's pose taken as exact.
-Eigen::Matrix3d InformationOf(const Window& window, const FeatureNoise& noise,
-                              const RigidTransform& world_from_camera,
-                              const RigidTransform& world_from_object, const Landmark& landmark,
-                              const Observation& seen) {
+// What observations say of a landmark's position: 1/2 (x - mean)^T information (x - mean).
+struct PointKnowledge {
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d weighted_mean = Eigen::Vector3d::Zero();  // information * mean
+};
+
+// What one observation says, linearised at the present position after the robust loss, its body's
+// pose taken as exact.
+PointKnowledge KnowledgeOf(const Window& window, const FeatureNoise& noise,
+                           const RigidTransform& world_from_camera,
+                           const RigidTransform& world_from_object, const Landmark& landmark,
+                           const Observation& seen) {
   const RigidTransform camera_from_object = world_from_camera.Inverse() * world_from_object;
   const Eigen::Vector3d c = camera_from_object * landmark.p_in_object;
-  if (c.z() <= StereoCamera::kMinDepth_m) return Eigen::Matrix3d::Zero();
-  const Eigen::Matrix3d WJ = noise.SqrtInformation(seen.octave) *
-                             window.camera.ProjectionJacobian(c) *
-                             camera_from_object.RotationMatrix();
-  return WJ.transpose() * WJ;
+  const auto zeta_px = window.camera.Project(c);
+  if (!zeta_px) return {};
+  const Eigen::Matrix3d W = noise.SqrtInformation(seen.octave);
+  const Eigen::Matrix3d WJ =
+      W * window.camera.ProjectionJacobian(c) * camera_from_object.RotationMatrix();
+  const Eigen::Vector3d r = W * (seen.z_px - *zeta_px);
+  const double weight = std::min(1.0, noise.options.huber / std::max(r.norm(), 1e-12));
+  const Eigen::Matrix3d information = weight * WJ.transpose() * WJ;
+  return {information, information * landmark.p_in_object + weight * WJ.transpose() * r};
+}
+
+// Past knowledge, weakened to `keep`, and new.
+void AddKnowledge(const PointKnowledge& knowledge, double keep, Landmark& landmark) {
+  const Eigen::Vector3d weighted =
+      keep * landmark.past_information * landmark.past_mean_in_object + knowledge.weighted_mean;
+  landmark.past_information = keep * landmark.past_information + knowledge.information;
+  if (landmark.past_information.isZero()) return;
+  // Far points have information along the line of sight that is poor, but never none.
+  landmark.past_mean_in_object = landmark.past_information.ldlt().solve(weighted);
 }
 
 }  // namespace
@@ -35,9 +57,9 @@ void AbsorbObservations(const Window& window, const WindowFrame& leaving, const 
         landmark.observations.size() > 1 || !landmark.past_information.isZero();
     if (is_estimated) {
       const double keep = 1.0 - 1.0 / std::max(1.0, options.max_past_observations);
-      landmark.past_information = keep * landmark.past_information +
-                                  InformationOf(window, noise, leaving.world_from_camera,
-                                                state->world_from_object, landmark, *seen);
+      AddKnowledge(KnowledgeOf(window, noise, leaving.world_from_camera, state->world_from_object,
+                               landmark, *seen),
+                   keep, landmark);
     }
     std::erase_if(landmark.observations,
                   [&](const Observation& o) { return o.frame == leaving.id; });
@@ -70,13 +92,14 @@ void TrimCluster(const Window& window, FrameId newest, const ClusterOptions& opt
   });
 }
 
-void RetireClusters(FrameId newest, const ClusterOptions& options, ClusterMap& map) {
+void RetireClusters(FrameId newest, int live_frames, const ClusterOptions& options,
+                    ClusterMap& map) {
   std::vector<Cluster> live;
   for (Cluster& cluster : map.live) {
     const std::int64_t unseen = newest.value - cluster.last_observed.value;
     const std::int64_t undetected = newest.value - cluster.last_detected.value;
     const bool is_confirmed = IsConfirmed(cluster, options);
-    const bool is_gone = unseen >= options.live_frames;
+    const bool is_gone = unseen >= live_frames;
     if (!is_confirmed && (is_gone || undetected >= options.confirm_frames)) {
       map.trajectories.erase(cluster.id);
     } else if (is_gone) {

@@ -31,13 +31,35 @@ inline bool IsConfirmed(const Cluster& cluster, const ClusterOptions& options) {
 void AbsorbObservations(const Window& window, const WindowFrame& leaving, const FeatureNoise& noise,
                         const ClusterOptions& options, Cluster& cluster);
 
+// What becomes of what a cluster saw in a frame that leaves T_t.
+template <typename Policy>
+concept PastPolicy = requires(const Window& window, const WindowFrame& leaving,
+                              const FeatureNoise& noise, const ClusterOptions& options,
+                              Cluster& cluster) {
+  Policy::Leave(window, leaving, noise, options, cluster);
+};
+
+// Policy: past knowledge of its landmarks (METHOD.md 8.4).
+struct KeepPastInformation {
+  static void Leave(const Window& window, const WindowFrame& leaving, const FeatureNoise& noise,
+                    const ClusterOptions& options, Cluster& cluster) {
+    AbsorbObservations(window, leaving, noise, options, cluster);
+  }
+};
+// Policy: nothing, as in the paper: the energy of a cluster is that of T_t alone.
+struct ForgetPast {
+  static void Leave(const Window&, const WindowFrame&, const FeatureNoise&, const ClusterOptions&,
+                    Cluster&) {}
+};
+
 // States and observations older than T_t go (the last state stays, to predict from), and so do the
 // longest unseen landmarks beyond the cap.
 void TrimCluster(const Window& window, FrameId newest, const ClusterOptions& options,
                  Cluster& cluster);
 
 // Clusters unseen for live_frames go to the archive; those that were never confirmed are dropped.
-void RetireClusters(FrameId newest, const ClusterOptions& options, ClusterMap& map);
+void RetireClusters(FrameId newest, int live_frames, const ClusterOptions& options,
+                    ClusterMap& map);
 
 // Trajectories of the clusters that were ever confirmed, by id.
 std::vector<ClusterTrajectory> ConfirmedTrajectories(const ClusterMap& map,

@@ -62,15 +62,14 @@ ClusterSelection SelectCluster(const FeatureNoise& noise, const Window& window,
     selection.landmarks.push_back(i);
     problem.points.push_back(landmark.p_in_object);
     PointPrior prior;
-    if (has_past) prior = {landmark.p_in_object, SquareRoot(landmark.past_information)};
+    if (has_past) prior = {landmark.past_mean_in_object, SquareRoot(landmark.past_information)};
     problem.point_priors.push_back(prior);
     problem.factors.insert(problem.factors.end(), factors.begin(), factors.end());
   }
   return selection;
 }
 
-int ApplyClusterSolution(const NoiseOptions& noise, const ClusterSelection& selection,
-                         Cluster& cluster) {
+int ApplyClusterSolution(double gate, const ClusterSelection& selection, Cluster& cluster) {
   const ClusterProblem& problem = selection.problem;
   std::vector<RigidTransform> camera_from_object;
   for (std::size_t k = 0; k < selection.states.size(); ++k) {
@@ -88,7 +87,7 @@ int ApplyClusterSolution(const NoiseOptions& noise, const ClusterSelection& sele
   for (const ReprojectionFactor& factor : problem.factors) {
     const PointMeasurement m{problem.points[factor.point], factor.z_px, factor.sqrt_information};
     const auto error = WhitenedError(problem.camera, m, camera_from_object[factor.pose]);
-    if (error && error->squaredNorm() <= noise.gate) continue;
+    if (error && error->squaredNorm() <= gate) continue;
     const FrameId frame = cluster.states[selection.states[factor.pose]].frame;
     std::erase_if(cluster.landmarks[selection.landmarks[factor.point]].observations,
                   [&](const Observation& seen) { return seen.frame == frame; });

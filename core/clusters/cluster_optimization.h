@@ -4,6 +4,7 @@
 
 #include "core/base/task_pool.h"
 #include "core/clusters/cluster_map.h"
+#include "core/estimation/window_policies.h"
 #include "core/solvers/cluster_solver.h"
 
 namespace cvo {
@@ -17,9 +18,9 @@ struct ClusterSelection {
 ClusterSelection SelectCluster(const FeatureNoise& noise, const Window& window,
                                const Cluster& cluster);
 
-// Writes a solved problem back and removes observations outside the gate; how many.
-int ApplyClusterSolution(const NoiseOptions& noise, const ClusterSelection& selection,
-                         Cluster& cluster);
+// Writes a solved problem back and removes observations whose squared whitened error is above
+// `gate`; how many.
+int ApplyClusterSolution(double gate, const ClusterSelection& selection, Cluster& cluster);
 
 // What the windows of the clusters are solved with.
 struct ClusterSolverOptions {
@@ -33,7 +34,7 @@ struct ClusterSolverOptions {
 // is hidden keeps what it was last seen with: nothing new is known of it, while what held its last
 // states leaves the window. So its outliers are found here and now: a body that leaves the image
 // has its worst matches in its last frame. Returns how the solves ended.
-template <MotionPriorPolicy MotionPrior>
+template <MotionPriorPolicy MotionPrior, OutlierPolicy Outliers>
 SolverEndings OptimizeClusters(const ClusterSolverOptions& options, const Window& window,
                                TaskPool& pool, ClusterMap& map) {
   SolverEndings total;
@@ -48,7 +49,8 @@ SolverEndings OptimizeClusters(const ClusterSolverOptions& options, const Window
       endings[q].Count(SolveCluster<MotionPrior>(options.noise.options, options.solver,
                                                  options.motion_prior, selection.problem)
                            .ending);
-      if (ApplyClusterSolution(options.noise.options, selection, map.live[q]) == 0) return;
+      const double gate = Outliers::Gate(options.noise.options);
+      if (ApplyClusterSolution(gate, selection, map.live[q]) == 0) return;
     }
   });
   for (const SolverEndings& of_cluster : endings) total += of_cluster;

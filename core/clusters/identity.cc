@@ -87,6 +87,7 @@ void ChangeFrame(const RigidTransform& old_from_new, ClusterId id, Cluster& clus
     landmark.view_in_object = R * landmark.view_in_object;
     landmark.covariance.in_object_m2 = R * landmark.covariance.in_object_m2 * R.transpose();
     landmark.past_information = R * landmark.past_information * R.transpose();
+    landmark.past_mean_in_object = new_from_old * landmark.past_mean_in_object;
   }
   cluster.center_in_object = new_from_old * cluster.center_in_object;
   cluster.box_center = cluster.box_center.In(new_from_old);
@@ -214,10 +215,9 @@ void AlignInheritedFrames(const IdentityOptions& identity,
   }
 }
 
-void InheritLostIdentity::Update(const IdentityStep& step, ClusterMap& map, Rng& rng) {
+void InheritLostIdentity::Update(const IdentityStep& step, ClusterMap& map, Rng&) {
   InheritIdentities(FindLostClusters(step.clusters, step.newest, step.predict, map), step.newest,
                     step.identity, step.clusters, map);
-  AlignInheritedFrames(step.identity, step.association, step.newest, map, rng);
 }
 
 }  // namespace cvo

@@ -48,13 +48,22 @@ concept IdentityPolicy = requires(const IdentityStep& step, ClusterMap& map, Rng
   Policy::Update(step, map, rng);
 };
 
-// Policy: a found cluster may go on as a lost one (InheritIdentities, AlignInheritedFrames).
+// Policy: a found cluster may go on as a lost one (InheritIdentities).
 struct InheritLostIdentity {
   static void Update(const IdentityStep& step, ClusterMap& map, Rng& rng);
 };
 // Policy: a found cluster is always a new one.
 struct AlwaysNewIdentity {
   static void Update(const IdentityStep&, ClusterMap&, Rng&) {}
+};
+// Policy: another one, and the frame of what goes on as a lost cluster is aligned with what it was
+// (AlignInheritedFrames).
+template <IdentityPolicy Identity>
+struct WithAlignedFrames {
+  static void Update(const IdentityStep& step, ClusterMap& map, Rng& rng) {
+    Identity::Update(step, map, rng);
+    AlignInheritedFrames(step.identity, step.association, step.newest, map, rng);
+  }
 };
 
 }  // namespace cvo

@@ -40,8 +40,10 @@ struct Landmark {
   LandmarkCovariance covariance;
   // From the point to the camera that saw it last, unit length: a body hides its own far side.
   Eigen::Vector3d view_in_object = Eigen::Vector3d::Zero();
-  // What a cluster's observations that left the window said of p_in_object (METHOD.md 8.4).
+  // What a cluster's observations that left the window said of p_in_object (METHOD.md 8.4): its
+  // information, and the position that they agree on.
   Eigen::Matrix3d past_information = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d past_mean_in_object = Eigen::Vector3d::Zero();
 };
 
 // The landmark's observation in the frame; null where there is none.

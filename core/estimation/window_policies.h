@@ -3,9 +3,11 @@
 #pragma once
 
 #include <concepts>
+#include <limits>
 
 #include "core/base/options.h"
 #include "core/estimation/window.h"
+#include "core/solvers/measurement_noise.h"
 
 namespace cvo {
 
@@ -124,6 +126,22 @@ struct EstimateRightShift {
 // Policy: the calibration is taken as it is.
 struct TrustCalibration {
   static constexpr bool kFixesRightShift = true;
+};
+
+// How large the squared whitened error of an observation may be for it to stay in a window after
+// the solution.
+template <typename Policy>
+concept OutlierPolicy = requires(const NoiseOptions& options) {
+  { Policy::Gate(options) } -> std::same_as<double>;
+};
+
+// Policy: what is beyond noise.gate is removed for good.
+struct RemoveOutliers {
+  static double Gate(const NoiseOptions& options) { return options.gate; }
+};
+// Policy: everything stays, the robust loss alone weakens it (the paper's).
+struct KeepOutliers {
+  static double Gate(const NoiseOptions&) { return std::numeric_limits<double>::infinity(); }
 };
 
 }  // namespace cvo

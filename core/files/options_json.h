@@ -49,8 +49,7 @@ Json ValueToJson(const OptionLeaf& leaf);
 // Defaults, then the file (where not empty), then the assignments in their order.
 template <OptionsStruct Options>
 Options ResolveOptions(const std::filesystem::path& config_file,
-                       const std::vector<std::string>& assignments) {
-  Options options;
+                       const std::vector<std::string>& assignments, Options options = {}) {
   const std::vector<OptionLeaf> leaves = OptionLeaves(options);
   if (!config_file.empty()) {
     MergeOptions(ReadJson(config_file), config_file.string(), leaves);

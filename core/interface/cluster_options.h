@@ -16,7 +16,7 @@ struct ClusterOptions {
   int min_tracked = 4;
   int min_observed = 3;
   int settled_states = 3;
-  int live_frames = 15;
+  int live_frames = 0;
   int archived = 20;
   int max_landmarks = 800;
   double max_past_observations = 30.0;
@@ -68,10 +68,10 @@ struct ClusterOptions {
                  "prediction: without a velocity, the first matches may all be wrong",
                  "two states give a velocity, the third checks it"});
     visit.Field("live_frames", self.live_frames,
-                {"frames", 1, 1000,
+                {"frames", 0, 1000,
                  "number of frames L after which an unobserved cluster is archived; until then it "
-                 "is predicted",
-                 "paper, section 4.1"});
+                 "is predicted; 0: window.temporal",
+                 "paper, section 4.1: L = |T_t|"});
     visit.Field("archived", self.archived,
                 {"clusters", 0, 1000,
                  "maximum number of archived clusters that can be found again, most recent first",

@@ -84,6 +84,11 @@ struct Options {
   IdentityOptions identity;
 
   FeatureNoise NoiseOfFeatures() const { return {noise, orb.scale_factor}; }
+  // Lengths that are 0 are those of T_t.
+  int PastFrames() const { return unary.past_frames > 0 ? unary.past_frames : window.temporal - 1; }
+  int LiveFrames() const {
+    return clusters.live_frames > 0 ? clusters.live_frames : window.temporal;
+  }
 
   // Throws Error naming the first option that cannot be.
   void Check() const {

@@ -29,7 +29,7 @@ Eigen::Matrix3Xd PointsOf(ClusterId id, const FrameView& view,
 }
 
 Cluster CreateCluster(const FrameView& view, FrameId newest, const FrameLabels::Birth& birth,
-                      const Eigen::Matrix3Xd& members) {
+                      const Eigen::Matrix3Xd& members, BirthOriginFunction birth_origin) {
   Cluster cluster;
   cluster.id = birth.id;
   cluster.given_body = birth.given_body;
@@ -44,7 +44,7 @@ Cluster CreateCluster(const FrameView& view, FrameId newest, const FrameLabels::
     cluster.score = detection.score;
     cluster.last_detected = newest;
     const BoxCenter box = CenterFromBox(view, birth.detection, origin);
-    origin = box.center_in_world;
+    origin = birth_origin(axes.translation(), box.center_in_world);
     cluster.size_m = box.size_m;
   }
   cluster.states.push_back({newest, view.frame.timestamp_ns,
@@ -56,10 +56,10 @@ Cluster CreateCluster(const FrameView& view, FrameId newest, const FrameLabels::
 }  // namespace
 
 void CreateClusters(const FrameView& view, FrameId newest, const std::vector<FramePoint>& points,
-                    const FrameLabels& labels, ClusterMap& map) {
+                    const FrameLabels& labels, BirthOriginFunction origin, ClusterMap& map) {
   for (const FrameLabels::Birth& birth : labels.births) {
     map.live.push_back(
-        CreateCluster(view, newest, birth, PointsOf(birth.id, view, points, labels)));
+        CreateCluster(view, newest, birth, PointsOf(birth.id, view, points, labels), origin));
     map.next.value = birth.id.value + 1;
   }
 }

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <map>
 
-#include "core/clustering/label_matching.h"
-
 namespace cvo {
 namespace internal {
 
@@ -23,43 +21,39 @@ std::vector<int> DecideLabels(const FrameView& view, const std::vector<FramePoin
   return labels;
 }
 
-std::vector<ClusterId> IdentifyLabels(const FrameView& view, const Window& window,
-                                      const ClusterMap& map, const std::vector<FramePoint>& points,
-                                      const LabelScene& scene, const std::vector<int>& decided,
-                                      FrameLabels& labels) {
-  std::vector<LabelIdentity> identities;
+DecidedLabels DescribeDecision(const Window& window, const ClusterMap& map,
+                               const std::vector<FramePoint>& points, const LabelScene& scene,
+                               const std::vector<int>& decided) {
+  DecidedLabels result;
   for (std::size_t l = 0; l < scene.crf.labels.size(); ++l) {
     const CrfLabel& label = scene.crf.labels[l];
-    LabelIdentity identity{label.kind, l == 0 ? kStaticScene : ClusterId{}};
-    // A cluster without a detection may be the one that a new box shows.
-    if (label.kind == LabelKind::kCluster && label.box) identity.cluster = map.live[l - 1].id;
-    identities.push_back(identity);
+    LabelIdentity identity{label.kind, l == 0 ? kStaticScene : ClusterId{}, label.box.has_value()};
+    if (label.kind == LabelKind::kCluster) identity.cluster = map.live[l - 1].id;
+    result.identities.push_back(identity);
   }
   // New points tell nothing of who was there before.
-  std::vector<ClusterId> previous;
-  std::vector<int> label_of_old;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Landmark* landmark = FindLandmark(points[i], window, map);
     if (!landmark) continue;
-    previous.push_back(landmark->label.cluster);
-    label_of_old.push_back(decided[i]);
+    result.previous.push_back(landmark->label.cluster);
+    result.label_of_old.push_back(decided[i]);
   }
-  std::vector<ClusterId> cluster_of =
-      MatchLabels(identities, label_of_old, previous, view.options.label_matching);
+  return result;
+}
 
+void NameLabels(const ClusterMap& map, const LabelScene& scene, std::vector<ClusterId>& cluster_of,
+                FrameLabels& labels) {
   ClusterId next = map.next;
   for (int l = 1; l < scene.Outlier(); ++l) {
-    if (!scene.IsNewBox(l)) {
-      cluster_of[l] = map.live[l - 1].id;
-    } else if (cluster_of[l].valid()) {
-      labels.adoptions.push_back({cluster_of[l], scene.detection[l]});
-    } else {
+    const ClusterId own = scene.IsNewBox(l) ? ClusterId{} : map.live[l - 1].id;
+    if (!cluster_of[l].valid()) {
       labels.births.push_back({next, scene.detection[l], scene.given_body[l]});
       cluster_of[l] = next;
       ++next.value;
+    } else if (cluster_of[l] != own) {
+      labels.adoptions.push_back({cluster_of[l], scene.detection[l]});
     }
   }
-  return cluster_of;
 }
 
 void DropWeakBirths(const FrameView& view, const Window& window, const ClusterMap& map,
@@ -110,7 +104,14 @@ void AdoptDetections(const FrameLabels& labels, const ClusterMap& map,
                      std::vector<ClusterTrack>& tracks) {
   for (const FrameLabels::Adoption& adoption : labels.adoptions) {
     for (std::size_t q = 0; q < tracks.size(); ++q) {
+      if (tracks[q].detection == adoption.detection) tracks[q].detection = -1;
       if (map.live[q].id == adoption.id) tracks[q].detection = adoption.detection;
+    }
+  }
+  // A box of a cluster that is no longer its label's shows a new one.
+  for (const FrameLabels::Birth& birth : labels.births) {
+    for (ClusterTrack& track : tracks) {
+      if (birth.detection >= 0 && track.detection == birth.detection) track.detection = -1;
     }
   }
 }

@@ -6,6 +6,7 @@
 
 #include "core/clustering/dense_crf.h"
 #include "core/clustering/label_confidence.h"
+#include "core/clustering/label_matching.h"
 #include "core/clustering/unary_terms.h"
 #include "core/labelling/label_scene.h"
 
@@ -30,7 +31,7 @@ struct FrameLabels {
     BodyId given_body;
   };
   std::vector<Birth> births;  // by id, following map.next
-  // Detections that Kuhn-Munkres gave to a live cluster that had none.
+  // Detections that Kuhn-Munkres gave to a live cluster.
   struct Adoption {
     ClusterId id;
     int detection = -1;
@@ -43,12 +44,19 @@ namespace internal {
 // By node: the most probable label, or the one that the given labels demand.
 std::vector<int> DecideLabels(const FrameView& view, const std::vector<FramePoint>& points,
                               const LabelScene& scene, const CrfResult& crf);
-// The cluster of each label, after Kuhn-Munkres; invalid for outliers. New boxes that match a
-// cluster are its `adoptions`, the others `births`, with ids from map.next on.
-std::vector<ClusterId> IdentifyLabels(const FrameView& view, const Window& window,
-                                      const ClusterMap& map, const std::vector<FramePoint>& points,
-                                      const LabelScene& scene, const std::vector<int>& decided,
-                                      FrameLabels& labels);
+// What labels represent, and the result of the CRF for the points that have a landmark.
+struct DecidedLabels {
+  std::vector<LabelIdentity> identities;
+  std::vector<int> label_of_old;
+  std::vector<ClusterId> previous;
+};
+DecidedLabels DescribeDecision(const Window& window, const ClusterMap& map,
+                               const std::vector<FramePoint>& points, const LabelScene& scene,
+                               const std::vector<int>& decided);
+// From the clusters that labels were matched with: those that continue another cluster than their
+// own are its `adoptions`, those without one `births`, with ids from map.next on, which they get.
+void NameLabels(const ClusterMap& map, const LabelScene& scene, std::vector<ClusterId>& cluster_of,
+                FrameLabels& labels);
 // Takes back births of which too few points were accepted.
 void DropWeakBirths(const FrameView& view, const Window& window, const ClusterMap& map,
                     const std::vector<FramePoint>& points, FrameLabels& labels);
@@ -64,25 +72,28 @@ void AdoptDetections(const FrameLabels& labels, const ClusterMap& map,
 
 // Which body every point of the frame belongs to (section 3.2 of the paper).
 template <UnaryTerm Box, UnaryTerm Affinity, UnaryTerm Motion, PairwisePolicy Pairwise,
-          ConfidencePolicy Confidence>
+          LabelMatchingPolicy LabelMatching, ConfidencePolicy Confidence>
 FrameLabels LabelPoints(const FrameView& view, const Window& window, const ClusterMap& map,
                         const std::vector<ClusterTrack>& tracks,
-                        const std::vector<FramePoint>& points) {
+                        const std::vector<FramePoint>& points, const LabelSceneSteps& steps) {
   if (tracks.empty() && view.shown.detections.empty() && view.shown.feature_body.empty()) {
     return internal::AllStatic(window, map, points);
   }
-  const LabelScene scene = BuildLabelScene(view, window, map, tracks, points);
+  const LabelScene scene = BuildLabelScene(view, window, map, tracks, points, steps);
   const UnaryEnergies unary = ComputeUnaries<Box, Affinity, Motion>(scene.crf, view.options.unary);
   Eigen::Matrix3Xd positions(3, static_cast<Eigen::Index>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
-    positions.col(static_cast<Eigen::Index>(i)) = scene.crf.nodes[i].p_in_camera;
+    positions.col(static_cast<Eigen::Index>(i)) = scene.crf.nodes[i].MovingPlace().p_in_camera;
   }
   const CrfResult crf = InferDenseCrf<Pairwise>(unary.total, positions, view.options.pairwise);
   const std::vector<int> decided = internal::DecideLabels(view, points, scene, crf);
 
   FrameLabels labels;
-  const std::vector<ClusterId> cluster_of =
-      internal::IdentifyLabels(view, window, map, points, scene, decided, labels);
+  const internal::DecidedLabels decision =
+      internal::DescribeDecision(window, map, points, scene, decided);
+  std::vector<ClusterId> cluster_of = LabelMatching::Match(
+      decision.identities, {decision.label_of_old, decision.previous}, view.options.label_matching);
+  internal::NameLabels(map, scene, cluster_of, labels);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Index row = static_cast<Eigen::Index>(i);
     PointLabel label;

@@ -3,10 +3,8 @@
 #include "core/labelling/label_scene.h"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
-
-#include "core/clustering/depth_mode.h"
-#include "core/clustering/point_extent.h"
 
 namespace cvo {
 namespace {
@@ -25,7 +23,7 @@ PastFrames FindPastFrames(const Window& window, int frames) {
 }
 
 CrfNode MakeNode(const FrameView& view, const FramePoint& point, const Landmark* landmark,
-                 const PastFrames& past) {
+                 const PastFrames& past, const LabelSceneSteps& steps) {
   const StereoFeature& feature = view.frame.features[point.feature];
   const FeatureNoise noise = view.options.NoiseOfFeatures();
   CrfNode node;
@@ -34,7 +32,7 @@ CrfNode MakeNode(const FrameView& view, const FramePoint& point, const Landmark*
   node.covariance_m2 = view.camera.PointCovariance(feature.z_px, noise.Covariance(feature.octave));
   for (int k = 0; landmark && k < static_cast<int>(past.size()); ++k) {
     const Observation* seen = past[k] ? FindObservation(*landmark, past[k]->id) : nullptr;
-    if (!seen) continue;
+    if (!seen || !steps.takes_past(k)) continue;
     node.past = CrfNode::Past{k, seen->z_px, noise.Covariance(seen->octave)};
     break;
   }
@@ -85,11 +83,12 @@ CrfLabel ClusterLabel(const FrameView& view, int q, const ClusterMap& map,
   return label;
 }
 
-// Where the body in a box that no cluster claims is: the nearest points in it that are no
-// cluster's.
+// Where the body in a box that no cluster claims is: those of its points that are no cluster's and
+// that `choose_body` takes.
 std::optional<CrfLabel::Extent> NewBoxExtent(const FrameView& view, const ImageBox& box,
                                              const std::vector<FramePoint>& points,
-                                             const std::vector<CrfNode>& nodes) {
+                                             const std::vector<CrfNode>& nodes,
+                                             const LabelSceneSteps& steps) {
   const ImageBox inner = box.Shrunk(view.options.unary.box_shrink);
   std::vector<Eigen::Vector3d> inside;
   std::vector<double> depths;
@@ -100,13 +99,13 @@ std::optional<CrfLabel::Extent> NewBoxExtent(const FrameView& view, const ImageB
     depths.push_back(nodes[i].p_in_camera.z());
   }
   const double angular_size = std::max(box.Width(), box.Height()) / view.camera.fx;
-  const std::vector<int> mode = NearestMode(depths, angular_size, view.options.extent);
-  if (mode.empty()) return std::nullopt;
-  Eigen::Matrix3Xd front(3, static_cast<Eigen::Index>(mode.size()));
-  for (std::size_t k = 0; k < mode.size(); ++k) {
-    front.col(static_cast<Eigen::Index>(k)) = inside[mode[k]];
+  const std::vector<int> chosen = steps.choose_body(depths, angular_size, view.options.extent);
+  if (chosen.empty()) return std::nullopt;
+  Eigen::Matrix3Xd body(3, static_cast<Eigen::Index>(chosen.size()));
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    body.col(static_cast<Eigen::Index>(k)) = inside[chosen[k]];
   }
-  const PointExtent extent = ExtentAlong(Eigen::Matrix3d::Identity(), front, view.options.extent);
+  const PointExtent extent = ExtentAlong(Eigen::Matrix3d::Identity(), body, view.options.extent);
   return CrfLabel::Extent{extent.center, Eigen::Matrix3d::Identity(), extent.half_size_m};
 }
 
@@ -118,23 +117,42 @@ void AddGivenBodies(const FrameView& view, LabelScene& scene) {
     if (body <= kStaticBody || known != scene.given_body.end()) continue;
     CrfLabel label;
     label.kind = LabelKind::kNewBox;
-    label.past_from_now.resize(view.options.unary.past_frames);
+    label.past_from_now.resize(view.options.PastFrames());
     scene.crf.labels.push_back(label);
     scene.detection.push_back(-1);
     scene.given_body.push_back(body);
   }
 }
 
+// camera_from_object of the body that has the point's landmark.
+RigidTransform OwnerInCamera(const FrameView& view, const FramePoint& point,
+                             const std::vector<ClusterTrack>& tracks) {
+  const RigidTransform camera_from_world = view.world_from_camera.Inverse();
+  if (point.owner.kind != PointOwner::Kind::kCluster) return camera_from_world;
+  return camera_from_world * tracks[point.owner.cluster].world_from_object;
+}
+
 }  // namespace
+
+std::vector<int> AllDepths::Choose(const std::vector<double>& depths_m, double,
+                                   const ExtentOptions& options) {
+  if (static_cast<int>(depths_m.size()) < options.mode_min_points) return {};
+  std::vector<int> all(depths_m.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
 
 LabelScene BuildLabelScene(const FrameView& view, const Window& window, const ClusterMap& map,
                            const std::vector<ClusterTrack>& tracks,
-                           const std::vector<FramePoint>& points) {
-  const PastFrames past = FindPastFrames(window, view.options.unary.past_frames);
+                           const std::vector<FramePoint>& points, const LabelSceneSteps& steps) {
+  const PastFrames past = FindPastFrames(window, view.options.PastFrames());
   LabelScene scene;
   scene.crf.camera = view.camera;
   for (const FramePoint& point : points) {
-    scene.crf.nodes.push_back(MakeNode(view, point, FindLandmark(point, window, map), past));
+    const Landmark* landmark = FindLandmark(point, window, map);
+    scene.crf.nodes.push_back(MakeNode(view, point, landmark, past, steps));
+    if (!landmark) continue;
+    scene.crf.nodes.back().estimate = steps.place(OwnerInCamera(view, point, tracks), *landmark);
   }
   CrfLabel still;
   still.kind = LabelKind::kStatic;
@@ -143,11 +161,12 @@ LabelScene BuildLabelScene(const FrameView& view, const Window& window, const Cl
 
   std::vector<char> is_claimed(view.shown.detections.size(), 0);
   scene.clusters = static_cast<int>(tracks.size());
+  scene.detection.push_back(-1);
   for (int q = 0; q < scene.clusters; ++q) {
     scene.crf.labels.push_back(ClusterLabel(view, q, map, tracks[q], past));
+    scene.detection.push_back(tracks[q].detection);
     if (tracks[q].detection >= 0) is_claimed[tracks[q].detection] = 1;
   }
-  scene.detection.assign(scene.crf.labels.size(), -1);
   scene.given_body.push_back(kStaticBody);
   for (const Cluster& cluster : map.live) scene.given_body.push_back(cluster.given_body);
   for (int m = 0; m < static_cast<int>(view.shown.detections.size()); ++m) {
@@ -155,8 +174,8 @@ LabelScene BuildLabelScene(const FrameView& view, const Window& window, const Cl
     CrfLabel label;
     label.kind = LabelKind::kNewBox;
     label.box = view.shown.detections[m].box;
-    label.extent = NewBoxExtent(view, view.shown.detections[m].box, points, scene.crf.nodes);
-    label.past_from_now.resize(view.options.unary.past_frames);
+    label.extent = NewBoxExtent(view, view.shown.detections[m].box, points, scene.crf.nodes, steps);
+    label.past_from_now.resize(view.options.PastFrames());
     if (!label.extent) continue;
     scene.crf.labels.push_back(label);
     scene.detection.push_back(m);

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <concepts>
+#include <optional>
 #include <vector>
 
 #include "core/clustering/crf_scene.h"
+#include "core/clustering/depth_mode.h"
+#include "core/clustering/point_extent.h"
 #include "core/labelling/frame_points.h"
 
 namespace cvo {
@@ -13,7 +17,7 @@ namespace cvo {
 // detections that belong to none of them, and the outlier class last.
 struct LabelScene {
   CrfScene crf;                    // nodes by point
-  std::vector<int> detection;      // by label: a new box's detection; -1 for the others
+  std::vector<int> detection;      // by label: a cluster's or new box's detection; -1: none
   std::vector<BodyId> given_body;  // by label, as GivenKnowledge says; invalid: unknown
   int clusters = 0;                // labels 1 ... clusters are map.live[0], ...
 
@@ -21,10 +25,78 @@ struct LabelScene {
   bool IsNewBox(int label) const { return label > clusters && label < Outlier(); }
 };
 
+// Where the motion and the pairwise term take a landmark to be now; empty: Z_t^i.
+template <typename Policy>
+concept PointPlacePolicy = requires(const RigidTransform& camera_from_object,
+                                    const Landmark& landmark) {
+  { Policy::Place(camera_from_object, landmark) } -> std::same_as<std::optional<CrfNode::Place>>;
+};
+
+// Policy: Z_t^i, where the current frame alone sees it, with the noise of that.
+struct TriangulatedPlace {
+  static std::optional<CrfNode::Place> Place(const RigidTransform&, const Landmark&) { return {}; }
+};
+// Policy: p_t^i, where the body's pose puts it, taken as exact: the paper's. New points have none.
+struct EstimatedPlace {
+  static std::optional<CrfNode::Place> Place(const RigidTransform& camera_from_object,
+                                             const Landmark& landmark) {
+    return CrfNode::Place{camera_from_object * landmark.p_in_object};
+  }
+};
+
+// Which earlier observation of a landmark the motion term takes, of those within
+// unary.past_frames frames: the oldest one `Takes` accepts, by the number of frames after the
+// first of these.
+template <typename Policy>
+concept PastFramePolicy = requires(int later) {
+  { Policy::Takes(later) } -> std::same_as<bool>;
+};
+
+// Policy: the oldest one there is.
+struct OldestPastFrame {
+  static bool Takes(int) { return true; }
+};
+// Policy: that of exactly unary.past_frames frames ago, the paper's t - 5.
+struct ExactPastFrame {
+  static bool Takes(int later) { return later == 0; }
+};
+
+// The points in a box that no cluster has that are its body's, by their depths.
+template <typename Policy>
+concept NewBodyPolicy = requires(const std::vector<double>& depths_m, double angular_size,
+                                 const ExtentOptions& options) {
+  { Policy::Choose(depths_m, angular_size, options) } -> std::same_as<std::vector<int>>;
+};
+
+// Policy: the nearest dense range of depths.
+struct NearestDepths {
+  static std::vector<int> Choose(const std::vector<double>& depths_m, double angular_size,
+                                 const ExtentOptions& options) {
+    return NearestMode(depths_m, angular_size, options);
+  }
+};
+// Policy: all of them, if there are extent.mode_min_points.
+struct AllDepths {
+  static std::vector<int> Choose(const std::vector<double>& depths_m, double angular_size,
+                                 const ExtentOptions& options);
+};
+
+// The policies of BuildLabelScene.
+struct LabelSceneSteps {
+  std::optional<CrfNode::Place> (*place)(const RigidTransform&, const Landmark&);
+  bool (*takes_past)(int later);
+  std::vector<int> (*choose_body)(const std::vector<double>&, double, const ExtentOptions&);
+};
+
+template <PointPlacePolicy PointPlace, PastFramePolicy PastFrame, NewBodyPolicy NewBody>
+constexpr LabelSceneSteps StepsOf() {
+  return {&PointPlace::Place, &PastFrame::Takes, &NewBody::Choose};
+}
+
 // What is known of every point and every class (section 3.2 of the paper). The current frame is
 // the one after the window's newest.
 LabelScene BuildLabelScene(const FrameView& view, const Window& window, const ClusterMap& map,
                            const std::vector<ClusterTrack>& tracks,
-                           const std::vector<FramePoint>& points);
+                           const std::vector<FramePoint>& points, const LabelSceneSteps& steps);
 
 }  // namespace cvo

@@ -6,32 +6,69 @@
 #include "core/association/gated_matching.h"
 #include "core/clustering/dense_crf.h"
 #include "core/clustering/label_confidence.h"
+#include "core/clustering/label_matching.h"
 #include "core/clustering/unary_terms.h"
 #include "core/clusters/box_rematch.h"
+#include "core/clusters/cluster_association.h"
+#include "core/clusters/cluster_map.h"
 #include "core/clusters/identity.h"
 #include "core/estimation/motion_extrapolation.h"
 #include "core/estimation/window_policies.h"
+#include "core/labelling/cluster_birth.h"
+#include "core/labelling/label_scene.h"
 #include "core/odometry/detection_policies.h"
 #include "core/solvers/motion_prior.h"
 
 namespace cvo {
 
-// In what variants differ, and what each axis asks of its policies.
-template <DetectionPolicy, LandmarkAssociationPolicy, BoxWeightsPolicy, BoxRematchPolicy,
-          RotationPolicy, IdentityPolicy, UnaryTerm /* box */, UnaryTerm /* affinity */,
-          UnaryTerm /* motion */, PairwisePolicy, ConfidencePolicy, MotionPriorPolicy,
-          MarginalizationPolicy, GaugePolicy, PromotionPolicy, CalibrationPolicy>
-struct Axes {};
+// In what variants differ, and what each axis asks of its policies. Two variants with the same
+// axes are one type of estimator, whatever their options.
+template <DetectionPolicy D, LandmarkAssociationPolicy LA, BoxWeightsPolicy BW, BoxCostPolicy BC,
+          ClassGatePolicy CG, BoxRematchPolicy BR, RotationPolicy R, IdentityPolicy I, UnaryTerm BT,
+          UnaryTerm AT, UnaryTerm MT, PointPlacePolicy PP, PastFramePolicy PF, NewBodyPolicy NB,
+          PairwisePolicy P, LabelMatchingPolicy LM, ConfidencePolicy C, BirthOriginPolicy BO,
+          MotionPriorPolicy MP, PastPolicy Pa, OutlierPolicy O, MarginalizationPolicy M,
+          GaugePolicy G, PromotionPolicy ST, CalibrationPolicy Ca>
+struct Axes {
+  using Detections = D;
+  using LandmarkAssociation = LA;
+  using BoxWeights = BW;
+  using BoxCost = BC;
+  using ClassGate = CG;
+  using BoxRematch = BR;
+  using Rotation = R;
+  using Identity = I;
+  using BoxTerm = BT;
+  using AffinityTerm = AT;
+  using MotionTerm = MT;
+  using PointPlace = PP;
+  using PastFrame = PF;
+  using NewBody = NB;
+  using Pairwise = P;
+  using LabelMatching = LM;
+  using Confidence = C;
+  using BirthOrigin = BO;
+  using MotionPrior = MP;
+  using Past = Pa;
+  using Outliers = O;
+  using MarginalizationRule = M;
+  using Gauge = G;
+  using SpatialTrack = ST;
+  using Calibration = Ca;
+};
 
 // A variant names its policies; one that lacks an axis or a policy that does not fit its axis does
 // not compile.
 template <typename V>
 using AxesOf =
     Axes<typename V::Detections, typename V::LandmarkAssociation, typename V::BoxWeights,
-         typename V::BoxRematch, typename V::Rotation, typename V::Identity, typename V::BoxTerm,
-         typename V::AffinityTerm, typename V::MotionTerm, typename V::Pairwise,
-         typename V::Confidence, typename V::MotionPrior, typename V::MarginalizationRule,
-         typename V::Gauge, typename V::SpatialTrack, typename V::Calibration>;
+         typename V::BoxCost, typename V::ClassGate, typename V::BoxRematch, typename V::Rotation,
+         typename V::Identity, typename V::BoxTerm, typename V::AffinityTerm,
+         typename V::MotionTerm, typename V::PointPlace, typename V::PastFrame, typename V::NewBody,
+         typename V::Pairwise, typename V::LabelMatching, typename V::Confidence,
+         typename V::BirthOrigin, typename V::MotionPrior, typename V::Past, typename V::Outliers,
+         typename V::MarginalizationRule, typename V::Gauge, typename V::SpatialTrack,
+         typename V::Calibration>;
 
 template <typename V>
 concept EstimatorVariant = requires {

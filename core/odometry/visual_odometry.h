@@ -64,10 +64,10 @@ class VisualOdometry final : public Odometry {
     {
       const ScopedStage stage(times, "associate");
       TakenFeatures taken = TakenBy(static_matches, frame.features.size());
-      cluster_tracks =
-          AssociateClusters<typename Variant::LandmarkAssociation, typename Variant::BoxWeights,
-                            typename Variant::BoxRematch>(view, PredictorOfClusters(), clusters_,
-                                                          cluster_rng_, taken);
+      cluster_tracks = AssociateClusters<typename Variant::LandmarkAssociation,
+                                         typename Variant::BoxWeights, typename Variant::BoxCost,
+                                         typename Variant::ClassGate, typename Variant::BoxRematch>(
+          view, PredictorOfClusters(), clusters_, cluster_rng_, taken);
     }
 
     // Which body every point belongs to (3.2, heterogeneous CRF).
@@ -77,8 +77,10 @@ class VisualOdometry final : public Odometry {
       const ScopedStage stage(times, "label");
       labels = LabelPoints<typename Variant::BoxTerm, typename Variant::AffinityTerm,
                            typename Variant::MotionTerm, typename Variant::Pairwise,
-                           typename Variant::Confidence>(view, window_, clusters_, cluster_tracks,
-                                                         points);
+                           typename Variant::LabelMatching, typename Variant::Confidence>(
+          view, window_, clusters_, cluster_tracks, points,
+          StepsOf<typename Variant::PointPlace, typename Variant::PastFrame,
+                  typename Variant::NewBody>());
       AdoptDetections(labels, clusters_, cluster_tracks);
     }
 
@@ -86,7 +88,7 @@ class VisualOdometry final : public Odometry {
     {
       const ScopedStage stage(times, "window");
       AddStates(view, newest_, cluster_tracks, clusters_);
-      CreateClusters(view, newest_, points, labels, clusters_);
+      CreateClusters(view, newest_, points, labels, &Variant::BirthOrigin::Origin, clusters_);
       report.new_landmarks = UpdateLandmarks(view, entering, cluster_tracks, points, labels,
                                              next_landmark_, window_, clusters_);
       RemoveUnconfirmed(newest_, options_.window.lost_frames, window_.landmarks);
@@ -97,8 +99,9 @@ class VisualOdometry final : public Odometry {
     {
       const ScopedStage stage(times, "optimize");
       const WindowReport window =
-          OptimizeWindow<typename Variant::Gauge, typename Variant::Calibration>(
-              options_.NoiseOfFeatures(), options_.solver, window_);
+          OptimizeWindow<typename Variant::Gauge, typename Variant::Calibration,
+                         typename Variant::Outliers>(options_.NoiseOfFeatures(), options_.solver,
+                                                     window_);
       report.window_landmarks = window.landmarks;
       report.window_iterations = window.iterations;
       report.window_endings = window.endings;
@@ -109,9 +112,10 @@ class VisualOdometry final : public Odometry {
     // Every cluster against the camera as it is now (3.3, dynamic clusters).
     {
       const ScopedStage stage(times, "optimize_clusters");
-      report.cluster_endings = OptimizeClusters<typename Variant::MotionPrior>(
-          {options_.NoiseOfFeatures(), options_.solver, options_.motion_prior}, window_, pool_,
-          clusters_);
+      report.cluster_endings =
+          OptimizeClusters<typename Variant::MotionPrior, typename Variant::Outliers>(
+              {options_.NoiseOfFeatures(), options_.solver, options_.motion_prior}, window_, pool_,
+              clusters_);
     }
     report.status = !track ? FrameStatus::kFirst
                            : (lost_ > 0 ? FrameStatus::kRecovered : FrameStatus::kTracked);
@@ -172,8 +176,8 @@ class VisualOdometry final : public Odometry {
     double_track_.Advance(entering, window_);
     for (Cluster& cluster : clusters_.live) {
       if (oldest && window_.temporal.front().id != oldest->id) {
-        AbsorbObservations(window_, *oldest, options_.NoiseOfFeatures(), options_.clusters,
-                           cluster);
+        Variant::Past::Leave(window_, *oldest, options_.NoiseOfFeatures(), options_.clusters,
+                             cluster);
       }
       RemoveUnconfirmed(newest_, options_.window.lost_frames, cluster.landmarks);
       TrimCluster(window_, newest_, options_.clusters, cluster);
@@ -194,7 +198,7 @@ class VisualOdometry final : public Odometry {
   }
 
   void EndClusters(FrameReport& report) {
-    RetireClusters(newest_, options_.clusters, clusters_);
+    RetireClusters(newest_, options_.LiveFrames(), options_.clusters, clusters_);
     const ClusterPredictor predict = PredictorOfClusters();
     Variant::Identity::Update(
         {options_.identity, options_.association, options_.clusters, newest_, predict}, clusters_,

@@ -19,8 +19,8 @@ void CopyFrames(const WindowProblem& problem, Window& window) {
 
 }  // namespace
 
-double ApplySolution(const NoiseOptions& noise, const WindowProblem& problem,
-                     const std::vector<int>& landmarks, Window& window) {
+double ApplySolution(double gate, const WindowProblem& problem, const std::vector<int>& landmarks,
+                     Window& window) {
   window.camera = problem.camera;
   CopyFrames(problem, window);
   std::vector<RigidTransform> camera_from_world;
@@ -39,7 +39,7 @@ double ApplySolution(const NoiseOptions& noise, const WindowProblem& problem,
       const auto error = WhitenedError(problem.camera,
                                        {landmark.p_in_object, factor.z_px, factor.sqrt_information},
                                        camera_from_world[factor.pose]);
-      if (!error || error->squaredNorm() > noise.gate) continue;
+      if (!error || error->squaredNorm() > gate) continue;
       kept.push_back(observation);
       sum += error->squaredNorm();
       ++count;

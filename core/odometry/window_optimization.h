@@ -16,14 +16,14 @@ struct WindowReport {
 };
 
 // Writes a solved problem back: camera, frames, and the positions of the landmarks it was made
-// from. Removes observations outside the gate, and returns the RMS whitened error of those that
-// stay.
-double ApplySolution(const NoiseOptions& noise, const WindowProblem& problem,
-                     const std::vector<int>& landmarks, Window& window);
+// from. Removes observations whose squared whitened error is above `gate`, and returns the RMS
+// whitened error of those that stay.
+double ApplySolution(double gate, const WindowProblem& problem, const std::vector<int>& landmarks,
+                     Window& window);
 
 // Bundle adjustment of the window (static energy of the paper's section 3.3). `Gauge` says which
 // frames are held, `Calibration` whether camera.right_shift_px is.
-template <GaugePolicy Gauge, CalibrationPolicy Calibration>
+template <GaugePolicy Gauge, CalibrationPolicy Calibration, OutlierPolicy Outliers>
 WindowReport OptimizeWindow(const FeatureNoise& noise, const SolverOptions& options,
                             Window& window) {
   WindowProblem problem = MakeFrames(window);
@@ -42,7 +42,7 @@ WindowReport OptimizeWindow(const FeatureNoise& noise, const SolverOptions& opti
   const SolverSummary summary = SolveWindow(noise.options, options, problem);
   report.iterations = summary.iterations;
   report.endings.Count(summary.ending);
-  report.mean_error_px = ApplySolution(noise.options, problem, landmarks, window);
+  report.mean_error_px = ApplySolution(Outliers::Gate(noise.options), problem, landmarks, window);
   return report;
 }
 

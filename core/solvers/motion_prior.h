@@ -43,15 +43,11 @@ concept MotionPriorPolicy = requires(const MotionPriorOptions& options, double d
   { Policy::PowerDensity(options, dt_s) } -> std::same_as<double>;
 };
 
-// Policy: white noise on acceleration, of the origin and of the orientation.
-struct WhiteNoiseOnAcceleration {
+// Policy: white noise on the acceleration of the origin (section 3.3 of the paper), q in seconds.
+struct WhiteNoiseOnTranslation {
   static constexpr bool kLinksFrames = true;
-  static constexpr bool kLinksOrientations = true;
-  static double PowerDensity(const MotionPriorOptions& options, double) { return options.q_m2_s3; }
-};
-// Policy: that of the origin alone (section 3.3 of the paper), q in seconds.
-struct WhiteNoiseOnTranslation : WhiteNoiseOnAcceleration {
   static constexpr bool kLinksOrientations = false;
+  static double PowerDensity(const MotionPriorOptions& options, double) { return options.q_m2_s3; }
 };
 // Policy: the same, q in frames as the paper's 0.01 without a unit reads (METHOD.md 8.2).
 struct WhiteNoiseOnAccelerationFrameUnits {
@@ -67,5 +63,11 @@ struct NoMotionPrior {
   static constexpr bool kLinksOrientations = false;
   static double PowerDensity(const MotionPriorOptions& options, double) { return options.q_m2_s3; }
 };
+// Policy: another one, and white noise on the acceleration of the orientation (METHOD.md 8.3).
+template <MotionPriorPolicy Prior>
+struct WithTurnPrior : Prior {
+  static constexpr bool kLinksOrientations = true;
+};
+using WhiteNoiseOnAcceleration = WithTurnPrior<WhiteNoiseOnTranslation>;
 
 }  // namespace cvo

@@ -68,7 +68,7 @@ void RunVariant(const Plan& plan, const Cell& cell, const Sequence& sequence, co
                 const JobFolder& folder) {
   RunRequest request{.sequence = sequence,
                      .variant = FindVariant(cell.variant),
-                     .options = OptionsOf(plan.suite, cell.parameters),
+                     .options = OptionsOf(plan.suite, cell.variant, cell.parameters),
                      .seed = cell.seed,
                      .classes = ClassesOf(cell.sequence),
                      .oracle = OracleOf(cell.oracle),

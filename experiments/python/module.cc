@@ -27,9 +27,9 @@ Frame MakeFrame(FrameReport report, const std::vector<StereoFeature>& features) 
   return {std::move(report), std::move(landmarks)};
 }
 
-py::dict OptionDefaults() {
+py::dict OptionDefaults(const std::string& variant) {
   py::dict defaults;
-  const Options options;
+  const Options options = StereoOdometry::DefaultsOf(variant);
   VisitLeaves(options, [&](const std::string& path, const auto& value, const FieldInfo&) {
     defaults[py::str(path)] = value;
   });
@@ -61,7 +61,8 @@ std::unique_ptr<StereoOdometry> MakeOdometry(const StereoCamera& camera, const s
                                              const std::map<std::string, py::object>& options,
                                              std::uint64_t seed, int threads) {
   StereoOdometrySetup setup{.camera = camera, .variant = variant, .seed = seed, .threads = threads};
-  for (const auto& [name, value] : options) SetOption(name, value, setup.options);
+  setup.options = StereoOdometry::DefaultsOf(variant);
+  for (const auto& [name, value] : options) SetOption(name, value, *setup.options);
   return std::make_unique<StereoOdometry>(setup);
 }
 
@@ -131,7 +132,8 @@ PYBIND11_MODULE(_clustervo, m) {
   RegisterRows();
   py::register_exception<Error>(m, "Error", PyExc_ValueError);
   m.def("variants", &VariantNames, "What each variant changes, by its name.");
-  m.def("options", &OptionDefaults, "The default of every option, by its name.");
+  m.def("options", &OptionDefaults, "The options that a variant starts from, by name.",
+        "variant"_a = "full");
   AddInput(m);
   AddOutput(m);
   py::class_<StereoOdometry>(m, "StereoOdometry",

@@ -177,7 +177,7 @@ PlannedJob Planner::PlanCell(const Cell& cell) {
     IdentifyFiles(input, job);
     return job;
   }
-  const Options options = OptionsOf(suite_, cell.parameters);
+  const Options options = OptionsOf(suite_, cell.variant, cell.parameters);
   job.input = FrontEndKey({build_.Hash(), input.sequence.camera, options.orb, options.stereo},
                           input.images);
   job.job = IdentifyJob({.sequence = input.sequence,

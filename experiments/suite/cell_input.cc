@@ -8,6 +8,7 @@
 #include "core/files/options_json.h"
 #include "experiments/datasets/frame_range.h"
 #include "experiments/runner/frame_detections.h"
+#include "variants/registry.h"
 
 namespace cvo {
 namespace {
@@ -38,8 +39,8 @@ fs::path SceneDetections(const Cell& cell, const fs::path& folder) {
 
 }  // namespace
 
-Options OptionsOf(const Suite& suite, const GridPoint& parameters) {
-  Options options;
+Options OptionsOf(const Suite& suite, const std::string& variant, const GridPoint& parameters) {
+  Options options = variant.empty() ? Options() : FindVariant(variant).defaults();
   const std::vector<OptionLeaf> leaves = OptionLeaves(options);
   MergeOptions(suite.options, "suite " + suite.name, leaves);
   for (const auto& [path, value] : parameters) {

@@ -15,8 +15,9 @@
 
 namespace cvo {
 
-// The options of a grid's point over the suite's. Throws Error for what cannot be together.
-Options OptionsOf(const Suite& suite, const GridPoint& parameters);
+// The options of a grid's point over the suite's, over those that the variant starts from (empty:
+// another system, the defaults). Throws Error for what cannot be together.
+Options OptionsOf(const Suite& suite, const std::string& variant, const GridPoint& parameters);
 
 // "sensor.read_noise=0": what a point assigns to the scene. Where it touches the detector, its
 // values go over the level that the sequence names.

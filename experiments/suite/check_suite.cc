@@ -15,6 +15,7 @@
 #include "experiments/suite/parse_suite.h"
 #include "experiments/suite/suite_grid.h"
 #include "reports/results/metric_catalogue.h"
+#include "reports/results/suite_runs.h"
 #include "synth/family/generate.h"
 #include "synth/write/dataset_settings.h"
 #include "variants/registry.h"
@@ -139,6 +140,11 @@ void CheckCount(const Suite& suite, const std::string& where) {
   }
 }
 
+// Its variants; an empty name where it has other systems alone.
+Names AnyVariants(const Suite& suite) {
+  return suite.variants.empty() ? Names{""} : suite.variants;
+}
+
 // Each value of each axis alone, then the axes together.
 void CheckGrid(const Suite& suite, const std::string& where) {
   for (const GridAxis& axis : suite.grid) {
@@ -151,7 +157,9 @@ void CheckGrid(const Suite& suite, const std::string& where) {
     }
     for (const Json& value : axis.values) {
       const GridPoint point = {{axis.path, value}};
-      At(StrCat(where, ", grid.", axis.path), [&] { OptionsOf(suite, point); });
+      At(StrCat(where, ", grid.", axis.path), [&] {
+        for (const std::string& variant : AnyVariants(suite)) OptionsOf(suite, variant, point);
+      });
     }
   }
   const bool scenes = std::any_of(suite.grid.begin(), suite.grid.end(),
@@ -159,9 +167,11 @@ void CheckGrid(const Suite& suite, const std::string& where) {
   for (std::size_t i = 0; i < suite.sequences.size(); ++i) {
     if (i > 0 && !scenes) continue;  // the same for all of them
     At(where + ", grid", [&] {
-      for (const GridPoint& point : GridPoints(suite, suite.sequences[i])) {
-        OptionsOf(suite, point);
-        if (scenes) CheckScene(suite.sequences[i], point);
+      for (const std::string& variant : AnyVariants(suite)) {
+        for (const GridPoint& point : GridPoints(suite, suite.sequences[i], variant)) {
+          OptionsOf(suite, variant, point);
+          if (scenes) CheckScene(suite.sequences[i], point);
+        }
       }
     });
   }
@@ -230,7 +240,7 @@ void CheckRows(const Suite& suite, const std::string& where) {
 // A variant of the suite, or a value of one of the rows' keys.
 void CheckReference(const Suite& suite, const std::string& where) {
   const std::string& reference = suite.table.reference;
-  if (reference.empty()) return;
+  if (reference.empty() || reference == reports::kRowAbove) return;
   const std::size_t equals = reference.find('=');
   if (equals == std::string::npos) {
     CheckNames({reference}, suite.variants, where, "a variant of the suite");
@@ -283,7 +293,9 @@ void CheckSuite(const Suite& suite, const std::string& where) {
     ThrowError(where + ", seeds", "a seed twice", "each once");
   }
   CheckCount(suite, where);
-  At(where + ", options", [&] { OptionsOf(suite, {}); });
+  At(where + ", options", [&] {
+    for (const std::string& variant : AnyVariants(suite)) OptionsOf(suite, variant, {});
+  });
   CheckGrid(suite, where);
   CheckOracles(suite, where);
   CheckSystems(suite, where);

@@ -10,13 +10,17 @@ namespace cvo {
 namespace {
 
 void AddVariants(const Suite& suite, const SuiteSequence& sequence, std::vector<Cell>& cells) {
-  const std::vector<GridPoint> points = GridPoints(suite, sequence);
+  std::vector<std::vector<GridPoint>> points;  // by variant, alike in number
+  for (const std::string& variant : suite.variants) {
+    points.push_back(GridPoints(suite, sequence, variant));
+  }
   for (const std::uint64_t seed : suite.seeds) {
-    for (const GridPoint& point : points) {
+    const bool landmarks = suite.landmarks && seed == suite.seeds.front();
+    for (std::size_t point = 0; !points.empty() && point < points.front().size(); ++point) {
       for (const std::vector<std::string>& oracle : suite.oracles) {
-        for (const std::string& variant : suite.variants) {
-          const bool landmarks = suite.landmarks && seed == suite.seeds.front();
-          cells.push_back({sequence, variant, "", seed, point, oracle, landmarks});
+        for (std::size_t v = 0; v < suite.variants.size(); ++v) {
+          cells.push_back(
+              {sequence, suite.variants[v], "", seed, points[v][point], oracle, landmarks});
         }
       }
     }

@@ -38,7 +38,7 @@ std::string NameOf(const Cell& cell) {
 }
 
 Json ResolvedOptions(const Suite& suite, const Cell& cell) {
-  Options options = OptionsOf(suite, cell.parameters);
+  Options options = OptionsOf(suite, cell.variant, cell.parameters);
   return OptionsToJson(OptionLeaves(options));
 }
 

@@ -90,8 +90,9 @@ Json SceneDefaults(const SuiteSequence& sequence) {
 }
 
 // Every axis at its default.
-GridPoint DefaultPoint(const Suite& suite, const SuiteSequence& sequence) {
-  Options options = OptionsOf(suite, {});
+GridPoint DefaultPoint(const Suite& suite, const SuiteSequence& sequence,
+                       const std::string& variant) {
+  Options options = OptionsOf(suite, variant, {});
   const Json estimator = OptionsToJson(OptionLeaves(options));
   Json scene;
   GridPoint point;
@@ -112,8 +113,9 @@ GridPoint DefaultPoint(const Suite& suite, const SuiteSequence& sequence) {
   return point;
 }
 
-std::vector<GridPoint> OneAtATime(const Suite& suite, const SuiteSequence& sequence) {
-  const GridPoint origin = DefaultPoint(suite, sequence);
+std::vector<GridPoint> OneAtATime(const Suite& suite, const SuiteSequence& sequence,
+                                  const std::string& variant) {
+  const GridPoint origin = DefaultPoint(suite, sequence, variant);
   std::vector<GridPoint> points = {origin};
   for (std::size_t i = 0; i < suite.grid.size(); ++i) {
     for (const Json& value : suite.grid[i].values) {
@@ -153,8 +155,9 @@ std::vector<Json> ParseAxisValues(const Json& json, const std::string& where) {
   return values;
 }
 
-std::vector<GridPoint> GridPoints(const Suite& suite, const SuiteSequence& sequence) {
-  if (suite.grid_one_at_a_time) return OneAtATime(suite, sequence);
+std::vector<GridPoint> GridPoints(const Suite& suite, const SuiteSequence& sequence,
+                                  const std::string& variant) {
+  if (suite.grid_one_at_a_time) return OneAtATime(suite, sequence, variant);
   std::vector<GridPoint> points = {{}};
   for (const GridAxis& axis : suite.grid) {
     std::vector<GridPoint> longer;

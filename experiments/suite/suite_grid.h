@@ -18,8 +18,10 @@ using GridPoint = std::vector<std::pair<std::string, Json>>;
 std::vector<Json> ParseAxisValues(const Json& json, const std::string& where);
 
 // All points, the last axis fastest. One at a time: first the point with every axis at its default,
-// then each axis through its other values. Defaults of "scene." axes are those of the sequence.
-std::vector<GridPoint> GridPoints(const Suite& suite, const SuiteSequence& sequence);
+// then each axis through its other values. Defaults are the variant's (empty: of any), those of
+// "scene." axes the sequence's.
+std::vector<GridPoint> GridPoints(const Suite& suite, const SuiteSequence& sequence,
+                                  const std::string& variant);
 
 // Whether the path is of a scene file; and its key there.
 bool IsScenePath(const std::string& path);

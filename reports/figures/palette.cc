@@ -24,7 +24,7 @@ constexpr std::array kKnown = {"full",
                                "no_probabilistic_association",
                                "no_box_rematch",
                                "no_label_confidence",
-                               "paper_literal",
+                               "clustervo",
                                "no_identity"};
 
 constexpr std::array kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",

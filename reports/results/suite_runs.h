@@ -23,13 +23,16 @@ struct PlannedRun {
   std::string missing;  // why
 };
 
+// As the reference of a suite: each row is compared with the one before it.
+inline constexpr std::string_view kRowAbove = "the row above";
+
 struct SuitePlan {
   std::filesystem::path file;
   std::string name;
   std::string about;
   std::vector<std::string> rows;
   std::vector<std::string> metrics;
-  std::string reference;  // a variant, or key=value
+  std::string reference;  // a variant, key=value or kRowAbove
   std::vector<PlannedRun> runs;
 };
 

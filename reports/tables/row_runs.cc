@@ -43,9 +43,29 @@ std::string RepetitionOf(const SuiteRun& run, const std::vector<std::string>& ke
   return repetition;
 }
 
+namespace {
+
+// The last row before this one, of the same sequence where rows have one.
+const RowRuns* FindRowAbove(const std::vector<RowRuns>& rows, const RowRuns& row,
+                            const std::vector<std::string>& keys) {
+  const RowRuns* above = nullptr;
+  for (const RowRuns& other : rows) {
+    if (&other == &row || other.keys == row.keys) break;
+    bool is_alike = true;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      is_alike = is_alike && (keys[i] != "sequence" || other.keys[i] == row.keys[i]);
+    }
+    if (is_alike) above = &other;
+  }
+  return above;
+}
+
+}  // namespace
+
 const RowRuns* FindReference(const std::vector<RowRuns>& rows, const RowRuns& row,
                              const std::vector<std::string>& keys, const std::string& reference) {
   if (reference.empty()) return nullptr;
+  if (reference == kRowAbove) return FindRowAbove(rows, row, keys);
   const std::size_t equals = reference.find('=');
   std::vector<std::string> wanted = row.keys;
   for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -58,7 +78,7 @@ const RowRuns* FindReference(const std::vector<RowRuns>& rows, const RowRuns& ro
 }
 
 std::string FullReference(const SuitePlan& plan) {
-  if (plan.reference.empty()) return "";
+  if (plan.reference.empty() || plan.reference == kRowAbove) return plan.reference;
   const std::size_t equals = plan.reference.find('=');
   const bool is_full = equals != std::string::npos;
   const std::string key = is_full ? plan.reference.substr(0, equals) : "variant";

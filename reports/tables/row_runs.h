@@ -28,7 +28,7 @@ std::string SceneOf(const SuiteRun& run);
 std::string RepetitionOf(const SuiteRun& run, const std::vector<std::string>& keys);
 
 // The row that another is compared with: the same but for the key of `reference`, which is
-// "key=value". nullptr where there is none or where it is the row itself.
+// "key=value" or kRowAbove. nullptr where there is none or where it is the row itself.
 const RowRuns* FindReference(const std::vector<RowRuns>& rows, const RowRuns& row,
                              const std::vector<std::string>& keys, const std::string& reference);
 

@@ -83,7 +83,7 @@ JobCache OpenCache(const Flags& flags, std::size_t frames) {
 
 int Run(const Flags& flags) {
   const VariantInfo& variant = FindVariant(flags.variant);
-  const Options options = flags.run.Resolve();
+  const Options options = flags.run.Resolve(variant.defaults());
   const std::vector<std::string> classes =
       flags.classes.empty() ? RigidClasses() : ParseClasses(flags.classes);
   const Sequence sequence = OpenSequence(flags.sequence.Request());

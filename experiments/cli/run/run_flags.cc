@@ -21,7 +21,9 @@ void RunFlags::AddTo(CLI::App& app) {
   AddQuiet(app, quiet);
 }
 
-Options RunFlags::Resolve() const { return ResolveOptions<Options>(config, set); }
+Options RunFlags::Resolve(const Options& defaults) const {
+  return ResolveOptions<Options>(config, set, defaults);
+}
 
 void AddQuiet(CLI::App& app, bool& quiet) {
   app.add_flag("-q,--quiet", quiet, "do not print progress to stderr");

@@ -19,8 +19,8 @@ struct RunFlags {
   bool quiet = false;
 
   void AddTo(CLI::App& app);
-  // Defaults, --config, then --set. Throws Error for an option that cannot be.
-  Options Resolve() const;
+  // The defaults, --config, then --set. Throws Error for an option that cannot be.
+  Options Resolve(const Options& defaults) const;
 };
 
 // -q, and --threads with the number of CPUs as its default: what every long command has.

@@ -17,7 +17,8 @@ int List() {
   for (const ShippedSuite& shipped : ShippedSuites()) {
     const Suite suite = LoadSuite(shipped.name);
     const std::size_t points =
-        GridPoints(suite, suite.sequences.front()).size() * suite.oracles.size();
+        GridPoints(suite, suite.sequences.front(), suite.variants.front()).size() *
+        suite.oracles.size();
     table.Add({suite.name, std::to_string(suite.sequences.size()),
                std::to_string(suite.variants.size()), std::to_string(points),
                std::to_string(suite.seeds.size()), std::to_string(ExpandSuite(suite).size()),

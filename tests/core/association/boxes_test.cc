@@ -127,7 +127,7 @@ std::vector<int> Associate(const std::vector<std::vector<BoxMember>>& clusters,
   for (const auto& cluster : clusters) {
     probabilities.push_back(BoundedBoxWeights::Compute(cluster, boxes));
   }
-  return AssociateBoxes(probabilities, static_cast<int>(boxes.size()), {});
+  return AssociateBoxes(probabilities, static_cast<int>(boxes.size()), {}, &SharedBoxCost::Cost);
 }
 
 TEST(AssociateBoxes, EachClusterGetsItsBoxInWhateverOrder) {
@@ -155,6 +155,16 @@ TEST(AssociateBoxes, TheClusterThatFillsABoxWins) {
   EXPECT_THAT(Associate({Several(20, 50, 50), Several(4, 60, 60)}, boxes), ElementsAre(0, -1));
 }
 
+// A ghost with all its few landmarks in the box of a body that has most of its many there.
+TEST(AssociateBoxes, OnlyTheShareOfABoxKeepsItFromAGhost) {
+  const std::vector<ImageBox> boxes = {kTwoBoxes[0]};
+  const std::vector<BoxProbabilities> clusters = {
+      BoundedBoxWeights::Compute(Several(4, 50, 50), boxes),
+      BoundedBoxWeights::Compute(Join(Several(20, 60, 60), Several(2, 150, 50)), boxes)};
+  EXPECT_THAT(AssociateBoxes(clusters, 1, {}, &SharedBoxCost::Cost), ElementsAre(-1, 0));
+  EXPECT_THAT(AssociateBoxes(clusters, 1, {}, &UnsharedBoxCost::Cost), ElementsAre(0, -1));
+}
+
 TEST(AssociateBoxes, RefusesABoxWithTooLittleOfTheCluster) {
   const std::vector<ImageBox> boxes = {kTwoBoxes[0]};
   const ClusterAssociationOptions options;
@@ -174,7 +184,7 @@ TEST(AssociateBoxes, RefusesAClusterSpreadOverBoxes) {
   BoxProbabilities p = BoundedBoxWeights::Compute(spread, boxes);
   ClusterAssociationOptions options;
   options.max_entropy = 1.6;
-  EXPECT_THAT(AssociateBoxes({&p, 1}, 3, options), ElementsAre(0));
+  EXPECT_THAT(AssociateBoxes({&p, 1}, 3, options, &SharedBoxCost::Cost), ElementsAre(0));
 }
 
 TEST(AssociateBoxes, NothingToAssociate) {

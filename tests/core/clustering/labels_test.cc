@@ -19,6 +19,7 @@ struct Group {
 };
 
 // Labels: static scene, cluster 5, two new boxes, outliers.
+template <LabelMatchingPolicy Policy = MatchNewBoxes>
 std::vector<ClusterId> Match(std::initializer_list<Group> groups) {
   const LabelIdentity labels[] = {{LabelKind::kStatic, kStaticScene},
                                   {LabelKind::kCluster, ClusterId{5}},
@@ -31,19 +32,19 @@ std::vector<ClusterId> Match(std::initializer_list<Group> groups) {
     label_of_node.insert(label_of_node.end(), group.count, group.label);
     previous_of_node.insert(previous_of_node.end(), group.count, group.previous);
   }
-  return MatchLabels(labels, label_of_node, previous_of_node, {});
+  return Policy::Match(labels, {label_of_node, previous_of_node}, {});
 }
 
 std::vector<ClusterId> Expect(ClusterId first_box, ClusterId second_box) {
   return {kStaticScene, ClusterId{5}, first_box, second_box, kNone};
 }
 
-TEST(MatchLabels, NewBoxContinuesTheClusterOfItsNodes) {
+TEST(MatchNewBoxes, NewBoxContinuesTheClusterOfItsNodes) {
   EXPECT_EQ(Match({{10, 2, ClusterId{7}}, {5, 2, kNone}, {3, 0, ClusterId{7}}}),
             Expect(ClusterId{7}, kNone));
 }
 
-TEST(MatchLabels, ThreeTenthsOfTheUnionAreNeeded) {
+TEST(MatchNewBoxes, ThreeTenthsOfTheUnionAreNeeded) {
   // 3 shared of 3 + 5 + 2 and of 3 + 5 + 3; nodes without a cluster count in the union.
   EXPECT_EQ(Match({{3, 3, ClusterId{7}}, {5, 3, kNone}, {2, 4, ClusterId{7}}}),
             Expect(kNone, ClusterId{7}));
@@ -52,32 +53,58 @@ TEST(MatchLabels, ThreeTenthsOfTheUnionAreNeeded) {
 }
 
 // Each for itself would take cluster 7; together 7 + 8 share more than 8 + nothing.
-TEST(MatchLabels, BoxesShareOutTheClusters) {
+TEST(MatchNewBoxes, BoxesShareOutTheClusters) {
   EXPECT_EQ(Match({{9, 2, ClusterId{7}}, {8, 2, ClusterId{8}}, {8, 3, ClusterId{7}}}),
             Expect(ClusterId{8}, ClusterId{7}));
 }
 
-TEST(MatchLabels, OneClusterIsContinuedByOneBox) {
+TEST(MatchNewBoxes, OneClusterIsContinuedByOneBox) {
   EXPECT_EQ(Match({{10, 2, ClusterId{7}}, {9, 3, ClusterId{7}}}), Expect(ClusterId{7}, kNone));
   EXPECT_EQ(Match({{10, 2, ClusterId{7}}, {10, 3, ClusterId{7}}}), Expect(ClusterId{7}, kNone));
 }
 
-TEST(MatchLabels, StaticSceneAndClustersWithALabelAreNotToBeHad) {
+TEST(MatchNewBoxes, StaticSceneAndClustersWithALabelAreNotToBeHad) {
   EXPECT_EQ(Match({{10, 2, kStaticScene}, {10, 3, ClusterId{5}}}), Expect(kNone, kNone));
   EXPECT_EQ(Match({{10, 2, kNone}, {10, 0, ClusterId{7}}}), Expect(kNone, kNone));
 }
 
-TEST(MatchLabels, NothingToMatch) {
+TEST(MatchNewBoxes, NothingToMatch) {
   EXPECT_EQ(Match({}), Expect(kNone, kNone));
-  EXPECT_TRUE(MatchLabels({}, {}, {}, {}).empty());
+  EXPECT_TRUE(MatchNewBoxes::Match({}, {}, {}).empty());
 }
 
-TEST(MatchLabels, RefusesLabelsThatAreNone) {
+TEST(MatchNewBoxes, AClusterWithoutABoxKeepsItsLabelBesideTheBoxThatShowsIt) {
+  const LabelIdentity labels[] = {{LabelKind::kStatic, kStaticScene},
+                                  {LabelKind::kCluster, ClusterId{5}, false},
+                                  {LabelKind::kNewBox, kNone},
+                                  {LabelKind::kOutlier, kNone}};
+  const int of_node[] = {2, 2};
+  const ClusterId previous[] = {ClusterId{5}, ClusterId{5}};
+  EXPECT_EQ(MatchNewBoxes::Match(labels, {of_node, previous}, {}),
+            (std::vector<ClusterId>{kStaticScene, ClusterId{5}, ClusterId{5}, kNone}));
+}
+
+TEST(MatchAllLabels, ANewBoxMayTakeTheClusterOfALabel) {
+  EXPECT_EQ(Match<MatchAllLabels>({{10, 2, ClusterId{5}}, {2, 1, ClusterId{5}}}),
+            (std::vector<ClusterId>{kStaticScene, kNone, ClusterId{5}, kNone, kNone}));
+}
+
+TEST(MatchAllLabels, ALabelWithoutAMatchKeepsItsClusterIfNoOtherTookIt) {
+  EXPECT_EQ(Match<MatchAllLabels>({{10, 2, ClusterId{7}}, {3, 0, ClusterId{5}}}),
+            Expect(ClusterId{7}, kNone));
+}
+
+TEST(MatchAllLabels, TheStaticSceneIsNobodysToTake) {
+  EXPECT_EQ(Match<MatchAllLabels>({{10, 2, kStaticScene}, {10, 1, kStaticScene}}),
+            Expect(kNone, kNone));
+}
+
+TEST(MatchNewBoxes, RefusesLabelsThatAreNone) {
   EXPECT_NE(ErrorMessage([] { Match({{1, 5, kNone}}); }), "");
   EXPECT_NE(ErrorMessage([] { Match({{1, -1, kNone}}); }), "");
   const LabelIdentity label{};
   const int of_node = 0;
-  EXPECT_NE(ErrorMessage([&] { MatchLabels({&label, 1}, {&of_node, 1}, {}, {}); }), "");
+  EXPECT_NE(ErrorMessage([&] { MatchNewBoxes::Match({&label, 1}, {{&of_node, 1}, {}}, {}); }), "");
 }
 
 constexpr ClusterId kCar{3};

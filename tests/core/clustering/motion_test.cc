@@ -94,6 +94,18 @@ TEST(MotionTerm, HasTheValueWorkedOutByHand) {
   EXPECT_NEAR(RawEnergies<MotionTerm>(scene)(0, kStaticLabel), 0.5 * 49.0 / 50.0, 1e-6);
 }
 
+TEST(MotionTerm, AnEstimatedPlaceStandsForTheTriangulatedOne) {
+  CrfScene scene = MotionScene(Shift(0, 0, 0), Shift(5, 0, 0));
+  CrfNode node = NodeWithPast({1, 0, 10}, {1, 0, 10});
+  node.p_in_camera = {1, 0, 12};  // a bad disparity
+  node.past->covariance_px2 = Eigen::Matrix3d::Identity();
+  scene.nodes = {node};
+  EXPECT_GT(RawEnergies<MotionTerm>(scene)(0, kStaticLabel), 1.0);
+  scene.nodes[0].estimate = CrfNode::Place{Eigen::Vector3d(1, 0, 10)};
+  EXPECT_NEAR(RawEnergies<MotionTerm>(scene)(0, kStaticLabel), 0.0, 1e-9);
+  EXPECT_NEAR(RawEnergies<MotionTermLiteral>(scene)(0, kStaticLabel), 0.0, 1e-9);
+}
+
 TEST(MotionTerm, TheTrueLabelCostsOneAndAHalfNatsOnAverage) {
   const RigidTransform body(ExpSo3({0.02, -0.1, 0.03}), Eigen::Vector3d(-0.6, 0.05, 0.8));
   CrfScene scene = MotionScene(Shift(0.1, 0, 1.0), body);

@@ -119,6 +119,13 @@ TEST(Box2dTerm, APredictedBoxLeavesItOpenBetweenItsBodyAndTheStaticScene) {
               Near({0.475, 0.05 / 3, 0.05 / 3, 0.475, 0.05 / 3}));
 }
 
+TEST(DetectedBox2dTerm, KnowsNoPredictionAndElseDoesAsTheOther) {
+  EXPECT_THAT(Probabilities<DetectedBox2dTerm>(BoxScene(), NodeSeenAt(390, 290)),
+              Near({0.95, 0.0125, 0.0125, 0.0125, 0.0125}));
+  EXPECT_THAT(Probabilities<DetectedBox2dTerm>(BoxScene(), NodeSeenAt(120, 150)),
+              Near({0.0125, 0.95, 0.0125, 0.0125, 0.0125}));
+}
+
 TEST(Box2dTerm, ADetectionOverrulesAPrediction) {
   EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(230, 170)),
               Near({0.0125, 0.0125, 0.95, 0.0125, 0.0125}));

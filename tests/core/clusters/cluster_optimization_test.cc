@@ -54,8 +54,9 @@ struct Moving {
     const RigidTransform& pose = map.live[0].Latest().world_from_object;
     return (pose.translation() - Truth(kFrames - 1).translation()).norm();
   }
+  template <OutlierPolicy Outliers = RemoveOutliers>
   SolverEndings Optimize() {
-    return OptimizeClusters<WhiteNoiseOnAcceleration>(
+    return OptimizeClusters<WhiteNoiseOnAcceleration, Outliers>(
         {options.NoiseOfFeatures(), options.solver, options.motion_prior}, window, pool, map);
   }
 };
@@ -77,6 +78,13 @@ TEST(OptimizeClusters, OutliersOfTheLastFrameAreFoundInIt) {
   }
   // Huber's loss alone would leave them a say.
   EXPECT_LT(body.LastError_m(), 1e-4);
+}
+
+TEST(OptimizeClusters, OutliersMayStay) {
+  Moving body;
+  body.map.live[0].landmarks[0].observations.back().z_px += Eigen::Vector3d(12.0, 0.0, 12.0);
+  body.Optimize<KeepOutliers>();
+  EXPECT_NE(FindObservation(body.map.live[0].landmarks[0], FrameId{kFrames - 1}), nullptr);
 }
 
 TEST(OptimizeClusters, SolvesAgainWhileOutliersAreFound) {

@@ -60,74 +60,6 @@ std::vector<std::int64_t> Ids(const std::vector<Landmark>& landmarks) {
   return ids;
 }
 
-// One landmark of a turned body in frames 0 and 1, frame 0 leaving the window.
-struct Absorption {
-  Window window = WindowOf(1, 2);
-  WindowFrame leaving{FrameId{0}, At(0.2, 0.1, 0.3, 0.1), false};
-  Cluster cluster;
-  ClusterOptions options;
-
-  Absorption() {
-    cluster.states = {StateAt(0, At(1.0, 0.5, 8.0, 0.7)), StateAt(1, At(1.1, 0.5, 8.0, 0.8))};
-    cluster.landmarks = {MakeLandmark(0, {0, 1})};
-    cluster.landmarks[0].p_in_object = {0.3, -0.2, 0.4};
-    cluster.landmarks[0].observations[0].octave = 2;
-  }
-  void Absorb() { AbsorbObservations(window, leaving, {{}, 1.2}, options, cluster); }
-  const Landmark& landmark() const { return cluster.landmarks[0]; }
-};
-
-TEST(AbsorbObservations, InformationIsThatOfTheReprojectionError) {
-  Absorption a;
-  a.Absorb();
-  EXPECT_THAT(a.landmark().observations, SizeIs(1));
-  EXPECT_EQ(a.landmark().observations[0].frame, FrameId{1});
-  // J by central differences of the projection of a point of the body.
-  const auto project = [&](const Eigen::Vector3d& p_in_object) {
-    return *kCamera.Project(a.leaving.world_from_camera.Inverse() *
-                            (a.cluster.states[0].world_from_object * p_in_object));
-  };
-  Eigen::Matrix3d J;
-  for (int k = 0; k < 3; ++k) {
-    const Eigen::Vector3d step = 1e-5 * Eigen::Vector3d::Unit(k);
-    J.col(k) =
-        (project(a.landmark().p_in_object + step) - project(a.landmark().p_in_object - step)) /
-        2e-5;
-  }
-  const Eigen::Matrix3d expected =
-      J.transpose() * MeasurementCovariance({}, 1.2 * 1.2).inverse() * J;
-  EXPECT_LT((a.landmark().past_information - expected).norm(), 1e-6 * expected.norm());
-}
-
-TEST(AbsorbObservations, WhatIsRememberedIsBounded) {
-  Absorption a;
-  a.options.max_past_observations = 10.0;
-  a.Absorb();
-  const Eigen::Matrix3d one = a.landmark().past_information;
-  for (int k = 0; k < 500; ++k) {
-    a.cluster.landmarks[0].observations.insert(a.cluster.landmarks[0].observations.begin(),
-                                               {FrameId{0}, {300.0, 200.0, 280.0}, 2});
-    a.Absorb();
-    EXPECT_LE(a.landmark().past_information.norm(), 10.0 * one.norm() * (1.0 + 1e-12));
-  }
-  EXPECT_NEAR(a.landmark().past_information.norm(), 10.0 * one.norm(), 1e-6 * one.norm());
-}
-
-TEST(AbsorbObservations, APointSeenOnceHasNothingToDefend) {
-  Absorption a;
-  a.cluster.landmarks[0].observations.pop_back();
-  a.Absorb();
-  EXPECT_THAT(a.landmark().observations, IsEmpty());
-  EXPECT_TRUE(a.landmark().past_information.isZero());
-}
-
-TEST(AbsorbObservations, AFrameWithoutAStateSaysNothing) {
-  Absorption a;
-  a.cluster.states.erase(a.cluster.states.begin());
-  a.Absorb();
-  EXPECT_TRUE(a.landmark().past_information.isZero());
-}
-
 TEST(TrimCluster, DropsWhatIsOlderThanTheWindowButTheLastState) {
   Cluster cluster;
   for (int f = 0; f < 4; ++f) cluster.states.push_back(StateAt(f, At(0, 0, 5)));
@@ -195,7 +127,7 @@ std::vector<std::int64_t> Ids(const ClusterMap& map, bool live) {
 
 TEST(RetireClusters, LiveArchivedOrDropped) {
   const ClusterOptions options;
-  const int L = options.live_frames;
+  const int L = Options().LiveFrames();
   ClusterMap map;
   map.live = {ClusterSeen(1, 100 - L + 1, 80, 2),                        // unseen for L - 1 frames
               ClusterSeen(2, 100 - L, 80, 2),                            // for L
@@ -205,7 +137,7 @@ TEST(RetireClusters, LiveArchivedOrDropped) {
               ClusterSeen(6, 100 - L, -1, 0)};
   map.live[5].given_body = BodyId{7};  // given ones need no confirmation
   for (const Cluster& cluster : map.live) map.trajectories[cluster.id].id = cluster.id;
-  RetireClusters(FrameId{100}, options, map);
+  RetireClusters(FrameId{100}, Options().LiveFrames(), options, map);
   EXPECT_THAT(Ids(map, true), ElementsAre(1, 4));
   EXPECT_THAT(Ids(map, false), ElementsAre(2, 6));
   std::vector<std::int64_t> told;
@@ -220,7 +152,7 @@ TEST(RetireClusters, WhatWasNeverConfirmedIsNeverTold) {
   map.live = {ClusterSeen(1, 5, 5, 1)};
   map.trajectories[ClusterId{1}].id = ClusterId{1};
   EXPECT_THAT(ConfirmedTrajectories(map, options), IsEmpty());
-  RetireClusters(FrameId{5 + options.live_frames}, options, map);
+  RetireClusters(FrameId{5 + Options().LiveFrames()}, Options().LiveFrames(), options, map);
   EXPECT_THAT(Ids(map, true), IsEmpty());
   EXPECT_THAT(Ids(map, false), IsEmpty());
   EXPECT_THAT(ConfirmedTrajectories(map, options), IsEmpty());
@@ -231,7 +163,7 @@ TEST(RetireClusters, TheArchiveForgetsTheOldest) {
   options.archived = 2;
   ClusterMap map;
   for (int id = 1; id <= 4; ++id) map.live.push_back(ClusterSeen(id, 0, 0, 5));
-  RetireClusters(FrameId{100}, options, map);
+  RetireClusters(FrameId{100}, Options().LiveFrames(), options, map);
   EXPECT_THAT(Ids(map, true), IsEmpty());
   EXPECT_THAT(Ids(map, false), ElementsAre(3, 4));
 }

@@ -11,111 +11,20 @@
 #include "core/clusters/cluster_pose.h"
 #include "core/labelling/cluster_birth.h"
 #include "core/labelling/landmark_update.h"
-#include "core/odometry/detection_policies.h"
+#include "tests/core/labelling/labelled_frame.h"
 
 namespace cvo {
 namespace {
 
+using test::At;
+using test::Frame;
+using test::kCamera;
+using test::Moving;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-const StereoCamera kCamera = {.fx = 450,
-                              .fy = 450,
-                              .cx = 320,
-                              .cy = 240,
-                              .baseline_m = 0.3,
-                              .width_px = 640,
-                              .height_px = 480};
 constexpr ClusterId kNone{};
-
-RigidTransform At(double x, double y, double z) {
-  return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, y, z)};
-}
-
-// A frame seen from the origin, its features at given points.
-struct Frame {
-  Options options;
-  StereoFrame frame;
-  std::vector<FramePoint> points;
-  FrameLabels labels;
-  Window window;
-  ClusterMap map;
-
-  Frame() { window.camera = kCamera; }
-
-  static Eigen::Vector3d Pixel(const Eigen::Vector3d& p_in_camera) {
-    return *kCamera.Project(p_in_camera);
-  }
-  // A feature that shows a landmark of `owner`, labelled `assigned`.
-  void Add(const Eigen::Vector3d& p_in_camera, PointOwner owner, int landmark, ClusterId assigned) {
-    FramePoint point;
-    point.feature = static_cast<int>(frame.features.size());
-    point.owner = owner;
-    point.landmark = landmark;
-    points.push_back(point);
-    StereoFeature feature;
-    feature.z_px = Pixel(p_in_camera);
-    frame.features.push_back(feature);
-    PointLabel label;
-    label.inferred = assigned;
-    label.assigned.cluster = assigned;
-    labels.points.push_back(label);
-  }
-  template <typename Use>
-  auto With(Use use) {
-    const FeatureGrid grid(frame.features, kCamera);
-    const FrameView view{options, frame,   UseDetections::Show(frame),
-                         grid,    kCamera, RigidTransform()};
-    return use(view);
-  }
-};
-
-// A body that moves 0.1 m to the right per frame, of which and of a static point frames 0 to 3 are
-// in the window. Frame 4 is entering; the body is then at x = 0.4 m.
-struct Moving : Frame {
-  static constexpr PointOwner kBody = ClusterOwner(0);
-  const Eigen::Vector3d p_in_world{0.5, 0.2, 6.0};  // of the point, static, or now on the body
-  std::vector<ClusterTrack> tracks{1};
-  LandmarkId next{10};
-
-  Moving() {
-    Cluster cluster;
-    cluster.id = ClusterId{1};
-    for (std::int64_t f = 0; f < 4; ++f) {
-      window.temporal.push_back({FrameId{f}, {}, false});
-      cluster.states.push_back({FrameId{f}, f, BodyAt(f), {1.0, 0.0, 0.0}});
-    }
-    map.live = {cluster};
-    map.next = ClusterId{2};
-    tracks[0].is_tracked = true;
-    tracks[0].world_from_object = BodyAt(4);
-  }
-  static RigidTransform BodyAt(std::int64_t frame) {
-    return At(0.1 * static_cast<double>(frame), 0.0, 6.0);
-  }
-  // The landmark that was at `where(frame)` in frames 0 to 3.
-  template <typename Where>
-  static Landmark Seen(const Eigen::Vector3d& p_in_object, Where where) {
-    Landmark landmark;
-    landmark.id = LandmarkId{7};
-    landmark.p_in_object = p_in_object;
-    landmark.last_seen = FrameId{3};
-    for (std::int64_t f = 0; f < 4; ++f) {
-      landmark.observations.push_back({FrameId{f}, Pixel(where(f)), 0});
-    }
-    return landmark;
-  }
-  Eigen::Vector3d OnBody(std::int64_t f) const {
-    return BodyAt(f) * (BodyAt(4).Inverse() * p_in_world);
-  }
-  int Update() {
-    return With([&](const FrameView& view) {
-      return UpdateLandmarks(view, {FrameId{4}, {}, false}, tracks, points, labels, next, window,
-                             map);
-    });
-  }
-};
 
 std::vector<std::int64_t> FramesOf(const Landmark& landmark) {
   std::vector<std::int64_t> frames;
@@ -247,7 +156,8 @@ TEST(CreateClusters, OriginIsBehindTheSurfaceNearTheCentre) {
   Frame frame = Ball(center, 0.6);
   frame.labels.births = {{ClusterId{1}, 0, -1}};
   frame.With([&](const FrameView& view) {
-    CreateClusters(view, FrameId{4}, frame.points, frame.labels, frame.map);
+    CreateClusters(view, FrameId{4}, frame.points, frame.labels, &OriginBehindBox::Origin,
+                   frame.map);
     return 0;
   });
   ASSERT_THAT(frame.map.live, SizeIs(1));
@@ -262,11 +172,25 @@ TEST(CreateClusters, OriginIsBehindTheSurfaceNearTheCentre) {
   EXPECT_LT((cluster.Latest().world_from_object.translation() - center).norm(), 0.2);
 }
 
+TEST(CreateClusters, OriginMayBeTheMiddleOfThePoints) {
+  const Eigen::Vector3d center(0.5, 0.3, 8.0);
+  Frame frame = Ball(center, 0.6);
+  frame.labels.births = {{ClusterId{1}, 0, -1}};
+  frame.With([&](const FrameView& view) {
+    CreateClusters(view, FrameId{4}, frame.points, frame.labels, &OriginAtCentroid::Origin,
+                   frame.map);
+    return 0;
+  });
+  // The points are on the side that faces the camera.
+  EXPECT_LT(frame.map.live.at(0).Latest().world_from_object.translation().z(), center.z() - 0.2);
+}
+
 TEST(CreateClusters, GivenLabelsAloneMakeAnUnnamedBodyOfItsPoints) {
   Frame frame = Ball({0.0, 0.0, 8.0}, 0.6);
   frame.labels.births = {{ClusterId{1}, -1, 5}};
   frame.With([&](const FrameView& view) {
-    CreateClusters(view, FrameId{4}, frame.points, frame.labels, frame.map);
+    CreateClusters(view, FrameId{4}, frame.points, frame.labels, &OriginBehindBox::Origin,
+                   frame.map);
     return 0;
   });
   const Cluster& cluster = frame.map.live.at(0);

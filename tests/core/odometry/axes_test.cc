@@ -37,7 +37,7 @@ TEST(Axes, APolicyOfAnotherAxisIsNoVariant) {
 
 TEST(Axes, MatchingAndIdentityAreChangedApart) {
   EXPECT_TRUE((std::is_same_v<WithoutBoxRematch::Identity, Full::Identity>));
-  EXPECT_TRUE((std::is_same_v<WithoutIdentity::BoxRematch, Full::BoxRematch>));
+  EXPECT_TRUE((std::is_same_v<AddIdentity<Full>::BoxRematch, Full::BoxRematch>));
 }
 
 TEST(DetectionPolicies, ShowTheFrameItselfOrNothing) {

@@ -21,12 +21,18 @@ struct WorldRun {
   std::vector<RigidTransform> trajectory;
 };
 
+std::unique_ptr<Odometry> MakeOdometry(std::string_view variant, const FeatureWorld& world,
+                                       TaskPool& pool, std::uint64_t seed = 0) {
+  const VariantInfo& info = FindVariant(variant);
+  return info.make({world.camera(), info.defaults(), seed}, pool);
+}
+
 template <typename Change>
 WorldRun RunWorld(std::string_view variant, int frames, double noise_px, Change change,
                   std::uint64_t seed = 0) {
   FeatureWorld world(7);
   TaskPool pool(1);
-  const auto odometry = FindVariant(variant).make({world.camera(), Options(), seed}, pool);
+  const auto odometry = MakeOdometry(variant, world, pool, seed);
   WorldRun run;
   StageTimes times;
   for (int i = 0; i < frames; ++i) {
@@ -48,7 +54,7 @@ class EveryVariant : public ::testing::TestWithParam<std::string_view> {};
 
 std::vector<std::string_view> VariantNames() {
   std::vector<std::string_view> names;
-  for (const VariantInfo& variant : Variants()) names.push_back(variant.name);
+  for (const VariantInfo& variant : NamedVariantInfos()) names.push_back(variant.name);
   return names;
 }
 
@@ -130,7 +136,7 @@ TEST_P(EveryVariant, StartsAnewAtThePredictedCameraInAPlaceItDoesNotKnow) {
 TEST_P(EveryVariant, FindsItselfAfterAJumpThatNoPredictionCovers) {
   FeatureWorld world(7);
   TaskPool pool(1);
-  const auto odometry = FindVariant(GetParam()).make({world.camera(), Options(), 0}, pool);
+  const auto odometry = MakeOdometry(GetParam(), world, pool);
   StageTimes times;
   for (int i = 0; i < 10; ++i) {
     odometry->Process(world.Observe(FeatureWorld::CameraAt(i), i * kInterval_ns, 0.3), times);
@@ -147,7 +153,7 @@ TEST_P(EveryVariant, FindsItselfAfterAJumpThatNoPredictionCovers) {
 TEST_P(EveryVariant, PredictsASkippedFrame) {
   FeatureWorld world(7);
   TaskPool pool(1);
-  const auto odometry = FindVariant(GetParam()).make({world.camera(), Options(), 0}, pool);
+  const auto odometry = MakeOdometry(GetParam(), world, pool);
   StageTimes times;
   for (int i = 0; i < 10; ++i) {
     odometry->Process(world.Observe(FeatureWorld::CameraAt(i), i * kInterval_ns, 0.1), times);
@@ -164,7 +170,7 @@ TEST_P(EveryVariant, PredictsASkippedFrame) {
 TEST_P(EveryVariant, RefusesTimeThatStandsStill) {
   FeatureWorld world(7);
   TaskPool pool(1);
-  const auto odometry = FindVariant(GetParam()).make({world.camera(), Options(), 0}, pool);
+  const auto odometry = MakeOdometry(GetParam(), world, pool);
   StageTimes times;
   const StereoFrame frame = world.Observe(FeatureWorld::CameraAt(0), 0, 0.1);
   odometry->Process(frame, times);
@@ -198,7 +204,7 @@ TEST(Variants, UnknownNameListsThoseThereAre) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("statik"));
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("one of: full, 2d, "));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("one of: full, clustervo, "));
   }
 }
 

@@ -53,7 +53,7 @@ Suite WithGrid(const Json& grid, bool one_at_a_time) {
 
 TEST(Grid, CombinesAllAxes) {
   const Suite suite = WithGrid({{"window.spatial", {3, 4}}, {"unary.eta", {0.5, 0.9}}}, false);
-  EXPECT_THAT(GridPoints(suite, suite.sequences[0]),
+  EXPECT_THAT(GridPoints(suite, suite.sequences[0], "full"),
               ElementsAre(ElementsAre(Pair("window.spatial", 3), Pair("unary.eta", 0.5)),
                           ElementsAre(Pair("window.spatial", 3), Pair("unary.eta", 0.9)),
                           ElementsAre(Pair("window.spatial", 4), Pair("unary.eta", 0.5)),
@@ -66,7 +66,7 @@ TEST(Grid, OneAtATimeHasTheDefaultOnce) {
   const double eta = defaults.unary.eta;
   const Suite suite =
       WithGrid({{"window.spatial", {spatial, spatial + 1}}, {"unary.eta", {0.5, eta}}}, true);
-  EXPECT_THAT(GridPoints(suite, suite.sequences[0]),
+  EXPECT_THAT(GridPoints(suite, suite.sequences[0], "full"),
               ElementsAre(ElementsAre(Pair("window.spatial", spatial), Pair("unary.eta", eta)),
                           ElementsAre(Pair("window.spatial", spatial + 1), Pair("unary.eta", eta)),
                           ElementsAre(Pair("window.spatial", spatial), Pair("unary.eta", 0.5))));
@@ -76,12 +76,12 @@ TEST(Grid, DefaultsOfAnAxisAreTheSuitesAndTheScenes) {
   Suite suite = WithGrid({{"window.spatial", {3, 4}}}, true);
   suite.options = {{"window", {{"spatial", 4}}}};
   EXPECT_THAT(
-      GridPoints(suite, suite.sequences[0]),
+      GridPoints(suite, suite.sequences[0], "full"),
       ElementsAre(ElementsAre(Pair("window.spatial", 4)), ElementsAre(Pair("window.spatial", 3))));
   suite = WithGrid({{"scene.detector.miss_rate", {0.5}}, {"scene.camera.height_m", {1.2}}}, true);
   const double good = 0.01;  // of the level, see synth/detector/detector_options.h
   EXPECT_THAT(
-      GridPoints(suite, suite.sequences[0]).front(),
+      GridPoints(suite, suite.sequences[0], "full").front(),
       ElementsAre(Pair("scene.detector.miss_rate", good), Pair("scene.camera.height_m", 1.1)));
 }
 
@@ -121,7 +121,7 @@ TEST(CellInput, ADetectorThatIsChangedStartsFromTheSequencesLevel) {
 TEST(CellInput, APointGoesOverTheSuitesOptions) {
   Suite suite = Parse(SmallSuite());
   suite.options = {{"window", {{"spatial", 4}, {"temporal", 9}}}};
-  const Options options = OptionsOf(suite, {{"window.spatial", 3}});
+  const Options options = OptionsOf(suite, "full", {{"window.spatial", 3}});
   EXPECT_EQ(options.window.spatial, 3);
   EXPECT_EQ(options.window.temporal, 9);
 }

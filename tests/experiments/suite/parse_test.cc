@@ -217,10 +217,27 @@ TEST(Suite, FindsSceneFilesBesideTheSuite) {
   EXPECT_EQ(suite.sequences[0].name, "mine");
 }
 
-TEST(ShippedSuites, AblationAllHasEveryVariant) {
-  std::vector<std::string> names;
-  for (const VariantInfo& variant : Variants()) names.emplace_back(variant.name);
-  EXPECT_THAT(LoadSuite("ablation_all").variants, testing::UnorderedElementsAreArray(names));
+TEST(ShippedSuites, EveryVariantIsInOneOfThem) {
+  std::set<std::string> names;
+  for (const char* suite : {"ablation_all", "corrections"}) {
+    const std::vector<std::string> variants = LoadSuite(suite).variants;
+    names.insert(variants.begin(), variants.end());
+  }
+  for (const VariantInfo& variant : NamedVariantInfos()) {
+    EXPECT_THAT(names, testing::Contains(std::string(variant.name)));
+  }
+}
+
+TEST(ShippedSuites, TheLadderHasEveryRung) {
+  std::vector<std::string> names = LoadSuite("ladder").variants;
+  const std::vector<std::string> left_out = LoadSuite("leave_one_out").variants;
+  EXPECT_EQ(names.front(), "clustervo");
+  EXPECT_EQ(names.back(), "full");
+  EXPECT_EQ(names.size(), left_out.size());
+  names.insert(names.end(), left_out.begin(), left_out.end());
+  for (const VariantInfo& variant : Variants().subspan(NamedVariantInfos().size())) {
+    EXPECT_THAT(names, testing::Contains(std::string(variant.name)));
+  }
 }
 
 TEST(ShippedSuites, AreWholeAndNamedAsTheirFiles) {
@@ -233,7 +250,8 @@ TEST(ShippedSuites, AreWholeAndNamedAsTheirFiles) {
   }
   EXPECT_THAT(names, testing::IsSupersetOf({"ablation", "ablation_all", "kitti_raw", "sweep_alpha",
                                             "sweep_eta", "sweep_windows", "sweep_motion_prior",
-                                            "detector_quality", "oracle_ladder", "ci"}));
+                                            "detector_quality", "oracle_ladder", "ci", "ladder",
+                                            "leave_one_out"}));
   EXPECT_THAT(ErrorMessage([] { LoadSuite("ablatoin"); }), HasSubstr("did you mean ablation"));
 }
 

@@ -62,7 +62,7 @@ TEST_F(SuitePlan, AFoldersJobHasTheIdentityThatARunRecords) {
   fs::create_directory(folder_.path() / "out");
   const auto outcome = RunJob({.sequence = sequence,
                                .variant = FindVariant("static"),
-                               .options = OptionsOf(suite, job.cell.parameters),
+                               .options = OptionsOf(suite, job.cell.variant, job.cell.parameters),
                                .seed = 3},
                               folder_.path() / "out");
   ASSERT_TRUE(outcome.has_value());
@@ -227,7 +227,7 @@ TEST_F(SuitePlan, ARenderedScenesJobHasTheIdentityOfItsBytes) {
   EXPECT_EQ(job.content, ContentHash(sequence, HashImages(sequence)));
   EXPECT_EQ(job.job, IdentifyJob({.sequence = sequence,
                                   .variant = FindVariant("full"),
-                                  .options = OptionsOf(suite, {}),
+                                  .options = OptionsOf(suite, "full", {}),
                                   .seed = 1}));
   // A file that is gone or cut: rendered again.
   EXPECT_EQ(FindSceneDamage(render.folder, HashesByReading), std::nullopt);

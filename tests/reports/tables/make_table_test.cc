@@ -98,6 +98,25 @@ TEST_F(MakeTableTest, ScenesWeighTheSameHoweverManySeedsTheyHave) {
   EXPECT_FALSE(table.rows[0].sequence.has_value());
 }
 
+TEST_F(MakeTableTest, ARowMayBeComparedWithTheRowAbove) {
+  suite_.table["rows"] = {"sequence", "variant"};
+  suite_.table["reference"] = "the row above";
+  for (const char* scene : {"a", "b"}) {
+    for (const char* variant : {"static", "2d", "full"}) {
+      Json result = Result(scene);
+      result["metrics"][1]["value"] = std::string(variant).size();
+      suite_.Add(result, variant, 0);
+    }
+  }
+  const Table table = Make();
+  ASSERT_THAT(table.rows, SizeIs(6));
+  EXPECT_FALSE(table.rows[0].cells[1].difference);
+  EXPECT_EQ(table.rows[1].cells[1].difference.value().difference, -4.0);
+  EXPECT_EQ(table.rows[2].cells[1].difference.value().difference, 2.0);
+  EXPECT_EQ(table.rows[2].cells[1].difference.value().reference, "the row above");
+  EXPECT_FALSE(table.rows[3].cells[1].difference) << "the row above is of another scene";
+}
+
 TEST_F(MakeTableTest, RowsAreByTheKeysOfTheSuiteInItsOrder) {
   suite_.table["rows"] = {"window.spatial", "oracle"};
   suite_.Add(Result("a"))["parameters"] = {{"window.spatial", 9}};

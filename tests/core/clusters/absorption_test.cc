@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// What observations that leave the window leave behind.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "core/clusters/cluster_map.h"
+
+namespace cvo {
+namespace {
+
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+constexpr std::int64_t kInterval_ns = 100'000'000;
+const StereoCamera kCamera = {.fx = 450,
+                              .fy = 450,
+                              .cx = 320,
+                              .cy = 240,
+                              .baseline_m = 0.3,
+                              .width_px = 640,
+                              .height_px = 480};
+
+RigidTransform At(double x, double y, double z, double yaw = 0.0) {
+  return {ExpSo3({0.0, yaw, 0.0}), Eigen::Vector3d(x, y, z)};
+}
+
+ClusterState StateAt(std::int64_t frame, const RigidTransform& world_from_object,
+                     const Eigen::Vector3d& velocity_m_s = Eigen::Vector3d::Zero()) {
+  return {FrameId{frame}, frame * kInterval_ns, world_from_object, velocity_m_s};
+}
+
+Landmark MakeLandmark(std::int64_t id, std::vector<std::int64_t> frames) {
+  Landmark landmark;
+  landmark.id = LandmarkId{id};
+  for (const std::int64_t frame : frames) {
+    landmark.observations.push_back({FrameId{frame}, {300.0, 200.0, 280.0}, 0});
+    landmark.last_seen = FrameId{frame};
+  }
+  return landmark;
+}
+
+Window WindowOf(std::int64_t first, std::int64_t last) {
+  Window window;
+  window.camera = kCamera;
+  for (std::int64_t f = first; f <= last; ++f) window.temporal.push_back({FrameId{f}, {}, false});
+  return window;
+}
+
+// One landmark of a turned body in frames 0 and 1, frame 0 leaving the window.
+struct Absorption {
+  Window window = WindowOf(1, 2);
+  WindowFrame leaving{FrameId{0}, At(0.2, 0.1, 0.3, 0.1), false};
+  Cluster cluster;
+  ClusterOptions options;
+
+  Absorption() {
+    cluster.states = {StateAt(0, At(1.0, 0.5, 8.0, 0.7)), StateAt(1, At(1.1, 0.5, 8.0, 0.8))};
+    cluster.landmarks = {MakeLandmark(0, {0, 1})};
+    cluster.landmarks[0].p_in_object = {0.3, -0.2, 0.4};
+    cluster.landmarks[0].observations[0].octave = 2;
+    cluster.landmarks[0].observations[0].z_px = Project(cluster.landmarks[0].p_in_object);
+  }
+  // Where the frame that leaves sees a point of the body.
+  Eigen::Vector3d Project(const Eigen::Vector3d& p_in_object) const {
+    return *kCamera.Project(leaving.world_from_camera.Inverse() *
+                            (cluster.states[0].world_from_object * p_in_object));
+  }
+  void Absorb() { AbsorbObservations(window, leaving, {{}, 1.2}, options, cluster); }
+  const Landmark& landmark() const { return cluster.landmarks[0]; }
+};
+
+TEST(AbsorbObservations, InformationIsThatOfTheReprojectionError) {
+  Absorption a;
+  a.Absorb();
+  EXPECT_THAT(a.landmark().observations, SizeIs(1));
+  EXPECT_EQ(a.landmark().observations[0].frame, FrameId{1});
+  // J by central differences of the projection of a point of the body.
+  Eigen::Matrix3d J;
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d step = 1e-5 * Eigen::Vector3d::Unit(k);
+    J.col(k) =
+        (a.Project(a.landmark().p_in_object + step) - a.Project(a.landmark().p_in_object - step)) /
+        2e-5;
+  }
+  const Eigen::Matrix3d expected =
+      J.transpose() * MeasurementCovariance({}, 1.2 * 1.2).inverse() * J;
+  EXPECT_LT((a.landmark().past_information - expected).norm(), 1e-6 * expected.norm());
+}
+
+TEST(AbsorbObservations, TheMeanIsWhereTheObservationsPutThePoint) {
+  Absorption a;
+  Landmark& landmark = a.cluster.landmarks[0];
+  const Eigen::Vector3d truth = landmark.p_in_object + Eigen::Vector3d(1e-3, -1e-3, 2e-3);
+  landmark.observations[0].z_px = a.Project(truth);
+  a.Absorb();
+  EXPECT_LT((landmark.past_mean_in_object - truth).norm(), 1e-5);
+  // An estimate that moves on later takes nothing of this with it.
+  landmark.p_in_object += Eigen::Vector3d(5e-3, 0.0, 0.0);
+  landmark.observations.insert(landmark.observations.begin(), {FrameId{0}, a.Project(truth), 2});
+  a.Absorb();
+  EXPECT_LT((landmark.past_mean_in_object - truth).norm(), 5e-5);
+}
+
+TEST(AbsorbObservations, AnErrorBeyondTheRobustLossWeighsLess) {
+  Absorption a;
+  a.Absorb();
+  Absorption b;
+  b.cluster.landmarks[0].observations[0].z_px[0] += 30.0;
+  b.Absorb();
+  EXPECT_LT(b.landmark().past_information.norm(), 0.5 * a.landmark().past_information.norm());
+}
+
+TEST(PastPolicies, WhatLeavesIsKeptOrForgotten) {
+  Absorption kept;
+  KeepPastInformation::Leave(kept.window, kept.leaving, {{}, 1.2}, kept.options, kept.cluster);
+  EXPECT_FALSE(kept.landmark().past_information.isZero());
+  Absorption forgotten;
+  ForgetPast::Leave(forgotten.window, forgotten.leaving, {{}, 1.2}, forgotten.options,
+                    forgotten.cluster);
+  EXPECT_TRUE(forgotten.landmark().past_information.isZero());
+}
+
+TEST(AbsorbObservations, WhatIsRememberedIsBounded) {
+  Absorption a;
+  a.options.max_past_observations = 10.0;
+  a.Absorb();
+  const Eigen::Matrix3d one = a.landmark().past_information;
+  for (int k = 0; k < 500; ++k) {
+    a.cluster.landmarks[0].observations.insert(
+        a.cluster.landmarks[0].observations.begin(),
+        {FrameId{0}, a.Project(a.landmark().p_in_object), 2});
+    a.Absorb();
+    EXPECT_LE(a.landmark().past_information.norm(), 10.0 * one.norm() * (1.0 + 1e-12));
+  }
+  EXPECT_NEAR(a.landmark().past_information.norm(), 10.0 * one.norm(), 1e-6 * one.norm());
+}
+
+TEST(AbsorbObservations, APointSeenOnceHasNothingToDefend) {
+  Absorption a;
+  a.cluster.landmarks[0].observations.pop_back();
+  a.Absorb();
+  EXPECT_THAT(a.landmark().observations, IsEmpty());
+  EXPECT_TRUE(a.landmark().past_information.isZero());
+}
+
+TEST(AbsorbObservations, AFrameWithoutAStateSaysNothing) {
+  Absorption a;
+  a.cluster.states.erase(a.cluster.states.begin());
+  a.Absorb();
+  EXPECT_TRUE(a.landmark().past_information.isZero());
+}
+
+}  // namespace
+}  // namespace cvo

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// What the CRF is told of a frame, and how its labels are named.
+#include "core/labelling/label_scene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/core/labelling/labelled_frame.h"
+
+namespace cvo {
+namespace {
+
+using test::Moving;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+constexpr ClusterId kNone{};
+
+constexpr LabelSceneSteps kOurSteps = StepsOf<TriangulatedPlace, OldestPastFrame, NearestDepths>();
+
+// A static landmark that frames 1 to 3 saw, past_frames being 4: frame 0 is the exact one.
+LabelScene SceneOfThreeFrames(const LabelSceneSteps& steps) {
+  Moving m;
+  m.options.unary.past_frames = 4;
+  m.window.landmarks = {Moving::Seen(m.p_in_world, [&](std::int64_t) { return m.p_in_world; })};
+  m.window.landmarks[0].p_in_object.z() += 0.5;
+  std::erase_if(m.window.landmarks[0].observations,
+                [](const Observation& seen) { return seen.frame == FrameId{0}; });
+  m.Add(m.p_in_world, kSceneOwner, 0, kStaticScene);
+  return m.With([&](const FrameView& view) {
+    return BuildLabelScene(view, m.window, m.map, m.tracks, m.points, steps);
+  });
+}
+
+TEST(BuildLabelScene, ThePastIsTheOldestFrameOrTheExactOne) {
+  const auto oldest = SceneOfThreeFrames(kOurSteps).crf.nodes.at(0).past;
+  ASSERT_TRUE(oldest);
+  EXPECT_EQ(oldest->frame, 1);
+  constexpr auto kExact = StepsOf<TriangulatedPlace, ExactPastFrame, NearestDepths>();
+  EXPECT_FALSE(SceneOfThreeFrames(kExact).crf.nodes.at(0).past);
+}
+
+TEST(BuildLabelScene, ALandmarksPlaceIsTriangulatedOrItsOwn) {
+  EXPECT_FALSE(SceneOfThreeFrames(kOurSteps).crf.nodes.at(0).estimate);
+  constexpr auto kOwn = StepsOf<EstimatedPlace, OldestPastFrame, NearestDepths>();
+  const CrfNode node = SceneOfThreeFrames(kOwn).crf.nodes.at(0);
+  ASSERT_TRUE(node.estimate);
+  EXPECT_NEAR(node.estimate->p_in_camera.z(), node.p_in_camera.z() + 0.5, 1e-9);
+  EXPECT_TRUE(node.estimate->covariance_m2.isZero());
+}
+
+TEST(NewBodyPolicies, TheNearestDepthsOrAllOfThem) {
+  const std::vector<double> depths_m = {2.0, 2.01, 2.02, 2.0, 2.01, 9.0, 9.1};
+  EXPECT_THAT(NearestDepths::Choose(depths_m, 0.2, {}), ElementsAre(0, 1, 2, 3, 4));
+  EXPECT_THAT(AllDepths::Choose(depths_m, 0.2, {}), SizeIs(7));
+  EXPECT_THAT(AllDepths::Choose({2.0, 2.0, 2.0, 2.0}, 0.2, {}), IsEmpty());
+}
+
+// Two clusters that exchange their labels, and one whose label begins a new one.
+TEST(NameLabels, BoxesGoWithTheLabels) {
+  LabelScene scene;
+  scene.crf.labels.resize(5);
+  scene.clusters = 3;
+  scene.detection = {-1, 0, 1, 2, -1};
+  scene.given_body.resize(5);
+  ClusterMap map;
+  map.live.resize(3);
+  for (int q = 0; q < 3; ++q) map.live[q].id = ClusterId{q + 1};
+  map.next = ClusterId{9};
+  std::vector<ClusterId> cluster_of = {kStaticScene, ClusterId{2}, ClusterId{1}, kNone, kNone};
+  FrameLabels labels;
+  internal::NameLabels(map, scene, cluster_of, labels);
+  EXPECT_THAT(cluster_of,
+              ElementsAre(kStaticScene, ClusterId{2}, ClusterId{1}, ClusterId{9}, kNone));
+  std::vector<ClusterTrack> tracks(3);
+  for (int q = 0; q < 3; ++q) tracks[q].detection = q;
+  AdoptDetections(labels, map, tracks);
+  EXPECT_EQ(tracks[0].detection, 1);
+  EXPECT_EQ(tracks[1].detection, 0);
+  EXPECT_EQ(tracks[2].detection, -1);
+}
+
+}  // namespace
+}  // namespace cvo

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// The way from the paper's method to ours: whole, and each rung changes something.
+#include "variants/ladder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "variants/all.h"
+#include "variants/registry.h"
+
+namespace cvo {
+namespace {
+
+std::map<std::string, double> Values(const Options& options) {
+  std::map<std::string, double> values;
+  VisitLeaves(options, [&](const std::string& path, const auto& value, const FieldInfo&) {
+    values[path] = static_cast<double>(value);
+  });
+  return values;
+}
+
+template <typename V>
+Options DefaultsOf() {
+  Options options;
+  V::SetDefaults(options);
+  return options;
+}
+
+TEST(Ladder, AllRungsMakeFull) {
+  EXPECT_EQ((CountDifferences<UpTo<kRungs - 1>, Full>()), 0);
+  EXPECT_EQ(Values(DefaultsOf<UpTo<kRungs - 1>>()), Values(Options()));
+}
+
+template <std::size_t kRung>
+void ExpectThatItChangesSomething() {
+  SCOPED_TRACE(Without<kRung>::kName);
+  const bool changes_axes = CountDifferences<Without<kRung>, Full>() > 0;
+  EXPECT_TRUE(changes_axes || Values(DefaultsOf<Without<kRung>>()) != Values(Options()));
+}
+
+TEST(Ladder, EachRungIsMissedInFull) {
+  [&]<std::size_t... kRung>(std::index_sequence<kRung...>) {
+    (ExpectThatItChangesSomething<kRung>(), ...);
+  }
+  (std::make_index_sequence<kRungs>());
+}
+
+TEST(Ladder, NamesAreMadeOfTheRungs) {
+  EXPECT_EQ(UpTo<0>::kName, "clustervo_to_box_weights");
+  EXPECT_EQ(Without<0>::kName, "no_box_weights");
+  EXPECT_EQ(FindVariant("no_turn_prior").changes, "full without: a motion prior on orientations");
+}
+
+TEST(Registry, EveryNameIsThereOnce) {
+  std::set<std::string_view> names;
+  for (const VariantInfo& variant : Variants()) {
+    EXPECT_TRUE(names.insert(variant.name).second) << variant.name;
+  }
+  EXPECT_EQ(NamedVariantInfos().size(), kNamedVariants);
+}
+
+TEST(Registry, OptionsThatAVariantStartsFromAreInRange) {
+  for (const VariantInfo& variant : Variants()) {
+    EXPECT_NO_THROW(variant.defaults().Check()) << variant.name;
+  }
+  EXPECT_EQ(Values(FindVariant("full").defaults()), Values(Options()));
+  EXPECT_EQ(FindVariant("clustervo").defaults().association.gamma, 4.0);
+}
+
+}  // namespace
+}  // namespace cvo

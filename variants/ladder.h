@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+
+#include "variants/clustervo.h"
+#include "variants/joined_text.h"
+#include "variants/rungs.h"
+
+namespace cvo {
+
+// The way from ClusterVo to Full, one addition at a time, in the order of the paper's sections.
+// All rungs together make Full: the registry checks the axes, a test the options.
+template <template <typename> class R>
+struct Rung {
+  template <typename Base>
+  using On = R<Base>;
+  static constexpr std::string_view kName = R<ClusterVo>::kRung;
+  static constexpr std::string_view kAdds = R<ClusterVo>::kAdds;
+};
+using Rungs =
+    std::tuple<Rung<AddBoxWeights>, Rung<AddEntropyInNats>, Rung<AddBoxShare>, Rung<AddLeastShare>,
+               Rung<AddClassGate>, Rung<AddWideGate>, Rung<AddTurning>, Rung<AddViewGate>,
+               Rung<AddReacquisition>, Rung<AddMissedDetections>, Rung<AddBoxFoot>,
+               Rung<AddBoxShrink>, Rung<AddCheapStatic>, Rung<AddBoxSize>, Rung<AddNearestDepths>,
+               Rung<AddTriangulation>, Rung<AddLongPast>, Rung<AddKeptLabels>,
+               Rung<AddBoundedConfidence>, Rung<AddReserve>, Rung<AddBirthOrigin>,
+               Rung<AddConfirmation>, Rung<AddFixedGauge>, Rung<AddOutlierRemoval>,
+               Rung<AddEarlyStop>, Rung<AddStifferPrior>, Rung<AddTurnPrior>,
+               Rung<AddPastInformation>, Rung<AddIdentity>, Rung<AddAlignment>>;
+inline constexpr std::size_t kRungs = std::tuple_size_v<Rungs>;
+
+namespace internal {
+
+// ClusterVo with the first kCount rungs but for number kLeftOut.
+template <std::size_t kCount, std::size_t kLeftOut>
+struct Climbed {
+  using Below = typename Climbed<kCount - 1, kLeftOut>::Type;
+  using Type =
+      std::conditional_t<kCount - 1 == kLeftOut, Below,
+                         typename std::tuple_element_t<kCount - 1, Rungs>::template On<Below>>;
+};
+template <std::size_t kLeftOut>
+struct Climbed<0, kLeftOut> {
+  using Type = ClusterVo;
+};
+
+inline constexpr std::string_view kUpTo = "clustervo_to_";
+inline constexpr std::string_view kUpToChanges = "a step from clustervo to full, which adds: ";
+inline constexpr std::string_view kWithout = "no_";
+inline constexpr std::string_view kWithoutChanges = "full without: ";
+
+}  // namespace internal
+
+// ClusterVo with all rungs up to number kRung.
+template <std::size_t kRung>
+struct UpTo : internal::Climbed<kRung + 1, kRungs>::Type {
+  using Added = std::tuple_element_t<kRung, Rungs>;
+  static constexpr std::string_view kName = kJoined<internal::kUpTo, Added::kName>;
+  static constexpr std::string_view kChanges = kJoined<internal::kUpToChanges, Added::kAdds>;
+};
+
+// Full without rung number kRung.
+template <std::size_t kRung>
+struct Without : internal::Climbed<kRungs, kRung>::Type {
+  using Left = std::tuple_element_t<kRung, Rungs>;
+  static constexpr std::string_view kName = kJoined<internal::kWithout, Left::kName>;
+  static constexpr std::string_view kChanges = kJoined<internal::kWithoutChanges, Left::kAdds>;
+};
+
+}  // namespace cvo
