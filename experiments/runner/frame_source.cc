@@ -15,7 +15,7 @@ namespace cvo {
 namespace {
 
 FrontEndSettings Settings(const FrameInput& input) {
-  return {ThisBuild().Hash(), input.sequence.camera, input.options.orb, input.options.stereo};
+  return {ThisBuild().identity, input.sequence.camera, input.options.orb, input.options.stereo};
 }
 
 // Extracts, and keeps what it gives for later runs under the hashes of the bytes it read.

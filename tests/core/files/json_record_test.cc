@@ -74,11 +74,11 @@ TEST(JsonRecord, WhatDoesNotFitNamesTheField) {
   EXPECT_EQ(Problem("18446744073709551615", "-1"),
             "f, field seed: found -1, expected an integer from 0");
   EXPECT_EQ(Problem("0.5", "\"0.5\""),
-            "f, wheels, field size_m: found a JSON string, expected a number");
+            "f, wheels[0], field size_m: found a JSON string, expected a number");
   EXPECT_EQ(Problem("0.5", "null"),
-            "f, wheels, field size_m: found a JSON null, expected a number");
+            "f, wheels[0], field size_m: found a JSON null, expected a number");
   EXPECT_EQ(Problem("dark blue", "green"),
-            "f, wheels, field colour: found \"green\", expected one of \"red\", \"dark blue\"");
+            "f, wheels[1], field colour: found \"green\", expected one of \"red\", \"dark blue\"");
   EXPECT_EQ(Problem("{\"x\":1.5}", "[]"), "f, values: found a JSON array, expected an object");
 }
 

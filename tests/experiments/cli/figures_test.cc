@@ -49,13 +49,6 @@ bool HasBrowser() {
   return ::access(chosen != nullptr ? chosen : "/usr/bin/chromium", X_OK) == 0;
 }
 
-void ExpectOneLine(const ProcessResult& run, const std::string& text) {
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.err, HasSubstr(text));
-  EXPECT_EQ(test::LineCount(run.err), 1U) << run.err;
-  EXPECT_THAT(run.out, IsEmpty());
-}
-
 TEST(CliFigures, AsJsonNeedNoBrowser) {
   const HostileSuite suite;
   const ProcessResult run =
@@ -77,23 +70,23 @@ TEST(CliFigures, OneAloneByItsName) {
   EXPECT_TRUE(fs::exists(suite.out() / "error-reduction.json"));
   EXPECT_FALSE(fs::exists(suite.out() / "error-over-coverage-object-ate.json"));
   EXPECT_THAT(run.out, Not(HasSubstr("not drawn")));
-  ExpectOneLine(
+  test::ExpectError(
       suite.Draw({"--only", "error-reductoin"}),
       "--only: found \"error-reductoin\" (did you mean error-reduction?), expected one of: ");
 }
 
 TEST(CliFigures, SayInOneLineWhatIsMissing) {
   const HostileSuite suite;
-  ExpectOneLine(suite.Draw({}, {.environment = {"CLUSTERVO_BROWSER=/nowhere"}}),
-                "/nowhere: found a program that cannot be run, expected a Chromium");
+  test::ExpectError(suite.Draw({}, {.environment = {"CLUSTERVO_BROWSER=/nowhere"}}),
+                    "/nowhere: found a program that cannot be run, expected a Chromium");
   EXPECT_FALSE(fs::exists(suite.out())) << "nothing is left of what was not made";
-  ExpectOneLine(suite.Draw({}, {.environment = {"CLUSTERVO_BROWSER=/bin/false"}}),
-                "/bin/false: found exit code 1");
-  ExpectOneLine(suite.Draw({}, {.environment = {"CLUSTERVO_BROWSER=/bin/true"}}),
-                "browser: found 0 figures drawn");
+  test::ExpectError(suite.Draw({}, {.environment = {"CLUSTERVO_BROWSER=/bin/false"}}),
+                    "/bin/false: found exit code 1");
+  test::ExpectError(suite.Draw({}, {.environment = {"CLUSTERVO_BROWSER=/bin/true"}}),
+                    "browser: found 0 figures drawn");
   const test::TempFolder empty;
-  ExpectOneLine(RunProgram({"figures", empty.path().string(), "-o", suite.out().string()}),
-                "plan.json");
+  test::ExpectError(RunProgram({"figures", empty.path().string(), "-o", suite.out().string()}),
+                    "plan.json");
   const ProcessResult usage = suite.Draw({"--format", "png"});
   EXPECT_EQ(usage.exit_code, 2);
   EXPECT_EQ(test::LineCount(usage.err), 1U);

@@ -19,13 +19,13 @@ using test::RunProgram;
 using testing::AllOf;
 using testing::HasSubstr;
 
-constexpr int kFrames = 8;
+constexpr int kRunFrames = 8;
 const std::vector<std::string> kRecorded = {"result.json", "camera.tum",   "camera.kitti",
                                             "objects.csv", "tracks.kitti", "truth.json"};
 
 class CliRun : public testing::Test {
  protected:
-  CliRun() { test::WriteTinySequence(tiny(), kFrames); }
+  CliRun() { test::WriteTinySequence(tiny(), kRunFrames); }
 
   fs::path tiny() const { return folder_.path() / "tiny"; }
   fs::path out(const std::string& name = "out") const { return folder_.path() / name; }

@@ -31,13 +31,6 @@ ProcessResult Compare(const SuiteResults& a, const SuiteResults& b) {
   return RunProgram({"experiment", "compare", a.Written().string(), b.Written().string()});
 }
 
-void ExpectOneLine(const ProcessResult& run, const std::string& text) {
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.err, HasSubstr(text));
-  EXPECT_EQ(test::LineCount(run.err), 1U);
-  EXPECT_THAT(run.out, IsEmpty());
-}
-
 TEST(CliTables, AFinishedSuite) {
   SuiteResults suite;
   Json result = Result();
@@ -72,10 +65,10 @@ TEST(CliTables, AnUnfinishedSuiteHasATableToo) {
 
 TEST(CliTables, WhatIsNoSuiteIsSaidInOneLine) {
   SuiteResults suite;
-  ExpectOneLine(MakeTable(suite.folder().path()), "plan.json: found no such file");
-  ExpectOneLine(MakeTable(suite.Written()), "field jobs: found none");
+  test::ExpectError(MakeTable(suite.folder().path()), "plan.json: found no such file");
+  test::ExpectError(MakeTable(suite.Written()), "field jobs: found none");
   suite.folder().Write("plan.json", "{\"schema_version\": 1, \"kind\":");
-  ExpectOneLine(MakeTable(suite.folder().path()), "plan.json: found text that");
+  test::ExpectError(MakeTable(suite.folder().path()), "plan.json: found text that");
   EXPECT_FALSE(fs::exists(suite.folder().path() / "table.json"));
 }
 
@@ -95,7 +88,7 @@ TEST(CliTables, CompareSaysWhatMoved) {
   better["metrics"][1]["contract"]["delta"] = "1 frame";
   SuiteResults other;
   other.Add(better);
-  ExpectOneLine(Compare(before, other), "metric camera_ate");
+  test::ExpectError(Compare(before, other), "metric camera_ate");
 }
 
 // `experiment table` of a written folder, with these flags.
@@ -133,12 +126,12 @@ TEST(CliTables, AnOldTableNeedsNoResults) {
   };
   EXPECT_EQ(from("latex"), latex);
   EXPECT_THAT(printed, StartsWith(from("terminal")));
-  ExpectOneLine(
+  test::ExpectError(
       RunProgram({"experiment", "table", "--from", (suite.folder().path() / "plan.json").string()}),
       "plan.json: found kind \"plan\", expected kind \"table\"");
   suite.folder().Write("table.json", "{\"schema_version\": 1, \"kind\": \"table\"}");
-  ExpectOneLine(RunProgram({"experiment", "table", "--from", json.string()}),
-                "table.json: found schema_version 1, expected 3");
+  test::ExpectError(RunProgram({"experiment", "table", "--from", json.string()}),
+                    "table.json: found schema_version 1, expected 3");
 }
 
 TEST(CliTables, GoToAFile) {

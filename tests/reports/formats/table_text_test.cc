@@ -30,7 +30,7 @@ Table SmallTable() {
   table.jobs.done = 1;
   Row row;
   row.keys = {"drive_1", "static"};
-  row.sequence = SequenceInfo{"drive_1", "kitti-raw", "grey", 0, 72, 72, 0.0, ""};
+  row.sequence = SequenceInfo{"drive_1", "kitti-raw", "grey", 0, 72, 72};
   row.truth.truth = TruthSource::kDevkit;
   row.jobs = table.jobs;
   row.runs = {{"drive_1", 0, "jobs/x/result.json"}};

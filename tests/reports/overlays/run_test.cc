@@ -35,6 +35,8 @@ struct OverlayFiles {
       "12 7 big car -1 -1 0 7 8 27 38 1 1 1 0 0 2 0 0.9\n";
 
   OverlayFiles() {
+    files.result["job"] = "a";
+    files.result["status"] = "ok";
     files.result["variant"] = "full";
     files.result["seed"] = 3;
     files.result["given"] = {{"classes", {"Car", "Van"}}};
@@ -43,6 +45,7 @@ struct OverlayFiles {
                                 {"pair", "grey"},
                                 {"first_frame", 10},
                                 {"frames", 5},
+                                {"total_frames", 20},
                                 {"detections_hash", "abc"},
                                 {"camera",
                                  {{"width_px", 320},
@@ -83,7 +86,7 @@ TEST(OverlayRun, ReadsWhatIsDrawn) {
   EXPECT_THAT(run.missing, IsEmpty());
   EXPECT_EQ(run.variant, "full");
   EXPECT_EQ(run.seed, 3U);
-  EXPECT_EQ(run.camera.width_px, 320);
+  EXPECT_EQ(run.sequence.camera.width_px, 320);
   EXPECT_THAT(run.classes, ElementsAre("Car", "Van"));
   const OverlayFrame frame = FrameOf(run, 10);
   EXPECT_EQ(frame.run, "full, seed 3");

@@ -51,15 +51,15 @@ TEST(Quantity, WhichIsBetter) {
 
 TEST(ChangedOptions, ValuesBesideTheirDefaults) {
   OptionDefaults defaults(R"({"crf":{"alpha":2,"eta":1},"orb":{"features":2000}})");
-  const auto changed =
-      defaults.ChangedIn(R"({"crf":{"alpha":4,"eta":1},"orb":{"features":2000},"new":1})", "here");
+  const auto changed = defaults.ChangedIn(
+      Json::parse(R"({"crf":{"alpha":4,"eta":1},"orb":{"features":2000},"new":1})"));
   ASSERT_EQ(changed.size(), 2U);
   EXPECT_EQ(changed[0].path, "crf.alpha");
   EXPECT_EQ(changed[0].default_value, "2");
   EXPECT_THAT(changed[0].values, ElementsAre("4"));
   EXPECT_EQ(changed[1].path, "new");
   EXPECT_EQ(changed[1].default_value, "");
-  EXPECT_THAT(OptionDefaults("").ChangedIn("{\"a\":1}", "here"), IsEmpty());
+  EXPECT_THAT(OptionDefaults("").ChangedIn({{"a", 1}}), IsEmpty());
 }
 
 PageRun RunOf(const std::string& sequence, const std::string& variant, std::uint64_t seed) {

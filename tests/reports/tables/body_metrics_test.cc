@@ -10,7 +10,7 @@
 
 #include "core/base/rng.h"
 #include "experiments/metrics/object_metrics.h"
-#include "experiments/record/bodies_json.h"
+#include "experiments/record/body_rows.h"
 #include "reports/tables/make_table.h"
 #include "tests/reports/results/result_files.h"
 
@@ -52,7 +52,7 @@ TEST(BodyMetrics, TablesOfOneRunSayWhatItsMetricsSay) {
   suite.table["metrics"] = Json::array();
   test::Json result = test::Result();
   result["metrics"] = ToJson(metrics);
-  result["bodies"] = {{"refined", BodiesToJson(scores.bodies)}, {"causal", Json::array()}};
+  result["bodies"] = {{"refined", ToJson(BodyRows(scores.bodies))}, {"causal", Json::array()}};
   std::set<MetricId> computed;
   for (const Metric& metric : metrics) {
     computed.insert(FindForm(metric.name)->id);

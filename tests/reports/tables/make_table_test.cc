@@ -208,7 +208,7 @@ TEST_F(MakeTableTest, ResultsThatCannotBeReadAreFailures) {
   EXPECT_THAT(message(4), HasSubstr("found schema_version 4, expected 3"));
   EXPECT_THAT(message(5), HasSubstr("kind \"timing\""));
   EXPECT_THAT(message(6), HasSubstr("sequence, field name: found nothing"));
-  EXPECT_THAT(message(7), HasSubstr("metrics, field value: found a JSON string"));
+  EXPECT_THAT(message(7), HasSubstr("metrics[0], field value: found a JSON string"));
   EXPECT_THAT(message(8), HasSubstr("an empty file"));
   EXPECT_EQ(table.rows[0].jobs.done, 1U);
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/record/bodies_json.h"
+#include "experiments/record/body_rows.h"
 
 #include "reports/results/body_row.h"
 
@@ -48,10 +48,10 @@ reports::BodyRow RowOf(const BodyScore& score) {
 
 }  // namespace
 
-Json BodiesToJson(const std::vector<BodyScore>& bodies) {
+std::vector<reports::BodyRow> BodyRows(const std::vector<BodyScore>& bodies) {
   std::vector<reports::BodyRow> rows;
   for (const BodyScore& score : bodies) rows.push_back(RowOf(score));
-  return ToJson(rows);
+  return rows;
 }
 
 }  // namespace cvo
