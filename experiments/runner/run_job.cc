@@ -7,7 +7,6 @@
 
 #include "core/files/options_json.h"
 #include "experiments/cache/content_hash.h"
-#include "experiments/record/body_rows.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/record/job_identity.h"
 #include "experiments/runner/run_files.h"
@@ -24,7 +23,8 @@ std::vector<Metric> AllMetrics(const RunScores& scores) {
 
 std::optional<reports::RunBodies> BodiesOf(const RunScores& scores) {
   if (scores.refined_bodies.empty()) return std::nullopt;
-  return reports::RunBodies{BodyRows(scores.refined_bodies), BodyRows(scores.causal_bodies)};
+  return reports::RunBodies{{scores.refined_bodies.begin(), scores.refined_bodies.end()},
+                            {scores.causal_bodies.begin(), scores.causal_bodies.end()}};
 }
 
 // Classes count where there are boxes alone.

@@ -13,7 +13,6 @@
 #include "experiments/datasets/body_truth.h"
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/metrics/object_metrics.h"
-#include "experiments/record/body_rows.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/record/system_result.h"
 
@@ -61,7 +60,7 @@ void Score(const SystemRequest& request, const ObjectEstimate& estimate, SystemO
 
 std::optional<reports::RunBodies> BodiesOf(const std::vector<BodyScore>& bodies) {
   if (bodies.empty()) return std::nullopt;
-  return reports::RunBodies{BodyRows(bodies), {}};
+  return reports::RunBodies{{bodies.begin(), bodies.end()}, {}};
 }
 
 }  // namespace

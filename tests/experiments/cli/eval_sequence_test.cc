@@ -92,13 +92,13 @@ TEST_F(EvalSequence, AveragePrecision) {
   EXPECT_EQ(json["kind"], "average precision");
   EXPECT_EQ(json["average_precision"][1]["contract"]["least_overlap"], 0.25);
   EXPECT_EQ(json["average_precision"][1]["levels"][0]["ap11"], 1.0 / 11.0);
-  ExpectError(run({"--iou", "1.5"}), 2, "--iou");
-  ExpectError(run({"--class", "Tram"}), 2, "--class");
-  ExpectError(run({"--sequence", tiny()}), 2, "--sequence");
-  ExpectError(run({"--frames", "4:"}), 1, "--frames");
-  ExpectError(RunProgram({"eval", "--ap", "--estimate", rows}), 2, "--labels");
-  ExpectError(Evaluate({poses(), "--iou", "0.5"}), 2, "--iou");
-  ExpectError(run({"--tracking"}), 2, "--tracking");
+  test::ExpectError(run({"--iou", "1.5"}), "--iou", 2);
+  test::ExpectError(run({"--class", "Tram"}), "--class", 2);
+  test::ExpectError(run({"--sequence", tiny()}), "--sequence", 2);
+  test::ExpectError(run({"--frames", "4:"}), "--frames");
+  test::ExpectError(RunProgram({"eval", "--ap", "--estimate", rows}), "--labels", 2);
+  test::ExpectError(Evaluate({poses(), "--iou", "0.5"}), "--iou", 2);
+  test::ExpectError(run({"--tracking"}), "--tracking", 2);
 }
 
 TEST_F(EvalSequence, TrackingScores) {
@@ -111,12 +111,12 @@ TEST_F(EvalSequence, TrackingScores) {
   EXPECT_EQ(json["tracking"].size(), 2U);
   EXPECT_EQ(json["tracking"][1]["overlap"], "3d");
   EXPECT_EQ(json["tracking"][1]["clear"]["mota"], 1.0);
-  ExpectError(RunProgram({"eval", "--tracking", "--labels", folder_.path().string(), "--estimate",
-                          folder_.path().string()}),
-              1, "");
-  ExpectError(
-      RunProgram({"eval", "--tracking", "--labels", labels, "--estimate", rows, "--iou", "0.5"}), 2,
-      "--iou");
+  const std::string folder = folder_.path().string();
+  test::ExpectError(RunProgram({"eval", "--tracking", "--labels", folder, "--estimate", folder}),
+                    "");
+  test::ExpectError(
+      RunProgram({"eval", "--tracking", "--labels", labels, "--estimate", rows, "--iou", "0.5"}),
+      "--iou", 2);
 }
 
 }  // namespace
