@@ -57,7 +57,7 @@ std::string Problem(const std::string& from, const std::string& to) {
   return ErrorMessage([&] { Read(text.replace(text.find(from), from.size(), to)); });
 }
 
-TEST(JsonRecord, OneListOfFieldsWritesAndReads) {
+TEST(JsonRecord, OneVisitorWritesAndReads) {
   const Car car = Read(kCar);
   EXPECT_EQ(car.seed, 18446744073709551615u);
   EXPECT_EQ(car.wheels[1].colour, Colour::kDarkBlue);
@@ -66,7 +66,7 @@ TEST(JsonRecord, OneListOfFieldsWritesAndReads) {
   EXPECT_EQ(Read(ToJson(car).dump()), car);
 }
 
-TEST(JsonRecord, WhatDoesNotFitNamesTheField) {
+TEST(JsonRecord, ErrorsNameTheField) {
   EXPECT_EQ(Problem("\"doors\":-2,", ""), "f, field doors: found nothing, expected a value");
   EXPECT_EQ(Problem("-2", "2.5"), "f, field doors: found 2.5, expected an integer");
   EXPECT_EQ(Problem("-2", "3000000000"),

@@ -60,7 +60,7 @@ TEST_F(EvalSequence, BadInputLeavesNothing) {
   EXPECT_FALSE(fs::exists(out()));
 }
 
-TEST_F(EvalSequence, FlagsOfTheOtherUse) {
+TEST_F(EvalSequence, FlagsOfTheOtherMode) {
   test::ExpectError(RunProgram({"eval", "--estimate", poses()}), "--sequence", 2);
   test::ExpectError(
       RunProgram({"eval", "--estimate", poses(), "--groundtruth", poses(), "-o", out()}),

@@ -49,7 +49,7 @@ bool HasBrowser() {
   return ::access(chosen != nullptr ? chosen : "/usr/bin/chromium", X_OK) == 0;
 }
 
-TEST(CliFigures, AsJsonNeedNoBrowser) {
+TEST(CliFigures, JsonNeedsNoBrowser) {
   const HostileSuite suite;
   const ProcessResult run =
       suite.Draw({"--format", "json"}, {.environment = {"CLUSTERVO_BROWSER=/nowhere"}});
@@ -63,7 +63,7 @@ TEST(CliFigures, AsJsonNeedNoBrowser) {
   EXPECT_EQ(test::ReadFile(suite.out() / "error-reduction.json"), text);
 }
 
-TEST(CliFigures, OneAloneByItsName) {
+TEST(CliFigures, OneFigureByName) {
   const HostileSuite suite;
   const ProcessResult run = suite.Draw({"--format", "json", "--only", "error-reduction"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -75,7 +75,7 @@ TEST(CliFigures, OneAloneByItsName) {
       "--only: found \"error-reductoin\" (did you mean error-reduction?), expected one of: ");
 }
 
-TEST(CliFigures, SayInOneLineWhatIsMissing) {
+TEST(CliFigures, MissingInputGivesOneLine) {
   const HostileSuite suite;
   test::ExpectError(suite.Draw({}, {.environment = {"CLUSTERVO_BROWSER=/nowhere"}}),
                     "/nowhere: found a program that cannot be run, expected a Chromium");
@@ -92,7 +92,7 @@ TEST(CliFigures, SayInOneLineWhatIsMissing) {
   EXPECT_EQ(test::LineCount(usage.err), 1U);
 }
 
-TEST(CliFigures, OfASuiteThatHasNotRunAreNone) {
+TEST(CliFigures, NoneForASuiteThatHasNotRun) {
   test::SuiteResults suite;
   suite.Plan("room", "full");
   const fs::path out = suite.folder().path() / "figures";
@@ -102,7 +102,7 @@ TEST(CliFigures, OfASuiteThatHasNotRunAreNone) {
   EXPECT_FALSE(fs::exists(out));
 }
 
-TEST(CliFigures, InABrowserTheNamesStayTextAndTheBytesTheSame) {
+TEST(CliFigures, NamesStayTextAndBytesAreReproducible) {
   if (!HasBrowser()) GTEST_SKIP() << "no Chromium: /usr/bin/chromium or CLUSTERVO_BROWSER";
   const HostileSuite suite;
   const std::vector<std::string> one = {"--only", "error-reduction"};
@@ -118,7 +118,7 @@ TEST(CliFigures, InABrowserTheNamesStayTextAndTheBytesTheSame) {
   EXPECT_EQ(test::ReadFile(suite.out() / "error-reduction.svg"), svg);
 }
 
-TEST(CliFigures, APdfOfTheSameResultsIsTheSameBytes) {
+TEST(CliFigures, PdfIsReproducible) {
   if (!HasBrowser()) GTEST_SKIP() << "no Chromium: /usr/bin/chromium or CLUSTERVO_BROWSER";
   const HostileSuite suite;
   const std::vector<std::string> one = {"--only", "error-reduction", "--format", "pdf"};

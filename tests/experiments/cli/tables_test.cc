@@ -51,7 +51,7 @@ TEST(CliTables, AFinishedSuite) {
   EXPECT_EQ(test::ReadFile(suite.folder().path() / "table.json"), bytes);
 }
 
-TEST(CliTables, AnUnfinishedSuiteHasATableToo) {
+TEST(CliTables, AnUnfinishedSuiteHasATable) {
   SuiteResults suite;
   suite.Add(Result());
   suite.Plan("b", "static");
@@ -63,7 +63,7 @@ TEST(CliTables, AnUnfinishedSuiteHasATableToo) {
   EXPECT_TRUE(fs::exists(suite.folder().path() / "table.json"));
 }
 
-TEST(CliTables, WhatIsNoSuiteIsSaidInOneLine) {
+TEST(CliTables, AnInvalidSuiteGivesOneLine) {
   SuiteResults suite;
   test::ExpectError(MakeTable(suite.folder().path()), "plan.json: found no such file");
   test::ExpectError(MakeTable(suite.Written()), "field jobs: found none");
@@ -72,7 +72,7 @@ TEST(CliTables, WhatIsNoSuiteIsSaidInOneLine) {
   EXPECT_FALSE(fs::exists(suite.folder().path() / "table.json"));
 }
 
-TEST(CliTables, CompareSaysWhatMoved) {
+TEST(CliTables, CompareReportsChanges) {
   SuiteResults before;
   SuiteResults after;
   before.Add(Result());
@@ -97,7 +97,7 @@ ProcessResult Print(const SuiteResults& suite, std::vector<std::string> flags) {
   return RunProgram(flags);
 }
 
-TEST(CliTables, EveryFormatIsPrintedAlone) {
+TEST(CliTables, EveryFormatIsPrinted) {
   SuiteResults suite;
   suite.Add(Result());
   EXPECT_THAT(Print(suite, {"--format", "markdown"}).out, StartsWith("**small**"));
@@ -114,7 +114,7 @@ TEST(CliTables, EveryFormatIsPrintedAlone) {
   EXPECT_FALSE(fs::exists(suite.folder().path() / "table.json")) << "asked for something else";
 }
 
-TEST(CliTables, AnOldTableNeedsNoResults) {
+TEST(CliTables, ASavedTableNeedsNoResults) {
   SuiteResults suite;
   suite.Add(Result());
   const std::string printed = MakeTable(suite.Written()).out;
@@ -134,7 +134,7 @@ TEST(CliTables, AnOldTableNeedsNoResults) {
                     "table.json: found schema_version 1, expected 3");
 }
 
-TEST(CliTables, GoToAFile) {
+TEST(CliTables, WrittenToAFile) {
   SuiteResults suite;
   suite.Add(Result());
   const fs::path file = suite.folder().path() / "new" / "table.html";
@@ -144,7 +144,7 @@ TEST(CliTables, GoToAFile) {
   EXPECT_EQ(test::ReadFile(file), Print(suite, {"--format", "html"}).out);
 }
 
-TEST(CliTables, FlagsThatDoNotGoTogetherAreAnError) {
+TEST(CliTables, ConflictingFlagsAreAnError) {
   SuiteResults suite;
   suite.Add(Result());
   const auto error = [&](const std::vector<std::string>& flags) {

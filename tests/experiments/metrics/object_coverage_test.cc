@@ -148,7 +148,7 @@ TEST(ObjectMetrics, ClustersWithoutABodyAreCounted) {
   EXPECT_EQ(Count(metrics, "object_unmatched_clusters"), 2);
 }
 
-TEST(ObjectMetrics, BodiesThatAreNeverVisibleDoNotExist) {
+TEST(ObjectMetrics, BodiesThatAreNeverVisibleAreIgnored) {
   ObjectTruth truth = TruthOf(3);
   AddBody(truth, Line(3));
   const ObjectEstimate estimate = PerfectEstimate(truth);
@@ -157,7 +157,7 @@ TEST(ObjectMetrics, BodiesThatAreNeverVisibleDoNotExist) {
   EXPECT_EQ(FindMetric(Evaluate(truth, estimate), "object_coverage"), nullptr);
 }
 
-TEST(ObjectMetrics, NothingToSayGivesNoMetrics) {
+TEST(ObjectMetrics, NoDataGivesNoMetrics) {
   EXPECT_THAT(Evaluate(TruthOf(0), {}), IsEmpty());
   const ObjectTruth truth = TruthOf(3);
   EXPECT_THAT(Evaluate(truth, PerfectEstimate(truth)), IsEmpty());
@@ -173,7 +173,7 @@ TEST(ObjectMetrics, NothingToSayGivesNoMetrics) {
   EXPECT_EQ(FindMetric(metrics, "object_ate"), nullptr);
 }
 
-TEST(ObjectMetrics, EachSaysWhatItMeans) {
+TEST(ObjectMetrics, EachHasItsContract) {
   ObjectTruth truth = RandomTruth(2, 8);
   AddBody(truth, std::vector<RigidTransform>(8));
   truth.first_frame = 10;
@@ -191,7 +191,7 @@ TEST(ObjectMetrics, EachSaysWhatItMeans) {
   EXPECT_EQ(FindMetric(metrics, "object_motion_t")->contract.frames, (reports::FrameSpan{10, 17}));
 }
 
-TEST(ObjectMetrics, RefuseWhatCannotBe) {
+TEST(ObjectMetrics, RefuseInvalidInput) {
   ObjectTruth truth = TruthOf(3);
   AddBody(truth, Line(3));
   const auto error = [&](const auto& change) {

@@ -35,7 +35,7 @@ TEST(BuildIdentity, IsComplete) {
   }
 }
 
-TEST(BuildIdentity, TheCommitTakesNoPart) {
+TEST(BuildIdentity, TheCommitIsIgnored) {
   BuildIdentity build = SomeBuild();
   const std::string hash = IdentityOf(build);
   build.commit = kDifferentText;
@@ -44,7 +44,7 @@ TEST(BuildIdentity, TheCommitTakesNoPart) {
   EXPECT_NE(IdentityOf(build), hash);
 }
 
-TEST(BuildIdentity, TheProcessorsLevelTakesPart) {
+TEST(BuildIdentity, TheProcessorLevelCounts) {
   BuildIdentity build = SomeBuild();
   const std::string hash = IdentityOf(build);
   build.cpu_level = "plain x86-64";

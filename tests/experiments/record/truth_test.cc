@@ -40,7 +40,7 @@ TEST(TruthFile, PutsTheTruthIntoTheWorldOfTheRun) {
   EXPECT_EQ(ball["predicted"]["frames"], Json::array());
 }
 
-TEST(TruthFile, WithoutTruthSaysSo) {
+TEST(TruthFile, ReportsMissingTruth) {
   const Json file = ParseJson(TruthFile("id", {}), "truth.json");
   EXPECT_TRUE(file["camera"].empty());
   EXPECT_TRUE(file["bodies"].empty());

@@ -104,7 +104,7 @@ TEST_F(SuitePlan, JobsShareAnInputUnlessTheFrontEndDiffers) {
   EXPECT_EQ(jobs.size(), 16U);
 }
 
-TEST_F(SuitePlan, WhatIsMissingIsSaidAndNeverThrown) {
+TEST_F(SuitePlan, MissingInputIsReportedNotThrown) {
   test::WriteTinySequence(data() / "a" / "07", kFrames);
   test::WriteTinySequence(data() / "b" / "07", kFrames);
   test::WriteTinySequence(data() / "bad", kFrames);
@@ -168,7 +168,7 @@ TEST_F(SuitePlan, ReadsBackWhatItWrote) {
   }
 }
 
-TEST_F(SuitePlan, RefusesAPlanThatIsNone) {
+TEST_F(SuitePlan, RefusesInvalidPlans) {
   test::WriteTinySequence(data() / "07", kFrames);
   const Json written = ParseJson(PlanText(Build(Parse(FolderSuite("07"))).plan), "plan.json");
   const auto message = [](const Json& json) {
@@ -185,7 +185,7 @@ TEST_F(SuitePlan, RefusesAPlanThatIsNone) {
   EXPECT_THAT(message(other), testing::StartsWith("p.json"));
 }
 
-TEST_F(SuitePlan, AsksForScenesThatAreNotRendered) {
+TEST_F(SuitePlan, RequestsScenesThatAreNotRendered) {
   if (CannotRender()) GTEST_SKIP() << "this build has no OSMesa";
   Json json = SmallSuite();
   json["seeds"] = 2;

@@ -143,7 +143,7 @@ TEST(OverlayRun, IsSeenFromACameraThatTurns) {
   EXPECT_NEAR(cluster.center[2], 2.1, 1e-12);
 }
 
-TEST(OverlayRun, IsDrawnWithoutWhatIsNotThereAndSaysSo) {
+TEST(OverlayRun, ReportsMissingFiles) {
   OverlayFiles files;
   files.landmarks.clear();
   const OverlayRun run = files.Read();
@@ -153,7 +153,7 @@ TEST(OverlayRun, IsDrawnWithoutWhatIsNotThereAndSaysSo) {
   EXPECT_EQ(FrameOf(run, 10).clusters.size(), 1U);
 }
 
-TEST(OverlayRun, IsDrawnWithoutWhatIsHalfWrittenAndSaysWhere) {
+TEST(OverlayRun, ReportsTruncatedFiles) {
   OverlayFiles files;
   files.landmarks.resize(files.landmarks.size() - 4);
   EXPECT_THAT(files.Read().missing,
@@ -180,7 +180,7 @@ TEST(OverlayRun, IsDrawnWithoutWhatIsHalfWrittenAndSaysWhere) {
                                                       HasSubstr("tracks.kitti:1"))));
 }
 
-TEST(OverlayRun, TellsWhatIsNoRun) {
+TEST(OverlayRun, RefusesOtherFolders) {
   const test::TempFolder empty;
   const auto read = [](const test::TempFolder& folder) {
     return ErrorMessage([&] { ReadOverlayRun(folder.path(), LandmarkLabel::kCluster); });
@@ -198,7 +198,7 @@ TEST(OverlayRun, TellsWhatIsNoRun) {
   EXPECT_THAT(read(camera), HasSubstr("camera"));
 }
 
-TEST(OverlayRun, TellsAFrameThatItHasNot) {
+TEST(OverlayRun, RefusesAMissingFrame) {
   const OverlayRun run = OverlayFiles().Read();
   EXPECT_THAT(ErrorMessage([&] { FrameOf(run, 99); }),
               AllOf(HasSubstr("frame 99"), HasSubstr("expected 10 to 14")));

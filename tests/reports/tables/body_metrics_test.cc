@@ -44,7 +44,7 @@ BodyScore RandomBody(int id, Rng& rng) {
   return body;
 }
 
-TEST(BodyMetrics, TablesOfOneRunSayWhatItsMetricsSay) {
+TEST(BodyMetrics, TablesOfOneRunAgreeWithItsMetrics) {
   Rng rng(7, "bodies");
   ObjectTruth truth;
   truth.contract.truth = TruthSource::kScene;

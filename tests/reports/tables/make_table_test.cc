@@ -110,14 +110,14 @@ TEST_F(MakeTableTest, RowsAreByTheKeysOfTheSuiteInItsOrder) {
   EXPECT_THAT(table.rows[2].keys, ElementsAre("default", "boxes,labels"));
 }
 
-TEST_F(MakeTableTest, SaysWhatRowsPool) {
+TEST_F(MakeTableTest, ReportsPooledKeys) {
   suite_.table["rows"] = {"variant"};
   suite_.Add(Result("a"));
   suite_.Add(Result("a"))["detections"] = "poor";
   EXPECT_THAT(Make().notes, ElementsAre("rows are means over detections: good, poor"));
 }
 
-TEST_F(MakeTableTest, WhatDidNotRunIsCountedAndSaid) {
+TEST_F(MakeTableTest, MissingRunsAreCountedAndReported) {
   suite_.table["rows"] = {"variant"};
   suite_.Add(Result("a"));
   suite_.Plan("b", "static");
@@ -145,7 +145,7 @@ TEST_F(MakeTableTest, WhatDidNotRunIsCountedAndSaid) {
   EXPECT_FALSE(IsComplete(table));
 }
 
-TEST_F(MakeTableTest, SequencesThatAreNotThereAreNotFatal) {
+TEST_F(MakeTableTest, MissingSequencesAreNotFatal) {
   suite_.Add(Result("a"));
   Json& missing = suite_.Plan("d", "static");
   missing["job"] = "";
@@ -153,7 +153,7 @@ TEST_F(MakeTableTest, SequencesThatAreNotThereAreNotFatal) {
   EXPECT_TRUE(IsComplete(Make()));
 }
 
-TEST_F(MakeTableTest, NothingMeasuredIsNotComplete) {
+TEST_F(MakeTableTest, NoResultsAreNotComplete) {
   Json& missing = suite_.Plan("d", "static");
   missing["job"] = "";
   missing["missing"] = "no such folder";
@@ -285,7 +285,7 @@ TEST_F(MakeTableTest, AContractThatNamesTheFramesOfItsRunIsTheSameForEach) {
   EXPECT_THAT(MakeError(), HasSubstr("with frames \"{\"first\":0,\"last\":9}\""));
 }
 
-TEST_F(MakeTableTest, OtherSystemsMayMeanSomethingElseAndAreSaidTo) {
+TEST_F(MakeTableTest, OtherSystemsMayHaveAnotherContract) {
   suite_.Add(Result());
   Json other = Result();
   other["metrics"][1]["contract"]["matching"] = "nearness";
@@ -316,7 +316,7 @@ TEST_F(MakeTableTest, ProvenanceNamesBuildsSeedsAndChangedOptions) {
   EXPECT_THAT(table.notes, ElementsAre(HasSubstr("2 builds")));
 }
 
-TEST_F(MakeTableTest, MissingMetricsAreSaidPlainly) {
+TEST_F(MakeTableTest, MissingMetricsAreReported) {
   suite_.Add(Result());
   Json coverage_only = Result("2011_09_26_drive_0013");
   coverage_only["metrics"].erase(1);
@@ -339,7 +339,7 @@ TEST_F(MakeTableTest, AReferenceMustBeOneOfTheRows) {
   EXPECT_THAT(MakeError(), HasSubstr("table, reference: found static"));
 }
 
-TEST(WithCoverage, AccuracyNeverStandsWithoutIt) {
+TEST(WithCoverage, AccuracyIsShownWithCoverage) {
   EXPECT_THAT(WithCoverage({"object_ate", "object_ate", "moving_recall"}),
               ElementsAre("object_coverage", "object_ate", "moving_recall"));
   EXPECT_THAT(WithCoverage({"object_success_10cm", "object_coverage"}),

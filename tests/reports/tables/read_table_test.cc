@@ -51,7 +51,7 @@ TEST(ReadTable, GivesTheSameBytesAgain) {
   EXPECT_FALSE(read.change);
 }
 
-TEST(ReadTable, OfASuiteAndOfNone) {
+TEST(ReadTable, OfASuiteAndEmpty) {
   test::SuiteResults suite;
   suite.name = "ablation";
   suite.table["rows"] = {"variant"};
@@ -73,7 +73,7 @@ TEST(ReadTable, OfASuiteAndOfNone) {
   EXPECT_EQ(TableJson(ReadTable(empty, "table.json")), empty);
 }
 
-TEST(ReadTable, SaysInOneLineWhatIsNoTable) {
+TEST(ReadTable, RefusesOtherFilesInOneLine) {
   const std::string json = TableJson(test::HostileTable());
   EXPECT_EQ(ErrorOf(""), "table.json: found an empty file, expected JSON");
   EXPECT_THAT(ErrorOf(json.substr(0, json.size() / 2)),
@@ -86,7 +86,7 @@ TEST(ReadTable, SaysInOneLineWhatIsNoTable) {
               HasSubstr("found kind \"run\", expected kind \"table\""));
 }
 
-TEST(ReadTable, NamesTheFieldThatIsWrong) {
+TEST(ReadTable, NamesTheWrongField) {
   EXPECT_THAT(ErrorAfter([](Json& table) { table.erase("columns"); }),
               HasSubstr("table.json, field columns: found nothing"));
   EXPECT_THAT(ErrorAfter([](Json& table) { table["rows"][1]["cells"][3].erase("value"); }),

@@ -120,7 +120,7 @@ TEST(Reference, AnotherContractOrOtherImagesDoNotMatch) {
   EXPECT_EQ(Ate(TableOf(causal), "ORB-SLAM2", "measured-upstream").match, Match::kContractDiffers);
 }
 
-TEST(Reference, FiguresOfASuiteStandBelowItAndNeverCompare) {
+TEST(Reference, FiguresOfASuiteAreListedBelowIt) {
   const Reference reference = ShippedReference();
   test::SuiteResults suite;
   suite.table["metrics"] = {"camera_ate"};
