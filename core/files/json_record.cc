@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/files/json_record.h"
 
-#include "core/files/json_fields.h"
 #include "core/files/text_file.h"
 
 namespace cvo::internal {
@@ -52,8 +51,19 @@ void ReadJsonNumbers(const Json& json, const std::string& where, double* numbers
   for (std::size_t i = 0; i < count; ++i) numbers[i] = json[i].get<double>();
 }
 
-void CheckFile(const Json& json, const std::string& where, int schema_version, const char* kind) {
-  Fields(json, where).Check(schema_version, kind);
+void CheckFile(const Json& json, const std::string& where, int schema_version,
+               const std::string& kind) {
+  const Json* found_version = FindField(json, "schema_version", where);
+  const Json* found_kind = FindField(json, "kind", where);
+  if (found_version == nullptr || found_kind == nullptr) {
+    ThrowError(where, "JSON without schema_version and kind", StrCat("kind \"", kind, "\""));
+  }
+  if (*found_kind != kind) {
+    ThrowError(where, "kind " + found_kind->dump(), StrCat("kind \"", kind, "\""));
+  }
+  if (*found_version != schema_version) {
+    ThrowError(where, "schema_version " + found_version->dump(), StrCat(schema_version));
+  }
 }
 
 const Json* FindField(const Json& object, const char* key, const std::string& where) {
@@ -71,6 +81,16 @@ void FailName(const Json& json, const std::string& where, const char* const* nam
   std::string expected;
   for (std::size_t i = 0; i < count; ++i) expected += StrCat(i > 0 ? ", \"" : "\"", names[i], "\"");
   ThrowError(where, Quoted(json.get<std::string>()), "one of " + expected);
+}
+
+void FailConstant(const char* key, const std::string& where, const std::string& found,
+                  const std::string& expected) {
+  ThrowError(StrCat(where, ", field ", key), Quoted(found), Quoted(expected));
+}
+
+void CheckCount(const Json& list, const std::string& where, std::size_t count) {
+  if (!list.is_array()) FailType(list, where, "an array");
+  if (list.size() != count) ThrowError(where, StrCat(list.size(), " elements"), StrCat(count));
 }
 
 }  // namespace cvo::internal

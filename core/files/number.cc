@@ -10,6 +10,8 @@
 #include <iterator>
 #include <limits>
 
+#include "core/base/error.h"
+
 namespace cvo {
 namespace {
 
@@ -124,7 +126,7 @@ std::string FormatGeneral(double value, int digits) {
 }
 
 std::string FormatSigned(double value, int digits) {
-  return (std::signbit(value) ? "" : "+") + FormatGeneral(value, digits);
+  return StrCat(std::signbit(value) ? "" : "+", FormatGeneral(value, digits));
 }
 
 double RoundedTo(double value, int digits) {

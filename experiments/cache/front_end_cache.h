@@ -20,7 +20,7 @@ namespace cvo {
 
 // What decides the front end's output beside the images.
 struct FrontEndSettings {
-  std::string build;  // BuildIdentity::Hash()
+  std::string build;  // BuildInfo::identity
   StereoCamera camera;
   OrbOptions orb;
   StereoMatchOptions stereo;

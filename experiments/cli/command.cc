@@ -16,12 +16,12 @@ std::string FiniteProblem(const std::string& text) {
 }
 
 std::string VersionText() {
-  const BuildIdentity build = ThisBuild();
-  return StrCat("clustervo ", build.version, "\nbuild      ", build.Hash(), "\nestimator  ",
+  const BuildIdentity& build = ThisBuild();
+  return StrCat("clustervo ", build.version, "\nbuild      ", build.identity, "\nestimator  ",
                 build.estimator_sources, "\nevaluation ", build.evaluation_sources, "\ncommit     ",
                 build.commit, "\ncompiler   ", build.compiler, ", ", build.build_type, ", ",
-                build.flags, "\nlibraries  OpenCV ", build.opencv, ", Eigen ", build.eigen,
-                "\nCPU level  ", build.cpu_level);
+                build.flags, "\nlibraries  OpenCV ", build.libraries.opencv, ", Eigen ",
+                build.libraries.eigen, "\nCPU level  ", build.cpu_level);
 }
 
 }  // namespace cvo

@@ -8,8 +8,8 @@
 
 #include "core/base/error.h"
 #include "core/files/atomic_file.h"
-#include "core/files/json_fields.h"
 #include "experiments/record/run_record.h"
+#include "reports/results/plan_file.h"
 #include "reports/results/run_summary.h"
 
 namespace cvo {
@@ -35,8 +35,7 @@ bool IsDone(const SuiteFolder& folder, const PlannedJob& job) {
 
 std::string FailureMessage(const fs::path& file) {
   try {
-    const Json failure = ReadJson(file);
-    const std::string message = Fields(failure, file.string()).TextOr("message", "");
+    const std::string message = ReadRecord<reports::JobFailure>(file).message;
     return message.empty() ? "failed, without a message in its record" : message;
   } catch (const Error& error) {
     return StrCat("failed, and its record cannot be read: ", error.what());
@@ -124,12 +123,8 @@ std::string Describe(const Cell& cell) {
 
 void WriteFailure(const SuiteFolder& folder, const std::string& id, const std::string& message) {
   const fs::path file = folder.failure(id);
-  WriteFilesAtomically(file.parent_path(),
-                       {{file.filename().string(), DumpJson({{"schema_version", 1},
-                                                             {"kind", "failure"},
-                                                             {"job", id},
-                                                             {"message", message},
-                                                             {"log", Tail(folder.log(id))}})}});
+  const reports::JobFailure failure{id, message, Tail(folder.log(id))};
+  WriteFilesAtomically(file.parent_path(), {{file.filename().string(), FileText(failure)}});
 }
 
 std::string ErrorInLog(const fs::path& log) {

@@ -27,7 +27,7 @@ const PlannedJob& FindJob(const Plan& plan, const std::string& id, const SuiteFo
   if (id.empty() || found == plan.jobs.end()) {
     ThrowError(folder.plan().string(), StrCat("no job \"", id, "\""), "a job of the plan");
   }
-  if (plan.build != ThisBuild().Hash()) {
+  if (plan.build != ThisBuild().identity) {
     ThrowError(folder.plan().string(), "a plan made by another build of this program",
                "one made by this build, see clustervo experiment run");
   }

@@ -85,9 +85,9 @@ Group MakeGroup(const ObjectTruth& truth, const ObjectScores& scores, bool mover
   return group;
 }
 
-std::int64_t Within(const std::vector<ObjectFrameError>& errors, double limit_m) {
-  return std::count_if(errors.begin(), errors.end(),
-                       [&](const ObjectFrameError& error) { return error.position_m <= limit_m; });
+std::int64_t Within(const reports::FrameErrors& errors, double limit_m) {
+  return std::count_if(errors.position_m.begin(), errors.position_m.end(),
+                       [&](double error_m) { return error_m <= limit_m; });
 }
 
 double Ratio(std::int64_t part, std::int64_t whole) {
@@ -107,51 +107,32 @@ void AddFractions(const Group& group, std::vector<Metric>& metrics) {
 }
 
 // The mean over the bodies that determine the value; absent where none does.
-template <typename ValueOf>
-void AddMean(const Group& group, MetricId id, const ValueOf& value_of,
+void AddMean(const Group& group, MetricId id, std::optional<double> reports::BodyRow::*value,
              std::vector<Metric>& metrics) {
   double sum = 0.0;
   std::int64_t n = 0;
   for (const BodyScore* body : group.bodies) {
-    const std::optional<double> value = value_of(*body);
-    if (!value) continue;
-    sum += *value;
+    if (!(body->*value)) continue;
+    sum += *(body->*value);
     ++n;
   }
   if (n > 0) metrics.push_back(group.Error(id, sum / static_cast<double>(n), n));
 }
 
-template <typename Member>
-auto Rotation(Member member) {
-  return [=](const BodyScore& body) -> std::optional<double> {
-    if (!(body.*member)) return std::nullopt;
-    return (body.*member)->rotation_rad;
-  };
-}
-template <typename Member>
-auto Translation(Member member) {
-  return [=](const BodyScore& body) -> std::optional<double> {
-    if (!(body.*member)) return std::nullopt;
-    return (body.*member)->translation_m;
-  };
-}
-
 void AddErrors(const ObjectTruth& truth, const Group& group, std::vector<Metric>& metrics) {
-  AddMean(
-      group, kObjectAte, [](const BodyScore& body) { return body.ate_m; }, metrics);
-  AddMean(group, kObjectRrpeAllPairs, Rotation(&BodyScore::all_pairs), metrics);
-  AddMean(group, kObjectTrpeAllPairs, Translation(&BodyScore::all_pairs), metrics);
-  AddMean(group, kObjectRrpe1Frame, Rotation(&BodyScore::one_frame), metrics);
-  AddMean(group, kObjectTrpe1Frame, Translation(&BodyScore::one_frame), metrics);
+  AddMean(group, kObjectAte, &BodyScore::ate_m, metrics);
+  AddMean(group, kObjectRrpeAllPairs, &BodyScore::all_pairs_rad, metrics);
+  AddMean(group, kObjectTrpeAllPairs, &BodyScore::all_pairs_m, metrics);
+  AddMean(group, kObjectRrpe1Frame, &BodyScore::one_frame_rad, metrics);
+  AddMean(group, kObjectTrpe1Frame, &BodyScore::one_frame_m, metrics);
   const std::size_t before = metrics.size();
-  AddMean(group, kObjectMotionR, Rotation(&BodyScore::motion), metrics);
-  AddMean(group, kObjectMotionT, Translation(&BodyScore::motion), metrics);
+  AddMean(group, kObjectMotionR, &BodyScore::motion_rad, metrics);
+  AddMean(group, kObjectMotionT, &BodyScore::motion_m, metrics);
   for (std::size_t i = before; i < metrics.size(); ++i) {
     metrics[i].contract.frames = reports::FrameSpan{
         truth.first_frame, truth.first_frame + static_cast<int>(truth.frame_count()) - 1};
   }
-  AddMean(
-      group, kObjectVelocity, [](const BodyScore& body) { return body.velocity_m_s; }, metrics);
+  AddMean(group, kObjectVelocity, &BodyScore::velocity_m_s, metrics);
 }
 
 void AddCounts(const Group& group, std::vector<Metric>& metrics) {
@@ -159,8 +140,8 @@ void AddCounts(const Group& group, std::vector<Metric>& metrics) {
   std::int64_t fragments = 0;
   std::int64_t unmatched = 0;
   for (const BodyScore* body : group.bodies) {
-    switches += body->continuity.id_switches;
-    fragments += body->continuity.fragments;
+    switches += body->id_switches;
+    fragments += body->fragments;
     unmatched += body->cluster == -1 ? 1 : 0;
   }
   const auto n = static_cast<std::int64_t>(group.bodies.size());
@@ -179,14 +160,13 @@ void AddGroup(const ObjectTruth& truth, const Group& group, std::vector<Metric>&
 void AddPredicted(const Group& movers, std::vector<Metric>& metrics) {
   std::int64_t frames = 0;
   for (const BodyScore* body : movers.bodies) {
-    frames += static_cast<std::int64_t>(body->predicted.size());
+    frames += static_cast<std::int64_t>(body->predicted.frames.size());
   }
   if (frames == 0) return;
   Group group = movers;
   group.form = BodyGroup::kPredicted;
   group.left_out = "bodies that are estimated in no frame";
-  AddMean(
-      group, kObjectAte, [](const BodyScore& body) { return body.predicted_ate_m; }, metrics);
+  AddMean(group, kObjectAte, &BodyScore::predicted_ate_m, metrics);
   for (const MetricId id : kSuccesses) {
     std::int64_t successes = 0;
     for (const BodyScore* body : group.bodies) {

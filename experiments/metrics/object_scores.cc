@@ -15,9 +15,9 @@ std::optional<double> RootMeanSquare(double sum, std::size_t n) {
   return std::sqrt(sum / static_cast<double>(n));
 }
 
-std::optional<double> RootMeanSquare(const std::vector<ObjectFrameError>& errors) {
+std::optional<double> RootMeanSquare(const std::vector<double>& errors) {
   double sum = 0.0;
-  for (const ObjectFrameError& error : errors) sum += error.position_m * error.position_m;
+  for (const double error : errors) sum += error * error;
   return RootMeanSquare(sum, errors.size());
 }
 
@@ -56,13 +56,21 @@ void ApplyObject(const RigidTransform& object_from_gtobject, CommonPoses& poses)
   for (RigidTransform& estimate : poses.estimate) estimate = estimate * object_from_gtobject;
 }
 
-std::vector<ObjectFrameError> PositionErrors(const CommonPoses& poses) {
-  std::vector<ObjectFrameError> errors;
+reports::FrameErrors PositionErrors(const CommonPoses& poses,
+                                    std::vector<Eigen::Vector3d>& positions) {
+  reports::FrameErrors errors{poses.frames, {}};
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    const Eigen::Vector3d estimate = poses.estimate[i].translation();
-    errors.push_back({poses.frames[i], (estimate - poses.truth[i].translation()).norm(), estimate});
+    positions.push_back(poses.estimate[i].translation());
+    errors.position_m.push_back((positions.back() - poses.truth[i].translation()).norm());
   }
   return errors;
+}
+
+void SetRelative(const std::optional<RelativeErrors>& errors, std::optional<double>& rotation_rad,
+                 std::optional<double>& translation_m) {
+  if (!errors) return;
+  rotation_rad = errors->rotation_rad;
+  translation_m = errors->translation_m;
 }
 
 std::optional<RelativeErrors> MotionErrors(const CommonPoses& poses) {
@@ -111,13 +119,13 @@ void ScorePoses(const ObjectTruth& truth, const TruthBody& body, const ClusterEs
   const RigidTransform object_from_gtobject = AlignObject(poses.counted);
   ApplyObject(object_from_gtobject, poses.counted);
   ApplyObject(object_from_gtobject, poses.predicted);
-  score.errors = PositionErrors(poses.counted);
-  score.predicted = PositionErrors(poses.predicted);
-  score.ate_m = RootMeanSquare(score.errors);
-  score.predicted_ate_m = RootMeanSquare(score.predicted);
-  score.all_pairs = AllPairsErrors(poses.counted);
-  score.one_frame = OneFrameErrors(poses.counted);
-  score.motion = MotionErrors(poses.counted);
+  score.errors = PositionErrors(poses.counted, score.estimated_positions);
+  score.predicted = PositionErrors(poses.predicted, score.predicted_positions);
+  score.ate_m = RootMeanSquare(score.errors.position_m);
+  score.predicted_ate_m = RootMeanSquare(score.predicted.position_m);
+  SetRelative(AllPairsErrors(poses.counted), score.all_pairs_rad, score.all_pairs_m);
+  SetRelative(OneFrameErrors(poses.counted), score.one_frame_rad, score.one_frame_m);
+  SetRelative(MotionErrors(poses.counted), score.motion_rad, score.motion_m);
   score.velocity_m_s = VelocityError(truth, body, poses.counted_frames,
                                      object_from_gtobject.Inverse(), truth_from_estimate);
 }
@@ -129,7 +137,8 @@ BodyScore DescribeBody(const TruthBody& body, const Continuity& continuity) {
   score.category = body.category;
   score.mover = body.mover;
   score.travel_m = body.travel_m;
-  score.continuity = continuity;
+  score.id_switches = continuity.id_switches;
+  score.fragments = continuity.fragments;
   for (const auto& frame : body.frames) score.visible_frames += frame && frame->visible ? 1 : 0;
   return score;
 }

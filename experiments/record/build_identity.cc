@@ -14,29 +14,7 @@
 namespace cvo {
 namespace {
 
-Json IdentityFields(const BuildIdentity& build) {
-  return {{"version", build.version},
-          {"estimator_sources", build.estimator_sources},
-          {"evaluation_sources", build.evaluation_sources},
-          {"compiler", build.compiler},
-          {"build_type", build.build_type},
-          {"flags", build.flags},
-          {"libraries", {{"opencv", build.opencv}, {"eigen", build.eigen}}},
-          {"cpu_level", build.cpu_level}};
-}
-
-}  // namespace
-
-std::string BuildIdentity::Hash() const { return Sha256Hex(DumpJson(IdentityFields(*this))); }
-
-Json BuildIdentity::ToJson() const {
-  Json json = IdentityFields(*this);
-  json["identity"] = Hash();
-  json["commit"] = commit;
-  return json;
-}
-
-BuildIdentity ThisBuild() {
+BuildIdentity IdentifyBuild() {
   BuildIdentity build;
   build.version = kVersion;
   build.estimator_sources = kEstimatorSources;
@@ -44,10 +22,24 @@ BuildIdentity ThisBuild() {
   build.compiler = kCompiler;
   build.build_type = kBuildType;
   build.flags = kFlags;
-  build.opencv = cv::getVersionString();
-  build.eigen = StrCat(EIGEN_WORLD_VERSION, ".", EIGEN_MAJOR_VERSION, ".", EIGEN_MINOR_VERSION);
+  build.libraries = {cv::getVersionString(), StrCat(EIGEN_WORLD_VERSION, ".", EIGEN_MAJOR_VERSION,
+                                                    ".", EIGEN_MINOR_VERSION)};
   build.cpu_level = CpuLevelName();
   build.commit = kCommit;
+  build.identity = IdentityOf(build);
+  return build;
+}
+
+}  // namespace
+
+std::string IdentityOf(const BuildIdentity& build) {
+  JsonWriter fields;
+  BuildIdentity::VisitIdentity(build, fields);
+  return Sha256Hex(DumpJson(fields.Take()));
+}
+
+const BuildIdentity& ThisBuild() {
+  static const BuildIdentity build = IdentifyBuild();
   return build;
 }
 

@@ -13,7 +13,7 @@ namespace cvo {
 
 // Everything that decides the bytes of a result.
 struct Job {
-  std::string build;  // BuildIdentity::Hash()
+  std::string build;  // BuildInfo::identity
   std::string variant;
   Json options;            // resolved
   std::string content;     // of the sequence

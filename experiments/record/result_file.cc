@@ -132,31 +132,33 @@ Json PoseToJson(const RigidTransform& pose) {
   return {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
 }
 
-Json SequenceToJson(const Sequence& sequence, const std::string& content) {
-  return {{"name", sequence.name},
-          {"type", sequence.type},
-          {"dataset", sequence.dataset},
-          {"pair", sequence.pair},
-          {"groundtruth", sequence.groundtruth},
-          {"first_frame", sequence.first_frame},
-          {"frames", sequence.images.size()},
-          {"total_frames", sequence.total_frames},
-          {"labels", sequence.labels.size()},
-          {"detections", sequence.detections.size()},
-          {"detections_hash", DetectionsHash(sequence)},
-          {"content", content},
-          {"camera", CameraToJson(sequence.camera)}};
+reports::RunSequence SequenceOf(const Sequence& sequence, const std::string& content) {
+  reports::RunSequence of;
+  of.name = sequence.name;
+  of.type = sequence.type;
+  of.dataset = sequence.dataset;
+  of.pair = sequence.pair;
+  of.groundtruth = sequence.groundtruth;
+  of.first_frame = sequence.first_frame;
+  of.frames = static_cast<int>(sequence.images.size());
+  of.total_frames = sequence.total_frames;
+  of.labels = sequence.labels.size();
+  of.detections = sequence.detections.size();
+  of.detections_hash = DetectionsHash(sequence);
+  of.content = content;
+  of.camera = CameraOf(sequence.camera);
+  return of;
 }
 
-Json CameraToJson(const StereoCamera& camera) {
-  return {{"width_px", camera.width_px},
-          {"height_px", camera.height_px},
-          {"fx_px", camera.fx},
-          {"fy_px", camera.fy},
-          {"cx_px", camera.cx},
-          {"cy_px", camera.cy},
-          {"baseline_m", camera.baseline_m},
-          {"right_shift_px", camera.right_shift_px}};
+reports::CameraInfo CameraOf(const StereoCamera& camera) {
+  return {camera.width_px, camera.height_px, camera.fx,         camera.fy,
+          camera.cx,       camera.cy,        camera.baseline_m, camera.right_shift_px};
+}
+
+std::string ResultText(const reports::RunSummary& summary, const Json& details) {
+  Json json = FileJson(summary);
+  json.update(details);
+  return DumpJson(json);
 }
 
 const char* ToString(RunStatus status) {
@@ -172,34 +174,33 @@ const char* ToString(RunStatus status) {
 }
 
 std::string RecordedJob(const RunRecord& record) {
-  return JobIdentity({record.build.Hash(), record.variant, record.options, record.run.content,
+  return JobIdentity({record.build.identity, record.variant, record.options, record.run.content,
                       DetectionsHash(record.sequence), record.given, record.seed});
 }
 
 std::string ResultFile(const RunRecord& record) {
   Json frames = Json::array();
   for (const FrameRecord& frame : record.run.frames) frames.push_back(FrameToJson(frame));
-  return DumpJson({{"schema_version", kResultSchemaVersion},
-                   {"kind", "run"},
-                   {"job", RecordedJob(record)},
-                   {"status", ToString(record.run.status)},
-                   {"message", record.run.message},
-                   {"variant", record.variant},
-                   {"seed", record.seed},
-                   {"sequence", SequenceToJson(record.sequence, record.run.content)},
-                   {"options", record.options},
-                   {"given", record.given},
-                   {"detection_counts", DetectionsToJson(record.run.detections)},
-                   {"build", record.build.ToJson()},
-                   {"metrics", record.metrics},
-                   {"bodies", record.bodies},
-                   {"clusters", ClustersToJson(record.run)},
-                   {"frame_counts", CountsToJson(record.run)},
-                   {"solver_endings", SolverEndingsToJson(record.run)},
-                   {"undecodable", UndecodableToJson(record.run)},
-                   {"trajectories", TrajectoriesToJson(record.run)},
-                   {"pose_layout", {"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"}},
-                   {"frames", frames}});
+  reports::RunSummary summary;
+  summary.job = RecordedJob(record);
+  summary.status = ToString(record.run.status);
+  summary.message = record.run.message;
+  summary.variant = record.variant;
+  summary.seed = record.seed;
+  summary.sequence = SequenceOf(record.sequence, record.run.content);
+  summary.options = record.options;
+  summary.given = record.given;
+  summary.detection_counts = DetectionsToJson(record.run.detections);
+  summary.build = record.build;
+  summary.metrics = record.metrics;
+  summary.bodies = record.bodies;
+  return ResultText(summary, {{"clusters", ClustersToJson(record.run)},
+                              {"frame_counts", CountsToJson(record.run)},
+                              {"solver_endings", SolverEndingsToJson(record.run)},
+                              {"undecodable", UndecodableToJson(record.run)},
+                              {"trajectories", TrajectoriesToJson(record.run)},
+                              {"pose_layout", {"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"}},
+                              {"frames", frames}});
 }
 
 }  // namespace cvo

@@ -3,19 +3,19 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/files/json.h"
 #include "experiments/datasets/sequence.h"
+#include "experiments/metrics/metric.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/record/run_record.h"
 #include "experiments/record/truth_file.h"
 #include "reports/results/run_summary.h"
 
 namespace cvo {
-
-inline constexpr int kResultSchemaVersion = reports::kRunSchemaVersion;
 
 // A run with everything that decided it.
 struct RunRecord {
@@ -25,8 +25,8 @@ struct RunRecord {
   Json options = {};  // resolved
   Json given = {};    // as GivenToJson gives it
   std::uint64_t seed = 0;
-  Json metrics = {};  // as MetricsToJson gives them
-  Json bodies = {};   // refined and causal, as BodiesToJson gives them; null without truth
+  std::vector<Metric> metrics = {};
+  std::optional<reports::RunBodies> bodies = {};  // empty without truth
   const RunResult& run;
   TruthRecord truth = {};
   bool landmarks = false;  // asked for
@@ -36,10 +36,12 @@ struct RunRecord {
 Json PoseToJson(const RigidTransform& pose);
 
 // What was read, with its hash.
-Json SequenceToJson(const Sequence& sequence, const std::string& content);
+reports::RunSequence SequenceOf(const Sequence& sequence, const std::string& content);
 
-// A rig as JSON, units in the names.
-Json CameraToJson(const StereoCamera& camera);
+reports::CameraInfo CameraOf(const StereoCamera& camera);
+
+// The content of a result.json: the summary and, behind it, what only some readers need.
+std::string ResultText(const reports::RunSummary& summary, const Json& details);
 
 std::string RecordedJob(const RunRecord& record);
 

@@ -34,12 +34,6 @@ Json CountsToJson(const OptionalPoses& poses) {
           {ToString(FrameStatus::kSkipped), missing}};
 }
 
-Json GivenSequence(const SystemRecord& record) {
-  Json sequence = SequenceToJson(record.sequence, record.content);
-  sequence["camera"]["right_shift_px"] = record.right_shift_px;
-  return sequence;
-}
-
 Json ClustersToJson(const SystemRecord& record) {
   Json clusters = Json::array();
   for (const ClusterEstimate& cluster : record.estimate.clusters) {
@@ -68,7 +62,7 @@ std::string SystemVariant(const std::string& system) { return "system:" + system
 
 std::string SystemJob(const BuildIdentity& build, const std::string& system,
                       const SystemHashes& hashes, const std::string& content, std::uint64_t seed) {
-  return JobIdentity({build.Hash(),
+  return JobIdentity({build.identity,
                       SystemVariant(system),
                       {{"camera", hashes.camera}, {"objects", hashes.objects}},
                       content,
@@ -78,25 +72,22 @@ std::string SystemJob(const BuildIdentity& build, const std::string& system,
 }
 
 std::string SystemResultFile(const SystemRecord& record) {
-  return DumpJson(
-      {{"schema_version", kResultSchemaVersion},
-       {"kind", "run"},
-       {"job", SystemJob(record.build, record.system, record.hashes, record.content, record.seed)},
-       {"status", ToString(RunStatus::kOk)},
-       {"message", ""},
-       {"variant", SystemVariant(record.system)},
-       {"system", FilesToJson(record)},
-       {"seed", record.seed},
-       {"sequence", GivenSequence(record)},
-       {"options", Json::object()},
-       {"given", GivenToJson({}, {})},
-       {"build", record.build.ToJson()},
-       {"metrics", record.metrics},
-       {"bodies", record.bodies},
-       {"clusters", ClustersToJson(record)},
-       {"frame_counts", CountsToJson(record.estimate.world_from_camera)},
-       {"pose_layout", {"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"}},
-       {"frames", FramesToJson(record)}});
+  reports::RunSummary summary;
+  summary.job = SystemJob(record.build, record.system, record.hashes, record.content, record.seed);
+  summary.status = ToString(RunStatus::kOk);
+  summary.variant = SystemVariant(record.system);
+  summary.system = FilesToJson(record);
+  summary.seed = record.seed;
+  summary.sequence = SequenceOf(record.sequence, record.content);
+  summary.sequence.camera.right_shift_px = record.right_shift_px;
+  summary.given = GivenToJson({}, {});
+  summary.build = record.build;
+  summary.metrics = record.metrics;
+  summary.bodies = record.bodies;
+  return ResultText(summary, {{"clusters", ClustersToJson(record)},
+                              {"frame_counts", CountsToJson(record.estimate.world_from_camera)},
+                              {"pose_layout", {"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"}},
+                              {"frames", FramesToJson(record)}});
 }
 
 }  // namespace cvo

@@ -3,12 +3,16 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/files/json.h"
 #include "experiments/datasets/sequence.h"
+#include "experiments/metrics/metric.h"
 #include "experiments/metrics/object_estimate.h"
 #include "experiments/record/build_identity.h"
+#include "reports/results/run_summary.h"
 
 namespace cvo {
 
@@ -27,8 +31,8 @@ struct SystemRecord {
   std::string content;          // ContentHash of the sequence
   double right_shift_px = 0.0;  // correction that the system was given, not the sequence's
   std::uint64_t seed = 0;
-  Json metrics = {};
-  Json bodies = {};  // null without truth or objects
+  std::vector<Metric> metrics = {};
+  std::optional<reports::RunBodies> bodies = {};  // empty without truth or objects
   const ObjectEstimate& estimate;
   int object_frames = 0;
   int object_frames_left_out = 0;

@@ -24,12 +24,12 @@ reports::TruthPoses PosesOf(const TruthBody& body, const RigidTransform& estimat
   return poses;
 }
 
-reports::FramePositions PositionsOf(const std::vector<ObjectFrameError>& errors,
+reports::FramePositions PositionsOf(const reports::FrameErrors& errors,
+                                    const std::vector<Eigen::Vector3d>& estimates,
                                     const RigidTransform& estimate_from_truth) {
-  reports::FramePositions positions;
-  for (const ObjectFrameError& error : errors) {
-    const Eigen::Vector3d p = estimate_from_truth * error.estimate;
-    positions.frames.push_back(error.frame);
+  reports::FramePositions positions{errors.frames, {}};
+  for (const Eigen::Vector3d& estimate : estimates) {
+    const Eigen::Vector3d p = estimate_from_truth * estimate;
     positions.positions_m.push_back({p.x(), p.y(), p.z()});
   }
   return positions;
@@ -45,8 +45,8 @@ reports::TruthOfBody BodyOf(const BodyScore& score, const TruthBody& body,
   truth.diagonal_m = body.diagonal_m;
   truth.cluster = score.cluster;
   truth.truth = PosesOf(body, estimate_from_truth);
-  truth.estimated = PositionsOf(score.errors, estimate_from_truth);
-  truth.predicted = PositionsOf(score.predicted, estimate_from_truth);
+  truth.estimated = PositionsOf(score.errors, score.estimated_positions, estimate_from_truth);
+  truth.predicted = PositionsOf(score.predicted, score.predicted_positions, estimate_from_truth);
   return truth;
 }
 

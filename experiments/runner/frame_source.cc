@@ -16,7 +16,7 @@ namespace cvo {
 namespace {
 
 FrontEndSettings Settings(const FrameInput& input) {
-  return {ThisBuild().Hash(), input.sequence.camera, input.options.orb, input.options.stereo,
+  return {ThisBuild().identity, input.sequence.camera, input.options.orb, input.options.stereo,
           BoxesByFrame(input.sequence)};
 }
 

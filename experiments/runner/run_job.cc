@@ -7,7 +7,6 @@
 
 #include "core/files/options_json.h"
 #include "experiments/cache/content_hash.h"
-#include "experiments/record/bodies_json.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/record/job_identity.h"
 #include "experiments/runner/run_files.h"
@@ -15,17 +14,17 @@
 namespace cvo {
 namespace {
 
-Json ScoresToJson(const RunScores& scores) {
+std::vector<Metric> AllMetrics(const RunScores& scores) {
   std::vector<Metric> all = scores.refined;
   all.insert(all.end(), scores.causal.begin(), scores.causal.end());
   all.insert(all.end(), scores.clustering.begin(), scores.clustering.end());
-  return ToJson(all);
+  return all;
 }
 
-Json BodyScoresToJson(const RunScores& scores) {
-  if (scores.refined_bodies.empty()) return nullptr;
-  return {{"refined", BodiesToJson(scores.refined_bodies)},
-          {"causal", BodiesToJson(scores.causal_bodies)}};
+std::optional<reports::RunBodies> BodiesOf(const RunScores& scores) {
+  if (scores.refined_bodies.empty()) return std::nullopt;
+  return reports::RunBodies{{scores.refined_bodies.begin(), scores.refined_bodies.end()},
+                            {scores.causal_bodies.begin(), scores.causal_bodies.end()}};
 }
 
 // Classes count where there are boxes alone.
@@ -48,7 +47,7 @@ std::string IdentifyJob(const RunRequest& request) {
 }
 
 std::string IdentifyJob(const RunRequest& request, const std::string& content) {
-  return JobIdentity({ThisBuild().Hash(), std::string(request.variant.name),
+  return JobIdentity({ThisBuild().identity, std::string(request.variant.name),
                       ResolvedOptions(request), content, DetectionsHash(request.sequence),
                       Given(request), request.seed});
 }
@@ -67,8 +66,8 @@ std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesyste
                          .options = ResolvedOptions(request),
                          .given = Given(request),
                          .seed = request.seed,
-                         .metrics = ScoresToJson(outcome.scores),
-                         .bodies = BodyScoresToJson(outcome.scores),
+                         .metrics = AllMetrics(outcome.scores),
+                         .bodies = BodiesOf(outcome.scores),
                          .run = outcome.run,
                          .truth = {.camera = &request.sequence.groundtruth_world_from_camera,
                                    .objects = truth ? &truth->objects() : nullptr,

@@ -13,7 +13,6 @@
 #include "experiments/datasets/body_truth.h"
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/metrics/object_metrics.h"
-#include "experiments/record/bodies_json.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/record/system_result.h"
 
@@ -59,9 +58,9 @@ void Score(const SystemRequest& request, const ObjectEstimate& estimate, SystemO
   StatePoses(reports::PoseTime::kRefined, request.right_shift_px, outcome.metrics);
 }
 
-Json BodyScoresToJson(const std::vector<BodyScore>& bodies) {
-  if (bodies.empty()) return nullptr;
-  return {{"refined", BodiesToJson(bodies)}, {"causal", Json::array()}};
+std::optional<reports::RunBodies> BodiesOf(const std::vector<BodyScore>& bodies) {
+  if (bodies.empty()) return std::nullopt;
+  return reports::RunBodies{{bodies.begin(), bodies.end()}, {}};
 }
 
 }  // namespace
@@ -88,8 +87,8 @@ SystemOutcome ScoreSystem(const SystemRequest& request) {
                                      .content = request.content,
                                      .right_shift_px = request.right_shift_px,
                                      .seed = request.seed,
-                                     .metrics = ToJson(outcome.metrics),
-                                     .bodies = BodyScoresToJson(outcome.bodies),
+                                     .metrics = outcome.metrics,
+                                     .bodies = BodiesOf(outcome.bodies),
                                      .estimate = system.objects,
                                      .object_frames = system.object_frames,
                                      .object_frames_left_out = system.object_frames_left_out});

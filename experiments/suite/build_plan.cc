@@ -178,7 +178,7 @@ PlannedJob Planner::PlanCell(const Cell& cell) {
     return job;
   }
   const Options options = OptionsOf(suite_, cell.variant, cell.parameters);
-  job.input = FrontEndKey({build_.Hash(), input.sequence.camera, options.orb, options.stereo},
+  job.input = FrontEndKey({build_.identity, input.sequence.camera, options.orb, options.stereo},
                           input.images);
   job.job = IdentifyJob({.sequence = input.sequence,
                          .variant = FindVariant(cell.variant),
@@ -193,7 +193,7 @@ PlannedJob Planner::PlanCell(const Cell& cell) {
 BuiltPlan Planner::Build() {
   BuiltPlan built;
   built.plan.suite = suite_;
-  built.plan.build = build_.Hash();
+  built.plan.build = build_.identity;
   built.plan.data = data_.root().string();
   const std::vector<Cell> cells = ExpandSuite(suite_);
   for (std::size_t i = 0; i < cells.size(); ++i) {

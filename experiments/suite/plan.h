@@ -40,7 +40,7 @@ struct PlannedJob {
 // Everything that a suite runs, as plan.json in its output folder keeps it.
 struct Plan {
   Suite suite;
-  std::string build;  // BuildIdentity::Hash()
+  std::string build;  // BuildInfo::identity
   std::string data;   // absolute: files of boxes, labels and systems are below it; empty: none
   std::vector<PlannedJob> jobs;
 };
@@ -48,12 +48,8 @@ struct Plan {
 // All cells, sequence by sequence, then seed, parameters, oracle, variant.
 std::vector<Cell> ExpandSuite(const Suite& suite);
 
-// {"schema_version": 1, "kind": "plan", "suite": {"name", "about"}, "build", "data",
-//  "table": {"rows": [..], "metrics": [..], "reference"},
-//  "jobs": [{"sequence", "detections", "variant", "system", "seed", "oracle": [..],
-//            "parameters": {path: value}, "folder", "missing", "input", "job", ...}]}
-// Reports read the fields named here; the rest is for workers (ParsePlan).
-Json PlanToJson(const Plan& plan);
+// The content of plan.json, a reports::PlanFile.
+std::string PlanText(const Plan& plan);
 Plan ParsePlan(const Json& json, const std::string& where);
 
 }  // namespace cvo

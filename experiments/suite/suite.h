@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/files/json.h"
+#include "reports/results/plan_file.h"
 
 namespace cvo {
 
@@ -50,13 +50,7 @@ struct SuiteSystem {
 };
 
 // What experiment table makes of the results.
-struct SuiteTable {
-  // Keys that tell rows apart: sequence, detections, variant, oracle, or the path of a grid's axis.
-  std::vector<std::string> rows = {"variant"};
-  std::vector<std::string> metrics;
-  // Row that the others are compared with: a variant, or key=value as "oracle=none"; empty: none.
-  std::string reference;
-};
+using SuiteTable = reports::PlanTable;
 
 // A suite file: what is run on what, and how it is tabulated.
 struct Suite {

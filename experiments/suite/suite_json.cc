@@ -54,9 +54,7 @@ Json SuiteToJson(const Suite& suite) {
   json["systems"] = Json::array();
   for (const SuiteSystem& system : suite.systems) json["systems"].push_back(SystemToJson(system));
   json["landmarks"] = suite.landmarks;
-  json["table"] = {{"rows", suite.table.rows},
-                   {"metrics", suite.table.metrics},
-                   {"reference", suite.table.reference}};
+  json["table"] = ToJson(suite.table);
   return json;
 }
 

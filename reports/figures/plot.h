@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/files/json_fields.h"
+#include "core/files/json.h"
 
 namespace cvo::reports {
 

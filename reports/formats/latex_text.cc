@@ -74,15 +74,6 @@ bool AllowsBreakAfter(char32_t character) {
   return std::u32string_view(U"_/.:-,").find(character) != std::u32string_view::npos;
 }
 
-// Of Computer Modern at 8 pt.
-double CharacterWidth_pt(char32_t character) {
-  if (character >= '0' && character <= '9') return 4.3;
-  if (std::u32string_view(U".,:;'il|!").find(character) != std::u32string_view::npos) return 2.6;
-  if ((character >= 'A' && character <= 'Z') || character == 'm' || character == 'w') return 7.0;
-  if (character < 0x80) return 4.8;
-  return IsAccentedLetter(character) ? 7.0 : 30.0;
-}
-
 }  // namespace
 
 std::string LatexEscaped(std::string_view text, std::size_t longest_word) {
@@ -124,12 +115,6 @@ std::string LatexNumber(std::string_view text) {
     }
   }
   return number;
-}
-
-double LatexWidth_pt(std::string_view text) {
-  double width_pt = 0.0;
-  for (const char32_t character : Characters(text)) width_pt += CharacterWidth_pt(character);
-  return width_pt;
 }
 
 }  // namespace cvo::reports

@@ -15,7 +15,4 @@ std::string LatexEscaped(std::string_view text, std::size_t longest_word);
 // A number or a range of two, with signs that are signs.
 std::string LatexNumber(std::string_view text);
 
-// About how wide a text is at \footnotesize; rather too much than too little.
-double LatexWidth_pt(std::string_view text);
-
 }  // namespace cvo::reports

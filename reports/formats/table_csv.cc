@@ -146,7 +146,7 @@ std::string LongRecord(const Table& table, const TableTexts& texts, const TextLi
     AddBlanks(7 + 1 + 6 + 1, record);
     AddText(Marks(line.cells[column]), record);
     AddBlanks(2, record);
-    AddText(ToString(cell.match), record);
+    AddText(NameOf(cell.match), record);
     AddText(line.cells[column].note, record);
     return CsvRecord(record);
   }

@@ -36,7 +36,7 @@ Numbers NumbersOf(const Table& table, const TextLine& line, std::size_t column, 
         line.row ? table.rows[*line.row].reference : table.others;
     const auto& cell = others[*line.reference].cells[column];
     if (!cell) return {};
-    return {cell->value, std::nullopt, ToString(cell->match)};
+    return {cell->value, std::nullopt, NameOf(cell->match)};
   }
   const Cell& cell = table.rows[*line.row].cells[column];
   if (!differences) {

@@ -3,10 +3,10 @@
 #include "reports/formats/table_latex.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/error.h"
-#include "reports/formats/latex_panels.h"
+#include "core/files/utf8.h"
+#include "reports/formats/column_panels.h"
 #include "reports/formats/latex_text.h"
 #include "reports/formats/table_texts.h"
 
@@ -15,6 +15,69 @@ namespace {
 
 constexpr std::size_t kWordInColumn = 8;
 constexpr std::size_t kWordInProse = 40;
+constexpr std::size_t kHeadingCharacters = 12;
+constexpr std::size_t kLongText = 24;        // a column of texts wraps from here
+constexpr std::size_t kTextCharacters = 12;  // of a wrapped line, at least
+constexpr double kNumberColumns = 6.0;       // side by side
+constexpr std::size_t kPageLines = 50;
+
+// A part of a block that fits on a page.
+struct LatexPanel {
+  std::vector<std::size_t> columns;  // indices, never an accuracy without its coverage
+  std::vector<std::size_t> lines;    // indices, those with a value in these columns
+};
+
+// Which columns of texts wrap, in all blocks alike.
+std::vector<bool> WrappedTexts(const TableTexts& texts) {
+  std::vector<bool> wrapped(texts.text_header.size(), false);
+  for (const TextBlock& block : texts.blocks) {
+    for (const TextLine& line : block.lines) {
+      for (std::size_t i = 0; i < wrapped.size(); ++i) {
+        wrapped[i] = wrapped[i] || Width(line.texts[i]) > kLongText;
+      }
+    }
+  }
+  return wrapped;
+}
+
+std::size_t PrintedLines(const TextLine& line, const std::vector<bool>& wrapped) {
+  std::size_t lines = 1;
+  for (std::size_t i = 0; i < wrapped.size(); ++i) {
+    if (wrapped[i]) lines = std::max(lines, 1 + Width(line.texts[i]) / kTextCharacters);
+  }
+  for (const CellText& cell : line.cells) {
+    std::size_t below = 0;
+    for (const std::string& text : {cell.interval, cell.percent, cell.percent_interval}) {
+      below += text.empty() ? 0 : 1;
+    }
+    lines = std::max(lines, 1 + below);
+  }
+  return lines;
+}
+
+// Columns from left to right and lines from top to bottom, as many as fit.
+std::vector<LatexPanel> SplitBlock(const TableTexts& texts, const TextBlock& block,
+                                   const std::vector<bool>& wrapped) {
+  const auto parts =
+      SplitColumns(texts.columns, std::vector<double>(texts.columns.size(), 1.0), kNumberColumns);
+  std::vector<LatexPanel> panels;
+  for (std::size_t first = 0, end = 0; first < block.lines.size(); first = end) {
+    std::size_t printed = 0;
+    for (; end < block.lines.size(); ++end) {
+      printed += PrintedLines(block.lines[end], wrapped);
+      if (end > first && printed > kPageLines) break;
+    }
+    for (const auto& part : parts) {
+      LatexPanel panel{part, {}};
+      for (std::size_t line = first; line < end; ++line) {
+        if (part.empty() || HasValue(block.lines[line], part)) panel.lines.push_back(line);
+      }
+      if (!panel.lines.empty()) panels.push_back(std::move(panel));
+    }
+  }
+  if (panels.empty()) panels.push_back({parts[0], {}});
+  return panels;
+}
 
 // The contrast of this grey on white is 4.7 to 1.
 std::string Grey(const std::string& latex) { return StrCat("\\textcolor{black!55}{", latex, "}"); }
@@ -42,6 +105,24 @@ std::string CellLatex(const CellText& cell) {
   return cell.grey ? Grey(latex) : latex;
 }
 
+// Short lines of a heading: words, then the unit.
+std::vector<std::string> HeadingLines(const ColumnText& column) {
+  std::vector<std::string> lines;
+  std::string rest = column.label;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(' '), rest.size());
+    const std::string word = rest.substr(0, end);
+    if (!lines.empty() && Width(lines.back()) + 1 + Width(word) <= kHeadingCharacters) {
+      lines.back() += " " + word;
+    } else {
+      lines.push_back(word);
+    }
+    rest.erase(0, end + 1);
+  }
+  if (!column.unit.empty()) lines.push_back(StrCat("[", column.unit, "]"));
+  return lines;
+}
+
 std::string HeadingLatex(const ColumnText& column) {
   std::vector<std::string> lines;
   for (const std::string& line : HeadingLines(column)) lines.push_back(Prose(line));
@@ -66,40 +147,40 @@ std::string LineLatex(const TextLine& line, const LatexPanel& panel) {
 }
 
 std::string PanelLatex(const TableTexts& texts, const TextBlock& block, const LatexPanel& panel,
-                       const std::vector<LatexColumn>& columns) {
+                       const std::vector<bool>& wrapped) {
   std::string kinds;
   std::vector<std::string> header;
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    kinds += columns[i].wraps ? StrCat(">{\\raggedright\\arraybackslash}p{",
-                                       std::lround(columns[i].width_pt), "pt}")
-                              : "l";
-    header.push_back(Prose(texts.text_header[i]));
+  for (std::size_t i = 0; i < wrapped.size(); ++i) {
+    kinds += wrapped[i] ? ">{\\raggedright\\arraybackslash}p{10em}" : "l";
+    header.push_back(LatexEscaped(texts.text_header[i], kWordInColumn));
   }
   for (const std::size_t column : panel.columns) {
     kinds += "r";
     header.push_back(HeadingLatex(texts.columns[column]));
   }
-  std::string latex = StrCat("\\noindent\\begin{tabular}{@{}", kinds, "@{}}\n\\toprule\n",
+  std::string latex = StrCat("\\sbox0{\\begin{tabular}{@{}", kinds, "@{}}\n\\toprule\n",
                              RowLatex(header), "\\midrule\n");
   for (const std::size_t line : panel.lines) {
     if (line != panel.lines.front()) latex += "\\addlinespace[2pt]\n";
     latex += LineLatex(block.lines[line], panel);
   }
-  return latex + "\\bottomrule\n\\end{tabular}\\par\\medskip\n";
+  return latex +
+         "\\bottomrule\n\\end{tabular}}\n\\noindent\\ifdim\\wd0>\\linewidth"
+         "\\resizebox{\\linewidth}{!}{\\usebox0}\\else\\usebox0\\fi\\par\\medskip\n";
 }
 
 std::string BlockLatex(const TableTexts& texts, const TextBlock& block,
-                       const std::vector<LatexColumn>& columns) {
+                       const std::vector<bool>& wrapped) {
   std::string latex;
   if (!block.heading.empty()) {
     latex += StrCat("\\noindent ", Prose(block.heading), ":\\par\\smallskip\n");
   }
-  const std::vector<LatexPanel> panels = SplitBlock(texts, block, columns);
+  const std::vector<LatexPanel> panels = SplitBlock(texts, block, wrapped);
   for (std::size_t i = 0; i < panels.size(); ++i) {
     if (panels.size() > 1) {
       latex += StrCat("\\noindent part ", i + 1, " of ", panels.size(), "\\par\\nobreak\n");
     }
-    latex += PanelLatex(texts, block, panels[i], columns);
+    latex += PanelLatex(texts, block, panels[i], wrapped);
   }
   return latex;
 }
@@ -122,10 +203,9 @@ std::string NotesLatex(const TableTexts& texts) {
 }
 
 std::string BodyLatex(const TableTexts& texts) {
-  const std::vector<LatexColumn> columns = MeasureTexts(texts);
-  std::string latex =
-      StrCat("\\begingroup\\footnotesize\\setlength{\\tabcolsep}{", 0.5 * kColumnGap_pt, "pt}\n");
-  for (const TextBlock& block : texts.blocks) latex += BlockLatex(texts, block, columns);
+  const std::vector<bool> wrapped = WrappedTexts(texts);
+  std::string latex = "\\begingroup\\footnotesize\\setlength{\\tabcolsep}{4pt}\n";
+  for (const TextBlock& block : texts.blocks) latex += BlockLatex(texts, block, wrapped);
   return latex + "\\raggedright\n" + NotesLatex(texts) + "\\endgroup\n";
 }
 
@@ -135,7 +215,7 @@ std::string TableLatex(const Table& table) {
   const TableTexts texts = MakeTexts(table);
   std::string latex =
       "\\documentclass[a4paper]{article}\n\\usepackage[margin=15mm]{geometry}\n"
-      "\\usepackage{array,booktabs,xcolor}\n\\pagestyle{empty}\n\\begin{document}\n";
+      "\\usepackage{array,booktabs,graphicx,xcolor}\n\\pagestyle{empty}\n\\begin{document}\n";
   if (!texts.title.empty()) {
     latex += StrCat("\\noindent\\textbf{", Prose(texts.title), "}\\par\n");
   }
@@ -145,8 +225,8 @@ std::string TableLatex(const Table& table) {
 
 std::string TableLatexBare(const Table& table) {
   const TableTexts texts = MakeTexts(table);
-  return StrCat("% ", texts.title, "\n% needs \\usepackage{array,booktabs,xcolor}; at most ",
-                kPanelWidth_pt, " pt wide\n", BodyLatex(texts));
+  return StrCat("% ", texts.title, "\n% needs \\usepackage{array,booktabs,graphicx,xcolor}\n",
+                BodyLatex(texts));
 }
 
 }  // namespace cvo::reports

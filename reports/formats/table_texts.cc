@@ -73,7 +73,7 @@ CellText ReferenceText(const std::optional<ReferenceCell>& cell) {
   text.value = FormatGeneral(cell->value, 6);
   text.grey = cell->match != Match::kMatches;
   text.note = Printable(cell->reason);
-  if (text.grey && text.note.empty()) text.note = ToString(cell->match);
+  if (text.grey && text.note.empty()) text.note = NameOf(cell->match);
   if (cell->match == Match::kContractUnknown && !cell->reason.empty()) {
     text.note = "contract " + text.note;
   }

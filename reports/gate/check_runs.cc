@@ -26,8 +26,8 @@ class Check {
 
   GateReport Run() {
     report_.suite = runs_.suite;
-    report_.baseline_commit = baseline_.commit;
-    report_.baseline_build = baseline_.build;
+    report_.baseline_commit = baseline_.build.commit;
+    report_.baseline_build = baseline_.build.identity;
     CheckUnfinished();
     for (const BaselineJob& job : baseline_.jobs) PairJob(job);
     report_.runs = pairs_.size();
@@ -69,7 +69,7 @@ class Check {
     }
     const SuiteRun& run = *found->second;
     if (!run.run) return;
-    report_.build = run.run->build;
+    report_.build = run.run->build.identity;
     if (job.status == "ok" && run.state != "ok") {
       Fail(label, StrCat("ended as ", run.state, run.message.empty() ? "" : ": " + run.message));
     }
@@ -137,7 +137,7 @@ class Check {
     note(more, " jobs are not in the baseline");
     note(new_values_, " values are of metrics that the baseline lacks for their job");
     std::set<std::string> levels = CpuLevels(runs_.runs);
-    levels.insert(baseline_.cpu_level);
+    levels.insert(baseline_.build.cpu_level);
     if (levels.size() > 1) report_.notes.push_back(CpuLevelNote(levels));
     note(other_images_, " runs saw other images than the baseline's: scenes were drawn anew");
   }

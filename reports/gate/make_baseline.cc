@@ -86,10 +86,10 @@ Baseline MakeBaseline(const std::filesystem::path& folder, std::size_t gate_seed
   for (const SuiteRun& run : runs.runs) RequireDone(run);
   Baseline baseline;
   baseline.suite = runs.suite;
-  baseline.build = runs.runs.front().run->build;
-  baseline.commit = runs.runs.front().run->commit;
-  const std::string& cpu_level = runs.runs.front().run->cpu_level;
-  if (!cpu_level.empty()) baseline.cpu_level = cpu_level;
+  const BuildInfo& build = runs.runs.front().run->build;
+  baseline.build.identity = build.identity;
+  baseline.build.commit = build.commit;
+  if (!build.cpu_level.empty()) baseline.build.cpu_level = build.cpu_level;
   baseline.seeds = GateSeeds(runs, gate_seeds);
   baseline.metrics = CollectMetrics(runs);
   const std::map<std::string, double> ratios = TimeRatios(runs);

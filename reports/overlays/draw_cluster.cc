@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kGhostOpacity = 0.28;
 
-std::vector<cv::Point2d> Outline(const ClusterShape& cluster, const OverlayCamera& camera) {
+std::vector<cv::Point2d> Outline(const ClusterShape& cluster, const CameraInfo& camera) {
   std::vector<cv::Point2d> points;
   for (const auto& [a, b] : ProjectEdges(cluster.corners, camera)) {
     points.push_back(a);
@@ -22,7 +22,7 @@ std::vector<cv::Point2d> Outline(const ClusterShape& cluster, const OverlayCamer
 }
 
 // From the centre to where it will be, with a head; nothing where that is hardly a motion.
-void AddArrow(const ClusterShape& cluster, Rgb color, const OverlayCamera& camera,
+void AddArrow(const ClusterShape& cluster, Rgb color, const CameraInfo& camera,
               const OverlayStyle& style, std::vector<Stroke>& strokes) {
   const auto shaft = ProjectSegment(cluster.center, cluster.ahead, camera);
   if (!shaft) return;
@@ -41,7 +41,7 @@ void AddArrow(const ClusterShape& cluster, Rgb color, const OverlayCamera& camer
 }
 
 // Discs that shrink with age, one per frame but not closer than they are wide.
-void DrawTrail(const ClusterShape& cluster, Rgb color, const OverlayCamera& camera,
+void DrawTrail(const ClusterShape& cluster, Rgb color, const CameraInfo& camera,
                const OverlayStyle& style, cv::Mat& picture) {
   const double count = static_cast<double>(cluster.trail.size());
   std::optional<cv::Point2d> last;
@@ -63,7 +63,7 @@ Rgb ColorOf(const OverlayFrame& frame, std::int64_t id) {
   return ClusterColor(other == frame.color_ids.end() ? id : other->second);
 }
 
-std::optional<cv::Rect> SeenRect(const ClusterShape& cluster, const OverlayCamera& camera) {
+std::optional<cv::Rect> SeenRect(const ClusterShape& cluster, const CameraInfo& camera) {
   const cv::Size size(camera.width_px, camera.height_px);
   const std::vector<cv::Point2d> points = Outline(cluster, camera);
   if (points.empty()) return std::nullopt;
@@ -83,14 +83,14 @@ std::optional<cv::Rect> SeenRect(const ClusterShape& cluster, const OverlayCamer
   return cv::Rect(first, last + cv::Point(1, 1));
 }
 
-void FillGhosts(const OverlayFrame& frame, const OverlayCamera& camera, cv::Mat& picture) {
+void FillGhosts(const OverlayFrame& frame, const CameraInfo& camera, cv::Mat& picture) {
   for (const ClusterShape& cluster : frame.clusters) {
     if (!cluster.predicted) continue;
     FillHull(Outline(cluster, camera), ColorOf(frame, cluster.id), kGhostOpacity, picture);
   }
 }
 
-void DrawBoxes(const OverlayFrame& frame, const OverlayCamera& camera, const OverlayStyle& style,
+void DrawBoxes(const OverlayFrame& frame, const CameraInfo& camera, const OverlayStyle& style,
                cv::Mat& picture) {
   std::vector<Stroke> strokes;
   for (const ClusterShape& cluster : frame.clusters) {
@@ -110,7 +110,7 @@ void DrawBoxes(const OverlayFrame& frame, const OverlayCamera& camera, const Ove
   DrawStrokes(strokes, kRimOpacity, picture);
 }
 
-void DrawMotion(const OverlayFrame& frame, const OverlayCamera& camera, const OverlayStyle& style,
+void DrawMotion(const OverlayFrame& frame, const CameraInfo& camera, const OverlayStyle& style,
                 cv::Mat& picture) {
   std::vector<Stroke> arrows;
   for (const ClusterShape& cluster : frame.clusters) {

@@ -50,7 +50,7 @@ cv::Rect FreePlace(const cv::Rect& box, cv::Size size, cv::Size picture,
 
 }  // namespace
 
-void DrawNames(const OverlayFrame& frame, const OverlayCamera& camera, const OverlayStyle& style,
+void DrawNames(const OverlayFrame& frame, const CameraInfo& camera, const OverlayStyle& style,
                cv::Mat& picture) {
   std::vector<cv::Rect> taken;
   for (const ClusterShape& cluster : frame.clusters) {

@@ -13,7 +13,7 @@
 namespace cvo::reports {
 namespace {
 
-cv::Mat Background(const cv::Mat& image, const OverlayCamera& camera, const OverlayCamera& scaled) {
+cv::Mat Background(const cv::Mat& image, const CameraInfo& camera, const CameraInfo& scaled) {
   if (image.cols != camera.width_px || image.rows != camera.height_px ||
       (image.type() != CV_8UC1 && image.type() != CV_8UC3)) {
     ThrowError("the image of a frame",
@@ -88,7 +88,7 @@ void DrawWrongLabels(const OverlayFrame& frame, const OverlayStyle& style, cv::M
 
 }  // namespace
 
-OverlayStyle StyleFor(const OverlayCamera& camera, int width_px) {
+OverlayStyle StyleFor(const CameraInfo& camera, int width_px) {
   OverlayStyle style;
   style.scale = static_cast<double>(width_px) / camera.width_px;
   // Of an image of 640x480 it is 1; on wide ones things are small.
@@ -106,9 +106,9 @@ OverlayStyle StyleFor(const OverlayCamera& camera, int width_px) {
   return style;
 }
 
-cv::Mat DrawOverlay(const cv::Mat& image, const OverlayFrame& frame, const OverlayCamera& camera,
+cv::Mat DrawOverlay(const cv::Mat& image, const OverlayFrame& frame, const CameraInfo& camera,
                     const OverlayStyle& style) {
-  const OverlayCamera scaled = ScaledCamera(camera, style.scale);
+  const CameraInfo scaled = ScaledCamera(camera, style.scale);
   cv::Mat picture = Background(image, camera, scaled);
   if (style.boxes) FillGhosts(frame, scaled, picture);
   DrawDetections(frame, style, picture);

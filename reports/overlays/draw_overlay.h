@@ -27,15 +27,15 @@ struct OverlayStyle {
 };
 
 // For drawings that are this wide, from thumbnails to screens.
-OverlayStyle StyleFor(const OverlayCamera& camera, int width_px);
+OverlayStyle StyleFor(const CameraInfo& camera, int width_px);
 
 // Left image (8 bit grey or BGR, of the camera's size) with what is known of the frame drawn on it;
 // 8 bit BGR, higher than the image by the status line. Throws Error for an image of another size.
-cv::Mat DrawOverlay(const cv::Mat& image, const OverlayFrame& frame, const OverlayCamera& camera,
+cv::Mat DrawOverlay(const cv::Mat& image, const OverlayFrame& frame, const CameraInfo& camera,
                     const OverlayStyle& style);
 
 // The words of the status line, the most important first; the last is for the right end.
-std::vector<std::string> StatusWords(const OverlayFrame& frame, const OverlayCamera& camera);
+std::vector<std::string> StatusWords(const OverlayFrame& frame, const CameraInfo& camera);
 
 // A bar of as many rows of text as it is high, with as many of the words as have room; the last of
 // several is at the right end of the first row.

@@ -8,19 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "reports/results/run_summary.h"
 #include "reports/runs/run_detail.h"
 
 namespace cvo::reports {
-
-// The left camera as a result gives it. Pixel centres at integers.
-struct OverlayCamera {
-  int width_px = 0;
-  int height_px = 0;
-  double fx_px = 0.0;
-  double fy_px = 0.0;
-  double cx_px = 0.0;
-  double cy_px = 0.0;
-};
 
 struct PixelBox {
   double left_px = 0.0;

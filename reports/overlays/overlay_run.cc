@@ -11,42 +11,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-OverlayCamera ReadCamera(const Fields& fields) {
-  OverlayCamera camera;
-  camera.width_px = static_cast<int>(fields.Integer("width_px"));
-  camera.height_px = static_cast<int>(fields.Integer("height_px"));
-  camera.fx_px = fields.Number("fx_px");
-  camera.fy_px = fields.Number("fy_px");
-  camera.cx_px = fields.Number("cx_px");
-  camera.cy_px = fields.Number("cy_px");
+void CheckCamera(const CameraInfo& camera, const fs::path& file) {
   constexpr int kLargest_px = 20000;
   const bool good = camera.width_px > 0 && camera.height_px > 0 && camera.width_px <= kLargest_px &&
                     camera.height_px <= kLargest_px && camera.fx_px > 0.0 && camera.fy_px > 0.0;
-  if (!good) ThrowError(fields.where(), fields.json().dump(), "a camera");
-  return camera;
+  if (!good) ThrowError(file.string() + ", sequence, camera", ToJson(camera).dump(), "a camera");
 }
 
-void ReadSequence(const Fields& fields, OverlayRun& run) {
-  run.sequence_name = fields.Text("name");
-  run.sequence_type = fields.Text("type");
-  run.pair = fields.Text("pair");
-  run.first_frame = static_cast<int>(fields.Integer("first_frame"));
-  run.frames = static_cast<int>(fields.Integer("frames"));
-  if (fields.Has("detections")) run.boxes = static_cast<int>(fields.Integer("detections"));
-  if (fields.Has("detections_hash")) run.detections_hash = fields.Text("detections_hash");
-  run.camera = ReadCamera(fields.Object("camera"));
-}
-
-// The members of result.json that a drawing needs; ReadRunDetail has checked what it is.
 void ReadHead(const fs::path& file, OverlayRun& run) {
-  const Json json = ReadJson(file, {"bodies", "clusters", "frames", "metrics", "options"});
-  const Fields fields(json, file.string());
-  run.variant = fields.Text("variant");
-  run.seed = fields.Count("seed");
-  ReadSequence(fields.Object("sequence"), run);
-  if (!fields.Has("given")) return;
-  const Fields given = fields.Object("given");
-  if (given.Has("classes")) run.classes = given.Texts("classes");
+  const auto head =
+      ReadRecord<RunSummary>(file, {"bodies", "clusters", "frames", "metrics", "options"});
+  run.variant = head.variant;
+  run.seed = head.seed;
+  run.sequence = head.sequence;
+  CheckCamera(run.sequence.camera, file);
+  if (head.given.contains("classes")) {
+    run.classes = FromJson<std::vector<std::string>>(head.given["classes"],
+                                                     file.string() + ", given, classes");
+  }
 }
 
 }  // namespace

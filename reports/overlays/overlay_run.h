@@ -21,15 +21,8 @@ enum class LandmarkLabel {
 struct OverlayRun {
   std::string variant;
   std::uint64_t seed = 0;
-  std::string sequence_name;
-  std::string sequence_type;  // as readers of data sets name it, with the pair of images
-  std::string pair;
-  int first_frame = 0;  // of those that were to be run, counted in the folder
-  int frames = 0;
-  int boxes = 0;                     // that the run was given, of all classes
-  std::string detections_hash;       // of these
-  std::vector<std::string> classes;  // of these, those it made use of
-  OverlayCamera camera;
+  RunSequence sequence;              // its detections are of all classes
+  std::vector<std::string> classes;  // of detections that the run made use of
   RunDetail detail;
   bool has_clusters = false;
   bool has_landmarks = false;

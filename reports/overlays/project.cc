@@ -24,7 +24,7 @@ Position Rotate(const Position& v, double w, const Position& p) {
   return rotated;
 }
 
-cv::Point2d Pixel(const Position& p, const OverlayCamera& camera) {
+cv::Point2d Pixel(const Position& p, const CameraInfo& camera) {
   return {camera.fx_px * p[0] / p[2] + camera.cx_px, camera.fy_px * p[1] / p[2] + camera.cy_px};
 }
 
@@ -50,8 +50,8 @@ Position TransformBack(const Pose& a_from_b, const Position& p_in_a) {
   return Rotate({-a_from_b[3], -a_from_b[4], -a_from_b[5]}, a_from_b[6], p);
 }
 
-OverlayCamera ScaledCamera(const OverlayCamera& camera, double scale) {
-  OverlayCamera scaled = camera;
+CameraInfo ScaledCamera(const CameraInfo& camera, double scale) {
+  CameraInfo scaled = camera;
   scaled.width_px = static_cast<int>(camera.width_px * scale + 0.5);
   scaled.height_px = static_cast<int>(camera.height_px * scale + 0.5);
   scaled.fx_px = camera.fx_px * scale;
@@ -61,7 +61,7 @@ OverlayCamera ScaledCamera(const OverlayCamera& camera, double scale) {
   return scaled;
 }
 
-std::optional<cv::Point2d> ProjectPoint(const Position& p_in_camera, const OverlayCamera& camera) {
+std::optional<cv::Point2d> ProjectPoint(const Position& p_in_camera, const CameraInfo& camera) {
   if (!(p_in_camera[2] >= kNear_m)) return std::nullopt;
   const cv::Point2d pixel = Pixel(p_in_camera, camera);
   if (!IsFinite(pixel)) return std::nullopt;
@@ -69,7 +69,7 @@ std::optional<cv::Point2d> ProjectPoint(const Position& p_in_camera, const Overl
 }
 
 std::optional<PixelSegment> ProjectSegment(const Position& a, const Position& b,
-                                           const OverlayCamera& camera) {
+                                           const CameraInfo& camera) {
   const bool a_seen = a[2] >= kNear_m;
   const bool b_seen = b[2] >= kNear_m;
   if (!a_seen && !b_seen) return std::nullopt;
@@ -81,7 +81,7 @@ std::optional<PixelSegment> ProjectSegment(const Position& a, const Position& b,
 }
 
 std::vector<PixelSegment> ProjectEdges(const std::array<Position, 8>& corners,
-                                       const OverlayCamera& camera) {
+                                       const CameraInfo& camera) {
   std::vector<PixelSegment> edges;
   for (std::size_t i = 0; i < 8; ++i) {
     for (const std::size_t bit : {1U, 2U, 4U}) {

@@ -16,20 +16,20 @@ Position Transform(const Pose& a_from_b, const Position& p_in_b);
 Position TransformBack(const Pose& a_from_b, const Position& p_in_a);
 
 // The camera of an image that was resized by `scale`.
-OverlayCamera ScaledCamera(const OverlayCamera& camera, double scale);
+CameraInfo ScaledCamera(const CameraInfo& camera, double scale);
 
 using PixelSegment = std::pair<cv::Point2d, cv::Point2d>;
 
 // Empty where the point is not in front of the camera.
 [[nodiscard]] std::optional<cv::Point2d> ProjectPoint(const Position& p_in_camera,
-                                                      const OverlayCamera& camera);
+                                                      const CameraInfo& camera);
 // The part of a segment that is in front of the camera; empty where none is. Pixels may lie far
 // outside the image.
 [[nodiscard]] std::optional<PixelSegment> ProjectSegment(const Position& a, const Position& b,
-                                                         const OverlayCamera& camera);
+                                                         const CameraInfo& camera);
 // Of the twelve edges of a box, those parts that are in front of the camera.
 std::vector<PixelSegment> ProjectEdges(const std::array<Position, 8>& corners,
-                                       const OverlayCamera& camera);
+                                       const CameraInfo& camera);
 // The part of a segment within the image or at most `margin_px` beside it.
 [[nodiscard]] std::optional<PixelSegment> ClipSegment(const PixelSegment& segment, cv::Size image,
                                                       double margin_px);

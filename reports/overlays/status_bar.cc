@@ -18,7 +18,7 @@ constexpr int kMargin_px = 2;
 
 int RowHeight(int text_px) { return PlateSize("x", text_px).height; }
 
-std::string CountClusters(const OverlayFrame& frame, const OverlayCamera& camera) {
+std::string CountClusters(const OverlayFrame& frame, const CameraInfo& camera) {
   int tracked = 0;
   int predicted = 0;
   int unseen = 0;
@@ -49,7 +49,7 @@ std::string CountLandmarks(const OverlayFrame& frame) {
 
 }  // namespace
 
-std::vector<std::string> StatusWords(const OverlayFrame& frame, const OverlayCamera& camera) {
+std::vector<std::string> StatusWords(const OverlayFrame& frame, const CameraInfo& camera) {
   return {StrCat("frame ", frame.frame),
           FormatFixed(frame.time_s, 2) + " s",
           "camera " + frame.status,

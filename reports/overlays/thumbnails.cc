@@ -17,7 +17,7 @@ struct DrawnFrame {
   cv::Mat picture;
 };
 
-std::string StatusText(const OverlayFrame& frame, const OverlayCamera& camera) {
+std::string StatusText(const OverlayFrame& frame, const CameraInfo& camera) {
   std::string words;
   for (const std::string& word : StatusWords(frame, camera)) {
     words += (words.empty() ? "" : "; ") + word;
@@ -27,7 +27,8 @@ std::string StatusText(const OverlayFrame& frame, const OverlayCamera& camera) {
 
 std::vector<DrawnFrame> DrawFrames(const OverlayRun& run, const ImageOfFrame& image_of_frame,
                                    const ThumbnailOptions& options, ThumbnailStrip& strip) {
-  const OverlayStyle style = StyleFor(run.camera, std::min(options.width_px, run.camera.width_px));
+  const OverlayStyle style =
+      StyleFor(run.sequence.camera, std::min(options.width_px, run.sequence.camera.width_px));
   std::vector<DrawnFrame> drawn;
   int without = 0;
   for (const std::size_t index :
@@ -38,8 +39,8 @@ std::vector<DrawnFrame> DrawFrames(const OverlayRun& run, const ImageOfFrame& im
       ++without;
       continue;
     }
-    drawn.push_back({{frame.frame, frame.time_s, "", StatusText(frame, run.camera)},
-                     DrawOverlay(image, frame, run.camera, style)});
+    drawn.push_back({{frame.frame, frame.time_s, "", StatusText(frame, run.sequence.camera)},
+                     DrawOverlay(image, frame, run.sequence.camera, style)});
   }
   if (without > 0) strip.missing.push_back(StrCat(without, " frames have no image"));
   return drawn;

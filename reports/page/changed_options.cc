@@ -2,19 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/page/changed_options.h"
 
-#include "core/files/json_fields.h"
+#include "core/files/json.h"
 
 namespace cvo::reports {
 OptionDefaults::OptionDefaults(const std::string& json) {
   if (!json.empty()) defaults_ = FlatJson(ParseJson(json, "default options"));
 }
 
-std::vector<ChangedOption> OptionDefaults::ChangedIn(const std::string& options,
-                                                     const std::string& where) {
+std::vector<ChangedOption> OptionDefaults::ChangedIn(const Json& options) {
   if (defaults_.empty() || options.empty()) return {};
-  const auto [entry, added] = known_.try_emplace(options);
+  const auto [entry, added] = known_.try_emplace(options.dump());
   if (!added) return entry->second;
-  for (const auto& [path, value] : FlatJson(ParseJson(options, where))) {
+  for (const auto& [path, value] : FlatJson(options)) {
     const auto at_default = defaults_.find(path);
     const std::string usual = at_default == defaults_.end() ? "" : at_default->second;
     if (value != usual) entry->second.push_back({path, usual, {value}});

@@ -16,7 +16,7 @@ class OptionDefaults {
   // Nested JSON; empty: not known, then no option is reported as changed.
   explicit OptionDefaults(const std::string& json);
 
-  std::vector<ChangedOption> ChangedIn(const std::string& options, const std::string& where);
+  std::vector<ChangedOption> ChangedIn(const Json& options);
 
  private:
   std::map<std::string, std::string> defaults_;

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/files/json_fields.h"
+#include "core/files/json.h"
 
 namespace cvo::reports {
 

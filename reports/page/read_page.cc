@@ -30,7 +30,7 @@ PageRun DescribeRun(SuiteRun run, const PageRequest& request, OptionDefaults& de
   if (run.run) {
     described.result = StrCat("jobs/", run.planned.job, "/result.json");
     described.origin = ReadRunOrigin(request.folder / "jobs" / run.planned.job);
-    described.options = defaults.ChangedIn(run.run->options, described.result);
+    described.options = defaults.ChangedIn(run.run->options);
   }
   described.run = std::move(run);
   return described;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/files/json_fields.h"
+#include "core/files/json_record.h"
 #include "core/files/number.h"
 
 namespace cvo::reports {
@@ -38,20 +38,17 @@ void AddFacts(const Json& json, const std::vector<std::string>& names, std::vect
 
 void ReadBuild(const std::filesystem::path& file, RunOrigin& origin) {
   const Json json = ReadJson(file, {"bodies", "clusters", "frames", "metrics"});
-  const Fields fields(json, file.string());
-  if (!fields.Has("build")) return;
-  for (const auto& [name, value] : fields.Object("build").json().items()) {
-    AddFact(name, value, origin.build);
-  }
+  if (!json.contains("build")) return;
+  for (const auto& [name, value] : json["build"].items()) AddFact(name, value, origin.build);
 }
 
 void ReadTiming(const std::filesystem::path& file, RunOrigin& origin) {
   const Json json = ReadJson(file, {"frames"});
-  const Fields fields(json, file.string());
   AddFacts(json, {"host", "cpu", "cpus", "threads"}, origin.machine);
   AddFacts(json, {"date"}, origin.time);
-  if (fields.Has("wall_s")) {
-    origin.time.emplace_back("took", FormatFixed(fields.Number("wall_s"), 1) + " s");
+  if (json.contains("wall_s")) {
+    const double wall_s = FromJson<double>(json["wall_s"], file.string() + ", field wall_s");
+    origin.time.emplace_back("took", FormatFixed(wall_s, 1) + " s");
   }
 }
 

@@ -4,15 +4,15 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "reports/results/body_row.h"
+#include "reports/results/build_info.h"
 #include "reports/results/metric_value.h"
 
 namespace cvo::reports {
-
-inline constexpr int kRunSchemaVersion = 3;
 
 struct SequenceInfo {
   std::string name;
@@ -20,29 +20,119 @@ struct SequenceInfo {
   std::string pair;  // "grey" or "colour"
   int first_frame = 0;
   int frames = 0;
-  int total_frames = 0;         // in the folder
-  double right_shift_px = 0.0;  // correction of the published calibration; 0: as published
-  std::string content;          // hash
+  int total_frames = 0;  // in the folder
 
   FrameSpan range() const { return {first_frame, first_frame + frames - 1}; }
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("name", self.name);
+    archive.Field("type", self.type);
+    archive.Field("pair", self.pair);
+    archive.Field("first_frame", self.first_frame);
+    archive.Field("frames", self.frames);
+    archive.Field("total_frames", self.total_frames);
+  }
 };
 
-// What a table needs of one result.json.
-struct RunSummary {
-  std::filesystem::path file;
-  std::string job;
-  std::string variant;
-  std::uint64_t seed = 0;
-  std::string status;  // "ok", "lost", "failed"
-  std::string message;
-  SequenceInfo sequence;
-  std::vector<MetricValue> metrics;
+struct CameraInfo {
+  int width_px = 0;
+  int height_px = 0;
+  double fx_px = 0.0;
+  double fy_px = 0.0;
+  double cx_px = 0.0;
+  double cy_px = 0.0;
+  double baseline_m = 0.0;
+  double right_shift_px = 0.0;  // correction of the published calibration; 0: as published
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Added("width_px", self.width_px);
+    archive.Added("height_px", self.height_px);
+    archive.Added("fx_px", self.fx_px);
+    archive.Added("fy_px", self.fy_px);
+    archive.Added("cx_px", self.cx_px);
+    archive.Added("cy_px", self.cy_px);
+    archive.Added("baseline_m", self.baseline_m);
+    archive.Added("right_shift_px", self.right_shift_px);
+  }
+};
+
+// What was read.
+struct RunSequence : SequenceInfo {
+  std::string dataset;
+  std::string groundtruth;
+  std::uint64_t labels = 0;
+  std::uint64_t detections = 0;
+  std::string detections_hash;
+  std::string content;  // hash
+  CameraInfo camera;
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("name", self.name);
+    archive.Field("type", self.type);
+    archive.Added("dataset", self.dataset);
+    archive.Field("pair", self.pair);
+    archive.Added("groundtruth", self.groundtruth);
+    archive.Field("first_frame", self.first_frame);
+    archive.Field("frames", self.frames);
+    archive.Field("total_frames", self.total_frames);
+    archive.Added("labels", self.labels);
+    archive.Added("detections", self.detections);
+    archive.Added("detections_hash", self.detections_hash);
+    archive.Added("content", self.content);
+    archive.Added("camera", self.camera);
+  }
+};
+
+struct RunBodies {
   std::vector<BodyRow> refined;
   std::vector<BodyRow> causal;
-  std::string options;    // resolved, as JSON text
-  std::string build;      // identity
-  std::string commit;     // of the build, for people
-  std::string cpu_level;  // of the processor that it ran on
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("refined", self.refined);
+    archive.Field("causal", self.causal);
+  }
+};
+
+// result.json without what it says of single frames and clusters.
+struct RunSummary {
+  static constexpr int kSchemaVersion = 3;
+  static constexpr const char* kKind = "run";
+
+  std::filesystem::path file;  // where it was read
+  std::string job;
+  std::string status;  // "ok", "lost", "failed"
+  std::string message;
+  std::string variant;
+  std::optional<Json> system;  // files of another system, where it is a run of one
+  std::uint64_t seed = 0;
+  RunSequence sequence;
+  Json options = Json::object();  // resolved
+  Json given = Json::object();    // classes and oracles
+  std::optional<Json> detection_counts;
+  BuildInfo build;
+  std::vector<MetricValue> metrics;
+  std::optional<RunBodies> bodies;  // empty without truth
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("job", self.job);
+    archive.Field("status", self.status);
+    archive.Added("message", self.message);
+    archive.Field("variant", self.variant);
+    archive.Optional("system", self.system);
+    archive.Field("seed", self.seed);
+    archive.Field("sequence", self.sequence);
+    archive.Added("options", self.options);
+    archive.Added("given", self.given);
+    archive.Optional("detection_counts", self.detection_counts);
+    archive.Added("build", self.build);
+    archive.Added("metrics", self.metrics);
+    archive.Added("bodies", self.bodies);
+  }
 };
 
 // With the metrics of these names. Throws Error naming the file and the field, wherever in it:

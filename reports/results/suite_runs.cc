@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/results/suite_runs.h"
 
-#include "core/files/json_fields.h"
+#include "reports/results/plan_file.h"
 
 namespace cvo::reports {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kPlanSchemaVersion = 1;
-constexpr int kFailureSchemaVersion = 1;
 constexpr char kNotRendered[] = "not rendered yet";  // PlannedJob::missing of a scene to be drawn
 
 std::string Joined(const std::vector<std::string>& texts) {
@@ -21,23 +19,19 @@ std::string Joined(const std::vector<std::string>& texts) {
 
 std::string OrNone(const std::string& text) { return text.empty() ? "none" : text; }
 
-PlannedRun ReadPlanned(const Fields& fields) {
+PlannedRun Planned(const PlanJob& job) {
   PlannedRun run;
-  const std::string system = fields.TextOr("system", "");
-  run.system = !system.empty();
-  run.keys["sequence"] = fields.Text("sequence");
-  run.keys["detections"] = OrNone(fields.TextOr("detections", ""));
-  run.keys["variant"] = run.system ? system : fields.Text("variant");
-  run.keys["oracle"] = OrNone(fields.Has("oracle") ? Joined(fields.Texts("oracle")) : "");
-  if (fields.Has("parameters")) {
-    const Fields parameters = fields.Object("parameters");
-    for (const auto& [path, value] : parameters.json().items()) {
-      run.keys[path] = value.is_string() ? value.get<std::string>() : value.dump();
-    }
+  run.system = !job.system.empty();
+  run.keys["sequence"] = job.sequence;
+  run.keys["detections"] = OrNone(job.detections);
+  run.keys["variant"] = run.system ? job.system : job.variant;
+  run.keys["oracle"] = OrNone(Joined(job.oracle));
+  for (const auto& [path, value] : job.parameters.items()) {
+    run.keys[path] = value.is_string() ? value.get<std::string>() : value.dump();
   }
-  run.seed = fields.Count("seed");
-  run.job = fields.TextOr("job", "");
-  run.missing = fields.TextOr("missing", "");
+  run.seed = job.seed;
+  run.job = job.job;
+  run.missing = job.missing;
   return run;
 }
 
@@ -63,11 +57,9 @@ void ReadResult(const fs::path& file, const std::vector<std::string>& metrics, S
 void ReadFailure(const fs::path& file, SuiteRun& run) {
   run.state = "failed";
   try {
-    const Json json = ReadJson(file);
-    const Fields fields(json, file.string());
-    fields.CheckSchema(kFailureSchemaVersion);
-    run.message = fields.Text("message");
-    run.log = fields.TextOr("log", "");
+    const auto failure = ReadRecord<JobFailure>(file);
+    run.message = failure.message;
+    run.log = failure.log;
   } catch (const Error& error) {
     run.message = error.what();
   }
@@ -79,22 +71,20 @@ SuitePlan ReadPlan(const fs::path& plan_file) {
   if (!fs::exists(plan_file)) {
     ThrowError(plan_file.string(), "no such file", "the folder that a suite was run to");
   }
-  const Json json = ReadJson(plan_file);
-  const Fields fields(json, plan_file.string());
-  fields.Check(kPlanSchemaVersion, "plan");
-  SuitePlan plan;
-  plan.file = plan_file;
-  plan.name = fields.Object("suite").Text("name");
-  plan.about = fields.Object("suite").TextOr("about", "");
-  const Fields table = fields.Object("table");
-  plan.rows = table.Texts("rows");
-  plan.metrics = table.Texts("metrics");
-  plan.reference = table.TextOr("reference", "");
-  for (const Json& job : fields.Array("jobs")) {
-    plan.runs.push_back(ReadPlanned({job, fields.where() + ", jobs"}));
+  const auto file = ReadRecord<PlanFile>(plan_file);
+  SuitePlan plan{.file = plan_file,
+                 .name = file.suite.name,
+                 .about = file.suite.about,
+                 .rows = file.table.rows,
+                 .metrics = file.table.metrics,
+                 .reference = file.table.reference,
+                 .runs = {}};
+  for (const PlanJob& job : file.jobs) plan.runs.push_back(Planned(job));
+  if (plan.runs.empty())
+    ThrowError(plan_file.string() + ", field jobs", "none", "at least one job");
+  if (plan.rows.empty()) {
+    ThrowError(plan_file.string() + ", table, field rows", "none", "at least one key");
   }
-  if (plan.runs.empty()) ThrowError(fields.where() + ", field jobs", "none", "at least one job");
-  if (plan.rows.empty()) ThrowError(table.where() + ", field rows", "none", "at least one key");
   return plan;
 }
 

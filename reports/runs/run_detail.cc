@@ -14,23 +14,17 @@ namespace {
 namespace fs = std::filesystem;
 
 // Nothing but the frames: what else a result holds is large and for others.
-std::vector<CameraFrame> ReadFrames(const fs::path& file) {
-  const std::string where = file.string();
-  const Json json = ReadJson(file, {"bodies", "clusters", "metrics", "options"});
-  const Fields fields(json, where);
-  fields.Check(kRunSchemaVersion, "run");
+struct FramesOfRun {
+  static constexpr int kSchemaVersion = RunSummary::kSchemaVersion;
+  static constexpr const char* kKind = RunSummary::kKind;
+
   std::vector<CameraFrame> frames;
-  for (const Json& row : fields.Array("frames")) {
-    const Fields entry(row, where + ", frames");
-    CameraFrame frame;
-    frame.frame = static_cast<int>(entry.Integer("frame"));
-    frame.timestamp_ns = entry.Integer("timestamp_ns");
-    frame.status = entry.Text("status");
-    frame.world_from_camera = FromJson<Pose>(entry.Array("refined"), entry.where() + ", refined");
-    frames.push_back(std::move(frame));
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("frames", self.frames);
   }
-  return frames;
-}
+};
 
 void ReadTiming(const fs::path& file, RunDetail& detail) {
   const auto timing = ReadRecord<TimingData>(file);
@@ -56,7 +50,9 @@ void ReadTruth(const fs::path& file, RunDetail& detail) {
 
 RunDetail ReadRunDetail(const fs::path& run_folder) {
   RunDetail detail;
-  detail.camera = ReadFrames(run_folder / "result.json");
+  detail.camera = ReadRecord<FramesOfRun>(run_folder / "result.json",
+                                          {"bodies", "clusters", "metrics", "options"})
+                      .frames;
   const auto read = [&](const char* name, const std::function<void(const fs::path&)>& reader) {
     const fs::path file = run_folder / name;
     try {

@@ -18,7 +18,15 @@ struct CameraFrame {
   std::int64_t timestamp_ns = 0;
   std::string status;  // "first", "tracked", "recovered", "lost", "skipped"
   Pose world_from_camera{};
-  std::optional<Pose> truth;
+  std::optional<Pose> truth;  // in truth.json
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("frame", self.frame);
+    archive.Field("timestamp_ns", self.timestamp_ns);
+    archive.Field("status", self.status);
+    archive.Field("refined", self.world_from_camera);
+  }
 };
 
 // A cluster in a frame as last estimated: a row of objects.csv.

@@ -31,7 +31,9 @@ std::optional<BodyMetric> FindBodyMetric(const std::string& metric) {
 }
 
 const std::vector<BodyRow>& BodiesOf(const BodyMetric& metric, const RunSummary& run) {
-  return metric.form.causal ? run.causal : run.refined;
+  static const std::vector<BodyRow> kNone;
+  if (!run.bodies) return kNone;
+  return metric.form.causal ? run.bodies->causal : run.bodies->refined;
 }
 
 std::optional<Part> PartOf(const BodyMetric& metric, const BodyRow& body) {

@@ -124,7 +124,7 @@ bool AreComparable(const RowRuns& row, const RowRuns& reference, const Column& c
   bool systems = false;
   for (const RowRuns* runs : {&row, &reference}) {
     for (const SuiteRun* run : runs->runs) {
-      if (run->run) shifts_px.insert(run->run->sequence.right_shift_px);
+      if (run->run) shifts_px.insert(run->run->sequence.camera.right_shift_px);
       systems = systems || run->planned.system;
     }
   }

@@ -4,96 +4,124 @@
 
 #include <map>
 
-#include "core/files/json_fields.h"
+#include "core/files/json_record.h"
 #include "reports/reference/shipped.h"
 
 namespace cvo::reports {
 namespace {
 
-constexpr int kReferenceSchemaVersion = 2;
-
 struct MetricMeaning {
   MetricUnit unit = MetricUnit::kOne;
   Contract contract;
+  Json stated;  // the contract as written
   std::vector<std::string> inferred;
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
     archive.Field("unit", self.unit);
     archive.Field("contract", self.contract);
+    archive.Field("contract", self.stated);
     archive.Optional("inferred", self.inferred);
   }
 };
 
-// A misspelt field would be one that is not stated.
-MetricMeaning ReadMeaning(const Fields& fields) {
-  const auto meaning = FromJson<MetricMeaning>(fields.json(), fields.where());
-  for (const auto& [field, value] : fields.Object("contract").json().items()) {
-    if (value.is_null() || !FieldText(meaning.contract, field).empty()) continue;
-    ThrowError(fields.where() + ", contract", field, "a field of a contract");
+// What one system reaches on some frames.
+struct SystemFigures {
+  std::string suite;
+  std::string sequence;
+  int first_frame = 0;
+  int frames = 0;
+  std::string system;
+  std::optional<TruthSource> truth;
+  std::map<std::string, double> values;
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    if (archive.Has("suite", !self.suite.empty())) {
+      archive.Field("suite", self.suite);
+    } else {
+      archive.Field("sequence", self.sequence);
+      archive.Field("first_frame", self.first_frame);
+      archive.Field("frames", self.frames);
+    }
+    archive.Field("system", self.system);
+    archive.Optional("truth", self.truth);
+    archive.Field("values", self.values);
   }
-  return meaning;
+};
+
+struct SourceInFile : ReferenceSource {
+  std::map<std::string, MetricMeaning> metrics;
+  std::vector<SystemFigures> figures;
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    ReferenceSource::VisitFields(self, archive);
+    archive.Optional("pair", self.pair);
+    archive.Field("metrics", self.metrics);
+    archive.Field("figures", self.figures);
+  }
+};
+
+struct ReferenceInFile {
+  static constexpr int kSchemaVersion = 2;
+  static constexpr const char* kKind = "reference";
+
+  std::vector<SourceInFile> sources;
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("sources", self.sources);
+  }
+};
+
+// A misspelt field would be one that is not stated.
+void CheckMeaning(const MetricMeaning& meaning, const std::string& where) {
+  for (const auto& [field, value] : meaning.stated.items()) {
+    if (value.is_null() || !FieldText(meaning.contract, field).empty()) continue;
+    ThrowError(where + ", contract", field, "a field of a contract");
+  }
 }
 
-void AddFigures(const Fields& fields, const std::map<std::string, MetricMeaning>& meanings,
-                std::size_t source, std::vector<ReferenceFigure>& figures) {
-  const Fields values = fields.Object("values");
-  for (const auto& [metric, value] : values.json().items()) {
-    const auto meaning = meanings.find(metric);
-    if (meaning == meanings.end()) {
-      ThrowError(values.where(), metric, "one of the metrics of its source");
+void AddFigures(const SystemFigures& figures, const SourceInFile& source, const std::string& where,
+                Reference& reference) {
+  for (const auto& [metric, value] : figures.values) {
+    const auto meaning = source.metrics.find(metric);
+    if (meaning == source.metrics.end()) {
+      ThrowError(where + ", values", metric, "one of the metrics of its source");
     }
-    ReferenceFigure figure;
-    figure.source = source;
-    if (fields.Has("suite")) {
-      figure.suite = fields.Text("suite");
-    } else {
-      figure.sequence = fields.Text("sequence");
-      figure.first_frame = static_cast<int>(fields.Integer("first_frame"));
-      figure.frames = static_cast<int>(fields.Integer("frames"));
-    }
-    figure.system = fields.Text("system");
-    figure.metric = metric;
-    figure.value = values.Number(metric.c_str());
-    figure.unit = meaning->second.unit;
-    figure.contract = meaning->second.contract;
-    figure.inferred = meaning->second.inferred;
-    if (fields.Has("truth")) {
-      figure.contract.truth =
-          FromJson<TruthSource>(fields.Text("truth"), fields.where() + ", field truth");
-    }
+    ReferenceFigure figure{.source = reference.sources.size(),
+                           .sequence = figures.sequence,
+                           .suite = figures.suite,
+                           .first_frame = figures.first_frame,
+                           .frames = figures.frames,
+                           .system = figures.system,
+                           .metric = metric,
+                           .value = value,
+                           .unit = meaning->second.unit,
+                           .contract = meaning->second.contract,
+                           .inferred = meaning->second.inferred};
+    if (figures.truth) figure.contract.truth = figures.truth;
     // Who corrects a calibration says so.
     if (!figure.contract.right_shift_px) figure.contract.right_shift_px = 0.0;
-    figures.push_back(std::move(figure));
+    reference.figures.push_back(std::move(figure));
   }
-}
-
-void AddSource(const Fields& fields, Reference& reference) {
-  ReferenceSource source;
-  source.id = fields.Text("id");
-  source.source = fields.Text("source");
-  source.kind = fields.Text("kind");
-  source.caveat = fields.Text("caveat");
-  if (fields.Has("pair")) source.pair = fields.Text("pair");
-  std::map<std::string, MetricMeaning> meanings;
-  const Fields metrics = fields.Object("metrics");
-  for (const auto& [metric, value] : metrics.json().items()) {
-    meanings[metric] = ReadMeaning(metrics.Object(metric.c_str()));
-  }
-  for (const Json& figure : fields.Array("figures")) {
-    AddFigures({figure, StrCat(fields.where(), ", ", source.id, ", figures")}, meanings,
-               reference.sources.size(), reference.figures);
-  }
-  reference.sources.push_back(std::move(source));
 }
 
 }  // namespace
 
 void AddReference(std::string_view json, const std::string& where, Reference& reference) {
-  const Json parsed = ParseJson(json, where);
-  const Fields fields(parsed, where);
-  fields.CheckSchema(kReferenceSchemaVersion);
-  for (const Json& source : fields.Array("sources")) AddSource({source, where}, reference);
+  for (const SourceInFile& source :
+       ReadRecord<ReferenceInFile>(ParseJson(json, where), where).sources) {
+    const std::string place = where + ", " + source.id;
+    for (const auto& [metric, meaning] : source.metrics) {
+      CheckMeaning(meaning, StrCat(place, ", metrics, ", metric));
+    }
+    for (const SystemFigures& figures : source.figures) {
+      AddFigures(figures, source, place + ", figures", reference);
+    }
+    reference.sources.push_back(source);
+  }
 }
 
 Reference ShippedReference() {

@@ -16,6 +16,14 @@ struct ReferenceSource {
   std::string kind;    // "published" or "measured"
   std::string caveat;
   std::string pair;  // images that were used; empty: not known
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("id", self.id);
+    archive.Field("source", self.source);
+    archive.Field("kind", self.kind);
+    archive.Field("caveat", self.caveat);
+  }
 };
 
 // One number that others reach on some frames of a sequence, or on scenes of their own that a suite

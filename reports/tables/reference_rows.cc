@@ -99,24 +99,6 @@ void KeepUsedSources(const Reference& reference, Table& table) {
 
 }  // namespace
 
-const char* ToString(Match match) {
-  switch (match) {
-    case Match::kMatches:
-      return "matches";
-    case Match::kOtherScenes:
-      return "other scenes";
-    case Match::kOtherFrames:
-      return "other frames";
-    case Match::kOtherImages:
-      return "other images";
-    case Match::kContractUnknown:
-      return "contract not stated";
-    case Match::kContractDiffers:
-      return "contract differs";
-  }
-  throw Error("Match: not one of the enumerators");
-}
-
 void AddReferenceRows(const Reference& reference, Table& table) {
   std::vector<std::string> seen;  // a sequence with several variants shows its references once
   for (auto row = table.rows.rbegin(); row != table.rows.rend(); ++row) {

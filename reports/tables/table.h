@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,17 +13,34 @@
 
 namespace cvo::reports {
 
+struct Table;
+
 struct Column {
   std::string metric;
   std::string label;
   std::string unit;
   Contract contract;  // what all its cells share
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("metric", self.metric);
+    archive.Field("label", self.label);
+    archive.Field("unit", self.unit);
+    archive.Field("contract", self.contract);
+  }
 };
 
 struct Interval {
   double low = 0.0;
   double high = 0.0;
   std::string meaning;  // what was resampled
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("low", self.low);
+    archive.Field("high", self.high);
+    archive.Field("meaning", self.meaning);
+  }
 };
 
 // What a value is made of.
@@ -31,6 +49,14 @@ struct Counts {
   std::size_t scenes = 0;
   std::size_t bodies = 0;  // 0: a metric of whole runs
   std::size_t seeds = 0;
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("runs", self.runs);
+    archive.Field("scenes", self.scenes);
+    archive.Field("bodies", self.bodies);
+    archive.Field("seeds", self.seeds);
+  }
 };
 
 // A cell against the same cell of the reference row, both on what the two have in common.
@@ -48,6 +74,23 @@ struct Difference {
   bool distinguishable = false;
   std::size_t pairs = 0;  // bodies or scenes
   std::string pairing;    // what is common
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("reference", self.reference);
+    archive.Field("value", self.value);
+    archive.Field("reference_value", self.reference_value);
+    archive.Field("difference", self.difference);
+    archive.Optional("interval", self.interval);
+    archive.Optional("percent", self.percent);
+    archive.Optional("percent_interval", self.percent_interval);
+    archive.Optional("reference_lower_percent", self.reference_lower);
+    archive.Optional("reference_lower_percent_interval", self.reference_lower_interval);
+    archive.Optional("effect", self.effect);
+    archive.Field("distinguishable", self.distinguishable);
+    archive.Field("pairs", self.pairs);
+    archive.Field("pairing", self.pairing);
+  }
 };
 
 struct Cell {
@@ -60,6 +103,9 @@ struct Cell {
   std::string message;            // why there is no value
   std::string not_comparable;     // why the value does not compare with the others of its column
   std::vector<std::size_t> runs;  // indices into Row::runs
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive, const Column& column);
 };
 
 // How a figure of others relates to ours in the same row and column.
@@ -71,7 +117,10 @@ enum class Match {
   kContractUnknown,
   kContractDiffers
 };
-const char* ToString(Match match);
+constexpr std::array<const char*, 6> EnumNames(Match) {
+  return {"matches",      "other scenes",        "other frames",
+          "other images", "contract not stated", "contract differs"};
+}
 
 struct ReferenceCell {
   double value = 0.0;
@@ -85,6 +134,9 @@ struct ReferenceRow {
   int first_frame = 0;
   int frames = 0;                                   // 0: not known
   std::vector<std::optional<ReferenceCell>> cells;  // one per column
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive, const Table& table);
 };
 
 // What became of the jobs that a row or table is made of.
@@ -97,12 +149,29 @@ struct JobCounts {
   std::size_t no_data = 0;  // the sequence is not on this machine
 
   bool AllDone() const { return done == planned; }
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("planned", self.planned);
+    archive.Field("done", self.done);
+    archive.Field("lost", self.lost);
+    archive.Field("failed", self.failed);
+    archive.Field("not_run", self.not_run);
+    archive.Field("no_data", self.no_data);
+  }
 };
 
 struct RunLink {
   std::string sequence;
   std::uint64_t seed = 0;
   std::string result;  // relative to the table
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("sequence", self.sequence);
+    archive.Field("seed", self.seed);
+    archive.Field("result", self.result);
+  }
 };
 
 struct Row {
@@ -114,6 +183,9 @@ struct Row {
   std::vector<RunLink> runs;
   std::vector<Cell> cells;  // one per column
   std::vector<ReferenceRow> reference;
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive, const Table& table);
 };
 
 // A job without a value, or with one to be read with care.
@@ -124,6 +196,16 @@ struct Problem {
   std::string state;  // "failed", "lost", "not run", "no data"
   std::string message;
   std::string log;  // of a failed one
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("row", self.row);
+    archive.Field("sequence", self.sequence);
+    archive.Field("seed", self.seed);
+    archive.Field("state", self.state);
+    archive.Field("message", self.message);
+    archive.Optional("log", self.log);
+  }
 };
 
 // An option that some run does not leave at its default; values as JSON texts.
@@ -131,15 +213,29 @@ struct ChangedOption {
   std::string path;
   std::string default_value;
   std::vector<std::string> values;
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive);
 };
 
 struct Provenance {
   std::vector<std::string> builds;
   std::vector<std::uint64_t> seeds;
   std::vector<ChangedOption> options;
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("builds", self.builds);
+    archive.Field("seeds", self.seeds);
+    archive.Field("options", self.options);
+  }
 };
 
+// table.json
 struct Table {
+  static constexpr int kSchemaVersion = 3;
+  static constexpr const char* kKind = "table";
+
   std::string title;
   std::string about;
   std::string reference;          // what differences are against; empty: none
@@ -153,6 +249,9 @@ struct Table {
   std::vector<Problem> problems;
   std::vector<std::string> notes;  // what a reader must know to compare rows
   Provenance provenance;
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive);
 };
 
 // The values of its keys, such as "indoor_1 full".

@@ -2,184 +2,164 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/tables/table_json.h"
 
-#include <cmath>
+#include <algorithm>
 
-#include "core/files/json_fields.h"
+#include "core/files/text_file.h"
 
 namespace cvo::reports {
 namespace {
 
-double Finite(double value, const std::string& where) {
-  if (!std::isfinite(value)) ThrowError(where, StrCat(value), "a finite number");
-  return value;
-}
+// A figure of others in the column of its metric.
+struct FigureInFile {
+  std::string metric;
+  double value = 0.0;
+  std::string unit;
+  Match comparison = Match::kMatches;
+  std::string reason;
 
-Json ToJson(const Column& column) {
-  return {{"metric", column.metric},
-          {"label", column.label},
-          {"unit", column.unit},
-          {"contract", cvo::ToJson(column.contract)}};
-}
-
-Json ToJson(const SequenceInfo& sequence) {
-  return {{"name", sequence.name},     {"type", sequence.type},
-          {"pair", sequence.pair},     {"first_frame", sequence.first_frame},
-          {"frames", sequence.frames}, {"total_frames", sequence.total_frames}};
-}
-
-Json ToJson(const Interval& interval, const std::string& where) {
-  return {{"low", Finite(interval.low, where)},
-          {"high", Finite(interval.high, where)},
-          {"meaning", interval.meaning}};
-}
-
-Json ToJson(const Difference& difference, const std::string& where) {
-  Json json = {{"reference", difference.reference},
-               {"value", Finite(difference.value, where)},
-               {"reference_value", Finite(difference.reference_value, where)},
-               {"difference", Finite(difference.difference, where)}};
-  if (difference.interval) json["interval"] = ToJson(*difference.interval, where);
-  if (difference.percent) json["percent"] = Finite(*difference.percent, where);
-  if (difference.percent_interval) {
-    json["percent_interval"] = ToJson(*difference.percent_interval, where);
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("metric", self.metric);
+    archive.Field("value", self.value);
+    archive.Field("unit", self.unit);
+    archive.Field("comparison", self.comparison);
+    archive.Optional("reason", self.reason);
   }
-  if (difference.reference_lower) {
-    json["reference_lower_percent"] = Finite(*difference.reference_lower, where);
-  }
-  if (difference.reference_lower_interval) {
-    json["reference_lower_percent_interval"] = ToJson(*difference.reference_lower_interval, where);
-  }
-  if (difference.effect) json["effect"] = Finite(*difference.effect, where);
-  json["distinguishable"] = difference.distinguishable;
-  json["pairs"] = difference.pairs;
-  json["pairing"] = difference.pairing;
-  return json;
-}
+};
 
-Json ToJson(const Cell& cell, const Column& column) {
-  Json json = {{"metric", column.metric}, {"status", cell.present ? "ok" : "missing"}};
-  if (!cell.present) {
-    json["message"] = cell.message;
-    return json;
-  }
-  json["value"] = Finite(cell.value, column.metric);
-  json["unit"] = column.unit;
-  json["n"] = {{"runs", cell.n.runs},
-               {"scenes", cell.n.scenes},
-               {"bodies", cell.n.bodies},
-               {"seeds", cell.n.seeds}};
-  if (cell.interval) json["interval"] = ToJson(*cell.interval, column.metric);
-  if (cell.difference) json["difference"] = ToJson(*cell.difference, column.metric);
-  if (!cell.left_out.empty()) json["left_out"] = cell.left_out;
-  if (!cell.not_comparable.empty()) json["not_comparable"] = cell.not_comparable;
-  json["runs"] = cell.runs;
-  return json;
-}
-
-Json ToJson(const ReferenceRow& line, const Table& table) {
-  Json cells = Json::array();
+std::vector<FigureInFile> FiguresOf(const ReferenceRow& line, const Table& table) {
+  std::vector<FigureInFile> figures;
   for (std::size_t i = 0; i < line.cells.size(); ++i) {
     if (!line.cells[i]) continue;
-    Json cell = {{"metric", table.columns[i].metric},
-                 {"value", Finite(line.cells[i]->value, table.columns[i].metric)},
-                 {"unit", table.columns[i].unit},
-                 {"comparison", ToString(line.cells[i]->match)}};
-    if (!line.cells[i]->reason.empty()) cell["reason"] = line.cells[i]->reason;
-    cells.push_back(std::move(cell));
+    figures.push_back({table.columns[i].metric, line.cells[i]->value, table.columns[i].unit,
+                       line.cells[i]->match, line.cells[i]->reason});
   }
-  Json json = {{"system", line.system}, {"source", table.sources[line.source].id}};
-  if (line.frames > 0) {
-    json["first_frame"] = line.first_frame;
-    json["frames"] = line.frames;
+  return figures;
+}
+
+// The first element with this text; `expected` says what there should be.
+template <typename T>
+std::size_t IndexOf(const std::string& text, const std::vector<T>& values, std::string T::*member,
+                    const std::string& where, const char* expected) {
+  const auto found = std::find_if(values.begin(), values.end(),
+                                  [&](const T& value) { return value.*member == text; });
+  if (found == values.end()) ThrowError(where, Quoted(text), expected);
+  return static_cast<std::size_t>(found - values.begin());
+}
+
+void CheckRuns(const Table& table, const std::string& where) {
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const Row& row = table.rows[i];
+    for (std::size_t j = 0; j < row.cells.size(); ++j) {
+      for (const std::size_t run : row.cells[j].runs) {
+        if (run < row.runs.size()) continue;
+        ThrowError(StrCat(where, ", rows[", i, "], cells[", j, "], field runs"), StrCat(run),
+                   StrCat("indices of the row's ", row.runs.size(), " runs"));
+      }
+    }
   }
-  json["cells"] = std::move(cells);
-  return json;
-}
-
-Json ToJson(const JobCounts& jobs) {
-  return {{"planned", jobs.planned}, {"done", jobs.done},       {"lost", jobs.lost},
-          {"failed", jobs.failed},   {"not_run", jobs.not_run}, {"no_data", jobs.no_data}};
-}
-
-Json ToJson(const RunLink& run) {
-  return {{"sequence", run.sequence}, {"seed", run.seed}, {"result", run.result}};
-}
-
-Json ToJson(const Problem& problem) {
-  Json json = {{"row", problem.row},
-               {"sequence", problem.sequence},
-               {"seed", problem.seed},
-               {"state", problem.state},
-               {"message", problem.message}};
-  if (!problem.log.empty()) json["log"] = problem.log;
-  return json;
-}
-
-Json ToJson(const ChangedOption& option) {
-  Json values = Json::array();
-  for (const std::string& value : option.values) values.push_back(ParseJson(value, option.path));
-  return {{"path", option.path},
-          {"default", option.default_value.empty() ? Json(nullptr)
-                                                   : ParseJson(option.default_value, option.path)},
-          {"values", values}};
-}
-
-Json ToJson(const ReferenceSource& source) {
-  return {{"id", source.id},
-          {"source", source.source},
-          {"kind", source.kind},
-          {"caveat", source.caveat}};
-}
-
-template <typename T, typename... Context>
-Json ListOf(const std::vector<T>& values, const Context&... context) {
-  Json list = Json::array();
-  for (const T& value : values) list.push_back(ToJson(value, context...));
-  return list;
-}
-
-Json ToJson(const Row& row, const Table& table) {
-  Json json = Json::object();
-  for (std::size_t i = 0; i < table.keys.size(); ++i) json["keys"][table.keys[i]] = row.keys[i];
-  if (row.sequence) json["sequence"] = ToJson(*row.sequence);
-  if (!(row.truth == Contract())) json["truth"] = cvo::ToJson(row.truth);
-  if (!row.corrections.empty()) json["corrections"] = row.corrections;
-  json["jobs"] = ToJson(row.jobs);
-  json["runs"] = ListOf(row.runs);
-  json["cells"] = Json::array();
-  for (std::size_t i = 0; i < row.cells.size(); ++i) {
-    json["cells"].push_back(ToJson(row.cells[i], table.columns[i]));
-  }
-  json["reference"] = ListOf(row.reference, table);
-  return json;
-}
-
-Json ToJson(const Provenance& provenance) {
-  return {{"builds", provenance.builds},
-          {"seeds", provenance.seeds},
-          {"options", ListOf(provenance.options)}};
 }
 
 }  // namespace
 
-std::string TableJson(const Table& table) {
-  Json json = {{"schema_version", kTableSchemaVersion},
-               {"kind", "table"},
-               {"title", table.title},
-               {"about", table.about},
-               {"reference", table.reference},
-               {"keys", table.keys},
-               {"columns", ListOf(table.columns)},
-               {"rows", Json::array()},
-               {"others", ListOf(table.others, table)},
-               {"sources", ListOf(table.sources)},
-               {"jobs", ToJson(table.jobs)},
-               {"problems", ListOf(table.problems)},
-               {"notes", table.notes},
-               {"provenance", ToJson(table.provenance)}};
-  if (table.change) json["change"] = true;
-  for (const Row& row : table.rows) json["rows"].push_back(ToJson(row, table));
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+template <typename Self, typename Archive>
+void Cell::VisitFields(Self& self, Archive& archive, const Column& column) {
+  archive.Constant("metric", column.metric);
+  archive.Flag("status", self.present, "missing", "ok");
+  if (!self.present) {
+    archive.Field("message", self.message);
+    return;
+  }
+  archive.Field("value", self.value);
+  archive.Constant("unit", column.unit);
+  archive.Field("n", self.n);
+  archive.Optional("interval", self.interval);
+  archive.Optional("difference", self.difference);
+  archive.Optional("left_out", self.left_out);
+  archive.Optional("not_comparable", self.not_comparable);
+  archive.Field("runs", self.runs);
+}
+
+template <typename Self, typename Archive>
+void ReferenceRow::VisitFields(Self& self, Archive& archive, const Table& table) {
+  std::string source;
+  std::vector<FigureInFile> figures;
+  if constexpr (!Archive::kReads) {
+    source = table.sources[self.source].id;
+    figures = FiguresOf(self, table);
+  }
+  archive.Field("system", self.system);
+  archive.Field("source", source);
+  if (archive.Has("frames", self.frames > 0)) {
+    archive.Field("first_frame", self.first_frame);
+    archive.Field("frames", self.frames);
+  }
+  archive.Field("cells", figures);
+  if constexpr (Archive::kReads) {
+    self.source = IndexOf(source, table.sources, &ReferenceSource::id,
+                          archive.where() + ", field source", "the id of one of the sources");
+    self.cells.resize(table.columns.size());
+    for (const FigureInFile& figure : figures) {
+      self.cells[IndexOf(figure.metric, table.columns, &Column::metric,
+                         archive.where() + ", cells, field metric", "the metric of a column")] =
+          ReferenceCell{figure.value, figure.comparison, figure.reason};
+    }
+  }
+}
+
+template <typename Self, typename Archive>
+void Row::VisitFields(Self& self, Archive& archive, const Table& table) {
+  archive.Named("keys", self.keys, table.keys);
+  archive.Optional("sequence", self.sequence);
+  archive.Optional("truth", self.truth);
+  archive.Optional("corrections", self.corrections);
+  archive.Field("jobs", self.jobs);
+  archive.Field("runs", self.runs);
+  archive.Each("cells", self.cells, table.columns);
+  archive.Field("reference", self.reference, table);
+}
+
+template <typename Self, typename Archive>
+void ChangedOption::VisitFields(Self& self, Archive& archive) {
+  archive.Field("path", self.path);
+  Json default_value;
+  std::vector<Json> values;
+  if constexpr (!Archive::kReads) {
+    if (!self.default_value.empty()) default_value = ParseJson(self.default_value, self.path);
+    for (const std::string& value : self.values) values.push_back(ParseJson(value, self.path));
+  }
+  archive.Field("default", default_value);
+  archive.Field("values", values);
+  if constexpr (Archive::kReads) {
+    if (!default_value.is_null()) self.default_value = default_value.dump();
+    for (const Json& value : values) self.values.push_back(value.dump());
+  }
+}
+
+template <typename Self, typename Archive>
+void Table::VisitFields(Self& self, Archive& archive) {
+  archive.Field("title", self.title);
+  archive.Field("about", self.about);
+  archive.Field("reference", self.reference);
+  archive.Field("keys", self.keys);
+  archive.Field("columns", self.columns);
+  if constexpr (Archive::kReads) archive.Field("sources", self.sources);  // which rows name
+  archive.Field("rows", self.rows, self);
+  archive.Field("others", self.others, self);
+  archive.Field("sources", self.sources);
+  archive.Field("jobs", self.jobs);
+  archive.Field("problems", self.problems);
+  archive.Field("notes", self.notes);
+  archive.Field("provenance", self.provenance);
+  archive.Optional("change", self.change);
+}
+
+std::string TableJson(const Table& table) { return FileText(table); }
+
+Table ReadTable(std::string_view json, const std::string& where) {
+  const auto table = ReadRecord<Table>(ParseJson(json, where), where);
+  CheckRuns(table, where);
+  return table;
 }
 
 }  // namespace cvo::reports

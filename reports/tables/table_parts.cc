@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/files/json_fields.h"
+#include "core/files/json.h"
 
 namespace cvo::reports {
 namespace {
@@ -85,7 +85,7 @@ Row DescribeRow(const RowRuns& row, const std::filesystem::path& folder) {
   std::set<double> shifts_px;
   for (const SuiteRun* run : row.runs) {
     if (!run->run) continue;
-    shifts_px.insert(run->run->sequence.right_shift_px);
+    shifts_px.insert(run->run->sequence.camera.right_shift_px);
     described.runs.push_back(
         {KeyOf(run->planned, "sequence"), run->planned.seed, Link(run->run->file, folder)});
     if (scenes.empty()) {
@@ -128,10 +128,10 @@ Provenance DescribeRuns(const std::vector<SuiteRun>& runs, const std::string& de
   std::map<std::string, ChangedOption> changed;
   for (const SuiteRun& run : runs) {
     if (!run.run) continue;
-    AddOnce(run.run->build, provenance.builds);
+    AddOnce(run.run->build.identity, provenance.builds);
     AddOnce(run.planned.seed, provenance.seeds);
-    if (defaults.empty() || !seen.insert(run.run->options).second) continue;
-    AddChanges(defaults, Flattened(run.run->options, run.run->file.string()), changed);
+    if (defaults.empty() || !seen.insert(run.run->options.dump()).second) continue;
+    AddChanges(defaults, FlatJson(run.run->options), changed);
   }
   for (const auto& [path, option] : changed) provenance.options.push_back(option);
   return provenance;
@@ -161,7 +161,7 @@ std::string CpuLevelNote(const std::set<std::string>& levels) {
 std::set<std::string> CpuLevels(const std::vector<SuiteRun>& runs) {
   std::set<std::string> levels;
   for (const SuiteRun& run : runs) {
-    if (run.run && !run.run->cpu_level.empty()) levels.insert(run.run->cpu_level);
+    if (run.run && !run.run->build.cpu_level.empty()) levels.insert(run.run->build.cpu_level);
   }
   return levels;
 }
@@ -169,9 +169,9 @@ std::set<std::string> CpuLevels(const std::vector<SuiteRun>& runs) {
 std::vector<std::string> TableNotes(const std::vector<SuiteRun>& runs, const Table& table) {
   std::vector<std::string> notes;
   for (const SuiteRun& run : runs) {
-    if (!run.run || run.run->sequence.right_shift_px == 0.0) continue;
+    if (!run.run || run.run->sequence.camera.right_shift_px == 0.0) continue;
     AddOnce(StrCat(KeyOf(run.planned, "sequence"), ", ", KeyOf(run.planned, "variant"),
-                   ": calibration corrected, u_right by ", run.run->sequence.right_shift_px,
+                   ": calibration corrected, u_right by ", run.run->sequence.camera.right_shift_px,
                    " px; does not compare with rows on the calibration as published"),
             notes);
   }

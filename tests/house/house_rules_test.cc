@@ -35,7 +35,7 @@ TEST(Includes, ArrowsOfTheEstimator) {
   EXPECT_THAT(Include("variants/a.cc", "\"experiments/runner/suite.h\""), SizeIs(1));
 }
 
-TEST(Includes, TheEstimatorKnowsNoFilesNoJsonNoClock) {
+TEST(Includes, TheEstimatorUsesNoFilesJsonOrClock) {
   for (const char* header : {"<fstream>", "<filesystem>", "<nlohmann/json.hpp>", "<CLI/CLI.hpp>",
                              "<opencv2/imgcodecs.hpp>", "<random>", "<chrono>"}) {
     EXPECT_THAT(Include("core/estimation/a.cc", header), SizeIs(1)) << header;
@@ -63,7 +63,7 @@ TEST(Includes, ReportsReadFilesOnly) {
   EXPECT_THAT(Include("reports/tables/a.cc", "<Eigen/Core>"), SizeIs(1));
 }
 
-TEST(Includes, OverlaysAloneOfTheReportsDraw) {
+TEST(Includes, OnlyOverlaysDraw) {
   EXPECT_THAT(Include("reports/overlays/a.cc", "<opencv2/imgproc.hpp>"), IsEmpty());
   EXPECT_THAT(Include("reports/overlays/a.cc", "\"reports/runs/run_detail.h\""), IsEmpty());
   EXPECT_THAT(Include("reports/overlays/a.cc", "\"core/geometry/rigid_transform.h\""), SizeIs(1));
@@ -72,7 +72,7 @@ TEST(Includes, OverlaysAloneOfTheReportsDraw) {
   EXPECT_THAT(Include("reports/web/a.cc", "<opencv2/core/mat.hpp>"), SizeIs(1));
 }
 
-TEST(Includes, SynthKnowsGeometryOnlyAndNobodyTheTests) {
+TEST(Includes, SynthIncludesOnlyGeometryAndNothingIncludesTests) {
   EXPECT_THAT(Include("synth/scene/a.cc", "\"core/geometry/stereo_camera.h\""), IsEmpty());
   EXPECT_THAT(Include("synth/scene/a.cc", "\"core/files/json.h\""), IsEmpty());
   EXPECT_THAT(Include("synth/scene/a.cc", "\"experiments/datasets/sequence.h\""), SizeIs(1));
@@ -172,7 +172,7 @@ TEST(CheckTypeNames, FindsTheSameNameTwiceInOneNamespace) {
               IsEmpty());
 }
 
-TEST(Citations, NameWhatIsThere) {
+TEST(Citations, NameExistingFiles) {
   const std::vector<SourceFile> documents = {{"core/METHOD.md", "## 4 Boxes\n### 4.2 Gate\n"},
                                              {"README.md", "see core/METHOD.md\n"}};
   const auto check = [&](const std::string& text) {
@@ -187,7 +187,7 @@ TEST(Citations, NameWhatIsThere) {
   EXPECT_THAT(check("// the " + std::string("design") + " notes"), SizeIs(1));
 }
 
-TEST(Citations, TheMethodNamesFilesAndOptionsThatAreThere) {
+TEST(Citations, TheMethodNamesExistingFilesAndOptions) {
   const std::vector<SourceFile> files = {
       {"core/gate.h", "visit.Group(\"orb\", x);\nvisit.Field(\n    \"levels\", y);\n"}};
   const auto check = [&](const std::string& text) {

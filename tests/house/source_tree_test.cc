@@ -69,15 +69,13 @@ TEST(SourceTree, IncludesFollowTheArrows) { EXPECT_THAT(OnAll(CheckIncludes), Is
 
 TEST(SourceTree, FilesHaveTheirLicense) { EXPECT_THAT(OnAll(CheckLicense), IsEmpty()); }
 
-TEST(SourceTree, TypesHaveNamesOfTheirOwn) { EXPECT_THAT(CheckTypeNames(Sources()), IsEmpty()); }
+TEST(SourceTree, TypesHaveUniqueNames) { EXPECT_THAT(CheckTypeNames(Sources()), IsEmpty()); }
 
 TEST(SourceTree, FilesAreShort) { EXPECT_THAT(OnAll(CheckLength), IsEmpty()); }
 
 TEST(SourceTree, NothingForbidden) { EXPECT_THAT(OnAll(CheckForbiddenText), IsEmpty()); }
 
-TEST(SourceTree, WhatIsCitedIsThere) {
-  EXPECT_THAT(CheckCitations(Sources(), Documents()), IsEmpty());
-}
+TEST(SourceTree, CitationsExist) { EXPECT_THAT(CheckCitations(Sources(), Documents()), IsEmpty()); }
 
 TEST(SourceTree, EverySourceIsBuilt) { EXPECT_THAT(CheckRegistered(Sources()), IsEmpty()); }
 

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
+#include "core/files/text_file.h"
 #include "experiments/cli/reports/suite_table.h"
 #include "experiments/cli/suite/experiment_command.h"
-#include "reports/tables/read_table.h"
+#include "reports/tables/table_json.h"
 
 namespace cvo {
 namespace {
@@ -16,7 +17,8 @@ struct TableFlags {
 };
 
 int OutputOldTable(const TableFlags& flags) {
-  OutputTable(reports::ReadTableFile(flags.from), flags.format, {flags.from});
+  OutputTable(reports::ReadTable(ReadFileBytes(flags.from), flags.from), flags.format,
+              {flags.from});
   return 0;
 }
 

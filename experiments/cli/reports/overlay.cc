@@ -67,9 +67,9 @@ std::vector<int> SelectFrames(const OverlayFlags& flags,
 void CheckSameSequence(const std::vector<reports::OverlayRun>& runs,
                        const std::vector<std::string>& folders) {
   for (std::size_t i = 1; i < runs.size(); ++i) {
-    if (runs[i].sequence_name == runs[0].sequence_name) continue;
-    ThrowError(folders[i], "a run of " + runs[i].sequence_name,
-               StrCat("one of ", runs[0].sequence_name, ", as ", folders[0]));
+    if (runs[i].sequence.name == runs[0].sequence.name) continue;
+    ThrowError(folders[i], "a run of " + runs[i].sequence.name,
+               StrCat("one of ", runs[0].sequence.name, ", as ", folders[0]));
   }
 }
 
@@ -123,7 +123,7 @@ int DrawOverlays(const OverlayFlags& flags) {
   job.quiet = flags.quiet;
   const RunImages images(job.runs.front(), images_folder);
   for (reports::OverlayRun& run : job.runs) {
-    if (AdoptDetections(images_folder, run) || run.boxes == 0) continue;
+    if (AdoptDetections(images_folder, run) || run.sequence.detections == 0) continue;
     std::cerr << "clustervo: only detections associated with a cluster are drawn: the others are "
                  "not in the sequence's folder\n";
   }

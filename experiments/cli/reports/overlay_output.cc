@@ -40,7 +40,7 @@ struct SheetLayout {
 };
 
 SheetLayout LayoutOf(const OverlayJob& job) {
-  const reports::OverlayCamera& camera = job.runs.front().camera;
+  const reports::CameraInfo& camera = job.runs.front().sequence.camera;
   const bool wide = camera.width_px > 2 * camera.height_px;
   if (job.runs.size() == 1) return wide ? SheetLayout{2, 800, 20} : SheetLayout{4, 480, 24};
   return wide ? SheetLayout{2, 800, 8} : SheetLayout{1, 480, 8};
@@ -48,7 +48,7 @@ SheetLayout LayoutOf(const OverlayJob& job) {
 
 // Of all runs beside each other, each drawing `width_px` wide.
 cv::Mat DrawFrame(const OverlayJob& job, const cv::Mat& image, int frame, int width_px) {
-  const reports::OverlayCamera& camera = job.runs.front().camera;
+  const reports::CameraInfo& camera = job.runs.front().sequence.camera;
   reports::OverlayStyle style = reports::StyleFor(camera, width_px);
   style.boxes = job.boxes;
   style.wrong = !job.boxes;
@@ -82,7 +82,7 @@ class OverlayWriter {
   }
 
   void Draw(int frame) {
-    const reports::OverlayCamera& camera = job_.runs.front().camera;
+    const reports::CameraInfo& camera = job_.runs.front().sequence.camera;
     cv::Mat image = images_.Left(frame);
     if (image.empty()) image = cv::Mat::zeros(camera.height_px, camera.width_px, CV_8UC1);
     if (job_.images || job_.video) {

@@ -90,13 +90,13 @@ std::string FileName(int frame) {
 std::vector<NamedContent> DrawAll(const fs::path& run_folder) {
   const reports::OverlayRun run = ReadDrawn(run_folder);
   const RunImages images(run, "");
-  const reports::OverlayStyle style = reports::StyleFor(run.camera, kAllWidth);
+  const reports::OverlayStyle style = reports::StyleFor(run.sequence.camera, kAllWidth);
   std::vector<NamedContent> files;
   for (const reports::CameraFrame& entry : run.detail.camera) {
     const cv::Mat image = images.Left(entry.frame);
     if (image.empty()) continue;
     const cv::Mat drawn =
-        reports::DrawOverlay(image, reports::FrameOf(run, entry.frame), run.camera, style);
+        reports::DrawOverlay(image, reports::FrameOf(run, entry.frame), run.sequence.camera, style);
     files.push_back({FileName(entry.frame), reports::JpegBytes(drawn, kAllQuality)});
   }
   return files;

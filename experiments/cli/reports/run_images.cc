@@ -19,24 +19,24 @@ constexpr std::array<const char*, 4> kDetections = {"good", "oracle", "poor",
 SequenceRequest RequestOf(const reports::OverlayRun& run, const std::string& folder) {
   SequenceRequest request;
   request.folder = folder.empty() ? run.detail.sequence_folder : folder;
-  request.type = run.sequence_type;
-  request.pair = run.pair;
-  request.begin_frame = run.first_frame;
-  request.end_frame = run.first_frame + run.frames;
+  request.type = run.sequence.type;
+  request.pair = run.sequence.pair;
+  request.begin_frame = run.sequence.first_frame;
+  request.end_frame = run.sequence.first_frame + run.sequence.frames;
   return request;
 }
 
 Sequence OpenImages(const reports::OverlayRun& run, const std::string& folder) {
   const SequenceRequest request = RequestOf(run, folder);
   if (request.folder.empty()) {
-    ThrowError("the images of " + run.sequence_name, "no folder in the run's timing.json",
+    ThrowError("the images of " + run.sequence.name, "no folder in the run's timing.json",
                "a folder, or --sequence FOLDER");
   }
   try {
     return OpenSequence(request);
   } catch (const Error& error) {
     if (!folder.empty()) throw;
-    throw Error(StrCat("the images of ", run.sequence_name,
+    throw Error(StrCat("the images of ", run.sequence.name,
                        " are not in the folder that the run read them from: ", error.what(),
                        "; give their folder with --sequence FOLDER"));
   }
@@ -47,11 +47,12 @@ Sequence OpenImages(const reports::OverlayRun& run, const std::string& folder) {
 RunImages::RunImages(const reports::OverlayRun& run, const std::string& folder)
     : sequence_(OpenImages(run, folder)) {
   const StereoCamera& camera = sequence_.camera;
-  if (camera.width_px != run.camera.width_px || camera.height_px != run.camera.height_px) {
+  if (camera.width_px != run.sequence.camera.width_px ||
+      camera.height_px != run.sequence.camera.height_px) {
     ThrowError(sequence_.folder.string(),
                StrCat("images of ", camera.width_px, "x", camera.height_px, " pixels"),
-               StrCat(run.camera.width_px, "x", run.camera.height_px, ", as the run of ",
-                      run.sequence_name, " had"));
+               StrCat(run.sequence.camera.width_px, "x", run.sequence.camera.height_px,
+                      ", as the run of ", run.sequence.name, " had"));
   }
 }
 
@@ -71,7 +72,8 @@ bool AdoptDetections(const std::string& folder, reports::OverlayRun& run) {
       continue;  // a folder without this level
     }
     // Boxes of another camera were moved by what the run saw in them.
-    if (DetectionsHash(*sequence) != run.detections_hash || sequence->detections_offset_m != 0.0) {
+    if (DetectionsHash(*sequence) != run.sequence.detections_hash ||
+        sequence->detections_offset_m != 0.0) {
       continue;
     }
     run.detections.clear();

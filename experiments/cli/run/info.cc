@@ -55,7 +55,7 @@ Json InfoJson(const Sequence& sequence) {
           {"duration_s", rate.duration_s},
           {"median_rate_hz", rate.median_hz},
           {"longest_gap_s", rate.longest_gap_s},
-          {"camera", CameraToJson(camera)},
+          {"camera", ToJson(CameraOf(camera))},
           {"groundtruth", sequence.groundtruth},
           {"groundtruth_frames", FramesWithTruth(sequence)},
           {"labels", sequence.labels.size()},

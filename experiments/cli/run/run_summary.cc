@@ -27,9 +27,9 @@ std::string Value(const std::optional<double>& value) {
 
 std::string SuccessAt10cm(const BodyScore& body) {
   constexpr double kLimit_m = 0.1;
-  const auto within =
-      std::count_if(body.errors.begin(), body.errors.end(),
-                    [](const ObjectFrameError& error) { return error.position_m <= kLimit_m; });
+  const std::vector<double>& errors_m = body.errors.position_m;
+  const auto within = std::count_if(errors_m.begin(), errors_m.end(),
+                                    [](double error_m) { return error_m <= kLimit_m; });
   return ReadableNumber(static_cast<double>(within) / body.visible_frames);
 }
 
@@ -79,15 +79,11 @@ void PrintBodies(const std::vector<BodyScore>& bodies, std::ostream& out) {
   TextTable table({"body", "class", "moves", "travel m", "cluster", "visible", "estimated", "ATE m",
                    "in 10 cm", "motion rad", "motion m", "velocity error m/s", "switches"});
   for (const BodyScore& body : bodies) {
-    const auto motion = [&body](double RelativeErrors::*member) {
-      return body.motion ? std::optional(*body.motion.*member) : std::nullopt;
-    };
     table.Add({body.name, body.category, body.mover ? "yes" : "no", ReadableNumber(body.travel_m),
                body.cluster < 0 ? kNone : std::to_string(body.cluster),
                std::to_string(body.visible_frames), std::to_string(body.estimated_frames),
-               Value(body.ate_m), SuccessAt10cm(body), Value(motion(&RelativeErrors::rotation_rad)),
-               Value(motion(&RelativeErrors::translation_m)), Value(body.velocity_m_s),
-               std::to_string(body.continuity.id_switches)});
+               Value(body.ate_m), SuccessAt10cm(body), Value(body.motion_rad), Value(body.motion_m),
+               Value(body.velocity_m_s), std::to_string(body.id_switches)});
   }
   table.Print(out);
 }

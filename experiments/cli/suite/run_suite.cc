@@ -111,7 +111,7 @@ class SuiteRun {
   }
 
   void WritePlan(const Plan& plan) const {
-    WriteFilesAtomically(folder_.root, {{"plan.json", DumpJson(PlanToJson(plan))}});
+    WriteFilesAtomically(folder_.root, {{"plan.json", PlanText(plan)}});
   }
 
   PlanRun Settings(Stage& stage) const {

@@ -11,6 +11,7 @@ from typing import Optional
 
 import numpy as np
 
+_SCHEMA_VERSION = 3  # of result.json
 # Columns by type; all others are numbers. An empty field is "", -1 or NaN.
 _TEXT = {"category", "status"}
 _INTEGER = {
@@ -32,9 +33,12 @@ class Run:
 
 
 def load(folder):
-    """Reads the folder of a run. A file that is not there is an error, landmarks.csv aside."""
+    """Reads the folder of a run; only landmarks.csv may be missing.
+
+    Raises ValueError for a result.json of another schema version.
+    """
     folder = Path(folder)
-    result = json.loads((folder / "result.json").read_text(encoding="utf-8"))
+    result = _read_result(folder / "result.json")
     landmarks = folder / "landmarks.csv"
     return Run(
         camera=_read_tum(folder / "camera.tum"),
@@ -57,6 +61,14 @@ def matrices(rows, prefix=""):
         [2 * (qx * qz - qy * qw), 2 * (qy * qz + qx * qw), 1 - 2 * (qx * qx + qy * qy), z], -1)
     poses[:, 3, 3] = 1
     return poses
+
+
+def _read_result(path):
+    result = json.loads(path.read_text(encoding="utf-8"))
+    for field, expected in (("kind", "run"), ("schema_version", _SCHEMA_VERSION)):
+        if result.get(field) != expected:
+            raise ValueError(f"{path}: found {field} {result.get(field)!r}, expected {expected!r}")
+    return result
 
 
 def _read_tum(path):

@@ -73,7 +73,7 @@ TEST(WriteFilesAtomically, WritesAndReplaces) {
   EXPECT_THAT(Names(folder.path()), ElementsAre("a.json", "b.txt", "c.txt"));
 }
 
-TEST(WriteFilesAtomically, AFailedWriteLeavesEverythingAsItWas) {
+TEST(WriteFilesAtomically, AFailedWriteChangesNothing) {
   const test::TempFolder folder;
   folder.Write("a.json", "old");
   const std::string problem = Problem([&] {
@@ -102,7 +102,7 @@ TEST(WriteFilesAtomically, DiskFull) {
   EXPECT_THAT(names, IsEmpty());
 }
 
-TEST(WriteFilesAtomically, AFolderThatIsNotThere) {
+TEST(WriteFilesAtomically, MissingFolder) {
   const test::TempFolder folder;
   const std::string problem = Problem([&] {
     WriteFilesAtomically(folder.path() / "none", {{"a.json", "new"}});
@@ -110,7 +110,7 @@ TEST(WriteFilesAtomically, AFolderThatIsNotThere) {
   EXPECT_THAT(problem, AllOf(HasSubstr("none/a.json"), HasSubstr(std::strerror(ENOENT))));
 }
 
-TEST(WriteFilesAtomically, AFolderInThePlaceOfAFile) {
+TEST(WriteFilesAtomically, FolderInsteadOfAFile) {
   const test::TempFolder folder;
   fs::create_directory(folder.path() / "a.json");
   EXPECT_THAT(Problem([&] {
@@ -120,7 +120,7 @@ TEST(WriteFilesAtomically, AFolderInThePlaceOfAFile) {
   EXPECT_THAT(Names(folder.path()), ElementsAre("a.json"));
 }
 
-TEST(WriteFilesAtomically, TemporariesOfAKilledRunAreInNobodysWay) {
+TEST(WriteFilesAtomically, IgnoresTemporariesOfAKilledRun) {
   const test::TempFolder folder;
   const fs::path leftover = TemporaryName(folder.path() / "a.json", "0");
   folder.Write(leftover.filename(), "half");
@@ -128,7 +128,7 @@ TEST(WriteFilesAtomically, TemporariesOfAKilledRunAreInNobodysWay) {
   EXPECT_EQ(test::ReadFile(folder.path() / "a.json"), "new");
 }
 
-TEST(WriteFilesAtomically, MakesAndClearsFoldersWithin) {
+TEST(WriteFilesAtomically, CreatesAndClearsSubfolders) {
   const test::TempFolder folder;
   WriteFilesAtomically(folder.path(), {{"in/1.txt", "one"}, {"in/2.txt", "two"}, {"last", ""}});
   EXPECT_THAT(Names(folder.path()), ElementsAre("in", "last"));
@@ -141,7 +141,7 @@ TEST(WriteFilesAtomically, MakesAndClearsFoldersWithin) {
   EXPECT_THAT(Names(folder.path()), ElementsAre("last"));
 }
 
-TEST(WriteFilesAtomically, AFailedWriteLeavesNoFolderAndKeepsWhatIsStale) {
+TEST(WriteFilesAtomically, AFailedWriteLeavesNoFolderAndKeepsStaleFiles) {
   const test::TempFolder folder;
   folder.Write("stale", "old");
   EXPECT_NE(Problem([&] {
@@ -154,7 +154,7 @@ TEST(WriteFilesAtomically, AFailedWriteLeavesNoFolderAndKeepsWhatIsStale) {
   EXPECT_THAT(Names(folder.path()), ElementsAre("stale"));
 }
 
-TEST(OutputFolder, StaysOnlyIfItHoldsSomething) {
+TEST(OutputFolder, IsRemovedIfEmpty) {
   const test::TempFolder folder;
   { const OutputFolder output(folder.path() / "x" / "y", {"a.json"}); }
   EXPECT_FALSE(fs::exists(folder.path() / "x" / "y"));
@@ -169,7 +169,7 @@ TEST(OutputFolder, StaysOnlyIfItHoldsSomething) {
   EXPECT_TRUE(fs::exists(folder.path() / "mine"));
 }
 
-TEST(OutputFolder, SaysWhatIsInTheWay) {
+TEST(OutputFolder, NamesTheObstacle) {
   const test::TempFolder folder;
   folder.Write("file", "");
   EXPECT_THAT(Problem([&] { const OutputFolder output(folder.path() / "file", {"a.json"}); }),

@@ -57,7 +57,7 @@ std::string Problem(const std::string& from, const std::string& to) {
   return ErrorMessage([&] { Read(text.replace(text.find(from), from.size(), to)); });
 }
 
-TEST(JsonRecord, OneListOfFieldsWritesAndReads) {
+TEST(JsonRecord, OneVisitorWritesAndReads) {
   const Car car = Read(kCar);
   EXPECT_EQ(car.seed, 18446744073709551615u);
   EXPECT_EQ(car.wheels[1].colour, Colour::kDarkBlue);
@@ -66,7 +66,7 @@ TEST(JsonRecord, OneListOfFieldsWritesAndReads) {
   EXPECT_EQ(Read(ToJson(car).dump()), car);
 }
 
-TEST(JsonRecord, WhatDoesNotFitNamesTheField) {
+TEST(JsonRecord, ErrorsNameTheField) {
   EXPECT_EQ(Problem("\"doors\":-2,", ""), "f, field doors: found nothing, expected a value");
   EXPECT_EQ(Problem("-2", "2.5"), "f, field doors: found 2.5, expected an integer");
   EXPECT_EQ(Problem("-2", "3000000000"),
@@ -74,12 +74,66 @@ TEST(JsonRecord, WhatDoesNotFitNamesTheField) {
   EXPECT_EQ(Problem("18446744073709551615", "-1"),
             "f, field seed: found -1, expected an integer from 0");
   EXPECT_EQ(Problem("0.5", "\"0.5\""),
-            "f, wheels, field size_m: found a JSON string, expected a number");
+            "f, wheels[0], field size_m: found a JSON string, expected a number");
   EXPECT_EQ(Problem("0.5", "null"),
-            "f, wheels, field size_m: found a JSON null, expected a number");
+            "f, wheels[0], field size_m: found a JSON null, expected a number");
   EXPECT_EQ(Problem("dark blue", "green"),
-            "f, wheels, field colour: found \"green\", expected one of \"red\", \"dark blue\"");
+            "f, wheels[1], field colour: found \"green\", expected one of \"red\", \"dark blue\"");
   EXPECT_EQ(Problem("{\"x\":1.5}", "[]"), "f, values: found a JSON array, expected an object");
+}
+
+// A row of a table, whose columns say what its cells are.
+struct Cell {
+  bool known = false;
+  double value = 0.0;
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive, const std::string& column) {
+    archive.Constant("column", column);
+    archive.Flag("status", self.known, "missing", "ok");
+    if (archive.Has("value", self.known)) archive.Field("value", self.value);
+  }
+};
+
+struct Row {
+  std::vector<std::string> columns;
+  std::vector<std::string> keys;
+  std::vector<Cell> cells;
+  std::string note;
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("columns", self.columns);
+    archive.Named("keys", self.keys, self.columns);
+    archive.Each("cells", self.cells, self.columns);
+    archive.Added("note", self.note);
+  }
+};
+
+constexpr const char* kRow = R"({"columns":["a","b"],"keys":{"a":"x","b":"y"},)"
+                             R"("cells":[{"column":"a","status":"missing"},)"
+                             R"({"column":"b","status":"ok","value":2.5}],"note":""})";
+
+TEST(JsonRecord, FieldsMayDependOnOthers) {
+  const auto read = [](const std::string& text) {
+    return FromJson<Row>(ParseJson(text, "f"), "f");
+  };
+  const auto problem = [&](const std::string& from, const std::string& to) {
+    std::string text = kRow;
+    return ErrorMessage([&] { read(text.replace(text.find(from), from.size(), to)); });
+  };
+  const Row row = read(kRow);
+  EXPECT_EQ(row.keys, (std::vector<std::string>{"x", "y"}));
+  EXPECT_FALSE(row.cells[0].known);
+  EXPECT_EQ(row.cells[1].value, 2.5);
+  EXPECT_EQ(ToJson(row).dump(), kRow);
+  EXPECT_EQ(problem(R"(,"note":"")", ""), "") << "of an older file";
+  EXPECT_EQ(problem(R"("column":"b")", R"("column":"c")"),
+            "f, cells[1], field column: found \"c\", expected \"b\"");
+  EXPECT_EQ(problem("missing", "gone"),
+            "f, cells[0], field status: found \"gone\", expected one of \"missing\", \"ok\"");
+  EXPECT_EQ(problem(R"(,"b":"y")", ""), "f, keys, field b: found nothing, expected a value");
+  EXPECT_EQ(problem(R"(["a","b"])", R"(["a"])"), "f, cells: found 2 elements, expected 1");
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ TEST(ParseJson, NamesLineAndColumn) {
   EXPECT_EQ(problem.find('\n'), std::string::npos);
 }
 
-TEST(ParseJson, RefusesWhatIsNotOneValue) {
+TEST(ParseJson, RefusesAnythingButOneValue) {
   for (const char* text :
        {"", "{", "{} {}", "[1,]", "{\"a\": NaN}", "{\"a\": 1} // why", "1e999"}) {
     EXPECT_THAT(ParseProblem(text), HasSubstr("options.json")) << text;
@@ -44,7 +44,7 @@ TEST(ParseJson, RefusesAKeyTwice) {
   EXPECT_EQ(ParseProblem(R"({"a": {"b": 1}, "c": {"b": 3}, "d": [{"b": 1}, {"b": 2}]})"), "");
 }
 
-TEST(ParseJson, RefusesKeysThatDisturbMessagesAndAnyDepth) {
+TEST(ParseJson, RefusesControlCharactersInKeysAndDeepNesting) {
   EXPECT_EQ(ParseProblem(R"({"a\u001bb": 1})"),
             "options.json: found key \"a?b\", expected keys without control characters");
   const auto nested = [](std::size_t depth) {
@@ -55,7 +55,7 @@ TEST(ParseJson, RefusesKeysThatDisturbMessagesAndAnyDepth) {
   EXPECT_THAT(ParseProblem(nested(1000000)), HasSubstr("more than 100 values"));
 }
 
-TEST(ParseJson, RefusesWhatIsNoUtf8OnOneReadableLine) {
+TEST(ParseJson, RefusesInvalidUtf8WithOneReadableLine) {
   const std::string problem = ParseProblem("{\"a\": \"\xff\n\"}");
   EXPECT_THAT(problem, HasSubstr("options.json, line 1, column 8"));
   EXPECT_EQ(problem.find_first_of("\n\xff"), std::string::npos);

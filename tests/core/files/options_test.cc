@@ -92,7 +92,7 @@ TEST(SetOption, ChecksTheRange) {
               AllOf(HasSubstr("window.spatial"), HasSubstr("found 0"), HasSubstr("[1, 100]")));
 }
 
-TEST(SetOption, NamesWhatAMisspeltPathMayMean) {
+TEST(SetOption, SuggestsNamesForAMisspeltPath) {
   EXPECT_THAT(SetProblem("window.spatail=5"), HasSubstr("did you mean window.spatial"));
   EXPECT_THAT(SetProblem("spatial=5"), HasSubstr("did you mean window.spatial"));
   EXPECT_THAT(SetProblem("quite.another=5"),
@@ -100,7 +100,7 @@ TEST(SetOption, NamesWhatAMisspeltPathMayMean) {
   EXPECT_THAT(SetProblem("window=5"), HasSubstr("unknown option window"));
 }
 
-TEST(MergeOptions, GoesOverThePresentValues) {
+TEST(MergeOptions, OverridesPresentValues) {
   Settings settings;
   MergeOptions(ParseJson(R"({"window": {"huber": 3, "robust": false}})", "c.json"), "c.json",
                OptionLeaves(settings));
@@ -147,7 +147,7 @@ TEST(OptionsToJson, NestsAndReadsBack) {
   EXPECT_EQ(OptionsToJson(OptionLeaves(back)), json);
 }
 
-TEST(ResolveOptions, AssignmentsGoOverTheFile) {
+TEST(ResolveOptions, AssignmentsOverrideTheFile) {
   const test::TempFolder folder;
   const auto file = folder.Write("c.json", R"({"window": {"spatial": 6, "huber": 1.5}})");
   const auto settings = ResolveOptions<Settings>(file, {"window.spatial=7", "window.spatial=8"});
@@ -156,7 +156,7 @@ TEST(ResolveOptions, AssignmentsGoOverTheFile) {
   EXPECT_EQ(ResolveOptions<Settings>("", {}).window.spatial, 5);
 }
 
-TEST(ClosestNames, NearestFirstAndNoMoreThanThree) {
+TEST(ClosestNames, NearestFirstAtMostThree) {
   const std::vector<std::string> known = {"abcd1", "abcd2", "abcd3", "abcd", "zzzz"};
   EXPECT_THAT(ClosestNames("abcd", known), ElementsAre("abcd", "abcd1", "abcd2"));
   EXPECT_THAT(ClosestNames("qqqq", known), IsEmpty());

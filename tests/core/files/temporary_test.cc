@@ -22,7 +22,7 @@ pid_t DeadProcess() {
   return process;
 }
 
-TEST(Temporary, ThoseOfDeadProcessesAreLeftovers) {
+TEST(Temporary, FilesOfDeadProcessesAreLeftovers) {
   const test::TempFolder temp;
   const auto add = [&temp](const std::string& host, pid_t process) {
     return temp.Write(fs::path(StrCat(".a b.tmp-1.tmp-", host, ".", process, "-0")) / "in", "abc")

@@ -65,7 +65,7 @@ TEST_F(CacheFeatures, GivesBackEveryBit) {
   EXPECT_THAT(notices_, IsEmpty());
 }
 
-TEST_F(CacheFeatures, ARecordingThatDoesNotFinishLeavesNothing) {
+TEST_F(CacheFeatures, AnUnfinishedRecordingLeavesNothing) {
   {
     FrontEndRecording recording = Cache().Record();
     recording.Add(frames_[0]);
@@ -76,7 +76,7 @@ TEST_F(CacheFeatures, ARecordingThatDoesNotFinishLeavesNothing) {
   EXPECT_THAT(NamesIn(folder()), IsEmpty());
 }
 
-TEST_F(CacheFeatures, AFlippedBitAnywhereIsFound) {
+TEST_F(CacheFeatures, AFlippedBitIsDetected) {
   const FrontEndCache cache = Cache();
   Store(cache, key_, frames_);
   const std::string whole = ReadFileBytes(FileOf(key_));
@@ -94,7 +94,7 @@ TEST_F(CacheFeatures, AFlippedBitAnywhereIsFound) {
   }
 }
 
-TEST_F(CacheFeatures, AFileOfAnyOtherLengthIsFound) {
+TEST_F(CacheFeatures, AWrongLengthIsDetected) {
   const FrontEndCache cache = Cache();
   Store(cache, key_, frames_);
   const std::string whole = ReadFileBytes(FileOf(key_));
@@ -109,7 +109,7 @@ TEST_F(CacheFeatures, AFileOfAnyOtherLengthIsFound) {
   EXPECT_EQ(Load(cache, key_, kFrames), "");
 }
 
-TEST_F(CacheFeatures, AFileThatIsCutWhileItIsReadIsAnErrorAndNoCrash) {
+TEST_F(CacheFeatures, AFileTruncatedWhileReadIsAnError) {
   const FrontEndCache cache = Cache();
   Store(cache, key_, frames_);
   const std::optional<FeatureFile> file = cache.Find(key_, kFrames);
@@ -142,7 +142,7 @@ TEST_F(CacheFeatures, AnEntryUnderAnotherKeyOrOfOtherLengthIsNotRead) {
   EXPECT_THAT(notices_, SizeIs(2));
 }
 
-TEST_F(CacheFeatures, TheKeyIsOfEverythingThatDecides) {
+TEST_F(CacheFeatures, TheKeyCoversAllInputs) {
   const std::vector<ImageHashes> images = {{"1", "2"}, {"3", "4"}};
   FrontEndSettings settings = {"build", {}, {}, {}};
   const std::string key = FrontEndKey(settings, images);

@@ -58,7 +58,7 @@ class CacheFolderTest : public testing::Test {
   const std::vector<FrontEndFrame> frames_ = SomeFrames(kFrames);
 };
 
-TEST_F(CacheFolderTest, WhatWasUsedLongestAgoGoesFirst) {
+TEST_F(CacheFolderTest, LeastRecentlyUsedIsRemovedFirst) {
   Store(Cache(), SomeKey('a'), frames_);
   Store(Cache(), SomeKey('b'), frames_);
   Store(Cache(), SomeKey('c'), frames_);
@@ -76,7 +76,7 @@ TEST_F(CacheFolderTest, WhatWasUsedLongestAgoGoesFirst) {
   EXPECT_THAT(notices_, IsEmpty());
 }
 
-TEST_F(CacheFolderTest, AnEntryBeyondTheLimitIsNotKeptAndEvictsNothing) {
+TEST_F(CacheFolderTest, AnEntryAboveTheLimitIsNotStored) {
   Store(Cache(), SomeKey('a'), frames_);
   const std::uint64_t size_bytes = fs::file_size(FileOf(SomeKey('a')));
   Store(Cache(size_bytes), SomeKey('b'), SomeFrames(40));
@@ -87,7 +87,7 @@ TEST_F(CacheFolderTest, AnEntryBeyondTheLimitIsNotKeptAndEvictsNothing) {
   EXPECT_THAT(notices_, SizeIs(1));
 }
 
-TEST_F(CacheFolderTest, TheFirstOneStays) {
+TEST_F(CacheFolderTest, AnExistingEntryIsKept) {
   FrontEndRecording late = Cache().Record();
   late.Add(frames_[0]);
   Store(Cache(), SomeKey('a'), frames_);
@@ -100,7 +100,7 @@ TEST_F(CacheFolderTest, TheFirstOneStays) {
   EXPECT_EQ(Load(Cache(), SomeKey('a'), kFrames), BytesOf(frames_));
 }
 
-TEST_F(CacheFolderTest, TemporariesOfDeadWritersGoAndThoseOfLiveOnesStay) {
+TEST_F(CacheFolderTest, OnlyTemporariesOfDeadWritersAreRemoved) {
   const fs::path dead = temp_.Write(StrCat(".new.tmp-", HostName(), ".9999999-0"), "half");
   FrontEndRecording live = Cache().Record();
   live.Add(frames_[0]);
@@ -157,7 +157,7 @@ TEST_F(CacheFolderTest, AKilledWriterLeavesNoEntry) {
   EXPECT_THAT(NamesIn(temp_.path()), ElementsAre(SomeKey('a') + ".features"));
 }
 
-TEST_F(CacheFolderTest, AFullDiskEndsTheRecordingAndNothingElse) {
+TEST_F(CacheFolderTest, AFullDiskOnlyEndsTheRecording) {
   const test::SmallDisk disk(temp_.path() / "disk", "16k");
   if (!disk.mounted()) GTEST_SKIP() << disk.problem();
   const FrontEndCache cache = Cache(disk.path());
@@ -169,7 +169,7 @@ TEST_F(CacheFolderTest, AFullDiskEndsTheRecordingAndNothingElse) {
   EXPECT_EQ(Load(cache, SomeKey('a'), kFrames), BytesOf(frames_));
 }
 
-TEST_F(CacheFolderTest, AReadOnlyFolderServesWhatItHas) {
+TEST_F(CacheFolderTest, AReadOnlyFolderIsReadable) {
   const test::SmallDisk disk(temp_.path() / "disk", "64k");
   if (!disk.mounted()) GTEST_SKIP() << disk.problem();
   const FrontEndCache cache = Cache(disk.path());
@@ -187,7 +187,7 @@ TEST_F(CacheFolderTest, AReadOnlyFolderServesWhatItHas) {
   EXPECT_THAT(notices_[1], HasSubstr(std::strerror(EROFS)));
 }
 
-TEST_F(CacheFolderTest, AFileInThePlaceOfTheFolder) {
+TEST_F(CacheFolderTest, FileInsteadOfTheFolder) {
   const fs::path file = temp_.Write("frontend", "");
   EXPECT_FALSE(Cache(file).Find(SomeKey('a'), kFrames));
   Store(Cache(file), SomeKey('a'), frames_);

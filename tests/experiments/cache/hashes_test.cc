@@ -85,7 +85,7 @@ class CacheHashes : public testing::Test {
   std::vector<std::string> notices_;
 };
 
-TEST_F(CacheHashes, ASecondTimeNothingIsRead) {
+TEST_F(CacheHashes, ASecondCallReadsNothing) {
   ExpectRight(Hashes());
   EXPECT_EQ(read_, 2U * kFrames);
   ExpectRight(Hashes());
@@ -110,7 +110,7 @@ TEST_F(CacheHashes, OtherBytesOfTheSameLengthAndTimeAreRead) {
   EXPECT_EQ(read_, 0U);
 }
 
-TEST_F(CacheHashes, AFileThatIsYoungIsReadAgain) {
+TEST_F(CacheHashes, ARecentFileIsReadAgain) {
   ExpectRight(Hashes(0));
   ExpectRight(Hashes(0));
   EXPECT_EQ(read_, 2U * kFrames);
@@ -120,7 +120,7 @@ TEST_F(CacheHashes, AFileThatIsYoungIsReadAgain) {
   EXPECT_EQ(read_, 2U * kFrames);
 }
 
-TEST_F(CacheHashes, AFileThatIsNotThereHasNoHashAndOneThatCameHas) {
+TEST_F(CacheHashes, OnlyExistingFilesHaveAHash) {
   const std::string bytes = ReadFileBytes(sequence_.images[0].left);
   fs::remove(sequence_.images[0].left);
   EXPECT_EQ(Hashes()[0].left, "");
@@ -129,7 +129,7 @@ TEST_F(CacheHashes, AFileThatIsNotThereHasNoHashAndOneThatCameHas) {
   EXPECT_EQ(read_, 1U);
 }
 
-TEST_F(CacheHashes, ADamagedIndexIsNotBelieved) {
+TEST_F(CacheHashes, ADamagedIndexIsIgnored) {
   (void)Hashes();
   const std::string whole = ReadFileBytes(IndexFile(0));
   for (std::size_t i = 0; i < 24; ++i) {
@@ -161,14 +161,14 @@ TEST_F(CacheHashes, APipeHasNoHash) {
   EXPECT_EQ(Hashes()[0].left, "");
 }
 
-TEST_F(CacheHashes, WithoutAnIndexAllIsRead) {
+TEST_F(CacheHashes, WithoutAnIndexAllFilesAreRead) {
   TaskPool pool(2);
   for (int i = 0; i < 2; ++i) {
     ExpectRight(FindImageHashes(sequence_, "", pool));
   }
 }
 
-TEST_F(CacheHashes, AnIndexThatCannotBeWrittenCostsTimeOnly) {
+TEST_F(CacheHashes, AnUnwritableIndexOnlyCostsTime) {
   index_ = temp_.Write("file", "");
   ExpectRight(Hashes());
   EXPECT_THAT(notices_, testing::Contains(HasSubstr("not kept")));

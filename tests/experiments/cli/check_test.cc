@@ -52,7 +52,7 @@ TEST_F(CliCheckTest, RegressionFailsAndIsWritten) {
   EXPECT_THAT(ReadFile(markdown), StartsWith("### Regression\n"));
 }
 
-TEST_F(CliCheckTest, TimeFailsWhereAsked) {
+TEST_F(CliCheckTest, TimeFailsIfRequested) {
   folder_.ForEachJob([&](const std::string& scene, const std::string& variant, int seed) {
     if (variant == "full") folder_.WriteTime(GateFolder::Id(scene, variant, seed), 60.0);
   });
@@ -63,7 +63,7 @@ TEST_F(CliCheckTest, TimeFailsWhereAsked) {
   EXPECT_THAT(check.out, HasSubstr("\nslower\n"));
 }
 
-TEST_F(CliCheckTest, WrongUseIsOneLine) {
+TEST_F(CliCheckTest, WrongUsageGivesOneLine) {
   const auto fails = [&](const std::vector<std::string>& arguments, int code, const char* part) {
     const ProcessResult process = RunProgram(arguments);
     EXPECT_EQ(process.exit_code, code);

@@ -90,7 +90,7 @@ TEST_F(Cli, BadSequence) {
   EXPECT_THAT(FailingRun({}), FailsWith(1, "image"));
 }
 
-TEST_F(Cli, OutputThatCannotBeWritten) {
+TEST_F(Cli, UnwritableOutput) {
   const std::string file = folder_.Write("file", "mine").string();
   EXPECT_THAT(RunProgram({"run", tiny(), "-o", file}), FailsWith(1, file));
   EXPECT_THAT(RunProgram({"run", tiny(), "-o", file + "/out"}), FailsWith(1, file));
@@ -99,7 +99,7 @@ TEST_F(Cli, OutputThatCannotBeWritten) {
 }
 
 // All stages run on the plain paths; what they find differs by rounding alone.
-TEST_F(Cli, WithoutAvx2TheSameIsFoundAndTheLevelSaid) {
+TEST_F(Cli, WithoutAvx2ResultsAgreeAndTheLevelIsReported) {
   const auto run = [&](const std::string& folder, const test::ProcessSetup& setup) {
     const ProcessResult result = RunProgram({"run", tiny(), "-o", folder}, setup);
     EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -144,7 +144,7 @@ TEST_F(Cli, ListsOptionsAndVariants) {
   EXPECT_EQ(ParseJson(variants.out, "variants")[0]["name"], "full");
 }
 
-TEST_F(Cli, InfoSaysWhatAFolderHolds) {
+TEST_F(Cli, InfoDescribesAFolder) {
   const ProcessResult info = RunProgram({"info", tiny(), "--json", "--frames", "1:3"});
   ASSERT_EQ(info.exit_code, 0) << info.err;
   const Json json = ParseJson(info.out, "info");

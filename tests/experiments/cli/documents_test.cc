@@ -125,7 +125,7 @@ TEST(Documents, CommandsAndTheirFlagsExist) {
   EXPECT_GT(seen, 25);
 }
 
-TEST(Documents, AWrongCommandIsNoticed) {
+TEST(Documents, AWrongCommandIsDetected) {
   EXPECT_EQ(Problem({"clustervo", "runs", "x"}), "no command runs");
   EXPECT_EQ(Problem({"clustervo", "synth", "draw"}), "no command draw");
   EXPECT_EQ(Problem({"clustervo", "run", "x", "--seeds", "3"}), "no flag --seeds");

@@ -30,13 +30,6 @@ class EvalSequence : public testing::Test {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return RunProgram(arguments);
   }
-  static void ExpectError(const ProcessResult& result, int exit_code, const std::string& text) {
-    EXPECT_EQ(result.exit_code, exit_code) << result.err;
-    EXPECT_THAT(result.err, AllOf(testing::StartsWith("clustervo: error: "), HasSubstr(text)));
-    EXPECT_EQ(test::LineCount(result.err), 1U) << result.err;
-    EXPECT_EQ(result.out, "");
-  }
-
   test::TempFolder folder_;
 };
 
@@ -55,23 +48,24 @@ TEST_F(EvalSequence, ScoresAndWritesAResult) {
 TEST_F(EvalSequence, TheResultOfARunIsNotOverwritten) {
   folder_.Write("out/camera.tum", "");
   folder_.Write("out/result.json", "mine");
-  ExpectError(Evaluate({poses(), "-o", out()}), 1, "camera.tum of a run");
+  test::ExpectError(Evaluate({poses(), "-o", out()}), "camera.tum of a run");
   EXPECT_EQ(test::ReadFile(fs::path(out()) / "result.json"), "mine");
 }
 
 TEST_F(EvalSequence, BadInputLeavesNothing) {
   const std::string bad = folder_.Write("bad.tum", "0 0 0 0 0 0 0 1\n7 0 0 0 0 0 0 1\n").string();
-  ExpectError(Evaluate({bad, "-o", out()}), 1, "bad.tum:2: ");
+  test::ExpectError(Evaluate({bad, "-o", out()}), "bad.tum:2: ");
   const std::string rows = folder_.Write("rows.txt", "").string();
-  ExpectError(Evaluate({poses(), "--objects", rows, "-o", out()}), 1, "rows.txt:1: ");
+  test::ExpectError(Evaluate({poses(), "--objects", rows, "-o", out()}), "rows.txt:1: ");
   EXPECT_FALSE(fs::exists(out()));
 }
 
-TEST_F(EvalSequence, FlagsOfTheOtherUse) {
-  ExpectError(RunProgram({"eval", "--estimate", poses()}), 2, "--sequence");
-  ExpectError(RunProgram({"eval", "--estimate", poses(), "--groundtruth", poses(), "-o", out()}), 2,
-              "--output");
-  ExpectError(Evaluate({poses(), "--format", "kitti"}), 2, "--format");
+TEST_F(EvalSequence, FlagsOfTheOtherMode) {
+  test::ExpectError(RunProgram({"eval", "--estimate", poses()}), "--sequence", 2);
+  test::ExpectError(
+      RunProgram({"eval", "--estimate", poses(), "--groundtruth", poses(), "-o", out()}),
+      "--output", 2);
+  test::ExpectError(Evaluate({poses(), "--format", "kitti"}), "--format", 2);
 }
 
 TEST_F(EvalSequence, BodiesWithoutTruthAreNotScored) {
@@ -98,13 +92,13 @@ TEST_F(EvalSequence, AveragePrecision) {
   EXPECT_EQ(json["kind"], "average precision");
   EXPECT_EQ(json["average_precision"][1]["contract"]["least_overlap"], 0.25);
   EXPECT_EQ(json["average_precision"][1]["levels"][0]["ap11"], 1.0 / 11.0);
-  ExpectError(run({"--iou", "1.5"}), 2, "--iou");
-  ExpectError(run({"--class", "Tram"}), 2, "--class");
-  ExpectError(run({"--sequence", tiny()}), 2, "--sequence");
-  ExpectError(run({"--frames", "4:"}), 1, "--frames");
-  ExpectError(RunProgram({"eval", "--ap", "--estimate", rows}), 2, "--labels");
-  ExpectError(Evaluate({poses(), "--iou", "0.5"}), 2, "--iou");
-  ExpectError(run({"--tracking"}), 2, "--tracking");
+  test::ExpectError(run({"--iou", "1.5"}), "--iou", 2);
+  test::ExpectError(run({"--class", "Tram"}), "--class", 2);
+  test::ExpectError(run({"--sequence", tiny()}), "--sequence", 2);
+  test::ExpectError(run({"--frames", "4:"}), "--frames");
+  test::ExpectError(RunProgram({"eval", "--ap", "--estimate", rows}), "--labels", 2);
+  test::ExpectError(Evaluate({poses(), "--iou", "0.5"}), "--iou", 2);
+  test::ExpectError(run({"--tracking"}), "--tracking", 2);
 }
 
 TEST_F(EvalSequence, TrackingScores) {
@@ -117,12 +111,12 @@ TEST_F(EvalSequence, TrackingScores) {
   EXPECT_EQ(json["tracking"].size(), 2U);
   EXPECT_EQ(json["tracking"][1]["overlap"], "3d");
   EXPECT_EQ(json["tracking"][1]["clear"]["mota"], 1.0);
-  ExpectError(RunProgram({"eval", "--tracking", "--labels", folder_.path().string(), "--estimate",
-                          folder_.path().string()}),
-              1, "");
-  ExpectError(
-      RunProgram({"eval", "--tracking", "--labels", labels, "--estimate", rows, "--iou", "0.5"}), 2,
-      "--iou");
+  const std::string folder = folder_.path().string();
+  test::ExpectError(RunProgram({"eval", "--tracking", "--labels", folder, "--estimate", folder}),
+                    "");
+  test::ExpectError(
+      RunProgram({"eval", "--tracking", "--labels", labels, "--estimate", rows, "--iou", "0.5"}),
+      "--iou", 2);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ TEST_F(CliExperimentPlan, ListsTheSuitesWithTheirSizes) {
   EXPECT_THAT(list.out, testing::ContainsRegex("ablation +4 +4 +1 +5 +80 "));
 }
 
-TEST_F(CliExperimentPlan, SaysWhatRunsAndWhatIsMissing) {
+TEST_F(CliExperimentPlan, ListsJobsAndMissingSequences) {
   test::WriteTinySequence(folder_.path() / "07", 4);
   Json json = test::FolderSuite("07");
   json["sequences"].push_back({{"folder", "08"}});
@@ -51,7 +51,7 @@ TEST_F(CliExperimentPlan, SaysWhatRunsAndWhatIsMissing) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out"));
 }
 
-TEST_F(CliExperimentPlan, BadInputIsOneLineAndAnExitCode) {
+TEST_F(CliExperimentPlan, BadInputGivesOneLineAndAnExitCode) {
   const std::string file = folder_.Write("s.json", R"({"name": "s", "sedes": 3})").string();
   for (const auto& arguments :
        std::vector<std::vector<std::string>>{{"no_such_suite"},

@@ -75,7 +75,7 @@ class CliExperiment : public testing::Test {
   test::TempFolder folder_;
 };
 
-TEST_F(CliExperiment, RunsWhatIsNotDoneAndSaysWhatIs) {
+TEST_F(CliExperiment, RunsOnlyWhatIsNotDone) {
   const ProcessResult run = Run();
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.out, "small: 2 jobs: 2 done\n");
@@ -100,7 +100,7 @@ TEST_F(CliExperiment, RunsWhatIsNotDoneAndSaysWhatIs) {
   EXPECT_FALSE(fs::exists(results[0].parent_path() / ".result.json.tmp-node.1-0"));
 }
 
-TEST_F(CliExperiment, AnEditedSuiteUsesWhatIsThere) {
+TEST_F(CliExperiment, AnEditedSuiteReusesResults) {
   ASSERT_EQ(Run().exit_code, 0);
   WriteSuite("{\"folder\": \"wall\"}", "2");
   const ProcessResult more = Run();
@@ -111,7 +111,7 @@ TEST_F(CliExperiment, AnEditedSuiteUsesWhatIsThere) {
   EXPECT_EQ(Results().size(), 4U);
 }
 
-TEST_F(CliExperiment, ASequenceThatIsNotThereIsListed) {
+TEST_F(CliExperiment, AMissingSequenceIsListed) {
   WriteSuite("{\"folder\": \"wall\"}, {\"folder\": \"door\"}", "1");
   const ProcessResult run = Run();
   EXPECT_EQ(run.exit_code, 0) << run.err;
@@ -123,7 +123,7 @@ TEST_F(CliExperiment, ASequenceThatIsNotThereIsListed) {
   EXPECT_THAT(none.err, HasSubstr("found no sequence"));
 }
 
-TEST_F(CliExperiment, ADamagedSequenceFailsItsJobsAlone) {
+TEST_F(CliExperiment, ADamagedSequenceFailsOnlyItsJobs) {
   test::WriteTinySequence(data() / "door", 6);
   fs::remove(data() / "door" / "image_1" / "000003.png");
   WriteSuite("{\"folder\": \"wall\"}, {\"folder\": \"door\"}", "1");
@@ -133,7 +133,7 @@ TEST_F(CliExperiment, ADamagedSequenceFailsItsJobsAlone) {
   EXPECT_THAT(run.err, EndsWith("2 of 4 jobs failed; the same command tries them again\n"));
 }
 
-TEST_F(CliExperiment, AJobRefusesOtherFilesThanItsPlan) {
+TEST_F(CliExperiment, AJobRefusesFilesChangedSincePlanning) {
   ASSERT_EQ(Run().exit_code, 0);
   const std::string id = Results()[0].parent_path().filename().string();
   fs::remove_all(out() / "jobs" / id);
@@ -193,7 +193,7 @@ TEST_F(CliExperiment, LimitsFailJobsUntilTheyAreRaised) {
   EXPECT_EQ(Status()["counts"]["failed"], 0);
 }
 
-TEST_F(CliExperiment, BadInputIsOneLine) {
+TEST_F(CliExperiment, BadInputGivesOneLine) {
   const std::vector<std::vector<std::string>> bad = {{"--engine", "cloud"},
                                                      {"-j", "0"},
                                                      {"--time-limit", "-1"},
@@ -213,7 +213,7 @@ TEST_F(CliExperiment, BadInputIsOneLine) {
   EXPECT_FALSE(fs::exists(out()));
 }
 
-TEST_F(CliExperiment, AFolderThatTurnedReadOnlyLosesNothing) {
+TEST_F(CliExperiment, AFolderThatBecomesReadOnlyLosesNothing) {
   fs::create_directory(out());
   if (::mount("tmpfs", out().c_str(), "tmpfs", 0, "size=50m") != 0) {
     GTEST_SKIP() << "cannot mount a disk: " << std::strerror(errno);
@@ -234,7 +234,7 @@ TEST_F(CliExperiment, AFolderThatTurnedReadOnlyLosesNothing) {
   EXPECT_EQ(after, bytes);
 }
 
-TEST_F(CliExperiment, FilesThatCannotBeWrittenWholeAreNoResults) {
+TEST_F(CliExperiment, IncompleteFilesAreNoResults) {
   // Results have 20 kB and more; plan, logs and failures less.
   const ProcessResult run = Run({}, {.file_size_limit = 6000});
   EXPECT_EQ(run.exit_code, 1);

@@ -49,14 +49,7 @@ bool HasBrowser() {
   return ::access(chosen != nullptr ? chosen : "/usr/bin/chromium", X_OK) == 0;
 }
 
-void ExpectOneLine(const ProcessResult& run, const std::string& text) {
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.err, HasSubstr(text));
-  EXPECT_EQ(test::LineCount(run.err), 1U) << run.err;
-  EXPECT_THAT(run.out, IsEmpty());
-}
-
-TEST(CliFigures, AsJsonNeedNoBrowser) {
+TEST(CliFigures, JsonNeedsNoBrowser) {
   const HostileSuite suite;
   const ProcessResult run =
       suite.Draw({"--format", "json"}, {.environment = {"CLUSTERVO_BROWSER=/nowhere"}});
@@ -70,36 +63,36 @@ TEST(CliFigures, AsJsonNeedNoBrowser) {
   EXPECT_EQ(test::ReadFile(suite.out() / "error-reduction.json"), text);
 }
 
-TEST(CliFigures, OneAloneByItsName) {
+TEST(CliFigures, OneFigureByName) {
   const HostileSuite suite;
   const ProcessResult run = suite.Draw({"--format", "json", "--only", "error-reduction"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(fs::exists(suite.out() / "error-reduction.json"));
   EXPECT_FALSE(fs::exists(suite.out() / "error-over-coverage-object-ate.json"));
   EXPECT_THAT(run.out, Not(HasSubstr("not drawn")));
-  ExpectOneLine(
+  test::ExpectError(
       suite.Draw({"--only", "error-reductoin"}),
       "--only: found \"error-reductoin\" (did you mean error-reduction?), expected one of: ");
 }
 
-TEST(CliFigures, SayInOneLineWhatIsMissing) {
+TEST(CliFigures, MissingInputGivesOneLine) {
   const HostileSuite suite;
-  ExpectOneLine(suite.Draw({}, {.environment = {"CLUSTERVO_BROWSER=/nowhere"}}),
-                "/nowhere: found a program that cannot be run, expected a Chromium");
+  test::ExpectError(suite.Draw({}, {.environment = {"CLUSTERVO_BROWSER=/nowhere"}}),
+                    "/nowhere: found a program that cannot be run, expected a Chromium");
   EXPECT_FALSE(fs::exists(suite.out())) << "nothing is left of what was not made";
-  ExpectOneLine(suite.Draw({}, {.environment = {"CLUSTERVO_BROWSER=/bin/false"}}),
-                "/bin/false: found exit code 1");
-  ExpectOneLine(suite.Draw({}, {.environment = {"CLUSTERVO_BROWSER=/bin/true"}}),
-                "browser: found 0 figures drawn");
+  test::ExpectError(suite.Draw({}, {.environment = {"CLUSTERVO_BROWSER=/bin/false"}}),
+                    "/bin/false: found exit code 1");
+  test::ExpectError(suite.Draw({}, {.environment = {"CLUSTERVO_BROWSER=/bin/true"}}),
+                    "browser: found 0 figures drawn");
   const test::TempFolder empty;
-  ExpectOneLine(RunProgram({"figures", empty.path().string(), "-o", suite.out().string()}),
-                "plan.json");
+  test::ExpectError(RunProgram({"figures", empty.path().string(), "-o", suite.out().string()}),
+                    "plan.json");
   const ProcessResult usage = suite.Draw({"--format", "png"});
   EXPECT_EQ(usage.exit_code, 2);
   EXPECT_EQ(test::LineCount(usage.err), 1U);
 }
 
-TEST(CliFigures, OfASuiteThatHasNotRunAreNone) {
+TEST(CliFigures, NoneForASuiteThatHasNotRun) {
   test::SuiteResults suite;
   suite.Plan("room", "full");
   const fs::path out = suite.folder().path() / "figures";
@@ -109,7 +102,7 @@ TEST(CliFigures, OfASuiteThatHasNotRunAreNone) {
   EXPECT_FALSE(fs::exists(out));
 }
 
-TEST(CliFigures, InABrowserTheNamesStayTextAndTheBytesTheSame) {
+TEST(CliFigures, NamesStayTextAndBytesAreReproducible) {
   if (!HasBrowser()) GTEST_SKIP() << "no Chromium: /usr/bin/chromium or CLUSTERVO_BROWSER";
   const HostileSuite suite;
   const std::vector<std::string> one = {"--only", "error-reduction"};
@@ -125,7 +118,7 @@ TEST(CliFigures, InABrowserTheNamesStayTextAndTheBytesTheSame) {
   EXPECT_EQ(test::ReadFile(suite.out() / "error-reduction.svg"), svg);
 }
 
-TEST(CliFigures, APdfOfTheSameResultsIsTheSameBytes) {
+TEST(CliFigures, PdfIsReproducible) {
   if (!HasBrowser()) GTEST_SKIP() << "no Chromium: /usr/bin/chromium or CLUSTERVO_BROWSER";
   const HostileSuite suite;
   const std::vector<std::string> one = {"--only", "error-reduction", "--format", "pdf"};

@@ -87,7 +87,7 @@ class CliKitti : public testing::Test {
   test::TempFolder folder_;
 };
 
-TEST_F(CliKitti, TheSameBytesEveryTimeAndForAnyNumberOfThreads) {
+TEST_F(CliKitti, SameBytesForAnyNumberOfThreads) {
   ASSERT_EQ(RunDrive(drive(), out("one"), {"--threads", "1"}).exit_code, 0);
   ASSERT_EQ(RunDrive(drive(), out("two"), {"--threads", "2"}).exit_code, 0);
   ASSERT_EQ(RunDrive(drive(), out("again"), {"--threads", "2"}).exit_code, 0);
@@ -111,7 +111,7 @@ TEST_F(CliKitti, TracksEveryFrameAndScoresIt) {
   }
 }
 
-TEST_F(CliKitti, EvalScoresTheWrittenTrajectoryAlike) {
+TEST_F(CliKitti, EvalOfTheWrittenTrajectoryAgrees) {
   const fs::path sequence = *data_ / "kitti_odometry" / "sequences" / "06";
   const ProcessResult run =
       RunProgram({"run", sequence.string(), "-o", out("06").string(), "--quiet", "--threads", "2"});
@@ -128,7 +128,7 @@ TEST_F(CliKitti, EvalScoresTheWrittenTrajectoryAlike) {
   }
 }
 
-TEST_F(CliKitti, ADamagedImageIsSkippedAndStrictRefusesIt) {
+TEST_F(CliKitti, ADamagedImageIsSkippedOrRefusedIfStrict) {
   const fs::path linked = LinkDrive(*data_, folder_.path() / "linked");
   CutImage(linked / "image_01" / "data" / "0000000007.png");
   const ProcessResult run = RunDrive(linked, out("skipped"));

@@ -50,7 +50,7 @@ class CliOddInput : public testing::Test {
   test::TempFolder folder_;
 };
 
-TEST_F(CliOddInput, APipeInPlaceOfAFileIsRefused) {
+TEST_F(CliOddInput, APipeInsteadOfAFileIsRefused) {
   const fs::path pipe = folder_.path() / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   const std::string found = "a pipe or a device";
@@ -71,7 +71,7 @@ TEST_F(CliOddInput, APipeInPlaceOfAFileIsRefused) {
   }
 }
 
-TEST_F(CliOddInput, BracketsWithoutEndAreRefused) {
+TEST_F(CliOddInput, UnclosedBracketsAreRefused) {
   for (const char* bracket : {"[", "{\"a\":"}) {
     std::string text;
     for (int i = 0; i < 100'000; ++i) text += bracket;
@@ -87,7 +87,7 @@ TEST_F(CliOddInput, BracketsWithoutEndAreRefused) {
   }
 }
 
-TEST_F(CliOddInput, PathsThatCannotBeAreOneLine) {
+TEST_F(CliOddInput, InvalidPathsGiveOneLine) {
   const std::string circle = folder_.path() / "circle";
   fs::create_symlink(circle, circle);
   const std::string much = (folder_.path() / std::string(300, 'x')).string();
@@ -114,7 +114,7 @@ TEST_F(CliOddInput, PathsThatCannotBeAreOneLine) {
   }
 }
 
-TEST_F(CliOddInput, MoreThreadsThanFitAreRefused) {
+TEST_F(CliOddInput, TooManyThreadsAreRefused) {
   const ProcessResult few = Run(RunWall({"--threads", "2"}), 3'000'000'000);
   if (few.exit_code != 0) GTEST_SKIP() << "this build needs more address space: " << few.err;
   const ProcessResult many = Run(RunWall({"--threads", "1000"}), 3'000'000'000);

@@ -143,7 +143,7 @@ TEST_F(CliOutputs, NothingIsWrittenIntoASequence) {
   }
 }
 
-TEST_F(CliOutputs, EveryCommandThatWritesIsTried) {
+TEST_F(CliOutputs, EveryWritingCommandIsCovered) {
   for (Arguments command : AllCommands()) {
     if (command.back() == "plan") continue;  // only looks at the folder
     const bool tried = IsIn(WritersTo(""), command);
@@ -173,7 +173,7 @@ TEST_F(CliOutputs, NothingIsWrittenOverWhatIsRead) {
   for (const Arguments& arguments : commands) ExpectRefused(arguments);
 }
 
-TEST_F(CliOutputs, WhatCannotBePrintedIsAnError) {
+TEST_F(CliOutputs, FailedOutputIsAnError) {
   const std::string wall = Path("data/wall"), suite = Path("suite"), run = Path("run");
   const std::vector<Arguments> commands = {
       {"--version"},

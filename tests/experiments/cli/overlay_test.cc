@@ -61,7 +61,7 @@ class CliOverlay : public testing::Test {
   test::TempFolder folder_;
 };
 
-TEST_F(CliOverlay, DrawsEveryFrameAndASheetTheSameEveryTime) {
+TEST_F(CliOverlay, DrawsEveryFrameAndASheetReproducibly) {
   MakeRun();
   const ProcessResult one = Overlay({run().string(), "--sheet"}, "one");
   ASSERT_EQ(one.exit_code, 0) << one.err;
@@ -90,7 +90,7 @@ TEST_F(CliOverlay, SelectsAndScalesFrames) {
   EXPECT_EQ(cv::imread((out() / "000001.png").string()).cols, 2 * test::kTinyWidth_px);
 }
 
-TEST_F(CliOverlay, DrawsRunsBesideEachOther) {
+TEST_F(CliOverlay, DrawsRunsSideBySide) {
   MakeRun("2d");
   MakeRun("full");
   const ProcessResult both = Overlay({run("2d").string(), run("full").string(), "--frame", "4"});
@@ -99,7 +99,7 @@ TEST_F(CliOverlay, DrawsRunsBesideEachOther) {
   EXPECT_GT(cv::imread((out() / "000004.png").string()).cols, 2 * test::kTinyWidth_px);
 }
 
-TEST_F(CliOverlay, WritesAVideoAloneAndSaysOfWhatKind) {
+TEST_F(CliOverlay, WritesOnlyAVideoAndReportsItsFormat) {
   MakeRun();
   const ProcessResult video = Overlay({run().string(), "--video", "--no-images"});
   ASSERT_EQ(video.exit_code, 0) << video.err;
@@ -107,7 +107,7 @@ TEST_F(CliOverlay, WritesAVideoAloneAndSaysOfWhatKind) {
   EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 1);
 }
 
-TEST_F(CliOverlay, DrawsWithoutLandmarksAndSaysSo) {
+TEST_F(CliOverlay, ReportsMissingLandmarks) {
   MakeRun("full", "");
   const ProcessResult without = Overlay({run().string(), "--frame", "2"});
   ASSERT_EQ(without.exit_code, 0) << without.err;
@@ -115,7 +115,7 @@ TEST_F(CliOverlay, DrawsWithoutLandmarksAndSaysSo) {
   EXPECT_TRUE(fs::exists(out() / "000002.png"));
 }
 
-TEST_F(CliOverlay, DrawsWithoutHalfWrittenLandmarksAndSaysWhere) {
+TEST_F(CliOverlay, ReportsTruncatedLandmarks) {
   MakeRun();
   test::CutFile(run() / "landmarks.csv");
   const ProcessResult without = Overlay({run().string(), "--frame", "2"});
@@ -123,7 +123,7 @@ TEST_F(CliOverlay, DrawsWithoutHalfWrittenLandmarksAndSaysWhere) {
   EXPECT_THAT(without.err, AllOf(HasSubstr("drawn without landmarks"), HasSubstr("line ")));
 }
 
-TEST_F(CliOverlay, DrawsADarkImageWhereAFrameWasSkipped) {
+TEST_F(CliOverlay, DrawsADarkImageForASkippedFrame) {
   test::CutFile(tiny() / "image_0" / "000003.png");
   MakeRun();
   const ProcessResult skipped = Overlay({run().string(), "--frame", "3"});
@@ -131,7 +131,7 @@ TEST_F(CliOverlay, DrawsADarkImageWhereAFrameWasSkipped) {
   EXPECT_EQ(cv::imread((out() / "000003.png").string()).cols, test::kTinyWidth_px);
 }
 
-TEST_F(CliOverlay, TellsWhatCannotBe) {
+TEST_F(CliOverlay, RefusesInvalidInput) {
   MakeRun();
   ExpectError(Overlay({out("none").string()}), "result.json");
   ExpectError(Overlay({run().string(), "--frame", "60"}),
@@ -153,7 +153,7 @@ TEST_F(CliOverlay, TellsWhatCannotBe) {
   EXPECT_FALSE(fs::exists(out()));
 }
 
-TEST_F(CliOverlay, SaysWhereImagesWereAndTakesThemFromElsewhere) {
+TEST_F(CliOverlay, ReportsMovedImagesAndReadsThemElsewhere) {
   MakeRun();
   fs::rename(tiny(), out("moved"));
   ExpectError(Overlay({run().string(), "--frame", "1"}),
@@ -163,7 +163,7 @@ TEST_F(CliOverlay, SaysWhereImagesWereAndTakesThemFromElsewhere) {
   EXPECT_EQ(moved.exit_code, 0) << moved.err;
 }
 
-TEST_F(CliOverlay, TellsWrongUsage) {
+TEST_F(CliOverlay, ReportsWrongUsage) {
   for (const std::vector<std::string>& wrong : {std::vector<std::string>{},
                                                 {"RUN", "--scale", "0"},
                                                 {"RUN", "--labels", "x"},

@@ -3,6 +3,7 @@
 #include "tests/experiments/cli/process.h"
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -95,6 +96,14 @@ ProcessResult RunProgram(const std::vector<std::string>& arguments, const Proces
   ::waitpid(process, &status, 0);
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return result;
+}
+
+void ExpectError(const ProcessResult& result, const std::string& text, int exit_code) {
+  EXPECT_EQ(result.exit_code, exit_code) << result.err;
+  EXPECT_TRUE(result.err.starts_with("clustervo: error: ")) << result.err;
+  EXPECT_NE(result.err.find(text), std::string::npos) << result.err;
+  EXPECT_EQ(LineCount(result.err), 1U) << result.err;
+  EXPECT_EQ(result.out, "");
 }
 
 std::size_t LineCount(const std::string& text) {

@@ -25,6 +25,9 @@ struct ProcessSetup {
 // Runs the program clustervo to its end.
 ProcessResult RunProgram(const std::vector<std::string>& arguments, const ProcessSetup& setup = {});
 
+// That the program failed with one line, which has this text, and printed nothing else.
+void ExpectError(const ProcessResult& result, const std::string& text, int exit_code = 1);
+
 // How many lines a text has.
 std::size_t LineCount(const std::string& text);
 

@@ -37,7 +37,7 @@ TEST(CliReport, WritesOnePageBesideTheResults) {
   EXPECT_EQ(std::distance(fs::directory_iterator(out), fs::directory_iterator()), 1);
 }
 
-TEST(CliReport, TheSameBytesWhereverItIsWritten) {
+TEST(CliReport, SameBytesInAnyFolder) {
   SuiteResults suite;
   suite.Add(Result());
   const fs::path other = suite.folder().path() / "a" / "b";
@@ -47,7 +47,7 @@ TEST(CliReport, TheSameBytesWhereverItIsWritten) {
   EXPECT_TRUE(Page(suite.folder().path() / "report") == Page(other));
 }
 
-TEST(CliReport, APartThatCannotBeMadeIsToldAndTheRestIsWritten) {
+TEST(CliReport, AMissingPartIsReportedAndTheRestIsWritten) {
   SuiteResults suite;  // without a job
   const ProcessResult run = RunProgram({"report", suite.Written().string()});
   EXPECT_EQ(run.exit_code, 1);
@@ -55,7 +55,7 @@ TEST(CliReport, APartThatCannotBeMadeIsToldAndTheRestIsWritten) {
   EXPECT_THAT(Page(suite.folder().path() / "report"), HasSubstr("field jobs: found none"));
 }
 
-TEST(CliReport, WhatIsNoSuiteIsSaidInOneLine) {
+TEST(CliReport, AnInvalidSuiteGivesOneLine) {
   SuiteResults suite;
   const ProcessResult run = RunProgram({"report", suite.folder().path().string()});
   EXPECT_EQ(run.exit_code, 1);
@@ -64,7 +64,7 @@ TEST(CliReport, WhatIsNoSuiteIsSaidInOneLine) {
   EXPECT_FALSE(fs::exists(suite.folder().path() / "report"));
 }
 
-TEST(CliReport, FlagsThatCannotBe) {
+TEST(CliReport, InvalidFlags) {
   EXPECT_EQ(RunProgram({"report", "x", "--every", "0"}).exit_code, 2);
   EXPECT_EQ(RunProgram({"report", "x", "--every", "2", "--no-images"}).exit_code, 2);
   EXPECT_EQ(RunProgram({"report", "x", "--all-images", "--no-images"}).exit_code, 2);

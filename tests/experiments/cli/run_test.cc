@@ -19,13 +19,13 @@ using test::RunProgram;
 using testing::AllOf;
 using testing::HasSubstr;
 
-constexpr int kFrames = 8;
+constexpr int kRunFrames = 8;
 const std::vector<std::string> kRecorded = {"result.json", "camera.tum",   "camera.kitti",
                                             "objects.csv", "tracks.kitti", "truth.json"};
 
 class CliRun : public testing::Test {
  protected:
-  CliRun() { test::WriteTinySequence(tiny(), kFrames); }
+  CliRun() { test::WriteTinySequence(tiny(), kRunFrames); }
 
   fs::path tiny() const { return folder_.path() / "tiny"; }
   fs::path out(const std::string& name = "out") const { return folder_.path() / name; }
@@ -56,7 +56,7 @@ TEST_F(CliRun, WritesItsFilesAndPrintsTheMetrics) {
   EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 7);
 }
 
-TEST_F(CliRun, TheSameBytesEveryTimeAndForAnyNumberOfThreads) {
+TEST_F(CliRun, SameBytesForAnyNumberOfThreads) {
   ASSERT_EQ(Run(out("one"), {"--threads", "1"}).exit_code, 0);
   ASSERT_EQ(Run(out("two"), {"--threads", "2"}).exit_code, 0);
   ASSERT_EQ(Run(out("four"), {"--threads", "4", "--quiet"}).exit_code, 0);
@@ -105,7 +105,7 @@ TEST_F(CliRun, AFullDiskLosesNothing) {
   EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 7);
 }
 
-TEST_F(CliRun, WithTheCacheTheSameBytes) {
+TEST_F(CliRun, TheCacheDoesNotChangeTheBytes) {
   const test::ProcessSetup setup = {.environment = {"CLUSTERVO_CACHE=" + out("cache").string()}};
   ASSERT_EQ(Run(out("plain"), {}, setup).exit_code, 0);
   EXPECT_FALSE(fs::exists(out("cache")));
@@ -128,7 +128,7 @@ TEST_F(CliRun, WithTheCacheTheSameBytes) {
   EXPECT_THAT(bad.err, HasSubstr("option --cache-size: found \"much\""));
 }
 
-TEST_F(CliRun, ACacheThatCannotBeUsedIsANotice) {
+TEST_F(CliRun, AnUnusableCacheGivesANotice) {
   const std::string file = folder_.Write("file", "").string();
   const ProcessResult run =
       Run(out(), {"--cache", "--quiet"}, {.environment = {"CLUSTERVO_CACHE=" + file}});
@@ -142,7 +142,7 @@ constexpr const char* kBoxes =
     "5 3 Dog -1 -1 -10 10 10 60 60 -1 -1 -1 -1000 -1000 -1000 -10 0.5\n"
     "5 4 Car -1 -1 -10 900 10 960 60 -1 -1 -1 -1000 -1000 -1000 -10 0.5\n";
 
-TEST_F(CliRun, SaysWhichDetectionsCount) {
+TEST_F(CliRun, ReportsWhichDetectionsCount) {
   const std::string boxes = folder_.Write("boxes.txt", kBoxes).string();
   const ProcessResult run = Run(out(), {"--detections", boxes, "--landmarks"});
   ASSERT_EQ(run.exit_code, 0) << run.err;

@@ -70,7 +70,7 @@ class CliSceneDamage : public testing::Test {
   std::string job_;
 };
 
-TEST_F(CliSceneDamage, EveryKindOfFileIsNoticed) {
+TEST_F(CliSceneDamage, DamageOfEveryKindOfFileIsDetected) {
   if (IsSkipped()) return;
   for (const char* name :
        {"poses.txt", "poses_right.txt", "objects.csv", "labels.txt", "times.txt", "calib.txt",
@@ -109,7 +109,7 @@ TEST_F(CliSceneDamage, ARunRendersItAgain) {
 }
 
 // It cannot be told how a folder outside of the cache was rendered.
-TEST_F(CliSceneDamage, OutsideOfTheCacheItIsRefused) {
+TEST_F(CliSceneDamage, DamageOutsideTheCacheIsRefused) {
   if (IsSkipped()) return;
   const fs::path copy = folder_.path() / "copy";
   fs::copy(scene_, copy, fs::copy_options::recursive);
@@ -130,7 +130,7 @@ TEST_F(CliSceneDamage, OutsideOfTheCacheItIsRefused) {
   }
 }
 
-TEST_F(CliSceneDamage, WhatKilledProcessesLeftIsRemoved) {
+TEST_F(CliSceneDamage, RemovesFilesOfKilledProcesses) {
   if (IsSkipped()) return;
   const std::string name = StrCat(".x.tmp-", HostName(), ".9999999-0");
   const std::vector<fs::path> left = {folder_.path() / "cache" / name / "a",

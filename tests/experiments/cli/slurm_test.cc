@@ -44,7 +44,7 @@ ProcessResult RunSuiteOn(const std::string& engine, const TempFolder& temp) {
       {.environment = {"CLUSTERVO_CACHE=" + (temp.path() / "cache").string() + engine}});
 }
 
-TEST(Slurm, GivesTheBytesOfTheLocalEngine) {
+TEST(Slurm, GivesTheSameBytesAsTheLocalEngine) {
   const SlurmCluster cluster;
   if (!cluster.missing().empty()) GTEST_SKIP() << cluster.missing();
   const TempFolder temp;

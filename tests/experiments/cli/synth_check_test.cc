@@ -69,7 +69,7 @@ class CliSynthCheck : public testing::Test {
   test::TempFolder folder_;
 };
 
-TEST_F(CliSynthCheck, PrintsAndWritesItsFigures) {
+TEST_F(CliSynthCheck, PrintsAndWritesItsResults) {
   const ProcessResult run =
       RunProgram({"synth", "check", rays().string(), "--json", json().string(), "--threads", "2"});
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
@@ -90,7 +90,7 @@ TEST_F(CliSynthCheck, FailsOnDisagreement) {
   EXPECT_EQ(ReadJson(json())["passed"], false);
 }
 
-TEST_F(CliSynthCheck, AFolderThatIsNoSceneIsBadInput) {
+TEST_F(CliSynthCheck, AFolderWithoutASceneIsBadInput) {
   const ProcessResult run = RunProgram({"synth", "check", folder_.path().string()});
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_THAT(run.err, HasSubstr("no objects.csv"));

@@ -129,7 +129,7 @@ TEST_F(CliSynthRender, TheEstimatorRunsOnIt) {
   EXPECT_THAT(run.out, AllOf(HasSubstr("tiny: 6 frames"), HasSubstr("camera_ate")));
 }
 
-TEST_F(CliSynthRender, TheSameBytesEveryTimeAndForAnyNumberOfThreads) {
+TEST_F(CliSynthRender, SameBytesForAnyNumberOfThreads) {
   RenderTiny({"--frames", "0:2"});
   if (IsSkipped() || HasFatalFailure()) return;
   ASSERT_EQ(Render("again", {"--frames", "0:2", "--threads", "1"}, Setup("other cache")).exit_code,
@@ -141,7 +141,7 @@ TEST_F(CliSynthRender, TheSameBytesEveryTimeAndForAnyNumberOfThreads) {
   EXPECT_EQ(HashesOf("three"), HashesOf("tiny"));
 }
 
-TEST_F(CliSynthRender, ASeedChangesNoiseAndDetectionsAlone) {
+TEST_F(CliSynthRender, ASeedChangesOnlyNoiseAndDetections) {
   RenderTiny({"--frames", "0:2"});
   if (IsSkipped() || HasFatalFailure()) return;
   const ProcessResult render = Render("seeded", {"--frames", "0:2", "--seed", "77"});
@@ -171,7 +171,7 @@ TEST_F(CliSynthRender, GoldenImages) {
   EXPECT_EQ(Sha256Hex(images), golden->second);
 }
 
-TEST_F(CliSynthRender, SomeFramesOfIt) {
+TEST_F(CliSynthRender, RangeOfFrames) {
   RenderTiny({"--frames", "0:1"});
   if (IsSkipped() || HasFatalFailure()) return;
   ASSERT_EQ(Render("part", {"--frames", "2:4", "--detector", "poor"}).exit_code, 0);
@@ -214,7 +214,7 @@ TEST_F(CliSynthRender, NeverReplacesWhatItDidNotWrite) {
   EXPECT_TRUE(fs::exists(out("mine") / "notes.txt"));
 }
 
-TEST_F(CliSynthRender, BadScenesAreOneClearLine) {
+TEST_F(CliSynthRender, BadScenesGiveOneLine) {
   RenderTiny({"--frames", "0:1"});
   if (IsSkipped() || HasFatalFailure()) return;
   const std::vector<std::pair<std::string, std::string>> cases = {

@@ -77,7 +77,7 @@ TEST_F(BadRawDrive, CalibrationWithoutAKey) {
   EXPECT_THAT(Error(), Says("calib_cam_to_cam.txt", "no P_rect_01", "one projection per camera"));
 }
 
-TEST_F(BadRawDrive, CalibrationWithNonsense) {
+TEST_F(BadRawDrive, MalformedCalibration) {
   Calibrate("P_rect_00", "10 0 6 0 0 1O 4 0 0 0 1 0");
   EXPECT_THAT(Error(), Says("calib_cam_to_cam.txt:5", "\"1O\" in column 7", "a finite number"));
   Calibrate("P_rect_00", "10 0 6 0 0 nan 4 0 0 0 1 0");
@@ -107,7 +107,7 @@ TEST_F(BadRawDrive, CalibrationTwice) {
   EXPECT_THAT(Error(), Says("calib_cam_to_cam.txt:9", "\"P_rect_01\" a second time", "once"));
 }
 
-TEST_F(BadRawDrive, RotationThatIsNone) {
+TEST_F(BadRawDrive, InvalidRotation) {
   Calibrate("R_rect_00", "1 0 0 0 1 0 0 0 2");
   EXPECT_THAT(Error(), Says("calib_cam_to_cam.txt:4: R_rect_00", "a matrix", "a rotation"));
 }
@@ -170,7 +170,7 @@ TEST_F(BadRawDrive, ImagesThatAreNotPng) {
   EXPECT_THAT(Error(), Says("0000000002.jpg", "a JPEG image", "PNG images"));
 }
 
-TEST_F(BadRawDrive, TimestampsThatAreNone) {
+TEST_F(BadRawDrive, InvalidTimestamps) {
   Write("image_00/timestamps.txt", DateTimeRow(0) + "2011-09-26 13:02\n");
   EXPECT_THAT(Error(), Says("image_00/timestamps.txt:2", "\"2011-09-26 13:02\"", "YYYY-MM-DD"));
   Write("image_00/timestamps.txt", DateTimeRow(0) + "\n" + DateTimeRow(1));
@@ -190,7 +190,7 @@ TEST_F(BadRawDrive, WrongNumberOfTimestamps) {
   EXPECT_THAT(InterpolatedError(), Says("timestamps.txt", "2 times", "4, as many as images"));
 }
 
-TEST_F(BadRawDrive, OxtsPacketsThatAreNone) {
+TEST_F(BadRawDrive, InvalidOxtsPackets) {
   Write("oxts/data/0000000002.txt", "49 8 100\n");
   EXPECT_THAT(Error(), Says("oxts/data/0000000002.txt:1", "3 columns", "30 columns"));
   Write("oxts/data/0000000002.txt", OxtsPacketText(0.0, "nan"));
@@ -222,7 +222,7 @@ TEST_F(BadRawDrive, UnrectifiedDrive) {
   EXPECT_THAT(OpenError({.folder = renamed}), Says("_extract", "an unrectified drive", "_sync"));
 }
 
-TEST_F(BadRawDrive, CalibrationCutAnywhereIsReadOrRefused) {
+TEST_F(BadRawDrive, TruncatedCalibrationIsReadOrRefused) {
   const fs::path path = folder_.parent_path() / "calib_cam_to_cam.txt";
   std::ifstream in(path);
   const std::string whole((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
@@ -246,7 +246,7 @@ TEST_F(BadRawDrive, BinaryFileInsteadOfText) {
   EXPECT_LT(Error().size(), 400u);
 }
 
-TEST_F(BadRawDrive, OptionsThatAreNone) {
+TEST_F(BadRawDrive, InvalidOptions) {
   EXPECT_THAT(OpenError({.folder = folder_, .type = "tum"}),
               AllOf(Says("option --type", "\"tum\"", "kitti-raw"), HasSubstr("kitti-odometry"),
                     HasSubstr("kitti-tracking")));
@@ -264,7 +264,7 @@ TEST_F(BadRawDrive, OptionsThatAreNone) {
               Says("--frames", "2:2", "0 <= A < B <= 4"));
 }
 
-TEST_F(BadRawDrive, BoxesThatDoNotFit) {
+TEST_F(BadRawDrive, BoxesOutsideTheSequence) {
   const std::string row = " -1 Car -1 -1 -10 0 0 1 1 -1 -1 -1 -1 -1 -1 -10 0.5\n";
   const fs::path boxes = root_.Write("boxes.txt", "0" + row + "4" + row);
   EXPECT_THAT(OpenError({.folder = folder_, .detections_file = boxes}),

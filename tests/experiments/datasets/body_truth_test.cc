@@ -123,7 +123,7 @@ TEST_F(SceneBodies, LandmarksMoveWithTheirBody) {
   EXPECT_EQ(reader->Find(3, {2, 4}, {0.6, 0, 4}).motion, PointMotion::kMoving);
 }
 
-TEST_F(SceneBodies, RefuseFramesAndMasksThatAreNotThere) {
+TEST_F(SceneBodies, RefuseMissingFramesAndMasks) {
   const auto reader = ReadBodyTruth(Open());
   EXPECT_THAT(ErrorMessage([&] { reader->Find(4, {2, 4}, {0, 0, 4}); }), HasSubstr("frame 4"));
   EXPECT_THAT(ErrorMessage([&] { reader->Find(-1, {2, 4}, {0, 0, 4}); }), HasSubstr("frame -1"));
@@ -272,7 +272,7 @@ TEST_F(LabelledBodies, ALandmarkOnTwoBodiesIsNotJudged) {
   EXPECT_EQ(reader->Find(0, {6, 4}, {4.5, 0, 4}).body, 2);
 }
 
-TEST_F(LabelledBodies, ThatStayPutNeverMoveThoughTheirLabelsJitter) {
+TEST_F(LabelledBodies, StandingBodiesNeverMoveDespiteLabelJitter) {
   const auto motion = [&](double step_m) {
     std::string labels;
     // Against the camera's own motion, which is along z.
@@ -285,7 +285,7 @@ TEST_F(LabelledBodies, ThatStayPutNeverMoveThoughTheirLabelsJitter) {
   EXPECT_EQ(motion(1.5), PointMotion::kMoving);
 }
 
-TEST_F(LabelledBodies, AreNoneWithoutBoxesOrCamera) {
+TEST_F(LabelledBodies, NeedBoxesAndCamera) {
   EXPECT_EQ(Read("0 -1 DontCare -1 -1 -10 1 1 2 2 -1000 -1000 -1000 -10 -1 -1 -1\n"), nullptr);
   EXPECT_EQ(Read(Row(0, 0, 1), 1), nullptr);
   EXPECT_NE(Read(Row(1, 0, 1), 1), nullptr);

@@ -68,7 +68,7 @@ TEST(Timestamp, CrossesMidnightAndLeapDays) {
             86'400'000'000'000);
 }
 
-TEST(Timestamp, HasOneShapeAlone) {
+TEST(Timestamp, HasOneFormat) {
   for (const char* text : {"", "2011-09-26 13:02:25", "2011-09-26 13:02:25.96779059",
                            "2011-09-26 13:02:25.9677905920", "2011-09-26T13:02:25.967790592",
                            "2011-13-26 13:02:25.967790592", "2011-02-29 13:02:25.967790592",
@@ -102,7 +102,7 @@ TEST(FrameRange, Parses) {
   EXPECT_EQ(parse(":"), std::pair(0, -1));
 }
 
-TEST(FrameRange, RefusesAnythingElse) {
+TEST(FrameRange, RefusesOtherTexts) {
   for (const char* text : {"", "5", "a:b", "-1:5", "1:-1", "1:2:3", "1 :2", "3:99999999999"}) {
     EXPECT_THAT(ErrorMessage([&] { ParseFrameRange(text); }),
                 AllOf(HasSubstr("--frames: found \"" + std::string(text) + "\""),

@@ -84,7 +84,7 @@ TEST_F(LoadGreyTest, EveryFlippedByteIsNoticed) {
   }
 }
 
-TEST_F(LoadGreyTest, SaysWhatIsWrong) {
+TEST_F(LoadGreyTest, ReportsTheError) {
   const std::string bytes = GreyPng();
   ExpectProblem("", "an empty file");
   ExpectProblem("not an image at all, whatever its name says", "a file that is not PNG");
@@ -111,7 +111,7 @@ TEST_F(LoadGreyTest, RowsMissingInsideAWholeFileAreNoticed) {
   EXPECT_FALSE(image.ok());
 }
 
-TEST_F(LoadGreyTest, MissingFileIsAProblemAndNoError) {
+TEST_F(LoadGreyTest, MissingFileIsAProblemNotAnError) {
   const LoadedImage image = LoadGrey(folder_.path() / "absent.png");
   EXPECT_FALSE(image.ok());
   EXPECT_EQ(image.sha256, "");

@@ -74,7 +74,7 @@ TEST_F(SceneTruth, ReadsEveryFieldOfABody) {
   EXPECT_TRUE(IsMover(bodies, 1));
 }
 
-TEST_F(SceneTruth, ASceneWithoutBodiesIsOne) {
+TEST_F(SceneTruth, AcceptsASceneWithoutBodies) {
   const auto bodies = ReadSceneBodies(Objects(""), 3);
   ASSERT_EQ(bodies.size(), 3U);
   EXPECT_TRUE(bodies[2].empty());
@@ -95,7 +95,7 @@ TEST_F(SceneTruth, RefusesBadCellsNamingLineAndColumn) {
   EXPECT_THAT(ObjectsError(InView("Ball", "")), HasSubstr("column category"));
 }
 
-TEST_F(SceneTruth, RefusesValuesThatCannotBe) {
+TEST_F(SceneTruth, RefusesImpossibleValues) {
   EXPECT_THAT(ObjectsError(InView("0.6,0.8", "0.6,0.6")), HasSubstr("quaternion"));
   EXPECT_THAT(ObjectsError(InView("0.7,0.7,0.7", "0.7,0,0.7")), HasSubstr("positive sizes"));
   EXPECT_THAT(ObjectsError(InView("12,24", "25,24")), HasSubstr("visible_px <= alone_px"));
@@ -143,7 +143,7 @@ TEST_F(SceneTruth, RefusesImagesOfAnotherKindOrSize) {
   EXPECT_THAT(ErrorMessage([&] { ReadDepth(broken, kSize); }), HasSubstr("broken.tiff"));
 }
 
-TEST_F(SceneTruth, RefusesDepthThatIsNoDepth) {
+TEST_F(SceneTruth, RefusesInvalidDepth) {
   cv::Mat depth = cv::Mat::zeros(kSize, CV_32FC1);
   const fs::path path = folder_.path() / "0.tiff";
   for (const float bad :
@@ -221,7 +221,7 @@ TEST_F(SceneSequence, OffersItsDetectionsByLevel) {
               HasSubstr("best: found no such file"));
 }
 
-TEST_F(SceneSequence, AnotherFileOfLabelsComesFirst) {
+TEST_F(SceneSequence, AnotherLabelFileTakesPrecedence) {
   const fs::path other =
       folder_.Write("other.txt", "0 1 Car 0 0 0 1 1 4 4 0.7 0.7 0.7 0 0.3 2 0.5\n");
   const Sequence sequence = OpenSequence({.folder = tiny(), .labels_file = other});

@@ -68,7 +68,7 @@ TEST_F(Sequences, InterpolatedTruthIsThatOfTheImageTimes) {
   EXPECT_THAT(s.missing, ElementsAre(HasSubstr("no ground truth for 1 of 3 images")));
 }
 
-TEST_F(Sequences, AFoldersLookDoesNotMakeItKitti) {
+TEST_F(Sequences, KittiIsNotDetectedByFolderNames) {
   for (const fs::path& folder : {WriteRawDrive(root_), WriteOdometrySequence(root_)}) {
     const Sequence s = OpenSequence({.folder = folder});
     EXPECT_EQ(s.dataset, "other");
@@ -91,7 +91,7 @@ constexpr const char* kKitti06 =
     "P0: 707.0912 0 601.8873 0 0 707.0912 183.1104 0 0 0 1 0\n"
     "P1: 707.0912 0 601.8873 -379.8145 0 707.0912 183.1104 0 0 0 1 0\n";
 
-TEST_F(Sequences, KittiIsKnownByItsCalibrationWhereverItLies) {
+TEST_F(Sequences, KittiIsDetectedByItsCalibrationInAnyFolder) {
   const fs::path there = WriteOdometrySequence(root_);
   root_.Write("sequences/06/calib.txt", kKitti06);
   fs::create_directories(root_.path() / "elsewhere");
@@ -169,7 +169,7 @@ TEST_F(Sequences, Odometry) {
   EXPECT_THAT(s.missing, IsEmpty());
 }
 
-TEST_F(Sequences, PosesBesideTheImagesGoFirst) {
+TEST_F(Sequences, PosesBesideTheImagesTakePrecedence) {
   const fs::path folder = WriteOdometrySequence(root_);
   root_.Write("sequences/06/poses.txt",
               "1 0 0 0 0 1 0 0 0 0 1 5\n1 0 0 0 0 1 0 0 0 0 1 6\n1 0 0 0 0 1 0 0 0 0 1 7\n");
@@ -242,7 +242,7 @@ TEST_F(Sequences, TrackingWithoutOptionalFiles) {
   EXPECT_THAT(s.missing, ElementsAre(HasSubstr("oxts/0005.txt"), HasSubstr("label_02/0005.txt")));
 }
 
-TEST_F(Sequences, FramesCutEverythingAlike) {
+TEST_F(Sequences, FrameRangeAppliesToEverything) {
   const fs::path boxes = root_.Write("boxes.txt",
                                      "0 -1 Car -1 -1 -10 0 0 1 1 -1 -1 -1 -1 -1 -1 -10 0.5\n"
                                      "2 -1 Car -1 -1 -10 0 0 1 1 -1 -1 -1 -1 -1 -1 -10 0.5\n"
@@ -285,7 +285,7 @@ TEST_F(Sequences, BoxesOfOtherFilesAndCameras) {
   EXPECT_EQ(s.labels[1].left_px, 1.0);
 }
 
-TEST_F(Sequences, BoxesOfTheLeftImageReadStayWhereTheyAre) {
+TEST_F(Sequences, BoxesOfTheLeftImageAreNotMoved) {
   const fs::path labels = root_.Write("labels.txt", kCarLabel);
   const Sequence s = OpenSequence({.folder = WriteRawDrive(root_),
                                    .labels_file = labels,
@@ -328,13 +328,13 @@ TEST_F(Sequences, FindsDrivesWithEitherPairButNotWithHalfAPair) {
   EXPECT_EQ(FindSequences(root_.path()).size(), 1u);
 }
 
-TEST_F(Sequences, FindStopsAtCirclesOfLinks) {
+TEST_F(Sequences, FindStopsAtCyclicLinks) {
   WriteOdometrySequence(root_);
   fs::create_directory_symlink(root_.path(), root_.path() / "again");
   EXPECT_EQ(FindSequences(root_.path()).size(), 1u);
 }
 
-TEST(DetectionsFromLabels, AreTheirBoxesAndNothingElse) {
+TEST(DetectionsFromLabels, AreOnlyTheirBoxes) {
   const test::TempFolder root;
   const fs::path folder = WriteTrackingSequence(root);
   const Sequence s = OpenSequence({.folder = folder, .detections_file = kDetectionsFromLabels});

@@ -73,7 +73,7 @@ TEST_F(LocalEngineTest, BothStreamsGoToTheLogWhichIsReplaced) {
   EXPECT_EQ(ReadFile(folder_.path() / "log"), "out\nerr\n");
 }
 
-TEST_F(LocalEngineTest, SaysHowAProcessEnded) {
+TEST_F(LocalEngineTest, ReportsHowAProcessEnded) {
   const TaskEnd code = RunOne(Shell("code", "exit 3"));
   EXPECT_FALSE(code.ok);
   EXPECT_EQ(code.message, "exit code 3");
@@ -91,7 +91,7 @@ TEST_F(LocalEngineTest, AProcessIsStoppedAtItsTimeLimitWithAllThatItStarted) {
   EXPECT_TRUE(WaitUntil([&] { return !IsAlive(ReadPid("pid")); }));
 }
 
-TEST_F(LocalEngineTest, WhatAProcessLeavesBehindEndsWithIt) {
+TEST_F(LocalEngineTest, DescendantsEndWithTheProcess) {
   RunOne(Shell("parent", StrCat("sleep 60 & echo $! > ", folder_.path().string(), "/pid")));
   EXPECT_TRUE(WaitUntil([&] { return !IsAlive(ReadPid("pid")); }));
 }
@@ -103,7 +103,7 @@ TEST_F(LocalEngineTest, TheMemoryLimitIsOfTheProcess) {
   EXPECT_EQ(ReadFile(folder_.path() / "limit"), "500000\n");  // KiB
 }
 
-TEST_F(LocalEngineTest, RunsSoManyAtOnceInTheOrderGiven) {
+TEST_F(LocalEngineTest, RunsInTheGivenOrderUpToTheLimit) {
   // Each notes that it is there and leaves when two are, or gives up.
   const std::string meet =
       StrCat("cd ", folder_.path().string(), "; touch here.$$; for i in $(seq 100); do ",
@@ -154,14 +154,14 @@ TEST_F(LocalEngineTest, AHookThatThrowsLeavesNoProcess) {
   EXPECT_FALSE(IsAlive(ReadPid("pid")));
 }
 
-TEST_F(LocalEngineTest, ALogThatCannotBeWrittenIsThatTasksFailure) {
+TEST_F(LocalEngineTest, AnUnwritableLogFailsItsTask) {
   Task task = Shell("none/log", "true");
   const auto ends = Run({task, Shell("good", "true")});
   EXPECT_THAT(ends.at(0).message, HasSubstr("none/log: cannot write: No such file"));
   EXPECT_TRUE(ends.at(1).ok);
 }
 
-TEST_F(LocalEngineTest, AProgramThatIsNoneIsRefused) {
+TEST_F(LocalEngineTest, AnInvalidProgramIsRefused) {
   Task task = Shell("a", "true");
   task.argv.front() = folder_.Write("text", "no program").string();
   EXPECT_THROW(Run({task}), Error);

@@ -19,7 +19,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-TEST(FolderLock, IsForOneAtATimeAndNamesIt) {
+TEST(FolderLock, AdmitsOneProcessAndNamesIt) {
   const test::TempFolder folder;
   const auto file = folder.path() / "lock";
   std::optional<FolderLock> lock(file);
@@ -30,7 +30,7 @@ TEST(FolderLock, IsForOneAtATimeAndNamesIt) {
   EXPECT_EQ(ErrorMessage([&] { const FolderLock second(file); }), "");
 }
 
-TEST(FolderLock, OfAKilledProcessIsFree) {
+TEST(FolderLock, OfAKilledProcessIsReleased) {
   const test::TempFolder folder;
   const auto file = folder.path() / "lock";
   int ready[2];
@@ -53,7 +53,7 @@ TEST(FolderLock, OfAKilledProcessIsFree) {
   EXPECT_EQ(ErrorMessage([&] { const FolderLock lock(file); }), "");
 }
 
-TEST(FolderLock, SaysWhyThereCanBeNone) {
+TEST(FolderLock, ReportsWhyItCannotBeTaken) {
   EXPECT_THAT(ErrorMessage([] { const FolderLock lock("/proc/none/lock"); }),
               HasSubstr("/proc/none/lock: cannot write: "));
 }

@@ -99,7 +99,7 @@ TEST_F(RunPlanTest, OneJobPerInputFirstAndNoneTwice) {
   EXPECT_THAT(Started(), IsEmpty());
 }
 
-TEST_F(RunPlanTest, AFailureIsThatJobsAloneAndIsTriedAgain) {
+TEST_F(RunPlanTest, AFailureAffectsOneJobAndIsRetried) {
   Script("a1", "echo 'clustervo: error: no such thing' >&2; exit 1");
   Script("b1", "echo on the way; kill -SEGV $$");
   EXPECT_EQ(Run(plan_).failed, 2U);
@@ -117,13 +117,13 @@ TEST_F(RunPlanTest, AFailureIsThatJobsAloneAndIsTriedAgain) {
   EXPECT_EQ(StatusOf(run_.folder, plan_.jobs[2]).message, "killed by signal 11 (SIGSEGV)");
 }
 
-TEST_F(RunPlanTest, AProcessThatSaysItIsDoneIsNotBelieved) {
+TEST_F(RunPlanTest, ExitCodeZeroWithoutAResultIsAFailure) {
   Script("a1", "exit 0");
   EXPECT_EQ(Run(plan_).failed, 1U);
   EXPECT_EQ(Failure("a1")["message"], "ended without a result");
 }
 
-TEST_F(RunPlanTest, AResultCountsWhateverThenBecameOfItsProcess) {
+TEST_F(RunPlanTest, AResultCountsEvenIfItsProcessFails) {
   Script("a1", StrCat("echo '", ResultText("a1"), "' > jobs/a1/result.json; kill -KILL $$"));
   EXPECT_EQ(Run(plan_).done, 4U);
   EXPECT_FALSE(fs::exists(run_.folder.failure("a1")));
@@ -166,7 +166,7 @@ TEST_F(RunPlanTest, OnlyACompleteResultOfThisJobCounts) {
   }
 }
 
-TEST_F(RunPlanTest, AFailureRecordThatCannotBeReadIsAFailureStill) {
+TEST_F(RunPlanTest, AnUnreadableFailureRecordIsAFailure) {
   folder_.Write("out/failed/a1.json", "{\"mess");
   const JobStatus status = StatusOf(run_.folder, plan_.jobs[0]);
   EXPECT_EQ(status.state, JobStatus::State::kFailed);
@@ -192,7 +192,7 @@ TEST_F(RunPlanTest, WithoutASequenceNothingRuns) {
   EXPECT_EQ(Run(plan).missing, 1U);
 }
 
-TEST_F(RunPlanTest, ResultsOfAnotherPlanStayAndAreUsedAgain) {
+TEST_F(RunPlanTest, ResultsOfAnotherPlanAreKeptAndReused) {
   Run(plan_);
   Started();
   const Plan edited = PlanOf({Job("a1", "a"), Job("c1", "c")});
@@ -202,7 +202,7 @@ TEST_F(RunPlanTest, ResultsOfAnotherPlanStayAndAreUsedAgain) {
   EXPECT_THAT(Started(), IsEmpty());
 }
 
-TEST_F(RunPlanTest, StopKeepsWhatIsDoneAndSaysWhatIsNot) {
+TEST_F(RunPlanTest, StopKeepsResultsAndReportsTheRest) {
   Script("b1", "sleep 60");
   run_.stop = [&] { return fs::exists(run_.folder.log("b1")); };
   PlanOutcome outcome = Run(plan_);
@@ -213,7 +213,7 @@ TEST_F(RunPlanTest, StopKeepsWhatIsDoneAndSaysWhatIsNot) {
   EXPECT_THAT(Started(), ElementsAre("a1", "b1"));
 }
 
-TEST_F(RunPlanTest, ProgressCountsWhatHasToRun) {
+TEST_F(RunPlanTest, ProgressCountsPendingJobs) {
   std::vector<std::pair<std::size_t, std::size_t>> seen;
   run_.progress = [&](std::size_t ended, std::size_t total) { seen.emplace_back(ended, total); };
   Script("a1", "exit 1");
@@ -222,7 +222,7 @@ TEST_F(RunPlanTest, ProgressCountsWhatHasToRun) {
   EXPECT_THAT(seen, ElementsAre(P(0, 3), P(1, 3), P(2, 3), P(3, 3)));
 }
 
-TEST_F(RunPlanTest, AFolderThatTakesNoRecordOfAFailureEndsTheRun) {
+TEST_F(RunPlanTest, AnUnwritableFailureRecordEndsTheRun) {
   Script("a1", "exit 1");
   fs::create_directories(run_.folder.failure("a1") / "in the way");
   EXPECT_THAT(ErrorMessage([&] { Run(plan_); }), HasSubstr("a1.json: cannot write"));
@@ -251,7 +251,7 @@ TEST_F(RunPlanTest, AFullDiskEndsTheRunAndLosesNothing) {
   EXPECT_EQ(done, 4U);
 }
 
-TEST_F(RunPlanTest, PreparationsSayWhatFailed) {
+TEST_F(RunPlanTest, PreparationsReportFailures) {
   const auto task = [&](const std::string& name, const std::string& script) {
     return Task{.name = name, .argv = {"/bin/sh", "-c", script}, .log = run_.folder.log(name)};
   };

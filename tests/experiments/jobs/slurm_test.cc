@@ -118,7 +118,7 @@ std::string Job(const EngineOutput& output) {
   return "";
 }
 
-TEST_F(SlurmEngineTest, RunsMoreTasksThanAnArrayHoldsOnceEach) {
+TEST_F(SlurmEngineTest, RunsMoreTasksThanAnArrayHolds) {
   std::vector<Task> tasks;
   for (int i = 0; i < 6; ++i) tasks.push_back(Shell(StrCat("task", i), "true"));
   tasks[1] = Shell("task1", "printf '%s|' \"$@\"; echo to stderr >&2");
@@ -147,7 +147,7 @@ TEST_F(SlurmEngineTest, RunsMoreTasksThanAnArrayHoldsOnceEach) {
   EXPECT_TRUE(NothingLeft());
 }
 
-TEST_F(SlurmEngineTest, WaitsForADrainedNodeAndForTasksPutBack) {
+TEST_F(SlurmEngineTest, WaitsForADrainedNodeAndRequeuedTasks) {
   std::vector<Task> tasks = {Shell("long", "[ $(wc -l <\"$1\") -gt 1 ] || sleep 60"),
                              Shell("short", "true")};
   options_.sbatch_flags = {"--cpus-per-task=8"};  // one after the other
@@ -182,7 +182,7 @@ TEST_F(SlurmEngineTest, WaitsForADrainedNodeAndForTasksPutBack) {
   EXPECT_TRUE(output.ends["short"].front().ok);
 }
 
-TEST_F(SlurmEngineTest, TasksThatEndWithoutACodeFailAlone) {
+TEST_F(SlurmEngineTest, TasksWithoutAnExitCodeFailAlone) {
   const std::vector<Task> tasks = {Shell("cancelled", "sleep 60"), Shell("fine", "true"),
                                    Shell("lost", "kill -9 $PPID")};
   EngineOutput output;
@@ -202,7 +202,7 @@ TEST_F(SlurmEngineTest, TasksThatEndWithoutACodeFailAlone) {
   EXPECT_THAT(output.ends["lost"].front().message, StartsWith("failed in Slurm (FAILED)"));
 }
 
-TEST_F(SlurmEngineTest, ARunnerThatWasKilledFindsItsTasksAgain) {
+TEST_F(SlurmEngineTest, AKilledRunnerResumesItsTasks) {
   const std::string wait = "for i in $(seq 300); do [ -e \"${1%/*}/go\" ] || sleep 0.1; done";
   std::vector<Task> tasks;
   for (int i = 0; i < 6; ++i) tasks.push_back(Shell(StrCat("task", i), i == 2 ? "true" : wait));
@@ -251,7 +251,7 @@ TEST_F(SlurmEngineTest, StopCancelsAll) {
   EXPECT_TRUE(NothingLeft());
 }
 
-TEST_F(SlurmEngineTest, OutlastsARestartOfTheController) {
+TEST_F(SlurmEngineTest, SurvivesARestartOfTheController) {
   // Not as patient as the real one, which tries for nine seconds by itself.
   const Programs programs("squeue", R"sh(#!/bin/sh
 if scontrol ping | grep -q DOWN; then
@@ -294,7 +294,7 @@ fi
 exec /usr/bin/sbatch "$@"
 )sh";
 
-TEST_F(SlurmEngineTest, SubmitsNoMoreThanSlurmTakes) {
+TEST_F(SlurmEngineTest, SubmitsNoMoreThanSlurmAccepts) {
   // Somebody else's, as far as this engine knows.
   Printed({"sbatch", "--array=0-1", "--output=/dev/null", "--wrap=sleep 2"});
   const Programs programs("sbatch", kLimitingSbatch);
@@ -307,14 +307,14 @@ TEST_F(SlurmEngineTest, SubmitsNoMoreThanSlurmTakes) {
   EXPECT_THAT(output.notices, Contains(HasSubstr("accepts no more tasks")).Times(1));
 }
 
-TEST_F(SlurmEngineTest, WhatSlurmRefusesForGoodIsAnError) {
+TEST_F(SlurmEngineTest, APermanentRefusalIsAnError) {
   const std::vector<Task> tasks = {Shell("task", "true")};
   options_.sbatch_flags = {"--partition=nowhere"};
   EXPECT_THAT(ErrorMessage([&] { RunAll(tasks); }), HasSubstr("partition"));
   EXPECT_TRUE(NothingLeft());
 }
 
-TEST(SlurmEngine, GivesUpWhereSlurmStaysSilent) {
+TEST(SlurmEngine, GivesUpIfSlurmDoesNotRespond) {
   const Programs programs("scontrol", R"sh(#!/bin/sh
 echo "slurm_load_ctl_conf error: Unable to contact slurm controller (connect failure)" >&2
 exit 1

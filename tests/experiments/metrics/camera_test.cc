@@ -215,7 +215,7 @@ TEST(CameraMetrics, RefuseLengthsThatDiffer) {
               HasSubstr("found 0 estimated frames, expected 1"));
 }
 
-TEST(CameraMetrics, RefuseWhatIsNotFinite) {
+TEST(CameraMetrics, RefuseNonFiniteValues) {
   EXPECT_THAT(ErrorMessage([] {
                 EvaluateCamera({At(0), At(1)}, {At(0), At(std::nan(""))});
               }),
@@ -226,7 +226,7 @@ TEST(CameraMetrics, RefuseWhatIsNotFinite) {
               HasSubstr("camera_ate: found an overflow"));
 }
 
-TEST(CameraMetrics, EachSaysWhatItMeans) {
+TEST(CameraMetrics, EachHasItsContract) {
   OptionalPoses truth, estimate;
   for (int i = 0; i < 150; ++i) truth.push_back(At(0, 0, i)), estimate.push_back(At(0, 0, i));
   const auto metrics = EvaluateCamera(truth, estimate, reports::TruthSource::kDevkit);

@@ -63,7 +63,7 @@ TEST(ClusteringMetrics, HandComputed) {
   EXPECT_DOUBLE_EQ(world("clustering_ari"), (31.0 - chance) / (0.5 * (56.0 + 49.0) - chance));
 }
 
-TEST(ClusteringMetrics, BodiesThatStandStillCountNeitherWay) {
+TEST(ClusteringMetrics, StandingBodiesDoNotCount) {
   World world(1);
   Observe(world.estimate, 0, 0, 0, 5);
   Observe(world.estimate, 0, 1, 1, 5);
@@ -112,7 +112,7 @@ TEST(ClusteringMetrics, MeansAreOverFramesAndSumsOverLandmarks) {
   EXPECT_DOUBLE_EQ(world("clustering_ari"), 0.5);
 }
 
-TEST(ClusteringMetrics, WhatNothingDeterminesIsAbsent) {
+TEST(ClusteringMetrics, UndeterminedMetricsAreAbsent) {
   EXPECT_THAT(World(3).Evaluate(), IsEmpty());
   World world(1, 1);
   Observe(world.estimate, 0, 0, 0, 4);

@@ -7,7 +7,6 @@
 
 #include <limits>
 
-#include "experiments/metrics/object_pairs.h"
 #include "tests/experiments/metrics/object_world.h"
 #include "tests/support/error_message.h"
 
@@ -149,7 +148,7 @@ TEST(ObjectMetrics, ClustersWithoutABodyAreCounted) {
   EXPECT_EQ(Count(metrics, "object_unmatched_clusters"), 2);
 }
 
-TEST(ObjectMetrics, BodiesThatAreNeverVisibleDoNotExist) {
+TEST(ObjectMetrics, BodiesThatAreNeverVisibleAreIgnored) {
   ObjectTruth truth = TruthOf(3);
   AddBody(truth, Line(3));
   const ObjectEstimate estimate = PerfectEstimate(truth);
@@ -158,7 +157,7 @@ TEST(ObjectMetrics, BodiesThatAreNeverVisibleDoNotExist) {
   EXPECT_EQ(FindMetric(Evaluate(truth, estimate), "object_coverage"), nullptr);
 }
 
-TEST(ObjectMetrics, NothingToSayGivesNoMetrics) {
+TEST(ObjectMetrics, NoDataGivesNoMetrics) {
   EXPECT_THAT(Evaluate(TruthOf(0), {}), IsEmpty());
   const ObjectTruth truth = TruthOf(3);
   EXPECT_THAT(Evaluate(truth, PerfectEstimate(truth)), IsEmpty());
@@ -174,7 +173,7 @@ TEST(ObjectMetrics, NothingToSayGivesNoMetrics) {
   EXPECT_EQ(FindMetric(metrics, "object_ate"), nullptr);
 }
 
-TEST(ObjectMetrics, EachSaysWhatItMeans) {
+TEST(ObjectMetrics, EachHasItsContract) {
   ObjectTruth truth = RandomTruth(2, 8);
   AddBody(truth, std::vector<RigidTransform>(8));
   truth.first_frame = 10;
@@ -192,7 +191,7 @@ TEST(ObjectMetrics, EachSaysWhatItMeans) {
   EXPECT_EQ(FindMetric(metrics, "object_motion_t")->contract.frames, (reports::FrameSpan{10, 17}));
 }
 
-TEST(ObjectMetrics, RefuseWhatCannotBe) {
+TEST(ObjectMetrics, RefuseInvalidInput) {
   ObjectTruth truth = TruthOf(3);
   AddBody(truth, Line(3));
   const auto error = [&](const auto& change) {
@@ -215,30 +214,6 @@ TEST(ObjectMetrics, RefuseWhatCannotBe) {
                     std::numeric_limits<double>::quiet_NaN();
               }),
               HasSubstr("cluster 1, frame 1"));
-}
-
-TEST(PairBodies, ComparesTheFramesThatBothEstimate) {
-  ObjectTruth truth = TruthOf(4);
-  AddBody(truth, Line(4));
-  AddBody(truth, Line(4, 2.0));
-  AddBody(truth, std::vector<RigidTransform>(4));  // stays put
-  const ObjectScores a = ScoreObjects(truth, OffBy(truth, {0.1, -0.1, 0.1, -0.1}));
-  ObjectEstimate estimate = OffBy(truth, {0.2, 0.0, 0.0, -0.2});
-  estimate.clusters[0].frames[0].predicted = true;  // the rest is off by 1/15, 1/15 and -2/15
-  estimate.clusters.erase(estimate.clusters.begin() + 1);
-  const ObjectScores b = ScoreObjects(truth, estimate);
-  const std::vector<PairedBody> pairs = PairBodies(a.bodies, b.bodies);
-  ASSERT_EQ(pairs.size(), 1u);
-  EXPECT_EQ(pairs[0].id, 1);
-  EXPECT_EQ(pairs[0].frames, 3);
-  EXPECT_NEAR(pairs[0].ate_a_m, 0.1, 1e-12);
-  EXPECT_NEAR(pairs[0].ate_b_m, std::sqrt(6.0 / 3.0) / 15.0, 1e-12);
-  const auto mean = MeanPairedAte(pairs);
-  ASSERT_TRUE(mean.has_value());
-  EXPECT_EQ(mean->bodies, 1);
-  EXPECT_NEAR(mean->ate_a_m, 0.1, 1e-12);
-  EXPECT_FALSE(MeanPairedAte({}).has_value());
-  EXPECT_THAT(PairBodies(a.bodies, {}), IsEmpty());
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ struct World {
   Continuity First() const { return MeasureContinuity(truth, estimate).front(); }
 };
 
-TEST(MatchObjects, SwappedIdsAreNoMatter) {
+TEST(MatchObjects, SwappedIdsDoNotMatter) {
   World world(2, 2, 2);
   for (int k = 0; k < 2; ++k) {
     Observe(world.estimate, k, 2, 1);
@@ -145,7 +145,7 @@ TEST(ObjectTruth, TravelIsTheLargestDistanceNotThePath) {
   EXPECT_EQ(FindBody(truth, 3), nullptr);
 }
 
-TEST(ObjectTruth, RefusesWhatCannotBe) {
+TEST(ObjectTruth, RefusesInvalidInput) {
   ObjectTruth truth = TruthOf(2);
   AddBody(truth, Line(2));
   const auto error = [&](const auto& change) {

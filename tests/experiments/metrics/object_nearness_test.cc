@@ -44,7 +44,7 @@ TEST(MatchByNearness, SharesOneMinusDistanceOverDiagonal) {
   EXPECT_TRUE(NearnessInFrame(truth, estimate, 0).isZero());
 }
 
-TEST(MatchByNearness, DriftOfTheCameraIsNoMatter) {
+TEST(MatchByNearness, CameraDriftDoesNotMatter) {
   const ObjectTruth truth = TwoLines();
   const RigidTransform drift = Pose({0.0, 0.5, 0.0}, {100.0, 0.0, 0.0});
   const ObjectEstimate estimate = WithoutLandmarks(truth);
@@ -65,7 +65,7 @@ TEST(MatchByNearness, ABodyWithoutAnEstimateDoesNotTakeItsNeighbours) {
 }
 
 // So that a table can say what sets the rows of other systems apart.
-TEST(MatchByNearness, TheMatchingAloneTellsTheMetricsApart) {
+TEST(MatchByNearness, OnlyTheMatchingDiffersInTheContract) {
   const ObjectTruth truth = TwoLines();
   const std::vector<Metric> own = Evaluate(truth, PerfectEstimate(truth));
   const std::vector<Metric> other = Evaluate(truth, WithoutLandmarks(truth));

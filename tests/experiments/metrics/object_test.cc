@@ -111,7 +111,7 @@ TEST(ObjectMetrics, HandComputed) {
   EXPECT_NEAR(Value(metrics, "object_velocity"), 0.0, 1e-12);
 }
 
-TEST(ObjectMetrics, AConstantOffsetAndTurnOfTheClusterFrameCostNothing) {
+TEST(ObjectMetrics, AConstantOffsetAndRotationOfTheClusterFrameDoNotCount) {
   ObjectTruth truth = TruthOf(4);
   AddBody(truth, Line(4));
   const ObjectEstimate estimate =

@@ -128,7 +128,7 @@ class KittiPoses : public TumTrajectory {
   }
 };
 
-TEST_F(KittiPoses, LastLineMayHaveNoLineEnd) {
+TEST_F(KittiPoses, LastLineMayLackALineEnd) {
   const std::string row = "1 0 0 4 0 1 0 5 0 0 1 6";
   EXPECT_EQ(ReadPoses(row + "\n" + row + "\n").size(), 2u);
   const std::vector<RigidTransform> poses = ReadPoses(row + "\n" + row);

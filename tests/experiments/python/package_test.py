@@ -8,6 +8,7 @@ Usage: package_test.py README.md
 import csv
 import re
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -77,6 +78,12 @@ class Readers(unittest.TestCase):
     def test_a_folder_without_a_run_is_an_error(self):
         with self.assertRaises(FileNotFoundError):
             clustervo.load("tiny")
+
+    def test_another_schema_version_is_an_error(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "result.json").write_text('{"schema_version": 99, "kind": "run"}')
+            with self.assertRaisesRegex(ValueError, "found schema_version 99, expected"):
+                clustervo.load(folder)
 
 
 class BadInput(unittest.TestCase):

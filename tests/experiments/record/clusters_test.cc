@@ -122,7 +122,7 @@ TEST_F(Clusters, AnUprightBoxAlongTheOpticalAxis) {
   EXPECT_EQ(row[17], "0.75");
 }
 
-TEST_F(Clusters, AFastOneFacesWhereItGoes) {
+TEST_F(Clusters, AFastBodyFacesItsMotion) {
   cluster().velocity_m_s = {2.0, 0.0, 0.0};
   auto row = Track();
   EXPECT_DOUBLE_EQ(std::stod(row[16]), 0.0);    // KITTI: 0 is along x
@@ -148,7 +148,7 @@ TEST_F(Clusters, ThePoseAsLastEstimatedIsUsedWithTheCamerasOwn) {
   EXPECT_NEAR(std::stod(Track()[13]), 2.0 - 0.06, 1e-12);
 }
 
-TEST_F(Clusters, ARowSaysItAll) {
+TEST_F(Clusters, ARowHasAllFields) {
   cluster().status = ClusterStatus::kPredicted;
   cluster().velocity_m_s = {0.1, 0.2, 0.3};
   auto rows = Cells(ObjectTable(sequence_, run_), ',');

@@ -30,25 +30,25 @@ TEST(BuildIdentity, IsComplete) {
   EXPECT_THAT(build.evaluation_sources, MatchesRegex("[0-9a-f]{64}"));
   EXPECT_NE(build.estimator_sources, build.evaluation_sources);
   for (const std::string& field : {build.version, build.compiler, build.build_type, build.flags,
-                                   build.opencv, build.eigen, build.commit}) {
+                                   build.libraries.opencv, build.libraries.eigen, build.commit}) {
     EXPECT_FALSE(field.empty());
   }
 }
 
-TEST(BuildIdentity, TheCommitTakesNoPart) {
+TEST(BuildIdentity, TheCommitIsIgnored) {
   BuildIdentity build = SomeBuild();
-  const std::string hash = build.Hash();
+  const std::string hash = IdentityOf(build);
   build.commit = kDifferentText;
-  EXPECT_EQ(build.Hash(), hash);
+  EXPECT_EQ(IdentityOf(build), hash);
   build.flags += " -O0";
-  EXPECT_NE(build.Hash(), hash);
+  EXPECT_NE(IdentityOf(build), hash);
 }
 
-TEST(BuildIdentity, TheProcessorsLevelTakesPart) {
+TEST(BuildIdentity, TheProcessorLevelCounts) {
   BuildIdentity build = SomeBuild();
-  const std::string hash = build.Hash();
+  const std::string hash = IdentityOf(build);
   build.cpu_level = "plain x86-64";
-  EXPECT_NE(build.Hash(), hash);
+  EXPECT_NE(IdentityOf(build), hash);
 }
 
 TEST(JobIdentity, IsStable) {

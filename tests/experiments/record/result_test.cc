@@ -42,9 +42,9 @@ class Result : public testing::Test {
     run_.wall_s = 2.0;
   }
 
-  std::string File(const Json& metrics = Json::array()) {
+  std::string File(const std::vector<Metric>& metrics = {}) {
     return ResultFile(
-        {sequence_, build_, "static", {{"a", 1}}, Json::object(), 3, metrics, nullptr, run_});
+        {sequence_, build_, "static", {{"a", 1}}, Json::object(), 3, metrics, {}, run_});
   }
 
   Sequence sequence_;
@@ -54,7 +54,7 @@ class Result : public testing::Test {
 
 TEST_F(Result, SaysWhatHappenedToEachFrame) {
   const Json json = ParseJson(File(), "result");
-  EXPECT_EQ(json["schema_version"], kResultSchemaVersion);
+  EXPECT_EQ(json["schema_version"], reports::RunSummary::kSchemaVersion);
   EXPECT_EQ(json["kind"], "run");
   EXPECT_EQ(json["status"], "ok");
   EXPECT_EQ(json["seed"], 3);
@@ -120,14 +120,14 @@ TEST_F(Result, RefusesNanAndNamesTheField) {
 
 TEST_F(Result, RefusesAMetricThatIsNotFinite) {
   const Metric metric = MakeMetric({reports::MetricId::kCameraAte}, std::nan(""), 3);
-  EXPECT_THROW(File(ToJson(std::vector{metric})), Error);
+  EXPECT_THROW(File({metric}), Error);
 }
 
 TEST_F(Result, MetricsCarryTheirContract) {
   std::vector<Metric> metrics = {MakeMetric({reports::MetricId::kCameraAte}, 0.5, 3)};
   metrics[0].contract.truth = reports::TruthSource::kDevkit;
   StatePoses(reports::PoseTime::kCausal, 0.0, metrics);
-  const Json json = ParseJson(File(ToJson(metrics)), "result")["metrics"][0];
+  const Json json = ParseJson(File(metrics), "result")["metrics"][0];
   EXPECT_EQ(json["value"], 0.5);
   EXPECT_EQ(json["contract"]["truth"], "devkit");
   EXPECT_EQ(json["contract"]["poses"], "causal");

@@ -23,7 +23,8 @@ TEST(TruthFile, PutsTheTruthIntoTheWorldOfTheRun) {
   score.id = 2;
   score.name = "ball";
   score.cluster = 7;
-  score.errors = {{1, 0.25, {5.25, 0, 0}}};
+  score.errors = {{1}, {0.25}};
+  score.estimated_positions = {{5.25, 0, 0}};
   const std::vector<BodyScore> bodies = {score};
   const OptionalPoses camera = {At(1), std::nullopt};
   const Json file = ParseJson(TruthFile("id", {&camera, &objects, At(1), &bodies}), "truth.json");
@@ -39,7 +40,7 @@ TEST(TruthFile, PutsTheTruthIntoTheWorldOfTheRun) {
   EXPECT_EQ(ball["predicted"]["frames"], Json::array());
 }
 
-TEST(TruthFile, WithoutTruthSaysSo) {
+TEST(TruthFile, ReportsMissingTruth) {
   const Json file = ParseJson(TruthFile("id", {}), "truth.json");
   EXPECT_TRUE(file["camera"].empty());
   EXPECT_TRUE(file["bodies"].empty());

@@ -100,7 +100,7 @@ TEST_F(RunnerCache, WhatManyThreadsRecordedIsTheSame) {
   EXPECT_TRUE(hit);
 }
 
-TEST_F(RunnerCache, AHitReadsNoImage) {
+TEST_F(RunnerCache, ACacheHitReadsNoImage) {
   const JobCache cache = Cache();
   RunRequest request = Request();
   cache.Serve(request);
@@ -130,7 +130,7 @@ TEST_F(RunnerCache, OnlyWhatDecidesTheFeaturesExtractsAgain) {
   EXPECT_FALSE(hit);
 }
 
-TEST_F(RunnerCache, DamageAnywhereCostsTimeOnly) {
+TEST_F(RunnerCache, DamageOnlyCostsTime) {
   bool hit = true;
   const std::string plain = Cached(Request(), hit);
   const fs::path entry = features() / NamesIn(features()).at(0);
@@ -147,7 +147,7 @@ TEST_F(RunnerCache, DamageAnywhereCostsTimeOnly) {
   }
 }
 
-TEST_F(RunnerCache, ARunThatDoesNotEndLeavesNoEntry) {
+TEST_F(RunnerCache, AnUnfinishedRunLeavesNoEntry) {
   const JobCache cache = Cache();
   RunRequest request = Request();
   cache.Serve(request);
@@ -166,7 +166,7 @@ TEST_F(RunnerCache, ARunThatDoesNotEndLeavesNoEntry) {
   EXPECT_EQ(ErrorMessage([&] { (void)RunSequence(request); }), problem);
 }
 
-TEST_F(RunnerCache, AnImageThatIsMissingIsNotKept) {
+TEST_F(RunnerCache, AMissingImageIsNotStored) {
   fs::remove(sequence_.images[3].right);
   bool hit = true;
   EXPECT_EQ(Cached(Request(), hit), Plain(Request()));

@@ -141,7 +141,7 @@ TEST_F(RunnerClusters, BoxesOfASkippedFrameAreCounted) {
   EXPECT_THAT(run.frames[1].detections, IsEmpty());
 }
 
-TEST_F(RunnerClusters, FilesOfAnEarlierRunDoNotStay) {
+TEST_F(RunnerClusters, FilesOfAnEarlierRunAreRemoved) {
   RunRequest request = Request();
   request.landmarks = true;
   ASSERT_TRUE(RunJob(request, Out()).has_value());
@@ -212,7 +212,7 @@ TEST_F(RunnerClusters, AnEstimateHasTheClustersOfBothTimes) {
 
 // A body that turns about its origin, of which the landmarks of one side are seen: their centre
 // moves, the origin does not.
-TEST(ObjectEstimateOf, VelocityIsComparedAtThePointItIsOf) {
+TEST(ObjectEstimateOf, VelocityIsComparedAtItsPoint) {
   ObjectTruth truth;
   truth.mover_travel_m = -1.0;
   TruthBody body;

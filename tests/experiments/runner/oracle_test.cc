@@ -77,7 +77,7 @@ TEST(Oracle, NamesOfItsSwitches) {
   }
 }
 
-TEST(Oracle, GivesOnlyWhatIsAskedFor) {
+TEST(Oracle, GivesOnlyWhatIsRequested) {
   FakeTruth truth;
   const Sequence sequence = TwoFrames();
   StereoFrame frame = FrameWithABox();
@@ -99,7 +99,7 @@ TEST(Oracle, GivesOnlyWhatIsAskedFor) {
   EXPECT_EQ(frame.given.world_from_camera->translation().x(), 2.0);
 }
 
-TEST(Oracle, ABoxInAFrameWithoutTrueOnesIsNobodys) {
+TEST(Oracle, ABoxInAFrameWithoutTruthHasNoBody) {
   FakeTruth truth;
   StereoFrame frame = FrameWithABox();
   Oracle(TwoFrames(), {.boxes = true}, &truth).Give(0, {}, frame);

@@ -229,7 +229,7 @@ TEST_F(Runner, AnErrorOfTheEstimatorIsAResult) {
   EXPECT_NO_THROW(ResultOf(run));
 }
 
-TEST_F(Runner, SaysHowManyFramesWereLost) {
+TEST_F(Runner, ReportsTheNumberOfLostFrames) {
   const RunResult run = RunSequence(Request(kLosing)).value();
   EXPECT_EQ(run.status, RunStatus::kLost);
   EXPECT_EQ(run.message, "2 of 8 frames lost, the first is frame 6");
@@ -320,7 +320,7 @@ TEST_F(Runner, ScoresBothTrajectories) {
   }
 }
 
-TEST_F(Runner, TheContentHashIsOfBytesAndNotOfPlaces) {
+TEST_F(Runner, TheContentHashDependsOnBytesNotPaths) {
   const std::string content = RunSequence(Request())->content;
   const auto copy = folder_.path() / "copy" / "tiny";
   std::filesystem::create_directories(copy.parent_path());

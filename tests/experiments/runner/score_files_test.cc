@@ -122,7 +122,7 @@ TEST(ScoreSystem, MissingFramesAreMissingCoverage) {
   EXPECT_EQ(ValueOf(outcome, "object_fragments"), 1.0);
 }
 
-TEST(ScoreSystem, WhatIsNowhereNearABodyIsNoEstimateOfIt) {
+TEST(ScoreSystem, DistantClustersAreNotMatched) {
   const SystemDrive drive;
   const SystemOutcome outcome = drive.Score(Rows([](ReportedBox said, int) {
     // Diagonal of the box: 4.64 m.
@@ -147,7 +147,7 @@ TEST(ScoreSystem, ABoxIsPlacedByItsOwnFramesCamera) {
   EXPECT_LT(ValueOf(outcome, "object_ate"), 1e-9);
 }
 
-TEST(ScoreSystem, NothingFoundIsNothingCovered) {
+TEST(ScoreSystem, WithoutObjectsCoverageIsZero) {
   const SystemDrive drive;
   const SystemOutcome outcome =
       drive.Score("0 -1 DontCare -1 -1 0 0 0 1 1 -1 -1 -1 -1000 -1000 -1000 -10\n");

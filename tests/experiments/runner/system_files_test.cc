@@ -47,7 +47,7 @@ TEST(SystemFiles, AKittiCameraHasALinePerFrame) {
   EXPECT_LT(ValueOf(outcome, "object_ate"), 1e-9);
 }
 
-TEST(SystemFiles, OfAPartOfAFolderTheRestIsPassedOver) {
+TEST(SystemFiles, FramesOutsideTheRangeAreIgnored) {
   SystemDrive drive;
   KeepPart(drive.sequence());
   for (const std::string& camera :

@@ -95,7 +95,7 @@ TEST_F(SceneCheckTest, AScenePassesOnAnyNumberOfThreads) {
   EXPECT_EQ(Describe(one), Describe(CheckScene(rays(), 3)));
 }
 
-TEST_F(SceneCheckTest, AFlippedByteAndAStrangeFileAreFound) {
+TEST_F(SceneCheckTest, AFlippedByteAndAForeignFileAreDetected) {
   std::string bytes = ReadFileBytes(rays() / "depth_0/000001.tiff");
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
   WriteFileBytes(rays() / "depth_0/000001.tiff", bytes);
@@ -116,7 +116,7 @@ TEST_F(SceneCheckTest, AFileThatCannotBeReadIsAFailedCheck) {
   EXPECT_THAT(Failed(report.checks), Not(Contains("label_box")));
 }
 
-TEST_F(SceneCheckTest, AFolderThatIsNoSceneIsAnError) {
+TEST_F(SceneCheckTest, AFolderWithoutASceneIsAnError) {
   EXPECT_THAT(ErrorMessage([&] { CheckScene(folder_.path(), 1); }), HasSubstr("no objects.csv"));
 }
 

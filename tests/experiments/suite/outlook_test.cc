@@ -33,7 +33,7 @@ EarlierRuns With(const std::optional<Plan>& plan, const std::set<std::string>& d
           [](const std::string&) { return std::string(); }};
 }
 
-TEST(PlanOutlook, TellsWhatIsDoneNewAndMissing) {
+TEST(PlanOutlook, CountsDoneNewAndMissingJobs) {
   Plan plan = PlanOf({"full", "static", "2d"});
   plan.jobs[2].missing = kNotRendered;
   const auto outlook = PredictStates(plan, With(std::nullopt, {"job of full"}));
@@ -45,7 +45,7 @@ TEST(PlanOutlook, TellsWhatIsDoneNewAndMissing) {
   EXPECT_EQ(PredictStates(plan, With(std::nullopt, {}))[2].why, "no such drive");
 }
 
-TEST(PlanOutlook, TellsWhyADoneJobRunsAgain) {
+TEST(PlanOutlook, ReportsWhyADoneJobRunsAgain) {
   const Plan earlier = PlanOf({"full"});
   const auto why = [&](Plan plan) {
     plan.jobs[0].job = "another";
@@ -62,7 +62,7 @@ TEST(PlanOutlook, TellsWhyADoneJobRunsAgain) {
   EXPECT_EQ(why(earlier), "different boxes or files");
 }
 
-TEST(PlanOutlook, TellsWhatIsNotRunYetAndWhatFailed) {
+TEST(PlanOutlook, ReportsPendingAndFailedJobs) {
   const Plan earlier = PlanOf({"full"});
   const Plan plan = PlanOf({"full", "static"});
   EarlierRuns runs = With(earlier, {});
@@ -74,7 +74,7 @@ TEST(PlanOutlook, TellsWhatIsNotRunYetAndWhatFailed) {
   EXPECT_EQ(PredictStates(plan, runs)[0].why, "failed before: no memory");
 }
 
-TEST(PlanOutlook, EstimatesFromWhatWasMeasured) {
+TEST(PlanOutlook, EstimatesFromMeasuredTimes) {
   const test::TempFolder folder;
   reports::TimingData timing;
   timing.wall_s = 7.0;

@@ -35,7 +35,7 @@ std::string MessageOf(const Json& json) {
   return ErrorMessage([&] { Parse(json); });
 }
 
-TEST(Suite, ReadsWhatAFileSays) {
+TEST(Suite, ReadsAFile) {
   Json json = SmallSuite();
   json["sequences"].push_back({{"folder", "2011_09_26_drive_0013_sync"},
                                {"dataset", "kitti"},
@@ -161,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"/table/reference", "static", "table.reference"},
         Wrong{"/table/reference", "detections=good", "table.reference"}));
 
-TEST(Suite, RowsTellPointsOfAGridApart) {
+TEST(Suite, RowsDistinguishPointsOfAGrid) {
   Json json = With("/grid", {{"window.spatial", {4, 5}}});
   EXPECT_THAT(MessageOf(json), HasSubstr("table.rows: found no \"window.spatial\""));
   json["table"]["rows"] = {"window.spatial"};
@@ -170,7 +170,7 @@ TEST(Suite, RowsTellPointsOfAGridApart) {
               HasSubstr("table.rows: found no \"oracle\""));
 }
 
-TEST(Suite, WhatNobodyWouldWaitForIsRefused) {
+TEST(Suite, TooManyRunsAreRefused) {
   EXPECT_THAT(MessageOf(With("/seeds", std::vector<int>(10'001, 1))),
               HasSubstr("s.json, seeds: found 10001, expected at most 10000"));
   Json json = SmallSuite();
@@ -184,7 +184,7 @@ TEST(Suite, WhatNobodyWouldWaitForIsRefused) {
   EXPECT_THAT(MessageOf(json), HasSubstr("s.json: found 1000000000 runs, expected at most 100000"));
 }
 
-TEST(Suite, ASequenceIsThereOnceUnlessItsBoxesDiffer) {
+TEST(Suite, SequencesAreUniqueUpToTheirBoxes) {
   Json json = SmallSuite();
   json["sequences"].push_back(json["sequences"][0]);
   EXPECT_THAT(MessageOf(json), HasSubstr("s.json, sequences.1"));

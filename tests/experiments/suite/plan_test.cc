@@ -104,7 +104,7 @@ TEST_F(SuitePlan, JobsShareAnInputUnlessTheFrontEndDiffers) {
   EXPECT_EQ(jobs.size(), 16U);
 }
 
-TEST_F(SuitePlan, WhatIsMissingIsSaidAndNeverThrown) {
+TEST_F(SuitePlan, MissingInputIsReportedNotThrown) {
   test::WriteTinySequence(data() / "a" / "07", kFrames);
   test::WriteTinySequence(data() / "b" / "07", kFrames);
   test::WriteTinySequence(data() / "bad", kFrames);
@@ -156,8 +156,9 @@ TEST_F(SuitePlan, ReadsBackWhatItWrote) {
   json["grid"] = {{"window.spatial", {4, 5}}};
   json["oracles"] = Json::array({{"camera"}});
   json["table"]["rows"] = {"window.spatial"};
-  const Json written = PlanToJson(Build(Parse(json)).plan);
-  EXPECT_EQ(PlanToJson(ParsePlan(written, "plan.json")), written);
+  const std::string text = PlanText(Build(Parse(json)).plan);
+  const Json written = ParseJson(text, "plan.json");
+  EXPECT_EQ(PlanText(ParsePlan(written, "plan.json")), text);
   EXPECT_EQ(written["suite"]["name"], "small");
   EXPECT_EQ(written["table"]["rows"], Json({"window.spatial"}));
   EXPECT_EQ(written["jobs"][1]["parameters"], Json({{"window.spatial", 5}}));
@@ -167,9 +168,9 @@ TEST_F(SuitePlan, ReadsBackWhatItWrote) {
   }
 }
 
-TEST_F(SuitePlan, RefusesAPlanThatIsNone) {
+TEST_F(SuitePlan, RefusesInvalidPlans) {
   test::WriteTinySequence(data() / "07", kFrames);
-  const Json written = PlanToJson(Build(Parse(FolderSuite("07"))).plan);
+  const Json written = ParseJson(PlanText(Build(Parse(FolderSuite("07"))).plan), "plan.json");
   const auto message = [](const Json& json) {
     return ErrorMessage([&] { ParsePlan(json, "p.json"); });
   };
@@ -184,7 +185,7 @@ TEST_F(SuitePlan, RefusesAPlanThatIsNone) {
   EXPECT_THAT(message(other), testing::StartsWith("p.json"));
 }
 
-TEST_F(SuitePlan, AsksForScenesThatAreNotRendered) {
+TEST_F(SuitePlan, RequestsScenesThatAreNotRendered) {
   if (CannotRender()) GTEST_SKIP() << "this build has no OSMesa";
   Json json = SmallSuite();
   json["seeds"] = 2;

@@ -19,7 +19,7 @@ TEST(FigureNumbers, AreRoundedToTheirDigits) {
   EXPECT_EQ(RoundedList({1.00001, 2.0}).dump(), "[1.0,2.0]");
 }
 
-TEST(FigureNumbers, AreSaidWithoutPowersOfTen) {
+TEST(FigureNumbers, AreWrittenWithoutExponents) {
   EXPECT_EQ(NumberText(0.0123456), "0.0123");
   EXPECT_EQ(NumberText(12.0), "12");
   EXPECT_EQ(NumberText(-0.5), "-0.5");
@@ -41,7 +41,7 @@ TEST(FigureNumbers, SharesAreInPercentAndCountsHaveNoUnit) {
             "id switches (count)");
 }
 
-TEST(FigureNumbers, ACellIsSaidWithItsInterval) {
+TEST(FigureNumbers, ACellIsWrittenWithItsInterval) {
   const Column column = test::ColumnOf("object_coverage", "object coverage", "1");
   EXPECT_EQ(CellValueText(test::CellOf(0.5, 0.25, 0.75), column), "50 % (25 to 75)");
   EXPECT_EQ(CellValueText({}, column), "no value");
@@ -80,7 +80,7 @@ TEST(Palette, AVariantLooksTheSameInEverySuite) {
   EXPECT_EQ(Faded("#0072b2", 0.5), "rgba(0,114,178,0.5)");
 }
 
-TEST(Palette, ASecondRoundOfColoursIsDashed) {
+TEST(Palette, RepeatedColoursAreDashed) {
   std::vector<std::string> names;
   for (int i = 0; i < 12; ++i) names.push_back("variant " + std::to_string(i));
   const Palette palette(names);

@@ -50,7 +50,7 @@ TEST(PaperFigure, HasRoomForTitleAndCaption) {
   EXPECT_THAT(paper.plotly, Not(HasSubstr("<")));
 }
 
-TEST(PaperFigure, AsJsonHasAllThereIs) {
+TEST(PaperFigure, JsonHasAllData) {
   const Figure figure = SmallFigure();
   const Json json = Json::parse(FigureJson(figure));
   EXPECT_EQ(json["id"], figure.id);
@@ -75,7 +75,7 @@ TEST(RenderPage, ItsResultIsReadBackWithTitleAndCaption) {
   EXPECT_THAT(svgs, ElementsAre("<svg>" + papers[0].texts_svg + "</svg>\n"));
 }
 
-TEST(RenderPage, SaysWhatFailed) {
+TEST(RenderPage, ReportsFailures) {
   const std::vector<PaperFigure> papers = {ToPaperFigure(SmallFigure())};
   const auto message = [&](const std::string& page) {
     return ErrorMessage([&] { ReadRendered(page, papers); });
@@ -97,7 +97,7 @@ TEST(PrintPage, HasTheSizeOfTheFigure) {
                     HasSubstr("<title>What &lt;it&gt; is. How"), HasSubstr("<svg></svg>")));
 }
 
-TEST(Pdf, DoesNotSayWhenItWasMade) {
+TEST(Pdf, HasNoTimestamp) {
   const std::string made =
       "x /CreationDate (D:20261122021536+00'00') /ModDate (D:20261122021537+00'00') y";
   const std::string then =

@@ -70,7 +70,7 @@ TEST(ErrorOverTime, MarksBirthsSwitchesAndHiddenFrames) {
   EXPECT_THAT(figure.caption, HasSubstr("Shaded: the body is not visible"));
 }
 
-TEST(ErrorOverTime, SaysTheErrorOfEachBodyAndVariant) {
+TEST(ErrorOverTime, DescribesTheErrorOfEachBodyAndVariant) {
   SuiteData data = DrawnSuite({"full", "static"});
   data.drawn[1].detail.bodies[0].estimated.clear();
   data.drawn[1].detail.bodies[0].predicted.clear();
@@ -96,7 +96,7 @@ TEST(ErrorOverTime, IsLogarithmicWhereErrorsAreFarApart) {
   EXPECT_THAT(figure.caption, HasSubstr("logarithmic"));
 }
 
-TEST(ErrorOverTime, SaysWhatIsNotKnown) {
+TEST(ErrorOverTime, ReportsUnknownData) {
   SuiteData data = DrawnSuite({"full"});
   data.drawn[0].switches.reset();
   EXPECT_THAT(Drawn(DrawErrorOverTime, data).figures.at(0).caption,
@@ -126,13 +126,13 @@ TEST(Trajectories, AreSeenFromAboveWithOneScale) {
   EXPECT_EQ(starts["y"], Json({0.05, 3.0}));
 }
 
-TEST(Trajectories, SayHowFarTheyAreOff) {
+TEST(Trajectories, DescribeTheirErrors) {
   const Figure figure = Drawn(DrawTrajectories, DrawnSuite({"full"})).figures.at(0);
   EXPECT_THAT(figure.alt, HasSubstr("full: camera ends 5 cm from the truth; ball 2.8 cm off on "
                                     "average."));  // (1 + 2 + 3 + 5) / 4
 }
 
-TEST(Trajectories, AnEstimateThatLeavesDoesNotMakeTheTruthSmall) {
+TEST(Trajectories, ADriftingEstimateDoesNotChangeTheScale) {
   SuiteData data = DrawnSuite({"full"});
   data.drawn[0].detail.camera[4].world_from_camera[0] = 1000.0;
   const Figure figure = Drawn(DrawTrajectories, data).figures.at(0);

@@ -76,7 +76,7 @@ TEST(Sensitivity, HasALogAxisWhereValuesAreSpacedSo) {
           .contains("type"));
 }
 
-TEST(Sensitivity, SaysItsNumbersInWords) {
+TEST(Sensitivity, DescribesItsNumbersInWords) {
   const Figure figure = Draw(test::SweptSuite("a", {1, 2, 4})).figures.at(0);
   EXPECT_THAT(figure.alt, HasSubstr("Curves over a, 3 values from 1 to 4."));
   EXPECT_THAT(figure.alt,
@@ -92,7 +92,7 @@ TEST(Sensitivity, LeavesAGapWhereARowHasNoValue) {
   EXPECT_EQ(test::TracesNamed(plotly, "full")[0]["y"], Json({0.1, nullptr, 0.3}));
 }
 
-TEST(Sensitivity, SaysWhereCoverageIsMissing) {
+TEST(Sensitivity, ReportsMissingCoverage) {
   SuiteData data = test::SweptSuite("a", {1, 2, 4});
   data.table.columns.pop_back();
   for (Row& row : data.table.rows) row.cells.pop_back();
@@ -125,7 +125,7 @@ TEST(Sensitivity, DrawsOneLinePerValueOfTheOthersInAWholeGrid) {
   EXPECT_EQ(test::TracesNamed(plotly, "b 8")[0]["y"], Json({0.3, 0.4}));
 }
 
-TEST(Sensitivity, SaysWhyThereIsNone) {
+TEST(Sensitivity, ReportsWhyThereIsNone) {
   SuiteData pooled = test::SweptSuite("a", {1, 2});
   pooled.table.keys = {"variant"};
   for (Row& row : pooled.table.rows) row.keys = {"full"};

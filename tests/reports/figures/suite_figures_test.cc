@@ -129,14 +129,14 @@ TEST(ErrorOverCoverage, HasAMarkPerVariantAndAFaintOnePerSequence) {
   EXPECT_THAT(figure.alt, HasSubstr("2d: 0.04 m (0.04 to 0.04) at 60 % (60 to 60) coverage."));
 }
 
-TEST(ErrorOverCoverage, OfACameraThatIsCoveredThroughoutIsNotDrawn) {
+TEST(ErrorOverCoverage, FullCameraCoverageIsNotDrawn) {
   const TwoVariants suite;
   const SuiteDrawing drawing = Draw(suite.Written());
   EXPECT_EQ(test::FindFigure(drawing, "error-over-coverage-camera-ate").id, "");
   EXPECT_THAT(drawing.not_drawn, Contains(HasSubstr("covered in all frames")));
 }
 
-TEST(SuiteFigures, OfASuiteThatHasNotRunSayWhatIsMissing) {
+TEST(SuiteFigures, ReportMissingResults) {
   SuiteResults suite;
   suite.table["reference"] = "full";
   suite.Plan("room", "full");

@@ -32,7 +32,7 @@ inline reports::Cell MissingCell() {
 inline reports::Row RowOf(const std::string& sequence, const std::string& variant) {
   reports::Row row;
   row.keys = {sequence, variant};
-  row.sequence = reports::SequenceInfo{sequence, "kitti-raw", "grey", 0, 72, 72, 0.0, ""};
+  row.sequence = reports::SequenceInfo{sequence, "kitti-raw", "grey", 0, 72, 72};
   row.truth.truth = reports::TruthSource::kDevkit;
   row.jobs.planned = 2;
   row.jobs.done = 2;

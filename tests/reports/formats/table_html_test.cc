@@ -76,7 +76,7 @@ TEST(TableHtml, CellsCarryTheirPlaceAndTheirNumbers) {
                     HasSubstr("<span class=\"n\">11 bodies</span>")));
 }
 
-TEST(TableHtml, MissingCellsSayWhyAndHaveNoNumber) {
+TEST(TableHtml, MissingCellsHaveAReasonAndNoNumber) {
   const std::string cell = Element(TableHtml(test::HostileTable()),
                                    "<td class=\"number missing\" data-row=\"1\"", "</td>");
   EXPECT_THAT(cell, AllOf(HasSubstr("<span class=\"value\">-</span>"), Not(HasSubstr("data-value")),

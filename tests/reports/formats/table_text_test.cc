@@ -30,7 +30,7 @@ Table SmallTable() {
   table.jobs.done = 1;
   Row row;
   row.keys = {"drive_1", "static"};
-  row.sequence = SequenceInfo{"drive_1", "kitti-raw", "grey", 0, 72, 72, 0.0, ""};
+  row.sequence = SequenceInfo{"drive_1", "kitti-raw", "grey", 0, 72, 72};
   row.truth.truth = TruthSource::kDevkit;
   row.jobs = table.jobs;
   row.runs = {{"drive_1", 0, "jobs/x/result.json"}};
@@ -95,7 +95,7 @@ TEST(TableText, IsAsWideAsTheTerminalWithCoverageBesideAccuracy) {
       << "no terminal is that narrow";
 }
 
-TEST(TableText, SaysWhatIsMissing) {
+TEST(TableText, ReportsMissingRuns) {
   Table table = SmallTable();
   table.rows[0].cells[1] = {};
   table.rows[0].cells[1].message = "not in the result";
@@ -171,7 +171,7 @@ TEST(TableJson, MissingCellsHaveAMessageAndNoValue) {
   EXPECT_FALSE(cell.contains("value"));
 }
 
-TEST(TableJson, RefusesNumbersThatJsonCannotHold) {
+TEST(TableJson, RefusesNonFiniteNumbers) {
   Table table = SmallTable();
   table.rows[0].cells[1].value = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(TableJson(table), Error);

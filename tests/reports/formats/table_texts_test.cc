@@ -32,7 +32,7 @@ TEST(Digits, FollowTheInterval) {
   EXPECT_THAT(ColumnDecimals({With(1234.5, 1200.0, 1300.0)}, "ms"), ElementsAre(0));
 }
 
-TEST(Digits, AreThoseOfTheColumnWithinReason) {
+TEST(Digits, AreThoseOfTheColumnWithinLimits) {
   EXPECT_THAT(ColumnDecimals({With(0.06251, 0.062, 0.063), With(9.5123, 8.0, 11.0)}, "m"),
               ElementsAre(5, 3));
 }
@@ -72,7 +72,7 @@ TEST(Digits, ZeroHasNoSign) {
   EXPECT_EQ(Fixed(1e300, 2).size(), 304U);
 }
 
-TEST(Printable, IsOneHarmlessLine) {
+TEST(Printable, IsOneEscapedLine) {
   EXPECT_EQ(Printable("a\nb\tc\r"), "a b c ");
   EXPECT_EQ(Printable("\x1b[31mred\x7f"), "\xEF\xBF\xBD[31mred\xEF\xBF\xBD");
   EXPECT_EQ(Printable("\xE2\x80\xAE"
@@ -109,7 +109,7 @@ TEST(TableTexts, OneLinePerRowAndPerFigureOfOthers) {
   EXPECT_FALSE(texts.columns[2].coverage);
 }
 
-TEST(TableTexts, SayWhyAFigureDoesNotCompareOrIsNotThere) {
+TEST(TableTexts, ExplainIncomparableAndMissingFigures) {
   const std::vector<TextLine> lines = MakeTexts(test::HostileTable()).blocks[0].lines;
   EXPECT_EQ(lines[1].cells[4].value, "-");
   EXPECT_EQ(lines[1].cells[4].note, "in no result, <i>not</i> 100 % & more");
@@ -164,7 +164,7 @@ TEST(BestCells, NeedTheSameScenesAndTheSameData) {
   EXPECT_FALSE(MakeTexts(table).blocks[0].lines[0].cells[3].best) << "no direction is known";
 }
 
-TEST(BestCells, AreNotThoseOfWhoCoversNothing) {
+TEST(BestCells, RequireCoverage) {
   Table table = test::HostileTable();
   table.rows[1].cells[4] = test::CellOf(1.0, 0.0, 2.0);
   EXPECT_TRUE(MakeTexts(table).blocks[0].lines[1].cells[4].best);
@@ -180,7 +180,7 @@ TEST(BestCells, TiesAsPrintedAreAllBest) {
   EXPECT_FALSE(lines[1].cells[3].best);
 }
 
-TEST(Footnotes, SayOfHowMuchAndWhatLacksItsCoverage) {
+TEST(Footnotes, StateCountsAndMissingCoverage) {
   Table table = test::HostileTable();
   EXPECT_THAT(MakeTexts(table).footnotes,
               AllOf(Contains("n, camera coverage, camera ATE, object coverage, id switches: "
@@ -193,14 +193,14 @@ TEST(Footnotes, SayOfHowMuchAndWhatLacksItsCoverage) {
                        "does not count here"));
 }
 
-TEST(Footnotes, TellColumnsOfOneLabelApartByTheirUnit) {
+TEST(Footnotes, DistinguishColumnsOfOneLabelByUnit) {
   Table table = test::HostileTable();
   table.columns[0].label = table.columns[1].label;
   EXPECT_THAT(MakeTexts(table).definitions,
               Contains("camera ATE [m]: root mean square of position errors"));
 }
 
-TEST(TableMarkdown, KeepsNamesInert) {
+TEST(TableMarkdown, EscapesNames) {
   const std::string text = TableMarkdown(test::HostileTable());
   EXPECT_THAT(
       text,
@@ -212,7 +212,7 @@ TEST(TableMarkdown, KeepsNamesInert) {
             HasSubstr("| *Unknown [a]* |"), HasSubstr("\n- bold: best of its column")));
 }
 
-TEST(TableText, KeepsNamesInert) {
+TEST(TableText, EscapesNames) {
   const std::string text = TableText(test::HostileTable(), false);
   EXPECT_THAT(text, AllOf(Not(HasSubstr("\x1b")), HasSubstr("their system"), HasSubstr("0.058^"),
                           HasSubstr("0.104*"), HasSubstr("(0.04)"),

@@ -23,12 +23,12 @@ TEST(Baseline, ReadsBackAsWritten) {
   const GateFolder folder;
   const Baseline baseline = MakeBaseline(folder.path(), 2);
   const TempFolder temp;
-  const std::string text = BaselineJson(baseline);
+  const std::string text = FileText(baseline);
   const Baseline again = ReadBaseline(temp.Write("b.json", text));
-  EXPECT_EQ(BaselineJson(again), text);
+  EXPECT_EQ(FileText(again), text);
   EXPECT_EQ(again.suite, "gate");
-  EXPECT_EQ(again.build, "abc");
-  EXPECT_EQ(again.commit, "0123456789abcdef");
+  EXPECT_EQ(again.build.identity, "abc");
+  EXPECT_EQ(again.build.commit, "0123456789abcdef");
   EXPECT_EQ(again.seeds, (std::vector<std::uint64_t>{1, 2}));
   ASSERT_EQ(again.metrics.size(), 2U) << "coverage comes with the error that it is about";
   ASSERT_EQ(again.jobs.size(), 16U);
@@ -60,7 +60,7 @@ TEST(Baseline, NeedsOneMeaningPerMetric) {
 
 TEST(Baseline, BadFilesAreRefusedOnOneLine) {
   const GateFolder folder;
-  const std::string good = BaselineJson(MakeBaseline(folder.path()));
+  const std::string good = FileText(MakeBaseline(folder.path()));
   const TempFolder temp;
   const auto message = [&](const std::function<void(Json&)>& edit) {
     Json json = Json::parse(good);
@@ -86,7 +86,7 @@ TEST(Baseline, BadFilesAreRefusedOnOneLine) {
               HasSubstr("variant and sequence"));
   EXPECT_THAT(message([](Json& json) { json["jobs"][0]["values"]["camera_ate"] = nullptr; }),
               HasSubstr("a JSON null, expected a number"));
-  EXPECT_THAT(message([](Json& json) { json["seeds"] = {-1}; }), HasSubstr("integers from 0"));
+  EXPECT_THAT(message([](Json& json) { json["seeds"] = {-1}; }), HasSubstr("an integer from 0"));
   const auto cut = temp.Write("cut.json", good.substr(0, good.size() / 2));
   EXPECT_THAT(ErrorMessage([&] { ReadBaseline(cut); }), HasSubstr("one complete JSON value"));
 }

@@ -142,7 +142,7 @@ TEST_F(GateTest, OtherLevelOfProcessorIsNoted) {
   EXPECT_THAT(NoteLines(same), IsEmpty());
 }
 
-TEST_F(GateTest, NothingMeasuredFails) {
+TEST_F(GateTest, AFolderWithoutResultsFails) {
   const Baseline baseline = MakeBaseline(then_.path());
   std::filesystem::remove_all(now_.path() / "jobs");
   const GateReport report = CheckRuns(now_.path(), baseline);
@@ -172,7 +172,7 @@ TEST_F(GateTest, AnotherUnitFails) {
   EXPECT_THAT(Check().problems, Problem("camera_ate", "in rad, in the baseline in m"));
 }
 
-TEST_F(GateTest, OtherImagesAreToldOf) {
+TEST_F(GateTest, OtherImagesAreNoted) {
   now_.Edit(GateFolder::Id("room", "full", 1),
             [](Json& result) { result["sequence"]["content"] = "other"; });
   EXPECT_THAT(NoteLines(Check()), Contains(HasSubstr("1 runs saw other images")));
@@ -187,7 +187,7 @@ TEST(Gate, SeedsBeyondThoseOfTheGateNeedNotRun) {
   EXPECT_TRUE(CheckRuns(now.path(), MakeBaseline(then.path())).Regressed());
 }
 
-TEST_F(GateTest, TimeIsToldInTheTimeOfStatic) {
+TEST_F(GateTest, TimeIsRelativeToStatic) {
   // A computer of half the speed.
   now_.ForEachJob([&](const std::string& scene, const std::string& variant, int seed) {
     now_.WriteTime(GateFolder::Id(scene, variant, seed), variant == "static" ? 20.0 : 60.0);
@@ -204,12 +204,12 @@ TEST_F(GateTest, TimeIsToldInTheTimeOfStatic) {
   EXPECT_THAT(NoteLines(slower), Contains(HasSubstr("full is slower")));
 }
 
-TEST_F(GateTest, OneSlowRunIsNoSlowerVariant) {
+TEST_F(GateTest, OneSlowRunDoesNotMakeAVariantSlower) {
   now_.WriteTime(GateFolder::Id("room", "full", 1), 300.0);
   EXPECT_FALSE(Check().Slower());
 }
 
-TEST_F(GateTest, MissingTimeIsToldOf) {
+TEST_F(GateTest, MissingTimeIsNoted) {
   std::filesystem::remove(now_.path() / "jobs" / GateFolder::Id("room", "full", 1) / "timing.json");
   EXPECT_TRUE(Check().Slower());
   EXPECT_FALSE(Check().Regressed());

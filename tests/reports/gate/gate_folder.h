@@ -84,6 +84,7 @@ class GateFolder {
         {"schema_version", 1},
         {"kind", "plan"},
         {"suite", {{"name", "gate"}, {"about", ""}}},
+        {"build", "abc"},
         {"table", {{"rows", {"variant"}}, {"metrics", {"camera_ate"}}, {"reference", ""}}},
         {"jobs", jobs}};
     folder_.Write("plan.json", plan.dump());

@@ -29,7 +29,7 @@ TEST(Student, Quantiles) {
   EXPECT_THROW(StudentQuantile(0.1, 0), Error);
 }
 
-TEST(MetricEntry, KnowsWhichWayIsBetter) {
+TEST(MetricEntry, HasADirection) {
   EXPECT_FALSE(FindEntry("camera_ate")->higher_is_better());
   EXPECT_TRUE(FindEntry("object_causal_standing_coverage")->higher_is_better());
   EXPECT_TRUE(FindEntry("moving_recall")->higher_is_better());
@@ -124,7 +124,7 @@ double HeavyTailed(Rng& rng) {
 
 TEST(Tolerance, NoiseOfTheSeedsRarelyFires) { EXPECT_LE(Alarms(1000, Normal), 15); }
 
-TEST(Tolerance, NorDoesNoiseWithOutliersOften) { EXPECT_LE(Alarms(500, HeavyTailed), 25); }
+TEST(Tolerance, NoiseWithOutliersRarelyFires) { EXPECT_LE(Alarms(500, HeavyTailed), 25); }
 
 TEST(Tolerance, RegressionOfFourSpreadsFires) { EXPECT_GE(Alarms(100, Normal, 4.0), 95); }
 

@@ -193,7 +193,7 @@ TEST(DrawOverlay, StaysWithinTheImageWhateverItIsGiven) {
   EXPECT_EQ(picture.size(), cv::Size(320, 240 + BarHeight(style.text_px, 1)));
 }
 
-TEST(DrawOverlay, TellsAnImageOfAnotherSize) {
+TEST(DrawOverlay, RefusesAnImageOfAnotherSize) {
   const cv::Mat small(24, 32, CV_8UC1, cv::Scalar(0));
   EXPECT_THAT(ErrorMessage([&] { DrawOverlay(small, {}, FlatCamera(), PlainStyle()); }),
               testing::AllOf(HasSubstr("32x24"), HasSubstr("expected 320x240")));
@@ -202,7 +202,7 @@ TEST(DrawOverlay, TellsAnImageOfAnotherSize) {
               HasSubstr("1 x 16 bits"));
 }
 
-TEST(DrawOverlay, TheSameBytesEveryTime) {
+TEST(DrawOverlay, IsReproducible) {
   OverlayFrame frame;
   frame.clusters = {Cube(2), Cube(3, 0.8)};
   frame.landmarks = {{50.0F, 60.0F, 2}};

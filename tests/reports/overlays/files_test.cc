@@ -78,7 +78,7 @@ TEST(VideoFile, WritesTheSameBytesEveryTime) {
   EXPECT_EQ(bytes, VideoBytes(folder.path() / "b"));
 }
 
-TEST(VideoFile, TellsWhatItCannotWrite) {
+TEST(VideoFile, ReportsWhatItCannotWrite) {
   const test::TempFolder folder;
   EXPECT_THAT(ErrorMessage([&] {
                 VideoFile(folder.path() / "no" / "a", {64, 48}, 10.0);

@@ -12,7 +12,7 @@ namespace cvo::test {
 inline constexpr std::uint8_t kGrey = 90;
 
 // A flat image and its camera: a point at (x, y, 2) m is 100 x px right of the centre.
-inline reports::OverlayCamera FlatCamera() { return {320, 240, 200.0, 200.0, 160.0, 120.0}; }
+inline reports::CameraInfo FlatCamera() { return {320, 240, 200.0, 200.0, 160.0, 120.0}; }
 inline cv::Mat FlatImage() { return cv::Mat(240, 320, CV_8UC1, cv::Scalar(kGrey)); }
 
 // Thin lines and nothing below the image.

@@ -35,6 +35,8 @@ struct OverlayFiles {
       "12 7 big car -1 -1 0 7 8 27 38 1 1 1 0 0 2 0 0.9\n";
 
   OverlayFiles() {
+    files.result["job"] = "a";
+    files.result["status"] = "ok";
     files.result["variant"] = "full";
     files.result["seed"] = 3;
     files.result["given"] = {{"classes", {"Car", "Van"}}};
@@ -43,6 +45,7 @@ struct OverlayFiles {
                                 {"pair", "grey"},
                                 {"first_frame", 10},
                                 {"frames", 5},
+                                {"total_frames", 20},
                                 {"detections_hash", "abc"},
                                 {"camera",
                                  {{"width_px", 320},
@@ -83,7 +86,7 @@ TEST(OverlayRun, ReadsWhatIsDrawn) {
   EXPECT_THAT(run.missing, IsEmpty());
   EXPECT_EQ(run.variant, "full");
   EXPECT_EQ(run.seed, 3U);
-  EXPECT_EQ(run.camera.width_px, 320);
+  EXPECT_EQ(run.sequence.camera.width_px, 320);
   EXPECT_THAT(run.classes, ElementsAre("Car", "Van"));
   const OverlayFrame frame = FrameOf(run, 10);
   EXPECT_EQ(frame.run, "full, seed 3");
@@ -140,7 +143,7 @@ TEST(OverlayRun, IsSeenFromACameraThatTurns) {
   EXPECT_NEAR(cluster.center[2], 2.1, 1e-12);
 }
 
-TEST(OverlayRun, IsDrawnWithoutWhatIsNotThereAndSaysSo) {
+TEST(OverlayRun, ReportsMissingFiles) {
   OverlayFiles files;
   files.landmarks.clear();
   const OverlayRun run = files.Read();
@@ -150,7 +153,7 @@ TEST(OverlayRun, IsDrawnWithoutWhatIsNotThereAndSaysSo) {
   EXPECT_EQ(FrameOf(run, 10).clusters.size(), 1U);
 }
 
-TEST(OverlayRun, IsDrawnWithoutWhatIsHalfWrittenAndSaysWhere) {
+TEST(OverlayRun, ReportsTruncatedFiles) {
   OverlayFiles files;
   files.landmarks.resize(files.landmarks.size() - 4);
   EXPECT_THAT(files.Read().missing,
@@ -177,7 +180,7 @@ TEST(OverlayRun, IsDrawnWithoutWhatIsHalfWrittenAndSaysWhere) {
                                                       HasSubstr("tracks.kitti:1"))));
 }
 
-TEST(OverlayRun, TellsWhatIsNoRun) {
+TEST(OverlayRun, RefusesOtherFolders) {
   const test::TempFolder empty;
   const auto read = [](const test::TempFolder& folder) {
     return ErrorMessage([&] { ReadOverlayRun(folder.path(), LandmarkLabel::kCluster); });
@@ -195,7 +198,7 @@ TEST(OverlayRun, TellsWhatIsNoRun) {
   EXPECT_THAT(read(camera), HasSubstr("camera"));
 }
 
-TEST(OverlayRun, TellsAFrameThatItHasNot) {
+TEST(OverlayRun, RefusesAMissingFrame) {
   const OverlayRun run = OverlayFiles().Read();
   EXPECT_THAT(ErrorMessage([&] { FrameOf(run, 99); }),
               AllOf(HasSubstr("frame 99"), HasSubstr("expected 10 to 14")));

@@ -51,15 +51,15 @@ TEST(Quantity, WhichIsBetter) {
 
 TEST(ChangedOptions, ValuesBesideTheirDefaults) {
   OptionDefaults defaults(R"({"crf":{"alpha":2,"eta":1},"orb":{"features":2000}})");
-  const auto changed =
-      defaults.ChangedIn(R"({"crf":{"alpha":4,"eta":1},"orb":{"features":2000},"new":1})", "here");
+  const auto changed = defaults.ChangedIn(
+      Json::parse(R"({"crf":{"alpha":4,"eta":1},"orb":{"features":2000},"new":1})"));
   ASSERT_EQ(changed.size(), 2U);
   EXPECT_EQ(changed[0].path, "crf.alpha");
   EXPECT_EQ(changed[0].default_value, "2");
   EXPECT_THAT(changed[0].values, ElementsAre("4"));
   EXPECT_EQ(changed[1].path, "new");
   EXPECT_EQ(changed[1].default_value, "");
-  EXPECT_THAT(OptionDefaults("").ChangedIn("{\"a\":1}", "here"), IsEmpty());
+  EXPECT_THAT(OptionDefaults("").ChangedIn({{"a", 1}}), IsEmpty());
 }
 
 PageRun RunOf(const std::string& sequence, const std::string& variant, std::uint64_t seed) {
@@ -150,7 +150,7 @@ Table TwoRows(double difference, std::size_t pairs, bool distinguishable) {
   return table;
 }
 
-TEST(Findings, ARealDifferenceSaysWhichWayAndHowMuch) {
+TEST(Findings, ADifferenceHasADirectionAndASize) {
   const std::string worse = FindingsHtml(TwoRows(0.25, 8, true), "full");
   EXPECT_THAT(worse, HasSubstr("<h3>2d: worse in 1 of 1 metric</h3>"));
   EXPECT_THAT(worse, HasSubstr("0.5 m instead of 0.25 m with full: +0.25 m (interval 0.125 to 0.5 "
@@ -158,7 +158,7 @@ TEST(Findings, ARealDifferenceSaysWhichWayAndHowMuch) {
   EXPECT_THAT(FindingsHtml(TwoRows(-0.25, 8, true), "full"), HasSubstr("2d: better in 1 of 1"));
 }
 
-TEST(Findings, ColumnsOfOneNameAreToldApartByTheirUnits) {
+TEST(Findings, ColumnsOfOneNameAreDistinguishedByUnit) {
   Table table = TwoRows(0.25, 8, false);
   table.columns.push_back({"object_rrpe", "object ATE", "rad", {}});
   EXPECT_THAT(FindingsHtml(table, "full"), HasSubstr("Not significant: object ATE (m)."));

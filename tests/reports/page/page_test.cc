@@ -49,7 +49,7 @@ std::size_t Occurrences(const std::string& text, const std::string& part) {
   return count;
 }
 
-TEST(Page, SaysWhatWasComparedAndOnWhat) {
+TEST(Page, StatesWhatWasCompared) {
   SuiteResults suite;
   suite.table["rows"] = {"variant"};
   suite.table["reference"] = "static";
@@ -79,14 +79,14 @@ TEST(Page, NoNameOrMessageIsMarkup) {
   EXPECT_THAT(page, HasSubstr("&lt;svg onload=alert(3)&gt;"));
 }
 
-TEST(Page, AnEmptySuiteIsSaid) {
+TEST(Page, AnEmptySuiteIsReported) {
   SuiteResults suite;
   EXPECT_THAT(PageOf(suite),
               AllOf(HasSubstr("field jobs: found none"), HasSubstr("There is no table"),
                     HasSubstr("No figure"), HasSubstr("No run can be shown")));
 }
 
-TEST(Page, AHalfWrittenPlanIsSaid) {
+TEST(Page, ATruncatedPlanIsReported) {
   SuiteResults suite;
   suite.folder().Write("plan.json", "{\"schema_version\": 1, \"ki");
   const PageContent content = Read(suite.folder().path());
@@ -101,7 +101,7 @@ TEST(Page, AFolderWithoutAPlanIsAnError) {
               HasSubstr("plan.json: found no such file"));
 }
 
-TEST(Page, WhatHasNoResultIsListedWithItsReason) {
+TEST(Page, MissingResultsAreListedWithAReason) {
   SuiteResults suite;
   suite.Add(Result("good"));
   suite.Plan("failed", "static");
@@ -121,7 +121,7 @@ TEST(Page, WhatHasNoResultIsListedWithItsReason) {
   EXPECT_THAT(page, Not(HasSubstr(suite.folder().path().string())));
 }
 
-TEST(Page, AMetricThatNotAllRunsHaveIsSaid) {
+TEST(Page, AMetricThatSomeRunsLackIsReported) {
   SuiteResults suite;
   suite.Add(WithBodies(Result("a"), Json::array({BodyOf(1, {0.125})})));
   suite.Add(Result("b"));
@@ -130,7 +130,7 @@ TEST(Page, AMetricThatNotAllRunsHaveIsSaid) {
   EXPECT_THAT(page, HasSubstr("object ATE: "));
 }
 
-TEST(Page, FilesThatLackAreNamed) {
+TEST(Page, MissingFilesAreNamed) {
   SuiteResults suite;
   suite.Add(Result("a"));
   const std::string page = PageOf(suite);
@@ -156,7 +156,7 @@ TEST(Page, TheOriginOfAResult) {
   EXPECT_THAT(OwnHtml(content), HasSubstr("node&lt;7&gt;"));
 }
 
-TEST(Page, TheSameBytesTwiceAndWhereverTheFolderLies) {
+TEST(Page, SameBytesInAnyFolder) {
   const auto page = [] {
     SuiteResults suite;
     suite.Add(WithBodies(Result("a"), Json::array({BodyOf(1, {0.125, 0.25})})));
@@ -185,7 +185,7 @@ TEST(Page, ComparesWithAnotherFolder) {
   EXPECT_THAT(page, Not(HasSubstr(before.folder().path().string())));
 }
 
-TEST(Page, AComparisonThatCannotBeIsSaid) {
+TEST(Page, AnImpossibleComparisonIsReported) {
   SuiteResults after;
   after.Add(Result("a"));
   PageRequest request;

@@ -5,12 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "core/files/json_record.h"
+#include "core/files/text_file.h"
 #include "reports/gate/baseline.h"
 #include "reports/results/run_summary.h"
 #include "reports/results/suite_runs.h"
 #include "reports/results/timing.h"
 #include "reports/results/truth.h"
-#include "reports/tables/read_table.h"
 #include "reports/tables/table_json.h"
 
 namespace cvo::reports {
@@ -35,9 +35,10 @@ TEST(GoldenFiles, ResultIsRead) {
   EXPECT_EQ(motion.travel_m, 0.2);
   EXPECT_EQ(motion.visible, (Visibility{VisibleBy::kMask, 400, 30}));
   EXPECT_EQ(motion.frames, (FrameSpan{10, 11}));
-  ASSERT_EQ(run.refined.size(), 1U);
-  EXPECT_EQ(run.refined[0].ate_m, 0.05);
-  EXPECT_FALSE(run.refined[0].predicted_ate_m);
+  ASSERT_TRUE(run.bodies);
+  ASSERT_EQ(run.bodies->refined.size(), 1U);
+  EXPECT_EQ(run.bodies->refined[0].ate_m, 0.05);
+  EXPECT_FALSE(run.bodies->refined[0].predicted_ate_m);
 }
 
 TEST(GoldenFiles, MetricsAndBodiesAreWrittenAsTheyAreRead) {
@@ -52,8 +53,9 @@ TEST(GoldenFiles, MetricsAndBodiesAreWrittenAsTheyAreRead) {
 TEST(GoldenFiles, OthersAreWrittenAsTheyAreRead) {
   ExpectWritten(FileText(ReadRecord<TimingData>(Golden("timing.json"))), "timing.json");
   ExpectWritten(FileText(ReadRecord<TruthData>(Golden("truth.json"))), "truth.json");
-  ExpectWritten(BaselineJson(ReadBaseline(Golden("baseline.json"))), "baseline.json");
-  ExpectWritten(TableJson(ReadTableFile(Golden("table.json"))), "table.json");
+  ExpectWritten(FileText(ReadBaseline(Golden("baseline.json"))), "baseline.json");
+  ExpectWritten(TableJson(ReadTable(ReadFileBytes(Golden("table.json")), "table.json")),
+                "table.json");
 }
 
 TEST(GoldenFiles, PlanIsRead) {

@@ -9,7 +9,7 @@
 namespace cvo::reports {
 namespace {
 
-TEST(MetricCatalogue, EveryFormHasANameOfItsOwn) {
+TEST(MetricCatalogue, EveryFormHasAUniqueName) {
   std::set<std::string> names;
   for (const std::string& name : AllMetricNames()) {
     EXPECT_TRUE(names.insert(name).second) << name;
@@ -24,7 +24,7 @@ TEST(MetricCatalogue, EveryFormHasANameOfItsOwn) {
   EXPECT_FALSE(FindForm("ate"));
 }
 
-TEST(MetricCatalogue, ColumnsOfOneTableHaveHeadingsOfTheirOwn) {
+TEST(MetricCatalogue, ColumnsOfOneTableHaveUniqueHeadings) {
   std::set<std::string> headings;
   for (std::size_t i = 0; i < kMetricCount; ++i) {
     const MetricEntry& entry = EntryOf(static_cast<MetricId>(i));

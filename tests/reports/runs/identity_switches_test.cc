@@ -53,7 +53,7 @@ TEST(IdentitySwitches, AreNotKnownWithoutLandmarks) {
   EXPECT_FALSE(ReadIdentitySwitches(folder.path(), BodySeenIn({1})));
 }
 
-TEST(IdentitySwitches, OfADamagedFileAreAnError) {
+TEST(IdentitySwitches, ADamagedFileIsAnError) {
   const test::TempFolder folder;
   const auto message = [&] {
     return ErrorMessage(

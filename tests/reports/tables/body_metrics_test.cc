@@ -10,14 +10,11 @@
 
 #include "core/base/rng.h"
 #include "experiments/metrics/object_metrics.h"
-#include "experiments/record/bodies_json.h"
 #include "reports/tables/make_table.h"
 #include "tests/reports/results/result_files.h"
 
 namespace cvo::reports {
 namespace {
-
-RelativeErrors RandomErrors(Rng& rng) { return {rng.Uniform(), rng.Uniform(), 3}; }
 
 BodyScore RandomBody(int id, Rng& rng) {
   BodyScore body;
@@ -27,21 +24,27 @@ BodyScore RandomBody(int id, Rng& rng) {
   if (id == 5) return body;  // no cluster was matched to it
   body.cluster = id;
   body.estimated_frames = 30;
-  body.continuity = {.id_switches = id, .fragments = 2 * id};
-  for (int frame = 0; frame < 30; ++frame) body.errors.push_back({frame, 0.2 * rng.Uniform()});
-  for (int frame = 30; frame < 34 + id; ++frame) {
-    body.predicted.push_back({frame, 0.3 * rng.Uniform()});
-  }
+  body.id_switches = id;
+  body.fragments = 2 * id;
+  const auto add = [&rng](FrameErrors& errors, int frame, double scale_m) {
+    errors.frames.push_back(frame);
+    errors.position_m.push_back(scale_m * rng.Uniform());
+  };
+  for (int frame = 0; frame < 30; ++frame) add(body.errors, frame, 0.2);
+  for (int frame = 30; frame < 34 + id; ++frame) add(body.predicted, frame, 0.3);
   body.ate_m = rng.Uniform();
   body.predicted_ate_m = rng.Uniform();
   body.velocity_m_s = rng.Uniform();
-  body.all_pairs = RandomErrors(rng);
-  if (id != 2) body.one_frame = RandomErrors(rng);
-  body.motion = RandomErrors(rng);
+  for (auto member : {&BodyRow::all_pairs_rad, &BodyRow::all_pairs_m, &BodyRow::one_frame_rad,
+                      &BodyRow::one_frame_m, &BodyRow::motion_rad, &BodyRow::motion_m}) {
+    const bool known =
+        id != 2 || (member != &BodyRow::one_frame_rad && member != &BodyRow::one_frame_m);
+    if (known) body.*member = rng.Uniform();
+  }
   return body;
 }
 
-TEST(BodyMetrics, TablesOfOneRunSayWhatItsMetricsSay) {
+TEST(BodyMetrics, TablesOfOneRunAgreeWithItsMetrics) {
   Rng rng(7, "bodies");
   ObjectTruth truth;
   truth.contract.truth = TruthSource::kScene;
@@ -52,7 +55,9 @@ TEST(BodyMetrics, TablesOfOneRunSayWhatItsMetricsSay) {
   suite.table["metrics"] = Json::array();
   test::Json result = test::Result();
   result["metrics"] = ToJson(metrics);
-  result["bodies"] = {{"refined", BodiesToJson(scores.bodies)}, {"causal", Json::array()}};
+  result["bodies"] = {
+      {"refined", ToJson(std::vector<BodyRow>(scores.bodies.begin(), scores.bodies.end()))},
+      {"causal", Json::array()}};
   std::set<MetricId> computed;
   for (const Metric& metric : metrics) {
     computed.insert(FindForm(metric.name)->id);

@@ -129,14 +129,14 @@ TEST_F(MakeTableTest, RowsAreByTheKeysOfTheSuiteInItsOrder) {
   EXPECT_THAT(table.rows[2].keys, ElementsAre("default", "boxes,labels"));
 }
 
-TEST_F(MakeTableTest, SaysWhatRowsPool) {
+TEST_F(MakeTableTest, ReportsPooledKeys) {
   suite_.table["rows"] = {"variant"};
   suite_.Add(Result("a"));
   suite_.Add(Result("a"))["detections"] = "poor";
   EXPECT_THAT(Make().notes, ElementsAre("rows are means over detections: good, poor"));
 }
 
-TEST_F(MakeTableTest, WhatDidNotRunIsCountedAndSaid) {
+TEST_F(MakeTableTest, MissingRunsAreCountedAndReported) {
   suite_.table["rows"] = {"variant"};
   suite_.Add(Result("a"));
   suite_.Plan("b", "static");
@@ -164,7 +164,7 @@ TEST_F(MakeTableTest, WhatDidNotRunIsCountedAndSaid) {
   EXPECT_FALSE(IsComplete(table));
 }
 
-TEST_F(MakeTableTest, SequencesThatAreNotThereAreNotFatal) {
+TEST_F(MakeTableTest, MissingSequencesAreNotFatal) {
   suite_.Add(Result("a"));
   Json& missing = suite_.Plan("d", "static");
   missing["job"] = "";
@@ -172,7 +172,7 @@ TEST_F(MakeTableTest, SequencesThatAreNotThereAreNotFatal) {
   EXPECT_TRUE(IsComplete(Make()));
 }
 
-TEST_F(MakeTableTest, NothingMeasuredIsNotComplete) {
+TEST_F(MakeTableTest, NoResultsAreNotComplete) {
   Json& missing = suite_.Plan("d", "static");
   missing["job"] = "";
   missing["missing"] = "no such folder";
@@ -227,7 +227,7 @@ TEST_F(MakeTableTest, ResultsThatCannotBeReadAreFailures) {
   EXPECT_THAT(message(4), HasSubstr("found schema_version 4, expected 3"));
   EXPECT_THAT(message(5), HasSubstr("kind \"timing\""));
   EXPECT_THAT(message(6), HasSubstr("sequence, field name: found nothing"));
-  EXPECT_THAT(message(7), HasSubstr("metrics, field value: found a JSON string"));
+  EXPECT_THAT(message(7), HasSubstr("metrics[0], field value: found a JSON string"));
   EXPECT_THAT(message(8), HasSubstr("an empty file"));
   EXPECT_EQ(table.rows[0].jobs.done, 1U);
 }
@@ -304,7 +304,7 @@ TEST_F(MakeTableTest, AContractThatNamesTheFramesOfItsRunIsTheSameForEach) {
   EXPECT_THAT(MakeError(), HasSubstr("with frames \"{\"first\":0,\"last\":9}\""));
 }
 
-TEST_F(MakeTableTest, OtherSystemsMayMeanSomethingElseAndAreSaidTo) {
+TEST_F(MakeTableTest, OtherSystemsMayHaveAnotherContract) {
   suite_.Add(Result());
   Json other = Result();
   other["metrics"][1]["contract"]["matching"] = "nearness";
@@ -335,7 +335,7 @@ TEST_F(MakeTableTest, ProvenanceNamesBuildsSeedsAndChangedOptions) {
   EXPECT_THAT(table.notes, ElementsAre(HasSubstr("2 builds")));
 }
 
-TEST_F(MakeTableTest, MissingMetricsAreSaidPlainly) {
+TEST_F(MakeTableTest, MissingMetricsAreReported) {
   suite_.Add(Result());
   Json coverage_only = Result("2011_09_26_drive_0013");
   coverage_only["metrics"].erase(1);
@@ -358,7 +358,7 @@ TEST_F(MakeTableTest, AReferenceMustBeOneOfTheRows) {
   EXPECT_THAT(MakeError(), HasSubstr("table, reference: found static"));
 }
 
-TEST(WithCoverage, AccuracyNeverStandsWithoutIt) {
+TEST(WithCoverage, AccuracyIsShownWithCoverage) {
   EXPECT_THAT(WithCoverage({"object_ate", "object_ate", "moving_recall"}),
               ElementsAre("object_coverage", "object_ate", "moving_recall"));
   EXPECT_THAT(WithCoverage({"object_success_10cm", "object_coverage"}),

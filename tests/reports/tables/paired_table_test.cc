@@ -90,7 +90,7 @@ TEST(PairedTable, OnlyCommonScenesAndSeedsArePaired) {
   EXPECT_THAT(CellOf(table, 0, "object_ate").left_out, HasSubstr("1 of 5 bodies"));
 }
 
-TEST(PairedTable, MarksWhatCanBeToldFromNoise) {
+TEST(PairedTable, MarksDistinguishableDifferences) {
   SuiteResults suite;
   suite.table["rows"] = {"variant"};
   suite.table["reference"] = "full";
@@ -124,7 +124,7 @@ TEST(PairedTable, AReferenceCanBeTheValueOfAnyKey) {
   EXPECT_FALSE(CellOf(table, 1, "object_ate").difference);
 }
 
-TEST(CompareFolders, SaysWhatMovedAndByHowMuch) {
+TEST(CompareFolders, ReportsChangesAndTheirSize) {
   SuiteResults before;
   SuiteResults after;
   before.Add(Room(0.02), "full");
@@ -138,7 +138,7 @@ TEST(CompareFolders, SaysWhatMovedAndByHowMuch) {
             "  room full, object_ate: -0.02 m (-26.85 %), -0.02 to -0.02, 8 pairs\n");
 }
 
-TEST(CompareFolders, EqualFoldersDidNotMove) {
+TEST(CompareFolders, EqualFoldersHaveNoChanges) {
   SuiteResults before;
   before.Add(Room(0.0), "full");
   EXPECT_EQ(MovedText(CompareFolders(before.Written(), before.Written())), "nothing moved\n");
@@ -168,7 +168,7 @@ TEST(CompareFolders, OtherFramesAreNotPaired) {
   EXPECT_THAT(ErrorOf(before, after), HasSubstr("no row with a run that both have"));
 }
 
-TEST(CompareFolders, OtherRowsAndImagesAreSaid) {
+TEST(CompareFolders, OtherRowsAndImagesAreReported) {
   SuiteResults before;
   SuiteResults after;
   before.Add(Room(0.0), "full");

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/tables/read_table.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -53,7 +51,7 @@ TEST(ReadTable, GivesTheSameBytesAgain) {
   EXPECT_FALSE(read.change);
 }
 
-TEST(ReadTable, OfASuiteAndOfNone) {
+TEST(ReadTable, OfASuiteAndEmpty) {
   test::SuiteResults suite;
   suite.name = "ablation";
   suite.table["rows"] = {"variant"};
@@ -75,7 +73,7 @@ TEST(ReadTable, OfASuiteAndOfNone) {
   EXPECT_EQ(TableJson(ReadTable(empty, "table.json")), empty);
 }
 
-TEST(ReadTable, SaysInOneLineWhatIsNoTable) {
+TEST(ReadTable, RefusesOtherFilesInOneLine) {
   const std::string json = TableJson(test::HostileTable());
   EXPECT_EQ(ErrorOf(""), "table.json: found an empty file, expected JSON");
   EXPECT_THAT(ErrorOf(json.substr(0, json.size() / 2)),
@@ -88,32 +86,32 @@ TEST(ReadTable, SaysInOneLineWhatIsNoTable) {
               HasSubstr("found kind \"run\", expected kind \"table\""));
 }
 
-TEST(ReadTable, NamesTheFieldThatIsWrong) {
+TEST(ReadTable, NamesTheWrongField) {
   EXPECT_THAT(ErrorAfter([](Json& table) { table.erase("columns"); }),
               HasSubstr("table.json, field columns: found nothing"));
   EXPECT_THAT(ErrorAfter([](Json& table) { table["rows"][1]["cells"][3].erase("value"); }),
-              HasSubstr("rows[1], cells[3], field value: found nothing, expected a number"));
+              HasSubstr("rows[1], cells[3], field value: found nothing, expected a value"));
   EXPECT_THAT(ErrorAfter([](Json& table) { table["rows"][0]["cells"].erase(4); }),
-              HasSubstr("rows[0]: found 4 cells, expected 5"));
+              HasSubstr("rows[0], cells: found 4 elements, expected 5"));
   EXPECT_THAT(ErrorAfter([](Json& table) { table["columns"].erase(4); }),
-              HasSubstr("cells[4]: found one cell more, expected 4"));
+              HasSubstr("rows[0], cells: found 5 elements, expected 4"));
   EXPECT_THAT(ErrorAfter([](Json& table) { table["rows"][0]["cells"][1]["metric"] = "x"; }),
-              HasSubstr("field metric: found x, expected camera_ate"));
+              HasSubstr("field metric: found \"x\", expected \"camera_ate\""));
   EXPECT_THAT(ErrorAfter([](Json& table) { table["rows"][0]["cells"][1]["runs"] = {2}; }),
               HasSubstr("field runs: found 2, expected indices of the row's 2 runs"));
   EXPECT_THAT(ErrorAfter([](Json& table) { table["rows"][0]["cells"][1]["status"] = "?"; }),
-              HasSubstr("field status: found ?"));
+              HasSubstr("field status: found \"?\""));
   EXPECT_THAT(ErrorAfter([](Json& table) { table["rows"][0]["keys"].erase("variant"); }),
               HasSubstr("rows[0], keys, field variant: found nothing"));
   EXPECT_THAT(ErrorAfter([](Json& table) { table["rows"][0]["jobs"]["done"] = -1; }),
               HasSubstr("field done: found -1, expected an integer from 0"));
   EXPECT_THAT(ErrorAfter([](Json& table) { table["others"][0]["source"] = "x"; }),
-              HasSubstr("field source: found x, expected the id of one of the sources"));
+              HasSubstr("field source: found \"x\", expected the id of one of the sources"));
   EXPECT_THAT(
       ErrorAfter([](Json& table) { table["others"][0]["cells"][0]["comparison"] = "equal"; }),
-      HasSubstr("field comparison: found equal"));
+      HasSubstr("field comparison: found \"equal\""));
   EXPECT_THAT(ErrorAfter([](Json& table) { table["others"][0]["cells"][0]["metric"] = "x"; }),
-              HasSubstr("field metric: found x"));
+              HasSubstr("field metric: found \"x\""));
   EXPECT_THAT(ErrorAfter([](Json&) {}), IsEmpty());
 }
 

@@ -120,7 +120,7 @@ TEST(Reference, AnotherContractOrOtherImagesDoNotMatch) {
   EXPECT_EQ(Ate(TableOf(causal), "ORB-SLAM2", "measured-upstream").match, Match::kContractDiffers);
 }
 
-TEST(Reference, FiguresOfASuiteStandBelowItAndNeverCompare) {
+TEST(Reference, FiguresOfASuiteAreListedBelowIt) {
   const Reference reference = ShippedReference();
   test::SuiteResults suite;
   suite.table["metrics"] = {"camera_ate"};
@@ -148,11 +148,12 @@ TEST(Reference, BadFilesNameTheField) {
     return "";
   };
   EXPECT_THAT(error("{"), HasSubstr("file: found text that ends"));
-  EXPECT_THAT(error(R"({"schema_version": 7})"), HasSubstr("schema_version 7"));
-  EXPECT_THAT(error(R"({"schema_version": 2, "sources": [{"id": "x"}]})"),
+  EXPECT_THAT(error(R"({"schema_version": 7, "kind": "reference"})"),
+              HasSubstr("schema_version 7"));
+  EXPECT_THAT(error(R"({"schema_version": 2, "kind": "reference", "sources": [{"id": "x"}]})"),
               HasSubstr("field source: found nothing"));
   const auto with_contract = [](const std::string& contract) {
-    return R"({"schema_version": 2, "sources": [{"id": "x", "source": "", "kind": "", "caveat": "",)"
+    return R"({"schema_version": 2, "kind": "reference", "sources": [{"id": "x", "source": "", "kind": "", "caveat": "",)"
            R"( "metrics": {"camera_ate": {"unit": "m", "contract": )" +
            contract + "}}, \"figures\": []}]}";
   };

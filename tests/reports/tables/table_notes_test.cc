@@ -66,7 +66,7 @@ TEST_F(TableNotesTest, FoldersOfOtherCorrectionsAreNotCompared) {
   }
 }
 
-TEST_F(TableNotesTest, SaysWhereTheCalibrationWasCorrected) {
+TEST_F(TableNotesTest, ReportsCorrectedCalibrations) {
   Json corrected = Result();
   corrected["sequence"]["camera"]["right_shift_px"] = 0.16;
   suite_.Add(corrected);

@@ -218,7 +218,7 @@ TEST(ReadDetectors, CustomOnlyWhereTheSceneChangesValues) {
   EXPECT_EQ(detectors[0].options.jitter_width, DetectorLevel("poor").jitter_width);
 }
 
-TEST(ReadDetectors, WrongSettingsAreNamed) {
+TEST(ReadDetectors, WrongSettingsAreReported) {
   const auto message = [](const Json& section, const std::vector<std::string>& chosen) {
     return ErrorMessage([&] { ReadDetectors(section, "x.json", chosen); });
   };

@@ -75,7 +75,7 @@ TEST(Diversity, OfABodyThatIsHiddenOnce) {
   EXPECT_THAT(found.disparity_px, ElementsAre(DoubleNear(20.0 / 4.5, 1e-6)));
 }
 
-TEST(Diversity, NamesWhatAFolderLacks) {
+TEST(Diversity, NamesMissingFiles) {
   const TempFolder temp;
   Diversity found;
   EXPECT_THAT(ErrorMessage([&] { AddSequence(temp.path(), found); }), HasSubstr("times.txt"));

@@ -67,7 +67,7 @@ TEST(Draws, AFixedKnobLeavesTheOthersAsTheyAre) {
   EXPECT_EQ(fixed[2], free[2]);
 }
 
-TEST(Draws, NameTheKeyOfWhatCannotBe) {
+TEST(Draws, NameTheKeyOfInvalidValues) {
   EXPECT_EQ(CheckMessage(R"({"a": [1, {"uniform": [2, 1]}]})"),
             "here.a.1.uniform: found the empty range [2,1], expected a range from low to high");
   EXPECT_THAT(CheckMessage(R"({"integer": [0.5, 1]})"), HasSubstr("expected two integers"));
@@ -77,7 +77,7 @@ TEST(Draws, NameTheKeyOfWhatCannotBe) {
   EXPECT_THAT(CheckMessage(R"({"knob": "sped"})"), HasSubstr("(did you mean speed?)"));
 }
 
-TEST(Draws, RefuseValuesThatAKnobCannotHave) {
+TEST(Draws, RefuseInvalidKnobValues) {
   EXPECT_THAT(SetMessage("count=0"),
               HasSubstr("--set count=0: found \"0\", expected a value in [1,9]"));
   EXPECT_THAT(SetMessage("count=2.5"), HasSubstr("expected a value in [1,9]"));

@@ -52,7 +52,7 @@ TEST_P(Families, SameSeedSameBytesOtherSeedOther) {
   EXPECT_NE(DumpJson(GenerateScene(family, 6, {})), once);
 }
 
-TEST_P(Families, SayWhatTheyAre) {
+TEST_P(Families, HaveADescription) {
   const Family family = LoadFamily(GetParam());
   EXPECT_EQ(family.name, GetParam());
   EXPECT_FALSE(family.about.empty());
@@ -89,7 +89,7 @@ TEST(GenerateScene, KnobsHaveTheirMeaning) {
   EXPECT_THAT(scene["about"].get<std::string>(), HasSubstr("seed 11 (development split)"));
 }
 
-TEST(GenerateScene, SaysWhereNoPlaceIsFound) {
+TEST(GenerateScene, ReportsWhereNoPlaceIsFound) {
   Json family = ShippedJson("room");
   family["layout"]["bodies"][0]["body"] =
       Json::parse(R"({"model": "crate", "size_m": 3.0, "motion": "still"})");
@@ -97,7 +97,7 @@ TEST(GenerateScene, SaysWhereNoPlaceIsFound) {
               HasSubstr("f, seed 3: found no place for body 1 of 5 of f, layout.bodies.0 in"));
 }
 
-TEST(GenerateScene, NamesTheKeyOfWhatIsWrong) {
+TEST(GenerateScene, NamesTheWrongKey) {
   Json family = ShippedJson("room");
   family["layout"]["camera"]["path"] = "above";
   EXPECT_THAT(MessageOf(family), HasSubstr("layout.camera.path: found \"above\""));
@@ -122,7 +122,7 @@ TEST(ParseFamilySeed, TakesThirtyTwoBits) {
   EXPECT_NE(ErrorMessage([] { ParseFamilySeed("1.5"); }), "");
 }
 
-TEST(SplitOf, TellsDevelopmentFromTest) {
+TEST(SplitOf, SeparatesDevelopmentFromTest) {
   EXPECT_EQ(SplitOf(999), Split::kDevelopment);
   EXPECT_EQ(SplitOf(1000), Split::kTest);
   EXPECT_EQ(SplitOf(1999), Split::kTest);

@@ -26,7 +26,7 @@ class PlacementTest : public testing::Test {
                     PlacementLimits{0.1, 0.6, 20.0, {{0, 1, 0, 5}, {0, -1, 0, 5}}}};
 };
 
-TEST_F(PlacementTest, RefusesWhatComesNearAnother) {
+TEST_F(PlacementTest, RefusesBodiesNearAnother) {
   EXPECT_TRUE(TryAdd({4, 0, 0}, 0.5));
   EXPECT_FALSE(TryAdd({4, 0.55, 0}, 0.5));
   EXPECT_TRUE(TryAdd({4, 0.65, 0}, 0.5));
@@ -35,20 +35,20 @@ TEST_F(PlacementTest, RefusesWhatComesNearAnother) {
   EXPECT_EQ(placed_.bodies().size(), 2u);
 }
 
-TEST_F(PlacementTest, RefusesWhatComesNearTheCameraOrAWall) {
+TEST_F(PlacementTest, RefusesBodiesNearTheCameraOrAWall) {
   EXPECT_FALSE(TryAdd({0.9, 0, 0}, 0.5));
   EXPECT_TRUE(TryAdd({10, 4.6, 0}, 0.5));
   EXPECT_FALSE(TryAdd({10, -4.6, 0}, 0.5, {0, -1, 0}));
 }
 
-TEST_F(PlacementTest, RefusesWhatIsOutOfViewMostOfTheTime) {
+TEST_F(PlacementTest, RefusesBodiesMostlyOutOfView) {
   EXPECT_FALSE(TryAdd({-4, 0, 0}, 0.5));
   EXPECT_FALSE(TryAdd({4, 4, 0}, 0.5));
   EXPECT_FALSE(TryAdd({25, 0, 0}, 0.5));
   EXPECT_TRUE(TryAdd({4, 2, 0}, 0.5, {0, 0.5, 0}));
 }
 
-TEST_F(PlacementTest, RefusesWhatHidesAnotherOrIsHidden) {
+TEST_F(PlacementTest, RefusesOccludedAndOccludingBodies) {
   EXPECT_TRUE(TryAdd({4, 0, 0}, 0.6));
   EXPECT_FALSE(TryAdd({6, 0, 0}, 0.3));             // behind it
   EXPECT_FALSE(TryAdd({2, 0, 0}, 0.6));             // before it

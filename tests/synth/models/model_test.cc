@@ -100,7 +100,7 @@ TEST(MakeModel, NormalsPointOutward) {
   }
 }
 
-TEST(MakeModel, EveryKindIsSoundInItsUsualSizeAndInAnother) {
+TEST(MakeModel, EveryKindIsValidInTwoSizes) {
   for (const std::string& kind : OwnKinds()) {
     ExpectSound(Make(kind, 1), kind);
     const Vector3d size = kind == "ball" ? Vector3d::Constant(0.9) : Vector3d(1.3, 0.8, 1.1);
@@ -129,7 +129,7 @@ TEST(MakeModel, ShapesLieWithinItsBox) {
   EXPECT_NEAR(Make("ball", 1).shapes.at(0).radius_m, 0.3, 1e-6);
 }
 
-TEST(MakeModel, ABallSeesBetweenTheLegsOfAChair) {
+TEST(MakeModel, ChairsAreOpenBetweenTheirLegs) {
   const Model chair = Make("chair", 1);
   const Vector3d below(0.0, 0.0, -0.5 * chair.size_m.z() + 0.15);
   for (const CollisionShape& shape : chair.shapes) {

@@ -60,7 +60,7 @@ TEST(MakeRoom, FurnitureStandsAlongTheWallsWithoutOverlap) {
   }
 }
 
-TEST(MakeRoom, WallsLookInward) {
+TEST(MakeRoom, WallNormalsPointInward) {
   const Surroundings room = Room(1);
   ASSERT_EQ(room.walls.size(), 6u);
   for (const Eigen::Vector4d& wall : room.walls) {

@@ -47,7 +47,7 @@ TEST(Textures, SameStreamSameImageAnotherStreamAnother) {
 }
 
 // The steps across the border are no larger than those inside: nothing is cut there.
-TEST(Textures, GoOnAcrossTheirBorders) {
+TEST(Textures, AreSeamless) {
   Rng rng(1, "test");
   for (const char* material : {"asphalt", "brick", "concrete", "grass", "leaves", "pavement",
                                "plaster", "tiles", "wallpaper", "parquet"}) {

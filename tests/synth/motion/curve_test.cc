@@ -63,7 +63,7 @@ TEST(Curve, LengthOfACircleOfManyPoints) {
   EXPECT_NEAR(circle.At(1.234).curvature.norm(), 0.5, 1e-4);
 }
 
-TEST(Curve, ClosedRepeatsAndOpenGoesStraightOn) {
+TEST(Curve, ClosedRepeatsAndOpenContinuesStraight) {
   const Curve closed = Curve::Through(Square(), true, "");
   EXPECT_LT((closed.At(0.3 - closed.length_m()).position - closed.At(0.3).position).norm(), 1e-9);
   EXPECT_LT((closed.At(closed.length_m() - 1e-9).position - closed.At(0).position).norm(), 1e-8);
@@ -87,7 +87,7 @@ TEST(Curve, RoundedCornersKeepToTheLegs) {
   }
 }
 
-TEST(Curve, RefusesWhatIsNoCurve) {
+TEST(Curve, RefusesInvalidCurves) {
   EXPECT_THAT(ErrorMessage([] {
                 Curve::Through({{0, 0, 0}, {0, 0, 0}}, false, "here");
               }),
@@ -115,7 +115,7 @@ TEST(SpeedProfile, EasesBetweenKnots) {
   EXPECT_DOUBLE_EQ(profile.Way_m(-1.0), -0.5);
 }
 
-TEST(SpeedProfile, SpeedIsTheDerivativeOfTheWay) {
+TEST(SpeedProfile, SpeedIsTheDerivativeOfTheDistance) {
   const SpeedProfile profile({{0.0, 0.5}, {1.0, 0.2}, {1.5, 2.0}, {3.0, 0.0}});
   const double h = 1e-5;
   for (double t = -0.5; t < 4.0; t += 0.0173) {

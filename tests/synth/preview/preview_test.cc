@@ -52,7 +52,7 @@ TEST(MakeContactSheet, Stops) {
 }
 
 // The body moves to the left (world y, up in the map) by half a metre at 4.5 m from the camera.
-TEST(DrawPathMap, PathsWhereTheyShouldBe) {
+TEST(DrawPathMap, DrawsPathsAtTheirPositions) {
   const World world = test::OneBoxWorld();
   const std::vector<cv::Scalar> colours = BodyColours(1);
   cv::Mat map(400, 480, CV_8UC3);

@@ -9,7 +9,7 @@
 namespace cvo::synth {
 namespace {
 
-TEST(RendererMissing, SaysWhatIsOff) {
+TEST(RendererMissing, ReportsTheMissingRenderer) {
   const auto says_so = testing::HasSubstr("synthetic scenes: found no OSMesa in this build");
   EXPECT_THAT(ErrorMessage([] { Renderer renderer(World(), 1); }), says_so);
   EXPECT_THAT(ErrorMessage([] { FindRendererVersion(); }), says_so);

@@ -90,7 +90,7 @@ TEST(Collisions, TheFirstOneIsNamedWithItsTime) {
   EXPECT_EQ(message, Check(solids, 4));
 }
 
-TEST(Collisions, PassingCloseIsNoOffence) {
+TEST(Collisions, PassingCloseIsAllowed) {
   EXPECT_EQ(Check({Mover("ball_1", Straight(-1, 0, 3, 0, 0.5), BallShape(0.25)),
                    Mover("ball_2", Straight(1, 0.502, -3, 0.502, 0.5), BallShape(0.25))}),
             "");

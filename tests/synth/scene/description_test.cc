@@ -40,7 +40,7 @@ std::string MessageAfter(const std::function<void(Json&)>& change) {
   return MessageFor(scene);
 }
 
-TEST(SceneDescription, ReadsWhatItSays) {
+TEST(SceneDescription, ReadsEveryField) {
   const SceneDescription scene = SceneDescription::Parse(OneBall(), "here");
   EXPECT_EQ(scene.name(), "empty");
   EXPECT_EQ(scene.seed(), 0u);
@@ -104,7 +104,7 @@ TEST(SceneDescription, ChecksTypesAndRanges) {
   EXPECT_THAT(MessageFor(Json::array()), HasSubstr("here: found [], expected an object"));
 }
 
-TEST(SceneDescription, RefusesCamerasThatCannotBe) {
+TEST(SceneDescription, RefusesInvalidCameras) {
   EXPECT_THAT(MessageAfter([](Json& s) { s["rig"]["width_px"] = 0; }),
               HasSubstr("rig.width_px: found 0"));
   EXPECT_THAT(MessageAfter([](Json& s) { s["frames"] = 0; }), HasSubstr("here, frames: found 0"));
@@ -183,14 +183,14 @@ TEST(LoadScene, ShippedScenesHaveTheNamesTheySay) {
   }
 }
 
-TEST(LoadScene, UnknownNamesAreAnswered) {
+TEST(LoadScene, UnknownNamesAreReported) {
   const std::string message = ErrorMessage([] { SceneDescription::Load("tinny", {}); });
   EXPECT_THAT(message, HasSubstr("scene \"tinny\": found neither a shipped scene nor a file"));
   EXPECT_THAT(message, HasSubstr("static_room"));
   EXPECT_THAT(message, HasSubstr("(did you mean tiny?)"));
 }
 
-TEST(LoadScene, AssignmentsAreJudgedAsIfWritten) {
+TEST(LoadScene, AssignmentsAreCheckedLikeTheFile) {
   const SceneDescription scene = SceneDescription::Load(
       "tiny", {"seed=18446744073709551615", "objects.0.size_m=[0.4, 0.4, 0.4]", "about=two words",
                "light.ambient=0.25", "sensor.motion_blur.exposure_s=0.01"});
@@ -202,7 +202,7 @@ TEST(LoadScene, AssignmentsAreJudgedAsIfWritten) {
   EXPECT_EQ(scene.json()["seed"], 18446744073709551615u);
 }
 
-TEST(LoadScene, AssignmentsThatCannotBe) {
+TEST(LoadScene, InvalidAssignments) {
   const auto message = [](const std::string& assignment) {
     return ErrorMessage([&] { SceneDescription::Load("tiny", {assignment}); });
   };
@@ -213,7 +213,7 @@ TEST(LoadScene, AssignmentsThatCannotBe) {
   EXPECT_THAT(message("frames=many"), HasSubstr("frames: found \"many\", expected an integer"));
 }
 
-TEST(RenderKey, KnowsWhatIsDrawn) {
+TEST(RenderKey, DependsOnWhatIsDrawn) {
   const auto key = [](const std::vector<std::string>& assignments) {
     return RenderKeyText(SceneDescription::Load("tiny", assignments));
   };

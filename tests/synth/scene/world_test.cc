@@ -22,7 +22,7 @@ std::string MessageFor(const Json& scene) {
   return ErrorMessage([&] { BuildWorld(SceneDescription::Parse(scene, "here"), 1); });
 }
 
-TEST(BuildWorld, TinyHasWhatItsFileSays) {
+TEST(BuildWorld, TinyMatchesItsFile) {
   const World world = BuildWorld(SceneDescription::Load("tiny", {}), 1);
   EXPECT_EQ(world.name, "tiny");
   ASSERT_EQ(world.bodies.size(), 3u);
@@ -69,7 +69,7 @@ TEST(BuildWorld, BrightnessScalesAllLight) {
   EXPECT_NEAR(world.light.ambient, 0.5 * usual.light.ambient, 1e-12);
 }
 
-TEST(BuildWorld, ShippedScenesCanBe) {
+TEST(BuildWorld, ShippedScenesAreValid) {
   for (const ShippedScene& shipped : ShippedScenes()) {
     EXPECT_EQ(ErrorMessage([&] { BuildWorld(SceneDescription::Load(shipped.name, {}), 2); }), "");
   }
@@ -137,7 +137,7 @@ TEST(BuildWorld, BodiesMustNotEnterFurniture) {
   EXPECT_THAT(MessageFor(json), HasSubstr("here: found ball_1 and furniture at ("));
 }
 
-TEST(BuildWorld, SaysWhichSceneHasTooMuchFurniture) {
+TEST(BuildWorld, NamesTheSceneWithTooMuchFurniture) {
   Json json = EmptyScene();
   json["room"]["shelves"] = 200;
   EXPECT_THAT(MessageFor(json), HasSubstr("here, room: "));

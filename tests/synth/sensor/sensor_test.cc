@@ -47,7 +47,7 @@ TEST(NormalQuantiles, UnitVarianceAndNormalShape) {
   EXPECT_NEAR(quantiles[55138], 1.0, 1e-3);  // 0.84134 of 65536
 }
 
-TEST(ApplySensor, AllOffChangesNothing) {
+TEST(ApplySensor, WithoutEffectsNothingChanges) {
   const cv::Mat clean = Flat(77);
   EXPECT_TRUE(HasNoEffect(AllOff()));
   EXPECT_TRUE(Same(ApplySensor(clean, AllOff(), 1, 1, 5), clean));

@@ -149,7 +149,7 @@ TEST_F(WriteDatasetTest, CalibrationTargetsWithTheirCorners) {
   EXPECT_TRUE(fs::exists(set / "calibration/image_1/000000.png"));
 }
 
-TEST_F(WriteDatasetTest, AnotherSeedDrawsNothingAgain) {
+TEST_F(WriteDatasetTest, AnotherSeedRendersNothing) {
   const fs::path first = Write("first");
   EXPECT_EQ(draws_, 6);
   std::vector<std::string> stages;
@@ -188,7 +188,7 @@ TEST_F(WriteDatasetTest, FilesOfTheCacheAreReadOnly) {
   EXPECT_EQ(permissions & fs::perms::all, fs::perms(0444));
 }
 
-TEST_F(WriteDatasetTest, DamagedCacheIsDrawnAgain) {
+TEST_F(WriteDatasetTest, DamagedCacheIsRenderedAgain) {
   const std::string before = ReadFile(Write("set") / kManifestName);
   const fs::path file = CacheEntry() / "depth_0/000002.tiff";
   fs::permissions(file, fs::perms::owner_write, fs::perm_options::add);
@@ -224,7 +224,7 @@ TEST_F(WriteDatasetTest, FailedRenderLeavesNothing) {
   EXPECT_THAT(FilesIn(temp_.path()), ElementsAre());
 }
 
-TEST_F(WriteDatasetTest, ForeignFolderIsRefusedBeforeAnythingIsDrawn) {
+TEST_F(WriteDatasetTest, ForeignFolderIsRefusedBeforeRendering) {
   temp_.Write("mine/notes.txt", "precious");
   EXPECT_THAT(ErrorMessage([&] { Write("mine"); }), HasSubstr("mine: found other files in it"));
   temp_.Write("file", "precious");
@@ -233,7 +233,7 @@ TEST_F(WriteDatasetTest, ForeignFolderIsRefusedBeforeAnythingIsDrawn) {
   EXPECT_EQ(draws_, 0);
 }
 
-TEST_F(WriteDatasetTest, UnwritablePlaceIsNamedBeforeAnythingIsDrawn) {
+TEST_F(WriteDatasetTest, UnwritableFolderIsReportedBeforeRendering) {
   temp_.Write("file", "");
   EXPECT_THAT(ErrorMessage([&] { Write("file/set"); }), HasSubstr("file"));
   EXPECT_EQ(draws_, 0);

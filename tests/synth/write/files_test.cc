@@ -58,7 +58,7 @@ TEST(EncodeDepthTiff, LosslessAndSmall) {
   EXPECT_EQ(bytes, EncodeDepthTiff(depth));
 }
 
-TEST(EncodePng, MasksAndImagesComeBack) {
+TEST(EncodePng, MasksAndImagesAreLossless) {
   cv::Mat mask(30, 40, CV_16UC1, cv::Scalar(0));
   mask(cv::Rect(5, 5, 10, 10)).setTo(300);
   EXPECT_EQ(cv::norm(Decode(EncodeMaskPng(mask)), mask, cv::NORM_INF), 0.0);
@@ -87,7 +87,7 @@ TEST(FolderBuild, AppearsWithItsManifestOnlyWhenCommitted) {
             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
-TEST(FolderBuild, NothingStaysWithoutCommit) {
+TEST(FolderBuild, WithoutCommitNothingRemains) {
   const TempFolder temp;
   FolderBuild(temp.path() / "set").Write("a", "abc");
   EXPECT_THAT(NamesIn(temp.path()), testing::IsEmpty());
@@ -108,7 +108,7 @@ TEST(FolderBuild, ReplacesOrKeeps) {
   EXPECT_THAT(NamesIn(temp.path()), testing::ElementsAre("set"));
 }
 
-TEST(FolderBuild, RemovesWhatADeadProcessLeft) {
+TEST(FolderBuild, RemovesFilesOfADeadProcess) {
   const TempFolder temp;
   const fs::path left =
       temp.path() / StrCat(".set.tmp-", HostName(), ".", DeadProcess(), "-0") / "a";
@@ -117,7 +117,7 @@ TEST(FolderBuild, RemovesWhatADeadProcessLeft) {
   EXPECT_FALSE(fs::exists(left));
 }
 
-TEST(FolderBuild, UnwritablePlaceIsNamed) {
+TEST(FolderBuild, UnwritableFolderIsReported) {
   const TempFolder temp;
   temp.Write("file", "abc");
   const std::string message = ErrorMessage([&] { FolderBuild(temp.path() / "file" / "set"); });
@@ -126,7 +126,7 @@ TEST(FolderBuild, UnwritablePlaceIsNamed) {
 }
 
 // A file size limit simulates a full disk: writing fails midway.
-TEST(WriteNewFile, FailedWriteIsNamedAndLeavesNothing) {
+TEST(WriteNewFile, FailedWriteIsReportedAndLeavesNothing) {
   const TempFolder temp;
   rlimit before;
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);

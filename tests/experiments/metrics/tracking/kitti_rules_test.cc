@@ -26,7 +26,7 @@ TrackedFrame Counted(const std::vector<ObjectBox>& labels,
   return CountedBoxes({{labels, detections}}, "Car", BoxSpace::kImage).frames.at(0);
 }
 
-TEST(KittiTrackingRules, WhatIsHiddenOrCutDoesNotCount) {
+TEST(KittiTrackingRules, HiddenOrTruncatedLabelsDoNotCount) {
   ObjectBox hidden = Box("Car", 1, 0);
   hidden.occlusion = 3;
   ObjectBox cut = Box("Car", 2, 100);

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/files/json_record.h"
+
+namespace cvo::reports {
+
+struct PlanSuite {
+  std::string name;
+  std::string about;
+  std::string split;  // of its scenes
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("name", self.name);
+    archive.Added("about", self.about);
+    archive.Added("split", self.split);
+  }
+};
+
+// How the results become a table.
+struct PlanTable {
+  // Keys that distinguish rows: sequence, detections, variant, oracle, or an option's path.
+  std::vector<std::string> rows = {"variant"};
+  std::vector<std::string> metrics;
+  // Row that the others are compared with: a variant, or key=value as "oracle=none"; empty: none.
+  std::string reference;
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("rows", self.rows);
+    archive.Field("metrics", self.metrics);
+    archive.Added("reference", self.reference);
+  }
+};
+
+// One run.
+struct PlanJob {
+  std::string sequence;
+  std::string detections;
+  std::string variant;  // of another system: empty
+  std::string system;   // name of another system whose files are scored; empty: a variant
+  std::uint64_t seed = 0;
+  std::vector<std::string> oracle;
+  Json parameters = Json::object();  // value by path, of the options that the suite varies
+  bool landmarks = false;
+  std::string folder;
+  std::string missing;  // why there is no sequence
+  int frames = 0;
+  std::string content;
+  std::string input;
+  std::string job;          // empty where the sequence is missing
+  std::uint64_t entry = 0;  // index of the sequence in the definition
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("sequence", self.sequence);
+    archive.Added("detections", self.detections);
+    archive.Field("variant", self.variant);
+    archive.Added("system", self.system);
+    archive.Field("seed", self.seed);
+    archive.Added("oracle", self.oracle);
+    archive.Added("parameters", self.parameters);
+    archive.Added("landmarks", self.landmarks);
+    archive.Added("folder", self.folder);
+    archive.Added("missing", self.missing);
+    archive.Added("frames", self.frames);
+    archive.Added("content", self.content);
+    archive.Added("input", self.input);
+    archive.Added("job", self.job);
+    archive.Added("entry", self.entry);
+  }
+};
+
+// plan.json: everything that a suite runs. What it means is in experiments/suite/plan.h.
+struct PlanFile {
+  static constexpr int kSchemaVersion = 1;
+  static constexpr const char* kKind = "plan";
+
+  PlanSuite suite;
+  std::string build;
+  std::string data;
+  PlanTable table;
+  Json definition = Json::object();  // the suite file, which workers read
+  std::vector<PlanJob> jobs;
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("suite", self.suite);
+    archive.Field("build", self.build);
+    archive.Added("data", self.data);
+    archive.Field("table", self.table);
+    archive.Added("definition", self.definition);
+    archive.Field("jobs", self.jobs);
+  }
+};
+
+// failed/<job>.json: why a job has no result.
+struct JobFailure {
+  static constexpr int kSchemaVersion = 1;
+  static constexpr const char* kKind = "failure";
+
+  std::string job;
+  std::string message;
+  std::string log;  // its end
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Added("job", self.job);
+    archive.Added("message", self.message);
+    archive.Added("log", self.log);
+  }
+};
+
+}  // namespace cvo::reports
