@@ -87,7 +87,7 @@ TEST_F(EvalSequence, AveragePrecision) {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return RunProgram(arguments);
   };
-  EXPECT_THAT(run({}).out, HasSubstr("bv              11      9.09"));
+  EXPECT_THAT(run({}).out, HasSubstr("bv           11      9.09"));
   const Json json = ParseJson(run({"--iou", "0.25", "--json"}).out, "eval --ap");
   EXPECT_EQ(json["kind"], "average precision");
   EXPECT_EQ(json["average_precision"][1]["contract"]["least_overlap"], 0.25);
