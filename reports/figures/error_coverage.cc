@@ -267,7 +267,7 @@ void DrawErrorOverCoverage(const SuiteData& data, const std::vector<SeriesRows>&
   if (series.size() > kMaxSeries) {
     drawing.not_drawn.push_back(StrCat("Error over coverage: ", series.size(),
                                        " kinds of marks, at most ", kMaxSeries,
-                                       " can be told apart."));
+                                       " can be distinguished."));
     return;
   }
   for (const ErrorAndCoverage& pair : pairs) {

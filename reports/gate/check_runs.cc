@@ -139,7 +139,7 @@ class Check {
     std::set<std::string> levels = CpuLevels(runs_.runs);
     levels.insert(baseline_.build.cpu_level);
     if (levels.size() > 1) report_.notes.push_back(CpuLevelNote(levels));
-    note(other_images_, " runs saw other images than the baseline's: scenes were drawn anew");
+    note(other_images_, " runs read other images than the baseline: scenes were rendered again");
   }
 
   const Baseline& baseline_;

@@ -175,7 +175,7 @@ TEST_F(GateTest, AnotherUnitFails) {
 TEST_F(GateTest, OtherImagesAreNoted) {
   now_.Edit(GateFolder::Id("room", "full", 1),
             [](Json& result) { result["sequence"]["content"] = "other"; });
-  EXPECT_THAT(NoteLines(Check()), Contains(HasSubstr("1 runs saw other images")));
+  EXPECT_THAT(NoteLines(Check()), Contains(HasSubstr("1 runs read other images")));
 }
 
 TEST(Gate, SeedsBeyondThoseOfTheGateNeedNotRun) {
