@@ -19,8 +19,8 @@ jobs := $(if $(JOBS),--parallel $(JOBS))
 
 # What the two commands are about to do; times are of two idle cores.
 about_test := install missing packages, build everything (10 minutes from nothing), run the tests (6 minutes)
-about_table := install missing packages, build the program (7 minutes from nothing), render four rooms and \
-  run the ablation on them (12 minutes)
+about_table := install missing packages, build the program (7 minutes from nothing), render the rooms of \
+  the test split and run the ablation on them (9 minutes)
 $(foreach goal,$(filter test table,$(MAKECMDGOALS)),$(info make $(goal): $(about_$(goal))))
 
 help: ## list the targets
@@ -48,7 +48,7 @@ suite = $(release)/bin/clustervo experiment run $(1) -o results/$(1) $(addprefix
 	$(release)/bin/clustervo experiment table results/$(1) && \
 	echo "page: results/$(1)/report/index.html, written by: make report SUITE=$(1)" && exit $$code
 
-table: program ## the paper's ablation on rendered rooms, end to end: its table, and results/ablation
+table: program ## the paper's ablation on rooms of the test split, end to end: its table, and results/ablation
 	@$(call suite,ablation)
 
 table-all: program ## the same for every variant

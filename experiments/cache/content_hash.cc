@@ -45,16 +45,19 @@ std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>
   Json image_files = Json::array();
   for (const ImageHashes& pair : images)
     image_files.push_back(Json::array({pair.left, pair.right}));
-  return Sha256Hex(DumpJson({{"name", sequence.name},
-                             {"type", sequence.type},
-                             {"pair", sequence.pair},
-                             {"groundtruth", sequence.groundtruth},
-                             {"first_frame", sequence.first_frame},
-                             {"total_frames", sequence.total_frames},
-                             {"camera", CameraNumbers(sequence.camera)},
-                             {"timestamps_ns", sequence.timestamps_ns},
-                             {"text_files", text_files},
-                             {"images", image_files}}));
+  Json json = {{"name", sequence.name},
+               {"type", sequence.type},
+               {"pair", sequence.pair},
+               {"groundtruth", sequence.groundtruth},
+               {"first_frame", sequence.first_frame},
+               {"total_frames", sequence.total_frames},
+               {"camera", CameraNumbers(sequence.camera)},
+               {"timestamps_ns", sequence.timestamps_ns},
+               {"text_files", text_files},
+               {"images", image_files}};
+  const Json perturbation = PerturbationToJson(sequence.perturbation);
+  if (!perturbation.empty()) json["perturbation"] = perturbation;
+  return Sha256Hex(DumpJson(json));
 }
 
 }  // namespace cvo

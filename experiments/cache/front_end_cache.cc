@@ -33,13 +33,19 @@ std::string FrontEndKey(const FrontEndSettings& settings, const std::vector<Imag
   }
   OrbOptions orb = settings.orb;
   StereoMatchOptions stereo = settings.stereo;
-  return Sha256Hex(DumpJson({{"format", kFeatureFileVersion},
-                             {"build", settings.build},
-                             {"camera", CameraNumbers(settings.camera)},
-                             {"orb", OptionsToJson(OptionLeaves(orb))},
-                             {"stereo", OptionsToJson(OptionLeaves(stereo))},
-                             {"boxes", boxes},
-                             {"images", image_files}}));
+  Json json = {{"format", kFeatureFileVersion},
+               {"build", settings.build},
+               {"camera", CameraNumbers(settings.camera)},
+               {"orb", OptionsToJson(OptionLeaves(orb))},
+               {"stereo", OptionsToJson(OptionLeaves(stereo))},
+               {"boxes", boxes},
+               {"images", image_files}};
+  const Json perturbation = PerturbationToJson(settings.perturbation);
+  if (!perturbation.empty()) {
+    json["perturbation"] = perturbation;
+    json["first_frame"] = settings.first_frame;
+  }
+  return Sha256Hex(DumpJson(json));
 }
 
 FrontEndRecording::FrontEndRecording(fs::path folder, std::uint64_t limit_bytes, Notice notice)

@@ -25,6 +25,8 @@ struct FrontEndSettings {
   OrbOptions orb;
   StereoMatchOptions stereo;
   std::vector<std::vector<cv::Rect2d>> boxes = {};  // where bodies may be, by frame
+  Perturbation perturbation = {};
+  int first_frame = 0;  // decides what is drawn for it
 };
 
 // The name of a sequence's front-end output; empty where an image could not be read, since what

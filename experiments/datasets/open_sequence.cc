@@ -64,6 +64,7 @@ Sequence OpenSequence(const SequenceRequest& request) try {
   if (sequence.groundtruth.empty()) sequence.groundtruth = "none";
   sequence.groundtruth_world_from_camera.resize(sequence.images.size());
   CutFrames(resolved, sequence);
+  PerturbSequence(resolved.perturbation, sequence);
   return sequence;
 } catch (const fs::filesystem_error& error) {
   ThrowError(error.path1().string(), error.code().message(), "a folder or file that can be read");

@@ -10,6 +10,7 @@
 
 #include "core/geometry/rigid_transform.h"
 #include "core/geometry/stereo_camera.h"
+#include "experiments/datasets/perturbation.h"
 
 namespace cvo {
 
@@ -71,6 +72,7 @@ struct Sequence {
   // Text files that determine what was read besides the images (calibration, times, OxTS, labels,
   // detections), in a fixed order: they are part of the sequence's identity.
   std::vector<std::filesystem::path> text_files;
+  Perturbation perturbation;         // done to camera and images; pixels as they are decoded
   std::vector<std::string> missing;  // what a complete folder would also hold, one line each
 };
 
@@ -93,6 +95,7 @@ struct SequenceRequest {
   double min_score = -1e300;   // detections below are left out
   // Of the camera (StereoCamera); empty: what is known of the data set's rectification.
   std::optional<double> right_shift_px = {};
+  Perturbation perturbation = {};
 };
 
 // Reads everything but the images, and checks all of it: image files exist on both sides, in equal

@@ -147,6 +147,8 @@ reports::RunSequence SequenceOf(const Sequence& sequence, const std::string& con
   of.detections_hash = DetectionsHash(sequence);
   of.content = content;
   of.camera = CameraOf(sequence.camera);
+  const Json perturbation = PerturbationToJson(sequence.perturbation);
+  if (!perturbation.empty()) of.perturbation = perturbation;
   return of;
 }
 

@@ -16,8 +16,14 @@ namespace cvo {
 namespace {
 
 FrontEndSettings Settings(const FrameInput& input) {
-  return {ThisBuild().identity, input.sequence.camera, input.options.orb, input.options.stereo,
-          BoxesByFrame(input.sequence)};
+  const Sequence& sequence = input.sequence;
+  return {.build = ThisBuild().identity,
+          .camera = sequence.camera,
+          .orb = input.options.orb,
+          .stereo = input.options.stereo,
+          .boxes = BoxesByFrame(sequence),
+          .perturbation = sequence.perturbation,
+          .first_frame = sequence.first_frame};
 }
 
 // Extracts, and keeps what it gives for later runs under the hashes of the bytes it read.

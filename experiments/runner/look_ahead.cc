@@ -29,8 +29,18 @@ std::string WithoutPath(const std::string& problem, const std::filesystem::path&
   return problem.starts_with(prefix) ? problem.substr(prefix.size()) : problem;
 }
 
-Side PrepareSide(const std::filesystem::path& path, const StereoCamera& camera,
-                 const OrbOptions& options, const std::vector<CornerRegion>& regions) {
+// One image of a sequence: its left (0) or right (1) one of a frame.
+struct SideOfFrame {
+  const Sequence& sequence;
+  std::size_t index;
+  int side;
+};
+
+Side PrepareSide(const SideOfFrame& of, const OrbOptions& options,
+                 const std::vector<CornerRegion>& regions) {
+  const StereoPaths& paths = of.sequence.images[of.index];
+  const std::filesystem::path& path = of.side == 0 ? paths.left : paths.right;
+  const StereoCamera& camera = of.sequence.camera;
   Side side;
   LoadedImage image;
   {
@@ -45,6 +55,11 @@ Side PrepareSide(const std::filesystem::path& path, const StereoCamera& camera,
                           camera.width_px, "x", camera.height_px, " px");
     return side;
   }
+  if (IsDropped(of.sequence, of.index)) {
+    side.problem = "found a frame dropped by perturb.drop_rate, expected an image";
+    return side;
+  }
+  PerturbImage(of.sequence, of.index, of.side, image.grey);
   const ScopedStage stage(side.times_s, "extract");
   side.orb = ExtractOrb(image.grey, options, regions);
   return side;
@@ -87,20 +102,19 @@ LookAhead::LookAhead(const Sequence& sequence, const Options& options, TaskPool&
 
 void LookAhead::SubmitNext() {
   if (submitted_ == sequence_.images.size()) return;
-  const std::vector<cv::Rect2d>& boxes = boxes_[submitted_];
-  const StereoPaths& paths = sequence_.images[submitted_++];
+  const std::size_t index = submitted_++;
+  const std::vector<cv::Rect2d>& boxes = boxes_[index];
   Submitted next;
   next.slot = std::make_shared<Slot>();
   for (std::size_t side = 0; side < 2; ++side) {
     // The slot is kept alive by its tasks: they may still run when an error has ended the run.
-    next.tickets[side] =
-        pool_.Submit([slot = next.slot, side, &sequence = sequence_, &options = options_, boxes,
-                      &path = side == 0 ? paths.left : paths.right] {
+    next.tickets[side] = pool_.Submit(
+        [slot = next.slot, side, index, &sequence = sequence_, &options = options_, boxes] {
           const OrbOptions orb = side == 0 ? options.orb : RightOrb(options.orb, options.stereo);
           const std::vector<CornerRegion> regions =
               side == 0 ? LeftRegions(boxes, orb)
                         : RightRegions(boxes, options.orb, options.stereo, sequence.camera);
-          slot->sides[side] = PrepareSide(path, sequence.camera, orb, regions);
+          slot->sides[side] = PrepareSide({sequence, index, static_cast<int>(side)}, orb, regions);
           // Whichever image is ready last matches the pair; an error leaves the count above zero.
           if (slot->unfinished.fetch_sub(1) == 1) slot->Match(sequence, options);
         });

@@ -146,7 +146,9 @@ Input Planner::FindInput(const Cell& cell) {
 
 const Input& Planner::InputOf(const Cell& cell) {
   const SuiteSequence& sequence = cell.sequence;
-  std::string key = StrCat(sequence.name, "\n", sequence.detections, "\n");
+  std::string key =
+      StrCat(sequence.name, "\n", sequence.detections, "\n",
+             PerturbationToJson(PerturbationOf(sequence, cell.parameters, cell.seed)).dump(), "\n");
   if (!sequence.scene.empty()) {
     key += std::to_string(cell.seed);
     for (const std::string& assignment : SceneAssignments(sequence, cell.parameters)) {
@@ -178,7 +180,12 @@ PlannedJob Planner::PlanCell(const Cell& cell) {
     return job;
   }
   const Options options = OptionsOf(suite_, cell.variant, cell.parameters);
-  job.input = FrontEndKey({build_.identity, input.sequence.camera, options.orb, options.stereo},
+  job.input = FrontEndKey({.build = build_.identity,
+                           .camera = input.sequence.camera,
+                           .orb = options.orb,
+                           .stereo = options.stereo,
+                           .perturbation = input.sequence.perturbation,
+                           .first_frame = input.sequence.first_frame},
                           input.images);
   job.job = IdentifyJob({.sequence = input.sequence,
                          .variant = FindVariant(cell.variant),

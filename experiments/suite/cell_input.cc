@@ -44,10 +44,21 @@ Options OptionsOf(const Suite& suite, const std::string& variant, const GridPoin
   const std::vector<OptionLeaf> leaves = OptionLeaves(options);
   MergeOptions(suite.options, "suite " + suite.name, leaves);
   for (const auto& [path, value] : parameters) {
-    if (!IsScenePath(path)) MergeOptions(Nested(path, value), "suite " + suite.name, leaves);
+    if (IsOptionPath(path)) MergeOptions(Nested(path, value), "suite " + suite.name, leaves);
   }
   options.Check();
   return options;
+}
+
+Perturbation PerturbationOf(const SuiteSequence& sequence, const GridPoint& parameters,
+                            std::uint64_t seed) {
+  Json json = sequence.perturb;
+  for (const auto& [path, value] : parameters) {
+    if (IsPerturbPath(path)) json[PerturbKey(path)] = value;
+  }
+  Perturbation perturbation = ParsePerturbation(json, sequence.name + ", perturb");
+  perturbation.seed = seed;
+  return perturbation;
 }
 
 std::vector<std::string> SceneAssignments(const SuiteSequence& sequence,
@@ -69,6 +80,7 @@ SequenceRequest RequestOf(const Cell& cell, const fs::path& folder, const fs::pa
   request.dataset = sequence.dataset;
   request.pair = sequence.pair;
   request.groundtruth = sequence.groundtruth;
+  request.perturbation = PerturbationOf(sequence, cell.parameters, cell.seed);
   if (!sequence.scene.empty()) {
     request.detections_file = SceneDetections(cell, folder);
     return request;  // its frames were chosen when it was rendered

@@ -19,6 +19,10 @@ namespace cvo {
 // another system, the defaults). Throws Error for what cannot be together.
 Options OptionsOf(const Suite& suite, const std::string& variant, const GridPoint& parameters);
 
+// The sequence's, with the point's "perturb." values over it. Throws Error naming the key.
+Perturbation PerturbationOf(const SuiteSequence& sequence, const GridPoint& parameters,
+                            std::uint64_t seed);
+
 // "sensor.read_noise=0": what a point assigns to the scene. Where it touches the detector, its
 // values go over the level that the sequence names.
 std::vector<std::string> SceneAssignments(const SuiteSequence& sequence,

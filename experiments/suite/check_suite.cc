@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <functional>
+#include <map>
 #include <set>
 
 #include "core/base/error.h"
@@ -95,6 +97,19 @@ void CheckScene(const SuiteSequence& sequence, const GridPoint& point) {
   }
 }
 
+// Draws of one distribution are checked by their first: each takes time to make, and one that
+// cannot be made is listed with the jobs that lack it.
+bool IsDrawnAsBefore(const Suite& suite, std::size_t index) {
+  if (index == 0) return false;
+  const SuiteSequence& before = suite.sequences[index - 1];
+  const SuiteSequence& sequence = suite.sequences[index];
+  if (!synth::IsFamilyScene(before.scene) || !synth::IsFamilyScene(sequence.scene)) return false;
+  synth::FamilyScene scene = synth::ParseFamilyScene(before.scene);
+  scene.seed = synth::ParseFamilyScene(sequence.scene).seed;
+  return scene.Name() == sequence.scene && before.frames == sequence.frames &&
+         before.detections == sequence.detections;
+}
+
 void CheckSequences(const Suite& suite, const std::string& where) {
   if (suite.sequences.empty()) ThrowError(where + ", sequences", "none", "at least one");
   std::set<std::pair<std::string, std::string>> seen;
@@ -116,6 +131,8 @@ void CheckSequences(const Suite& suite, const std::string& where) {
                  "\"devkit\" or \"interpolated\"");
     }
     At(at, [&] {
+      PerturbationOf(sequence, {}, 0);
+      if (IsDrawnAsBefore(suite, i)) return;
       if (!sequence.scene.empty()) return CheckScene(sequence, {});
       if (!sequence.frames.empty()) ParseFrameRange(sequence.frames);
     });
@@ -159,6 +176,7 @@ void CheckGrid(const Suite& suite, const std::string& where) {
       const GridPoint point = {{axis.path, value}};
       At(StrCat(where, ", grid.", axis.path), [&] {
         for (const std::string& variant : AnyVariants(suite)) OptionsOf(suite, variant, point);
+        PerturbationOf(suite.sequences.front(), point, 0);
       });
     }
   }
@@ -166,6 +184,7 @@ void CheckGrid(const Suite& suite, const std::string& where) {
                                   [](const GridAxis& axis) { return IsScenePath(axis.path); });
   for (std::size_t i = 0; i < suite.sequences.size(); ++i) {
     if (i > 0 && !scenes) continue;  // the same for all of them
+    if (IsDrawnAsBefore(suite, i)) continue;
     At(where + ", grid", [&] {
       for (const std::string& variant : AnyVariants(suite)) {
         for (const GridPoint& point : GridPoints(suite, suite.sequences[i], variant)) {
@@ -198,22 +217,24 @@ void CheckSystems(const Suite& suite, const std::string& where) {
 // Scenes that options were chosen on and those that results are reported on never share a row.
 void CheckSplits(const Suite& suite, const std::string& where) {
   if (Among(suite.table.rows, "sequence")) return;
-  std::string split;
+  const bool by_family = Among(suite.table.rows, "family");
+  std::map<std::string, std::string> splits;  // of each family, or of all
   for (std::size_t i = 0; i < suite.sequences.size(); ++i) {
-    const std::string other = SplitOf(suite.sequences[i]);
-    if (!split.empty() && !other.empty() && other != split) {
-      ThrowError(StrCat(where, ", sequences.", i),
-                 StrCat("the ", other, " split (", suite.sequences[i].name, ") beside the ", split,
-                        " split"),
-                 "one split in a suite, or \"sequence\" among table.rows");
-    }
-    if (!other.empty()) split = other;
+    const SuiteSequence& sequence = suite.sequences[i];
+    const std::string split = SplitOf(sequence);
+    if (sequence.scene.empty()) continue;
+    const auto [first, is_new] = splits.emplace(by_family ? FamilyOf(sequence) : "", split);
+    if (is_new || first->second == split) continue;
+    ThrowError(
+        StrCat(where, ", sequences.", i),
+        StrCat("the ", split, " split (", sequence.name, ") beside the ", first->second, " split"),
+        "one split in a row, or \"sequence\" among table.rows");
   }
 }
 
 // Rows must tell apart whatever differs between cells, but for the sequence and the seed.
 void CheckRows(const Suite& suite, const std::string& where) {
-  Names keys = {"sequence", "detections", "variant", "oracle"};
+  Names keys = {"sequence", "family", "detections", "variant", "oracle"};
   Names needed;
   for (const GridAxis& axis : suite.grid) {
     keys.push_back(axis.path);
@@ -265,19 +286,20 @@ void CheckOracles(const Suite& suite, const std::string& where) {
 }  // namespace
 
 std::string SplitOf(const SuiteSequence& sequence) {
-  if (sequence.scene.empty()) return "";
+  if (sequence.scene.empty()) return "given";
   if (!synth::IsFamilyScene(sequence.scene)) return synth::SplitName(synth::Split::kDevelopment);
   return synth::SplitName(synth::SplitOf(synth::ParseFamilyScene(sequence.scene).seed));
 }
 
+std::string FamilyOf(const SuiteSequence& sequence) {
+  if (!synth::IsFamilyScene(sequence.scene)) return "";
+  return std::filesystem::path(synth::ParseFamilyScene(sequence.scene).family).stem().string();
+}
+
 std::string SplitOf(const Suite& suite) {
-  std::string split;
-  for (const SuiteSequence& sequence : suite.sequences) {
-    const std::string other = SplitOf(sequence);
-    if (!split.empty() && !other.empty() && other != split) return "mixed";
-    if (!other.empty()) split = other;
-  }
-  return split;
+  std::set<std::string> splits;
+  for (const SuiteSequence& sequence : suite.sequences) splits.insert(SplitOf(sequence));
+  return splits.size() == 1 ? *splits.begin() : "mixed";
 }
 
 void CheckSuite(const Suite& suite, const std::string& where) {

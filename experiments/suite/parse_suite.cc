@@ -33,6 +33,12 @@ std::vector<std::string> TextsOr(ObjectReader& object, const std::string& key,
   return value.get<std::vector<std::string>>();
 }
 
+Json ObjectOr(ObjectReader& object, const std::string& key) {
+  if (!object.Has(key)) return Json::object();
+  object.Object(key);  // throws for what is no object
+  return object.Value(key);
+}
+
 // A file is meant relative to the suite's folder.
 std::string ResolveScene(const std::string& scene, const fs::path& folder) {
   for (const synth::ShippedScene& shipped : synth::ShippedScenes()) {
@@ -102,6 +108,7 @@ void ReadFamily(ObjectReader object, const fs::path& folder, std::vector<SuiteSe
   sequence.frames = object.TextOr("frames", "");
   sequence.detections = object.TextOr("detections", "");
   sequence.classes = TextsOr(object, "classes", {});
+  sequence.perturb = ObjectOr(object, "perturb");
   object.Finish();
   for (std::uint64_t seed = first; seed < end; ++seed) {
     scene.seed = static_cast<std::uint32_t>(seed);
@@ -122,6 +129,7 @@ SuiteSequence ReadSequence(ObjectReader object, const fs::path& folder) {
   sequence.frames = object.TextOr("frames", "");
   sequence.detections = object.TextOr("detections", "");
   sequence.classes = TextsOr(object, "classes", {});
+  sequence.perturb = ObjectOr(object, "perturb");
   if (!sequence.folder.empty()) {
     sequence.dataset = object.TextOr("dataset", "");
     sequence.pair = object.TextOr("pair", "");
@@ -220,10 +228,7 @@ Suite ReadCheckedSuite(const Json& json, const std::string& where, const fs::pat
   }
   suite.variants = TextsOr(object, "variants", {});
   suite.seeds = ReadSeeds(object);
-  if (object.Has("options")) {
-    object.Object("options");  // throws for what is no object
-    suite.options = object.Value("options");
-  }
+  suite.options = ObjectOr(object, "options");
   suite.grid = ReadGrid(object);
   suite.grid_one_at_a_time = object.BoolOr("grid_one_at_a_time", false);
   if (object.Has("oracles")) suite.oracles = ReadOracles(object);

@@ -20,6 +20,8 @@ reports::PlanJob JobInFile(const PlannedJob& job, const Suite& suite) {
   const Cell& cell = job.cell;
   reports::PlanJob row;
   row.sequence = cell.sequence.name;
+  row.family = FamilyOf(cell.sequence);
+  row.split = SplitOf(cell.sequence);
   row.detections = cell.sequence.detections;
   row.variant = cell.variant;
   row.system = cell.system;

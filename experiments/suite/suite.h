@@ -25,14 +25,19 @@ struct SuiteSequence {
   std::optional<double> min_score;
   std::vector<std::string> classes;  // of detections that count; empty: RigidClasses()
   std::string labels;                // file below the data folder; empty: the folder's own
+  Json perturb = Json::object();     // done to its images and calibration (Perturbation)
 };
 
-// "development" or "test" for scenes (synth/family/family.h), "none" for other seeds of a family;
-// empty for a folder of images. Shipped scenes are for development.
+// "development" or "test" for scenes (synth/family/family.h), "none" for other seeds of a family,
+// "given" for a folder of images. Shipped scenes are for development.
 std::string SplitOf(const SuiteSequence& sequence);
 
+// Name of the family that a scene is drawn from; empty: none.
+std::string FamilyOf(const SuiteSequence& sequence);
+
 // Values that one option takes, in order: of the estimator ("pairwise.alpha") or, with "scene."
-// before it, of the scene file ("scene.detector.miss_rate": over the level that a sequence names).
+// before it, of the scene file ("scene.detector.miss_rate": over the level that a sequence names),
+// with "perturb." of SuiteSequence::perturb.
 struct GridAxis {
   std::string path;
   std::vector<Json> values;
@@ -68,7 +73,7 @@ struct Suite {
   SuiteTable table;
 };
 
-// Of all its scenes: "development", "test", "none", "mixed"; empty without scenes.
+// Of all its sequences: one of the above, or "mixed".
 std::string SplitOf(const Suite& suite);
 
 }  // namespace cvo

@@ -17,6 +17,7 @@ namespace cvo {
 namespace {
 
 constexpr std::string_view kScene = "scene.";
+constexpr std::string_view kPerturb = "perturb.";
 constexpr double kLargest = 1e15;
 constexpr int kMaxAxisValues = 1000;
 
@@ -105,6 +106,9 @@ GridPoint DefaultPoint(const Suite& suite, const SuiteSequence& sequence,
         ThrowError("grid." + axis.path, "no such key in scene " + sequence.scene,
                    "an existing key: one-at-a-time grids start from the scene's own values");
       }
+    } else if (IsPerturbPath(axis.path)) {
+      Perturbation perturbation = PerturbationOf(sequence, {}, 0);
+      value = AtPath(OptionsToJson(OptionLeaves(perturbation)), PerturbKey(axis.path));
     } else {
       value = AtPath(estimator, axis.path);
     }
@@ -132,6 +136,12 @@ std::vector<GridPoint> OneAtATime(const Suite& suite, const SuiteSequence& seque
 bool IsScenePath(const std::string& path) { return path.starts_with(kScene); }
 
 std::string SceneKey(const std::string& path) { return path.substr(kScene.size()); }
+
+bool IsPerturbPath(const std::string& path) { return path.starts_with(kPerturb); }
+
+std::string PerturbKey(const std::string& path) { return path.substr(kPerturb.size()); }
+
+bool IsOptionPath(const std::string& path) { return !IsScenePath(path) && !IsPerturbPath(path); }
 
 std::vector<Json> ParseAxisValues(const Json& json, const std::string& where) {
   std::vector<Json> values;

@@ -26,5 +26,10 @@ std::vector<GridPoint> GridPoints(const Suite& suite, const SuiteSequence& seque
 // Whether the path is of a scene file; and its key there.
 bool IsScenePath(const std::string& path);
 std::string SceneKey(const std::string& path);
+// The same of a sequence's perturbation.
+bool IsPerturbPath(const std::string& path);
+std::string PerturbKey(const std::string& path);
+// Of the estimator.
+bool IsOptionPath(const std::string& path);
 
 }  // namespace cvo

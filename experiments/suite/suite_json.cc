@@ -17,6 +17,7 @@ Json SequenceToJson(const SuiteSequence& sequence) {
   AddText("frames", sequence.frames, json);
   AddText("detections", sequence.detections, json);
   if (!sequence.classes.empty()) json["classes"] = sequence.classes;
+  if (!sequence.perturb.empty()) json["perturb"] = sequence.perturb;
   if (sequence.folder.empty()) return json;
   AddText("dataset", sequence.dataset, json);
   AddText("pair", sequence.pair, json);

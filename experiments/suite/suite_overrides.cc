@@ -48,14 +48,14 @@ void Set(const std::string& assignment, Suite& suite) {
   const Json value = ParseValue(assignment.substr(equals + 1));
   const auto axis = std::find_if(suite.grid.begin(), suite.grid.end(),
                                  [&](const GridAxis& other) { return other.path == path; });
-  const bool of_scene = IsScenePath(path);
-  if ((of_scene || axis != suite.grid.end()) && suite.grid_one_at_a_time) {
+  const bool of_sequence = !IsOptionPath(path);
+  if ((of_sequence || axis != suite.grid.end()) && suite.grid_one_at_a_time) {
     ThrowError("--set " + assignment, "a suite that varies one axis of its grid at a time",
                "an option that is not an axis");
   }
   if (axis != suite.grid.end()) {
     axis->values = {value};
-  } else if (of_scene) {
+  } else if (of_sequence) {
     suite.grid.push_back({path, {value}});
   } else {
     SetSuiteOption(assignment, suite.options);

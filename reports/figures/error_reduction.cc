@@ -321,7 +321,8 @@ void DrawErrorReduction(const SuiteData& data, const std::vector<SeriesRows>& se
   figure.caption = StrCat(
       "Blue and +: less error than ", data.table.reference,
       "; orange and −: more. In brackets: not distinguishable from it (the 95 % interval of the "
-      "paired difference holds 0, or there are too few pairs). Empty: nothing to compare. Of "
+      "paired difference holds 0, its p-value, corrected for the number of cells, is not below "
+      "0.05, or there are too few pairs). Empty: nothing to compare. Of "
       "shares the error is what is missing to 100 %. Each cell is on what both have in common.");
   figure.alt = StrCat("Heat map of ", map.rows, " rows by ", map.columns.size(),
                       " metrics, against ", data.table.reference, ". ");

@@ -8,6 +8,7 @@
 #include "reports/figures/swept_lines.h"
 #include "reports/tables/cells.h"
 #include "reports/tables/columns.h"
+#include "reports/tables/comparisons.h"
 
 namespace cvo::reports {
 namespace {
@@ -25,7 +26,7 @@ SeriesRows Describe(const std::vector<std::string>& keys, const std::vector<std:
     list += StrCat(list.empty() ? "" : ", ", text);
   };
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (keys[i] == "sequence") continue;
+    if (keys[i] == "sequence" || keys[i] == "family") continue;
     const bool option = IsOption(keys[i]);
     add(option ? keys[i] + " " + values[i] : values[i], series.label);
     add(values[i], option ? series.options : series.name);
@@ -80,6 +81,15 @@ std::vector<SeriesRows> SplitByScene(const SuiteData& data) {
         {ValueOf(keys, row.keys, "sequence"),
          CellsOf(row, FindReference(rows, row, keys, reference), keys, data.table)});
   }
+  std::vector<Difference*> differences;
+  for (SeriesRows& known : series) {
+    for (SceneRow& scene : known.scenes) {
+      for (Cell& cell : scene.cells) {
+        if (cell.difference) differences.push_back(&*cell.difference);
+      }
+    }
+  }
+  CorrectForMany(differences);
   for (const Row& row : data.table.rows) {
     if (by_sequence) break;
     const std::string label = Describe(data.table.keys, row.keys).label;

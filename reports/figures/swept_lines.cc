@@ -94,7 +94,7 @@ SweptOption ReadOption(const SuitePlan& plan, const Table& table, std::size_t ke
 }  // namespace
 
 bool IsOption(const std::string& key) {
-  constexpr std::array kNonOptionKeys = {"sequence", "detections", "variant", "oracle"};
+  constexpr std::array kNonOptionKeys = {"sequence", "family", "detections", "variant", "oracle"};
   return std::find(kNonOptionKeys.begin(), kNonOptionKeys.end(), key) == kNonOptionKeys.end();
 }
 

@@ -12,7 +12,7 @@ namespace cvo::reports {
 namespace {
 
 bool IdentifiesData(const std::string& key) {
-  return key == "sequence" || key == "detections" || key.starts_with("scene.");
+  return key == "sequence" || key == "family" || key == "detections" || key.starts_with("scene.");
 }
 
 // Values of the keys that identify the data of a row, and its correction.

@@ -51,7 +51,7 @@ void AddHead(const Table& table, const TextLine& line, Record& record) {
     AddText(theirs.frames > 0 ? StrCat(theirs.first_frame, ":", theirs.first_frame + theirs.frames)
                               : "",
             record);
-    AddBlanks(3, record);
+    AddBlanks(4, record);
     return;
   }
   const Row& row = table.rows[*line.row];
@@ -61,6 +61,7 @@ void AddHead(const Table& table, const TextLine& line, Record& record) {
                        : "",
           record);
   AddText(TruthText(row.truth), record);
+  AddText(row.split, record);
   AddCount(row.jobs.done, record);
   AddCount(row.jobs.planned, record);
 }
@@ -68,7 +69,8 @@ void AddHead(const Table& table, const TextLine& line, Record& record) {
 Record HeadNames(const Table& table) {
   Record names;
   for (const std::string& key : table.keys) AddText(key, names);
-  for (const char* name : {"system", "source", "frames", "truth", "runs_done", "runs_planned"}) {
+  for (const char* name :
+       {"system", "source", "frames", "truth", "split", "runs_done", "runs_planned"}) {
     names.emplace_back(name);
   }
   return names;
@@ -114,13 +116,19 @@ void AddResultCell(const Cell& cell, Record& record) {
   if (!cell.present) AddBlanks(4, record);
 }
 
+constexpr std::size_t kDifferenceFields = 9;
+
 void AddDifference(const std::optional<Difference>& difference, Record& record) {
-  if (!difference) return AddBlanks(6, record);
+  if (!difference) return AddBlanks(kDifferenceFields, record);
   AddText(difference->reference, record);
   AddNumber(difference->difference, record);
   AddNumber(Low(difference->interval), record);
   AddNumber(High(difference->interval), record);
   AddCount(difference->pairs, record);
+  AddNumber(difference->p_value, record);
+  AddNumber(difference->adjusted_p_value, record);
+  record.push_back(difference->scenes_for_10_percent ? StrCat(*difference->scenes_for_10_percent)
+                                                     : "");
   record.emplace_back(difference->distinguishable ? "true" : "false");
 }
 
@@ -143,7 +151,7 @@ std::string LongRecord(const Table& table, const TableTexts& texts, const TextLi
   if (line.reference) {
     const ReferenceCell& cell = *FindReferenceRow(table, line).cells[column];
     AddNumber(cell.value, record);
-    AddBlanks(7 + 1 + 6 + 1, record);
+    AddBlanks(7 + 1 + kDifferenceFields + 1, record);
     AddText(Marks(line.cells[column]), record);
     AddBlanks(2, record);
     AddText(NameOf(cell.match), record);
@@ -203,6 +211,9 @@ std::string TableLongCsv(const Table& table) {
                            "difference_low",
                            "difference_high",
                            "pairs",
+                           "p_value",
+                           "adjusted_p_value",
+                           "scenes_for_10_percent",
                            "distinguishable",
                            "left_out",
                            "marks",

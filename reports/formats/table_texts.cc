@@ -25,9 +25,16 @@ bool ShowsSequences(const Table& table) {
   return std::find(table.keys.begin(), table.keys.end(), "sequence") != table.keys.end();
 }
 
+// Older results do not know it.
+bool ShowsSplits(const Table& table) {
+  return std::any_of(table.rows.begin(), table.rows.end(),
+                     [](const Row& row) { return !row.split.empty(); });
+}
+
 std::vector<std::string> TextHeader(const Table& table) {
   std::vector<std::string> header = table.keys;
   if (ShowsSequences(table)) header.insert(header.end(), {"frames", "truth"});
+  if (ShowsSplits(table)) header.emplace_back("split");
   header.emplace_back("runs");
   return header;
 }
@@ -45,6 +52,7 @@ std::vector<std::string> ResultTexts(const Row& row, const Table& table) {
                                  : "-");
     texts.push_back(Printable(ShortTruth(row.truth)));
   }
+  if (ShowsSplits(table)) texts.push_back(Printable(row.split));
   texts.push_back(StrCat(row.jobs.done, "/", row.jobs.planned));
   return texts;
 }

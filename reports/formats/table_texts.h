@@ -16,7 +16,7 @@ struct CellText {
   std::string percent;           // of a difference
   std::string percent_interval;  // of a difference
   std::string n;                 // "11 bodies, 4 scenes, 5 seeds, 20 runs"
-  std::string units;             // of these, what the interval resamples: "11 bodies"
+  std::string units;             // of these, what the interval resamples: "4 scenes"
   std::string note;              // why there is no value, or why it does not compare
   bool best = false;             // of its column, among rows on the same data
   bool distinguishable = false;  // from the reference
@@ -54,7 +54,7 @@ struct ColumnText {
 struct TableTexts {
   std::string title;
   std::string about;
-  std::vector<std::string> text_header;  // keys of rows, then frames and truth, runs
+  std::vector<std::string> text_header;  // keys of rows, then frames and truth, split, runs
   std::vector<ColumnText> columns;
   std::vector<TextBlock> blocks;  // values, then differences where there are any
   bool any_best = false;

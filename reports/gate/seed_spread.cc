@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "reports/gate/compare.h"
-#include "reports/gate/student.h"
 #include "reports/results/metric_catalogue.h"
+#include "reports/statistics/student.h"
 
 namespace cvo::reports {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/median.h"
-#include "reports/gate/student.h"
+#include "reports/statistics/student.h"
 
 namespace cvo::reports {
 namespace {

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+
+#include "reports/tables/body_metrics.h"
 
 namespace cvo::reports {
 namespace {
@@ -32,11 +35,30 @@ int Rank(const PageRun& run, const std::string& reference) {
   return variant == reference || "variant=" + variant == reference ? 1 : 2;
 }
 
+// How much of its moving bodies the run gets right; 1 where it has none.
+double SuccessOf(const PageRun& run) {
+  const BodyMetric success = *FindBodyMetric("object_success_10cm");
+  Part total = {0.0, 0.0};
+  if (!run.run.run->bodies) return 1.0;
+  for (const BodyRow& body : run.run.run->bodies->refined) {
+    const std::optional<Part> part = PartOf(success, body);
+    if (!part) continue;
+    total.sum += part->sum;
+    total.weight += part->weight;
+  }
+  return total.weight > 0.0 ? total.sum / total.weight : 1.0;
+}
+
 }  // namespace
 
 SceneChoice ChooseScenes(const std::vector<PageRun>& runs, const std::string& reference,
                          std::size_t most) {
-  const std::vector<std::size_t> candidates = FirstSeeds(runs);
+  std::vector<std::size_t> candidates = FirstSeeds(runs);
+  if (candidates.size() > most) {
+    std::stable_sort(candidates.begin(), candidates.end(), [&](std::size_t a, std::size_t b) {
+      return SuccessOf(runs[a]) < SuccessOf(runs[b]);
+    });
+  }
   std::map<std::string, std::size_t> with_images;  // by sequence
   for (const std::size_t i : candidates) {
     const auto [entry, added] = with_images.try_emplace(KeyOf(runs[i].run.planned, "sequence"), i);

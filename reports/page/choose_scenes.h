@@ -17,7 +17,8 @@ struct SceneChoice {
 
 // The runs to be looked at, at most `most`: per sequence the lowest seed of each estimator, those
 // with images first. Images are of one estimator: `full`, else the table's reference, else the
-// first one of the sequence.
+// first one of the sequence. Where there are more runs than that, failures first: those that keep
+// the smallest part of their moving bodies within 10 cm.
 SceneChoice ChooseScenes(const std::vector<PageRun>& runs, const std::string& reference,
                          std::size_t most);
 

@@ -15,9 +15,13 @@ std::vector<Term> Terms() {
        "Initial value of the random number generator. Runs that differ only in the seed show the "
        "random variation."},
       {"interval",
-       "95 % confidence interval of a mean, by bootstrap over its bodies (or scenes). Seeds are "
-       "averaged first."},
-      {"pair", "A body or scene that is present in both rows of a difference."},
+       "95 % confidence interval of a mean, by bootstrap over its scenes, or the bodies of a "
+       "single "
+       "scene. Seeds are averaged first."},
+      {"split",
+       "What scenes are used for: options were chosen on development scenes, results are reported "
+       "on test scenes. Recorded images are given."},
+      {"pair", "A scene (or body of a single scene) that is present in both rows of a difference."},
       {"occluded, predicted",
        "Hidden by another object; its pose is then given only by the motion model."},
       {"left out", "What is excluded from a value, and why."},

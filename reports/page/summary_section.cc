@@ -38,7 +38,7 @@ std::string Named(const std::vector<std::string>& values) {
 std::string ComparedText(const PageContent& content, const Table& table) {
   std::string text;
   for (const std::string& key : table.keys) {
-    if (key == "sequence") continue;
+    if (key == "sequence" || key == "family") continue;
     const std::vector<std::string> values = ValuesOf(content.runs, key);
     text += StrCat(text.empty() ? "Compared: " : "; ", Count(values.size(), "value"), " of ", key,
                    " (", Named(values), ")");
@@ -47,8 +47,14 @@ std::string ComparedText(const PageContent& content, const Table& table) {
   std::set<std::uint64_t> seeds;
   for (const PageRun& run : content.runs) seeds.insert(run.run.planned.seed);
   const std::vector<std::string> sequences = ValuesOf(content.runs, "sequence");
+  std::set<std::string> splits;
+  for (const Row& row : table.rows) {
+    if (!row.split.empty()) splits.insert(row.split);
+  }
   return StrCat(text, "On ", Count(sequences.size(), "sequence"), " (", Named(sequences),
-                "), each with ", Count(seeds.size(), "seed"), ".");
+                "), each with ", Count(seeds.size(), "seed"), ".",
+                splits.empty() ? "" : " Split: ", Listed({splits.begin(), splits.end()}),
+                splits.empty() ? "" : ".");
 }
 
 std::string VariantsHtml(const std::vector<Fact>& variants) {
@@ -74,12 +80,14 @@ std::string JobsText(const JobCounts& jobs) {
 }
 
 std::string RuleText(const std::string& reference) {
-  return StrCat("Differences are relative to ", reference,
-                ", over the pairs that both have in common. A difference is considered significant "
-                "if its 95 % interval does not contain 0 and there are at least ",
-                kMinPairs,
-                " pairs. Intervals cover the variation over bodies of these scenes, not over other "
-                "scenes. About 1 in 20 comparisons appears significant by chance alone.");
+  return StrCat(
+      "Differences are relative to ", reference,
+      ", over the pairs that both have in common. A difference is considered significant "
+      "if its 95 % interval does not contain 0, its p-value, corrected for the number of "
+      "comparisons in the table (Holm), is below 0.05, and there are at least ",
+      kMinPairs,
+      " pairs. Intervals cover the variation over scenes; where a row has only one scene, "
+      "over its bodies.");
 }
 
 }  // namespace

@@ -42,6 +42,8 @@ struct PlanTable {
 // One run.
 struct PlanJob {
   std::string sequence;
+  std::string family;  // that the scene is drawn from; empty: none
+  std::string split;   // of the scene, "given" of recorded images
   std::string detections;
   std::string variant;  // of another system: empty
   std::string system;   // name of another system whose files are scored; empty: a variant
@@ -60,6 +62,8 @@ struct PlanJob {
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
     archive.Field("sequence", self.sequence);
+    archive.Added("family", self.family);
+    archive.Added("split", self.split);
     archive.Added("detections", self.detections);
     archive.Field("variant", self.variant);
     archive.Added("system", self.system);

@@ -67,6 +67,7 @@ struct RunSequence : SequenceInfo {
   std::string detections_hash;
   std::string content;  // hash
   CameraInfo camera;
+  std::optional<Json> perturbation;  // of images and calibration
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -83,6 +84,7 @@ struct RunSequence : SequenceInfo {
     archive.Added("detections_hash", self.detections_hash);
     archive.Added("content", self.content);
     archive.Added("camera", self.camera);
+    archive.Optional("perturbation", self.perturbation);
   }
 };
 

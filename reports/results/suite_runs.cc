@@ -23,6 +23,8 @@ PlannedRun Planned(const PlanJob& job) {
   PlannedRun run;
   run.system = !job.system.empty();
   run.keys["sequence"] = job.sequence;
+  run.family = job.family;
+  run.split = job.split;
   run.keys["detections"] = OrNone(job.detections);
   run.keys["variant"] = run.system ? job.system : job.variant;
   run.keys["oracle"] = OrNone(Joined(job.oracle));
@@ -109,6 +111,7 @@ std::vector<SuiteRun> ReadRuns(const fs::path& folder, const SuitePlan& plan,
 }
 
 std::string KeyOf(const PlannedRun& run, const std::string& key) {
+  if (key == "family") return OrNone(run.family);
   const auto found = run.keys.find(key);
   return found == run.keys.end() ? "default" : found->second;
 }

@@ -18,6 +18,8 @@ namespace cvo::reports {
 struct PlannedRun {
   std::map<std::string, std::string> keys;
   bool system = false;  // other people's trajectories, scored as they are
+  std::string family;   // that the scene is drawn from; empty: none
+  std::string split;    // "development", "test", "none"; "given": images; empty: an older plan
   std::uint64_t seed = 0;
   std::string job;      // empty: the sequence is missing
   std::string missing;  // why
@@ -52,7 +54,7 @@ struct SuiteRun {
 std::vector<SuiteRun> ReadRuns(const std::filesystem::path& folder, const SuitePlan& plan,
                                const std::vector<std::string>& metrics);
 
-// Value of a key; "default" for an option that the run does not set.
+// Value of a key or of "family"; "default" for an option that the run does not set.
 std::string KeyOf(const PlannedRun& run, const std::string& key);
 
 }  // namespace cvo::reports

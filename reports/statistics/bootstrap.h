@@ -23,8 +23,8 @@ struct Range {
 
 // Value and reference of resampled strata, always the same ones for the same numbers of units.
 // Of n units n - 1 are drawn with replacement (McCarthy and Snowden 1985): drawing n makes the
-// interval of a mean too narrow by sqrt((n - 1) / n), and scenes have few bodies. A stratum of one
-// unit stays as it is. Empty where no stratum has two units.
+// interval of a mean too narrow by sqrt((n - 1) / n). A stratum of one unit stays as it is. Empty
+// where no stratum has two units.
 std::vector<std::array<double, 2>> Bootstrap(const std::vector<std::vector<Unit>>& strata,
                                              Within within);
 

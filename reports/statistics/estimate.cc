@@ -4,35 +4,39 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
+
+#include "reports/statistics/paired_test.h"
 
 namespace cvo::reports {
 namespace {
-
-std::size_t CountUnits(const std::vector<std::vector<Unit>>& strata) {
-  std::size_t units = 0;
-  for (const auto& stratum : strata) units += stratum.size();
-  return units;
-}
 
 double Figure(const Part& part, Within within) {
   return within == Within::kSum ? part.sum : part.sum / part.weight;
 }
 
-std::optional<double> EffectSize(const std::vector<std::vector<Unit>>& strata, Within within,
-                                 double difference) {
-  std::vector<double> differences;
-  for (const auto& units : strata) {
-    for (const Unit& unit : units) {
-      if (unit.parts[0].weight <= 0.0 || unit.parts[1].weight <= 0.0) continue;
-      differences.push_back(Figure(unit.parts[0], within) - Figure(unit.parts[1], within));
+Differences DifferencesOf(const Strata& strata) {
+  Differences differences;
+  for (const std::vector<Unit>& units : strata.units) {
+    differences.emplace_back();
+    for (const auto& [value, reference] : units | std::views::transform(&Unit::parts)) {
+      if (value.weight <= 0.0 || reference.weight <= 0.0) continue;
+      differences.back().push_back(Figure(value, strata.within) - Figure(reference, strata.within));
     }
   }
-  if (differences.size() < 2) return std::nullopt;
-  const auto n = static_cast<double>(differences.size());
+  std::erase_if(differences, [](const auto& stratum) { return stratum.empty(); });
+  return differences;
+}
+
+std::optional<double> EffectSize(const Differences& differences, double difference) {
+  std::vector<double> all;
+  for (const auto& stratum : differences) all.insert(all.end(), stratum.begin(), stratum.end());
+  if (all.size() < 2) return std::nullopt;
+  const auto n = static_cast<double>(all.size());
   double mean = 0.0;
-  for (const double d : differences) mean += d / n;
+  for (const double d : all) mean += d / n;
   double variance = 0.0;
-  for (const double d : differences) variance += (d - mean) * (d - mean) / (n - 1.0);
+  for (const double d : all) variance += (d - mean) * (d - mean) / (n - 1.0);
   // All alike up to rounding: their spread says nothing.
   if (std::sqrt(variance) <= 1e-12 * std::abs(mean) || variance == 0.0) return std::nullopt;
   return difference / std::sqrt(variance);
@@ -50,34 +54,49 @@ std::optional<Range> PercentRange(const std::vector<std::array<double, 2>>& pair
   return MiddleRange(std::move(percents));
 }
 
+// What does not need resampling.
+PairedEstimate Compare(const Strata& strata, const std::array<double, 2>& mean) {
+  PairedEstimate estimate;
+  estimate.value = mean[0];
+  estimate.reference = mean[1];
+  estimate.difference = estimate.value - estimate.reference;
+  estimate.scenes = strata.scenes;
+  estimate.bodies = strata.bodies;
+  estimate.pairs = strata.of_scenes() ? strata.scenes : strata.bodies;
+  const Differences differences = DifferencesOf(strata);
+  estimate.effect = EffectSize(differences, estimate.difference);
+  estimate.p_value = PairedPValue(differences);
+  if (strata.scenes >= kMinPairs && estimate.reference > 0.0) {
+    estimate.scenes_for_10_percent =
+        PairsNeeded(differences, kPowerDifference * estimate.reference);
+  }
+  return estimate;
+}
+
 }  // namespace
 
 std::optional<Estimate> EstimateMean(const std::vector<Sample>& samples, Within within) {
-  const std::vector<std::vector<Unit>> strata = AverageRepetitions(samples);
-  const auto mean = MeanOverStrata(strata, within);
+  const std::optional<Strata> strata = GroupSamples(samples, within);
+  const auto mean = strata ? MeanOverStrata(strata->units, strata->within) : std::nullopt;
   if (!mean) return std::nullopt;
   Estimate estimate;
   estimate.value = (*mean)[0];
-  estimate.strata = strata.size();
-  estimate.units = CountUnits(strata);
+  estimate.scenes = strata->scenes;
+  estimate.bodies = strata->bodies;
   std::vector<double> values;
-  for (const auto& resampled : Bootstrap(strata, within)) values.push_back(resampled[0]);
+  for (const auto& resampled : Bootstrap(strata->units, strata->within)) {
+    values.push_back(resampled[0]);
+  }
   estimate.interval = MiddleRange(std::move(values));
   return estimate;
 }
 
 std::optional<PairedEstimate> EstimateDifference(const std::vector<Sample>& pairs, Within within) {
-  const std::vector<std::vector<Unit>> strata = AverageRepetitions(pairs);
-  const auto mean = MeanOverStrata(strata, within);
+  const std::optional<Strata> strata = GroupSamples(pairs, within);
+  const auto mean = strata ? MeanOverStrata(strata->units, strata->within) : std::nullopt;
   if (!mean) return std::nullopt;
-  PairedEstimate estimate;
-  estimate.value = (*mean)[0];
-  estimate.reference = (*mean)[1];
-  estimate.difference = estimate.value - estimate.reference;
-  estimate.strata = strata.size();
-  estimate.units = CountUnits(strata);
-  estimate.effect = EffectSize(strata, within, estimate.difference);
-  const std::vector<std::array<double, 2>> resampled = Bootstrap(strata, within);
+  PairedEstimate estimate = Compare(*strata, *mean);
+  const std::vector<std::array<double, 2>> resampled = Bootstrap(strata->units, strata->within);
   std::vector<double> differences;
   for (const auto& [value, reference] : resampled) differences.push_back(value - reference);
   estimate.interval = MiddleRange(std::move(differences));
@@ -89,8 +108,6 @@ std::optional<PairedEstimate> EstimateDifference(const std::vector<Sample>& pair
     estimate.reference_lower = 100.0 * estimate.difference / estimate.value;
     estimate.reference_lower_interval = PercentRange(resampled, 0);
   }
-  estimate.distinguishable =
-      estimate.interval && !estimate.interval->Contains(0.0) && estimate.units >= kMinPairs;
   return estimate;
 }
 

@@ -15,17 +15,20 @@ namespace cvo::reports {
 // test: 2 * 0.5^5 > 0.05), whatever the interval says.
 inline constexpr std::size_t kMinPairs = 6;
 
+// The difference that a table says how many scenes would tell, as a part of the reference.
+inline constexpr double kPowerDifference = 0.1;
+
 struct Estimate {
   double value = 0.0;
   std::optional<Range> interval;  // empty where nothing can be resampled
-  std::size_t strata = 0;
-  std::size_t units = 0;
+  std::size_t scenes = 0;
+  std::size_t bodies = 0;
 };
 
-// Mean over strata with its bootstrap interval. Empty without samples.
+// Mean over scenes with its bootstrap interval. Empty without samples.
 std::optional<Estimate> EstimateMean(const std::vector<Sample>& samples, Within within);
 
-// A value against its reference on the same units and repetitions.
+// A value against its reference on the same scenes, bodies and repetitions.
 struct PairedEstimate {
   double value = 0.0;
   double reference = 0.0;
@@ -37,10 +40,12 @@ struct PairedEstimate {
   std::optional<Range> percent_interval;
   std::optional<double> reference_lower;
   std::optional<Range> reference_lower_interval;
-  std::optional<double> effect;  // difference over the standard deviation of the units' own ones
-  std::size_t strata = 0;
-  std::size_t units = 0;
-  bool distinguishable = false;  // interval excludes 0, with at least kMinPairs units
+  std::optional<double> effect;   // difference over the standard deviation of the pairs' own ones
+  std::optional<double> p_value;  // of no difference, by itself (PairedPValue)
+  std::optional<std::size_t> scenes_for_10_percent;  // that would tell it (PairsNeeded)
+  std::size_t scenes = 0;
+  std::size_t bodies = 0;
+  std::size_t pairs = 0;  // what was resampled: scenes, or the bodies of one
 };
 
 std::optional<PairedEstimate> EstimateDifference(const std::vector<Sample>& pairs, Within within);

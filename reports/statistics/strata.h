@@ -15,29 +15,43 @@ struct Part {
   double weight = 1.0;
 };
 
-// One number of one thing (a body, a scene) in one repetition, and its counterpart where two
+// One number of one body, or of a whole scene, in one repetition, and its counterpart where two
 // variants are compared.
 struct Sample {
-  std::string stratum;     // things are resampled within these: the scene of a body
-  std::string unit;        // the thing
+  std::string family;      // of scenes; empty: none
+  std::string scene;       // one draw of the family
+  std::string body;        // empty: the scene as a whole
   std::string repetition;  // seed and whatever else is averaged over
   Part value;
   Part reference = {};
 };
 
-// How things make the figure of their stratum; that of the table is the mean over strata.
+// How bodies make the figure of their scene; that of the table is the mean over scenes.
 enum class Within { kMean, kSum };
 
-// What remains of a thing when its repetitions are averaged.
+// What remains of a body or a scene when its repetitions are averaged.
 struct Unit {
   std::array<Part, 2> parts;  // value, reference
 };
 
-// Strata by name, their units by name: the order of the samples does not matter. Throws Error for
-// two samples of the same stratum, unit and repetition.
-std::vector<std::vector<Unit>> AverageRepetitions(const std::vector<Sample>& samples);
+// What is resampled: scenes within their families, each with the figure of all its bodies. Where
+// all samples are of one scene there is only its bodies to resample, which says nothing of others.
+struct Strata {
+  std::vector<std::vector<Unit>> units;
+  Within within = Within::kMean;  // how units make the figure of their stratum
+  std::size_t scenes = 0;
+  std::size_t bodies = 0;
 
-// Value and reference. Empty where a stratum's weights add up to nothing, or there is no stratum.
+  bool of_scenes() const { return scenes > 1; }
+};
+
+// Families by name, their scenes by name: the order of the samples does not matter. Empty where
+// the weights of a scene add up to nothing. Throws Error for two samples of the same scene, body
+// and repetition.
+std::optional<Strata> GroupSamples(const std::vector<Sample>& samples, Within within);
+
+// Value and reference: the mean over strata. Empty where there is none, or a stratum's weights add
+// up to nothing.
 std::optional<std::array<double, 2>> MeanOverStrata(const std::vector<std::vector<Unit>>& strata,
                                                     Within within);
 

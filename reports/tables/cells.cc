@@ -13,9 +13,6 @@
 namespace cvo::reports {
 namespace {
 
-// All samples of a metric of whole runs are in one stratum: scenes are what is resampled.
-constexpr char kAllScenes[] = "";
-
 // Bodies of a run that the metric is about but that have no value.
 struct Gathered {
   std::vector<Sample> samples;
@@ -40,7 +37,9 @@ void GatherBodies(const SuiteRun& run, const BodyMetric& metric, const std::stri
     if (body.mover != metric.movers()) continue;
     ++gathered.bodies;
     const auto part = PartOf(metric, body);
-    if (part) gathered.samples.push_back({SceneOf(run), BodyName(body), repetition, *part});
+    if (part)
+      gathered.samples.push_back(
+          {run.planned.family, SceneOf(run), BodyName(body), repetition, *part});
     if (!part) ++gathered.bodies_without;
   }
 }
@@ -56,7 +55,8 @@ Gathered Gather(const RowRuns& row, const std::vector<std::string>& keys, const 
     const std::size_t before = gathered.samples.size();
     if (metric != nullptr && body_metric) GatherBodies(*run, *body_metric, repetition, gathered);
     if (metric != nullptr && !body_metric) {
-      gathered.samples.push_back({kAllScenes, SceneOf(*run), repetition, {metric->value}});
+      gathered.samples.push_back(
+          {run->planned.family, SceneOf(*run), "", repetition, {metric->value}});
     }
     if (gathered.samples.size() > before) {
       gathered.scenes.insert(SceneOf(*run));
@@ -82,11 +82,17 @@ std::string LeftOutText(const Gathered& gathered, std::size_t runs) {
   return left_out;
 }
 
-std::string Resampled(std::size_t units, std::size_t scenes, bool bodies, std::size_t seeds) {
-  return StrCat(
-      "95 %, these scenes: bootstrap over ", units,
-      bodies ? StrCat(" bodies within ", scenes, scenes == 1 ? " scene" : " scenes") : " scenes",
-      seeds > 1 ? ", seeds averaged" : "");
+// Runs of several seeds of a scene count as one.
+std::string Resampled(std::size_t scenes, std::size_t bodies, bool families, std::size_t seeds) {
+  const std::string what =
+      scenes == 1 ? StrCat(bodies, " bodies of one scene: says nothing of other scenes")
+                  : StrCat(scenes, " scenes", families ? " within their families" : "");
+  return StrCat("95 %, bootstrap over ", what, seeds > 1 ? "; seeds averaged" : "");
+}
+
+bool OfSeveralFamilies(const std::vector<Sample>& samples) {
+  return std::any_of(samples.begin(), samples.end(),
+                     [&](const Sample& sample) { return sample.family != samples.front().family; });
 }
 
 std::optional<Interval> ToInterval(const std::optional<Range>& range, const std::string& meaning) {
@@ -117,14 +123,16 @@ void GatherPair(const SuiteRun& run, const SuiteRun& reference,
     const MetricValue* ours = FindMetric(*run.run, metric);
     const MetricValue* theirs = FindMetric(*reference.run, metric);
     if (ours == nullptr || theirs == nullptr) return;
-    samples.push_back({kAllScenes, SceneOf(run), repetition, {ours->value}, {theirs->value}});
+    samples.push_back(
+        {run.planned.family, SceneOf(run), "", repetition, {ours->value}, {theirs->value}});
     return;
   }
   for (const BodyRow& body : BodiesOf(*body_metric, *run.run)) {
     const BodyRow* other = FindBody(BodiesOf(*body_metric, *reference.run), body.id);
     if (other == nullptr) continue;
     if (const auto pair = PairOf(*body_metric, body, *other)) {
-      samples.push_back({SceneOf(run), BodyName(body), repetition, pair->first, pair->second});
+      samples.push_back({run.planned.family, SceneOf(run), BodyName(body), repetition, pair->first,
+                         pair->second});
     }
   }
 }
@@ -144,11 +152,11 @@ Cell MakeCell(const RowRuns& row, const std::vector<std::string>& keys, const Co
   }
   cell.present = true;
   cell.value = estimate->value;
-  cell.n = {cell.runs.size(), gathered.scenes.size(), body_metric ? estimate->units : 0,
+  cell.n = {cell.runs.size(), gathered.scenes.size(), body_metric ? estimate->bodies : 0,
             gathered.seeds.size()};
-  cell.interval =
-      ToInterval(estimate->interval, Resampled(estimate->units, gathered.scenes.size(),
-                                               body_metric.has_value(), gathered.seeds.size()));
+  cell.interval = ToInterval(estimate->interval,
+                             Resampled(estimate->scenes, estimate->bodies,
+                                       OfSeveralFamilies(gathered.samples), gathered.seeds.size()));
   if (!body_metric && !cell.interval) cell.interval = SpreadOfSeeds(gathered);
   cell.left_out = LeftOutText(gathered, runs);
   return cell;
@@ -175,7 +183,7 @@ std::optional<Difference> MakeDifference(const PairedRows& rows, const Column& c
       EstimateDifference(samples, body_metric ? body_metric->within() : Within::kMean);
   if (!estimate) return std::nullopt;
   const std::string meaning =
-      Resampled(estimate->units, estimate->strata, body_metric.has_value(), seeds.size());
+      Resampled(estimate->scenes, estimate->bodies, OfSeveralFamilies(samples), seeds.size());
   Difference difference;
   difference.reference = rows.reference_label;
   difference.value = estimate->value;
@@ -187,8 +195,9 @@ std::optional<Difference> MakeDifference(const PairedRows& rows, const Column& c
   difference.reference_lower = estimate->reference_lower;
   difference.reference_lower_interval = ToInterval(estimate->reference_lower_interval, meaning);
   difference.effect = estimate->effect;
-  difference.distinguishable = estimate->distinguishable;
-  difference.pairs = estimate->units;
+  difference.p_value = estimate->p_value;
+  difference.scenes_for_10_percent = estimate->scenes_for_10_percent;
+  difference.pairs = estimate->pairs;
   difference.pairing = body_metric ? PairingText(*body_metric) : "runs of the same scene and seed";
   return difference;
 }

@@ -3,6 +3,7 @@
 #include "reports/tables/footnotes.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "core/base/error.h"
@@ -88,9 +89,42 @@ void AddProblems(const Table& table, Lines& lines) {
   }
 }
 
+// What each split of the rows is.
+void AddSplits(const Table& table, Lines& lines) {
+  constexpr std::array<std::pair<const char*, const char*>, 4> kSplits = {
+      {{"development", "scenes that options were chosen on, so that its numbers are in-sample"},
+       {"test", "scenes that no option was chosen on"},
+       {"given", "recorded images"},
+       {"none", "scenes of neither the development nor the test split"}}};
+  for (const auto& [split, meaning] : kSplits) {
+    if (std::any_of(table.rows.begin(), table.rows.end(),
+                    [&](const Row& row) { return row.split.find(split) != std::string::npos; })) {
+      lines.push_back(StrCat("split ", split, ": ", meaning));
+    }
+  }
+}
+
+// How many scenes would tell a small difference of any row: how much the table can say at all.
+void AddPower(const Table& table, Lines& lines) {
+  std::string needs;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    std::size_t most = 0;
+    for (const Row& row : table.rows) {
+      const auto& difference = row.cells[i].difference;
+      if (difference) most = std::max(most, difference->scenes_for_10_percent.value_or(0));
+    }
+    if (most > 0) needs += StrCat(needs.empty() ? "" : ", ", ColumnName(table, i), " ", most);
+  }
+  if (needs.empty()) return;
+  lines.push_back(StrCat("scenes that would tell a difference of ", 100.0 * kPowerDifference,
+                         " % from noise, 80 % of the time, for the row that needs most of them "
+                         "(one comparison, 5 % two-sided): ",
+                         needs));
+}
+
 void AddIntervals(const Table& table, Lines& lines) {
   NamesByText meanings;
-  bool differences = false;
+  std::size_t differences = 0;
   NamesByText pairings;
   for (const Row& row : table.rows) {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
@@ -98,17 +132,20 @@ void AddIntervals(const Table& table, Lines& lines) {
       const std::string label = ColumnName(table, i);
       if (cell.interval) meanings.Add(cell.interval->meaning, label);
       if (!cell.difference) continue;
-      differences = true;
+      differences += cell.difference->adjusted_p_value ? 1 : 0;
       pairings.Add("compared on " + cell.difference->pairing, label);
     }
   }
   meanings.Print("low..high, ", lines);
-  if (!differences) return;
-  lines.push_back(StrCat(
-      "*: distinguishable from noise, the interval of the paired difference excludes 0; never said "
-      "of fewer than ",
-      kMinPairs, " pairs"));
+  if (differences > 0) {
+    lines.push_back(StrCat(
+        "*: distinguishable from noise: the interval of the paired difference excludes 0, and its "
+        "p-value (Student's t over scenes), corrected for the ",
+        differences, " comparisons of this table (Holm), is below 0.05; never said of fewer than ",
+        kMinPairs, " pairs"));
+  }
   pairings.Print("", lines);
+  AddPower(table, lines);
 }
 
 // Remarks that are the same for several rows are listed once.
@@ -245,8 +282,8 @@ std::string CountsText(const Counts& n) {
 }
 
 std::string UnitsText(const Counts& n) {
-  if (n.bodies > 0) return CountWithNoun(n.bodies, "body", "bodies");
   if (n.scenes > 1) return CountWithNoun(n.scenes, "scene", "scenes");
+  if (n.bodies > 0) return CountWithNoun(n.bodies, "body", "bodies");
   return CountWithNoun(n.runs, "run", "runs");
 }
 
@@ -254,6 +291,7 @@ std::vector<std::string> Footnotes(const Table& table) {
   Lines lines;
   AddJobs(table, lines);
   AddProblems(table, lines);
+  AddSplits(table, lines);
   for (const std::string& note : table.notes) lines.push_back(note);
   AddOptions(table, lines);
   AddCells(table, lines);

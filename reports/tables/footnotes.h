@@ -15,7 +15,7 @@ std::string SourceMark(std::size_t source);
 // "11 bodies, 4 scenes, 5 seeds, 20 runs": what a value is made of.
 std::string CountsText(const Counts& n);
 
-// Of these, what an interval resamples: "11 bodies", "4 scenes", or "5 runs" of one scene.
+// Of these, what an interval resamples: "4 scenes", or "11 bodies" or "5 runs" of one scene.
 std::string UnitsText(const Counts& n);
 
 // What a reader must know of the figures: runs that are missing, what intervals mean, what values

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "reports/tables/cells.h"
 #include "reports/tables/columns.h"
+#include "reports/tables/comparisons.h"
 #include "reports/tables/reference_rows.h"
 #include "reports/tables/table_parts.h"
 
@@ -40,6 +41,7 @@ void AddRows(const std::vector<RowRuns>& rows, const std::filesystem::path& fold
     }
     table.rows.push_back(std::move(row));
   }
+  CorrectForMany(table);
 }
 
 // Everything but rows and their references.

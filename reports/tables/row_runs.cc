@@ -12,7 +12,6 @@ namespace {
 bool Contains(const std::vector<std::string>& keys, const std::string& key) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
-
 }  // namespace
 
 std::vector<RowRuns> GroupRuns(const std::vector<SuiteRun>& runs,

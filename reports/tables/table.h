@@ -71,9 +71,13 @@ struct Difference {
   std::optional<double> reference_lower;  // by how many percent the reference is lower
   std::optional<Interval> reference_lower_interval;
   std::optional<double> effect;  // difference over the standard deviation of the pairs' own ones
+  // The interval excludes 0, adjusted_p_value is below 5 %, and there are enough pairs.
   bool distinguishable = false;
-  std::size_t pairs = 0;  // bodies or scenes
-  std::string pairing;    // what is common
+  std::size_t pairs = 0;                        // scenes, or bodies of one scene
+  std::string pairing;                          // what is common
+  std::optional<double> p_value = {};           // of this comparison by itself
+  std::optional<double> adjusted_p_value = {};  // among all comparisons of the table (Holm)
+  std::optional<std::size_t> scenes_for_10_percent = {};  // that would tell such a difference
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -90,6 +94,9 @@ struct Difference {
     archive.Field("distinguishable", self.distinguishable);
     archive.Field("pairs", self.pairs);
     archive.Field("pairing", self.pairing);
+    archive.Optional("p_value", self.p_value);
+    archive.Optional("adjusted_p_value", self.adjusted_p_value);
+    archive.Optional("scenes_for_10_percent", self.scenes_for_10_percent);
   }
 };
 
@@ -179,6 +186,7 @@ struct Row {
   std::optional<SequenceInfo> sequence;  // where all its runs are of one
   Contract truth;                        // then: truth, visibility and correction alone
   std::string corrections;               // of its runs' calibrations; empty: none
+  std::string split;                     // of its scenes: "development", "test"; "given": images
   JobCounts jobs;
   std::vector<RunLink> runs;
   std::vector<Cell> cells;  // one per column

@@ -113,6 +113,7 @@ void Row::VisitFields(Self& self, Archive& archive, const Table& table) {
   archive.Optional("sequence", self.sequence);
   archive.Optional("truth", self.truth);
   archive.Optional("corrections", self.corrections);
+  archive.Optional("split", self.split);
   archive.Field("jobs", self.jobs);
   archive.Field("runs", self.runs);
   archive.Each("cells", self.cells, table.columns);

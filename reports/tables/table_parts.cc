@@ -10,6 +10,12 @@
 namespace cvo::reports {
 namespace {
 
+std::string Joined(const std::vector<std::string>& keys) {
+  std::string text;
+  for (const std::string& key : keys) text += (text.empty() ? "" : " ") + key;
+  return text;
+}
+
 std::string Link(const std::filesystem::path& file, const std::filesystem::path& folder) {
   return std::filesystem::absolute(file)
       .lexically_proximate(std::filesystem::absolute(folder))
@@ -51,6 +57,21 @@ void AddChanges(const std::map<std::string, std::string>& defaults,
   }
 }
 
+// Scenes that options were chosen on and scenes that results are reported on are never averaged.
+std::string SplitOf(const RowRuns& row) {
+  std::set<std::string> splits;
+  for (const SuiteRun* run : row.runs) splits.insert(run->planned.split);
+  std::vector<std::string> named(splits.begin(), splits.end());
+  std::erase(named, "given");
+  if (named.size() > 1) {
+    ThrowError("row " + Joined(row.keys),
+               StrCat("scenes of the ", named[0], " split and of the ", named[1], " split"),
+               "scenes of one split in a row");
+  }
+  if (splits.size() == 1) return *splits.begin();
+  return named[0] + ", given";
+}
+
 template <typename T>
 void AddOnce(const T& value, std::vector<T>& values) {
   if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
@@ -58,11 +79,7 @@ void AddOnce(const T& value, std::vector<T>& values) {
 
 }  // namespace
 
-std::string RowLabel(const Row& row) {
-  std::string label;
-  for (const std::string& key : row.keys) label += (label.empty() ? "" : " ") + key;
-  return label;
-}
+std::string RowLabel(const Row& row) { return Joined(row.keys); }
 
 JobCounts CountJobs(const std::vector<const SuiteRun*>& runs) {
   JobCounts counts;
@@ -80,6 +97,7 @@ JobCounts CountJobs(const std::vector<const SuiteRun*>& runs) {
 Row DescribeRow(const RowRuns& row, const std::filesystem::path& folder) {
   Row described;
   described.keys = row.keys;
+  described.split = SplitOf(row);
   described.jobs = CountJobs(row.runs);
   std::set<std::string> scenes;
   std::set<double> shifts_px;
@@ -148,6 +166,12 @@ std::set<std::string> RunsOf(const RowRuns& row, const std::vector<std::string>&
   return names;
 }
 
+// Then its rows say what was done.
+bool VariesPerturbation(const Table& table) {
+  return std::any_of(table.keys.begin(), table.keys.end(),
+                     [](const std::string& key) { return key.starts_with("perturb."); });
+}
+
 }  // namespace
 
 std::string CpuLevelNote(const std::set<std::string>& levels) {
@@ -173,6 +197,12 @@ std::vector<std::string> TableNotes(const std::vector<SuiteRun>& runs, const Tab
     AddOnce(StrCat(KeyOf(run.planned, "sequence"), ", ", KeyOf(run.planned, "variant"),
                    ": calibration corrected, u_right by ", run.run->sequence.camera.right_shift_px,
                    " px; does not compare with rows on the calibration as published"),
+            notes);
+  }
+  for (const SuiteRun& run : runs) {
+    if (!run.run || !run.run->sequence.perturbation || VariesPerturbation(table)) continue;
+    AddOnce(StrCat(KeyOf(run.planned, "sequence"),
+                   ": images or calibration perturbed: ", run.run->sequence.perturbation->dump()),
             notes);
   }
   for (const std::string& pooled : PooledKeys(runs, table.keys)) {

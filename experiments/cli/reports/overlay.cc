@@ -200,8 +200,9 @@ Command AddOverlayCommand(CLI::App& program) {
       "Examples:\n"
       "  clustervo overlay results/indoor_1 -o pictures --every 5 --sheet --video\n"
       "  clustervo overlay RUN_2D RUN_2D3D RUN_FULL --frame 120 -o figure   # as labelled by each\n"
-      "  clustervo overlay --suite results/ablation --sequence indoor_1 --variant 2d,2d3d,full \\\n"
-      "      --frame 120 -o figure");
+      "  clustervo overlay --suite results/ablation --sequence room_1000 --variant 2d,2d3d,full "
+      "\\\n"
+      "      --frame 40 -o figure");
   app->callback([flags] {
     if (flags->runs.empty() && flags->suite.empty()) throw CLI::RequiredError("RUN or --suite");
     if (!flags->suite.empty() && flags->sequence.empty()) {

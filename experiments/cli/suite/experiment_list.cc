@@ -13,13 +13,14 @@ namespace cvo {
 namespace {
 
 int List() {
-  TextTable table({"suite", "sequences", "variants", "points", "seeds", "jobs", "about"});
+  TextTable table({"suite", "split", "sequences", "variants", "points", "seeds", "jobs", "about"});
   for (const ShippedSuite& shipped : ShippedSuites()) {
-    const Suite suite = LoadSuite(shipped.name);
+    // Without its checks, for which every scene is made.
+    const Suite suite = ReadCheckedSuite(ParseJson(shipped.text, shipped.name), shipped.name);
     const std::size_t points =
         GridPoints(suite, suite.sequences.front(), suite.variants.front()).size() *
         suite.oracles.size();
-    table.Add({suite.name, std::to_string(suite.sequences.size()),
+    table.Add({suite.name, SplitOf(suite), std::to_string(suite.sequences.size()),
                std::to_string(suite.variants.size()), std::to_string(points),
                std::to_string(suite.seeds.size()), std::to_string(ExpandSuite(suite).size()),
                suite.about});

@@ -70,8 +70,7 @@ void Print(const PlanState& state, int processes, std::ostream& out) {
   const Plan& plan = state.built.plan;
   out << "suite " << plan.suite.name << ": " << plan.jobs.size() << " jobs on "
       << plan.suite.sequences.size() << " sequences";
-  const std::string split = SplitOf(plan.suite);
-  out << (split.empty() ? "" : " (" + split + " split)") << '\n';
+  out << " (" << SplitOf(plan.suite) << " split)\n";
   const std::array<std::pair<JobState, const char*>, 4> states = {
       {{JobState::kDone, "done"},
        {JobState::kRuns, "to run"},

@@ -150,14 +150,21 @@ TEST_F(CacheFeatures, TheKeyCoversAllInputs) {
   EXPECT_NE(FrontEndKey(settings, {{"1", "2"}, {"4", "3"}}), key);
   EXPECT_NE(FrontEndKey(settings, {{"1", "2"}}), key);
   EXPECT_EQ(FrontEndKey(settings, {{"1", "2"}, {"3", ""}}), "");
-  std::vector<FrontEndSettings> others(6, settings);
+  std::vector<FrontEndSettings> others(7, settings);
   others[0].build = "other";
   others[1].camera.right_shift_px = 1e-9;
   others[2].camera.height_px = 1;
   others[3].orb.features += 1;
   others[4].stereo.max_sigma_medians += 1e-9;
   others[5].boxes = {{{10.0, 20.0, 30.0, 40.0}}, {}};
+  others[6].perturbation.blur_px = 1.0;
   for (const FrontEndSettings& other : others) EXPECT_NE(FrontEndKey(other, images), key);
+  // What is drawn for a frame is decided by its number.
+  FrontEndSettings later = others[6];
+  later.first_frame = 7;
+  EXPECT_NE(FrontEndKey(later, images), FrontEndKey(others[6], images));
+  settings.first_frame = 7;
+  EXPECT_EQ(FrontEndKey(settings, images), key);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ TEST_F(CliExperimentPlan, ListsTheSuitesWithTheirSizes) {
   const ProcessResult list = RunProgram({"experiment", "list"});
   EXPECT_EQ(list.exit_code, 0) << list.err;
   EXPECT_THAT(list.out, HasSubstr("oracle_ladder"));
-  EXPECT_THAT(list.out, testing::ContainsRegex("ablation +4 +4 +1 +5 +80 "));
+  EXPECT_THAT(list.out, testing::ContainsRegex("ablation +test +40 +6 +1 +1 +240 "));
 }
 
 TEST_F(CliExperimentPlan, ListsJobsAndMissingSequences) {

@@ -128,6 +128,23 @@ class Runner : public testing::Test {
   Sequence sequence_;
 };
 
+TEST_F(Runner, PerturbationsDropFramesAndChangePixelsAndIdentity) {
+  const RunResult plain = RunSequence(Request()).value();
+  sequence_.perturbation.drop_rate = 1.0;
+  const RunResult dropped = RunSequence(Request()).value();
+  EXPECT_EQ(dropped.frames[0].report.status, FrameStatus::kFirst);
+  for (std::size_t i = 1; i < kFrames; ++i) {
+    EXPECT_EQ(dropped.frames[i].report.status, FrameStatus::kSkipped);
+    EXPECT_THAT(dropped.frames[i].problems.at(0).reason, HasSubstr("perturb.drop_rate"));
+  }
+  EXPECT_NE(dropped.content, plain.content);
+  EXPECT_THAT(ResultOf(dropped), HasSubstr("\"drop_rate\""));
+  EXPECT_EQ(ResultOf(plain).find("perturbation"), std::string::npos);
+  sequence_.perturbation = {.blur_px = 3.0};
+  const RunResult blurred = RunSequence(Request()).value();
+  EXPECT_NE(blurred.frames[1].report.features, plain.frames[1].report.features);
+}
+
 TEST_F(Runner, GivesTheFramesInOrder) {
   std::vector<std::size_t> done;
   RunRequest request = Request();

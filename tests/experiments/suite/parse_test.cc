@@ -6,6 +6,7 @@
 #include <numeric>
 #include <set>
 
+#include "experiments/suite/cell_input.h"
 #include "experiments/suite/plan.h"
 #include "experiments/suite/shipped_suites.h"
 #include "experiments/suite/suite_overrides.h"
@@ -115,6 +116,24 @@ TEST(Suite, AKnobIsAnAxisOfAGrid) {
   EXPECT_THAT(MessageOf(json), HasSubstr("no knob \"rate\""));
 }
 
+Perturbation PerturbationOfCell(const Cell& cell) {
+  return PerturbationOf(cell.sequence, cell.parameters, cell.seed);
+}
+
+TEST(Suite, PerturbationsAreKeysOfASequenceAndAxesOfAGrid) {
+  Json json = With("/sequences/0/perturb", {{"noise", 3}});
+  json["grid"] = {{"perturb.blur_px", {0, 2}}};
+  json["table"]["rows"] = {"variant", "perturb.blur_px"};
+  const Suite suite = Parse(json);
+  const std::vector<Cell> cells = ExpandSuite(suite);
+  EXPECT_EQ(PerturbationOfCell(cells.front()).noise, 3.0);
+  EXPECT_EQ(PerturbationOfCell(cells.back()).blur_px, 2.0);
+  EXPECT_EQ(PerturbationOfCell(cells.back()).seed, cells.back().seed);
+  EXPECT_EQ(Parse(SuiteToJson(suite)).sequences[0].perturb, Json({{"noise", 3}}));
+  json["grid_one_at_a_time"] = true;
+  EXPECT_EQ(PerturbationOfCell(ExpandSuite(Parse(json)).front()).blur_px, 0.0);
+}
+
 // Pointer, value, and what the message must name.
 struct Wrong {
   std::string pointer;
@@ -140,6 +159,11 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"/sequences/0/detections", "godo", "did you mean good"},
         Wrong{"/sequences/0/frames", "3:99", "sequences.0"},
         Wrong{"/sequences/0/classes", {"Carr"}, "sequences.0.classes.0"},
+        Wrong{"/sequences/0/perturb", {{"blurr_px", 1}}, "blurr_px"},
+        Wrong{"/sequences/0/perturb", {{"drop_rate", 2}}, "drop_rate"},
+        Wrong{"/sequences/0/perturb", 3, "sequences.0.perturb"},
+        Wrong{"/grid", {{"perturb.gama", {1}}}, "gama"},
+        Wrong{"/grid", {{"perturb.gamma", {99}}}, "gamma"},
         Wrong{"/sequences", Json::array(), "sequences"}, Wrong{"/variants", {"ful"}, "variants.0"},
         Wrong{"/variants", {"full", "full"}, "variants.1"},
         Wrong{"/variants", Json::array(), "variants"},
@@ -251,8 +275,28 @@ TEST(ShippedSuites, AreWholeAndNamedAsTheirFiles) {
   EXPECT_THAT(names, testing::IsSupersetOf({"ablation", "ablation_all", "kitti_raw", "sweep_alpha",
                                             "sweep_eta", "sweep_windows", "sweep_motion_prior",
                                             "detector_quality", "oracle_ladder", "ci", "ladder",
-                                            "leave_one_out"}));
+                                            "leave_one_out", "ablation_large", "world_speed",
+                                            "world_detector", "perturb_kitti"}));
   EXPECT_THAT(ErrorMessage([] { LoadSuite("ablatoin"); }), HasSubstr("did you mean ablation"));
+}
+
+// What options were chosen on and what is reported are never the same scenes.
+TEST(ShippedSuites, ReportOnTheTestSplitAndGateOnDevelopmentScenes) {
+  for (const ShippedSuite& shipped : ShippedSuites()) {
+    const std::string split = SplitOf(ReadCheckedSuite(ParseJson(shipped.text, "s"), "s"));
+    const bool reports = shipped.name == "ablation" || shipped.name == "ablation_large" ||
+                         shipped.name.starts_with("world_");
+    const bool recorded = shipped.name.find("kitti") != std::string::npos;
+    EXPECT_EQ(split, recorded ? "given" : reports ? "test" : "development") << shipped.name;
+  }
+}
+
+TEST(Suite, RowsByFamilyTellSplitsApart) {
+  Json json = With("/sequences", Json::array({{{"scene", "tiny"}}, RoomsEntry("1000")}));
+  json["table"]["rows"] = {"family", "variant"};
+  const Suite suite = Parse(json);
+  EXPECT_EQ(FamilyOf(suite.sequences[0]), "");
+  EXPECT_EQ(FamilyOf(suite.sequences[1]), "room");
 }
 
 TEST(SuiteOverrides, ChangeSeedsOptionsAndAxes) {

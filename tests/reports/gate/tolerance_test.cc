@@ -11,8 +11,8 @@
 #include "core/base/error.h"
 #include "core/base/rng.h"
 #include "reports/gate/compare.h"
-#include "reports/gate/student.h"
 #include "reports/results/metric_catalogue.h"
+#include "reports/statistics/student.h"
 
 namespace cvo::reports {
 namespace {

@@ -88,6 +88,20 @@ TEST(ChooseScenes, NoMoreThanThePageHolds) {
   EXPECT_EQ(choice.left_out, 1U);
 }
 
+TEST(ChooseScenes, FailuresFirstWhereNotAllFit) {
+  std::vector<PageRun> runs = {RunOf("a", "full", 1), RunOf("b", "full", 1), RunOf("c", "full", 1)};
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    BodyRow body;
+    body.mover = true;
+    body.visible_frames = 2;
+    body.errors = {{0, 1}, {0.01, i == 1 ? 0.5 : 0.02}};
+    runs[i].run.run->bodies = RunBodies{{body}, {}};
+  }
+  EXPECT_THAT(ChooseScenes(runs, "", 1).scenes, ElementsAre(Pair(1U, true)));
+  EXPECT_THAT(ChooseScenes(runs, "", 3).scenes,
+              ElementsAre(Pair(0U, true), Pair(1U, true), Pair(2U, true)));
+}
+
 TEST(SceneJson, MillimetresByFrame) {
   PageScene scene;
   CameraFrame first;

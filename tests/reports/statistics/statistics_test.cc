@@ -11,12 +11,13 @@
 #include "core/base/rng.h"
 #include "reports/statistics/common_frames.h"
 #include "reports/statistics/estimate.h"
+#include "reports/statistics/paired_test.h"
 
 namespace cvo::reports {
 namespace {
 
 Sample Of(const std::string& scene, int body, int seed, double value, double reference = 0.0) {
-  return {scene, std::to_string(body), std::to_string(seed), {value}, {reference}};
+  return {"", scene, std::to_string(body), std::to_string(seed), {value}, {reference}};
 }
 
 TEST(Statistics, SeedsThenBodiesThenScenes) {
@@ -26,8 +27,8 @@ TEST(Statistics, SeedsThenBodiesThenScenes) {
   const auto estimate = EstimateMean(samples, Within::kMean);
   ASSERT_TRUE(estimate);
   EXPECT_DOUBLE_EQ(estimate->value, 7.0);
-  EXPECT_EQ(estimate->strata, 2U);
-  EXPECT_EQ(estimate->units, 3U);
+  EXPECT_EQ(estimate->scenes, 2U);
+  EXPECT_EQ(estimate->bodies, 3U);
 }
 
 TEST(Statistics, CountsAreSummedWithinAScene) {
@@ -37,14 +38,14 @@ TEST(Statistics, CountsAreSummedWithinAScene) {
 
 TEST(Statistics, FractionsAreOfAllFramesOfAScene) {
   // 30 of 40 and 10 of 60 frames: 40 %, not the mean of 75 % and 17 %.
-  const std::vector<Sample> samples = {{"a", "1", "0", {30.0, 40.0}},
-                                       {"a", "2", "0", {10.0, 60.0}}};
+  const std::vector<Sample> samples = {{"", "a", "1", "0", {30.0, 40.0}},
+                                       {"", "a", "2", "0", {10.0, 60.0}}};
   EXPECT_DOUBLE_EQ(EstimateMean(samples, Within::kMean)->value, 0.4);
 }
 
 TEST(Statistics, NothingToEstimate) {
   EXPECT_FALSE(EstimateMean({}, Within::kMean));
-  EXPECT_FALSE(EstimateMean({{"a", "1", "0", {0.0, 0.0}}}, Within::kMean));
+  EXPECT_FALSE(EstimateMean({{"", "a", "1", "0", {0.0, 0.0}}}, Within::kMean));
   EXPECT_FALSE(EstimateDifference({}, Within::kMean));
 }
 
@@ -52,8 +53,17 @@ TEST(Statistics, TheSameSampleTwiceIsAnError) {
   EXPECT_THROW(EstimateMean({Of("a", 1, 0, 1.0), Of("a", 1, 0, 2.0)}, Within::kMean), Error);
 }
 
-TEST(Statistics, OneUnitPerStratumHasNoInterval) {
-  EXPECT_FALSE(EstimateMean({Of("a", 1, 0, 1.0), Of("b", 1, 0, 2.0)}, Within::kMean)->interval);
+TEST(Statistics, FamiliesWeighTheSameHoweverManyScenesTheyHave) {
+  const std::vector<Sample> samples = {{"room", "a", "1", "0", {1.0}},
+                                       {"room", "b", "1", "0", {3.0}},
+                                       {"street", "c", "1", "0", {8.0}}};
+  const auto estimate = EstimateMean(samples, Within::kMean);
+  EXPECT_DOUBLE_EQ(estimate->value, 5.0);
+  EXPECT_TRUE(estimate->interval) << "of the rooms; one street is taken as it is";
+}
+
+TEST(Statistics, OneBodyHasNoInterval) {
+  EXPECT_FALSE(EstimateMean({Of("a", 1, 0, 1.0), Of("a", 1, 1, 2.0)}, Within::kMean)->interval);
 }
 
 std::vector<Sample> RandomRooms(std::uint64_t seed, int rooms, int bodies) {
@@ -62,8 +72,7 @@ std::vector<Sample> RandomRooms(std::uint64_t seed, int rooms, int bodies) {
   for (int room = 0; room < rooms; ++room) {
     for (int body = 0; body < bodies; ++body) {
       const double reference = 1.0 + rng.Uniform();
-      samples.push_back(Of(std::string(1, static_cast<char>('a' + room)), body, 0,
-                           reference + rng.Normal(), reference));
+      samples.push_back(Of(std::to_string(room), body, 0, reference + rng.Normal(), reference));
     }
   }
   return samples;
@@ -79,42 +88,131 @@ TEST(Statistics, OrderOfSamplesDoesNotMatter) {
   EXPECT_EQ(forward->interval->high, backward->interval->high);
 }
 
-// Mean over rooms of means of m bodies: its variance is that of a body over (rooms * m), which the
-// sample estimates with m - 1. A bootstrap that draws m of m is 33 % below it here.
-TEST(Statistics, SpreadOfTheBootstrapIsThatOfTheMean) {
-  const int rooms = 4;
-  const int bodies = 3;
-  const auto strata = AverageRepetitions(RandomRooms(5, rooms, bodies));
-  double expected = 0.0;
-  for (const auto& units : strata) {
-    double mean = 0.0;
-    for (const Unit& unit : units) mean += unit.parts[0].sum / bodies;
-    for (const Unit& unit : units) {
-      expected += std::pow(unit.parts[0].sum - mean, 2) / (bodies - 1) / bodies / (rooms * rooms);
+// Bodies of a room share what is hard about it: standard deviation 1 between rooms, 0.3 within.
+std::vector<Sample> SharedRooms(std::uint64_t seed, int rooms, double mean) {
+  Rng rng(seed, "shared");
+  std::vector<Sample> samples;
+  for (int room = 0; room < rooms; ++room) {
+    const double of_room = mean + rng.Normal();
+    for (int body = 0; body < 5; ++body) {
+      samples.push_back(Of(std::to_string(room), body, 0, 5.0 + of_room + 0.3 * rng.Normal(), 5.0));
     }
   }
-  for (const Within within : {Within::kMean, Within::kSum}) {
-    const auto resampled = Bootstrap(strata, within);
-    double mean = 0.0;
-    double variance = 0.0;
-    for (const auto& r : resampled) mean += r[0] / kResamples;
-    for (const auto& r : resampled) variance += std::pow(r[0] - mean, 2) / kResamples;
-    const double scale = within == Within::kSum ? bodies : 1.0;
-    EXPECT_NEAR(variance / (scale * scale), expected, 0.06 * expected);
-    EXPECT_NEAR(mean / scale, (*MeanOverStrata(strata, Within::kMean))[0], 0.03);
-  }
+  return samples;
 }
 
-// Without a true difference the interval of 12 bodies covers 0 about as often as it says.
-TEST(Statistics, FalseAlarmsAreRare) {
-  int alarms = 0;
-  constexpr int kTrials = 100;
+// The interval over 24 rooms of 5 bodies covers the truth as often as it says. One over their 120
+// bodies would be less than half as wide.
+TEST(Statistics, IntervalsCoverOtherScenes) {
+  constexpr int kTrials = 200;
+  int covered = 0;
   for (int trial = 0; trial < kTrials; ++trial) {
-    const auto estimate = EstimateDifference(RandomRooms(100 + trial, 4, 3), Within::kMean);
-    alarms += estimate->distinguishable ? 1 : 0;
+    const auto estimate = EstimateDifference(SharedRooms(trial, 24, 0.0), Within::kMean);
+    covered += estimate->interval->Contains(0.0) ? 1 : 0;
   }
-  EXPECT_LE(alarms, 15);
-  EXPECT_GE(alarms, 1);
+  EXPECT_GE(covered, 0.90 * kTrials);
+  EXPECT_LE(covered, 0.99 * kTrials);
+}
+
+TEST(Statistics, OneSceneResamplesItsBodies) {
+  const auto estimate = EstimateDifference(SharedRooms(3, 1, 0.0), Within::kMean);
+  EXPECT_EQ(estimate->scenes, 1U);
+  EXPECT_EQ(estimate->pairs, 5U);
+  EXPECT_FALSE(estimate->scenes_for_10_percent);
+  EXPECT_LT(estimate->interval->high - estimate->interval->low, 1.0);
+}
+
+TEST(Statistics, SeedsAndBodiesDoNotNarrowAnInterval) {
+  std::vector<Sample> samples = SharedRooms(7, 12, 0.0);
+  const auto once = EstimateDifference(samples, Within::kMean);
+  for (Sample sample : SharedRooms(7, 12, 0.0)) {
+    sample.repetition = "1";
+    samples.push_back(sample);
+  }
+  const auto twice = EstimateDifference(samples, Within::kMean);
+  EXPECT_EQ(once->interval->low, twice->interval->low);
+  EXPECT_EQ(once->p_value, twice->p_value);
+  EXPECT_EQ(once->pairs, 12U);
+}
+
+// Holds for the mean over n scenes; drawing n of n would be (n - 1) / n of it.
+TEST(Statistics, SpreadOfTheBootstrapIsThatOfTheMean) {
+  constexpr int kRooms = 5;
+  const auto strata = GroupSamples(SharedRooms(5, kRooms, 0.0), Within::kMean);
+  const std::vector<Unit>& rooms = strata->units[0];
+  double mean = 0.0;
+  double expected = 0.0;
+  for (const Unit& room : rooms) mean += room.parts[0].sum / kRooms;
+  for (const Unit& room : rooms) {
+    expected += std::pow(room.parts[0].sum - mean, 2) / (kRooms - 1) / kRooms;
+  }
+  double variance = 0.0;
+  for (const auto& r : Bootstrap(strata->units, strata->within)) {
+    variance += std::pow(r[0] - mean, 2) / kResamples;
+  }
+  EXPECT_NEAR(variance, expected, 0.06 * expected);
+}
+
+TEST(PairedTest, IsStudentsOverScenes) {
+  // Mean 2, standard deviation 1, n 3: t = 2 sqrt(3) with two degrees: p by its closed form.
+  const double t = 2.0 * std::sqrt(3.0);
+  EXPECT_NEAR(*PairedPValue({{1.0, 2.0, 3.0}}), 1.0 - t / std::sqrt(2.0 + t * t), 1e-12);
+  EXPECT_EQ(*PairedPValue({{-1.0, 1.0}}), 1.0);
+  EXPECT_EQ(*PairedPValue({{2.0, 2.0}}), 0.0);
+  EXPECT_FALSE(PairedPValue({{2.0}, {1.0}}));
+  EXPECT_FALSE(PairedPValue({}));
+}
+
+TEST(PairedTest, FalseAlarmsAreOneInTwenty) {
+  int alarms = 0;
+  constexpr int kTrials = 400;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    alarms += *EstimateDifference(SharedRooms(trial, 8, 0.0), Within::kMean)->p_value < 0.05;
+  }
+  EXPECT_GE(alarms, 8);
+  EXPECT_LE(alarms, 34);
+}
+
+// As many scenes as the power note says tell the difference four times out of five.
+TEST(PairedTest, PowerIsWhatItSays) {
+  Rng rng(1, "power");
+  const auto draw = [&rng](std::size_t n, double mean) {
+    Differences differences(1);
+    for (std::size_t i = 0; i < n; ++i) differences[0].push_back(mean + rng.Normal());
+    return differences;
+  };
+  const std::size_t needed = *PairsNeeded(draw(4000, 0.0), 0.5);
+  EXPECT_NEAR(static_cast<double>(needed), 33.4, 2.5) << "of textbooks, for half a deviation";
+  int told = 0;
+  constexpr int kTrials = 500;
+  for (int trial = 0; trial < kTrials; ++trial) told += *PairedPValue(draw(needed, 0.5)) < 0.05;
+  EXPECT_NEAR(told / double{kTrials}, 0.8, 0.06);
+  EXPECT_EQ(*PairsNeeded({{1.0, 1.0}}, 0.1), 2U) << "no spread";
+  EXPECT_FALSE(PairsNeeded({{1.0}}, 0.1));
+}
+
+TEST(Holm, StepsDownAndStaysInOrder) {
+  EXPECT_THAT(HolmAdjusted({0.01, 0.04, 0.03, 0.005}),
+              testing::Pointwise(testing::DoubleNear(1e-12), {0.03, 0.06, 0.06, 0.02}));
+  EXPECT_THAT(HolmAdjusted({0.5, 0.9}), testing::ElementsAre(1.0, 1.0));
+  EXPECT_TRUE(HolmAdjusted({}).empty());
+}
+
+TEST(Holm, IsMonotoneAndNeverBelowThePValueItself) {
+  Rng rng(2, "holm");
+  for (int trial = 0; trial < 50; ++trial) {
+    std::vector<double> p(10);
+    for (double& value : p) value = rng.Uniform();
+    const std::vector<double> adjusted = HolmAdjusted(p);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      EXPECT_GE(adjusted[i], p[i]);
+      for (std::size_t j = 0; j < p.size(); ++j) {
+        if (p[i] < p[j]) {
+          EXPECT_LE(adjusted[i], adjusted[j]);
+        }
+      }
+    }
+  }
 }
 
 TEST(Statistics, PairsRemoveWhatBodiesShare) {
@@ -130,17 +228,8 @@ TEST(Statistics, PairsRemoveWhatBodiesShare) {
   EXPECT_NEAR(*estimate->percent, 100.0 * 0.105 / 4.5, 1e-9);
   EXPECT_TRUE(estimate->percent_interval->Contains(*estimate->percent));
   EXPECT_NEAR(*estimate->effect, 0.105 / (0.005 * std::sqrt(8.0 / 7.0)), 1e-6);
-  EXPECT_TRUE(estimate->distinguishable);
+  EXPECT_LT(*estimate->p_value, 1e-6);
   EXPECT_FALSE(EstimateMean(pairs, Within::kMean)->interval->Contains(4.0 - 1.5));
-}
-
-TEST(Statistics, FewPairsAreNeverDistinguishable) {
-  std::vector<Sample> pairs;
-  for (int body = 0; body < 5; ++body) pairs.push_back(Of("a", body, 0, 2.0 + 0.1 * body, 1.0));
-  EXPECT_FALSE(EstimateDifference(pairs, Within::kMean)->distinguishable);
-  EXPECT_FALSE(EstimateDifference(pairs, Within::kMean)->interval->Contains(0.0));
-  pairs.push_back(Of("a", 5, 0, 2.5, 1.0));
-  EXPECT_TRUE(EstimateDifference(pairs, Within::kMean)->distinguishable);
 }
 
 TEST(Statistics, EqualVariantsDoNotDiffer) {
@@ -148,7 +237,7 @@ TEST(Statistics, EqualVariantsDoNotDiffer) {
   for (int body = 0; body < 8; ++body) pairs.push_back(Of("a", body, 0, body / 6, body / 6));
   const auto estimate = EstimateDifference(pairs, Within::kMean);
   EXPECT_EQ(estimate->difference, 0.0);
-  EXPECT_FALSE(estimate->distinguishable);
+  EXPECT_EQ(estimate->p_value, 1.0);
   EXPECT_FALSE(estimate->effect);
   EXPECT_FALSE(estimate->percent_interval) << "a resampled reference can be 0";
 }

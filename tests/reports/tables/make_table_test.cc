@@ -94,7 +94,7 @@ TEST_F(MakeTableTest, ScenesWeighTheSameHoweverManySeedsTheyHave) {
   ASSERT_THAT(table.rows, SizeIs(1));
   EXPECT_DOUBLE_EQ(table.rows[0].cells[1].value, 1.5);
   EXPECT_EQ(table.rows[0].cells[1].interval->meaning,
-            "95 %, these scenes: bootstrap over 2 scenes, seeds averaged");
+            "95 %, bootstrap over 2 scenes; seeds averaged");
   EXPECT_FALSE(table.rows[0].sequence.has_value());
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "reports/formats/table_text.h"
+#include "reports/tables/comparisons.h"
 #include "reports/tables/make_table.h"
 #include "reports/tables/moved.h"
 #include "reports/tables/table_json.h"
@@ -101,7 +102,7 @@ TEST(PairedTable, MarksDistinguishableDifferences) {
   ASSERT_TRUE(ate.difference && ate.difference->interval);
   EXPECT_TRUE(ate.difference->distinguishable);
   EXPECT_EQ(ate.difference->interval->meaning,
-            "95 %, these scenes: bootstrap over 8 bodies within 1 scene");
+            "95 %, bootstrap over 8 bodies of one scene: says nothing of other scenes");
   EXPECT_FALSE(CellOf(table, 1, "object_coverage").difference->distinguishable);
   EXPECT_THAT(TableText(table, false), AllOf(HasSubstr("0.0745*"), HasSubstr("+0.0200*"),
                                              HasSubstr("by how many percent full is lower")));
@@ -111,6 +112,73 @@ TEST(PairedTable, MarksDistinguishableDifferences) {
   EXPECT_FALSE(cell["difference"]["distinguishable"].get<bool>());
   EXPECT_EQ(json["schema_version"], 3);
   EXPECT_EQ(TableJson(table), TableJson(MakeTable(suite.Written(), {}, "")));
+}
+
+// Ten rooms of a family with one body each; the second variant is worse in all of them.
+void AddTenRooms(double worse_m, SuiteResults& suite) {
+  suite.table["rows"] = {"variant"};
+  suite.table["reference"] = "full";
+  for (int room = 0; room < 10; ++room) {
+    const std::string name = "room_" + std::to_string(room);
+    for (const char* variant : {"full", "2d"}) {
+      const double error_m = 0.05 + (variant[0] == '2' ? worse_m * (1.0 + 0.1 * room) : 0.0);
+      Json& job = suite.Add(WithBodies(Result(name), Json::array({BodyOf(1, {error_m})})), variant);
+      job["family"] = "room";
+      job["split"] = "test";
+    }
+  }
+}
+
+TEST(PairedTable, ScenesAreWhatIsResampledAndManyComparisonsAreCorrectedFor) {
+  SuiteResults suite;
+  AddTenRooms(0.02, suite);
+  const Table table = MakeTable(suite.Written(), {}, "");
+  const auto ate = CellOf(table, 1, "object_ate").difference;
+  EXPECT_EQ(ate->interval->meaning, "95 %, bootstrap over 10 scenes");
+  EXPECT_EQ(ate->pairs, 10U);
+  ASSERT_TRUE(ate->p_value && ate->adjusted_p_value);
+  EXPECT_GT(*ate->adjusted_p_value, *ate->p_value) << "other columns are compared too";
+  EXPECT_TRUE(ate->distinguishable);
+  EXPECT_GE(ate->scenes_for_10_percent.value_or(0), 2U);
+  EXPECT_EQ(table.rows[0].split, "test");
+  const std::string text = TableText(table, false);
+  EXPECT_THAT(text, HasSubstr("variant  split  runs"));
+  EXPECT_THAT(text, HasSubstr("comparisons of this table (Holm), is below 0.05"));
+  EXPECT_THAT(text, HasSubstr("scenes that would tell a difference of 10 % from noise"));
+  EXPECT_THAT(text, HasSubstr("split test: scenes that no option was chosen on"));
+  const Json json = Json::parse(TableJson(table));
+  EXPECT_EQ(json["rows"][1]["split"], "test");
+  EXPECT_EQ(TableJson(ReadTable(TableJson(table), "table")), TableJson(table));
+}
+
+TEST(PairedTable, SplitsAreNeverAveraged) {
+  SuiteResults suite;
+  suite.table["rows"] = {"variant"};
+  suite.Add(Result("a"))["split"] = "development";
+  suite.Add(Result("b"))["split"] = "test";
+  try {
+    MakeTable(suite.Written(), {}, "");
+    FAIL() << "a mixed row";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("of the development split and of the test split"));
+  }
+}
+
+TEST(CorrectForMany, FewPairsAndNoiseAreNeverDistinguishable) {
+  const auto distinguishable = [](double p_value, std::size_t pairs, double low) {
+    Difference difference;
+    difference.p_value = p_value;
+    difference.pairs = pairs;
+    difference.interval = Interval{low, 1.0, ""};
+    Difference other = difference;
+    other.p_value = 0.5;
+    CorrectForMany({&difference, &other});
+    return difference.distinguishable;
+  };
+  EXPECT_TRUE(distinguishable(0.02, 6, 0.1));
+  EXPECT_FALSE(distinguishable(0.03, 6, 0.1)) << "two comparisons";
+  EXPECT_FALSE(distinguishable(0.02, 5, 0.1));
+  EXPECT_FALSE(distinguishable(0.02, 6, -0.1));
 }
 
 TEST(PairedTable, AReferenceCanBeTheValueOfAnyKey) {

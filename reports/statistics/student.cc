@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/gate/student.h"
+#include "reports/statistics/student.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +31,13 @@ double Tail(double theta, int degrees) {
 }
 
 }  // namespace
+
+double StudentTail(double t, int degrees) {
+  Require(t >= 0.0, "StudentTail: t of at least 0");
+  Require(degrees >= 1, "StudentTail: at least one degree of freedom");
+  degrees = std::min(degrees, kMaxDegrees);
+  return std::max(Tail(std::atan(t / std::sqrt(static_cast<double>(degrees))), degrees), 0.0);
+}
 
 double StudentQuantile(double tail, int degrees) {
   Require(tail >= 1e-9 && tail <= 0.5, "StudentQuantile: a tail within [1e-9, 0.5]");

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/statistics/paired_test.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "reports/statistics/student.h"
+
+namespace cvo::reports {
+namespace {
+
+constexpr double kTwoSidedTail = 0.025;
+constexpr double kMissTail = 0.2;  // 80 % power
+
+struct Moments {
+  double mean = 0.0;      // over strata
+  double variance = 0.0;  // of that mean
+  double spread = 0.0;    // variance of a difference, mean over strata that have several
+  int degrees = 0;
+};
+
+Moments MomentsOf(const Differences& differences) {
+  Moments moments;
+  const auto strata = static_cast<double>(differences.size());
+  double several = 0.0;
+  for (const std::vector<double>& stratum : differences) {
+    const auto n = static_cast<double>(stratum.size());
+    const double mean = std::accumulate(stratum.begin(), stratum.end(), 0.0) / n;
+    moments.mean += mean / strata;
+    if (stratum.size() < 2) continue;
+    double squares = 0.0;
+    for (const double difference : stratum) squares += (difference - mean) * (difference - mean);
+    const double variance = squares / (n - 1.0);
+    moments.variance += variance / n / (strata * strata);
+    moments.spread += variance;
+    moments.degrees += static_cast<int>(stratum.size()) - 1;
+    several += 1.0;
+  }
+  if (several > 0.0) moments.spread /= several;
+  return moments;
+}
+
+}  // namespace
+
+std::optional<double> PairedPValue(const Differences& differences) {
+  const Moments moments = MomentsOf(differences);
+  if (moments.degrees == 0) return std::nullopt;
+  if (moments.mean == 0.0) return 1.0;
+  const double error = std::sqrt(moments.variance);
+  if (error == 0.0) return 0.0;
+  return 2.0 * StudentTail(std::abs(moments.mean) / error, moments.degrees);
+}
+
+std::optional<std::size_t> PairsNeeded(const Differences& differences, double size) {
+  const Moments moments = MomentsOf(differences);
+  if (moments.degrees == 0) return std::nullopt;
+  const std::size_t strata = differences.size();
+  const auto needed = [&](std::size_t pairs) {
+    const int degrees = static_cast<int>(std::min<std::size_t>(pairs - strata, 1'000));
+    const double quantiles =
+        StudentQuantile(kTwoSidedTail, degrees) + StudentQuantile(kMissTail, degrees);
+    return quantiles * quantiles * moments.spread / (size * size);
+  };
+  constexpr std::size_t kMany = 1'000'000;
+  std::size_t pairs = std::max<std::size_t>(
+      strata + 1, static_cast<std::size_t>(std::min(needed(kMany), double{kMany})));
+  while (pairs < kMany && static_cast<double>(pairs) < needed(pairs)) ++pairs;
+  return pairs;
+}
+
+std::vector<double> HolmAdjusted(const std::vector<double>& p_values) {
+  std::vector<std::size_t> order(p_values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return p_values[a] < p_values[b]; });
+  std::vector<double> adjusted(p_values.size());
+  double largest = 0.0;
+  for (std::size_t rank = 0; rank < order.size(); ++rank) {
+    const auto left = static_cast<double>(order.size() - rank);
+    largest = std::max(largest, std::min(1.0, left * p_values[order[rank]]));
+    adjusted[order[rank]] = largest;
+  }
+  return adjusted;
+}
+
+}  // namespace cvo::reports
