@@ -29,8 +29,8 @@ RigidTransform CameraAt(int frame) {
 WindowProblem MakeProblem(int frames, int points, double noise_px, Rng& rng) {
   WindowProblem problem;
   problem.camera = kCamera;
-  problem.prior = CalibrationPrior(kCamera, 1.0);
-  problem.is_right_shift_fixed = true;
+  problem.prior = CalibrationPrior(kCamera, Vector6d::Ones());
+  problem.is_right_field_fixed = true;
   for (int i = 0; i < frames; ++i) {
     problem.frames.push_back(FrameId{10 + i});
     problem.world_from_camera.push_back(CameraAt(i));
@@ -75,8 +75,8 @@ TEST(SolveWindow, FindsTheRightShiftThatThePixelsCarry) {
   Rng rng(2, "window");
   WindowProblem problem = MakeProblem(6, 150, 0.0, rng);
   for (ReprojectionFactor& factor : problem.factors) factor.z_px[2] += 0.3;
-  problem.is_right_shift_fixed = false;
-  problem.prior = CalibrationPrior(kCamera, 100.0);
+  problem.is_right_field_fixed = false;
+  problem.prior = CalibrationPrior(kCamera, Vector6d::Constant(100.0));
   SolveWindow({}, kToConvergence, problem);
   EXPECT_NEAR(problem.camera.right_shift_px, 0.3, 1e-3);
   EXPECT_LT(problem.world_from_camera.back().Minus(CameraAt(5)).norm(), 1e-3);
@@ -87,7 +87,7 @@ TEST(SolveWindow, RefusesAPriorAboutAFrameItDoesNotHave) {
   WindowProblem problem = MakeProblem(2, 10, 0.0, rng);
   problem.prior.frames = {FrameId{99}};
   problem.prior.linearization_point = {RigidTransform()};
-  problem.prior.J0 = Eigen::MatrixXd::Zero(1, 7);
+  problem.prior.J0 = Eigen::MatrixXd::Zero(1, 12);
   EXPECT_THROW(SolveWindow({}, kToConvergence, problem), Error);
 }
 
@@ -129,7 +129,7 @@ TEST(Marginalize, PriorOfAFreeWindowHasSixFreeDirections) {
   const WindowProblem problem = MakeProblem(4, 40, 0.2, rng);
   const WindowPrior prior = Marginalize({}, problem, FrameId{10});
   ASSERT_EQ(prior.frames.size(), 3u);
-  EXPECT_EQ(prior.J0.cols(), 6 * 3 + 1);
+  EXPECT_EQ(prior.J0.cols(), 6 * 3 + 6);
   const Eigen::MatrixXd H = prior.J0.transpose() * prior.J0;
   const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(H).eigenvalues();
   EXPECT_EQ((values.array() < 1e-8 * values.maxCoeff()).count(), 6);
@@ -145,7 +145,7 @@ TEST(Marginalize, KnowsOnlyFramesThatSawSomething) {
 
 // A window in which landmark k is seen in the frames of its list.
 Window MakeWindow(const std::vector<std::vector<int>>& seen) {
-  Window window{kCamera, CalibrationPrior(kCamera, 1.0), {}, {}, {}};
+  Window window{kCamera, CalibrationPrior(kCamera, Vector6d::Ones()), {}, {}, {}};
   for (std::size_t k = 0; k < seen.size(); ++k) {
     Landmark landmark;
     landmark.id = LandmarkId{static_cast<std::int64_t>(k)};
