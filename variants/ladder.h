@@ -31,8 +31,7 @@ using Rungs =
                Rung<AddBoundedConfidence>, Rung<AddReserve>, Rung<AddBirthOrigin>,
                Rung<AddConfirmation>, Rung<AddFixedGauge>, Rung<AddSelfCalibration>,
                Rung<AddOutlierRemoval>, Rung<AddEarlyStop>, Rung<AddStifferPrior>,
-               Rung<AddTurnPrior>, Rung<AddPastInformation>, Rung<AddIdentity>,
-               Rung<AddAlignment>>;
+               Rung<AddTurnPrior>, Rung<AddPastInformation>, Rung<AddIdentity>, Rung<AddAlignment>>;
 inline constexpr std::size_t kRungs = std::tuple_size_v<Rungs>;
 
 namespace internal {

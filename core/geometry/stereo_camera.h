@@ -100,8 +100,7 @@ inline Eigen::Matrix3d StereoCamera::ProjectionJacobian(const Eigen::Vector3d& p
   J << fx_z, 0.0, -fx_z * p_in_camera.x() * inverse_z,  //
       0.0, fy_z, -fy_z * p_in_camera.y() * inverse_z,   //
       fx_z, 0.0, -fx_z * (p_in_camera.x() - baseline_m) * inverse_z;
-  const FieldBasis basis =
-      BasisAt(fx_z * p_in_camera.x() + cx, fy_z * p_in_camera.y() + cy);
+  const FieldBasis basis = BasisAt(fx_z * p_in_camera.x() + cx, fy_z * p_in_camera.y() + cy);
   J.row(2) += right_field_px.dot(basis.by_u) * J.row(0) + right_field_px.dot(basis.by_v) * J.row(1);
   return J;
 }

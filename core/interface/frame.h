@@ -113,14 +113,14 @@ struct FrameReport {
   int matches = 0;                   // landmarks found in the frame
   int inliers = 0;                   // of these, consistent with the camera pose
   int new_landmarks = 0;
-  int window_frames = 0;                // spatial and temporal track together, this frame included
-  int window_landmarks = 0;             // optimised with the window
-  int window_iterations = 0;            // of the bundle adjustment
-  SolverEndings window_endings;         // of the bundle adjustment
-  SolverEndings cluster_endings;        // of the clusters' windows, one per solve
+  int window_frames = 0;          // spatial and temporal track together, this frame included
+  int window_landmarks = 0;       // optimised with the window
+  int window_iterations = 0;      // of the bundle adjustment
+  SolverEndings window_endings;   // of the bundle adjustment
+  SolverEndings cluster_endings;  // of the clusters' windows, one per solve
   CalibrationReport calibration;
-  double mean_error_px = 0.0;           // RMS whitened reprojection error of the inliers after it
-  std::vector<ClusterReport> clusters;  // live ones, by id
+  double mean_error_px = 0.0;             // RMS whitened reprojection error of the inliers after it
+  std::vector<ClusterReport> clusters;    // live ones, by id
   std::vector<LandmarkReport> landmarks;  // seen in the frame, static ones included, by feature
 };
 

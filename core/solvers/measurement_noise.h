@@ -36,8 +36,7 @@ struct NoiseOptions {
                  "from a scale",
                  "METHOD.md 7.6: chosen from 1e-6 ... 0.3 on KITTI, streets and rooms"});
     visit.Field("right_shape_px", self.right_shape_px,
-                {"px", 1e-6, 10,
-                 "the same of each coefficient of its change over the image",
+                {"px", 1e-6, 10, "the same of each coefficient of its change over the image",
                  "METHOD.md 7.6: 0.1 and 0.3 give the same on KITTI"});
     visit.Field("huber", self.huber,
                 {"standard deviations", 0.1, 1e6,

@@ -39,9 +39,9 @@ double SchurPrior::Energy(const std::vector<RigidTransform>& world_from_camera,
   return 0.5 * (prior_->r0 + prior_->J0 * dx).squaredNorm();
 }
 
-void SchurPrior::AddTo(const std::vector<RigidTransform>& world_from_camera, const Vector6d& right_field_px,
-                       bool is_right_field_fixed, const std::vector<int>& pose_of_frame,
-                       SchurEquations& equations) const {
+void SchurPrior::AddTo(const std::vector<RigidTransform>& world_from_camera,
+                       const Vector6d& right_field_px, bool is_right_field_fixed,
+                       const std::vector<int>& pose_of_frame, SchurEquations& equations) const {
   if (prior_->r0.size() == 0) return;
   const Eigen::VectorXd dx = Difference(world_from_camera, right_field_px);
   const Eigen::VectorXd g = prior_->J0.transpose() * (prior_->r0 + prior_->J0 * dx);

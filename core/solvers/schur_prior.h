@@ -15,7 +15,8 @@ class SchurPrior {
  public:
   SchurPrior(const WindowPrior& prior, std::vector<int> frame_index);
 
-  double Energy(const std::vector<RigidTransform>& world_from_camera, const Vector6d& right_field_px) const;
+  double Energy(const std::vector<RigidTransform>& world_from_camera,
+                const Vector6d& right_field_px) const;
   // `pose_of_frame`: column of a frame's pose, -1 where it is held; by frame of the window.
   void AddTo(const std::vector<RigidTransform>& world_from_camera, const Vector6d& right_field_px,
              bool is_right_field_fixed, const std::vector<int>& pose_of_frame,

@@ -122,7 +122,7 @@ double LinearizeReprojections(const StereoCamera& camera, const std::vector<View
     const View& view = views[factor.pose];
     weighted.lever = view.Lever(points[factor.point]);
     const auto [r, J, zeta_px] = EvaluateProjection(camera, factor.z_px, factor.sqrt_information,
-                                           view.InCamera(weighted.lever));
+                                                    view.InCamera(weighted.lever));
     const double squared_norm = r.squaredNorm();
     energy += HuberLoss(squared_norm, huber);
     const double weight = HuberWeight(squared_norm, huber);
@@ -138,8 +138,7 @@ double LinearizeReprojections(const StereoCamera& camera, const std::vector<View
       const Eigen::Vector3d J_shift = factor.sqrt_information.col(2);
       weighted.u.noalias() = B_weighted.transpose() * J_shift;
       weighted.basis = camera.BasisAt(zeta_px[0], zeta_px[1]).value;
-      point.by_shared.noalias() +=
-          view.PointAxesTimes(weighted.u) * weighted.basis.transpose();
+      point.by_shared.noalias() += view.PointAxesTimes(weighted.u) * weighted.basis.transpose();
       AddToShared(J_shift, weight, r, weighted.basis, equations);
     }
     if (view.pose < 0) continue;

@@ -30,7 +30,11 @@ void CheckWorld(const World& world) {
 }  // namespace
 
 Passes::Passes(const World& world, int threads)
-    : context_(threads), gl_(context_.gl()), rig_(world.rig), rig_error_(world.rig_error), light_(world.light) {
+    : context_(threads),
+      gl_(context_.gl()),
+      rig_(world.rig),
+      rig_error_(world.rig_error),
+      light_(world.light) {
   CheckWorld(world);
   for (const Mesh& mesh : world.meshes) meshes_.push_back(UploadMesh(gl_, mesh));
   for (const cv::Mat& texture : world.textures) textures_.push_back(UploadTexture(gl_, texture));

@@ -54,9 +54,10 @@ void SequenceFlags::AddTo(CLI::App& app) {
 }
 
 void AddRightShift(CLI::App& app, std::optional<double>& right_shift_px) {
-  app.add_option("--right-shift", right_shift_px,
-                 "known rectification error: offset of u_right to the right, from which its estimate "
-                 "starts; default: 0")
+  app.add_option(
+         "--right-shift", right_shift_px,
+         "known rectification error: offset of u_right to the right, from which its estimate "
+         "starts; default: 0")
       ->type_name("PX")
       ->check(FiniteProblem);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
@@ -71,15 +72,31 @@ TEST(SolveWindow, ReturnsToTheTruth) {
   }
 }
 
-TEST(SolveWindow, FindsTheRightShiftThatThePixelsCarry) {
+TEST(SolveWindow, FindsTheRightFieldThatThePixelsCarry) {
   Rng rng(2, "window");
   WindowProblem problem = MakeProblem(6, 150, 0.0, rng);
-  for (ReprojectionFactor& factor : problem.factors) factor.z_px[2] += 0.3;
+  StereoCamera truth = kCamera;
+  truth.right_field_px << 0.3, -0.4, 0.2, 0.5, -0.1, 0.6;
+  for (ReprojectionFactor& factor : problem.factors) {
+    factor.z_px[2] += truth.RightShift(factor.z_px[0], factor.z_px[1]);
+  }
   problem.is_right_field_fixed = false;
   problem.prior = CalibrationPrior(kCamera, Vector6d::Constant(100.0));
   SolveWindow({}, kToConvergence, problem);
-  EXPECT_NEAR(problem.camera.right_shift_px, 0.3, 1e-3);
+  EXPECT_LT((problem.camera.right_field_px - truth.right_field_px).norm(), 2e-3);
   EXPECT_LT(problem.world_from_camera.back().Minus(CameraAt(5)).norm(), 1e-3);
+}
+
+TEST(SolveWindow, KnowsTheFieldAsWellAsItsPriorWhereNothingIsSeenOfIt) {
+  Rng rng(12, "window");
+  WindowProblem problem = MakeProblem(3, 20, 0.1, rng);
+  problem.is_right_field_fixed = false;
+  const Vector6d deviation_px = EstimateRightShift::Deviation({.right_shift_px = 0.2});
+  problem.prior = CalibrationPrior(kCamera, deviation_px);
+  const SolverSummary summary = SolveWindow({}, kToConvergence, problem);
+  const Vector6d sigma_px = summary.shared_information.inverse().diagonal().cwiseSqrt();
+  EXPECT_LT(sigma_px[0], 0.2) << "the points say something of the mean";
+  EXPECT_NEAR(sigma_px[3] / deviation_px[3], 1.0, 1e-3);
 }
 
 TEST(SolveWindow, RefusesAPriorAboutAFrameItDoesNotHave) {

@@ -117,8 +117,7 @@ TEST(PriorCost, IsR0AtTheLinearizationPoint) {
   const WindowPrior prior = RandomPrior(2, rng);
   const PriorCost cost(prior);
   const double* blocks[] = {prior.linearization_point[0].data(),
-                            prior.linearization_point[1].data(),
-                            prior.right_field_point_px.data()};
+                            prior.linearization_point[1].data(), prior.right_field_point_px.data()};
   Eigen::VectorXd r(prior.r0.size());
   ASSERT_TRUE(cost.Evaluate(blocks, r.data(), nullptr));
   EXPECT_LT((r - prior.r0).norm(), 1e-12);

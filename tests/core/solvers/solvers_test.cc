@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
@@ -289,6 +290,19 @@ TEST(SchurSolver, SolvesTheDampedSystemAsADenseSolverDoes) {
     EXPECT_NEAR(step.expected_decrease / decrease, 1.0, 1e-9);
     EXPECT_NEAR(step.norm / expected.norm(), 1.0, 1e-9);
   }
+}
+
+TEST(SchurSolver, InformationOnTheSharedVariablesIsThatOfADenseSystem) {
+  Rng rng(11, "solvers");
+  const SchurEquations equations = LinearizedWindow(RandomWindow(4, 20, rng));
+  const DenseSystem dense = MakeDense(equations);
+  SchurSolver solver(equations);
+  SchurStep step;
+  ASSERT_TRUE(solver.Solve(equations, 1e9, step));
+  const Eigen::Index shared = equations.others_begin();
+  const Matrix6d covariance = dense.H.inverse().block<6, 6>(shared, shared);
+  const Matrix6d product = solver.SharedInformation() * covariance;
+  EXPECT_LT((product - Matrix6d::Identity()).norm(), 1e-4);
 }
 
 TEST(SchurSolver, RefusesWhatIsNotPositiveDefinite) {
