@@ -71,7 +71,8 @@ using NamedVariants = std::tuple<Listed<Full, Full, 0>,                     //
                                  Listed<Static, StaticMarginalizeLost>,     //
                                  Listed<Static, StaticPriorGauge>,          //
                                  Listed<Static, StaticNoSpatialTrack>,      //
-                                 Listed<Static, StaticSelfCalibration>>;
+                                 Listed<Static, StaticShiftOnly>,           //
+                                 Listed<Static, StaticTrustCalibration>>;
 using AllVariants = decltype(std::tuple_cat(
     NamedVariants(), internal::LadderVariants<std::make_index_sequence<kRungs>>::LeftOut(),
     internal::LadderVariants<std::make_index_sequence<kRungs - 1>>::Steps()));

@@ -61,7 +61,7 @@ struct Full {
   using MarginalizationRule = MarginalizeUnseenByNewest;
   using Gauge = FixOldestFrame;
   using SpatialTrack = PromoteDistant;
-  using Calibration = TrustCalibration;
+  using Calibration = EstimateRightField;
 
   // The options that a variant starts from; these are the defaults.
   static void SetDefaults(Options&) {}

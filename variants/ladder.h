@@ -29,9 +29,9 @@ using Rungs =
                Rung<AddBoxShrink>, Rung<AddCheapStatic>, Rung<AddBoxSize>, Rung<AddNearestDepths>,
                Rung<AddTriangulation>, Rung<AddLongPast>, Rung<AddKeptLabels>,
                Rung<AddBoundedConfidence>, Rung<AddReserve>, Rung<AddBirthOrigin>,
-               Rung<AddConfirmation>, Rung<AddFixedGauge>, Rung<AddOutlierRemoval>,
-               Rung<AddEarlyStop>, Rung<AddStifferPrior>, Rung<AddTurnPrior>,
-               Rung<AddPastInformation>, Rung<AddIdentity>, Rung<AddAlignment>>;
+               Rung<AddConfirmation>, Rung<AddFixedGauge>, Rung<AddSelfCalibration>,
+               Rung<AddOutlierRemoval>, Rung<AddEarlyStop>, Rung<AddStifferPrior>,
+               Rung<AddTurnPrior>, Rung<AddPastInformation>, Rung<AddIdentity>, Rung<AddAlignment>>;
 inline constexpr std::size_t kRungs = std::tuple_size_v<Rungs>;
 
 namespace internal {

@@ -215,6 +215,14 @@ struct AddFixedGauge : Base {
 };
 
 template <typename Base>
+struct AddSelfCalibration : Base {
+  static constexpr std::string_view kRung = "self_calibration";
+  static constexpr std::string_view kAdds =
+      "the calibration's error is estimated with the window, as a field over the image";
+  using Calibration = EstimateRightField;
+};
+
+template <typename Base>
 struct AddOutlierRemoval : Base {
   static constexpr std::string_view kRung = "outlier_removal";
   static constexpr std::string_view kAdds =

@@ -35,11 +35,17 @@ struct StaticNoSpatialTrack : Static {
   using SpatialTrack = PromoteNever;
 };
 
-struct StaticSelfCalibration : Static {
-  static constexpr std::string_view kName = "static_self_calibration";
+struct StaticShiftOnly : Static {
+  static constexpr std::string_view kName = "static_shift_only";
   static constexpr std::string_view kChanges =
-      "static; the column shift of the right camera is estimated in the window";
+      "static; the estimated error of the calibration is the same all over the image";
   using Calibration = EstimateRightShift;
+};
+
+struct StaticTrustCalibration : Static {
+  static constexpr std::string_view kName = "static_trust_calibration";
+  static constexpr std::string_view kChanges = "static; the calibration is taken as it is";
+  using Calibration = TrustCalibration;
 };
 
 }  // namespace cvo

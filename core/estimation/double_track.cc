@@ -25,6 +25,19 @@ bool PromoteDistant::Promotes(const Window& window, const WindowFrame& frame,
          options.promote_common * window.CountLandmarks(reference.id);
 }
 
+Vector6d EstimateRightField::Deviation(const NoiseOptions& noise) {
+  Vector6d deviation = Vector6d::Constant(noise.right_shape_px);
+  deviation[0] = noise.right_shift_px;
+  return deviation;
+}
+
+Vector6d EstimateRightShift::Deviation(const NoiseOptions& noise) {
+  constexpr double kNone_px = 1e-6;
+  Vector6d deviation = Vector6d::Constant(kNone_px);
+  deviation[0] = noise.right_shift_px;
+  return deviation;
+}
+
 void MarginalizeFrame(FrameId frame, const std::vector<LandmarkId>& landmarks,
                       const FeatureNoise& noise, Window& window) {
   WindowProblem problem = MakeFrames(window);

@@ -13,16 +13,16 @@ namespace {
 
 constexpr double kRelativeRank = 1e-10;
 
-// H dx = -b around the problem's state: six rows per frame, then one for right_shift_px.
+// H dx = -b around the problem's state: six rows per frame, then six for right_field_px.
 struct LinearSystem {
   Eigen::MatrixXd H;
   Eigen::VectorXd b;
 
-  Eigen::Index shift_row() const { return b.size() - 1; }
+  Eigen::Index field() const { return b.size() / 6 - 1; }
 };
 
-void AppendPoseRows(Eigen::Index pose, std::vector<Eigen::Index>& rows) {
-  for (Eigen::Index k = 0; k < 6; ++k) rows.push_back(6 * pose + k);
+void AppendRows(Eigen::Index block, std::vector<Eigen::Index>& rows) {
+  for (Eigen::Index k = 0; k < 6; ++k) rows.push_back(6 * block + k);
 }
 
 // M^+ of a symmetric positive semi-definite matrix.
@@ -41,7 +41,7 @@ Eigen::MatrixXd PseudoInverse(const Eigen::MatrixXd& M) {
 void AddPoint(const NoiseOptions& noise, const WindowProblem& problem, std::size_t begin,
               std::size_t end, LinearSystem& system) {
   const int n = static_cast<int>(end - begin);
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(3 * n, 6 * n + 1);
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(3 * n, 6 * n + 6);
   Eigen::MatrixXd J_point(3 * n, 3);
   Eigen::VectorXd r(3 * n);
   std::vector<Eigen::Index> rows;  // of the system, by column of J
@@ -52,12 +52,12 @@ void AddPoint(const NoiseOptions& noise, const WindowProblem& problem, std::size
                              problem.world_from_camera[factor.pose], problem.points[factor.point]);
     const double root = std::sqrt(HuberWeight(value.r.squaredNorm(), noise.huber));
     J.block<3, 6>(3 * i, 6 * i) = root * value.J_pose;
-    J.block<3, 1>(3 * i, 6 * n) = root * value.J_shift;
+    J.block<3, 6>(3 * i, 6 * n) = root * value.J_field;
     J_point.middleRows<3>(3 * i) = root * value.J_point;
     r.segment<3>(3 * i) = root * value.r;
-    AppendPoseRows(factor.pose, rows);
+    AppendRows(factor.pose, rows);
   }
-  rows.push_back(system.shift_row());
+  AppendRows(system.field(), rows);
   const Eigen::MatrixXd coupling = J.transpose() * J_point;
   const Eigen::MatrixXd left = coupling * PseudoInverse(J_point.transpose() * J_point);
   system.H(rows, rows) += J.transpose() * J - left * coupling.transpose();
@@ -69,17 +69,17 @@ void AddPrior(const WindowProblem& problem, LinearSystem& system) {
   const WindowPrior& prior = problem.prior;
   const int n = static_cast<int>(prior.frames.size());
   std::vector<Eigen::Index> rows;
-  Eigen::VectorXd dx(6 * n + 1);
+  Eigen::VectorXd dx(6 * n + 6);
   Eigen::MatrixXd J = prior.J0;
   for (int i = 0; i < n; ++i) {
     const Eigen::Index pose = FrameIndex(problem, prior.frames[i]);
     dx.segment<6>(6 * i) = problem.world_from_camera[pose].Minus(prior.linearization_point[i]);
     J.middleCols<3>(6 * i) =
         prior.J0.middleCols<3>(6 * i) * InverseRightJacobianSo3(dx.segment<3>(6 * i));
-    AppendPoseRows(pose, rows);
+    AppendRows(pose, rows);
   }
-  dx[6 * n] = problem.camera.right_shift_px - prior.right_shift_point_px;
-  rows.push_back(system.shift_row());
+  dx.tail<6>() = problem.camera.right_field_px - prior.right_field_point_px;
+  AppendRows(system.field(), rows);
   const Eigen::VectorXd r = prior.r0 + prior.J0 * dx;
   system.H(rows, rows) += J.transpose() * J;
   system.b(rows) += J.transpose() * r;
@@ -96,11 +96,11 @@ std::vector<int> KeptPoses(const WindowProblem& problem, FrameId removed,
   return kept;
 }
 
-// The system over the poses `kept` and right_shift_px, the pose `removed` eliminated.
+// The system over the poses `kept` and right_field_px, the pose `removed` eliminated.
 LinearSystem Reduce(const LinearSystem& system, const std::vector<int>& kept, int removed) {
   std::vector<Eigen::Index> rows;
-  for (const int pose : kept) AppendPoseRows(pose, rows);
-  rows.push_back(system.shift_row());
+  for (const int pose : kept) AppendRows(pose, rows);
+  AppendRows(system.field(), rows);
   const auto six = Eigen::seqN(6 * removed, 6);
   const Eigen::MatrixXd coupling = system.H(rows, six);
   const Eigen::MatrixXd left = coupling * PseudoInverse(system.H(six, six));
@@ -124,7 +124,7 @@ void TakeSquareRoot(const LinearSystem& system, WindowPrior& prior) {
 }  // namespace
 
 WindowPrior Marginalize(const NoiseOptions& noise, const WindowProblem& problem, FrameId removed) {
-  const int size = 6 * static_cast<int>(problem.frames.size()) + 1;
+  const int size = 6 * static_cast<int>(problem.frames.size()) + 6;
   LinearSystem system{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
   for (std::size_t begin = 0; begin < problem.factors.size();) {
     std::size_t end = begin;
@@ -140,7 +140,7 @@ WindowPrior Marginalize(const NoiseOptions& noise, const WindowProblem& problem,
   const std::vector<int> kept = KeptPoses(problem, removed, system);
   WindowPrior prior;
   TakeSquareRoot(Reduce(system, kept, FrameIndex(problem, removed)), prior);
-  prior.right_shift_point_px = problem.camera.right_shift_px;
+  prior.right_field_point_px = problem.camera.right_field_px;
   for (const int i : kept) {
     prior.frames.push_back(problem.frames[i]);
     prior.linearization_point.push_back(problem.world_from_camera[i]);

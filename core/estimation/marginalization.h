@@ -7,7 +7,7 @@
 namespace cvo {
 
 // Removes all points of the problem and the pose of `removed` from its energy by Schur complement
-// and returns what is left as a prior over the other frames and right_shift_px (METHOD.md 7.3):
+// and returns what is left as a prior over the other frames and right_field_px (METHOD.md 7.3):
 // factors and the old prior are linearised at the problem's state, factors after the robust loss.
 // The problem holds just the factors to be marginalised: points with all their remaining
 // observations. Directions with less than 1e-10 of the largest eigenvalue carry no information.

@@ -112,20 +112,27 @@ struct PromoteNever {
   static bool Promotes(const Window&, const WindowFrame&, const WindowOptions&) { return false; }
 };
 
-// Whether the rig's calibration is believed.
+// How far the rig's calibration is believed: the standard deviation of each coefficient of
+// right_field_px before anything is seen, where kFixesRightField does not hold it at zero.
 template <typename Policy>
-concept CalibrationPolicy = requires {
-  { Policy::kFixesRightShift } -> std::convertible_to<bool>;
+concept CalibrationPolicy = requires(const NoiseOptions& noise) {
+  { Policy::kFixesRightField } -> std::convertible_to<bool>;
+  { Policy::Deviation(noise) } -> std::same_as<Vector6d>;
 };
 
-// Policy: right_shift_px is estimated with the window; noise.right_shift_px says how far the
-// calibration is trusted.
+// Policy: the error varies smoothly over the image.
+struct EstimateRightField {
+  static constexpr bool kFixesRightField = false;
+  static Vector6d Deviation(const NoiseOptions& noise);
+};
+// Policy: it is the same everywhere.
 struct EstimateRightShift {
-  static constexpr bool kFixesRightShift = false;
+  static constexpr bool kFixesRightField = false;
+  static Vector6d Deviation(const NoiseOptions& noise);
 };
 // Policy: the calibration is taken as it is.
-struct TrustCalibration {
-  static constexpr bool kFixesRightShift = true;
+struct TrustCalibration : EstimateRightShift {
+  static constexpr bool kFixesRightField = true;
 };
 
 // How large the squared whitened error of an observation may be for it to stay in a window after

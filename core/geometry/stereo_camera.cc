@@ -40,11 +40,12 @@ Eigen::Matrix3d StereoCamera::BackProjectionJacobian(const Eigen::Vector3d& z_px
   const double depth = fx * baseline_m / disparity;
   const double x = (z_px[0] - cx) / fx;
   const double y = (z_px[1] - cy) / fy;
-  const double d = depth / disparity;  // -d depth / d disparity
-  Eigen::Matrix3d J;
-  J << depth / fx - x * d, 0.0, x * d,  //
-      -y * d, depth / fy, y * d,        //
-      -d, 0.0, d;
+  const FieldBasis basis = BasisAt(z_px[0], z_px[1]);
+  const Eigen::RowVector3d disparity_by_z(1.0 + right_field_px.dot(basis.by_u),
+                                          right_field_px.dot(basis.by_v), -1.0);
+  Eigen::Matrix3d J = -depth / disparity * Eigen::Vector3d(x, y, 1.0) * disparity_by_z;
+  J(0, 0) += depth / fx;
+  J(1, 1) += depth / fy;
   return J;
 }
 

@@ -3,9 +3,20 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <optional>
 
+#include "core/geometry/rigid_transform.h"
+
 namespace cvo {
+
+// A quadratic polynomial over the left image, by the image's half sides from its middle: 1, x, y,
+// x^2 - 1/3, xy, y^2 - 1/3; the first coefficient is its mean over the image.
+struct FieldBasis {
+  Vector6d value;
+  Vector6d by_u;  // per px
+  Vector6d by_v;
+};
 
 // Rectified stereo pair (METHOD.md 1.2). The camera frame is the left camera's: x right, y
 // down, z forward, metres. A measurement is z = (u_left, v, u_right) in pixels, pixel centres at
@@ -21,12 +32,23 @@ struct StereoCamera {
   // Error of the rectification: u_right is seen this much further right than a perfect pair would
   // see it. A hundredth of a degree of vergence is 0.13 px at KITTI's focal length.
   double right_shift_px = 0.0;
+  // What an estimate adds to it, as coefficients of FieldBasis: real rectifications leave an error
+  // that varies over the image.
+  Vector6d right_field_px = Vector6d::Zero();
 
   // Throws Error naming the field that cannot be.
   void Check() const;
 
+  FieldBasis BasisAt(double u_px, double v_px) const;
+  // How much further right than a perfect pair this one sees u_right.
+  double RightShift(double u_px, double v_px) const {
+    return right_shift_px + right_field_px.dot(BasisAt(u_px, v_px).value);
+  }
+
   // u_left - u_right of a perfect pair, px: fx baseline / depth.
-  double Disparity(const Eigen::Vector3d& z_px) const { return z_px[0] - z_px[2] + right_shift_px; }
+  double Disparity(const Eigen::Vector3d& z_px) const {
+    return z_px[0] - z_px[2] + RightShift(z_px[0], z_px[1]);
+  }
 
   // pi(p): empty where the point is nearer than kMinDepth_m or behind the camera.
   [[nodiscard]] std::optional<Eigen::Vector3d> Project(const Eigen::Vector3d& p_in_camera) const;
@@ -49,13 +71,25 @@ struct StereoCamera {
 };
 
 // Inline: the solvers' inner loops.
+inline FieldBasis StereoCamera::BasisAt(double u_px, double v_px) const {
+  const double by_u = 2.0 / std::max(width_px, 1);
+  const double by_v = 2.0 / std::max(height_px, 1);
+  const double x = by_u * (u_px + 0.5) - 1.0;
+  const double y = by_v * (v_px + 0.5) - 1.0;
+  FieldBasis basis;
+  basis.value << 1.0, x, y, x * x - 1.0 / 3.0, x * y, y * y - 1.0 / 3.0;
+  basis.by_u << 0.0, by_u, 0.0, 2.0 * by_u * x, by_u * y, 0.0;
+  basis.by_v << 0.0, 0.0, by_v, 0.0, by_v * x, 2.0 * by_v * y;
+  return basis;
+}
+
 inline std::optional<Eigen::Vector3d> StereoCamera::Project(
     const Eigen::Vector3d& p_in_camera) const {
   if (!(p_in_camera.z() > kMinDepth_m)) return std::nullopt;
   const double inverse_z = 1.0 / p_in_camera.z();
-  return Eigen::Vector3d(fx * p_in_camera.x() * inverse_z + cx,
-                         fy * p_in_camera.y() * inverse_z + cy,
-                         fx * (p_in_camera.x() - baseline_m) * inverse_z + cx + right_shift_px);
+  const double u = fx * p_in_camera.x() * inverse_z + cx;
+  const double v = fy * p_in_camera.y() * inverse_z + cy;
+  return Eigen::Vector3d(u, v, u - fx * baseline_m * inverse_z + RightShift(u, v));
 }
 
 inline Eigen::Matrix3d StereoCamera::ProjectionJacobian(const Eigen::Vector3d& p_in_camera) const {
@@ -66,6 +100,8 @@ inline Eigen::Matrix3d StereoCamera::ProjectionJacobian(const Eigen::Vector3d& p
   J << fx_z, 0.0, -fx_z * p_in_camera.x() * inverse_z,  //
       0.0, fy_z, -fy_z * p_in_camera.y() * inverse_z,   //
       fx_z, 0.0, -fx_z * (p_in_camera.x() - baseline_m) * inverse_z;
+  const FieldBasis basis = BasisAt(fx_z * p_in_camera.x() + cx, fy_z * p_in_camera.y() + cy);
+  J.row(2) += right_field_px.dot(basis.by_u) * J.row(0) + right_field_px.dot(basis.by_v) * J.row(1);
   return J;
 }
 

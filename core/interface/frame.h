@@ -95,6 +95,16 @@ struct LandmarkReport {
   double energy_motion = 0.0;
 };
 
+// The rig as estimated so far: StereoCamera::right_field_px and what is known of it, 1/px^2; no
+// information: it was not estimated.
+struct CalibrationReport {
+  Vector6d right_field_px = Vector6d::Zero();
+  Matrix6d information = Matrix6d::Zero();
+
+  bool IsEstimated() const { return !information.isZero(0.0); }
+  Matrix6d Covariance_px2() const { return information.inverse(); }
+};
+
 // What the estimator says of one frame.
 struct FrameReport {
   FrameStatus status = FrameStatus::kFirst;
@@ -103,14 +113,14 @@ struct FrameReport {
   int matches = 0;                   // landmarks found in the frame
   int inliers = 0;                   // of these, consistent with the camera pose
   int new_landmarks = 0;
-  int window_frames = 0;                // spatial and temporal track together, this frame included
-  int window_landmarks = 0;             // optimised with the window
-  int window_iterations = 0;            // of the bundle adjustment
-  SolverEndings window_endings;         // of the bundle adjustment
-  SolverEndings cluster_endings;        // of the clusters' windows, one per solve
-  double right_shift_px = 0.0;          // as estimated so far (StereoCamera)
-  double mean_error_px = 0.0;           // RMS whitened reprojection error of the inliers after it
-  std::vector<ClusterReport> clusters;  // live ones, by id
+  int window_frames = 0;          // spatial and temporal track together, this frame included
+  int window_landmarks = 0;       // optimised with the window
+  int window_iterations = 0;      // of the bundle adjustment
+  SolverEndings window_endings;   // of the bundle adjustment
+  SolverEndings cluster_endings;  // of the clusters' windows, one per solve
+  CalibrationReport calibration;
+  double mean_error_px = 0.0;             // RMS whitened reprojection error of the inliers after it
+  std::vector<ClusterReport> clusters;    // live ones, by id
   std::vector<LandmarkReport> landmarks;  // seen in the frame, static ones included, by feature
 };
 

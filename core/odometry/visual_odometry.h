@@ -106,7 +106,7 @@ class VisualOdometry final : public Odometry {
       report.window_iterations = window.iterations;
       report.window_endings = window.endings;
       report.mean_error_px = window.mean_error_px;
-      report.right_shift_px = window_.camera.right_shift_px;
+      report.calibration = {window_.camera.right_field_px, window.right_field_information};
     }
 
     // Every cluster against the camera as it is now (3.3, dynamic clusters).
@@ -160,7 +160,8 @@ class VisualOdometry final : public Odometry {
   }
 
   void Restart() {
-    window_ = Window{camera_, CalibrationPrior(camera_, options_.noise.right_shift_px), {}, {}, {}};
+    const Vector6d deviation_px = Variant::Calibration::Deviation(options_.noise);
+    window_ = Window{camera_, CalibrationPrior(camera_, deviation_px), {}, {}, {}};
   }
 
   static TakenFeatures TakenBy(const std::vector<Match>& matches, std::size_t features) {

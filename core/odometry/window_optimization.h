@@ -13,6 +13,7 @@ struct WindowReport {
   int iterations = 0;
   SolverEndings endings;
   double mean_error_px = 0.0;
+  Matrix6d right_field_information = Matrix6d::Zero();  // 1/px^2
 };
 
 // Writes a solved problem back: camera, frames, and the positions of the landmarks it was made
@@ -22,7 +23,7 @@ double ApplySolution(double gate, const WindowProblem& problem, const std::vecto
                      Window& window);
 
 // Bundle adjustment of the window (static energy of the paper's section 3.3). `Gauge` says which
-// frames are held, `Calibration` whether camera.right_shift_px is.
+// frames are held, `Calibration` whether camera.right_field_px is.
 template <GaugePolicy Gauge, CalibrationPolicy Calibration, OutlierPolicy Outliers>
 WindowReport OptimizeWindow(const FeatureNoise& noise, const SolverOptions& options,
                             Window& window) {
@@ -31,7 +32,7 @@ WindowReport OptimizeWindow(const FeatureNoise& noise, const SolverOptions& opti
   for (std::size_t i = 0; i < problem.frames.size(); ++i) {
     problem.is_fixed[i] = frames[i]->is_given || Gauge::Fixes(static_cast<int>(i), problem.prior);
   }
-  problem.is_right_shift_fixed = Calibration::kFixesRightShift;
+  problem.is_right_field_fixed = Calibration::kFixesRightField;
   const std::vector<int> landmarks = SelectLandmarks(window, options.max_points);
   for (const int i : landmarks) {
     AddLandmark(window.landmarks[i], noise, problem);
@@ -42,6 +43,7 @@ WindowReport OptimizeWindow(const FeatureNoise& noise, const SolverOptions& opti
   const SolverSummary summary = SolveWindow(noise.options, options, problem);
   report.iterations = summary.iterations;
   report.endings.Count(summary.ending);
+  report.right_field_information = summary.shared_information;
   report.mean_error_px = ApplySolution(Outliers::Gate(noise.options), problem, landmarks, window);
   return report;
 }

@@ -16,7 +16,8 @@ ReprojectionResidual EvaluateReprojection(const StereoCamera& camera, const Eige
   result.J_point = projection.J * R;
   result.J_pose.leftCols<3>() = projection.J * Skew(c);
   result.J_pose.rightCols<3>() = -result.J_point;
-  result.J_shift = sqrt_information.col(2);
+  result.J_field = sqrt_information.col(2) *
+                   camera.BasisAt(projection.zeta_px[0], projection.zeta_px[1]).value.transpose();
   return result;
 }
 

@@ -14,6 +14,7 @@ namespace cvo {
 struct ProjectionResidual {
   Eigen::Vector3d r;
   Eigen::Matrix3d J;
+  Eigen::Vector3d zeta_px;  // pi(p_in_camera)
 };
 inline ProjectionResidual EvaluateProjection(const StereoCamera& camera,
                                              const Eigen::Vector3d& z_px,
@@ -21,18 +22,20 @@ inline ProjectionResidual EvaluateProjection(const StereoCamera& camera,
                                              const Eigen::Vector3d& p_in_camera) {
   Eigen::Vector3d c = p_in_camera;
   c.z() = std::max(c.z(), 1.001 * StereoCamera::kMinDepth_m);
-  return {sqrt_information * (*camera.Project(c) - z_px),
-          sqrt_information * camera.ProjectionJacobian(c)};
+  const Eigen::Vector3d zeta_px = *camera.Project(c);
+  return {sqrt_information * (zeta_px - z_px), sqrt_information * camera.ProjectionJacobian(c),
+          zeta_px};
 }
 
 // r = W (pi(camera_from_world p) - z), the reprojection term of the paper's static energy. J_pose
-// is 3x6 in the tangent of world_from_camera, J_point 3x3, J_shift by camera.right_shift_px.
+// is 3x6 in the tangent of world_from_camera, J_point 3x3, J_field by
+// camera.right_field_px.
 // Near points as in EvaluateProjection.
 struct ReprojectionResidual {
   Eigen::Vector3d r;
   Eigen::Matrix<double, 3, 6> J_pose;
   Eigen::Matrix3d J_point;
-  Eigen::Vector3d J_shift;
+  Eigen::Matrix<double, 3, 6> J_field;
 };
 ReprojectionResidual EvaluateReprojection(const StereoCamera& camera, const Eigen::Vector3d& z_px,
                                           const Eigen::Matrix3d& sqrt_information,

@@ -11,6 +11,7 @@
 namespace cvo {
 
 using Matrix63d = Eigen::Matrix<double, 6, 3>;
+using Matrix36d = Eigen::Matrix<double, 3, 6>;
 
 // How a point's observation ties it to a free pose: d^2 E / (d pose d point) = G^T M with
 // G = [[lever]_x, -I], lever = from the pose's origin to the point, in world axes.
@@ -37,13 +38,15 @@ inline Matrix63d LeverTransposeTimes(const Eigen::Vector3d& lever, const Eigen::
 struct PointEquations {
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
   Eigen::Vector3d g = Eigen::Vector3d::Zero();
-  Eigen::Vector3d by_shared = Eigen::Vector3d::Zero();  // d^2 E / (d point d first other variable)
+  Matrix36d by_shared = Matrix36d::Zero();  // d^2 E / (d point d shared variables)
 };
 
 // H dx = -g of an energy over poses (tangent: rotation in world axes applied from the left, then
 // translation), a few other variables and many points that only poses and, if
-// `points_see_shared`, the first other variable are tied to.
+// `points_see_shared`, the first kShared of the others are tied to.
 struct SchurEquations {
+  static constexpr int kShared = 6;
+
   // Observations: by point, then by ascending pose; `pose_of_frame` is -1 where a pose is held.
   SchurEquations(const std::vector<int>& pose_of_frame, int others, std::size_t point_count,
                  const std::vector<ReprojectionFactor>& factors);

@@ -93,6 +93,9 @@ SolverSummary MinimizeEnergy(const SolverOptions& options, SchurEquations& equat
     if (accepted) model.Linearize(equations);
   }
   summary.final_cost = energy;
+  if (equations.points_see_shared && summary.iterations > 0) {
+    summary.shared_information = solver.SharedInformation();
+  }
   summary.ending = converged   ? SolverEnding::kConverged
                    : descended ? SolverEnding::kIterationLimit
                                : SolverEnding::kNoUsableStep;

@@ -22,28 +22,28 @@ SchurPrior::SchurPrior(const WindowPrior& prior, std::vector<int> frame_index)
 }
 
 Eigen::VectorXd SchurPrior::Difference(const std::vector<RigidTransform>& world_from_camera,
-                                       double right_shift_px) const {
+                                       const Vector6d& right_field_px) const {
   const int frames = static_cast<int>(frame_index_.size());
-  Eigen::VectorXd dx(6 * frames + 1);
+  Eigen::VectorXd dx(6 * frames + 6);
   for (int i = 0; i < frames; ++i) {
     dx.segment<6>(6 * i) = world_from_camera[frame_index_[i]].Minus(prior_->linearization_point[i]);
   }
-  dx[6 * frames] = right_shift_px - prior_->right_shift_point_px;
+  dx.tail<6>() = right_field_px - prior_->right_field_point_px;
   return dx;
 }
 
 double SchurPrior::Energy(const std::vector<RigidTransform>& world_from_camera,
-                          double right_shift_px) const {
+                          const Vector6d& right_field_px) const {
   if (prior_->r0.size() == 0) return 0.0;
-  const Eigen::VectorXd dx = Difference(world_from_camera, right_shift_px);
+  const Eigen::VectorXd dx = Difference(world_from_camera, right_field_px);
   return 0.5 * (prior_->r0 + prior_->J0 * dx).squaredNorm();
 }
 
-void SchurPrior::AddTo(const std::vector<RigidTransform>& world_from_camera, double right_shift_px,
-                       bool is_right_shift_fixed, const std::vector<int>& pose_of_frame,
-                       SchurEquations& equations) const {
+void SchurPrior::AddTo(const std::vector<RigidTransform>& world_from_camera,
+                       const Vector6d& right_field_px, bool is_right_field_fixed,
+                       const std::vector<int>& pose_of_frame, SchurEquations& equations) const {
   if (prior_->r0.size() == 0) return;
-  const Eigen::VectorXd dx = Difference(world_from_camera, right_shift_px);
+  const Eigen::VectorXd dx = Difference(world_from_camera, right_field_px);
   const Eigen::VectorXd g = prior_->J0.transpose() * (prior_->r0 + prior_->J0 * dx);
   const int frames = static_cast<int>(frame_index_.size());
   std::vector<Matrix6d> D(frames);
@@ -60,14 +60,14 @@ void SchurPrior::AddTo(const std::vector<RigidTransform>& world_from_camera, dou
       equations.H.block<6, 6>(6 * pose, 6 * other) += D[i].transpose() * H0 * D[k];
     }
   }
-  if (is_right_shift_fixed) return;
-  const int shift = equations.others_begin();
-  equations.g[shift] += g[6 * frames];
-  equations.H(shift, shift) += H0_(6 * frames, 6 * frames);
+  if (is_right_field_fixed) return;
+  const int field = equations.others_begin();
+  equations.g.segment<6>(field) += g.tail<6>();
+  equations.H.block<6, 6>(field, field) += H0_.block<6, 6>(6 * frames, 6 * frames);
   for (int i = 0; i < frames; ++i) {
     const int pose = pose_of_frame[frame_index_[i]];
     if (pose < 0) continue;
-    equations.H.row(shift).segment<6>(6 * pose) += H0_.row(6 * frames).segment<6>(6 * i) * D[i];
+    equations.H.block<6, 6>(field, 6 * pose) += H0_.block<6, 6>(6 * frames, 6 * i) * D[i];
   }
 }
 

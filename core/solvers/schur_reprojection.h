@@ -72,12 +72,14 @@ double ReprojectionEnergy(const StereoCamera& camera, const std::vector<View>& v
   return 0.5 * energy;
 }
 
-// One factor after the robust loss: N = B^T B, g = B^T r, u = B^T J_shared, in world axes.
+// One factor after the robust loss: N = B^T B, g = B^T r, in world axes. J by the shared variables
+// is W e_3 basis^T; u = B^T W e_3.
 struct WeightedFactor {
   Eigen::Vector3d lever;
   Eigen::Matrix3d N;
   Eigen::Vector3d g;
   Eigen::Vector3d u;
+  Vector6d basis;
 };
 
 inline void AddToPose(int pose, double sign, const WeightedFactor& factor,
@@ -92,13 +94,22 @@ inline void AddToPose(int pose, double sign, const WeightedFactor& factor,
   equations.g.segment<3>(6 * pose) += sign * factor.g.cross(lever);
   equations.g.segment<3>(6 * pose + 3) -= sign * factor.g;
   if (!equations.points_see_shared) return;
-  auto row = equations.H.row(equations.others_begin());
-  row.segment<3>(6 * pose) += sign * factor.u.cross(lever);
-  row.segment<3>(6 * pose + 3) -= sign * factor.u;
+  Vector6d by_pose;
+  by_pose << sign * factor.u.cross(lever), -sign * factor.u;
+  equations.H.block<6, 6>(equations.others_begin(), 6 * pose).noalias() +=
+      factor.basis * by_pose.transpose();
 }
 
-// Adds the factors' equations (J by the first other variable: the third column of W, as that of
-// right_shift_px) and lists their couplings; returns ReprojectionEnergy.
+// What a factor says of the shared variables, right_field_px.
+inline void AddToShared(const Eigen::Vector3d& J_shift, double weight, const Eigen::Vector3d& r,
+                        const Vector6d& basis, SchurEquations& equations) {
+  const int shared = equations.others_begin();
+  equations.H.block<6, 6>(shared, shared).noalias() +=
+      (weight * J_shift.squaredNorm()) * basis * basis.transpose();
+  equations.g.segment<6>(shared) += weight * J_shift.dot(r) * basis;
+}
+
+// Adds the factors' equations and lists their couplings; returns ReprojectionEnergy.
 template <typename View>
 double LinearizeReprojections(const StereoCamera& camera, const std::vector<View>& views,
                               const std::vector<Eigen::Vector3d>& points,
@@ -110,8 +121,8 @@ double LinearizeReprojections(const StereoCamera& camera, const std::vector<View
   for (const ReprojectionFactor& factor : factors) {
     const View& view = views[factor.pose];
     weighted.lever = view.Lever(points[factor.point]);
-    const auto [r, J] = EvaluateProjection(camera, factor.z_px, factor.sqrt_information,
-                                           view.InCamera(weighted.lever));
+    const auto [r, J, zeta_px] = EvaluateProjection(camera, factor.z_px, factor.sqrt_information,
+                                                    view.InCamera(weighted.lever));
     const double squared_norm = r.squaredNorm();
     energy += HuberLoss(squared_norm, huber);
     const double weight = HuberWeight(squared_norm, huber);
@@ -124,12 +135,11 @@ double LinearizeReprojections(const StereoCamera& camera, const std::vector<View
     point.H += view.PointAxesTimes(coupling);
     point.g += view.PointAxesTimes(weighted.g);
     if (equations.points_see_shared) {
-      const Eigen::Vector3d J_shared = factor.sqrt_information.col(2);
-      weighted.u.noalias() = B_weighted.transpose() * J_shared;
-      point.by_shared += view.PointAxesTimes(weighted.u);
-      const int shared = equations.others_begin();
-      equations.H(shared, shared) += weight * J_shared.squaredNorm();
-      equations.g[shared] += weight * J_shared.dot(r);
+      const Eigen::Vector3d J_shift = factor.sqrt_information.col(2);
+      weighted.u.noalias() = B_weighted.transpose() * J_shift;
+      weighted.basis = camera.BasisAt(zeta_px[0], zeta_px[1]).value;
+      point.by_shared.noalias() += view.PointAxesTimes(weighted.u) * weighted.basis.transpose();
+      AddToShared(J_shift, weight, r, weighted.basis, equations);
     }
     if (view.pose < 0) continue;
     AddToPose(view.pose, View::kSign, weighted, equations);

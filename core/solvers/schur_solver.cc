@@ -50,13 +50,13 @@ SchurSolver::SchurSolver(const SchurEquations& equations) {
   const Eigen::Index size = equations.g.size();
   damping_.resize(size);
   rhs_.resize(size);
-  shared_column_.resize(size);
+  shared_columns_.resize(size, SchurEquations::kShared);
   S_.resize(size, size);
 }
 
 bool SchurSolver::Solve(const SchurEquations& equations, double radius, SchurStep& step) {
   for (Matrix6d& pair : pairs_) pair.setZero();
-  shared_column_.setZero();
+  shared_columns_.setZero();
   rhs_ = -equations.g;
   for (std::size_t p = 0; p < equations.points.size(); ++p) {
     if (!Eliminate(equations, p, radius)) return false;
@@ -85,7 +85,7 @@ bool SchurSolver::Eliminate(const SchurEquations& equations, std::size_t point, 
     rhs_.segment<6>(6 * coupling.pose).noalias() += E * g;
   }
   AddPairs(equations, begin, end);
-  if (equations.points_see_shared) AddSharedColumn(equations, point);
+  if (equations.points_see_shared) AddSharedColumns(equations, point);
   return true;
 }
 
@@ -99,16 +99,17 @@ void SchurSolver::AddPairs(const SchurEquations& equations, int begin, int end) 
   }
 }
 
-void SchurSolver::AddSharedColumn(const SchurEquations& equations, std::size_t point) {
+void SchurSolver::AddSharedColumns(const SchurEquations& equations, std::size_t point) {
   const PointEquations& own = equations.points[point];
-  const Eigen::Vector3d e = point_root_[point] * own.by_shared;
+  const Matrix36d e = point_root_[point] * own.by_shared;
   const int begin = equations.couplings_begin[point];
   for (int i = begin; i < equations.couplings_begin[point + 1]; ++i) {
-    shared_column_.segment<6>(6 * equations.couplings[i].pose).noalias() += E_[i - begin] * e;
+    shared_columns_.middleRows<6>(6 * equations.couplings[i].pose).noalias() +=
+        E_[i - begin].lazyProduct(e);
   }
   const int shared = equations.others_begin();
-  shared_column_[shared] += e.squaredNorm();
-  rhs_[shared] += e.dot(point_root_[point] * own.g);
+  shared_columns_.middleRows<6>(shared).noalias() += e.transpose().lazyProduct(e);
+  rhs_.segment<6>(shared) += e.transpose() * (point_root_[point] * own.g);
 }
 
 void SchurSolver::AssembleReduced(const SchurEquations& equations, double radius) {
@@ -122,21 +123,23 @@ void SchurSolver::AssembleReduced(const SchurEquations& equations, double radius
   }
   if (equations.points_see_shared) {
     const int shared = equations.others_begin();
-    S_.row(shared).head(shared + 1) -= shared_column_.head(shared + 1).transpose();
+    S_.middleRows<6>(shared).leftCols(shared + 6) -=
+        shared_columns_.topRows(shared + 6).transpose();
   }
 }
 
 void SchurSolver::SubstitutePoints(const SchurEquations& equations, double radius,
                                    SchurStep& step) const {
   const Eigen::VectorXd& dx = step.reduced;
-  const double shared = equations.points_see_shared ? dx[equations.others_begin()] : 0.0;
+  Vector6d shared = Vector6d::Zero();
+  if (equations.points_see_shared) shared = dx.segment<6>(equations.others_begin());
   double slope = equations.g.dot(dx);
   double damped = damping_.dot(dx.cwiseAbs2());
   double squared_norm = dx.squaredNorm();
   step.points.resize(equations.points.size());
   for (std::size_t p = 0; p < equations.points.size(); ++p) {
     const PointEquations& own = equations.points[p];
-    Eigen::Vector3d g = own.g + shared * own.by_shared;
+    Eigen::Vector3d g = own.g + own.by_shared * shared;
     for (int i = equations.couplings_begin[p]; i < equations.couplings_begin[p + 1]; ++i) {
       const PoseCoupling& coupling = equations.couplings[i];
       const Eigen::Vector3d rotation = dx.segment<3>(6 * coupling.pose);
@@ -152,6 +155,11 @@ void SchurSolver::SubstitutePoints(const SchurEquations& equations, double radiu
   // dx^T H dx = -g^T dx - dx^T D dx at the solution.
   step.expected_decrease = 0.5 * (damped - slope);
   step.norm = std::sqrt(squared_norm);
+}
+
+Matrix6d SchurSolver::SharedInformation() const {
+  const Matrix6d L = S_.bottomRightCorner<6, 6>().triangularView<Eigen::Lower>();
+  return L * L.transpose();
 }
 
 }  // namespace cvo

@@ -15,10 +15,14 @@ class SchurSolver {
   // False where H + D is not positive definite.
   bool Solve(const SchurEquations& equations, double radius, SchurStep& step);
 
+  // Of the shared variables, where they are the last ones, all others summed out: as damped and
+  // linearised at the last Solve.
+  Matrix6d SharedInformation() const;
+
  private:
   bool Eliminate(const SchurEquations& equations, std::size_t point, double radius);
   void AddPairs(const SchurEquations& equations, int begin, int end);
-  void AddSharedColumn(const SchurEquations& equations, std::size_t point);
+  void AddSharedColumns(const SchurEquations& equations, std::size_t point);
   void AssembleReduced(const SchurEquations& equations, double radius);
   void SubstitutePoints(const SchurEquations& equations, double radius, SchurStep& step) const;
 
@@ -27,7 +31,7 @@ class SchurSolver {
   std::vector<Matrix63d> E_;                 // of one point, by coupling: W L^-T
   Eigen::VectorXd damping_;
   Eigen::VectorXd rhs_;
-  Eigen::VectorXd shared_column_;
+  Eigen::Matrix<double, Eigen::Dynamic, SchurEquations::kShared> shared_columns_;
   Eigen::MatrixXd S_;  // lower triangle
 };
 

@@ -4,11 +4,11 @@
 
 namespace cvo {
 
-WindowPrior CalibrationPrior(const StereoCamera& camera, double deviation_px) {
+WindowPrior CalibrationPrior(const StereoCamera& camera, const Vector6d& deviation_px) {
   WindowPrior prior;
-  prior.right_shift_point_px = camera.right_shift_px;
-  prior.J0 = Eigen::MatrixXd::Constant(1, 1, 1.0 / deviation_px);
-  prior.r0 = Eigen::VectorXd::Zero(1);
+  prior.right_field_point_px = camera.right_field_px;
+  prior.J0 = deviation_px.cwiseInverse().asDiagonal();
+  prior.r0 = Eigen::VectorXd::Zero(deviation_px.size());
   return prior;
 }
 

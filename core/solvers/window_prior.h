@@ -14,17 +14,17 @@ namespace cvo {
 // What is known of the window apart from the observations in it: what marginalised variables said
 // of the frames they were connected to, and how far the calibration is trusted. The energy 1/2 ||r0
 // + J0 dx||^2, dx = stacked world_from_camera [-] linearization_point of the frames, then
-// right_shift_px - right_shift_point_px (the last term of the paper's static energy; one joint
+// right_field_px - right_field_point_px (the last term of the paper's static energy; one joint
 // term, METHOD.md 7.3).
 struct WindowPrior {
   std::vector<FrameId> frames;  // ascending
   std::vector<RigidTransform> linearization_point;
-  double right_shift_point_px = 0.0;
-  Eigen::MatrixXd J0;  // rows x (6 frames + 1)
+  Vector6d right_field_point_px = Vector6d::Zero();
+  Eigen::MatrixXd J0;  // rows x (6 frames + 6)
   Eigen::VectorXd r0;
 };
 
-// The calibration alone: right_shift_px ~ N(camera.right_shift_px, deviation_px^2).
-WindowPrior CalibrationPrior(const StereoCamera& camera, double deviation_px);
+// The calibration alone: right_field_px ~ N(camera.right_field_px, diag(deviation_px)^2).
+WindowPrior CalibrationPrior(const StereoCamera& camera, const Vector6d& deviation_px);
 
 }  // namespace cvo

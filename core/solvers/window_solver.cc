@@ -15,7 +15,7 @@ namespace {
 struct WindowVariables {
   std::vector<RigidTransform> world_from_camera;
   std::vector<Eigen::Vector3d> points;
-  double right_shift_px = 0.0;
+  Vector6d right_field_px = Vector6d::Zero();
 };
 
 std::vector<int> PriorFrames(const WindowProblem& problem) {
@@ -40,7 +40,7 @@ class WindowModel {
         huber_(noise.huber),
         pose_of_frame_(PoseColumns(problem.is_fixed)),
         prior_(problem.prior, PriorFrames(problem)),
-        state_{problem.world_from_camera, problem.points, problem.camera.right_shift_px},
+        state_{problem.world_from_camera, problem.points, problem.camera.right_field_px},
         tried_(state_) {}
 
   const std::vector<int>& pose_of_frame() const { return pose_of_frame_; }
@@ -48,9 +48,9 @@ class WindowModel {
 
   double Linearize(SchurEquations& equations) const {
     equations.SetZero();
-    prior_.AddTo(state_.world_from_camera, state_.right_shift_px, problem_->is_right_shift_fixed,
+    prior_.AddTo(state_.world_from_camera, state_.right_field_px, problem_->is_right_field_fixed,
                  pose_of_frame_, equations);
-    return prior_.Energy(state_.world_from_camera, state_.right_shift_px) +
+    return prior_.Energy(state_.world_from_camera, state_.right_field_px) +
            LinearizeReprojections(Camera(state_), Views(state_), state_.points, problem_->factors,
                                   huber_, equations);
   }
@@ -64,10 +64,10 @@ class WindowModel {
     for (std::size_t p = 0; p < state_.points.size(); ++p) {
       tried_.points[p] = state_.points[p] + step.points[p];
     }
-    if (!problem_->is_right_shift_fixed) {
-      tried_.right_shift_px = state_.right_shift_px + step.reduced[step.reduced.size() - 1];
+    if (!problem_->is_right_field_fixed) {
+      tried_.right_field_px = state_.right_field_px + step.reduced.tail<6>();
     }
-    return prior_.Energy(tried_.world_from_camera, tried_.right_shift_px) +
+    return prior_.Energy(tried_.world_from_camera, tried_.right_field_px) +
            ReprojectionEnergy(Camera(tried_), Views(tried_), tried_.points, problem_->factors,
                               huber_);
   }
@@ -76,13 +76,13 @@ class WindowModel {
 
   double Norm() const {
     return std::sqrt(SquaredNorm(state_.world_from_camera) + SquaredNorm(state_.points) +
-                     state_.right_shift_px * state_.right_shift_px);
+                     state_.right_field_px.squaredNorm());
   }
 
  private:
   StereoCamera Camera(const WindowVariables& state) const {
     StereoCamera camera = problem_->camera;
-    camera.right_shift_px = state.right_shift_px;
+    camera.right_field_px = state.right_field_px;
     return camera;
   }
 
@@ -126,13 +126,13 @@ SolverEndings& SolverEndings::operator+=(const SolverEndings& other) {
 SolverSummary SolveWindow(const NoiseOptions& noise, const SolverOptions& options,
                           WindowProblem& problem) {
   WindowModel model(noise, problem);
-  SchurEquations equations(model.pose_of_frame(), problem.is_right_shift_fixed ? 0 : 1,
+  SchurEquations equations(model.pose_of_frame(), problem.is_right_field_fixed ? 0 : 6,
                            problem.points.size(), problem.factors);
-  equations.points_see_shared = !problem.is_right_shift_fixed;
+  equations.points_see_shared = !problem.is_right_field_fixed;
   const SolverSummary summary = MinimizeEnergy(options, equations, model);
   problem.world_from_camera = model.state().world_from_camera;
   problem.points = model.state().points;
-  problem.camera.right_shift_px = model.state().right_shift_px;
+  problem.camera.right_field_px = model.state().right_field_px;
   return summary;
 }
 

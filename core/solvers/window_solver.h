@@ -21,8 +21,8 @@ struct ReprojectionFactor {
 // The static energy of the paper's section 3.3 over the frames and points of the window, as plain
 // arrays. The prior's frames are all among `frames`.
 struct WindowProblem {
-  StereoCamera camera;  // its right_shift_px is a variable
-  bool is_right_shift_fixed = false;
+  StereoCamera camera;  // its right_field_px is a variable
+  bool is_right_field_fixed = false;
   std::vector<FrameId> frames;  // ascending
   std::vector<RigidTransform> world_from_camera;
   std::vector<char> is_fixed;               // by frame: held constant
@@ -79,6 +79,8 @@ struct SolverSummary {
   int iterations = 0;
   double initial_cost = 0.0;
   double final_cost = 0.0;
+  // Of the variables that the points share, all others summed out; zero where there are none.
+  Matrix6d shared_information = Matrix6d::Zero();
 };
 
 // Index of a frame of the problem; throws Error where it has no such frame.

@@ -12,15 +12,6 @@
 namespace cvo {
 namespace {
 
-// Disparities in KITTI's rectified grey pairs are too small by about this much for our stereo
-// matching, which makes a trajectory 0.6 to 1.1 % too long. Found on drives 2011_09_26_0001, 0013
-// and odometry 06: static_self_calibration ends at 0.15, 0.32 and 0.12 px, lengths agree with OxTS
-// at 0.17, 0.20 and 0.14 px. That the calibration is biased is known: Kreso and Segvic, "Improving
-// the Egomotion Estimation by Correcting the Calibration Bias", VISAPP 2015, correct it by a field
-// over the image; Cvisic, Markovic and Petrovic, "Recalibrating the KITTI Dataset Camera Setup for
-// Improved Odometry Accuracy", ECMR 2021, calibrate the same rigs again.
-constexpr double kKittiGrey_px = 0.16;
-
 struct Projection {
   double focal_px, cx_px, cy_px;
 };
@@ -57,10 +48,6 @@ std::string DataSetOf(const Sequence& sequence, const std::string& named) {
   // A rendered scene may have been given KITTI's camera.
   const bool rendered = std::filesystem::exists(sequence.folder / "scene.json");
   return !rendered && IsKittiRig(sequence.camera) ? kKittiDataSet : kOtherDataSet;
-}
-
-double KnownRightShift(const Sequence& sequence) {
-  return sequence.dataset == kKittiDataSet && sequence.pair == "grey" ? kKittiGrey_px : 0.0;
 }
 
 }  // namespace cvo

@@ -15,7 +15,4 @@ inline constexpr const char* kOtherDataSet = "other";
 // of folders do not count. Throws Error for a name that is none.
 std::string DataSetOf(const Sequence& sequence, const std::string& named);
 
-// StereoCamera::right_shift_px of a data set whose rectification is known to be off; 0 for others.
-double KnownRightShift(const Sequence& sequence);
-
 }  // namespace cvo

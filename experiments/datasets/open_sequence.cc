@@ -59,8 +59,7 @@ Sequence OpenSequence(const SequenceRequest& request) try {
   if (sequence.type == kKittiOdometry && sequence.dataset == kKittiDataSet) {
     sequence.name.insert(0, "odometry_");
   }
-  sequence.camera.right_shift_px =
-      request.right_shift_px ? *request.right_shift_px : KnownRightShift(sequence);
+  sequence.camera.right_shift_px = request.right_shift_px.value_or(0.0);
   if (sequence.groundtruth.empty()) sequence.groundtruth = "none";
   sequence.groundtruth_world_from_camera.resize(sequence.images.size());
   CutFrames(resolved, sequence);

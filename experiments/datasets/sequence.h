@@ -93,7 +93,7 @@ struct SequenceRequest {
   std::filesystem::path detections_file = {};  // or a scene's level, "good"; or "labels"
   int detections_camera = -1;  // image_0X the boxes were detected in; -1: the left image read
   double min_score = -1e300;   // detections below are left out
-  // Of the camera (StereoCamera); empty: what is known of the data set's rectification.
+  // Of the camera (StereoCamera); empty: 0, the calibration as published.
   std::optional<double> right_shift_px = {};
   Perturbation perturbation = {};
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/record/result_file.h"
 
+#include <Eigen/LU>
 #include <map>
 
 #include "core/base/error.h"
@@ -66,6 +67,27 @@ Json TrajectoriesToJson(const RunResult& run) {
           {"camera.tum", {{"pose", "refined"}, {"omitted_frames", omitted}}}};
 }
 
+std::vector<double> ToList(const Vector6d& v) { return {v.data(), v.data() + v.size()}; }
+
+// The coefficients of StereoCamera::right_field_px; null where they were not estimated.
+Json CalibrationToJson(const CalibrationReport& calibration) {
+  if (!calibration.IsEstimated()) return nullptr;
+  const Vector6d sigma_px = calibration.Covariance_px2().diagonal().cwiseSqrt();
+  return {{"right_field_px", ToList(calibration.right_field_px)}, {"sigma_px", ToList(sigma_px)}};
+}
+
+// What the run ended with.
+Json LastCalibrationToJson(const RunResult& run) {
+  const CalibrationReport* last = LastCalibration(run);
+  if (!last) return nullptr;
+  Json json = CalibrationToJson(*last);
+  const Matrix6d covariance_px2 = last->Covariance_px2();
+  Json rows = Json::array();
+  for (int i = 0; i < covariance_px2.rows(); ++i) rows.push_back(ToList(covariance_px2.col(i)));
+  json["covariance_px2"] = rows;
+  return json;
+}
+
 Json FrameToJson(const FrameRecord& frame) {
   const FrameReport& report = frame.report;
   return {{"frame", frame.frame},
@@ -81,6 +103,7 @@ Json FrameToJson(const FrameRecord& frame) {
           {"window_landmarks", report.window_landmarks},
           {"window_iterations", report.window_iterations},
           {"mean_error_px", report.mean_error_px},
+          {"calibration", CalibrationToJson(report.calibration)},
           {"detections", frame.detections.size()},
           {"clusters", report.clusters.size()}};
 }
@@ -125,6 +148,13 @@ Json ClustersToJson(const RunResult& run) {
 }
 
 }  // namespace
+
+const CalibrationReport* LastCalibration(const RunResult& run) {
+  for (auto frame = run.frames.rbegin(); frame != run.frames.rend(); ++frame) {
+    if (frame->report.calibration.IsEstimated()) return &frame->report.calibration;
+  }
+  return nullptr;
+}
 
 Json PoseToJson(const RigidTransform& pose) {
   const auto t = pose.translation();
@@ -197,6 +227,7 @@ std::string ResultFile(const RunRecord& record) {
   summary.metrics = record.metrics;
   summary.bodies = record.bodies;
   return ResultText(summary, {{"clusters", ClustersToJson(record.run)},
+                              {"calibration", LastCalibrationToJson(record.run)},
                               {"frame_counts", CountsToJson(record.run)},
                               {"solver_endings", SolverEndingsToJson(record.run)},
                               {"undecodable", UndecodableToJson(record.run)},

@@ -43,6 +43,9 @@ reports::CameraInfo CameraOf(const StereoCamera& camera);
 // The content of a result.json: the summary and, behind it, what only some readers need.
 std::string ResultText(const reports::RunSummary& summary, const Json& details);
 
+// Of the last frame that has an estimate of it; null where there is none.
+const CalibrationReport* LastCalibration(const RunResult& run);
+
 std::string RecordedJob(const RunRecord& record);
 
 // The content of result.json: the same bytes for the same job, whatever the time, host, paths and

@@ -30,7 +30,11 @@ void CheckWorld(const World& world) {
 }  // namespace
 
 Passes::Passes(const World& world, int threads)
-    : context_(threads), gl_(context_.gl()), rig_(world.rig), light_(world.light) {
+    : context_(threads),
+      gl_(context_.gl()),
+      rig_(world.rig),
+      rig_error_(world.rig_error),
+      light_(world.light) {
   CheckWorld(world);
   for (const Mesh& mesh : world.meshes) meshes_.push_back(UploadMesh(gl_, mesh));
   for (const cv::Mat& texture : world.textures) textures_.push_back(UploadTexture(gl_, texture));
@@ -60,7 +64,7 @@ void Passes::Begin(const View& view) {
   world_from_left_ = view.world_from_left;
   const Eigen::Matrix4d left_from_world = world_from_left_.Inverse().Matrix();
   clip_from_world_[kLeft] = ClipFromLeft(rig_) * left_from_world;
-  clip_from_world_[kRight] = ClipFromRight(rig_) * left_from_world;
+  clip_from_world_[kRight] = ClipFromRight(rig_, rig_error_) * left_from_world;
   const Eigen::Vector3d camera_in_world = world_from_left_.translation();
   shadow_clip_from_world_ = ShadowClipFromWorld(light_, camera_in_world, kShadowSide_px);
   Eigen::Matrix4d map_from_clip = Eigen::Matrix4d::Identity();
@@ -163,7 +167,8 @@ void Passes::DrawColour(Eye eye) {
 }
 
 void Passes::DrawSky(Eye eye) {
-  const Eigen::Matrix4d clip_from_left = eye == kLeft ? ClipFromLeft(rig_) : ClipFromRight(rig_);
+  const Eigen::Matrix4d clip_from_left =
+      eye == kLeft ? ClipFromLeft(rig_) : ClipFromRight(rig_, rig_error_);
   Eigen::Matrix3d ndc_from_left;
   ndc_from_left << clip_from_left.topLeftCorner<2, 3>(), clip_from_left.block<1, 3>(3, 0);
   Eigen::Matrix4d world_from_ndc = Eigen::Matrix4d::Identity();

@@ -51,6 +51,7 @@ class Passes {
   GlContext context_;
   const Gl& gl_;
   StereoCamera rig_;
+  RigError rig_error_;
   Light light_;
   std::vector<Drawable> drawables_;
   std::vector<GlMesh> meshes_;

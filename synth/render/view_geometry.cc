@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace cvo::synth {
 namespace {
@@ -27,10 +28,14 @@ Eigen::Matrix4d ClipFromCamera(const StereoCamera& rig, double cx) {
 
 Eigen::Matrix4d ClipFromLeft(const StereoCamera& rig) { return ClipFromCamera(rig, rig.cx); }
 
-Eigen::Matrix4d ClipFromRight(const StereoCamera& rig) {
-  Eigen::Matrix4d right_from_left = Eigen::Matrix4d::Identity();
-  right_from_left(0, 3) = -rig.baseline_m;
-  return ClipFromCamera(rig, rig.cx + rig.right_shift_px) * right_from_left;
+Eigen::Matrix4d ClipFromRight(const StereoCamera& rig, const RigError& error) {
+  StereoCamera right = rig;
+  right.fx *= 1.0 + error.focal;
+  right.fy *= 1.0 + error.focal;
+  const RigidTransform left_from_right(ExpSo3(error.rotation_deg * std::numbers::pi / 180.0),
+                                       Eigen::Vector3d(rig.baseline_m, 0.0, 0.0));
+  return ClipFromCamera(right, rig.cx + rig.right_shift_px + error.shift_px) *
+         left_from_right.Inverse().Matrix();
 }
 
 Eigen::Matrix4d ShadowClipFromWorld(const Light& light, const Eigen::Vector3d& camera_in_world,

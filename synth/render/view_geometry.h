@@ -13,7 +13,8 @@ namespace cvo::synth {
 // kNear_m / z: 1 at the near plane, 0 at infinity, so that float depth is precise far away.
 inline constexpr double kNear_m = 0.05;
 Eigen::Matrix4d ClipFromLeft(const StereoCamera& rig);
-Eigen::Matrix4d ClipFromRight(const StereoCamera& rig);  // also from the left camera's frame
+// Of the right camera as it really is, from the left camera's frame.
+Eigen::Matrix4d ClipFromRight(const StereoCamera& rig, const RigError& error);
 
 // Parallel projection along the light around the camera, depth greater towards the light. Moves in
 // whole texels of a map with `side_px`, so that edges of shadows stay still when the camera moves.

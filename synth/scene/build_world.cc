@@ -107,6 +107,7 @@ World BuildWorld(const SceneDescription& description, int threads) {
   world.name = scene.name;
   world.rig = scene.rig;
   world.rig.Check();
+  world.rig_error = scene.rig_error;
   world.frames = scene.frames;
   world.rate_hz = scene.rate_hz;
   world.light = scene.light;

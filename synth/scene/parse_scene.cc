@@ -29,16 +29,25 @@ std::string ParseName(ObjectReader& reader) {
   return name;
 }
 
-StereoCamera ParseRig(ObjectReader reader) {
-  StereoCamera rig;
+RigError ParseRigError(ObjectReader reader) {
+  RigError error;
+  error.shift_px = reader.NumberOr("shift_px", {-100.0, 100.0}, error.shift_px);
+  error.rotation_deg = reader.Vector3Or("rotation_deg", {-5.0, 5.0}, error.rotation_deg);
+  error.focal = reader.NumberOr("focal", {-0.1, 0.1}, error.focal);
+  reader.Finish();
+  return error;
+}
+
+void ParseRig(ObjectReader reader, SceneParts& scene) {
+  StereoCamera& rig = scene.rig;
   rig.width_px = reader.Integer("width_px", {16, 8192});
   rig.height_px = reader.Integer("height_px", {16, 8192});
   rig.fx = rig.fy = reader.Number("focal_px", {1.0, 1e5});
   rig.cx = reader.NumberOr("cx_px", kPlace, 0.5 * (rig.width_px - 1));
   rig.cy = reader.NumberOr("cy_px", kPlace, 0.5 * (rig.height_px - 1));
   rig.baseline_m = reader.Number("baseline_m", {1e-3, 10.0});
+  if (reader.Has("error")) scene.rig_error = ParseRigError(reader.Object("error"));
   reader.Finish();
-  return rig;
 }
 
 RoomDescription ParseRoom(ObjectReader reader) {
@@ -202,7 +211,7 @@ SceneParts ParseScene(const Json& json, const std::string& where,
   scene.about = reader.TextOr("about", "");
   scene.seed = reader.SeedOr("seed", 0);
   scene.look_seed = reader.SeedOr("look_seed", 0);
-  scene.rig = ParseRig(reader.Object("rig"));
+  ParseRig(reader.Object("rig"), scene);
   scene.frames = reader.Integer("frames", {1, 1e6});
   scene.rate_hz = reader.Number("rate_hz", {0.1, 1000.0});
   if (reader.OneOf({"room", "street"}) == "room") {

@@ -34,6 +34,7 @@ struct SceneParts {
   std::uint64_t seed = 0;
   std::uint64_t look_seed = 0;
   StereoCamera rig;
+  RigError rig_error;
   int frames = 0;
   double rate_hz = 0.0;
   std::variant<RoomDescription, StreetDescription> surroundings;

@@ -42,11 +42,22 @@ struct Light {
   double shadow_range_m = 8.0;                   // shadows are drawn this far around the camera
 };
 
+// How the right camera really stands and images against what the rig says of it: an error of the
+// calibration, which calib.txt does not know. All zero: none.
+struct RigError {
+  double shift_px = 0.0;                                   // of its principal point, to the right
+  Eigen::Vector3d rotation_deg = Eigen::Vector3d::Zero();  // about its x, y, z axes
+  double focal = 0.0;                                      // relative, of its focal length
+
+  bool IsZero() const { return shift_px == 0.0 && rotation_deg.isZero(0.0) && focal == 0.0; }
+};
+
 // A scene as built: everything that a renderer and the ground truth need. Camera frames as in
 // StereoCamera (x right, y down, z forward); `camera` moves the left one.
 struct World {
   std::string name;
   StereoCamera rig;
+  RigError rig_error;
   int frames = 0;
   double rate_hz = 0.0;
   std::vector<Mesh> meshes;

@@ -62,6 +62,7 @@ CachedRender Draw(const DatasetSource& source, const RenderRequest& request, con
     manifest.frames = render.frames;
     manifest.width_px = world.rig.width_px;
     manifest.height_px = world.rig.height_px;
+    manifest.rig_error = world.rig_error;
     manifest.renderer = source.version;
     manifest.program_sources = kSynthSources;
     return manifest;

@@ -38,6 +38,13 @@ std::string FormatManifest(const Manifest& manifest) {
   json["seed"] = manifest.seed ? Json(*manifest.seed) : Json();
   json["frames"] = {{"first", manifest.first_frame}, {"count", manifest.frames}};
   json["image"] = {{"width_px", manifest.width_px}, {"height_px", manifest.height_px}};
+  if (!manifest.rig_error.IsZero()) {
+    const RigError& error = manifest.rig_error;
+    json["rig_error"] = {
+        {"shift_px", error.shift_px},
+        {"rotation_deg", {error.rotation_deg.x(), error.rotation_deg.y(), error.rotation_deg.z()}},
+        {"focal", error.focal}};
+  }
   json["renderer"] = {{"gl", manifest.renderer.gl}, {"renderer", manifest.renderer.renderer}};
   json["program_sources"] = manifest.program_sources;
   json["files"] = Json::array();
@@ -64,6 +71,13 @@ Manifest ReadManifest(const std::filesystem::path& folder) {
     manifest.frames = json.at("frames").at("count");
     manifest.width_px = json.at("image").at("width_px");
     manifest.height_px = json.at("image").at("height_px");
+    if (json.contains("rig_error")) {
+      const Json& error = json.at("rig_error");
+      manifest.rig_error.shift_px = error.at("shift_px");
+      for (int i = 0; i < 3; ++i)
+        manifest.rig_error.rotation_deg[i] = error.at("rotation_deg").at(i);
+      manifest.rig_error.focal = error.at("focal");
+    }
     manifest.renderer.gl = json.at("renderer").at("gl");
     manifest.renderer.renderer = json.at("renderer").at("renderer");
     manifest.program_sources = json.at("program_sources");

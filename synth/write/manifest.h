@@ -28,6 +28,7 @@ struct Manifest {
   int frames = 0;
   int width_px = 0;
   int height_px = 0;
+  RigError rig_error;  // of the right camera; calib.txt does not know it
   RendererVersion renderer;
   std::string program_sources;    // SHA-256 of what drew and wrote
   std::vector<FileRecord> files;  // all but the manifest, by name

@@ -25,8 +25,8 @@ WindowProblem DrivingProblem(int points) {
   Rng rng(1, "bench");
   WindowProblem problem;
   problem.camera = kCamera;
-  problem.prior = CalibrationPrior(kCamera, 0.3);
-  problem.is_right_shift_fixed = true;
+  problem.prior = CalibrationPrior(kCamera, Vector6d::Constant(0.3));
+  problem.is_right_field_fixed = true;
   for (int i = 0; i < 20; ++i) {
     problem.frames.push_back(FrameId{i});
     problem.world_from_camera.emplace_back(Eigen::Quaterniond::Identity(),

@@ -62,7 +62,7 @@ bool ReprojectionCost::Evaluate(double const* const* blocks, double* residuals,
   const Eigen::Map<const Eigen::Vector3d> position(blocks[0] + 4);
   const Eigen::Map<const Eigen::Vector3d> p_in_world(blocks[1]);
   StereoCamera camera = camera_;
-  camera.right_shift_px = blocks[2][0];
+  camera.right_field_px = Eigen::Map<const Vector6d>(blocks[2]);
   const ReprojectionResidual value = EvaluateReprojection(
       camera, z_px_, sqrt_information_,
       RigidTransform(Eigen::Quaterniond(q), Eigen::Vector3d(position)), p_in_world);
@@ -78,8 +78,8 @@ bool ReprojectionCost::Evaluate(double const* const* blocks, double* residuals,
     J = value.J_point;
   }
   if (jacobians[2]) {
-    Eigen::Map<Eigen::Vector3d> J(jacobians[2]);
-    J = value.J_shift;
+    Eigen::Map<Eigen::Matrix<double, 3, 6, Eigen::RowMajor>> J(jacobians[2]);
+    J = value.J_field;
   }
   return true;
 }
@@ -87,16 +87,16 @@ bool ReprojectionCost::Evaluate(double const* const* blocks, double* residuals,
 PriorCost::PriorCost(const WindowPrior& prior) : prior_(&prior) {
   set_num_residuals(static_cast<int>(prior.r0.size()));
   mutable_parameter_block_sizes()->assign(prior.frames.size(), 7);
-  mutable_parameter_block_sizes()->push_back(1);
+  mutable_parameter_block_sizes()->push_back(6);
 }
 
 bool PriorCost::Evaluate(double const* const* blocks, double* residuals, double** jacobians) const {
   const int frames = static_cast<int>(prior_->frames.size());
-  Eigen::VectorXd dx(6 * frames + 1);
+  Eigen::VectorXd dx(6 * frames + 6);
   for (int i = 0; i < frames; ++i) {
     dx.segment<6>(6 * i) = PoseFromBlock(blocks[i]).Minus(prior_->linearization_point[i]);
   }
-  dx[6 * frames] = blocks[frames][0] - prior_->right_shift_point_px;
+  dx.tail<6>() = Eigen::Map<const Vector6d>(blocks[frames]) - prior_->right_field_point_px;
   const Eigen::Index rows = prior_->r0.size();
   Eigen::Map<Eigen::VectorXd> r(residuals, rows);
   r = prior_->r0 + prior_->J0 * dx;
@@ -110,8 +110,9 @@ bool PriorCost::Evaluate(double const* const* blocks, double* residuals, double*
     J.col(6).setZero();
   }
   if (jacobians[frames]) {
-    Eigen::Map<Eigen::VectorXd> J(jacobians[frames], rows);
-    J = prior_->J0.col(6 * frames);
+    Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>> J(jacobians[frames], rows,
+                                                                            6);
+    J = prior_->J0.rightCols<6>();
   }
   return true;
 }

@@ -29,8 +29,8 @@ class PoseManifold final : public ceres::Manifold {
 RigidTransform PoseFromBlock(const double* block);  // [qx qy qz qw tx ty tz]
 
 // EvaluateReprojection; blocks: world_from_camera (7, PoseManifold), p_in_world (3),
-// right_shift_px (1), which takes the place of the camera's own.
-class ReprojectionCost final : public ceres::SizedCostFunction<3, 7, 3, 1> {
+// right_field_px (6), which takes the place of the camera's own.
+class ReprojectionCost final : public ceres::SizedCostFunction<3, 7, 3, 6> {
  public:
   ReprojectionCost(const StereoCamera& camera, const Eigen::Vector3d& z_px,
                    const Eigen::Matrix3d& sqrt_information)
@@ -45,7 +45,7 @@ class ReprojectionCost final : public ceres::SizedCostFunction<3, 7, 3, 1> {
 };
 
 // r = r0 + J0 dx of a WindowPrior; one 7-block per frame, in the prior's order, then
-// right_shift_px. The tangent's rotation part is differentiated exactly (inverse right Jacobian).
+// right_field_px. The tangent's rotation part is differentiated exactly (inverse right Jacobian).
 // `prior` must outlive it.
 class PriorCost final : public ceres::CostFunction {
  public:

@@ -29,7 +29,7 @@ void AddPrior(WindowProblem& problem, PriorCost& cost, ceres::Problem& ceres_pro
   for (const FrameId id : problem.prior.frames) {
     blocks.push_back(problem.world_from_camera[FrameIndex(problem, id)].data());
   }
-  blocks.push_back(&problem.camera.right_shift_px);
+  blocks.push_back(problem.camera.right_field_px.data());
   ceres_problem.AddResidualBlock(&cost, nullptr, blocks);
 }
 
@@ -45,7 +45,7 @@ ceres::Solver::Options CeresOptions(const SolverOptions& options, WindowProblem&
   for (RigidTransform& pose : problem.world_from_camera) {
     ordering->AddElementToGroup(pose.data(), 1);
   }
-  ordering->AddElementToGroup(&problem.camera.right_shift_px, 1);
+  ordering->AddElementToGroup(problem.camera.right_field_px.data(), 1);
   ceres_options.linear_solver_ordering = ordering;
   return ceres_options;
 }
@@ -74,15 +74,15 @@ SolverSummary SolveWindowWithCeres(const NoiseOptions& noise, const SolverOption
     ceres_problem.AddParameterBlock(block, 7, &manifold);
     if (problem.is_fixed[i]) ceres_problem.SetParameterBlockConstant(block);
   }
-  double* right_shift = &problem.camera.right_shift_px;
-  ceres_problem.AddParameterBlock(right_shift, 1);
-  if (problem.is_right_shift_fixed) ceres_problem.SetParameterBlockConstant(right_shift);
+  double* right_field = problem.camera.right_field_px.data();
+  ceres_problem.AddParameterBlock(right_field, 6);
+  if (problem.is_right_field_fixed) ceres_problem.SetParameterBlockConstant(right_field);
   for (Eigen::Vector3d& point : problem.points) ceres_problem.AddParameterBlock(point.data(), 3);
   for (const ReprojectionFactor& factor : problem.factors) {
     costs.emplace_back(problem.camera, factor.z_px, factor.sqrt_information);
     ceres_problem.AddResidualBlock(&costs.back(), &loss,
                                    problem.world_from_camera[factor.pose].data(),
-                                   problem.points[factor.point].data(), right_shift);
+                                   problem.points[factor.point].data(), right_field);
   }
   AddPrior(problem, prior_cost, ceres_problem);
 

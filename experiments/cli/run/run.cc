@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -47,6 +49,26 @@ void PrintProblems(const RunResult& run) {
   }
 }
 
+// By how much u_right is off, as the mean over the image and from where to where.
+void PrintCalibration(const Sequence& sequence, const RunResult& run) {
+  const CalibrationReport* calibration = LastCalibration(run);
+  if (!calibration) return;
+  StereoCamera camera = sequence.camera;
+  camera.right_field_px = calibration->right_field_px;
+  std::vector<double> shifts_px;
+  for (const double u : {0.0, 0.5, 1.0}) {
+    for (const double v : {0.0, 0.5, 1.0}) {
+      shifts_px.push_back(camera.RightShift(u * camera.width_px, v * camera.height_px));
+    }
+  }
+  const auto [least, most] = std::minmax_element(shifts_px.begin(), shifts_px.end());
+  std::cout << "calibration: right columns off by "
+            << ReadableNumber(camera.right_shift_px + camera.right_field_px[0]) << " +- "
+            << ReadableNumber(std::sqrt(calibration->Covariance_px2()(0, 0)))
+            << " px on average over the image, " << ReadableNumber(*least) << " to "
+            << ReadableNumber(*most) << " px in its parts\n";
+}
+
 void PrintSummary(const Sequence& sequence, const JobOutcome& outcome) {
   const RunResult& run = outcome.run;
   const double rate = static_cast<double>(run.frames.size()) / run.wall_s;
@@ -55,6 +77,7 @@ void PrintSummary(const Sequence& sequence, const JobOutcome& outcome) {
             << ReadableNumber(outcome.context.peak_memory_mb) << " MB, status "
             << ToString(run.status) << (run.message.empty() ? "" : ": ") << run.message << '\n';
   PrintProblems(run);
+  PrintCalibration(sequence, run);
   PrintDetections(sequence, run.detections, std::cout);
   if (outcome.scores.refined.empty()) {
     std::cout << "nothing to score: ground truth " << sequence.groundtruth << '\n';

@@ -18,8 +18,7 @@ void SequenceFlags::AddTruthTo(CLI::App& app) {
   add("--type", type, "NAME",
       "kitti-raw, kitti-odometry or kitti-tracking; default: detected from the folder's contents");
   add("--dataset", dataset, "NAME",
-      "recorded data set, kitti or other, which selects the known corrections; default: kitti if "
-      "the calibration is KITTI's");
+      "recorded data set, kitti or other; default: kitti if the calibration is KITTI's");
   add("--pair", pair, "NAME",
       "images to read, grey or colour; default: grey if present, else colour");
   add("--frames", frames, "A:B", "frames A to B-1, counted from 0; default: all");
@@ -55,9 +54,10 @@ void SequenceFlags::AddTo(CLI::App& app) {
 }
 
 void AddRightShift(CLI::App& app, std::optional<double>& right_shift_px) {
-  app.add_option("--right-shift", right_shift_px,
-                 "rectification error: offset of u_right to the right; default: 0.16 for KITTI's "
-                 "grey images, else 0")
+  app.add_option(
+         "--right-shift", right_shift_px,
+         "known rectification error: offset of u_right to the right, from which its estimate "
+         "starts; default: 0")
       ->type_name("PX")
       ->check(FiniteProblem);
 }

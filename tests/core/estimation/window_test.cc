@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
@@ -29,8 +30,8 @@ RigidTransform CameraAt(int frame) {
 WindowProblem MakeProblem(int frames, int points, double noise_px, Rng& rng) {
   WindowProblem problem;
   problem.camera = kCamera;
-  problem.prior = CalibrationPrior(kCamera, 1.0);
-  problem.is_right_shift_fixed = true;
+  problem.prior = CalibrationPrior(kCamera, Vector6d::Ones());
+  problem.is_right_field_fixed = true;
   for (int i = 0; i < frames; ++i) {
     problem.frames.push_back(FrameId{10 + i});
     problem.world_from_camera.push_back(CameraAt(i));
@@ -71,15 +72,31 @@ TEST(SolveWindow, ReturnsToTheTruth) {
   }
 }
 
-TEST(SolveWindow, FindsTheRightShiftThatThePixelsCarry) {
+TEST(SolveWindow, FindsTheRightFieldThatThePixelsCarry) {
   Rng rng(2, "window");
   WindowProblem problem = MakeProblem(6, 150, 0.0, rng);
-  for (ReprojectionFactor& factor : problem.factors) factor.z_px[2] += 0.3;
-  problem.is_right_shift_fixed = false;
-  problem.prior = CalibrationPrior(kCamera, 100.0);
+  StereoCamera truth = kCamera;
+  truth.right_field_px << 0.3, -0.4, 0.2, 0.5, -0.1, 0.6;
+  for (ReprojectionFactor& factor : problem.factors) {
+    factor.z_px[2] += truth.RightShift(factor.z_px[0], factor.z_px[1]);
+  }
+  problem.is_right_field_fixed = false;
+  problem.prior = CalibrationPrior(kCamera, Vector6d::Constant(100.0));
   SolveWindow({}, kToConvergence, problem);
-  EXPECT_NEAR(problem.camera.right_shift_px, 0.3, 1e-3);
+  EXPECT_LT((problem.camera.right_field_px - truth.right_field_px).norm(), 2e-3);
   EXPECT_LT(problem.world_from_camera.back().Minus(CameraAt(5)).norm(), 1e-3);
+}
+
+TEST(SolveWindow, KnowsTheFieldAsWellAsItsPriorWhereNothingIsSeenOfIt) {
+  Rng rng(12, "window");
+  WindowProblem problem = MakeProblem(3, 20, 0.1, rng);
+  problem.is_right_field_fixed = false;
+  const Vector6d deviation_px = EstimateRightShift::Deviation({.right_shift_px = 0.2});
+  problem.prior = CalibrationPrior(kCamera, deviation_px);
+  const SolverSummary summary = SolveWindow({}, kToConvergence, problem);
+  const Vector6d sigma_px = summary.shared_information.inverse().diagonal().cwiseSqrt();
+  EXPECT_LT(sigma_px[0], 0.2) << "the points say something of the mean";
+  EXPECT_NEAR(sigma_px[3] / deviation_px[3], 1.0, 1e-3);
 }
 
 TEST(SolveWindow, RefusesAPriorAboutAFrameItDoesNotHave) {
@@ -87,7 +104,7 @@ TEST(SolveWindow, RefusesAPriorAboutAFrameItDoesNotHave) {
   WindowProblem problem = MakeProblem(2, 10, 0.0, rng);
   problem.prior.frames = {FrameId{99}};
   problem.prior.linearization_point = {RigidTransform()};
-  problem.prior.J0 = Eigen::MatrixXd::Zero(1, 7);
+  problem.prior.J0 = Eigen::MatrixXd::Zero(1, 12);
   EXPECT_THROW(SolveWindow({}, kToConvergence, problem), Error);
 }
 
@@ -129,7 +146,7 @@ TEST(Marginalize, PriorOfAFreeWindowHasSixFreeDirections) {
   const WindowProblem problem = MakeProblem(4, 40, 0.2, rng);
   const WindowPrior prior = Marginalize({}, problem, FrameId{10});
   ASSERT_EQ(prior.frames.size(), 3u);
-  EXPECT_EQ(prior.J0.cols(), 6 * 3 + 1);
+  EXPECT_EQ(prior.J0.cols(), 6 * 3 + 6);
   const Eigen::MatrixXd H = prior.J0.transpose() * prior.J0;
   const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(H).eigenvalues();
   EXPECT_EQ((values.array() < 1e-8 * values.maxCoeff()).count(), 6);
@@ -145,7 +162,7 @@ TEST(Marginalize, KnowsOnlyFramesThatSawSomething) {
 
 // A window in which landmark k is seen in the frames of its list.
 Window MakeWindow(const std::vector<std::vector<int>>& seen) {
-  Window window{kCamera, CalibrationPrior(kCamera, 1.0), {}, {}, {}};
+  Window window{kCamera, CalibrationPrior(kCamera, Vector6d::Ones()), {}, {}, {}};
   for (std::size_t k = 0; k < seen.size(); ++k) {
     Landmark landmark;
     landmark.id = LandmarkId{static_cast<std::int64_t>(k)};

@@ -70,6 +70,31 @@ TEST(StereoCamera, RightShiftMovesTheRightColumnAndIsTakenBack) {
   EXPECT_LT((camera.BackProject(seen).value() - p).norm(), 1e-11);
 }
 
+TEST(StereoCamera, RightFieldVariesOverTheImageAndIsTakenBack) {
+  Rng rng(5, "field");
+  StereoCamera camera = Camera();
+  const Eigen::Vector3d perfect = camera.Project({1.0, -2.0, 10.0}).value();
+  camera.right_field_px << 0.3, -20.0, 10.0, 30.0, -10.0, 20.0;
+  const double x = 2.0 * (perfect[0] + 0.5) / camera.width_px - 1.0;
+  const double y = 2.0 * (perfect[1] + 0.5) / camera.height_px - 1.0;
+  const double shift = 0.3 - 20.0 * x + 10.0 * y + 30.0 * (x * x - 1.0 / 3.0) - 10.0 * x * y +
+                       20.0 * (y * y - 1.0 / 3.0);
+  EXPECT_NEAR(camera.Project({1.0, -2.0, 10.0}).value()[2], perfect[2] + shift, 1e-11);
+
+  const auto project = [&](const Eigen::VectorXd& p) -> Eigen::VectorXd {
+    return camera.Project(p).value();
+  };
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::Vector3d p = RandomPoint(rng);
+    const Eigen::Vector3d z_px = camera.Project(p).value();
+    EXPECT_LT((camera.BackProject(z_px).value() - p).norm(), 1e-9 * p.norm());
+    const Eigen::Matrix3d J = camera.ProjectionJacobian(p);
+    EXPECT_TRUE(test::JacobianMatches(project, p, J, 1e-6));
+    const Eigen::Matrix3d product = camera.BackProjectionJacobian(z_px) * J;
+    EXPECT_LT((product - Eigen::Matrix3d::Identity()).norm(), 1e-9);
+  }
+}
+
 TEST(StereoCamera, ProjectionJacobianMatchesCentralDifferences) {
   Rng rng(2, "projection");
   const auto project = [](const Eigen::VectorXd& p) -> Eigen::VectorXd {

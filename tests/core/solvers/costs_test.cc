@@ -106,7 +106,7 @@ WindowPrior RandomPrior(int frames, Rng& rng) {
     prior.frames.push_back(FrameId{i});
     prior.linearization_point.push_back(RandomPose(rng, 0.5));
   }
-  const int columns = 6 * frames + 1;
+  const int columns = 6 * frames + 6;
   prior.J0 = Eigen::MatrixXd::NullaryExpr(columns - 2, columns, [&] { return rng.Normal(); });
   prior.r0 = Eigen::VectorXd::NullaryExpr(columns - 2, [&] { return rng.Normal(); });
   return prior;
@@ -116,9 +116,8 @@ TEST(PriorCost, IsR0AtTheLinearizationPoint) {
   Rng rng(3, "prior");
   const WindowPrior prior = RandomPrior(2, rng);
   const PriorCost cost(prior);
-  const double shift = prior.right_shift_point_px;
   const double* blocks[] = {prior.linearization_point[0].data(),
-                            prior.linearization_point[1].data(), &shift};
+                            prior.linearization_point[1].data(), prior.right_field_point_px.data()};
   Eigen::VectorXd r(prior.r0.size());
   ASSERT_TRUE(cost.Evaluate(blocks, r.data(), nullptr));
   EXPECT_LT((r - prior.r0).norm(), 1e-12);
@@ -134,7 +133,7 @@ TEST(PriorCost, JacobiansMatchDifferencesAwayFromIt) {
     const Vector6d step = Vector6d::NullaryExpr([&] { return 0.2 * rng.Normal(); });
     blocks.push_back({Block(point.Plus(step)), &manifold});
   }
-  blocks.push_back({Eigen::VectorXd::Constant(1, 0.3)});
+  blocks.push_back({Eigen::VectorXd::Constant(6, 0.3)});
   EXPECT_TRUE(test::CostJacobiansMatch(cost, blocks, 1e-6));
 }
 

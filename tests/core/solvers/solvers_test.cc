@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
@@ -35,7 +36,7 @@ RigidTransform RandomPose(Rng& rng, double size) {
 WindowProblem RandomWindow(int frames, int points, Rng& rng) {
   WindowProblem problem;
   problem.camera = kCamera;
-  problem.prior = CalibrationPrior(kCamera, 0.3);
+  problem.prior = CalibrationPrior(kCamera, Vector6d::Constant(0.3));
   for (int i = 0; i < frames; ++i) {
     problem.frames.push_back(FrameId{3 * i});
     problem.world_from_camera.emplace_back(ExpSo3({0.0, 0.02 * i, 0.01}),
@@ -67,7 +68,7 @@ WindowPrior RandomPrior(const WindowProblem& problem, int first, int count, Rng&
     const Vector6d step = Vector6d::NullaryExpr([&] { return 0.02 * rng.Normal(); });
     prior.linearization_point.push_back(problem.world_from_camera[i].Plus(step));
   }
-  const int columns = 6 * count + 1;
+  const int columns = 6 * count + 6;
   prior.J0 = Eigen::MatrixXd::NullaryExpr(columns - 1, columns, [&] { return 5 * rng.Normal(); });
   prior.r0 = Eigen::VectorXd::NullaryExpr(columns - 1, [&] { return 0.1 * rng.Normal(); });
   return prior;
@@ -84,14 +85,14 @@ void ExpectAgreement(const WindowProblem& problem) {
   for (std::size_t i = 0; i < own.frames.size(); ++i) {
     EXPECT_LT(own.world_from_camera[i].Minus(reference.world_from_camera[i]).norm(), 1e-7) << i;
   }
-  EXPECT_NEAR(own.camera.right_shift_px, reference.camera.right_shift_px, 1e-7);
+  EXPECT_LT((own.camera.right_field_px - reference.camera.right_field_px).norm(), 1e-6);
 }
 
 TEST(SolveWindow, AgreesWithCeresWithTheOldestFrameFixed) {
   Rng rng(1, "solvers");
-  for (const bool is_right_shift_fixed : {true, false}) {
+  for (const bool is_right_field_fixed : {true, false}) {
     WindowProblem problem = RandomWindow(6, 50, rng);
-    problem.is_right_shift_fixed = is_right_shift_fixed;
+    problem.is_right_field_fixed = is_right_field_fixed;
     problem.is_fixed[0] = 1;
     ExpectAgreement(problem);
   }
@@ -99,9 +100,9 @@ TEST(SolveWindow, AgreesWithCeresWithTheOldestFrameFixed) {
 
 TEST(SolveWindow, AgreesWithCeresWithAPriorAndFixedFramesAnywhere) {
   Rng rng(2, "solvers");
-  for (const bool is_right_shift_fixed : {true, false}) {
+  for (const bool is_right_field_fixed : {true, false}) {
     WindowProblem problem = RandomWindow(7, 50, rng);
-    problem.is_right_shift_fixed = is_right_shift_fixed;
+    problem.is_right_field_fixed = is_right_field_fixed;
     problem.prior = RandomPrior(problem, 1, 4, rng);
     ExpectAgreement(problem);
     problem.is_fixed[2] = problem.is_fixed[5] = 1;
@@ -119,7 +120,7 @@ TEST(SolveWindow, RefusesFactorsOutOfOrder) {
 TEST(SolveWindow, KeepsAFrameThatNothingIsKnownOf) {
   Rng rng(4, "solvers");
   WindowProblem problem = RandomWindow(4, 40, rng);
-  problem.is_fixed[0] = problem.is_right_shift_fixed = 1;
+  problem.is_fixed[0] = problem.is_right_field_fixed = 1;
   std::erase_if(problem.factors, [](const auto& factor) { return factor.pose == 2; });
   const RigidTransform before = problem.world_from_camera[2];
   SolveWindow({}, {}, problem);
@@ -242,7 +243,7 @@ DenseSystem MakeDense(const SchurEquations& equations) {
     dense.H.block<3, 3>(row, row) = equations.points[p].H;
     dense.g.segment<3>(row) = equations.points[p].g;
     if (equations.points_see_shared) {
-      dense.H.block<3, 1>(row, equations.others_begin()) = equations.points[p].by_shared;
+      dense.H.block<3, 6>(row, equations.others_begin()) = equations.points[p].by_shared;
     }
     for (int c = equations.couplings_begin[p]; c < equations.couplings_begin[p + 1]; ++c) {
       const PoseCoupling& coupling = equations.couplings[c];
@@ -254,7 +255,7 @@ DenseSystem MakeDense(const SchurEquations& equations) {
   return dense;
 }
 
-// A window linearised at its state, right_shift_px free.
+// A window linearised at its state, right_field_px free.
 SchurEquations LinearizedWindow(const WindowProblem& problem) {
   std::vector<int> poses;
   std::vector<CameraView> views;
@@ -262,7 +263,7 @@ SchurEquations LinearizedWindow(const WindowProblem& problem) {
     poses.push_back(static_cast<int>(i) - 1);
     views.emplace_back(poses[i], problem.world_from_camera[i]);
   }
-  SchurEquations equations(poses, 1, problem.points.size(), problem.factors);
+  SchurEquations equations(poses, 6, problem.points.size(), problem.factors);
   equations.points_see_shared = true;
   equations.SetZero();
   LinearizeReprojections(problem.camera, views, problem.points, problem.factors, 2.796, equations);
@@ -291,6 +292,19 @@ TEST(SchurSolver, SolvesTheDampedSystemAsADenseSolverDoes) {
   }
 }
 
+TEST(SchurSolver, InformationOnTheSharedVariablesIsThatOfADenseSystem) {
+  Rng rng(11, "solvers");
+  const SchurEquations equations = LinearizedWindow(RandomWindow(4, 20, rng));
+  const DenseSystem dense = MakeDense(equations);
+  SchurSolver solver(equations);
+  SchurStep step;
+  ASSERT_TRUE(solver.Solve(equations, 1e9, step));
+  const Eigen::Index shared = equations.others_begin();
+  const Matrix6d covariance = dense.H.inverse().block<6, 6>(shared, shared);
+  const Matrix6d product = solver.SharedInformation() * covariance;
+  EXPECT_LT((product - Matrix6d::Identity()).norm(), 1e-4);
+}
+
 TEST(SchurSolver, RefusesWhatIsNotPositiveDefinite) {
   Rng rng(7, "solvers");
   SchurEquations equations = LinearizedWindow(RandomWindow(3, 10, rng));
@@ -306,14 +320,14 @@ TEST(LinearizeReprojections, GradientOfAWindowMatchesDifferences) {
   const DenseSystem dense = MakeDense(LinearizedWindow(problem));
   const auto energy = [&](const Eigen::VectorXd& x) {
     StereoCamera camera = problem.camera;
-    camera.right_shift_px += x[18];
+    camera.right_field_px += x.segment<6>(18);
     std::vector<CameraView> views;
     views.emplace_back(-1, problem.world_from_camera[0]);
     for (int i = 0; i < 3; ++i) {
       views.emplace_back(i, MovePose(problem.world_from_camera[i + 1], x.segment<6>(6 * i)));
     }
     std::vector<Eigen::Vector3d> points = problem.points;
-    for (std::size_t p = 0; p < points.size(); ++p) points[p] += x.segment<3>(19 + 3 * p);
+    for (std::size_t p = 0; p < points.size(); ++p) points[p] += x.segment<3>(24 + 3 * p);
     return Eigen::VectorXd::Constant(
         1, ReprojectionEnergy(camera, views, points, problem.factors, 2.796));
   };

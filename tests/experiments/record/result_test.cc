@@ -92,6 +92,19 @@ TEST_F(Result, KeepsBothPosesOfAFrame) {
   EXPECT_EQ(frame["refined"], Json({4.0, 5.0, 6.0, 0.0, 0.0, 0.0, 1.0}));
 }
 
+TEST_F(Result, HasTheEstimateOfTheCalibrationWithItsDeviations) {
+  EXPECT_TRUE(ParseJson(File(), "result")["calibration"].is_null()) << "nothing was estimated";
+  CalibrationReport& calibration = run_.frames[1].report.calibration;
+  calibration.right_field_px << 0.1, 0.2, 0.3, 0.4, 0.5, 0.6;
+  calibration.information = 100.0 * Matrix6d::Identity();
+  const Json result = ParseJson(File(), "result");
+  EXPECT_TRUE(result["frames"][0]["calibration"].is_null());
+  EXPECT_EQ(result["frames"][1]["calibration"]["right_field_px"],
+            Json({0.1, 0.2, 0.3, 0.4, 0.5, 0.6}));
+  EXPECT_NEAR(result["frames"][1]["calibration"]["sigma_px"][5], 0.1, 1e-12);
+  EXPECT_NEAR(result["calibration"]["covariance_px2"][2][2], 0.01, 1e-12);
+}
+
 TEST_F(Result, HoldsNothingOfTimeHostOrPaths) {
   const std::string before = File();
   EXPECT_THAT(before, Not(HasSubstr("secret")));

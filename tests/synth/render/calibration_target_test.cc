@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "synth/render/view_geometry.h"
 #include "tests/synth/render/worlds.h"
 
 namespace cvo::synth {
@@ -80,6 +82,30 @@ TEST(CalibrationTarget, ShiftOfTheRightImageIsDrawn) {
   StereoCamera rig = IndoorRig();
   rig.right_shift_px = 0.7;
   ExpectExact(rig);
+}
+
+// Column and row at which the right camera, as it really is, sees a point of the left one's frame.
+Eigen::Vector2d InRight(const RigError& error, const Eigen::Vector3d& p_in_left) {
+  const StereoCamera rig = StreetRig();
+  const Eigen::Vector4d clip = ClipFromRight(rig, error) * p_in_left.homogeneous();
+  return {(clip[0] / clip[3] + 1.0) * rig.width_px / 2.0 - 0.5,
+          (clip[1] / clip[3] + 1.0) * rig.height_px / 2.0 - 0.5};
+}
+
+TEST(RigError, MovesWhatTheRightCameraSees) {
+  const StereoCamera rig = StreetRig();
+  const Eigen::Vector3d p(3.0, -1.0, 20.0);
+  const Eigen::Vector3d z_px = rig.Project(p).value();
+  const Eigen::Vector2d as_calibrated(z_px[2], z_px[1]);
+  EXPECT_LT((InRight({}, p) - as_calibrated).norm(), 1e-9);
+  const Eigen::Vector2d shifted = InRight({.shift_px = 0.2}, p) - as_calibrated;
+  EXPECT_LT((shifted - Eigen::Vector2d(0.2, 0.0)).norm(), 1e-9);
+  const Eigen::Vector2d longer = InRight({.focal = 0.01}, p) - as_calibrated;
+  EXPECT_NEAR(longer.x(), 0.01 * (z_px[2] - rig.cx), 1e-9);
+  // Turned to its right, it sees things further left: by f (1 + x^2) per radian.
+  const double x = (z_px[2] - rig.cx) / rig.fx;
+  const Eigen::Vector2d turned = InRight({.rotation_deg = {0.0, 0.001, 0.0}}, p) - as_calibrated;
+  EXPECT_NEAR(turned.x(), -rig.fx * (1.0 + x * x) * 0.001 * std::acos(-1.0) / 180.0, 1e-5);
 }
 
 }  // namespace

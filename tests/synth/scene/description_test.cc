@@ -109,6 +109,8 @@ TEST(SceneDescription, RefusesInvalidCameras) {
               HasSubstr("rig.width_px: found 0"));
   EXPECT_THAT(MessageAfter([](Json& s) { s["frames"] = 0; }), HasSubstr("here, frames: found 0"));
   EXPECT_THAT(MessageAfter([](Json& s) { s["rate_hz"] = 0; }), HasSubstr("rate_hz: found 0"));
+  EXPECT_THAT(MessageAfter([](Json& s) { s["rig"]["error"]["shift_px"] = 200; }),
+              HasSubstr("rig.error.shift_px: found 200"));
   EXPECT_THAT(MessageAfter([](Json& s) { s["rig"]["baseline_m"] = 0; }),
               HasSubstr("rig.baseline_m: found 0"));
 }
