@@ -71,6 +71,10 @@ std::vector<Part> MakeParts() {
        {}});
   parts.push_back(
       {"experiments/cache/", {"core/", "experiments/datasets/", "experiments/cache/"}, {}});
+  parts.push_back({"experiments/import/",
+                   {"core/", "experiments/datasets/", "experiments/cache/", "experiments/import/"},
+                   {}});
+  parts.push_back({"experiments/yolo/", {"core/", "experiments/yolo/"}, {}});
   // Results are written by the schema that reports read them by.
   std::vector<std::string> below = {"core/", "variants/", "reports/results/",
                                     "experiments/datasets/", "experiments/metrics/"};
