@@ -64,8 +64,9 @@ Json PerturbationToJson(const Perturbation& perturbation) {
   Perturbation changed = perturbation;
   Perturbation defaults;
   const Json plain = OptionsToJson(OptionLeaves(defaults));
+  const Json all = OptionsToJson(OptionLeaves(changed));  // outlives the loop
   Json json = Json::object();
-  for (const auto& [key, value] : OptionsToJson(OptionLeaves(changed)).items()) {
+  for (const auto& [key, value] : all.items()) {
     if (value != plain[key]) json[key] = value;
   }
   if (!json.empty()) json["seed"] = perturbation.seed;
