@@ -68,6 +68,34 @@ const LostCluster* FindPredecessor(const Cluster& found, const std::vector<LostC
   return second - least > options.min_lead ? best : nullptr;
 }
 
+// How fast the body turns, in world, at each of its poses from the first one on, rad/s.
+template <typename Pose>
+std::vector<Eigen::Vector3d> TurnRates(const std::vector<Pose>& poses, std::size_t first) {
+  std::vector<Eigen::Vector3d> rates(poses.size(), Eigen::Vector3d::Zero());
+  for (std::size_t i = first; i < poses.size(); ++i) {
+    const Pose& before = poses[i > first ? i - 1 : i];
+    const Pose& after = poses[i + 1 < poses.size() ? i + 1 : i];
+    if (before.timestamp_ns == after.timestamp_ns) continue;
+    rates[i] = LogSo3(Eigen::Quaterniond(after.world_from_object.rotation() *
+                                         before.world_from_object.rotation().conjugate())) /
+               SecondsBetween(before.timestamp_ns, after.timestamp_ns);
+  }
+  return rates;
+}
+
+// Poses of a body and velocities of its origin, from the first one on, in another frame of it.
+template <typename Pose>
+void ChangeFrameOfPoses(const RigidTransform& old_from_new, std::size_t first,
+                        std::vector<Pose>& poses) {
+  const std::vector<Eigen::Vector3d> rates = TurnRates(poses, first);
+  for (std::size_t i = first; i < poses.size(); ++i) {
+    const Eigen::Vector3d lever =
+        poses[i].world_from_object.rotation() * Eigen::Vector3d(old_from_new.translation());
+    poses[i].velocity_m_s += rates[i].cross(lever);
+    poses[i].world_from_object = poses[i].world_from_object * old_from_new;
+  }
+}
+
 // Expresses a cluster and its landmarks in another frame of the same body.
 void ChangeFrame(const RigidTransform& old_from_new, ClusterId id, Cluster& cluster,
                  ClusterTrajectory& trajectory) {
@@ -75,12 +103,11 @@ void ChangeFrame(const RigidTransform& old_from_new, ClusterId id, Cluster& clus
   const std::int64_t since = cluster.former.since.value;
   const RigidTransform new_from_old = old_from_new.Inverse();
   const Eigen::Matrix3d R = new_from_old.RotationMatrix();
-  for (ClusterState& state : cluster.states) {
-    state.world_from_object = state.world_from_object * old_from_new;
-  }
-  for (ClusterPose& pose : trajectory.poses) {
-    if (pose.frame >= since) pose.world_from_object = pose.world_from_object * old_from_new;
-  }
+  ChangeFrameOfPoses(old_from_new, 0, cluster.states);
+  const auto first = std::find_if(trajectory.poses.begin(), trajectory.poses.end(),
+                                  [since](const ClusterPose& pose) { return pose.frame >= since; });
+  ChangeFrameOfPoses(old_from_new, static_cast<std::size_t>(first - trajectory.poses.begin()),
+                     trajectory.poses);
   for (Landmark& landmark : cluster.landmarks) {
     landmark.label.cluster = id;
     landmark.p_in_object = new_from_old * landmark.p_in_object;

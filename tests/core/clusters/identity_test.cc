@@ -115,6 +115,24 @@ TEST(InheritIdentities, OnlyTheFrameOfTheBodyChanges) {
   EXPECT_LT(recorded.world_from_object.Minus(after.states[0].world_from_object).norm(), 1e-12);
 }
 
+TEST(InheritIdentities, VelocitiesAreThoseOfTheNewOrigin) {
+  Return r;
+  constexpr std::int64_t kInterval_ns = 100'000'000;
+  Cluster& found = r.map.live[0];
+  for (ClusterState& state : found.states) {
+    state.timestamp_ns = state.frame.value * kInterval_ns;
+    state.velocity_m_s = {0.2, 0.0, 0.0};
+  }
+  found.box_center.Add({0.3, 0.0, 0.2}, Eigen::Matrix3d::Identity());
+  ASSERT_EQ(r.Found(), 1);
+  const std::vector<ClusterState>& states = r.map.live[0].states;
+  const Eigen::Vector3d moved = states[1].world_from_object.translation() -
+                                Eigen::Vector3d(states[0].world_from_object.translation());
+  const Eigen::Vector3d mean = 0.5 * (states[0].velocity_m_s + states[1].velocity_m_s);
+  EXPECT_LT((mean - moved / 0.1).norm(), 1e-3);
+  EXPECT_GT((mean - Eigen::Vector3d(0.2, 0.0, 0.0)).norm(), 0.2);
+}
+
 TEST(InheritIdentities, ALostLiveClusterThatWasOnlyPredictedMeanwhileGivesWay) {
   Return r;
   r.map.live.insert(r.map.live.begin(), r.map.archived[0]);

@@ -115,6 +115,29 @@ TEST(ExtractOrb, TheReserveGoesToRegionsFirst) {
   EXPECT_EQ(favoured.reserve, evenly.reserve);
 }
 
+TEST(ExtractOrb, RegionsHaveCornersNearTheEdgeOfTheImage) {
+  const cv::Rect2d strip(0.0, 40.0, 14.0, 120.0);
+  const cv::Mat image = Textured(320, 240);
+  const CornerRegion region{strip, 30};
+  EXPECT_EQ(CountIn(strip, ExtractOrb(image, {})).inside, 0);
+  const OrbImage orb = ExtractOrb(image, {}, {&region, 1});
+  EXPECT_GE(CountIn(strip, orb).inside, 5);
+  // The mirrored pixels are the same in another copy of the image.
+  EXPECT_TRUE(Same(orb, ExtractOrb(image.clone(), {}, {&region, 1})));
+}
+
+TEST(ExtractOrb, RegionsHaveWeakCornersBesideStrongOnes) {
+  cv::Mat image = Textured(320, 240);
+  image.convertTo(image, CV_8U, 0.15, 100.0);
+  for (int v = 10; v < 240; v += 20) {
+    for (int u = 10; u < 320; u += 20) image(cv::Rect(u, v, 3, 3)) = 250;
+  }
+  const cv::Rect2d box(120.0, 80.0, 60.0, 60.0);
+  const CornerRegion region{box, 200};
+  const int evenly = CountIn(box, ExtractOrb(image, {})).inside;
+  EXPECT_GT(CountIn(box, ExtractOrb(image, {}, {&region, 1})).inside, evenly + 10);
+}
+
 TEST(ExtractOrb, RegionsShareWhatTheReserveHas) {
   OrbOptions options;
   options.features = 200;
