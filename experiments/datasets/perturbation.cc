@@ -65,7 +65,8 @@ Json PerturbationToJson(const Perturbation& perturbation) {
   Perturbation defaults;
   const Json plain = OptionsToJson(OptionLeaves(defaults));
   Json json = Json::object();
-  for (const auto& [key, value] : OptionsToJson(OptionLeaves(changed)).items()) {
+  const Json values = OptionsToJson(OptionLeaves(changed));
+  for (const auto& [key, value] : values.items()) {
     if (value != plain[key]) json[key] = value;
   }
   if (!json.empty()) json["seed"] = perturbation.seed;
