@@ -22,7 +22,7 @@ struct WindowFrame {
 // (temporal track, the latest ones), and the landmarks they see (section 3.3 of the paper).
 // Landmarks are sorted by id.
 struct Window {
-  StereoCamera camera;  // as calibrated, right_shift_px as estimated so far
+  StereoCamera camera;  // as calibrated, right_field_px as estimated so far
   WindowPrior prior;
   std::vector<WindowFrame> spatial;   // oldest first
   std::vector<WindowFrame> temporal;  // oldest first
