@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "ceres_list.h"
 #include "core/odometry/axes.h"
 #include "variants/ladder.h"
 #include "variants/printed.h"
@@ -43,6 +44,13 @@ struct LadderVariants<std::index_sequence<kRung...>> {
   using LeftOut = std::tuple<Listed<Without<kRung>, Without<kRung>, 0>...>;
 };
 
+template <typename Variants>
+struct ListedSolvers;
+template <typename... V>
+struct ListedSolvers<std::tuple<V...>> {
+  using Type = std::tuple<Listed<typename V::OwnSolver, V>...>;
+};
+
 }  // namespace internal
 
 static_assert(CountDifferences<UpTo<kRungs - 1>, Full>() == 0);
@@ -74,9 +82,11 @@ using NamedVariants = std::tuple<Listed<Full, Full, 0>,                     //
                                  Listed<Static, StaticShiftOnly>,           //
                                  Listed<Static, StaticTrustCalibration>>;
 using AllVariants = decltype(std::tuple_cat(
-    NamedVariants(), internal::LadderVariants<std::make_index_sequence<kRungs>>::LeftOut(),
+    NamedVariants(), internal::ListedSolvers<CeresVariants>::Type(),
+    internal::LadderVariants<std::make_index_sequence<kRungs>>::LeftOut(),
     internal::LadderVariants<std::make_index_sequence<kRungs - 1>>::Steps()));
-inline constexpr std::size_t kNamedVariants = std::tuple_size_v<NamedVariants>;
+inline constexpr std::size_t kNamedVariants =
+    std::tuple_size_v<NamedVariants> + std::tuple_size_v<CeresVariants>;
 inline constexpr std::size_t kVariants = std::tuple_size_v<AllVariants>;
 
 template <std::size_t kIndex>

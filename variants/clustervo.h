@@ -40,6 +40,7 @@ struct ClusterVo {
   using Gauge = PriorHoldsGauge;
   using SpatialTrack = PromoteDistant;
   using Calibration = TrustCalibration;
+  using Solver = OwnSchur;
 
   // What the paper prints; where it prints nothing, what switches an addition of ours off.
   static void SetDefaults(Options& options) {

@@ -23,6 +23,7 @@
 #include "core/labelling/label_scene.h"
 #include "core/odometry/detection_policies.h"
 #include "core/solvers/motion_prior.h"
+#include "core/solvers/solver_policy.h"
 
 namespace cvo {
 
@@ -62,6 +63,7 @@ struct Full {
   using Gauge = FixOldestFrame;
   using SpatialTrack = PromoteDistant;
   using Calibration = EstimateRightField;
+  using Solver = OwnSchur;
 
   // The options that a variant starts from; these are the defaults.
   static void SetDefaults(Options&) {}

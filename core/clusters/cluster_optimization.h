@@ -5,7 +5,7 @@
 #include "core/base/task_pool.h"
 #include "core/clusters/cluster_map.h"
 #include "core/estimation/window_policies.h"
-#include "core/solvers/cluster_solver.h"
+#include "core/solvers/solver_policy.h"
 
 namespace cvo {
 
@@ -34,7 +34,7 @@ struct ClusterSolverOptions {
 // is hidden keeps what it was last seen with: nothing new is known of it, while what held its last
 // states leaves the window. So its outliers are found here and now: a body that leaves the image
 // has its worst matches in its last frame. Returns how the solves ended.
-template <MotionPriorPolicy MotionPrior, OutlierPolicy Outliers>
+template <MotionPriorPolicy MotionPrior, OutlierPolicy Outliers, SolverPolicy Solver>
 SolverEndings OptimizeClusters(const ClusterSolverOptions& options, const Window& window,
                                TaskPool& pool, ClusterMap& map) {
   SolverEndings total;
@@ -46,8 +46,8 @@ SolverEndings OptimizeClusters(const ClusterSolverOptions& options, const Window
     for (int round = 0; round < options.solver.cluster_rounds; ++round) {
       ClusterSelection selection = SelectCluster(options.noise, window, map.live[q]);
       if (selection.landmarks.empty()) return;
-      endings[q].Count(SolveCluster<MotionPrior>(options.noise.options, options.solver,
-                                                 options.motion_prior, selection.problem)
+      endings[q].Count(SolveCluster<MotionPrior, Solver>(options.noise.options, options.solver,
+                                                         options.motion_prior, selection.problem)
                            .ending);
       const double gate = Outliers::Gate(options.noise.options);
       if (ApplyClusterSolution(gate, selection, map.live[q]) == 0) return;

@@ -18,6 +18,7 @@
 #include "core/labelling/label_scene.h"
 #include "core/odometry/detection_policies.h"
 #include "core/solvers/motion_prior.h"
+#include "core/solvers/solver_policy.h"
 
 namespace cvo {
 
@@ -28,7 +29,7 @@ template <DetectionPolicy D, LandmarkAssociationPolicy LA, BoxWeightsPolicy BW, 
           UnaryTerm AT, UnaryTerm MT, PointPlacePolicy PP, PastFramePolicy PF, NewBodyPolicy NB,
           PairwisePolicy P, LabelMatchingPolicy LM, ConfidencePolicy C, BirthOriginPolicy BO,
           MotionPriorPolicy MP, PastPolicy Pa, OutlierPolicy O, MarginalizationPolicy M,
-          GaugePolicy G, PromotionPolicy ST, CalibrationPolicy Ca>
+          GaugePolicy G, PromotionPolicy ST, CalibrationPolicy Ca, SolverPolicy S>
 struct Axes {
   using Detections = D;
   using LandmarkAssociation = LA;
@@ -55,6 +56,7 @@ struct Axes {
   using Gauge = G;
   using SpatialTrack = ST;
   using Calibration = Ca;
+  using Solver = S;
 };
 
 // A variant names its policies; one that lacks an axis or a policy that does not fit its axis does
@@ -68,7 +70,7 @@ using AxesOf =
          typename V::Pairwise, typename V::LabelMatching, typename V::Confidence,
          typename V::BirthOrigin, typename V::MotionPrior, typename V::Past, typename V::Outliers,
          typename V::MarginalizationRule, typename V::Gauge, typename V::SpatialTrack,
-         typename V::Calibration>;
+         typename V::Calibration, typename V::Solver>;
 
 template <typename V>
 concept EstimatorVariant = requires {

@@ -100,8 +100,8 @@ class VisualOdometry final : public Odometry {
       const ScopedStage stage(times, "optimize");
       const WindowReport window =
           OptimizeWindow<typename Variant::Gauge, typename Variant::Calibration,
-                         typename Variant::Outliers>(options_.NoiseOfFeatures(), options_.solver,
-                                                     window_);
+                         typename Variant::Outliers, typename Variant::Solver>(
+              options_.NoiseOfFeatures(), options_.solver, window_);
       report.window_landmarks = window.landmarks;
       report.window_iterations = window.iterations;
       report.window_endings = window.endings;
@@ -113,7 +113,8 @@ class VisualOdometry final : public Odometry {
     {
       const ScopedStage stage(times, "optimize_clusters");
       report.cluster_endings =
-          OptimizeClusters<typename Variant::MotionPrior, typename Variant::Outliers>(
+          OptimizeClusters<typename Variant::MotionPrior, typename Variant::Outliers,
+                           typename Variant::Solver>(
               {options_.NoiseOfFeatures(), options_.solver, options_.motion_prior}, window_, pool_,
               clusters_);
     }

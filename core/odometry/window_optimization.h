@@ -5,6 +5,7 @@
 #include "core/estimation/window.h"
 #include "core/estimation/window_policies.h"
 #include "core/estimation/window_problem.h"
+#include "core/solvers/solver_policy.h"
 
 namespace cvo {
 
@@ -24,7 +25,8 @@ double ApplySolution(double gate, const WindowProblem& problem, const std::vecto
 
 // Bundle adjustment of the window (static energy of the paper's section 3.3). `Gauge` says which
 // frames are held, `Calibration` whether camera.right_field_px is.
-template <GaugePolicy Gauge, CalibrationPolicy Calibration, OutlierPolicy Outliers>
+template <GaugePolicy Gauge, CalibrationPolicy Calibration, OutlierPolicy Outliers,
+          SolverPolicy Solver>
 WindowReport OptimizeWindow(const FeatureNoise& noise, const SolverOptions& options,
                             Window& window) {
   WindowProblem problem = MakeFrames(window);
@@ -40,7 +42,7 @@ WindowReport OptimizeWindow(const FeatureNoise& noise, const SolverOptions& opti
   WindowReport report;
   report.landmarks = static_cast<int>(landmarks.size());
   if (landmarks.empty()) return report;
-  const SolverSummary summary = SolveWindow(noise.options, options, problem);
+  const SolverSummary summary = Solver::Solve(noise.options, options, problem);
   report.iterations = summary.iterations;
   report.endings.Count(summary.ending);
   report.right_field_information = summary.shared_information;

@@ -36,18 +36,6 @@ void CheckSteps(const MotionPriorSteps& steps, const ClusterProblem& problem) {
   Require(steps.turn_rad2_s3 >= 0.0, "SolveCluster: turn_rad2_s3 must not be negative");
 }
 
-// Velocity of each frame: from the frame before; the first one's is the second one's.
-void DifferentiatePositions(ClusterProblem& problem) {
-  const std::size_t n = problem.time_s.size();
-  for (std::size_t i = 1; i < n; ++i) {
-    const double dt = problem.time_s[i] - problem.time_s[i - 1];
-    problem.velocity_m_s[i] = (problem.world_from_object[i].translation() -
-                               problem.world_from_object[i - 1].translation()) /
-                              dt;
-  }
-  if (n > 1) problem.velocity_m_s[0] = problem.velocity_m_s[1];
-}
-
 struct ClusterVariables {
   std::vector<RigidTransform> world_from_object;
   std::vector<Eigen::Vector3d> velocity_m_s;
@@ -212,6 +200,17 @@ class ClusterModel {
 };
 
 }  // namespace
+
+void DifferentiatePositions(ClusterProblem& problem) {
+  const std::size_t n = problem.time_s.size();
+  for (std::size_t i = 1; i < n; ++i) {
+    const double dt = problem.time_s[i] - problem.time_s[i - 1];
+    problem.velocity_m_s[i] = (problem.world_from_object[i].translation() -
+                               problem.world_from_object[i - 1].translation()) /
+                              dt;
+  }
+  if (n > 1) problem.velocity_m_s[0] = problem.velocity_m_s[1];
+}
 
 SolverSummary SolveClusterSteps(const NoiseOptions& noise, const SolverOptions& options,
                                 const MotionPriorSteps& steps, ClusterProblem& problem) {

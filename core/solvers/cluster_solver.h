@@ -23,10 +23,13 @@ struct MotionPriorSteps {
 SolverSummary SolveClusterSteps(const NoiseOptions& noise, const SolverOptions& options,
                                 const MotionPriorSteps& steps, ClusterProblem& problem);
 
-// The same with the motion prior of a policy (motion_prior.h).
+// What a solver does after a solution without a prior: the velocity of each frame is that from the
+// frame before, the first one's is the second one's.
+void DifferentiatePositions(ClusterProblem& problem);
+
+// The motion prior of a policy (motion_prior.h) for the problem's frames.
 template <MotionPriorPolicy MotionPrior>
-SolverSummary SolveCluster(const NoiseOptions& noise, const SolverOptions& options,
-                           const MotionPriorOptions& motion, ClusterProblem& problem) {
+MotionPriorSteps StepsOfPrior(const MotionPriorOptions& motion, const ClusterProblem& problem) {
   MotionPriorSteps steps;
   if constexpr (MotionPrior::kLinksFrames) {
     for (std::size_t i = 1; i < problem.time_s.size(); ++i) {
@@ -35,7 +38,7 @@ SolverSummary SolveCluster(const NoiseOptions& noise, const SolverOptions& optio
     }
   }
   if constexpr (MotionPrior::kLinksOrientations) steps.turn_rad2_s3 = motion.turn_q_rad2_s3;
-  return SolveClusterSteps(noise, options, steps, problem);
+  return steps;
 }
 
 }  // namespace cvo

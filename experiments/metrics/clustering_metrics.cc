@@ -60,6 +60,31 @@ Decisions Count(const std::vector<std::vector<Judged>>& frames) {
   return decisions;
 }
 
+// Landmarks in clusters, of standing bodies too, and those of them that lie on the body that most
+// of their cluster's landmarks, in all frames, lie on.
+struct Purity {
+  std::int64_t right = 0, in_clusters = 0;
+};
+
+Purity CountPurity(const ObjectEstimate& estimate) {
+  std::map<int, std::map<int, std::int64_t>> bodies_of_cluster;
+  Purity purity;
+  for (const auto& observed : estimate.landmarks) {
+    for (const LandmarkObservation& landmark : observed) {
+      if (landmark.truth.body < 0 || landmark.cluster <= 0) continue;
+      ++purity.in_clusters;
+      // The static scene is no cluster's body.
+      if (landmark.truth.body > 0) ++bodies_of_cluster[landmark.cluster][landmark.truth.body];
+    }
+  }
+  for (const auto& [cluster, bodies] : bodies_of_cluster) {
+    std::int64_t most = 0;
+    for (const auto& [body, count] : bodies) most = std::max(most, count);
+    purity.right += most;
+  }
+  return purity;
+}
+
 // The cluster of a body; -2, which no landmark has, for one that is matched to none.
 using ClusterOf = std::map<int, std::int64_t>;
 
@@ -189,6 +214,8 @@ std::vector<Metric> ClusteringMetrics(const ObjectTruth& truth, const ObjectEsti
   std::vector<Metric> metrics;
   base.Add(kMovingPrecision, hits, decisions.predicted, metrics);
   base.Add(kMovingRecall, hits, decisions.moving, metrics);
+  const Purity purity = CountPurity(estimate);
+  base.Add(kClusterPurity, static_cast<double>(purity.right), purity.in_clusters, metrics);
   base.Add(kClusteringIou, iou.sum, iou.n, metrics);
   base.Add(kClusteringAri, ari.sum, ari.n, metrics);
   return metrics;

@@ -9,10 +9,11 @@
 
 namespace cvo {
 
-// How well observed landmarks are told apart: moving_precision and moving_recall, clustering_iou
-// (a body's own cluster is the one of `matches`) and clustering_ari. Landmarks of unknown truth and
-// those on a body that has not moved yet count neither way; on one that has stopped they are still
-// an object's. A metric that the landmarks do not determine is absent.
+// How well observed landmarks are told apart: moving_precision and moving_recall; cluster_purity,
+// for which bodies that stand count too; clustering_iou (a body's own cluster is the one of
+// `matches`) and clustering_ari. Landmarks of unknown truth and those on a body that has not moved
+// yet count neither way; on one that has stopped they are still an object's. A metric that the
+// landmarks do not determine is absent.
 std::vector<Metric> ClusteringMetrics(const ObjectTruth& truth, const ObjectEstimate& estimate,
                                       const std::vector<ObjectMatch>& matches);
 

@@ -134,10 +134,11 @@ enum class Aggregation {
   kExtraClusters,
   kMovingOfReported,
   kReportedOfMoving,
+  kOnBodyOfCluster,
   kMeanOverlap,
   kMeanRandIndex
 };
-constexpr std::array<const char*, 20> EnumNames(Aggregation) {
+constexpr std::array<const char*, 21> EnumNames(Aggregation) {
   return {
       "fraction with an estimate",
       "root mean square of position errors",
@@ -160,6 +161,9 @@ constexpr std::array<const char*, 20> EnumNames(Aggregation) {
       "together",
       "fraction in a cluster other than the static scene of those that are moving, all frames "
       "together",
+      "fraction on the body that most landmarks of their cluster in all frames lie on of those in "
+      "a "
+      "cluster other than the static scene, standing bodies included",
       "intersection over union per body and its matched cluster (the static scene is one, a body "
       "without a cluster has 0), mean over those seen in the frame, mean over frames",
       "adjusted Rand index per frame, a landmark of no cluster alone; mean over frames"};

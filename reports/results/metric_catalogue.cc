@@ -161,6 +161,10 @@ constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
               "moving precision", "Fraction of the landmarks labelled as moving that do move."),
     Landmarks(kMovingRecall, "moving_recall", P::kObservations, S::kReportedOfMoving,
               "moving recall", "Fraction of the moving landmarks that are labelled as moving."),
+    Landmarks(kClusterPurity, "cluster_purity", P::kObservations, S::kOnBodyOfCluster,
+              "cluster purity",
+              "Fraction of the landmarks in clusters that lie on the true body of their cluster, "
+              "whether it moves or stands."),
     Landmarks(kClusteringIou, "clustering_iou", P::kFramesWithLandmarks, S::kMeanOverlap,
               "clustering IoU",
               "Overlap of the landmarks of a cluster with those of its true object."),

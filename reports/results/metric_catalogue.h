@@ -44,6 +44,7 @@ enum class MetricId {
   kObjectUnmatchedClusters,
   kMovingPrecision,
   kMovingRecall,
+  kClusterPurity,
   kClusteringIou,
   kClusteringAri,
 };

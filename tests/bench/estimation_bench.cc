@@ -5,7 +5,7 @@
 #include "core/base/rng.h"
 #include "core/estimation/camera_solver.h"
 #include "core/estimation/marginalization.h"
-#include "core/solvers/cluster_solver.h"
+#include "core/solvers/solver_policy.h"
 #include "tests/support/feature_world.h"
 #include "variants/registry.h"
 

@@ -16,9 +16,9 @@ struct SourceFile {
 // Each check returns one line "<path>:<line>: <what is wrong>" per violation.
 
 // The arrows between the parts: core/base <- geometry <- features <- association <- clustering <-
-// solvers <- estimation <- interface <- clusters <- labelling <- odometry <- variants <-
-// experiments; reports and synth beside them. Also the system and library headers that a part must
-// not use (files, JSON, clocks in the estimator).
+// solvers <- estimation <- interface <- clusters <- labelling <- odometry <- ceres <-
+// variants <- experiments; reports and synth beside them. Also the system and library headers that
+// a part must not use (files, JSON, clocks in the estimator).
 std::vector<std::string> CheckIncludes(const SourceFile& file);
 
 // The two-line SPDX header, after an interpreter line if there is one.

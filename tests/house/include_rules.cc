@@ -29,8 +29,9 @@ const std::vector<std::string>& NoFiles() {
 std::vector<Part> CoreParts() {
   std::vector<Part> parts;
   std::vector<std::string> below;
-  for (const char* layer : {"base", "geometry", "features", "association", "clustering", "solvers",
-                            "estimation", "interface", "clusters", "labelling", "odometry"}) {
+  for (const char* layer :
+       {"base", "geometry", "features", "association", "clustering", "solvers", "estimation",
+        "interface", "clusters", "labelling", "odometry", "ceres"}) {
     below.push_back(StrCat("core/", layer, "/"));
     std::vector<std::string> banned = NoFiles();
     if (layer != std::string("base")) banned.emplace_back("chrono");  // no clock steers a result

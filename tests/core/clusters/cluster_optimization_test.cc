@@ -56,7 +56,7 @@ struct Moving {
   }
   template <OutlierPolicy Outliers = RemoveOutliers>
   SolverEndings Optimize() {
-    return OptimizeClusters<WhiteNoiseOnAcceleration, Outliers>(
+    return OptimizeClusters<WhiteNoiseOnAcceleration, Outliers, OwnSchur>(
         {options.NoiseOfFeatures(), options.solver, options.motion_prior}, window, pool, map);
   }
 };

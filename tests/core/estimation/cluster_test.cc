@@ -6,16 +6,16 @@
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
-#include "core/solvers/cluster_solver.h"
-#include "tests/support/ceres_costs.h"
+#include "core/ceres/ceres_costs.h"
+#include "core/solvers/solver_policy.h"
 #include "tests/support/gradient_check.h"
 
 namespace cvo {
 namespace {
 
-using test::ObjectReprojectionCost;
-using test::PointPriorCost;
-using test::PoseManifold;
+using ceres_costs::ObjectReprojectionCost;
+using ceres_costs::PointPriorCost;
+using ceres_costs::PoseManifold;
 
 const StereoCamera kCamera = {.fx = 500,
                               .fy = 500,
@@ -91,11 +91,12 @@ TEST(ObjectReprojectionCost, IsZeroAtTheTruthAndFiniteBehindTheCamera) {
   const Eigen::Vector3d p_in_object(0.4, -0.3, 0.8);
   const Eigen::Vector3d z = *kCamera.Project(camera.Inverse() * (object * p_in_object));
   const Eigen::Matrix3d W = Eigen::Matrix3d::Identity();
-  EXPECT_LT(test::EvaluateObjectReprojection(kCamera, z, W, camera, object, p_in_object).r.norm(),
-            1e-9);
+  EXPECT_LT(
+      ceres_costs::EvaluateObjectReprojection(kCamera, z, W, camera, object, p_in_object).r.norm(),
+      1e-9);
   const RigidTransform behind(ExpSo3({0.4, 0.5, -0.3}), Eigen::Vector3d(1.5, 1.0, -12.0));
-  EXPECT_TRUE(
-      test::EvaluateObjectReprojection(kCamera, z, W, camera, behind, p_in_object).r.allFinite());
+  EXPECT_TRUE(ceres_costs::EvaluateObjectReprojection(kCamera, z, W, camera, behind, p_in_object)
+                  .r.allFinite());
 }
 
 TEST(ObjectReprojectionCost, JacobiansMatchDifferences) {

@@ -7,16 +7,16 @@
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
+#include "core/ceres/ceres_costs.h"
 #include "core/estimation/motion_extrapolation.h"
 #include "core/solvers/motion_prior_cost.h"
-#include "tests/support/ceres_costs.h"
 #include "tests/support/gradient_check.h"
 
 namespace cvo {
 namespace {
 
-using test::MotionPriorCost;
-using test::PoseManifold;
+using ceres_costs::MotionPriorCost;
+using ceres_costs::PoseManifold;
 
 Eigen::Vector3d RandomVector(Rng& rng) { return {rng.Normal(), rng.Normal(), rng.Normal()}; }
 

@@ -5,17 +5,17 @@
 #include <cmath>
 
 #include "core/base/rng.h"
+#include "core/ceres/ceres_costs.h"
 #include "core/solvers/measurement_noise.h"
 #include "core/solvers/reprojection_cost.h"
-#include "tests/support/ceres_costs.h"
 #include "tests/support/gradient_check.h"
 
 namespace cvo {
 namespace {
 
-using test::PoseManifold;
-using test::PriorCost;
-using test::ReprojectionCost;
+using ceres_costs::PoseManifold;
+using ceres_costs::PriorCost;
+using ceres_costs::ReprojectionCost;
 
 const StereoCamera kCamera = {.fx = 700,
                               .fy = 690,

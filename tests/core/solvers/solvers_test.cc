@@ -7,10 +7,10 @@
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
+#include "core/ceres/ceres_solvers.h"
 #include "core/solvers/cluster_solver.h"
 #include "core/solvers/schur_minimizer.h"
 #include "core/solvers/schur_reprojection.h"
-#include "tests/support/ceres_solvers.h"
 #include "tests/support/gradient_check.h"
 
 namespace cvo {
@@ -78,7 +78,7 @@ void ExpectAgreement(const WindowProblem& problem) {
   WindowProblem own = problem;
   WindowProblem reference = problem;
   const SolverSummary own_summary = SolveWindow({}, kToConvergence, own);
-  const SolverSummary summary = test::SolveWindowWithCeres({}, kToConvergence, reference);
+  const SolverSummary summary = CeresSolver::Solve({}, kToConvergence, reference);
   EXPECT_NEAR(own_summary.initial_cost / summary.initial_cost, 1.0, 1e-9);
   EXPECT_NEAR(own_summary.final_cost / summary.final_cost, 1.0, 1e-6);
   EXPECT_LT(own_summary.final_cost, 0.9 * own_summary.initial_cost);
@@ -208,11 +208,12 @@ TEST(SolveCluster, AgreesWithCeres) {
   for (const double q : {0.0, 0.05, 1.0, 300.0}) {
     const ClusterProblem problem = RandomCluster(8, 30, rng);
     const std::vector<double> q_by_step(q > 0.0 ? 7 : 0, q);
+    const double turn = q < 1.0 ? 0.0 : 0.1 * q;
     ClusterProblem own = problem;
     ClusterProblem reference = problem;
-    const SolverSummary own_summary = SolveClusterSteps({}, kToConvergence, {q_by_step}, own);
+    const SolverSummary own_summary = SolveClusterSteps({}, kToConvergence, {q_by_step, turn}, own);
     const SolverSummary summary =
-        test::SolveClusterWithCeres({}, kToConvergence, q_by_step, reference);
+        CeresSolver::Solve({}, kToConvergence, {q_by_step, turn}, reference);
     EXPECT_NEAR(own_summary.initial_cost / summary.initial_cost, 1.0, 1e-9);
     EXPECT_NEAR(own_summary.final_cost / summary.final_cost, 1.0, 1e-6);
     for (std::size_t i = 0; i < own.time_s.size(); ++i) {

@@ -63,6 +63,25 @@ TEST(ClusteringMetrics, HandComputed) {
   EXPECT_DOUBLE_EQ(world("clustering_ari"), (31.0 - chance) / (0.5 * (56.0 + 49.0) - chance));
 }
 
+TEST(ClusteringMetrics, PurityIsOfTheBodyThatMostOfAClusterLiesOn) {
+  World world(2);
+  Observe(world.estimate, 0, 1, 1, 6);   // cluster 1 is body 1
+  Observe(world.estimate, 1, 1, 2, 2);   // of another body
+  Observe(world.estimate, 1, 1, 0, 1);   // of the background
+  Observe(world.estimate, 1, 1, -1, 5);  // not known
+  Observe(world.estimate, 1, 0, 2, 4);   // in no cluster
+  for (int i = 0; i < 3; ++i) {
+    world.estimate.landmarks[0].push_back({2, {2, PointMotion::kStill}});
+  }
+  EXPECT_EQ(world("cluster_purity"), 9.0 / 12.0);
+}
+
+TEST(ClusteringMetrics, AClusterOfBackgroundHasNoBody) {
+  World world(1, 1);
+  Observe(world.estimate, 0, 1, 0, 4);
+  EXPECT_EQ(world("cluster_purity"), 0.0);
+}
+
 TEST(ClusteringMetrics, StandingBodiesDoNotCount) {
   World world(1);
   Observe(world.estimate, 0, 0, 0, 5);

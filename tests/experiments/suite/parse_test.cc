@@ -243,7 +243,7 @@ TEST(Suite, FindsSceneFilesBesideTheSuite) {
 
 TEST(ShippedSuites, EveryVariantIsInOneOfThem) {
   std::set<std::string> names;
-  for (const char* suite : {"ablation_all", "corrections"}) {
+  for (const char* suite : {"ablation_all", "corrections", "backends"}) {
     const std::vector<std::string> variants = LoadSuite(suite).variants;
     names.insert(variants.begin(), variants.end());
   }

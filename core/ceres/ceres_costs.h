@@ -5,12 +5,14 @@
 #include <ceres/manifold.h>
 #include <ceres/sized_cost_function.h>
 
+#include <array>
+
 #include "core/solvers/cluster_problem.h"
 #include "core/solvers/motion_prior_cost.h"
 #include "core/solvers/reprojection_cost.h"
 #include "core/solvers/window_prior.h"
 
-namespace cvo::test {
+namespace cvo::ceres_costs {
 
 // RigidTransform::Plus and Minus for Ceres. The costs below write their Jacobians with
 // respect to the tangent into the first six of the block's seven columns, so PlusJacobian is
@@ -122,4 +124,17 @@ class MotionPriorCost final : public ceres::SizedCostFunction<6, 7, 3, 7, 3> {
   MotionPriorFactors factors_;
 };
 
-}  // namespace cvo::test
+// EvaluateTurnPrior; blocks: world_from_object (7, PoseManifold) of three frames in a row.
+class TurnPriorCost final : public ceres::SizedCostFunction<3, 7, 7, 7> {
+ public:
+  TurnPriorCost(double power_density_rad2_s3, const std::array<double, 2>& dt_s)
+      : power_density_rad2_s3_(power_density_rad2_s3), dt_s_(dt_s) {}
+
+  bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override;
+
+ private:
+  double power_density_rad2_s3_;
+  std::array<double, 2> dt_s_;
+};
+
+}  // namespace cvo::ceres_costs

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/ceres_costs.h"
+#include "core/ceres/ceres_costs.h"
 
 #include <algorithm>
 
-namespace cvo::test {
+namespace cvo::ceres_costs {
 namespace {
 
 using PoseJacobian = Eigen::Matrix<double, 6, 7, Eigen::RowMajor>;
@@ -170,4 +170,24 @@ bool MotionPriorCost::Evaluate(double const* const* blocks, double* residuals,
   return true;
 }
 
-}  // namespace cvo::test
+bool TurnPriorCost::Evaluate(double const* const* blocks, double* residuals,
+                             double** jacobians) const {
+  std::array<Eigen::Quaterniond, 3> world_from_object;
+  for (int i = 0; i < 3; ++i) {
+    world_from_object[i] = Eigen::Map<const Eigen::Quaterniond>(blocks[i]);
+  }
+  const TurnPrior value = EvaluateTurnPrior(power_density_rad2_s3_, dt_s_, world_from_object);
+  Eigen::Map<Eigen::Vector3d> r(residuals);
+  r = value.r;
+  if (!jacobians) return true;
+  for (int i = 0; i < 3; ++i) {
+    if (!jacobians[i]) continue;
+    Eigen::Map<Eigen::Matrix<double, 3, 7, Eigen::RowMajor>> J(jacobians[i]);
+    J.setZero();
+    // Theirs is by turns about world axes, the manifold's about the body's.
+    J.leftCols<3>() = value.J[i] * world_from_object[i].toRotationMatrix();
+  }
+  return true;
+}
+
+}  // namespace cvo::ceres_costs

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/solvers/cluster_solver.h"
+#include "core/solvers/window_solver.h"
+
+namespace cvo {
+
+// Policy (SolverPolicy): the same energies by the library Ceres: dense Schur complement, one
+// thread, the same limits.
+struct CeresSolver {
+  static SolverSummary Solve(const NoiseOptions& noise, const SolverOptions& options,
+                             WindowProblem& problem);
+  static SolverSummary Solve(const NoiseOptions& noise, const SolverOptions& options,
+                             const MotionPriorSteps& steps, ClusterProblem& problem);
+};
+
+}  // namespace cvo

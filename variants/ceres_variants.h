@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/ceres/ceres_solvers.h"
+#include "variants/ablations.h"
+#include "variants/clustervo.h"
+
+namespace cvo {
+
+// Each solves its windows with the library Ceres, else as OwnSolver.
+struct FullCeres : Full {
+  using OwnSolver = Full;
+  static constexpr std::string_view kName = "full_ceres";
+  static constexpr std::string_view kChanges = "full; windows are solved by Ceres";
+  using Solver = CeresSolver;
+};
+
+struct ClusterVoCeres : ClusterVo {
+  using OwnSolver = ClusterVo;
+  static constexpr std::string_view kName = "clustervo_ceres";
+  static constexpr std::string_view kChanges = "clustervo; windows are solved by Ceres";
+  using Solver = CeresSolver;
+};
+
+struct StaticCeres : Static {
+  using OwnSolver = Static;
+  static constexpr std::string_view kName = "static_ceres";
+  static constexpr std::string_view kChanges = "static; windows are solved by Ceres";
+  using Solver = CeresSolver;
+};
+
+}  // namespace cvo
