@@ -79,7 +79,8 @@ struct SolverSummary {
   int iterations = 0;
   double initial_cost = 0.0;
   double final_cost = 0.0;
-  // Of the variables that the points share, all others summed out; zero where there are none.
+  // Of the variables that the points share, all others summed out; zero where there are none, or
+  // where the solver does not compute it (Ceres).
   Matrix6d shared_information = Matrix6d::Zero();
 };
 
