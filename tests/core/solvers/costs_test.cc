@@ -95,7 +95,7 @@ TEST(ReprojectionCost, JacobiansMatchDifferences) {
         pose * Eigen::Vector3d(rng.Uniform(-4, 4), rng.Uniform(-2, 2), rng.Uniform(4, 40));
     const ReprojectionCost cost(kCamera, {610, 170, 580}, SqrtInformation({}, 1.44));
     EXPECT_TRUE(test::CostJacobiansMatch(
-        cost, {{Block(pose), &manifold}, {point, nullptr}, {Eigen::VectorXd::Constant(1, 0.1)}},
+        cost, {{Block(pose), &manifold}, {point, nullptr}, {Eigen::VectorXd::Constant(6, 0.1)}},
         1e-5));
   }
 }
