@@ -12,13 +12,13 @@
 namespace cvo {
 namespace {
 
-constexpr StereoCamera kCamera = {.fx = 700,
-                                  .fy = 700,
-                                  .cx = 600,
-                                  .cy = 180,
-                                  .baseline_m = 0.54,
-                                  .width_px = 1242,
-                                  .height_px = 375};
+const StereoCamera kCamera = {.fx = 700,
+                              .fy = 700,
+                              .cx = 600,
+                              .cy = 180,
+                              .baseline_m = 0.54,
+                              .width_px = 1242,
+                              .height_px = 375};
 
 CrfLabel BodyLabel(Rng& rng) {
   CrfLabel label;

@@ -6,14 +6,14 @@
 
 namespace cvo::test {
 
-inline constexpr StereoCamera kSceneCamera = {.fx = 700,
-                                              .fy = 700,
-                                              .cx = 600,
-                                              .cy = 180,
-                                              .baseline_m = 0.5,
-                                              .width_px = 1242,
-                                              .height_px = 375,
-                                              .right_shift_px = 0.1};
+inline const StereoCamera kSceneCamera = {.fx = 700,
+                                          .fy = 700,
+                                          .cx = 600,
+                                          .cy = 180,
+                                          .baseline_m = 0.5,
+                                          .width_px = 1242,
+                                          .height_px = 375,
+                                          .right_shift_px = 0.1};
 
 inline CrfLabel MakeLabel(LabelKind kind) {
   CrfLabel label;
