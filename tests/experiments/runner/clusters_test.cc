@@ -77,7 +77,8 @@ class BoxOdometry : public Odometry {
 std::unique_ptr<Odometry> Make(const OdometrySetup&, TaskPool&) {
   return std::make_unique<BoxOdometry>();
 }
-const VariantInfo kBoxes{"boxes", "", &Make};
+Options Defaults() { return {}; }
+const VariantInfo kBoxes{"boxes", "", &Defaults, &Make};
 
 class RunnerClusters : public testing::Test {
  protected:

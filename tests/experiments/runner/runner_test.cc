@@ -95,9 +95,11 @@ std::unique_ptr<Odometry> Make(const OdometrySetup& setup, TaskPool& pool) {
   return std::make_unique<T>(setup, pool);
 }
 
-const VariantInfo kFake{"fake", "", &Make<FakeOdometry>};
-const VariantInfo kFailing{"failing", "", &Make<FailingOdometry>};
-const VariantInfo kLosing{"losing", "", &Make<LosingOdometry>};
+Options Defaults() { return {}; }
+
+const VariantInfo kFake{"fake", "", &Defaults, &Make<FakeOdometry>};
+const VariantInfo kFailing{"failing", "", &Defaults, &Make<FailingOdometry>};
+const VariantInfo kLosing{"losing", "", &Defaults, &Make<LosingOdometry>};
 
 Sequence Open(const std::filesystem::path& folder) {
   SequenceRequest request;
