@@ -63,13 +63,17 @@ void AddPrior(WindowProblem& problem, PriorCost& cost, ceres::Problem& ceres_pro
   ceres_problem.AddResidualBlock(&cost, nullptr, blocks);
 }
 
+// Within a group Ceres goes by addresses, which are not the same twice: each kind of unknown,
+// stored in one piece, has a group of its own. Points are eliminated first.
+enum OrderingGroup { kPoints, kPoses, kVelocities, kField };
+
 Ordering OrderingOf(WindowProblem& problem) {
   auto ordering = std::make_shared<ceres::ParameterBlockOrdering>();
-  for (Eigen::Vector3d& point : problem.points) ordering->AddElementToGroup(point.data(), 0);
+  for (Eigen::Vector3d& point : problem.points) ordering->AddElementToGroup(point.data(), kPoints);
   for (RigidTransform& pose : problem.world_from_camera) {
-    ordering->AddElementToGroup(pose.data(), 1);
+    ordering->AddElementToGroup(pose.data(), kPoses);
   }
-  ordering->AddElementToGroup(problem.camera.right_field_px.data(), 1);
+  ordering->AddElementToGroup(problem.camera.right_field_px.data(), kField);
   return ordering;
 }
 
@@ -87,7 +91,8 @@ class CeresCluster {
       AddTurn(steps.turn_rad2_s3, i);
     }
     if (steps.power_densities.empty()) return;
-    for (Eigen::Vector3d& v : problem.velocity_m_s) ordering_->AddElementToGroup(v.data(), 1);
+    for (Eigen::Vector3d& v : problem.velocity_m_s)
+      ordering_->AddElementToGroup(v.data(), kVelocities);
   }
 
   SolverSummary Minimize(const SolverOptions& options) {
@@ -98,13 +103,13 @@ class CeresCluster {
   void AddPosesAndPoints() {
     for (RigidTransform& pose : problem_.world_from_object) {
       ceres_problem_.AddParameterBlock(pose.data(), 7, &manifold_);
-      ordering_->AddElementToGroup(pose.data(), 1);
+      ordering_->AddElementToGroup(pose.data(), kPoses);
     }
     ceres_problem_.SetParameterBlockConstant(problem_.world_from_object[0].data());
     for (std::size_t i = 0; i < problem_.points.size(); ++i) {
       double* point = problem_.points[i].data();
       ceres_problem_.AddParameterBlock(point, 3);
-      ordering_->AddElementToGroup(point, 0);
+      ordering_->AddElementToGroup(point, kPoints);
       if (problem_.point_priors[i].sqrt_information.isZero(0.0)) continue;
       points_.emplace_back(problem_.point_priors[i]);
       ceres_problem_.AddResidualBlock(&points_.back(), nullptr, point);

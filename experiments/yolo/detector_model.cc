@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/dnn.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -63,6 +64,10 @@ cv::dnn::Net ReadNetwork(const DetectorFiles& files) {
       files.weights.empty() ? fs::path(files.model).replace_extension(".weights") : files.weights;
   const std::string cfg = ReadFileBytes(files.model);
   const std::string weights = ReadFileBytes(weights_file);
+  constexpr std::size_t kHeaderBytes = 20;  // version and number of images seen
+  if (weights.size() <= kHeaderBytes) {
+    ThrowError(weights_file.string(), StrCat(weights.size(), " bytes"), "weights of Darknet");
+  }
   return OrError(weights_file, "the weights of this Darknet network", [&] {
     return cv::dnn::readNetFromDarknet(cfg.data(), cfg.size(), weights.data(), weights.size());
   });
@@ -122,6 +127,8 @@ struct DetectorModel::Network {
 };
 
 DetectorModel::DetectorModel(const DetectorFiles& files) : network_(new Network) {
+  // What goes wrong is said once, by the error.
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   Network& network = *network_;
   network.files = files;
   network.names = ReadNames(files.names);

@@ -51,7 +51,7 @@ TEST_F(Cli, WrongUsage) {
   EXPECT_THAT(RunProgram({}), FailsWith(2, "subcommand"));
   EXPECT_THAT(RunProgram({"runn"}), FailsWith(2, "did you mean run"));
   EXPECT_THAT(RunProgram({"run", tiny()}), FailsWith(2, "--output"));
-  EXPECT_THAT(RunProgram({"run", "-o", out()}), FailsWith(2, "SEQUENCE"));
+  EXPECT_THAT(RunProgram({"run", "-o", out()}), FailsWith(2, "no sequence"));
   EXPECT_THAT(FailingRun({"--no-such-option"}), FailsWith(2, "--no-such-option"));
   EXPECT_THAT(FailingRun({"--threads", "0"}), FailsWith(2, "--threads"));
   EXPECT_THAT(FailingRun({"--threads", "2x"}), FailsWith(2, "--threads"));

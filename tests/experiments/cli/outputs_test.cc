@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/runner/tiny_sequence.h"
+#include "tests/experiments/yolo/tiny_network.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo {
@@ -66,6 +67,8 @@ class CliOutputs : public testing::Test {
   static void SetUpTestSuite() {
     folder_ = std::make_unique<test::TempFolder>();
     test::WriteTinySequence(Path("data/wall"), 4);
+    test::WriteTinyNetwork(*folder_);
+    folder_->Write("two.names", "person\ncar\n");
     folder_->Write("suite.json",
                    "{\"name\": \"small\", \"sequences\": [{\"folder\": \"wall\"}], \"variants\": "
                    "[\"static\"], \"seeds\": 2, \"table\": {\"rows\": [\"variant\"], "
@@ -116,6 +119,10 @@ class CliOutputs : public testing::Test {
         {"run", Path("data/wall"), "-o", out},
         {"eval", "--sequence", Path("data/wall"), "--estimate", Path("run/camera.tum"), "-o", out},
         {"overlay", Path("run"), "-o", out},
+        {"detect", Path("data/wall"), "--model", Path("tiny.cfg"), "--names", Path("two.names"),
+         "-o", out + "/boxes.txt"},
+        {"import", "--left", Path("data/wall/image_0"), "--right", Path("data/wall/image_1"),
+         "--calib", Path("data/wall/calib.txt"), "-o", out},
         {"figures", Path("suite"), "-o", out, "--format", "json"},
         {"report", Path("suite"), "-o", out},
         {"synth", "render", "tiny", "-o", out},
@@ -139,7 +146,7 @@ TEST_F(CliOutputs, NothingIsWrittenIntoASequence) {
   fs::create_directory_symlink(Path("data/wall/image_0"), Path("link"));
   for (const Arguments& arguments : WritersTo(Path("link"))) ExpectRefused(arguments);
   for (const char* place : {"data/wall", "data/wall/image_0", "data/wall/new/below"}) {
-    for (std::size_t i : {0U, 5U, 10U}) ExpectRefused(WritersTo(Path(place))[i]);
+    for (std::size_t i : {0U, 7U, 12U}) ExpectRefused(WritersTo(Path(place))[i]);
   }
 }
 
@@ -183,6 +190,10 @@ TEST_F(CliOutputs, FailedOutputIsAnError) {
       {"eval", "--groundtruth", run + "/camera.tum", "--estimate", run + "/camera.tum"},
       {"eval", "--groundtruth", run + "/camera.tum", "--estimate", run + "/camera.tum", "--json"},
       {"eval", "--sequence", wall, "--estimate", run + "/camera.tum", "--json"},
+      {"detect", wall, "--model", Path("tiny.cfg"), "--names", Path("two.names"), "-o",
+       Path("boxes.txt")},
+      {"import", "--left", wall + "/image_0", "--right", wall + "/image_1", "--calib",
+       wall + "/calib.txt", "-o", Path("imported")},
       {"info", wall},
       {"info", wall, "--json"},
       {"variants"},

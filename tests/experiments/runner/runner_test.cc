@@ -132,6 +132,7 @@ class Runner : public testing::Test {
 
 TEST_F(Runner, PerturbationsDropFramesAndChangePixelsAndIdentity) {
   const RunResult plain = RunSequence(Request()).value();
+  EXPECT_EQ(ResultOf(plain).find("perturbation"), std::string::npos);
   sequence_.perturbation.drop_rate = 1.0;
   const RunResult dropped = RunSequence(Request()).value();
   EXPECT_EQ(dropped.frames[0].report.status, FrameStatus::kFirst);
@@ -141,7 +142,6 @@ TEST_F(Runner, PerturbationsDropFramesAndChangePixelsAndIdentity) {
   }
   EXPECT_NE(dropped.content, plain.content);
   EXPECT_THAT(ResultOf(dropped), HasSubstr("\"drop_rate\""));
-  EXPECT_EQ(ResultOf(plain).find("perturbation"), std::string::npos);
   sequence_.perturbation = {.blur_px = 3.0};
   const RunResult blurred = RunSequence(Request()).value();
   EXPECT_NE(blurred.frames[1].report.features, plain.frames[1].report.features);
