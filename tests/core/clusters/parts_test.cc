@@ -11,6 +11,7 @@
 #include "core/clusters/cluster_association.h"
 #include "core/clusters/cluster_map.h"
 #include "core/clusters/cluster_prediction.h"
+#include "tests/core/clusters/small_windows.h"
 
 namespace cvo {
 namespace {
@@ -19,40 +20,12 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-constexpr std::int64_t kInterval_ns = 100'000'000;
-const StereoCamera kCamera = {.fx = 450,
-                              .fy = 450,
-                              .cx = 320,
-                              .cy = 240,
-                              .baseline_m = 0.3,
-                              .width_px = 640,
-                              .height_px = 480};
-
-RigidTransform At(double x, double y, double z, double yaw = 0.0) {
-  return {ExpSo3({0.0, yaw, 0.0}), Eigen::Vector3d(x, y, z)};
-}
-
-ClusterState StateAt(std::int64_t frame, const RigidTransform& world_from_object,
-                     const Eigen::Vector3d& velocity_m_s = Eigen::Vector3d::Zero()) {
-  return {FrameId{frame}, frame * kInterval_ns, world_from_object, velocity_m_s};
-}
-
-Landmark MakeLandmark(std::int64_t id, std::vector<std::int64_t> frames) {
-  Landmark landmark;
-  landmark.id = LandmarkId{id};
-  for (const std::int64_t frame : frames) {
-    landmark.observations.push_back({FrameId{frame}, {300.0, 200.0, 280.0}, 0});
-    landmark.last_seen = FrameId{frame};
-  }
-  return landmark;
-}
-
-Window WindowOf(std::int64_t first, std::int64_t last) {
-  Window window;
-  window.camera = kCamera;
-  for (std::int64_t f = first; f <= last; ++f) window.temporal.push_back({FrameId{f}, {}, false});
-  return window;
-}
+using test::At;
+using test::kCamera;
+using test::kInterval_ns;
+using test::MakeLandmark;
+using test::StateAt;
+using test::WindowOf;
 
 std::vector<std::int64_t> Ids(const std::vector<Landmark>& landmarks) {
   std::vector<std::int64_t> ids;
