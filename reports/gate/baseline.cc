@@ -41,6 +41,22 @@ const char* BaselineMetric::Better(const std::string& name) {
   return entry->higher_is_better() ? "higher" : "lower";
 }
 
+std::string BaselineText(const Baseline& baseline) {
+  const Json file = FileJson(baseline);
+  std::string text;
+  for (const auto& [key, value] : file.items()) {
+    text += StrCat(text.empty() ? "{\n " : ",\n ", Json(key).dump(), ": ");
+    if (key != "metrics" && key != "jobs") {
+      text += value.dump();
+      continue;
+    }
+    std::string rows;
+    for (const Json& row : value) rows += StrCat(rows.empty() ? "\n  " : ",\n  ", row.dump());
+    text += StrCat("[", rows, "\n ]");
+  }
+  return text + "\n}\n";
+}
+
 Baseline ReadBaseline(const std::filesystem::path& file) {
   auto baseline = ReadRecord<Baseline>(file);
   CheckJobs(baseline, file.string());

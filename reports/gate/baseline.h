@@ -92,4 +92,7 @@ struct Baseline {
 // a job twice, nothing to compare.
 Baseline ReadBaseline(const std::filesystem::path& file);
 
+// Its file with a line per metric and per run, so that a renewed one differs where runs do.
+std::string BaselineText(const Baseline& baseline);
+
 }  // namespace cvo::reports

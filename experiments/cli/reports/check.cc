@@ -32,7 +32,7 @@ std::vector<std::filesystem::path> ReadBy(const CheckFlags& flags) {
 int WriteBaseline(const CheckFlags& flags) {
   CheckOutputFile(flags.write_baseline, ReadBy(flags));
   const reports::Baseline baseline = reports::MakeBaseline(flags.folder, flags.gate_seeds);
-  WriteOutputFile(flags.write_baseline, FileText(baseline), ReadBy(flags));
+  WriteOutputFile(flags.write_baseline, reports::BaselineText(baseline), ReadBy(flags));
   std::cout << baseline.suite << ": " << baseline.jobs.size() << " runs with "
             << baseline.metrics.size() << " metrics; checked runs need " << baseline.seeds.size()
             << " seeds\nwritten: " << flags.write_baseline << '\n';

@@ -26,6 +26,11 @@ TEST(Baseline, ReadsBackAsWritten) {
   const std::string text = FileText(baseline);
   const Baseline again = ReadBaseline(temp.Write("b.json", text));
   EXPECT_EQ(FileText(again), text);
+  const std::string lines = BaselineText(baseline);
+  EXPECT_EQ(ParseJson(lines, "lines"), ParseJson(text, "text"));
+  EXPECT_EQ(
+      static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n')),
+      baseline.metrics.size() + baseline.jobs.size() + 11);  // braces, 7 keys, 2 ends of lists
   EXPECT_EQ(again.suite, "gate");
   EXPECT_EQ(again.build.identity, "abc");
   EXPECT_EQ(again.build.commit, "0123456789abcdef");
