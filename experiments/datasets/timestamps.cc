@@ -3,6 +3,7 @@
 #include "experiments/datasets/timestamps.h"
 
 #include <chrono>
+#include <cmath>
 #include <string>
 
 #include "core/base/error.h"
@@ -82,11 +83,10 @@ std::vector<std::int64_t> ReadSecondsTimes(const std::filesystem::path& path) {
   return times;
 }
 
-std::vector<std::int64_t> NominalTimes(std::size_t frames) {
-  constexpr std::int64_t kPeriod_ns = 100'000'000;
+std::vector<std::int64_t> NominalTimes(std::size_t frames, double rate_hz) {
   std::vector<std::int64_t> times;
   for (std::size_t i = 0; i < frames; ++i) {
-    times.push_back(static_cast<std::int64_t>(i) * kPeriod_ns);
+    times.push_back(std::llround(1e9 * static_cast<double>(i) / rate_hz));
   }
   return times;
 }

@@ -18,7 +18,7 @@ namespace cvo {
 std::vector<std::int64_t> ReadDateTimes(const std::filesystem::path& path);     // KITTI raw
 std::vector<std::int64_t> ReadSecondsTimes(const std::filesystem::path& path);  // KITTI odometry
 
-// Frames 0, 1, ... at 10 Hz, where a data set has no timestamps.
-std::vector<std::int64_t> NominalTimes(std::size_t frames);
+// Frames 0, 1, ... at one rate, where nothing has timestamps; KITTI's is 10 Hz.
+std::vector<std::int64_t> NominalTimes(std::size_t frames, double rate_hz = 10.0);
 
 }  // namespace cvo

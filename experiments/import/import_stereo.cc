@@ -12,6 +12,7 @@
 #include "core/files/sha256.h"
 #include "core/files/temporary.h"
 #include "core/files/text_file.h"
+#include "experiments/datasets/timestamps.h"
 #include "experiments/import/rectification.h"
 #include "experiments/import/rig_file.h"
 #include "experiments/import/stereo_source.h"
@@ -107,20 +108,12 @@ struct Times {
   std::vector<std::int64_t> ns;
 };
 
-Times NominalTimes(const char* source, double rate_hz, std::size_t count) {
-  Times times{source, {}};
-  for (std::size_t i = 0; i < count; ++i) {
-    times.ns.push_back(std::llround(1e9 * static_cast<double>(i) / rate_hz));
-  }
-  return times;
-}
-
 Times TimesOf(const StereoImport& request, const ImageSource& left, std::size_t count) {
   if (!request.times.empty()) return {"file", ReadTimes(request.times, count)};
   Times times{"names", TimesOfNames(left.files())};
   if (!times.ns.empty()) return times;
-  if (left.rate_hz() > 0.0) return NominalTimes("video", left.rate_hz(), count);
-  return NominalTimes("nominal", request.rate_hz, count);
+  if (left.rate_hz() > 0.0) return {"video", NominalTimes(count, left.rate_hz())};
+  return {"nominal", NominalTimes(count, request.rate_hz)};
 }
 
 void CheckSize(const StereoRig& rig, const cv::Size& size, const fs::path& calibration) {

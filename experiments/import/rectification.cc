@@ -13,9 +13,14 @@
 namespace cvo {
 namespace {
 
-cv::Mat MatrixOf(const LensCamera& camera) {
-  return (cv::Mat_<double>(3, 3) << camera.fx, 0.0, camera.cx, 0.0, camera.fy, camera.cy, 0.0, 0.0,
-          1.0);
+cv::Mat MatrixOf(double fx, double fy, double cx, double cy) {
+  return (cv::Mat_<double>(3, 3) << fx, 0.0, cx, 0.0, fy, cy, 0.0, 0.0, 1.0);
+}
+
+// Of a LensCamera or a StereoCamera.
+template <typename Camera>
+cv::Mat MatrixOf(const Camera& camera) {
+  return MatrixOf(camera.fx, camera.fy, camera.cx, camera.cy);
 }
 
 cv::Mat CoefficientsOf(const LensCamera& camera) {
@@ -42,8 +47,7 @@ struct TurnedCamera {
     // As many steps as were usual when the known rectifications were made; with all that it takes
     // the focal length of EuRoC's cameras is 0.01 px larger.
     constexpr int kSteps = 5;
-    const cv::Mat projection =
-        (cv::Mat_<double>(3, 3) << f_px, 0.0, center.x, 0.0, f_px, center.y, 0.0, 0.0, 1.0);
+    const cv::Mat projection = MatrixOf(f_px, f_px, center.x, center.y);
     std::vector<cv::Point2d> moved;
     cv::undistortPoints(pixels, moved, matrix, lens, turn, projection,
                         cv::TermCriteria(cv::TermCriteria::COUNT, kSteps, 0.0));
@@ -104,11 +108,6 @@ void ChooseProjection(const TurnedCamera& left, const TurnedCamera& right, const
   camera.cy = center.y;
 }
 
-cv::Mat ProjectionOf(const StereoCamera& camera) {
-  return (cv::Mat_<double>(3, 3) << camera.fx, 0.0, camera.cx, 0.0, camera.fy, camera.cy, 0.0, 0.0,
-          1.0);
-}
-
 }  // namespace
 
 Rectification::Rectification(const StereoRig& rig, const cv::Size& size) {
@@ -140,7 +139,7 @@ Rectification::Rectification(const StereoRig& rig, const cv::Size& size) {
       ChooseProjection(left, right, size, camera_);
     }
     const auto make_maps = [&](const TurnedCamera& camera, Maps& maps) {
-      const cv::Mat projection = ProjectionOf(camera_);
+      const cv::Mat projection = MatrixOf(camera_);
       if (fisheye) {
         cv::fisheye::initUndistortRectifyMap(camera.matrix, camera.lens, camera.turn, projection,
                                              size, CV_32FC1, maps.u, maps.v);
