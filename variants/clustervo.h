@@ -56,6 +56,7 @@ struct ClusterVo {
     options.clusters.box_half_size = 0.0;
     options.clusters.confirm_detections = 1;
     options.orb.reserve = 0.0;
+    options.tracking.align_patches = false;
     options.solver.iterations = 10;
     options.solver.function_tolerance = 1e-6;
   }

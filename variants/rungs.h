@@ -215,6 +215,17 @@ struct AddFixedGauge : Base {
 };
 
 template <typename Base>
+struct AddAlignedPatches : Base {
+  static constexpr std::string_view kRung = "aligned_patches";
+  static constexpr std::string_view kAdds =
+      "matched corners are aligned with the first patch of their landmark";
+  static void SetDefaults(Options& options) {
+    Base::SetDefaults(options);
+    options.tracking.align_patches = Options().tracking.align_patches;
+  }
+};
+
+template <typename Base>
 struct AddSelfCalibration : Base {
   static constexpr std::string_view kRung = "self_calibration";
   static constexpr std::string_view kAdds =

@@ -13,7 +13,7 @@ std::vector<PointMeasurement> MeasurementsOf(const FeatureNoise& noise,
   for (const Match& match : matches) {
     const StereoFeature& feature = features[match.feature];
     measurements.push_back({landmarks[match.landmark].p_in_object, feature.z_px,
-                            noise.SqrtInformation(feature.octave)});
+                            noise.SqrtInformation(feature.octave, feature.is_aligned)});
   }
   return measurements;
 }

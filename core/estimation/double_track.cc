@@ -26,15 +26,13 @@ bool PromoteDistant::Promotes(const Window& window, const WindowFrame& frame,
 }
 
 Vector6d EstimateRightField::Deviation(const NoiseOptions& noise) {
-  Vector6d deviation = Vector6d::Constant(noise.right_shape_px);
-  deviation[0] = noise.right_shift_px;
-  return deviation;
+  return Vector6d::Constant(noise.right_field_px);
 }
 
 Vector6d EstimateRightShift::Deviation(const NoiseOptions& noise) {
   constexpr double kNone_px = 1e-6;
   Vector6d deviation = Vector6d::Constant(kNone_px);
-  deviation[0] = noise.right_shift_px;
+  deviation[0] = noise.right_field_px;
   return deviation;
 }
 

@@ -16,6 +16,15 @@ struct Observation {
   FrameId frame;
   Eigen::Vector3d z_px = Eigen::Vector3d::Zero();  // (u_left, v, u_right)
   int octave = 0;
+  bool is_aligned = false;  // to the landmark's reference
+};
+
+// What later features of a landmark are aligned with: how it looked when it was first seen, or when
+// it had changed much since (METHOD.md 3.4).
+struct LandmarkReference {
+  FeaturePatch patch;
+  double size_m =
+      0.0;  // depth times the scale of the level: what a pixel is times the focal length
 };
 
 // The best single triangulation of a landmark, the one of the smallest determinant (Eq. 1 of the
@@ -32,6 +41,7 @@ struct Landmark {
   Eigen::Vector3d p_in_object = Eigen::Vector3d::Zero();
   std::vector<Observation> observations;  // in frames of the window, oldest first
   Descriptor descriptor{};                // of the last observation
+  LandmarkReference reference;
   double depth_m = 0.0;  // at the last observation; with its octave it predicts the next
   int last_octave = 0;
   FrameId last_seen;

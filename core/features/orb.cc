@@ -160,6 +160,19 @@ LevelCorners FindLevelCorners(const cv::Mat& scores, int level, const OrbOptions
   return corners;
 }
 
+FeaturePatch PatchAround(const cv::Mat& padded, const Corner& corner, const Eigen::Vector2d& move) {
+  FeaturePatch patch;
+  patch.corner_u = static_cast<float>(move.x());
+  patch.corner_v = static_cast<float>(move.y());
+  const int column = corner.x + kPadding_px - FeaturePatch::kRadius_px;
+  for (int y = 0; y < FeaturePatch::kSide_px; ++y) {
+    const int row = corner.y + kPadding_px - FeaturePatch::kRadius_px + y;
+    std::copy_n(padded.ptr<std::uint8_t>(row) + column, FeaturePatch::kSide_px,
+                patch.pixels.begin() + y * FeaturePatch::kSide_px);
+  }
+  return patch;
+}
+
 void ExtractLevel(const std::vector<cv::Mat>& pyramid, int level, const OrbOptions& options,
                   Wanted& wanted, Work& work, std::vector<OrbKeypoint>& keypoints) {
   const cv::Mat& image = pyramid[level];
@@ -187,6 +200,7 @@ void ExtractLevel(const std::vector<cv::Mat>& pyramid, int level, const OrbOptio
     keypoint.is_reserve = is_reserve;
     keypoint.descriptor = work.describer.Describe(blurred, corner.x + kPadding_px,
                                                   corner.y + kPadding_px, keypoint.angle_rad);
+    keypoint.patch = PatchAround(copy, corner, move);
     keypoints.push_back(keypoint);
   };
   for (const Corner& corner : corners.first) add(corner, false);

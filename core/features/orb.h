@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/features/corner_region.h"
+#include "core/features/feature_patch.h"
 #include "core/features/options.h"
 #include "core/features/stereo_feature.h"
 
@@ -20,6 +21,7 @@ struct OrbKeypoint {
   float response = 0.0F;
   bool is_reserve = false;  // beyond OrbOptions::features
   Descriptor descriptor{};
+  FeaturePatch patch;
 };
 
 // Corners of one image and of its reserve, sorted by (v, u, octave), and the pyramid they were

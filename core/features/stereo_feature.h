@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "core/features/descriptor.h"
+#include "core/features/feature_patch.h"
 
 namespace cvo {
 
@@ -18,6 +19,9 @@ struct StereoFeature {
   // image.
   bool is_reserve = false;
   Descriptor descriptor{};  // of the left patch
+  FeaturePatch patch;
+  // z_px is where the landmark's reference was found, not where the corner is.
+  bool is_aligned = false;
 };
 
 }  // namespace cvo

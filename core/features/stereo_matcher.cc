@@ -191,6 +191,7 @@ std::optional<AlignedFeature> Align(const OrbImage& left, const OrbImage& right,
   feature.response = corner.response;
   feature.is_reserve = corner.is_reserve;
   feature.descriptor = corner.descriptor;
+  feature.patch = corner.patch;
   return AlignedFeature{feature, match->sigma};
 }
 

@@ -29,6 +29,7 @@ struct TrackingOptions {
   int recovery_frames = 5;
   int restart_after = 5;
   double min_disparity_px = 1.0;
+  bool align_patches = true;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
@@ -60,6 +61,10 @@ struct TrackingOptions {
                 {"px", 0.01, 100,
                  "minimum disparity of a new landmark: below it, depth is dominated by noise",
                  "METHOD.md 2.2"});
+    visit.Field("align_patches", self.align_patches,
+                {"1", 0, 1,
+                 "matched features are aligned with the first patch of their landmark; costs time",
+                 "METHOD.md 3.4"});
   }
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/clusters/landmark_alignment.h"
 #include "core/estimation/camera_solver.h"
 
 namespace cvo {
@@ -68,11 +69,15 @@ class ReassignmentTargets {
 // Adds the feature as the landmark's observation of the frame.
 void Observe(const FrameView& view, const WindowFrame& frame, const ReassignmentTarget& target,
              const StereoFeature& feature, double depth_m, Landmark& landmark) {
-  landmark.observations.push_back({frame.id, feature.z_px, feature.octave});
+  // The first one is where its reference is, which makes it as exact as those aligned with it.
+  const bool is_aligned =
+      feature.is_aligned || (view.options.tracking.align_patches && landmark.observations.empty());
+  landmark.observations.push_back({frame.id, feature.z_px, feature.octave, is_aligned});
   landmark.descriptor = feature.descriptor;
   landmark.depth_m = std::max(depth_m, StereoCamera::kMinDepth_m);
   landmark.last_octave = feature.octave;
   landmark.last_seen = frame.id;
+  UpdateReference(view.options, feature, landmark);
   if (target.owner == kSceneOwner) return;
 
   const RigidTransform object_from_camera =
@@ -103,8 +108,9 @@ std::vector<Observation> Agreeing(const FrameView& view, const Window& window,
     const WindowFrame* frame = window.Find(seen.frame);
     const auto pose = frame ? OwnerPose(target.owner, seen.frame, map) : std::nullopt;
     if (!pose) continue;
-    const PointMeasurement m{*pose * landmark.p_in_object, seen.z_px,
-                             view.options.NoiseOfFeatures().SqrtInformation(seen.octave)};
+    const PointMeasurement m{
+        *pose * landmark.p_in_object, seen.z_px,
+        view.options.NoiseOfFeatures().SqrtInformation(seen.octave, seen.is_aligned)};
     const auto error = WhitenedError(view.camera, m, frame->world_from_camera.Inverse());
     if (error && error->squaredNorm() <= view.options.noise.gate) agreeing.push_back(seen);
   }
@@ -175,6 +181,7 @@ class Updater {
     if (!moved) return;
     moved->id = old.id;
     moved->label = label;
+    moved->reference = old.reference;
     moved->observations = Agreeing(view_, window_, map_, to, *moved, old.observations);
     Arrive(feature, std::move(*moved), to);
   }

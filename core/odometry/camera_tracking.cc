@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/association/descriptor_matching.h"
+#include "core/clusters/landmark_alignment.h"
 #include "core/clusters/point_measurements.h"
 #include "core/estimation/camera_ransac.h"
 
@@ -94,7 +95,7 @@ CameraTrack MatchAround(const Options& options, const Window& window, const Feat
 }  // namespace
 
 std::optional<CameraTrack> TrackCamera(const Options& options, const Window& window,
-                                       const FeatureGrid& grid,
+                                       const FeatureGrid& grid, std::span<StereoFeature> features,
                                        const RigidTransform& predicted_world_from_camera,
                                        bool is_given, Rng& rng) {
   if (is_given) return MatchAround(options, window, grid, predicted_world_from_camera);
@@ -119,6 +120,7 @@ std::optional<CameraTrack> TrackCamera(const Options& options, const Window& win
   }
   const std::vector<Match> narrow =
       SearchAround(options, window, grid, around, options.matching.narrow_radius_px);
+  AlignToLandmarks(options, around.Inverse(), window.landmarks, narrow, features);
   const CameraSolution second = solve(narrow, around);
   if (second.inliers < options.tracking.min_inliers) return std::nullopt;
   return CameraTrack{second.world_from_camera, Inliers(narrow, second),

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/association/feature_grid.h"
@@ -21,11 +22,12 @@ struct CameraTrack {
 };
 
 // The camera of a frame from the landmarks of the window: windowed search around the predicted
-// camera, robust solve, a second, narrower search around the solution, solve again. Where the first
-// search finds too little, all recent descriptors are compared instead and RANSAC finds the camera.
-// Empty where fewer than tracking.min_inliers landmarks agree. A given camera is taken as it is.
+// camera, robust solve, a second, narrower search around the solution, alignment of the patches
+// that it finds (`features`, those of the grid, move), solve again. Where the first search finds
+// too little, all recent descriptors are compared instead and RANSAC finds the camera. Empty where
+// fewer than tracking.min_inliers landmarks agree. A given camera is taken as it is.
 std::optional<CameraTrack> TrackCamera(const Options& options, const Window& window,
-                                       const FeatureGrid& grid,
+                                       const FeatureGrid& grid, std::span<StereoFeature> features,
                                        const RigidTransform& predicted_world_from_camera,
                                        bool is_given, Rng& rng);
 

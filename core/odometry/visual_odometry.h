@@ -6,6 +6,7 @@
 #include "core/base/rng.h"
 #include "core/clusters/cluster_association.h"
 #include "core/clusters/cluster_optimization.h"
+#include "core/clusters/landmark_alignment.h"
 #include "core/estimation/double_track.h"
 #include "core/interface/odometry.h"
 #include "core/labelling/cluster_birth.h"
@@ -34,8 +35,9 @@ class VisualOdometry final : public Odometry {
     options_.Check();
   }
 
-  FrameReport Process(const StereoFrame& frame, StageTimes& times) override {
-    CheckGiven(frame);
+  FrameReport Process(const StereoFrame& input, StageTimes& times) override {
+    CheckGiven(input);
+    StereoFrame frame = input;  // features that are matched move
     FrameReport report = Begin(frame.timestamp_ns);
     report.features = static_cast<int>(frame.features.size());
     const ShownBodies shown = Variant::Detections::Show(frame);
@@ -49,7 +51,7 @@ class VisualOdometry final : public Odometry {
     std::optional<CameraTrack> track;
     if (!window_.temporal.empty()) {
       const ScopedStage stage(times, "track");
-      track = TrackCamera(options_, window_, scene_grid, predicted,
+      track = TrackCamera(options_, window_, scene_grid, frame.features, predicted,
                           frame.given.world_from_camera.has_value(), rng_);
     }
     if (!track && !StartsMap(report.features)) return EndLost(predicted, report);
@@ -68,6 +70,12 @@ class VisualOdometry final : public Odometry {
                                          typename Variant::BoxWeights, typename Variant::BoxCost,
                                          typename Variant::ClassGate, typename Variant::BoxRematch>(
           view, PredictorOfClusters(), clusters_, cluster_rng_, taken);
+      for (std::size_t q = 0; q < cluster_tracks.size(); ++q) {
+        if (!cluster_tracks[q].is_tracked) continue;
+        AlignToLandmarks(options_,
+                         entering.world_from_camera.Inverse() * cluster_tracks[q].world_from_object,
+                         clusters_.live[q].landmarks, cluster_tracks[q].matches, frame.features);
+      }
     }
 
     // Which body every point belongs to (3.2, heterogeneous CRF).

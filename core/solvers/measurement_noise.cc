@@ -24,8 +24,10 @@ Eigen::Matrix3d MeasurementCovariance(const NoiseOptions& noise, double scale) {
   return covariance;
 }
 
-Eigen::Matrix3d FeatureNoise::SqrtInformation(int octave) const {
-  return cvo::SqrtInformation(options, std::pow(scale_factor, octave));
+Eigen::Matrix3d FeatureNoise::SqrtInformation(int octave, bool is_aligned) const {
+  NoiseOptions noise = options;
+  if (is_aligned) noise.corner_px = options.aligned_px;
+  return cvo::SqrtInformation(noise, std::pow(scale_factor, octave));
 }
 
 Eigen::Matrix3d FeatureNoise::Covariance(int octave) const {

@@ -14,9 +14,9 @@ namespace cvo {
 // smaller error of its own. Both grow with the pyramid level.
 struct NoiseOptions {
   double corner_px = 0.5;
+  double aligned_px = 0.15;
   double disparity_px = 0.3;
-  double right_shift_px = 0.03;
-  double right_shape_px = 0.1;
+  double right_field_px = 0.1;
   double huber = 2.796;
   double gate = 7.815;
   double hypothesis_gate = 4.0;
@@ -26,18 +26,18 @@ struct NoiseOptions {
     visit.Field("corner_px", self.corner_px,
                 {"px", 0.01, 10, "standard deviation of u_left and v at level 0",
                  "residuals on KITTI: 0.35-0.45 px at level 0, growing with the level's scale"});
+    visit.Field(
+        "aligned_px", self.aligned_px,
+        {"px", 0.01, 10, "the same of corners that were aligned with their landmark's first patch",
+         "METHOD.md 3.4: residuals are 0.05-0.1 px on KITTI, 0.04 px on rendered streets"});
     visit.Field("disparity_px", self.disparity_px,
                 {"px", 0.01, 10, "standard deviation of u_left - u_right at level 0",
                  "residuals on KITTI: 0.15-0.2 px, and 0.1-0.2 px of rectification error"});
-    visit.Field("right_shift_px", self.right_shift_px,
+    visit.Field("right_field_px", self.right_field_px,
                 {"px", 1e-6, 10,
-                 "standard deviation of the calibration's error in u_right, mean over the image, "
-                 "before anything is seen; small, because the length of the path hardly tells it "
-                 "from a scale",
-                 "METHOD.md 7.6: chosen from 1e-6 ... 0.3 on KITTI, streets and rooms"});
-    visit.Field("right_shape_px", self.right_shape_px,
-                {"px", 1e-6, 10, "the same of each coefficient of its change over the image",
-                 "METHOD.md 7.6: 0.1 and 0.3 give the same on KITTI"});
+                 "standard deviation of each coefficient of the calibration's error in u_right "
+                 "over the image, before anything is seen",
+                 "METHOD.md 7.6: rectified pairs of KITTI have 0.1-0.9 px"});
     visit.Field("huber", self.huber,
                 {"standard deviations", 0.1, 1e6,
                  "threshold at which the Huber loss becomes linear: sqrt(7.815)", "METHOD.md 7.2"});
@@ -65,8 +65,8 @@ struct FeatureNoise {
   NoiseOptions options;
   double scale_factor = 1.0;  // from a level to the next
 
-  Eigen::Matrix3d SqrtInformation(int octave) const;
-  Eigen::Matrix3d Covariance(int octave) const;
+  Eigen::Matrix3d SqrtInformation(int octave, bool is_aligned) const;
+  Eigen::Matrix3d Covariance(int octave) const;  // of one that is not aligned
 };
 
 // Weight of a residual with this squared whitened norm under Huber's loss: rho'(s).

@@ -11,7 +11,8 @@ namespace cvo {
 namespace {
 
 constexpr std::size_t kFeatureBytes = 3 * sizeof(double) + sizeof(std::int32_t) +
-                                      2 * sizeof(float) + sizeof(std::uint8_t) + sizeof(Descriptor);
+                                      4 * sizeof(float) + sizeof(std::uint8_t) + sizeof(Descriptor) +
+                                      sizeof(FeaturePatch::pixels);
 
 void AppendFeature(const StereoFeature& feature, std::string& bytes) {
   for (const double coordinate_px : feature.z_px) AppendNumber(coordinate_px, bytes);
@@ -20,6 +21,9 @@ void AppendFeature(const StereoFeature& feature, std::string& bytes) {
   AppendNumber(feature.response, bytes);
   AppendNumber(static_cast<std::uint8_t>(feature.is_reserve), bytes);
   for (const std::uint64_t word : feature.descriptor) AppendNumber(word, bytes);
+  AppendNumber(feature.patch.corner_u, bytes);
+  AppendNumber(feature.patch.corner_v, bytes);
+  bytes.append(feature.patch.pixels.begin(), feature.patch.pixels.end());
 }
 
 StereoFeature TakeFeature(ByteReader& reader) {
@@ -30,6 +34,9 @@ StereoFeature TakeFeature(ByteReader& reader) {
   feature.response = reader.Number<float>();
   feature.is_reserve = reader.Number<std::uint8_t>() != 0;
   for (std::uint64_t& word : feature.descriptor) word = reader.Number<std::uint64_t>();
+  feature.patch.corner_u = reader.Number<float>();
+  feature.patch.corner_v = reader.Number<float>();
+  for (std::uint8_t& pixel : feature.patch.pixels) pixel = reader.Number<std::uint8_t>();
   return feature;
 }
 

@@ -25,6 +25,9 @@ inline std::vector<FrontEndFrame> SomeFrames(int count) {
       feature.response = 1e-40F;  // denormal
       feature.is_reserve = i % 2 == 1;
       feature.descriptor = {~0ULL, 0x0123456789abcdefULL, static_cast<std::uint64_t>(i), 0};
+      feature.patch.corner_u = -0.25F;
+      feature.patch.corner_v = 0.125F;
+      feature.patch.pixels.fill(static_cast<std::uint8_t>(200 + k));
       frame.features.push_back(feature);
     }
     frames.push_back(frame);

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/clusters/landmark_alignment.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace cvo {
+namespace {
+
+// Blobs around the corner, which lies `shift_px` from the middle.
+FeaturePatch Blobs(double shift_px) {
+  FeaturePatch patch;
+  for (int y = 0; y < FeaturePatch::kSide_px; ++y) {
+    for (int x = 0; x < FeaturePatch::kSide_px; ++x) {
+      const double u = x - FeaturePatch::kRadius_px - shift_px;
+      const double v = y - FeaturePatch::kRadius_px;
+      patch.pixels[y * FeaturePatch::kSide_px + x] = static_cast<std::uint8_t>(
+          std::lround(100.0 + 60.0 * std::sin(0.8 * u) * std::cos(0.6 * v) + 5.0 * v));
+    }
+  }
+  return patch;
+}
+
+class LandmarkAlignmentTest : public ::testing::Test {
+ protected:
+  LandmarkAlignmentTest() {
+    landmark_.p_in_object = {0.0, 0.0, 10.0};
+    landmark_.reference = {Blobs(0.0), 10.0};
+    feature_.z_px = {100.0, 50.0, 80.0};
+    feature_.patch = Blobs(0.5);
+  }
+  void Align() {
+    std::vector<StereoFeature> features = {feature_};
+    AlignToLandmarks(options_, RigidTransform(), {landmark_}, {{0, 0}}, features);
+    feature_ = features[0];
+  }
+
+  Options options_;
+  Landmark landmark_;
+  StereoFeature feature_;
+};
+
+TEST_F(LandmarkAlignmentTest, MovesBothColumnsAndKeepsTheDisparity) {
+  Align();
+  EXPECT_TRUE(feature_.is_aligned);
+  EXPECT_NEAR(feature_.z_px[0], 100.5, 0.03);
+  EXPECT_NEAR(feature_.z_px[1], 50.0, 0.03);
+  EXPECT_NEAR(feature_.z_px[0] - feature_.z_px[2], 20.0, 1e-9);
+  EXPECT_NEAR(feature_.patch.corner_u, 0.5, 0.03);
+}
+
+TEST_F(LandmarkAlignmentTest, MovesByPixelsOfTheImageWhereTheLevelIsCoarse) {
+  feature_.octave = 4;
+  const double scale = std::pow(options_.orb.scale_factor, 4);
+  landmark_.reference.size_m = 10.0 * scale;
+  Align();
+  EXPECT_NEAR(feature_.z_px[0], 100.0 + 0.5 * scale, 0.03 * scale);
+}
+
+TEST_F(LandmarkAlignmentTest, LeavesTheCornerWhereTheLandmarkLooksDifferent) {
+  for (auto& pixel : landmark_.reference.patch.pixels) pixel = 255 - pixel;
+  Align();
+  EXPECT_FALSE(feature_.is_aligned);
+  EXPECT_EQ(feature_.z_px[0], 100.0);
+}
+
+TEST_F(LandmarkAlignmentTest, LeavesTheCornerWithoutTheOption) {
+  options_.tracking.align_patches = false;
+  Align();
+  EXPECT_FALSE(feature_.is_aligned);
+  EXPECT_EQ(feature_.z_px[0], 100.0);
+}
+
+TEST_F(LandmarkAlignmentTest, KeepsTheReferenceUntilItsSizeHasChangedMuch) {
+  landmark_.depth_m = 9.0;
+  feature_.is_aligned = true;
+  UpdateReference(options_, feature_, landmark_);
+  EXPECT_EQ(landmark_.reference.size_m, 10.0);
+  landmark_.depth_m = 7.0;
+  UpdateReference(options_, feature_, landmark_);
+  EXPECT_EQ(landmark_.reference.size_m, 7.0);
+  EXPECT_EQ(landmark_.reference.patch.pixels, feature_.patch.pixels);
+}
+
+TEST_F(LandmarkAlignmentTest, TakesANewReferenceFromAFeatureThatIsNotAligned) {
+  landmark_.depth_m = 10.0;
+  UpdateReference(options_, feature_, landmark_);
+  EXPECT_EQ(landmark_.reference.patch.pixels, feature_.patch.pixels);
+}
+
+TEST(FeatureNoise, TrustsAlignedCornersMore) {
+  const FeatureNoise noise{{.corner_px = 0.5, .aligned_px = 0.1, .disparity_px = 0.3}, 1.2};
+  EXPECT_NEAR(noise.SqrtInformation(0, false)(0, 0), 2.0, 1e-12);
+  EXPECT_NEAR(noise.SqrtInformation(0, true)(0, 0), 10.0, 1e-12);
+  EXPECT_EQ(noise.SqrtInformation(0, true).row(2), noise.SqrtInformation(0, false).row(2));
+}
+
+}  // namespace
+}  // namespace cvo
