@@ -79,6 +79,7 @@ using NamedVariants = std::tuple<Listed<Full, Full, 0>,                     //
                                  Listed<Static, StaticMarginalizeLost>,     //
                                  Listed<Static, StaticPriorGauge>,          //
                                  Listed<Static, StaticNoSpatialTrack>,      //
+                                 Listed<Static, StaticCornersOnly, 0>,      //
                                  Listed<Static, StaticShiftOnly>,           //
                                  Listed<Static, StaticTrustCalibration>>;
 using AllVariants = decltype(std::tuple_cat(
