@@ -5,7 +5,7 @@
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help deps build report table table-all table-kitti sweep regression baseline test bench asan asan-variants format format-check lint clean
+.PHONY: help deps build report table table-all table-kitti sweep regression baseline test fuzz bench asan asan-variants format format-check lint clean
 
 release := build/release
 asan := build/asan
@@ -85,6 +85,13 @@ baseline: program ## accept what the estimator does now: renew the baseline of m
 
 test: build ## run the tests; CLUSTERVO_DATA=<folder> adds those on real data
 	ctest --preset release --output-junit "$(CURDIR)/$(release)/tests.xml"
+
+# The same SEED makes the same files.
+MUTATIONS ?= 100000
+SEED ?= 1
+fuzz: $(release)/build.ninja ## give every parser MUTATIONS=100000 spoilt files
+	cmake --build --preset release --target fuzz_parsers $(jobs)
+	cd $(release) && tests/faults/fuzz_parsers $(MUTATIONS) $(SEED)
 
 bench: build ## run the benchmarks, JSON to build/release/bench
 	cmake --build --preset release --target run_benchmarks

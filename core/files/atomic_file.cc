@@ -164,14 +164,21 @@ OutputFolder::OutputFolder(fs::path folder, const std::vector<std::string>& name
   RemoveLeftovers(folder_);
   for (const std::string& name : names) {
     const bool wanted = name.ends_with('/');
-    if (wanted) RemoveLeftovers(folder_ / name);
     const fs::path path = folder_ / name.substr(0, name.size() - (wanted ? 1 : 0));
-    const fs::file_status status =
-        wanted ? fs::status(path, error) : fs::symlink_status(path, error);
-    if (fs::exists(status) && fs::is_directory(status) != wanted) {
-      ThrowError(path.string(), wanted ? "a file" : "a folder",
+    const fs::file_status status = fs::symlink_status(path, error);
+    if (fs::is_directory(status) != wanted && fs::exists(status)) {
+      // Old files of a folder are removed, and behind a link they are somebody else's.
+      const bool link = wanted && fs::is_symlink(status);
+      ThrowError(path.string(),
+                 link     ? "a link"
+                 : wanted ? "a file"
+                          : "a folder",
                  wanted ? "a folder or nothing" : "a file or nothing");
     }
+    if (fs::is_other(fs::status(path, error))) {
+      ThrowError(path.string(), "a pipe or a device", "a file or nothing");
+    }
+    if (wanted) RemoveLeftovers(path);
   }
   const StagedFile probe(folder_,
                          {names.empty() ? "probe" : names.front(), std::string(4096, '\n')});

@@ -33,6 +33,8 @@ std::string_view LastPart(std::string_view path) {
 
 std::vector<std::string> ClosestNames(std::string_view name,
                                       const std::vector<std::string>& known) {
+  constexpr std::size_t kLongest = 200;  // no name, and too long to compare with each
+  if (name.size() > kLongest) return {};
   std::vector<std::pair<std::size_t, std::string>> near;
   for (const std::string& candidate : known) {
     const std::size_t whole = EditDistance(name, candidate);

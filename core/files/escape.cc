@@ -13,6 +13,9 @@ bool NeedsBackslash(std::string_view text, std::size_t at) {
   constexpr std::string_view kSpecial = "|*_<>`\\~$&#";
   const char c = text[at];
   if (kSpecial.find(c) != std::string_view::npos) return true;
+  // GitHub makes links of addresses, too.
+  if (c == ':' && text.substr(at + 1).starts_with("//")) return true;
+  if (c == '.' && text.substr(0, at).ends_with("www")) return true;
   const bool behind_bracket = at > 0 && text[at - 1] == ']';
   return behind_bracket && (c == '(' || c == ':' || c == '[');
 }

@@ -117,7 +117,10 @@ std::string FormatDouble(double value) {
   return std::string(buffer.data(), result.ptr);
 }
 
+// From 10^15 on as FormatGeneral: further digits before the point say nothing, and may be 309.
 std::string FormatFixed(double value, int decimals) {
+  constexpr double kExact = 1e15;
+  if (std::abs(value) >= kExact) return FormatGeneral(value, 6);
   return Formatted(value, std::chars_format::fixed, decimals);
 }
 

@@ -169,9 +169,14 @@ void SetOption(std::string_view assignment, const std::vector<OptionLeaf>& leave
 Json OptionsToJson(const std::vector<OptionLeaf>& leaves) {
   Json options = Json::object();
   for (const OptionLeaf& leaf : leaves) {
-    std::string pointer = "/" + leaf.path;
-    std::replace(pointer.begin(), pointer.end(), '.', '/');
-    options[Json::json_pointer(pointer)] = ValueToJson(leaf);
+    Json* at = &options;
+    std::size_t begin = 0;
+    for (std::size_t dot = leaf.path.find('.'); dot != std::string::npos;
+         dot = leaf.path.find('.', begin)) {
+      at = &(*at)[leaf.path.substr(begin, dot - begin)];
+      begin = dot + 1;
+    }
+    (*at)[leaf.path.substr(begin)] = ValueToJson(leaf);
   }
   return options;
 }

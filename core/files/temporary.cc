@@ -42,14 +42,18 @@ std::optional<Owner> OwnerOf(const std::string& name) {
   return Owner{tail.substr(0, dot), *process};
 }
 
+bool IsOld(const fs::path& path) {
+  std::error_code gone;
+  const fs::file_time_type written = fs::last_write_time(path, gone);
+  return !gone && fs::file_time_type::clock::now() - written > kMaxAge;
+}
+
 // Of a process of another computer nothing is known but how long it has been silent.
 bool IsStale(const Owner& owner, const fs::path& temporary) {
   if (owner.host == HostName()) {
     return ::kill(static_cast<pid_t>(owner.process), 0) != 0 && errno == ESRCH;
   }
-  std::error_code gone;
-  const fs::file_time_type written = fs::last_write_time(temporary, gone);
-  return !gone && fs::file_time_type::clock::now() - written > kMaxAge;
+  return IsOld(temporary);
 }
 
 void RemoveWhere(const fs::path& folder,
@@ -76,6 +80,18 @@ void RemoveLeftovers(const fs::path& folder) { RemoveWhere(folder, IsStale); }
 
 void RemoveTemporaries(const fs::path& folder) {
   RemoveWhere(folder, [](const Owner&, const fs::path&) { return true; });
+}
+
+void RemoveEmptyFolders(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> old;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    std::error_code gone;
+    if (it->symlink_status(gone).type() == fs::file_type::directory && IsOld(it->path())) {
+      old.push_back(it->path());
+    }
+  }
+  for (const fs::path& path : old) ::rmdir(path.c_str());  // refuses where it is not empty
 }
 
 }  // namespace cvo

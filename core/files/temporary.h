@@ -21,4 +21,8 @@ void RemoveLeftovers(const std::filesystem::path& folder);
 // Removes all of them: for whoever alone may write to the folder.
 void RemoveTemporaries(const std::filesystem::path& folder);
 
+// Removes the empty folders in a folder that nothing was done with for a day, as those of tasks
+// that were killed. Never throws.
+void RemoveEmptyFolders(const std::filesystem::path& folder);
+
 }  // namespace cvo

@@ -13,7 +13,10 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/message.h"
 #include "core/files/closest_names.h"
+#include "core/files/utf8.h"
+#include "experiments/cli/clean_output.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 
@@ -25,10 +28,8 @@ constexpr int kUsage = 2;
 constexpr int kInternal = 3;
 
 // One line on stderr, whatever the message holds.
-int Fail(std::string message, int exit_code) {
-  std::replace_if(
-      message.begin(), message.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  std::cerr << "clustervo: error: " << message << '\n';
+int Fail(const std::string& message, int exit_code) {
+  std::cerr << "clustervo: error: " << Shortened(Printable(message)) << '\n';
   return exit_code;
 }
 
@@ -112,6 +113,8 @@ int Main(int argc, char** argv) {
 }  // namespace cvo
 
 int main(int argc, char** argv) {
+  const cvo::CleanOutput out(std::cout);
+  const cvo::CleanOutput err(std::cerr);
   try {
     cvo::ReplaceClosedStreams();
     return cvo::CheckPrinted(cvo::Main(argc, argv));

@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/files/number.h"
+#include "core/files/utf8.h"
 
 namespace cvo {
 namespace {
@@ -44,7 +45,7 @@ void Progress::Report(std::size_t done) {
 }
 
 void Progress::Note(const std::string& line) const {
-  std::fprintf(stderr, "%s%s\n", style_ == Style::kBar ? "\r\033[K" : "", line.c_str());
+  std::fprintf(stderr, "%s%s\n", style_ == Style::kBar ? "\r\033[K" : "", Printable(line).c_str());
 }
 
 std::string Progress::Text(std::size_t done) const {

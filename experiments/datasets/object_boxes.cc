@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/datasets/object_boxes.h"
 
+#include <set>
+#include <utility>
+
 #include "core/base/error.h"
 #include "core/files/text_file.h"
 
@@ -76,10 +79,15 @@ std::vector<ObjectBox> ReadRows(const std::filesystem::path& path, std::size_t l
 std::vector<ObjectBox> ReadLabels(const std::filesystem::path& path, int frame_count) {
   const TextFile file(path);
   std::vector<ObjectBox> boxes;
+  std::set<std::pair<int, int>> seen;
   for (std::size_t i = 0; i < file.size(); ++i) {
     const TextRow row(file, i);
     row.ExpectColumns(kLabelColumns, "a KITTI tracking label");
     boxes.push_back(ReadBox(row, frame_count));
+    const auto [frame, track] = std::pair(boxes.back().frame, boxes.back().track);
+    if (track >= 0 && !seen.emplace(frame, track).second) {  // a negative one is no object
+      row.Fail(StrCat("track ", track, " of frame ", frame, " a second time"), "each once");
+    }
   }
   return boxes;
 }

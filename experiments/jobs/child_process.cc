@@ -21,6 +21,7 @@ namespace cvo {
 namespace {
 
 constexpr int kCannotExecute = 126;
+constexpr int kCannotLoad = 127;  // of the dynamic loader, without room for its libraries
 
 [[noreturn]] void ThrowErrno(const std::string& what, const char* action, int error) {
   throw Error(StrCat(what, ": cannot ", action, ": ", std::strerror(error)));
@@ -79,7 +80,8 @@ std::string SignalText(int signal) {
 
 }  // namespace
 
-ChildProcess::ChildProcess(const Task& task) : start_(Clock::now()), limit_s_(task.limit_s) {
+ChildProcess::ChildProcess(const Task& task)
+    : start_(Clock::now()), limit_s_(task.limit_s), limit_memory_mb_(task.limit_memory_mb) {
   const Launch launch(task);
   process_ = ::fork();
   if (process_ < 0) ThrowErrno(task.name, "start a process", errno);
@@ -129,10 +131,21 @@ TaskEnd ChildProcess::Reap() {
   end.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
   end.ok = WIFEXITED(status) && WEXITSTATUS(status) == 0;
   if (end.ok) return end;
-  end.message = WIFSIGNALED(status) ? SignalText(WTERMSIG(status))
-                                    : StrCat("exit code ", WEXITSTATUS(status));
-  if (timed_out_ && WIFSIGNALED(status)) end.message = StrCat("stopped after ", limit_s_, " s");
+  end.message = MessageOf(status);
   return end;
+}
+
+std::string ChildProcess::MessageOf(int status) const {
+  if (!WIFSIGNALED(status)) {
+    const bool unloaded = WEXITSTATUS(status) == kCannotLoad && limit_memory_mb_ > 0.0;
+    if (!unloaded) return StrCat("exit code ", WEXITSTATUS(status));
+    return StrCat("memory limit of ", limit_memory_mb_, " MB: the program alone takes more");
+  }
+  if (timed_out_) return StrCat("stopped after ", limit_s_, " s");
+  const std::string killed = SignalText(WTERMSIG(status));
+  // A stack that cannot grow, or a program that does not fit at all.
+  if (WTERMSIG(status) != SIGSEGV || limit_memory_mb_ == 0.0) return killed;
+  return StrCat(killed, " under a memory limit of ", limit_memory_mb_, " MB");
 }
 
 }  // namespace cvo

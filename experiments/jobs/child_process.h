@@ -32,9 +32,11 @@ class ChildProcess {
 
   void KillGroup() const;
   TaskEnd Reap();
+  std::string MessageOf(int status) const;
 
   Clock::time_point start_;
   double limit_s_;
+  double limit_memory_mb_;
   bool timed_out_ = false;
   pid_t process_ = -1;
   int poll_fd_ = -1;

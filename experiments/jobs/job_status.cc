@@ -20,14 +20,23 @@ namespace fs = std::filesystem;
 constexpr std::string_view kErrorPrefix = "clustervo: error: ";
 
 // By what tables and the gate read of a result: what they refuse is not done. Throws Error there.
-bool IsResultOf(const fs::path& file, const std::string& id) {
+bool IsResultOf(const fs::path& file, const PlannedJob& job) {
   const reports::RunSummary run = reports::ReadRun(file, {});
-  return run.job == id && run.status != ToString(RunStatus::kFailed);
+  const Cell& cell = job.cell;
+  reports::CheckRunOf(
+      {.job = job.job,
+       .variant = cell.system.empty() ? cell.variant : reports::SystemVariant(cell.system),
+       .seed = cell.seed,
+       .content = job.content,
+       .oracle = cell.oracle,
+       .parameters = ParametersOf(cell)},
+      run);
+  return run.status != ToString(RunStatus::kFailed);
 }
 
 bool IsDone(const SuiteFolder& folder, const PlannedJob& job) {
   try {
-    return HasFiles(folder, job) && IsResultOf(folder.job(job.job) / "result.json", job.job);
+    return HasFiles(folder, job) && IsResultOf(folder.job(job.job) / "result.json", job);
   } catch (const Error&) {
     return false;  // damaged: made anew
   }

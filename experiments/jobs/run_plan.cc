@@ -184,6 +184,7 @@ PlanOutcome RunPlan(const Plan& plan, const PlanRun& run, Engine& engine) {
   if (pending.first.empty()) return CountJobs(status);
   for (const char* name : {"jobs", "failed", "logs"}) MakeFolder(run.folder.root / name);
   RemoveTemporaries(run.folder.root / "failed");
+  RemoveEmptyFolders(run.folder.root / "jobs");
   CheckSpace(run.folder.root);
   JobRunner runner(run, engine, pending.first.size() + pending.rest.size());
   runner.Run(pending.first);

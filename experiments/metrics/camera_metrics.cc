@@ -58,8 +58,14 @@ void AddAte(const CommonPoses& poses, const Frames& frames, std::vector<Metric>&
 
 void AddRpe(const CommonPoses& poses, const Frames& frames, std::vector<Metric>& metrics) {
   const auto add = [&](const RelativeErrors& errors, MetricId rotation, MetricId translation) {
-    metrics.push_back(frames.Make(rotation, errors.rotation_rad, errors.pairs));
+    if (errors.rotation_rad) {
+      metrics.push_back(frames.Make(rotation, *errors.rotation_rad, errors.pairs));
+    }
     metrics.push_back(frames.Make(translation, errors.translation_m, errors.pairs));
+    if (!errors.rotation_rad) {
+      metrics.back().left_out +=
+          StrCat("; rotations of all pairs: more than ", kMaxPairedRotations, " poses");
+    }
   };
   if (const auto errors = AllPairsErrors(poses)) {
     add(*errors, kCameraRrpeAllPairs, kCameraTrpeAllPairs);

@@ -28,11 +28,14 @@ std::vector<double> AlignedPositionErrors(const CommonPoses& poses);
 
 // Root mean squares over pairs of frames of E = (G_i^-1 G_j)^-1 (P_i^-1 P_j).
 struct RelativeErrors {
-  double rotation_rad = 0.0;
+  std::optional<double> rotation_rad;
   double translation_m = 0.0;
   std::int64_t pairs = 0;
 };
-// Every ordered pair i != j; empty with fewer than two poses. Quadratic in the number of poses.
+// Poses from which on the rotations of all pairs take too long: they have no closed sum as the
+// translations have.
+inline constexpr std::size_t kMaxPairedRotations = 100'000;
+// Every ordered pair i != j; empty with fewer than two poses. Without rotations beyond the limit.
 [[nodiscard]] std::optional<RelativeErrors> AllPairsErrors(const CommonPoses& poses);
 // Pairs (i, i + 1) of consecutive frames alone; empty where there are none.
 [[nodiscard]] std::optional<RelativeErrors> OneFrameErrors(const CommonPoses& poses);

@@ -6,14 +6,24 @@
 
 namespace cvo {
 
+std::string IdentityHead(const std::string& build, const std::string& variant,
+                         const Json& options) {
+  const std::string text = DumpJson({{"build", build}, {"variant", variant}, {"options", options}});
+  return text.substr(0, text.rfind("\n}")) + ",";
+}
+
+// The hash of one object whose first members are those of the head.
+std::string JobIdentity(const std::string& head, const JobInput& input) {
+  const std::string text = DumpJson({{"content", input.content},
+                                     {"detections", input.detections},
+                                     {"given", input.given},
+                                     {"seed", input.seed}});
+  return Sha256Hex(head + text.substr(1));
+}
+
 std::string JobIdentity(const Job& job) {
-  return Sha256Hex(DumpJson({{"build", job.build},
-                             {"variant", job.variant},
-                             {"options", job.options},
-                             {"content", job.content},
-                             {"detections", job.detections},
-                             {"given", job.given},
-                             {"seed", job.seed}}));
+  return JobIdentity(IdentityHead(job.build, job.variant, job.options),
+                     {job.content, job.detections, job.given, job.seed});
 }
 
 std::string DetectionsHash(const Sequence& sequence) {

@@ -25,6 +25,16 @@ struct Job {
 // Jobs with the same identity have the same result.
 std::string JobIdentity(const Job& job);
 
+// The same in two steps, for many jobs: the first is shared by all jobs of a variant with options.
+struct JobInput {
+  std::string content;
+  std::string detections;
+  Json given;
+  std::uint64_t seed = 0;
+};
+std::string IdentityHead(const std::string& build, const std::string& variant, const Json& options);
+std::string JobIdentity(const std::string& head, const JobInput& input);
+
 // Hash of the boxes that the estimator is given, whatever file they came from.
 std::string DetectionsHash(const Sequence& sequence);
 

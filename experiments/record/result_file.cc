@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "experiments/datasets/plausibility.h"
 #include "experiments/record/job_identity.h"
 
 namespace cvo {
@@ -179,6 +180,7 @@ reports::RunSequence SequenceOf(const Sequence& sequence, const std::string& con
   of.camera = CameraOf(sequence.camera);
   const Json perturbation = PerturbationToJson(sequence.perturbation);
   if (!perturbation.empty()) of.perturbation = perturbation;
+  of.warnings = FindImplausible(sequence);
   return of;
 }
 

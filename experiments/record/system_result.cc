@@ -58,12 +58,10 @@ Json FilesToJson(const SystemRecord& record) {
 
 }  // namespace
 
-std::string SystemVariant(const std::string& system) { return "system:" + system; }
-
 std::string SystemJob(const BuildIdentity& build, const std::string& system,
                       const SystemHashes& hashes, const std::string& content, std::uint64_t seed) {
   return JobIdentity({build.identity,
-                      SystemVariant(system),
+                      reports::SystemVariant(system),
                       {{"camera", hashes.camera}, {"objects", hashes.objects}},
                       content,
                       "",
@@ -75,7 +73,7 @@ std::string SystemResultFile(const SystemRecord& record) {
   reports::RunSummary summary;
   summary.job = SystemJob(record.build, record.system, record.hashes, record.content, record.seed);
   summary.status = ToString(RunStatus::kOk);
-  summary.variant = SystemVariant(record.system);
+  summary.variant = reports::SystemVariant(record.system);
   summary.system = FilesToJson(record);
   summary.seed = record.seed;
   summary.sequence = SequenceOf(record.sequence, record.content);

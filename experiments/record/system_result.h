@@ -38,9 +38,6 @@ struct SystemRecord {
   int object_frames_left_out = 0;
 };
 
-// The variant of such a run: "system:" and its name.
-std::string SystemVariant(const std::string& system);
-
 // Of a run of no variant. The whole build takes part: the readers of the truth and the geometry
 // that scoring needs are among the estimator's sources.
 std::string SystemJob(const BuildIdentity& build, const std::string& system,

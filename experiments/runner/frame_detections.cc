@@ -8,6 +8,7 @@
 
 #include "core/association/clip_box.h"
 #include "core/base/error.h"
+#include "core/files/text_file.h"
 #include "experiments/datasets/object_boxes.h"
 
 namespace cvo {
@@ -46,8 +47,11 @@ std::vector<std::string> ParseClasses(const std::string& text) {
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     classes.push_back(text.substr(begin, end - begin));
-    if (classes.back().empty() || classes.back().find_first_of(" \t") != std::string::npos) {
-      ThrowError("option --classes", "\"" + text + "\"", "names with commas between, as Car,Van");
+    const bool plain = std::all_of(classes.back().begin(), classes.back().end(), [](char c) {
+      return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
+    });
+    if (classes.back().empty() || !plain) {
+      ThrowError("option --classes", Quoted(text), "names with commas between, as Car,Van");
     }
     begin = end + 1;
   }

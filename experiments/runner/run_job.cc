@@ -27,10 +27,8 @@ std::optional<reports::RunBodies> BodiesOf(const RunScores& scores) {
                             {scores.causal_bodies.begin(), scores.causal_bodies.end()}};
 }
 
-// Classes count where there are boxes alone.
-Json Given(const RunRequest& request) {
-  const bool boxes = !request.sequence.detections.empty();
-  return GivenToJson(boxes ? request.classes : std::vector<std::string>(), request.oracle.Names());
+Json GivenOf(const RunRequest& request) {
+  return Given(request.sequence, request.classes, request.oracle);
 }
 
 Json ResolvedOptions(const RunRequest& request) {
@@ -39,6 +37,12 @@ Json ResolvedOptions(const RunRequest& request) {
 }
 
 }  // namespace
+
+Json Given(const Sequence& sequence, const std::vector<std::string>& classes,
+           const OracleSwitches& oracle) {
+  return GivenToJson(sequence.detections.empty() ? std::vector<std::string>() : classes,
+                     oracle.Names());
+}
 
 std::string IdentifyJob(const RunRequest& request) {
   const std::vector<ImageHashes> images =
@@ -49,7 +53,7 @@ std::string IdentifyJob(const RunRequest& request) {
 std::string IdentifyJob(const RunRequest& request, const std::string& content) {
   return JobIdentity({ThisBuild().identity, std::string(request.variant.name),
                       ResolvedOptions(request), content, DetectionsHash(request.sequence),
-                      Given(request), request.seed});
+                      GivenOf(request), request.seed});
 }
 
 std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesystem::path& folder) {
@@ -64,7 +68,7 @@ std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesyste
                          .build = build,
                          .variant = std::string(request.variant.name),
                          .options = ResolvedOptions(request),
-                         .given = Given(request),
+                         .given = GivenOf(request),
                          .seed = request.seed,
                          .metrics = AllMetrics(outcome.scores),
                          .bodies = BodiesOf(outcome.scores),

@@ -19,6 +19,10 @@ struct JobOutcome {
   RunContext context;
 };
 
+// GivenToJson of a job; classes count where there are boxes alone.
+Json Given(const Sequence& sequence, const std::vector<std::string>& classes,
+           const OracleSwitches& oracle);
+
 // JobIdentity of what RunJob would do, from the bytes of the sequence's files; nothing is decoded.
 // Images whose hashes the request has are not read.
 std::string IdentifyJob(const RunRequest& request);

@@ -9,15 +9,18 @@
 
 #include "core/base/error.h"
 #include "core/base/task_pool.h"
+#include "core/files/options_json.h"
 #include "experiments/cache/content_hash.h"
 #include "experiments/cache/file_hashes.h"
 #include "experiments/cache/front_end_cache.h"
 #include "experiments/record/build_identity.h"
+#include "experiments/record/job_identity.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/runner/score_files.h"
 #include "experiments/suite/cell_input.h"
 #include "experiments/suite/data_folder.h"
 #include "experiments/suite/scenes.h"
+#include "experiments/suite/suite_grid.h"
 #include "synth/write/manifest.h"
 
 namespace cvo {
@@ -32,8 +35,18 @@ struct Input {
   int frames = 0;
   Sequence sequence;
   std::string content;
+  std::string detections;  // DetectionsHash
   std::vector<ImageHashes> images;
+  std::map<std::string, std::string> front_end_keys;  // by the options of the front end
 };
+
+// What cells of one variant with one point of the grid share.
+struct Resolved {
+  Options options;
+  std::string identity_head;
+  std::string front_end;  // its options, as text
+};
+constexpr std::size_t kMaxResolved = 10'000;  // 7 kB each
 
 fs::path Absolute(const fs::path& path) {
   return path.empty() ? path : fs::absolute(path).lexically_normal();
@@ -54,7 +67,9 @@ class Planner {
   BuiltPlan Build();
 
  private:
-  const Input& InputOf(const Cell& cell);
+  Input& InputOf(const Cell& cell);
+  const Resolved& ResolvedOf(const Cell& cell);
+  const std::string& FrontEndKeyOf(const Resolved& resolved, Input& input) const;
   Input FindInput(const Cell& cell);
   void Open(const Cell& cell, Input& input);
   std::vector<std::string> Hashes(const std::vector<fs::path>& files);
@@ -73,6 +88,7 @@ class Planner {
   FileHashHooks hooks_;
   BuildIdentity build_ = ThisBuild();
   std::map<std::string, Input> inputs_;
+  std::map<std::string, Resolved> resolved_;
   std::vector<std::pair<std::string, SceneRender>> wanted_;  // with the key of the drawing
   std::set<fs::path> wanted_folders_;
 };
@@ -117,6 +133,7 @@ void Planner::Open(const Cell& cell, Input& input) {
   if (cell.sequence.scene.empty()) RequireAsRendered(input.sequence, hash);
   input.images = FindImageHashes(input.sequence, hash_index_, pool_, hooks_);
   input.content = ContentHash(input.sequence, input.images);
+  input.detections = DetectionsHash(input.sequence);
 }
 
 Input Planner::FindInput(const Cell& cell) {
@@ -144,7 +161,7 @@ Input Planner::FindInput(const Cell& cell) {
   return input;
 }
 
-const Input& Planner::InputOf(const Cell& cell) {
+Input& Planner::InputOf(const Cell& cell) {
   const SuiteSequence& sequence = cell.sequence;
   std::string key =
       StrCat(sequence.name, "\n", sequence.detections, "\n",
@@ -160,6 +177,36 @@ const Input& Planner::InputOf(const Cell& cell) {
                                 : inputs_.emplace(key, FindInput(cell)).first->second;
 }
 
+const Resolved& Planner::ResolvedOf(const Cell& cell) {
+  std::string key = cell.variant;
+  for (const auto& [path, value] : cell.parameters) {
+    if (IsOptionPath(path)) key += StrCat("\n", path, "=", value.dump());
+  }
+  const auto found = resolved_.find(key);
+  if (found != resolved_.end()) return found->second;
+  if (resolved_.size() >= kMaxResolved) resolved_.clear();
+  Resolved resolved;
+  resolved.options = OptionsOf(suite_, cell.variant, cell.parameters);
+  const Json options = OptionsToJson(OptionLeaves(resolved.options));
+  resolved.identity_head = IdentityHead(build_.identity, cell.variant, options);
+  resolved.front_end = options["orb"].dump() + options["stereo"].dump();
+  return resolved_.emplace(key, std::move(resolved)).first->second;
+}
+
+const std::string& Planner::FrontEndKeyOf(const Resolved& resolved, Input& input) const {
+  const auto [found, added] = input.front_end_keys.try_emplace(resolved.front_end);
+  if (added) {
+    found->second = FrontEndKey({.build = build_.identity,
+                                 .camera = input.sequence.camera,
+                                 .orb = resolved.options.orb,
+                                 .stereo = resolved.options.stereo,
+                                 .perturbation = input.sequence.perturbation,
+                                 .first_frame = input.sequence.first_frame},
+                                input.images);
+  }
+  return found->second;
+}
+
 void Planner::IdentifyFiles(const Input& input, PlannedJob& job) const {
   try {
     job.job = IdentifySystem({.sequence = input.sequence,
@@ -172,28 +219,19 @@ void Planner::IdentifyFiles(const Input& input, PlannedJob& job) const {
 }
 
 PlannedJob Planner::PlanCell(const Cell& cell) {
-  const Input& input = InputOf(cell);
+  Input& input = InputOf(cell);
   PlannedJob job{cell, input.folder, input.missing, input.frames, input.content, "", ""};
   if (!job.missing.empty()) return job;
   if (!cell.system.empty()) {
     IdentifyFiles(input, job);
     return job;
   }
-  const Options options = OptionsOf(suite_, cell.variant, cell.parameters);
-  job.input = FrontEndKey({.build = build_.identity,
-                           .camera = input.sequence.camera,
-                           .orb = options.orb,
-                           .stereo = options.stereo,
-                           .perturbation = input.sequence.perturbation,
-                           .first_frame = input.sequence.first_frame},
-                          input.images);
-  job.job = IdentifyJob({.sequence = input.sequence,
-                         .variant = FindVariant(cell.variant),
-                         .options = options,
-                         .seed = cell.seed,
-                         .classes = ClassesOf(cell.sequence),
-                         .oracle = OracleOf(cell.oracle)},
-                        input.content);
+  const Resolved& resolved = ResolvedOf(cell);
+  job.input = FrontEndKeyOf(resolved, input);
+  job.job = JobIdentity(
+      resolved.identity_head,
+      {input.content, input.detections,
+       Given(input.sequence, ClassesOf(cell.sequence), OracleOf(cell.oracle)), cell.seed});
   return job;
 }
 
@@ -203,6 +241,7 @@ BuiltPlan Planner::Build() {
   built.plan.build = build_.identity;
   built.plan.data = data_.root().string();
   const std::vector<Cell> cells = ExpandSuite(suite_);
+  built.plan.jobs.reserve(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i) {
     built.plan.jobs.push_back(PlanCell(cells[i]));
     if (request_.progress) request_.progress(i + 1, cells.size());

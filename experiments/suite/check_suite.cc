@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 #include <functional>
@@ -97,22 +98,28 @@ void CheckScene(const SuiteSequence& sequence, const GridPoint& point) {
   }
 }
 
-// Draws of one distribution are checked by their first: each takes time to make, and one that
-// cannot be made is listed with the jobs that lack it.
-bool IsDrawnAsBefore(const Suite& suite, std::size_t index) {
-  if (index == 0) return false;
-  const SuiteSequence& before = suite.sequences[index - 1];
-  const SuiteSequence& sequence = suite.sequences[index];
-  if (!synth::IsFamilyScene(before.scene) || !synth::IsFamilyScene(sequence.scene)) return false;
-  synth::FamilyScene scene = synth::ParseFamilyScene(before.scene);
-  scene.seed = synth::ParseFamilyScene(sequence.scene).seed;
-  return scene.Name() == sequence.scene && before.frames == sequence.frames &&
-         before.detections == sequence.detections;
-}
+// Scenes that are checked, each once. Draws of one distribution are checked by their first: each
+// takes time to make, and one that cannot be made is listed with the jobs that lack it.
+class CheckedScenes {
+ public:
+  bool Add(const SuiteSequence& sequence) {
+    std::string scene = sequence.scene;
+    if (synth::IsFamilyScene(scene)) {
+      synth::FamilyScene family = synth::ParseFamilyScene(scene);
+      family.seed = 0;
+      scene = family.Name();
+    }
+    return checked_.insert({scene, sequence.frames, sequence.detections}).second;
+  }
+
+ private:
+  std::set<std::array<std::string, 3>> checked_;
+};
 
 void CheckSequences(const Suite& suite, const std::string& where) {
   if (suite.sequences.empty()) ThrowError(where + ", sequences", "none", "at least one");
   std::set<std::pair<std::string, std::string>> seen;
+  CheckedScenes checked;
   for (std::size_t i = 0; i < suite.sequences.size(); ++i) {
     const SuiteSequence& sequence = suite.sequences[i];
     const std::string at = StrCat(where, ", sequences.", i);
@@ -132,16 +139,17 @@ void CheckSequences(const Suite& suite, const std::string& where) {
     }
     At(at, [&] {
       PerturbationOf(sequence, {}, 0);
-      if (IsDrawnAsBefore(suite, i)) return;
-      if (!sequence.scene.empty()) return CheckScene(sequence, {});
+      if (!sequence.scene.empty()) {
+        if (checked.Add(sequence)) CheckScene(sequence, {});
+        return;
+      }
       if (!sequence.frames.empty()) ParseFrameRange(sequence.frames);
     });
   }
 }
 
-// Before the cells are listed, which would take all memory.
+// Before anything is made of each, which would take all memory.
 void CheckCount(const Suite& suite, const std::string& where) {
-  constexpr double kMaxRuns = 100'000;
   double points = 1.0;
   for (const GridAxis& axis : suite.grid) {
     const auto values = static_cast<double>(axis.values.size());
@@ -150,9 +158,9 @@ void CheckCount(const Suite& suite, const std::string& where) {
   double runs = points;
   for (const std::size_t count : {suite.sequences.size(), suite.seeds.size(), suite.oracles.size(),
                                   suite.variants.size() + suite.systems.size()}) {
-    runs *= static_cast<double>(count);
+    runs *= static_cast<double>(std::max<std::size_t>(count, 1));
   }
-  if (runs > kMaxRuns) {
+  if (runs > static_cast<double>(kMaxRuns)) {
     ThrowError(where, StrCat(runs, " runs"), StrCat("at most ", kMaxRuns, " in one suite"));
   }
 }
@@ -182,17 +190,18 @@ void CheckGrid(const Suite& suite, const std::string& where) {
   }
   const bool scenes = std::any_of(suite.grid.begin(), suite.grid.end(),
                                   [](const GridAxis& axis) { return IsScenePath(axis.path); });
-  for (std::size_t i = 0; i < suite.sequences.size(); ++i) {
-    if (i > 0 && !scenes) continue;  // the same for all of them
-    if (IsDrawnAsBefore(suite, i)) continue;
+  CheckedScenes checked;
+  for (const SuiteSequence& sequence : suite.sequences) {
+    if (!checked.Add(sequence)) continue;
     At(where + ", grid", [&] {
       for (const std::string& variant : AnyVariants(suite)) {
-        for (const GridPoint& point : GridPoints(suite, suite.sequences[i], variant)) {
+        for (const GridPoint& point : GridPoints(suite, sequence, variant)) {
           OptionsOf(suite, variant, point);
-          if (scenes) CheckScene(suite.sequences[i], point);
+          if (scenes) CheckScene(sequence, point);
         }
       }
     });
+    if (!scenes) break;  // the same for all of them
   }
 }
 
@@ -242,11 +251,10 @@ void CheckRows(const Suite& suite, const std::string& where) {
   }
   if (suite.variants.size() + suite.systems.size() > 1) needed.emplace_back("variant");
   if (suite.oracles.size() > 1) needed.emplace_back("oracle");
-  for (const SuiteSequence& a : suite.sequences) {
-    for (const SuiteSequence& b : suite.sequences) {
-      const bool alike = a.name == b.name && a.detections != b.detections;
-      if (alike && !Among(needed, "detections")) needed.emplace_back("detections");
-    }
+  std::set<std::string> names;
+  for (const SuiteSequence& sequence : suite.sequences) {
+    const bool again = !names.insert(sequence.name).second;  // with other detections
+    if (again && !Among(needed, "detections")) needed.emplace_back("detections");
   }
   CheckNames(suite.table.rows, keys, where + ", table.rows", "one of " + Listed(keys));
   for (const std::string& key : needed) {
@@ -303,6 +311,7 @@ std::string SplitOf(const Suite& suite) {
 }
 
 void CheckSuite(const Suite& suite, const std::string& where) {
+  CheckCount(suite, where);
   CheckName(suite.name, where + ", name");
   CheckSequences(suite, where);
   CheckNames(suite.variants, VariantNames(), where + ", variants",
@@ -314,7 +323,6 @@ void CheckSuite(const Suite& suite, const std::string& where) {
   if (std::set(suite.seeds.begin(), suite.seeds.end()).size() < suite.seeds.size()) {
     ThrowError(where + ", seeds", "a seed twice", "each once");
   }
-  CheckCount(suite, where);
   At(where + ", options", [&] {
     for (const std::string& variant : AnyVariants(suite)) OptionsOf(suite, variant, {});
   });

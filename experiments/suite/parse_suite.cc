@@ -111,6 +111,7 @@ void ReadFamily(ObjectReader object, const fs::path& folder, std::vector<SuiteSe
   sequence.perturb = ObjectOr(object, "perturb");
   object.Finish();
   for (std::uint64_t seed = first; seed < end; ++seed) {
+    if (out.size() > kMaxRuns) return;  // too many, which CheckSuite refuses
     scene.seed = static_cast<std::uint32_t>(seed);
     sequence.scene = scene.Name();
     sequence.name = StrCat(name, "_", seed);
@@ -220,6 +221,7 @@ Suite ReadCheckedSuite(const Json& json, const std::string& where, const fs::pat
   suite.name = object.Text("name");
   suite.about = object.TextOr("about", "");
   for (ObjectReader& sequence : object.ObjectsOr("sequences")) {
+    if (suite.sequences.size() > kMaxRuns) break;  // too many, which CheckSuite refuses
     if (sequence.Has("family")) {
       ReadFamily(std::move(sequence), folder, suite.sequences);
     } else {

@@ -23,6 +23,9 @@ struct Cell {
   bool landmarks = false;  // keeps every landmark; no part of what is computed
 };
 
+// Value by path.
+Json ParametersOf(const Cell& cell);
+
 inline constexpr char kNotRendered[] = "not rendered yet";
 
 // A cell with its input found.

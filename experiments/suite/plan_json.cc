@@ -27,7 +27,7 @@ reports::PlanJob JobInFile(const PlannedJob& job, const Suite& suite) {
   row.system = cell.system;
   row.seed = cell.seed;
   row.oracle = cell.oracle;
-  for (const auto& [path, value] : cell.parameters) row.parameters[path] = value;
+  row.parameters = ParametersOf(cell);
   row.landmarks = cell.landmarks;
   row.folder = job.folder;
   row.missing = job.missing;
@@ -64,6 +64,12 @@ PlannedJob JobOf(const reports::PlanJob& row, const Suite& suite, const std::str
 }
 
 }  // namespace
+
+Json ParametersOf(const Cell& cell) {
+  Json parameters = Json::object();
+  for (const auto& [path, value] : cell.parameters) parameters[path] = value;
+  return parameters;
+}
 
 std::string PlanText(const Plan& plan) {
   reports::PlanFile file;

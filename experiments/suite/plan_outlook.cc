@@ -26,15 +26,13 @@ struct Mean {
 
 // What a user calls the same cell, whatever it is computed from.
 std::string NameOf(const Cell& cell) {
-  Json parameters = Json::object();
-  for (const auto& [path, value] : cell.parameters) parameters[path] = value;
   return DumpJson({{"sequence", cell.sequence.name},
                    {"detections", cell.sequence.detections},
                    {"variant", cell.variant},
                    {"system", cell.system},
                    {"seed", cell.seed},
                    {"oracle", cell.oracle},
-                   {"parameters", parameters}});
+                   {"parameters", ParametersOf(cell)}});
 }
 
 Json ResolvedOptions(const Suite& suite, const Cell& cell) {

@@ -57,6 +57,9 @@ struct SuiteSystem {
 // What experiment table makes of the results.
 using SuiteTable = reports::PlanTable;
 
+// Of one suite, which is planned as a whole.
+inline constexpr std::size_t kMaxRuns = 100'000;
+
 // A suite file: what is run on what, and how it is tabulated.
 struct Suite {
   std::string name;

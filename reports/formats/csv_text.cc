@@ -11,19 +11,6 @@
 namespace cvo::reports {
 namespace {
 
-// Keeps line ends, which CSV allows, and removes other control characters.
-std::string PrintableLines(const std::string& text) {
-  std::string printable;
-  std::size_t begin = 0;
-  while (true) {
-    const std::size_t end = text.find('\n', begin);
-    printable += Printable(std::string_view(text).substr(begin, end - begin));
-    if (end == std::string::npos) return printable;
-    printable += '\n';
-    begin = end + 1;
-  }
-}
-
 bool IsNumber(const std::string& text) {
   double value = 0.0;
   const char* end = text.data() + text.size();

@@ -27,6 +27,7 @@ void CheckJobs(const Baseline& baseline, const std::string& where) {
       if (!metrics.contains(metric)) {
         ThrowError(where + ", jobs", "a value of " + metric, "one of the metrics named above it");
       }
+      CheckPossible(metric, value, where + ", jobs");
     }
     values += job.values.size();
   }

@@ -266,6 +266,17 @@ const MetricEntry* FindEntry(const std::string& name) {
   return form ? &EntryOf(form->id) : nullptr;
 }
 
+void CheckPossible(const std::string& name, double value, const std::string& where) {
+  constexpr double kLargest = 1e12;
+  const MetricEntry* entry = FindEntry(name);
+  const bool fraction = entry != nullptr && entry->kind == kFraction;
+  const double least = entry == nullptr ? -kLargest : fraction ? -1.0 : 0.0;  // ARI is below 0, too
+  const double most = fraction ? 1.0 : kLargest;
+  if (value >= least && value <= most) return;
+  ThrowError(StrCat(where, ", ", name), StrCat(value),
+             StrCat("a value in [", least, ", ", most, "]"));
+}
+
 std::string MetricLabel(const std::string& name) {
   const MetricEntry* entry = FindEntry(name);
   return entry != nullptr && name == entry->name ? entry->label : name;

@@ -123,6 +123,10 @@ std::vector<std::string> AllMetricNames();
 // The entry of any form; nullptr for a name that is none.
 const MetricEntry* FindEntry(const std::string& name);
 
+// Throws Error naming `where` and the metric for a value that no run can have; that of a name that
+// is none need only be of a size that can be.
+void CheckPossible(const std::string& name, double value, const std::string& where);
+
 // What heads its column; the name of a form other than the entry's own.
 std::string MetricLabel(const std::string& name);
 

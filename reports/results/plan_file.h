@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/files/json_record.h"
+#include "core/files/text_file.h"
 
 namespace cvo::reports {
 
@@ -78,6 +79,14 @@ struct PlanJob {
     archive.Added("input", self.input);
     archive.Added("job", self.job);
     archive.Added("entry", self.entry);
+    if constexpr (Archive::kReads) {
+      if (self.job.empty() && self.missing.empty()) {
+        ThrowError(archive.where(), "no job and no reason why", "one of them");
+      }
+      if (self.job.starts_with('.') || self.job.find('/') != std::string::npos) {
+        ThrowError(archive.where() + ", field job", Quoted(self.job), "the name of its folder");
+      }
+    }
   }
 };
 

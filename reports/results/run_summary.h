@@ -67,7 +67,8 @@ struct RunSequence : SequenceInfo {
   std::string detections_hash;
   std::string content;  // hash
   CameraInfo camera;
-  std::optional<Json> perturbation;  // of images and calibration
+  std::optional<Json> perturbation;   // of images and calibration
+  std::vector<std::string> warnings;  // what of times and truth is hardly true
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -85,6 +86,7 @@ struct RunSequence : SequenceInfo {
     archive.Added("content", self.content);
     archive.Added("camera", self.camera);
     archive.Optional("perturbation", self.perturbation);
+    archive.Optional("warnings", self.warnings);
   }
 };
 
@@ -136,6 +138,22 @@ struct RunSummary {
     archive.Added("bodies", self.bodies);
   }
 };
+
+// The variant of a run that is files of another system.
+inline std::string SystemVariant(const std::string& system) { return "system:" + system; }
+
+// What a plan says that a result is of; what it leaves empty it does not say.
+struct ExpectedRun {
+  std::string job;
+  std::string variant;
+  std::uint64_t seed = 0;
+  std::string content;
+  std::vector<std::string> oracle;
+  Json parameters = Json::object();  // value by dotted path; options are compared
+};
+
+// Throws Error naming the first thing that the result says otherwise of itself.
+void CheckRunOf(const ExpectedRun& expected, const RunSummary& run);
 
 // With the metrics of these names. Throws Error naming the file and the field, wherever in it:
 // another schema version, half-written, not a run, a number that is none.

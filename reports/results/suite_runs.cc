@@ -31,8 +31,12 @@ PlannedRun Planned(const PlanJob& job) {
   for (const auto& [path, value] : job.parameters.items()) {
     run.keys[path] = value.is_string() ? value.get<std::string>() : value.dump();
   }
-  run.seed = job.seed;
   run.job = job.job;
+  run.variant = run.system ? SystemVariant(job.system) : job.variant;
+  run.seed = job.seed;
+  run.content = job.content;
+  run.oracle = job.oracle;
+  run.parameters = job.parameters;
   run.missing = job.missing;
   return run;
 }
@@ -40,9 +44,7 @@ PlannedRun Planned(const PlanJob& job) {
 void ReadResult(const fs::path& file, const std::vector<std::string>& metrics, SuiteRun& run) {
   try {
     RunSummary summary = ReadRun(file, metrics);
-    if (summary.job != run.planned.job) {
-      ThrowError(file.string(), "the result of job " + summary.job, "that of its folder's name");
-    }
+    CheckRunOf(run.planned, summary);
     run.state = summary.status;
     run.message = summary.message;
     if (run.state == "ok" || run.state == "lost") {

@@ -15,14 +15,12 @@ namespace cvo::reports {
 
 // A job as plan.json holds it: keys are sequence, detections, variant (of another system: its
 // name), oracle, and the path of every option that the suite varies.
-struct PlannedRun {
+struct PlannedRun : ExpectedRun {
   std::map<std::string, std::string> keys;
   bool system = false;  // other people's trajectories, scored as they are
   std::string family;   // that the scene is drawn from; empty: none
   std::string split;    // "development", "test", "none"; "given": images; empty: an older plan
-  std::uint64_t seed = 0;
-  std::string job;      // empty: the sequence is missing
-  std::string missing;  // why
+  std::string missing;  // why there is no job
 };
 
 // As the reference of a suite: each row is compared with the one before it.

@@ -3,8 +3,10 @@
 #include "reports/tables/table_json.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/files/text_file.h"
+#include "reports/results/metric_catalogue.h"
 
 namespace cvo::reports {
 namespace {
@@ -47,15 +49,30 @@ std::size_t IndexOf(const std::string& text, const std::vector<T>& values, std::
   return static_cast<std::size_t>(found - values.begin());
 }
 
-void CheckRuns(const Table& table, const std::string& where) {
+void CheckCell(const Cell& cell, const Row& row, const std::string& metric,
+               const std::string& where) {
+  if (cell.present) CheckPossible(metric, cell.value, where);
+  if (cell.interval) {  // that of a mean may reach beyond what a run can have
+    const auto [low, high] = std::pair(cell.interval->low, cell.interval->high);
+    for (const double end : {low, high}) CheckPossible("interval", end, where + ", " + metric);
+    if (!(low <= high)) {
+      ThrowError(StrCat(where, ", ", metric, ", interval"), StrCat(low, " to ", high),
+                 "low <= high");
+    }
+  }
+  for (const std::size_t run : cell.runs) {
+    if (run < row.runs.size()) continue;
+    ThrowError(where + ", field runs", StrCat(run),
+               StrCat("indices of the row's ", row.runs.size(), " runs"));
+  }
+}
+
+void CheckCells(const Table& table, const std::string& where) {
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const Row& row = table.rows[i];
     for (std::size_t j = 0; j < row.cells.size(); ++j) {
-      for (const std::size_t run : row.cells[j].runs) {
-        if (run < row.runs.size()) continue;
-        ThrowError(StrCat(where, ", rows[", i, "], cells[", j, "], field runs"), StrCat(run),
-                   StrCat("indices of the row's ", row.runs.size(), " runs"));
-      }
+      CheckCell(row.cells[j], row, table.columns[j].metric,
+                StrCat(where, ", rows[", i, "], cells[", j, "]"));
     }
   }
 }
@@ -159,7 +176,7 @@ std::string TableJson(const Table& table) { return FileText(table); }
 
 Table ReadTable(std::string_view json, const std::string& where) {
   const auto table = ReadRecord<Table>(ParseJson(json, where), where);
-  CheckRuns(table, where);
+  CheckCells(table, where);
   return table;
 }
 

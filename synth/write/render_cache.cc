@@ -41,17 +41,20 @@ fs::path CacheFolder() {
 
 fs::path ScenesFolder(const fs::path& cache) { return cache / "scenes"; }
 
-void RemoveLeftoversOfRenders(const fs::path& cache) {
+void RemoveLeftoversOfCache(const fs::path& cache) {
   RemoveLeftovers(cache);
-  std::error_code none;
-  for (const fs::directory_entry& scene : fs::directory_iterator(ScenesFolder(cache), none)) {
-    RemoveLeftovers(scene.path());
+  RemoveEmptyFolders(ScenesFolder(cache));
+  for (const fs::path& folder : {cache, ScenesFolder(cache)}) {
+    std::error_code error;
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+      RemoveLeftovers(it->path());
+    }
   }
 }
 
 std::optional<CachedRender> FindCachedRender(const fs::path& cache, const std::string& key,
                                              TaskPool& pool, const WorkHooks& hooks) {
-  RemoveLeftoversOfRenders(cache);
+  RemoveLeftoversOfCache(cache);
   const fs::path folder = cache / key;
   std::error_code ignored;
   if (!fs::exists(folder, ignored)) return std::nullopt;

@@ -17,9 +17,8 @@ std::filesystem::path CacheFolder();
 // Rendered sequences of suites: <name>-<key>/<name>.
 std::filesystem::path ScenesFolder(const std::filesystem::path& cache);
 
-// Removes what renders that were killed left in the cache and in its scenes
-// (core/files/temporary.h).
-void RemoveLeftoversOfRenders(const std::filesystem::path& cache);
+// Removes what processes that were killed left anywhere in the cache (core/files/temporary.h).
+void RemoveLeftoversOfCache(const std::filesystem::path& cache);
 
 // A complete sequence without what depends on a seed.
 struct CachedRender {

@@ -167,7 +167,8 @@ void AddDrawingFlags(CLI::App& app, OverlayFlags& flags) {
   add("--every", flags.every, "K", "draw every K-th frame; default: 1")
       ->check(CLI::Range(1, 1000000).description(""));
   add("--scale", flags.scale, "S", "scale of the drawing relative to the image; default: 1")
-      ->check(CLI::Range(0.1, 4.0).description(""));
+      ->check(CLI::Range(0.1, 4.0).description(""))
+      ->check(FiniteProblem);
   add("--labels", flags.labels, "NAME",
       "label that colours the landmarks: cluster (the cluster they belong to) or inferred (the "
       "label inferred from the energy terms in the frame, drawn without 3D boxes); default: "

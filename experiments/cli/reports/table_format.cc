@@ -5,6 +5,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <iostream>
 
 #include "experiments/cli/output_file.h"
@@ -64,13 +65,16 @@ void CheckTableFormat(const TableFormat& format) {
 }
 
 void OutputTable(const reports::Table& table, const TableFormat& format,
-                 const std::vector<std::filesystem::path>& read, const std::string& after) {
-  const std::string text = Rendered(table, format) + (format.Terminal() ? after : "");
+                 const std::vector<std::filesystem::path>& read, std::string after) {
+  const std::string text = Rendered(table, format);
+  if (!format.Terminal()) after.clear();
   if (format.output.empty()) {
-    std::cout << text;
+    std::cout.flush();
+    std::fputs(text.c_str(), stdout);  // with its own terminal codes, which CleanOutput takes away
+    std::cout << after;
     return;
   }
-  WriteOutputFile(format.output, text, read);
+  WriteOutputFile(format.output, text + after, read);
   std::cout << "written: " << format.output << '\n';
 }
 

@@ -29,6 +29,6 @@ void CheckTableFormat(const TableFormat& format);
 // Prints the table or writes it to its file, which must not be one of `read`, and says so. `after`:
 // what follows it in a terminal.
 void OutputTable(const reports::Table& table, const TableFormat& format,
-                 const std::vector<std::filesystem::path>& read, const std::string& after = "");
+                 const std::vector<std::filesystem::path>& read, std::string after = "");
 
 }  // namespace cvo

@@ -88,7 +88,9 @@ void EvalSequence::AddTo(CLI::App& app) {
   add("-o,--output", output, "FOLDER", "output folder for result.json, in the format of a run");
   add("--right-shift", right_shift_px, "PX",
       "rectification correction applied to the system's input; default: 0, as published");
-  app.get_option("--right-shift")->check(FiniteProblem);
+  app.get_option("--right-shift")
+      ->check(CLI::Range(-100.0, 100.0).description(""))
+      ->check(FiniteProblem);
   flags.AddTruthTo(app);
   for (const std::string& flag : FlagNames()) app.get_option(flag)->group("With --sequence");
 }

@@ -9,6 +9,7 @@
 #include "experiments/cli/command.h"
 #include "experiments/cli/run/sequence_flags.h"
 #include "experiments/cli/run/text_table.h"
+#include "experiments/datasets/plausibility.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/datasets/sequence_type.h"
 #include "experiments/record/result_file.h"
@@ -60,7 +61,8 @@ Json InfoJson(const Sequence& sequence) {
           {"groundtruth_frames", FramesWithTruth(sequence)},
           {"labels", sequence.labels.size()},
           {"detections", sequence.detections.size()},
-          {"missing", sequence.missing}};
+          {"missing", sequence.missing},
+          {"warnings", FindImplausible(sequence)}};
 }
 
 void PrintInfo(const Sequence& sequence) {
@@ -88,6 +90,7 @@ void PrintInfo(const Sequence& sequence) {
   table.Add({"labels", StrCat(sequence.labels.size(), " boxes")});
   table.Add({"detections", StrCat(sequence.detections.size(), " boxes")});
   for (const std::string& line : sequence.missing) table.Add({"missing", line});
+  for (const std::string& line : FindImplausible(sequence)) table.Add({"hardly true", line});
   table.Print(std::cout);
 }
 

@@ -18,6 +18,7 @@
 #include "experiments/cli/run/sequence_flags.h"
 #include "experiments/cli/run/text_table.h"
 #include "experiments/cli/stop_signal.h"
+#include "experiments/datasets/plausibility.h"
 #include "experiments/runner/job_cache.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/suite/scenes.h"
@@ -76,6 +77,9 @@ void PrintSummary(const Sequence& sequence, const JobOutcome& outcome) {
             << ReadableNumber(run.wall_s) << " s, " << ReadableNumber(rate) << " frames/s, "
             << ReadableNumber(outcome.context.peak_memory_mb) << " MB, status "
             << ToString(run.status) << (run.message.empty() ? "" : ": ") << run.message << '\n';
+  for (const std::string& line : FindImplausible(sequence)) {
+    std::cout << "warning: hardly true: " << line << '\n';
+  }
   PrintProblems(run);
   PrintCalibration(sequence, run);
   PrintDetections(sequence, run.detections, std::cout);
@@ -93,7 +97,8 @@ JobCache OpenCache(const Flags& flags, std::size_t frames) {
   // Over the progress bar, where there is one.
   const char* start = ::isatty(STDERR_FILENO) ? "\r\033[K" : "";
   hooks.notice = [start](const std::string& line) {
-    std::cerr << start << "clustervo: " << line << '\n';
+    std::fputs(start, stderr);
+    std::cerr << "clustervo: " << line << '\n';
   };
   const auto progress = std::make_shared<std::optional<Progress>>();
   hooks.hashed = [=, quiet = flags.run.quiet](std::size_t done, std::size_t total) {

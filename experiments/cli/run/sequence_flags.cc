@@ -50,6 +50,7 @@ void SequenceFlags::AddTo(CLI::App& app) {
   AddRightShift(app, right_shift_px);
   AddStereo(app, stereo);
   add("--min-score", min_score, "SCORE", "minimum score of a detection; default: none")
+      ->check(CLI::Range(-1e6, 1e6).description(""))
       ->check(FiniteProblem);
 }
 
@@ -59,6 +60,7 @@ void AddRightShift(CLI::App& app, std::optional<double>& right_shift_px) {
          "known rectification error: offset of u_right to the right, from which its estimate "
          "starts; default: 0")
       ->type_name("PX")
+      ->check(CLI::Range(-100.0, 100.0).description(""))
       ->check(FiniteProblem);
 }
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include <sys/resource.h>
+
 #include <iostream>
 #include <memory>
 #include <new>
@@ -21,16 +23,24 @@ void RunOne(const SuiteFolder& folder, const std::string& id) {
   RunPlannedJob(ParsePlan(ReadJson(folder.plan()), folder.plan().string()), id, folder, cache);
 }
 
+std::string OutOfMemory() {
+  rlimit limit{};
+  const bool limited = ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+  if (!limited) return "out of memory";
+  return StrCat("out of memory: memory limit of ", static_cast<double>(limit.rlim_cur) / 1e6,
+                " MB");
+}
+
 // Memory runs out where a limit was set for the job: its failure, and no error of the program.
 int RunWithinMemory(const SuiteFolder& folder, const std::string& id) {
   try {
     RunOne(folder, id);
     return 0;
   } catch (const std::bad_alloc&) {
-    throw Error("out of memory");
+    throw Error(OutOfMemory());
   } catch (const cv::Exception& error) {
     if (error.code != cv::Error::StsNoMem) throw;
-    throw Error("out of memory");
+    throw Error(OutOfMemory());
   }
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "core/base/error.h"
 #include "experiments/cli/progress.h"
@@ -107,10 +108,14 @@ int PrintPlan(const Flags& flags) {
   PlanRequest request = flags.suite.Request();
   // Only worth showing where images have to be read, which is felt on a terminal.
   const bool quiet = flags.quiet || ::isatty(STDERR_FILENO) == 0;
-  Progress progress(ExpandSuite(suite).size(), quiet, Progress::Clock::now(), kPlanned);
-  request.progress = [&progress](std::size_t done, std::size_t) { progress.Report(done); };
+  std::optional<Progress> progress;
+  request.progress = [&progress, quiet](std::size_t done, std::size_t total) {
+    if (!progress) progress.emplace(total, quiet, Progress::Clock::now(), kPlanned);
+    progress->Report(done);
+  };
   request.notice = [](const std::string& line) { std::cerr << "clustervo: " << line << '\n'; };
   const PlanState state = FindPlanState(suite, request, {flags.suite.output});
+  progress.reset();
   Print(state, flags.jobs, std::cout);
   return 0;
 }

@@ -18,11 +18,11 @@ Command AddExperimentRunCommand(CLI::App& experiment) {
   };
   flags->engine.AddTo(*app);
   add("--time-limit", flags->limit_s, "S", "wall time limit of one job; 0: no limit")
-      ->check(CLI::NonNegativeNumber.description(""))
+      ->check(CLI::Range(0.0, 1e9).description(""))
       ->check(FiniteProblem)
       ->capture_default_str();
   add("--memory-limit", flags->limit_memory_mb, "MB", "address space limit of one job; 0: no limit")
-      ->check(CLI::NonNegativeNumber.description(""))
+      ->check(CLI::Range(0.0, 1e9).description(""))
       ->check(FiniteProblem)
       ->capture_default_str();
   AddQuiet(*app, flags->quiet);

@@ -69,7 +69,7 @@ class SuiteRun {
         lock_(folder_.lock()),
         engine_(flags.engine.Make(folder_)) {
     RemoveTemporaries(folder_.root);
-    synth::RemoveLeftoversOfRenders(flags.suite.Request().cache);
+    synth::RemoveLeftoversOfCache(flags.suite.Request().cache);
   }
 
   int Run() {

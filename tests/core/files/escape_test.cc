@@ -22,6 +22,7 @@ TEST(Base64, TheVectorsOfRfc4648) {
 TEST(Escaped, TextStaysText) {
   EXPECT_EQ(HtmlEscaped("<b a='1' c=\"2\">&"), "&lt;b a=&#39;1&#39; c=&quot;2&quot;&gt;&amp;");
   EXPECT_EQ(MarkdownEscaped("a|b_c [x](y) $"), "a\\|b\\_c [x]\\(y) \\$");
+  EXPECT_EQ(MarkdownEscaped("https://a.b www.c.d 1:2"), "https\\://a.b www\\.c.d 1:2");
 }
 
 TEST(Utf8, WholeTextsAlone) {

@@ -62,6 +62,7 @@ class RunPlanTest : public testing::Test {
     job.job = id;
     job.input = input;
     job.folder = "/sequence";
+    job.cell.variant = "full";
     return job;
   }
   static Plan PlanOf(const std::vector<PlannedJob>& jobs) {

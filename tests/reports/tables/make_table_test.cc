@@ -121,12 +121,14 @@ TEST_F(MakeTableTest, RowsAreByTheKeysOfTheSuiteInItsOrder) {
   suite_.table["rows"] = {"window.spatial", "oracle"};
   suite_.Add(Result("a"))["parameters"] = {{"window.spatial", 9}};
   suite_.Add(Result("a"))["parameters"] = {{"window.spatial", 5}};
-  suite_.Add(Result("a"))["oracle"] = {"boxes", "labels"};
+  Json given = Result("a");
+  given["given"] = {{"oracle", {"boxes", "labels"}}};
+  suite_.Add(given)["oracle"] = {"labels", "boxes"};
   const Table table = Make();
   ASSERT_THAT(table.rows, SizeIs(3));
   EXPECT_THAT(table.rows[0].keys, ElementsAre("9", "none"));
   EXPECT_THAT(table.rows[1].keys, ElementsAre("5", "none"));
-  EXPECT_THAT(table.rows[2].keys, ElementsAre("default", "boxes,labels"));
+  EXPECT_THAT(table.rows[2].keys, ElementsAre("default", "labels,boxes"));
 }
 
 TEST_F(MakeTableTest, ReportsPooledKeys) {
@@ -308,7 +310,7 @@ TEST_F(MakeTableTest, OtherSystemsMayHaveAnotherContract) {
   suite_.Add(Result());
   Json other = Result();
   other["metrics"][1]["contract"]["matching"] = "nearness";
-  suite_.Add(other, "")["system"] = "ORB-SLAM2";
+  suite_.Add(other, "system:ORB-SLAM2")["system"] = "ORB-SLAM2";
   suite_.table["reference"] = "static";
   const Table table = Make();
   EXPECT_THAT(table.rows[1].keys, ElementsAre("2011_09_26_drive_0001", "ORB-SLAM2"));

@@ -37,7 +37,7 @@ TEST_F(TableNotesTest, RowsWithAndWithoutACorrectionNeverShareAMarkForBest) {
   Json ours = Result();
   ours["metrics"][1]["value"] = 0.01;
   suite_.Add(Corrected(ours));
-  suite_.Add(Result(), "")["system"] = "ORB-SLAM2";
+  suite_.Add(Result(), "system:ORB-SLAM2")["system"] = "ORB-SLAM2";
   const auto marks = [](const Table& table) {
     int best = 0;
     for (const TextLine& line : MakeTexts(table).blocks[0].lines) {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// A rendered scene in the cache that is not as it was rendered is rendered again, never read.
+// Faults of folders and of the cache: a rendered scene that is not as it was rendered is rendered
+// again, never read.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -22,7 +23,7 @@ using test::ProcessResult;
 using testing::AllOf;
 using testing::HasSubstr;
 
-class CliSceneDamage : public testing::Test {
+class FolderFaults : public testing::Test {
  protected:
   void SetUp() override {
     folder_.Write("suite.json",
@@ -70,7 +71,7 @@ class CliSceneDamage : public testing::Test {
   std::string job_;
 };
 
-TEST_F(CliSceneDamage, DamageOfEveryKindOfFileIsDetected) {
+TEST_F(FolderFaults, DamageOfEveryKindOfFileIsDetected) {
   if (IsSkipped()) return;
   for (const char* name :
        {"poses.txt", "poses_right.txt", "objects.csv", "labels.txt", "times.txt", "calib.txt",
@@ -95,7 +96,7 @@ TEST_F(CliSceneDamage, DamageOfEveryKindOfFileIsDetected) {
   EXPECT_THAT(Suite("plan").err, testing::IsEmpty());
 }
 
-TEST_F(CliSceneDamage, ARunRendersItAgain) {
+TEST_F(FolderFaults, ARunRendersItAgain) {
   if (IsSkipped()) return;
   const auto before = Files();
   for (const char* name : {"poses.txt", "image_0/000000.png", "instance_0/000001.png"}) Flip(name);
@@ -109,7 +110,7 @@ TEST_F(CliSceneDamage, ARunRendersItAgain) {
 }
 
 // It cannot be told how a folder outside of the cache was rendered.
-TEST_F(CliSceneDamage, DamageOutsideTheCacheIsRefused) {
+TEST_F(FolderFaults, DamageOutsideTheCacheIsRefused) {
   if (IsSkipped()) return;
   const fs::path copy = folder_.path() / "copy";
   fs::copy(scene_, copy, fs::copy_options::recursive);
@@ -130,7 +131,7 @@ TEST_F(CliSceneDamage, DamageOutsideTheCacheIsRefused) {
   }
 }
 
-TEST_F(CliSceneDamage, RemovesFilesOfKilledProcesses) {
+TEST_F(FolderFaults, RemovesFilesOfKilledProcesses) {
   if (IsSkipped()) return;
   const std::string name = StrCat(".x.tmp-", HostName(), ".9999999-0");
   const std::vector<fs::path> left = {folder_.path() / "cache" / name / "a",
@@ -141,7 +142,7 @@ TEST_F(CliSceneDamage, RemovesFilesOfKilledProcesses) {
   for (const fs::path& file : left) EXPECT_FALSE(fs::exists(file)) << file;
 }
 
-TEST_F(CliSceneDamage, AFolderWithOtherFilesIsNotReplaced) {
+TEST_F(FolderFaults, AFolderWithOtherFilesIsNotReplaced) {
   if (IsSkipped()) return;
   const fs::path mine = folder_.path() / "mine";
   const std::vector<std::string> render = {"synth",       "render",   "tiny", "-o",

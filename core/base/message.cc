@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/message.h"
+
+namespace cvo {
+namespace {
+
+// The nearest place from `at` on where a character of UTF-8 starts.
+std::size_t CharacterStart(const std::string& text, std::size_t at) {
+  while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80) ++at;
+  return at;
+}
+
+}  // namespace
+
+std::string Shortened(const std::string& text) {
+  if (text.size() <= kMaxMessage) return text;
+  constexpr std::size_t kHead = kMaxMessage * 2 / 3;
+  constexpr std::size_t kTail = kMaxMessage - kHead - 8;  // room for the dots and a character
+  return text.substr(0, CharacterStart(text, kHead)) + "..." +
+         text.substr(CharacterStart(text, text.size() - kTail));
+}
+
+}  // namespace cvo

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// fuzz_parsers MUTATIONS [SEED] [PARSER]: gives every parser that many spoilt files. What ends the
+// program, takes long or throws anything but cvo::Error is a finding; its input stays in the
+// working folder as fuzz_<parser>.
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+
+#include "core/base/error.h"
+#include "core/base/rng.h"
+#include "core/files/text_file.h"
+#include "tests/faults/parsers.h"
+
+namespace cvo::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+// What readers stumble over.
+const std::vector<std::string> kPieces = {"nan",
+                                          "inf",
+                                          "-1",
+                                          "0",
+                                          "1e999",
+                                          "-1e308",
+                                          "1e-320",
+                                          "99999999999999999999",
+                                          "2147483648",
+                                          "-9223372036854775808",
+                                          "0x10",
+                                          "null",
+                                          "true",
+                                          "\"\"",
+                                          "[",
+                                          "]",
+                                          "{",
+                                          "}",
+                                          "[[[[[[[[",
+                                          ",",
+                                          ":",
+                                          "\n",
+                                          "\r\n",
+                                          "\t",
+                                          " ",
+                                          std::string(1, '\0'),
+                                          "\x1b[31m",
+                                          "\xff",
+                                          "\xc2\x9b",
+                                          "\xe2\x80\xae",
+                                          "..",
+                                          "/",
+                                          "../../",
+                                          "\\u0000",
+                                          "\\ud800",
+                                          "#",
+                                          ".",
+                                          "=",
+                                          std::string(300, '9')};
+
+class Mutator {
+ public:
+  Mutator(const std::vector<std::string>& seeds, Rng& rng) : seeds_(seeds), rng_(rng) {}
+
+  std::string Next() {
+    std::string text = Pick(seeds_);
+    const std::uint64_t changes = 1 + rng_.UniformInt(4);
+    for (std::uint64_t i = 0; i < changes; ++i) Change(text);
+    return text;
+  }
+
+ private:
+  template <typename T>
+  const T& Pick(const std::vector<T>& values) {
+    return values[rng_.UniformInt(values.size())];
+  }
+  std::size_t Place(const std::string& text) { return rng_.UniformInt(text.size() + 1); }
+
+  void Change(std::string& text) {
+    const std::size_t at = Place(text);
+    const std::size_t length = rng_.UniformInt(40);
+    switch (rng_.UniformInt(7)) {
+      case 0:
+        if (at < text.size()) text[at] = static_cast<char>(text[at] ^ (1 << rng_.UniformInt(8)));
+        break;
+      case 1:
+        text.erase(at, length);
+        break;
+      case 2:
+        text.insert(at, Pick(kPieces));
+        break;
+      case 3:
+        ReplaceWord(text, at);
+        break;
+      case 4:
+        text.insert(Place(text), text.substr(at, length));
+        break;
+      case 5:
+        text.resize(at);
+        break;
+      default:
+        text.replace(at, std::string::npos, Pick(seeds_).substr(0, Place(text)));
+    }
+  }
+
+  // A number, a key or a value as a whole.
+  void ReplaceWord(std::string& text, std::size_t at) {
+    constexpr std::string_view kEnds = " \t\r\n,:[]{}\"";
+    const std::size_t begin = text.find_first_not_of(kEnds, at);
+    if (begin == std::string::npos) return;
+    const std::size_t end = std::min(text.find_first_of(kEnds, begin), text.size());
+    text.replace(begin, end - begin, Pick(kPieces));
+  }
+
+  const std::vector<std::string>& seeds_;
+  Rng& rng_;
+};
+
+// Why an input is a finding; empty: it is none.
+std::string Finding(const Parser& parser, const fs::path& file) {
+  constexpr double kLongest_s = 5.0;
+  const auto start = Clock::now();
+  try {
+    parser.read(file);
+  } catch (const Error& error) {
+    if (std::string_view(error.what()).size() > 1000) return "a message without an end";
+  } catch (const std::exception& error) {
+    return StrCat("another exception: ", error.what());
+  }
+  const std::chrono::duration<double> took = Clock::now() - start;
+  return took.count() > kLongest_s ? StrCat(took.count(), " s") : "";
+}
+
+bool Attack(const Parser& parser, int mutations, std::uint64_t seed) {
+  const fs::path file = fs::absolute("fuzz_" + parser.name);
+  for (const std::string& text : parser.seeds) {
+    WriteFileBytes(file, text);
+    if (const std::string why = Finding(parser, file); !why.empty()) {
+      std::cerr << parser.name << ": " << why << ", a seed\n";
+      return false;
+    }
+  }
+  Rng rng(seed, parser.name);
+  Mutator mutator(parser.seeds, rng);
+  const auto start = Clock::now();
+  for (int i = 0; i < mutations; ++i) {
+    WriteFileBytes(file, mutator.Next());
+    if (const std::string why = Finding(parser, file); !why.empty()) {
+      std::cerr << parser.name << ": " << why << ", seed " << seed << ", mutation " << i << ": "
+                << file.string() << '\n';
+      return false;
+    }
+  }
+  fs::remove(file);
+  const std::chrono::duration<double> took = Clock::now() - start;
+  std::cout << parser.name << ": " << mutations << " inputs in " << took.count() << " s\n";
+  return true;
+}
+
+int Main(int argc, char** argv) {
+  const int mutations = argc > 1 ? std::atoi(argv[1]) : 0;
+  if (mutations <= 0) {
+    std::cerr << "fuzz_parsers MUTATIONS [SEED] [PARSER]\n";
+    return 2;
+  }
+  const std::uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
+  bool good = true;
+  for (const Parser& parser : AllParsers()) {
+    if (argc > 3 && parser.name != argv[3]) continue;
+    good = Attack(parser, mutations, seed) && good;
+  }
+  return good ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace cvo::test
+
+int main(int argc, char** argv) { return cvo::test::Main(argc, argv); }

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cvo::test {
+
+// A reader of files that users, other programs or a damaged disk may have written. It takes any
+// bytes: it returns or throws cvo::Error, in little time.
+struct Parser {
+  std::string name;
+  std::vector<std::string> seeds;  // whole files, from which attacks start
+  std::function<void(const std::filesystem::path& file)> read;
+};
+
+// All of them. The seeds are files of the sources and of golden results, and texts.
+std::vector<Parser> AllParsers();
+
+}  // namespace cvo::test

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// Faults of suites, their plans and their results.
+#include "core/files/host_name.h"
+#include "tests/faults/fault_folder.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ProcessResult;
+using testing::AnyOf;
+using testing::HasSubstr;
+using testing::Not;
+
+class SuiteFaults : public test::FaultFolder {
+ protected:
+  // Every command that reads results says that the first run is none.
+  void ExpectNoRun(const std::string& case_name) const {
+    for (const Arguments& arguments : {Arguments{"experiment", "table", out()},
+                                       {"experiment", "status", out()},
+                                       {"check", out(), "--baseline", At("baseline.json")}}) {
+      const ProcessResult result = Run(arguments);
+      EXPECT_EQ(result.exit_code, 1) << case_name << ": " << arguments[1] << result.out;
+    }
+  }
+  void RunSuite() const {
+    ExpectDone(Suite("run"));
+    ExpectDone({"check", out(), "--write-baseline", At("baseline.json"), "--gate-seeds", "2"});
+  }
+};
+
+// What one command took for a result another did not.
+TEST_F(SuiteFaults, OneJudgement) {
+  RunSuite();
+  const std::string good = ReadFileBytes(FirstResult());
+  const std::string status = "\"status\": \"ok\"";
+  const std::vector<std::string> spoilt = {
+      Replaced(good, "\"total_frames\": 3", "\"total_frames\": nan"),
+      Replaced(good, status, "\"status\": \"o\x01k\""),
+      Replaced(good, status, "\"status\": \"ok\xff\""),
+      Replaced(good, "\"trajectories\": {", "\"trajectories\": {\"x\": nan, "),
+      std::string(100'000, '['),
+      good.substr(0, good.size() / 2)};
+  for (const std::string& bytes : spoilt) {
+    WriteFileBytes(FirstResult(), bytes);
+    ExpectNoRun(bytes.substr(0, 20));
+  }
+  ExpectDone(Suite("run"));  // makes it again
+  EXPECT_EQ(ReadFileBytes(FirstResult()), good);
+}
+
+// A row showed the number of another job.
+TEST_F(SuiteFaults, PlanAgainstResult) {
+  RunSuite();
+  const std::string plan = ReadFileBytes(At("out/plan.json"));
+  const std::vector<std::function<void(Json&)>> edits = {
+      [](Json& jobs) { std::swap(jobs[0]["job"], jobs[1]["job"]); },
+      [](Json& jobs) { std::swap(jobs[0]["job"], jobs[2]["job"]); },
+      [](Json& jobs) { jobs[0]["seed"] = 77; },
+      [](Json& jobs) { jobs[0]["variant"] = "full"; },
+      [](Json& jobs) { jobs[0]["oracle"] = {"camera"}; },
+      [](Json& jobs) { jobs[0]["content"] = std::string(64, 'a'); },
+      [](Json& jobs) { jobs[0]["parameters"]["noise.corner_px"] = 0.6; },
+      [](Json& jobs) { jobs[0].erase("job"); },
+      [](Json& jobs) { jobs[0]["job"] = ""; },
+      [](Json& jobs) { jobs[0]["job"] = "../../data"; }};
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    Edit(At("out/plan.json"), [&](Json& json) { edits[i](json["jobs"]); });
+    ExpectNoRun(StrCat("edit ", i));
+    WriteFileBytes(At("out/plan.json"), plan);
+  }
+  ExpectDone({"experiment", "table", out()});
+}
+
+// Grids, lists and counts that nobody can run took all memory or minutes before a word was said.
+TEST_F(SuiteFaults, Size) {
+  const auto axis = [](int steps) { return Json{{"from", 0.1}, {"to", 0.9}, {"steps", steps}}; };
+  Json list = Json::array();
+  for (int i = 0; i < 100'001; ++i) list.push_back(i);
+  Json sequences = Json::array();
+  for (int i = 0; i < 100'001; ++i) {
+    sequences.push_back({{"folder", "wall"}, {"name", StrCat("s", i)}});
+  }
+  const std::vector<std::pair<std::string, Json>> changes = {
+      {"grid", {{"noise.corner_px", axis(1000)}, {"crf.eta", axis(1000)}}},
+      {"grid", {{"noise.corner_px", axis(200'000)}}},
+      {"grid", {{"noise.corner_px", list}}},
+      {"seeds", list},
+      {"seeds", 100'000},
+      {"sequences", sequences},
+      {"sequences", Json::array({Json{{"family", "room"}, {"seeds", "0:4294967295"}}})}};
+  for (const auto& [key, value] : changes) {
+    const std::string suite = folder_.Write("large.json", [&] {
+      Json json = ReadJson(At("suite.json"));
+      json[key] = value;
+      return json.dump();
+    }());
+    ExpectOneLine({"experiment", "plan", suite, "-o", out(), "--data", At("data")}, AnyOf(1, 2),
+                  "expected");
+  }
+}
+
+// A job without memory ended as "exit code 127" or as killed by a signal.
+TEST_F(SuiteFaults, Limits) {
+  for (const char* limit_mb : {"10", "60"}) {
+    const ProcessResult run = Run(Suite("run", {"--memory-limit", limit_mb, "-j", "1"}));
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_THAT(run.err, HasSubstr(StrCat("memory limit of ", limit_mb, " MB"))) << run.err;
+  }
+}
+
+// A link in the name of a suite stayed one in the report for pull requests.
+TEST_F(SuiteFaults, Markdown) {
+  RunSuite();
+  Edit(At("out/plan.json"), [](Json& plan) {
+    plan["suite"]["name"] = "[x](javascript:y) <b> https://a.b ![i](c) www.d.e \x1b[31m";
+  });
+  const std::string file = At("check.md");
+  ExpectDone({"check", out(), "--baseline", At("baseline.json"), "--markdown", file});
+  const std::string text = ReadFileBytes(file);
+  for (const char* active : {"](", "<b>", "https://", "www.", "\x1b"}) {
+    EXPECT_THAT(text, Not(HasSubstr(active)));
+  }
+}
+
+// Values in a saved table that no run can have were shown as if one had.
+TEST_F(SuiteFaults, OddValues) {
+  RunSuite();
+  ExpectDone({"experiment", "table", out()});
+  const std::string table = ReadFileBytes(At("out/table.json"));
+  const std::vector<std::function<void(Json&)>> edits = {
+      [](Json& cell) { cell["value"] = -1e308; }, [](Json& cell) { cell["value"] = 1e308; },
+      [](Json& cell) { cell["value"] = -0.5; },
+      [](Json& cell) {
+        cell["interval"] = {{"low", 5}, {"high", 1}, {"meaning", "x"}};
+      },
+      [](Json& cell) {
+        cell["interval"] = {{"low", 1}, {"high", 1e300}, {"meaning", "x"}};
+      }};
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    Edit(At("out/table.json"), [&](Json& json) {
+      for (Json& cell : json["rows"][0]["cells"]) {
+        if (cell["metric"] == "camera_ate") edits[i](cell);
+      }
+    });
+    ExpectOneLine({"experiment", "table", "--from", At("out/table.json")}, 1, "camera_ate");
+    WriteFileBytes(At("out/table.json"), table);
+  }
+  ExpectDone({"experiment", "table", "--from", At("out/table.json")});
+}
+
+// Processes that were killed left files and empty folders that nothing ever removed.
+TEST_F(SuiteFaults, Leftovers) {
+  ExpectDone(Suite("run"));
+  const std::string name = StrCat(".x.tmp-", HostName(), ".9999999-0");
+  std::vector<fs::path> left;
+  for (const char* folder : {"cache", "cache/hashes", "cache/frontend", "cache/scenes",
+                             "cache/scenes/tiny-1", "out", "out/failed"}) {
+    left.push_back(folder_.Write(fs::path(folder) / name / "a", "half").parent_path());
+  }
+  for (const char* folder : {"out/jobs/none", "cache/scenes/none-1"}) {
+    left.push_back(folder_.path() / folder);
+    fs::create_directories(left.back());
+    fs::last_write_time(left.back(), fs::file_time_type::clock::now() - std::chrono::hours(25));
+  }
+  fs::remove(FirstResult());
+  ExpectDone(Suite("run"));
+  for (const fs::path& path : left) EXPECT_FALSE(fs::exists(path)) << path;
+}
+
+// Old files behind a link were removed as if they were a run's own.
+TEST_F(SuiteFaults, Symlinks) {
+  const fs::path mine = folder_.Write("mine/99.tum", "mine");
+  fs::create_directories(out());
+  fs::create_directory_symlink(mine.parent_path(), fs::path(out()) / "clusters");
+  ExpectOneLine(RunWall(), 1, "clusters: found a link");
+  EXPECT_EQ(ReadFileBytes(mine), "mine");
+  fs::remove(fs::path(out()) / "clusters");
+  const fs::path file = folder_.Write("mine.json", "mine");
+  fs::create_symlink(file, fs::path(out()) / "result.json");
+  ExpectDone(RunWall());
+  EXPECT_EQ(ReadFileBytes(file), "mine");
+}
+
+// The error of all pairs of poses took quadratic time: 11 s for 30,000 of them, for ever for 10^6.
+TEST_F(SuiteFaults, Quadratic) {
+  std::string truth;
+  std::string estimate;
+  for (int i = 0; i < 120'000; ++i) {
+    truth += StrCat(i, " ", i, " 0 0 0 0 0 1\n");
+    estimate += StrCat(i, " ", i + i % 2, " 0 0 0 0 0 1\n");
+  }
+  const std::string a = folder_.Write("a.tum", truth);
+  const std::string b = folder_.Write("b.tum", estimate);
+  const ProcessResult eval = Run({"eval", "--groundtruth", a, "--estimate", b, "--json"});
+  EXPECT_EQ(eval.exit_code, 0) << eval.err;
+  EXPECT_THAT(eval.out, HasSubstr("camera_trpe_all_pairs"));
+  EXPECT_THAT(eval.out, Not(HasSubstr("camera_rrpe_all_pairs")));
+  EXPECT_THAT(eval.out, HasSubstr("more than 100000 poses"));
+}
+
+}  // namespace
+}  // namespace cvo
