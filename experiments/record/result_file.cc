@@ -179,6 +179,7 @@ reports::RunSequence SequenceOf(const Sequence& sequence, const std::string& con
   of.camera = CameraOf(sequence.camera);
   const Json perturbation = PerturbationToJson(sequence.perturbation);
   if (!perturbation.empty()) of.perturbation = perturbation;
+  if (!sequence.layout.empty()) of.layout = sequence.layout;
   return of;
 }
 

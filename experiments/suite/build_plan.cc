@@ -148,7 +148,8 @@ const Input& Planner::InputOf(const Cell& cell) {
   const SuiteSequence& sequence = cell.sequence;
   std::string key =
       StrCat(sequence.name, "\n", sequence.detections, "\n",
-             PerturbationToJson(PerturbationOf(sequence, cell.parameters, cell.seed)).dump(), "\n");
+             PerturbationToJson(PerturbationOf(sequence, cell.parameters, cell.seed)).dump(), "\n",
+             sequence.layout.dump(), "\n");
   if (!sequence.scene.empty()) {
     key += std::to_string(cell.seed);
     for (const std::string& assignment : SceneAssignments(sequence, cell.parameters)) {
@@ -185,6 +186,7 @@ PlannedJob Planner::PlanCell(const Cell& cell) {
                            .orb = options.orb,
                            .stereo = options.stereo,
                            .perturbation = input.sequence.perturbation,
+                           .rectification = input.sequence.rectification,
                            .first_frame = input.sequence.first_frame},
                           input.images);
   job.job = IdentifyJob({.sequence = input.sequence,

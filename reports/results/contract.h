@@ -35,13 +35,16 @@ constexpr std::array<const char*, 7> EnumNames(TruthSource) {
 }
 
 // Which body is seen well enough to be judged: by its mask, in pixels and percent of it without
-// what hides it, or by its label, in pixels of height and degrees of occlusion.
-enum class VisibleBy { kMask, kLabel };
-constexpr std::array<const char*, 2> EnumNames(VisibleBy) { return {"mask", "label"}; }
+// what hides it; by its label, in pixels of height and degrees of occlusion; by its centre being in
+// the image; or by the number of its labelled landmarks in the image.
+enum class VisibleBy { kMask, kLabel, kCentre, kLandmarks };
+constexpr std::array<const char*, 4> EnumNames(VisibleBy) {
+  return {"mask", "label", "centre", "landmarks"};
+}
 struct Visibility {
   VisibleBy by = VisibleBy::kMask;
   int least_px = 0;
-  int limit = 0;  // least percent, or most occlusion
+  int limit = 0;  // least percent, most occlusion, or least landmarks
 
   bool operator==(const Visibility&) const = default;
   template <typename Self, typename Archive>

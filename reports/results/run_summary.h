@@ -68,6 +68,7 @@ struct RunSequence : SequenceInfo {
   std::string content;  // hash
   CameraInfo camera;
   std::optional<Json> perturbation;  // of images and calibration
+  std::optional<Json> layout;        // settings by which its folder was read
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -85,6 +86,7 @@ struct RunSequence : SequenceInfo {
     archive.Added("content", self.content);
     archive.Added("camera", self.camera);
     archive.Optional("perturbation", self.perturbation);
+    archive.Optional("layout", self.layout);
   }
 };
 
