@@ -211,7 +211,10 @@ void AddCameraTruth(std::vector<std::optional<RigidTransform>> world_from_left,
     *pose = *first_from_world * *pose;
   }
   sequence.groundtruth_world_from_camera = std::move(world_from_left);
-  if (!first_from_world) return;
+  if (!first_from_world) {
+    sequence.bodies.reset();  // nothing says where they are seen from
+    return;
+  }
   sequence.groundtruth = "official";
   if (!sequence.bodies) return;
   for (BodyTrack& body : sequence.bodies->bodies) MoveBody(*first_from_world, sequence, body);

@@ -196,7 +196,7 @@ Poses ChoosePoses(const std::vector<fs::path>& files, const std::vector<Seen>& s
                       " % of their depth from frame to frame, in either order of quaternions"),
                "poses of the camera in the world (x right, y down, z ahead)");
   }
-  if (least > kClear * std::max(drift_first, drift_last)) {
+  if (least >= kClear * std::max(drift_first, drift_last)) {
     sequence.missing.emplace_back(
         "landmarks that tell the order of quaternions: w x y z is taken (layout setting "
         "quaternion)");

@@ -129,9 +129,10 @@ std::vector<RigidTransform> ReadPoses(const fs::path& text, Sequence& sequence) 
     if (i == 0) baseline_m = -t.x();
     if (!(t.x() < 0.0) || std::abs(t.x() + baseline_m) > kRounding ||
         t.tail<2>().norm() > kRounding || RotationAngle(right_from_left.rotation()) > kRounding) {
-      rows.Fail(found[1][i], StrCat("camera 1 at ", -t.transpose(), " m in camera 0"),
+      rows.Fail(found[1][i],
+                StrCat("camera 1 at ", -t.x(), ", ", -t.y(), ", ", -t.z(), " m in camera 0"),
                 i == 0 ? "to the right of camera 0, without a turn"
-                       : StrCat("at ", baseline_m, " 0 0, as in frame 0"));
+                       : StrCat("at ", baseline_m, ", 0, 0, as in frame 0"));
     }
   }
   sequence.camera.baseline_m = baseline_m;
