@@ -55,6 +55,7 @@ std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>
                {"timestamps_ns", sequence.timestamps_ns},
                {"text_files", text_files},
                {"images", image_files}};
+  if (!sequence.layout.empty()) json["layout"] = sequence.layout;
   const Json perturbation = PerturbationToJson(sequence.perturbation);
   if (!perturbation.empty()) json["perturbation"] = perturbation;
   return Sha256Hex(DumpJson(json));

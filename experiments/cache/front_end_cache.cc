@@ -40,6 +40,7 @@ std::string FrontEndKey(const FrontEndSettings& settings, const std::vector<Imag
                {"stereo", OptionsToJson(OptionLeaves(stereo))},
                {"boxes", boxes},
                {"images", image_files}};
+  if (settings.rectification) json["rectified"] = settings.rectification->identity();
   const Json perturbation = PerturbationToJson(settings.perturbation);
   if (!perturbation.empty()) {
     json["perturbation"] = perturbation;

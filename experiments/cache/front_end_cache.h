@@ -26,6 +26,7 @@ struct FrontEndSettings {
   StereoMatchOptions stereo;
   std::vector<std::vector<cv::Rect2d>> boxes = {};  // where bodies may be, by frame
   Perturbation perturbation = {};
+  std::shared_ptr<const Rectification> rectification = {};
   int first_frame = 0;  // decides what is drawn for it
 };
 

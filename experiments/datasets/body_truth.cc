@@ -42,8 +42,9 @@ std::size_t CheckedFrame(const ObjectTruth& truth, int frame) {
 
 std::unique_ptr<BodyTruthReader> ReadBodyTruth(const Sequence& sequence) {
   if (std::filesystem::is_regular_file(sequence.folder / "objects.csv")) {
-    return ReadSceneBodyTruth(sequence);
+    return MakeTrackBodyTruth(sequence, ReadSceneBodyTracks(sequence));
   }
+  if (sequence.bodies) return MakeTrackBodyTruth(sequence, *sequence.bodies);
   return ReadLabelBodyTruth(sequence);
 }
 

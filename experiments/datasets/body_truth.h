@@ -27,10 +27,10 @@ class BodyTruthReader {
                              const Eigen::Vector3d& p_in_camera) = 0;
 };
 
-// From objects.csv and the instance masks of a rendered scene, else from labels with tracks and 3D
-// boxes and the camera's truth; nullptr where the sequence has neither. Outdoors, where a mover
-// travels 2 m: KITTI's sequences, and scenes with a body of one of KITTI's categories of traffic.
-// Throws Error for files that contradict each other.
+// From objects.csv and the instance masks of a rendered scene, else from Sequence::bodies, else
+// from labels with tracks and 3D boxes and the camera's truth; nullptr where the sequence has
+// neither. Outdoors, where a mover travels 2 m: KITTI's sequences, and scenes with a body of one of
+// KITTI's categories of traffic. Throws Error for files that contradict each other.
 std::unique_ptr<BodyTruthReader> ReadBodyTruth(const Sequence& sequence);
 
 }  // namespace cvo

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What the two readers of true bodies share: between them and ReadBodyTruth, not for others.
+// What the readers of true bodies share: between them and ReadBodyTruth, not for others.
 
 #include <memory>
 #include <string>
@@ -11,7 +11,9 @@
 
 namespace cvo {
 
-std::unique_ptr<BodyTruthReader> ReadSceneBodyTruth(const Sequence& sequence);
+// Of a rendered scene.
+BodyTracks ReadSceneBodyTracks(const Sequence& sequence);
+std::unique_ptr<BodyTruthReader> MakeTrackBodyTruth(const Sequence& sequence, BodyTracks tracks);
 std::unique_ptr<BodyTruthReader> ReadLabelBodyTruth(const Sequence& sequence);
 
 constexpr double kIndoorTravel_m = 0.2;

@@ -5,17 +5,13 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "experiments/datasets/sequence_layout.h"
 #include "experiments/datasets/sequence_type.h"
 
 namespace cvo {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool IsFolder(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_directory(path, ignored);
-}
 
 bool IsNumber(const std::string& name) {
   return !name.empty() && name.find_first_not_of("0123456789") == std::string::npos;
@@ -32,22 +28,11 @@ std::vector<fs::path> SubFolders(const fs::path& folder) {
   return folders;
 }
 
-bool HasBoth(const fs::path& folder, const char* left, const char* right, const fs::path& below) {
-  return IsFolder(folder / left / below) && IsFolder(folder / right / below);
-}
-
-bool HoldsImages(const fs::path& folder, const std::string& type) {
-  if (type == kKittiRaw) {
-    return HasBoth(folder, "image_00", "image_01", "data") ||
-           HasBoth(folder, "image_02", "image_03", "data");
+const SequenceLayout* LayoutOf(const fs::path& folder) {
+  for (const SequenceLayout& layout : SequenceLayouts()) {
+    if (layout.knows(folder)) return &layout;
   }
-  if (type == kKittiOdometry) {
-    return HasBoth(folder, "image_0", "image_1", "") || HasBoth(folder, "image_2", "image_3", "");
-  }
-  const fs::path parent = folder.parent_path();
-  const bool in_images = parent.filename().string().starts_with("image_0");
-  return HasBoth(in_images ? parent.parent_path() : parent, "image_02", "image_03",
-                 folder.filename());
+  return nullptr;
 }
 
 // Each folder once, so that circles of symbolic links end.
@@ -55,14 +40,14 @@ void Collect(const fs::path& folder, std::set<fs::path>& visited,
              std::vector<FoundSequence>& found) {
   std::error_code error;
   if (!visited.insert(fs::weakly_canonical(folder, error)).second) return;
-  const std::string type = DetectSequenceType(folder);
-  if (!type.empty()) {
-    if (HoldsImages(folder, type)) found.push_back({folder, type});
+  if (const SequenceLayout* layout = LayoutOf(folder)) {
+    if (layout->has_images(folder)) found.push_back({folder, layout->type});
     return;
   }
   if (IsTrackingSet(folder)) {
     for (const fs::path& number : TrackingSequences(folder)) {
-      if (HoldsImages(number, kKittiTracking)) found.push_back({number, kKittiTracking});
+      const SequenceLayout* layout = LayoutOf(number);
+      if (layout != nullptr && layout->has_images(number)) found.push_back({number, layout->type});
     }
     return;
   }
@@ -72,6 +57,15 @@ void Collect(const fs::path& folder, std::set<fs::path>& visited,
 }
 
 }  // namespace
+
+bool IsFolder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+bool AreFolders(const fs::path& left, const fs::path& right) {
+  return IsFolder(left) && IsFolder(right);
+}
 
 bool IsTrackingSet(const fs::path& folder) {
   if (!IsFolder(folder / "calib")) return false;
@@ -87,20 +81,8 @@ std::vector<fs::path> TrackingSequences(const fs::path& set_folder) {
 }
 
 std::string DetectSequenceType(const fs::path& folder) {
-  for (const char* image : {"image_00", "image_01", "image_02", "image_03"}) {
-    if (IsFolder(folder / image / "data")) return kKittiRaw;
-  }
-  for (const char* image : {"image_0", "image_1", "image_2", "image_3"}) {
-    if (IsFolder(folder / image)) return kKittiOdometry;
-  }
-  const fs::path number = folder.filename();
-  if (!IsNumber(number.string())) return "";
-  const fs::path parent = folder.parent_path();
-  const bool in_images = parent.filename().string().starts_with("image_0");
-  const fs::path set_folder = in_images ? parent.parent_path() : parent;
-  const bool known = IsFolder(set_folder / "image_02" / number) ||
-                     fs::exists(set_folder / "calib" / (number.string() + ".txt"));
-  return IsTrackingSet(set_folder) && known ? kKittiTracking : "";
+  const SequenceLayout* layout = LayoutOf(folder);
+  return layout == nullptr ? "" : layout->type;
 }
 
 std::vector<FoundSequence> FindSequences(const fs::path& root) {

@@ -8,31 +8,24 @@
 
 #include "core/base/error.h"
 #include "core/files/number.h"
-#include "experiments/datasets/png.h"
+#include "experiments/datasets/image_header.h"
 
 namespace cvo {
 namespace {
 
 namespace fs = std::filesystem;
 
-bool IsJpeg(const fs::path& path) {
-  const std::string extension = path.extension().string();
-  return extension == ".jpg" || extension == ".jpeg" || extension == ".JPG";
-}
-
-std::map<std::int64_t, fs::path> NumberedFiles(const fs::path& folder,
-                                               const std::string& extension) {
+std::map<std::int64_t, fs::path> NumberedFiles(const fs::path& folder, const NumberedName& name) {
   std::map<std::int64_t, fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const fs::path& path = entry.path();
-    if (extension == ".png" && IsJpeg(path)) {
+    if (name.extension == ".png" && IsJpeg(path)) {
       ThrowError(path.string(), "a JPEG image", "PNG images (JPEG changes pixels)");
     }
-    const std::string stem = path.stem().string();
-    if (path.extension() != extension ||
-        stem.find_first_not_of("0123456789") != std::string::npos) {
-      continue;
-    }
+    std::string stem = path.stem().string();
+    if (path.extension() != name.extension || !stem.starts_with(name.prefix)) continue;
+    stem.erase(0, name.prefix.size());
+    if (stem.find_first_not_of("0123456789") != std::string::npos) continue;
     const std::optional<std::int64_t> number = ParseInteger(stem);
     if (!number) continue;
     const auto [same, added] = files.emplace(*number, path);
@@ -47,10 +40,12 @@ std::map<std::int64_t, fs::path> NumberedFiles(const fs::path& folder,
 
 // The name that a file of another number has in the same folder: equally many digits.
 std::string SiblingName(const fs::path& sibling, std::int64_t number) {
+  const std::string stem = sibling.stem().string();
+  const std::size_t prefix = stem.find_last_not_of("0123456789") + 1;  // 0 without one
   std::string digits = std::to_string(number);
-  const std::size_t width = sibling.stem().string().size();
+  const std::size_t width = stem.size() - prefix;
   if (digits.size() < width) digits.insert(0, width - digits.size(), '0');
-  return digits + sibling.extension().string();
+  return stem.substr(0, prefix) + digits + sibling.extension().string();
 }
 
 void CheckNoGap(const fs::path& folder, const std::map<std::int64_t, fs::path>& files) {
@@ -71,45 +66,52 @@ void CheckNoGap(const fs::path& folder, const std::map<std::int64_t, fs::path>& 
 }
 
 void CheckSize(const fs::path& path, const StereoImages& images, const fs::path& first) {
-  const PngHeader header = ReadPngHeader(path);
-  if (header.width_px == images.width_px && header.height_px == images.height_px) return;
-  ThrowError(path.string(), StrCat(header.width_px, "x", header.height_px, " pixels"),
+  const cv::Size size = ReadImageSize(path);
+  if (size == cv::Size(images.width_px, images.height_px)) return;
+  ThrowError(path.string(), StrCat(size.width, "x", size.height, " pixels"),
              StrCat(images.width_px, "x", images.height_px, " as in ", first.string()));
 }
 
 }  // namespace
 
-std::vector<fs::path> ListNumberedFiles(const fs::path& folder, const std::string& extension) {
+std::vector<fs::path> ListNumberedFiles(const fs::path& folder, const NumberedName& name) {
+  const std::string pattern = StrCat(name.prefix, "<number>", name.extension);
   if (!fs::is_directory(folder)) {
-    ThrowError(folder.string(), "no such folder", "a folder of <number>" + extension);
+    ThrowError(folder.string(), "no such folder", "a folder of " + pattern);
   }
-  const std::map<std::int64_t, fs::path> files = NumberedFiles(folder, extension);
-  if (files.empty()) {
-    ThrowError(folder.string(), StrCat("no <number>", extension), "at least one such file");
-  }
+  const std::map<std::int64_t, fs::path> files = NumberedFiles(folder, name);
+  if (files.empty()) ThrowError(folder.string(), "no " + pattern, "at least one such file");
   CheckNoGap(folder, files);
   std::vector<fs::path> paths;
   for (const auto& [number, path] : files) paths.push_back(path);
   return paths;
 }
 
-StereoImages ListStereoImages(const fs::path& left_folder, const fs::path& right_folder) {
-  const std::vector<fs::path> left = ListNumberedFiles(left_folder, ".png");
-  const std::vector<fs::path> right = ListNumberedFiles(right_folder, ".png");
+StereoImages CheckedImages(std::vector<StereoPaths> paths) {
+  StereoImages images;
+  images.paths = std::move(paths);
+  const fs::path& first = images.paths.at(0).left;
+  const cv::Size size = ReadImageSize(first);
+  images.width_px = size.width;
+  images.height_px = size.height;
+  for (const StereoPaths& pair : images.paths) {
+    CheckSize(pair.left, images, first);
+    CheckSize(pair.right, images, first);
+  }
+  return images;
+}
+
+StereoImages ListStereoImages(const fs::path& left_folder, const fs::path& right_folder,
+                              const NumberedName& name) {
+  const std::vector<fs::path> left = ListNumberedFiles(left_folder, name);
+  const std::vector<fs::path> right = ListNumberedFiles(right_folder, name);
   if (left.size() != right.size()) {
     ThrowError(right_folder.string(), StrCat(right.size(), " images"),
                StrCat(left.size(), ", as many as in ", left_folder.string()));
   }
-  const PngHeader header = ReadPngHeader(left[0]);
-  StereoImages images;
-  images.width_px = header.width_px;
-  images.height_px = header.height_px;
-  for (std::size_t i = 0; i < left.size(); ++i) {
-    CheckSize(left[i], images, left[0]);
-    CheckSize(right[i], images, left[0]);
-    images.paths.push_back({left[i], right[i]});
-  }
-  return images;
+  std::vector<StereoPaths> paths;
+  for (std::size_t i = 0; i < left.size(); ++i) paths.push_back({left[i], right[i]});
+  return CheckedImages(std::move(paths));
 }
 
 }  // namespace cvo

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
+#include "experiments/datasets/image_header.h"
 #include "experiments/datasets/png.h"
 
 namespace cvo {
@@ -30,7 +31,8 @@ LoadedImage LoadGrey(const std::filesystem::path& path) {
   LoadedImage image;
   const auto fail = [&](const std::string& found) {
     image.grey.release();
-    image.problem = StrCat(path.string(), ": found ", found, ", expected a whole PNG image");
+    image.problem = StrCat(path.string(), ": found ", found, ", expected a whole ",
+                           IsJpeg(path) ? "JPEG" : "PNG", " image");
     return image;
   };
   std::string bytes;
@@ -41,7 +43,8 @@ LoadedImage LoadGrey(const std::filesystem::path& path) {
     return image;
   }
   image.sha256 = Sha256Hex(bytes);
-  if (const std::optional<std::string> damage = FindPngDamage(bytes)) return fail(*damage);
+  const auto damage = IsJpeg(path) ? FindJpegDamage(bytes) : FindPngDamage(bytes);
+  if (damage) return fail(*damage);
   try {
     image.grey = DecodeGrey(bytes);
   } catch (const cv::Exception& error) {
@@ -49,6 +52,22 @@ LoadedImage LoadGrey(const std::filesystem::path& path) {
   }
   if (image.grey.empty()) return fail("one that cannot be decoded");
   if (image.grey.type() != CV_8UC1) return fail("one that has not 8 bits per channel");
+  return image;
+}
+
+LoadedImage LoadFrameImage(const Sequence& sequence, std::size_t index, int side) {
+  const StereoPaths& paths = sequence.images.at(index);
+  const std::filesystem::path& path = side == 0 ? paths.left : paths.right;
+  LoadedImage image = LoadGrey(path);
+  const StereoCamera& camera = sequence.camera;
+  if (!image.ok()) return image;
+  if (image.grey.cols != camera.width_px || image.grey.rows != camera.height_px) {
+    image.problem = StrCat(path.string(), ": found ", image.grey.cols, "x", image.grey.rows,
+                           " px, expected ", camera.width_px, "x", camera.height_px, " px");
+    image.grey.release();
+  } else if (const Rectification* rectify = sequence.rectification.get()) {
+    image.grey = side == 0 ? rectify->Left(image.grey) : rectify->Right(image.grey);
+  }
   return image;
 }
 

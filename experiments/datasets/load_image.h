@@ -6,6 +6,8 @@
 #include <opencv2/core/mat.hpp>
 #include <string>
 
+#include "experiments/datasets/sequence.h"
+
 namespace cvo {
 
 struct LoadedImage {
@@ -16,8 +18,13 @@ struct LoadedImage {
   bool ok() const { return problem.empty(); }
 };
 
-// Reads, hashes and decodes one PNG file; colour becomes grey (0.299 R + 0.587 G + 0.114 B). A file
-// that is missing, damaged or cut short is a problem in the result, for the frame to be skipped.
+// Reads, hashes and decodes one PNG (or JPEG) file; colour becomes grey (0.299 R + 0.587 G + 0.114
+// B). A file that is missing, damaged or cut short is a problem in the result, for the frame to be
+// skipped.
 [[nodiscard]] LoadedImage LoadGrey(const std::filesystem::path& path);
+
+// The left (0) or right (1) image of a frame, rectified where the sequence's files are not; of
+// another size than the camera's it is a problem too.
+[[nodiscard]] LoadedImage LoadFrameImage(const Sequence& sequence, std::size_t index, int side);
 
 }  // namespace cvo

@@ -1,7 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include "core/base/error.h"
+#include "core/files/closest_names.h"
+#include "core/files/text_file.h"
 #include "experiments/datasets/data_set.h"
+#include "experiments/datasets/sequence_layout.h"
 #include "experiments/datasets/sequence_parts.h"
 #include "experiments/datasets/sequence_type.h"
 
@@ -11,8 +16,11 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string AllTypes() {
-  return StrCat(kKittiRaw, " (image_00/data, oxts), ", kKittiOdometry, " (image_0, times.txt) or ",
-                kKittiTracking, " (<training>/<number>)");
+  std::string types;
+  for (const SequenceLayout& layout : SequenceLayouts()) {
+    types += StrCat(types.empty() ? "" : ", ", layout.type, " (", layout.shape, ")");
+  }
+  return types;
 }
 
 std::string TypeOf(const SequenceRequest& request) {
@@ -30,11 +38,22 @@ std::string TypeOf(const SequenceRequest& request) {
              "a sequence: " + AllTypes());
 }
 
-Sequence ReadSequence(const SequenceRequest& request) {
-  if (request.type == kKittiRaw) return ReadKittiRaw(request);
-  if (request.type == kKittiOdometry) return ReadKittiOdometry(request);
-  if (request.type == kKittiTracking) return ReadKittiTracking(request);
-  ThrowError("option --type", "\"" + request.type + "\"", AllTypes());
+const SequenceLayout& LayoutOfType(const std::string& type) {
+  for (const SequenceLayout& layout : SequenceLayouts()) {
+    if (layout.type == type) return layout;
+  }
+  ThrowError("option --type", Quoted(type), AllTypes());
+}
+
+void CheckSettings(const Json& given, const SequenceLayout& layout) {
+  std::vector<std::string> known;
+  for (const auto& [key, value] : layout.settings.items()) known.push_back(key);
+  for (const auto& [key, value] : given.items()) {
+    if (layout.settings.contains(key)) continue;
+    ThrowError("layout settings", "key " + Quoted(key) + DidYouMean(key, known),
+               known.empty() ? "none for " + layout.type
+                             : "keys of " + layout.settings.dump() + " for " + layout.type);
+  }
 }
 
 }  // namespace
@@ -52,8 +71,11 @@ Sequence OpenSequence(const SequenceRequest& request) try {
   SequenceRequest resolved = request;
   resolved.folder = NormalFolder(request.folder);
   resolved.type = TypeOf(resolved);
-  Sequence sequence = ReadSequence(resolved);
+  const SequenceLayout& layout = LayoutOfType(resolved.type);
+  CheckSettings(resolved.layout, layout);
+  Sequence sequence = layout.read(resolved);
   sequence.type = resolved.type;
+  sequence.layout = resolved.layout;
   sequence.dataset = DataSetOf(sequence, resolved.dataset);
   // KITTI numbers its odometry sequences.
   if (sequence.type == kKittiOdometry && sequence.dataset == kKittiDataSet) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,5 +23,9 @@ PngHeader ReadPngHeader(const std::filesystem::path& path);
 // What is wrong with the bytes of a PNG file: a bad signature, a chunk cut short or with a wrong
 // CRC, no image data, no end. Empty where the file is whole. Decoders may return half an image.
 [[nodiscard]] std::optional<std::string> FindPngDamage(std::string_view bytes);
+
+// CV_16UC1: the indexes of a PNG file with a palette of 8 bits, or the values of a grey one. Throws
+// Error for one that is damaged or of another size or kind.
+cv::Mat ReadPaletteIndexes(const std::filesystem::path& path, cv::Size size);
 
 }  // namespace cvo

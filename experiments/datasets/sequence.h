@@ -4,12 +4,15 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/geometry/rigid_transform.h"
 #include "core/geometry/stereo_camera.h"
+#include "experiments/calibration/rectification.h"
+#include "experiments/datasets/body_tracks.h"
 #include "experiments/datasets/perturbation.h"
 
 namespace cvo {
@@ -46,13 +49,15 @@ struct StereoPaths {
 // length and start at `first_frame` of the folder.
 struct Sequence {
   std::string name;     // "2011_09_26_drive_0001", "odometry_06", "tracking_0005"
-  std::string type;     // "kitti-raw", "kitti-odometry", "kitti-tracking": the layout
+  std::string type;     // "kitti-raw", "euroc", ...: the layout
   std::string dataset;  // whose recording it is: "kitti" or "other"
   std::filesystem::path folder;
   std::string pair;  // "grey" or "colour"
   int first_frame = 0;
   int total_frames = 0;  // in the folder, before --frames
   StereoCamera camera;   // left camera of the pair that is read
+  // Makes the images of `camera` from those in the files; null: they are that already.
+  std::shared_ptr<const Rectification> rectification;
   std::vector<StereoPaths> images;
   std::vector<std::int64_t> timestamps_ns;  // strictly increasing
 
@@ -69,6 +74,9 @@ struct Sequence {
   // at p_in_camera + (detections_offset_m, 0, 0): see ShiftBox.
   std::vector<ObjectBox> detections;
   double detections_offset_m = 0.0;
+  // Where the data set states poses of bodies itself (not in labels, nor as a rendered scene).
+  std::optional<BodyTracks> bodies;
+  Json layout = Json::object();  // settings of its layout that were given
   // Text files that determine what was read besides the images (calibration, times, OxTS, labels,
   // detections), in a fixed order: they are part of the sequence's identity.
   std::vector<std::filesystem::path> text_files;
@@ -82,7 +90,7 @@ inline constexpr const char* kDetectionsFromLabels = "labels";
 // What a user asks for; empty means: decide from the folder.
 struct SequenceRequest {
   std::filesystem::path folder = {};
-  std::string type = {};               // "", "kitti-raw", "kitti-odometry", "kitti-tracking"
+  std::string type = {};               // of a SequenceLayout
   std::string dataset = {};            // "", "kitti", "other"
   std::string pair = {};               // "", "grey", "colour"
   std::string groundtruth = "devkit";  // KITTI raw: "devkit" or "interpolated"; others: "devkit"
@@ -96,6 +104,7 @@ struct SequenceRequest {
   // Of the camera (StereoCamera); empty: 0, the calibration as published.
   std::optional<double> right_shift_px = {};
   Perturbation perturbation = {};
+  Json layout = Json::object();  // SequenceLayout::settings that differ from the default
 };
 
 // Reads everything but the images, and checks all of it: image files exist on both sides, in equal

@@ -63,6 +63,26 @@ void UseLabelsAsDetections(double min_score, Sequence& sequence) {
   }
 }
 
+bool IsInImage(const StereoCamera& camera, const Eigen::Vector3d& p_in_camera) {
+  const auto z_px = camera.Project(p_in_camera);
+  return z_px && z_px->x() >= 0.0 && z_px->y() >= 0.0 && z_px->x() <= camera.width_px - 1 &&
+         z_px->y() <= camera.height_px - 1;
+}
+
+void MoveBody(const RigidTransform& first_from_world, const Sequence& sequence, BodyTrack& body) {
+  const bool by_centre = sequence.bodies->visible.by == reports::VisibleBy::kCentre;
+  for (std::size_t i = 0; i < body.frames.size(); ++i) {
+    if (!body.frames[i]) continue;
+    BodyFrame& frame = *body.frames[i];
+    frame.world_from_object = first_from_world * frame.world_from_object;
+    const auto& world_from_camera = sequence.groundtruth_world_from_camera.at(i);
+    if (!by_centre) continue;
+    const Eigen::Vector3d centre = frame.world_from_object.translation();
+    frame.visible =
+        world_from_camera && IsInImage(sequence.camera, world_from_camera->Inverse() * centre);
+  }
+}
+
 void DropLowScores(const fs::path& file, double min_score, std::vector<ObjectBox>& boxes) {
   if (min_score <= SequenceRequest().min_score) return;
   for (const ObjectBox& box : boxes) {
@@ -128,6 +148,85 @@ void AddOxtsTruth(const std::vector<std::optional<RigidTransform>>& imu_poses,
 void RequireDevkitTruth(const SequenceRequest& request, const std::string& reason) {
   if (request.groundtruth == "devkit") return;
   ThrowError("option --groundtruth", "\"" + request.groundtruth + "\"", "devkit: " + reason);
+}
+
+void AddBoxes(const SequenceRequest& request, Sequence& sequence) {
+  for (const int camera : {request.labels_camera, request.detections_camera}) {
+    if (camera == -1) continue;
+    ThrowError(
+        camera == request.labels_camera ? "option --labels-camera" : "option --detections-camera",
+        StrCat("camera ", camera), "none: this data set has one pair of cameras");
+  }
+  if (!request.labels_file.empty()) {
+    sequence.labels = ReadLabels(request.labels_file, sequence.total_frames);
+    sequence.text_files.push_back(request.labels_file);
+  }
+  if (request.detections_file == kDetectionsFromLabels) {
+    UseLabelsAsDetections(request.min_score, sequence);
+  } else if (!request.detections_file.empty()) {
+    sequence.detections = ReadDetections(request.detections_file, sequence.total_frames);
+    DropLowScores(request.detections_file, request.min_score, sequence.detections);
+    sequence.text_files.push_back(request.detections_file);
+  }
+}
+
+void AddPair(const SequenceRequest& request, const std::string& pair, StereoImages images,
+             Sequence& sequence) {
+  if (!request.pair.empty() && request.pair != pair) {
+    ThrowError("option --pair", "\"" + request.pair + "\"", pair + " for this type of sequence");
+  }
+  sequence.pair = pair;
+  sequence.images = std::move(images.paths);
+  sequence.total_frames = static_cast<int>(sequence.images.size());
+  sequence.camera.width_px = images.width_px;
+  sequence.camera.height_px = images.height_px;
+}
+
+void AddRig(const StereoRig& rig, const fs::path& calibration, Sequence& sequence) {
+  const cv::Size size(sequence.camera.width_px, sequence.camera.height_px);
+  CheckSize(rig, size.width, size.height, calibration.string());
+  sequence.text_files.push_back(calibration);
+  if (IsRectified(rig)) {
+    sequence.camera = CameraOf(rig, size.width, size.height);
+  } else {
+    sequence.rectification = std::make_shared<const Rectification>(rig, size);
+    sequence.camera = sequence.rectification->camera();
+  }
+  sequence.camera.Check();
+}
+
+void AddCameraTruth(std::vector<std::optional<RigidTransform>> world_from_left,
+                    Sequence& sequence) {
+  RigidTransform left_from_rectified;
+  if (sequence.rectification) {
+    const Eigen::Matrix3d turn = sequence.rectification->rectified_from_left();
+    left_from_rectified =
+        RigidTransform(Eigen::Matrix3d(turn.transpose()), Eigen::Vector3d::Zero());
+  }
+  std::optional<RigidTransform> first_from_world;
+  for (std::optional<RigidTransform>& pose : world_from_left) {
+    if (!pose) continue;
+    *pose = *pose * left_from_rectified;
+    if (!first_from_world) first_from_world = pose->Inverse();
+    *pose = *first_from_world * *pose;
+  }
+  sequence.groundtruth_world_from_camera = std::move(world_from_left);
+  if (!first_from_world) {
+    sequence.bodies.reset();  // nothing says where they are seen from
+    return;
+  }
+  sequence.groundtruth = "official";
+  if (!sequence.bodies) return;
+  for (BodyTrack& body : sequence.bodies->bodies) MoveBody(*first_from_world, sequence, body);
+}
+
+void StateFramesWithoutTruth(const std::string& reason, Sequence& sequence) {
+  const auto& poses = sequence.groundtruth_world_from_camera;
+  const auto without =
+      std::count_if(poses.begin(), poses.end(), [](const auto& pose) { return !pose; });
+  if (without == 0) return;
+  sequence.missing.push_back(StrCat("no ground truth of the camera for ", without, " of ",
+                                    poses.size(), " frames: ", reason));
 }
 
 void AddBoxes(const SequenceRequest& request, const LabelSource& own_labels, const CameraRig& rig,

@@ -2,20 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What the readers share: between them and OpenSequence, not for others.
+// What the layouts share: between them and OpenSequence, not for others.
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "experiments/datasets/kitti_calibration.h"
+#include "experiments/calibration/kitti_calibration.h"
+#include "experiments/calibration/stereo_rig.h"
+#include "experiments/datasets/image_files.h"
 #include "experiments/datasets/sequence.h"
 
 namespace cvo {
-
-Sequence ReadKittiRaw(const SequenceRequest& request);
-Sequence ReadKittiOdometry(const SequenceRequest& request);
-Sequence ReadKittiTracking(const SequenceRequest& request);
 
 struct CameraPair {
   std::string name;  // "grey" or "colour"
@@ -48,6 +46,22 @@ struct LabelSource {
 };
 void AddBoxes(const SequenceRequest& request, const LabelSource& own_labels, const CameraRig& rig,
               int left_camera, Sequence& sequence);
+// Where there is one pair of cameras: boxes of files are in pixels of its left image.
+void AddBoxes(const SequenceRequest& request, Sequence& sequence);
 void CutFrames(const SequenceRequest& request, Sequence& sequence);
+
+// Of data sets with one pair, "grey" or "colour", that is calibrated as a rig: with a rectification
+// where the images in the files are not rectified. Throws Error if another pair is asked for.
+void AddPair(const SequenceRequest& request, const std::string& pair, StereoImages images,
+             Sequence& sequence);
+void AddRig(const StereoRig& rig, const std::filesystem::path& calibration, Sequence& sequence);
+
+// Poses of the left camera as it is in the files. The first of them becomes the world, also that of
+// Sequence::bodies, whose frames are made visible if Visibility says kCentre and it is in the
+// image.
+void AddCameraTruth(std::vector<std::optional<RigidTransform>> world_from_left, Sequence& sequence);
+
+// Adds to Sequence::missing how many of the frames have no truth, and why.
+void StateFramesWithoutTruth(const std::string& reason, Sequence& sequence);
 
 }  // namespace cvo

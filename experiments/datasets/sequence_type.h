@@ -10,12 +10,15 @@
 
 namespace cvo {
 
-constexpr const char* kKittiRaw = "kitti-raw";
 constexpr const char* kKittiOdometry = "kitti-odometry";
-constexpr const char* kKittiTracking = "kitti-tracking";
 
 // The type of the sequence that a folder is, complete or not; "" where it is none.
 std::string DetectSequenceType(const std::filesystem::path& folder);
+
+// Quiet where a folder cannot be read: then there is none.
+bool IsFolder(const std::filesystem::path& path);
+// Both sides of a pair.
+bool AreFolders(const std::filesystem::path& left, const std::filesystem::path& right);
 
 // A folder with several KITTI tracking sequences, and these as <folder>/<number>, sorted.
 bool IsTrackingSet(const std::filesystem::path& folder);

@@ -12,9 +12,9 @@
 #include "core/files/sha256.h"
 #include "core/files/temporary.h"
 #include "core/files/text_file.h"
+#include "experiments/calibration/rectification.h"
+#include "experiments/calibration/rig_file.h"
 #include "experiments/datasets/timestamps.h"
-#include "experiments/import/rectification.h"
-#include "experiments/import/rig_file.h"
 #include "experiments/import/stereo_source.h"
 
 namespace cvo {
@@ -116,19 +116,6 @@ Times TimesOf(const StereoImport& request, const ImageSource& left, std::size_t 
   return {"nominal", NominalTimes(count, request.rate_hz)};
 }
 
-void CheckSize(const StereoRig& rig, const cv::Size& size, const fs::path& calibration) {
-  if (rig.width_px == 0 || (rig.width_px == size.width && rig.height_px == size.height)) return;
-  ThrowError(calibration.string(),
-             StrCat("a calibration of ", rig.width_px, "x", rig.height_px, " px"),
-             StrCat(size.width, "x", size.height, " px, as the images"));
-}
-
-StereoCamera CameraOf(const StereoRig& rig, const cv::Size& size) {
-  const LensCamera& left = rig.left;
-  return {left.fx,    left.fy,    left.cx, left.cy, -rig.right_from_left.translation().x(),
-          size.width, size.height};
-}
-
 std::string CalibrationText(const StereoCamera& camera) {
   const auto row = [&](const char* key, double offset_px) {
     std::string text = key;
@@ -179,9 +166,10 @@ ImportOutcome ImportStereo(
   cv::Mat right;
   while (pairs.Next(left, right)) {
     if (outcome.frames == 0) {
-      CheckSize(rig, left.size(), request.calibration);
+      CheckSize(rig, left.cols, left.rows, request.calibration.string());
       if (outcome.rectified) rectification.emplace(rig, left.size());
-      outcome.camera = rectification ? rectification->camera() : CameraOf(rig, left.size());
+      outcome.camera =
+          rectification ? rectification->camera() : CameraOf(rig, left.cols, left.rows);
     }
     if (rectification) {
       left = rectification->Left(left);

@@ -34,6 +34,7 @@ struct ObjectTruth {
   reports::Contract contract;      // truth, camera_truth and what `visible` means
   double mover_travel_m = 0.0;     // 0.2 indoors, 2 outdoors
   int first_frame = 0;             // of those run, in the folder; for contracts
+  bool tells_pixels = true;        // which body a pixel shows; else nearness tells bodies apart
   bool movers_alone_move = false;  // poses jitter: a body that is no mover never moves
   std::vector<std::int64_t> timestamps_ns;
   OptionalPoses world_from_camera;

@@ -181,6 +181,7 @@ reports::RunSequence SequenceOf(const Sequence& sequence, const std::string& con
   const Json perturbation = PerturbationToJson(sequence.perturbation);
   if (!perturbation.empty()) of.perturbation = perturbation;
   of.warnings = FindImplausible(sequence);
+  if (!sequence.layout.empty()) of.layout = sequence.layout;
   return of;
 }
 

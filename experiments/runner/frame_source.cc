@@ -23,6 +23,7 @@ FrontEndSettings Settings(const FrameInput& input) {
           .stereo = input.options.stereo,
           .boxes = BoxesByFrame(sequence),
           .perturbation = sequence.perturbation,
+          .rectification = sequence.rectification,
           .first_frame = sequence.first_frame};
 }
 

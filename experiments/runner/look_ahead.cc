@@ -40,21 +40,15 @@ Side PrepareSide(const SideOfFrame& of, const OrbOptions& options,
                  const std::vector<CornerRegion>& regions) {
   const StereoPaths& paths = of.sequence.images[of.index];
   const std::filesystem::path& path = of.side == 0 ? paths.left : paths.right;
-  const StereoCamera& camera = of.sequence.camera;
   Side side;
   LoadedImage image;
   {
     const ScopedStage stage(side.times_s, "decode");
-    image = LoadGrey(path);
+    image = LoadFrameImage(of.sequence, of.index, of.side);
   }
   side.sha256 = image.sha256;
   side.problem = WithoutPath(image.problem, path);
   if (!image.ok()) return side;
-  if (image.grey.cols != camera.width_px || image.grey.rows != camera.height_px) {
-    side.problem = StrCat("found ", image.grey.cols, "x", image.grey.rows, " px, expected ",
-                          camera.width_px, "x", camera.height_px, " px");
-    return side;
-  }
   if (IsDropped(of.sequence, of.index)) {
     side.problem = "found a frame dropped by perturb.drop_rate, expected an image";
     return side;

@@ -31,8 +31,10 @@ void NameCausal(std::vector<Metric>& metrics) {
 
 RunScores ScoreRun(const Sequence& sequence, const RunResult& run, const ObjectTruth* objects) {
   if (run.status == RunStatus::kFailed) return {};
-  const ObjectEstimate refined = ObjectEstimateOf(run, PoseTime::kRefined);
-  const ObjectEstimate causal = ObjectEstimateOf(run, PoseTime::kCausal);
+  ObjectEstimate refined = ObjectEstimateOf(run, PoseTime::kRefined);
+  ObjectEstimate causal = ObjectEstimateOf(run, PoseTime::kCausal);
+  const bool by_landmarks = objects != nullptr && objects->tells_pixels;
+  if (!by_landmarks) refined.match_by = causal.match_by = MatchBy::kNearness;
   const auto camera = [&sequence](const ObjectEstimate& estimate) {
     return EvaluateCamera(sequence.groundtruth_world_from_camera, estimate.world_from_camera,
                           EnumOf<reports::TruthSource>(sequence.groundtruth));
@@ -47,7 +49,9 @@ RunScores ScoreRun(const Sequence& sequence, const RunResult& run, const ObjectT
     ObjectScores of_causal = ScoreObjects(*objects, causal);
     Append(ObjectMetrics(*objects, of_refined), scores.refined);
     Append(ObjectMetrics(*objects, of_causal), scores.causal);
-    scores.clustering = ClusteringMetrics(*objects, causal, MatchObjects(*objects, causal));
+    if (by_landmarks) {
+      scores.clustering = ClusteringMetrics(*objects, causal, MatchObjects(*objects, causal));
+    }
     scores.refined_bodies = std::move(of_refined.bodies);
     scores.causal_bodies = std::move(of_causal.bodies);
   }

@@ -165,7 +165,8 @@ Input& Planner::InputOf(const Cell& cell) {
   const SuiteSequence& sequence = cell.sequence;
   std::string key =
       StrCat(sequence.name, "\n", sequence.detections, "\n",
-             PerturbationToJson(PerturbationOf(sequence, cell.parameters, cell.seed)).dump(), "\n");
+             PerturbationToJson(PerturbationOf(sequence, cell.parameters, cell.seed)).dump(), "\n",
+             sequence.layout.dump(), "\n");
   if (!sequence.scene.empty()) {
     key += std::to_string(cell.seed);
     for (const std::string& assignment : SceneAssignments(sequence, cell.parameters)) {
@@ -201,6 +202,7 @@ const std::string& Planner::FrontEndKeyOf(const Resolved& resolved, Input& input
                                  .orb = resolved.options.orb,
                                  .stereo = resolved.options.stereo,
                                  .perturbation = input.sequence.perturbation,
+                                 .rectification = input.sequence.rectification,
                                  .first_frame = input.sequence.first_frame},
                                 input.images);
   }

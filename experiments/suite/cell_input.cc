@@ -96,6 +96,7 @@ SequenceRequest RequestOf(const Cell& cell, const fs::path& folder, const fs::pa
     request.detections_file = data / sequence.detections;
   }
   request.detections_camera = sequence.detections_camera;
+  request.layout = sequence.layout;
   if (sequence.min_score) request.min_score = *sequence.min_score;
   if (!sequence.labels.empty()) request.labels_file = data / sequence.labels;
   return request;

@@ -138,6 +138,7 @@ SuiteSequence ReadSequence(ObjectReader object, const fs::path& folder) {
     sequence.detections_camera = object.IntegerOr("detections_camera", {0, 3}, -1);
     if (object.Has("min_score")) sequence.min_score = object.Number("min_score", {-1e6, 1e6});
     sequence.labels = object.TextOr("labels", "");
+    sequence.layout = ObjectOr(object, "layout");
   }
   object.Finish();
   return sequence;

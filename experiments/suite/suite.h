@@ -25,6 +25,7 @@ struct SuiteSequence {
   std::optional<double> min_score;
   std::vector<std::string> classes;  // of detections that count; empty: RigidClasses()
   std::string labels;                // file below the data folder; empty: the folder's own
+  Json layout = Json::object();      // settings of the folder's layout (SequenceRequest)
   Json perturb = Json::object();     // done to its images and calibration (Perturbation)
 };
 

@@ -25,6 +25,7 @@ Json SequenceToJson(const SuiteSequence& sequence) {
   if (sequence.detections_camera >= 0) json["detections_camera"] = sequence.detections_camera;
   if (sequence.min_score) json["min_score"] = *sequence.min_score;
   AddText("labels", sequence.labels, json);
+  if (!sequence.layout.empty()) json["layout"] = sequence.layout;
   return json;
 }
 

@@ -35,13 +35,16 @@ constexpr std::array<const char*, 7> EnumNames(TruthSource) {
 }
 
 // Which body is seen well enough to be judged: by its mask, in pixels and percent of it without
-// what hides it, or by its label, in pixels of height and degrees of occlusion.
-enum class VisibleBy { kMask, kLabel };
-constexpr std::array<const char*, 2> EnumNames(VisibleBy) { return {"mask", "label"}; }
+// what hides it; by its label, in pixels of height and degrees of occlusion; by its centre being in
+// the image; or by the number of its labelled landmarks in the image.
+enum class VisibleBy { kMask, kLabel, kCentre, kLandmarks };
+constexpr std::array<const char*, 4> EnumNames(VisibleBy) {
+  return {"mask", "label", "centre", "landmarks"};
+}
 struct Visibility {
   VisibleBy by = VisibleBy::kMask;
   int least_px = 0;
-  int limit = 0;  // least percent, or most occlusion
+  int limit = 0;  // least percent, most occlusion, or least landmarks
 
   bool operator==(const Visibility&) const = default;
   template <typename Self, typename Archive>
@@ -52,12 +55,24 @@ struct Visibility {
   }
 };
 
-enum class Alignment { kNone, kPositions, kWorld, kWorldAndBody };
-constexpr std::array<const char*, 4> EnumNames(Alignment) {
-  return {"none", "SE(3) over positions, Umeyama without scale",
+enum class Alignment {
+  kNone,
+  kPositions,
+  kWorld,
+  kWorldAndBody,
+  kAllPoses,
+  kAllMotions,
+  kFirstMotions
+};
+constexpr std::array<const char*, 7> EnumNames(Alignment) {
+  return {"none",
+          "SE(3) over positions, Umeyama without scale",
           "world by the camera (chordal mean of orientations, mean of positions)",
           "world by the camera (chordal mean of orientations, mean of positions), one "
-          "object_from_gtobject per body in closed form over its frames"};
+          "object_from_gtobject per body in closed form over its frames",
+          "one rigid transform on the right of the estimated poses, in closed form over all frames",
+          "one rigid transform between the moving frames, by the motions since the first frame",
+          "one rigid transform between the moving frames, by the motions of the first 25 frames"};
 }
 
 // Which frames or pairs of frames are compared. Frames of bodies are those in which the body is
@@ -121,6 +136,9 @@ enum class Aggregation {
   kMeanOfPositions,
   kMedianOfPositions,
   kMaximumOfPositions,
+  kMaximumOfTranslations,
+  kMaximumOfAngle,
+  kAngleOfLargest,
   kRmsOfAngles,
   kRmsOfTranslations,
   kTranslationOverLength,
@@ -138,13 +156,18 @@ enum class Aggregation {
   kMeanOverlap,
   kMeanRandIndex
 };
-constexpr std::array<const char*, 21> EnumNames(Aggregation) {
+constexpr std::array<const char*, 24> EnumNames(Aggregation) {
   return {
       "fraction with an estimate",
       "root mean square of position errors",
       "mean of position errors",
       "median of position errors",
       "maximum of position errors",
+      "maximum of translation norms; of several bodies their mean",
+      "maximum of the absolute angle; of several bodies their mean",
+      "absolute angle in the frame where roll, pitch and yaw are largest together; of several "
+      "bodies "
+      "their mean",
       "root mean square of rotation angles",
       "root mean square of translation norms",
       "mean of translation errors over length",

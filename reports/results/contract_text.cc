@@ -51,12 +51,19 @@ std::string FramesText(const Contract& contract) {
 std::string VisibleText(const Contract& contract) {
   if (!contract.visible) return "";
   const Visibility& visible = *contract.visible;
-  if (visible.by == VisibleBy::kMask) {
-    return StrCat("visible: at least ", visible.least_px, " px of its mask and ", visible.limit,
-                  " % unoccluded");
+  switch (visible.by) {
+    case VisibleBy::kMask:
+      return StrCat("visible: at least ", visible.least_px, " px of its mask and ", visible.limit,
+                    " % unoccluded");
+    case VisibleBy::kLabel:
+      return StrCat("visible: label occlusion 0 to ", visible.limit, " and a box of at least ",
+                    visible.least_px, " px in height");
+    case VisibleBy::kCentre:
+      return "visible: its centre in the left image";
+    case VisibleBy::kLandmarks:
+      return StrCat("visible: at least ", visible.limit, " of its landmarks in the left image");
   }
-  return StrCat("visible: label occlusion 0 to ", visible.limit, " and a box of at least ",
-                visible.least_px, " px in height");
+  throw Error("VisibleBy: not one of the enumerators");
 }
 
 // The first words of an alignment.
@@ -69,6 +76,12 @@ const char* Brief(Alignment alignment) {
     case Alignment::kWorld:
     case Alignment::kWorldAndBody:
       return "world by the camera";
+    case Alignment::kAllPoses:
+      return "one transform of all poses";
+    case Alignment::kAllMotions:
+      return "one transform of all motions";
+    case Alignment::kFirstMotions:
+      return "one transform of the first 25 motions";
   }
   throw Error("Alignment: not one of the enumerators");
 }

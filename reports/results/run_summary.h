@@ -69,6 +69,7 @@ struct RunSequence : SequenceInfo {
   CameraInfo camera;
   std::optional<Json> perturbation;   // of images and calibration
   std::vector<std::string> warnings;  // what of times and truth is hardly true
+  std::optional<Json> layout;         // settings by which its folder was read
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -87,6 +88,7 @@ struct RunSequence : SequenceInfo {
     archive.Added("camera", self.camera);
     archive.Optional("perturbation", self.perturbation);
     archive.Optional("warnings", self.warnings);
+    archive.Optional("layout", self.layout);
   }
 };
 

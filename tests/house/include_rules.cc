@@ -61,8 +61,10 @@ std::vector<Part> MakeParts() {
   parts.back().may_include.emplace_back("experiments/python/");
   parts.push_back({"core/files/", {"core/base/", "core/files/"}, {"opencv2/.*", "Eigen/.*"}});
   for (const Part& part : SynthParts()) parts.push_back(part);
-  const std::vector<std::string> readers = {"core/", "experiments/datasets/",
-                                            "experiments/metrics/", "reports/results/"};
+  parts.push_back({"experiments/calibration/", {"core/", "experiments/calibration/"}, {}});
+  const std::vector<std::string> readers = {"core/", "experiments/calibration/",
+                                            "experiments/datasets/", "experiments/metrics/",
+                                            "reports/results/"};
   parts.push_back({"experiments/datasets/", readers, {}});
   parts.push_back({"experiments/metrics/", readers, {}});
   // Reads files only, so that it cannot share a mistake with what wrote them.
@@ -73,7 +75,8 @@ std::vector<Part> MakeParts() {
   parts.push_back(
       {"experiments/cache/", {"core/", "experiments/datasets/", "experiments/cache/"}, {}});
   parts.push_back({"experiments/import/",
-                   {"core/", "experiments/datasets/", "experiments/cache/", "experiments/import/"},
+                   {"core/", "experiments/calibration/", "experiments/datasets/",
+                    "experiments/cache/", "experiments/import/"},
                    {}});
   parts.push_back({"experiments/yolo/", {"core/", "experiments/yolo/"}, {}});
   // Results are written by the schema that reports read them by.

@@ -106,8 +106,10 @@ std::vector<std::string> CheckRegistered(const std::vector<SourceFile>& files) {
       if (cmake == by_path.end()) continue;
       const std::string name =
           std::regex_replace(file.path.substr(slash + 1), std::regex(R"([.])"), "[.]");
-      registered = std::regex_search(cmake->second->content,
-                                     std::regex("(^|[\\s(\"])" + name + "($|[\\s)\"])"));
+      const std::string all =
+          std::regex_replace(file.path.substr(slash + 1), std::regex(R"([^/]+[.]cc$)"), "[*][.]cc");
+      registered = std::regex_search(
+          cmake->second->content, std::regex("(^|[\\s(\"])(" + name + "|" + all + ")($|[\\s)\"])"));
     }
     if (!registered) violations.push_back(file.path + ":1: named by no CMakeLists.txt");
   }

@@ -21,6 +21,7 @@ SequenceRequest RequestOf(const reports::OverlayRun& run, const std::string& fol
   request.folder = folder.empty() ? run.detail.sequence_folder : folder;
   request.type = run.sequence.type;
   request.pair = run.sequence.pair;
+  if (run.sequence.layout) request.layout = *run.sequence.layout;
   request.begin_frame = run.sequence.first_frame;
   request.end_frame = run.sequence.first_frame + run.sequence.frames;
   return request;
@@ -58,7 +59,7 @@ RunImages::RunImages(const reports::OverlayRun& run, const std::string& folder)
 
 cv::Mat RunImages::Left(int frame) const {
   const auto index = static_cast<std::size_t>(frame - sequence_.first_frame);
-  return LoadGrey(sequence_.images.at(index).left).grey;
+  return LoadFrameImage(sequence_, index, 0).grey;
 }
 
 bool AdoptDetections(const std::string& folder, reports::OverlayRun& run) {

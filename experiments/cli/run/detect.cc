@@ -73,11 +73,12 @@ Outcome DetectAll(const Sequence& sequence, DetectorModel& model, const Detector
   Outcome outcome;
   Progress progress(sequence.images.size(), false);
   for (std::size_t i = 0; i < sequence.images.size(); ++i) {
-    const cv::Mat image = cv::imread(sequence.images[i].left.string(), cv::IMREAD_COLOR);
+    cv::Mat image = cv::imread(sequence.images[i].left.string(), cv::IMREAD_COLOR);
     if (image.empty()) {
       progress.Note(sequence.images[i].left.string() + ": cannot be decoded, no boxes");
       ++outcome.images_skipped;
     } else {
+      if (sequence.rectification) image = sequence.rectification->Left(image);
       const Clock::time_point start = Clock::now();
       const std::vector<Detection> found = model.Detect(image, options);
       outcome.network_s += std::chrono::duration<double>(Clock::now() - start).count();
@@ -121,8 +122,7 @@ Command AddDetectCommand(CLI::App& program) {
     return app->add_option(flag, value, meaning)->type_name(kind);
   };
   add("SEQUENCE", flags->sequence.folder, "", "folder of a sequence, as for run")->required();
-  add("--type", flags->sequence.type, "NAME",
-      "kitti-raw, kitti-odometry or kitti-tracking; default: detected from the folder's contents");
+  flags->sequence.AddLayoutTo(*app);
   add("--pair", flags->sequence.pair, "NAME",
       "images to read, grey or colour; default: grey if present, else colour");
   add("--frames", flags->sequence.frames, "A:B", "frames A to B-1, counted from 0; default: all");

@@ -2,21 +2,52 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/cli/run/sequence_flags.h"
 
+#include "core/base/error.h"
+#include "core/files/json.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
 #include "experiments/datasets/frame_range.h"
+#include "experiments/datasets/sequence_layout.h"
 #include "experiments/import/import_cache.h"
 #include "synth/write/render_cache.h"
 
 namespace cvo {
 
+namespace {
+
+std::string Types() {
+  std::string types;
+  for (const SequenceLayout& layout : SequenceLayouts()) {
+    types += (types.empty() ? "" : ", ") + layout.type;
+  }
+  return types;
+}
+
+Json ReadLayoutSettings(const std::string& text) {
+  if (text.empty()) return Json::object();
+  const Json json = text.starts_with("{") ? ParseJson(text, "option --layout") : ReadJson(text);
+  if (!json.is_object()) ThrowError("option --layout", json.dump(), "a JSON object");
+  return json;
+}
+
+}  // namespace
+
+void SequenceFlags::AddLayoutTo(CLI::App& app) {
+  app.add_option("--type", type,
+                 "layout of the folder: " + Types() + "; default: detected from its contents")
+      ->type_name("NAME");
+  app.add_option("--layout", layout,
+                 "settings of the layout, such as the names of bodies (experiments/README.md): a "
+                 "JSON object or a file with one")
+      ->type_name("JSON|FILE");
+}
+
 void SequenceFlags::AddTruthTo(CLI::App& app) {
   const auto add = [&app](const char* flag, auto& value, const char* kind, const char* meaning) {
     return app.add_option(flag, value, meaning)->type_name(kind);
   };
-  add("--type", type, "NAME",
-      "kitti-raw, kitti-odometry or kitti-tracking; default: detected from the folder's contents");
+  AddLayoutTo(app);
   add("--dataset", dataset, "NAME",
       "recorded data set, kitti or other; default: kitti if the calibration is KITTI's");
   add("--pair", pair, "NAME",
@@ -29,10 +60,9 @@ void SequenceFlags::AddTruthTo(CLI::App& app) {
 }
 
 void SequenceFlags::AddTo(CLI::App& app) {
-  app.add_option(
-         "SEQUENCE", folder,
-         "folder of a KITTI raw drive (synced and rectified), of a KITTI odometry sequence, "
-         "or <training>/<number> of KITTI tracking; or --left, --right and --calib")
+  app.add_option("SEQUENCE", folder,
+                 "folder of a sequence of KITTI or another known data set (experiments/README.md), "
+                 "<training>/<number> of KITTI tracking; or --left, --right and --calib")
       ->type_name("");
   const auto add = [&app](const char* flag, auto& value, const char* kind, const char* meaning) {
     return app.add_option(flag, value, meaning)->type_name(kind);
@@ -105,6 +135,7 @@ SequenceRequest SequenceFlags::Request() const {
         });
   }
   request.type = type;
+  request.layout = ReadLayoutSettings(layout);
   request.dataset = dataset;
   request.pair = pair;
   request.groundtruth = groundtruth;

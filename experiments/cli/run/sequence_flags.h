@@ -20,6 +20,7 @@ struct SequenceFlags {
   std::string groundtruth = "devkit";
   std::string frames;
   std::string labels;
+  std::string layout;
   std::string detections;
   int labels_camera = -1;
   int detections_camera = -1;
@@ -28,6 +29,8 @@ struct SequenceFlags {
   StereoImport stereo;  // in place of the folder, where --left is given
 
   void AddTo(CLI::App& app);
+  // --type and --layout.
+  void AddLayoutTo(CLI::App& app);
   // Those alone that say which part is read and what is true of it; the folder and --groundtruth
   // are left to the caller.
   void AddTruthTo(CLI::App& app);

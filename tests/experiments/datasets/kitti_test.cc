@@ -12,7 +12,7 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "experiments/datasets/kitti_calibration.h"
+#include "experiments/calibration/kitti_calibration.h"
 #include "experiments/datasets/load_image.h"
 #include "experiments/datasets/object_boxes.h"
 #include "experiments/datasets/oxts.h"

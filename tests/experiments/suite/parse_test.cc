@@ -276,7 +276,8 @@ TEST(ShippedSuites, AreWholeAndNamedAsTheirFiles) {
                                             "sweep_eta", "sweep_windows", "sweep_motion_prior",
                                             "detector_quality", "oracle_ladder", "ci", "ladder",
                                             "leave_one_out", "ablation_large", "world_speed",
-                                            "world_detector", "perturb_kitti"}));
+                                            "world_detector", "perturb_kitti", "multimotion",
+                                            "clusterslam"}));
   EXPECT_THAT(ErrorMessage([] { LoadSuite("ablatoin"); }), HasSubstr("did you mean ablation"));
 }
 

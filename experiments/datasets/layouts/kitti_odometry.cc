@@ -6,7 +6,9 @@
 // them in poses.txt beside the images, with labels.txt and detections/<level>.txt.
 
 #include "core/base/error.h"
+#include "experiments/datasets/sequence_layout.h"
 #include "experiments/datasets/sequence_parts.h"
+#include "experiments/datasets/sequence_type.h"
 #include "experiments/datasets/timestamps.h"
 #include "experiments/metrics/kitti_poses.h"
 
@@ -60,7 +62,16 @@ SequenceRequest WithLevel(const SequenceRequest& request) {
   return resolved;
 }
 
-}  // namespace
+bool KnowsOdometry(const fs::path& folder) {
+  if (fs::exists(folder / "pose_gt.txt")) return false;  // prepared_multimotion.cc
+  return IsFolder(folder / "image_0") || IsFolder(folder / "image_1") ||
+         IsFolder(folder / "image_2") || IsFolder(folder / "image_3");
+}
+
+bool OdometryHasImages(const fs::path& folder) {
+  return AreFolders(folder / "image_0", folder / "image_1") ||
+         AreFolders(folder / "image_2", folder / "image_3");
+}
 
 Sequence ReadKittiOdometry(const SequenceRequest& request) {
   RequireDevkitTruth(request, "KITTI odometry comes with one set of poses");
@@ -87,6 +98,13 @@ Sequence ReadKittiOdometry(const SequenceRequest& request) {
            {.file = fs::exists(labels) ? labels : fs::path(), .camera = pair.left}, rig, pair.left,
            sequence);
   return sequence;
+}
+
+}  // namespace
+
+SequenceLayout KittiOdometryLayout() {
+  return {kKittiOdometry, "image_0, times.txt", KnowsOdometry, OdometryHasImages,
+          ReadKittiOdometry};
 }
 
 }  // namespace cvo

@@ -1,42 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/import/rig_file.h"
+#include "experiments/calibration/rig_file.h"
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "core/base/error.h"
 #include "core/files/json_record.h"
 #include "core/files/text_file.h"
-#include "experiments/datasets/kitti_calibration.h"
-#include "experiments/import/yaml_file.h"
+#include "experiments/calibration/kitti_calibration.h"
+#include "experiments/calibration/yaml_file.h"
 
 namespace cvo {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Rotation and translation of 12 or 16 numbers, row by row. Calibrations are written with few
-// digits, so the nearest rotation is taken.
-RigidTransform TransformOf(const YamlMap& map, const std::string& key) {
-  const std::vector<double> numbers = map.Numbers(key);
-  if (numbers.size() != 12 && numbers.size() != 16) {
-    map.Fail(key, StrCat(numbers.size(), " numbers"), "12 of [R t], or 16");
-  }
-  Eigen::Matrix3d rotation;
-  Eigen::Vector3d translation;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) rotation(i, j) = numbers[static_cast<std::size_t>(4 * i + j)];
-    translation[i] = numbers[static_cast<std::size_t>(4 * i + 3)];
-  }
-  constexpr double kRounding = 1e-3;
-  if ((rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm() > kRounding ||
-      rotation.determinant() < 0.0) {
-    map.Fail(key, "no rotation", "[R t] with R^T R = I and determinant 1");
-  }
-  return RigidTransform(NearestRotation(rotation), translation);
-}
 
 void SetLens(const YamlMap& map, const std::string& key, LensModel lens, LensCamera& camera) {
   camera.lens = lens;
@@ -81,7 +61,7 @@ StereoRig ReadOurs(const YamlMap& map) {
     map.AllowOnly({"left", "right", "right_from_left", "width_px", "height_px"});
     rig.left = OurCamera(map.Map("left"));
     rig.right = OurCamera(map.Map("right"));
-    rig.right_from_left = TransformOf(map, "right_from_left");
+    rig.right_from_left = ReadTransform(map, "right_from_left");
   } else {
     map.AllowOnly({"fx", "fy", "cx", "cy", "baseline_m", "width_px", "height_px"});
     SetIntrinsics(map.Number("fx"), map.Number("fy"), map.Number("cx"), map.Number("cy"), rig.left);
@@ -114,14 +94,49 @@ LensCamera KalibrCamera(const YamlMap& map) {
   return camera;
 }
 
-StereoRig ReadKalibr(const YamlMap& map) {
-  const YamlMap left = map.Map("cam0");
-  const YamlMap right = map.Map("cam1");
-  StereoRig rig = {KalibrCamera(left), KalibrCamera(right), TransformOf(right, "T_cn_cnm1")};
+bool Says(const std::string& text, const char* side) {
+  std::string low = text;
+  std::transform(low.begin(), low.end(), low.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return low.find(side) != std::string::npos;
+}
+
+void CheckTopic(const YamlMap& camera, const char* side, const char* other) {
+  if (!camera.Has("rostopic")) return;
+  const std::string topic = camera.Text("rostopic");
+  if (Says(topic, side) || !Says(topic, other)) return;
+  camera.Fail("rostopic", Quoted(topic),
+              StrCat("the ", side, " camera: state the order of cameras"));
+}
+
+StereoRig ReadKalibr(const YamlMap& map, const std::string& left_key,
+                     const std::string& right_key) {
+  const YamlMap left = map.Map(left_key);
+  const YamlMap right = map.Map(right_key);
+  CheckTopic(left, "left", "right");
+  CheckTopic(right, "right", "left");
+  StereoRig rig = {KalibrCamera(left), KalibrCamera(right), ReadTransform(right, "T_cn_cnm1")};
   const std::vector<double> size = left.Numbers("resolution", 2);
   rig.width_px = static_cast<int>(size[0]);
   rig.height_px = static_cast<int>(size[1]);
   return rig;
+}
+
+// EuRoC.
+
+LensCamera SensorCamera(const YamlMap& map) {
+  LensCamera camera;
+  const std::string model = map.Text("camera_model");
+  if (model != "pinhole") map.Fail("camera_model", Quoted(model), "pinhole");
+  const std::vector<double> k = map.Numbers("intrinsics", 4);
+  SetIntrinsics(k[0], k[1], k[2], k[3], camera);
+  const std::string lens = map.Text("distortion_model");
+  if (lens != "radial-tangential" && lens != "equidistant") {
+    map.Fail("distortion_model", Quoted(lens), "radial-tangential or equidistant");
+  }
+  SetLens(map, "distortion_coefficients",
+          lens == "equidistant" ? LensModel::kEquidistant : LensModel::kPlumbBob, camera);
+  return camera;
 }
 
 // OpenCV.
@@ -180,7 +195,7 @@ StereoRig ReadKitti(const fs::path& path) {
 StereoRig ReadAny(const fs::path& path) {
   if (IsKittiText(path)) return ReadKitti(path);
   const YamlMap map = YamlMap::Read(path);
-  if (map.Has("cam0")) return ReadKalibr(map);
+  if (map.Has("cam0")) return ReadKalibr(map, "cam0", "cam1");
   for (const OpenCvKeys& keys : kOpenCvKeys) {
     if (map.Has(std::string(keys.matrix) + "1")) return ReadOpenCv(map, keys);
   }
@@ -194,10 +209,7 @@ void Check(const fs::path& path, const char* name, const LensCamera& camera) {
   }
 }
 
-}  // namespace
-
-StereoRig ReadStereoRig(const fs::path& path) {
-  const StereoRig rig = ReadAny(path);
+StereoRig Checked(const StereoRig& rig, const fs::path& path) {
   Check(path, "left camera", rig.left);
   Check(path, "right camera", rig.right);
   if ((rig.left.lens == LensModel::kEquidistant) != (rig.right.lens == LensModel::kEquidistant)) {
@@ -209,6 +221,53 @@ StereoRig ReadStereoRig(const fs::path& path) {
                "a positive baseline along x (left and right may be swapped)");
   }
   return rig;
+}
+
+}  // namespace
+
+// Rotation and translation of 12 or 16 numbers, row by row. Calibrations are written with few
+// digits, so the nearest rotation is taken.
+RigidTransform TransformOf(const YamlMap& map, const std::string& key) {
+  const std::vector<double> numbers = map.Numbers(key);
+  if (numbers.size() != 12 && numbers.size() != 16) {
+    map.Fail(key, StrCat(numbers.size(), " numbers"), "12 of [R t], or 16");
+  }
+  Eigen::Matrix3d rotation;
+  Eigen::Vector3d translation;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) rotation(i, j) = numbers[static_cast<std::size_t>(4 * i + j)];
+    translation[i] = numbers[static_cast<std::size_t>(4 * i + 3)];
+  }
+  constexpr double kRounding = 1e-3;
+  if ((rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm() > kRounding ||
+      rotation.determinant() < 0.0) {
+    map.Fail(key, "no rotation", "[R t] with R^T R = I and determinant 1");
+  }
+  return RigidTransform(NearestRotation(rotation), translation);
+}
+
+StereoRig ReadStereoRig(const fs::path& path) { return Checked(ReadAny(path), path); }
+
+StereoRig ReadKalibrRig(const fs::path& path, const std::string& left, const std::string& right) {
+  const YamlMap map = YamlMap::Read(path);
+  std::string after = left;
+  if (!after.empty()) ++after.back();
+  if (right != after) {
+    ThrowError(path.string(), StrCat("cameras ", left, " and ", right),
+               StrCat(left, " and ", after, ": a chain states each camera by the one before"));
+  }
+  return Checked(ReadKalibr(map, left, right), path);
+}
+
+StereoRig ReadSensorRig(const fs::path& left, const fs::path& right) {
+  const YamlMap left_map = YamlMap::Read(left);
+  const YamlMap right_map = YamlMap::Read(right);
+  StereoRig rig = {SensorCamera(left_map), SensorCamera(right_map),
+                   ReadTransform(right_map, "T_BS").Inverse() * ReadTransform(left_map, "T_BS")};
+  const std::vector<double> size = left_map.Numbers("resolution", 2);
+  rig.width_px = static_cast<int>(size[0]);
+  rig.height_px = static_cast<int>(size[1]);
+  return Checked(rig, right);
 }
 
 }  // namespace cvo

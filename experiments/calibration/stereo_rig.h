@@ -3,9 +3,11 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "core/geometry/rigid_transform.h"
+#include "core/geometry/stereo_camera.h"
 
 namespace cvo {
 
@@ -37,5 +39,10 @@ struct StereoRig {
 // One focal length and centre for both cameras, no distortion, and a baseline along x: images can
 // be used as they are.
 bool IsRectified(const StereoRig& rig);
+
+// The camera of images of a rig that is rectified.
+StereoCamera CameraOf(const StereoRig& rig, int width_px, int height_px);
+// Throws Error, naming `where`, if the calibration states that its images have another size.
+void CheckSize(const StereoRig& rig, int width_px, int height_px, const std::string& where);
 
 }  // namespace cvo

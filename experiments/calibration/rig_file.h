@@ -4,7 +4,8 @@
 
 #include <filesystem>
 
-#include "experiments/import/stereo_rig.h"
+#include "experiments/calibration/stereo_rig.h"
+#include "experiments/calibration/yaml_file.h"
 
 namespace cvo {
 
@@ -18,5 +19,16 @@ namespace cvo {
 // - KITTI's calib.txt: P0, P1 (else P2, P3), or P_rect_00, P_rect_01.
 // Throws Error with the file, what was found and what was expected.
 StereoRig ReadStereoRig(const std::filesystem::path& path);
+
+// Two cameras of a Kalibr camchain: the right one must be the one after the left, as the chain
+// states each camera by the one before. Rostopics that say left and right must say the same.
+StereoRig ReadKalibrRig(const std::filesystem::path& path, const std::string& left,
+                        const std::string& right);
+// Two sensor.yaml of EuRoC's kind, with the pose of the camera in the body (T_BS).
+StereoRig ReadSensorRig(const std::filesystem::path& left, const std::filesystem::path& right);
+
+// Rotation and translation of 12 or 16 numbers, row by row. Calibrations are written with few
+// digits, so the nearest rotation is taken.
+RigidTransform ReadTransform(const YamlMap& map, const std::string& key);
 
 }  // namespace cvo

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/datasets/kitti_calibration.h"
+#include "experiments/calibration/kitti_calibration.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/import/yaml_file.h"
+#include "experiments/calibration/yaml_file.h"
 
 #include <algorithm>
 #include <optional>

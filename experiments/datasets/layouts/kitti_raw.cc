@@ -9,7 +9,9 @@
 #include "core/base/error.h"
 #include "experiments/datasets/image_files.h"
 #include "experiments/datasets/oxts.h"
+#include "experiments/datasets/sequence_layout.h"
 #include "experiments/datasets/sequence_parts.h"
+#include "experiments/datasets/sequence_type.h"
 #include "experiments/datasets/timestamps.h"
 
 namespace cvo {
@@ -98,7 +100,7 @@ void AddTruth(const SequenceRequest& request, const fs::path& date_folder,
     return;
   }
   std::vector<OxtsPacket> packets;
-  for (const fs::path& path : ListNumberedFiles(oxts_folder / "data", ".txt")) {
+  for (const fs::path& path : ListNumberedFiles(oxts_folder / "data", {"", ".txt"})) {
     packets.push_back(ReadOxtsPacket(path));
     sequence.text_files.push_back(path);
   }
@@ -109,7 +111,15 @@ void AddTruth(const SequenceRequest& request, const fs::path& date_folder,
   sequence.groundtruth = request.groundtruth;
 }
 
-}  // namespace
+bool KnowsRaw(const fs::path& folder) {
+  return IsFolder(folder / "image_00/data") || IsFolder(folder / "image_01/data") ||
+         IsFolder(folder / "image_02/data") || IsFolder(folder / "image_03/data");
+}
+
+bool RawHasImages(const fs::path& folder) {
+  return AreFolders(folder / "image_00/data", folder / "image_01/data") ||
+         AreFolders(folder / "image_02/data", folder / "image_03/data");
+}
 
 Sequence ReadKittiRaw(const SequenceRequest& request) {
   Sequence sequence;
@@ -132,6 +142,12 @@ Sequence ReadKittiRaw(const SequenceRequest& request) {
   AddTruth(request, date_folder, cameras, sequence);
   AddBoxes(request, {.file = {}, .camera = 2}, rig, pair.left, sequence);
   return sequence;
+}
+
+}  // namespace
+
+SequenceLayout KittiRawLayout() {
+  return {"kitti-raw", "image_00/data, oxts", KnowsRaw, RawHasImages, ReadKittiRaw};
 }
 
 }  // namespace cvo

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/import/rectification.h"
+#include "experiments/calibration/rectification.h"
 
 #include <gtest/gtest.h>
 

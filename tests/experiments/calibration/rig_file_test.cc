@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/import/rig_file.h"
+#include "experiments/calibration/rig_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/import/rectification.h"
+#include "experiments/calibration/rectification.h"
 
 #include <algorithm>
 #include <opencv2/calib3d.hpp>
@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/files/number.h"
+#include "core/files/sha256.h"
 
 namespace cvo {
 namespace {
@@ -108,9 +110,22 @@ void ChooseProjection(const TurnedCamera& left, const TurnedCamera& right, const
   camera.cy = center.y;
 }
 
+std::string IdentityOf(const StereoRig& rig) {
+  std::string text;
+  const auto add = [&text](double value) { text += FormatDouble(value) + " "; };
+  for (const LensCamera& camera : {rig.left, rig.right}) {
+    for (const double value : {camera.fx, camera.fy, camera.cx, camera.cy}) add(value);
+    text += StrCat(static_cast<int>(camera.lens), " ");
+    for (const double value : camera.coefficients) add(value);
+  }
+  for (int i = 0; i < 7; ++i) add(rig.right_from_left.data()[i]);
+  return Sha256Hex(text);
+}
+
 }  // namespace
 
-Rectification::Rectification(const StereoRig& rig, const cv::Size& size) {
+Rectification::Rectification(const StereoRig& rig, const cv::Size& size)
+    : identity_(IdentityOf(rig)) {
   const bool fisheye = rig.left.lens == LensModel::kEquidistant;
   TurnedCamera left = {MatrixOf(rig.left), CoefficientsOf(rig.left), {}};
   TurnedCamera right = {MatrixOf(rig.right), CoefficientsOf(rig.right), {}};

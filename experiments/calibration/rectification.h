@@ -4,9 +4,10 @@
 
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
+#include <string>
 
 #include "core/geometry/stereo_camera.h"
-#include "experiments/import/stereo_rig.h"
+#include "experiments/calibration/stereo_rig.h"
 
 namespace cvo {
 
@@ -21,6 +22,8 @@ class Rectification {
   Rectification(const StereoRig& rig, const cv::Size& size);
 
   const StereoCamera& camera() const { return camera_; }
+  // A hash of the rig: another one makes other images of the same files.
+  const std::string& identity() const { return identity_; }
   // p_in_rectified = R p_in_left, and of the right camera.
   const Eigen::Matrix3d& rectified_from_left() const { return rectified_from_left_; }
   const Eigen::Matrix3d& rectified_from_right() const { return rectified_from_right_; }
@@ -35,6 +38,7 @@ class Rectification {
   };
   static cv::Mat Remap(const cv::Mat& image, const Maps& maps);
 
+  std::string identity_;
   StereoCamera camera_;
   Eigen::Matrix3d rectified_from_left_;
   Eigen::Matrix3d rectified_from_right_;

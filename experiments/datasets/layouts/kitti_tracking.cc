@@ -7,7 +7,9 @@
 
 #include "core/base/error.h"
 #include "experiments/datasets/oxts.h"
+#include "experiments/datasets/sequence_layout.h"
 #include "experiments/datasets/sequence_parts.h"
+#include "experiments/datasets/sequence_type.h"
 #include "experiments/datasets/timestamps.h"
 
 namespace cvo {
@@ -42,14 +44,30 @@ void AddTruth(const fs::path& oxts_file, const CalibrationFile& calibration, Seq
   sequence.groundtruth = "devkit";
 }
 
-}  // namespace
+// The set, of <training>/<number> as of <training>/image_02/<number>.
+fs::path SetFolder(const fs::path& folder) {
+  const fs::path parent = folder.parent_path();
+  return parent.filename().string().starts_with("image_0") ? parent.parent_path() : parent;
+}
+
+bool TrackingHasImages(const fs::path& folder) {
+  const fs::path set_folder = SetFolder(folder);
+  return AreFolders(set_folder / "image_02" / folder.filename(),
+                    set_folder / "image_03" / folder.filename());
+}
+
+bool KnowsTracking(const fs::path& folder) {
+  const std::string number = folder.filename().string();
+  if (number.empty() || number.find_first_not_of("0123456789") != std::string::npos) return false;
+  const fs::path set_folder = SetFolder(folder);
+  return IsTrackingSet(set_folder) && (IsFolder(set_folder / "image_02" / number) ||
+                                       fs::exists(set_folder / "calib" / (number + ".txt")));
+}
 
 Sequence ReadKittiTracking(const SequenceRequest& request) {
   RequireDevkitTruth(request, "KITTI tracking has no timestamps to interpolate at");
   const std::string number = request.folder.filename().string();
-  const bool in_images = request.folder.parent_path().filename().string().starts_with("image_0");
-  const fs::path set_folder =
-      in_images ? request.folder.parent_path().parent_path() : request.folder.parent_path();
+  const fs::path set_folder = SetFolder(request.folder);
   Sequence sequence;
   sequence.folder = set_folder / number;
   sequence.name = SequenceName(set_folder, number);
@@ -71,6 +89,13 @@ Sequence ReadKittiTracking(const SequenceRequest& request) {
   }
   AddBoxes(request, labels, rig, pair.left, sequence);
   return sequence;
+}
+
+}  // namespace
+
+SequenceLayout KittiTrackingLayout() {
+  return {"kitti-tracking", "<training>/<number>", KnowsTracking, TrackingHasImages,
+          ReadKittiTracking};
 }
 
 }  // namespace cvo

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+
+// EuRoC in ASL's format: mav0/cam0 and cam1 with data/<ns>.png, data.csv and sensor.yaml, and the
+// truth of the body in mav0/state_groundtruth_estimate0/data.csv. Images are not rectified.
+
+#include <map>
+
+#include "core/base/error.h"
+#include "core/files/text_file.h"
+#include "experiments/calibration/rig_file.h"
+#include "experiments/datasets/data_rows.h"
+#include "experiments/datasets/oxts.h"
+#include "experiments/datasets/sequence_layout.h"
+#include "experiments/datasets/sequence_parts.h"
+#include "experiments/datasets/sequence_type.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The folder with the cameras: mav0, or the one that contains it.
+fs::path MavFolder(const fs::path& folder) {
+  return IsFolder(folder / "mav0") ? folder / "mav0" : folder;
+}
+
+bool KnowsEuroc(const fs::path& folder) {
+  const fs::path mav = MavFolder(folder);
+  return fs::exists(mav / "cam0/data.csv") || fs::exists(mav / "cam0/sensor.yaml");
+}
+
+bool EurocHasImages(const fs::path& folder) {
+  return AreFolders(MavFolder(folder) / "cam0/data", MavFolder(folder) / "cam1/data");
+}
+
+// The files of a camera by time.
+std::map<std::int64_t, fs::path> ReadCamera(const fs::path& camera, Sequence& sequence) {
+  const fs::path list = camera / "data.csv";
+  const DataRows rows(list, 2, "time in ns, file name");
+  sequence.text_files.push_back(list);
+  std::map<std::int64_t, fs::path> files;
+  std::vector<std::int64_t> times_ns;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::int64_t time_ns = rows.Integer(i, 0);
+    CheckLater(rows, i, time_ns, times_ns, camera.filename().string());
+    times_ns.push_back(time_ns);
+    const fs::path file = camera / "data" / rows.Text(i, 1);
+    if (!fs::is_regular_file(file)) {
+      rows.Fail(i, "no image " + file.string(), "one for each row");
+    }
+    files.emplace(time_ns, file);
+  }
+  return files;
+}
+
+// Cameras are paired by time: some sequences lack an image of one of them.
+std::vector<StereoPaths> PairImages(const fs::path& mav, Sequence& sequence) {
+  const auto left = ReadCamera(mav / "cam0", sequence);
+  const auto right = ReadCamera(mav / "cam1", sequence);
+  std::vector<StereoPaths> pairs;
+  for (const auto& [time_ns, file] : left) {
+    const auto other = right.find(time_ns);
+    if (other == right.end()) continue;
+    pairs.push_back({file, other->second});
+    sequence.timestamps_ns.push_back(time_ns);
+  }
+  if (pairs.empty()) {
+    ThrowError((mav / "cam1/data.csv").string(), "no time of cam0", "the same times in both");
+  }
+  const std::size_t alone = left.size() + right.size() - 2 * pairs.size();
+  if (alone > 0) {
+    sequence.missing.push_back(
+        StrCat("the other image of ", alone, " that only one camera has: left out"));
+  }
+  return pairs;
+}
+
+void AddTruth(const fs::path& mav, Sequence& sequence) {
+  const fs::path path = mav / "state_groundtruth_estimate0/data.csv";
+  if (!fs::exists(path)) {
+    sequence.missing.push_back(path.string() + ": no ground truth of the camera");
+    return;
+  }
+  const DataRows rows(path, 8, "time in ns, position x y z, quaternion w x y z");
+  sequence.text_files.push_back(path);
+  const RigidTransform body_from_left =
+      ReadTransform(YamlMap::Read(mav / "cam0/sensor.yaml"), "T_BS");
+  std::vector<std::int64_t> times_ns;
+  std::vector<RigidTransform> world_from_body;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::int64_t time_ns = rows.Integer(i, 0);
+    CheckLater(rows, i, time_ns, times_ns, "the body");
+    times_ns.push_back(time_ns);
+    world_from_body.emplace_back(rows.Quaternion(i, 4, true), rows.Vector(i, 1));
+  }
+  std::vector<std::optional<RigidTransform>> poses;
+  for (const std::int64_t time_ns : sequence.timestamps_ns) {
+    std::optional<RigidTransform> pose = InterpolatePose(times_ns, world_from_body, time_ns);
+    if (pose) *pose = *pose * body_from_left;
+    poses.push_back(pose);
+  }
+  AddCameraTruth(std::move(poses), sequence);
+  StateFramesWithoutTruth("it starts later or ends earlier", sequence);
+}
+
+Sequence ReadEuroc(const SequenceRequest& request) {
+  RequireDevkitTruth(request, "EuRoC comes with one set of poses");
+  Sequence sequence;
+  sequence.folder = request.folder;
+  const bool inside = request.folder.filename() == "mav0";
+  sequence.name = (inside ? request.folder.parent_path() : request.folder).filename().string();
+  const fs::path mav = MavFolder(request.folder);
+  AddPair(request, "grey", CheckedImages(PairImages(mav, sequence)), sequence);
+  const fs::path right = mav / "cam1/sensor.yaml";
+  AddRig(ReadSensorRig(mav / "cam0/sensor.yaml", right), right, sequence);
+  sequence.text_files.push_back(mav / "cam0/sensor.yaml");
+  AddTruth(mav, sequence);
+  AddBoxes(request, sequence);
+  return sequence;
+}
+
+}  // namespace
+
+SequenceLayout EurocLayout() {
+  return {"euroc", "mav0/cam0, mav0/cam1", KnowsEuroc, EurocHasImages, ReadEuroc};
+}
+
+}  // namespace cvo

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <opencv2/core.hpp>
+
+#include "core/base/error.h"
+#include "core/files/text_file.h"
+#include "experiments/datasets/load_image.h"
+#include "tests/experiments/datasets/layouts/written_scene.h"
+#include "tests/support/error_message.h"
+#include "tests/support/temp_folder.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+using test::NumbersText;
+using test::WrittenScene;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr std::int64_t kStart_ns = 1'403'636'579'000'000'000;
+
+struct Lens {
+  std::vector<double> intrinsics;
+  std::string coefficients = "0, 0, 0, 0";
+  std::string body_from_camera;  // 16 numbers
+};
+
+std::string SensorText(const Lens& lens, int width_px, int height_px) {
+  return StrCat("#Default VI sensor cam\nsensor_type: camera\ncomment: VI-Sensor\n\n", "T_BS:\n",
+                "  cols: 4\n  rows: 4\n  data: [", lens.body_from_camera, "]\n\nrate_hz: 20\n",
+                "resolution: [", width_px, ", ", height_px, "]\ncamera_model: pinhole\n",
+                "intrinsics: [", NumbersText(lens.intrinsics, ", "), "] #fu, fv, cu, cv\n",
+                "distortion_model: radial-tangential\ndistortion_coefficients: [",
+                lens.coefficients, "]\n");
+}
+
+const RigidTransform kBodyFromLeft(ExpSo3({0.3, -1.2, 0.5}), Eigen::Vector3d(-0.02, 0.06, 0.01));
+
+// As EuRoC has it: times of the truth are others than those of the images, and the body is not the
+// camera.
+void WriteEuroc(const test::TempFolder& root, const WrittenScene& scene) {
+  const StereoCamera& c = scene.camera;
+  std::string list = "#timestamp [ns],filename\r\n";
+  std::string truth =
+      "#timestamp, p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_RS_w [], q_RS_x []\n";
+  for (std::size_t k = 0; k < scene.frames(); ++k) {
+    const std::string name = StrCat(kStart_ns + scene.times_ns[k], ".png");
+    list += StrCat(kStart_ns + scene.times_ns[k], ",", name, "\r\n");
+    for (int side = 0; side < 2; ++side) {
+      test::WriteImage(root.path() / StrCat("mav0/cam", side, "/data/", name),
+                       scene.images[k][static_cast<std::size_t>(side)]);
+    }
+    const RigidTransform body =
+        RigidTransform(ExpSo3({0.2, 0.1, 3.0}), Eigen::Vector3d(4.0, -2.0, 1.0)) *
+        scene.world_from_left[k] * kBodyFromLeft.Inverse();
+    const auto q = body.rotation();
+    const auto t = body.translation();
+    truth +=
+        StrCat(kStart_ns + scene.times_ns[k], ",") +
+        NumbersText({t.x(), t.y(), t.z(), q.w(), q.x(), q.y(), q.z(), 0.1, 0, 0, 0, 0, 0, 0, 0, 0},
+                    ",") +
+        "\n";
+  }
+  for (int side = 0; side < 2; ++side) {
+    const RigidTransform at(Eigen::Quaterniond::Identity(),
+                            Eigen::Vector3d(side * c.baseline_m, 0.0, 0.0));
+    root.Write(StrCat("mav0/cam", side, "/data.csv"), list);
+    root.Write(
+        StrCat("mav0/cam", side, "/sensor.yaml"),
+        SensorText(
+            {{c.fx, c.fy, c.cx, c.cy}, "0, 0, 0, 0", test::MatrixText(kBodyFromLeft * at, ", ")},
+            c.width_px, c.height_px));
+  }
+  root.Write("mav0/state_groundtruth_estimate0/data.csv", truth);
+}
+
+TEST(Euroc, ASceneInItsLayoutIsTheSameSequence) {
+  const test::TempFolder own_folder, folder;
+  const test::OwnScene own(own_folder.path() / "scene");
+  WriteEuroc(folder, own.written());
+  const Sequence sequence =
+      OpenSequence({.folder = folder.path(), .detections_file = own.detections()});
+  EXPECT_EQ(sequence.type, "euroc");
+  EXPECT_EQ(sequence.pair, "grey");
+  EXPECT_EQ(sequence.timestamps_ns[0], kStart_ns + own.written().times_ns[0]);
+  EXPECT_EQ(sequence.rectification, nullptr);
+  EXPECT_THAT(sequence.missing, IsEmpty());
+  test::ExpectSameSequence(own.Open(), sequence);
+}
+
+class EurocFiles : public testing::Test {
+ protected:
+  EurocFiles() { WriteEuroc(folder_, test::SmallScene()); }
+  std::string Refused() const {
+    return ErrorMessage([&] { OpenSequence({.folder = folder_.path()}); });
+  }
+  fs::path File(const std::string& name) const { return folder_.path() / "mav0" / name; }
+
+  test::TempFolder folder_;
+};
+
+// The published calibration: its rectification is known (rectification_test.cc), and the pose of
+// the left camera turns with it.
+TEST_F(EurocFiles, ImagesThatAreNotRectifiedAre) {
+  const RigidTransform before =
+      *OpenSequence({.folder = folder_.path()}).groundtruth_world_from_camera[2];
+  test::ReplaceIn(File("cam0/sensor.yaml"), "coefficients: [0, 0, 0, 0]",
+                  "coefficients: [-0.1, 0.01, 0.0002, 0.00002]");
+  const Sequence sequence = OpenSequence({.folder = folder_.path()});
+  ASSERT_NE(sequence.rectification, nullptr);
+  EXPECT_NEAR(sequence.camera.baseline_m, 0.1, 1e-9);
+  const RigidTransform turn(sequence.rectification->rectified_from_left(), Eigen::Vector3d::Zero());
+  const RigidTransform expected = turn * before * turn.Inverse();
+  EXPECT_LT((expected.Inverse() * *sequence.groundtruth_world_from_camera[2]).translation().norm(),
+            1e-9);
+  const LoadedImage raw = LoadGrey(sequence.images[0].left);
+  const LoadedImage image = LoadFrameImage(sequence, 0, 0);
+  ASSERT_TRUE(image.ok());
+  EXPECT_EQ(image.grey.size(), raw.grey.size());
+  EXPECT_GT(cv::norm(image.grey, raw.grey, cv::NORM_L1), 0.0);
+}
+
+TEST_F(EurocFiles, CamerasArePairedByTime) {
+  test::DropRow(File("cam1/data.csv"), 2);
+  const Sequence sequence = OpenSequence({.folder = folder_.path() / "mav0"});
+  EXPECT_EQ(sequence.images.size(), 2U);
+  EXPECT_EQ(sequence.images[0].left.filename(), sequence.images[0].right.filename());
+  EXPECT_THAT(sequence.missing, ElementsAre(HasSubstr("1 that only one camera has")));
+  EXPECT_EQ(sequence.name, folder_.path().filename());
+}
+
+TEST_F(EurocFiles, FramesOutsideTheTruthHaveNone) {
+  test::DropRow(File("state_groundtruth_estimate0/data.csv"), 4);
+  const Sequence sequence = OpenSequence({.folder = folder_.path()});
+  EXPECT_FALSE(sequence.groundtruth_world_from_camera[2]);
+  EXPECT_THAT(sequence.missing, ElementsAre(HasSubstr("1 of 3 frames")));
+  fs::remove(File("state_groundtruth_estimate0/data.csv"));
+  EXPECT_THAT(OpenSequence({.folder = folder_.path()}).missing,
+              ElementsAre(HasSubstr("data.csv: no ground truth")));
+}
+
+TEST_F(EurocFiles, BadRowsAreRefusedByFileAndRow) {
+  const fs::path list = File("cam0/data.csv");
+  const std::string text = test::ReadFile(list);
+  test::RepeatRow(list, 2);
+  EXPECT_THAT(Refused(), AllOf(HasSubstr("cam0/data.csv:3: found time 1403636580.0"),
+                               HasSubstr("of cam0, expected one after")));
+  WriteFileBytes(list, text.substr(0, text.size() - 8));
+  EXPECT_THAT(Refused(), AllOf(HasSubstr("cam0/data.csv:4: found no image"),
+                               HasSubstr("expected one for each row")));
+  WriteFileBytes(list, text.substr(0, text.size() - 28));
+  EXPECT_THAT(Refused(), AllOf(HasSubstr("cam0/data.csv:4"), HasSubstr("1 columns")));
+  WriteFileBytes(list, text);
+  const fs::path truth = File("state_groundtruth_estimate0/data.csv");
+  test::ReplaceIn(truth, "1403636580100000000,", "1403636580000000000,");
+  EXPECT_THAT(Refused(), HasSubstr("state_groundtruth_estimate0/data.csv:3: found time"));
+  test::ReplaceIn(truth, "1403636580000000000,", "1403636580000000000,x");
+  EXPECT_THAT(Refused(),
+              AllOf(HasSubstr("data.csv:2, column 2: found \"x"), HasSubstr("a number")));
+}
+
+TEST_F(EurocFiles, OtherImagesAndCamerasAreRefused) {
+  const fs::path image = OpenSequence({.folder = folder_.path()}).images[1].right;
+  test::WriteImage(image, cv::Mat(32, 50, CV_8UC1, cv::Scalar(9)));
+  EXPECT_THAT(Refused(), AllOf(HasSubstr("50x32 pixels"), HasSubstr("48x32")));
+  test::WriteImage(image, cv::Mat(32, 48, CV_8UC1, cv::Scalar(9)));
+  const fs::path left = File("cam0/sensor.yaml");
+  test::ReplaceIn(left, "resolution: [48", "resolution: [752");
+  EXPECT_THAT(Refused(), AllOf(HasSubstr("a calibration of 752x32"), HasSubstr("48x32 px")));
+  test::ReplaceIn(left, "resolution: [752", "resolution: [48");
+  fs::rename(left, File("other.yaml"));
+  fs::rename(File("cam1/sensor.yaml"), left);
+  fs::rename(File("other.yaml"), File("cam1/sensor.yaml"));
+  EXPECT_THAT(Refused(), HasSubstr("left and right may be swapped"));
+  EXPECT_THAT(ErrorMessage([&] {
+                OpenSequence({.folder = folder_.path(), .layout = {{"offset", 1}}});
+              }),
+              AllOf(HasSubstr("key \"offset\""), HasSubstr("none for euroc")));
+}
+
+}  // namespace
+}  // namespace cvo

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/files/text_file.h"
+#include "tests/experiments/datasets/layouts/written_scene.h"
+#include "tests/support/error_message.h"
+#include "tests/support/temp_folder.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+using test::NumbersText;
+using test::WrittenScene;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr std::int64_t kStart_ns = 1'560'510'000'000'000'000;
+constexpr double kClockOffset_s = 0.75;  // Vicon's clock is ahead
+
+const RigidTransform kApparatusFromLeft(ExpSo3({-1.2, 0.4, 1.1}), Eigen::Vector3d(0.1, 0.2, -0.05));
+const RigidTransform kViconFromWorld(ExpSo3({1.5, 0.1, 0.7}), Eigen::Vector3d(2.0, -1.0, 1.4));
+
+std::string KalibrCamera(const StereoCamera& c, const std::string& side) {
+  return StrCat("  camera_model: pinhole\n  distortion_coeffs: [0.0, 0.0, 0.0, 0.0]\n",
+                "  distortion_model: radtan\n  intrinsics: [",
+                NumbersText({c.fx, c.fy, c.cx, c.cy}, ", "), "]\n  resolution: [", c.width_px, ", ",
+                c.height_px, "]\n  rostopic: /bumblebee/", side, "/image_raw\n");
+}
+
+std::string Rows(const RigidTransform& matrix) {
+  std::string text;
+  for (int i = 0; i < 4; ++i) {
+    const Eigen::Vector4d row = matrix.Matrix().row(i);
+    text += "  - [" + NumbersText({row[0], row[1], row[2], row[3]}, ", ") + "]\n";
+  }
+  return text;
+}
+
+std::string ViconRow(std::int64_t time_ns, const std::string& object, const RigidTransform& pose) {
+  const auto q = pose.rotation();
+  const auto t = pose.translation();
+  return StrCat(time_ns / 1'000'000'000, ",", time_ns % 1'000'000'000, ",", object, ",") +
+         NumbersText({q.x(), q.y(), q.z(), q.w(), t.x(), t.y(), t.z()}, ",") + "," +
+         test::MatrixText(pose, ",") + "\n";
+}
+
+// <root>/swinging_4 with its calibrations beside it.
+fs::path WriteMultimotion(const test::TempFolder& root, const WrittenScene& scene) {
+  const std::string segment = "swinging_4/";
+  std::string images = "frame_num,time_sec,time_nsec\n", vicon;
+  vicon =
+      "time_sec,time_nsec,object,x,y,z,w,tx,ty,tz,m11,m12,m13,m14,m21,m22,m23,m24,m31,m32,m33,"
+      "m34,m41,m42,m43,m44\n";
+  for (std::size_t k = 0; k < scene.frames(); ++k) {
+    const std::int64_t time_ns = kStart_ns + scene.times_ns[k];
+    images += StrCat(k, ",", time_ns / 1'000'000'000, ",", time_ns % 1'000'000'000, "\n");
+    for (int side = 0; side < 2; ++side) {
+      test::WriteImage(root.path() / segment / "stereo" /
+                           StrCat("00000", k, side == 0 ? "_left.png" : "_right.png"),
+                       scene.images[k][static_cast<std::size_t>(side)]);
+    }
+    const std::int64_t vicon_ns = time_ns + static_cast<std::int64_t>(1e9 * kClockOffset_s);
+    for (const WrittenScene::Body& body : scene.bodies) {
+      vicon += ViconRow(vicon_ns, body.name, kViconFromWorld * body.world_from_object[k]);
+    }
+    vicon += ViconRow(vicon_ns, "sensor_payload",
+                      kViconFromWorld * scene.world_from_left[k] * kApparatusFromLeft.Inverse());
+  }
+  root.Write(segment + "stereo/stereo.csv", images);
+  root.Write(segment + "vicon.csv", vicon);
+  const RigidTransform right_from_left(Eigen::Quaterniond::Identity(),
+                                       Eigen::Vector3d(-scene.camera.baseline_m, 0.0, 0.0));
+  root.Write("kalibr_2019_06_14.yaml", "cam0:\n" + KalibrCamera(scene.camera, "left") +
+                                           "cam1:\n  T_cn_cnm1:\n" + Rows(right_from_left) +
+                                           KalibrCamera(scene.camera, "right"));
+  root.Write("vicon_2019_06_14.yaml", "T_apparatus_left:\n" + Rows(kApparatusFromLeft));
+  return root.path() / "swinging_4";
+}
+
+Json Settings(const WrittenScene& scene) {
+  Json bodies = Json::object();
+  for (const WrittenScene::Body& body : scene.bodies) {
+    bodies[body.name] = {{"size_m", {body.size_m.x(), body.size_m.y(), body.size_m.z()}}};
+  }
+  return {{"clock_offset_s", kClockOffset_s}, {"bodies", bodies}};
+}
+
+TEST(OxfordMultimotion, ASceneInItsLayoutHasTheSameErrors) {
+  const test::TempFolder own_folder, folder;
+  const test::OwnScene own(own_folder.path() / "scene");
+  const Sequence sequence = OpenSequence({.folder = WriteMultimotion(folder, own.written()),
+                                          .detections_file = own.detections(),
+                                          .layout = Settings(own.written())});
+  EXPECT_EQ(sequence.type, "oxford-multimotion");
+  EXPECT_EQ(sequence.name, "swinging_4");
+  EXPECT_THAT(sequence.missing, IsEmpty());
+  test::ExpectSameSequence(own.Open(), sequence);
+  test::ExpectSameErrors(own.Open(), sequence, false, false);
+}
+
+class MultimotionFiles : public testing::Test {
+ protected:
+  MultimotionFiles() : scene_(test::SmallScene()), segment_(WriteMultimotion(folder_, scene_)) {
+    settings_ = Settings(scene_);
+  }
+  Sequence Open() const { return OpenSequence({.folder = segment_, .layout = settings_}); }
+  std::string Refused() const {
+    return ErrorMessage([&] { Open(); });
+  }
+
+  test::TempFolder folder_;
+  WrittenScene scene_;
+  fs::path segment_;
+  Json settings_;
+};
+
+TEST_F(MultimotionFiles, BodiesAreThoseOfTheSettingsOrAllButTheApparatus) {
+  settings_["bodies"] = {{"box2", {{"name", "bottom left"}}}};
+  const Sequence named = Open();
+  ASSERT_EQ(named.bodies->bodies.size(), 1U);
+  EXPECT_EQ(named.bodies->bodies[0].name, "bottom left");
+  settings_.erase("bodies");
+  EXPECT_EQ(Open().bodies->bodies.size(), 2U);
+  settings_["bodies"] = {{"tower", Json::object()}};
+  EXPECT_THAT(Refused(), AllOf(HasSubstr("vicon.csv: found box1, box2, sensor_payload"),
+                               HasSubstr("object \"tower\"")));
+  settings_["bodys"] = 1;
+  EXPECT_THAT(Refused(), HasSubstr("did you mean bodies?"));
+}
+
+// Two rows of Vicon around each image.
+TEST_F(MultimotionFiles, PosesAreInterpolatedAndTheClockMatters) {
+  settings_["clock_offset_s"] = kClockOffset_s + 0.05;
+  const Sequence sequence = Open();
+  const RigidTransform half = *sequence.groundtruth_world_from_camera[1];
+  EXPECT_GT(half.translation().norm(), 0.0);
+  EXPECT_FALSE(sequence.groundtruth_world_from_camera[2]);
+  EXPECT_THAT(sequence.missing, ElementsAre(HasSubstr("Vicon starts later or ends earlier")));
+  settings_.erase("clock_offset_s");
+  EXPECT_EQ(Open().groundtruth, "none");
+}
+
+TEST_F(MultimotionFiles, BodiesAreVisibleWhereTheirCentreIsInTheImage) {
+  const Sequence sequence = Open();
+  EXPECT_TRUE(sequence.bodies->bodies[0].frames[0]->visible);
+  WrittenScene moved = scene_;
+  moved.bodies[0].world_from_object[0] = RigidTransform(Eigen::Quaterniond::Identity(), {0, 0, -2});
+  WriteMultimotion(folder_, moved);
+  EXPECT_FALSE(Open().bodies->bodies[0].frames[0]->visible);
+}
+
+TEST_F(MultimotionFiles, RowsOfViconAreRefusedByRow) {
+  const fs::path vicon = segment_ / "vicon.csv";
+  const std::string text = test::ReadFile(vicon);
+  test::RepeatRow(vicon, 3);
+  EXPECT_THAT(Refused(), AllOf(HasSubstr("vicon.csv:4: found time"), HasSubstr("of box2")));
+  WriteFileBytes(vicon, text.substr(0, text.size() - 40));
+  EXPECT_THAT(Refused(),
+              AllOf(HasSubstr("vicon.csv:10: found"), HasSubstr("columns, expected 26")));
+  WriteFileBytes(vicon, text);
+  // Quaternions with w first are not those of the matrices.
+  const auto q = (kViconFromWorld * scene_.bodies[0].world_from_object[0]).rotation();
+  test::ReplaceIn(vicon, NumbersText({q.x(), q.y(), q.z(), q.w()}, ","),
+                  NumbersText({q.w(), q.x(), q.y(), q.z()}, ","));
+  EXPECT_THAT(Refused(), AllOf(HasSubstr("vicon.csv:2: found a quaternion"), HasSubstr("x y z w")));
+}
+
+TEST_F(MultimotionFiles, RowsOfImagesAreRefusedByRow) {
+  const fs::path list = segment_ / "stereo/stereo.csv";
+  const std::string text = test::ReadFile(list);
+  test::DropRow(list, 3);
+  EXPECT_THAT(Refused(), AllOf(HasSubstr("stereo.csv:3: found frame 2"), HasSubstr("frame 1")));
+  WriteFileBytes(list, text + "3,1560510009,0\n");
+  EXPECT_THAT(Refused(),
+              AllOf(HasSubstr("stereo.csv:5: found no image"), HasSubstr("000003_left.png")));
+  WriteFileBytes(list, text);
+  test::ReplaceIn(list, "1,1560510001,100000000", "1,1560510001,000000000");
+  EXPECT_THAT(Refused(), AllOf(HasSubstr("stereo.csv:3: found time"), HasSubstr("one after")));
+  WriteFileBytes(list, text);
+  test::WriteImage(segment_ / "stereo/000001_right.png", cv::Mat(30, 48, CV_8UC1, cv::Scalar(9)));
+  EXPECT_THAT(Refused(), AllOf(HasSubstr("000001_right.png: found 48x30"), HasSubstr("48x32")));
+}
+
+TEST_F(MultimotionFiles, TheOrderOfCamerasIsChecked) {
+  const fs::path calibration = folder_.path() / "kalibr_2019_06_14.yaml";
+  test::ReplaceIn(calibration, "bumblebee/left", "bumblebee/right");
+  EXPECT_THAT(Refused(), AllOf(HasSubstr("cam0, rostopic: found \"/bumblebee/right/image_raw\""),
+                               HasSubstr("the left camera")));
+  test::ReplaceIn(calibration, "bumblebee/right", "bumblebee/left");
+  test::ReplaceIn(calibration, ", -0.1]", ", 0.1]");
+  EXPECT_THAT(Refused(), HasSubstr("left and right may be swapped"));
+  settings_["right"] = "cam2";
+  EXPECT_THAT(Refused(), HasSubstr("a chain states each camera by the one before"));
+}
+
+TEST_F(MultimotionFiles, WhatIsMissingIsSaid) {
+  fs::rename(folder_.path() / "vicon_2019_06_14.yaml", folder_.path() / "other.yaml");
+  EXPECT_THAT(Refused(), AllOf(HasSubstr("no vicon*.yaml"), HasSubstr("two folders above")));
+  settings_["vicon_calibration"] = "other.yaml";
+  EXPECT_EQ(Refused(), "");
+  fs::remove(segment_ / "vicon.csv");
+  EXPECT_THAT(Open().missing, ElementsAre(HasSubstr("vicon.csv: no ground truth")));
+  folder_.Write("kalibr_old.yaml", "");
+  EXPECT_THAT(Refused(), HasSubstr("kalibr_2019_06_14.yaml and kalibr_old.yaml"));
+}
+
+}  // namespace
+}  // namespace cvo
