@@ -25,8 +25,9 @@ bool MayBeHidden(const FrameView& view, int detection) {
   return false;
 }
 
-// Along the axes of the camera.
-Eigen::Vector3d Deviations(const FrameView& view, int detection, double size_m) {
+}  // namespace
+
+Eigen::Vector3d CenterDeviations(const FrameView& view, int detection, double size_m) {
   const BoxCenterOptions& options = view.options.box_center;
   const ImageBox& box = view.shown.detections[detection].box;
   const bool is_hidden = MayBeHidden(view, detection);
@@ -39,7 +40,14 @@ Eigen::Vector3d Deviations(const FrameView& view, int detection, double size_m) 
           size_m * options.unseen_deviation};
 }
 
-}  // namespace
+Eigen::Matrix3d InformationAlong(const RigidTransform& world_from_camera,
+                                 const Eigen::Vector3d& ray, const Eigen::Vector3d& deviations_m) {
+  // Of the axes of a camera that looks along the ray.
+  const Eigen::Matrix3d R =
+      world_from_camera.RotationMatrix() *
+      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), ray).toRotationMatrix();
+  return R * deviations_m.cwiseAbs2().cwiseInverse().asDiagonal() * R.transpose();
+}
 
 BoxCenter CenterFromBox(const FrameView& view, int detection,
                         const Eigen::Vector3d& surface_in_world) {
@@ -53,13 +61,8 @@ BoxCenter CenterFromBox(const FrameView& view, int detection,
                                                               box.Height() / view.camera.fy));
   const double center_m = surface_m + view.options.clusters.birth_depth * result.size_m;
   result.center_in_world = view.world_from_camera * (center_m * ray);
-  // Of the axes of a camera that looks along the ray.
-  const Eigen::Matrix3d R =
-      view.world_from_camera.RotationMatrix() *
-      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), ray).toRotationMatrix();
-  result.information =
-      R * Deviations(view, detection, result.size_m).cwiseAbs2().cwiseInverse().asDiagonal() *
-      R.transpose();
+  result.information = InformationAlong(view.world_from_camera, ray,
+                                        CenterDeviations(view, detection, result.size_m));
   return result;
 }
 

@@ -20,4 +20,12 @@ struct BoxCenter {
 BoxCenter CenterFromBox(const FrameView& view, int detection,
                         const Eigen::Vector3d& surface_in_world);
 
+// Standard deviations of a body's centre that its detection's box gives, across the line of sight
+// (right, down) and along it; `size_m`: smaller side of the box at the body's depth.
+Eigen::Vector3d CenterDeviations(const FrameView& view, int detection, double size_m);
+
+// Information in world of a point at `ray` in the camera, by deviations across and along the ray.
+Eigen::Matrix3d InformationAlong(const RigidTransform& world_from_camera,
+                                 const Eigen::Vector3d& ray, const Eigen::Vector3d& deviations_m);
+
 }  // namespace cvo

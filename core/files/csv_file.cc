@@ -59,6 +59,10 @@ CsvFile::CsvFile(std::filesystem::path path, std::string_view header) : CsvFile(
   if (found != header) ThrowError(Where(1), Quoted(found), StrCat("the header \"", header, "\""));
 }
 
+bool CsvFile::Has(std::string_view name) const {
+  return std::find(columns_.begin(), columns_.end(), name) != columns_.end();
+}
+
 std::size_t CsvFile::Column(std::string_view name) const {
   const auto found = std::find(columns_.begin(), columns_.end(), name);
   if (found == columns_.end()) ThrowError(Where(1), StrCat("no column ", name), "one");

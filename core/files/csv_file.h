@@ -22,6 +22,7 @@ class CsvFile {
   CsvFile(std::filesystem::path path, std::string_view header);
 
   std::size_t rows() const { return lines_.size(); }
+  bool Has(std::string_view name) const;  // a column of this name
   std::size_t Column(std::string_view name) const;
   // The first of columns that stand side by side.
   std::size_t Columns(const std::vector<std::string_view>& names) const;

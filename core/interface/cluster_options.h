@@ -98,9 +98,9 @@ struct ClusterOptions {
     visit.Field("turn_deviation_rad_s", self.turn_deviation_rad_s,
                 {"rad/s", 0, 100, "standard deviation of a tracked cluster's angular velocity",
                  "residuals of predictions on the indoor scenes"});
-    visit.Field("score_decay", self.score_decay,
-                {"1", 0, 1, "factor on a cluster's detection score per frame without a detection",
-                 "METHOD.md 10.1"});
+    visit.Field(
+        "score_decay", self.score_decay,
+        {"1", 0, 1, "factor on a cluster's score per frame without a detection", "METHOD.md 10.1"});
   }
 };
 

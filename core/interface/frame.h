@@ -65,6 +65,13 @@ enum class ClusterStatus {
 };
 const char* ToString(ClusterStatus status);
 
+// The box that a person would draw around a body (METHOD.md 10.4), in the body's frame: upright, x
+// forward, y down. Its centre and sides.
+struct BodyBox {
+  RigidTransform object_from_box;
+  Eigen::Vector3d size_m = Eigen::Vector3d::Zero();  // length, height, width: along x, y, z
+};
+
 // A moving or movable rigid body in one frame. Its frame is arbitrary (METHOD.md 6.1) and the
 // same at all times.
 struct ClusterReport {
@@ -73,12 +80,14 @@ struct ClusterReport {
   ClusterStatus status = ClusterStatus::kTracked;
   RigidTransform world_from_object;
   Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  // of its origin, in world
-  // Box around its landmarks along the axes of its frame: centre and half sides.
+  // What the estimator uses of its extent: the inner 30 to 70 percentiles of its landmarks along
+  // the axes of its frame, centre and half sides.
   Eigen::Vector3d center_in_object = Eigen::Vector3d::Zero();
   Eigen::Vector3d half_size_m = Eigen::Vector3d::Zero();
+  BodyBox box;
   int observed_landmarks = 0;
   int detection = -1;  // index of the detection it was associated with; -1: none
-  double score = 0.0;  // of the last one, decayed by clusters.score_decay per frame since
+  double score = 0.0;  // to rank estimates, in (0, 1): METHOD.md 10.1
 };
 
 // A landmark seen in the frame, static or not.

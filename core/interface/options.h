@@ -12,6 +12,7 @@
 #include "core/clustering/unary_options.h"
 #include "core/estimation/window_policies.h"
 #include "core/features/options.h"
+#include "core/interface/body_box_options.h"
 #include "core/interface/box_center_options.h"
 #include "core/interface/cluster_options.h"
 #include "core/interface/identity_options.h"
@@ -87,6 +88,7 @@ struct Options {
   ClusterOptions clusters;
   BoxCenterOptions box_center;
   IdentityOptions identity;
+  BodyBoxOptions boxes;
 
   FeatureNoise NoiseOfFeatures() const { return {noise, orb.scale_factor}; }
   // Lengths that are 0 are those of T_t.
@@ -121,6 +123,7 @@ struct Options {
     visit.Group("clusters", self.clusters);
     visit.Group("box_center", self.box_center);
     visit.Group("identity", self.identity);
+    visit.Group("boxes", self.boxes);
   }
 };
 

@@ -40,7 +40,6 @@ ClusterReport DescribeCluster(const ClusterOptions& options, FrameId newest,
       std::count_if(cluster.landmarks.begin(), cluster.landmarks.end(),
                     [&](const Landmark& landmark) { return landmark.last_seen == newest; }));
   report.detection = cluster.last_detected == newest ? cluster.detection : -1;
-  report.score = cluster.score;
   const bool is_tracked =
       cluster.Latest().frame == newest && report.observed_landmarks >= options.min_observed;
   report.status = is_tracked ? ClusterStatus::kTracked : ClusterStatus::kPredicted;
@@ -76,8 +75,6 @@ void AddStates(const FrameView& view, FrameId newest, const std::vector<ClusterT
       ++cluster.detections;
       cluster.last_detected = newest;
       cluster.score = view.shown.detections[track.detection].score;
-    } else {
-      cluster.score *= view.options.clusters.score_decay;
     }
     if (!track.is_tracked) continue;
     if (track.detection >= 0) AddBoxCenter(view, track, cluster);

@@ -4,8 +4,10 @@
 
 #include "core/association/feature_grid.h"
 #include "core/base/rng.h"
+#include "core/clusters/body_boxes.h"
 #include "core/clusters/cluster_association.h"
 #include "core/clusters/cluster_optimization.h"
+#include "core/clusters/ground_direction.h"
 #include "core/clusters/landmark_alignment.h"
 #include "core/estimation/double_track.h"
 #include "core/interface/odometry.h"
@@ -30,6 +32,7 @@ class VisualOdometry final : public Odometry {
         pool_(pool),
         rng_(setup.seed, "odometry"),
         cluster_rng_(setup.seed, "clusters"),
+        ground_(setup.seed),
         double_track_(options_.window, options_.NoiseOfFeatures()) {
     camera_.Check();
     options_.Check();
@@ -131,7 +134,7 @@ class VisualOdometry final : public Odometry {
     report.matches = track ? track->matches : 0;
     report.inliers = static_cast<int>(static_matches.size());
     report.landmarks = ReportLandmarks(view, points, labels);
-    return EndTracked(frame.timestamp_ns, report);
+    return EndTracked(view, report);
   }
 
   FrameReport Skip(std::int64_t timestamp_ns) override {
@@ -203,20 +206,33 @@ class VisualOdometry final : public Odometry {
 
   FrameReport EndPredicted(FrameReport report) {
     trajectory_.push_back(report.world_from_camera);
-    EndClusters(report);
+    EndClusters(nullptr, report);
     return report;
   }
 
-  void EndClusters(FrameReport& report) {
+  // The frame as it was seen; null where it was not.
+  void EndClusters(const FrameView* view, FrameReport& report) {
     RetireClusters(newest_, options_.LiveFrames(), options_.clusters, clusters_);
     const ClusterPredictor predict = PredictorOfClusters();
     Variant::Identity::Update(
         {options_.identity, options_.association, options_.clusters, newest_, predict}, clusters_,
         cluster_rng_);
     report.clusters = ReportClusters(options_.clusters, newest_, timestamp_ns_, predict, clusters_);
+    if (view != nullptr) ground_.Update(SeenStaticPoints(), report.world_from_camera);
+    boxes_.Describe({options_, clusters_, view, newest_, report.world_from_camera,
+                     ground_.Down(report.world_from_camera)},
+                    report.clusters);
   }
 
-  FrameReport EndTracked(std::int64_t timestamp_ns, FrameReport report) {
+  std::vector<Eigen::Vector3d> SeenStaticPoints() const {
+    std::vector<Eigen::Vector3d> points;
+    for (const Landmark& landmark : window_.landmarks) {
+      if (landmark.last_seen == newest_) points.push_back(landmark.p_in_object);
+    }
+    return points;
+  }
+
+  FrameReport EndTracked(FrameView view, FrameReport report) {
     lost_ = 0;
     trajectory_.resize(static_cast<std::size_t>(newest_.value) + 1);
     for (const WindowFrame& frame : window_.temporal) {
@@ -224,9 +240,11 @@ class VisualOdometry final : public Odometry {
     }
     report.world_from_camera = trajectory_.back();
     report.window_frames = static_cast<int>(window_.spatial.size() + window_.temporal.size());
-    motion_.Update(timestamp_ns, report.world_from_camera);
+    motion_.Update(timestamp_ns_, report.world_from_camera);
     for (Cluster& cluster : clusters_.live) UpdateExtent(options_.extent, cluster);
-    EndClusters(report);
+    view.world_from_camera = report.world_from_camera;
+    view.camera = window_.camera;
+    EndClusters(&view, report);
     return report;
   }
 
@@ -235,10 +253,12 @@ class VisualOdometry final : public Odometry {
   TaskPool& pool_;
   Rng rng_;
   Rng cluster_rng_;
+  GroundDirection ground_;
   DoubleTrack<typename Variant::MarginalizationRule, typename Variant::SpatialTrack> double_track_;
 
   Window window_;
   ClusterMap clusters_;
+  BodyBoxes boxes_;
   MotionModel motion_;
   std::vector<RigidTransform> trajectory_;
   FrameId newest_;

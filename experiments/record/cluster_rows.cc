@@ -26,8 +26,8 @@ std::array<Eigen::Vector3d, 8> CornersInCamera(const ClusterRow& row) {
   for (unsigned i = 0; i < 8; ++i) {
     const Eigen::Vector3d sign((i & 1U) != 0 ? 1.0 : -1.0, (i & 2U) != 0 ? 1.0 : -1.0,
                                (i & 4U) != 0 ? 1.0 : -1.0);
-    corners[i] = row.camera_from_object *
-                 (row.report.center_in_object + sign.cwiseProduct(row.report.half_size_m));
+    corners[i] =
+        row.CameraFromBox() * Eigen::Vector3d(0.5 * sign.cwiseProduct(row.report.box.size_m));
   }
   return corners;
 }
@@ -44,8 +44,7 @@ std::vector<ClusterRow> ClusterRows(const RunResult& run) {
           (refined ? frame.refined_world_from_camera : frame.report.world_from_camera).Inverse();
       rows.push_back(
           {frame, report, refined,
-           camera_from_world * (refined ? refined->world_from_object : report.world_from_object),
-           camera_from_world.rotation() * (refined ? refined->velocity_m_s : report.velocity_m_s)});
+           camera_from_world * (refined ? refined->world_from_object : report.world_from_object)});
     }
   }
   return rows;

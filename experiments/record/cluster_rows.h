@@ -17,7 +17,8 @@ struct ClusterRow {
   const ClusterReport& report;
   const ClusterPose* refined = nullptr;
   RigidTransform camera_from_object;
-  Eigen::Vector3d velocity_in_camera = Eigen::Vector3d::Zero();  // of its centre, along its axes
+
+  RigidTransform CameraFromBox() const { return camera_from_object * report.box.object_from_box; }
 };
 
 // By frame, then by id.

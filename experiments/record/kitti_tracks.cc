@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "experiments/record/cluster_rows.h"
 #include "experiments/record/cluster_tables.h"
@@ -10,30 +11,19 @@
 namespace cvo {
 namespace {
 
-// About the camera's y axis, 0 along its x axis.
-double Heading(const ClusterRow& cluster) {
-  constexpr double kSlowest_m_s = 1.0;
-  const Eigen::Vector3d& velocity = cluster.velocity_in_camera;
-  if (velocity.norm() <= kSlowest_m_s) return -std::numbers::pi / 2.0;
-  return std::atan2(-velocity.z(), velocity.x());
-}
-
+// Upright in the camera, whose y axis KITTI takes for the vertical: what its box is tilted by is
+// left out.
 ObjectBox::Box3d UprightBox(const ClusterRow& cluster, double left_offset_m) {
-  const double heading_rad = Heading(cluster);
-  const Eigen::Vector3d forward(std::cos(heading_rad), 0.0, -std::sin(heading_rad));
-  const Eigen::Vector3d across(std::sin(heading_rad), 0.0, std::cos(heading_rad));
-  const Eigen::Matrix3d sides =
-      cluster.camera_from_object.RotationMatrix() * (2.0 * cluster.report.half_size_m).asDiagonal();
-  const auto extent_m = [&](const Eigen::Vector3d& axis) {
-    return (axis.transpose() * sides).cwiseAbs().sum();
-  };
+  const RigidTransform camera_from_box = cluster.CameraFromBox();
+  const Eigen::Vector3d forward = camera_from_box.rotation() * Eigen::Vector3d::UnitX();
+  const Eigen::Vector3d& size_m = cluster.report.box.size_m;
   ObjectBox::Box3d box;
-  box.height_m = extent_m(Eigen::Vector3d::UnitY());
-  box.width_m = extent_m(across);
-  box.length_m = extent_m(forward);
-  box.bottom_in_camera = cluster.camera_from_object * cluster.report.center_in_object +
-                         Eigen::Vector3d(-left_offset_m, 0.5 * box.height_m, 0.0);
-  box.heading_rad = heading_rad;
+  box.length_m = size_m.x();
+  box.height_m = size_m.y();
+  box.width_m = size_m.z();
+  box.bottom_in_camera =
+      camera_from_box.translation() + Eigen::Vector3d(-left_offset_m, 0.5 * box.height_m, 0.0);
+  box.heading_rad = std::atan2(-forward.z(), forward.x());
   return box;
 }
 
@@ -46,26 +36,44 @@ std::optional<ImageBox> Box2d(const ClusterRow& cluster, const StereoCamera& cam
 
 }  // namespace
 
-std::string KittiTracks(const Sequence& sequence, const RunResult& run) {
-  std::string rows;
+std::vector<ObjectBox> TrackBoxes(const Sequence& sequence, const RunResult& run) {
+  std::vector<ObjectBox> boxes;
   for (const ClusterRow& cluster : ClusterRows(run)) {
     const std::optional<ImageBox> box2d = Box2d(cluster, sequence.camera);
     if (!box2d) continue;
-    const ObjectBox::Box3d box3d = UprightBox(cluster, sequence.left_offset_m);
+    ObjectBox box;
+    box.frame = cluster.frame.frame;
+    box.track = static_cast<int>(cluster.report.id.value);
+    box.type = cluster.report.category.empty() ? "Misc" : cluster.report.category;
+    box.left_px = box2d->left_px;
+    box.top_px = box2d->top_px;
+    box.right_px = box2d->right_px;
+    box.bottom_px = box2d->bottom_px;
+    box.box3d = UprightBox(cluster, sequence.left_offset_m);
+    box.score = cluster.report.score;
+    boxes.push_back(std::move(box));
+  }
+  return boxes;
+}
+
+std::string KittiTracks(const Sequence& sequence, const RunResult& run) {
+  std::string rows;
+  for (const ObjectBox& box : TrackBoxes(sequence, run)) {
+    const ObjectBox::Box3d& box3d = *box.box3d;
     const Eigen::Vector3d& bottom = box3d.bottom_in_camera;
     TableRow row(' ');
-    row.Integer(cluster.frame.frame);
-    row.Integer(cluster.report.id.value);
-    row.Text(cluster.report.category.empty() ? "Misc" : cluster.report.category);
+    row.Integer(box.frame);
+    row.Integer(box.track);
+    row.Text(box.type);
     row.Integer(-1);  // truncation and occlusion are not estimated
     row.Integer(-1);
     row.Number(std::remainder(box3d.heading_rad - std::atan2(bottom.x(), bottom.z()),
                               2.0 * std::numbers::pi));
-    row.Box(box2d);
+    row.Box(ImageBox{box.left_px, box.top_px, box.right_px, box.bottom_px});
     row.Vector({box3d.height_m, box3d.width_m, box3d.length_m});
     row.Vector(bottom);
     row.Number(box3d.heading_rad);
-    row.Number(cluster.report.score);
+    row.Number(*box.score);
     rows += row.Line();
   }
   return rows;

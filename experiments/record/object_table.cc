@@ -15,6 +15,7 @@ constexpr const char* kObjectTableHeader =
     "refined_x,refined_y,refined_z,refined_qx,refined_qy,refined_qz,refined_qw,"
     "refined_vx,refined_vy,refined_vz,"
     "center_x,center_y,center_z,half_x_m,half_y_m,half_z_m,"
+    "box_x,box_y,box_z,box_qx,box_qy,box_qz,box_qw,length_m,height_m,width_m,"
     "left_px,top_px,right_px,bottom_px,observed_landmarks,detection,score\n";
 constexpr int kPoseAndVelocity = 10;
 
@@ -40,6 +41,8 @@ std::string ObjectTable(const Sequence& sequence, const RunResult& run) {
     }
     row.Vector(report.center_in_object);
     row.Vector(report.half_size_m);
+    row.Pose(report.box.object_from_box);
+    row.Vector(report.box.size_m);
     row.Box(ProjectedBox(cluster, sequence.camera));
     row.Integer(report.observed_landmarks);
     report.detection < 0 ? row.Empty(1) : row.Integer(report.detection);

@@ -18,6 +18,7 @@ std::vector<Metric> AllMetrics(const RunScores& scores) {
   std::vector<Metric> all = scores.refined;
   all.insert(all.end(), scores.causal.begin(), scores.causal.end());
   all.insert(all.end(), scores.clustering.begin(), scores.clustering.end());
+  all.insert(all.end(), scores.boxes.begin(), scores.boxes.end());
   return all;
 }
 

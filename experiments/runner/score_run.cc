@@ -8,7 +8,9 @@
 
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/metrics/clustering_metrics.h"
+#include "experiments/metrics/kitti_ap/box_metrics.h"
 #include "experiments/metrics/object_metrics.h"
+#include "experiments/record/cluster_tables.h"
 #include "experiments/runner/object_estimate_of.h"
 
 namespace cvo {
@@ -55,10 +57,12 @@ RunScores ScoreRun(const Sequence& sequence, const RunResult& run, const ObjectT
     scores.refined_bodies = std::move(of_refined.bodies);
     scores.causal_bodies = std::move(of_causal.bodies);
   }
+  scores.boxes = BoxMetrics(sequence, TrackBoxes(sequence, run));
   const double shift_px = sequence.camera.right_shift_px;
   StatePoses(reports::PoseTime::kRefined, shift_px, scores.refined);
   StatePoses(reports::PoseTime::kCausal, shift_px, scores.causal);
   StatePoses(reports::PoseTime::kCausal, shift_px, scores.clustering);
+  StatePoses(reports::PoseTime::kRefined, shift_px, scores.boxes);
   NameCausal(scores.causal);
   return scores;
 }

@@ -17,6 +17,7 @@ struct RunScores {
   std::vector<Metric> refined;         // camera_*, object_*: poses as last estimated
   std::vector<Metric> causal;          // camera_causal_*, object_causal_*: as when their frame came
   std::vector<Metric> clustering;      // moving_*, clustering_*: labels as when their frame came
+  std::vector<Metric> boxes;           // box_ap_*
   RigidTransform truth_from_estimate;  // of the worlds, refined
   std::vector<BodyScore> refined_bodies;
   std::vector<BodyScore> causal_bodies;

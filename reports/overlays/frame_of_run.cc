@@ -29,6 +29,10 @@ const ClusterRow* FindCluster(Rows rows, std::int64_t id) {
   return found == rows.end() ? nullptr : &*found;
 }
 
+Position CenterInObject(const ClusterRow& row) {
+  return {row.object_from_box[0], row.object_from_box[1], row.object_from_box[2]};
+}
+
 double Seconds(const CameraFrame& from, const CameraFrame& to) {
   return 1e-9 * static_cast<double>(to.timestamp_ns - from.timestamp_ns);
 }
@@ -48,7 +52,7 @@ class ClusterPath {
     const int frame = camera[static_cast<std::size_t>(at)].frame;
     const ClusterRow* row = FindCluster(RowsOfFrame(run_.detail.clusters, frame), row_.id);
     if (row == nullptr) return std::nullopt;
-    return Transform(row->world_from_object, row_.center_in_object);
+    return Transform(row->world_from_object, CenterInObject(row_));
   }
   // How many frames in a row, up to `limit_s` away, the cluster is there.
   std::ptrdiff_t Reach(std::ptrdiff_t step, double limit_s) const {
@@ -95,13 +99,15 @@ ClusterShape ShapeOf(const OverlayRun& run, std::size_t index, const ClusterRow&
   shape.category = row.category;
   shape.predicted = row.predicted;
   for (std::size_t i = 0; i < 8; ++i) {
-    Position corner = row.center_in_object;
+    Position corner;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      corner[axis] += ((i >> axis) & 1U) != 0 ? row.half_size_m[axis] : -row.half_size_m[axis];
+      corner[axis] = (((i >> axis) & 1U) != 0 ? 0.5 : -0.5) * row.size_m[axis];
     }
-    shape.corners[i] = TransformBack(world_from_camera, Transform(row.world_from_object, corner));
+    shape.corners[i] =
+        TransformBack(world_from_camera,
+                      Transform(row.world_from_object, Transform(row.object_from_box, corner)));
   }
-  const Position center = Transform(row.world_from_object, row.center_in_object);
+  const Position center = Transform(row.world_from_object, CenterInObject(row));
   const Position velocity = path.Velocity();
   Position ahead;
   for (std::size_t i = 0; i < 3; ++i) ahead[i] = center[i] + kAhead_s * velocity[i];

@@ -83,6 +83,7 @@ Json ClusterJson(std::int64_t id, const std::vector<const ClusterRow*>& rows,
   Json positions = Json::array();
   Json rotations = Json::array();
   Json centers = Json::array();
+  Json turns = Json::array();
   Json halves = Json::array();
   for (const ClusterRow* row : rows) {
     const auto index = indices.find(row->frame);
@@ -91,8 +92,10 @@ Json ClusterJson(std::int64_t id, const std::vector<const ClusterRow*>& rows,
     predicted.push_back(row->predicted ? 1 : 0);
     AddPosition(row->world_from_object, positions);
     AddRotation(row->world_from_object, rotations);
-    AddPosition(row->center_in_object, centers);
-    AddPosition(row->half_size_m, halves);
+    AddPosition(row->object_from_box, centers);
+    AddRotation(row->object_from_box, turns);
+    AddPosition(std::array{0.5 * row->size_m[0], 0.5 * row->size_m[1], 0.5 * row->size_m[2]},
+                halves);
   }
   return {{"id", id},
           {"colour", Hex(ClusterColor(id))},
@@ -102,6 +105,7 @@ Json ClusterJson(std::int64_t id, const std::vector<const ClusterRow*>& rows,
           {"positions", positions},
           {"rotations", rotations},
           {"centers", centers},
+          {"turns", turns},
           {"halves", halves}};
 }
 

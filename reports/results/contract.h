@@ -20,9 +20,10 @@ constexpr std::array<const char*, 7> EnumNames(MetricUnit) {
 }
 
 // What is measured.
-enum class Subject { kCamera, kMovers, kStanding, kClusters, kLandmarks };
-constexpr std::array<const char*, 5> EnumNames(Subject) {
-  return {"left camera", "bodies that move", "bodies that stay put", "clusters", "landmarks"};
+enum class Subject { kCamera, kMovers, kStanding, kClusters, kLandmarks, kCars };
+constexpr std::array<const char*, 6> EnumNames(Subject) {
+  return {"left camera", "bodies that move", "bodies that stay put",
+          "clusters",    "landmarks",        "cars"};
 }
 
 enum class PoseTime { kRefined, kCausal, kFile };
@@ -94,9 +95,11 @@ enum class Pairing {
   kWhole,
   kObservations,
   kFramesWithLandmarks,
-  kFramesWithGroups
+  kFramesWithGroups,
+  kBirdsEyeBoxes,
+  kVolumeBoxes
 };
-constexpr std::array<const char*, 17> EnumNames(Pairing) {
+constexpr std::array<const char*, 19> EnumNames(Pairing) {
   return {
       "all frames with truth",
       "all frames with truth and estimate",
@@ -117,7 +120,9 @@ constexpr std::array<const char*, 17> EnumNames(Pairing) {
       "bodies and clusters that have an estimate in some frame, one-to-one",
       "each landmark in each frame it is observed in",
       "all frames with such landmarks",
-      "frames with landmarks of at least two of the static scene and the bodies"};
+      "frames with landmarks of at least two of the static scene and the bodies",
+      "boxes with an intersection over union above 0.25 in bird's view, by KITTI's object devkit",
+      "boxes with an intersection over union above 0.25 in 3D, by KITTI's object devkit"};
 }
 
 // How clusters are matched to bodies.
@@ -154,7 +159,10 @@ enum class Aggregation {
   kReportedOfMoving,
   kOnBodyOfCluster,
   kMeanOverlap,
-  kMeanRandIndex
+  kMeanRandIndex,
+  kApEasy,
+  kApModerate,
+  kApHard
 };
 constexpr std::array<const char*, 24> EnumNames(Aggregation) {
   return {
@@ -189,7 +197,11 @@ constexpr std::array<const char*, 24> EnumNames(Aggregation) {
       "cluster other than the static scene, standing bodies included",
       "intersection over union per body and its matched cluster (the static scene is one, a body "
       "without a cluster has 0), mean over those seen in the frame, mean over frames",
-      "adjusted Rand index per frame, a landmark of no cluster alone; mean over frames"};
+      "adjusted Rand index per frame, a landmark of no cluster alone; mean over frames",
+      "average precision at 11 recall points, level easy; labels of any truncation are left out",
+      "average precision at 11 recall points, level moderate; labels of any truncation are left "
+      "out",
+      "average precision at 11 recall points, level hard; labels of any truncation are left out"};
 }
 
 // Of the sequence, the last one included. One that a whole column shares is that of each run.

@@ -40,6 +40,13 @@ constexpr MetricEntry Landmarks(MetricId id, const char* name, Pairing pairing, 
           false,     label,      meaning};
 }
 
+constexpr MetricEntry BoxAp(MetricId id, const char* name, Pairing space, Aggregation level,
+                            const char* label, const char* meaning) {
+  return {id,        kBoxes,   name,    MetricUnit::kOne, {A::kNone, space, D::kNone, level},
+          kFraction, kNothing, nullptr, nullptr,          0.0,
+          false,     label,    meaning};
+}
+
 constexpr MetricEntry Mean(MetricId id, const char* name, MetricUnit unit, Alignment alignment,
                            Pairing pairing, Delta delta, std::optional<double> BodyRow::*error,
                            const char* label, const char* meaning) {
@@ -269,6 +276,19 @@ constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
               "clustering ARI",
               "Agreement of clusters and true objects on which landmarks belong together: 1 for "
               "identical groups, 0 for chance level."),
+    BoxAp(kBoxApBvEasy, "box_ap_bv_easy", P::kBirdsEyeBoxes, S::kApEasy, "AP bird's view, easy",
+          "Average precision of cars' boxes seen from above, at KITTI's level easy."),
+    BoxAp(kBoxApBvModerate, "box_ap_bv_moderate", P::kBirdsEyeBoxes, S::kApModerate,
+          "AP bird's view, moderate",
+          "Average precision of cars' boxes seen from above, at KITTI's level moderate."),
+    BoxAp(kBoxApBvHard, "box_ap_bv_hard", P::kBirdsEyeBoxes, S::kApHard, "AP bird's view, hard",
+          "Average precision of cars' boxes seen from above, at KITTI's level hard."),
+    BoxAp(kBoxAp3dEasy, "box_ap_3d_easy", P::kVolumeBoxes, S::kApEasy, "AP 3D, easy",
+          "Average precision of cars' boxes in 3D, at KITTI's level easy."),
+    BoxAp(kBoxAp3dModerate, "box_ap_3d_moderate", P::kVolumeBoxes, S::kApModerate,
+          "AP 3D, moderate", "Average precision of cars' boxes in 3D, at KITTI's level moderate."),
+    BoxAp(kBoxAp3dHard, "box_ap_3d_hard", P::kVolumeBoxes, S::kApHard, "AP 3D, hard",
+          "Average precision of cars' boxes in 3D, at KITTI's level hard."),
 }};
 
 constexpr bool IsGiven(const char* text) { return text != nullptr && *text != '\0'; }
@@ -290,7 +310,7 @@ constexpr bool IsComplete() {
 static_assert(IsComplete());
 
 std::vector<MetricForm> FormsOf(const MetricEntry& entry, bool causal) {
-  if (entry.family == kLandmarks && causal) return {};
+  if ((entry.family == kLandmarks || entry.family == kBoxes) && causal) return {};
   std::vector<MetricForm> forms = {{entry.id, BodyGroup::kMovers, causal}};
   if (entry.of_predictions) forms.push_back({entry.id, BodyGroup::kPredicted, causal});
   if (entry.family == kBodies) forms.push_back({entry.id, BodyGroup::kStanding, causal});
@@ -381,8 +401,10 @@ std::string MetricLabel(const std::string& name) {
 
 std::string CoverageOf(const std::string& name) {
   std::optional<MetricForm> form = FindForm(name);
-  if (!form || EntryOf(form->id).family == kLandmarks) return "";
-  form->id = EntryOf(form->id).family == kCamera ? kCameraCoverage : kObjectCoverage;
+  if (!form) return "";
+  const MetricFamily family = EntryOf(form->id).family;
+  if (family == kLandmarks || family == kBoxes) return "";
+  form->id = family == kCamera ? kCameraCoverage : kObjectCoverage;
   if (form->bodies == BodyGroup::kPredicted) form->bodies = BodyGroup::kMovers;
   return MetricName(*form);
 }

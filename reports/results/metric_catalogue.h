@@ -71,8 +71,14 @@ enum class MetricId {
   kClusterPurity,
   kClusteringIou,
   kClusteringAri,
+  kBoxApBvEasy,
+  kBoxApBvModerate,
+  kBoxApBvHard,
+  kBoxAp3dEasy,
+  kBoxAp3dModerate,
+  kBoxAp3dHard,
 };
-inline constexpr std::size_t kMetricCount = static_cast<std::size_t>(MetricId::kClusteringAri) + 1;
+inline constexpr std::size_t kMetricCount = static_cast<std::size_t>(MetricId::kBoxAp3dHard) + 1;
 
 // Whose metric it is, which says what computes it and which forms it has.
 enum class MetricFamily {
@@ -80,6 +86,7 @@ enum class MetricFamily {
   kBodies,     // object_metrics: refined and causal, of movers and of bodies that stay put
   kClusters,   // object_metrics: refined and causal
   kLandmarks,  // clustering_metrics: one form
+  kBoxes,      // box_metrics: one form
 };
 
 // What kind of figure it is. Fractions are better where they are higher, the others where lower.

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include "core/files/csv_file.h"
 #include "reports/runs/detail_files.h"
@@ -23,13 +25,24 @@ class ClusterTable {
     const bool refined = !csv_.Empty(i, refined_pose_);
     row.world_from_object = csv_.Numbers<7>(i, refined ? refined_pose_ : pose_);
     row.velocity_m_s = csv_.Numbers<3>(i, refined ? refined_velocity_ : velocity_);
-    row.center_in_object = csv_.Numbers<3>(i, center_);
-    row.half_size_m = csv_.Numbers<3>(i, half_size_);
+    AddBox(i, row);
     row.observed_landmarks = csv_.Integer(i, observed_);
     return row;
   }
 
  private:
+  // Older tables have the extent along the body's axes alone.
+  void AddBox(std::size_t i, ClusterRow& row) const {
+    if (box_) {
+      row.object_from_box = csv_.Numbers<7>(i, *box_);
+      row.size_m = csv_.Numbers<3>(i, *box_ + 7);
+      return;
+    }
+    const std::array<double, 6> extent = csv_.Numbers<6>(i, extent_);
+    row.object_from_box = {extent[0], extent[1], extent[2], 0.0, 0.0, 0.0, 1.0};
+    row.size_m = {2.0 * extent[3], 2.0 * extent[4], 2.0 * extent[5]};
+  }
+
   CsvFile csv_;
   // The first of what belongs together.
   std::size_t frame_ = csv_.Column("frame");
@@ -41,8 +54,13 @@ class ClusterTable {
   std::size_t refined_pose_ = csv_.Columns({"refined_x", "refined_y", "refined_z", "refined_qx",
                                             "refined_qy", "refined_qz", "refined_qw"});
   std::size_t refined_velocity_ = csv_.Columns({"refined_vx", "refined_vy", "refined_vz"});
-  std::size_t center_ = csv_.Columns({"center_x", "center_y", "center_z"});
-  std::size_t half_size_ = csv_.Columns({"half_x_m", "half_y_m", "half_z_m"});
+  std::size_t extent_ =
+      csv_.Columns({"center_x", "center_y", "center_z", "half_x_m", "half_y_m", "half_z_m"});
+  std::optional<std::size_t> box_ =
+      csv_.Has("box_x")
+          ? std::optional(csv_.Columns({"box_x", "box_y", "box_z", "box_qx", "box_qy", "box_qz",
+                                        "box_qw", "length_m", "height_m", "width_m"}))
+          : std::nullopt;
   std::size_t observed_ = csv_.Column("observed_landmarks");
 };
 

@@ -36,8 +36,8 @@ struct ClusterRow {
   std::string category;
   bool predicted = false;  // by the motion model alone: hidden, or lost
   Pose world_from_object{};
-  Position center_in_object{};
-  Position half_size_m{};
+  Pose object_from_box{};   // upright, x forward, y down
+  Position size_m{};        // of the box: length, height, width
   Position velocity_m_s{};  // in world
   int observed_landmarks = 0;
 };

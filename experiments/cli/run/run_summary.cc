@@ -69,6 +69,7 @@ void PrintScores(const RunScores& scores, std::ostream& out) {
         causal == scores.causal.end() ? kNone : ReadableNumber(causal->value));
   }
   for (const Metric& metric : scores.clustering) row(metric, kNone, ReadableNumber(metric.value));
+  for (const Metric& metric : scores.boxes) row(metric, ReadableNumber(metric.value), kNone);
   table.Print(out);
   if (scores.refined_bodies.empty()) return;
   out << "\nbodies, poses as last estimated:\n";

@@ -57,13 +57,18 @@ class Clusters : public testing::Test {
     cluster.category = "Car";
     cluster.world_from_object = At(0, 0, 9);
     cluster.center_in_object = {0, 0, 1};
-    cluster.half_size_m = {1.0, 0.5, 2.0};
+    cluster.half_size_m = {0.4, 0.2, 0.8};
+    cluster.box = {Heading(-std::numbers::pi / 2.0), {4.0, 1.0, 2.0}};
     cluster.observed_landmarks = 12;
     cluster.score = 0.75;
     frame.report.clusters = {cluster};
     run_.frames = {frame};
   }
 
+  // 1 m ahead of the cluster's origin.
+  static RigidTransform Heading(double radians) {
+    return {ExpSo3({0.0, radians, 0.0}), Eigen::Vector3d(0.0, 0.0, 1.0)};
+  }
   ClusterReport& cluster() { return run_.frames[0].report.clusters[0]; }
   std::optional<ImageBox> Box() const {
     return ProjectedBox(ClusterRows(run_)[0], sequence_.camera);
@@ -108,11 +113,11 @@ TEST_F(Clusters, OutOfViewThereIsNoBoxAndNoTrack) {
   }
 }
 
-TEST_F(Clusters, AnUprightBoxAlongTheOpticalAxis) {
+TEST_F(Clusters, TheBoxIsUprightOnItsBottom) {
   const auto row = Track();
   ASSERT_THAT(row, SizeIs(18));
   EXPECT_THAT(std::vector(row.begin(), row.begin() + 5), ElementsAre("4", "3", "Car", "-1", "-1"));
-  EXPECT_DOUBLE_EQ(std::stod(row[16]), -std::numbers::pi / 2.0);
+  EXPECT_NEAR(std::stod(row[16]), -std::numbers::pi / 2.0, 1e-12);
   EXPECT_NEAR(std::stod(row[10]), 1.0, 1e-12);    // height
   EXPECT_NEAR(std::stod(row[11]), 2.0, 1e-12);    // width
   EXPECT_NEAR(std::stod(row[12]), 4.0, 1e-12);    // length
@@ -122,16 +127,15 @@ TEST_F(Clusters, AnUprightBoxAlongTheOpticalAxis) {
   EXPECT_EQ(row[17], "0.75");
 }
 
-TEST_F(Clusters, AFastBodyFacesItsMotion) {
-  cluster().velocity_m_s = {2.0, 0.0, 0.0};
-  auto row = Track();
-  EXPECT_DOUBLE_EQ(std::stod(row[16]), 0.0);    // KITTI: 0 is along x
-  EXPECT_NEAR(std::stod(row[11]), 4.0, 1e-12);  // width, now along z
-  EXPECT_NEAR(std::stod(row[12]), 2.0, 1e-12);
-  cluster().velocity_m_s = {0.0, 0.0, -2.0};
-  EXPECT_DOUBLE_EQ(std::stod(Track()[16]), std::numbers::pi / 2.0);
-  cluster().velocity_m_s = {0.9, 0.0, 0.0};
-  EXPECT_DOUBLE_EQ(std::stod(Track()[16]), -std::numbers::pi / 2.0);
+TEST_F(Clusters, TheHeadingIsThatOfTheBoxAndWhatItTiltsIsLeftOut) {
+  cluster().box.object_from_box = Heading(0.7);
+  EXPECT_NEAR(std::stod(Track()[16]), 0.7, 1e-12);
+  const RigidTransform tilted(ExpSo3({0.0, 0.0, 0.2}), Eigen::Vector3d::Zero());
+  cluster().box.object_from_box = Heading(0.7) * tilted;
+  const auto row = Track();
+  EXPECT_NEAR(std::stod(row[16]), 0.7, 1e-12);
+  EXPECT_NEAR(std::stod(row[10]), 1.0, 1e-12);  // height
+  EXPECT_NEAR(std::stod(row[12]), 4.0, 1e-12);
 }
 
 TEST_F(Clusters, TheBoxOfATrackIsTheDetections) {
@@ -153,15 +157,19 @@ TEST_F(Clusters, ARowHasAllFields) {
   cluster().velocity_m_s = {0.1, 0.2, 0.3};
   auto rows = Cells(ObjectTable(sequence_, run_), ',');
   ASSERT_THAT(rows, SizeIs(2));
-  ASSERT_THAT(rows[0], SizeIs(38));
-  ASSERT_THAT(rows[1], SizeIs(38));
+  ASSERT_THAT(rows[0], SizeIs(48));
+  ASSERT_THAT(rows[1], SizeIs(48));
   EXPECT_THAT(std::vector(rows[1].begin(), rows[1].begin() + 15),
               ElementsAre("4", "500", "3", "Car", ToString(ClusterStatus::kPredicted), "0", "0",
                           "9", "0", "0", "0", "1", "0.1", "0.2", "0.3"));
   EXPECT_EQ(rows[1][15], "");  // nothing refined
-  EXPECT_EQ(rows[1][35], "12");
-  EXPECT_EQ(rows[1][36], "");  // no detection
-  EXPECT_EQ(rows[1][37], "0.75");
+  EXPECT_EQ(rows[1][30], "0.8");
+  EXPECT_EQ(rows[1][33], "1");  // of the box, in the body's frame
+  EXPECT_EQ(rows[0][38], "length_m");
+  EXPECT_EQ(rows[1][38], "4");
+  EXPECT_EQ(rows[1][45], "12");
+  EXPECT_EQ(rows[1][46], "");  // no detection
+  EXPECT_EQ(rows[1][47], "0.75");
   run_.clusters = {{ClusterId{3}, "Car", {{0, 500, ClusterStatus::kPredicted, At(0, 0, 8)}}}};
   rows = Cells(ObjectTable(sequence_, run_), ',');
   EXPECT_EQ(rows[1][17], "8");

@@ -120,7 +120,8 @@ TEST(SceneJson, MillimetresByFrame) {
   row.id = 3;
   row.predicted = true;
   row.world_from_object = {1, 2, 3, 0, 0, 0, 1};
-  row.half_size_m = {0.1, 0.2, 0.3};
+  row.object_from_box = {0.5, 0, 0, 0, 1, 0, 0};
+  row.size_m = {0.2, 0.4, 0.6};
   scene.detail.clusters = {row};
   BodyDetail body;
   body.name = "car";
@@ -137,6 +138,8 @@ TEST(SceneJson, MillimetresByFrame) {
   EXPECT_EQ(json["camera"]["errors_um"], Json::parse("[2500,null]"));
   EXPECT_EQ(json["clusters"][0]["frames"], Json({1}));
   EXPECT_EQ(json["clusters"][0]["predicted"], Json({1}));
+  EXPECT_EQ(json["clusters"][0]["centers"], Json({500, 0, 0}));
+  EXPECT_EQ(json["clusters"][0]["turns"], Json::parse("[0.0,1.0,0.0,0.0]"));
   EXPECT_EQ(json["clusters"][0]["halves"], Json({100, 200, 300}));
   EXPECT_EQ(json["bodies"][0]["frames"], Json({1}));
   EXPECT_EQ(json["bodies"][0]["positions"], Json({1000, 2000, 3500}));

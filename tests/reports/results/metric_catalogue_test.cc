@@ -16,7 +16,7 @@ TEST(MetricCatalogue, EveryFormHasAUniqueName) {
     ASSERT_TRUE(FindForm(name)) << name;
     EXPECT_EQ(MetricName(*FindForm(name)), name);
   }
-  EXPECT_EQ(names.size(), 169U);
+  EXPECT_EQ(names.size(), 175U);
   EXPECT_TRUE(names.contains("object_causal_standing_ate"));
   EXPECT_TRUE(names.contains("object_predicted_success_5cm"));
   EXPECT_FALSE(names.contains("object_predicted_coverage"));
@@ -49,6 +49,7 @@ TEST(MetricCatalogue, WhichCoverageAMetricIsReadWith) {
   EXPECT_EQ(CoverageOf("object_causal_predicted_ate"), "object_causal_coverage");
   EXPECT_EQ(CoverageOf("object_unmatched_clusters"), "object_coverage");
   EXPECT_EQ(CoverageOf("moving_recall"), "");
+  EXPECT_EQ(CoverageOf("box_ap_3d_moderate"), "");
   EXPECT_EQ(CoverageOf("wall_s"), "");
 }
 

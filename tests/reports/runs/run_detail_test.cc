@@ -61,6 +61,23 @@ TEST(RunDetail, CountsTheFramesOfBodiesAsTheFolderDoes) {
   EXPECT_NEAR(body.predicted[0].error_m, 2.0, 1e-12);
 }
 
+TEST(RunDetail, ReadsTablesWithoutBoxesByTheExtentOfTheLandmarks) {
+  test::RunFiles files;
+  const auto remove = [&](const std::string& part) {
+    const std::size_t at = files.objects.find(part);
+    ASSERT_NE(at, std::string::npos);
+    files.objects.erase(at, part.size());
+  };
+  remove("box_x,box_y,box_z,box_qx,box_qy,box_qz,box_qw,length_m,height_m,width_m,");
+  remove("7,7,7,0,1,0,0,4,1.5,2,");
+  remove("7,7,7,0,1,0,0,4,1.5,2,");
+  const RunDetail detail = Read(files);
+  EXPECT_THAT(detail.missing, IsEmpty());
+  ASSERT_EQ(detail.clusters.size(), 2U);
+  EXPECT_THAT(detail.clusters[0].object_from_box, ElementsAre(4, 5, 6, 0, 0, 0, 1));
+  EXPECT_THAT(detail.clusters[0].size_m, ElementsAre(0.8, 1.0, 1.2));
+}
+
 TEST(RunDetail, TakesAClusterAsLastEstimatedElseAsItWasThen) {
   const RunDetail detail = Read({});
   ASSERT_EQ(detail.clusters.size(), 2U);
@@ -71,8 +88,8 @@ TEST(RunDetail, TakesAClusterAsLastEstimatedElseAsItWasThen) {
   EXPECT_EQ(refined.observed_landmarks, 20);
   EXPECT_THAT(refined.world_from_object, ElementsAre(1, 2, 3, 0, 0, 0, 1));
   EXPECT_THAT(refined.velocity_m_s, ElementsAre(0.1, 0.2, 0.3));
-  EXPECT_THAT(refined.center_in_object, ElementsAre(4, 5, 6));
-  EXPECT_THAT(refined.half_size_m, ElementsAre(0.4, 0.5, 0.6));
+  EXPECT_THAT(refined.object_from_box, ElementsAre(7, 7, 7, 0, 1, 0, 0));
+  EXPECT_THAT(refined.size_m, ElementsAre(4, 1.5, 2));
   const ClusterRow& then = detail.clusters[1];
   EXPECT_TRUE(then.predicted);
   EXPECT_THAT(then.world_from_object, ElementsAre(7, 8, 9, 0, 0, 0, 1));

@@ -32,10 +32,12 @@ export function centerOf(cluster, row) {
 export function boxEdges(cluster, row) {
   const center = pointAt(cluster.centers, row) ?? [0, 0, 0];
   const half = pointAt(cluster.halves, row) ?? [0, 0, 0];
+  const turn = cluster.turns.slice(4 * row, 4 * row + 4);
   const corners = [];
   for (let i = 0; i < 8; ++i) {
     const signs = [i & 1, i & 2, i & 4].map((bit) => (bit ? 1 : -1));
-    corners.push(inWorld(cluster, row, center.map((value, k) => value + signs[k] * half[k])));
+    const corner = rotate(turn, half.map((value, k) => signs[k] * value));
+    corners.push(inWorld(cluster, row, center.map((value, k) => value + corner[k])));
   }
   return corners.includes(null) ? [] : EDGES.map(([a, b]) => [corners[a], corners[b]]);
 }

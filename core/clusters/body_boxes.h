@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "core/clusters/body_place.h"
+
+namespace cvo {
+
+// What boxes are made from in a frame, once the estimator has finished it.
+struct BoxScene {
+  const Options& options;
+  const ClusterMap& clusters;
+  const FrameView* view = nullptr;  // with the camera as it is now; null: a frame without images
+  FrameId newest;
+  RigidTransform world_from_camera;
+  Eigen::Vector3d down = Eigen::Vector3d::UnitY();  // in world
+};
+
+struct BodyTrack;
+
+// The upright boxes of bodies (METHOD.md 10.4): what the estimator reports, and never uses.
+class BodyBoxes {
+ public:
+  // Sets box and score of every report.
+  void Describe(const BoxScene& scene, std::vector<ClusterReport>& reports);
+
+ private:
+  std::map<ClusterId, std::shared_ptr<BodyTrack>> tracks_;
+};
+
+}  // namespace cvo

@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/clusters/body_place.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/base/median.h"
+#include "core/clusters/box_center.h"
+
+namespace cvo {
+namespace {
+
+constexpr double kNear_m = 0.5;  // a box that reaches behind the camera ends here
+
+// The landmarks that the frame shows, in the camera.
+std::vector<Eigen::Vector3d> SeenPoints(const FrameView& view, FrameId newest,
+                                        const Cluster& cluster) {
+  const RigidTransform camera_from_object =
+      view.world_from_camera.Inverse() * cluster.Latest().world_from_object;
+  std::vector<Eigen::Vector3d> points;
+  for (const Landmark& landmark : cluster.landmarks) {
+    if (landmark.last_seen != newest) continue;
+    const Eigen::Vector3d p = camera_from_object * landmark.p_in_object;
+    if (p.z() > kNear_m) points.push_back(p);
+  }
+  return points;
+}
+
+// Of a triangulated point's depth.
+double PointDeviation(const FrameView& view, const Eigen::Vector3d& p) {
+  return p.z() * p.z() / (view.camera.fx * view.camera.baseline_m) *
+         view.options.noise.disparity_px;
+}
+
+// Around the box's picture.
+ImageBox PictureOf(const StereoCamera& camera, const BoxShape& shape,
+                   const Eigen::Vector3d& center) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  ImageBox picture{kInfinity, kInfinity, -kInfinity, -kInfinity};
+  for (unsigned i = 0; i < 8; ++i) {
+    const Eigen::Vector3d sign((i & 1U) != 0 ? 0.5 : -0.5, (i & 2U) != 0 ? 0.5 : -0.5,
+                               (i & 4U) != 0 ? 0.5 : -0.5);
+    const Eigen::Vector3d corner = center + shape.axes * shape.size_m.cwiseProduct(sign);
+    const double depth_m = std::max(corner.z(), kNear_m);
+    const double u_px = camera.fx * corner.x() / depth_m + camera.cx;
+    const double v_px = camera.fy * corner.y() / depth_m + camera.cy;
+    picture = {std::min(picture.left_px, u_px), std::min(picture.top_px, v_px),
+               std::max(picture.right_px, u_px), std::max(picture.bottom_px, v_px)};
+  }
+  return picture;
+}
+
+struct CutEdges {
+  bool left = false;
+  bool top = false;
+  bool right = false;
+  bool bottom = false;
+};
+
+CutEdges CutBy(const FrameView& view, const ImageBox& box) {
+  const double border_px = view.options.box_center.border_px;
+  return {box.left_px<border_px,
+                      box.top_px<border_px, box.right_px> view.camera.width_px - 1 - border_px,
+                      box.bottom_px>
+              view.camera.height_px -
+          1 - border_px};
+}
+
+// How far a picture has to move between those of its two edges that are not cut.
+double EdgeShift(double at_low_px, double at_high_px, bool cuts_low, bool cuts_high) {
+  if (cuts_low && cuts_high) return 0.0;
+  if (cuts_low) return at_high_px;
+  return cuts_high ? at_low_px : 0.5 * (at_low_px + at_high_px);
+}
+
+// The centre moved so that the box's picture is in the middle of the detection's box.
+Eigen::Vector3d Centred(const FrameView& view, const ImageBox& box, const BoxShape& seen,
+                        const Eigen::Vector3d& center) {
+  const ImageBox picture = PictureOf(view.camera, seen, center);
+  const CutEdges cut = CutBy(view, box);
+  const double du_px = EdgeShift(box.left_px - picture.left_px, box.right_px - picture.right_px,
+                                 cut.left, cut.right);
+  const double dv_px = EdgeShift(box.top_px - picture.top_px, box.bottom_px - picture.bottom_px,
+                                 cut.top, cut.bottom);
+  const double depth_m = std::max(center.z(), kNear_m);
+  return center + depth_m * Eigen::Vector3d(du_px / view.camera.fx, dv_px / view.camera.fy, 0.0);
+}
+
+// How far the point lies behind the face of the box that its ray meets first; empty where it meets
+// none.
+std::optional<double> BehindSurface(const Eigen::Vector3d& p, const BoxShape& shape,
+                                    const Eigen::Vector3d& center) {
+  const Eigen::Vector3d ray = shape.axes.transpose() * p.normalized();
+  const Eigen::Vector3d from_center = shape.axes.transpose() * -center;
+  double enter_m = -std::numeric_limits<double>::infinity();
+  double leave_m = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    const double half_m = 0.5 * shape.size_m[k];
+    if (std::abs(ray[k]) < 1e-9) {
+      if (std::abs(from_center[k]) > half_m) return std::nullopt;
+      continue;
+    }
+    const double a = (-half_m - from_center[k]) / ray[k];
+    const double b = (half_m - from_center[k]) / ray[k];
+    enter_m = std::max(enter_m, std::min(a, b));
+    leave_m = std::min(leave_m, std::max(a, b));
+  }
+  if (enter_m > leave_m) return std::nullopt;
+  return p.norm() - enter_m;
+}
+
+// How far the foremost points lie behind the faces, but for the noise of their depths: a body is
+// within its box, so that most points are behind its faces, and noise spreads them to both sides.
+double SurfaceShift(const std::vector<Eigen::Vector3d>& points, const BoxShape& shape,
+                    const Eigen::Vector3d& center, double deviation_m) {
+  std::vector<double> behind_m;
+  for (const Eigen::Vector3d& p : points) {
+    if (const auto one_m = BehindSurface(p, shape, center)) behind_m.push_back(*one_m);
+  }
+  constexpr std::size_t kLeast = 3;
+  if (behind_m.size() < kLeast) return 0.0;
+  // The quantile of a normal distribution that lies so far below its mean.
+  constexpr double kForemost = 0.2;
+  constexpr double kDeviations = 0.84;
+  const auto rank = static_cast<std::ptrdiff_t>(kForemost * static_cast<double>(behind_m.size()));
+  std::nth_element(behind_m.begin(), behind_m.begin() + rank, behind_m.end());
+  const double foremost_m = behind_m[static_cast<std::size_t>(rank)];
+  return std::min(foremost_m + kDeviations * deviation_m, Median(std::move(behind_m)));
+}
+
+Eigen::Vector3d MedianPoint(const std::vector<Eigen::Vector3d>& points) {
+  Eigen::Vector3d median;
+  for (int k = 0; k < 3; ++k) {
+    std::vector<double> values;
+    for (const Eigen::Vector3d& p : points) values.push_back(p[k]);
+    median[k] = Median(std::move(values));
+  }
+  return median;
+}
+
+bool IsDetected(const Cluster& cluster, FrameId newest) {
+  return cluster.last_detected == newest && cluster.detection >= 0;
+}
+
+BoxShape InCamera(const FrameView& view, const BoxShape& shape) {
+  return {view.world_from_camera.Inverse().RotationMatrix() * shape.axes, shape.size_m};
+}
+
+BoxPlace PlaceAt(const FrameView& view, int detection, const BoxShape& shape,
+                 const Eigen::Vector3d& center) {
+  Eigen::Vector3d deviations = CenterDeviations(view, detection, shape.size_m.minCoeff());
+  deviations.z() = std::hypot(deviations.z(), PointDeviation(view, center));
+  return {view.world_from_camera * center,
+          InformationAlong(view.world_from_camera, center, deviations)};
+}
+
+// Of a body that looks so tall along `down` (in its axes): between that of a box, which is seen
+// from corner to corner, and of an ellipsoid of these sides.
+double HeightOf(double tall_m, const Eigen::Vector3d& down, const Eigen::Vector3d& size_m) {
+  const double x_m = size_m.x() * std::abs(down.x());
+  const double z_m = size_m.z() * std::abs(down.z());
+  const double of_box_m = tall_m - x_m - z_m;
+  const double of_round_m = std::sqrt(std::max(0.0, tall_m * tall_m - x_m * x_m - z_m * z_m));
+  const double height_m = 0.5 * (of_box_m + of_round_m) / std::max(0.5, std::abs(down.y()));
+  return std::max(height_m, 0.5 * size_m.y());
+}
+
+constexpr int kRounds = 5;
+
+}  // namespace
+
+void ViewedSides::Add(double measured_m, double& side_m) {
+  constexpr double kUp = 0.3;
+  constexpr double kDown = 0.1;
+  if (side_m == 0.0) side_m = measured_m;
+  side_m += (measured_m > side_m ? kUp : kDown) * (measured_m - side_m);
+}
+
+std::optional<BoxPlace> PlaceBySurface(const FrameView& view, FrameId newest,
+                                       const Cluster& cluster, const BoxShape& shape) {
+  if (!IsDetected(cluster, newest)) return std::nullopt;
+  const std::vector<Eigen::Vector3d> points = SeenPoints(view, newest, cluster);
+  if (points.empty()) return std::nullopt;
+  const BoxShape seen = InCamera(view, shape);
+  Eigen::Vector3d center = MedianPoint(points);
+  for (int i = 0; i < kRounds; ++i) {
+    center = Centred(view, view.shown.detections[cluster.detection].box, seen, center);
+    center +=
+        SurfaceShift(points, seen, center, PointDeviation(view, center)) * center.normalized();
+  }
+  return PlaceAt(view, cluster.detection, shape, center);
+}
+
+std::optional<BoxPlace> PlaceByPicture(const FrameView& view, FrameId newest,
+                                       const Cluster& cluster, const BoxShape& shape,
+                                       const Eigen::Vector3d& center_in_world) {
+  const Eigen::Vector3d center = view.world_from_camera.Inverse() * center_in_world;
+  if (!IsDetected(cluster, newest) || center.z() < kNear_m) return std::nullopt;
+  return PlaceAt(
+      view, cluster.detection, shape,
+      Centred(view, view.shown.detections[cluster.detection].box, InCamera(view, shape), center));
+}
+
+void AddPicture(const FrameView& view, int detection, const BoxShape& shape,
+                const Eigen::Vector3d& center_in_world, ViewedSides& viewed) {
+  const ImageBox& box = view.shown.detections[detection].box;
+  const CutEdges cut = CutBy(view, box);
+  const Eigen::Matrix3d axes = InCamera(view, shape).axes;
+  const Eigen::Vector3d center = view.world_from_camera.Inverse() * center_in_world;
+  const double depth_m = std::max(center.z(), kNear_m);
+  const Eigen::Vector3d right = axes.col(1).cross(center).normalized();
+  if (!cut.top && !cut.bottom) {
+    const Eigen::Vector3d down = axes.transpose() * center.cross(right).normalized();
+    const double tall_m = box.Height() * depth_m / view.camera.fy;
+    viewed.Add(HeightOf(tall_m, down, shape.size_m), viewed.height_m);
+  }
+  if (!cut.left && !cut.right) {
+    const double wide_m = box.Width() * depth_m / view.camera.fx;
+    const double by_corners = (right.transpose() * axes).cwiseAbs().sum();
+    viewed.Add(0.5 * (wide_m / by_corners + wide_m), viewed.square_m);
+  }
+}
+
+}  // namespace cvo

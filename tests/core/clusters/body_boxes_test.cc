@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/clusters/body_boxes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/clusters/body_direction.h"
+#include "core/clusters/body_score.h"
+#include "core/odometry/detection_policies.h"
+#include "tests/core/clusters/small_windows.h"
+
+namespace cvo {
+namespace {
+
+using Eigen::Vector3d;
+using test::At;
+using test::StateAt;
+
+const Vector3d kDown = Vector3d::UnitY();
+const Vector3d kCar_m = BodyBoxOptions().SizeOf("Car");
+
+// A car of the class's size with points on the faces that a camera at the origin sees, and its
+// detection; the camera looks along z.
+struct SeenCar {
+  Options options;
+  StereoFrame frame;
+  FeatureGrid grid{{}, test::kCamera};
+  ClusterMap map;
+  BodyBoxes boxes;
+  RigidTransform world_from_car;  // x forward, y down, origin at the centre
+
+  explicit SeenCar(std::string category = "Car") {
+    Cluster cluster;
+    cluster.id = ClusterId{1};
+    cluster.category = std::move(category);
+    cluster.score = 2.0;
+    map.live.push_back(cluster);
+  }
+  Cluster& cluster() { return map.live.front(); }
+
+  // Frame f shows the car at `pose`; its cluster's frame is the car's, turned and moved.
+  ClusterReport See(std::int64_t f, const RigidTransform& pose) {
+    const RigidTransform car_from_object(ExpSo3({0.3, -0.5, 0.2}), Vector3d(0.4, 0.1, -0.3));
+    world_from_car = pose;
+    std::vector<ClusterState>& states = cluster().states;
+    states.push_back(StateAt(f, pose * car_from_object));
+    if (states.size() > 15) states.erase(states.begin());
+    cluster().last_observed = cluster().last_detected = FrameId{f};
+    cluster().detection = 0;
+    ++cluster().detections;
+    cluster().landmarks.clear();
+    ImageBox box{1e9, 1e9, -1e9, -1e9};
+    for (int i = 0; i < 8; ++i) {
+      const Vector3d sign((i & 1) - 0.5, ((i >> 1) & 1) - 0.5, ((i >> 2) & 1) - 0.5);
+      const Vector3d c = pose * Vector3d(kCar_m.cwiseProduct(sign));
+      const Vector3d z = test::kCamera.Project(c).value();
+      box = {std::min(box.left_px, z[0]), std::min(box.top_px, z[1]), std::max(box.right_px, z[0]),
+             std::max(box.bottom_px, z[1])};
+    }
+    frame.detections = {{box, "Car", 2.0}};
+    AddFaces(f, pose, car_from_object.Inverse());
+    ClusterReport report;
+    report.id = ClusterId{1};
+    report.world_from_object = cluster().Latest().world_from_object;
+    std::vector<ClusterReport> reports = {report};
+    const FrameView view{options, frame, UseDetections::Show(frame), grid, test::kCamera, {}};
+    boxes.Describe({options, map, &view, FrameId{f}, {}, kDown}, reports);
+    return reports.front();
+  }
+
+  void AddFaces(std::int64_t f, const RigidTransform& pose, const RigidTransform& object_from_car) {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double side : {-0.5, 0.5}) {
+        const Vector3d outwards = pose.rotation() * Vector3d(side * Vector3d::Unit(axis));
+        const Vector3d middle = pose * Vector3d(side * kCar_m[axis] * Vector3d::Unit(axis));
+        if (outwards.dot(middle) >= 0.0) continue;
+        for (int i = 0; i < 25; ++i) {
+          Vector3d p = kCar_m.cwiseProduct(
+              Vector3d((i % 5) * 0.2 - 0.4, (i / 5) * 0.2 - 0.4, ((i * 3) % 5) * 0.2 - 0.4));
+          p[axis] = side * kCar_m[axis];
+          Landmark landmark = test::MakeLandmark(static_cast<std::int64_t>(i), {f});
+          landmark.p_in_object = object_from_car * p;
+          cluster().landmarks.push_back(landmark);
+        }
+      }
+    }
+  }
+};
+
+Vector3d Forward(const ClusterReport& report) {
+  return (report.world_from_object * report.box.object_from_box).rotation() * Vector3d::UnitX();
+}
+
+Vector3d Center(const ClusterReport& report) {
+  return (report.world_from_object * report.box.object_from_box).translation();
+}
+
+// Along the optical axis, as a car in front drives.
+RigidTransform Ahead(double x, double z) { return At(x, 1.0, z, -std::numbers::pi / 2.0); }
+
+TEST(BodyBoxes, ACarIsAsLargeAsItsClassAndBehindItsVisibleFaces) {
+  for (const double x : {0.0, 3.0, -5.0}) {
+    SeenCar car;
+    const ClusterReport report = car.See(0, Ahead(x, 14.0));
+    EXPECT_EQ(report.box.size_m, kCar_m);
+    EXPECT_LT((Center(report) - Vector3d(x, 1.0, 14.0)).norm(), 0.25) << x;
+    EXPECT_GT(Forward(report).z(), 0.999);  // as a body is born: away from the camera
+  }
+}
+
+TEST(BodyBoxes, ABoxThatTheImageCutsHangsOnItsOtherEdge) {
+  SeenCar car;
+  car.See(0, Ahead(2.0, 9.0));
+  const double inner_px = car.frame.detections[0].box.left_px;
+  SeenCar cut;
+  const ClusterReport report = cut.See(0, Ahead(6.2, 9.0));  // its right side is out of the image
+  EXPECT_GT(inner_px, 0.0);
+  EXPECT_LT((Center(report) - Vector3d(6.2, 1.0, 9.0)).norm(), 0.3);
+}
+
+TEST(BodyBoxes, HeadAlongTheMotionOnceItIsBeyondTheirUncertainty) {
+  SeenCar car;
+  const auto across = [](int f, double step_m) { return At(-2.0 + step_m * f, 1.0, 12.0); };
+  EXPECT_GT(Forward(car.See(0, across(0, 0.5))).z(), 0.999);
+  EXPECT_GT(Forward(car.See(1, across(1, 0.001))).z(), 0.99);
+  for (int f = 2; f < 5; ++f) car.See(f, across(f, 0.5));
+  EXPECT_GT(Forward(car.See(5, across(5, 0.5))).x(), 0.999);
+  // It keeps it when it stands, and turns with its pose.
+  for (int f = 6; f < 30; ++f) car.See(f, At(0.5, 1.0, 12.0));
+  const ClusterReport turned = car.See(30, At(0.5, 1.0, 12.0, 0.5));
+  EXPECT_LT((Forward(turned) - Vector3d(std::cos(0.5), 0.0, -std::sin(0.5))).norm(), 0.02);
+}
+
+TEST(BodyBoxes, KeepTheHeadingOfTheirBirthWhereTheMotionDoesNotCount) {
+  SeenCar car;
+  car.options.boxes.heading_deviations = 1e9;
+  for (int f = 0; f < 8; ++f) car.See(f, At(-2.0 + 0.5 * f, 1.0, 12.0));
+  EXPECT_GT(Forward(car.See(8, At(2.0, 1.0, 12.0))).z(), 0.99);
+}
+
+TEST(BodyDirection, RollingTurnsNoHeading) {
+  const RigidTransform rolled(ExpSo3({1.2, 0.0, 0.0}), Vector3d::Zero());
+  EXPECT_LT((TurnedBy(rolled, kDown, Vector3d::UnitZ()) - Vector3d::UnitZ()).norm(), 1e-12);
+  const RigidTransform turned(ExpSo3({0.0, 0.4, 0.0}), Vector3d::Zero());
+  EXPECT_LT(
+      (TurnedBy(turned, kDown, Vector3d::UnitZ()) - Vector3d(std::sin(0.4), 0.0, std::cos(0.4)))
+          .norm(),
+      1e-12);
+}
+
+TEST(BodyDirection, LevelIsAtRightAnglesToDown) {
+  EXPECT_NEAR(Levelled({0.0, 3.0, 4.0}, kDown).dot(Vector3d::UnitZ()), 1.0, 1e-12);
+  EXPECT_NEAR(Levelled({0.0, 2.0, 0.0}, kDown).dot(kDown), 0.0, 1e-12);
+}
+
+TEST(BodyScore, RisesWithAllThatIsKnown) {
+  SeenCar car;
+  car.See(0, Ahead(0.0, 14.0));
+  const auto score = [&](std::int64_t newest) {
+    return ScoreOf(car.options, nullptr, FrameId{newest}, car.cluster());
+  };
+  const double known = score(0);
+  EXPECT_GT(known, 0.0);
+  EXPECT_LT(known, 1.0);
+  EXPECT_NEAR(score(2), 0.81 * known, 1e-12);
+  car.cluster().score = -1.0;
+  EXPECT_LT(score(0), known);
+  EXPECT_LT(score(1), score(0));  // also where the detector's score is negative
+  car.cluster().score = 2.0;
+  ++car.cluster().detections;
+  EXPECT_GT(score(0), known);
+}
+
+TEST(BodyScore, FallsWithResidualsAndFewLandmarks) {
+  SeenCar car;
+  car.See(0, Ahead(0.0, 14.0));
+  const RigidTransform camera_from_object = car.cluster().Latest().world_from_object;
+  const auto with_error = [&](double error_px) {
+    for (Landmark& landmark : car.cluster().landmarks) {
+      landmark.observations[0].z_px =
+          test::kCamera.Project(camera_from_object * landmark.p_in_object).value();
+      landmark.observations[0].z_px[0] += error_px;
+    }
+    const FrameView view{car.options, car.frame,     UseDetections::Show(car.frame),
+                         car.grid,    test::kCamera, {}};
+    return ScoreOf(car.options, &view, FrameId{0}, car.cluster());
+  };
+  const double exact = with_error(0.0);
+  EXPECT_LT(with_error(1.0), exact);
+  car.cluster().landmarks.resize(5);
+  EXPECT_LT(with_error(0.0), exact);
+}
+
+}  // namespace
+}  // namespace cvo

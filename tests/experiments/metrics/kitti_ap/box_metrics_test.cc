@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/metrics/kitti_ap/box_metrics.h"
+
+#include <gtest/gtest.h>
+
+namespace cvo {
+namespace {
+
+// A car of 4 x 2 x 1.5 m at x, in frame 7, the first of two.
+ObjectBox CarAt(double x, double height_px) {
+  ObjectBox box;
+  box.frame = 7;
+  box.type = "Car";
+  box.truncation = 0.0;
+  box.occlusion = 0;
+  box.right_px = 80.0;
+  box.bottom_px = height_px;
+  box.box3d = ObjectBox::Box3d{1.5, 2.0, 4.0, {x, 1.6, 20.0}, 0.0};
+  return box;
+}
+
+Sequence Labelled(const std::vector<ObjectBox>& labels) {
+  Sequence sequence;
+  sequence.first_frame = 7;
+  sequence.images.resize(2);
+  sequence.labels = labels;
+  return sequence;
+}
+
+ObjectBox Scored(ObjectBox box, double score) {
+  box.score = score;
+  return box;
+}
+
+// A quarter of the union is not enough: at 2.4 m aside a box of 4 m shares 1.6 of 6.4.
+TEST(BoxMetrics, CountBoxesThatOverlapByMoreThanAQuarter) {
+  const Sequence sequence = Labelled({CarAt(0.0, 50.0)});
+  const auto metrics = BoxMetrics(sequence, {Scored(CarAt(2.3, 50.0), 0.4)});
+  ASSERT_EQ(metrics.size(), 6U);
+  EXPECT_EQ(metrics[0].name, "box_ap_bv_easy");
+  EXPECT_EQ(metrics[4].name, "box_ap_3d_moderate");
+  for (const Metric& metric : metrics) {
+    EXPECT_DOUBLE_EQ(metric.value, 1.0 / 11.0) << metric.name;  // the floor of eleven points
+    EXPECT_EQ(metric.n, 1);
+    EXPECT_EQ(metric.contract.subject, reports::Subject::kCars);
+  }
+  for (const Metric& metric : BoxMetrics(sequence, {Scored(CarAt(2.5, 50.0), 0.4)})) {
+    EXPECT_EQ(metric.value, 0.0) << metric.name;
+  }
+}
+
+TEST(BoxMetrics, AreAbsentWhereNoLabelIsOfTheirLevel) {
+  const auto metrics = BoxMetrics(Labelled({CarAt(0.0, 30.0)}), {});  // too small to be easy
+  ASSERT_EQ(metrics.size(), 4U);
+  EXPECT_EQ(metrics[0].name, "box_ap_bv_moderate");
+  EXPECT_EQ(metrics[0].value, 0.0);
+  ObjectBox van = CarAt(0.0, 50.0);
+  van.type = "Van";
+  EXPECT_TRUE(BoxMetrics(Labelled({van}), {Scored(CarAt(0.0, 50.0), 1.0)}).empty());
+}
+
+}  // namespace
+}  // namespace cvo
