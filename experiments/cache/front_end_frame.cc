@@ -11,8 +11,8 @@ namespace cvo {
 namespace {
 
 constexpr std::size_t kFeatureBytes = 3 * sizeof(double) + sizeof(std::int32_t) +
-                                      4 * sizeof(float) + sizeof(std::uint8_t) + sizeof(Descriptor) +
-                                      sizeof(FeaturePatch::pixels);
+                                      4 * sizeof(float) + sizeof(std::uint8_t) +
+                                      sizeof(Descriptor) + sizeof(FeaturePatch::pixels);
 
 void AppendFeature(const StereoFeature& feature, std::string& bytes) {
   for (const double coordinate_px : feature.z_px) AppendNumber(coordinate_px, bytes);
