@@ -37,11 +37,11 @@ bool EndsLine(char32_t character) {
 }
 
 bool IsControl(char32_t character) {
-  return character < 0x20 || (character >= 0x7F && character < 0xA0) || character == 0x2028 ||
-         character == 0x2029 || character == 0xFEFF;
+  return character < 0x20 || (character >= 0x7F && character < 0xA0) || character == 0xFEFF;
 }
 
-char32_t Harmless(char32_t character) {
+char32_t InLine(char32_t character) {
+  if (EndsLine(character)) return ' ';
   return IsControl(character) || TurnsDirection(character) ? kNoCharacter : character;
 }
 
@@ -103,9 +103,7 @@ void AppendUtf8(char32_t character, std::string& text) {
 
 std::string Printable(std::string_view text) {
   std::string line;
-  for (const char32_t character : Characters(text)) {
-    AppendUtf8(EndsLine(character) ? U' ' : Harmless(character), line);
-  }
+  for (const char32_t character : Characters(text)) AppendUtf8(InLine(character), line);
   return line;
 }
 
@@ -113,11 +111,9 @@ std::string PrintableLines(std::string_view text) {
   std::string lines;
   const std::vector<char32_t> characters = Characters(text);
   for (std::size_t i = 0; i < characters.size(); ++i) {
-    const char32_t character = characters[i];
-    const bool windows_end =
-        character == '\r' && i + 1 < characters.size() && characters[i + 1] == '\n';
-    const bool kept = character == '\n' || character == '\t' || windows_end;
-    AppendUtf8(kept ? character : Harmless(character), lines);
+    const bool before_end = i + 1 < characters.size() && characters[i + 1] == '\n';
+    const bool ends = characters[i] == '\n' || (characters[i] == '\r' && before_end);
+    AppendUtf8(ends ? characters[i] : InLine(characters[i]), lines);
   }
   return lines;
 }

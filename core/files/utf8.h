@@ -24,7 +24,7 @@ void AppendUtf8(char32_t character, std::string& text);
 // blanks, other control characters and those that turn the direction of writing are U+FFFD.
 std::string Printable(std::string_view text);
 
-// The same of a text of several lines, whose line ends ("\n" and "\r\n") and tabs it keeps.
+// The same of a text of several lines, whose line ends ("\n" and "\r\n") it keeps.
 std::string PrintableLines(std::string_view text);
 
 // Characters as seen in a terminal, each counted as one.

@@ -3,6 +3,7 @@
 // fuzz_parsers MUTATIONS [SEED] [PARSER]: gives every parser that many spoilt files. What ends the
 // program, takes long or throws anything but cvo::Error is a finding; its input stays in the
 // working folder as fuzz_<parser>.
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <iostream>

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/ids.h"
+#include "core/base/message.h"
 #include "core/base/stage_times.h"
 
 namespace cvo {
@@ -17,6 +18,20 @@ TEST(Error, SaysWhereWhatAndWhatWasExpected) {
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "calib.txt line 3: found 2 numbers, expected 12");
   }
+}
+
+TEST(Error, IsOfLimitedLength) {
+  const std::string much(400'000, 'x');
+  try {
+    ThrowError("calib.txt", much, "12");
+    FAIL() << "nothing was thrown";
+  } catch (const Error& error) {
+    const std::string message = error.what();
+    EXPECT_LE(message.size(), kMaxMessage);
+    EXPECT_TRUE(message.starts_with("calib.txt: found xxx"));
+    EXPECT_TRUE(message.ends_with("x, expected 12"));
+  }
+  EXPECT_EQ(Shortened("short"), "short");
 }
 
 TEST(Error, RequireThrowsInEveryBuildType) {
