@@ -227,7 +227,7 @@ StereoRig Checked(const StereoRig& rig, const fs::path& path) {
 
 // Rotation and translation of 12 or 16 numbers, row by row. Calibrations are written with few
 // digits, so the nearest rotation is taken.
-RigidTransform TransformOf(const YamlMap& map, const std::string& key) {
+RigidTransform ReadTransform(const YamlMap& map, const std::string& key) {
   const std::vector<double> numbers = map.Numbers(key);
   if (numbers.size() != 12 && numbers.size() != 16) {
     map.Fail(key, StrCat(numbers.size(), " numbers"), "12 of [R t], or 16");

@@ -164,7 +164,7 @@ enum class Aggregation {
   kApModerate,
   kApHard
 };
-constexpr std::array<const char*, 24> EnumNames(Aggregation) {
+constexpr std::array<const char*, 27> EnumNames(Aggregation) {
   return {
       "fraction with an estimate",
       "root mean square of position errors",

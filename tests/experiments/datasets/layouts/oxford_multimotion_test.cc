@@ -165,7 +165,8 @@ TEST_F(MultimotionFiles, RowsOfViconAreRefusedByRow) {
               AllOf(HasSubstr("vicon.csv:10: found"), HasSubstr("columns, expected 26")));
   WriteFileBytes(vicon, text);
   // Quaternions with w first are not those of the matrices.
-  const auto q = (kViconFromWorld * scene_.bodies[0].world_from_object[0]).rotation();
+  const RigidTransform first = kViconFromWorld * scene_.bodies[0].world_from_object[0];
+  const Eigen::Quaterniond q(first.rotation());
   test::ReplaceIn(vicon, NumbersText({q.x(), q.y(), q.z(), q.w()}, ","),
                   NumbersText({q.w(), q.x(), q.y(), q.z()}, ","));
   EXPECT_THAT(Refused(), AllOf(HasSubstr("vicon.csv:2: found a quaternion"), HasSubstr("x y z w")));

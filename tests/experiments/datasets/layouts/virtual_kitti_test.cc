@@ -56,6 +56,8 @@ struct Tables {
   std::string info = "trackID label model color\n";
 };
 
+int PixelsOf(const cv::Mat& mask, int id) { return cv::countNonZero(mask == id); }
+
 void AddBodies(const WrittenScene& scene, std::size_t k, int camera,
                const RigidTransform& camera_from_data, Tables& tables) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -66,8 +68,8 @@ void AddBodies(const WrittenScene& scene, std::size_t k, int camera,
     tables.pose +=
         place + NumbersText({0.5, body.size_m.y(), body.size_m.z(), body.size_m.x()}, " ") + " " +
         PlaceText(data_from_object) + " " + PlaceText(camera_from_data * data_from_object) + "\n";
-    tables.bbox +=
-        place + StrCat("4 27 4 27 ", cv::countNonZero(scene.masks[k] == i + 1), " 0 0.9 True\n");
+    tables.bbox += place + StrCat("4 27 4 27 ", PixelsOf(scene.masks[k], static_cast<int>(i) + 1),
+                                  " 0 0.9 True\n");
   }
 }
 
