@@ -25,7 +25,8 @@ Residuals ResidualsOf(const Options& options, const FrameView& view, FrameId new
     if (seen == nullptr || !z_px) continue;
     ++residuals.seen;
     residuals.squared +=
-        (options.NoiseOfFeatures().SqrtInformation(seen->octave, seen->is_aligned) * (seen->z_px - *z_px))
+        (options.NoiseOfFeatures().SqrtInformation(seen->octave, seen->is_aligned) *
+         (seen->z_px - *z_px))
             .squaredNorm();
   }
   if (residuals.seen > 0) residuals.squared /= residuals.seen;
