@@ -30,7 +30,7 @@ std::vector<Eigen::Vector3d> SeenPoints(const FrameView& view, FrameId newest,
 }
 
 // Of a triangulated point's depth.
-double PointDeviation(const FrameView& view, const Eigen::Vector3d& p) {
+double DepthDeviation(const FrameView& view, const Eigen::Vector3d& p) {
   return p.z() * p.z() / (view.camera.fx * view.camera.baseline_m) *
          view.options.noise.disparity_px;
 }
@@ -152,7 +152,7 @@ BoxShape InCamera(const FrameView& view, const BoxShape& shape) {
 BoxPlace PlaceAt(const FrameView& view, int detection, const BoxShape& shape,
                  const Eigen::Vector3d& center) {
   Eigen::Vector3d deviations = CenterDeviations(view, detection, shape.size_m.minCoeff());
-  deviations.z() = std::hypot(deviations.z(), PointDeviation(view, center));
+  deviations.z() = std::hypot(deviations.z(), DepthDeviation(view, center));
   return {view.world_from_camera * center,
           InformationAlong(view.world_from_camera, center, deviations)};
 }
@@ -189,7 +189,7 @@ std::optional<BoxPlace> PlaceBySurface(const FrameView& view, FrameId newest,
   for (int i = 0; i < kRounds; ++i) {
     center = Centred(view, view.shown.detections[cluster.detection].box, seen, center);
     center +=
-        SurfaceShift(points, seen, center, PointDeviation(view, center)) * center.normalized();
+        SurfaceShift(points, seen, center, DepthDeviation(view, center)) * center.normalized();
   }
   return PlaceAt(view, cluster.detection, shape, center);
 }

@@ -61,7 +61,7 @@ struct Launch {
     ::dup2(null, STDIN_FILENO);
     ::dup2(log, STDOUT_FILENO);
     ::dup2(log, STDERR_FILENO);
-    if (memory_bytes > 0) {
+    if (kLimitsMemory && memory_bytes > 0) {
       const rlimit limit{memory_bytes, memory_bytes};
       ::setrlimit(RLIMIT_AS, &limit);
     }

@@ -11,6 +11,13 @@
 
 namespace cvo {
 
+// AddressSanitizer reserves terabytes of addresses, more than any limit on them would leave.
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr bool kLimitsMemory = false;
+#else
+inline constexpr bool kLimitsMemory = true;
+#endif
+
 // A task as a process in a group of its own. It does not outlive the thread that started it: the
 // system kills it, even where that thread's process was killed itself.
 class ChildProcess {

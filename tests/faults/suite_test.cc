@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Faults of suites, their plans and their results.
 #include "core/files/host_name.h"
+#include "experiments/jobs/child_process.h"
 #include "tests/faults/fault_folder.h"
 
 namespace cvo {
@@ -103,6 +104,7 @@ TEST_F(SuiteFaults, Size) {
 
 // A job without memory ended as "exit code 127" or as killed by a signal.
 TEST_F(SuiteFaults, Limits) {
+  if (!kLimitsMemory) GTEST_SKIP() << "the sanitizer needs the memory";
   for (const char* limit_mb : {"10", "60"}) {
     const ProcessResult run = Run(Suite("run", {"--memory-limit", limit_mb, "-j", "1"}));
     EXPECT_EQ(run.exit_code, 1);

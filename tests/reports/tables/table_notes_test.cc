@@ -40,7 +40,8 @@ TEST_F(TableNotesTest, RowsWithAndWithoutACorrectionNeverShareAMarkForBest) {
   suite_.Add(Result(), "system:ORB-SLAM2")["system"] = "ORB-SLAM2";
   const auto marks = [](const Table& table) {
     int best = 0;
-    for (const TextLine& line : MakeTexts(table).blocks[0].lines) {
+    const TableTexts texts = MakeTexts(table);
+    for (const TextLine& line : texts.blocks[0].lines) {
       for (const CellText& cell : line.cells) best += cell.best ? 1 : 0;
     }
     return best;
