@@ -6,7 +6,7 @@
 #include "core/files/options_json.h"
 #include "core/files/text_file.h"
 #include "core/interface/options.h"
-#include "experiments/datasets/kitti_calibration.h"
+#include "experiments/calibration/kitti_calibration.h"
 #include "experiments/datasets/object_boxes.h"
 #include "experiments/datasets/oxts.h"
 #include "experiments/datasets/png.h"
