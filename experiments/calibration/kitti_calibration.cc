@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "experiments/metrics/kitti_poses.h"
+#include "experiments/calibration/pose_row.h"
 
 namespace cvo {
 

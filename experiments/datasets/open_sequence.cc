@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 std::string AllTypes() {
   std::string types;
   for (const SequenceLayout& layout : SequenceLayouts()) {
-    types += StrCat(types.empty() ? "" : ", ", layout.type, " (", layout.shape, ")");
+    types += StrCat(types.empty() ? "" : ", ", layout.type);
   }
   return types;
 }

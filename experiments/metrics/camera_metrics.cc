@@ -9,7 +9,6 @@
 #include "core/base/error.h"
 #include "core/base/median.h"
 #include "experiments/metrics/kitti_drift.h"
-#include "experiments/metrics/max_drift.h"
 
 namespace cvo {
 namespace {
@@ -86,19 +85,6 @@ void AddDrift(const KittiDrift& drift, const Frames& frames, std::vector<Metric>
   add(kCameraRDrift, drift.rotation_deg_per_100m);
 }
 
-void AddMaxDrift(const CommonPoses& poses, const Frames& frames, std::vector<Metric>& metrics) {
-  const CommonPoses from_first = FromFirst(poses);
-  for (const DriftProtocol protocol : kDriftProtocols) {
-    const auto drift = MeasureMaxDrift(from_first, protocol);
-    if (!drift) continue;
-    const std::array values = drift->Values();
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      metrics.push_back(
-          frames.Make(DriftMetric(kCameraMaxDrift, protocol, i), values[i], frames.common));
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<Metric> EvaluateCamera(const OptionalPoses& truth, const OptionalPoses& estimate,
@@ -117,7 +103,6 @@ std::vector<Metric> EvaluateCamera(const OptionalPoses& truth, const OptionalPos
   AddAte(poses, frames, metrics);
   AddRpe(poses, frames, metrics);
   if (const auto drift = ComputeKittiDrift(truth, estimate)) AddDrift(*drift, frames, metrics);
-  AddMaxDrift(poses, frames, metrics);
   for (const Metric& metric : metrics) {
     if (!std::isfinite(metric.value)) ThrowError(metric.name, "an overflow", "a finite number");
   }

@@ -8,7 +8,6 @@
 #include <numeric>
 
 #include "core/base/error.h"
-#include "experiments/metrics/max_drift.h"
 
 namespace cvo {
 namespace {
@@ -126,12 +125,6 @@ void AddErrors(const ObjectTruth& truth, const Group& group, std::vector<Metric>
   AddMean(group, kObjectTrpeAllPairs, &BodyScore::all_pairs_m, metrics);
   AddMean(group, kObjectRrpe1Frame, &BodyScore::one_frame_rad, metrics);
   AddMean(group, kObjectTrpe1Frame, &BodyScore::one_frame_m, metrics);
-  for (const DriftProtocol protocol : kDriftProtocols) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      const MetricId id = DriftMetric(kObjectMaxDrift, protocol, i);
-      AddMean(group, id, reports::EntryOf(id).body_error, metrics);
-    }
-  }
   const std::size_t before = metrics.size();
   AddMean(group, kObjectMotionR, &BodyScore::motion_rad, metrics);
   AddMean(group, kObjectMotionT, &BodyScore::motion_m, metrics);

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "experiments/metrics/max_drift.h"
 
 namespace cvo {
 namespace {
@@ -111,19 +110,6 @@ std::optional<double> VelocityError(const ObjectTruth& truth, const TruthBody& b
   return RootMeanSquare(sum, n);
 }
 
-void SetMaxDrift(const CommonPoses& poses, BodyScore& score) {
-  for (const DriftProtocol protocol : kDriftProtocols) {
-    const auto drift = MeasureMaxDrift(poses, protocol);
-    if (!drift) return;
-    const std::array values = drift->Values();
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const auto& entry =
-          reports::EntryOf(DriftMetric(reports::MetricId::kObjectMaxDrift, protocol, i));
-      score.*entry.body_error = values[i];
-    }
-  }
-}
-
 void ScorePoses(const ObjectTruth& truth, const TruthBody& body, const ClusterEstimate& cluster,
                 const RigidTransform& truth_from_estimate, BodyScore& score) {
   BodyPoses poses = CollectPoses(body, cluster, truth_from_estimate);
@@ -131,7 +117,6 @@ void ScorePoses(const ObjectTruth& truth, const TruthBody& body, const ClusterEs
   score.estimated_frames = static_cast<int>(poses.counted.size());
   if (poses.counted.size() == 0) return;
   const RigidTransform object_from_gtobject = AlignObject(poses.counted);
-  SetMaxDrift(poses.counted, score);
   ApplyObject(object_from_gtobject, poses.counted);
   ApplyObject(object_from_gtobject, poses.predicted);
   score.errors = PositionErrors(poses.counted, score.estimated_positions);

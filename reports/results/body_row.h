@@ -33,19 +33,6 @@ struct BodyRow {
   std::optional<double> one_frame_m;
   std::optional<double> motion_rad;
   std::optional<double> motion_m;
-  // Of max_drift.h, by protocol.
-  std::optional<double> max_drift_m;
-  std::optional<double> max_drift_roll_rad;
-  std::optional<double> max_drift_pitch_rad;
-  std::optional<double> max_drift_yaw_rad;
-  std::optional<double> max_drift_tool_m;
-  std::optional<double> max_drift_tool_roll_rad;
-  std::optional<double> max_drift_tool_pitch_rad;
-  std::optional<double> max_drift_tool_yaw_rad;
-  std::optional<double> max_drift_first25_m;
-  std::optional<double> max_drift_first25_roll_rad;
-  std::optional<double> max_drift_first25_pitch_rad;
-  std::optional<double> max_drift_first25_yaw_rad;
   FrameErrors errors;
   FrameErrors predicted;
 
@@ -70,18 +57,6 @@ struct BodyRow {
     archive.Field("one_frame_m", self.one_frame_m);
     archive.Field("motion_rad", self.motion_rad);
     archive.Field("motion_m", self.motion_m);
-    archive.Optional("max_drift_m", self.max_drift_m);
-    archive.Optional("max_drift_roll_rad", self.max_drift_roll_rad);
-    archive.Optional("max_drift_pitch_rad", self.max_drift_pitch_rad);
-    archive.Optional("max_drift_yaw_rad", self.max_drift_yaw_rad);
-    archive.Optional("max_drift_tool_m", self.max_drift_tool_m);
-    archive.Optional("max_drift_tool_roll_rad", self.max_drift_tool_roll_rad);
-    archive.Optional("max_drift_tool_pitch_rad", self.max_drift_tool_pitch_rad);
-    archive.Optional("max_drift_tool_yaw_rad", self.max_drift_tool_yaw_rad);
-    archive.Optional("max_drift_first25_m", self.max_drift_first25_m);
-    archive.Optional("max_drift_first25_roll_rad", self.max_drift_first25_roll_rad);
-    archive.Optional("max_drift_first25_pitch_rad", self.max_drift_first25_pitch_rad);
-    archive.Optional("max_drift_first25_yaw_rad", self.max_drift_first25_yaw_rad);
     archive.Field("errors", self.errors);
     archive.Field("predicted", self.predicted);
   }

@@ -76,12 +76,6 @@ const char* Brief(Alignment alignment) {
     case Alignment::kWorld:
     case Alignment::kWorldAndBody:
       return "world by the camera";
-    case Alignment::kAllPoses:
-      return "one transform of all poses";
-    case Alignment::kAllMotions:
-      return "one transform of all motions";
-    case Alignment::kFirstMotions:
-      return "one transform of the first 25 motions";
   }
   throw Error("Alignment: not one of the enumerators");
 }

@@ -295,7 +295,7 @@ TEST_F(LabelledBodies, NeedBoxesAndCamera) {
 
 TEST_F(LabelledBodies, RefuseTwoBoxesOfATrackInAFrame) {
   EXPECT_THAT(ErrorMessage([&] { Read(Row(1, 3, 1) + Row(1, 3, 2)); }),
-              HasSubstr("two boxes of track 3 in frame 1"));
+              HasSubstr("found track 3 of frame 1 a second time"));
 }
 
 }  // namespace

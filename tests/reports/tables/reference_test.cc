@@ -36,7 +36,7 @@ ReferenceCell Ate(const Table& table, const std::string& system, const std::stri
 
 TEST(Reference, ShippedFilesHoldTheFacts) {
   const Reference reference = ShippedReference();
-  EXPECT_THAT(reference.sources, SizeIs(7));
+  EXPECT_THAT(reference.sources, SizeIs(6));
   double found = 0.0;
   for (const ReferenceFigure& figure : reference.figures) {
     EXPECT_EQ(figure.suite.empty(), figure.frames > 0);
@@ -129,7 +129,7 @@ TEST(Reference, FiguresOfASuiteAreListedBelowIt) {
   EXPECT_THAT(table.others, SizeIs(0)) << "a suite of another name";
   suite.name = "ablation_all";
   table = MakeTable(suite.Written(), reference, "");
-  ASSERT_THAT(table.others, SizeIs(7));
+  ASSERT_THAT(table.others, SizeIs(6));
   EXPECT_EQ(table.others[3].system, "ClusterVO 2D");
   ASSERT_TRUE(table.others[3].cells[1]);
   EXPECT_DOUBLE_EQ(table.others[3].cells[1]->value, 0.0062) << "printed times 100";
