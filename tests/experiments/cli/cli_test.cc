@@ -83,7 +83,7 @@ TEST_F(Cli, BadConfiguration) {
 
 TEST_F(Cli, BadSequence) {
   EXPECT_THAT(RunProgram({"run", "/no/such/folder", "-o", out()}), FailsWith(1, "/no/such/folder"));
-  EXPECT_THAT(FailingRun({"--type", "euroc"}), FailsWith(1, "euroc"));
+  EXPECT_THAT(FailingRun({"--type", "bundler"}), FailsWith(1, "bundler"));
   EXPECT_THAT(FailingRun({"--frames", "5:9"}), FailsWith(1, ""));
   EXPECT_THAT(FailingRun({"--frames", "2"}), FailsWith(1, ""));
   fs::remove(fs::path(tiny()) / "image_1" / "000001.png");

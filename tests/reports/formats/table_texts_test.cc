@@ -69,7 +69,7 @@ TEST(Digits, OfDifferencesAreAboutThoseOfTheValues) {
 TEST(Digits, ZeroHasNoSign) {
   EXPECT_EQ(Fixed(-0.0004, 3), "0.000");
   EXPECT_EQ(Fixed(-0.0006, 3), "-0.001");
-  EXPECT_EQ(Fixed(1e300, 2).size(), 304U);
+  EXPECT_EQ(Fixed(1e300, 2), "1e+300");
 }
 
 TEST(Printable, IsOneEscapedLine) {

@@ -145,7 +145,7 @@ TEST(RunDetail, NamesTheLineOfADamagedTable) {
   files.objects += "13,4,7,car,tracked\n";
   EXPECT_THAT(Read(files).missing,
               ElementsAre(AllOf(HasSubstr("objects.csv:4"), HasSubstr("5 cells"),
-                                HasSubstr("38, as line 1 has"))));
+                                HasSubstr("48, as line 1 has"))));
   files = {};
   files.objects.replace(files.objects.find("\n11,"), 4, "\nxx,");
   EXPECT_THAT(Read(files).missing,

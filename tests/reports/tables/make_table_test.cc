@@ -222,7 +222,7 @@ TEST_F(MakeTableTest, ResultsThatCannotBeReadAreFailures) {
   const Table table = Make();
   ASSERT_THAT(table.problems, SizeIs(9));
   const auto message = [&table](std::size_t i) { return table.problems[i].message; };
-  EXPECT_THAT(message(0), HasSubstr("the result of job job of"));
+  EXPECT_THAT(message(0), HasSubstr("the result of job \"job of"));
   EXPECT_THAT(message(1), HasSubstr("text that ends after"));
   EXPECT_THAT(message(2), HasSubstr("text that ends after"));
   EXPECT_THAT(message(3), HasSubstr("result.json: found text that ends after 300 bytes"));
