@@ -22,13 +22,6 @@ struct BodyTrack {
 
 namespace {
 
-// Of one triangulated point at the cluster's distance, along the line of sight.
-double PointDeviation(const BoxScene& scene, const Eigen::Vector3d& p_in_world) {
-  const StereoCamera& camera = scene.view->camera;
-  const double depth_m = (scene.world_from_camera.Inverse() * p_in_world).z();
-  return depth_m * depth_m / (camera.fx * camera.baseline_m) * scene.options.noise.disparity_px;
-}
-
 // In world, at the time of the cluster's latest state; the origin of a cluster that has none.
 Eigen::Matrix3Xd PointsOf(const Cluster& cluster) {
   const RigidTransform& world_from_object = cluster.Latest().world_from_object;
@@ -56,7 +49,8 @@ void Follow(const BoxScene& scene, const Cluster& cluster, BodyTrack& track) {
 
 void TurnToMotion(const BoxScene& scene, const Cluster& cluster, BodyTrack& track) {
   const Eigen::Vector3d at = cluster.Latest().world_from_object * cluster.center_in_object;
-  const double least_m = scene.options.boxes.heading_deviations * PointDeviation(scene, at);
+  const double least_m = scene.options.boxes.heading_deviations *
+                         DepthDeviation(*scene.view, scene.world_from_camera.Inverse() * at);
   const auto direction = DirectionOfMotion(cluster, cluster.center_in_object, scene.down, least_m);
   if (direction) track.forward = *direction;
 }

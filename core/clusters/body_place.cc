@@ -29,12 +29,6 @@ std::vector<Eigen::Vector3d> SeenPoints(const FrameView& view, FrameId newest,
   return points;
 }
 
-// Of a triangulated point's depth.
-double DepthDeviation(const FrameView& view, const Eigen::Vector3d& p) {
-  return p.z() * p.z() / (view.camera.fx * view.camera.baseline_m) *
-         view.options.noise.disparity_px;
-}
-
 // Around the box's picture.
 ImageBox PictureOf(const StereoCamera& camera, const BoxShape& shape,
                    const Eigen::Vector3d& center) {
@@ -62,11 +56,14 @@ struct CutEdges {
 
 CutEdges CutBy(const FrameView& view, const ImageBox& box) {
   const double border_px = view.options.box_center.border_px;
-  return {box.left_px<border_px,
-                      box.top_px<border_px, box.right_px> view.camera.width_px - 1 - border_px,
-                      box.bottom_px>
-              view.camera.height_px -
-          1 - border_px};
+  const double last_u_px = view.camera.width_px - 1 - border_px;
+  const double last_v_px = view.camera.height_px - 1 - border_px;
+  CutEdges cut;
+  cut.left = box.left_px < border_px;
+  cut.top = box.top_px < border_px;
+  cut.right = box.right_px > last_u_px;
+  cut.bottom = box.bottom_px > last_v_px;
+  return cut;
 }
 
 // How far a picture has to move between those of its two edges that are not cut.
@@ -171,6 +168,11 @@ double HeightOf(double tall_m, const Eigen::Vector3d& down, const Eigen::Vector3
 constexpr int kRounds = 5;
 
 }  // namespace
+
+double DepthDeviation(const FrameView& view, const Eigen::Vector3d& p) {
+  return p.z() * p.z() / (view.camera.fx * view.camera.baseline_m) *
+         view.options.noise.disparity_px;
+}
 
 void ViewedSides::Add(double measured_m, double& side_m) {
   constexpr double kUp = 0.3;

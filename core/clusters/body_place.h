@@ -19,6 +19,9 @@ struct BoxPlace {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  // of the centre, in world, 1/m^2
 };
 
+// Standard deviation of the depth of one triangulated point p in the camera, m.
+double DepthDeviation(const FrameView& view, const Eigen::Vector3d& p);
+
 // Where a box of this shape is in the frame, if its picture is in the middle of the cluster's
 // detection, between those edges that are the body's own, and the foremost of the landmarks seen
 // lie on the faces turned to the camera. Empty without a detection or landmarks.
