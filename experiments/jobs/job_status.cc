@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/files/atomic_file.h"
 #include "experiments/record/run_record.h"
+#include "experiments/suite/shipped_trajectories.h"
 #include "reports/results/plan_file.h"
 #include "reports/results/run_summary.h"
 
@@ -66,9 +67,11 @@ std::string Tail(const fs::path& file) {
 }
 
 // A scene can always be had, and a folder that was found was meant: that is no user without data.
+// A stale trajectory cannot.
 JobStatus::State StateWithoutInput(const PlannedJob& job) {
   if (job.missing == kNotRendered) return JobStatus::State::kMissing;
-  const bool absent = job.cell.sequence.scene.empty() && job.folder.empty();
+  const bool absent =
+      (job.cell.sequence.scene.empty() && job.folder.empty()) || job.missing.starts_with(kStale);
   return absent ? JobStatus::State::kNoSequence : JobStatus::State::kFailed;
 }
 

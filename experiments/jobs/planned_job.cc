@@ -87,7 +87,7 @@ void RunSystem(const Plan& plan, const Cell& cell, const Sequence& sequence, con
                const JobFolder& folder) {
   const SystemRequest request{.sequence = sequence,
                               .content = ContentHash(sequence, cache.ImagesOf(sequence, 1)),
-                              .files = SystemFilesOf(plan.suite, cell, plan.data),
+                              .files = SystemFilesOf(plan.suite, cell, plan.data, cache.folder()),
                               .seed = cell.seed};
   folder.CheckIdentity(IdentifySystem(request), sequence);
   ScoreSystem(request, folder.path());

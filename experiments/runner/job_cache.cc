@@ -8,7 +8,8 @@ namespace cvo {
 
 JobCache::JobCache(const std::filesystem::path& cache_folder, std::uint64_t limit_bytes,
                    const FileHashHooks& hooks)
-    : hooks_(hooks),
+    : folder_(cache_folder),
+      hooks_(hooks),
       hashes_(cache_folder / "hashes"),
       front_end_(cache_folder / "frontend", limit_bytes, hooks.notice) {}
 

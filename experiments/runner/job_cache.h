@@ -18,6 +18,8 @@ class JobCache {
   JobCache(const std::filesystem::path& cache_folder, std::uint64_t limit_bytes,
            const FileHashHooks& hooks);
 
+  const std::filesystem::path& folder() const { return folder_; }
+
   // See FindFileHashes.
   std::vector<std::string> HashesOf(const std::vector<std::filesystem::path>& files,
                                     int threads) const;
@@ -27,6 +29,7 @@ class JobCache {
   void Serve(RunRequest& request) const;
 
  private:
+  std::filesystem::path folder_;
   FileHashHooks hooks_;
   std::filesystem::path hashes_;
   FrontEndCache front_end_;

@@ -211,10 +211,11 @@ const std::string& Planner::FrontEndKeyOf(const Resolved& resolved, Input& input
 
 void Planner::IdentifyFiles(const Input& input, PlannedJob& job) const {
   try {
-    job.job = IdentifySystem({.sequence = input.sequence,
-                              .content = input.content,
-                              .files = SystemFilesOf(suite_, job.cell, data_.root()),
-                              .seed = job.cell.seed});
+    job.job = IdentifySystem(
+        {.sequence = input.sequence,
+         .content = input.content,
+         .files = SystemFilesOf(suite_, job.cell, data_.root(), Absolute(request_.cache)),
+         .seed = job.cell.seed});
   } catch (const Error& error) {
     job.missing = error.what();
   }

@@ -8,6 +8,7 @@
 #include "core/files/options_json.h"
 #include "experiments/datasets/frame_range.h"
 #include "experiments/runner/frame_detections.h"
+#include "experiments/suite/shipped_trajectories.h"
 #include "variants/registry.h"
 
 namespace cvo {
@@ -106,9 +107,11 @@ std::vector<std::string> ClassesOf(const SuiteSequence& sequence) {
   return sequence.classes.empty() ? RigidClasses() : sequence.classes;
 }
 
-SystemFiles SystemFilesOf(const Suite& suite, const Cell& cell, const fs::path& data) {
+SystemFiles SystemFilesOf(const Suite& suite, const Cell& cell, const fs::path& data,
+                          const fs::path& cache) {
   for (const SuiteSystem& system : suite.systems) {
     if (system.name != cell.system) continue;
+    if (system.shipped) return ShippedSystemFiles(system.name, cell.sequence, cache);
     for (const SuiteSystem::Files& files : system.files) {
       if (files.sequence != cell.sequence.name) continue;
       return {system.name, data / files.camera, files.objects.empty() ? "" : data / files.objects};

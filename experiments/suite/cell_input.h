@@ -36,8 +36,10 @@ SequenceRequest RequestOf(const Cell& cell, const std::filesystem::path& folder,
 // Classes of detections that count: the sequence's, else RigidClasses().
 std::vector<std::string> ClassesOf(const SuiteSequence& sequence);
 
-// The files of a cell of another system, below `data`.
-SystemFiles SystemFilesOf(const Suite& suite, const Cell& cell, const std::filesystem::path& data);
+// The files of a cell of another system, below `data`; those that come with the program are put
+// below the cache folder.
+SystemFiles SystemFilesOf(const Suite& suite, const Cell& cell, const std::filesystem::path& data,
+                          const std::filesystem::path& cache);
 
 OracleSwitches OracleOf(const std::vector<std::string>& switches);
 

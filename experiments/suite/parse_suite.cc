@@ -9,6 +9,7 @@
 #include "core/files/closest_names.h"
 #include "core/files/text_file.h"
 #include "experiments/suite/shipped_suites.h"
+#include "experiments/suite/shipped_trajectories.h"
 #include "experiments/suite/suite_grid.h"
 #include "synth/family/generate.h"
 #include "synth/scene/object_reader.h"
@@ -144,15 +145,19 @@ SuiteSequence ReadSequence(ObjectReader object, const fs::path& folder) {
   return sequence;
 }
 
-SuiteSystem ReadSystem(ObjectReader object) {
+SuiteSystem ReadSystem(ObjectReader object, const std::vector<SuiteSequence>& sequences) {
   SuiteSystem system;
   system.name = object.Text("name");
+  system.shipped = !object.Has("files");
   for (ObjectReader files : object.ObjectsOr("files")) {
     system.files.push_back(
         {files.Text("sequence"), files.Text("camera"), files.TextOr("objects", "")});
     files.Finish();
   }
   object.Finish();
+  if (system.shipped) {
+    system.files = ShippedFilesOf(system.name, sequences, object.Where("files"));
+  }
   if (system.files.empty()) ThrowError(object.Where("files"), "none", "a file for each sequence");
   return system;
 }
@@ -236,7 +241,7 @@ Suite ReadCheckedSuite(const Json& json, const std::string& where, const fs::pat
   suite.grid_one_at_a_time = object.BoolOr("grid_one_at_a_time", false);
   if (object.Has("oracles")) suite.oracles = ReadOracles(object);
   for (ObjectReader& system : object.ObjectsOr("systems")) {
-    suite.systems.push_back(ReadSystem(std::move(system)));
+    suite.systems.push_back(ReadSystem(std::move(system), suite.sequences));
   }
   suite.landmarks = object.BoolOr("landmarks", false);
   suite.table = ReadTable(object.Object("table"));

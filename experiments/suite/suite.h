@@ -53,6 +53,7 @@ struct SuiteSystem {
   };
   std::string name;
   std::vector<Files> files;
+  bool shipped = false;  // they come with the program (shipped_trajectories.h); paths are empty
 };
 
 // What experiment table makes of the results.

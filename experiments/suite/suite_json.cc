@@ -30,6 +30,7 @@ Json SequenceToJson(const SuiteSequence& sequence) {
 }
 
 Json SystemToJson(const SuiteSystem& system) {
+  if (system.shipped) return {{"name", system.name}};
   Json files = Json::array();
   for (const SuiteSystem::Files& file : system.files) {
     Json row = {{"sequence", file.sequence}, {"camera", file.camera}};

@@ -274,7 +274,7 @@ TEST(ShippedSuites, AreWholeAndNamedAsTheirFiles) {
   }
   EXPECT_THAT(names,
               testing::IsSupersetOf(
-                  {"ablation", "ablation_all", "kitti_raw", "sweep_alpha", "sweep_eta",
+                  {"ablation", "ablation_all", "kitti_raw", "peers", "sweep_alpha", "sweep_eta",
                    "sweep_windows", "sweep_motion_prior", "detector_quality", "oracle_ladder", "ci",
                    "ladder", "leave_one_out", "ablation_large", "world_speed", "world_detector",
                    "perturb_kitti", "multimotion", "clusterslam"}));

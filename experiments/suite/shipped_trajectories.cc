@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/suite/shipped_trajectories.h"
+
+#include <algorithm>
+#include <set>
+
+#include "core/base/error.h"
+#include "core/files/atomic_file.h"
+#include "core/files/sha256.h"
+#include "core/files/text_file.h"
+#include "synth/scene/shipped_scenes.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kHashLine = "# scene_sha256 ";
+
+const ShippedTrajectory* Find(const std::string& system, const SuiteSequence& sequence) {
+  const std::string scene = fs::path(sequence.scene).stem().string();
+  for (const ShippedTrajectory& trajectory : ShippedTrajectories()) {
+    if (trajectory.system == system && trajectory.scene == scene) return &trajectory;
+  }
+  return nullptr;
+}
+
+std::string SceneText(const std::string& scene) {
+  for (const synth::ShippedScene& shipped : synth::ShippedScenes()) {
+    if (shipped.name == scene) return shipped.text;
+  }
+  return ReadFileBytes(scene);
+}
+
+// Why it is of other images than the sequence has; empty: it is not.
+std::string Difference(const ShippedTrajectory& trajectory, const SuiteSequence& sequence) {
+  if (!sequence.frames.empty()) return "ran on all frames, not " + sequence.frames;
+  if (!sequence.perturb.empty()) return "ran on images without the perturbation";
+  const std::string_view hash = trajectory.text.substr(kHashLine.size(), kHashBytes);
+  if (Sha256Hex(SceneText(sequence.scene)) == hash) return "";
+  return StrCat("ran on the scene file of SHA-256 ", hash.substr(0, 8), ", which has changed");
+}
+
+}  // namespace
+
+std::vector<SuiteSystem::Files> ShippedFilesOf(const std::string& system,
+                                               const std::vector<SuiteSequence>& sequences,
+                                               const std::string& where) {
+  std::vector<SuiteSystem::Files> files;
+  std::set<std::string> named;
+  for (const SuiteSequence& sequence : sequences) {
+    if (Find(system, sequence) == nullptr || !named.insert(sequence.name).second) continue;
+    files.push_back({sequence.name, "", ""});
+  }
+  if (!files.empty()) return files;
+  std::string known;
+  for (const ShippedTrajectory& trajectory : ShippedTrajectories()) {
+    known += StrCat(known.empty() ? "" : ", ", trajectory.system, " on ", trajectory.scene);
+  }
+  ThrowError(where, "none", "a file for each sequence; those that come with the program: " + known);
+}
+
+SystemFiles ShippedSystemFiles(const std::string& system, const SuiteSequence& sequence,
+                               const fs::path& cache) {
+  const ShippedTrajectory& trajectory = *Find(system, sequence);
+  const std::string difference = Difference(trajectory, sequence);
+  if (!difference.empty()) {
+    throw Error(StrCat(kStale, system, " on ", sequence.name, " ", difference));
+  }
+  const fs::path folder = cache / "trajectories" / system;
+  const std::string name =
+      StrCat(trajectory.scene, "-", Sha256Hex(trajectory.text).substr(0, 8), ".tum");
+  std::error_code ignored;
+  if (!fs::exists(folder / name, ignored)) {
+    fs::create_directories(folder);
+    WriteFilesAtomically(folder, {{name, std::string(trajectory.text)}});
+  }
+  return {system, folder / name, ""};
+}
+
+}  // namespace cvo
