@@ -17,6 +17,7 @@ struct ProgressUnit {
 inline constexpr ProgressUnit kFrames{"frames", "frames/s", 1.0};
 inline constexpr ProgressUnit kJobs{"jobs", "jobs/min", 60.0};
 inline constexpr ProgressUnit kScenes{"scenes", "scenes/min", 60.0};
+inline constexpr ProgressUnit kSequences{"sequences", "sequences/min", 60.0};
 inline constexpr ProgressUnit kPlanned{"jobs planned", "jobs/s", 1.0};
 
 // How far a run has come, on stderr: a bar with its rate and the time left on a terminal, otherwise

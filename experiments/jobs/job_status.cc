@@ -67,11 +67,11 @@ std::string Tail(const fs::path& file) {
 }
 
 // A scene can always be had, and a folder that was found was meant: that is no user without data.
-// A stale trajectory cannot.
+// A stale trajectory cannot be had, nor a network that is not there.
 JobStatus::State StateWithoutInput(const PlannedJob& job) {
-  if (job.missing == kNotRendered) return JobStatus::State::kMissing;
-  const bool absent =
-      (job.cell.sequence.scene.empty() && job.folder.empty()) || job.missing.starts_with(kStale);
+  if (IsPending(job.missing)) return JobStatus::State::kMissing;
+  const bool absent = (job.cell.sequence.scene.empty() && job.folder.empty()) ||
+                      job.missing.starts_with(kStale) || job.missing.starts_with(kNoFile);
   return absent ? JobStatus::State::kNoSequence : JobStatus::State::kFailed;
 }
 

@@ -98,7 +98,7 @@ void RunSystem(const Plan& plan, const Cell& cell, const Sequence& sequence, con
 void RunPlannedJob(const Plan& plan, const std::string& id, const SuiteFolder& folder,
                    const JobCache& cache) {
   const PlannedJob& job = FindJob(plan, id, folder);
-  const Sequence sequence = OpenSequence(RequestOf(job.cell, job.folder, plan.data));
+  const Sequence sequence = OpenSequence(RequestOf(job.cell, job.folder, plan.data, job.boxes));
   RequireAsRendered(sequence, [&](const auto& files) { return cache.HashesOf(files, 1); });
   const JobFolder output(folder, id);
   (job.cell.system.empty() ? RunVariant : RunSystem)(plan, job.cell, sequence, cache, output);

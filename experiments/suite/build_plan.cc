@@ -19,6 +19,7 @@
 #include "experiments/runner/score_files.h"
 #include "experiments/suite/cell_input.h"
 #include "experiments/suite/data_folder.h"
+#include "experiments/suite/detector_boxes.h"
 #include "experiments/suite/scenes.h"
 #include "experiments/suite/suite_grid.h"
 #include "synth/write/manifest.h"
@@ -35,6 +36,7 @@ struct Input {
   int frames = 0;
   Sequence sequence;
   std::string content;
+  std::string boxes;       // of a detector
   std::string detections;  // DetectionsHash
   std::vector<ImageHashes> images;
   std::map<std::string, std::string> front_end_keys;  // by the options of the front end
@@ -46,6 +48,7 @@ struct Resolved {
   std::string identity_head;
   std::string front_end;  // its options, as text
 };
+constexpr std::size_t kNameDigits = 8;
 constexpr std::size_t kMaxResolved = 10'000;  // 7 kB each
 
 fs::path Absolute(const fs::path& path) {
@@ -77,7 +80,8 @@ class Planner {
   PlannedJob PlanCell(const Cell& cell);
   void IdentifyFiles(const Input& input, PlannedJob& job) const;
   void AddRender(const RenderedScene& scene, const Cell& cell);
-  void OrderRenders();
+  void FindBoxes(const Cell& cell, Input& input);
+  void OrderPreparations();
 
   const Suite& suite_;
   const PlanRequest& request_;
@@ -89,17 +93,37 @@ class Planner {
   BuildIdentity build_ = ThisBuild();
   std::map<std::string, Input> inputs_;
   std::map<std::string, Resolved> resolved_;
-  std::vector<std::pair<std::string, SceneRender>> wanted_;  // with the key of the drawing
-  std::set<fs::path> wanted_folders_;
+  std::vector<std::pair<std::string, Preparation>> wanted_;  // with the key of the drawing
+  std::set<fs::path> wanted_outputs_;
 };
 
 void Planner::AddRender(const RenderedScene& scene, const Cell& cell) {
-  if (!wanted_folders_.insert(scene.folder).second) return;
+  if (!wanted_outputs_.insert(scene.folder).second) return;
   const std::string name =
       StrCat("render-", cell.sequence.name, "-", scene.folder.parent_path().filename().string());
-  wanted_.push_back(
-      {scene.drawing,
-       {name, cell.sequence.name, scene.folder, scene.arguments, scene.frames, !scene.drawn}});
+  wanted_.push_back({scene.drawing,
+                     {name, cell.sequence.name, scene.folder, scene.arguments, scene.frames,
+                      scene.drawn ? Stage::kNoise : Stage::kDrawing}});
+}
+
+// The file of boxes of a detector; one that is not there has to be made.
+void Planner::FindBoxes(const Cell& cell, Input& input) {
+  const Sequence sequence = OpenSequence(RequestOf(cell, input.folder, data_.root(), ""));
+  input.frames = static_cast<int>(sequence.images.size());
+  const DetectorInput detector = {cell.sequence, sequence, data_.root()};
+  const fs::path file =
+      BoxesFile(detector, FindImageHashes(sequence, hash_index_, pool_, hooks_),
+                Absolute(request_.cache), [this](const auto& files) { return Hashes(files); });
+  input.boxes = file.string();
+  std::error_code ignored;
+  if (fs::exists(file, ignored)) return;
+  input.missing = kNotDetected;
+  if (!wanted_outputs_.insert(file).second) return;
+  const std::string name =
+      StrCat("detect-", cell.sequence.name, "-", file.stem().string().substr(0, kNameDigits));
+  wanted_.push_back({"",
+                     {name, cell.sequence.name, file, DetectArguments(detector, file), input.frames,
+                      Stage::kBoxes}});
 }
 
 std::vector<std::string> Planner::Hashes(const std::vector<fs::path>& files) {
@@ -119,15 +143,20 @@ bool Planner::IsRendered(RenderedScene& scene) {
 }
 
 // One of each drawing draws, unless the cache has it.
-void Planner::OrderRenders() {
+void Planner::OrderPreparations() {
   std::set<std::string> drawing;
-  for (auto& [key, render] : wanted_) render.draws = render.draws && drawing.insert(key).second;
-  std::stable_partition(wanted_.begin(), wanted_.end(),
-                        [](const auto& wanted) { return wanted.second.draws; });
+  for (auto& [key, wanted] : wanted_) {
+    if (wanted.stage == Stage::kDrawing && !drawing.insert(key).second)
+      wanted.stage = Stage::kNoise;
+  }
+  std::stable_sort(wanted_.begin(), wanted_.end(),
+                   [](const auto& a, const auto& b) { return a.second.stage < b.second.stage; });
 }
 
 void Planner::Open(const Cell& cell, Input& input) {
-  input.sequence = OpenSequence(RequestOf(cell, input.folder, data_.root()));
+  if (!cell.sequence.detector.model.empty()) FindBoxes(cell, input);
+  if (!input.missing.empty()) return;
+  input.sequence = OpenSequence(RequestOf(cell, input.folder, data_.root(), input.boxes));
   input.frames = static_cast<int>(input.sequence.images.size());
   const auto hash = [this](const auto& files) { return Hashes(files); };
   if (cell.sequence.scene.empty()) RequireAsRendered(input.sequence, hash);
@@ -139,6 +168,11 @@ void Planner::Open(const Cell& cell, Input& input) {
 Input Planner::FindInput(const Cell& cell) {
   Input input;
   try {
+    const std::string lacking = FindMissingFile(cell.sequence.detector, data_.root());
+    if (!lacking.empty()) {
+      input.missing = StrCat(kNoFile, lacking, " below ", data_.root().string());
+      return input;
+    }
     if (cell.sequence.scene.empty()) {
       const DataFolder::Found found = data_.Find(cell.sequence.folder);
       input.missing = found.missing;
@@ -223,7 +257,8 @@ void Planner::IdentifyFiles(const Input& input, PlannedJob& job) const {
 
 PlannedJob Planner::PlanCell(const Cell& cell) {
   Input& input = InputOf(cell);
-  PlannedJob job{cell, input.folder, input.missing, input.frames, input.content, "", ""};
+  PlannedJob job{cell, input.folder, input.missing, input.frames, input.content,
+                 "",   "",           input.boxes};
   if (!job.missing.empty()) return job;
   if (!cell.system.empty()) {
     IdentifyFiles(input, job);
@@ -249,8 +284,8 @@ BuiltPlan Planner::Build() {
     built.plan.jobs.push_back(PlanCell(cells[i]));
     if (request_.progress) request_.progress(i + 1, cells.size());
   }
-  OrderRenders();
-  for (auto& [key, render] : wanted_) built.renders.push_back(std::move(render));
+  OrderPreparations();
+  for (auto& [key, wanted] : wanted_) built.preparations.push_back(std::move(wanted));
   return built;
 }
 

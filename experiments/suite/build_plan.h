@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -21,19 +22,23 @@ struct PlanRequest {
   std::function<void(std::size_t done, std::size_t total)> progress;  // over cells; may be empty
 };
 
-// A scene that some jobs wait for.
-struct SceneRender {
-  std::string name;      // unique among the plan's
-  std::string sequence;  // SuiteSequence::name
-  std::filesystem::path folder;
-  std::vector<std::string> arguments;  // of the program: it renders the scene into the folder
+// What some jobs wait for, in the order in which it is made: a drawn scene, scenes with the noise
+// of other seeds, which take from it what was drawn, and boxes of a detector.
+enum class Stage { kDrawing, kNoise, kBoxes };
+inline constexpr std::array kStages = {Stage::kDrawing, Stage::kNoise, Stage::kBoxes};
+
+struct Preparation {
+  std::string name;                    // unique among the plan's
+  std::string sequence;                // SuiteSequence::name
+  std::filesystem::path output;        // folder of the scene, file of the boxes
+  std::vector<std::string> arguments;  // of the program, that write it
   int frames = 0;
-  bool draws = false;  // must end before the others start, which take from it what was drawn
+  Stage stage = Stage::kDrawing;
 };
 
 struct BuiltPlan {
   Plan plan;
-  std::vector<SceneRender> renders;  // those that draw first; jobs of these are kNotRendered
+  std::vector<Preparation> preparations;  // by stage; their jobs are kNotRendered or kNotDetected
 };
 
 // Finds the input of every cell: rendered scenes in the cache, folders below the data folder.

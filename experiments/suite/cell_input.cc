@@ -32,8 +32,8 @@ Json Nested(const std::string& path, const Json& value) {
 
 // The file of a scene's boxes; a point that changes the detector has one of its own.
 fs::path SceneDetections(const Cell& cell, const fs::path& folder) {
-  const std::string& level = cell.sequence.detections;
-  if (level.empty() || level == kDetectionsFromLabels) return level;
+  const std::string level = DetectorLevel(cell.sequence);
+  if (level.empty()) return cell.sequence.detections;
   const std::string name = ChangesDetector(cell.parameters) ? "custom" : level;
   return folder / "detections" / (name + ".txt");
 }
@@ -65,8 +65,9 @@ Perturbation PerturbationOf(const SuiteSequence& sequence, const GridPoint& para
 std::vector<std::string> SceneAssignments(const SuiteSequence& sequence,
                                           const GridPoint& parameters) {
   std::vector<std::string> assignments;
-  if (ChangesDetector(parameters) && !sequence.detections.empty()) {
-    assignments.push_back("detector.level=" + sequence.detections);
+  if (const std::string level = DetectorLevel(sequence);
+      ChangesDetector(parameters) && !level.empty()) {
+    assignments.push_back("detector.level=" + level);
   }
   for (const auto& [path, value] : parameters) {
     if (IsScenePath(path)) assignments.push_back(SceneKey(path) + "=" + value.dump());
@@ -74,7 +75,13 @@ std::vector<std::string> SceneAssignments(const SuiteSequence& sequence,
   return assignments;
 }
 
-SequenceRequest RequestOf(const Cell& cell, const fs::path& folder, const fs::path& data) {
+std::string DetectorLevel(const SuiteSequence& sequence) {
+  const bool own = sequence.detector.model.empty();
+  return own && sequence.detections != kDetectionsFromLabels ? sequence.detections : "";
+}
+
+SequenceRequest RequestOf(const Cell& cell, const fs::path& folder, const fs::path& data,
+                          const std::string& boxes) {
   const SuiteSequence& sequence = cell.sequence;
   SequenceRequest request;
   request.folder = folder;
@@ -82,8 +89,10 @@ SequenceRequest RequestOf(const Cell& cell, const fs::path& folder, const fs::pa
   request.pair = sequence.pair;
   request.groundtruth = sequence.groundtruth;
   request.perturbation = PerturbationOf(sequence, cell.parameters, cell.seed);
+  const bool by_detector = !sequence.detector.model.empty();
+  if (by_detector) request.detections_file = boxes;
   if (!sequence.scene.empty()) {
-    request.detections_file = SceneDetections(cell, folder);
+    if (!by_detector) request.detections_file = SceneDetections(cell, folder);
     return request;  // its frames were chosen when it was rendered
   }
   if (!sequence.frames.empty()) {
@@ -93,7 +102,7 @@ SequenceRequest RequestOf(const Cell& cell, const fs::path& folder, const fs::pa
   }
   const bool from_labels = sequence.detections == kDetectionsFromLabels;
   if (from_labels) request.detections_file = kDetectionsFromLabels;
-  if (!sequence.detections.empty() && !from_labels) {
+  if (!sequence.detections.empty() && !from_labels && !by_detector) {
     request.detections_file = data / sequence.detections;
   }
   request.detections_camera = sequence.detections_camera;

@@ -29,9 +29,12 @@ std::vector<std::string> SceneAssignments(const SuiteSequence& sequence,
                                           const GridPoint& parameters);
 
 // What to open for a cell whose sequence is in `folder`; files of boxes and labels are below
-// `data`.
+// `data`, but for `boxes` of a detector (empty: open it without).
 SequenceRequest RequestOf(const Cell& cell, const std::filesystem::path& folder,
-                          const std::filesystem::path& data);
+                          const std::filesystem::path& data, const std::string& boxes);
+
+// The level of the scene's own detector that a sequence names; empty: none.
+std::string DetectorLevel(const SuiteSequence& sequence);
 
 // Classes of detections that count: the sequence's, else RigidClasses().
 std::vector<std::string> ClassesOf(const SuiteSequence& sequence);

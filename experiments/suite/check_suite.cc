@@ -90,9 +90,8 @@ void CheckName(const std::string& name, const std::string& where) {
 void CheckScene(const SuiteSequence& sequence, const GridPoint& point) {
   const auto scene = synth::LoadScene(sequence.scene, SceneAssignments(sequence, point));
   synth::ReadSensor(scene.sensor(), scene.where());
-  const bool level = !sequence.detections.empty() && sequence.detections != kDetectionsFromLabels;
-  synth::ReadDetectors(scene.detector(), scene.where(),
-                       level ? Names{sequence.detections} : Names());
+  const std::string level = DetectorLevel(sequence);
+  synth::ReadDetectors(scene.detector(), scene.where(), level.empty() ? Names() : Names{level});
   if (!sequence.frames.empty()) {
     ResolveFrameRange(ParseFrameRange(sequence.frames), scene.parts().frames);
   }
@@ -136,6 +135,10 @@ void CheckSequences(const Suite& suite, const std::string& where) {
     if (!Among({"devkit", "interpolated"}, sequence.groundtruth)) {
       ThrowError(at + ".groundtruth", Quoted(sequence.groundtruth),
                  "\"devkit\" or \"interpolated\"");
+    }
+    if (!sequence.detector.model.empty() && sequence.detections_camera >= 0) {
+      ThrowError(at + ".detections_camera", "a camera of boxes that a model finds",
+                 "none: it looks at the left images that are read");
     }
     At(at, [&] {
       PerturbationOf(sequence, {}, 0);

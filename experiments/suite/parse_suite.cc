@@ -91,6 +91,27 @@ std::pair<std::uint32_t, std::uint64_t> ReadSeedRange(ObjectReader& object) {
              "\"FIRST:END\" with seeds from 0 to 4294967295, END not included, or one seed");
 }
 
+// A text, or an object for a network that finds the boxes, named after its model.
+void ReadDetections(ObjectReader& object, SuiteSequence& sequence) {
+  if (!object.Has("detections") || !object.Value("detections").is_object()) {
+    sequence.detections = object.TextOr("detections", "");
+    return;
+  }
+  ObjectReader read = object.Object("detections");
+  SuiteDetector& detector = sequence.detector;
+  detector.model = read.Text("model");
+  detector.names = read.Text("names");
+  detector.weights = read.TextOr("weights", "");
+  detector.input = read.TextOr("input", "");
+  if (read.Has("min_score")) detector.min_score = read.Number("min_score", {0.0, 1.0});
+  if (read.Has("max_overlap")) detector.max_overlap = read.Number("max_overlap", {0.0, 1.0});
+  sequence.detections = read.TextOr("name", fs::path(detector.model).stem().string());
+  read.Finish();
+  if (detector.model.empty() || sequence.detections.empty()) {
+    ThrowError(object.Where("detections"), "a model without a name", "its file");
+  }
+}
+
 // A sequence for each seed.
 void ReadFamily(ObjectReader object, const fs::path& folder, std::vector<SuiteSequence>& out) {
   SuiteSequence sequence;
@@ -107,7 +128,7 @@ void ReadFamily(ObjectReader object, const fs::path& folder, std::vector<SuiteSe
   }
   const std::string name = object.TextOr("name", fs::path(family).stem().string());
   sequence.frames = object.TextOr("frames", "");
-  sequence.detections = object.TextOr("detections", "");
+  ReadDetections(object, sequence);
   sequence.classes = TextsOr(object, "classes", {});
   sequence.perturb = ObjectOr(object, "perturb");
   object.Finish();
@@ -129,7 +150,7 @@ SuiteSequence ReadSequence(ObjectReader object, const fs::path& folder) {
   }
   sequence.name = object.TextOr("name", DefaultName(sequence));
   sequence.frames = object.TextOr("frames", "");
-  sequence.detections = object.TextOr("detections", "");
+  ReadDetections(object, sequence);
   sequence.classes = TextsOr(object, "classes", {});
   sequence.perturb = ObjectOr(object, "perturb");
   if (!sequence.folder.empty()) {

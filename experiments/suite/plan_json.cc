@@ -35,6 +35,7 @@ reports::PlanJob JobInFile(const PlannedJob& job, const Suite& suite) {
   row.content = job.content;
   row.input = job.input;
   row.job = job.job;
+  row.boxes = job.boxes;
   row.entry = EntryOf(cell.sequence, suite);
   return row;
 }
@@ -60,6 +61,7 @@ PlannedJob JobOf(const reports::PlanJob& row, const Suite& suite, const std::str
   job.content = row.content;
   job.input = row.input;
   job.job = row.job;
+  job.boxes = row.boxes;
   return job;
 }
 

@@ -79,6 +79,11 @@ std::optional<double> FrameTimeOf(const std::filesystem::path& file) {
   return std::nullopt;
 }
 
+double AssumedFrame_s(Stage stage) {
+  if (stage == Stage::kBoxes) return kAssumedBoxesFrame_s;
+  return kAssumedNoisyFrame_s + (stage == Stage::kDrawing ? kAssumedDrawnFrame_s : 0.0);
+}
+
 }  // namespace
 
 std::vector<PredictedState> PredictStates(const Plan& plan, const EarlierRuns& earlier) {
@@ -88,8 +93,8 @@ std::vector<PredictedState> PredictStates(const Plan& plan, const EarlierRuns& e
   }
   std::vector<PredictedState> outlook;
   for (const PlannedJob& job : plan.jobs) {
-    if (job.missing == kNotRendered) {
-      outlook.push_back({JobState::kRenders, "its scene is not rendered yet"});
+    if (IsPending(job.missing)) {
+      outlook.push_back({JobState::kPrepares, job.missing});
     } else if (!job.missing.empty()) {
       outlook.push_back({JobState::kMissing, job.missing});
     } else if (earlier.done(job)) {
@@ -128,8 +133,8 @@ std::map<std::string, double> MeasuredFrameTimes(
 double EstimatedSeconds(const BuiltPlan& built, const std::vector<PredictedState>& outlook,
                         const std::map<std::string, double>& frame_times_s) {
   double seconds = 0.0;
-  for (const SceneRender& render : built.renders) {
-    seconds += render.frames * (kAssumedNoisyFrame_s + (render.draws ? kAssumedDrawnFrame_s : 0.0));
+  for (const Preparation& preparation : built.preparations) {
+    seconds += preparation.frames * AssumedFrame_s(preparation.stage);
   }
   std::set<std::string> counted;
   for (std::size_t i = 0; i < built.plan.jobs.size(); ++i) {

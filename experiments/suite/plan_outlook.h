@@ -15,8 +15,8 @@ namespace cvo {
 
 enum class JobState {
   kDone,
-  kRuns,     // its input exists
-  kRenders,  // runs after its scene is rendered
+  kRuns,      // its input exists
+  kPrepares,  // runs after its scene is rendered or its boxes are found
   kMissing,
 };
 
@@ -49,6 +49,7 @@ std::map<std::string, double> MeasuredFrameTimes(
 inline constexpr double kAssumedFrame_s = 1.0 / 35.0;
 inline constexpr double kAssumedDrawnFrame_s = 0.25;
 inline constexpr double kAssumedNoisyFrame_s = 0.03;
+inline constexpr double kAssumedBoxesFrame_s = 0.2;
 
 // Seconds that one process takes to render and run everything, each job once.
 double EstimatedSeconds(const BuiltPlan& built, const std::vector<PredictedState>& outlook,

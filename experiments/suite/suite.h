@@ -11,6 +11,16 @@
 
 namespace cvo {
 
+// A network that finds a sequence's boxes (clustervo detect). Files are below the data folder.
+struct SuiteDetector {
+  std::string model;  // empty: none
+  std::string weights;
+  std::string names;
+  std::string input;  // "WIDTHxHEIGHT"
+  std::optional<double> min_score;
+  std::optional<double> max_overlap;
+};
+
 // One sequence of a suite, as written: a scene that is rendered, or a folder of images.
 struct SuiteSequence {
   std::string scene;    // shipped name or scene file; empty: a folder
@@ -20,7 +30,9 @@ struct SuiteSequence {
   std::string dataset;  // as SequenceRequest, empty: decide from the folder
   std::string pair;     // the same
   std::string groundtruth = "devkit";
-  std::string detections;  // level, "labels", a file below the data folder, or empty: none
+  // Level, "labels", a file below the data folder, or empty: none. Of a detector: its name.
+  std::string detections;
+  SuiteDetector detector;
   int detections_camera = -1;
   std::optional<double> min_score;
   std::vector<std::string> classes;  // of detections that count; empty: RigidClasses()

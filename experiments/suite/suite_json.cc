@@ -9,13 +9,27 @@ void AddText(const char* key, const std::string& text, Json& json) {
   if (!text.empty()) json[key] = text;
 }
 
+void AddDetections(const SuiteSequence& sequence, Json& json) {
+  const SuiteDetector& detector = sequence.detector;
+  if (detector.model.empty()) {
+    AddText("detections", sequence.detections, json);
+    return;
+  }
+  Json& written = json["detections"];
+  written = {{"name", sequence.detections}, {"model", detector.model}, {"names", detector.names}};
+  AddText("weights", detector.weights, written);
+  AddText("input", detector.input, written);
+  if (detector.min_score) written["min_score"] = *detector.min_score;
+  if (detector.max_overlap) written["max_overlap"] = *detector.max_overlap;
+}
+
 Json SequenceToJson(const SuiteSequence& sequence) {
   Json json;
   AddText("scene", sequence.scene, json);
   AddText("folder", sequence.folder, json);
   json["name"] = sequence.name;
   AddText("frames", sequence.frames, json);
-  AddText("detections", sequence.detections, json);
+  AddDetections(sequence, json);
   if (!sequence.classes.empty()) json["classes"] = sequence.classes;
   if (!sequence.perturb.empty()) json["perturb"] = sequence.perturb;
   if (sequence.folder.empty()) return json;

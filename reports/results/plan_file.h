@@ -58,6 +58,7 @@ struct PlanJob {
   std::string content;
   std::string input;
   std::string job;          // empty where the sequence is missing
+  std::string boxes;        // file that a detector wrote; empty: none
   std::uint64_t entry = 0;  // index of the sequence in the definition
 
   template <typename Self, typename Archive>
@@ -78,6 +79,7 @@ struct PlanJob {
     archive.Added("content", self.content);
     archive.Added("input", self.input);
     archive.Added("job", self.job);
+    archive.Added("boxes", self.boxes);
     archive.Added("entry", self.entry);
     if constexpr (Archive::kReads) {
       if (self.job.empty() && self.missing.empty()) {

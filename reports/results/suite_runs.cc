@@ -9,7 +9,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kNotRendered[] = "not rendered yet";  // PlannedJob::missing of a scene to be drawn
+// PlannedJob::missing of what is made first.
+constexpr char kNotRendered[] = "not rendered yet";
+constexpr char kNotDetected[] = "boxes not found yet";
 
 std::string Joined(const std::vector<std::string>& texts) {
   std::string joined;
@@ -101,7 +103,8 @@ std::vector<SuiteRun> ReadRuns(const fs::path& folder, const SuitePlan& plan,
     const fs::path failure = folder / "failed" / (planned.job + ".json");
     if (planned.job.empty()) {
       run.message = planned.missing;
-      if (planned.missing != kNotRendered) run.state = "no data";
+      const bool pending = planned.missing == kNotRendered || planned.missing == kNotDetected;
+      if (!pending) run.state = "no data";
     } else if (fs::exists(result)) {
       ReadResult(result, metrics, run);
     } else if (fs::exists(failure)) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -56,15 +57,23 @@ void PrintReasons(const std::vector<PredictedState>& outlook, JobState state, st
   for (const auto& [why, count] : reasons) out << "  " << count << " x " << why << '\n';
 }
 
-void PrintRenders(const std::vector<SceneRender>& renders, std::ostream& out) {
-  int frames = 0;
-  std::size_t draws = 0;
-  for (const SceneRender& render : renders) {
-    frames += render.frames;
-    draws += render.draws ? 1 : 0;
+void PrintPreparations(const std::vector<Preparation>& preparations, std::ostream& out) {
+  std::map<Stage, std::size_t> counts;
+  std::map<Stage, int> frames;
+  for (const Preparation& preparation : preparations) {
+    ++counts[preparation.stage];
+    frames[preparation.stage] += preparation.frames;
   }
-  out << "scenes to render: " << renders.size() << " with " << frames << " frames, " << draws
-      << " of them drawn first, the rest from cached drawings\n";
+  const std::size_t scenes = counts[Stage::kDrawing] + counts[Stage::kNoise];
+  if (scenes > 0) {
+    out << "scenes to render: " << scenes << " with "
+        << frames[Stage::kDrawing] + frames[Stage::kNoise] << " frames, " << counts[Stage::kDrawing]
+        << " of them drawn first, the rest from cached drawings\n";
+  }
+  if (counts[Stage::kBoxes] > 0) {
+    out << "sequences to find boxes in: " << counts[Stage::kBoxes] << " with "
+        << frames[Stage::kBoxes] << " frames\n";
+  }
 }
 
 void Print(const PlanState& state, int processes, std::ostream& out) {
@@ -75,7 +84,7 @@ void Print(const PlanState& state, int processes, std::ostream& out) {
   const std::array<std::pair<JobState, const char*>, 4> states = {
       {{JobState::kDone, "done"},
        {JobState::kRuns, "to run"},
-       {JobState::kRenders, "to run when their scenes are rendered"},
+       {JobState::kPrepares, "to run when their scenes are rendered or their boxes found"},
        {JobState::kMissing, "missing, left out"}}};
   for (const auto& [job_state, label] : states) {
     const std::size_t count = Count(state.outlook, job_state);
@@ -85,7 +94,7 @@ void Print(const PlanState& state, int processes, std::ostream& out) {
       PrintReasons(state.outlook, job_state, out);
     }
   }
-  if (!state.built.renders.empty()) PrintRenders(state.built.renders, out);
+  PrintPreparations(state.built.preparations, out);
   const double seconds = EstimatedSeconds(state.built, state.outlook, state.frame_times_s);
   if (seconds == 0.0) {
     out << "nothing to compute\n";

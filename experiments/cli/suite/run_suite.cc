@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <thread>
 
 #include "core/base/error.h"
@@ -39,9 +40,9 @@ std::vector<fs::path> ReadBy(const SuiteFlags& suite) {
 }
 
 // One after the other, each stage with a bar of its own.
-class Stage {
+class StageProgress {
  public:
-  Stage(bool quiet, const ProgressUnit& unit) : quiet_(quiet), unit_(unit) {}
+  StageProgress(bool quiet, const ProgressUnit& unit) : quiet_(quiet), unit_(unit) {}
 
   void Report(std::size_t done, std::size_t total) {
     if (!progress_) progress_.emplace(total, quiet_, Progress::Clock::now(), unit_);
@@ -74,19 +75,21 @@ class SuiteRun {
 
   int Run() {
     BuiltPlan built = MakePlan();
-    if (!built.renders.empty()) {
+    Messages messages;
+    // Boxes are found in scenes that were rendered before.
+    for (std::set<std::string> tried; AddNew(built.preparations, tried);) {
       WritePlan(built.plan);
-      const auto messages = Render(built.renders);
+      Prepare(built.preparations, messages);
       built = MakePlan();
-      // Scenes that were rendered elsewhere may be late.
+      // What was made elsewhere may be late.
       for (double late_s = 0.0;
-           messages.empty() && !built.renders.empty() && late_s < engine_->latency_s();
+           messages.empty() && HasTried(built.preparations, tried) && late_s < engine_->latency_s();
            late_s += 1.0) {
         std::this_thread::sleep_for(std::chrono::seconds(1));
         built = MakePlan();
       }
-      NoteUnrendered(messages, built.plan);
     }
+    NoteUnprepared(messages, built.plan);
     WritePlan(built.plan);
     return RunJobs(built.plan);
   }
@@ -98,9 +101,24 @@ class SuiteRun {
   }
 
  private:
+  // Of what could not be made, by sequence.
+  using Messages = std::map<std::string, std::string>;
+
+  static bool HasTried(const std::vector<Preparation>& preparations,
+                       const std::set<std::string>& tried) {
+    return std::any_of(preparations.begin(), preparations.end(),
+                       [&](const Preparation& one) { return tried.contains(one.name); });
+  }
+  // Whether there is one that was not tried yet.
+  static bool AddNew(const std::vector<Preparation>& preparations, std::set<std::string>& tried) {
+    const std::size_t before = tried.size();
+    for (const Preparation& one : preparations) tried.insert(one.name);
+    return tried.size() > before;
+  }
+
   BuiltPlan MakePlan() const {
     // Only worth showing where images have to be read, which is felt on a terminal.
-    Stage stage(flags_.quiet || ::isatty(STDERR_FILENO) == 0, kPlanned);
+    StageProgress stage(flags_.quiet || ::isatty(STDERR_FILENO) == 0, kPlanned);
     PlanRequest request = flags_.suite.Request();
     request.notice = [](const std::string& line) { std::cerr << "clustervo: " << line << '\n'; };
     request.progress = [&](std::size_t done, std::size_t total) {
@@ -114,7 +132,7 @@ class SuiteRun {
     WriteFilesAtomically(folder_.root, {{"plan.json", PlanText(plan)}});
   }
 
-  PlanRun Settings(Stage& stage) const {
+  PlanRun Settings(StageProgress& stage) const {
     PlanRun run;
     run.folder = folder_;
     run.program = fs::read_symlink("/proc/self/exe").string();
@@ -126,54 +144,53 @@ class SuiteRun {
     return run;
   }
 
-  // Messages of the scenes that could not be rendered, by the sequence's name.
-  std::map<std::string, std::string> Render(const std::vector<SceneRender>& renders) {
-    std::map<std::string, std::string> failed;
-    // What is drawn is shared: those that draw it come first.
-    for (const bool draws : {true, false}) {
-      std::vector<const SceneRender*> scenes;
-      for (const SceneRender& render : renders) {
-        if (render.draws == draws) scenes.push_back(&render);
+  void Prepare(const std::vector<Preparation>& preparations, Messages& failed) {
+    for (const Stage stage : kStages) {
+      std::vector<const Preparation*> of_stage;
+      for (const Preparation& one : preparations) {
+        if (one.stage == stage) of_stage.push_back(&one);
       }
-      RenderAtOnce(scenes, failed);
+      if (!of_stage.empty()) PrepareAtOnce(of_stage, stage, failed);
     }
-    return failed;
   }
 
-  void RenderAtOnce(const std::vector<const SceneRender*>& scenes,
-                    std::map<std::string, std::string>& failed) {
-    if (scenes.empty()) return;
-    Stage stage(flags_.quiet, kScenes);
-    const PlanRun run = Settings(stage);
+  void PrepareAtOnce(const std::vector<const Preparation*>& wanted, Stage stage, Messages& failed) {
+    const bool boxes = stage == Stage::kBoxes;
+    StageProgress progress(flags_.quiet, boxes ? kSequences : kScenes);
+    const PlanRun run = Settings(progress);
     std::vector<Task> tasks;
-    for (const SceneRender* scene : scenes) {
-      Task task{.name = scene->name, .argv = {run.program}, .log = folder_.log(scene->name)};
-      task.argv.insert(task.argv.end(), scene->arguments.begin(), scene->arguments.end());
+    for (const Preparation* one : wanted) {
+      Task task{.name = one->name, .argv = {run.program}, .log = folder_.log(one->name)};
+      task.argv.insert(task.argv.end(), one->arguments.begin(), one->arguments.end());
       task.limit_s = flags_.limit_s;
       tasks.push_back(std::move(task));
     }
-    if (!flags_.quiet) std::cerr << "rendering " << scenes.size() << " scenes\n";
+    if (!flags_.quiet) {
+      std::cerr << (boxes ? "finding boxes in " : "rendering ") << wanted.size()
+                << (boxes ? " sequences\n" : " scenes\n");
+    }
     const auto messages = RunPreparations(tasks, run, *engine_);
     if (!messages) throw Stopped();
-    for (std::size_t i = 0; i < scenes.size(); ++i) {
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
       if ((*messages)[i].empty()) continue;
-      failed[scenes[i]->sequence] = StrCat((*messages)[i], " (", tasks[i].log.string(), ")");
+      failed[wanted[i]->sequence] = StrCat((*messages)[i], " (", tasks[i].log.string(), ")");
     }
   }
 
-  static void NoteUnrendered(const std::map<std::string, std::string>& messages, Plan& plan) {
+  static void NoteUnprepared(const Messages& messages, Plan& plan) {
     for (PlannedJob& job : plan.jobs) {
-      if (job.missing != kNotRendered) continue;
+      if (!IsPending(job.missing)) continue;
       const auto message = messages.find(job.cell.sequence.name);
-      job.missing = StrCat("the scene was not rendered",
-                           message == messages.end() ? "" : ": " + message->second);
+      job.missing = StrCat(
+          job.missing == kNotRendered ? "the scene was not rendered" : "its boxes were not found",
+          message == messages.end() ? "" : ": " + message->second);
     }
   }
 
   int RunJobs(const Plan& plan) {
     PlanOutcome outcome;
     {
-      Stage stage(flags_.quiet, kJobs);
+      StageProgress stage(flags_.quiet, kJobs);
       outcome = RunPlan(plan, Settings(stage), *engine_);
     }
     if (outcome.stopped) return ReportStopped();

@@ -111,11 +111,11 @@ TEST(CellInput, ADetectorThatIsChangedStartsFromTheSequencesLevel) {
   cell.sequence = Parse(SmallSuite()).sequences[0];
   cell.sequence.detections = "poor";
   EXPECT_TRUE(SceneAssignments(cell.sequence, {}).empty());
-  EXPECT_EQ(RequestOf(cell, "/s", "").detections_file, "/s/detections/poor.txt");
+  EXPECT_EQ(RequestOf(cell, "/s", "", "").detections_file, "/s/detections/poor.txt");
   cell.parameters = {{"scene.detector.miss_rate", 0.5}, {"window.spatial", 3}};
   EXPECT_THAT(SceneAssignments(cell.sequence, cell.parameters),
               ElementsAre("detector.level=poor", "detector.miss_rate=0.5"));
-  EXPECT_EQ(RequestOf(cell, "/s", "").detections_file, "/s/detections/custom.txt");
+  EXPECT_EQ(RequestOf(cell, "/s", "", "").detections_file, "/s/detections/custom.txt");
 }
 
 TEST(CellInput, APointGoesOverTheSuitesOptions) {
@@ -135,7 +135,7 @@ TEST(CellInput, AFolderIsReadAsTheSequenceSays) {
   cell.sequence.detections_camera = 2;
   cell.sequence.min_score = 0.25;
   cell.sequence.labels = "labels.txt";
-  const SequenceRequest request = RequestOf(cell, "/found/x", "/data");
+  const SequenceRequest request = RequestOf(cell, "/found/x", "/data", "");
   EXPECT_EQ(request.folder, "/found/x");
   EXPECT_EQ(request.begin_frame, 2);
   EXPECT_EQ(request.end_frame, 7);

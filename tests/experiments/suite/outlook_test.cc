@@ -40,7 +40,7 @@ TEST(PlanOutlook, CountsDoneNewAndMissingJobs) {
   EXPECT_EQ(outlook[0].state, JobState::kDone);
   EXPECT_EQ(outlook[1].state, JobState::kRuns);
   EXPECT_EQ(outlook[1].why, "new");
-  EXPECT_EQ(outlook[2].state, JobState::kRenders);
+  EXPECT_EQ(outlook[2].state, JobState::kPrepares);
   plan.jobs[2].missing = "no such drive";
   EXPECT_EQ(PredictStates(plan, With(std::nullopt, {}))[2].why, "no such drive");
 }
@@ -90,7 +90,8 @@ TEST(PlanOutlook, EstimatesFromMeasuredTimes) {
       built.plan, earlier, [&](const std::string& job) { return folder.path() / job; });
   EXPECT_EQ(times_s, (std::map<std::string, double>{{"", 3.5}, {"full", 3.5}}));
   EXPECT_DOUBLE_EQ(EstimatedSeconds(built, outlook, times_s), 70 * 3.5);
-  built.renders = {{"a", "x", "/a", {}, 10, true}, {"b", "x", "/b", {}, 10, false}};
+  built.preparations = {{"a", "x", "/a", {}, 10, Stage::kDrawing},
+                        {"b", "x", "/b", {}, 10, Stage::kNoise}};
   EXPECT_DOUBLE_EQ(EstimatedSeconds(built, outlook, times_s),
                    70 * 3.5 + 10 * kAssumedDrawnFrame_s + 20 * kAssumedNoisyFrame_s);
 }

@@ -58,7 +58,7 @@ TEST_F(SuitePlan, AFoldersJobHasTheIdentityThatARunRecords) {
   const PlannedJob job = Build(suite).plan.jobs.at(0);
   ASSERT_EQ(job.missing, "");
   EXPECT_EQ(job.frames, kFrames);
-  const Sequence sequence = OpenSequence(RequestOf(job.cell, job.folder, data()));
+  const Sequence sequence = OpenSequence(RequestOf(job.cell, job.folder, data(), ""));
   fs::create_directory(folder_.path() / "out");
   const auto outcome = RunJob({.sequence = sequence,
                                .variant = FindVariant("static"),
@@ -197,14 +197,15 @@ TEST_F(SuitePlan, RequestsScenesThatAreNotRendered) {
     EXPECT_EQ(job.job, "");
     EXPECT_EQ(job.frames, 3);
   }
-  ASSERT_EQ(built.renders.size(), 2U);
-  EXPECT_TRUE(built.renders[0].draws);
-  EXPECT_FALSE(built.renders[1].draws);
-  EXPECT_NE(built.renders[0].folder, built.renders[1].folder);
-  EXPECT_EQ(built.renders[0].folder.filename(), "tiny");
-  EXPECT_THAT(built.renders[0].arguments, testing::ElementsAre("synth", "render", "tiny", "-o",
-                                                               built.renders[0].folder.string(),
-                                                               "--seed", "1", "--frames", "1:4"));
+  ASSERT_EQ(built.preparations.size(), 2U);
+  EXPECT_TRUE(built.preparations[0].stage == Stage::kDrawing);
+  EXPECT_FALSE(built.preparations[1].stage == Stage::kDrawing);
+  EXPECT_NE(built.preparations[0].output, built.preparations[1].output);
+  EXPECT_EQ(built.preparations[0].output.filename(), "tiny");
+  EXPECT_THAT(
+      built.preparations[0].arguments,
+      testing::ElementsAre("synth", "render", "tiny", "-o", built.preparations[0].output.string(),
+                           "--seed", "1", "--frames", "1:4"));
 }
 
 TEST_F(SuitePlan, ARenderedScenesJobHasTheIdentityOfItsBytes) {
@@ -213,16 +214,16 @@ TEST_F(SuitePlan, ARenderedScenesJobHasTheIdentityOfItsBytes) {
   Json json = SmallSuite();
   json["sequences"][0]["frames"] = "0:2";
   const Suite suite = Parse(json);
-  const SceneRender render = Build(suite).renders.at(0);
+  const Preparation render = Build(suite).preparations.at(0);
   synth::RenderRequest request;
   request.frames.end = 2;
   request.seed = 1;
-  synth::WriteDataset(synth::SceneDescription::Load("tiny", {}), request, render.folder);
+  synth::WriteDataset(synth::SceneDescription::Load("tiny", {}), request, render.output);
   const BuiltPlan built = Build(suite);
-  EXPECT_THAT(built.renders, IsEmpty());
+  EXPECT_THAT(built.preparations, IsEmpty());
   const PlannedJob& job = built.plan.jobs.at(0);
   ASSERT_EQ(job.missing, "");
-  const Sequence sequence = OpenSequence(RequestOf(job.cell, job.folder, ""));
+  const Sequence sequence = OpenSequence(RequestOf(job.cell, job.folder, "", ""));
   EXPECT_EQ(sequence.name, "tiny");
   EXPECT_FALSE(sequence.detections.empty());
   EXPECT_EQ(job.content, ContentHash(sequence, HashImages(sequence)));
@@ -231,10 +232,10 @@ TEST_F(SuitePlan, ARenderedScenesJobHasTheIdentityOfItsBytes) {
                                   .options = OptionsOf(suite, "full", {}),
                                   .seed = 1}));
   // A file that is gone or cut: rendered again.
-  EXPECT_EQ(FindSceneDamage(render.folder, HashesByReading), std::nullopt);
-  fs::resize_file(render.folder / "image_0" / "000001.png", 10);
-  EXPECT_EQ(FindSceneDamage(render.folder, HashesByReading, {0, 1}), std::nullopt);
-  EXPECT_THAT(FindSceneDamage(render.folder, HashesByReading).value_or(""),
+  EXPECT_EQ(FindSceneDamage(render.output, HashesByReading), std::nullopt);
+  fs::resize_file(render.output / "image_0" / "000001.png", 10);
+  EXPECT_EQ(FindSceneDamage(render.output, HashesByReading, {0, 1}), std::nullopt);
+  EXPECT_THAT(FindSceneDamage(render.output, HashesByReading).value_or(""),
               HasSubstr("image_0/000001.png has changed since it was written"));
   EXPECT_EQ(Build(suite).plan.jobs.at(0).missing, kNotRendered);
 }
