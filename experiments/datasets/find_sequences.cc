@@ -67,6 +67,11 @@ bool AreFolders(const fs::path& left, const fs::path& right) {
   return IsFolder(left) && IsFolder(right);
 }
 
+bool HasImages(const fs::path& folder) {
+  const SequenceLayout* layout = LayoutOf(folder);
+  return layout != nullptr && layout->has_images(folder);
+}
+
 bool IsTrackingSet(const fs::path& folder) {
   if (!IsFolder(folder / "calib")) return false;
   return IsFolder(folder / "image_02") || IsFolder(folder / "image_03");

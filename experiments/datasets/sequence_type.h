@@ -15,6 +15,9 @@ constexpr const char* kKittiOdometry = "kitti-odometry";
 // The type of the sequence that a folder is, complete or not; "" where it is none.
 std::string DetectSequenceType(const std::filesystem::path& folder);
 
+// Whether it is a sequence with images of both cameras.
+bool HasImages(const std::filesystem::path& folder);
+
 // Quiet where a folder cannot be read: then there is none.
 bool IsFolder(const std::filesystem::path& path);
 // Both sides of a pair.

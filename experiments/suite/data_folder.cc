@@ -32,7 +32,10 @@ DataFolder::Found DataFolder::Find(const std::string& folder) {
   std::error_code ignored;
   if (!fs::is_directory(root_, ignored)) return {{}, "no data folder " + root_.string()};
   const fs::path direct = NormalFolder(root_ / folder);
-  if (!DetectSequenceType(direct).empty()) return {fs::absolute(direct), ""};
+  if (!DetectSequenceType(direct).empty()) {
+    if (HasImages(direct)) return {fs::absolute(direct), ""};
+    return {{}, StrCat("no images of both cameras of ", folder, " below ", root_.string())};
+  }
   Found found;
   for (const FoundSequence& sequence : All()) {
     if (!EndsWith(sequence.folder, NormalFolder(fs::path("/") / folder).relative_path())) continue;

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/files/closest_names.h"
 #include "core/files/text_file.h"
+#include "experiments/suite/collection.h"
 #include "experiments/suite/shipped_suites.h"
 #include "experiments/suite/shipped_trajectories.h"
 #include "experiments/suite/suite_grid.h"
@@ -285,6 +286,13 @@ Suite LoadSuite(const std::string& suite) {
     }
     names.push_back(shipped.name);
     listed += (listed.empty() ? "" : ", ") + shipped.name;
+  }
+  if (const std::optional<Collection> collection = FindCollection(suite)) {
+    std::string suites;
+    for (const CollectionSection& section : collection->sections) {
+      if (!section.suite.empty()) suites += (suites.empty() ? "" : ", ") + section.suite;
+    }
+    ThrowError("suite " + Quoted(suite), "a collection of suites", "one of these: " + suites);
   }
   std::error_code ignored;
   if (fs::is_regular_file(suite, ignored)) {

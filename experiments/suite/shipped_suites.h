@@ -15,4 +15,7 @@ struct ShippedSuite {
 // The suite files of experiments/configs, compiled in, in the order in which they are listed.
 std::vector<ShippedSuite> ShippedSuites();
 
+// The collections of suites (experiments/suite/collection.h).
+std::vector<ShippedSuite> ShippedCollections();
+
 }  // namespace cvo

@@ -69,6 +69,9 @@ Suite Override(Suite suite, const SuiteOverrides& overrides) {
     suite.seeds.resize(static_cast<std::size_t>(overrides.seeds));
     std::iota(suite.seeds.begin(), suite.seeds.end(), 1);
   }
+  if (!overrides.frames.empty()) {
+    for (SuiteSequence& sequence : suite.sequences) sequence.frames = overrides.frames;
+  }
   for (const std::string& assignment : overrides.set) Set(assignment, suite);
   CheckSuite(suite, "suite " + suite.name);
   return suite;

@@ -17,4 +17,7 @@ std::string TableHtml(const Table& table, const std::string& id = "table");
 // The same as a page of its own: no scripts, nothing from the network, light and dark.
 std::string TableHtmlPage(const Table& table);
 
+// A page of that kind with any body.
+std::string HtmlPage(const std::string& title, const std::string& body);
+
 }  // namespace cvo::reports

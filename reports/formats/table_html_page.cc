@@ -44,15 +44,17 @@ tbody tr.ours, tbody tr.ours th:first-child { background: var(--stripe); }
 
 }  // namespace
 
-std::string TableHtmlPage(const Table& table) {
-  const std::string title = HtmlEscaped(Printable(table.title));
+std::string TableHtmlPage(const Table& table) { return HtmlPage(table.title, TableHtml(table)); }
+
+std::string HtmlPage(const std::string& page_title, const std::string& body) {
+  const std::string title = HtmlEscaped(Printable(page_title));
   return StrCat(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-      "'unsafe-inline'\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src 'self' "
+      "file:; style-src 'unsafe-inline'\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>",
       title.empty() ? "table" : title, "</title>\n<style>", kStyle, "</style>\n</head>\n<body>\n",
-      TableHtml(table), "</body>\n</html>\n");
+      body, "</body>\n</html>\n");
 }
 
 }  // namespace cvo::reports

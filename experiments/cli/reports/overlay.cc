@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include "experiments/cli/reports/overlay.h"
+
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -16,24 +18,6 @@
 
 namespace cvo {
 namespace {
-
-struct OverlayFlags {
-  std::vector<std::string> runs;
-  std::string suite;
-  std::string sequence;
-  std::string variants = "full";
-  std::optional<std::uint64_t> seed;
-  std::string output;
-  int frame = -1;
-  std::string frames;
-  int every = 1;
-  double scale = 1.0;
-  std::string labels;
-  bool sheet = false;
-  bool video = false;
-  bool no_images = false;
-  bool quiet = false;
-};
 
 bool HasFrame(const reports::OverlayRun& run, int frame) {
   return std::any_of(run.detail.camera.begin(), run.detail.camera.end(),
@@ -94,6 +78,8 @@ std::vector<std::string> Titles(const std::vector<reports::OverlayRun>& runs,
   return titles;
 }
 
+}  // namespace
+
 int DrawOverlays(const OverlayFlags& flags) {
   const std::vector<std::string> folders =
       flags.suite.empty()
@@ -129,6 +115,8 @@ int DrawOverlays(const OverlayFlags& flags) {
   }
   return WriteOverlays(job, images);
 }
+
+namespace {
 
 void AddSuiteFlags(CLI::App& app, const std::shared_ptr<OverlayFlags>& flags) {
   CLI::Option* runs = app.add_option("RUN", flags->runs,

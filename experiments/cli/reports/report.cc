@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include "experiments/cli/reports/report.h"
+
 #include <iostream>
 #include <memory>
 
@@ -16,15 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct ReportFlags {
-  std::string folder;
-  std::string out;
-  std::string against;
-  int every = 0;
-  bool no_images = false;
-  bool all_images = false;
-};
-
 // The folder's own name, also of "results/ci/" and ".".
 fs::path Named(const std::string& folder) {
   fs::path path = fs::absolute(folder).lexically_normal();
@@ -37,7 +30,9 @@ void LeaveOutImages(reports::PageContent& content) {
   }
 }
 
-int Report(const ReportFlags& flags) {
+}  // namespace
+
+int WriteReport(const ReportFlags& flags) {
   const fs::path folder = Named(flags.folder);
   reports::PageRequest request;
   request.folder = folder;
@@ -63,8 +58,6 @@ int Report(const ReportFlags& flags) {
   return content.problems.empty() ? 0 : 1;
 }
 
-}  // namespace
-
 Command AddReportCommand(CLI::App& program) {
   CLI::App* app =
       program.add_subcommand("report", "Write the results of a suite as a single HTML page");
@@ -89,7 +82,7 @@ Command AddReportCommand(CLI::App& program) {
       "The page is self-contained and works offline. It lists what is missing or failed.\nExit "
       "code 1 if a whole section of the page could not be made.\n"
       "Example: clustervo report results/ablation");
-  return {app, [flags] { return Report(*flags); }};
+  return {app, [flags] { return WriteReport(*flags); }};
 }
 
 }  // namespace cvo

@@ -4,6 +4,7 @@
 
 #include "experiments/cli/run/text_table.h"
 #include "experiments/cli/suite/experiment_command.h"
+#include "experiments/suite/collection.h"
 #include "experiments/suite/parse_suite.h"
 #include "experiments/suite/plan.h"
 #include "experiments/suite/shipped_suites.h"
@@ -24,6 +25,9 @@ int List() {
                std::to_string(suite.variants.size()), std::to_string(points),
                std::to_string(suite.seeds.size()), std::to_string(ExpandSuite(suite).size()),
                suite.about});
+  }
+  for (const std::string& name : CollectionNames()) {
+    table.Add({name, "", "", "", "", "", "", FindCollection(name)->about});
   }
   table.Print(std::cout);
   return 0;

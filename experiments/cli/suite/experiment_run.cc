@@ -4,7 +4,7 @@
 
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/suite/experiment_command.h"
-#include "experiments/cli/suite/run_suite.h"
+#include "experiments/cli/suite/run_collection.h"
 
 namespace cvo {
 
@@ -32,9 +32,14 @@ Command AddExperimentRunCommand(CLI::App& experiment) {
       "others.\nRunning the same command again runs failed and missing jobs, also after an "
       "interrupt or a\ncrash.\nOutput files: plan.json, jobs/<id>/ (as clustervo run), "
       "failed/<id>.json, logs/<id>.log.\n"
+      "paper is a collection of suites: each is run to a folder of its name below DIR, and "
+      "DIR/index.html\nshows them as the paper's tables and figures.\n"
       "Exit code 1: some jobs failed, 130: stopped.\n"
       "Example: clustervo experiment run ablation -o results/ablation");
-  return {app, [flags] { return RunSuite(*flags); }};
+  return {app, [flags] {
+            const std::optional<Collection> collection = FindCollection(flags->suite.suite);
+            return collection ? RunCollection(*collection, *flags) : RunSuite(*flags);
+          }};
 }
 
 }  // namespace cvo

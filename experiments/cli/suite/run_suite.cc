@@ -197,7 +197,7 @@ class SuiteRun {
     std::cout << plan.suite.name << ": ";
     PrintJobs(folder_, plan, StatusOfAll(folder_, plan), std::cout);
     if (outcome.done == 0 && outcome.failed == 0) {
-      throw Error(
+      throw NoSequence(
           StrCat(plan.suite.name, ": found no sequence, expected at least one below --data"));
     }
     if (outcome.failed == 0) return 0;

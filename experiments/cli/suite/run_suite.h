@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/error.h"
 #include "experiments/cli/suite/engine_flags.h"
 #include "experiments/cli/suite/suite_flags.h"
 
@@ -16,8 +17,14 @@ struct SuiteRunFlags {
   bool quiet = false;
 };
 
+// Nothing of a suite is below --data. Its plan is written.
+class NoSequence : public Error {
+ public:
+  using Error::Error;
+};
+
 // Renders, plans and runs a suite; the exit code. Throws Error for a suite that cannot be run and a
-// folder that cannot be written.
+// folder that cannot be written, NoSequence.
 int RunSuite(const SuiteRunFlags& flags);
 
 }  // namespace cvo

@@ -19,6 +19,9 @@ void SuiteFlags::AddTo(CLI::App& app) {
   app.add_option("--seeds", overrides.seeds, "use seeds 1 to N instead of the suite's")
       ->type_name("N")
       ->check(CLI::Range(1, 10000).description(""));
+  app.add_option("--frames", overrides.frames,
+                 "use frames A to B-1 of every sequence instead of the suite's")
+      ->type_name("A:B");
   app.add_option("--set", overrides.set,
                  "set an option (see clustervo options), an axis of the suite's grid, or, with the "
                  "prefix scene., a value of all scenes; can be repeated")

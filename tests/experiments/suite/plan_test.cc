@@ -132,6 +132,11 @@ TEST_F(SuitePlan, FindsAFolderByTheEndOfItsPath) {
   EXPECT_EQ(folder.Find("er/06").folder, data() / "deep" / "er" / "06");
   EXPECT_EQ(folder.Find("deep/06").folder, "");
   EXPECT_EQ(folder.Find("6").folder, "");
+  // Labels without images, as of a drive that is there in another layout, are nothing to run on.
+  folder_.Write("data/training/image_02/none.txt", "");
+  folder_.Write("data/training/calib/0003.txt", "");
+  EXPECT_EQ(folder.Find("training/0003").missing,
+            StrCat("no images of both cameras of training/0003 below ", data().string()));
 }
 
 TEST_F(SuitePlan, SystemsAreJobsOfTheirFiles) {

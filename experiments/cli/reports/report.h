@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace cvo {
+
+struct ReportFlags {
+  std::string folder;
+  std::string out = {};  // empty: report in the folder
+  std::string against = {};
+  int every = 0;
+  bool no_images = false;
+  bool all_images = false;
+};
+
+// Writes the page of a suite's results; 1 where a whole section could not be made.
+int WriteReport(const ReportFlags& flags);
+
+}  // namespace cvo

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// Suites that are run together and shown on one page.
+#include "experiments/suite/collection.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/files/json.h"
+#include "experiments/suite/parse_suite.h"
+#include "tests/experiments/cli/process.h"
+#include "tests/experiments/runner/tiny_sequence.h"
+#include "tests/support/error_message.h"
+#include "tests/support/temp_folder.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ProcessResult;
+using testing::HasSubstr;
+using testing::Not;
+
+class CollectionTest : public testing::Test {
+ protected:
+  CollectionTest() { test::WriteTinySequence(folder_.path() / "data" / "wall", 4); }
+
+  void WriteSuite(const std::string& name, const std::string& sequences) const {
+    folder_.Write(name + ".json", StrCat(R"({"name": ")", name, R"(", "sequences": [)", sequences,
+                                         R"(], "variants": ["static"], "seeds": 1, "table": )",
+                                         R"({"rows": ["sequence"], "metrics": ["camera_ate"]}})"));
+  }
+  ProcessResult Run(const std::string& sections, const std::vector<std::string>& more = {}) const {
+    const fs::path file = folder_.Write(
+        "all.json",
+        StrCat(R"({"name": "all", "about": "Of tests", "sections": [)", sections, "]}"));
+    std::vector<std::string> all = {"experiment", "run", file.string(), "-o", out().string()};
+    all.insert(all.end(), more.begin(), more.end());
+    return test::RunProgram(
+        all, {.environment = {StrCat("CLUSTERVO_CACHE=", (folder_.path() / "cache").string()),
+                              StrCat("CLUSTERVO_DATA=", (folder_.path() / "data").string())}});
+  }
+  fs::path out() const { return folder_.path() / "out"; }
+  std::string Page() const { return test::ReadFile(out() / "index.html"); }
+
+  test::TempFolder folder_;
+};
+
+TEST_F(CollectionTest, RunsItsSuitesAndShowsThemOnOnePage) {
+  WriteSuite("here", R"({"folder": "wall"}, {"folder": "absent"})");
+  WriteSuite("nowhere", R"({"folder": "elsewhere"})");
+  const std::string sections =
+      R"({"title": "Table 1: speed", "columns": ["system", "frames per second"],
+          "rows": [["theirs", "7"]], "measured": {"static": ["ours"], "full": ["more"]}},
+         {"title": "Table 2: here", "suite": "here.json", "text": ["What <it> is."],
+          "data": "example.org/here"},
+         {"title": "Table 3: nowhere", "suite": "nowhere.json", "data": "example.org/nowhere",
+          "figures": [{"suite": "here.json", "sequence": "wall", "variants": "static",
+                       "frames": [1, 9]}]})";
+  const ProcessResult run = Run(sections, {"--frames", "0:3"});
+  ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
+  const std::string page = Page();
+  for (const char* text :
+       {"<title>all</title>", "<td>theirs</td><td>7</td>", "(", "in 1 runs, one thread of",
+        "<td>more</td><td>not run</td>", "What &lt;it&gt; is.", "0:3", "Get it: example.org/here",
+        "absent: no absent below", "Table 3: nowhere</a>: not on this disk",
+        "Get it: example.org/nowhere", "src=\"figures/here-wall-1/", "here/report/index.html",
+        "No picture of wall, static, frame 9: --frame 9: found none that the run has"}) {
+    EXPECT_THAT(page, HasSubstr(text));
+  }
+  EXPECT_TRUE(fs::exists(out() / "here" / "report" / "index.html"));
+  // A second call runs nothing again and gives the same page.
+  const ProcessResult again = Run(sections, {"--frames", "0:3"});
+  EXPECT_THAT(again.err, Not(HasSubstr("100 %  1/1 jobs")));
+  EXPECT_EQ(Page(), page);
+}
+
+TEST_F(CollectionTest, WhatIsWrongInTheFileIsSaid) {
+  test::ExpectError(Run(""), "all.json, sections: found none");
+  test::ExpectError(Run(R"({"title": "t", "colums": []})"), "sections.0.colums");
+  test::ExpectError(Run(R"({"title": "t", "columns": ["a", "b"], "rows": [["1"]]})"),
+                    "sections.0.rows: found 1 cells, expected 2, one per column");
+  test::ExpectError(Run(R"({"title": "t", "suite": "ablatoin"})"), "did you mean ablation");
+}
+
+TEST(Collections, ThePapersSuitesAndFiguresExist) {
+  for (const std::string& name : CollectionNames()) {
+    const std::optional<Collection> collection = FindCollection(name);
+    ASSERT_TRUE(collection.has_value());
+    EXPECT_EQ(collection->name, name);
+    for (const CollectionSection& section : collection->sections) {
+      if (!section.suite.empty()) {
+        EXPECT_EQ(LoadSuite(section.suite).name, section.suite);
+      }
+      for (const CollectionFigure& figure : section.figures) {
+        const Suite suite = LoadSuite(figure.suite);
+        EXPECT_TRUE(std::any_of(
+            suite.sequences.begin(), suite.sequences.end(),
+            [&](const SuiteSequence& sequence) { return sequence.name == figure.sequence; }))
+            << figure.sequence;
+      }
+    }
+    EXPECT_THAT(ErrorMessage([&] { LoadSuite(name); }), HasSubstr("a collection of suites"));
+  }
+}
+
+}  // namespace
+}  // namespace cvo
