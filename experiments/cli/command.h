@@ -24,6 +24,7 @@ Command AddReportCommand(CLI::App& program);
 Command AddOverlayCommand(CLI::App& program);
 Command AddFiguresCommand(CLI::App& program);
 Command AddPlotCommand(CLI::App& program);
+Command AddCompareCommand(CLI::App& program);
 Command AddImportCommand(CLI::App& program);
 Command AddInfoCommand(CLI::App& program);
 Command AddVariantsCommand(CLI::App& program);

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "core/base/error.h"
+#include "core/files/text_file.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/reports/plot_tracks.h"
