@@ -23,6 +23,8 @@ Command AddCheckCommand(CLI::App& program);
 Command AddReportCommand(CLI::App& program);
 Command AddOverlayCommand(CLI::App& program);
 Command AddFiguresCommand(CLI::App& program);
+Command AddPlotCommand(CLI::App& program);
+Command AddCompareCommand(CLI::App& program);
 Command AddImportCommand(CLI::App& program);
 Command AddInfoCommand(CLI::App& program);
 Command AddVariantsCommand(CLI::App& program);

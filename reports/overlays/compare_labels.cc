@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <set>
 #include <tuple>
 
 #include "reports/overlays/overlay_run.h"
+#include "reports/overlays/palette.h"
 
 namespace cvo::reports {
 namespace {
@@ -81,10 +83,37 @@ void MarkWrongLabels(OverlayRun& run) {
   }
 }
 
+std::map<std::int64_t, std::int64_t> ApartColors(const std::vector<ClusterRow>& rows) {
+  std::map<std::int64_t, std::set<int>> frames;  // by cluster
+  for (const ClusterRow& row : rows) frames[row.id].insert(row.frame);
+  std::array<std::set<int>, kClusterColors> used;  // frames by colour
+  std::map<std::int64_t, std::int64_t> chosen;
+  for (const auto& [id, of_cluster] : frames) {
+    const std::size_t own = (static_cast<std::uint64_t>(id) - 1U) % kClusterColors;
+    std::size_t best = own;
+    std::size_t least = of_cluster.size() + 1;
+    for (std::size_t i = 0; i < kClusterColors && least > 0; ++i) {
+      const std::size_t color = (own + i) % kClusterColors;
+      const auto shared = static_cast<std::size_t>(
+          std::count_if(of_cluster.begin(), of_cluster.end(),
+                        [&](int frame) { return used[color].contains(frame); }));
+      if (shared >= least) continue;
+      best = color;
+      least = shared;
+    }
+    used[best].insert(of_cluster.begin(), of_cluster.end());
+    if (best != own) chosen[id] = static_cast<std::int64_t>(best) + 1;
+  }
+  return chosen;
+}
+
 void AgreeOnColors(std::vector<OverlayRun>& runs) {
+  const std::map<std::int64_t, std::int64_t>& last = runs.back().color_ids;
   for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
     for (const auto& [cluster, counts] : SharedLandmarks(runs[i], runs.back())) {
-      runs[i].color_ids[cluster] = MostOften(counts);
+      const std::int64_t id = MostOften(counts);
+      const auto color = last.find(id);
+      runs[i].color_ids[cluster] = color == last.end() ? id : color->second;
     }
   }
 }

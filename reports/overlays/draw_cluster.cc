@@ -21,42 +21,42 @@ std::vector<cv::Point2d> Outline(const ClusterShape& cluster, const CameraInfo& 
   return points;
 }
 
-// From the centre to where it will be, with a head; nothing where that is hardly a motion.
-void AddArrow(const ClusterShape& cluster, Rgb color, const CameraInfo& camera,
-              const OverlayStyle& style, std::vector<Stroke>& strokes) {
-  const auto shaft = ProjectSegment(cluster.center, cluster.ahead, camera);
-  if (!shaft) return;
-  const auto& [from, to] = *shaft;
+// Where the centre was in the frames before and is now, as far as it is in front of the camera.
+std::vector<cv::Point2d> PathOf(const ClusterShape& cluster, const CameraInfo& camera) {
+  std::vector<cv::Point2d> path;
+  for (const Position& position : cluster.trail) {
+    if (const auto at = ProjectPoint(position, camera)) path.push_back(*at);
+  }
+  if (const auto at = ProjectPoint(cluster.center, camera)) path.push_back(*at);
+  return path;
+}
+
+}  // namespace
+
+void AddTrail(const std::vector<cv::Point2d>& path, Rgb color, int width_px,
+              std::vector<Stroke>& strokes) {
+  const std::size_t count = path.size();
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    const double youth = static_cast<double>(i + 1) / static_cast<double>(count - 1);
+    const int width = std::max(1, static_cast<int>(std::lround(youth * width_px)));
+    strokes.push_back({{path[i], path[i + 1]}, color, width});
+  }
+}
+
+void AddArrow(const PixelSegment& shaft, Rgb color, int line_px, double shortest_px,
+              std::vector<Stroke>& strokes) {
+  const auto& [from, to] = shaft;
   const cv::Point2d along = to - from;
   const double length_px = std::hypot(along.x, along.y);
-  const double shortest_px = 2.5 * style.landmark_px;
   if (!(length_px >= shortest_px)) return;
-  const int width_px = style.line_px + 1;
-  strokes.push_back({*shaft, color, width_px});
-  const double head_px = std::min(0.45 * length_px, 4.0 * style.line_px + 4.0);
+  const int width_px = line_px + 1;
+  strokes.push_back({shaft, color, width_px});
+  const double head_px = std::min(0.45 * length_px, 4.0 * line_px + 4.0);
   const cv::Point2d back = -head_px / length_px * along;
   const cv::Point2d aside(-0.5 * back.y, 0.5 * back.x);
   strokes.push_back({{to, to + back + aside}, color, width_px});
   strokes.push_back({{to, to + back - aside}, color, width_px});
 }
-
-// Discs that shrink with age, one per frame but not closer than they are wide.
-void DrawTrail(const ClusterShape& cluster, Rgb color, const CameraInfo& camera,
-               const OverlayStyle& style, cv::Mat& picture) {
-  const double count = static_cast<double>(cluster.trail.size());
-  std::optional<cv::Point2d> last;
-  for (std::size_t i = 0; i < cluster.trail.size(); ++i) {
-    const auto at = ProjectPoint(cluster.trail[i], camera);
-    if (!at) continue;
-    const double youth = (static_cast<double>(i) + 1.0) / count;
-    const double radius_px = style.trail_px * (0.3 + 0.7 * youth);
-    if (last && std::hypot(at->x - last->x, at->y - last->y) < 2.0 * radius_px) continue;
-    DrawDisc(*at, radius_px, 0.7, color, picture);
-    last = at;
-  }
-}
-
-}  // namespace
 
 Rgb ColorOf(const OverlayFrame& frame, std::int64_t id) {
   const auto other = frame.color_ids.find(id);
@@ -112,14 +112,16 @@ void DrawBoxes(const OverlayFrame& frame, const CameraInfo& camera, const Overla
 
 void DrawMotion(const OverlayFrame& frame, const CameraInfo& camera, const OverlayStyle& style,
                 cv::Mat& picture) {
-  std::vector<Stroke> arrows;
+  std::vector<Stroke> strokes;
+  const double shortest_px = 2.5 * style.landmark_px;
   for (const ClusterShape& cluster : frame.clusters) {
     if (!SeenRect(cluster, camera)) continue;
     const Rgb color = ColorOf(frame, cluster.id);
-    DrawTrail(cluster, color, camera, style, picture);
-    AddArrow(cluster, color, camera, style, arrows);
+    AddTrail(PathOf(cluster, camera), color, style.line_px + 1, strokes);
+    const auto shaft = ProjectSegment(cluster.center, cluster.ahead, camera);
+    if (shaft) AddArrow(*shaft, color, style.line_px, shortest_px, strokes);
   }
-  DrawStrokes(arrows, kRimOpacity, picture);
+  DrawStrokes(strokes, kRimOpacity, picture);
 }
 
 }  // namespace cvo::reports

@@ -8,6 +8,7 @@
 #include "reports/overlays/draw_overlay.h"
 #include "reports/overlays/palette.h"
 #include "reports/overlays/project.h"
+#include "reports/overlays/strokes.h"
 
 namespace cvo::reports {
 
@@ -18,9 +19,17 @@ void DrawBoxes(const OverlayFrame& frame, const CameraInfo& camera, const Overla
 // Trails and arrows.
 void DrawMotion(const OverlayFrame& frame, const CameraInfo& camera, const OverlayStyle& style,
                 cv::Mat& picture);
-// Ids and classes, beside the boxes and not over each other where there is room.
+// Ids and classes beside the boxes; where there is room, not over each other, over what is taken or
+// over landmarks of bodies. A line leads to a name that is away from its box.
 void DrawNames(const OverlayFrame& frame, const CameraInfo& camera, const OverlayStyle& style,
-               cv::Mat& picture);
+               const std::vector<cv::Rect>& taken, cv::Mat& picture);
+
+// A path that grows wider towards its end.
+void AddTrail(const std::vector<cv::Point2d>& path, Rgb color, int width_px,
+              std::vector<Stroke>& strokes);
+// With a head; nothing where it is shorter than `shortest_px`.
+void AddArrow(const PixelSegment& shaft, Rgb color, int line_px, double shortest_px,
+              std::vector<Stroke>& strokes);
 
 Rgb ColorOf(const OverlayFrame& frame, std::int64_t id);
 

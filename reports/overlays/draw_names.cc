@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <array>
+#include <cstdlib>
+#include <limits>
+#include <utility>
 
 #include "core/base/error.h"
 #include "reports/overlays/draw_cluster.h"
@@ -25,48 +27,120 @@ cv::Point Inside(cv::Point at, cv::Size size, cv::Size picture) {
           std::clamp(at.y, 0, std::max(0, picture.height - size.height))};
 }
 
-// Above the box, below it, or within, whichever covers least of the names that stand already.
-cv::Rect FreePlace(const cv::Rect& box, cv::Size size, cv::Size picture,
-                   const std::vector<cv::Rect>& taken) {
+// What a name should not cover.
+struct Obstacles {
+  std::vector<cv::Rect> taken;  // other names, the inset
+  std::vector<cv::Rect> boxes;
+  std::vector<cv::Point> dots;
+};
+
+// Where it may be: around the box, nearest first.
+std::vector<cv::Point> PlacesAround(const cv::Rect& box, cv::Size size) {
+  const int left = box.x;
   const int right = box.br().x - size.width;
-  const std::array<cv::Point, 6> places = {{{box.x, box.y - size.height},
-                                            {right, box.y - size.height},
-                                            {box.x, box.br().y},
-                                            {right, box.br().y},
-                                            {box.x, box.y},
-                                            {box.x, box.y - 2 * size.height}}};
+  const int middle = (left + right) / 2;
+  const int gap = size.height / 2;
+  std::vector<cv::Point> places;
+  for (const int y : {box.y - size.height, box.br().y}) {
+    for (const int x : {left, right, middle}) places.emplace_back(x, y);
+  }
+  for (const int y : {box.y, box.y + (box.height - size.height) / 2}) {
+    for (const int x : {box.x - size.width, box.br().x}) places.emplace_back(x, y);
+  }
+  for (const int rows : {2, 3, 4}) {
+    const int away = gap + (rows - 1) * size.height;
+    for (const int x : {left, right}) {
+      places.emplace_back(x, box.y - size.height - away);
+      places.emplace_back(x, box.br().y + away);
+    }
+  }
+  places.push_back(box.tl());
+  return places;
+}
+
+double CostOf(const cv::Rect& place, const cv::Rect& own, const Obstacles& obstacles) {
+  constexpr double kOfTaken = 40.0;  // of its area
+  constexpr double kOfBox = 3.0;
+  constexpr double kOfDot = 1.0;  // each
+  const double area = place.area();
+  double cost = 0.0;
+  for (const cv::Rect& other : obstacles.taken) cost += kOfTaken * (place & other).area() / area;
+  for (const cv::Rect& box : obstacles.boxes) {
+    if (box != own) cost += kOfBox * (place & box).area() / area;
+  }
+  for (const cv::Point& dot : obstacles.dots) cost += place.contains(dot) ? kOfDot : 0.0;
+  return cost;
+}
+
+cv::Rect FreePlace(const cv::Rect& box, cv::Size size, cv::Size picture,
+                   const Obstacles& obstacles) {
+  constexpr double kOfPlace = 0.25;  // for each that is nearer
   cv::Rect best;
-  int least = -1;
-  for (const cv::Point& place : places) {
+  double least = std::numeric_limits<double>::infinity();
+  double nearer = 0.0;
+  for (const cv::Point& place : PlacesAround(box, size)) {
     const cv::Rect rect(Inside(place, size, picture), size);
-    int covered = 0;
-    for (const cv::Rect& other : taken) covered += (rect & other).area();
-    if (least >= 0 && covered >= least) continue;
+    const double cost = CostOf(rect, box, obstacles) + kOfPlace * nearer++;
+    if (cost >= least) continue;
     best = rect;
-    least = covered;
+    least = cost;
   }
   return best;
+}
+
+Obstacles ObstaclesOf(const OverlayFrame& frame, const CameraInfo& camera,
+                      const OverlayStyle& style, const std::vector<cv::Rect>& taken) {
+  Obstacles obstacles{taken, {}, {}};
+  for (const ClusterShape& cluster : frame.clusters) {
+    if (const auto box = SeenRect(cluster, camera)) obstacles.boxes.push_back(*box);
+  }
+  const cv::Rect2d seen(0.0, 0.0, camera.width_px, camera.height_px);
+  for (const LandmarkDot& dot : frame.landmarks) {
+    const cv::Point2d at(dot.u_px * style.scale, dot.v_px * style.scale);
+    if (dot.label > kStaticLabel && seen.contains(at)) obstacles.dots.emplace_back(at);
+  }
+  return obstacles;
+}
+
+// From a name that stands apart to its box.
+void AddLeader(const cv::Rect& place, const cv::Rect& box, Rgb color,
+               std::vector<Stroke>& strokes) {
+  const auto nearest = [](int low, int high, int at) { return std::clamp(at, low, high); };
+  const cv::Point middle = (place.tl() + place.br()) / 2;
+  const cv::Point to(nearest(box.x, box.br().x - 1, middle.x),
+                     nearest(box.y, box.br().y - 1, middle.y));
+  const cv::Point from(nearest(place.x, place.br().x - 1, to.x),
+                       nearest(place.y, place.br().y - 1, to.y));
+  if (std::max(std::abs(to.x - from.x), std::abs(to.y - from.y)) <= 2) return;
+  strokes.push_back({{from, to}, color, 1});
 }
 
 }  // namespace
 
 void DrawNames(const OverlayFrame& frame, const CameraInfo& camera, const OverlayStyle& style,
-               cv::Mat& picture) {
-  std::vector<cv::Rect> taken;
+               const std::vector<cv::Rect>& taken, cv::Mat& picture) {
+  Obstacles obstacles = ObstaclesOf(frame, camera, style, taken);
+  std::vector<std::pair<const ClusterShape*, cv::Rect>> places;
+  std::vector<Stroke> leaders;
   for (const ClusterShape& cluster : frame.clusters) {
     const auto box = SeenRect(cluster, camera);
     if (!box) continue;
-    const std::string name = NameOf(cluster, style);
-    const cv::Rect place = FreePlace(*box, PlateSize(name, style.text_px), picture.size(), taken);
-    taken.push_back(place);
-    const Rgb color = ColorOf(frame, cluster.id);
+    const cv::Size size = PlateSize(NameOf(cluster, style), style.text_px);
+    const cv::Rect place = FreePlace(*box, size, picture.size(), obstacles);
+    obstacles.taken.push_back(place);
+    places.emplace_back(&cluster, place);
+    AddLeader(place, *box, ColorOf(frame, cluster.id), leaders);
+  }
+  DrawStrokes(leaders, kRimOpacity, picture);
+  for (const auto& [cluster, place] : places) {
+    const Rgb color = ColorOf(frame, cluster->id);
     PlateStyle plate;
     plate.text_px = style.text_px;
-    plate.fill = cluster.predicted ? Rgb{20, 20, 20} : color;
+    plate.fill = cluster->predicted ? Rgb{20, 20, 20} : color;
     plate.ink = TextColorOn(plate.fill);
-    plate.opacity = cluster.predicted ? 0.75 : 1.0;
-    if (cluster.predicted) plate.outline = color;
-    DrawPlate(name, place.tl(), plate, picture);
+    plate.opacity = cluster->predicted ? 0.75 : 1.0;
+    if (cluster->predicted) plate.outline = color;
+    DrawPlate(NameOf(*cluster, style), place.tl(), plate, picture);
   }
 }
 

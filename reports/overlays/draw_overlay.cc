@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "reports/overlays/draw_cluster.h"
 #include "reports/overlays/strokes.h"
+#include "reports/overlays/text_plate.h"
 
 namespace cvo::reports {
 namespace {
@@ -86,6 +87,20 @@ void DrawWrongLabels(const OverlayFrame& frame, const OverlayStyle& style, cv::M
   }
 }
 
+// Where it is.
+cv::Rect DrawInset(const OverlayFrame& frame, const CameraInfo& camera, const OverlayStyle& style,
+                   cv::Mat& picture) {
+  constexpr double kOpacity = 0.72;
+  constexpr Rgb kGround{16, 18, 24};
+  const int side_px = std::min({camera.width_px / 4, camera.height_px / 2, 24 * style.text_px});
+  const cv::Rect place(0, 0, side_px, side_px);
+  BlendMask(cv::Mat(place.size(), CV_8UC1, cv::Scalar(255)), place.tl(), kGround, kOpacity,
+            picture);
+  cv::Mat inset = picture(place);
+  DrawBirdsEye(frame, camera, style, inset);
+  return place;
+}
+
 }  // namespace
 
 OverlayStyle StyleFor(const CameraInfo& camera, int width_px) {
@@ -103,6 +118,7 @@ OverlayStyle StyleFor(const CameraInfo& camera, int width_px) {
   style.dash_px = 3.0 + 4.0 * size;
   style.names = width_px >= 400;
   style.status_rows = width_px >= 400 && width_px < 900 ? 2 : 1;
+  style.inset = style.legend = width_px >= 600;
   return style;
 }
 
@@ -116,13 +132,20 @@ cv::Mat DrawOverlay(const cv::Mat& image, const OverlayFrame& frame, const Camer
   DrawLandmarks(frame, style, picture);
   if (style.wrong) DrawWrongLabels(frame, style, picture);
   if (style.boxes) DrawMotion(frame, scaled, style, picture);
-  DrawNames(frame, scaled, style, picture);
-  if (!style.status) return picture;
-  cv::Mat bar(BarHeight(style.text_px, style.status_rows), picture.cols, CV_8UC3);
-  DrawBar(StatusWords(frame, camera), style.text_px, bar);
-  cv::Mat both;
-  cv::vconcat(picture, bar, both);
-  return both;
+  std::vector<cv::Rect> taken;
+  if (style.inset) taken.push_back(DrawInset(frame, scaled, style, picture));
+  DrawNames(frame, scaled, style, taken, picture);
+  std::vector<cv::Mat> parts = {picture};
+  if (style.status) {
+    cv::Mat bar(BarHeight(style.text_px, style.status_rows), picture.cols, CV_8UC3);
+    DrawBar(StatusWords(frame, camera), style.text_px, bar);
+    parts.push_back(bar);
+  }
+  if (style.legend) parts.push_back(LegendBar(style, picture.cols));
+  if (parts.size() == 1) return picture;
+  cv::Mat all;
+  cv::vconcat(parts, all);
+  return all;
 }
 
 }  // namespace cvo::reports

@@ -24,6 +24,8 @@ struct OverlayStyle {
   bool wrong = false;  // landmarks with a wrong label have a white ring, where the truth is known
   bool status = true;  // words below the image
   int status_rows = 1;
+  bool inset = false;   // the bodies from above, in the corner at the top left
+  bool legend = false;  // what the marks mean, below the image
 };
 
 // For drawings that are this wide, from thumbnails to screens.
@@ -36,6 +38,14 @@ cv::Mat DrawOverlay(const cv::Mat& image, const OverlayFrame& frame, const Camer
 
 // The words of the status line, the most important first; the last is for the right end.
 std::vector<std::string> StatusWords(const OverlayFrame& frame, const CameraInfo& camera);
+
+// What the marks of this style mean, in as many rows as it needs; the same for all frames.
+cv::Mat LegendBar(const OverlayStyle& style, int width_px);
+
+// The bodies from above on what the picture already is: the camera at the middle of its lower edge,
+// what is ahead of it upwards.
+void DrawBirdsEye(const OverlayFrame& frame, const CameraInfo& camera, const OverlayStyle& style,
+                  cv::Mat& picture);
 
 // A bar of as many rows of text as it is high, with as many of the words as have room; the last of
 // several is at the right end of the first row.

@@ -56,6 +56,7 @@ OverlayRun ReadOverlayRun(const fs::path& folder, LandmarkLabel label) {
   run.has_landmarks = read("landmarks", "landmarks.csv",
                            [&] { run.landmarks = ReadLandmarks(folder / "landmarks.csv", label); });
   MarkWrongLabels(run);
+  run.color_ids = ApartColors(run.detail.clusters);
   if (run.has_clusters) {
     read("detections", "tracks.kitti", [&] { run.detections = ReadAssociatedBoxes(folder); });
   }

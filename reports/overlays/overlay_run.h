@@ -49,6 +49,10 @@ std::map<int, std::vector<PixelBox>> ReadAssociatedBoxes(const std::filesystem::
 // are on; static, though of a body that moves. An outlier is never wrong. Needs truth.json.
 void MarkWrongLabels(OverlayRun& run);
 
+// The id whose colour a cluster takes, where its own is that of another that is there in the same
+// frames, by id: the first colour that it shares fewest frames with.
+std::map<std::int64_t, std::int64_t> ApartColors(const std::vector<ClusterRow>& rows);
+
 // Gives the clusters of all runs the colours of the last run's: each that of the cluster with which
 // it shares most landmarks, over all frames. Runs of one sequence have the same pixels.
 void AgreeOnColors(std::vector<OverlayRun>& runs);

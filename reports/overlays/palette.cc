@@ -7,29 +7,29 @@
 namespace cvo::reports {
 namespace {
 
-// Ordered so that ids that follow each other differ most; blue is lighter than usual, since it must
-// be seen on dark images.
-constexpr std::array<Rgb, 7> kColors = {{{230, 159, 0},
-                                         {86, 180, 233},
-                                         {0, 190, 130},
-                                         {240, 228, 66},
-                                         {235, 95, 20},
-                                         {225, 130, 195},
-                                         {60, 95, 250}}};
-
-// Half way to white.
-Rgb Tint(Rgb color) {
-  const auto half = [](std::uint8_t part) { return static_cast<std::uint8_t>((part + 255) / 2); };
-  return {half(color.red), half(color.green), half(color.blue)};
-}
+// Each is far from all others (CIE 1976: at least 26) and from every grey. Ordered so that ids that
+// follow each other differ most; blue is lighter than usual, since it must be seen on dark images.
+constexpr std::array<Rgb, kClusterColors> kColors = {{{230, 159, 0},
+                                                      {86, 180, 233},
+                                                      {0, 190, 130},
+                                                      {240, 228, 66},
+                                                      {235, 95, 20},
+                                                      {225, 130, 195},
+                                                      {60, 95, 250},
+                                                      {160, 240, 60},
+                                                      {170, 90, 240},
+                                                      {0, 230, 235},
+                                                      {255, 55, 105},
+                                                      {255, 195, 160},
+                                                      {175, 120, 75},
+                                                      {175, 255, 205},
+                                                      {195, 185, 255},
+                                                      {255, 80, 235}}};
 
 }  // namespace
 
 Rgb ClusterColor(std::int64_t id) {
-  constexpr std::uint64_t kCount = kColors.size();
-  const std::uint64_t place = (static_cast<std::uint64_t>(id) - 1U) % (2U * kCount);
-  const Rgb color = kColors[place % kCount];
-  return place < kCount ? color : Tint(color);
+  return kColors[(static_cast<std::uint64_t>(id) - 1U) % kColors.size()];
 }
 
 Rgb TextColorOn(Rgb background) {

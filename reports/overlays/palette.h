@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace cvo::reports {
@@ -18,9 +19,10 @@ inline constexpr Rgb kStaticColor{205, 205, 205};
 inline constexpr Rgb kOutlierColor{255, 255, 255};
 inline constexpr Rgb kDetectionColor{255, 255, 255};
 
-// The same for the same id in every frame, run and report. Seven colours that remain apart for
-// people who confuse red and green (after Okabe and Ito), then the same half way to white; ids that
-// share one are distinguished by their number.
+inline constexpr std::size_t kClusterColors = 16;
+
+// The same for the same id in every frame, run and report. The first seven remain apart for people
+// who confuse red and green (after Okabe and Ito). See ApartColors for ids that share one.
 Rgb ClusterColor(std::int64_t id);
 
 // Black or white, whichever is read better on it.

@@ -7,7 +7,7 @@
 #include "reports/page/html.h"
 #include "reports/page/page_parts.h"
 #include "reports/page/quantity.h"
-#include "reports/statistics/estimate.h"
+#include "reports/tables/comparisons.h"
 
 namespace cvo::reports {
 namespace {
@@ -15,6 +15,7 @@ namespace {
 struct RowFindings {
   std::vector<std::string> better, worse, other;  // real differences, as HTML
   std::vector<std::string> noise, few, same;      // labels of columns
+  std::size_t most_pairs = 0;                     // of few
 };
 
 std::string Verdict(const std::optional<bool>& better) {
@@ -57,8 +58,11 @@ RowFindings FindingsOf(const Row& row, const Table& table, const std::string& re
       list.push_back(FindingHtml(column, name, *difference, reference));
     } else if (difference->difference == 0.0) {
       found.same.push_back(name);
+    } else if (difference->pairs < kMinPairs) {
+      found.few.push_back(name);
+      found.most_pairs = std::max(found.most_pairs, difference->pairs);
     } else {
-      (difference->pairs < kMinPairs ? found.few : found.noise).push_back(name);
+      found.noise.push_back(name);
     }
   }
   return found;
@@ -78,13 +82,16 @@ std::string Headline(const RowFindings& found) {
   if (!found.better.empty()) parts.push_back(StrCat("better in ", found.better.size()));
   if (!found.worse.empty()) parts.push_back(StrCat("worse in ", found.worse.size()));
   if (!found.other.empty()) parts.push_back(StrCat("different in ", found.other.size()));
+  if (parts.empty() && found.noise.empty() && !found.few.empty()) {
+    return UndecidedText(found.most_pairs);
+  }
   if (parts.empty()) return "no significant difference";
   const std::size_t all = found.better.size() + found.worse.size() + found.other.size() +
                           found.noise.size() + found.few.size() + found.same.size();
   return StrCat(Listed(parts), " of ", CountText(all, "metric", "metrics"));
 }
 
-std::string InconclusiveHtml(const char* what, const std::vector<std::string>& labels) {
+std::string InconclusiveHtml(const std::string& what, const std::vector<std::string>& labels) {
   if (labels.empty()) return "";
   return StrCat("<p class=\"unclear\">", what, ": ", Escaped(Listed(labels)), ".</p>\n");
 }
@@ -109,7 +116,7 @@ std::string FindingsHtml(const Table& table, const std::string& reference) {
     }
     if (any) html += "</ul>\n";
     html += InconclusiveHtml("Not significant", found.noise);
-    html += InconclusiveHtml("Too few pairs", found.few);
+    html += InconclusiveHtml(Capitalised(UndecidedText(found.most_pairs)), found.few);
     html += InconclusiveHtml("The same", found.same);
   }
   if (!unchanged.empty()) {

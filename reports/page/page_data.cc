@@ -8,7 +8,7 @@
 #include "reports/figures/numbers.h"
 #include "reports/page/html.h"
 #include "reports/page/quantity.h"
-#include "reports/statistics/estimate.h"
+#include "reports/tables/comparisons.h"
 
 namespace cvo::reports {
 namespace {
@@ -73,17 +73,6 @@ std::string CountsText(const Counts& n) {
   return text;
 }
 
-// As worded in the summary.
-std::string VerdictOf(const Difference& difference, const Column& column) {
-  if (difference.difference == 0.0) return "the same";
-  if (!difference.distinguishable) {
-    return difference.pairs < kMinPairs ? StrCat("too few pairs: at least ", kMinPairs)
-                                        : "not significant";
-  }
-  const auto better = IsBetter(column.metric, difference.difference);
-  return !better ? "differs" : *better ? "better" : "worse";
-}
-
 Json DifferenceJson(const Difference& difference, const Column& column) {
   Json json = Json::array();
   const auto add = [&json](const char* name, const std::string& value) {
@@ -99,7 +88,7 @@ Json DifferenceJson(const Difference& difference, const Column& column) {
                                           QuantityText(difference.reference_value, column)));
   if (difference.percent) add("in percent", StrCat(NumberText(*difference.percent), " %"));
   add("pairs", StrCat(difference.pairs, ": ", difference.pairing));
-  add("verdict", VerdictOf(difference, column));
+  add("verdict", VerdictText(difference, column.metric));
   return json;
 }
 

@@ -37,10 +37,4 @@ std::string BetterDirection(const std::string& metric) {
   return !rule ? "" : rule->higher_is_better() ? "higher" : "lower";
 }
 
-std::optional<bool> IsBetter(const std::string& metric, double difference) {
-  const MetricEntry* rule = FindEntry(metric);
-  if (!rule) return std::nullopt;
-  return (difference > 0.0) == rule->higher_is_better();
-}
-
 }  // namespace cvo::reports

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "reports/tables/table.h"
@@ -18,8 +17,5 @@ std::string RangeText(const Interval& interval, const Column& column);
 
 // "lower", "higher", or empty if neither is defined as better.
 std::string BetterDirection(const std::string& metric);
-
-// Whether a difference (here minus reference) makes it better; empty where that is not known.
-std::optional<bool> IsBetter(const std::string& metric, double difference);
 
 }  // namespace cvo::reports

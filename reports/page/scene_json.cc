@@ -9,6 +9,7 @@
 #include <span>
 
 #include "core/files/escape.h"
+#include "reports/overlays/overlay_run.h"
 #include "reports/overlays/palette.h"
 
 namespace cvo::reports {
@@ -76,7 +77,7 @@ Json CameraJson(const RunDetail& detail) {
           {"errors_um", errors}};
 }
 
-Json ClusterJson(std::int64_t id, const std::vector<const ClusterRow*>& rows,
+Json ClusterJson(std::int64_t id, std::int64_t color_id, const std::vector<const ClusterRow*>& rows,
                  const Indices& indices) {
   Json frames = Json::array();
   Json predicted = Json::array();
@@ -98,7 +99,7 @@ Json ClusterJson(std::int64_t id, const std::vector<const ClusterRow*>& rows,
                 halves);
   }
   return {{"id", id},
-          {"colour", Hex(ClusterColor(id))},
+          {"colour", Hex(ClusterColor(color_id))},
           {"category", rows.front()->category},
           {"frames", frames},
           {"predicted", predicted},
@@ -113,7 +114,11 @@ Json ClustersJson(const RunDetail& detail, const Indices& indices) {
   std::map<std::int64_t, std::vector<const ClusterRow*>> by_id;
   for (const ClusterRow& row : detail.clusters) by_id[row.id].push_back(&row);
   Json clusters = Json::array();
-  for (const auto& [id, rows] : by_id) clusters.push_back(ClusterJson(id, rows, indices));
+  const std::map<std::int64_t, std::int64_t> colors = ApartColors(detail.clusters);
+  for (const auto& [id, rows] : by_id) {
+    const auto color = colors.find(id);
+    clusters.push_back(ClusterJson(id, color == colors.end() ? id : color->second, rows, indices));
+  }
   return clusters;
 }
 

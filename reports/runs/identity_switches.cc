@@ -12,9 +12,9 @@ namespace {
 constexpr int kMinObservedLandmarks = 3;
 
 // Landmarks by frame, body and cluster.
-using Counts = std::map<int, std::map<int, std::map<std::int64_t, int>>>;
+using LandmarkCounts = std::map<int, std::map<int, std::map<std::int64_t, int>>>;
 
-Counts ReadCounts(const std::filesystem::path& file) {
+LandmarkCounts ReadCounts(const std::filesystem::path& file) {
   const CsvFile csv(file);
   const std::size_t frame = csv.Column("frame");
   const std::size_t body = csv.Column("truth_body");
@@ -22,7 +22,7 @@ Counts ReadCounts(const std::filesystem::path& file) {
   const auto is_none = [&](std::size_t row, std::size_t column) {
     return csv.Empty(row, column) || csv.Text(row, column) == "0";
   };
-  Counts counts;
+  LandmarkCounts counts;
   for (std::size_t i = 0; i < csv.rows(); ++i) {
     if (is_none(i, body) || is_none(i, cluster)) continue;
     ++counts[csv.Integer(i, frame)][csv.Integer(i, body)][csv.Id(i, cluster)];
@@ -49,7 +49,7 @@ std::optional<std::vector<IdentitySwitch>> ReadIdentitySwitches(
     const std::filesystem::path& run_folder, const std::vector<BodyDetail>& bodies) {
   const std::filesystem::path file = run_folder / "landmarks.csv";
   if (!std::filesystem::exists(file)) return std::nullopt;
-  Counts counts = ReadCounts(file);
+  LandmarkCounts counts = ReadCounts(file);
   std::vector<IdentitySwitch> switches;
   for (const BodyDetail& body : bodies) {
     std::int64_t last = -1;

@@ -9,6 +9,7 @@
 #include "reports/statistics/estimate.h"
 #include "reports/tables/body_metrics.h"
 #include "reports/tables/columns.h"
+#include "reports/tables/comparisons.h"
 
 namespace cvo::reports {
 namespace {
@@ -184,22 +185,8 @@ std::optional<Difference> MakeDifference(const PairedRows& rows, const Column& c
   if (!estimate) return std::nullopt;
   const std::string meaning =
       Resampled(estimate->scenes, estimate->bodies, OfSeveralFamilies(samples), seeds.size());
-  Difference difference;
-  difference.reference = rows.reference_label;
-  difference.value = estimate->value;
-  difference.reference_value = estimate->reference;
-  difference.difference = estimate->difference;
-  difference.interval = ToInterval(estimate->interval, meaning);
-  difference.percent = estimate->percent;
-  difference.percent_interval = ToInterval(estimate->percent_interval, meaning);
-  difference.reference_lower = estimate->reference_lower;
-  difference.reference_lower_interval = ToInterval(estimate->reference_lower_interval, meaning);
-  difference.effect = estimate->effect;
-  difference.p_value = estimate->p_value;
-  difference.scenes_for_10_percent = estimate->scenes_for_10_percent;
-  difference.pairs = estimate->pairs;
-  difference.pairing = body_metric ? PairingText(*body_metric) : "runs of the same scene and seed";
-  return difference;
+  return DifferenceOf(*estimate, rows.reference_label, meaning,
+                      body_metric ? PairingText(*body_metric) : "runs of the same scene and seed");
 }
 
 }  // namespace cvo::reports

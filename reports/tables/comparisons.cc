@@ -2,10 +2,53 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/tables/comparisons.h"
 
-#include "reports/statistics/estimate.h"
+#include "core/base/error.h"
+#include "reports/results/metric_catalogue.h"
 #include "reports/statistics/paired_test.h"
 
 namespace cvo::reports {
+
+Difference DifferenceOf(const PairedEstimate& estimate, const std::string& reference,
+                        const std::string& meaning, const std::string& pairing) {
+  const auto interval = [&](const std::optional<Range>& range) {
+    return range ? std::optional(Interval{range->low, range->high, meaning}) : std::nullopt;
+  };
+  Difference difference;
+  difference.reference = reference;
+  difference.value = estimate.value;
+  difference.reference_value = estimate.reference;
+  difference.difference = estimate.difference;
+  difference.interval = interval(estimate.interval);
+  difference.percent = estimate.percent;
+  difference.percent_interval = interval(estimate.percent_interval);
+  difference.reference_lower = estimate.reference_lower;
+  difference.reference_lower_interval = interval(estimate.reference_lower_interval);
+  difference.effect = estimate.effect;
+  difference.p_value = estimate.p_value;
+  difference.scenes_for_10_percent = estimate.scenes_for_10_percent;
+  difference.pairs = estimate.pairs;
+  difference.pairing = pairing;
+  return difference;
+}
+
+std::optional<bool> IsBetter(const std::string& metric, double difference) {
+  const MetricEntry* rule = FindEntry(metric);
+  if (!rule) return std::nullopt;
+  return (difference > 0.0) == rule->higher_is_better();
+}
+
+std::string UndecidedText(std::size_t pairs) {
+  return StrCat("undecided (", pairs, pairs == 1 ? " pair, " : " pairs, ", kMinPairs, " needed)");
+}
+
+std::string VerdictText(const Difference& difference, const std::string& metric) {
+  if (difference.difference == 0.0) return "the same";
+  if (!difference.distinguishable) {
+    return difference.pairs < kMinPairs ? UndecidedText(difference.pairs) : "not significant";
+  }
+  const auto better = IsBetter(metric, difference.difference);
+  return !better ? "differs" : *better ? "better" : "worse";
+}
 
 void CorrectForMany(const std::vector<Difference*>& differences) {
   std::vector<Difference*> tested;

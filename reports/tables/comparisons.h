@@ -2,11 +2,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "reports/statistics/estimate.h"
 #include "reports/tables/table.h"
 
 namespace cvo::reports {
+
+// A difference as an estimate has it. `reference`: its label; `meaning`: of its intervals.
+Difference DifferenceOf(const PairedEstimate& estimate, const std::string& reference,
+                        const std::string& meaning, const std::string& pairing);
+
+// Whether a higher or lower value is better; empty for a metric that is not known.
+std::optional<bool> IsBetter(const std::string& metric, double difference);
+
+// "undecided (3 pairs, 6 needed)".
+std::string UndecidedText(std::size_t pairs);
+
+// "better", "worse", "differs", "the same", "not significant" or UndecidedText. After
+// CorrectForMany.
+std::string VerdictText(const Difference& difference, const std::string& metric);
 
 // Corrects the p-values of differences that are read together for their number (Holm), and says
 // which of them can be told from noise.

@@ -8,10 +8,9 @@
 #include "core/files/closest_names.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
-#include "experiments/cli/reports/browser.h"
+#include "experiments/cli/reports/render_figures.h"
 #include "experiments/cli/reports/suite_table.h"
-#include "experiments/cli/scratch_folder.h"
-#include "reports/figure_files/render_page.h"
+#include "reports/figure_files/paper_figure.h"
 #include "reports/figures/suite_figures.h"
 #include "reports/tables/make_table.h"
 
@@ -36,26 +35,9 @@ void KeepOnly(const std::string& id, reports::SuiteDrawing& drawing) {
   std::erase_if(drawing.figures, [&](const reports::Figure& figure) { return figure.id != id; });
 }
 
-std::vector<NamedContent> Render(const std::vector<reports::Figure>& figures, bool pdf) {
-  const ScratchFolder scratch;
-  const Browser browser(scratch.path());
-  std::vector<reports::PaperFigure> papers;
-  for (const reports::Figure& figure : figures) papers.push_back(reports::ToPaperFigure(figure));
-  const std::vector<std::string> svgs =
-      reports::ReadRendered(browser.Run(reports::RenderPage(papers)), papers);
-  std::vector<NamedContent> files;
-  for (std::size_t i = 0; i < figures.size(); ++i) {
-    files.push_back(pdf ? NamedContent{figures[i].id + ".pdf",
-                                       reports::WithoutDates(
-                                           browser.Print(reports::PrintPage(svgs[i], papers[i])))}
-                        : NamedContent{figures[i].id + ".svg", svgs[i]});
-  }
-  return files;
-}
-
 std::vector<NamedContent> MakeFiles(const std::vector<reports::Figure>& figures,
                                     const std::string& format) {
-  if (format != "json") return Render(figures, format == "pdf");
+  if (format != "json") return RenderFigures(figures, format);
   std::vector<NamedContent> files;
   for (const reports::Figure& figure : figures) {
     files.push_back({figure.id + ".json", reports::FigureJson(figure)});

@@ -104,6 +104,7 @@ int DrawOverlays(const OverlayFlags& flags) {
   job.scale = flags.scale;
   job.output = flags.output;
   job.images = !flags.no_images;
+  job.inset = !flags.no_inset;
   job.sheet = flags.sheet;
   job.video = flags.video;
   job.quiet = flags.quiet;
@@ -167,6 +168,7 @@ void AddDrawingFlags(CLI::App& app, OverlayFlags& flags) {
   app.add_flag("--video", flags.video,
                "also write DIR/video.mp4, or .webm or .avi if OpenCV cannot write MP4");
   app.add_flag("--no-images", flags.no_images, "write only the sheet or video, no image per frame");
+  app.add_flag("--no-inset", flags.no_inset, "without the bodies from above in the corner");
   AddQuiet(app, flags.quiet);
 }
 
@@ -181,11 +183,12 @@ Command AddOverlayCommand(CLI::App& program) {
   app->footer(
       "Landmarks are drawn if the run has landmarks.csv (clustervo run --landmarks; in a suite, "
       "the\nfirst seed). A cluster id has the same colour in all frames; with several runs, the "
-      "colours\nare those of the last run. Grey dots: static landmarks; tiny white dots: outliers. "
-      "White\nframes: detections. Dashed and shaded: clusters with too few landmarks in the frame, "
-      "drawn at\ntheir predicted pose. Arrows: predicted motion over the next half second; small "
-      "dots: path\nover the last two seconds. White rings (inferred labels): wrong labels, if the "
-      "run has\nground truth.\n"
+      "colours\nare those of the last run. Clusters that are there at the same time have different "
+      "colours, up\nto 16. Dashed and shaded: clusters with too few landmarks in the frame, drawn "
+      "at "
+      "their\npredicted pose. White rings (inferred labels): wrong labels, if the run has ground "
+      "truth.\nPictures of 600 pixels and more have a legend and, at the top left, the bodies from "
+      "above.\n"
       "Examples:\n"
       "  clustervo overlay results/indoor_1 -o pictures --every 5 --sheet --video\n"
       "  clustervo overlay RUN_2D RUN_2D3D RUN_FULL --frame 120 -o figure   # as labelled by each\n"

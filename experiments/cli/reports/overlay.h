@@ -24,6 +24,7 @@ struct OverlayFlags {
   bool sheet = false;
   bool video = false;
   bool no_images = false;
+  bool no_inset = false;
   bool quiet = false;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <opencv2/core.hpp>
 #include <optional>
 
 #include "core/base/error.h"
@@ -47,9 +48,13 @@ SheetLayout LayoutOf(const OverlayJob& job) {
 }
 
 // Of all runs beside each other, each drawing `width_px` wide.
-cv::Mat DrawFrame(const OverlayJob& job, const cv::Mat& image, int frame, int width_px) {
+cv::Mat DrawFrame(const OverlayJob& job, const cv::Mat& image, int frame, int width_px,
+                  bool on_sheet = false) {
   const reports::CameraInfo& camera = job.runs.front().sequence.camera;
   reports::OverlayStyle style = reports::StyleFor(camera, width_px);
+  style.inset = style.inset && job.inset && job.boxes;
+  const bool legend = style.legend && !on_sheet;
+  style.legend = legend && job.runs.size() == 1;
   style.boxes = job.boxes;
   style.wrong = !job.boxes;
   std::vector<reports::TitledImage> panels;
@@ -59,7 +64,10 @@ cv::Mat DrawFrame(const OverlayJob& job, const cv::Mat& image, int frame, int wi
                       reports::DrawOverlay(image, drawn, camera, style)});
   }
   if (panels.size() == 1) return panels.front().image;
-  return reports::Panels(panels, style.text_px);
+  cv::Mat all = reports::Panels(panels, style.text_px);
+  if (!legend) return all;
+  cv::vconcat(all, reports::LegendBar(style, all.cols), all);
+  return all;
 }
 
 double FramesPerSecond(const OverlayJob& job) {
@@ -94,7 +102,8 @@ class OverlayWriter {
       if (job_.video) AddToVideo(picture);
     }
     if (std::find(on_sheet_.begin(), on_sheet_.end(), frame) != on_sheet_.end()) {
-      tiles_.push_back(DrawFrame(job_, image, frame, std::min(layout_.width_px, camera.width_px)));
+      tiles_.push_back(
+          DrawFrame(job_, image, frame, std::min(layout_.width_px, camera.width_px), true));
     }
   }
 

@@ -3,6 +3,8 @@
 // Drawings on a flat image, looked at pixel by pixel.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <limits>
 
 #include "reports/overlays/encode.h"
@@ -243,12 +245,80 @@ TEST(DrawableText, KeepsWhatTheFontHas) {
 
 TEST(ClusterColor, IsTheSameForAnIdAndApartForNeighbours) {
   EXPECT_EQ(ClusterColor(5), ClusterColor(5));
-  for (std::int64_t a = 1; a <= 14; ++a) {
-    for (std::int64_t b = 1; b < a; ++b) EXPECT_NE(ClusterColor(a), ClusterColor(b));
+  constexpr auto kCount = static_cast<std::int64_t>(kClusterColors);
+  for (std::int64_t a = 1; a <= kCount; ++a) {
+    const Rgb x = ClusterColor(a);
+    EXPECT_GT(std::max({x.red, x.green, x.blue}) - std::min({x.red, x.green, x.blue}), 60)
+        << "grey, as images are: " << a;
+    for (std::int64_t b = 1; b < a; ++b) {
+      const Rgb y = ClusterColor(b);
+      const int apart =
+          std::abs(x.red - y.red) + std::abs(x.green - y.green) + std::abs(x.blue - y.blue);
+      EXPECT_GT(apart, 80) << a << " and " << b;
+    }
   }
-  EXPECT_EQ(ClusterColor(1), ClusterColor(15));
+  EXPECT_EQ(ClusterColor(1), ClusterColor(1 + kCount));
   EXPECT_EQ(TextColorOn({255, 255, 0}), (Rgb{0, 0, 0}));
   EXPECT_EQ(TextColorOn({20, 20, 20}), (Rgb{255, 255, 255}));
+}
+
+// The colours of names at a row of pixels, from their plates' left edges on.
+TEST(DrawNames, StandBesideLandmarksAndNotOverEachOther) {
+  OverlayFrame frame;
+  frame.clusters = {Cube(2)};
+  const OverlayStyle style = PlainStyle();
+  const cv::Size size = PlateSize("2 Crate", style.text_px);
+  const cv::Rect usual(110, 70 - size.height, size.width, size.height);  // above the box
+  const auto covered = [&](const cv::Mat& picture) {
+    return CountColor(picture(usual), ClusterColor(2));
+  };
+  EXPECT_GT(covered(Draw(frame, style)), usual.area() / 2);
+  for (int i = 0; i < 12; ++i) {
+    frame.landmarks.push_back({112.0F + 5.0F * static_cast<float>(i), 62.0F, 3});
+  }
+  EXPECT_LT(covered(Draw(frame, style)), usual.area() / 4);
+  OverlayFrame two;
+  two.clusters = {Cube(2), Cube(3)};
+  const cv::Mat picture = Draw(two, style);
+  EXPECT_GT(CountColor(picture, ClusterColor(2)), size.area() / 2) << "not covered by the other";
+  EXPECT_GT(CountColor(picture, ClusterColor(3)), size.area() / 2);
+}
+
+TEST(Legend, HasEveryMarkOfTheStyleAndOneSizeForAllFrames) {
+  OverlayStyle style = PlainStyle();
+  style.legend = true;
+  OverlayFrame frame;
+  const cv::Mat empty = Draw(frame, style);
+  EXPECT_GT(empty.rows, 240);
+  frame.clusters = {Cube(2)};
+  EXPECT_EQ(Draw(frame, style).size(), empty.size());
+  const Rgb mark = ClusterColor(2);
+  const int with_boxes = CountColor(LegendBar(style, 320), mark);
+  style.boxes = false;
+  EXPECT_LT(CountColor(LegendBar(style, 320), mark), with_boxes / 2);
+  EXPECT_LT(LegendBar(style, 320).rows, LegendBar(PlainStyle(), 320).rows);
+  EXPECT_GT(LegendBar(style, 100).rows, LegendBar(style, 800).rows) << "in rows";
+}
+
+TEST(BirdsEye, ShowsBodiesWhereTheyAreFromAbove) {
+  OverlayFrame frame;
+  frame.clusters = {Cube(2, -0.8, 3.0), Cube(5, 0.8, 1.2)};
+  cv::Mat map(300, 300, CV_8UC3, cv::Scalar(0));
+  DrawBirdsEye(frame, FlatCamera(), PlainStyle(), map);
+  const auto seen = [&](std::int64_t id, cv::Rect part) {
+    return CountColor(map(part), ClusterColor(id));
+  };
+  const cv::Rect far_left(0, 0, 150, 200);
+  const cv::Rect near_right(150, 150, 150, 150);
+  EXPECT_GT(seen(2, far_left), 40);
+  EXPECT_EQ(seen(2, near_right), 0);
+  EXPECT_GT(seen(5, near_right), 40);
+  EXPECT_EQ(seen(5, far_left), 0);
+  OverlayStyle style = PlainStyle();
+  const cv::Mat without = Draw(frame, style);
+  style.inset = true;
+  EXPECT_FALSE(
+      SameImage(Draw(frame, style)(cv::Rect(0, 0, 60, 60)), without(cv::Rect(0, 0, 60, 60))));
 }
 
 }  // namespace

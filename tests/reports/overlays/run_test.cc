@@ -244,6 +244,22 @@ TEST(AgreeOnColors, ByTheLandmarksThatClustersShare) {
   EXPECT_THAT(runs[1].color_ids, IsEmpty());
 }
 
+// Ids 1 and 17 have one colour by themselves.
+TEST(ApartColors, OfClustersThatAreThereInTheSameFrames) {
+  const auto row = [](int frame, std::int64_t id) {
+    ClusterRow made;
+    made.frame = frame;
+    made.id = id;
+    return made;
+  };
+  ASSERT_EQ(ClusterColor(1), ClusterColor(17));
+  EXPECT_THAT(ApartColors({row(1, 1), row(2, 17)}), IsEmpty());
+  EXPECT_THAT(ApartColors({row(1, 1), row(2, 1), row(2, 17)}), ElementsAre(testing::Pair(17, 2)));
+  std::vector<ClusterRow> crowd;
+  for (std::int64_t id = 1; id <= 18; ++id) crowd.push_back(row(1, id));
+  EXPECT_THAT(ApartColors(crowd), IsEmpty()) << "none is free";
+}
+
 TEST(Thumbnails, OfEveryKthFrameThatHasAnImage) {
   const OverlayRun run = OverlayFiles().Read();
   ThumbnailOptions options;

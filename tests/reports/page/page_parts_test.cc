@@ -12,6 +12,7 @@
 #include "reports/page/page_data.h"
 #include "reports/page/quantity.h"
 #include "reports/page/scene_json.h"
+#include "reports/tables/comparisons.h"
 
 namespace cvo::reports {
 namespace {
@@ -189,15 +190,16 @@ TEST(PageData, TheVerdictOfACellIsThatOfTheSummary) {
   };
   EXPECT_THAT(verdict(0.25, 8, true), HasSubstr("worse"));
   EXPECT_THAT(verdict(0.25, 8, false), HasSubstr("not significant"));
-  EXPECT_THAT(verdict(0.25, 5, false), HasSubstr("too few pairs: at least 6"));
+  EXPECT_THAT(verdict(0.25, 5, false), HasSubstr("undecided (5 pairs, 6 needed)"));
 }
 
 TEST(Findings, NoiseAndFewPairsAreNoFindings) {
   const std::string noise = FindingsHtml(TwoRows(0.25, 8, false), "full");
   EXPECT_THAT(noise, HasSubstr("2d: no significant difference"));
   EXPECT_THAT(noise, HasSubstr("Not significant: object ATE."));
-  EXPECT_THAT(FindingsHtml(TwoRows(0.25, 5, false), "full"),
-              HasSubstr("Too few pairs: object ATE."));
+  const std::string few = FindingsHtml(TwoRows(0.25, 5, false), "full");
+  EXPECT_THAT(few, HasSubstr("2d: undecided (5 pairs, 6 needed)"));
+  EXPECT_THAT(few, HasSubstr("Undecided (5 pairs, 6 needed): object ATE."));
   EXPECT_THAT(FindingsHtml(TwoRows(0.0, 8, false), "full"),
               HasSubstr("The same in every metric: 2d."));
   EXPECT_THAT(noise, Not(HasSubstr("<li")));

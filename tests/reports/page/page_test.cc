@@ -60,7 +60,7 @@ TEST(Page, StatesWhatWasCompared) {
   EXPECT_THAT(page, HasSubstr("Compared: 2 values of variant (static and full). On 1 sequence "
                               "(room), each with 1 seed."));
   EXPECT_THAT(page, HasSubstr("2 of 2 runs are there; none failed."));
-  EXPECT_THAT(page, HasSubstr("Too few pairs: object ATE"));
+  EXPECT_THAT(page, HasSubstr("Undecided (1 pair, 6 needed): object ATE"));
   EXPECT_THAT(page, HasSubstr("Content-Security-Policy"));
 }
 

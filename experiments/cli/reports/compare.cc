@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <iostream>
+#include <memory>
+#include <set>
+
+#include "core/base/error.h"
+#include "core/files/json_record.h"
+#include "core/files/number.h"
+#include "experiments/cli/command.h"
+#include "experiments/cli/run/text_table.h"
+#include "reports/results/metric_catalogue.h"
+#include "reports/runs/run_comparison.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+using reports::PairedComparison;
+using reports::RunComparison;
+
+struct CompareRunsFlags {
+  std::vector<std::string> runs;
+  bool all = false;
+  bool json = false;
+};
+
+std::string Signed(double value) { return FormatSigned(value, 3); }
+
+void PrintRuns(const RunComparison& comparison) {
+  std::cout << "sequence " << comparison.sequence << '\n';
+  TextTable table({"run", "seed", "frames", "status", "folder"});
+  std::set<std::string> builds;
+  for (const reports::ComparedRun& run : comparison.runs) {
+    table.Add({run.name, StrCat(run.seed),
+               StrCat(run.first_frame, ":", run.first_frame + run.frames), run.status, run.folder});
+    builds.insert(run.build);
+  }
+  table.Print(std::cout);
+  if (builds.size() > 1) std::cout << "the runs are of different builds of the program\n";
+}
+
+// As many as have room; --json has none of them left out.
+void PrintOptions(const RunComparison& comparison) {
+  constexpr std::size_t kMost = 12;
+  std::set<std::string> paths;
+  for (const reports::ComparedRun& run : comparison.runs) {
+    for (const auto& [path, value] : run.options) paths.insert(path);
+  }
+  if (paths.empty()) return;
+  std::vector<std::string> header = {"option"};
+  for (const reports::ComparedRun& run : comparison.runs) header.push_back(run.name);
+  TextTable table(header);
+  std::size_t shown = 0;
+  for (const std::string& path : paths) {
+    if (shown++ == kMost) break;
+    std::vector<std::string> row = {path};
+    for (const reports::ComparedRun& run : comparison.runs) {
+      const auto found = run.options.find(path);
+      row.push_back(found == run.options.end() ? "-" : found->second);
+    }
+    table.Add(row);
+  }
+  std::cout << '\n';
+  table.Print(std::cout);
+  if (paths.size() > kMost) {
+    std::cout << "and " << paths.size() - kMost << " more options that differ\n";
+  }
+}
+
+void PrintMetricsOf(const RunComparison& comparison, bool all) {
+  std::vector<std::string> header = {"metric", "unit"};
+  for (const reports::ComparedRun& run : comparison.runs) header.push_back(run.name);
+  header.emplace_back(comparison.runs.size() == 2 ? "difference" : "note");
+  TextTable table(header);
+  for (const reports::ComparedMetric& metric : comparison.metrics) {
+    const auto form = reports::FindForm(metric.name);
+    const bool main_form = form && !form->causal && form->bodies == reports::BodyGroup::kMovers;
+    if (!all && !main_form) continue;
+    std::vector<std::string> row = {metric.name, metric.unit};
+    for (const auto& value : metric.values) row.push_back(value ? ReadableNumber(*value) : "-");
+    row.emplace_back();
+    if (!metric.differing.empty()) {
+      row.back() = "defined differently: " + metric.differing;
+    } else if (metric.values.size() == 2 && metric.values[0] && metric.values[1]) {
+      row.back() = Signed(*metric.values[1] - *metric.values[0]);
+    }
+    table.Add(row);
+  }
+  std::cout << '\n';
+  table.Print(std::cout);
+}
+
+void PrintPaired(const std::vector<PairedComparison>& list, const std::string& heading,
+                 const std::string& value_heading, bool several) {
+  if (list.empty()) return;
+  std::cout << '\n' << heading << '\n';
+  std::vector<std::string> header = {"what",       "pairs",         "unit", value_heading, "first",
+                                     "difference", "95 % interval", "in %", "verdict"};
+  if (several) header.insert(header.begin(), "run");
+  TextTable table(header);
+  for (const PairedComparison& paired : list) {
+    const reports::Difference& difference = paired.difference;
+    const std::string pairs = paired.frames > 0
+                                  ? StrCat(paired.frames, " frames, ", difference.pairs, " blocks")
+                                  : StrCat(difference.pairs);
+    const auto& interval = difference.interval;
+    std::vector<std::string> row = {
+        paired.what,
+        pairs,
+        paired.unit,
+        ReadableNumber(difference.value),
+        ReadableNumber(difference.reference_value),
+        Signed(difference.difference),
+        interval ? StrCat(Signed(interval->low), " to ", Signed(interval->high)) : "-",
+        difference.percent ? Signed(*difference.percent) : "-",
+        paired.verdict};
+    if (several) row.insert(row.begin(), paired.run);
+    table.Add(row);
+  }
+  table.Print(std::cout);
+}
+
+void PrintComparison(const RunComparison& comparison, bool all) {
+  PrintRuns(comparison);
+  PrintOptions(comparison);
+  PrintMetricsOf(comparison, all);
+  const bool several = comparison.runs.size() > 2;
+  const std::string value = several ? "run" : comparison.runs.back().name;
+  PrintPaired(comparison.by_frame, "mean position error over the frames that both estimate:", value,
+              several);
+  PrintPaired(comparison.by_body, "over the bodies of both:", value, several);
+  std::cout << "\ndifferences: run minus first (" << comparison.runs.front().name
+            << "). Intervals are bootstrapped over blocks of\nconsecutive frames, or over bodies, "
+               "of this one sequence: they say nothing of other scenes.\nbetter, worse: the "
+               "interval excludes 0 and p, corrected for all comparisons here (Holm), is below "
+               "0.05.\n";
+  for (const std::string& note : comparison.notes) std::cout << "not compared: " << note << '\n';
+}
+
+int CompareSomeRuns(const CompareRunsFlags& flags) {
+  for (const std::string& run : flags.runs) {
+    if (fs::exists(fs::path(run) / "result.json")) continue;
+    ThrowError(run, fs::exists(fs::path(run) / "plan.json") ? "a suite's folder" : "no result.json",
+               "the output folder of a run (for suites: clustervo experiment compare)");
+  }
+  const RunComparison comparison = reports::CompareRuns({flags.runs.begin(), flags.runs.end()});
+  if (flags.json) {
+    std::cout << FileText(comparison);
+  } else {
+    PrintComparison(comparison, flags.all);
+  }
+  return 0;
+}
+
+}  // namespace
+
+Command AddCompareCommand(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "compare", "Compare runs on one sequence: metrics, and errors paired by frame and by body");
+  const auto flags = std::make_shared<CompareRunsFlags>();
+  app->add_option("RUN", flags->runs,
+                  "output folders of clustervo run or eval, or DIR/jobs/ID of a suite; the first "
+                  "is what the others are compared with")
+      ->type_name("")
+      ->required()
+      ->expected(2, 20);
+  app->add_flag("--all", flags->all, "also causal metrics and those of bodies that stay put");
+  app->add_flag("--json", flags->json, "print JSON, with all metrics, pairs and intervals");
+  app->footer(
+      "One sequence says nothing of others: intervals are over its frames or its bodies. To "
+      "compare\nover many scenes, run a suite (clustervo experiment).\n"
+      "Example: clustervo compare results/room_static results/room_full");
+  return {app, [flags] { return CompareSomeRuns(*flags); }};
+}
+
+}  // namespace cvo

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/cli/reports/plot_input.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "core/base/error.h"
+#include "core/files/text_file.h"
+#include "experiments/datasets/data_rows.h"
+#include "experiments/metrics/kitti_poses.h"
+#include "experiments/metrics/pose_format.h"
+#include "experiments/metrics/tum_trajectory.h"
+#include "reports/results/run_summary.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t kStep_ns = 1'000'000'000;  // between poses without times
+
+bool HasCommas(const fs::path& path) {
+  const TextFile file(path);
+  for (std::size_t i = 0; i < file.size(); ++i) {
+    if (!file.line(i).empty() && !file.line(i).starts_with('#')) {
+      return file.line(i).find(',') != std::string::npos;
+    }
+  }
+  return false;
+}
+
+Trajectory ReadEurocTrajectory(const fs::path& path) {
+  const DataRows rows(path, 8, "time in ns, position x y z, quaternion w x y z");
+  Trajectory trajectory;
+  std::vector<std::int64_t> times_ns;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::int64_t time_ns = rows.Integer(i, 0);
+    CheckLater(rows, i, time_ns, times_ns, "the body");
+    times_ns.push_back(time_ns);
+    trajectory.push_back({time_ns, {rows.Quaternion(i, 4, true), rows.Vector(i, 1)}});
+  }
+  return trajectory;
+}
+
+Trajectory ReadKittiTrajectory(const fs::path& path) {
+  Trajectory trajectory;
+  for (const RigidTransform& pose : ReadKittiPoses(path)) {
+    trajectory.push_back({static_cast<std::int64_t>(trajectory.size()) * kStep_ns, pose});
+  }
+  return trajectory;
+}
+
+RigidTransform TransformOf(const reports::Pose& pose) {
+  return {Eigen::Quaterniond(pose[6], pose[3], pose[4], pose[5]),
+          Eigen::Vector3d(pose[0], pose[1], pose[2])};
+}
+
+PlotInput ReadRunInput(const std::string& path) {
+  const fs::path result = fs::path(path) / "result.json";
+  if (!fs::exists(result)) {
+    ThrowError(path, "a folder without result.json", "a run's output folder, or a trajectory file");
+  }
+  const reports::RunSummary run = reports::ReadRun(result, {});
+  reports::RunDetail detail = reports::ReadRunDetail(path);
+  PlotInput input{path, run.variant, run.sequence.name, {}, true, true, {}, {}};
+  for (const reports::CameraFrame& frame : detail.camera) {
+    if (frame.truth) input.truth.push_back({frame.timestamp_ns, TransformOf(*frame.truth)});
+    if (frame.status == "skipped") continue;
+    input.poses.push_back({frame.timestamp_ns, TransformOf(frame.world_from_camera)});
+  }
+  input.bodies = std::move(detail.bodies);
+  return input;
+}
+
+}  // namespace
+
+PlotInput ReadPlotInput(const std::string& path) {
+  PlotInput input;
+  if (fs::is_directory(path)) {
+    input = ReadRunInput(path);
+  } else {
+    input.path = path;
+    input.name = fs::path(path).stem().string();
+    if (HasCommas(path)) {
+      input.poses = ReadEurocTrajectory(path);
+    } else {
+      input.timed = DetectPoseFormat(path) == "tum";
+      input.camera_axes = !input.timed;
+      input.poses = input.timed ? ReadTumTrajectory(path) : ReadKittiTrajectory(path);
+    }
+  }
+  if (input.poses.empty()) ThrowError(path, "no pose", "a trajectory");
+  return input;
+}
+
+void MakeComparable(std::vector<PlotInput>& inputs) {
+  std::map<std::string, int> uses;
+  for (const PlotInput& input : inputs) ++uses[input.name];
+  for (PlotInput& input : inputs) {
+    if (uses[input.name] > 1) input.name = input.path;
+  }
+  const auto counted = std::find_if(inputs.begin(), inputs.end(),
+                                    [](const PlotInput& input) { return !input.timed; });
+  if (counted == inputs.end()) return;
+  for (PlotInput& input : inputs) {
+    if (input.poses.size() != counted->poses.size()) {
+      ThrowError(input.path, StrCat(input.poses.size(), " poses"),
+                 StrCat(counted->poses.size(), ", as many as ", counted->path,
+                        " (KITTI files have no times to match by)"));
+    }
+    if (input.timed && input.truth.size() != input.poses.size()) input.truth.clear();
+    input.timed = false;
+    for (std::size_t i = 0; i < input.poses.size(); ++i) {
+      input.poses[i].timestamp_ns = static_cast<std::int64_t>(i) * kStep_ns;
+      if (!input.truth.empty()) input.truth[i].timestamp_ns = input.poses[i].timestamp_ns;
+    }
+  }
+}
+
+}  // namespace cvo

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/metrics/alignment.h"
+
+#include <array>
+#include <cmath>
+
+#include "core/base/error.h"
+
+namespace cvo {
+namespace {
+
+struct AlignmentText {
+  TrajectoryAlignment alignment;
+  const char* name;
+  const char* description;
+};
+
+constexpr std::array<AlignmentText, 5> kTexts = {
+    {{TrajectoryAlignment::kNone, "none", "not aligned"},
+     {TrajectoryAlignment::kSe3, "se3", "aligned by SE(3) over positions"},
+     {TrajectoryAlignment::kSim3, "sim3", "aligned by Sim(3) over positions, with scale"},
+     {TrajectoryAlignment::kOrigin, "origin", "aligned at the first common pose"},
+     {TrajectoryAlignment::kYaw, "yaw", "aligned by yaw and translation over positions"}}};
+
+Eigen::Matrix3Xd PositionsOf(const std::vector<RigidTransform>& poses) {
+  Eigen::Matrix3Xd positions(3, static_cast<Eigen::Index>(poses.size()));
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    positions.col(static_cast<Eigen::Index>(i)) = poses[i].translation();
+  }
+  return positions;
+}
+
+// The rotation is the same with and without a scale, which then has a closed form.
+Similarity AlignWithScale(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
+  const Eigen::Matrix3d R = AlignPoints(from, to).RotationMatrix();
+  const Eigen::Vector3d from_mean = from.rowwise().mean();
+  const Eigen::Vector3d to_mean = to.rowwise().mean();
+  const Eigen::Matrix3Xd from_centred = from.colwise() - from_mean;
+  const Eigen::Matrix3Xd to_centred = to.colwise() - to_mean;
+  const double scale = to_centred.cwiseProduct(R * from_centred).sum() / from_centred.squaredNorm();
+  if (!(scale > 0.0) || !std::isfinite(scale)) {
+    ThrowError("alignment sim3", "positions that determine no scale", "a trajectory that moves");
+  }
+  return {scale, RigidTransform(R, to_mean - scale * (R * from_mean))};
+}
+
+Similarity AlignYaw(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to,
+                    const Eigen::Vector3d& up) {
+  const Eigen::Vector3d from_mean = from.rowwise().mean();
+  const Eigen::Vector3d to_mean = to.rowwise().mean();
+  double sine = 0.0;
+  double cosine = 0.0;
+  for (Eigen::Index i = 0; i < from.cols(); ++i) {
+    const Eigen::Vector3d a = from.col(i) - from_mean;
+    const Eigen::Vector3d b = to.col(i) - to_mean;
+    sine += up.dot(a.cross(b));
+    cosine += a.dot(b) - up.dot(a) * up.dot(b);
+  }
+  const Eigen::Quaterniond R(Eigen::AngleAxisd(std::atan2(sine, cosine), up));
+  return {1.0, RigidTransform(R, to_mean - R * from_mean)};
+}
+
+}  // namespace
+
+TrajectoryAlignment ParseTrajectoryAlignment(const std::string& text) {
+  std::string known;
+  for (const AlignmentText& entry : kTexts) {
+    if (text == entry.name) return entry.alignment;
+    known += (known.empty() ? "" : ", ") + std::string(entry.name);
+  }
+  ThrowError("alignment", text, "one of: " + known);
+}
+
+std::string DescriptionOf(TrajectoryAlignment alignment) {
+  return kTexts.at(static_cast<std::size_t>(alignment)).description;
+}
+
+Similarity AlignTrajectory(const CommonPoses& poses, TrajectoryAlignment alignment,
+                           const Eigen::Vector3d& up) {
+  if (poses.size() == 0) ThrowError("alignment", "no common poses", "at least one");
+  const Eigen::Matrix3Xd from = PositionsOf(poses.estimate);
+  const Eigen::Matrix3Xd to = PositionsOf(poses.truth);
+  switch (alignment) {
+    case TrajectoryAlignment::kNone:
+      return {};
+    case TrajectoryAlignment::kSe3:
+      return {1.0, AlignPoints(from, to)};
+    case TrajectoryAlignment::kSim3:
+      return AlignWithScale(from, to);
+    case TrajectoryAlignment::kOrigin:
+      return {1.0, poses.truth.front() * poses.estimate.front().Inverse()};
+    case TrajectoryAlignment::kYaw:
+      return AlignYaw(from, to, up);
+  }
+  throw Error("TrajectoryAlignment: not one of the enumerators");
+}
+
+std::vector<double> OrientationErrors(const CommonPoses& poses, TrajectoryAlignment alignment,
+                                      const Similarity& truth_from_estimate) {
+  Eigen::Matrix3d R = truth_from_estimate.rigid.RotationMatrix();
+  if (alignment == TrajectoryAlignment::kSe3 || alignment == TrajectoryAlignment::kSim3) {
+    R.setZero();
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      R += poses.truth[i].RotationMatrix() * poses.estimate[i].RotationMatrix().transpose();
+    }
+    R = NearestRotation(R);
+  }
+  const Eigen::Quaterniond turned(R);
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    errors.push_back(RotationAngle(Eigen::Quaterniond(poses.truth[i].rotation().conjugate() *
+                                                      (turned * poses.estimate[i].rotation()))));
+  }
+  return errors;
+}
+
+}  // namespace cvo

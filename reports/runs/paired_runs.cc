@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/runs/paired_runs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "reports/statistics/estimate.h"
+#include "reports/tables/body_metrics.h"
+#include "reports/tables/columns.h"
+#include "reports/tables/comparisons.h"
+
+namespace cvo::reports {
+namespace {
+
+// Errors of the frames that both have.
+struct CommonErrors {
+  std::vector<double> errors_m;
+  std::vector<double> reference_m;
+};
+
+// `shift` and `reference_shift` bring their frames to one count.
+CommonErrors FindCommon(const FrameErrors& errors, int shift, const FrameErrors& reference,
+                        int reference_shift) {
+  CommonErrors common;
+  for (std::size_t i = 0, k = 0; i < errors.frames.size() && k < reference.frames.size();) {
+    const int frame = errors.frames[i] + shift;
+    const int other = reference.frames[k] + reference_shift;
+    if (frame == other) {
+      common.errors_m.push_back(errors.position_m[i]);
+      common.reference_m.push_back(reference.position_m[k]);
+    }
+    if (frame <= other) ++i;
+    if (other <= frame) ++k;
+  }
+  return common;
+}
+
+// Blocks take the place of bodies: there is one scene, in which they are resampled.
+std::vector<Sample> BlocksOf(const CommonErrors& common) {
+  const std::size_t length = BlockLength(common.errors_m.size());
+  std::vector<Sample> blocks;
+  for (std::size_t i = 0; i < common.errors_m.size(); ++i) {
+    if (i % length == 0) {
+      const std::string number = StrCat(blocks.size());
+      blocks.push_back({"",
+                        "",
+                        std::string(8 - std::min<std::size_t>(number.size(), 8), '0') + number,
+                        "",
+                        {0.0, 0.0},
+                        {0.0, 0.0}});
+    }
+    Sample& block = blocks.back();
+    block.value.sum += common.errors_m[i];
+    block.reference.sum += common.reference_m[i];
+    block.value.weight += 1.0;
+    block.reference.weight += 1.0;
+  }
+  return blocks;
+}
+
+void AddPair(const std::string& what, const std::string& metric, const CommonErrors& common,
+             const RunToCompare& run, const RunToCompare& reference,
+             std::vector<PairedComparison>& comparisons) {
+  const std::vector<Sample> blocks = BlocksOf(common);
+  const auto estimate = EstimateDifference(blocks, Within::kMean);
+  if (!estimate) return;
+  const std::string meaning = StrCat(
+      "95 %, bootstrap over ", blocks.size(), " blocks of ", BlockLength(common.errors_m.size()),
+      " consecutive frames of this sequence: says nothing of other scenes");
+  comparisons.push_back(
+      {run.name, what, metric, "m", common.errors_m.size(),
+       DifferenceOf(*estimate, reference.name, meaning, "frames that both estimate"), ""});
+}
+
+// Those of tables, of bodies that move and of those that stay put. More of them would take from
+// each other's significance.
+bool IsPaired(const BodyMetric& metric) {
+  const std::vector<std::string> usual = ObjectMetrics();
+  return !metric.form.causal && !metric.predicted() &&
+         std::find(usual.begin(), usual.end(), MetricName({metric.form.id})) != usual.end();
+}
+
+const BodyRow* FindBody(const std::vector<BodyRow>& bodies, int id) {
+  const auto found = std::find_if(bodies.begin(), bodies.end(),
+                                  [id](const BodyRow& body) { return body.id == id; });
+  return found == bodies.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::size_t BlockLength(std::size_t frames) {
+  return std::max<std::size_t>(
+      1, static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(frames)))));
+}
+
+FrameErrors CameraErrors(const RunDetail& detail) {
+  FrameErrors errors;
+  for (const CameraFrame& frame : detail.camera) {
+    if (!frame.truth || frame.status == "skipped") continue;
+    double squares = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double off = frame.world_from_camera[k] - (*frame.truth)[k];
+      squares += off * off;
+    }
+    errors.frames.push_back(frame.frame);
+    errors.position_m.push_back(std::sqrt(squares));
+  }
+  return errors;
+}
+
+std::vector<PairedComparison> PairByFrame(const RunToCompare& run, const RunToCompare& reference) {
+  std::vector<PairedComparison> comparisons;
+  AddPair("camera", "camera_ate", FindCommon(run.camera, 0, reference.camera, 0), run, reference,
+          comparisons);
+  if (!run.summary.bodies || !reference.summary.bodies) return comparisons;
+  for (const BodyRow& body : run.summary.bodies->refined) {
+    const BodyRow* other = FindBody(reference.summary.bodies->refined, body.id);
+    if (other == nullptr) continue;
+    AddPair(body.name, body.mover ? "object_ate" : "object_standing_ate",
+            FindCommon(body.errors, run.summary.sequence.first_frame, other->errors,
+                       reference.summary.sequence.first_frame),
+            run, reference, comparisons);
+  }
+  return comparisons;
+}
+
+std::vector<PairedComparison> PairByBody(const RunToCompare& run, const RunToCompare& reference,
+                                         const std::vector<ComparedMetric>& metrics) {
+  std::vector<PairedComparison> comparisons;
+  for (const ComparedMetric& metric : metrics) {
+    const std::optional<BodyMetric> body_metric = FindBodyMetric(metric.name);
+    if (!body_metric || !IsPaired(*body_metric) || !metric.differing.empty()) continue;
+    std::vector<Sample> samples;
+    for (const BodyRow& body : BodiesOf(*body_metric, run.summary)) {
+      const BodyRow* other = FindBody(BodiesOf(*body_metric, reference.summary), body.id);
+      const auto pair = other == nullptr ? std::nullopt : PairOf(*body_metric, body, *other);
+      if (!pair) continue;
+      samples.push_back({"", "", StrCat("body ", body.id), "", pair->first, pair->second});
+    }
+    const auto estimate = EstimateDifference(samples, body_metric->within());
+    if (!estimate) continue;
+    const std::string meaning = StrCat("95 %, bootstrap over ", samples.size(),
+                                       " bodies of one scene: says nothing of other scenes");
+    comparisons.push_back(
+        {run.name, metric.name, metric.name, metric.unit, 0,
+         DifferenceOf(*estimate, reference.name, meaning, PairingText(*body_metric)), ""});
+  }
+  return comparisons;
+}
+
+}  // namespace cvo::reports

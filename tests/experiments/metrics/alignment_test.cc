@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/metrics/alignment.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/rng.h"
+#include "tests/support/error_message.h"
+
+namespace cvo {
+namespace {
+
+const Eigen::Vector3d kUp = Eigen::Vector3d::UnitZ();
+
+// True poses and the same as another system sees them: truth = motion * estimate.
+CommonPoses PosesMovedBy(const Similarity& motion) {
+  Rng rng(3, "alignment");
+  CommonPoses poses;
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::Vector3d rotation(rng.Normal(), rng.Normal(), rng.Normal());
+    const RigidTransform estimate(ExpSo3(rotation),
+                                  Eigen::Vector3d(rng.Normal(), rng.Normal(), rng.Normal()));
+    poses.frames.push_back(i);
+    poses.estimate.push_back(estimate);
+    poses.truth.push_back(motion * estimate);
+  }
+  return poses;
+}
+
+double LargestError(const CommonPoses& poses, TrajectoryAlignment alignment) {
+  const Similarity aligned = AlignTrajectory(poses, alignment, kUp);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const RigidTransform error = poses.truth[i].Inverse() * (aligned * poses.estimate[i]);
+    largest = std::max(
+        {largest, error.translation().norm(), RotationAngle(Eigen::Quaterniond(error.rotation()))});
+  }
+  return largest;
+}
+
+Similarity Motion(double scale, const Eigen::Vector3d& rotation) {
+  return {scale, RigidTransform(ExpSo3(rotation), Eigen::Vector3d(4.0, -2.0, 7.0))};
+}
+
+TEST(TrajectoryAlignment, EachTakesAwayWhatItCoversAndNoMore) {
+  using enum TrajectoryAlignment;
+  const CommonPoses same = PosesMovedBy(Similarity{});
+  const CommonPoses turned_flat = PosesMovedBy(Motion(1.0, 0.7 * kUp));
+  const CommonPoses turned = PosesMovedBy(Motion(1.0, {0.4, -0.3, 0.9}));
+  const CommonPoses scaled = PosesMovedBy(Motion(1.7, {0.4, -0.3, 0.9}));
+  constexpr double kExact = 1e-9;
+  constexpr double kSeen = 0.05;
+  EXPECT_LT(LargestError(same, kNone), kExact);
+  EXPECT_GT(LargestError(turned_flat, kNone), kSeen);
+  EXPECT_LT(LargestError(turned_flat, kYaw), kExact);
+  EXPECT_GT(LargestError(turned, kYaw), kSeen);
+  EXPECT_LT(LargestError(turned, kSe3), kExact);
+  EXPECT_LT(LargestError(turned, kOrigin), kExact);
+  EXPECT_GT(LargestError(scaled, kSe3), kSeen);
+  EXPECT_GT(LargestError(scaled, kOrigin), kSeen);
+  EXPECT_LT(LargestError(scaled, kSim3), kExact);
+}
+
+TEST(TrajectoryAlignment, OneYawComputedByHand) {
+  CommonPoses poses;
+  poses.frames = {0, 1};
+  poses.estimate = {{}, {Eigen::Quaterniond::Identity(), Eigen::Vector3d(2, 0, 0)}};
+  poses.truth = {{Eigen::Quaterniond::Identity(), Eigen::Vector3d(0, 0, 5)},
+                 {Eigen::Quaterniond::Identity(), Eigen::Vector3d(0, 2, 5)}};
+  const Similarity aligned = AlignTrajectory(poses, TrajectoryAlignment::kYaw, kUp);
+  EXPECT_LT((aligned * Eigen::Vector3d(2, 0, 0) - Eigen::Vector3d(0, 2, 5)).norm(), 1e-12);
+  EXPECT_LT((aligned * Eigen::Vector3d(0, 1, 0) - Eigen::Vector3d(-1, 0, 5)).norm(), 1e-12);
+}
+
+TEST(TrajectoryAlignment, NoScaleFromATrajectoryThatStands) {
+  CommonPoses poses;
+  poses.frames = {0, 1};
+  poses.estimate.resize(2);
+  poses.truth.resize(2);
+  EXPECT_EQ(ErrorMessage([&] { AlignTrajectory(poses, TrajectoryAlignment::kSim3, kUp); }),
+            "alignment sim3: found positions that determine no scale, expected a trajectory that "
+            "moves");
+  EXPECT_EQ(ErrorMessage([] { AlignTrajectory({}, TrajectoryAlignment::kSe3, kUp); }),
+            "alignment: found no common poses, expected at least one");
+}
+
+// A straight path leaves the rotation about itself open, which must not show as an error.
+TEST(TrajectoryAlignment, OrientationsOfAStraightPathAreAlignedByThemselves) {
+  CommonPoses poses;
+  const Eigen::Quaterniond rolled(Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitX()));
+  for (int i = 0; i < 4; ++i) {
+    poses.frames.push_back(i);
+    poses.truth.emplace_back(Eigen::Quaterniond::Identity(), Eigen::Vector3d(i, 0, 0));
+    poses.estimate.emplace_back(rolled, Eigen::Vector3d(i, 0, 0));
+  }
+  for (const auto alignment : {TrajectoryAlignment::kSe3, TrajectoryAlignment::kSim3}) {
+    const Similarity aligned = AlignTrajectory(poses, alignment, kUp);
+    for (const double error : OrientationErrors(poses, alignment, aligned)) {
+      EXPECT_NEAR(error, 0.0, 1e-9);
+    }
+  }
+  for (const double error : OrientationErrors(poses, TrajectoryAlignment::kNone, {})) {
+    EXPECT_NEAR(error, 0.5, 1e-12);
+  }
+}
+
+TEST(TrajectoryAlignment, NamesAreRead) {
+  EXPECT_EQ(ParseTrajectoryAlignment("yaw"), TrajectoryAlignment::kYaw);
+  EXPECT_EQ(ErrorMessage([] { ParseTrajectoryAlignment("se2"); }),
+            "alignment: found se2, expected one of: none, se3, sim3, origin, yaw");
+}
+
+}  // namespace
+}  // namespace cvo
