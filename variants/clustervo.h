@@ -57,6 +57,7 @@ struct ClusterVo {
     options.clusters.confirm_detections = 1;
     options.orb.reserve = 0.0;
     options.tracking.align_patches = false;
+    options.noise.disagreement = 0.0;
     options.solver.iterations = 10;
     options.solver.function_tolerance = 1e-6;
   }

@@ -226,6 +226,17 @@ struct AddAlignedPatches : Base {
 };
 
 template <typename Base>
+struct AddPatchNoise : Base {
+  static constexpr std::string_view kRung = "patch_noise";
+  static constexpr std::string_view kAdds =
+      "a disparity is as certain as the quarters of its patch agree on it";
+  static void SetDefaults(Options& options) {
+    Base::SetDefaults(options);
+    options.noise.disagreement = Options().noise.disagreement;
+  }
+};
+
+template <typename Base>
 struct AddSelfCalibration : Base {
   static constexpr std::string_view kRung = "self_calibration";
   static constexpr std::string_view kAdds =

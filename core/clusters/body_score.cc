@@ -25,9 +25,7 @@ Residuals ResidualsOf(const Options& options, const FrameView& view, FrameId new
     if (seen == nullptr || !z_px) continue;
     ++residuals.seen;
     residuals.squared +=
-        (options.NoiseOfFeatures().SqrtInformation(seen->octave, seen->is_aligned) *
-         (seen->z_px - *z_px))
-            .squaredNorm();
+        (options.NoiseOfFeatures().SqrtInformation(*seen) * (seen->z_px - *z_px)).squaredNorm();
   }
   if (residuals.seen > 0) residuals.squared /= residuals.seen;
   return residuals;

@@ -24,7 +24,7 @@ PointKnowledge KnowledgeOf(const Window& window, const FeatureNoise& noise,
   const Eigen::Vector3d c = camera_from_object * landmark.p_in_object;
   const auto zeta_px = window.camera.Project(c);
   if (!zeta_px) return {};
-  const Eigen::Matrix3d W = noise.SqrtInformation(seen.octave, seen.is_aligned);
+  const Eigen::Matrix3d W = noise.SqrtInformation(seen);
   const Eigen::Matrix3d WJ =
       W * window.camera.ProjectionJacobian(c) * camera_from_object.RotationMatrix();
   const Eigen::Vector3d r = W * (seen.z_px - *zeta_px);

@@ -41,7 +41,7 @@ std::vector<ReprojectionFactor> FactorsOf(const FeatureNoise& noise, const Clust
     if (it == selection.states.end()) continue;
     factors.push_back({static_cast<int>(it - selection.states.begin()),
                        static_cast<int>(selection.problem.points.size()), seen.z_px,
-                       noise.SqrtInformation(seen.octave, seen.is_aligned)});
+                       noise.SqrtInformation(seen)});
   }
   return factors;
 }

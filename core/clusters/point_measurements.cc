@@ -12,8 +12,8 @@ std::vector<PointMeasurement> MeasurementsOf(const FeatureNoise& noise,
   measurements.reserve(matches.size());
   for (const Match& match : matches) {
     const StereoFeature& feature = features[match.feature];
-    measurements.push_back({landmarks[match.landmark].p_in_object, feature.z_px,
-                            noise.SqrtInformation(feature.octave, feature.is_aligned)});
+    measurements.push_back(
+        {landmarks[match.landmark].p_in_object, feature.z_px, noise.SqrtInformation(feature)});
   }
   return measurements;
 }

@@ -16,7 +16,8 @@ struct Observation {
   FrameId frame;
   Eigen::Vector3d z_px = Eigen::Vector3d::Zero();  // (u_left, v, u_right)
   int octave = 0;
-  bool is_aligned = false;  // to the landmark's reference
+  bool is_aligned = false;       // to the landmark's reference
+  float disagreement_px = 0.0F;  // of its stereo patch, px of the level
 };
 
 // What later features of a landmark are aligned with: how it looked when it was first seen, or when

@@ -23,7 +23,7 @@ void AddLandmark(const Landmark& landmark, const FeatureNoise& noise, WindowProb
   problem.points.push_back(landmark.p_in_object);
   for (const Observation& observation : landmark.observations) {
     problem.factors.push_back({FrameIndex(problem, observation.frame), point, observation.z_px,
-                               noise.SqrtInformation(observation.octave, observation.is_aligned)});
+                               noise.SqrtInformation(observation)});
   }
 }
 

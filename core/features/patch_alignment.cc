@@ -19,6 +19,8 @@ constexpr double kMaxMove_px = 1.0;     // from the best whole column
 constexpr double kMaxShear = 0.6;  // px per row; the ground has baseline / height, 0.33 on KITTI
 // Information on the shear before the patch is seen: noise of 5 grey levels over 0.5 px per row.
 constexpr double kShearInformation = 100.0;
+// Information on the shift of a quarter of the patch before it is seen, for those without texture.
+constexpr double kQuarterInformation = 100.0;
 constexpr double kWindowSigma = 0.7;  // of the patch radius
 
 constexpr int kRegister = 4;  // floats; rows are processed in whole registers
@@ -160,8 +162,30 @@ std::optional<double> SearchShift(const Patches& p) {
 using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix3d;
 
-Matrix Information(const Patches& p) {
-  Lanes g = {}, gy = {}, gg = {}, ggy = {}, ggyy = {};
+// Weighted sums over the quarters of the patch, from those of columns in its upper and lower half.
+using Halves = Lanes[2];
+using Quarters = Eigen::Array4d;
+
+int HalfOf(const Patches& p, int row) { return row > p.radius ? 1 : 0; }
+
+Quarters QuarterSums(const Patches& p, const Halves& halves) {
+  Quarters sums = Quarters::Zero();
+  for (int half = 0; half < 2; ++half) {
+    for (int x = 0; x < p.side; ++x) {
+      sums[2 * half + HalfOf(p, x)] += p.weight[x] * static_cast<double>(halves[half][x]);
+    }
+  }
+  return sums;
+}
+
+struct Slopes {
+  Matrix information;
+  Quarters by_quarter;  // information on the shift
+};
+
+Slopes SumSlopes(const Patches& p) {
+  Lanes g = {}, gy = {}, ggy = {}, ggyy = {};
+  Halves gg = {};
   for (int i = 0; i < p.side; ++i) {
     const float y = static_cast<float>(i - p.radius);
     for (int x = 0; x < p.lanes; ++x) {
@@ -169,26 +193,29 @@ Matrix Information(const Patches& p) {
       const float square = weighted * p.slope[i][x];
       g[x] += weighted;
       gy[x] += weighted * y;
-      gg[x] += square;
+      gg[HalfOf(p, i)][x] += square;
       ggy[x] += square * y;
       ggyy[x] += square * y * y;
     }
   }
+  const Quarters by_quarter = QuarterSums(p, gg);
   Matrix H;
-  H << WeightedSum(p, gg), WeightedSum(p, ggy), WeightedSum(p, g),        //
+  H << by_quarter.sum(), WeightedSum(p, ggy), WeightedSum(p, g),          //
       0.0, WeightedSum(p, ggyy) + kShearInformation, WeightedSum(p, gy),  //
       0.0, 0.0, SumOfWeights(p);
-  return H.selfadjointView<Eigen::Upper>();
+  return {H.selfadjointView<Eigen::Upper>(), by_quarter};
 }
 
 struct Residuals {
-  Vector gradient;  // of half the weighted sum of squares
+  Vector gradient;      // of half the weighted sum of squares
+  Quarters by_quarter;  // its first component
   Moments moments;
 };
 
 // Right patch, warped with cubic convolution, minus left patch. Empty beyond the strip.
 std::optional<Residuals> Evaluate(const Patches& p, const Vector& warp) {
-  Lanes e1 = {}, ee = {}, ge = {}, gey = {};
+  Lanes e1 = {}, ee = {}, gey = {};
+  Halves ge = {};
   const int last = p.side + p.shifts - 1 + 2 * kMargin - 1;
   const float brightness = static_cast<float>(warp[2]);
   for (int i = 0; i < p.side; ++i) {
@@ -210,13 +237,20 @@ std::optional<Residuals> Evaluate(const Patches& p, const Vector& warp) {
       const float slope = weighted * p.slope[i][x];
       e1[x] += weighted;
       ee[x] += weighted * e;
-      ge[x] += slope;
+      ge[HalfOf(p, i)][x] += slope;
       gey[x] += slope * y;
     }
   }
   const double first = WeightedSum(p, e1);
-  return Residuals{{WeightedSum(p, ge), WeightedSum(p, gey) + kShearInformation * warp[1], first},
+  const Quarters by_quarter = QuarterSums(p, ge);
+  return Residuals{{by_quarter.sum(), WeightedSum(p, gey) + kShearInformation * warp[1], first},
+                   by_quarter,
                    {SumOfWeights(p), first, WeightedSum(p, ee)}};
+}
+
+double Disagreement(const Quarters& information, const Quarters& gradient) {
+  const Quarters shift = gradient / (information + kQuarterInformation);
+  return std::sqrt((information * shift.square()).sum() / information.sum());
 }
 
 }  // namespace
@@ -231,9 +265,9 @@ std::optional<PatchMatch> AlignPatch(const cv::Mat& left, const cv::Mat& right,
   if (!SamplePatches(left, right, query, whole_disparity, p)) return std::nullopt;
   const std::optional<double> start = SearchShift(p);
   if (!start) return std::nullopt;
-  const Matrix H = Information(p);
-  if (!(H.determinant() > 0.0)) return std::nullopt;
-  const Matrix covariance = H.inverse();
+  const Slopes slopes = SumSlopes(p);
+  if (!(slopes.information.determinant() > 0.0)) return std::nullopt;
+  const Matrix covariance = slopes.information.inverse();
   // Gauss-Newton with the left patch's slopes, which do not change from step to step.
   Vector warp(*start, 0.0, 0.0);
   std::optional<Residuals> residuals = Evaluate(p, warp);
@@ -249,6 +283,7 @@ std::optional<PatchMatch> AlignPatch(const cv::Mat& left, const cv::Mat& right,
   PatchMatch match;
   match.u_right = query.u_left - whole_disparity - query.search_radius + warp[0];
   match.sigma = std::sqrt(residuals->moments.Variance() * covariance(0, 0));
+  match.disagreement = Disagreement(slopes.by_quarter, residuals->by_quarter);
   return match;
 }
 

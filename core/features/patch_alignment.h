@@ -23,6 +23,9 @@ inline constexpr int kMaxSearchRadius_px = 20;
 struct PatchMatch {
   double u_right = 0.0;
   double sigma = 0.0;  // of u_right, from how much the patches differ and from their slopes
+  // RMS of the further shifts that the patch's quarters would take each for itself: what a step of
+  // depth within the patch, or noise, leaves.
+  double disagreement = 0.0;
 };
 
 // The column at which the right image looks like the patch of the left one: whole columns first,

@@ -18,6 +18,8 @@ struct StereoFeature {
   // One of those beyond OrbOptions::features: for where much is wanted of a small part of the
   // image.
   bool is_reserve = false;
+  // How far the quarters of the patch disagree on the disparity: RMS, px of the level.
+  float disagreement_px = 0.0F;
   Descriptor descriptor{};  // of the left patch
   FeaturePatch patch;
   // z_px is where the landmark's reference was found, not where the corner is.

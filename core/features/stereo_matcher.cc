@@ -190,6 +190,7 @@ std::optional<AlignedFeature> Align(const OrbImage& left, const OrbImage& right,
   feature.angle_rad = corner.angle_rad;
   feature.response = corner.response;
   feature.is_reserve = corner.is_reserve;
+  feature.disagreement_px = static_cast<float>(match->disagreement);
   feature.descriptor = corner.descriptor;
   feature.patch = corner.patch;
   return AlignedFeature{feature, match->sigma};

@@ -72,7 +72,8 @@ void Observe(const FrameView& view, const WindowFrame& frame, const Reassignment
   // The first one is where its reference is, which makes it as exact as those aligned with it.
   const bool is_aligned =
       feature.is_aligned || (view.options.tracking.align_patches && landmark.observations.empty());
-  landmark.observations.push_back({frame.id, feature.z_px, feature.octave, is_aligned});
+  landmark.observations.push_back(
+      {frame.id, feature.z_px, feature.octave, is_aligned, feature.disagreement_px});
   landmark.descriptor = feature.descriptor;
   landmark.depth_m = std::max(depth_m, StereoCamera::kMinDepth_m);
   landmark.last_octave = feature.octave;
@@ -108,9 +109,8 @@ std::vector<Observation> Agreeing(const FrameView& view, const Window& window,
     const WindowFrame* frame = window.Find(seen.frame);
     const auto pose = frame ? OwnerPose(target.owner, seen.frame, map) : std::nullopt;
     if (!pose) continue;
-    const PointMeasurement m{
-        *pose * landmark.p_in_object, seen.z_px,
-        view.options.NoiseOfFeatures().SqrtInformation(seen.octave, seen.is_aligned)};
+    const PointMeasurement m{*pose * landmark.p_in_object, seen.z_px,
+                             view.options.NoiseOfFeatures().SqrtInformation(seen)};
     const auto error = WhitenedError(view.camera, m, frame->world_from_camera.Inverse());
     if (error && error->squaredNorm() <= view.options.noise.gate) agreeing.push_back(seen);
   }

@@ -24,9 +24,13 @@ Eigen::Matrix3d MeasurementCovariance(const NoiseOptions& noise, double scale) {
   return covariance;
 }
 
-Eigen::Matrix3d FeatureNoise::SqrtInformation(int octave, bool is_aligned) const {
+Eigen::Matrix3d FeatureNoise::SqrtInformation(int octave, bool is_aligned,
+                                              double disagreement_px) const {
   NoiseOptions noise = options;
   if (is_aligned) noise.corner_px = options.aligned_px;
+  if (noise.disagreement > 0.0) {
+    noise.disparity_px = std::hypot(noise.least_disparity_px, noise.disagreement * disagreement_px);
+  }
   return cvo::SqrtInformation(noise, std::pow(scale_factor, octave));
 }
 

@@ -16,6 +16,8 @@ struct NoiseOptions {
   double corner_px = 0.5;
   double aligned_px = 0.2;
   double disparity_px = 0.3;
+  double least_disparity_px = 0.05;
+  double disagreement = 3.0;
   double right_field_px = 0.03;
   double huber = 2.796;
   double gate = 7.815;
@@ -33,6 +35,15 @@ struct NoiseOptions {
     visit.Field("disparity_px", self.disparity_px,
                 {"px", 0.01, 10, "standard deviation of u_left - u_right at level 0",
                  "residuals on KITTI: 0.15-0.2 px, and 0.1-0.2 px of rectification error"});
+    visit.Field("least_disparity_px", self.least_disparity_px,
+                {"px", 0.001, 10,
+                 "the same of disparities on which all parts of the patch agree, in energies",
+                 "METHOD.md 7.2: residuals are 0.05 px on rendered rooms, 0.1 px on KITTI"});
+    visit.Field("disagreement", self.disagreement,
+                {"1", 0, 1000,
+                 "in energies, standard deviation of a disparity relative to how far the quarters "
+                 "of its patch disagree; 0: disparity_px for all",
+                 "METHOD.md 7.2: chosen from 3, 5 and 6 on rooms, streets and KITTI"});
     visit.Field("right_field_px", self.right_field_px,
                 {"px", 1e-6, 10,
                  "standard deviation of each coefficient of the calibration's error in u_right "
@@ -65,7 +76,12 @@ struct FeatureNoise {
   NoiseOptions options;
   double scale_factor = 1.0;  // from a level to the next
 
-  Eigen::Matrix3d SqrtInformation(int octave, bool is_aligned) const;
+  // Of a feature or an observation of one.
+  Eigen::Matrix3d SqrtInformation(const auto& seen) const {
+    return SqrtInformation(seen.octave, seen.is_aligned, seen.disagreement_px);
+  }
+  // `disagreement_px` in px of the level.
+  Eigen::Matrix3d SqrtInformation(int octave, bool is_aligned, double disagreement_px) const;
   Eigen::Matrix3d Covariance(int octave) const;  // of one that is not aligned
 };
 

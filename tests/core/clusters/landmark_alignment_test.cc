@@ -92,9 +92,22 @@ TEST_F(LandmarkAlignmentTest, TakesANewReferenceFromAFeatureThatIsNotAligned) {
 
 TEST(FeatureNoise, TrustsAlignedCornersMore) {
   const FeatureNoise noise{{.corner_px = 0.5, .aligned_px = 0.1, .disparity_px = 0.3}, 1.2};
-  EXPECT_NEAR(noise.SqrtInformation(0, false)(0, 0), 2.0, 1e-12);
-  EXPECT_NEAR(noise.SqrtInformation(0, true)(0, 0), 10.0, 1e-12);
-  EXPECT_EQ(noise.SqrtInformation(0, true).row(2), noise.SqrtInformation(0, false).row(2));
+  EXPECT_NEAR(noise.SqrtInformation(0, false, 0.0)(0, 0), 2.0, 1e-12);
+  EXPECT_NEAR(noise.SqrtInformation(0, true, 0.0)(0, 0), 10.0, 1e-12);
+  EXPECT_EQ(noise.SqrtInformation(0, true, 0.1).row(2),
+            noise.SqrtInformation(0, false, 0.1).row(2));
+}
+
+TEST(FeatureNoise, TrustsDisparitiesAsTheirPatchesAgree) {
+  FeatureNoise noise{{.disparity_px = 0.3, .least_disparity_px = 0.03, .disagreement = 2.0}, 2.0};
+  const auto sigma = [&](int octave, double disagreement_px) {
+    return -1.0 / noise.SqrtInformation(octave, false, disagreement_px)(2, 2);
+  };
+  EXPECT_NEAR(sigma(0, 0.0), 0.03, 1e-12);
+  EXPECT_NEAR(sigma(0, 0.02), 0.05, 1e-12);
+  EXPECT_NEAR(sigma(2, 0.02), 0.2, 1e-12);
+  noise.options.disagreement = 0.0;
+  EXPECT_NEAR(sigma(0, 0.02), 0.3, 1e-12);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/median.h"
 #include "core/features/front_end.h"
 #include "tests/core/features/scene.h"
 
@@ -60,6 +61,29 @@ TEST(MatchStereo, SubPixelDisparityWithoutBias) {
     EXPECT_NEAR(errors.mean, 0.0, 0.025) << eighths;
     EXPECT_LT(errors.rms, 0.06) << eighths;
   }
+}
+
+double MedianDisagreement(const std::vector<StereoFeature>& features, double from_u, double to_u) {
+  std::vector<double> values;
+  for (const StereoFeature& feature : features) {
+    if (feature.octave > 0 || feature.z_px[0] < from_u || feature.z_px[0] > to_u) continue;
+    values.push_back(feature.disagreement_px);
+  }
+  EXPECT_GT(values.size(), 10U);
+  return Median(values);
+}
+
+TEST(MatchStereo, QuartersOfAPatchDisagreeWhereDepthJumps) {
+  const cv::Mat scene = DrawScene(320, 240, 5);
+  constexpr int kNear_px = 12;
+  constexpr int kFar_px = 8;
+  constexpr int kEdge_u = 160;  // what is right of it is nearer
+  cv::Mat right = Render(scene, kFar_px * kSubpixelSteps, 2.0, 1);
+  const cv::Range seen(kEdge_u - kNear_px, right.cols);
+  Render(scene, kNear_px * kSubpixelSteps, 2.0, 2).colRange(seen).copyTo(right.colRange(seen));
+  const auto features = MatchImages(Render(scene, 0, 2.0, 3), right);
+  EXPECT_GT(MedianDisagreement(features, kEdge_u - 4, kEdge_u + 4),
+            3.0 * MedianDisagreement(features, 20, kEdge_u - 20));
 }
 
 TEST(MatchStereo, DisparityOfTheGroundWithoutBias) {
