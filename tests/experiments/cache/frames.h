@@ -23,6 +23,7 @@ inline std::vector<FrontEndFrame> SomeFrames(int count) {
       feature.octave = k;
       feature.angle_rad = 0.1F * static_cast<float>(i);
       feature.response = 1e-40F;  // denormal
+      feature.disagreement_px = 0.25F;
       feature.is_reserve = i % 2 == 1;
       feature.descriptor = {~0ULL, 0x0123456789abcdefULL, static_cast<std::uint64_t>(i), 0};
       feature.patch.corner_u = -0.25F;
