@@ -107,6 +107,12 @@ void AddOutput(py::module_& m) {
       .def_property_readonly("center_in_object",
                              [](const Report& c) { return ToArray(c.center_in_object); })
       .def_property_readonly("half_size_m", [](const Report& c) { return ToArray(c.half_size_m); })
+      .def_property_readonly(
+          "object_from_box", [](const Report& c) { return ToArray(c.box.object_from_box); },
+          "The upright box: its axes are along length, height (down) and width.")
+      .def_property_readonly(
+          "box_size_m", [](const Report& c) { return ToArray(c.box.size_m); },
+          "Length, height and width of the upright box.")
       .def_readonly("observed_landmarks", &Report::observed_landmarks)
       .def_readonly("detection", &Report::detection, "Index of its box; -1: none.")
       .def_readonly("score", &Report::score);

@@ -14,6 +14,7 @@
 #include "experiments/datasets/timestamps.h"
 #include "experiments/metrics/kitti_poses.h"
 #include "experiments/metrics/tum_trajectory.h"
+#include "experiments/suite/collection.h"
 #include "experiments/suite/parse_suite.h"
 #include "experiments/suite/plan.h"
 #include "reports/gate/baseline.h"
@@ -58,6 +59,9 @@ std::vector<Parser> SuiteParsers() {
        {Source("experiments/configs/ci.json"), Source("experiments/configs/sweep_alpha.json"),
         Source("experiments/configs/kitti_raw.json")},
        [](const fs::path& file) { ReadCheckedSuite(ReadJson(file), file, file.parent_path()); }},
+      {"collection",
+       {Source("experiments/configs/paper.json")},
+       [](const fs::path& file) { FindCollection(file); }},
       {"scene",
        {Source("synth/scenes/tiny.json"), Source("synth/scenes/swinging_4.json")},
        [](const fs::path& file) { synth::SceneDescription::Parse(ReadJson(file), file); }},

@@ -51,6 +51,10 @@ class Page(unittest.TestCase):
         body = frame.clusters[0]
         np.testing.assert_array_equal(body.velocity_m_s, [rows[0][v] for v in ("vx", "vy", "vz")])
         np.testing.assert_allclose(body.world_from_object, clustervo.matrices(rows)[0], atol=1e-12)
+        np.testing.assert_array_equal(body.box_size_m,
+                                      [rows[0][s] for s in ("length_m", "height_m", "width_m")])
+        np.testing.assert_allclose(body.object_from_box, clustervo.matrices(rows, "box_")[0],
+                                   atol=1e-12)
         landmarks = run.landmarks[run.landmarks["frame"] == 5]
         for name in ("id", "cluster"):
             np.testing.assert_array_equal(frame.landmarks[name], landmarks[name])
