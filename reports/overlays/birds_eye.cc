@@ -12,7 +12,8 @@
 namespace cvo::reports {
 namespace {
 
-constexpr std::array kRanges_m = {2.0, 5.0, 10.0, 20.0, 40.0, 80.0, 160.0};
+constexpr std::array kRanges_m = {2.0,  3.0,  4.0,  6.0,  8.0,  10.0, 15.0,
+                                  20.0, 30.0, 40.0, 60.0, 80.0, 160.0};
 constexpr Rgb kGrid{95, 98, 106};
 constexpr Rgb kGridText{170, 172, 178};
 constexpr Rgb kCamera{235, 235, 235};
@@ -67,19 +68,17 @@ void DrawGround(const GroundMap& map, double range_m, const CameraInfo& camera,
 
 void DrawFootprint(const ClusterShape& cluster, Rgb color, const GroundMap& map,
                    const OverlayStyle& style, cv::Mat& picture) {
+  // Corners differ in bit k along axis k, of which the second points down: those of the lower side,
+  // in their order around it.
   std::vector<cv::Point2d> points;
-  for (const Position& corner : cluster.corners) points.push_back(map(corner));
+  for (const std::size_t corner : {2U, 3U, 7U, 6U}) points.push_back(map(cluster.corners[corner]));
   FillHull(points, color, cluster.predicted ? 0.5 * kFootprintOpacity : kFootprintOpacity, picture);
-  // Corners differ in bit k along axis k: those of the upright axis lie over each other.
   std::vector<Stroke> strokes;
-  for (std::size_t i = 0; i < 8; ++i) {
-    for (const std::size_t bit : {1U, 4U}) {
-      if ((i & bit) != 0) continue;
-      const PixelSegment edge{points[i], points[i | bit]};
-      for (const PixelSegment& part :
-           cluster.predicted ? Dashes(edge, 4.0, 3.0) : std::vector<PixelSegment>{edge}) {
-        strokes.push_back({part, color, std::max(1, style.line_px - 1)});
-      }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const PixelSegment edge{points[i], points[(i + 1) % points.size()]};
+    for (const PixelSegment& part :
+         cluster.predicted ? Dashes(edge, 4.0, 3.0) : std::vector<PixelSegment>{edge}) {
+      strokes.push_back({part, color, std::max(1, style.line_px - 1)});
     }
   }
   std::vector<cv::Point2d> path;

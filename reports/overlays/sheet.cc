@@ -36,7 +36,7 @@ cv::Mat Grid(const std::vector<cv::Mat>& images, int columns) {
 
 }  // namespace
 
-cv::Mat Panels(const std::vector<TitledImage>& images, int text_px) {
+cv::Mat Panels(const std::vector<TitledImage>& images, int text_px, int columns) {
   Require(!images.empty(), "Panels: at least one image");
   std::vector<cv::Mat> panels;
   for (const TitledImage& image : images) {
@@ -46,6 +46,7 @@ cv::Mat Panels(const std::vector<TitledImage>& images, int text_px) {
     cv::vconcat(bar, image.image, panels.back());
   }
   const bool wide = images.front().image.cols > 2 * images.front().image.rows;
+  if (columns > 0) return Grid(panels, columns);
   return Grid(panels, wide ? 1 : static_cast<int>(panels.size()));
 }
 

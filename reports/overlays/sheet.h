@@ -13,9 +13,9 @@ struct TitledImage {
   cv::Mat image;
 };
 
-// Images of one size under their titles: beside each other, or below each other where they are
-// more than twice as wide as high. Throws Error for images of different sizes.
-cv::Mat Panels(const std::vector<TitledImage>& images, int text_px);
+// Images of one size under their titles, in so many columns; 0: beside each other, or below each
+// other where they are more than twice as wide as high. Throws Error for images of different sizes.
+cv::Mat Panels(const std::vector<TitledImage>& images, int text_px, int columns = 0);
 
 // Images of one size in rows, the first at the top left.
 cv::Mat ContactSheet(const std::vector<cv::Mat>& images, int columns);

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "experiments/cli/command.h"
+#include "experiments/cli/output_file.h"
 #include "experiments/cli/reports/overlay_output.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/suite/suite_run.h"
@@ -87,6 +88,7 @@ int DrawOverlays(const OverlayFlags& flags) {
           : SuiteRunFolders({flags.suite, flags.sequence, flags.variants, flags.seed});
   const std::string images_folder = flags.suite.empty() ? flags.sequence : "";
   const bool inferred = flags.labels.empty() ? folders.size() > 1 : flags.labels == "inferred";
+  if (flags.panels && folders.size() > 1) throw UsageError("--panels: is of one run");
   OverlayJob job;
   for (const std::string& folder : folders) {
     job.read.insert(job.read.end(), {folder, std::filesystem::path(folder) / "clusters"});
@@ -105,6 +107,7 @@ int DrawOverlays(const OverlayFlags& flags) {
   job.output = flags.output;
   job.images = !flags.no_images;
   job.inset = !flags.no_inset;
+  job.panels = flags.panels;
   job.sheet = flags.sheet;
   job.video = flags.video;
   job.quiet = flags.quiet;
@@ -168,6 +171,9 @@ void AddDrawingFlags(CLI::App& app, OverlayFlags& flags) {
   app.add_flag("--video", flags.video,
                "also write DIR/video.mp4, or .webm or .avi if OpenCV cannot write MP4");
   app.add_flag("--no-images", flags.no_images, "write only the sheet or video, no image per frame");
+  app.add_flag("--panels", flags.panels,
+               "instead of images per frame, write DIR/panels.jpg: the one frame as landmarks, "
+               "boxes and tracks, from above, and the errors over time");
   app.add_flag("--no-inset", flags.no_inset, "without the bodies from above in the corner");
   AddQuiet(app, flags.quiet);
 }
@@ -191,11 +197,16 @@ Command AddOverlayCommand(CLI::App& program) {
       "above.\n"
       "Examples:\n"
       "  clustervo overlay results/indoor_1 -o pictures --every 5 --sheet --video\n"
+      "  clustervo overlay results/indoor_1 -o pictures --frame 60 --panels\n"
       "  clustervo overlay RUN_2D RUN_2D3D RUN_FULL --frame 120 -o figure   # as labelled by each\n"
       "  clustervo overlay --suite results/ablation --sequence room_1000 --variant 2d,2d3d,full "
       "\\\n"
       "      --frame 40 -o figure");
   app->callback([flags] {
+    if (flags->panels && flags->frame < 0) throw CLI::RequiredError("--panels: --frame N");
+    if (flags->panels && (flags->sheet || flags->video)) {
+      throw CLI::ValidationError("--panels", "is of one frame, without --sheet and --video");
+    }
     if (flags->runs.empty() && flags->suite.empty()) throw CLI::RequiredError("RUN or --suite");
     if (!flags->suite.empty() && flags->sequence.empty()) {
       throw CLI::RequiredError("--suite: --sequence NAME");

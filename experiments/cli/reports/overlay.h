@@ -25,6 +25,7 @@ struct OverlayFlags {
   bool video = false;
   bool no_images = false;
   bool no_inset = false;
+  bool panels = false;
   bool quiet = false;
 };
 

@@ -17,6 +17,7 @@
 #include "experiments/cli/stop_signal.h"
 #include "reports/overlays/draw_overlay.h"
 #include "reports/overlays/encode.h"
+#include "reports/overlays/panels.h"
 #include "reports/overlays/sheet.h"
 #include "reports/overlays/video.h"
 
@@ -143,7 +144,27 @@ class OverlayWriter {
 
 }  // namespace
 
+namespace {
+
+int WritePanels(const OverlayJob& job, const RunImages& images) {
+  constexpr const char* kPanels = "panels.jpg";
+  constexpr int kQuality = 82;
+  const OutputFolder output = OpenOutput(job.output, {kPanels}, job.read);
+  const reports::OverlayRun& run = job.runs.front();
+  const cv::Mat image = images.Left(job.frames.front());
+  if (image.empty()) ThrowError(StrCat("frame ", job.frames.front()), "no image of it", "one");
+  const int width_px =
+      std::max(1, static_cast<int>(std::lround(job.scale * run.sequence.camera.width_px)));
+  const cv::Mat picture = reports::FourPanels(image, run, job.frames.front(), width_px);
+  WriteFilesAtomically(output.path(), {{kPanels, reports::JpegBytes(picture, kQuality)}});
+  std::cout << "written: " << (output.path() / kPanels).string() << '\n';
+  return 0;
+}
+
+}  // namespace
+
 int WriteOverlays(const OverlayJob& job, const RunImages& images) {
+  if (job.panels) return WritePanels(job, images);
   std::vector<std::string> names;
   for (const int frame : job.frames) {
     if (job.images) names.push_back(ImageName(frame));

@@ -18,6 +18,7 @@ struct OverlayJob {
   std::vector<std::string> titles;  // one per run; empty for one run
   bool boxes = true;                // of clusters, with their motion
   bool inset = true;                // bodies from above, where there are boxes
+  bool panels = false;              // of the one run and frame, in place of its image
   std::vector<int> frames;          // counted in the folder of the sequence
   double scale = 1.0;
   std::string output;

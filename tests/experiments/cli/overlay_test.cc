@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 #include "core/base/error.h"
@@ -97,6 +98,29 @@ TEST_F(CliOverlay, DrawsRunsSideBySide) {
   ASSERT_EQ(both.exit_code, 0) << both.err;
   EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 1);
   EXPECT_GT(cv::imread((out() / "000004.png").string()).cols, 2 * test::kTinyWidth_px);
+}
+
+TEST_F(CliOverlay, FourPanelsOfAFrame) {
+  MakeRun();
+  const ProcessResult made = Overlay({run().string(), "--frame", "4", "--panels"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.out, HasSubstr("panels.jpg"));
+  const cv::Mat panels = cv::imread((out() / "panels.jpg").string());
+  EXPECT_GT(panels.cols, 2 * test::kTinyWidth_px);
+  EXPECT_GT(panels.rows, 2 * test::kTinyHeight_px);
+  // Images are grey; landmarks and boxes have the colours of their bodies.
+  std::vector<cv::Mat> channels;
+  cv::split(panels, channels);
+  EXPECT_GT(cv::countNonZero(cv::abs(channels[0] - channels[2]) > 60), 100);
+  ASSERT_EQ(Overlay({run().string(), "--frame", "4", "--panels"}, "two").exit_code, 0);
+  EXPECT_EQ(ReadFile(out() / "panels.jpg"), ReadFile(out("two") / "panels.jpg"));
+  const ProcessResult all = Overlay({run().string(), "--panels"}, "three");
+  EXPECT_EQ(all.exit_code, 2);
+  EXPECT_THAT(all.err, HasSubstr("--panels: --frame N"));
+  const ProcessResult two =
+      Overlay({run().string(), run().string(), "--panels", "--frame", "4"}, "three");
+  EXPECT_EQ(two.exit_code, 2);
+  EXPECT_THAT(two.err, HasSubstr("--panels: is of one run"));
 }
 
 TEST_F(CliOverlay, WritesOnlyAVideoAndReportsItsFormat) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "reports/overlays/overlay_run.h"
+#include "reports/overlays/panels.h"
 #include "reports/overlays/thumbnails.h"
 #include "tests/reports/overlays/overlay_scene.h"
 #include "tests/reports/results/run_folder.h"
@@ -242,6 +243,23 @@ TEST(AgreeOnColors, ByTheLandmarksThatClustersShare) {
   AgreeOnColors(runs);
   EXPECT_THAT(runs[0].color_ids, ElementsAre(testing::Pair(2, 4), testing::Pair(9, 7)));
   EXPECT_THAT(runs[1].color_ids, IsEmpty());
+}
+
+TEST(ErrorChart, HasALineForEachBodyInTheColourOfItsCluster) {
+  OverlayRun run = OverlayFiles().Read();
+  const auto count = [&](Rgb color) {
+    return test::CountColor(ErrorChart(run, 12, 9, {320, 240}), color);
+  };
+  BodyDetail body;
+  body.cluster = 7;
+  for (int i = 0; i < 5; ++i) body.estimated.push_back({10 + i, {}, 0.01 * i});
+  run.detail.bodies = {body};
+  const int whole = count(ClusterColor(7));
+  EXPECT_GT(whole, 100);
+  run.detail.bodies[0].estimated.erase(run.detail.bodies[0].estimated.begin() + 2);
+  EXPECT_LT(count(ClusterColor(7)), 2 * whole / 3) << "not across the gap";
+  run.detail.bodies.clear();
+  EXPECT_EQ(count(ClusterColor(7)), 0);
 }
 
 // Ids 1 and 17 have one colour by themselves.
