@@ -7,6 +7,7 @@
 #include "core/base/rng.h"
 #include "core/geometry/stereo_camera.h"
 #include "core/interface/frame.h"
+#include "tests/support/disagreement.h"
 
 namespace cvo::testing {
 
@@ -57,6 +58,7 @@ class FeatureWorld {
                                   du + 0.5 * noise_px * rng_.Normal());
       StereoFeature feature;
       feature.z_px = *z + noise;
+      feature.disagreement_px = DisagreementOf(0.5 * noise_px);
       feature.descriptor = descriptors_[i];
       frame.features.push_back(feature);
     }

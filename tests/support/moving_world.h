@@ -12,6 +12,7 @@
 #include "core/base/rng.h"
 #include "core/geometry/stereo_camera.h"
 #include "core/interface/frame.h"
+#include "tests/support/disagreement.h"
 
 namespace cvo::testing {
 
@@ -150,6 +151,7 @@ class MovingWorld {
     const double dv = noise_px * rng.Normal();
     StereoFeature feature;
     feature.z_px = z_px + Eigen::Vector3d(du, dv, du + 0.5 * noise_px * rng.Normal());
+    feature.disagreement_px = DisagreementOf(0.5 * noise_px);
     feature.descriptor = descriptor;
     view.frame.features.push_back(feature);
     view.of_body.push_back(body);

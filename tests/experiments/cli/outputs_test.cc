@@ -134,7 +134,8 @@ class CliOutputs : public testing::Test {
         {"experiment", "compare", Path("suite"), Path("suite"), "-o", out + "/table.txt"},
         {"check", Path("suite"), "--write-baseline", out + "/base.json"},
         {"check", Path("suite"), "--baseline", Path("base.json"), "--junit", out + "/gate.xml"},
-        {"check", Path("suite"), "--baseline", Path("base.json"), "--markdown", out + "/gate.md"}};
+        {"check", Path("suite"), "--baseline", Path("base.json"), "--markdown", out + "/gate.md"},
+        {"plot", Path("run"), "-o", out + "/plot.svg"}};
   }
 
   static std::unique_ptr<test::TempFolder> folder_;
@@ -217,7 +218,9 @@ TEST_F(CliOutputs, FailedOutputIsAnError) {
       {"check", suite, "--write-baseline", Path("base.json")},
       {"overlay", run, "-o", Path("pictures"), "-q"},
       {"report", suite, "-o", Path("page")},
-      {"figures", suite, "-o", Path("figures"), "--format", "json"}};
+      {"figures", suite, "-o", Path("figures"), "--format", "json"},
+      {"plot", run, "-o", Path("plot.svg")},
+      {"compare", run, run}};
   const ProcessResult rendered =
       Run({"synth", "render", "tiny", "-o", Path("scene"), "-q", "--frames", "0:2"});
   const bool draws = rendered.exit_code == 0;
