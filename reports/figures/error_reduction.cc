@@ -108,12 +108,14 @@ HeatMap MakeHeatMap(const SuiteData& data, const std::vector<SeriesRows>& series
   return map;
 }
 
-// "+31", in brackets where it may be chance.
+// "−31" of less error, "+31" of more, "×12" from eleven times as much on; in brackets where it may
+// be chance.
 std::string CellText(const HeatCell& cell) {
   if (!cell.reduction_percent) return "";
-  const double percent = std::round(*cell.reduction_percent);
-  std::string text = percent <= -1000.0 ? "−999+" : NumberText(std::abs(percent), 4);
-  if (percent > -1000.0 && percent != 0.0) text = (percent < 0.0 ? "−" : "+") + text;
+  const double percent = std::round(-*cell.reduction_percent);
+  std::string text = percent < 0.0 ? "−" : percent > 0.0 ? "+" : "";
+  text += NumberText(std::abs(percent), 4);
+  if (percent >= 1000.0) text = "×" + NumberText(std::round(1.0 + percent / 100.0), 2);
   return cell.distinguishable ? "<b>" + text + "</b>" : "(" + text + ")";
 }
 
@@ -165,7 +167,7 @@ Json BlockTrace(const HeatBlock& block, const HeatMap& map, const Table& table, 
     Json line_hovers = Json::array();
     for (const std::size_t column : map.columns) {
       const HeatCell& cell = row.cells[column];
-      line.push_back(cell.reduction_percent ? Json(Rounded(*cell.reduction_percent, 3))
+      line.push_back(cell.reduction_percent ? Json(Rounded(0.0 - *cell.reduction_percent, 3))
                                             : Json(nullptr));
       line_texts.push_back(CellText(cell));
       line_hovers.push_back(PlotText(
@@ -193,23 +195,24 @@ Json BlockTrace(const HeatBlock& block, const HeatMap& map, const Table& table, 
 }
 
 Json ColourAxis(double limit, int length_px) {
-  return {{"cmin", -limit},
-          {"cmax", limit},
-          {"cmid", 0},
-          {"colorscale",
-           {{0.0, "#b35806"},
-            {0.17, "#f1a340"},
-            {0.34, "#fee0b6"},
-            {0.5, "#f7f7f7"},
-            {0.66, "#d1e5f0"},
-            {0.83, "#67a9cf"},
-            {1.0, "#2166ac"}}},
-          {"colorbar",
-           {{"title", {{"text", "less<br>error (%)"}, {"side", "top"}, {"font", {{"size", 11}}}}},
-            {"thickness", 12},
-            {"ticksuffix", ""},
-            {"lenmode", "pixels"},
-            {"len", length_px}}}};
+  return {
+      {"cmin", -limit},
+      {"cmax", limit},
+      {"cmid", 0},
+      {"colorscale",
+       {{0.0, "#2166ac"},
+        {0.17, "#67a9cf"},
+        {0.34, "#d1e5f0"},
+        {0.5, "#f7f7f7"},
+        {0.66, "#fee0b6"},
+        {0.83, "#f1a340"},
+        {1.0, "#b35806"}}},
+      {"colorbar",
+       {{"title", {{"text", "change of<br>error (%)"}, {"side", "top"}, {"font", {{"size", 11}}}}},
+        {"thickness", 12},
+        {"ticksuffix", ""},
+        {"lenmode", "pixels"},
+        {"len", length_px}}}};
 }
 
 Plot MakePlot(const HeatMap& map, const Table& table) {
@@ -295,7 +298,7 @@ std::optional<double> ErrorReduction(const Cell& cell, const Column& column) {
 
 void DrawErrorReduction(const SuiteData& data, const std::vector<SeriesRows>& series,
                         SuiteDrawing& drawing) {
-  const std::string what = "Error reduction by sequence: ";
+  const std::string what = "Change of error by sequence: ";
   if (data.table.reference.empty() || data.table.change) {
     drawing.not_drawn.push_back(what + "the suite names no reference to compare with.");
     return;
@@ -315,12 +318,13 @@ void DrawErrorReduction(const SuiteData& data, const std::vector<SeriesRows>& se
   for (const std::size_t column : map.columns) columns.push_back(&data.table.columns[column]);
   Figure figure;
   figure.id = "error-reduction";
-  figure.group = "Error reduction";
-  figure.title = StrCat("Error reduction against ", data.table.reference, ", in percent. ",
+  figure.group = "Change of error";
+  figure.title = StrCat("Change of error against ", data.table.reference, ", in percent. ",
                         Capitalised(RelationText(columns)));
   figure.caption = StrCat(
-      "Blue and +: less error than ", data.table.reference,
-      "; orange and −: more. In brackets: not distinguishable from it (the 95 % interval of the "
+      "Blue and −: less error than ", data.table.reference,
+      "; orange and +: more, ×12: twelve times as much. In brackets: not distinguishable from it "
+      "(the 95 % interval of the "
       "paired difference holds 0, its p-value, corrected for the number of cells, is not below "
       "0.05, or there are too few pairs). Empty: nothing to compare. Of "
       "shares the error is what is missing to 100 %. Each cell is on what both have in common.");

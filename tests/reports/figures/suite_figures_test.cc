@@ -68,7 +68,7 @@ TEST(ErrorReduction, OfAShareIsThatOfWhatIsMissing) {
 TEST(ErrorReduction, IsAHeatMapOfSequencesAndMeasures) {
   const TwoVariants suite;
   const Figure figure = test::FindFigure(Draw(suite.Written()), "error-reduction");
-  EXPECT_THAT(figure.title, HasSubstr("Error reduction against full, in percent"));
+  EXPECT_THAT(figure.title, HasSubstr("Change of error against full, in percent"));
   const Json plotly = Json::parse(figure.plotly);
   ASSERT_THAT(plotly["data"], SizeIs(1));
   const Json& map = plotly["data"][0];
@@ -78,8 +78,8 @@ TEST(ErrorReduction, IsAHeatMapOfSequencesAndMeasures) {
   EXPECT_EQ(plotly["layout"]["xaxis"]["ticktext"], Json({"camera<br>ATE", "1 − object<br>coverage",
                                                          "object<br>ATE", "not within<br>10 cm"}));
   // Coverage 4 of 5 to 3 of 5: what is missing doubles; errors of common frames double.
-  EXPECT_EQ(map["z"], Json::parse("[[0.0,-100.0,-100.0,-100.0]]"));
-  EXPECT_EQ(map["text"][0][2], "<b>−100</b>") << "seven bodies, all alike: distinguishable";
+  EXPECT_EQ(map["z"], Json::parse("[[0.0,100.0,100.0,100.0]]"));
+  EXPECT_EQ(map["text"][0][2], "<b>+100</b>") << "seven bodies, all alike: distinguishable";
   EXPECT_EQ(map["text"][0][0], "(0)") << "one scene cannot tell";
   EXPECT_EQ(plotly["layout"]["coloraxis"]["cmin"], -100.0);
   EXPECT_EQ(plotly["layout"]["coloraxis"]["cmax"], 100.0);
@@ -88,6 +88,20 @@ TEST(ErrorReduction, IsAHeatMapOfSequencesAndMeasures) {
   EXPECT_GE(figure.least_px, 4 * 40) << "numbers of a phone's columns would cover each other";
   EXPECT_LT(figure.least_px, figure.width_px);
   EXPECT_THAT(figure.alt, HasSubstr("2d: 3 of 4 cells are distinguishable, at most 100 % more"));
+}
+
+TEST(ErrorReduction, SaysManyTimesAsMuchAsAFactor) {
+  test::SuiteResults suite;
+  suite.table["rows"] = {"variant"};
+  suite.table["reference"] = "full";
+  for (const auto& [variant, error_m] : {std::pair{"full", 0.02}, {"2d", 0.3}}) {
+    suite.Add(WithBodies(Result("room"), Json::array({BodyOf(1, {error_m, error_m})})), variant, 1);
+  }
+  const Json plotly =
+      Json::parse(test::FindFigure(Draw(suite.Written()), "error-reduction").plotly);
+  const Json& map = plotly["data"][0];
+  EXPECT_THAT(map["text"][0], testing::Contains("(×15)"));
+  EXPECT_THAT(map["z"][0], testing::Contains(1400.0));
 }
 
 // Plotly takes categories of one name for one column, and what follows would move under the names
@@ -144,7 +158,7 @@ TEST(SuiteFigures, ReportMissingResults) {
   const SuiteDrawing drawing = Draw(suite.Written());
   EXPECT_THAT(drawing.figures, IsEmpty());
   for (const char* what :
-       {"Error reduction", "Error over coverage of the object", "Time by stage"}) {
+       {"Change of error", "Error over coverage of the object", "Time by stage"}) {
     EXPECT_THAT(drawing.not_drawn, Contains(HasSubstr(what))) << what;
   }
 }
