@@ -67,7 +67,7 @@ std::string Tail(const fs::path& file) {
 }
 
 // A scene can always be had, and a folder that was found was meant: that is no user without data.
-// A stale trajectory cannot be had, nor a network that is not there.
+// A stale trajectory cannot be had, nor a file of boxes that is not there.
 JobStatus::State StateWithoutInput(const PlannedJob& job) {
   if (IsPending(job.missing)) return JobStatus::State::kMissing;
   const bool absent = (job.cell.sequence.scene.empty() && job.folder.empty()) ||

@@ -168,18 +168,19 @@ void Planner::Open(const Cell& cell, Input& input) {
 Input Planner::FindInput(const Cell& cell) {
   Input input;
   try {
-    const std::string lacking = FindMissingFile(cell.sequence.detector, data_.root());
-    if (!lacking.empty()) {
+    const std::string lacking = FindMissingFile(cell.sequence, data_.root());
+    if (!lacking.empty() && !data_.root().empty()) {
       input.missing = StrCat(kNoFile, lacking, " below ", data_.root().string());
-      return input;
     }
     if (cell.sequence.scene.empty()) {
       const DataFolder::Found found = data_.Find(cell.sequence.folder);
-      input.missing = found.missing;
+      if (input.missing.empty() || !found.missing.empty()) input.missing = found.missing;
+      if (!input.missing.empty()) return input;
       input.folder = found.folder.string();
-      if (input.missing.empty()) Open(cell, input);
+      Open(cell, input);
       return input;
     }
+    if (!input.missing.empty()) return input;
     RenderedScene scene = scenes_.Find(cell.sequence, cell.parameters, cell.seed);
     if (!IsRendered(scene)) {
       AddRender(scene, cell);

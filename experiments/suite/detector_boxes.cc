@@ -17,8 +17,14 @@ std::string Number(double value) { return Json(value).dump(); }
 
 }  // namespace
 
-std::string FindMissingFile(const SuiteDetector& detector, const fs::path& data) {
-  for (const std::string& file : {detector.model, detector.weights, detector.names}) {
+std::string FindMissingFile(const SuiteSequence& sequence, const fs::path& data) {
+  const SuiteDetector& detector = sequence.detector;
+  std::vector<std::string> files = {detector.model, detector.weights, detector.names,
+                                    sequence.labels};
+  const bool is_file = detector.model.empty() && sequence.scene.empty() &&
+                       sequence.detections != kDetectionsFromLabels;
+  if (is_file) files.push_back(sequence.detections);
+  for (const std::string& file : files) {
     std::error_code ignored;
     if (!file.empty() && !fs::is_regular_file(data / file, ignored)) return file;
   }

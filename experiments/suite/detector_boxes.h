@@ -20,8 +20,9 @@ struct DetectorInput {
   std::filesystem::path data;
 };
 
-// The first of the detector's files that is not below `data`, as the suite writes it; else empty.
-std::string FindMissingFile(const SuiteDetector& detector, const std::filesystem::path& data);
+// The first file of boxes, of labels or of a detector that is not below `data`, as the suite writes
+// it; else empty.
+std::string FindMissingFile(const SuiteSequence& sequence, const std::filesystem::path& data);
 
 // Where its boxes are: <cache>/detections/<hash>.txt, of the bytes of the network's files and of
 // the left images, of its flags and of the program.

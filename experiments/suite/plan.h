@@ -34,7 +34,7 @@ inline bool IsPending(const std::string& missing) {
   return missing == kNotRendered || missing == kNotDetected;
 }
 
-// It starts with this where a file of a network is not there, which is no failure.
+// It starts with this where a file of boxes, labels or a network is not there, which is no failure.
 inline constexpr std::string_view kNoFile = "no file ";
 
 // A cell with its input found.

@@ -117,7 +117,9 @@ TEST_F(SuitePlan, MissingInputIsReportedNotThrown) {
   EXPECT_THAT(missing(FolderSuite("bad")), HasSubstr("calib.txt"));
   Json json = FolderSuite("a/07");
   json["sequences"][0]["detections"] = "nowhere.txt";
-  EXPECT_THAT(missing(json), HasSubstr("nowhere.txt"));
+  EXPECT_EQ(missing(json), StrCat("no file nowhere.txt below ", data().string()));
+  json["sequences"][0]["detections"] = "labels";
+  EXPECT_THAT(missing(json), testing::Not(HasSubstr("no file")));
   PlanRequest without_data;
   without_data.cache = cache();
   const BuiltPlan none = BuildPlan(Parse(FolderSuite("a/07")), without_data);
