@@ -58,7 +58,10 @@ TEST(AbsorbObservations, InformationIsThatOfTheReprojectionError) {
         2e-5;
   }
   const Eigen::Matrix3d expected =
-      J.transpose() * MeasurementCovariance({}, 1.2 * 1.2).inverse() * J;
+      J.transpose() *
+      MeasurementCovariance({.disparity_px = NoiseOptions().least_disparity_px}, 1.2 * 1.2)
+          .inverse() *
+      J;
   EXPECT_LT((a.landmark().past_information - expected).norm(), 1e-6 * expected.norm());
 }
 

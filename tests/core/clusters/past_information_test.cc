@@ -22,6 +22,7 @@ class LongStay {
   explicit LongStay(std::uint64_t seed) : rng_(seed, "stay") {
     options_.noise.corner_px = kNoise_px;
     options_.noise.disparity_px = kNoise_px;
+    options_.noise.disagreement = 0.0;  // all disparities alike
     window_.camera = {450.0, 450.0, 320.0, 240.0, 0.3, 640, 480};
     for (int i = 0; i < kPoints; ++i) {
       truth_.emplace_back(rng_.Uniform(-0.4, 0.4), rng_.Uniform(-0.4, 0.4),

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/median.h"
 #include "core/features/front_end.h"
+#include "core/features/patch_alignment.h"
 #include "tests/core/features/scene.h"
 
 namespace cvo {
@@ -63,27 +64,29 @@ TEST(MatchStereo, SubPixelDisparityWithoutBias) {
   }
 }
 
-double MedianDisagreement(const std::vector<StereoFeature>& features, double from_u, double to_u) {
-  std::vector<double> values;
-  for (const StereoFeature& feature : features) {
-    if (feature.octave > 0 || feature.z_px[0] < from_u || feature.z_px[0] > to_u) continue;
-    values.push_back(feature.disagreement_px);
-  }
-  EXPECT_GT(values.size(), 10U);
-  return Median(values);
-}
-
-TEST(MatchStereo, QuartersOfAPatchDisagreeWhereDepthJumps) {
+TEST(AlignPatch, QuartersDisagreeWhereDepthJumps) {
   const cv::Mat scene = DrawScene(320, 240, 5);
-  constexpr int kNear_px = 12;
-  constexpr int kFar_px = 8;
-  constexpr int kEdge_u = 160;  // what is right of it is nearer
-  cv::Mat right = Render(scene, kFar_px * kSubpixelSteps, 2.0, 1);
-  const cv::Range seen(kEdge_u - kNear_px, right.cols);
-  Render(scene, kNear_px * kSubpixelSteps, 2.0, 2).colRange(seen).copyTo(right.colRange(seen));
-  const auto features = MatchImages(Render(scene, 0, 2.0, 3), right);
-  EXPECT_GT(MedianDisagreement(features, kEdge_u - 4, kEdge_u + 4),
-            3.0 * MedianDisagreement(features, 20, kEdge_u - 20));
+  const cv::Mat left = Render(scene, 0, 2.0, 1);
+  const cv::Mat far = Render(scene, 8 * kSubpixelSteps, 2.0, 2);
+  const cv::Mat near = Render(scene, 9 * kSubpixelSteps, 2.0, 3);
+  std::vector<double> even;
+  std::vector<double> jumping;
+  for (int u = 60; u < 300; u += 8) {
+    const PatchQuery query{.u_left = static_cast<double>(u),
+                           .v_left = 120.0,
+                           .u_right = u - 8.0,
+                           .v_right = 120.0,
+                           .patch_radius = 7,
+                           .search_radius = 4};
+    cv::Mat both = far.clone();
+    near.colRange(u - 8, near.cols).copyTo(both.colRange(u - 8, near.cols));
+    const auto one = AlignPatch(left, far, query);
+    const auto two = AlignPatch(left, both, query);
+    if (one) even.push_back(one->disagreement);
+    if (two) jumping.push_back(two->disagreement);
+  }
+  ASSERT_GT(jumping.size(), 10U);
+  EXPECT_GT(Median(jumping), 3.0 * Median(even));
 }
 
 TEST(MatchStereo, DisparityOfTheGroundWithoutBias) {
