@@ -24,7 +24,9 @@ bool Contains(const std::vector<std::string>& classes, const std::string& type) 
                      [&](const std::string& name) { return Lower(name) == Lower(type); });
 }
 
-// Moved by the disparity of what it shows; boxes on nothing stay, as of something far away.
+// Moved by the disparity of what it shows; boxes on nothing stay, as of something far away. An edge
+// at the border of its image is the border's, not the body's: it stays, so that it still counts as
+// cut.
 ImageBox MoveBox(const ObjectBox& box, const BoxCamera& camera,
                  const std::vector<StereoFeature>& features, DetectionCounts& counts) {
   const ImageBox drawn = {box.left_px, box.top_px, box.right_px, box.bottom_px};
@@ -35,7 +37,11 @@ ImageBox MoveBox(const ObjectBox& box, const BoxCamera& camera,
     return drawn;
   }
   const ObjectBox moved = ShiftBox(box, camera.offset_m, camera.left.fx, depth_m);
-  return {moved.left_px, moved.top_px, moved.right_px, moved.bottom_px};
+  constexpr double kAtBorder_px = 2.0;  // detectors end boxes a pixel or two before it
+  const double last_u_px = camera.left.width_px - 1;
+  return {drawn.left_px <= kAtBorder_px ? drawn.left_px : moved.left_px, moved.top_px,
+          drawn.right_px >= last_u_px - kAtBorder_px ? drawn.right_px : moved.right_px,
+          moved.bottom_px};
 }
 
 }  // namespace

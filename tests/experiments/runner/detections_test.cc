@@ -108,6 +108,22 @@ TEST(Detections, MoveByTheDisparityOfWhatTheyShow) {
   EXPECT_EQ(counts.without_depth, 0);
 }
 
+TEST(Detections, EdgesAtTheBorderStayThere) {
+  const BoxCamera camera = Camera(-0.1);
+  std::vector<StereoFeature> features;
+  for (const int u : {2, 92}) {
+    for (int i = 0; i < 6; ++i) features.push_back(FeatureAt(u + i, 30, 5.0));
+  }
+  DetectionCounts counts;
+  const auto detections = DetectionsOfFrame({Box(0, 20, 6, 40), Box(88, 20, 99, 40)}, camera,
+                                            features, RigidClasses(), counts);
+  ASSERT_THAT(detections, SizeIs(2));
+  EXPECT_EQ(detections[0].box.left_px, 0.0);
+  EXPECT_NEAR(detections[0].box.right_px, 8.0, 1e-9);
+  EXPECT_NEAR(detections[1].box.left_px, 90.0, 1e-9);
+  EXPECT_EQ(detections[1].box.right_px, 99.0);
+}
+
 TEST(Detections, WithoutFeaturesStayWhereTheyWereDrawn) {
   DetectionCounts counts;
   const auto detections = DetectionsOfFrame({Box(30, 20, 36, 40)}, Camera(0.1),
