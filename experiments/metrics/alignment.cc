@@ -23,14 +23,6 @@ constexpr std::array<AlignmentText, 5> kTexts = {
      {TrajectoryAlignment::kOrigin, "origin", "aligned at the first common pose"},
      {TrajectoryAlignment::kYaw, "yaw", "aligned by yaw and translation over positions"}}};
 
-Eigen::Matrix3Xd PositionsOf(const std::vector<RigidTransform>& poses) {
-  Eigen::Matrix3Xd positions(3, static_cast<Eigen::Index>(poses.size()));
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    positions.col(static_cast<Eigen::Index>(i)) = poses[i].translation();
-  }
-  return positions;
-}
-
 // The rotation is the same with and without a scale, which then has a closed form.
 Similarity AlignWithScale(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
   const Eigen::Matrix3d R = AlignPoints(from, to).RotationMatrix();
@@ -79,8 +71,8 @@ std::string DescriptionOf(TrajectoryAlignment alignment) {
 Similarity AlignTrajectory(const CommonPoses& poses, TrajectoryAlignment alignment,
                            const Eigen::Vector3d& up) {
   if (poses.size() == 0) ThrowError("alignment", "no common poses", "at least one");
-  const Eigen::Matrix3Xd from = PositionsOf(poses.estimate);
-  const Eigen::Matrix3Xd to = PositionsOf(poses.truth);
+  const Eigen::Matrix3Xd from = Positions(poses.estimate);
+  const Eigen::Matrix3Xd to = Positions(poses.truth);
   switch (alignment) {
     case TrajectoryAlignment::kNone:
       return {};

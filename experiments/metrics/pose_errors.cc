@@ -82,14 +82,6 @@ double SquaredAngles(const std::vector<Eigen::Quaterniond>& Q) {
   return sum;
 }
 
-Eigen::Matrix3Xd Positions(const std::vector<RigidTransform>& poses) {
-  Eigen::Matrix3Xd positions(3, static_cast<Eigen::Index>(poses.size()));
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    positions.col(static_cast<Eigen::Index>(i)) = poses[i].translation();
-  }
-  return positions;
-}
-
 // R - I without the cancellation: 2 (w [v] + [v]^2).
 Eigen::Matrix3d TurnedBy(const Eigen::Quaterniond& rotation) {
   const Eigen::Matrix3d v = Skew(rotation.vec());
@@ -134,6 +126,14 @@ void CheckFinite(const char* name, std::size_t frame, const RigidTransform& pose
 }
 
 }  // namespace
+
+Eigen::Matrix3Xd Positions(const std::vector<RigidTransform>& poses) {
+  Eigen::Matrix3Xd positions(3, static_cast<Eigen::Index>(poses.size()));
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    positions.col(static_cast<Eigen::Index>(i)) = poses[i].translation();
+  }
+  return positions;
+}
 
 CommonPoses FindCommonPoses(const OptionalPoses& truth, const OptionalPoses& estimate) {
   if (truth.size() != estimate.size()) {

@@ -23,6 +23,9 @@ struct CommonPoses {
 // Throws Error where the lengths differ or a pose is not finite.
 CommonPoses FindCommonPoses(const OptionalPoses& truth, const OptionalPoses& estimate);
 
+// By column.
+Eigen::Matrix3Xd Positions(const std::vector<RigidTransform>& poses);
+
 // Position errors (m) after the SE(3) alignment of the estimate's positions to the truth's.
 std::vector<double> AlignedPositionErrors(const CommonPoses& poses);
 

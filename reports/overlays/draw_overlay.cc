@@ -114,7 +114,6 @@ OverlayStyle StyleFor(const CameraInfo& camera, int width_px) {
   style.landmark_px = 0.5 + 1.9 * size;
   style.static_px = 0.3 + 0.7 * size;
   style.rim_px = std::min(size, 1.0);
-  style.trail_px = 0.8 + 1.4 * size;
   style.dash_px = 3.0 + 4.0 * size;
   style.names = width_px >= 400;
   style.status_rows = width_px >= 400 && width_px < 900 ? 2 : 1;

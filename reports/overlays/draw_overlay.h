@@ -17,7 +17,6 @@ struct OverlayStyle {
   double landmark_px = 2.6;  // radius of a landmark of a body
   double static_px = 1.1;
   double rim_px = 1.0;  // dark, around landmarks
-  double trail_px = 2.2;
   double dash_px = 7.0;
   bool names = true;   // a class beside the id
   bool boxes = true;   // 3D boxes, arrows and trails; detections and landmarks are always drawn
