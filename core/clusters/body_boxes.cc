@@ -100,7 +100,8 @@ BodyBox BoxAt(const BoxScene& scene, const Cluster& cluster, const BodyTrack& tr
 }  // namespace
 
 void BodyBoxes::Describe(const BoxScene& scene, std::vector<ClusterReport>& reports) {
-  for (const Cluster& cluster : scene.clusters.live) {
+  for (std::size_t q = 0; q < scene.clusters.live.size(); ++q) {
+    const Cluster& cluster = scene.clusters.live[q];
     std::shared_ptr<BodyTrack>& kept = tracks_[cluster.id];
     if (!kept) kept = std::make_shared<BodyTrack>();
     BodyTrack& track = *kept;
@@ -112,11 +113,8 @@ void BodyBoxes::Describe(const BoxScene& scene, std::vector<ClusterReport>& repo
       ShapeBox(scene, cluster, known_m, track);
       LookAt(scene, cluster, known_m.minCoeff() > 0.0, track);
     }
-    for (ClusterReport& report : reports) {
-      if (report.id != cluster.id) continue;
-      report.box = BoxAt(scene, cluster, track, report.world_from_object);
-      report.score = ScoreOf(scene.options, scene.view, scene.newest, cluster);
-    }
+    reports[q].box = BoxAt(scene, cluster, track, reports[q].world_from_object);
+    reports[q].score = ScoreOf(scene.options, scene.view, scene.newest, cluster);
   }
 }
 

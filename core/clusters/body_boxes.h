@@ -25,7 +25,7 @@ struct BodyTrack;
 // The upright boxes of bodies (METHOD.md 10.4): what the estimator reports, and never uses.
 class BodyBoxes {
  public:
-  // Sets box and score of every report.
+  // Sets box and score of every report, one per live cluster and in their order.
   void Describe(const BoxScene& scene, std::vector<ClusterReport>& reports);
 
  private:

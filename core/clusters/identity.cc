@@ -108,6 +108,11 @@ void ChangeFrame(const RigidTransform& old_from_new, ClusterId id, Cluster& clus
                                   [since](const ClusterPose& pose) { return pose.frame >= since; });
   ChangeFrameOfPoses(old_from_new, static_cast<std::size_t>(first - trajectory.poses.begin()),
                      trajectory.poses);
+  std::for_each(first, trajectory.poses.end(), [&](ClusterPose& pose) {
+    pose.id = id;
+    pose.center_in_object = new_from_old * pose.center_in_object;
+    pose.box.object_from_box = new_from_old * pose.box.object_from_box;
+  });
   for (Landmark& landmark : cluster.landmarks) {
     landmark.label.cluster = id;
     landmark.p_in_object = new_from_old * landmark.p_in_object;

@@ -20,19 +20,18 @@ struct OdometrySetup {
   std::uint64_t seed = 0;  // of the estimator's own draws (RANSAC)
 };
 
-// A cluster in one frame, as last estimated.
-struct ClusterPose {
+// A cluster in one frame: pose and velocity as last estimated, all else as when the frame came, in
+// the body's frame as it is now.
+struct ClusterPose : ClusterReport {
   std::int64_t frame = 0;  // counted from the first one processed, skipped ones included
   std::int64_t timestamp_ns = 0;
-  ClusterStatus status = ClusterStatus::kTracked;
-  RigidTransform world_from_object;
-  Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  // of its origin, in world
 };
 
 struct ClusterTrajectory {
   ClusterId id;
   std::string category;
-  std::vector<ClusterPose> poses;  // by frame, one per frame in which the cluster was live
+  // By frame, one per frame in which the cluster was live, those before it was confirmed included.
+  std::vector<ClusterPose> poses;
 };
 
 // The estimator seen from outside; the only virtual call, once per frame.

@@ -51,8 +51,7 @@ void RecordTrajectory(const Cluster& cluster, const ClusterReport& report, Frame
                       std::int64_t timestamp_ns, ClusterTrajectory& trajectory) {
   trajectory.id = cluster.id;
   trajectory.category = cluster.category;
-  trajectory.poses.push_back(
-      {newest.value, timestamp_ns, report.status, report.world_from_object, report.velocity_m_s});
+  trajectory.poses.push_back({report, newest.value, timestamp_ns});
   for (const ClusterState& state : cluster.states) {
     const auto it = std::lower_bound(
         trajectory.poses.begin(), trajectory.poses.end(), state.frame.value,
@@ -85,9 +84,9 @@ void AddStates(const FrameView& view, FrameId newest, const std::vector<ClusterT
   }
 }
 
-std::vector<ClusterReport> ReportClusters(const ClusterOptions& options, FrameId newest,
-                                          std::int64_t timestamp_ns,
-                                          const ClusterPredictor& predict, ClusterMap& map) {
+std::vector<ClusterReport> DescribeClusters(const ClusterOptions& options, FrameId newest,
+                                            const ClusterPredictor& predict,
+                                            const ClusterMap& map) {
   std::vector<ClusterReport> reports;
   for (const Cluster& cluster : map.live) {
     ClusterReport report = DescribeCluster(options, newest, cluster);
@@ -96,10 +95,21 @@ std::vector<ClusterReport> ReportClusters(const ClusterOptions& options, FrameId
       report.world_from_object = predicted.world_from_object;
       report.velocity_m_s = predicted.velocity_m_s;
     }
-    RecordTrajectory(cluster, report, newest, timestamp_ns, map.trajectories[cluster.id]);
-    if (IsConfirmed(cluster, options)) reports.push_back(std::move(report));
+    reports.push_back(std::move(report));
   }
   return reports;
+}
+
+std::vector<ClusterReport> RecordClusters(const ClusterOptions& options, FrameId newest,
+                                          std::int64_t timestamp_ns,
+                                          std::vector<ClusterReport> reports, ClusterMap& map) {
+  std::vector<ClusterReport> confirmed;
+  for (std::size_t q = 0; q < map.live.size(); ++q) {
+    const Cluster& cluster = map.live[q];
+    RecordTrajectory(cluster, reports[q], newest, timestamp_ns, map.trajectories[cluster.id]);
+    if (IsConfirmed(cluster, options)) confirmed.push_back(std::move(reports[q]));
+  }
+  return confirmed;
 }
 
 std::vector<LandmarkReport> ReportLandmarks(const FrameView& view,

@@ -10,12 +10,16 @@ namespace cvo {
 void AddStates(const FrameView& view, FrameId newest, const std::vector<ClusterTrack>& tracks,
                ClusterMap& map);
 
-// After the optimisation: what the frame and those of T_t say of every live cluster goes into the
-// trajectories; a cluster without a state in the frame is predicted there. Returns the reports of
-// the confirmed ones.
-std::vector<ClusterReport> ReportClusters(const ClusterOptions& options, FrameId newest,
+// After the optimisation: every live cluster in the newest frame, boxes and scores left out; one
+// without a state in the frame is predicted there.
+std::vector<ClusterReport> DescribeClusters(const ClusterOptions& options, FrameId newest,
+                                            const ClusterPredictor& predict, const ClusterMap& map);
+
+// The reports of all live clusters, and the poses of T_t as they are now, go into the trajectories.
+// Returns those of the confirmed ones.
+std::vector<ClusterReport> RecordClusters(const ClusterOptions& options, FrameId newest,
                                           std::int64_t timestamp_ns,
-                                          const ClusterPredictor& predict, ClusterMap& map);
+                                          std::vector<ClusterReport> reports, ClusterMap& map);
 
 std::vector<LandmarkReport> ReportLandmarks(const FrameView& view,
                                             const std::vector<FramePoint>& points,

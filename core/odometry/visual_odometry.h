@@ -217,11 +217,14 @@ class VisualOdometry final : public Odometry {
     Variant::Identity::Update(
         {options_.identity, options_.association, options_.clusters, newest_, predict}, clusters_,
         cluster_rng_);
-    report.clusters = ReportClusters(options_.clusters, newest_, timestamp_ns_, predict, clusters_);
+    std::vector<ClusterReport> described =
+        DescribeClusters(options_.clusters, newest_, predict, clusters_);
     if (view != nullptr) ground_.Update(SeenStaticPoints(), report.world_from_camera);
     boxes_.Describe({options_, clusters_, view, newest_, report.world_from_camera,
                      ground_.Down(report.world_from_camera)},
-                    report.clusters);
+                    described);
+    report.clusters =
+        RecordClusters(options_.clusters, newest_, timestamp_ns_, std::move(described), clusters_);
   }
 
   std::vector<Eigen::Vector3d> SeenStaticPoints() const {

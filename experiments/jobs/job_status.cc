@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kErrorPrefix = "clustervo: error: ";
 
-// By what tables and the gate read of a result: what they refuse is not done. Throws Error there.
-bool IsResultOf(const fs::path& file, const PlannedJob& job) {
+// Throws Error where tables and the gate would refuse the result, or it is another job's.
+void CheckResult(const fs::path& file, const PlannedJob& job) {
   const reports::RunSummary run = reports::ReadRun(file, {});
   const Cell& cell = job.cell;
   reports::CheckRunOf(
@@ -32,14 +32,8 @@ bool IsResultOf(const fs::path& file, const PlannedJob& job) {
        .oracle = cell.oracle,
        .parameters = ParametersOf(cell)},
       run);
-  return run.status != ToString(RunStatus::kFailed);
-}
-
-bool IsDone(const SuiteFolder& folder, const PlannedJob& job) {
-  try {
-    return HasFiles(folder, job) && IsResultOf(folder.job(job.job) / "result.json", job);
-  } catch (const Error&) {
-    return false;  // damaged: made anew
+  if (run.status == ToString(RunStatus::kFailed)) {
+    throw Error(StrCat(file.string(), ": the estimator gave up: ", run.message));
   }
 }
 
@@ -97,9 +91,20 @@ bool HasFiles(const SuiteFolder& folder, const PlannedJob& job) {
          (!job.cell.landmarks || fs::exists(files / "landmarks.csv"));
 }
 
+std::string ProblemOfResult(const SuiteFolder& folder, const PlannedJob& job) {
+  if (!HasFiles(folder, job)) return "ended without a result";
+  try {
+    CheckResult(folder.job(job.job) / "result.json", job);
+    return "";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
 JobStatus StatusOf(const SuiteFolder& folder, const PlannedJob& job) {
   if (job.job.empty()) return {StateWithoutInput(job), job.missing};
-  if (IsDone(folder, job)) return {JobStatus::State::kDone, ""};
+  // A damaged result is made anew.
+  if (ProblemOfResult(folder, job).empty()) return {JobStatus::State::kDone, ""};
   const fs::path failure = folder.failure(job.job);
   if (!fs::exists(failure)) return {JobStatus::State::kMissing, ""};
   return {JobStatus::State::kFailed, FailureMessage(failure)};

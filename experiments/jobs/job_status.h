@@ -29,6 +29,9 @@ JobStatus StatusOf(const SuiteFolder& folder, const PlannedJob& job);
 // Whether the files that make the job done are there, whatever is in them.
 bool HasFiles(const SuiteFolder& folder, const PlannedJob& job);
 
+// Why the job is not done; empty: it is.
+std::string ProblemOfResult(const SuiteFolder& folder, const PlannedJob& job);
+
 // In the order of the plan; cells with the same identity share their status.
 std::vector<JobStatus> StatusOfAll(const SuiteFolder& folder, const Plan& plan);
 

@@ -41,7 +41,6 @@ void MakeFolder(const fs::path& folder) {
 }
 
 std::string MessageOf(const TaskEnd& end, const fs::path& log) {
-  if (end.ok) return "ended without a result";
   const std::string error = end.message.starts_with("exit code") ? ErrorInLog(log) : "";
   return error.empty() ? end.message : error;
 }
@@ -132,7 +131,8 @@ class JobRunner {
       if (IsDone(job, end)) {
         RemoveFailure(run_.folder, job.job);
       } else if (!stopped_) {
-        const std::string message = MessageOf(end, run_.folder.log(job.job));
+        const std::string message = end.ok ? ProblemOfResult(run_.folder, job)
+                                           : MessageOf(end, run_.folder.log(job.job));
         WriteFailure(run_.folder, job.job, message);
         run_.notice(StrCat("failed: ", Describe(job.cell), ": ", message));
       }

@@ -5,21 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
+#include <utility>
 
 namespace cvo {
 namespace {
-
-// nullptr where the run did not keep one.
-const ClusterPose* FindRefined(const RunResult& run, ClusterId id, std::int64_t frame) {
-  for (const ClusterTrajectory& cluster : run.clusters) {
-    if (cluster.id != id) continue;
-    const auto found = std::lower_bound(
-        cluster.poses.begin(), cluster.poses.end(), frame,
-        [](const ClusterPose& pose, std::int64_t index) { return pose.frame < index; });
-    return found != cluster.poses.end() && found->frame == frame ? &*found : nullptr;
-  }
-  return nullptr;
-}
 
 std::array<Eigen::Vector3d, 8> CornersInCamera(const ClusterRow& row) {
   std::array<Eigen::Vector3d, 8> corners;
@@ -27,27 +17,37 @@ std::array<Eigen::Vector3d, 8> CornersInCamera(const ClusterRow& row) {
     const Eigen::Vector3d sign((i & 1U) != 0 ? 1.0 : -1.0, (i & 2U) != 0 ? 1.0 : -1.0,
                                (i & 4U) != 0 ? 1.0 : -1.0);
     corners[i] =
-        row.CameraFromBox() * Eigen::Vector3d(0.5 * sign.cwiseProduct(row.report.box.size_m));
+        row.CameraFromBox() * Eigen::Vector3d(0.5 * sign.cwiseProduct(row.Last().box.size_m));
   }
   return corners;
 }
 
 }  // namespace
 
+RigidTransform ClusterRow::CameraFromBox() const {
+  const RigidTransform& world_from_camera =
+      refined ? frame.refined_world_from_camera : frame.report.world_from_camera;
+  return world_from_camera.Inverse() * Last().world_from_object * Last().box.object_from_box;
+}
+
 std::vector<ClusterRow> ClusterRows(const RunResult& run) {
-  std::vector<ClusterRow> rows;
+  std::map<std::pair<std::size_t, ClusterId>, ClusterRow> rows;  // by frame and id
+  const auto row = [&](std::size_t i, ClusterId id) -> ClusterRow& {
+    return rows.try_emplace({i, id}, ClusterRow{run.frames[i], id}).first->second;
+  };
   for (std::size_t i = 0; i < run.frames.size(); ++i) {
-    const FrameRecord& frame = run.frames[i];
-    for (const ClusterReport& report : frame.report.clusters) {
-      const ClusterPose* refined = FindRefined(run, report.id, static_cast<std::int64_t>(i));
-      const RigidTransform camera_from_world =
-          (refined ? frame.refined_world_from_camera : frame.report.world_from_camera).Inverse();
-      rows.push_back(
-          {frame, report, refined,
-           camera_from_world * (refined ? refined->world_from_object : report.world_from_object)});
+    for (const ClusterReport& report : run.frames[i].report.clusters) {
+      row(i, report.id).causal = &report;
     }
   }
-  return rows;
+  for (const ClusterTrajectory& cluster : run.clusters) {
+    for (const ClusterPose& pose : cluster.poses) {
+      row(static_cast<std::size_t>(pose.frame), cluster.id).refined = &pose;
+    }
+  }
+  std::vector<ClusterRow> ordered;
+  for (const auto& [key, row_of_key] : rows) ordered.push_back(row_of_key);
+  return ordered;
 }
 
 std::optional<ImageBox> ProjectedBox(const ClusterRow& row, const StereoCamera& camera) {

@@ -10,15 +10,16 @@
 
 namespace cvo {
 
-// A live cluster in a frame, with poses as last estimated where the run has them (else both the
-// camera's and the cluster's as they were when the frame came). The run must outlive it.
+// A live cluster in a frame, as reported when the frame came and as last estimated; at least one of
+// the two. The run must outlive it.
 struct ClusterRow {
   const FrameRecord& frame;
-  const ClusterReport& report;
-  const ClusterPose* refined = nullptr;
-  RigidTransform camera_from_object;
+  ClusterId id;
+  const ClusterReport* causal = nullptr;   // null: not yet confirmed when the frame came
+  const ClusterReport* refined = nullptr;  // null: the run failed
 
-  RigidTransform CameraFromBox() const { return camera_from_object * report.box.object_from_box; }
+  const ClusterReport& Last() const { return refined ? *refined : *causal; }
+  RigidTransform CameraFromBox() const;
 };
 
 // By frame, then by id.

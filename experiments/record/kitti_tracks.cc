@@ -16,7 +16,7 @@ namespace {
 ObjectBox::Box3d UprightBox(const ClusterRow& cluster, double left_offset_m) {
   const RigidTransform camera_from_box = cluster.CameraFromBox();
   const Eigen::Vector3d forward = camera_from_box.rotation() * Eigen::Vector3d::UnitX();
-  const Eigen::Vector3d& size_m = cluster.report.box.size_m;
+  const Eigen::Vector3d& size_m = cluster.Last().box.size_m;
   ObjectBox::Box3d box;
   box.length_m = size_m.x();
   box.height_m = size_m.y();
@@ -29,7 +29,7 @@ ObjectBox::Box3d UprightBox(const ClusterRow& cluster, double left_offset_m) {
 
 // Of the associated detection, else of the 3D box; empty out of view.
 std::optional<ImageBox> Box2d(const ClusterRow& cluster, const StereoCamera& camera) {
-  const int detection = cluster.report.detection;
+  const int detection = cluster.Last().detection;
   if (detection < 0) return ProjectedBox(cluster, camera);
   return cluster.frame.detections.at(static_cast<std::size_t>(detection)).box;
 }
@@ -43,14 +43,14 @@ std::vector<ObjectBox> TrackBoxes(const Sequence& sequence, const RunResult& run
     if (!box2d) continue;
     ObjectBox box;
     box.frame = cluster.frame.frame;
-    box.track = static_cast<int>(cluster.report.id.value);
-    box.type = cluster.report.category.empty() ? "Misc" : cluster.report.category;
+    box.track = static_cast<int>(cluster.id.value);
+    box.type = cluster.Last().category.empty() ? "Misc" : cluster.Last().category;
     box.left_px = box2d->left_px;
     box.top_px = box2d->top_px;
     box.right_px = box2d->right_px;
     box.bottom_px = box2d->bottom_px;
     box.box3d = UprightBox(cluster, sequence.left_offset_m);
-    box.score = cluster.report.score;
+    box.score = cluster.Last().score;
     boxes.push_back(std::move(box));
   }
   return boxes;

@@ -19,26 +19,26 @@ constexpr const char* kObjectTableHeader =
     "left_px,top_px,right_px,bottom_px,observed_landmarks,detection,score\n";
 constexpr int kPoseAndVelocity = 10;
 
+void AddPose(const ClusterReport* report, TableRow& row) {
+  if (!report) return row.Empty(kPoseAndVelocity);
+  row.Pose(report->world_from_object);
+  row.Vector(report->velocity_m_s);
+}
+
 }  // namespace
 
 std::string ObjectTable(const Sequence& sequence, const RunResult& run) {
   std::string table = kObjectTableHeader;
   for (const ClusterRow& cluster : ClusterRows(run)) {
-    const ClusterReport& report = cluster.report;
+    const ClusterReport& report = cluster.Last();
     TableRow row(',');
     row.Integer(cluster.frame.frame);
     row.Integer(cluster.frame.timestamp_ns);
-    row.Integer(report.id.value);
+    row.Integer(cluster.id.value);
     row.Text(report.category);
     row.Text(ToString(report.status));
-    row.Pose(report.world_from_object);
-    row.Vector(report.velocity_m_s);
-    if (cluster.refined) {
-      row.Pose(cluster.refined->world_from_object);
-      row.Vector(cluster.refined->velocity_m_s);
-    } else {
-      row.Empty(kPoseAndVelocity);
-    }
+    AddPose(cluster.causal, row);
+    AddPose(cluster.refined, row);
     row.Vector(report.center_in_object);
     row.Vector(report.half_size_m);
     row.Pose(report.box.object_from_box);

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "experiments/datasets/plausibility.h"
+#include "experiments/record/cluster_rows.h"
 #include "experiments/record/job_identity.h"
 
 namespace cvo {
@@ -127,14 +128,12 @@ Json ClustersToJson(const RunResult& run) {
     int last = 0;
   };
   std::map<ClusterId, Life> lives;
-  for (const FrameRecord& frame : run.frames) {
-    for (const ClusterReport& report : frame.report.clusters) {
-      Life& life = lives[report.id];
-      if (life.frames++ == 0) life.first = frame.frame;
-      life.last = frame.frame;
-      life.category = report.category;
-      life.tracked += report.status == ClusterStatus::kTracked ? 1 : 0;
-    }
+  for (const ClusterRow& row : ClusterRows(run)) {
+    Life& life = lives[row.id];
+    if (life.frames++ == 0) life.first = row.frame.frame;
+    life.last = row.frame.frame;
+    life.category = row.Last().category;
+    life.tracked += row.Last().status == ClusterStatus::kTracked ? 1 : 0;
   }
   Json clusters = Json::array();
   for (const auto& [id, life] : lives) {

@@ -10,16 +10,14 @@
 namespace cvo {
 namespace {
 
-ClusterFrame FrameOf(const ClusterRow& row, std::size_t frame, PoseTime time) {
-  const bool refined = time == PoseTime::kRefined && row.refined != nullptr;
+ClusterFrame FrameOf(const ClusterReport& report, std::size_t frame) {
   ClusterFrame cluster;
   cluster.frame = static_cast<int>(frame);
-  cluster.world_from_object =
-      refined ? row.refined->world_from_object : row.report.world_from_object;
+  cluster.world_from_object = report.world_from_object;
   // Of the cluster's origin, as point_in_object is.
-  cluster.velocity_m_s = refined ? row.refined->velocity_m_s : row.report.velocity_m_s;
-  cluster.observed_landmarks = row.report.observed_landmarks;
-  cluster.predicted = row.report.status == ClusterStatus::kPredicted;
+  cluster.velocity_m_s = report.velocity_m_s;
+  cluster.observed_landmarks = report.observed_landmarks;
+  cluster.predicted = report.status == ClusterStatus::kPredicted;
   return cluster;
 }
 
@@ -36,11 +34,13 @@ ObjectEstimate ObjectEstimateOf(const RunResult& run, PoseTime time) {
   }
   std::map<ClusterId, ClusterEstimate> clusters;
   for (const ClusterRow& row : ClusterRows(run)) {
-    ClusterEstimate& cluster = clusters[row.report.id];
-    cluster.id = row.report.id.value;
-    cluster.category = row.report.category;
+    const ClusterReport* report = time == PoseTime::kCausal ? row.causal : &row.Last();
+    if (!report) continue;
+    ClusterEstimate& cluster = clusters[row.id];
+    cluster.id = row.id.value;
+    cluster.category = report->category;
     const auto frame = static_cast<std::size_t>(row.frame.frame - run.frames.front().frame);
-    cluster.frames.push_back(FrameOf(row, frame, time));
+    cluster.frames.push_back(FrameOf(*report, frame));
   }
   for (auto& [id, cluster] : clusters) estimate.clusters.push_back(std::move(cluster));
   return estimate;

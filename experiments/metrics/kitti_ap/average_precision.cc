@@ -51,7 +51,9 @@ AveragePrecision EvaluateLevel(const std::vector<ApFrame>& frames, const ApProto
   for (std::size_t i = kRecallSlots - 1; i-- > 0;) {
     result.precision[i] = std::max(result.precision[i], result.precision[i + 1]);
   }
-  for (std::size_t i = 0; i < kRecallSlots; i += 4) result.ap11 += result.precision[i] / 11.0;
+  // Divided once: eleven times 1/11 is more than 1.
+  for (std::size_t i = 0; i < kRecallSlots; i += 4) result.ap11 += result.precision[i];
+  result.ap11 /= 11.0;
   result.ap40 = std::accumulate(result.precision.begin() + 1, result.precision.end(), 0.0) /
                 (kRecallSlots - 1.0);
   return result;

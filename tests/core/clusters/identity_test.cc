@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/cluster_poses.h"
+
 namespace cvo {
 namespace {
 
@@ -45,6 +47,9 @@ struct Return {
     cluster.id = ClusterId{id};
     cluster.category = "cart";
     cluster.size_m = 1.0;
+    ClusterReport report;
+    report.id = cluster.id;
+    report.box.object_from_box = At(0.3);
     ClusterTrajectory& trajectory = map.trajectories[cluster.id];
     trajectory.id = cluster.id;
     for (const auto& [frame, pose] : poses) {
@@ -53,7 +58,7 @@ struct Return {
       // Poses are recorded at the end of a frame, that of frame 20 is not there yet.
       if (frame < 20) {
         trajectory.poses.push_back(
-            {frame, frame, ClusterStatus::kTracked, pose, Eigen::Vector3d::Zero()});
+            test::PoseInFrame(frame, frame, ClusterStatus::kTracked, pose, report));
       }
     }
     return cluster;
@@ -88,6 +93,7 @@ TEST(InheritIdentities, TheFoundClusterGoesOnAsTheLostOne) {
 TEST(InheritIdentities, OnlyTheFrameOfTheBodyChanges) {
   Return r;
   const Cluster before = r.map.live[0];
+  const ClusterPose told = r.map.trajectories.at(before.id).poses.back();
   ASSERT_EQ(r.Found(), 1);
   const Cluster& after = r.map.live[0];
   // The axes are those that were predicted, the origin is the found one's in every frame.
@@ -113,6 +119,11 @@ TEST(InheritIdentities, OnlyTheFrameOfTheBodyChanges) {
   }
   const ClusterPose& recorded = r.map.trajectories.at(ClusterId{1}).poses.back();
   EXPECT_LT(recorded.world_from_object.Minus(after.states[0].world_from_object).norm(), 1e-12);
+  EXPECT_EQ(recorded.id, ClusterId{1});
+  const RigidTransform world_from_box = told.world_from_object * told.box.object_from_box;
+  EXPECT_LT(
+      (recorded.world_from_object * recorded.box.object_from_box).Minus(world_from_box).norm(),
+      1e-12);
 }
 
 TEST(InheritIdentities, VelocitiesAreThoseOfTheNewOrigin) {
@@ -138,7 +149,7 @@ TEST(InheritIdentities, ALostLiveClusterThatWasOnlyPredictedMeanwhileGivesWay) {
   r.map.live.insert(r.map.live.begin(), r.map.archived[0]);
   r.map.archived.clear();
   r.map.trajectories[ClusterId{1}].poses.push_back(
-      {19, 19, ClusterStatus::kPredicted, At(0.9), Eigen::Vector3d::Zero()});
+      test::PoseInFrame(19, 19, ClusterStatus::kPredicted, At(0.9)));
   EXPECT_EQ(r.Found(), 1);
   EXPECT_THAT(r.map.live, ::testing::SizeIs(1));
   EXPECT_EQ(r.map.live[0].last_observed, FrameId{20});

@@ -96,6 +96,22 @@ TEST(MovingBodies, KeepOneIdEach) {
   EXPECT_EQ(run.clusters.size(), 2u);
 }
 
+TEST(MovingBodies, TrajectoriesBeginWithTheFirstDetectionThoughReportsWaitForTheSecond) {
+  const ClusterRun run = Watch(12, [](int i, WorldView& view) {
+    if (i < 4) view.frame.detections.clear();
+  });
+  ASSERT_EQ(run.clusters.size(), 2u);
+  for (const ClusterTrajectory& cluster : run.clusters) {
+    EXPECT_EQ(FindReport(run.reports[4], cluster.id), nullptr);
+    EXPECT_NE(FindReport(run.reports[5], cluster.id), nullptr);
+    const ClusterPose& first = cluster.poses.front();
+    EXPECT_EQ(first.frame, 4);
+    EXPECT_EQ(first.status, ClusterStatus::kTracked);
+    EXPECT_GE(first.observed_landmarks, 3);
+    EXPECT_GT(first.box.size_m.minCoeff(), 0.0);
+  }
+}
+
 TEST(MovingBodies, PosesFollowTheTruthUpToAConstantFrame) {
   const ClusterRun run = Watch(40, testing::kNoChange);
   for (int b = 0; b < 2; ++b) {

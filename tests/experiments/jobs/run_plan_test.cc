@@ -124,6 +124,12 @@ TEST_F(RunPlanTest, ExitCodeZeroWithoutAResultIsAFailure) {
   EXPECT_EQ(Failure("a1")["message"], "ended without a result");
 }
 
+TEST_F(RunPlanTest, AResultThatTablesWouldRefuseIsAFailureThatSaysWhy) {
+  Script("a1", StrCat("echo '", ResultText("b1"), "' > jobs/a1/result.json; exit 0"));
+  EXPECT_EQ(Run(plan_).failed, 1U);
+  EXPECT_THAT(std::string(Failure("a1")["message"]), HasSubstr("the result of job \"b1\""));
+}
+
 TEST_F(RunPlanTest, AResultCountsEvenIfItsProcessFails) {
   Script("a1", StrCat("echo '", ResultText("a1"), "' > jobs/a1/result.json; kill -KILL $$"));
   EXPECT_EQ(Run(plan_).done, 4U);

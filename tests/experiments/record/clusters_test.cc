@@ -13,6 +13,7 @@
 #include "experiments/record/cluster_tables.h"
 #include "experiments/record/landmark_table.h"
 #include "experiments/record/result_file.h"
+#include "tests/support/cluster_poses.h"
 
 namespace cvo {
 namespace {
@@ -68,6 +69,12 @@ class Clusters : public testing::Test {
   // 1 m ahead of the cluster's origin.
   static RigidTransform Heading(double radians) {
     return {ExpSo3({0.0, radians, 0.0}), Eigen::Vector3d(0.0, 0.0, 1.0)};
+  }
+  // The cluster's trajectory: one tracked frame.
+  ClusterTrajectory Refined(std::int64_t frame, const RigidTransform& world_from_object) {
+    return {ClusterId{3},
+            "Car",
+            {test::PoseInFrame(frame, 500, ClusterStatus::kTracked, world_from_object, cluster())}};
   }
   ClusterReport& cluster() { return run_.frames[0].report.clusters[0]; }
   std::optional<ImageBox> Box() const {
@@ -148,7 +155,7 @@ TEST_F(Clusters, TheBoxOfATrackIsTheDetections) {
 TEST_F(Clusters, ThePoseAsLastEstimatedIsUsedWithTheCamerasOwn) {
   run_.frames[0].refined_world_from_camera = At(1, 0, 0);
   EXPECT_NEAR(std::stod(Track()[13]), -0.06, 1e-12);  // no refined pose: both causal
-  run_.clusters = {{ClusterId{3}, "Car", {{0, 500, ClusterStatus::kTracked, At(3, 0, 9)}}}};
+  run_.clusters = {Refined(0, At(3, 0, 9))};
   EXPECT_NEAR(std::stod(Track()[13]), 2.0 - 0.06, 1e-12);
 }
 
@@ -170,16 +177,32 @@ TEST_F(Clusters, ARowHasAllFields) {
   EXPECT_EQ(rows[1][45], "12");
   EXPECT_EQ(rows[1][46], "");  // no detection
   EXPECT_EQ(rows[1][47], "0.75");
-  run_.clusters = {{ClusterId{3}, "Car", {{0, 500, ClusterStatus::kPredicted, At(0, 0, 8)}}}};
+  run_.clusters = {Refined(0, At(0, 0, 8))};
   rows = Cells(ObjectTable(sequence_, run_), ',');
   EXPECT_EQ(rows[1][17], "8");
 }
 
+TEST_F(Clusters, AFrameBeforeTheClusterWasConfirmedHasARefinedPoseAlone) {
+  run_.frames.push_back(run_.frames[0]);
+  run_.frames[1].frame = 5;
+  run_.clusters = {Refined(0, At(0, 0, 8))};
+  run_.clusters[0].poses.push_back(
+      test::PoseInFrame(1, 600, ClusterStatus::kTracked, At(0, 0, 8.5), cluster()));
+  run_.frames[0].report.clusters.clear();
+  const auto rows = Cells(ObjectTable(sequence_, run_), ',');
+  ASSERT_THAT(rows, SizeIs(3));
+  EXPECT_THAT(std::vector(rows[1].begin(), rows[1].begin() + 8),
+              ElementsAre("4", "500", "3", "Car", "tracked", "", "", ""));
+  EXPECT_EQ(rows[1][17], "8");
+  EXPECT_EQ(rows[1][38], "4");  // its box as it was
+  EXPECT_EQ(rows[1][45], "12");
+  EXPECT_EQ(rows[2][7], "9");
+  EXPECT_EQ(Track()[0], "4");
+}
+
 TEST_F(Clusters, TrajectoriesHoldTrackedFramesAlone) {
-  const ClusterTrajectory cluster = {ClusterId{3},
-                                     "Car",
-                                     {{0, 1'000'000'000, ClusterStatus::kTracked, At(1, 2, 3)},
-                                      {1, 2'000'000'000, ClusterStatus::kPredicted, At(4, 5, 6)}}};
+  ClusterTrajectory cluster = Refined(0, At(1, 2, 3));
+  cluster.poses.push_back(test::PoseInFrame(1, 2, ClusterStatus::kPredicted, At(4, 5, 6)));
   const std::string text = ClusterTum(cluster);
   EXPECT_THAT(text, HasSubstr("1 2 3 0 0 0 1"));
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);

@@ -12,6 +12,7 @@
 #include "experiments/runner/object_estimate_of.h"
 #include "experiments/runner/run_job.h"
 #include "tests/experiments/runner/tiny_sequence.h"
+#include "tests/support/cluster_poses.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo {
@@ -46,8 +47,9 @@ class BoxOdometry : public Odometry {
       trajectories_.resize(std::max(trajectories_.size(), i + 1));
       trajectories_[i].id = cluster.id;
       trajectories_[i].category = cluster.category;
-      trajectories_[i].poses.push_back({frames_ - 1, frame.timestamp_ns, ClusterStatus::kTracked,
-                                        At(0.1 * static_cast<double>(frames_) + 0.01)});
+      trajectories_[i].poses.push_back(
+          test::PoseInFrame(frames_ - 1, frame.timestamp_ns, ClusterStatus::kTracked,
+                            At(0.1 * static_cast<double>(frames_) + 0.01), cluster));
     }
     for (std::size_t i = 0; i < frame.features.size(); ++i) {
       LandmarkReport landmark;
@@ -243,6 +245,27 @@ TEST(ObjectEstimateOf, VelocityIsComparedAtItsPoint) {
   const ObjectScores scores = ScoreObjects(truth, ObjectEstimateOf(run, PoseTime::kCausal));
   ASSERT_THAT(scores.bodies, SizeIs(1));
   EXPECT_NEAR(*scores.bodies[0].velocity_m_s, 0.0, 1e-12);
+}
+
+TEST(ObjectEstimateOf, FramesBeforeAClusterWasConfirmedAreRefinedOnes) {
+  RunResult run;
+  run.frames.resize(2);
+  run.frames[1].frame = 1;
+  ClusterReport cluster;
+  cluster.id = ClusterId{1};
+  run.frames[1].report.clusters = {cluster};
+  run.clusters = {{cluster.id, "", {}}};
+  for (int k = 0; k < 2; ++k) {
+    run.clusters[0].poses.push_back(
+        test::PoseInFrame(k, k, ClusterStatus::kTracked, At(1.0 + k), cluster));
+  }
+  const auto causal = ObjectEstimateOf(run, PoseTime::kCausal).clusters.at(0).frames;
+  ASSERT_THAT(causal, SizeIs(1));
+  EXPECT_EQ(causal[0].frame, 1);
+  EXPECT_EQ(causal[0].world_from_object.translation().x(), 0.0);
+  const auto refined = ObjectEstimateOf(run, PoseTime::kRefined).clusters.at(0).frames;
+  ASSERT_THAT(refined, SizeIs(2));
+  EXPECT_EQ(refined[0].world_from_object.translation().x(), 1.0);
 }
 
 }  // namespace

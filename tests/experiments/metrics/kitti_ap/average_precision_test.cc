@@ -40,7 +40,7 @@ TEST(AveragePrecision, AllFoundIsOne) {
     frames.push_back({{Box("Car", 0)}, {Scored(Box("Car", 0), 1.0 - 0.01 * i)}});
   }
   for (const AveragePrecision& level : EvaluateAp(frames, {})) {
-    EXPECT_DOUBLE_EQ(level.ap11, 1.0);
+    EXPECT_EQ(level.ap11, 1.0);  // not more, as a sum of rounded parts would be
     EXPECT_DOUBLE_EQ(level.ap40, 1.0);
     EXPECT_EQ(level.valid_labels, 50);
   }
