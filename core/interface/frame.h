@@ -102,6 +102,11 @@ struct LandmarkReport {
   double energy_2d = 0.0;
   double energy_3d = 0.0;
   double energy_motion = 0.0;
+  // The best of the other labels by these energies; invalid: outlier.
+  ClusterId second;
+  double second_2d = 0.0;
+  double second_3d = 0.0;
+  double second_motion = 0.0;
 };
 
 // The rig as estimated so far: StereoCamera::right_field_px and what is known of it, 1/px^2; no

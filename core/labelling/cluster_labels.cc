@@ -85,6 +85,14 @@ void DropWeakBirths(const FrameView& view, const Window& window, const ClusterMa
   }
 }
 
+int SecondLabel(const EnergyMatrix& total, Eigen::Index node, int decided) {
+  int second = decided == 0 ? 1 : 0;
+  for (int label = 0; label < total.cols(); ++label) {
+    if (label != decided && total(node, label) < total(node, second)) second = label;
+  }
+  return second;
+}
+
 FrameLabels AllStatic(const Window& window, const ClusterMap& map,
                       const std::vector<FramePoint>& points) {
   FrameLabels labels;

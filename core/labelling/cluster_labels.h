@@ -20,6 +20,10 @@ struct PointLabel {
   double energy_2d = 0.0;  // of the inferred label, nats
   double energy_3d = 0.0;
   double energy_motion = 0.0;
+  ClusterId second;  // the best of the other labels by its unary energies; invalid: outlier
+  double second_2d = 0.0;
+  double second_3d = 0.0;
+  double second_motion = 0.0;
 };
 
 // Labels of all points of a frame, and the detections that became clusters.
@@ -60,6 +64,8 @@ void NameLabels(const ClusterMap& map, const LabelScene& scene, std::vector<Clus
 // Takes back births of which too few points were accepted.
 void DropWeakBirths(const FrameView& view, const Window& window, const ClusterMap& map,
                     const std::vector<FramePoint>& points, FrameLabels& labels);
+// The label with the least energy but for `decided`; of the two labels that there are at least.
+int SecondLabel(const EnergyMatrix& total, Eigen::Index node, int decided);
 // Everything static: what a frame without detections and clusters is.
 FrameLabels AllStatic(const Window& window, const ClusterMap& map,
                       const std::vector<FramePoint>& points);
@@ -107,6 +113,11 @@ FrameLabels LabelPoints(const FrameView& view, const Window& window, const Clust
     label.energy_2d = unary.box(row, decided[i]);
     label.energy_3d = unary.affinity(row, decided[i]);
     label.energy_motion = unary.motion(row, decided[i]);
+    const int second = internal::SecondLabel(unary.total, row, decided[i]);
+    label.second = cluster_of[second];
+    label.second_2d = unary.box(row, second);
+    label.second_3d = unary.affinity(row, second);
+    label.second_motion = unary.motion(row, second);
     labels.points.push_back(label);
   }
   internal::DropWeakBirths(view, window, map, points, labels);

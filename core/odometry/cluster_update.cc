@@ -129,6 +129,10 @@ std::vector<LandmarkReport> ReportLandmarks(const FrameView& view,
     report.energy_2d = label.energy_2d;
     report.energy_3d = label.energy_3d;
     report.energy_motion = label.energy_motion;
+    report.second = label.second;
+    report.second_2d = label.second_2d;
+    report.second_3d = label.second_3d;
+    report.second_motion = label.second_motion;
     reports.push_back(report);
   }
   return reports;

@@ -25,6 +25,7 @@ Command AddOverlayCommand(CLI::App& program);
 Command AddFiguresCommand(CLI::App& program);
 Command AddPlotCommand(CLI::App& program);
 Command AddCompareCommand(CLI::App& program);
+Command AddExplainCommand(CLI::App& program);
 Command AddImportCommand(CLI::App& program);
 Command AddInfoCommand(CLI::App& program);
 Command AddVariantsCommand(CLI::App& program);

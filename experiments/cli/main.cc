@@ -95,7 +95,8 @@ int Main(int argc, char** argv) {
       AddImportCommand(program),  AddInfoCommand(program),    AddVariantsCommand(program),
       AddOptionsCommand(program), AddSynthCommand(program),   AddExperimentCommand(program),
       AddCheckCommand(program),   AddOverlayCommand(program), AddReportCommand(program),
-      AddFiguresCommand(program), AddPlotCommand(program),    AddCompareCommand(program)};
+      AddFiguresCommand(program), AddPlotCommand(program),    AddCompareCommand(program),
+      AddExplainCommand(program)};
   try {
     CheckSubcommand(argc, argv, program);
     program.parse(argc, argv);

@@ -24,7 +24,7 @@ void Label(ClusterId id, TableRow& row) {
 
 const std::string_view kLandmarksHeader =
     "frame,id,u_px,v_px,u_right_px,cluster,inferred,confidence,energy_2d,energy_3d,energy_motion,"
-    "x,y,z,truth_body\n";
+    "x,y,z,truth_body,second,second_2d,second_3d,second_motion\n";
 
 std::string LandmarkRows(int frame, const StereoFrame& given,
                          const std::vector<LandmarkReport>& landmarks,
@@ -47,6 +47,10 @@ std::string LandmarkRows(int frame, const StereoFrame& given,
     for (int k = 0; k < 3; ++k) row.Rounded(landmark.p_in_world[k], kDecimals);
     const int body = feature_truth.empty() ? -1 : feature_truth[feature].body;
     body < 0 ? row.Empty(1) : row.Integer(body);
+    Label(landmark.second, row);
+    row.Rounded(landmark.second_2d, kDecimals);
+    row.Rounded(landmark.second_3d, kDecimals);
+    row.Rounded(landmark.second_motion, kDecimals);
     rows += row.Line();
   }
   return rows;

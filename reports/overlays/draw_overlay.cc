@@ -47,8 +47,15 @@ void DrawDetections(const OverlayFrame& frame, const OverlayStyle& style, cv::Ma
     const std::array<cv::Point2d, 4> corners = {
         scaled(box.left_px, box.top_px), scaled(box.right_px, box.top_px),
         scaled(box.right_px, box.bottom_px), scaled(box.left_px, box.bottom_px)};
+    const bool owned = style.associations && box.cluster > 0;
+    const Rgb color = owned ? ColorOf(frame, box.cluster) : kDetectionColor;
     for (std::size_t i = 0; i < 4; ++i) {
-      strokes.push_back({{corners[i], corners[(i + 1) % 4]}, kDetectionColor, 1});
+      const PixelSegment edge{corners[i], corners[(i + 1) % 4]};
+      for (const PixelSegment& part : style.associations && !owned
+                                          ? Dashes(edge, style.dash_px, style.dash_px)
+                                          : std::vector<PixelSegment>{edge}) {
+        strokes.push_back({part, color, 1});
+      }
     }
   }
   constexpr double kFaintRim = 0.3;  // they stand back behind what was estimated

@@ -18,8 +18,9 @@ struct OverlayStyle {
   double static_px = 1.1;
   double rim_px = 1.0;  // dark, around landmarks
   double dash_px = 7.0;
-  bool names = true;   // a class beside the id
-  bool boxes = true;   // 3D boxes, arrows and trails; detections and landmarks are always drawn
+  bool names = true;  // a class beside the id
+  bool boxes = true;  // 3D boxes, arrows and trails; detections and landmarks are always drawn
+  bool associations = false;  // boxes of detections in their cluster's colour, or dashed
   bool wrong = false;  // landmarks with a wrong label have a white ring, where the truth is known
   bool status = true;  // words below the image
   int status_rows = 1;

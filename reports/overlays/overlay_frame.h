@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -18,7 +19,17 @@ struct PixelBox {
   double top_px = 0.0;
   double right_px = 0.0;
   double bottom_px = 0.0;
+  std::int64_t cluster = -1;  // that a detection was associated with; -1: none
+
+  bool IsAt(const PixelBox& other) const;  // to the hundredths of a pixel that files have
 };
+
+inline bool PixelBox::IsAt(const PixelBox& other) const {
+  constexpr double kTolerance_px = 0.02;
+  const auto same = [](double a, double b) { return std::abs(a - b) < kTolerance_px; };
+  return same(left_px, other.left_px) && same(top_px, other.top_px) &&
+         same(right_px, other.right_px) && same(bottom_px, other.bottom_px);
+}
 
 inline constexpr std::int64_t kOutlierLabel = -1;
 inline constexpr std::int64_t kStaticLabel = 0;

@@ -30,7 +30,8 @@ std::set<ClusterKey> AssociatedClusters(const fs::path& file) {
 // is counted from the end.
 PixelBox BoxOf(const TextRow& row) {
   const std::size_t first = row.size() - 12;  // box, size, position, heading, score
-  return {row.Number(first), row.Number(first + 1), row.Number(first + 2), row.Number(first + 3)};
+  return {row.Number(first), row.Number(first + 1), row.Number(first + 2), row.Number(first + 3),
+          row.Id(1)};
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "core/base/error.h"
 #include "experiments/datasets/load_image.h"
@@ -25,6 +26,19 @@ SequenceRequest RequestOf(const reports::OverlayRun& run, const std::string& fol
   request.begin_frame = run.sequence.first_frame;
   request.end_frame = run.sequence.first_frame + run.sequence.frames;
   return request;
+}
+
+// The box of a detection, with the cluster that it was associated with.
+reports::PixelBox WithCluster(const ImageBox& box,
+                              const std::map<int, std::vector<reports::PixelBox>>& associated,
+                              int frame) {
+  reports::PixelBox drawn{box.left_px, box.top_px, box.right_px, box.bottom_px};
+  const auto boxes = associated.find(frame);
+  if (boxes == associated.end()) return drawn;
+  for (const reports::PixelBox& known : boxes->second) {
+    if (known.IsAt(drawn)) drawn.cluster = known.cluster;
+  }
+  return drawn;
 }
 
 Sequence OpenImages(const reports::OverlayRun& run, const std::string& folder) {
@@ -62,35 +76,51 @@ cv::Mat RunImages::Left(int frame) const {
   return LoadFrameImage(sequence_, index, 0).grey;
 }
 
-bool AdoptDetections(const std::string& folder, reports::OverlayRun& run) {
-  for (const char* name : kDetections) {
+std::optional<Sequence> FindDetections(const std::string& folder, const reports::OverlayRun& run,
+                                       const GivenDetections& given) {
+  std::vector<std::string> names(kDetections.begin(), kDetections.end());
+  if (!given.file.empty()) names = {given.file};
+  for (const std::string& name : names) {
     SequenceRequest request = RequestOf(run, folder);
     request.detections_file = name;
+    request.detections_camera = given.camera;
     std::optional<Sequence> sequence;
     try {
       sequence = OpenSequence(request);
     } catch (const Error&) {
+      if (!given.file.empty()) throw;
       continue;  // a folder without this level
     }
-    // Boxes of another camera were moved by what the run saw in them.
-    if (DetectionsHash(*sequence) != run.sequence.detections_hash ||
-        sequence->detections_offset_m != 0.0) {
-      continue;
-    }
-    run.detections.clear();
-    const auto frames = DetectionsByFrame(*sequence);
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-      DetectionCounts counts;
-      for (const Detection& detection :
-           DetectionsOfFrame(frames[i], {sequence->camera, 0.0}, {}, run.classes, counts)) {
-        const ImageBox& box = detection.box;
-        run.detections[sequence->first_frame + static_cast<int>(i)].push_back(
-            {box.left_px, box.top_px, box.right_px, box.bottom_px});
-      }
-    }
-    return true;
+    if (DetectionsHash(*sequence) == run.sequence.detections_hash) return sequence;
   }
-  return false;
+  if (given.file.empty()) return std::nullopt;
+  ThrowError("--detections " + given.file, "other boxes than the run was given", "the run's");
+}
+
+std::vector<std::vector<Detection>> DetectionsOf(const Sequence& sequence,
+                                                 const std::vector<std::string>& classes) {
+  std::vector<std::vector<Detection>> detections;
+  for (const std::vector<ObjectBox>& boxes : DetectionsByFrame(sequence)) {
+    DetectionCounts counts;
+    detections.push_back(DetectionsOfFrame(boxes, {sequence.camera, 0.0}, {}, classes, counts));
+  }
+  return detections;
+}
+
+bool AdoptDetections(const std::string& folder, reports::OverlayRun& run,
+                     const GivenDetections& given) {
+  const std::optional<Sequence> sequence = FindDetections(folder, run, given);
+  // Boxes of another camera were moved by what the run saw in them.
+  if (!sequence || sequence->detections_offset_m != 0.0) return false;
+  const auto associated = std::exchange(run.detections, {});
+  const auto frames = DetectionsOf(*sequence, run.classes);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const int frame = sequence->first_frame + static_cast<int>(i);
+    for (const Detection& detection : frames[i]) {
+      run.detections[frame].push_back(WithCluster(detection.box, associated, frame));
+    }
+  }
+  return true;
 }
 
 }  // namespace cvo

@@ -4,8 +4,11 @@
 
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "core/interface/frame.h"
 #include "experiments/datasets/sequence.h"
 #include "reports/overlays/overlay_run.h"
 
@@ -25,9 +28,25 @@ class RunImages {
   Sequence sequence_;
 };
 
+// Where the boxes of a run were; empty: a level of the scene, or its labels.
+struct GivenDetections {
+  std::string file = {};
+  int camera = -1;  // as SequenceRequest::detections_camera
+};
+
+// The sequence of a run with the boxes that it was given; empty where they cannot be told. Throws
+// Error for a file that is given and holds others.
+std::optional<Sequence> FindDetections(const std::string& folder, const reports::OverlayRun& run,
+                                       const GivenDetections& given);
+
+// By frame, of the classes.
+std::vector<std::vector<Detection>> DetectionsOf(const Sequence& sequence,
+                                                 const std::vector<std::string>& classes);
+
 // All boxes that the run was given in place of those alone that a cluster was associated with,
 // where they can be told: of the levels of a scene and of its labels, those with the same hash.
 // False where none are.
-bool AdoptDetections(const std::string& folder, reports::OverlayRun& run);
+bool AdoptDetections(const std::string& folder, reports::OverlayRun& run,
+                     const GivenDetections& given = {});
 
 }  // namespace cvo

@@ -234,6 +234,15 @@ TEST(DropWeakBirths, RenumbersTheOthersAndGivesPointsBack) {
   EXPECT_EQ(frame.labels.points.back().inferred, ClusterId{6});
 }
 
+TEST(SecondLabel, IsTheLeastOfTheOthersEvenBelowTheDecidedOne) {
+  EnergyMatrix total(2, 3);
+  total << 0.5, 2.0, 1.0,  //
+      3.0, 2.0, 1.0;
+  EXPECT_EQ(internal::SecondLabel(total, 0, 0), 2);
+  EXPECT_EQ(internal::SecondLabel(total, 1, 0), 2);
+  EXPECT_EQ(internal::SecondLabel(total, 1, 2), 1);
+}
+
 TEST(IsAllowed, AFeatureIsGivenToItsBodyOnly) {
   Frame frame;
   Cluster cluster;

@@ -135,7 +135,8 @@ class CliOutputs : public testing::Test {
         {"check", Path("suite"), "--write-baseline", out + "/base.json"},
         {"check", Path("suite"), "--baseline", Path("base.json"), "--junit", out + "/gate.xml"},
         {"check", Path("suite"), "--baseline", Path("base.json"), "--markdown", out + "/gate.md"},
-        {"plot", Path("run"), "-o", out + "/plot.svg"}};
+        {"plot", Path("run"), "-o", out + "/plot.svg"},
+        {"explain", Path("run"), "body", "-o", out + "/body.png"}};
   }
 
   static std::unique_ptr<test::TempFolder> folder_;
@@ -220,12 +221,16 @@ TEST_F(CliOutputs, FailedOutputIsAnError) {
       {"report", suite, "-o", Path("page")},
       {"figures", suite, "-o", Path("figures"), "--format", "json"},
       {"plot", run, "-o", Path("plot.svg")},
-      {"compare", run, run}};
+      {"compare", run, run},
+      {"explain", Path("scene_run")}};
   const ProcessResult rendered =
       Run({"synth", "render", "tiny", "-o", Path("scene"), "-q", "--frames", "0:2"});
   const bool draws = rendered.exit_code == 0;
+  if (draws) Run({"run", Path("scene"), "-o", Path("scene_run"), "-q", "--landmarks"});
   for (const Arguments& arguments : commands) {
-    if (!draws && arguments[0] == "synth" && arguments[1] != "list") continue;
+    const bool of_scenes =
+        arguments[0] == "explain" || (arguments[0] == "synth" && arguments[1] != "list");
+    if (!draws && of_scenes) continue;
     std::string line;
     for (const std::string& argument : arguments) line += argument + " ";
     const bool closed = arguments.back() == "--json" || arguments.back() == "-q";

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// clustervo explain to its end, on three frames of a rendered scene.
+#include <gmock/gmock.h>
+
+#include <memory>
+#include <opencv2/imgcodecs.hpp>
+
+#include "tests/experiments/cli/process.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ExpectError;
+using test::ProcessResult;
+using test::RunProgram;
+using testing::AllOf;
+using testing::HasSubstr;
+
+class CliExplain : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<test::TempFolder>();
+    RunProgram({"synth", "render", "tiny", "-o", Path("scene"), "--frames", "0:3"});
+    RunProgram({"run", Path("scene"), "-o", Path("run"), "--landmarks", "--detections", "oracle"});
+  }
+  static void TearDownTestSuite() { folder_.reset(); }
+  void SetUp() override {
+    if (!fs::exists(Path("run"))) GTEST_SKIP() << "the scene cannot be drawn";
+  }
+  static std::string Path(const std::string& name) { return (folder_->path() / name).string(); }
+
+  static std::unique_ptr<test::TempFolder> folder_;
+};
+
+std::unique_ptr<test::TempFolder> CliExplain::folder_;
+
+TEST_F(CliExplain, ListsBodiesAndTellsOfOneWhatMendsIt) {
+  const ProcessResult list = RunProgram({"explain", Path("run")});
+  ASSERT_EQ(list.exit_code, 0) << list.err;
+  EXPECT_THAT(list.out, AllOf(HasSubstr("within 10 cm  mostly"), HasSubstr("chair_1")));
+  const ProcessResult one =
+      RunProgram({"explain", Path("run"), "chair_1", "-o", Path("chair.png"), "--oracles", "-q"});
+  ASSERT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_THAT(one.out,
+              AllOf(HasSubstr("chair_1 (Chair, stands, cluster "), HasSubstr("first estimated"),
+                    HasSubstr("; detected"), HasSubstr("landmarks on it: "), HasSubstr("as run: "),
+                    HasSubstr("true labels: ")));
+  const cv::Mat picture = cv::imread(Path("chair.png"));
+  EXPECT_GT(picture.cols, 800);
+  EXPECT_GT(picture.rows, 400);
+}
+
+TEST_F(CliExplain, BadInputGivesOneLine) {
+  ExpectError(RunProgram({"explain", Path("run"), "chair_2"}),
+              "BODY: found \"chair_2\" (did you mean chair_1?), expected one of ball_1, ");
+  ExpectError(RunProgram({"explain", Path("scene")}), "scene: found no result.json");
+  EXPECT_EQ(RunProgram({"explain", Path("run"), "--oracles"}).exit_code, 2);
+  folder_->Write("bare/result.json", "{}");
+  ExpectError(RunProgram({"explain", Path("bare")}), "expected a run with --landmarks");
+}
+
+}  // namespace
+}  // namespace cvo

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/overlays/body_sheet.h"
+
+#include <gmock/gmock.h>
+
+#include "reports/overlays/palette.h"
+#include "tests/reports/overlays/overlay_scene.h"
+
+namespace cvo::reports {
+namespace {
+
+// Two frames: in the first a body is seen and estimated, in the second it is not.
+BodyStory TwoFrames() {
+  BodyStory story;
+  story.body.cluster = 7;
+  BodyFrame good;
+  good.frame = 10;
+  good.stage = BodyStage::kGood;
+  good.error_m = 0.01;
+  good.detected = true;
+  good.landmarks = {{7, 5}};
+  BodyFrame lost;
+  lost.frame = 11;
+  lost.stage = BodyStage::kLabel;
+  lost.landmarks = {{0, 5}};
+  story.frames = {good, lost};
+  story.events = {{11, "lost"}};
+  return story;
+}
+
+TEST(BodyTimeline, HasEachFrameInTheColourOfItsStage) {
+  const cv::Mat timeline = BodyTimeline(TwoFrames(), 800, 9);
+  EXPECT_EQ(timeline.cols, 800);
+  EXPECT_GT(test::CountColor(timeline, ColorOf(BodyStage::kGood)), 3000);
+  EXPECT_GT(test::CountColor(timeline, ColorOf(BodyStage::kLabel)), 3000);
+  EXPECT_EQ(test::CountColor(timeline, ColorOf(BodyStage::kMotion)), 0);
+}
+
+TEST(BodySheet, ShowsAnEventByTrueBodyAndAsEstimated) {
+  OverlayRun run;
+  run.sequence.camera = test::FlatCamera();
+  run.has_landmarks = true;
+  run.detail.camera = {{10, 0, "tracked", {0, 0, 0, 0, 0, 0, 1}, {}},
+                       {11, 100'000'000, "tracked", {0, 0, 0, 0, 0, 0, 1}, {}}};
+  BodyDetail body;
+  body.id = 3;
+  body.cluster = 7;
+  run.detail.bodies = {body};
+  for (int i = 0; i < 5; ++i) {
+    run.landmarks[11].push_back({100.0F + 10.0F * static_cast<float>(i), 100.0F, kStaticLabel, 3});
+  }
+  BodyStory story = TwoFrames();
+  story.body = body;
+  const cv::Mat sheet = BodySheet(run, story, {"why"}, [](int) { return test::FlatImage(); });
+  EXPECT_GT(sheet.rows, 400);
+  // The landmarks are the cluster's by their true body alone.
+  const cv::Mat left = sheet(cv::Rect(0, 200, sheet.cols / 2, sheet.rows - 200));
+  const cv::Mat right = sheet(cv::Rect(sheet.cols / 2, 200, sheet.cols / 2, sheet.rows - 200));
+  EXPECT_GT(test::CountColor(left, ClusterColor(7)), 20);
+  EXPECT_EQ(test::CountColor(right, ClusterColor(7)), 0);
+}
+
+TEST(DrawOverlay, BoxesWithoutAClusterAreDashed) {
+  OverlayFrame frame;
+  frame.detections = {{50, 50, 100, 100, 7}};
+  OverlayStyle style = test::PlainStyle();
+  style.associations = true;
+  const cv::Mat owned = DrawOverlay(test::FlatImage(), frame, test::FlatCamera(), style);
+  EXPECT_GT(test::CountColor(owned, ClusterColor(7)), 190);
+  frame.detections[0].cluster = -1;
+  const cv::Mat dashed = DrawOverlay(test::FlatImage(), frame, test::FlatCamera(), style);
+  EXPECT_EQ(test::CountColor(dashed, ClusterColor(7)), 0);
+  const int white = test::CountColor(dashed, kDetectionColor);
+  EXPECT_GT(white, 50);
+  EXPECT_LT(white, 150);
+}
+
+}  // namespace
+}  // namespace cvo::reports
