@@ -150,14 +150,31 @@ std::optional<RigidTransform> AlignLandmarks(const IdentityOptions& identity,
                            association.min_rematch, association.ransac_iterations, rng);
 }
 
-void Inherit(const LostCluster& lost, ClusterMap& map, Cluster& found) {
+// Where a body is in the frame that was predicted for it, by the centres of its boxes now and
+// before it was lost, and by the prediction: each counts as far as it is certain.
+Eigen::Vector3d ShiftFromPrediction(const RigidTransform& predicted_from_now,
+                                    const CenterEstimate& now, const CenterEstimate& before,
+                                    double variance_m2) {
+  const Eigen::Vector3d measured = predicted_from_now * now.InObject() - before.InObject();
+  if (now.boxes == 0 || before.boxes == 0) return measured;
+  const Eigen::Matrix3d R = predicted_from_now.RotationMatrix();
+  const Eigen::Matrix3d predicted = variance_m2 * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d boxes = R * now.Covariance() * R.transpose() + before.Covariance();
+  return predicted * (predicted + boxes).llt().solve(measured);
+}
+
+void Inherit(const LostCluster& lost, const IdentityOptions& options, ClusterMap& map,
+             Cluster& found) {
   const Cluster& before = FindCluster(map, lost.id);
   const RigidTransform now = found.Latest().world_from_object;
-  const Eigen::Quaterniond rotation(lost.predicted.world_from_object.rotation());
-  const Eigen::Vector3d center = now * found.box_center.InObject();
-  const RigidTransform world_from_lost(
-      rotation, Eigen::Vector3d(center - rotation * before.box_center.InObject()));
-  found.former = {FrameId{}, before.landmarks, before.box_center};
+  const RigidTransform& predicted = lost.predicted.world_from_object;
+  const double deviation = options.prediction_deviation;
+  const double variance_m2 = deviation * deviation * lost.predicted.translation_variance_m2;
+  const Eigen::Vector3d shift = ShiftFromPrediction(predicted.Inverse() * now, found.box_center,
+                                                    before.box_center, variance_m2);
+  const RigidTransform world_from_lost =
+      predicted * RigidTransform(Eigen::Quaterniond::Identity(), shift);
+  found.former = {FrameId{}, before.landmarks, before.box_center, shift, variance_m2};
   ClusterTrajectory later = std::move(map.trajectories[found.id]);
   map.trajectories.erase(found.id);
   ChangeFrame(now.Inverse() * world_from_lost, lost.id, found, later);
@@ -218,7 +235,7 @@ void InheritIdentities(const std::vector<LostCluster>& lost, FrameId newest,
     if (!predecessor) continue;
     if (std::find(inherited.begin(), inherited.end(), predecessor->id) != inherited.end()) continue;
     inherited.push_back(predecessor->id);
-    Inherit(*predecessor, map, cluster);
+    Inherit(*predecessor, identity, map, cluster);
   }
   for (const ClusterId id : inherited) Remove(id, newest, map);
   std::sort(map.live.begin(), map.live.end(),
@@ -238,9 +255,11 @@ void AlignInheritedFrames(const IdentityOptions& identity,
       ChangeFrame(former_from_now->Inverse(), cluster.id, cluster, trajectory);
       MergeFormerLandmarks(cluster);
     } else if (!former.is_centered && cluster.box_center.boxes >= identity.align_boxes) {
-      const RigidTransform old_from_new(
-          Eigen::Quaterniond::Identity(),
-          Eigen::Vector3d(cluster.box_center.InObject() - former.box_center.InObject()));
+      const RigidTransform from_prediction(Eigen::Quaterniond::Identity(), former.shift_in_object);
+      const Eigen::Vector3d shift = ShiftFromPrediction(
+          from_prediction, cluster.box_center, former.box_center, former.prediction_variance_m2);
+      const RigidTransform old_from_new(Eigen::Quaterniond::Identity(),
+                                        Eigen::Vector3d(shift - former.shift_in_object));
       ChangeFrame(old_from_new, cluster.id, cluster, trajectory);
       former.is_centered = true;
     }

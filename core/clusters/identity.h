@@ -22,14 +22,14 @@ std::vector<LostCluster> FindLostClusters(const ClusterOptions& options, FrameId
 
 // Clusters confirmed in this frame whose place and size one lost cluster of their class explains,
 // and no other nearly as well, go on under its id: a body that turned while it was hidden shows
-// none of its old landmarks. Their frame becomes the lost one's, whose origin is their own and
-// whose rotation is predicted.
+// none of its old landmarks. Their frame becomes the lost one's: its rotation is predicted, its
+// origin is between the prediction and the boxes.
 void InheritIdentities(const std::vector<LostCluster>& lost, FrameId newest,
                        const IdentityOptions& identity, const ClusterOptions& options,
                        ClusterMap& map);
 
 // Clusters that go on under an earlier id: their frame is aligned with what it was, by landmarks
-// that look alike, until then, after enough boxes, by the centres that they show.
+// that look alike, until then, after enough boxes, by the prediction and the centres that they show.
 void AlignInheritedFrames(const IdentityOptions& identity,
                           const ClusterAssociationOptions& association, FrameId newest,
                           ClusterMap& map, Rng& rng);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/estimation/cluster.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 
 namespace cvo {
@@ -21,6 +22,10 @@ void CenterEstimate::Add(const CenterEstimate& other) {
 Eigen::Vector3d CenterEstimate::InObject() const {
   if (boxes == 0) return Eigen::Vector3d::Zero();
   return information.llt().solve(weighted);
+}
+
+Eigen::Matrix3d CenterEstimate::Covariance() const {
+  return boxes * information.llt().solve(Eigen::Matrix3d::Identity());
 }
 
 CenterEstimate CenterEstimate::In(const RigidTransform& new_from_old) const {

@@ -30,6 +30,9 @@ struct CenterEstimate {
   void Add(const CenterEstimate& other);  // of the same frame
   // The origin without a box.
   Eigen::Vector3d InObject() const;
+  // Of the centre, m^2: that of a single box, because boxes that show the same side of a body are
+  // wrong by the same amount. Needs a box.
+  Eigen::Matrix3d Covariance() const;
   // The same in another frame of the body.
   CenterEstimate In(const RigidTransform& new_from_old) const;
 };
@@ -40,6 +43,8 @@ struct Lineage {
   FrameId since;
   std::vector<Landmark> landmarks;  // in its frame as it was
   CenterEstimate box_center;
+  Eigen::Vector3d shift_in_object = Eigen::Vector3d::Zero();  // of the guess, from the prediction
+  double prediction_variance_m2 = 0.0;                        // each axis
   bool is_centered = false;  // aligned by the centres: what is left to turn is not known
 };
 

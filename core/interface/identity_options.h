@@ -11,6 +11,7 @@ struct IdentityOptions {
   double gate = 2.0;
   double center_deviation = 0.3;
   double max_spread_m = 1.0;
+  double prediction_deviation = 0.3;
   double min_lead = 0.25;
   double size_factor = 1.7;
   int align_boxes = 15;
@@ -36,6 +37,12 @@ struct IdentityOptions {
                  "maximum standard deviation of a lost cluster's predicted position: bodies turn "
                  "back, and rooms have walls",
                  "the free space of the rendered rooms, not swept"});
+    visit.Field("prediction_deviation", self.prediction_deviation,
+                {"predicted deviations", 1e-3, 1e6,
+                 "standard deviation of a found cluster's place around the predicted one: larger "
+                 "trusts the boxes, smaller the motion",
+                 "chosen from 0.14, 0.3, 1 and boxes alone on development rooms, crowds, benches "
+                 "and streets; a prediction's own deviation is wide enough to search in"});
     visit.Field("min_lead", self.min_lead,
                 {"nats", 0, 100,
                  "minimum margin by which the next candidate must be less likely; with larger "

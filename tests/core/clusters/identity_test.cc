@@ -126,6 +126,24 @@ TEST(InheritIdentities, OnlyTheFrameOfTheBodyChanges) {
       1e-12);
 }
 
+TEST(InheritIdentities, ThePlaceIsBetweenThePredictionAndTheBoxes) {
+  // Boxes see the body 0.1 m from where it is predicted.
+  const auto placed_at = [](double box_deviation_m) {
+    Return r;
+    r.identity.prediction_deviation = 0.5;  // of 0.2 m
+    const Eigen::Matrix3d information =
+        2.0 / (box_deviation_m * box_deviation_m) * Eigen::Matrix3d::Identity();
+    r.map.archived[0].box_center.Add(Eigen::Vector3d::Zero(), information);
+    // Many boxes of one side tell no more than one.
+    for (int i = 0; i < 9; ++i) r.map.live[0].box_center.Add(Eigen::Vector3d::Zero(), information);
+    EXPECT_EQ(r.Found(), 1);
+    return r.map.live[0].Latest().world_from_object.translation().x();
+  };
+  EXPECT_NEAR(placed_at(1e-6), 1.1, 1e-6);
+  EXPECT_NEAR(placed_at(0.1), 1.05, 1e-6);
+  EXPECT_NEAR(placed_at(1e6), 1.0, 1e-6);
+}
+
 TEST(InheritIdentities, VelocitiesAreThoseOfTheNewOrigin) {
   Return r;
   constexpr std::int64_t kInterval_ns = 100'000'000;
