@@ -18,7 +18,7 @@ struct ClusterVo {
   using BoxWeights = BoxWeightsLiteral;
   using BoxCost = UnsharedBoxCost;
   using ClassGate = AcceptAnyClass;
-  using BoxRematch = RematchInOwnBox;
+  using BoxRematch = RematchInBox;
   using Rotation = HeldRotation;
   using Identity = AlwaysNewIdentity;
   // Section 3.2.

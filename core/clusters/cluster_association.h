@@ -66,14 +66,11 @@ struct AcceptAnyClass {
 };
 
 // Multi-level association (section 3.1 of the paper): features with landmarks of the live clusters,
-// detections with clusters. One track per cluster of map.live, which may grow by clusters that are
-// found again.
+// detections with clusters. One track per cluster of map.live.
 template <LandmarkAssociationPolicy LandmarkAssociation, BoxWeightsPolicy BoxWeights,
           BoxCostPolicy BoxCost, ClassGatePolicy ClassGate, BoxRematchPolicy BoxRematch>
 std::vector<ClusterTrack> AssociateClusters(const FrameView& view, const ClusterPredictor& predict,
-                                            ClusterMap& map, Rng& rng, TakenFeatures& taken) {
-  std::vector<PredictedCluster> archived;
-  for (const Cluster& cluster : map.archived) archived.push_back(predict(cluster));
+                                            const ClusterMap& map, Rng& rng, TakenFeatures& taken) {
   std::vector<ClusterTrack> tracks(map.live.size());
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     tracks[q].predicted = predict(map.live[q]);
@@ -97,7 +94,6 @@ std::vector<ClusterTrack> AssociateClusters(const FrameView& view, const Cluster
   internal::AssociateGivenDetections(view, map, tracks);
   BoxRematch::Rematch(view, map, rng, taken, tracks);
   internal::ReleaseUnseen(tracks);
-  BoxRematch::Reacquire(view, archived, map, rng, taken, tracks);
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     internal::FindBoxOfTrack(view, map.live[q], tracks[q]);
   }
