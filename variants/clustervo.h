@@ -18,7 +18,7 @@ struct ClusterVo {
   using BoxWeights = BoxWeightsLiteral;
   using BoxCost = UnsharedBoxCost;
   using ClassGate = AcceptAnyClass;
-  using BoxRematch = RematchInBox;
+  using BoxRematch = RematchInOwnBox;
   using Rotation = HeldRotation;
   using Identity = AlwaysNewIdentity;
   // Section 3.2.

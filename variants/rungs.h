@@ -81,6 +81,14 @@ struct AddViewGate : Base {
 };
 
 template <typename Base>
+struct AddReacquisition : Base {
+  static constexpr std::string_view kRung = "reacquisition";
+  static constexpr std::string_view kAdds =
+      "boxes left over are tried on clusters that were not found";
+  using BoxRematch = RematchInBox;
+};
+
+template <typename Base>
 struct AddMissedDetections : Base {
   static constexpr std::string_view kRung = "missed_detections";
   static constexpr std::string_view kAdds = "a missed detection is no evidence against a cluster";

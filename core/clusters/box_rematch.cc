@@ -62,6 +62,105 @@ void RematchAssociated(const FrameView& view, const Cluster& cluster, Rng& rng,
   }
 }
 
+// The body that the detection is given to show; invalid: unknown.
+BodyId GivenBody(const FrameView& view, int detection) {
+  const std::span<const BodyId> given = view.shown.detection_body;
+  return given.empty() ? BodyId() : given[detection];
+}
+
+// Whether the detection may show the cluster, by its class and by whose it is given to be.
+bool MayShow(const FrameView& view, int detection, const Cluster& cluster) {
+  const BodyId given = GivenBody(view, detection);
+  return view.shown.detections[detection].category == cluster.category &&
+         (!given.valid() || given == cluster.given_body);
+}
+
+// Whether the cluster is what the detection shows; the track becomes that of the cluster there.
+bool Reacquire(const FrameView& view, const Cluster& cluster, int detection, Rng& rng,
+               TakenFeatures& taken, ClusterTrack& track) {
+  const Detection& seen = view.shown.detections[detection];
+  if (!MayShow(view, detection, cluster)) return false;
+  const std::vector<Match> matches = MatchInBox(view, cluster, {}, seen.box, taken);
+  const auto solution = SolvePose(view, cluster, track.world_from_object, matches,
+                                  view.options.association.min_rematch, false, rng);
+  if (!solution || solution->inliers <= static_cast<int>(track.matches.size())) return false;
+  AcceptPose(view, matches, *solution, taken, track);
+  track.detection = detection;
+  return true;
+}
+
+// Puts an archived cluster back among the live ones, which stay sorted by id.
+void Revive(std::size_t archived, const ClusterTrack& track, ClusterMap& map,
+            std::vector<ClusterTrack>& tracks) {
+  Cluster cluster = std::move(map.archived[archived]);
+  map.archived.erase(map.archived.begin() + static_cast<std::ptrdiff_t>(archived));
+  const auto place =
+      std::lower_bound(map.live.begin(), map.live.end(), cluster.id,
+                       [](const Cluster& live, ClusterId id) { return live.id < id; });
+  tracks.insert(tracks.begin() + (place - map.live.begin()), track);
+  map.live.insert(place, std::move(cluster));
+}
+
+// A cluster that is missing: live ones come first, then archived ones, the latest first.
+struct Missing {
+  bool is_live = true;
+  std::size_t index = 0;  // into map.live or map.archived
+};
+
+std::vector<Missing> FindMissing(const ClusterMap& map, const std::vector<ClusterTrack>& tracks) {
+  std::vector<Missing> missing;
+  for (std::size_t q = 0; q < tracks.size(); ++q) {
+    if (tracks[q].detection < 0 && !tracks[q].is_tracked) missing.push_back({true, q});
+  }
+  for (std::size_t k = map.archived.size(); k-- > 0;) missing.push_back({false, k});
+  return missing;
+}
+
+// Detections that belong to no cluster, tried on the landmarks of those that are missing.
+class Reacquisition {
+ public:
+  Reacquisition(const FrameView& view, const std::vector<PredictedCluster>& archived,
+                ClusterMap& map, TakenFeatures& taken, std::vector<ClusterTrack>& tracks)
+      : view_(view), archived_(archived), map_(map), taken_(taken), tracks_(tracks) {}
+
+  void Try(int detection, Rng& rng) {
+    for (const Missing& missing : FindMissing(map_, tracks_)) {
+      ClusterTrack track = TrackOf(missing);
+      if (!Reacquire(view_, ClusterOf(missing), detection, rng, taken_, track)) continue;
+      Accept(missing, track);
+      return;
+    }
+  }
+
+ private:
+  const Cluster& ClusterOf(const Missing& missing) const {
+    return missing.is_live ? map_.live[missing.index] : map_.archived[missing.index];
+  }
+
+  ClusterTrack TrackOf(const Missing& missing) const {
+    if (missing.is_live) return tracks_[missing.index];
+    ClusterTrack track;
+    track.predicted = archived_[missing.index];
+    track.world_from_object = track.predicted.world_from_object;
+    return track;
+  }
+
+  void Accept(const Missing& missing, const ClusterTrack& track) {
+    if (missing.is_live) {
+      tracks_[missing.index] = track;
+      return;
+    }
+    archived_.erase(archived_.begin() + static_cast<std::ptrdiff_t>(missing.index));
+    Revive(missing.index, track, map_, tracks_);
+  }
+
+  const FrameView& view_;
+  std::vector<PredictedCluster> archived_;
+  ClusterMap& map_;
+  TakenFeatures& taken_;
+  std::vector<ClusterTrack>& tracks_;
+};
+
 }  // namespace
 
 void RematchInBox::Rematch(const FrameView& view, const ClusterMap& map, Rng& rng,
@@ -69,6 +168,19 @@ void RematchInBox::Rematch(const FrameView& view, const ClusterMap& map, Rng& rn
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     if (tracks[q].detection < 0) continue;
     RematchAssociated(view, map.live[q], rng, taken, tracks[q]);
+  }
+}
+
+void RematchInBox::Reacquire(const FrameView& view, const std::vector<PredictedCluster>& archived,
+                             ClusterMap& map, Rng& rng, TakenFeatures& taken,
+                             std::vector<ClusterTrack>& tracks) {
+  std::vector<char> is_used(view.shown.detections.size(), 0);
+  for (const ClusterTrack& track : tracks) {
+    if (track.detection >= 0) is_used[track.detection] = 1;
+  }
+  Reacquisition reacquisition(view, archived, map, taken, tracks);
+  for (int m = 0; m < static_cast<int>(is_used.size()); ++m) {
+    if (!is_used[m]) reacquisition.Try(m, rng);
   }
 }
 

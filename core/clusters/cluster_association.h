@@ -66,11 +66,14 @@ struct AcceptAnyClass {
 };
 
 // Multi-level association (section 3.1 of the paper): features with landmarks of the live clusters,
-// detections with clusters. One track per cluster of map.live.
+// detections with clusters. One track per cluster of map.live, which may grow by clusters that are
+// found again.
 template <LandmarkAssociationPolicy LandmarkAssociation, BoxWeightsPolicy BoxWeights,
           BoxCostPolicy BoxCost, ClassGatePolicy ClassGate, BoxRematchPolicy BoxRematch>
 std::vector<ClusterTrack> AssociateClusters(const FrameView& view, const ClusterPredictor& predict,
-                                            const ClusterMap& map, Rng& rng, TakenFeatures& taken) {
+                                            ClusterMap& map, Rng& rng, TakenFeatures& taken) {
+  std::vector<PredictedCluster> archived;
+  for (const Cluster& cluster : map.archived) archived.push_back(predict(cluster));
   std::vector<ClusterTrack> tracks(map.live.size());
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     tracks[q].predicted = predict(map.live[q]);
@@ -94,6 +97,7 @@ std::vector<ClusterTrack> AssociateClusters(const FrameView& view, const Cluster
   internal::AssociateGivenDetections(view, map, tracks);
   BoxRematch::Rematch(view, map, rng, taken, tracks);
   internal::ReleaseUnseen(tracks);
+  BoxRematch::Reacquire(view, archived, map, rng, taken, tracks);
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     internal::FindBoxOfTrack(view, map.live[q], tracks[q]);
   }
