@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/metrics/object_nearness.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "experiments/metrics/object_matching.h"
 #include "tests/experiments/metrics/object_world.h"
 
 namespace cvo {
