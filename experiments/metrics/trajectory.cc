@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/files/number.h"
 #include "core/files/text_file.h"
-#include "experiments/calibration/pose_row.h"
+#include "experiments/calibration/kitti_calibration.h"
 
 namespace cvo {
 namespace {

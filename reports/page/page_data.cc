@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/page/page_data.h"
-
 #include <map>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "reports/figures/numbers.h"
+#include "reports/figures/plot.h"
 #include "reports/page/html.h"
+#include "reports/page/page_parts.h"
 #include "reports/page/quantity.h"
 #include "reports/tables/comparisons.h"
 
