@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "core/base/lists.h"
+
 namespace cvo {
 namespace {
 
@@ -55,6 +57,10 @@ std::string DidYouMean(std::string_view name, const std::vector<std::string>& kn
     text += (text.empty() ? " (did you mean " : ", ") + candidate;
   }
   return text.empty() ? text : text + "?)";
+}
+
+std::string OneOfKnown(std::string_view name, const std::vector<std::string>& known) {
+  return "one of " + Joined(known, ", ") + DidYouMean(name, known);
 }
 
 }  // namespace cvo

@@ -15,4 +15,7 @@ std::vector<std::string> ClosestNames(std::string_view name, const std::vector<s
 // " (did you mean a, b?)", or nothing where nothing is near.
 std::string DidYouMean(std::string_view name, const std::vector<std::string>& known);
 
+// "one of a, b, c", then what DidYouMean says.
+std::string OneOfKnown(std::string_view name, const std::vector<std::string>& known);
+
 }  // namespace cvo

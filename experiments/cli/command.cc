@@ -10,6 +10,16 @@
 
 namespace cvo {
 
+Command Group(CLI::App& app, std::vector<Command> commands) {
+  app.require_subcommand(1);
+  return {&app, [commands = std::move(commands)] {
+            for (const Command& command : commands) {
+              if (command.app->parsed()) return command.run();
+            }
+            return 0;
+          }};
+}
+
 std::string FiniteProblem(const std::string& text) {
   const std::optional<double> number = ParseDouble(text);
   return number ? "" : StrCat("found '", text, "', expected a finite number");

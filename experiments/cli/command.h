@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace cvo {
 
@@ -31,10 +32,34 @@ Command AddInfoCommand(CLI::App& program);
 Command AddVariantsCommand(CLI::App& program);
 Command AddOptionsCommand(CLI::App& program);
 
+// Exit codes: results are missing or failed, and wrong usage.
+inline constexpr int kIncomplete = 1;
+inline constexpr int kUsage = 2;
+
+// A command of others, of which one is called.
+Command Group(CLI::App& app, std::vector<Command> commands);
+
 // A check for numbers, which the parser lets be NaN and infinite: what is wrong, or empty.
 std::string FiniteProblem(const std::string& text);
 
 // What `clustervo --version` prints.
 std::string VersionText();
+
+// What `clustervo synth` offers, one command each.
+Command AddSynthListCommand(CLI::App& synth);
+Command AddSynthGenerateCommand(CLI::App& synth);
+Command AddSynthDiversityCommand(CLI::App& synth);
+Command AddSynthRenderCommand(CLI::App& synth);
+Command AddSynthPreviewCommand(CLI::App& synth);
+Command AddSynthCheckCommand(CLI::App& synth);
+
+// What `clustervo experiment` offers, one command each.
+Command AddExperimentListCommand(CLI::App& experiment);
+Command AddExperimentPlanCommand(CLI::App& experiment);
+Command AddExperimentTableCommand(CLI::App& experiment);
+Command AddExperimentCompareCommand(CLI::App& experiment);
+Command AddExperimentRunCommand(CLI::App& experiment);
+Command AddExperimentStatusCommand(CLI::App& experiment);
+Command AddExperimentJobCommand(CLI::App& experiment);
 
 }  // namespace cvo

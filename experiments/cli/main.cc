@@ -26,7 +26,6 @@ namespace cvo {
 namespace {
 
 constexpr int kBadInput = 1;
-constexpr int kUsage = 2;
 constexpr int kInternal = 3;
 
 // As where a limit was set for a job: a failure of its input, and no error of the program.

@@ -1,11 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/closest_names.h"
 #include "core/files/text_file.h"
-#include "experiments/datasets/data_set.h"
+#include "experiments/datasets/sequence.h"
 #include "experiments/datasets/sequence_layout.h"
 #include "experiments/datasets/sequence_parts.h"
 #include "experiments/datasets/sequence_type.h"
@@ -15,12 +19,45 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string AllTypes() {
-  std::string types;
-  for (const SequenceLayout& layout : SequenceLayouts()) {
-    types += StrCat(types.empty() ? "" : ", ", layout.type);
+constexpr const char* kKittiDataSet = "kitti";
+constexpr const char* kOtherDataSet = "other";
+
+struct Projection {
+  double focal_px, cx_px, cy_px;
+};
+
+// The rectified cameras of KITTI's five days (2011_09_26, 28, 29, 30 and 10_03). Odometry,
+// tracking, object and stereo benchmarks are parts of these recordings and repeat their numbers.
+constexpr std::array<Projection, 5> kKittiDays = {{{721.5377, 609.5593, 172.8540},
+                                                   {707.0493, 604.0814, 180.5066},
+                                                   {718.3351, 600.3891, 181.5122},
+                                                   {707.0912, 601.8873, 183.1104},
+                                                   {718.8560, 607.1928, 185.2157}}};
+
+// Grey and colour pairs alike are 0.53 to 0.54 m apart.
+bool IsKittiRig(const StereoCamera& camera) {
+  const auto near = [](double a, double b, double tolerance) {
+    return std::abs(a - b) <= tolerance;
+  };
+  constexpr double kDigits_px = 1e-4;
+  return near(camera.baseline_m, 0.535, 0.01) &&
+         std::any_of(kKittiDays.begin(), kKittiDays.end(), [&](const Projection& day) {
+           return near(camera.fx, day.focal_px, kDigits_px) &&
+                  near(camera.fy, day.focal_px, kDigits_px) &&
+                  near(camera.cx, day.cx_px, kDigits_px) && near(camera.cy, day.cy_px, kDigits_px);
+         });
+}
+
+// Sequence::dataset: the one that was named, else the one whose calibration the sequence has. Names
+// of folders do not count. Throws Error for a name that is none.
+std::string DataSetOf(const Sequence& sequence, const std::string& named) {
+  if (named == kKittiDataSet || named == kOtherDataSet) return named;
+  if (!named.empty()) {
+    ThrowError("option --dataset", Quoted(named), StrCat(kKittiDataSet, " or ", kOtherDataSet));
   }
-  return types;
+  // A rendered scene may have been given KITTI's camera.
+  const bool rendered = std::filesystem::exists(sequence.folder / "scene.json");
+  return !rendered && IsKittiRig(sequence.camera) ? kKittiDataSet : kOtherDataSet;
 }
 
 std::string TypeOf(const SequenceRequest& request) {
@@ -35,14 +72,14 @@ std::string TypeOf(const SequenceRequest& request) {
                                  : StrCat("one of them, such as ", sequences.front().string()));
   }
   ThrowError(folder.string(), fs::exists(folder) ? "a folder of no known type" : "no such folder",
-             "a sequence: " + AllTypes());
+             "a sequence: " + Joined(SequenceLayouts(), ", ", &SequenceLayout::type));
 }
 
 const SequenceLayout& LayoutOfType(const std::string& type) {
   for (const SequenceLayout& layout : SequenceLayouts()) {
     if (layout.type == type) return layout;
   }
-  ThrowError("option --type", Quoted(type), AllTypes());
+  ThrowError("option --type", Quoted(type), Joined(SequenceLayouts(), ", ", &SequenceLayout::type));
 }
 
 void CheckSettings(const Json& given, const SequenceLayout& layout) {

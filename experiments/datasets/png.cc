@@ -2,11 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/datasets/png.h"
 
+#include <zlib.h>
+
 #include <array>
 #include <cstdint>
 #include <fstream>
+#include <map>
+#include <opencv2/imgcodecs.hpp>
+#include <tuple>
 
 #include "core/base/error.h"
+#include "core/files/text_file.h"
 
 namespace cvo {
 namespace {
@@ -17,39 +23,9 @@ constexpr std::size_t kHeaderBytes = 26;
 constexpr int kColourTypeGrey = 0;
 constexpr int kColourTypeGreyAlpha = 4;
 
-// table[k][n]: the CRC of byte n followed by k zero bytes, to take eight bytes at a time.
-using CrcTables = std::array<std::array<std::uint32_t, 256>, 8>;
-
-constexpr CrcTables MakeCrcTables() {
-  CrcTables table{};
-  for (std::uint32_t n = 0; n < 256; ++n) {
-    std::uint32_t c = n;
-    for (int k = 0; k < 8; ++k) c = (c & 1) ? 0xEDB88320u ^ (c >> 1) : c >> 1;
-    table[0][n] = c;
-  }
-  for (std::size_t k = 1; k < table.size(); ++k) {
-    for (std::size_t n = 0; n < 256; ++n) {
-      const std::uint32_t c = table[k - 1][n];
-      table[k][n] = table[0][c & 0xFF] ^ (c >> 8);
-    }
-  }
-  return table;
-}
-constexpr CrcTables kCrc = MakeCrcTables();
-
 std::uint32_t Crc32(std::string_view bytes) {
-  std::uint32_t c = 0xFFFFFFFFu;
-  const auto byte = [&](std::size_t i) {
-    return static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i]));
-  };
-  std::size_t i = 0;
-  for (; i + 8 <= bytes.size(); i += 8) {
-    c ^= byte(i) | byte(i + 1) << 8 | byte(i + 2) << 16 | byte(i + 3) << 24;
-    c = kCrc[7][c & 0xFF] ^ kCrc[6][c >> 8 & 0xFF] ^ kCrc[5][c >> 16 & 0xFF] ^ kCrc[4][c >> 24] ^
-        kCrc[3][byte(i + 4)] ^ kCrc[2][byte(i + 5)] ^ kCrc[1][byte(i + 6)] ^ kCrc[0][byte(i + 7)];
-  }
-  for (; i < bytes.size(); ++i) c = kCrc[0][(c ^ byte(i)) & 0xFF] ^ (c >> 8);
-  return c ^ 0xFFFFFFFFu;
+  return static_cast<std::uint32_t>(
+      ::crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
 }
 
 std::uint32_t ReadBigEndian(std::string_view bytes, std::size_t offset) {
@@ -67,6 +43,26 @@ std::string DescribeNonPng(std::string_view bytes) {
     return "a PNG header cut short";
   }
   return "a file that is not PNG";
+}
+
+using Colour = std::tuple<int, int, int>;  // blue, green, red
+
+// Decoders give colours: what stands for them in the palette. The file is known to be whole.
+std::map<Colour, int> IndexOfColour(const std::filesystem::path& path, std::string_view bytes) {
+  const std::size_t at = bytes.find("PLTE");
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
+  std::map<Colour, int> index_of;
+  const std::size_t length =
+      at == std::string_view::npos ? 0 : static_cast<std::size_t>(byte(at - 2) << 8 | byte(at - 1));
+  for (std::size_t i = 0; i < length / 3; ++i) {
+    const std::size_t rgb = at + 4 + 3 * i;
+    const Colour colour = {byte(rgb + 2), byte(rgb + 1), byte(rgb)};
+    if (!index_of.emplace(colour, static_cast<int>(i)).second) {
+      ThrowError(path.string(), StrCat("the colour of index ", i, " a second time"),
+                 "a palette of different colours");
+    }
+  }
+  return index_of;
 }
 
 }  // namespace
@@ -115,6 +111,40 @@ std::optional<std::string> FindPngDamage(std::string_view bytes) {
     at += kChunkOverhead + length;
   }
   return StrCat("a file cut short after ", bytes.size(), " bytes, without an end");
+}
+
+cv::Mat ReadPaletteIndexes(const std::filesystem::path& path, cv::Size size) {
+  constexpr std::size_t kColourType = 25;
+  constexpr int kPalette = 3;
+  const std::string bytes = ReadFileBytes(path);
+  if (const auto damage = FindPngDamage(bytes)) {
+    ThrowError(path.string(), *damage, "a whole PNG image");
+  }
+  const int type = static_cast<unsigned char>(bytes[kColourType]);
+  const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
+  const cv::Mat image =
+      cv::imdecode(buffer, type == kPalette ? cv::IMREAD_COLOR : cv::IMREAD_UNCHANGED);
+  const int expected = type == kPalette ? CV_8UC3 : CV_8UC1;
+  if (image.type() != expected || image.size() != size) {
+    ThrowError(path.string(),
+               StrCat("a mask of ", image.cols, "x", image.rows, " pixels and ", image.channels(),
+                      " channels"),
+               StrCat("an indexed one of ", size.width, "x", size.height));
+  }
+  cv::Mat indexes;
+  if (type != kPalette) {
+    image.convertTo(indexes, CV_16UC1);
+    return indexes;
+  }
+  const std::map<Colour, int> index_of = IndexOfColour(path, bytes);
+  indexes.create(size, CV_16UC1);
+  for (int v = 0; v < size.height; ++v) {
+    for (int u = 0; u < size.width; ++u) {
+      const auto& c = image.at<cv::Vec3b>(v, u);
+      indexes.at<std::uint16_t>(v, u) = static_cast<std::uint16_t>(index_of.at({c[0], c[1], c[2]}));
+    }
+  }
+  return indexes;
 }
 
 }  // namespace cvo

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <thread>
 
+#include "core/base/lists.h"
 #include "experiments/jobs/slurm_script.h"
 
 namespace cvo {
@@ -157,11 +158,9 @@ SlurmSetup SlurmClient::Setup() const {
 SlurmQueue SlurmClient::Queue(const std::vector<std::string>& names) const {
   SlurmQueue queue;
   if (names.empty()) return queue;
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ",") + name;
   const Captured answer =
       Ask({"squeue", "--noheader", "--array", "--states=all", StrCat("--user=", ::geteuid()),
-           "--name=" + list, "--format=%j|%F|%K|%T|%r"},
+           "--name=" + Joined(names, ","), "--format=%j|%F|%K|%T|%r"},
           patience_s_, IsFailure);
   std::istringstream lines(answer.out);
   for (std::string line; std::getline(lines, line);) {

@@ -3,6 +3,7 @@
 #include "experiments/jobs/slurm_engine.h"
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "experiments/jobs/slurm_array.h"
 #include "experiments/jobs/slurm_client.h"
 #include "experiments/jobs/slurm_run.h"
@@ -50,7 +51,7 @@ void SlurmEngine::KeepOnly(const std::set<std::string>& names, const EngineHooks
   if (strangers.empty()) return;
   hooks.notice(
       StrCat("slurm: cancelled tasks that an earlier run submitted and that are no longer needed: ",
-             strangers.size(), strangers.size() == 1 ? " task" : " tasks"));
+             Counted(strangers.size(), "task")));
 }
 
 }  // namespace cvo

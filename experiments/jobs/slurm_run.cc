@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "experiments/jobs/slurm_verdict.h"
 
 namespace cvo {
@@ -21,8 +22,6 @@ constexpr double kStopTimeoutS = 15.0;  // for Slurm to end what was cancelled
 constexpr double kStopPollS = 0.5;
 constexpr double kShortestPollS = 0.5;
 constexpr double kPollFraction = 0.05;  // of the time that has passed: short suites need not wait
-
-std::string Tasks(std::size_t count) { return StrCat(count, count == 1 ? " task" : " tasks"); }
 
 // Reasons that a user need not hear of: every task has one before it starts.
 bool IsOrdinary(const std::string& reason) {
@@ -102,7 +101,7 @@ void SlurmRun::ResumeEarlierArrays() {
     Claim(followed, queue, wanted);
     if (followed.open.empty()) continue;
     hooks_.notice(StrCat("slurm: job ", followed.job, ", submitted by an earlier run, continues: ",
-                         Tasks(followed.open.size())));
+                         Counted(followed.open.size(), "task")));
   }
   client_.Cancel(wanted.outdated);
   std::erase_if(followed_, [](const Followed& followed) {
@@ -144,7 +143,7 @@ void SlurmRun::SubmitArray(std::size_t count) {
     waiting_.pop_front();
   }
   if (room_.limited) room_.tasks -= count;
-  hooks_.notice(StrCat("slurm: job ", followed.job, ": ", Tasks(count), " submitted"));
+  hooks_.notice(StrCat("slurm: job ", followed.job, ": ", Counted(count, "task"), " submitted"));
 }
 
 void SlurmRun::Refused(std::size_t count, const SlurmSubmitted& submitted) {
@@ -154,7 +153,7 @@ void SlurmRun::Refused(std::size_t count, const SlurmSubmitted& submitted) {
   if (hopeless) throw Error(submitted.refused);
   if (count == 1 && !room_.reported) {
     hooks_.notice(StrCat("slurm: accepts no more tasks at present (", submitted.refused,
-                         "): ", Tasks(waiting_.size()), " not submitted yet"));
+                         "): ", Counted(waiting_.size(), "task"), " not submitted yet"));
   }
   room_ = {true, count / 2, room_.reported || count == 1, Clock::now()};
 }
@@ -212,8 +211,8 @@ void SlurmRun::ReportPendingReasons(const SlurmQueue& queue) {
   if (all == reported_reason_) return;
   reported_reason_ = all;
   for (const auto& [reason, count] : reasons) {
-    hooks_.notice(
-        StrCat("slurm: not started yet: ", Tasks(count), ": ", PendingReasonText(reason)));
+    hooks_.notice(StrCat("slurm: not started yet: ", Counted(count, "task"), ": ",
+                         PendingReasonText(reason)));
   }
 }
 

@@ -43,7 +43,7 @@ struct ClusterEstimate {
 };
 
 // What tells which body a cluster is: the landmarks that the two share, or, of an estimate without
-// landmarks, how near its poses are to the body (object_nearness.h).
+// landmarks, how near its poses are to the body (NearnessInFrame).
 using MatchBy = reports::Matching;
 
 // What a run says of the bodies; frames as in the truth it is compared with.

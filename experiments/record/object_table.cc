@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/metrics/trajectory.h"
-#include "experiments/metrics/tum_trajectory.h"
 #include "experiments/record/cluster_rows.h"
 #include "experiments/record/cluster_tables.h"
 #include "experiments/record/table_row.h"

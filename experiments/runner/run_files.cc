@@ -7,9 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/files/atomic_file.h"
-#include "experiments/metrics/kitti_poses.h"
 #include "experiments/metrics/trajectory.h"
-#include "experiments/metrics/tum_trajectory.h"
 #include "experiments/record/cluster_tables.h"
 #include "experiments/record/landmark_table.h"
 

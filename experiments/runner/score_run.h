@@ -6,6 +6,7 @@
 
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/metric.h"
+#include "experiments/metrics/object_estimate.h"
 #include "experiments/metrics/object_scores.h"
 #include "experiments/record/run_record.h"
 
@@ -25,5 +26,10 @@ struct RunScores {
 // `objects`: nullptr where the bodies of the sequence have no truth.
 RunScores ScoreRun(const Sequence& sequence, const RunResult& run,
                    const ObjectTruth* objects = nullptr);
+
+// What a run says of the bodies, with poses as when their frame came or as last estimated. Skipped
+// frames have no camera. One entry per frame of the run.
+enum class PoseTime { kCausal, kRefined };
+ObjectEstimate ObjectEstimateOf(const RunResult& run, PoseTime time);
 
 }  // namespace cvo

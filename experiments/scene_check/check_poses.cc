@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "experiments/metrics/kitti_poses.h"
+#include "experiments/metrics/trajectory.h"
 #include "experiments/scene_check/checks.h"
 #include "experiments/scene_check/limits.h"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/options_json.h"
 #include "experiments/datasets/frame_range.h"
 #include "experiments/runner/frame_detections.h"
@@ -131,8 +132,7 @@ SystemFiles SystemFilesOf(const Suite& suite, const Cell& cell, const fs::path& 
 }
 
 OracleSwitches OracleOf(const std::vector<std::string>& switches) {
-  std::string text;
-  for (const std::string& name : switches) text += (text.empty() ? "" : ",") + name;
+  const std::string text = Joined(switches, ",");
   return ParseOracle(text.empty() ? "none" : text);
 }
 

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/closest_names.h"
 #include "core/files/options_json.h"
 #include "core/files/text_file.h"
@@ -30,12 +31,6 @@ using Names = std::vector<std::string>;
 
 bool Among(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-std::string Listed(const Names& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
 }
 
 // Each of `names` must be known, and there once.
@@ -128,7 +123,7 @@ void CheckSequences(const Suite& suite, const std::string& where) {
                  "a unique \"name\" for each sequence");
     }
     CheckNames(sequence.classes, KnownClasses(), at + ".classes",
-               "classes of detections, of " + Listed(KnownClasses()));
+               "classes of detections, of " + Joined(KnownClasses(), ", "));
     if (!Among({"", "grey", "colour"}, sequence.pair)) {
       ThrowError(at + ".pair", Quoted(sequence.pair), "\"grey\" or \"colour\"");
     }
@@ -222,7 +217,8 @@ void CheckSystems(const Suite& suite, const std::string& where) {
     names.push_back(system.name);
     Names given;
     for (const SuiteSystem::Files& files : system.files) given.push_back(files.sequence);
-    CheckNames(given, sequences, at + ".files", "a sequence of the suite: " + Listed(sequences));
+    CheckNames(given, sequences, at + ".files",
+               "a sequence of the suite: " + Joined(sequences, ", "));
   }
 }
 
@@ -259,7 +255,7 @@ void CheckRows(const Suite& suite, const std::string& where) {
     const bool again = !names.insert(sequence.name).second;  // with other detections
     if (again && !Among(needed, "detections")) needed.emplace_back("detections");
   }
-  CheckNames(suite.table.rows, keys, where + ", table.rows", "one of " + Listed(keys));
+  CheckNames(suite.table.rows, keys, where + ", table.rows", "one of " + Joined(keys, ", "));
   for (const std::string& key : needed) {
     if (!Among(suite.table.rows, key)) {
       ThrowError(where + ", table.rows",
@@ -278,7 +274,7 @@ void CheckReference(const Suite& suite, const std::string& where) {
     CheckNames({reference}, suite.variants, where, "a variant of the suite");
   } else {
     CheckNames({reference.substr(0, equals)}, suite.table.rows, where,
-               "KEY=VALUE with one of the rows' keys: " + Listed(suite.table.rows));
+               "KEY=VALUE with one of the rows' keys: " + Joined(suite.table.rows, ", "));
   }
 }
 

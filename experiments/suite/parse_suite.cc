@@ -279,13 +279,11 @@ Suite ParseSuite(const Json& json, const std::string& where, const fs::path& fol
 
 Suite LoadSuite(const std::string& suite) {
   std::vector<std::string> names;
-  std::string listed;
   for (const ShippedSuite& shipped : ShippedSuites()) {
     if (shipped.name == suite) {
       return ParseSuite(ParseJson(shipped.text, "suite " + suite), "suite " + suite);
     }
     names.push_back(shipped.name);
-    listed += (listed.empty() ? "" : ", ") + shipped.name;
   }
   if (const std::optional<Collection> collection = FindCollection(suite)) {
     std::string suites;
@@ -299,7 +297,7 @@ Suite LoadSuite(const std::string& suite) {
     return ParseSuite(ReadJson(suite), suite, fs::path(suite).parent_path());
   }
   ThrowError("suite " + Quoted(suite), "neither a shipped suite nor a file",
-             "a JSON file or one of " + listed + DidYouMean(suite, names));
+             "a JSON file or " + OneOfKnown(suite, names));
 }
 
 }  // namespace cvo

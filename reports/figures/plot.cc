@@ -99,19 +99,20 @@ int LegendHeight(const std::vector<std::string>& entries, int width_px) {
   return kBesides_px + kRow_px * rows;
 }
 
-std::string PlotJson(const Json& data, const Json& layout) {
-  const Json figure = {{"data", data}, {"layout", layout}};
-  const std::string text = figure.dump(-1, ' ', false, Json::error_handler_t::replace);
-  std::string safe;
-  safe.reserve(text.size());
-  for (const char c : text) {
+std::string ScriptJson(const Json& json) {
+  std::string text;
+  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
     if (c == '<') {
-      safe += "\\u003c";
+      text += "\\u003c";
     } else {
-      safe += c;
+      text += c;
     }
   }
-  return safe;
+  return text;
+}
+
+std::string PlotJson(const Json& data, const Json& layout) {
+  return ScriptJson({{"data", data}, {"layout", layout}});
 }
 
 }  // namespace cvo::reports

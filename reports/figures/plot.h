@@ -41,7 +41,9 @@ class Plot {
 // What a legend of these entries takes above a figure of that width, with a title below it.
 int LegendHeight(const std::vector<std::string>& entries, int width_px);
 
-// Data and layout as text in which no "<" is left.
+// Text of JSON in which no "<" is left, so that it may stand within a page's script.
+std::string ScriptJson(const Json& json);
+// The same of data and layout.
 std::string PlotJson(const Json& data, const Json& layout);
 
 // The layout that all figures start from.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/number.h"
 #include "core/files/utf8.h"
 #include "reports/formats/best_cells.h"
@@ -124,7 +125,7 @@ CellText DifferenceText(const Difference& difference, int decimals, bool change)
   const auto& range = change ? difference.percent_interval : difference.reference_lower_interval;
   if (percent) text.percent = PercentText(*percent, change);
   if (range) text.percent_interval = PercentRangeText(*range);
-  text.n = StrCat(difference.pairs, difference.pairs == 1 ? " pair" : " pairs");
+  text.n = Counted(difference.pairs, "pair");
   text.units = text.n;
   text.distinguishable = difference.distinguishable;
   return text;

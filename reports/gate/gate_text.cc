@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/number.h"
 #include "reports/gate/gate_runs.h"
 
@@ -14,10 +15,6 @@ namespace {
 
 constexpr std::size_t kNearest = 5;
 constexpr std::size_t kMaxProblems = 20;
-
-std::string Plural(std::size_t count, const std::string& noun) {
-  return StrCat(count, " ", noun, count == 1 ? "" : "s");
-}
 
 std::vector<std::string> Cells(const Comparison& comparison) {
   return {comparison.variant,
@@ -92,11 +89,11 @@ TextRows TimeRows(const GateReport& report) {
 }
 
 std::string Headline(const GateReport& report) {
-  return StrCat(report.suite, ": ", Plural(report.runs, "run"), " against those of ",
+  return StrCat(report.suite, ": ", Counted(report.runs, "run"), " against those of ",
                 CommitName(report.baseline_commit), ": ", report.Count(Verdict::kWorse), " worse, ",
                 report.Count(Verdict::kBetter), " better, ", report.Count(Verdict::kWithin),
                 " within tolerance, ", report.Count(Verdict::kSame), " the same",
-                report.problems.empty() ? "" : ", " + Plural(report.problems.size(), "problem"));
+                report.problems.empty() ? "" : ", " + Counted(report.problems.size(), "problem"));
 }
 
 std::vector<std::string> ProblemLines(const GateReport& report) {

@@ -12,18 +12,6 @@ std::string Element(const std::string& tag, std::string_view text) {
   return "<" + tag + ">" + Escaped(text) + "</" + tag + ">";
 }
 
-std::string ScriptJson(const Json& json) {
-  std::string text;
-  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-    if (c == '<') {
-      text += "\\u003c";
-    } else {
-      text += c;
-    }
-  }
-  return text;
-}
-
 std::string DataBlock(const std::string& id, const std::string& script_json) {
   return "<script type=\"application/json\" id=\"" + Escaped(id) + "\">" + script_json +
          "</script>\n";

@@ -5,8 +5,6 @@
 #include <string>
 #include <string_view>
 
-#include "core/files/json.h"
-
 namespace cvo::reports {
 
 // Any text on one line, as it stands between tags or in a quoted attribute.
@@ -14,9 +12,6 @@ std::string Escaped(std::string_view text);
 
 // <tag>text</tag>, the text escaped.
 std::string Element(const std::string& tag, std::string_view text);
-
-// JSON as it can stand in a <script> of a page: it holds no '<'.
-std::string ScriptJson(const Json& json);
 
 // A block of data that the page's script reads by its id.
 std::string DataBlock(const std::string& id, const std::string& script_json);

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/page/page_data.h"
-
 #include <map>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "reports/figures/numbers.h"
+#include "reports/figures/plot.h"
 #include "reports/page/html.h"
+#include "reports/page/page_parts.h"
 #include "reports/page/quantity.h"
 #include "reports/tables/comparisons.h"
 
@@ -66,11 +67,9 @@ Json RunJson(const PageRun& run, SharedLists& shared) {
 }
 
 std::string CountsText(const Counts& n) {
-  std::string text = StrCat(n.runs, n.runs == 1 ? " run" : " runs", ", ", n.scenes,
-                            n.scenes == 1 ? " scene" : " scenes", ", ", n.seeds,
-                            n.seeds == 1 ? " seed" : " seeds");
-  if (n.bodies > 0) text += StrCat(", ", n.bodies, n.bodies == 1 ? " body" : " bodies");
-  return text;
+  const std::string text = StrCat(Counted(n.runs, "run"), ", ", Counted(n.scenes, "scene"), ", ",
+                                  Counted(n.seeds, "seed"));
+  return n.bodies > 0 ? StrCat(text, ", ", Counted(n.bodies, "body", "bodies")) : text;
 }
 
 Json DifferenceJson(const Difference& difference, const Column& column) {

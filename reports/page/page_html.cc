@@ -6,10 +6,9 @@
 
 #include "core/base/error.h"
 #include "core/files/json.h"
+#include "reports/figures/plot.h"
 #include "reports/page/html.h"
-#include "reports/page/page_data.h"
 #include "reports/page/page_parts.h"
-#include "reports/page/scene_json.h"
 #include "reports/web/assets.h"
 
 namespace cvo::reports {

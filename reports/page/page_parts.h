@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "core/files/json.h"
 #include "reports/page/page_content.h"
 
 namespace cvo::reports {
@@ -26,6 +27,13 @@ std::string LicenceSection();
 // A table that the page's script sorts, filters and opens cells of: `name` is "table" or
 // "comparison", whose cells are in the page's data under that name.
 std::string TableFrame(const Table& table, const std::string& name);
+
+// What the page's script needs of tables and runs, as JSON without '<'.
+std::string PageDataJson(const PageContent& content);
+
+// What the 3D view draws of a run. Positions are whole millimetres, three numbers after each other;
+// frames of clusters and bodies are indices into "frames"; images are data URLs.
+Json SceneJson(const PageScene& scene);
 
 // The list of what can be told of each row against its reference.
 std::string FindingsHtml(const Table& table, const std::string& reference);

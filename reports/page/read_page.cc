@@ -6,9 +6,9 @@
 
 #include "core/base/error.h"
 #include "reports/figures/suite_figures.h"
-#include "reports/page/changed_options.h"
 #include "reports/page/choose_scenes.h"
 #include "reports/page/page_content.h"
+#include "reports/page/run_origin.h"
 #include "reports/tables/make_table.h"
 
 namespace cvo::reports {

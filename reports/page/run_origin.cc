@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/files/json.h"
 #include "core/files/json_record.h"
 #include "core/files/number.h"
 
@@ -67,6 +68,22 @@ RunOrigin ReadRunOrigin(const std::filesystem::path& run_folder) {
     origin.missing.emplace_back(error.what());
   }
   return origin;
+}
+
+OptionDefaults::OptionDefaults(const std::string& json) {
+  if (!json.empty()) defaults_ = FlatJson(ParseJson(json, "default options"));
+}
+
+std::vector<ChangedOption> OptionDefaults::ChangedIn(const Json& options) {
+  if (defaults_.empty() || options.empty()) return {};
+  const auto [entry, added] = known_.try_emplace(options.dump());
+  if (!added) return entry->second;
+  for (const auto& [path, value] : FlatJson(options)) {
+    const auto at_default = defaults_.find(path);
+    const std::string usual = at_default == defaults_.end() ? "" : at_default->second;
+    if (value != usual) entry->second.push_back({path, usual, {value}});
+  }
+  return entry->second;
 }
 
 }  // namespace cvo::reports

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "reports/tables/table.h"
 
 namespace cvo::reports {
 
@@ -22,5 +25,18 @@ struct RunOrigin {
 };
 
 RunOrigin ReadRunOrigin(const std::filesystem::path& run_folder);
+
+// Which options of a run are not at their default. Runs with the same options are compared once.
+class OptionDefaults {
+ public:
+  // Nested JSON; empty: not known, then no option is reported as changed.
+  explicit OptionDefaults(const std::string& json);
+
+  std::vector<ChangedOption> ChangedIn(const Json& options);
+
+ private:
+  std::map<std::string, std::string> defaults_;
+  std::map<std::string, std::vector<ChangedOption>> known_;
+};
 
 }  // namespace cvo::reports

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/page/scene_json.h"
-
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -11,6 +9,7 @@
 #include "core/files/escape.h"
 #include "reports/overlays/overlay_run.h"
 #include "reports/overlays/palette.h"
+#include "reports/page/page_parts.h"
 
 namespace cvo::reports {
 namespace {

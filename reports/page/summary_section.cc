@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "reports/figures/numbers.h"
 #include "reports/page/html.h"
 #include "reports/page/page_parts.h"
@@ -14,17 +15,10 @@ namespace {
 
 constexpr std::size_t kNamed = 12;  // more are counted
 
-std::string Count(std::size_t count, const std::string& one) {
-  return StrCat(count, " ", one, count == 1 ? "" : "s");
-}
-
 // The values of a key, in the order of the plan.
 std::vector<std::string> ValuesOf(const std::vector<PageRun>& runs, const std::string& key) {
   std::vector<std::string> values;
-  for (const PageRun& run : runs) {
-    const std::string value = KeyOf(run.run.planned, key);
-    if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
-  }
+  for (const PageRun& run : runs) AddOnce(KeyOf(run.run.planned, key), values);
   return values;
 }
 
@@ -40,7 +34,7 @@ std::string ComparedText(const PageContent& content, const Table& table) {
   for (const std::string& key : table.keys) {
     if (key == "sequence" || key == "family") continue;
     const std::vector<std::string> values = ValuesOf(content.runs, key);
-    text += StrCat(text.empty() ? "Compared: " : "; ", Count(values.size(), "value"), " of ", key,
+    text += StrCat(text.empty() ? "Compared: " : "; ", Counted(values.size(), "value"), " of ", key,
                    " (", Named(values), ")");
   }
   if (!text.empty()) text += ". ";
@@ -51,8 +45,8 @@ std::string ComparedText(const PageContent& content, const Table& table) {
   for (const Row& row : table.rows) {
     if (!row.split.empty()) splits.insert(row.split);
   }
-  return StrCat(text, "On ", Count(sequences.size(), "sequence"), " (", Named(sequences),
-                "), each with ", Count(seeds.size(), "seed"), ".",
+  return StrCat(text, "On ", Counted(sequences.size(), "sequence"), " (", Named(sequences),
+                "), each with ", Counted(seeds.size(), "seed"), ".",
                 splits.empty() ? "" : " Split: ", Listed({splits.begin(), splits.end()}),
                 splits.empty() ? "" : ".");
 }
@@ -67,7 +61,7 @@ std::string VariantsHtml(const std::vector<Fact>& variants) {
 }
 
 std::string JobsText(const JobCounts& jobs) {
-  std::string text = StrCat(jobs.done, " of ", Count(jobs.planned, "run"), " ",
+  std::string text = StrCat(jobs.done, " of ", Counted(jobs.planned, "run"), " ",
                             jobs.done == 1 ? "is" : "are", " there");
   const auto add = [&text](std::size_t count, const char* what) {
     if (count > 0) text += StrCat("; ", count, " ", what);

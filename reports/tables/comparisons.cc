@@ -3,10 +3,29 @@
 #include "reports/tables/comparisons.h"
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
+#include "core/files/number.h"
 #include "reports/results/metric_catalogue.h"
 #include "reports/statistics/paired_test.h"
 
 namespace cvo::reports {
+namespace {
+
+std::string Line(const Row& row, const Column& column, const Difference& difference) {
+  const std::string unit = column.unit == "1" ? "" : " " + column.unit;
+  std::string line = StrCat("  ", RowLabel(row), ", ", column.metric, ": ",
+                            FormatSigned(difference.difference, 4), unit);
+  if (difference.percent) line += StrCat(" (", FormatSigned(*difference.percent, 4), " %)");
+  if (difference.interval) {
+    line += StrCat(", ", FormatSigned(difference.interval->low, 4), " to ",
+                   FormatSigned(difference.interval->high, 4));
+  } else {
+    line += ", no interval";
+  }
+  return StrCat(line, ", ", Counted(difference.pairs, "pair"), "\n");
+}
+
+}  // namespace
 
 Difference DifferenceOf(const PairedEstimate& estimate, const std::string& reference,
                         const std::string& meaning, const std::string& pairing) {
@@ -38,7 +57,7 @@ std::optional<bool> IsBetter(const std::string& metric, double difference) {
 }
 
 std::string UndecidedText(std::size_t pairs) {
-  return StrCat("undecided (", pairs, pairs == 1 ? " pair, " : " pairs, ", kMinPairs, " needed)");
+  return StrCat("undecided (", Counted(pairs, "pair"), ", ", kMinPairs, " needed)");
 }
 
 std::string VerdictText(const Difference& difference, const std::string& metric) {
@@ -76,6 +95,24 @@ void CorrectForMany(Table& table) {
     }
   }
   CorrectForMany(differences);
+}
+
+std::string MovedText(const Table& table) {
+  std::string distinguishable;
+  std::string noise;
+  for (const Row& row : table.rows) {
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      const auto& difference = row.cells[i].difference;
+      if (!difference || difference->difference == 0.0) continue;
+      (difference->distinguishable ? distinguishable : noise) +=
+          Line(row, table.columns[i], *difference);
+    }
+  }
+  if (distinguishable.empty() && noise.empty()) return "nothing moved\n";
+  std::string text;
+  if (!distinguishable.empty()) text += "moved, distinguishable from noise:\n" + distinguishable;
+  if (!noise.empty()) text += "moved, not distinguishable from noise:\n" + noise;
+  return text;
 }
 
 }  // namespace cvo::reports

@@ -31,4 +31,8 @@ void CorrectForMany(const std::vector<Difference*>& differences);
 // All differences of a table.
 void CorrectForMany(Table& table);
 
+// One line per cell whose paired difference is not 0: by how much, in which interval, and whether
+// that can be told from noise; these first. "nothing moved" where there is none.
+std::string MovedText(const Table& table);
+
 }  // namespace cvo::reports

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "reports/results/contract_text.h"
 #include "reports/results/metric_catalogue.h"
 #include "reports/statistics/estimate.h"
@@ -17,14 +18,6 @@ namespace {
 constexpr std::size_t kShownProblems = 12;
 
 using Lines = std::vector<std::string>;
-
-std::string CountWithNoun(std::size_t count, const char* one, const char* many) {
-  return StrCat(count, " ", count == 1 ? one : many);
-}
-
-void AddOnce(const std::string& line, Lines& lines) {
-  if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
-}
 
 // Columns of one label differ in their unit.
 std::string ColumnName(const Table& table, std::size_t index) {
@@ -44,9 +37,7 @@ class NamesByText {
   }
   void Print(const std::string& before, Lines& lines, const char* between = ": ") const {
     for (const std::string& text : order_) {
-      std::string names;
-      for (const std::string& name : names_.at(text)) names += (names.empty() ? "" : ", ") + name;
-      lines.push_back(StrCat(before, names, between, text));
+      lines.push_back(StrCat(before, Joined(names_.at(text), ", "), between, text));
     }
   }
 
@@ -106,20 +97,20 @@ void AddSplits(const Table& table, Lines& lines) {
 
 // How many scenes would tell a small difference of any row: how much the table can say at all.
 void AddPower(const Table& table, Lines& lines) {
-  std::string needs;
+  Lines needs;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     std::size_t most = 0;
     for (const Row& row : table.rows) {
       const auto& difference = row.cells[i].difference;
       if (difference) most = std::max(most, difference->scenes_for_10_percent.value_or(0));
     }
-    if (most > 0) needs += StrCat(needs.empty() ? "" : ", ", ColumnName(table, i), " ", most);
+    if (most > 0) needs.push_back(StrCat(ColumnName(table, i), " ", most));
   }
   if (needs.empty()) return;
   lines.push_back(StrCat("scenes that would tell a difference of ", 100.0 * kPowerDifference,
                          " % from noise, 80 % of the time, for the row that needs most of them "
                          "(one comparison, 5 % two-sided): ",
-                         needs));
+                         Joined(needs, ", ")));
 }
 
 void AddIntervals(const Table& table, Lines& lines) {
@@ -172,19 +163,17 @@ void AddCells(const Table& table, Lines& lines) {
 // The rows behind one text of a column, where the column has several.
 std::string CountsOfColumn(const Table& table, std::size_t column) {
   Lines texts;
-  std::map<std::string, std::string> rows;
+  std::map<std::string, Lines> rows;
   for (const Row& row : table.rows) {
     if (!row.cells[column].present) continue;
     const std::string text = CountsText(row.cells[column].n);
     AddOnce(text, texts);
-    rows[text] += (rows[text].empty() ? "" : ", ") + RowLabel(row);
+    rows[text].push_back(RowLabel(row));
   }
   if (texts.size() == 1) return texts[0];
-  std::string all;
-  for (const std::string& text : texts) {
-    all += StrCat(all.empty() ? "" : "; ", text, " (", rows[text], ")");
-  }
-  return all;
+  return Joined(texts, "; ", [&](const std::string& text) {
+    return StrCat(text, " (", Joined(rows[text], ", "), ")");
+  });
 }
 
 void AddCounts(const Table& table, Lines& lines) {
@@ -256,9 +245,7 @@ void AddReferences(const Table& table, Lines& lines) {
 
 void AddOptions(const Table& table, Lines& lines) {
   for (const ChangedOption& option : table.provenance.options) {
-    std::string values;
-    for (const std::string& value : option.values) values += (values.empty() ? "" : ", ") + value;
-    lines.push_back(StrCat("option ", option.path, ": ", values, " (default ",
+    lines.push_back(StrCat("option ", option.path, ": ", Joined(option.values, ", "), " (default ",
                            option.default_value.empty() ? "none" : option.default_value, ")"));
   }
 }
@@ -270,21 +257,18 @@ std::string SourceMark(std::size_t source) {
 }
 
 std::string CountsText(const Counts& n) {
-  std::string text;
-  const auto add = [&text](std::size_t count, const char* one, const char* many) {
-    if (count > 0) text += (text.empty() ? "" : ", ") + CountWithNoun(count, one, many);
-  };
-  add(n.bodies, "body", "bodies");
-  add(n.scenes, "scene", "scenes");
-  add(n.seeds, "seed", "seeds");
-  add(n.runs, "run", "runs");
-  return text;
+  Lines counts;
+  if (n.bodies > 0) counts.push_back(Counted(n.bodies, "body", "bodies"));
+  if (n.scenes > 0) counts.push_back(Counted(n.scenes, "scene"));
+  if (n.seeds > 0) counts.push_back(Counted(n.seeds, "seed"));
+  if (n.runs > 0) counts.push_back(Counted(n.runs, "run"));
+  return Joined(counts, ", ");
 }
 
 std::string UnitsText(const Counts& n) {
-  if (n.scenes > 1) return CountWithNoun(n.scenes, "scene", "scenes");
-  if (n.bodies > 0) return CountWithNoun(n.bodies, "body", "bodies");
-  return CountWithNoun(n.runs, "run", "runs");
+  if (n.scenes > 1) return Counted(n.scenes, "scene");
+  if (n.bodies > 0) return Counted(n.bodies, "body", "bodies");
+  return Counted(n.runs, "run");
 }
 
 std::vector<std::string> Footnotes(const Table& table) {

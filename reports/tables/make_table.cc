@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "reports/tables/cells.h"
 #include "reports/tables/columns.h"
 #include "reports/tables/comparisons.h"
@@ -80,22 +81,17 @@ std::vector<std::string> OtherImages(const std::vector<SuiteRun>& before,
     const auto other = first.find(StrCat(SceneOf(run), " ", run.planned.seed));
     if (other == first.end()) continue;
     if (other->second->run->sequence.content == run.run->sequence.content) continue;
-    const std::string note = StrCat(SceneOf(run), ", seed ", run.planned.seed,
-                                    ": the two folders ran it on different images");
-    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+    AddOnce(StrCat(SceneOf(run), ", seed ", run.planned.seed,
+                   ": the two folders ran it on different images"),
+            notes);
   }
   return notes;
 }
 
 void CheckSameRows(const SuitePlan& before, const SuitePlan& after) {
   if (before.rows == after.rows) return;
-  const auto joined = [](const std::vector<std::string>& keys) {
-    std::string text;
-    for (const std::string& key : keys) text += (text.empty() ? "" : ", ") + key;
-    return text;
-  };
   ThrowError(StrCat(before.file.string(), " and ", after.file.string()),
-             StrCat("rows by ", joined(before.rows), " and by ", joined(after.rows)),
+             StrCat("rows by ", Joined(before.rows, ", "), " and by ", Joined(after.rows, ", ")),
              "the same rows");
 }
 

@@ -5,16 +5,11 @@
 #include <algorithm>
 #include <set>
 
+#include "core/base/lists.h"
 #include "core/files/json.h"
 
 namespace cvo::reports {
 namespace {
-
-std::string Joined(const std::vector<std::string>& keys) {
-  std::string text;
-  for (const std::string& key : keys) text += (text.empty() ? "" : " ") + key;
-  return text;
-}
 
 std::string Link(const std::filesystem::path& file, const std::filesystem::path& folder) {
   return std::filesystem::absolute(file)
@@ -51,9 +46,7 @@ void AddChanges(const std::map<std::string, std::string>& defaults,
     ChangedOption& option = changed[path];
     option.path = path;
     option.default_value = at_default;
-    if (std::find(option.values.begin(), option.values.end(), value) == option.values.end()) {
-      option.values.push_back(value);
-    }
+    AddOnce(value, option.values);
   }
 }
 
@@ -64,7 +57,7 @@ std::string SplitOf(const RowRuns& row) {
   std::vector<std::string> named(splits.begin(), splits.end());
   std::erase(named, "given");
   if (named.size() > 1) {
-    ThrowError("row " + Joined(row.keys),
+    ThrowError("row " + Joined(row.keys, " "),
                StrCat("scenes of the ", named[0], " split and of the ", named[1], " split"),
                "scenes of one split in a row");
   }
@@ -72,14 +65,9 @@ std::string SplitOf(const RowRuns& row) {
   return named[0] + ", given";
 }
 
-template <typename T>
-void AddOnce(const T& value, std::vector<T>& values) {
-  if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
-}
-
 }  // namespace
 
-std::string RowLabel(const Row& row) { return Joined(row.keys); }
+std::string RowLabel(const Row& row) { return Joined(row.keys, " "); }
 
 JobCounts CountJobs(const std::vector<const SuiteRun*>& runs) {
   JobCounts counts;
@@ -117,9 +105,8 @@ Row DescribeRow(const RowRuns& row, const std::filesystem::path& folder) {
     described.truth = Contract();
   }
   shifts_px.erase(0.0);
-  for (const double shift_px : shifts_px) {
-    described.corrections += StrCat(described.corrections.empty() ? "" : ", ", shift_px, " px");
-  }
+  described.corrections =
+      Joined(shifts_px, ", ", [](double shift_px) { return StrCat(shift_px, " px"); });
   return described;
 }
 
@@ -176,9 +163,7 @@ bool VariesPerturbation(const Table& table) {
 
 std::string CpuLevelNote(const std::set<std::string>& levels) {
   if (levels.size() < 2) return "";
-  std::string names;
-  for (const std::string& level : levels) names += (names.empty() ? "" : ", ") + level;
-  return StrCat("results are of processors of different levels (", names,
+  return StrCat("results are of processors of different levels (", Joined(levels, ", "),
                 "): what differs by rounding alone means nothing");
 }
 

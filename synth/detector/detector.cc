@@ -9,10 +9,10 @@
 
 #include "core/base/error.h"
 #include "core/files/closest_names.h"
+#include "core/files/number.h"
 #include "core/files/text_file.h"
 #include "synth/detector/detector_process.h"
 #include "synth/sensor/quick_normal.h"
-#include "synth/truth/fixed_number.h"
 #include "synth/truth/projected_box.h"
 
 namespace cvo::synth {
@@ -229,9 +229,9 @@ std::string FormatDetections(const std::vector<Detection>& detections) {
     rows += StrCat(detection.frame, " -1 ", detection.category, " -1 -1 -10");
     for (const double side :
          {detection.box.left, detection.box.top, detection.box.right, detection.box.bottom}) {
-      rows += StrCat(" ", FixedNumber(side, 2));
+      rows += StrCat(" ", FormatFixed(side, 2));
     }
-    rows += StrCat(" -1 -1 -1 -1000 -1000 -1000 -10 ", FixedNumber(detection.score, 4), "\n");
+    rows += StrCat(" -1 -1 -1 -1000 -1000 -1000 -10 ", FormatFixed(detection.score, 4), "\n");
   }
   return rows;
 }

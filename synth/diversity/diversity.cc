@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/files/json.h"
 #include "core/files/text_file.h"
-#include "synth/truth/fixed_number.h"
+#include "synth/truth/labels.h"
 #include "synth/truth/object_table.h"
 
 namespace cvo::synth {

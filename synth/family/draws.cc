@@ -31,12 +31,8 @@ const Knob& FindKnob(const std::vector<Knob>& knobs, const std::string& name,
                      const std::string& where) {
   if (const Knob* knob = Find(knobs, name)) return *knob;
   std::vector<std::string> names;
-  std::string listed;
-  for (const Knob& knob : knobs) {
-    names.push_back(knob.name);
-    listed += (listed.empty() ? "" : ", ") + knob.name;
-  }
-  ThrowError(where, "no knob " + Quoted(name), "one of " + listed + DidYouMean(name, names));
+  for (const Knob& knob : knobs) names.push_back(knob.name);
+  ThrowError(where, "no knob " + Quoted(name), OneOfKnown(name, names));
 }
 
 void CheckRange(const Json& range, bool integers, const std::string& where) {

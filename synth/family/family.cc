@@ -56,17 +56,15 @@ Family ParseFamily(const Json& json, const std::string& where) {
 
 Family LoadFamily(const std::string& family) {
   std::vector<std::string> names;
-  std::string listed;
   for (const ShippedFamily& shipped : ShippedFamilies()) {
     if (shipped.name == family) {
       return ParseFamily(ParseJson(shipped.text, "family " + family), "family " + family);
     }
     names.push_back(shipped.name);
-    listed += (listed.empty() ? "" : ", ") + shipped.name;
   }
   if (std::filesystem::is_regular_file(family)) return ParseFamily(ReadJson(family), family);
   ThrowError("family " + Quoted(family), "neither a shipped family nor a file",
-             "a JSON file or one of " + listed + DidYouMean(family, names));
+             "a JSON file or " + OneOfKnown(family, names));
 }
 
 Split SplitOf(std::uint32_t seed) {

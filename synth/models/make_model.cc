@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "synth/models/builders.h"
 
 namespace cvo::synth {
@@ -31,17 +32,13 @@ const Kind& FindKind(const std::string& name) {
   for (const Kind& kind : Kinds()) {
     if (name == kind.name) return kind;
   }
-  std::string names;
-  for (const std::string& known : ModelKinds()) names += (names.empty() ? "" : ", ") + known;
-  ThrowError("model", "'" + name + "'", "one of " + names);
+  ThrowError("model", "'" + name + "'", "one of " + Joined(ModelKinds(), ", "));
 }
 
 void CheckMaterial(const std::string& material) {
   const std::vector<std::string>& known = MaterialNames();
   if (material.empty() || std::find(known.begin(), known.end(), material) != known.end()) return;
-  std::string names;
-  for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
-  ThrowError("material", "'" + material + "'", "one of " + names);
+  ThrowError("material", "'" + material + "'", "one of " + Joined(known, ", "));
 }
 
 Eigen::Vector3d FindSize(const ModelDescription& description, const Kind& kind) {

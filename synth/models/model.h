@@ -3,13 +3,26 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
 #include "core/geometry/rigid_transform.h"
-#include "synth/models/mesh.h"
 
 namespace cvo::synth {
+
+struct Vertex {
+  Eigen::Vector3f position;  // m, in the body's frame (background: in world)
+  Eigen::Vector3f normal;    // unit length, outward
+  Eigen::Vector2f uv;        // texture coordinates; textures repeat
+};
+
+// Triangles as triples of vertex indices, in any order around them.
+struct Mesh {
+  std::vector<Vertex> vertices;
+  std::vector<std::uint32_t> indices;
+  bool two_sided = true;  // false: not drawn where its normals point away from the viewer
+};
 
 // A mesh with its texture.
 struct Part {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "core/files/number.h"
 #include "synth/preview/path_map.h"
-#include "synth/truth/fixed_number.h"
 #include "synth/truth/truth.h"
 
 namespace cvo::synth {
@@ -105,7 +105,7 @@ void DrawFrame(const World& world, int frame, const DrawingTools& tools,
   cv::resize(image, cell.canvas, cell.canvas.size(), 0, 0, cv::INTER_AREA);
   DrawBodies(world, ComputeTruth(world, frame, rendering), colours, cell);
   const std::string caption =
-      StrCat("frame ", frame, ", ", FixedNumber(world.Time_s(frame), 2), " s");
+      StrCat("frame ", frame, ", ", FormatFixed(world.Time_s(frame), 2), " s");
   DrawName(caption, {cell.canvas.cols, cell.canvas.rows}, kPaper, cell.canvas);
 }
 

@@ -26,18 +26,16 @@ struct SceneText {
 
 SceneText FindScene(const std::string& scene) {
   std::vector<std::string> names;
-  std::string listed;
   for (const ShippedScene& shipped : ShippedScenes()) {
     if (shipped.name == scene) return {shipped.text, "scene " + scene, {}};
     names.push_back(shipped.name);
-    listed += (listed.empty() ? "" : ", ") + shipped.name;
   }
   const std::filesystem::path file = scene;
   if (std::filesystem::is_regular_file(file)) {
     return {ReadFileBytes(file), scene, file.parent_path()};
   }
   ThrowError("scene " + Quoted(scene), "neither a shipped scene nor a file",
-             "a JSON file or one of " + listed + DidYouMean(scene, names));
+             "a JSON file or " + OneOfKnown(scene, names));
 }
 
 // The value behind one key of a path: made in an object where it is missing, so that strict

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/closest_names.h"
 
 namespace cvo::synth {
@@ -16,12 +17,6 @@ std::string Shown(const Json& value) {
   std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
   constexpr std::size_t kLongest = 60;
   return text.size() > kLongest ? text.substr(0, kLongest) + "..." : text;
-}
-
-std::string SizesText(const std::set<int>& sizes) {
-  std::string text;
-  for (const int size : sizes) text += (text.empty() ? "" : " or ") + std::to_string(size);
-  return text;
 }
 
 }  // namespace
@@ -113,7 +108,7 @@ std::vector<double> ObjectReader::Numbers(const std::string& key, Range range,
                                           const std::set<int>& sizes) {
   const Json& value = Value(key);
   if (!value.is_array() || !sizes.contains(static_cast<int>(value.size()))) {
-    ThrowError(Where(key), Shown(value), "a list of " + SizesText(sizes) + " numbers");
+    ThrowError(Where(key), Shown(value), "a list of " + Joined(sizes, " or ") + " numbers");
   }
   std::vector<double> numbers;
   for (const Json& element : value) {
@@ -165,9 +160,7 @@ std::vector<ObjectReader> ObjectReader::ObjectsOr(const std::string& key) {
 }
 
 void ObjectReader::FailUnknown(const std::string& key) const {
-  std::string expected;
-  for (const std::string& known : known_) expected += (expected.empty() ? "" : ", ") + known;
-  ThrowError(Where(key), "an unknown key", "one of " + expected + DidYouMean(key, known_));
+  ThrowError(Where(key), "an unknown key", OneOfKnown(key, known_));
 }
 
 void ObjectReader::Finish() const {

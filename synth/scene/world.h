@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/geometry/stereo_camera.h"
-#include "synth/models/mesh.h"
+#include "synth/models/model.h"
 #include "synth/motion/motion.h"
 
 namespace cvo::synth {

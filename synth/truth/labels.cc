@@ -7,7 +7,6 @@
 
 #include "core/base/error.h"
 #include "core/files/number.h"
-#include "synth/truth/fixed_number.h"
 
 namespace cvo::synth {
 namespace {
@@ -44,12 +43,12 @@ std::string FormatLabels(const World& world, const FrameTruth& truth, int row_fr
     const double heading_rad = std::atan2(-forward.z(), forward.x());
     const double alpha_rad = WrapAngle(heading_rad - std::atan2(bottom.x(), bottom.z()));
     rows += StrCat(row_frame, " ", body.id, " ", described.category, " ",
-                   FixedNumber(body.truncation, 6), " ", Occlusion(body));
+                   FormatFixed(body.truncation, 6), " ", Occlusion(body));
     const PixelBox& box = *body.amodal_box;
     for (const double value :
          {alpha_rad, box.left, box.top, box.right, box.bottom, size_m.z(), size_m.y(), size_m.x(),
           bottom.x(), bottom.y(), bottom.z(), heading_rad}) {
-      rows += StrCat(" ", FixedNumber(value, 6));
+      rows += StrCat(" ", FormatFixed(value, 6));
     }
     rows += '\n';
   }
@@ -69,6 +68,12 @@ std::string FormatKittiCalibration(const StereoCamera& rig) {
   Require(rig.right_shift_px == 0.0, "calib.txt: a rendered pair has no rectification error");
   return ProjectionRow("P0:", rig, 0.0) + ProjectionRow("P1:", rig, rig.baseline_m) +
          ProjectionRow("P2:", rig, 0.0) + ProjectionRow("P3:", rig, rig.baseline_m);
+}
+
+std::string SixDigits(int number) {
+  std::string digits = std::to_string(number);
+  if (digits.size() < 6) digits.insert(0, 6 - digits.size(), '0');
+  return digits;
 }
 
 }  // namespace cvo::synth

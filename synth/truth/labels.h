@@ -20,4 +20,7 @@ std::string FormatKittiPose(const RigidTransform& world_from_camera);
 // calib.txt of KITTI odometry; cameras 2 and 3 repeat 0 and 1.
 std::string FormatKittiCalibration(const StereoCamera& rig);
 
+// 7 as "000007", as KITTI names files.
+std::string SixDigits(int number);
+
 }  // namespace cvo::synth

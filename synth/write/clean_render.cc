@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "core/files/number.h"
-#include "synth/truth/fixed_number.h"
 #include "synth/truth/flow.h"
 #include "synth/truth/labels.h"
 #include "synth/truth/object_table.h"

@@ -9,7 +9,7 @@
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
 #include "synth/detector/detector.h"
-#include "synth/truth/fixed_number.h"
+#include "synth/truth/labels.h"
 #include "synth/truth/object_table.h"
 #include "synth/write/image_encoding.h"
 #include "synth/write/render_cache.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
+#include "experiments/cli/command.h"
 #include "experiments/cli/reports/table_format.h"
-#include "experiments/cli/suite/experiment_command.h"
+#include "reports/tables/comparisons.h"
 #include "reports/tables/make_table.h"
-#include "reports/tables/moved.h"
 
 namespace cvo {
 namespace {

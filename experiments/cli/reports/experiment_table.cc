@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "core/files/text_file.h"
+#include "experiments/cli/command.h"
 #include "experiments/cli/reports/suite_table.h"
-#include "experiments/cli/suite/experiment_command.h"
 #include "reports/tables/table_json.h"
 
 namespace cvo {

@@ -9,9 +9,7 @@
 #include "core/base/error.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/data_rows.h"
-#include "experiments/metrics/kitti_poses.h"
-#include "experiments/metrics/pose_format.h"
-#include "experiments/metrics/tum_trajectory.h"
+#include "experiments/metrics/trajectory.h"
 #include "reports/results/run_summary.h"
 
 namespace cvo {

@@ -12,11 +12,6 @@
 #include "reports/tables/table_json.h"
 
 namespace cvo {
-namespace {
-
-constexpr int kIncomplete = 1;
-
-}  // namespace
 
 std::string DefaultOptions() {
   Options options;

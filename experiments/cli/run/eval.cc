@@ -10,12 +10,10 @@
 #include "experiments/cli/command.h"
 #include "experiments/cli/run/eval_boxes.h"
 #include "experiments/cli/run/eval_sequence.h"
-#include "experiments/cli/run/metric_table.h"
+#include "experiments/cli/run/run_summary.h"
 #include "experiments/metrics/association.h"
 #include "experiments/metrics/camera_metrics.h"
-#include "experiments/metrics/kitti_poses.h"
-#include "experiments/metrics/pose_format.h"
-#include "experiments/metrics/tum_trajectory.h"
+#include "experiments/metrics/trajectory.h"
 
 namespace cvo {
 namespace {

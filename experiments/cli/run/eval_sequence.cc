@@ -12,7 +12,6 @@
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
-#include "experiments/cli/run/metric_table.h"
 #include "experiments/cli/run/run_summary.h"
 #include "experiments/runner/run_files.h"
 #include "experiments/runner/score_files.h"

@@ -89,4 +89,13 @@ void PrintBodies(const std::vector<BodyScore>& bodies, std::ostream& out) {
   table.Print(out);
 }
 
+void PrintMetrics(const std::vector<Metric>& metrics, std::ostream& out) {
+  TextTable table({"metric", "value", "unit", "n"});
+  for (const Metric& metric : metrics) {
+    table.Add(
+        {metric.name, ReadableNumber(metric.value), NameOf(metric.unit), std::to_string(metric.n)});
+  }
+  table.Print(out);
+}
+
 }  // namespace cvo

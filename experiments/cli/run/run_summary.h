@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "experiments/datasets/sequence.h"
+#include "experiments/metrics/metric.h"
 #include "experiments/record/run_record.h"
 #include "experiments/runner/score_run.h"
 
@@ -20,5 +21,8 @@ void PrintScores(const RunScores& scores, std::ostream& out);
 
 // A line per body that is visible in some frame.
 void PrintBodies(const std::vector<BodyScore>& bodies, std::ostream& out);
+
+// Name, value, unit and number of errors, one metric per line.
+void PrintMetrics(const std::vector<Metric>& metrics, std::ostream& out);
 
 }  // namespace cvo

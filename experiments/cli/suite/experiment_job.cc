@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "core/files/json.h"
-#include "experiments/cli/suite/experiment_command.h"
+#include "experiments/cli/command.h"
 #include "experiments/jobs/planned_job.h"
 #include "synth/write/render_cache.h"
 

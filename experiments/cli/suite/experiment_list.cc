@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <iostream>
 
+#include "experiments/cli/command.h"
 #include "experiments/cli/run/text_table.h"
-#include "experiments/cli/suite/experiment_command.h"
 #include "experiments/suite/collection.h"
 #include "experiments/suite/parse_suite.h"
 #include "experiments/suite/plan.h"

@@ -9,19 +9,61 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
+#include "experiments/cli/command.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/run/text_table.h"
-#include "experiments/cli/suite/experiment_command.h"
-#include "experiments/cli/suite/plan_state.h"
 #include "experiments/cli/suite/suite_flags.h"
+#include "experiments/jobs/job_status.h"
+#include "experiments/jobs/suite_folder.h"
+#include "experiments/suite/plan_outlook.h"
 
 namespace cvo {
 namespace {
 
-constexpr int kUsage = 2;
+namespace fs = std::filesystem;
+
+// A plan and what of it the output folder already has.
+struct PlanState {
+  BuiltPlan built;
+  std::vector<PredictedState> outlook;
+  std::map<std::string, double> frame_times_s;  // MeasuredFrameTimes
+};
+
+std::optional<Plan> EarlierPlan(const SuiteFolder& folder) {
+  try {
+    if (fs::exists(folder.plan())) return ParsePlan(ReadJson(folder.plan()), folder.plan());
+  } catch (const Error&) {
+  }
+  return std::nullopt;
+}
+
+std::string FailureOf(const fs::path& file) {
+  try {
+    if (fs::exists(file)) return ReadJson(file).at("message");
+  } catch (const std::exception&) {
+    return "reason not readable in " + file.string();
+  }
+  return "";
+}
+
+// A plan.json that cannot be read counts as none.
+PlanState FindPlanState(const Suite& suite, const PlanRequest& request, const SuiteFolder& folder) {
+  PlanState state;
+  state.built = BuildPlan(suite, request);
+  const EarlierRuns earlier = {
+      EarlierPlan(folder), [&](const PlannedJob& job) { return HasFiles(folder, job); },
+      [&](const std::string& job) { return FailureOf(folder.failure(job)); }};
+  state.outlook = PredictStates(state.built.plan, earlier);
+  state.frame_times_s = MeasuredFrameTimes(state.built.plan, earlier,
+                                           [&](const std::string& job) { return folder.job(job); });
+  return state;
+}
 
 struct Flags {
   SuiteFlags suite;
@@ -100,8 +142,8 @@ void Print(const PlanState& state, int processes, std::ostream& out) {
     out << "nothing to compute\n";
     return;
   }
-  out << "time: about " << Duration(seconds / processes) << " with " << processes
-      << (processes == 1 ? " process" : " processes")
+  out << "time: about " << Duration(seconds / processes) << " with "
+      << Counted(static_cast<std::size_t>(processes), "process", "processes")
       << (state.frame_times_s.empty() ? ", assumed: 35 frames/s, 4 frames/s drawn\n"
                                       : ", as measured in finished jobs\n");
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
+#include "experiments/cli/command.h"
 #include "experiments/cli/run/run_flags.h"
-#include "experiments/cli/suite/experiment_command.h"
 #include "experiments/cli/suite/run_collection.h"
 
 namespace cvo {

@@ -5,14 +5,12 @@
 
 #include "core/base/error.h"
 #include "core/files/json.h"
-#include "experiments/cli/suite/experiment_command.h"
+#include "experiments/cli/command.h"
 #include "experiments/cli/suite/job_report.h"
 #include "experiments/jobs/run_plan.h"
 
 namespace cvo {
 namespace {
-
-constexpr int kIncomplete = 1;
 
 Json StatusToJson(const SuiteFolder& folder, const Plan& plan,
                   const std::vector<JobStatus>& status) {

@@ -14,6 +14,7 @@
 
 #include "core/base/error.h"
 #include "core/files/temporary.h"
+#include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/stop_signal.h"
@@ -27,8 +28,6 @@ namespace cvo {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kIncomplete = 1;
 
 struct Stopped {};
 

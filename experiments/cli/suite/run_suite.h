@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "experiments/cli/suite/engine_flags.h"
 #include "experiments/cli/suite/suite_flags.h"
 
 namespace cvo {

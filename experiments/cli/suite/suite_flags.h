@@ -3,8 +3,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <string>
+#include <vector>
 
+#include "experiments/jobs/engine.h"
+#include "experiments/jobs/suite_folder.h"
 #include "experiments/suite/build_plan.h"
 #include "experiments/suite/suite_overrides.h"
 
@@ -22,6 +26,17 @@ struct SuiteFlags {
   Suite Load() const;
   // --data, else CLUSTERVO_DATA, else empty; and the cache.
   PlanRequest Request() const;
+};
+
+// The flags that say where jobs run.
+struct EngineFlags {
+  std::string name = "local";
+  int jobs = 0;  // at once; 0: not said
+  std::vector<std::string> sbatch;
+
+  void AddTo(CLI::App& app);
+  // Throws Error for flags that do not fit the engine.
+  std::unique_ptr<Engine> Make(const SuiteFolder& folder) const;
 };
 
 }  // namespace cvo

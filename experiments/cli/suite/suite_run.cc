@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/closest_names.h"
 #include "reports/results/suite_runs.h"
 
@@ -27,8 +28,7 @@ std::vector<std::string> SplitNames(const std::string& text) {
 std::vector<std::string> NamesOf(const reports::SuitePlan& plan, const std::string& key) {
   std::vector<std::string> names;
   for (const reports::PlannedRun& run : plan.runs) {
-    const std::string name = reports::KeyOf(run, key);
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    AddOnce(reports::KeyOf(run, key), names);
   }
   return names;
 }
@@ -36,10 +36,8 @@ std::vector<std::string> NamesOf(const reports::SuitePlan& plan, const std::stri
 void CheckName(const reports::SuitePlan& plan, const std::string& key, const std::string& name) {
   const std::vector<std::string> known = NamesOf(plan, key);
   if (std::find(known.begin(), known.end(), name) != known.end()) return;
-  std::string list;
-  for (const std::string& other : known) list += (list.empty() ? "" : ", ") + other;
   ThrowError(StrCat(plan.file.string(), ", ", key), StrCat("no \"", name, "\""),
-             StrCat("one of ", list, DidYouMean(name, known)));
+             OneOfKnown(name, known));
 }
 
 std::string FolderOf(const reports::SuitePlan& plan, const SuiteRunChoice& choice,

@@ -7,10 +7,10 @@
 #include <memory>
 
 #include "core/base/error.h"
+#include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/run/text_table.h"
-#include "experiments/cli/synth/synth_command.h"
 #include "experiments/scene_check/check_scene.h"
 
 namespace cvo {

@@ -8,8 +8,8 @@
 
 #include "core/base/error.h"
 #include "core/files/json.h"
+#include "experiments/cli/command.h"
 #include "experiments/cli/run/text_table.h"
-#include "experiments/cli/synth/synth_command.h"
 #include "synth/diversity/diversity.h"
 
 namespace cvo {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/files/json.h"
+#include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/run/text_table.h"
-#include "experiments/cli/synth/synth_command.h"
 #include "synth/family/generate.h"
 
 namespace cvo {

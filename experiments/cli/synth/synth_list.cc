@@ -5,8 +5,8 @@
 #include <variant>
 
 #include "core/base/error.h"
+#include "experiments/cli/command.h"
 #include "experiments/cli/run/text_table.h"
-#include "experiments/cli/synth/synth_command.h"
 #include "synth/family/family.h"
 #include "synth/scene/description.h"
 #include "synth/scene/shipped_scenes.h"

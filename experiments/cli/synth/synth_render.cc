@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/stop_signal.h"
-#include "experiments/cli/synth/synth_command.h"
 #include "experiments/datasets/frame_range.h"
 #include "synth/family/generate.h"
 #include "synth/preview/preview.h"

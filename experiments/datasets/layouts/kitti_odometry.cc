@@ -10,7 +10,7 @@
 #include "experiments/datasets/sequence_parts.h"
 #include "experiments/datasets/sequence_type.h"
 #include "experiments/datasets/timestamps.h"
-#include "experiments/metrics/kitti_poses.h"
+#include "experiments/metrics/trajectory.h"
 
 namespace cvo {
 namespace {

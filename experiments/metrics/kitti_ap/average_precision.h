@@ -3,11 +3,48 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
-#include "experiments/metrics/kitti_ap/ap_protocol.h"
+#include "core/files/json_record.h"
+#include "experiments/metrics/kitti_ap/box_overlap.h"
 
 namespace cvo {
+
+enum class ApLevel { kEasy, kModerate, kHard };
+constexpr std::array<const char*, 3> EnumNames(ApLevel) { return {"easy", "moderate", "hard"}; }
+
+// Truncation of a label is a fraction in object files and 0, 1 or 2 in tracking files. By the
+// devkit's limits (0.15, 0.30, 0.50), each truncated box of a tracking file is ignored.
+enum class TruncationRule { kApplied, kIgnored };
+constexpr std::array<const char*, 2> EnumNames(TruncationRule) { return {"applied", "ignored"}; }
+
+// What detections within DontCare regions are spared from being false positives: those of the 2D
+// benchmark alone, as with the devkit on object files, whose regions have no 3D box; or those of
+// all three, by their box in the image.
+enum class DontCareRule { kImageOnly, kAll };
+constexpr std::array<const char*, 2> EnumNames(DontCareRule) { return {"2d", "all"}; }
+
+// What two figures of average precision must have in common to be compared. The rules are those of
+// KITTI's object devkit (cpp/evaluate_object.cpp); fields are the choices that differ between
+// published figures.
+struct ApProtocol {
+  std::string category = "Car";
+  BoxSpace space = BoxSpace::kImage;
+  double least_overlap = 0.7;  // to be exceeded
+  TruncationRule truncation = TruncationRule::kApplied;
+  DontCareRule dont_care = DontCareRule::kImageOnly;
+
+  bool operator==(const ApProtocol&) const = default;
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("class", self.category);
+    archive.Field("overlap", self.space);
+    archive.Field("least_overlap", self.least_overlap);
+    archive.Field("truncation", self.truncation);
+    archive.Field("dont_care", self.dont_care);
+  }
+};
 
 // Labels and detections of one image. A detection without a score ranks as one of score 1.
 struct ApFrame {

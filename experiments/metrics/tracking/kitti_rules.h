@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "experiments/metrics/kitti_ap/average_precision.h"
-#include "experiments/metrics/tracking/tracked_frame.h"
+#include "experiments/metrics/tracking/tracking_scores.h"
 
 namespace cvo {
 

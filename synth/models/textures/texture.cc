@@ -3,6 +3,7 @@
 #include "synth/models/textures/texture.h"
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "synth/models/make_model.h"
 #include "synth/models/textures/painters.h"
 
@@ -40,9 +41,7 @@ Texture MakeTexture(const std::string& material, Rng& look) {
   for (const Material& known : kMaterials) {
     if (material == known.name) return known.paint(own);
   }
-  std::string names;
-  for (const std::string& name : MaterialNames()) names += (names.empty() ? "" : ", ") + name;
-  ThrowError("material", "'" + material + "'", "one of " + names);
+  ThrowError("material", "'" + material + "'", "one of " + Joined(MaterialNames(), ", "));
 }
 
 }  // namespace cvo::synth

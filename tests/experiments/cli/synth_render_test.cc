@@ -10,7 +10,7 @@
 #include "core/files/sha256.h"
 #include "experiments/datasets/scene_truth.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/metrics/kitti_poses.h"
+#include "experiments/metrics/trajectory.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/support/temp_folder.h"
 

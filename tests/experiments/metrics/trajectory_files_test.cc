@@ -7,8 +7,7 @@
 
 #include "core/base/rng.h"
 #include "core/files/text_file.h"
-#include "experiments/metrics/kitti_poses.h"
-#include "experiments/metrics/tum_trajectory.h"
+#include "experiments/metrics/trajectory.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 
@@ -64,7 +63,7 @@ TEST_F(TumTrajectory, RoundTripIsExact) {
     written.push_back({time_ns, RandomPose(rng)});
   }
   const std::filesystem::path path = folder_.path() / "round_trip.txt";
-  WriteTumTrajectory(path, written);
+  WriteFileBytes(path, FormatTumTrajectory(written));
   const Trajectory read = ReadTumTrajectory(path);
   ASSERT_EQ(read.size(), written.size());
   for (std::size_t i = 0; i < read.size(); ++i) {
@@ -141,7 +140,7 @@ TEST_F(KittiPoses, RoundTripKeepsPoses) {
   std::vector<RigidTransform> written;
   for (int i = 0; i < 100; ++i) written.push_back(RandomPose(rng));
   const std::filesystem::path path = folder_.path() / "poses.txt";
-  WriteKittiPoses(path, written);
+  WriteFileBytes(path, FormatKittiPoses(written));
   const std::vector<RigidTransform> read = ReadKittiPoses(path);
   ASSERT_EQ(read.size(), written.size());
   for (std::size_t i = 0; i < read.size(); ++i) {

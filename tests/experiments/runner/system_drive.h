@@ -13,8 +13,7 @@
 
 #include "core/base/error.h"
 #include "experiments/metrics/camera_metrics.h"
-#include "experiments/metrics/kitti_poses.h"
-#include "experiments/metrics/tum_trajectory.h"
+#include "experiments/metrics/trajectory.h"
 #include "experiments/runner/score_files.h"
 #include "tests/support/temp_folder.h"
 

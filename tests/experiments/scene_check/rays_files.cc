@@ -12,7 +12,7 @@
 #include "core/files/number.h"
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
-#include "experiments/metrics/kitti_poses.h"
+#include "experiments/metrics/trajectory.h"
 #include "tests/experiments/scene_check/rays.h"
 
 namespace cvo::test {

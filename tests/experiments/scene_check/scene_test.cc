@@ -12,7 +12,7 @@
 #include "core/base/error.h"
 #include "core/files/number.h"
 #include "core/files/text_file.h"
-#include "experiments/metrics/kitti_poses.h"
+#include "experiments/metrics/trajectory.h"
 #include "experiments/scene_check/check_scene.h"
 #include "experiments/scene_check/checks.h"
 #include "tests/experiments/scene_check/rays.h"
@@ -165,7 +165,7 @@ TEST_F(SceneCheckTest, AnIdOfNoBodyIsFound) {
 TEST_F(SceneCheckTest, APerturbedCameraPoseIsFound) {
   std::vector<RigidTransform> poses = ReadKittiPoses(rays() / "poses.txt");
   poses[2].data()[4] += 0.005;
-  WriteKittiPoses(rays() / "poses.txt", poses);
+  WriteFileBytes(rays() / "poses.txt", FormatKittiPoses(poses));
   EXPECT_THAT(FailedIn(CheckPoses), Contains("baseline_error"));
   EXPECT_THAT(FailedIn(CheckMotion), Contains("motion_shift_background_worst"));
   EXPECT_THAT(FailedIn(CheckFlow), Contains("flow_error"));
@@ -182,8 +182,8 @@ TEST_F(SceneCheckTest, PosesThatLagBehindTheImagesAreFound) {
   for (const RigidTransform& pose : left) {
     right.push_back(pose * RigidTransform(Eigen::Quaterniond::Identity(), {baseline_m, 0.0, 0.0}));
   }
-  WriteKittiPoses(rays() / "poses.txt", left);
-  WriteKittiPoses(rays() / "poses_right.txt", right);
+  WriteFileBytes(rays() / "poses.txt", FormatKittiPoses(left));
+  WriteFileBytes(rays() / "poses_right.txt", FormatKittiPoses(right));
   EXPECT_THAT(FailedIn(CheckPoses), IsEmpty());
   EXPECT_THAT(FailedIn(CheckMotion), Contains("motion_shift_background"));
 }

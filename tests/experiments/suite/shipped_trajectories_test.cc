@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "experiments/jobs/job_status.h"
-#include "experiments/metrics/tum_trajectory.h"
+#include "experiments/metrics/trajectory.h"
 #include "experiments/suite/cell_input.h"
 #include "synth/family/generate.h"
 #include "synth/scene/shipped_scenes.h"

@@ -6,12 +6,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "reports/page/changed_options.h"
+#include "reports/figures/plot.h"
 #include "reports/page/choose_scenes.h"
 #include "reports/page/html.h"
-#include "reports/page/page_data.h"
 #include "reports/page/quantity.h"
-#include "reports/page/scene_json.h"
+#include "reports/page/run_origin.h"
 #include "reports/tables/comparisons.h"
 
 namespace cvo::reports {

@@ -7,7 +7,6 @@
 #include "reports/formats/table_text.h"
 #include "reports/tables/comparisons.h"
 #include "reports/tables/make_table.h"
-#include "reports/tables/moved.h"
 #include "reports/tables/table_json.h"
 #include "tests/reports/results/result_files.h"
 
