@@ -14,7 +14,7 @@
 namespace cvo {
 namespace {
 
-constexpr int kIncomplete = 1;
+constexpr int kTableIncomplete = 1;
 
 }  // namespace
 
@@ -36,7 +36,7 @@ int OutputSuiteTable(const std::filesystem::path& folder, const TableFormat& for
               << "written: " << (folder / "table.json").string()
               << " and table.md, with the definitions of the columns\n";
   }
-  return reports::IsComplete(table) ? 0 : kIncomplete;
+  return reports::IsComplete(table) ? 0 : kTableIncomplete;
 }
 
 }  // namespace cvo
