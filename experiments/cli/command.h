@@ -27,6 +27,7 @@ Command AddFiguresCommand(CLI::App& program);
 Command AddPlotCommand(CLI::App& program);
 Command AddCompareCommand(CLI::App& program);
 Command AddExplainCommand(CLI::App& program);
+Command AddManualCommand(CLI::App& program);
 Command AddImportCommand(CLI::App& program);
 Command AddInfoCommand(CLI::App& program);
 Command AddVariantsCommand(CLI::App& program);

@@ -62,13 +62,40 @@ void CheckSubcommand(int argc, char** argv, const CLI::App& program) {
   }
 }
 
-int ExplainUsage(const CLI::App& program, const CLI::ParseError& error) {
-  std::string name;
-  for (auto parsed = program.get_subcommands(); !parsed.empty();
-       parsed = parsed.front()->get_subcommands()) {
-    name += " " + parsed.front()->get_name();
+std::string CommandName(const CLI::App& app) {
+  const CLI::App* above = app.get_parent();
+  return above == nullptr ? app.get_name() : CommandName(*above) + " " + app.get_name();
+}
+
+// A flag that the command does not have, with what may have been meant.
+void CheckFlags(int argc, char** argv, const CLI::App& program) {
+  const CLI::App* app = &program;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--") return;
+    if (!word.starts_with("--")) {
+      for (const CLI::App* below : app->get_subcommands([](const CLI::App*) { return true; })) {
+        if (below->get_name() == word) app = below;
+      }
+      continue;
+    }
+    const std::string flag = word.substr(0, word.find('='));
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app->get_options()) {
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    if (std::find(names.begin(), names.end(), flag) != names.end()) continue;
+    const std::string meant = DidYouMean(flag, names);
+    if (meant.empty()) continue;  // the parser says what it is
+    throw CLI::ExtrasError(StrCat(CommandName(*app), " has no flag ", flag, meant),
+                           CLI::ExitCodes::ExtrasError);
   }
-  return Fail(StrCat(error.what(), " (see clustervo", name, " --help)"), kUsage);
+}
+
+int ExplainUsage(const CLI::App& program, const CLI::ParseError& error) {
+  const CLI::App* app = &program;
+  while (!app->get_subcommands().empty()) app = app->get_subcommands().front();
+  return Fail(StrCat(error.what(), " (see ", CommandName(*app), " --help)"), kUsage);
 }
 
 // In place of streams that are closed, which the next files to be opened would become. Writing to
@@ -106,9 +133,10 @@ int Main(int argc, char** argv) {
       AddOptionsCommand(program), AddSynthCommand(program),   AddExperimentCommand(program),
       AddCheckCommand(program),   AddOverlayCommand(program), AddReportCommand(program),
       AddFiguresCommand(program), AddPlotCommand(program),    AddCompareCommand(program),
-      AddExplainCommand(program)};
+      AddExplainCommand(program), AddManualCommand(program)};
   try {
     CheckSubcommand(argc, argv, program);
+    CheckFlags(argc, argv, program);
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     // Help and version are thrown too.

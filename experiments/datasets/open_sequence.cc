@@ -79,7 +79,9 @@ const SequenceLayout& LayoutOfType(const std::string& type) {
   for (const SequenceLayout& layout : SequenceLayouts()) {
     if (layout.type == type) return layout;
   }
-  ThrowError("option --type", Quoted(type), Joined(SequenceLayouts(), ", ", &SequenceLayout::type));
+  std::vector<std::string> types;
+  for (const SequenceLayout& layout : SequenceLayouts()) types.push_back(layout.type);
+  ThrowError("option --type", Quoted(type) + DidYouMean(type, types), Joined(types, ", "));
 }
 
 void CheckSettings(const Json& given, const SequenceLayout& layout) {

@@ -8,6 +8,7 @@
 
 #include "core/association/assignment.h"
 #include "core/base/error.h"
+#include "core/files/closest_names.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/scene_truth.h"
 
@@ -76,7 +77,8 @@ OracleSwitches ParseOracle(const std::string& text) {
     } else if (name == "camera") {
       switches.camera = true;
     } else {
-      ThrowError("option --oracle", Quoted(name),
+      ThrowError("option --oracle",
+                 Quoted(name) + DidYouMean(name, {"boxes", "labels", "camera", "none"}),
                  "boxes, labels or camera, with commas between, or none");
     }
     begin = end + 1;

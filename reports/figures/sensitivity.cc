@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "reports/figures/numbers.h"
 #include "reports/figures/palette.h"
@@ -62,13 +63,28 @@ std::vector<MetricGroup> GroupColumns(const Table& table) {
   return groups;
 }
 
+// Those of a logarithmic axis that are named: of values too near each other for it, the first.
+std::set<double> NamedValues(const std::vector<double>& values) {
+  constexpr double kLeastGap = 0.1;  // of the axis
+  const std::set<double> ascending(values.begin(), values.end());
+  const double least = std::log(*ascending.rbegin() / *ascending.begin()) * kLeastGap;
+  std::set<double> named;
+  for (const double value : ascending) {
+    if (named.empty() || std::log(value / *named.rbegin()) >= least) named.insert(value);
+  }
+  return named;
+}
+
 Json XAxis(const SweptOption& option) {
   Json axis = AxisOf(option.path);
   if (!option.log_spaced) return axis;
   axis["type"] = "log";
   axis["tickvals"] = RoundedList(option.values);
   axis["ticktext"] = Json::array();
-  for (const double value : option.values) axis["ticktext"].push_back(NumberText(value, 2));
+  const std::set<double> named = NamedValues(option.values);
+  for (const double value : option.values) {
+    axis["ticktext"].push_back(named.contains(value) ? NumberText(value, 2) : "");
+  }
   return axis;
 }
 

@@ -99,8 +99,7 @@ cv::Rect DrawInset(const OverlayFrame& frame, const CameraInfo& camera, const Ov
                    cv::Mat& picture) {
   constexpr double kOpacity = 0.72;
   constexpr Rgb kGround{16, 18, 24};
-  const int side_px = std::min({camera.width_px / 4, camera.height_px / 2, 24 * style.text_px});
-  const cv::Rect place(0, 0, side_px, side_px);
+  const cv::Rect place = InsetRect(camera, style, style.inset_corner);
   BlendMask(cv::Mat(place.size(), CV_8UC1, cv::Scalar(255)), place.tl(), kGround, kOpacity,
             picture);
   cv::Mat inset = picture(place);
@@ -126,6 +125,14 @@ OverlayStyle StyleFor(const CameraInfo& camera, int width_px) {
   style.status_rows = width_px >= 400 && width_px < 900 ? 2 : 1;
   style.inset = style.legend = width_px >= 600;
   return style;
+}
+
+cv::Rect InsetRect(const CameraInfo& scaled, const OverlayStyle& style, Corner corner) {
+  const int side_px = std::min({scaled.width_px / 4, scaled.height_px / 2, 24 * style.text_px});
+  const bool right = corner == Corner::kTopRight || corner == Corner::kBottomRight;
+  const bool below = corner == Corner::kBottomLeft || corner == Corner::kBottomRight;
+  return {right ? scaled.width_px - side_px : 0, below ? scaled.height_px - side_px : 0, side_px,
+          side_px};
 }
 
 cv::Mat DrawOverlay(const cv::Mat& image, const OverlayFrame& frame, const CameraInfo& camera,

@@ -9,6 +9,8 @@
 
 namespace cvo::reports {
 
+enum class Corner { kTopLeft, kTopRight, kBottomLeft, kBottomRight };
+
 // How large things are drawn; see StyleFor.
 struct OverlayStyle {
   double scale = 1.0;        // of the image, before anything is drawn on it
@@ -24,12 +26,16 @@ struct OverlayStyle {
   bool wrong = false;  // landmarks with a wrong label have a white ring, where the truth is known
   bool status = true;  // words below the image
   int status_rows = 1;
-  bool inset = false;   // the bodies from above, in the corner at the top left
+  bool inset = false;  // the bodies from above
+  Corner inset_corner = Corner::kTopLeft;
   bool legend = false;  // what the marks mean, below the image
 };
 
 // For drawings that are this wide, from thumbnails to screens.
 OverlayStyle StyleFor(const CameraInfo& camera, int width_px);
+
+// The inset's place in pictures of this camera.
+cv::Rect InsetRect(const CameraInfo& scaled, const OverlayStyle& style, Corner corner);
 
 // Left image (8 bit grey or BGR, of the camera's size) with what is known of the frame drawn on it;
 // 8 bit BGR, higher than the image by the status line. Throws Error for an image of another size.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/overlays/draw_overlay.h"
 #include "reports/overlays/overlay_frame.h"
 
 namespace cvo::reports {
@@ -56,6 +57,9 @@ std::map<std::int64_t, std::int64_t> ApartColors(const std::vector<ClusterRow>& 
 // Gives the clusters of all runs the colours of the last run's: each that of the cluster with which
 // it shares most landmarks, over all frames. Runs of one sequence have the same pixels.
 void AgreeOnColors(std::vector<OverlayRun>& runs);
+
+// The corner that bodies are in least, over all frames: the same in all pictures of the run.
+Corner EmptiestCorner(const OverlayRun& run);
 
 // What is drawn on a frame of the run. Throws Error naming the frames that there are.
 OverlayFrame FrameOf(const OverlayRun& run, int frame);

@@ -60,6 +60,7 @@ struct PageRequest {
   std::string default_options;    // nested JSON; empty where not known
   std::vector<Fact> variants;     // that there are, and what each is
   std::size_t most_scenes = 24;
+  bool images_of_all = false;  // not of one run per sequence alone
 };
 
 // Reads whatever of the folder can be read. Throws Error only where it holds no plan.json.

@@ -61,7 +61,7 @@ void ReadScenes(const PageRequest& request, PageContent& content) {
   for (const auto& [run, wants_images] : choice.scenes) {
     PageScene scene;
     scene.run = run;
-    scene.wants_images = wants_images;
+    scene.wants_images = wants_images || request.images_of_all;
     const fs::path folder = request.folder / "jobs" / content.runs[run].run.planned.job;
     try {
       scene.detail = ReadRunDetail(folder);

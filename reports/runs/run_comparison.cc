@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/files/json.h"
+#include "core/files/unique_names.h"
 #include "reports/results/metric_catalogue.h"
 #include "reports/runs/paired_runs.h"
 #include "reports/tables/comparisons.h"
@@ -108,11 +109,10 @@ RunComparison CompareRuns(const std::vector<fs::path>& folders) {
   std::vector<RunToCompare> runs;
   for (const fs::path& folder : folders) runs.push_back(ReadOne(folder, comparison.notes));
   CheckSameSequence(runs);
-  std::map<std::string, int> uses;
-  for (const RunToCompare& run : runs) ++uses[run.name];
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (uses[runs[i].summary.variant] > 1) runs[i].name = folders[i].string();
-  }
+  std::vector<std::string> variants;
+  for (const RunToCompare& run : runs) variants.push_back(run.summary.variant);
+  const auto names = UniqueNames(variants, {folders.begin(), folders.end()});
+  for (std::size_t i = 0; i < runs.size(); ++i) runs[i].name = names[i];
   comparison.sequence = runs.front().summary.sequence.name;
   comparison.runs = DescribeRuns(runs, folders);
   comparison.metrics = SideBySide(runs);

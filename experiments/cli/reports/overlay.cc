@@ -117,6 +117,7 @@ int DrawOverlays(const OverlayFlags& flags) {
     std::cerr << "clustervo: only detections associated with a cluster are drawn: the others are "
                  "not in the sequence's folder\n";
   }
+  job.inset_corner = reports::EmptiestCorner(job.runs.front());
   return WriteOverlays(job, images);
 }
 
@@ -193,8 +194,8 @@ Command AddOverlayCommand(CLI::App& program) {
       "colours, up\nto 16. Dashed and shaded: clusters with too few landmarks in the frame, drawn "
       "at "
       "their\npredicted pose. White rings (inferred labels): wrong labels, if the run has ground "
-      "truth.\nPictures of 600 pixels and more have a legend and, at the top left, the bodies from "
-      "above.\n"
+      "truth.\nPictures of 600 pixels and more have a legend and the bodies from above, in the "
+      "corner\nthat bodies are in least.\n"
       "Examples:\n"
       "  clustervo overlay results/indoor_1 -o pictures --every 5 --sheet --video\n"
       "  clustervo overlay results/indoor_1 -o pictures --frame 60 --panels\n"

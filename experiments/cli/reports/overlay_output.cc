@@ -54,6 +54,7 @@ cv::Mat DrawFrame(const OverlayJob& job, const cv::Mat& image, int frame, int wi
   const reports::CameraInfo& camera = job.runs.front().sequence.camera;
   reports::OverlayStyle style = reports::StyleFor(camera, width_px);
   style.inset = style.inset && job.inset && job.boxes;
+  style.inset_corner = job.inset_corner;
   const bool legend = style.legend && !on_sheet;
   style.legend = legend && job.runs.size() == 1;
   style.boxes = job.boxes;

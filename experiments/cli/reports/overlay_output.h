@@ -18,8 +18,9 @@ struct OverlayJob {
   std::vector<std::string> titles;  // one per run; empty for one run
   bool boxes = true;                // of clusters, with their motion
   bool inset = true;                // bodies from above, where there are boxes
-  bool panels = false;              // of the one run and frame, in place of its image
-  std::vector<int> frames;          // counted in the folder of the sequence
+  reports::Corner inset_corner = reports::Corner::kTopLeft;
+  bool panels = false;      // of the one run and frame, in place of its image
+  std::vector<int> frames;  // counted in the folder of the sequence
   double scale = 1.0;
   std::string output;
   std::vector<std::filesystem::path> read;  // folders that the runs are in

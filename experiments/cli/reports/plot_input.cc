@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 
 #include "core/base/error.h"
 #include "core/files/text_file.h"
+#include "core/files/unique_names.h"
 #include "experiments/datasets/data_rows.h"
 #include "experiments/metrics/trajectory.h"
 #include "reports/results/run_summary.h"
@@ -94,11 +94,14 @@ PlotInput ReadPlotInput(const std::string& path) {
 }
 
 void MakeComparable(std::vector<PlotInput>& inputs) {
-  std::map<std::string, int> uses;
-  for (const PlotInput& input : inputs) ++uses[input.name];
-  for (PlotInput& input : inputs) {
-    if (uses[input.name] > 1) input.name = input.path;
+  std::vector<std::string> names;
+  std::vector<std::string> paths;
+  for (const PlotInput& input : inputs) {
+    names.push_back(input.name);
+    paths.push_back(input.path);
   }
+  names = UniqueNames(names, paths);
+  for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i].name = names[i];
   const auto counted = std::find_if(inputs.begin(), inputs.end(),
                                     [](const PlotInput& input) { return !input.timed; });
   if (counted == inputs.end()) return;

@@ -4,12 +4,15 @@
 
 #include <iostream>
 #include <memory>
+#include <utility>
 
 #include "core/base/error.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/reports/report_images.h"
+#include "experiments/cli/reports/report_runs.h"
 #include "experiments/cli/reports/suite_table.h"
+#include "experiments/cli/scratch_folder.h"
 #include "reports/page/page_html.h"
 #include "variants/registry.h"
 
@@ -32,12 +35,21 @@ void LeaveOutImages(reports::PageContent& content) {
 
 }  // namespace
 
+int WriteRunsReport(const ReportFlags& flags) {
+  const ScratchFolder scratch;
+  MakeSuiteOfRuns(flags.runs, scratch.path());
+  ReportFlags of_suite = flags;
+  of_suite.folder = scratch.path().string();
+  return WriteReport(of_suite);
+}
+
 int WriteReport(const ReportFlags& flags) {
   const fs::path folder = Named(flags.folder);
   reports::PageRequest request;
   request.folder = folder;
   if (!flags.against.empty()) request.against = Named(flags.against);
   request.default_options = DefaultOptions();
+  request.images_of_all = !flags.runs.empty();
   for (const VariantInfo& variant : Variants()) {
     request.variants.emplace_back(variant.name, variant.changes);
   }
@@ -45,7 +57,9 @@ int WriteReport(const ReportFlags& flags) {
   const fs::path out = flags.out.empty() ? fs::path(flags.folder) / "report" : fs::path(flags.out);
   std::vector<std::string> names = {"index.html"};
   if (flags.all_images) names.emplace_back("images/");
-  const OutputFolder output = OpenOutput(out, names, {folder, request.against});
+  std::vector<fs::path> read = {folder, request.against};
+  read.insert(read.end(), flags.runs.begin(), flags.runs.end());
+  const OutputFolder output = OpenOutput(out, names, read);
   if (flags.no_images) {
     LeaveOutImages(content);
   } else {
@@ -62,8 +76,13 @@ Command AddReportCommand(CLI::App& program) {
   CLI::App* app =
       program.add_subcommand("report", "Write the results of a suite as a single HTML page");
   const auto flags = std::make_shared<ReportFlags>();
-  app->add_option("DIR", flags->folder, "output folder of the suite")->type_name("")->required();
-  app->add_option("-o,--output", flags->out, "output folder for index.html; default: DIR/report")
+  app->add_option("DIR", flags->runs,
+                  "output folder of the suite; or those of runs on one sequence, shown side by "
+                  "side")
+      ->type_name("")
+      ->required();
+  app->add_option("-o,--output", flags->out,
+                  "output folder for index.html; default: DIR/report, of runs it must be given")
       ->type_name("OUT");
   app->add_option("--against", flags->against, "second output folder of the suite to compare with")
       ->type_name("DIR");
@@ -81,8 +100,18 @@ Command AddReportCommand(CLI::App& program) {
   app->footer(
       "The page is self-contained and works offline. It lists what is missing or failed.\nExit "
       "code 1 if a whole section of the page could not be made.\n"
-      "Example: clustervo report results/ablation");
-  return {app, [flags] { return WriteReport(*flags); }};
+      "Examples:\n"
+      "  clustervo report results/ablation\n"
+      "  clustervo report results/room_2d results/room_full -o page");
+  return {app, [flags] {
+            const fs::path first = flags->runs.front();
+            if (flags->runs.size() == 1 && !fs::exists(first / "result.json")) {
+              flags->folder = std::exchange(flags->runs, {}).front();
+              return WriteReport(*flags);
+            }
+            if (flags->out.empty()) throw UsageError("--output is required for runs");
+            return WriteRunsReport(*flags);
+          }};
 }
 
 }  // namespace cvo

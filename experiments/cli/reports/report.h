@@ -3,12 +3,14 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace cvo {
 
 struct ReportFlags {
   std::string folder;
-  std::string out = {};  // empty: report in the folder
+  std::vector<std::string> runs = {};  // of one sequence, in place of a suite's folder
+  std::string out = {};                // empty: report in the folder
   std::string against = {};
   int every = 0;
   bool no_images = false;

@@ -14,6 +14,7 @@
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
+#include "experiments/cli/run/known_names.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/run/run_summary.h"
 #include "experiments/cli/run/sequence_flags.h"
@@ -111,7 +112,7 @@ JobCache OpenCache(const Flags& flags, std::size_t frames) {
 }
 
 int Run(const Flags& flags) {
-  const VariantInfo& variant = FindVariant(flags.variant);
+  const VariantInfo& variant = VariantNamed(flags.variant);
   const Options options = flags.run.Resolve(variant.defaults());
   const std::vector<std::string> classes =
       flags.classes.empty() ? RigidClasses() : ParseClasses(flags.classes);

@@ -7,6 +7,7 @@
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
+#include "experiments/cli/run/known_names.h"
 #include "experiments/datasets/frame_range.h"
 #include "experiments/datasets/sequence_layout.h"
 #include "experiments/import/import_cache.h"
@@ -124,6 +125,8 @@ SequenceRequest SequenceFlags::Request() const {
   if (stereo.left.empty() && stereo.right.empty()) {
     if (folder.empty())
       throw UsageError("no sequence: give a folder, or --left, --right and --calib");
+    CheckSequenceFolder(folder);
+    CheckDetections(detections, folder);
   } else {
     if (!folder.empty()) throw UsageError("two sequences: " + folder + " and --left");
     CheckStereo(stereo);

@@ -61,7 +61,27 @@ TEST_F(Cli, WrongUsage) {
 
 TEST_F(Cli, UnknownVariant) {
   EXPECT_THAT(FailingRun({"--variant", "statik"}),
-              FailsWith(1, "found \"statik\", expected one of: full"));
+              FailsWith(1, "found \"statik\" (did you mean static?), expected one of those"));
+  EXPECT_THAT(FailingRun({"--variant", "nothing_like"}), FailsWith(1, "expected one of: full"));
+}
+
+TEST_F(Cli, NamesNearTheOnesThatWereGiven) {
+  EXPECT_THAT(FailingRun({"--varient", "full"}),
+              FailsWith(2, "clustervo run has no flag --varient (did you mean --variant?)"));
+  EXPECT_THAT(
+      RunProgram({"experiment", "plan", "ci", "--outptu=x"}),
+      FailsWith(2, "clustervo experiment plan has no flag --outptu (did you mean --output?"));
+  EXPECT_THAT(FailingRun({"--oracle", "boxs"}), FailsWith(1, "did you mean boxes?"));
+  EXPECT_THAT(FailingRun({"--type", "kitti-odometri"}),
+              FailsWith(1, "did you mean kitti-odometry"));
+  EXPECT_THAT(FailingRun({"--detections", "lables"}), FailsWith(1, "did you mean labels?"));
+  const auto sequence = [this](const std::string& name) {
+    return RunProgram({"run", (folder_.path() / name).string(), "-o", out()});
+  };
+  EXPECT_THAT(sequence("indoor_1"), FailsWith(1, "`clustervo synth render indoor_1 -o "));
+  EXPECT_THAT(sequence("room@7"), FailsWith(1, "`clustervo synth render room@7 -o "));
+  EXPECT_THAT(sequence("oclusion_2"), FailsWith(1, "did you mean occlusion_2?"));
+  EXPECT_THAT(sequence("tin"), FailsWith(1, "did you mean tiny?"));
 }
 
 TEST_F(Cli, UnknownOption) {

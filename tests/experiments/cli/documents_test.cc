@@ -162,5 +162,39 @@ TEST(Documents, SuitesCanBePlanned) {
   EXPECT_GT(suites, 0);
 }
 
+// Every command and flag that the help of the program and of its commands names.
+void CheckHelpIsIn(const std::string& text, const Words& command, const std::string& dashes) {
+  Words help = command;
+  help.emplace_back("--help");
+  std::istringstream lines(RunProgram(help).out);
+  const std::regex flag("^  (?:-.,)?--([a-z-]+).*");
+  const std::regex below("^  ([a-z]+) {2,}.*");
+  bool commands = false;
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch match;
+    if (std::regex_match(line, match, flag)) {
+      EXPECT_THAT(text, HasSubstr(dashes + match[1].str())) << help[0];
+    } else if (line == "Subcommands:") {
+      commands = true;
+    } else if (commands && std::regex_match(line, match, below)) {
+      EXPECT_THAT(text, HasSubstr(match[1].str()));
+      Words next = command;
+      next.push_back(match[1]);
+      CheckHelpIsIn(text, next, dashes);
+    } else if (line.empty() && commands) {
+      return;
+    }
+  }
+}
+
+TEST(Manual, HasEveryCommandAndFlag) {
+  CheckHelpIsIn(RunProgram({"manual", "bash"}).out, {}, "--");
+  const auto fish = RunProgram({"manual", "fish"});
+  EXPECT_THAT(fish.out, HasSubstr("'__fish_seen_subcommand_from explain' -l oracles -d '"));
+  const auto man = RunProgram({"manual", "man"});
+  EXPECT_THAT(man.out, HasSubstr(".SS clustervo experiment run\n"));
+  EXPECT_THAT(man.out, HasSubstr("\\-\\-oracles"));
+}
+
 }  // namespace
 }  // namespace cvo

@@ -222,6 +222,7 @@ TEST_F(CliOutputs, FailedOutputIsAnError) {
       {"figures", suite, "-o", Path("figures"), "--format", "json"},
       {"plot", run, "-o", Path("plot.svg")},
       {"compare", run, run},
+      {"manual", "man"},
       {"explain", Path("scene_run")}};
   const ProcessResult rendered =
       Run({"synth", "render", "tiny", "-o", Path("scene"), "-q", "--frames", "0:2"});

@@ -11,6 +11,7 @@ namespace cvo {
 namespace {
 
 namespace fs = std::filesystem;
+using test::Json;
 using test::ProcessResult;
 using test::Result;
 using test::RunProgram;
@@ -62,6 +63,25 @@ TEST(CliReport, AnInvalidSuiteGivesOneLine) {
   EXPECT_THAT(run.err, HasSubstr("plan.json: found no such file"));
   EXPECT_EQ(test::LineCount(run.err), 1U);
   EXPECT_FALSE(fs::exists(suite.folder().path() / "report"));
+}
+
+TEST(CliReport, RunsSideBySide) {
+  const test::TempFolder folder;
+  std::vector<std::string> runs;
+  for (const char* variant : {"2d", "full"}) {
+    Json result = Result();
+    result["variant"] = variant;
+    result["job"] = std::string("job-") + variant;
+    folder.Write(std::string(variant) + "/result.json", result.dump());
+    runs.push_back((folder.path() / variant).string());
+  }
+  const std::string out = (folder.path() / "page").string();
+  const ProcessResult run = RunProgram({"report", runs[0], runs[1], "-o", out});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(Page(out), AllOf(HasSubstr("2 of 2 runs are there"), HasSubstr("Runs on ")));
+  test::ExpectError(RunProgram({"report", runs[0], runs[0], "-o", out}), "the same run twice");
+  test::ExpectError(RunProgram({"report", runs[0], out, "-o", out}), "found no result.json");
+  EXPECT_EQ(RunProgram({"report", runs[0], runs[1]}).exit_code, 2);
 }
 
 TEST(CliReport, InvalidFlags) {

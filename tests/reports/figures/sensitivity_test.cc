@@ -63,6 +63,13 @@ TEST(Sensitivity, DrawsIntervalsAsABandAndMarksTheDefault) {
   EXPECT_THAT(figure.caption, AllOf(HasSubstr("95 %, by hand"), HasSubstr("the default, 2")));
 }
 
+TEST(Sensitivity, NamesNoTwoValuesAtOnePlace) {
+  const SuiteData data = test::SweptSuite("q", {0.01, 0.011, 0.1, 1, 1.2, 10, 100});
+  const Json layout = Json::parse(Draw(data).figures.at(0).plotly)["layout"];
+  EXPECT_EQ(layout["xaxis"]["tickvals"].size(), 7U);
+  EXPECT_EQ(layout["xaxis"]["ticktext"], Json({"0.01", "", "0.1", "1", "", "10", "100"}));
+}
+
 TEST(Sensitivity, HasALogAxisWhereValuesAreSpacedSo) {
   SuiteData data = test::SweptSuite("q", {0.01, 1, 100});
   data.table.provenance.options = {{"q", "10", {}}};

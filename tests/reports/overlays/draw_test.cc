@@ -317,8 +317,12 @@ TEST(BirdsEye, ShowsBodiesWhereTheyAreFromAbove) {
   OverlayStyle style = PlainStyle();
   const cv::Mat without = Draw(frame, style);
   style.inset = true;
-  EXPECT_FALSE(
-      SameImage(Draw(frame, style)(cv::Rect(0, 0, 60, 60)), without(cv::Rect(0, 0, 60, 60))));
+  const cv::Rect left(0, 0, 60, 60);
+  const cv::Rect right(260, 180, 60, 60);
+  EXPECT_FALSE(SameImage(Draw(frame, style)(left), without(left)));
+  style.inset_corner = Corner::kBottomRight;
+  EXPECT_TRUE(SameImage(Draw(frame, style)(left), without(left)));
+  EXPECT_FALSE(SameImage(Draw(frame, style)(right), without(right)));
 }
 
 }  // namespace

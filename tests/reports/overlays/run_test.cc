@@ -321,5 +321,15 @@ TEST(Thumbnails, KeepWithinTheirBytes) {
   EXPECT_THAT(ErrorMessage([&] { MakeThumbnails(run, noise, wide); }), HasSubstr("32 to 320"));
 }
 
+TEST(EmptiestCorner, IsWhereBodiesAreLeast) {
+  OverlayRun run;
+  run.sequence.camera = test::FlatCamera();
+  EXPECT_EQ(EmptiestCorner(run), Corner::kTopLeft);
+  run.landmarks[1] = {{5.0F, 5.0F, 7}, {310.0F, 5.0F, 7}, {5.0F, 5.0F, kStaticLabel}};
+  EXPECT_EQ(EmptiestCorner(run), Corner::kBottomLeft);
+  run.detections[1] = {{0, 120, 200, 240}};
+  EXPECT_EQ(EmptiestCorner(run), Corner::kBottomRight);
+}
+
 }  // namespace
 }  // namespace cvo::reports

@@ -28,20 +28,49 @@ function parts(data) {
     all: element('p', { class: 'all-frames' }),
     errors: element('div', { class: 'plot error-plot', role: 'img' }),
     words: element('ul', { class: 'words' }),
+    beside: element('select', {}),
+    grid: element('div', { class: 'scene-grid' }),
+    other: besideParts(),
   };
+}
+
+// Of the run that is shown beside the chosen one.
+function besideParts() {
+  return {
+    side: element('div', { class: 'scene-side', hidden: '' }),
+    name: element('h3'),
+    image: element('img', { alt: '', class: 'frame-image' }),
+    imageNote: element('figcaption'),
+    words: element('ul', { class: 'words' }),
+  };
+}
+
+// The other runs on the sequence of the chosen one; the page of single runs begins with the next.
+function offerBeside(view, data, chosen) {
+  const sequence = (i) => data.runs[data.scenes[i].run].keys.sequence;
+  const others = data.scenes.map((_, i) => i).filter((i) => i !== chosen && sequence(i) === sequence(chosen));
+  view.beside.replaceChildren(element('option', { value: '' }, 'none'),
+    ...others.map((i) => element('option', { value: i }, runName(data.scenes[i], data))));
+  const both = others.find((i) => data.scenes[i].images > 0 && data.scenes[chosen].images > 0);
+  view.beside.value = both === undefined ? '' : String(both);
 }
 
 function arrange(place, view, playerRow) {
   place.replaceChildren(
     element('div', { class: 'tools' }, element('label', {}, 'Run ', view.choice),
+      element('label', {}, 'Beside it ', view.beside),
       element('label', {}, view.flat, ' from above (2D)')),
-    view.note, playerRow,
-    element('div', { class: 'scene-grid' },
+    view.note, playerRow, view.grid);
+  view.other.side.replaceChildren(view.other.name,
+    element('figure', { class: 'frame' }, view.other.image, view.other.imageNote),
+    element('div', { class: 'now' }, view.other.words));
+  view.grid.replaceChildren(
       view.plot,
       element('div', { class: 'scene-side' },
         element('figure', { class: 'frame' }, view.image, view.imageNote, view.all),
         element('div', { class: 'now' }, element('h3', {}, 'At this frame'), view.words)),
-      view.errors));
+      view.other.side,
+      view.errors);
 }
 
 function prepared(index) {
@@ -76,6 +105,16 @@ export function sceneView(place, data) {
   let run = null;
   let scene = null;
   let fixed = 0;
+  let beside = null;
+
+  // The frame of the same number in the run beside.
+  function showBeside(frame) {
+    if (!beside) return;
+    const there = beside.run.frames.indexOf(run.frames[frame]);
+    view.other.words.replaceChildren(...(there < 0 ? ['this run does not have the frame'] : wordsAt(beside.run, there))
+      .map((text) => element('li', {}, text)));
+    if (there >= 0) showImage(view.other, beside.run, beside.scene, there);
+  }
 
   function show(frame) {
     const flat = view.flat.checked;
@@ -86,6 +125,7 @@ export function sceneView(place, data) {
     window.Plotly.restyle(view.plot, update, moving.map((_, i) => fixed + i));
     window.Plotly.relayout(view.errors, { shapes: cursor(run.times_ms[frame] / 1000) });
     showImage(view, run, scene, frame);
+    showBeside(frame);
     const words = wordsAt(run, frame);
     view.words.replaceChildren(...words.map((text) => element('li', {}, text)));
     view.plot.setAttribute('aria-label', `${flat ? 'View from above' : '3D view'} of ${runName(scene, data)} at frame ${run.frames[frame]}. ${words.join('; ')}.`);
@@ -105,9 +145,19 @@ export function sceneView(place, data) {
     slider.start(count, (i) => `frame ${run.frames[i]} (${i + 1} of ${count}), ${(run.times_ms[i] / 1000).toFixed(2)} s`, frame);
   }
 
+  function chooseBeside() {
+    const index = view.beside.value;
+    beside = index === '' ? null : { run: prepared(Number(index)), scene: data.scenes[Number(index)] };
+    view.other.side.hidden = !beside;
+    view.grid.classList.toggle('two', Boolean(beside));
+    if (beside) view.other.name.textContent = runName(beside.scene, data);
+  }
+
   function chooseRun() {
     scene = data.scenes[Number(view.choice.value)];
     run = prepared(Number(view.choice.value));
+    offerBeside(view, data, Number(view.choice.value));
+    chooseBeside();
     view.all.replaceChildren(...(scene.images_folder
       ? [element('a', { href: `${scene.images_folder}/` }, 'Every frame of this run, larger')] : []));
     if (webgl) view.note.textContent = scene.missing.join(' ');
@@ -121,6 +171,10 @@ export function sceneView(place, data) {
   const slide = slider.row;
   arrange(place, view, slide);
   view.choice.addEventListener('change', chooseRun);
+  view.beside.addEventListener('change', () => {
+    chooseBeside();
+    drawRun(Number(slide.querySelector('input').value));
+  });
   view.flat.addEventListener('change', () => drawRun(Number(slide.querySelector('input').value)));
   const observer = new IntersectionObserver((entries) => {
     if (!entries.some((entry) => entry.isIntersecting)) return;

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace cvo {
+
+// Each name, or in place of one that there is several times what it stands for, as a path.
+inline std::vector<std::string> UniqueNames(const std::vector<std::string>& names,
+                                            const std::vector<std::string>& otherwise) {
+  std::vector<std::string> unique = names;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (std::count(names.begin(), names.end(), names[i]) > 1) unique[i] = otherwise.at(i);
+  }
+  return unique;
+}
+
+}  // namespace cvo

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/cli/run/known_names.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/files/closest_names.h"
+#include "synth/family/family.h"
+#include "synth/scene/shipped_scenes.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool IsFamilySeed(const std::string& name) {
+  const auto families = synth::ShippedFamilies();
+  return std::any_of(families.begin(), families.end(), [&](const auto& family) {
+    return name.starts_with(std::string(family.name) + "@");
+  });
+}
+
+// Names of folders, or of files without their ends.
+std::vector<std::string> NamesIn(const fs::path& folder, bool folders) {
+  std::vector<std::string> names;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none)) {
+    if (entry.is_directory() != folders) continue;
+    const fs::path name = entry.path().filename();
+    names.push_back((folders ? name : name.stem()).string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace
+
+const VariantInfo& VariantNamed(const std::string& name) {
+  std::vector<std::string> names;
+  for (const VariantInfo& variant : Variants()) names.emplace_back(variant.name);
+  const std::string meant = DidYouMean(name, names);
+  const bool known = std::find(names.begin(), names.end(), name) != names.end();
+  if (known || meant.empty()) return FindVariant(name);
+  ThrowError("variant", Quoted(name) + meant, "one of those that `clustervo variants` lists");
+}
+
+void CheckSequenceFolder(const fs::path& folder) {
+  if (fs::exists(folder) || fs::exists(folder.parent_path() / "image_02")) return;
+  const std::string name = folder.filename().string();
+  std::vector<std::string> near = NamesIn(fs::absolute(folder).parent_path(), true);
+  for (const synth::ShippedScene& scene : synth::ShippedScenes()) near.emplace_back(scene.name);
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  if (std::binary_search(near.begin(), near.end(), name) || IsFamilySeed(name)) {
+    ThrowError(folder.string(), "no such folder",
+               StrCat("a sequence: `clustervo synth render ", name, " -o ", folder.string(),
+                      "` makes this one"));
+  }
+  ThrowError(folder.string(), "no such folder" + DidYouMean(name, near),
+             "the folder of a sequence");
+}
+
+void CheckDetections(const std::string& detections, const fs::path& folder) {
+  std::vector<std::string> names = NamesIn(folder / "detections", false);
+  names.insert(names.end(), {"labels", "none"});
+  if (detections.empty() || fs::exists(detections)) return;
+  if (std::find(names.begin(), names.end(), detections) != names.end()) return;
+  std::string all;
+  for (const std::string& name : names) all += ", " + name;
+  ThrowError("--detections", Quoted(detections) + DidYouMean(detections, names),
+             "a file, or of this sequence one of " + all.substr(2));
+}
+
+}  // namespace cvo
