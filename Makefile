@@ -5,7 +5,7 @@
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help deps build report table table-all table-kitti sweep regression baseline test fuzz bench asan asan-variants format format-check lint clean
+.PHONY: help deps build report table table-all table-kitti sweep regression baseline test fuzz soak bench asan asan-variants tsan sbom format format-check lint clean
 
 release := build/release
 asan := build/asan
@@ -93,6 +93,15 @@ fuzz: $(release)/build.ninja ## give every parser MUTATIONS=100000 spoilt files
 	cmake --build --preset release --target fuzz_parsers $(jobs)
 	cd $(release) && tests/faults/fuzz_parsers $(MUTATIONS) $(SEED)
 
+# Hours; the same SEED kills at the same moments.
+POINTS ?= 1000000
+KILLS ?= 1000
+soak: $(release)/build.ninja ## let every call on files fail (POINTS=n: n of them), kill KILLS=1000 times
+	cmake --build --preset release --target fault_points suite_kills $(jobs)
+	cd $(release) && tests/faults/fault_points $(POINTS) drawn
+	cd $(release) && tests/faults/fault_points $(POINTS)
+	cd $(release) && tests/experiments/suite_kills $(KILLS) $(SEED)
+
 bench: build ## run the benchmarks, JSON to build/release/bench
 	cmake --build --preset release --target run_benchmarks
 
@@ -104,6 +113,16 @@ asan: $(asan)/build.ninja ## build with address and undefined-behaviour sanitize
 asan-variants: $(asan)/build.ninja ## the same for the tests that every variant must pass
 	cmake --build --preset asan $(jobs)
 	ctest --preset asan --tests-regex /EveryVariant
+
+# The pool of threads, what renders with it, and what reads and keeps files with it.
+threaded := base_test synth_dataset_test cache_test datasets_test
+tsan: build/tsan/build.ninja ## build with the thread sanitizer, run the tests of what has threads
+	cmake --build --preset tsan --target $(threaded) $(jobs)
+	cd build/tsan && find tests -name '*_test' -type f | sort | while read -r t; do "$$t" || exit 1; done
+
+sbom: deps ## write the bill of materials, SPDX JSON: build/sbom.spdx.json
+	@mkdir -p build
+	node .ci/sbom.mjs > build/sbom.spdx.json
 
 format: deps ## format all C++ sources in place
 	@clang-format -i $(sources)

@@ -7,52 +7,25 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <set>
-#include <string_view>
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/files/disk.h"
 #include "core/files/temporary.h"
 
 namespace cvo {
 namespace fs = std::filesystem;
 namespace {
 
-[[noreturn]] void ThrowErrno(const fs::path& file, const char* action, int error) {
-  throw Error(StrCat(file.string(), ": cannot ", action, ": ", std::strerror(error)));
-}
-
-class FileDescriptor {
- public:
-  explicit FileDescriptor(int fd) : fd_(fd) {}
-  ~FileDescriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  FileDescriptor(const FileDescriptor&) = delete;
-  FileDescriptor& operator=(const FileDescriptor&) = delete;
-
-  int get() const { return fd_; }
-  // Some file systems report a failed write only here.
-  int Close() {
-    const int result = ::close(fd_);
-    fd_ = -1;
-    return result;
-  }
-
- private:
-  int fd_;
-};
-
 // A complete and synced file under a temporary name; removed again unless it is renamed.
 class StagedFile {
  public:
   StagedFile(const fs::path& folder, const NamedContent& file) : target_(folder / file.name) {
-    FileDescriptor out(Create());
+    FileDescriptor out = Create();
     try {
-      WriteAll(out.get(), file.content);
-      if (::fsync(out.get()) != 0) ThrowErrno(target_, "write", errno);
-      if (out.Close() != 0) ThrowErrno(target_, "write", errno);
+      WriteAll(out, file.content, 0, target_);
+      if (SyncFile(out) != 0 || out.Close() != 0) ThrowErrno(target_, "write", errno);
     } catch (...) {
       ::unlink(temporary_.c_str());
       throw;
@@ -68,27 +41,18 @@ class StagedFile {
   StagedFile& operator=(StagedFile&&) = delete;
 
   void Publish() {
-    if (::rename(temporary_.c_str(), target_.c_str()) != 0) ThrowErrno(target_, "write", errno);
+    if (RenameFile(temporary_, target_) != 0) ThrowErrno(target_, "write", errno);
     temporary_.clear();
   }
 
  private:
   // A killed process of the same number may have left some behind.
-  int Create() {
+  FileDescriptor Create() {
     for (int attempt = 0;; ++attempt) {
       temporary_ = TemporaryName(target_, std::to_string(attempt));
-      const int fd = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      if (fd >= 0) return fd;
+      FileDescriptor out(temporary_, O_WRONLY | O_CREAT | O_EXCL);
+      if (out.get() >= 0) return out;
       if (errno != EEXIST || attempt == 1000) ThrowErrno(target_, "write", errno);
-    }
-  }
-
-  void WriteAll(int fd, std::string_view content) const {
-    while (!content.empty()) {
-      const ssize_t written = ::write(fd, content.data(), content.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) ThrowErrno(target_, "write", errno);
-      content.remove_prefix(static_cast<std::size_t>(written));
     }
   }
 
@@ -97,10 +61,10 @@ class StagedFile {
 };
 
 void SyncFolder(const fs::path& folder) {
-  const FileDescriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (fd.get() < 0) ThrowErrno(folder, "open", errno);
+  const FileDescriptor opened(folder, O_RDONLY | O_DIRECTORY);
+  if (opened.get() < 0) ThrowErrno(folder, "open", errno);
   // Some network file systems cannot sync a folder; their rename is durable by itself.
-  if (::fsync(fd.get()) != 0 && errno != EINVAL) ThrowErrno(folder, "write", errno);
+  if (SyncFile(opened) != 0 && errno != EINVAL) ThrowErrno(folder, "write", errno);
 }
 
 // The folders within a folder that files go to. Those that are empty at the end go away again.

@@ -11,6 +11,8 @@ namespace cvo {
 
 // Hexadecimal digits of a SHA-256.
 inline constexpr std::size_t kHashBytes = 64;
+// Of the file beside another that has its SHA-256, as the program sha256sum prints it.
+inline constexpr const char* kChecksumSuffix = ".sha256";
 
 // SHA-256 of everything that was added, as 64 lower-case hexadecimal digits.
 class Sha256 {

@@ -2,41 +2,50 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/files/text_file.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+
 #include <algorithm>
-#include <fstream>
+#include <cerrno>
 #include <limits>
 #include <system_error>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/files/disk.h"
 #include "core/files/number.h"
 
 namespace cvo {
+namespace fs = std::filesystem;
 
-std::string ReadFileBytes(const std::filesystem::path& path) {
+std::string ReadFileBytes(const fs::path& path, std::size_t max_bytes) {
   std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) {
+  if (!fs::exists(path, ignored)) {
     ThrowError(path.string(), "no such file", "a file that can be read");
   }
-  if (!std::filesystem::is_regular_file(path, ignored)) {
-    ThrowError(path.string(),
-               std::filesystem::is_directory(path, ignored) ? "a folder" : "a pipe or a device",
+  if (!fs::is_regular_file(path, ignored)) {
+    ThrowError(path.string(), fs::is_directory(path, ignored) ? "a folder" : "a pipe or a device",
                "a file that can be read");
   }
-  std::ifstream in(path, std::ios::binary | std::ios::ate);
-  if (!in) ThrowError(path.string(), "a file that cannot be opened", "a file that can be read");
-  std::string bytes(static_cast<std::size_t>(in.tellg()), '\0');
-  in.seekg(0);
-  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!in) ThrowError(path.string(), "an error while reading", "a file that can be read");
+  const FileDescriptor in(path, O_RDONLY);
+  if (in.get() < 0) {
+    ThrowError(path.string(), "a file that cannot be opened", "a file that can be read");
+  }
+  struct stat status {};
+  const bool is_open = ::fstat(in.get(), &status) == 0;
+  std::string bytes(std::min(max_bytes, static_cast<std::size_t>(status.st_size)), '\0');
+  const std::ptrdiff_t read = ReadUpTo(in, bytes.data(), bytes.size(), 0);
+  if (!is_open || read != static_cast<std::ptrdiff_t>(bytes.size())) {
+    ThrowError(path.string(), "an error while reading", "a file that can be read");
+  }
   return bytes;
 }
 
-void WriteFileBytes(const std::filesystem::path& path, std::string_view bytes) {
-  std::ofstream out(path, std::ios::binary | std::ios::trunc);
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  if (!out) ThrowError(path.string(), "an error while writing", "a file that can be written");
+void WriteFileBytes(const fs::path& path, std::string_view bytes) {
+  FileDescriptor out(path, O_WRONLY | O_CREAT | O_TRUNC);
+  if (out.get() < 0) ThrowErrno(path, "write", errno);
+  WriteAll(out, bytes, 0, path);
+  if (out.Close() != 0) ThrowErrno(path, "write", errno);
 }
 
 std::string Quoted(std::string_view text) {
@@ -46,7 +55,7 @@ std::string Quoted(std::string_view text) {
   return quoted + (text.size() > kLongest ? "...\"" : "\"");
 }
 
-TextFile::TextFile(std::filesystem::path path) : path_(std::move(path)) {
+TextFile::TextFile(fs::path path) : path_(std::move(path)) {
   const std::string bytes = ReadFileBytes(path_);
   std::size_t begin = 0;
   while (begin < bytes.size()) {

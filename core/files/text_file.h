@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -10,8 +11,9 @@
 
 namespace cvo {
 
-// A file read whole. Throws Error where it cannot be read.
-std::string ReadFileBytes(const std::filesystem::path& path);
+// A file read whole, or its first bytes. Throws Error where it cannot be read: a folder, a pipe or
+// a device cannot.
+std::string ReadFileBytes(const std::filesystem::path& path, std::size_t max_bytes = SIZE_MAX);
 // Replaces the file. Throws Error where it cannot be written whole.
 void WriteFileBytes(const std::filesystem::path& path, std::string_view bytes);
 

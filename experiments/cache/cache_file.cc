@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <system_error>
 #include <tuple>
 #include <vector>
@@ -18,23 +17,6 @@
 
 namespace cvo {
 namespace fs = std::filesystem;
-namespace {
-
-[[noreturn]] void ThrowErrno(const fs::path& file, const char* action, int error) {
-  throw Error(StrCat(file.string(), ": cannot ", action, ": ", std::strerror(error)));
-}
-
-void WriteAll(int fd, std::string_view bytes, std::uint64_t offset, const fs::path& file) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::pwrite(fd, bytes.data(), bytes.size(), static_cast<off_t>(offset));
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) ThrowErrno(file, "write", errno);
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-    offset += static_cast<std::uint64_t>(written);
-  }
-}
-
-}  // namespace
 
 NewCacheFile::NewCacheFile(const fs::path& folder) : folder_(folder) {
   std::error_code error;
@@ -43,33 +25,30 @@ NewCacheFile::NewCacheFile(const fs::path& folder) : folder_(folder) {
   RemoveLeftovers(folder);
   for (int attempt = 0;; ++attempt) {
     temporary_ = TemporaryName(folder / "new", std::to_string(attempt));
-    fd_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (fd_ >= 0) break;
+    file_ = FileDescriptor(temporary_, O_RDWR | O_CREAT | O_EXCL);
+    if (file_.get() >= 0) break;
     if (errno != EEXIST || attempt == 1000) ThrowErrno(folder, "write to the folder", errno);
   }
 }
 
-NewCacheFile::~NewCacheFile() {
-  ::unlink(temporary_.c_str());
-  ::close(fd_);
-}
+NewCacheFile::~NewCacheFile() { ::unlink(temporary_.c_str()); }
 
 void NewCacheFile::Append(std::string_view bytes) {
-  WriteAll(fd_, bytes, size_bytes_, temporary_);
+  WriteAll(file_, bytes, size_bytes_, temporary_);
   size_bytes_ += bytes.size();
 }
 
 void NewCacheFile::ReplaceStart(std::string_view bytes) {
   Require(bytes.size() <= size_bytes_, "NewCacheFile: the start is longer than the file");
-  WriteAll(fd_, bytes, 0, temporary_);
+  WriteAll(file_, bytes, 0, temporary_);
 }
 
 void NewCacheFile::Publish(const std::string& name) {
   const fs::path target = folder_ / name;
-  if (::fsync(fd_) != 0) ThrowErrno(target, "write", errno);
-  if (::link(temporary_.c_str(), target.c_str()) == 0 || errno == EEXIST) return;
+  if (SyncFile(file_) != 0) ThrowErrno(target, "write", errno);
+  if (LinkFile(temporary_, target) == 0 || errno == EEXIST) return;
   // File systems without hard links; whichever comes last stays then, and both hold the same.
-  if (::rename(temporary_.c_str(), target.c_str()) != 0) ThrowErrno(target, "write", errno);
+  if (RenameFile(temporary_, target) != 0) ThrowErrno(target, "write", errno);
 }
 
 bool IsGone(const fs::path& file) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/files/disk.h"
+
 namespace cvo {
 
 // A new file of a cache folder: it appears complete or not at all. Makes the folder where there is
@@ -29,7 +31,7 @@ class NewCacheFile {
  private:
   std::filesystem::path folder_;
   std::filesystem::path temporary_;
-  int fd_ = -1;
+  FileDescriptor file_;
   std::uint64_t size_bytes_ = 0;
 };
 

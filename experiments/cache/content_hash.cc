@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/cache/content_hash.h"
 
-#include <fstream>
-#include <sstream>
-
 #include "core/base/error.h"
 #include "core/files/json.h"
 #include "core/files/sha256.h"
@@ -13,12 +10,11 @@
 namespace cvo {
 
 std::string HashFile(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) return "";  // a pipe would block
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  return in.is_open() && !in.bad() && !bytes.bad() ? Sha256Hex(bytes.str()) : "";
+  try {
+    return Sha256Hex(ReadFileBytes(file));
+  } catch (const Error&) {
+    return "";
+  }
 }
 
 ImageHashes HashPair(const StereoPaths& pair) {

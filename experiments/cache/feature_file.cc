@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/cache/feature_file.h"
 
+#include <fcntl.h>
+
 #include <string_view>
 
 #include "core/base/error.h"
@@ -68,7 +70,7 @@ std::uint64_t SizeOf(const std::filesystem::path& file) {
 
 FeatureFile::FeatureFile(const std::filesystem::path& file, const std::string& key,
                          std::size_t frames)
-    : name_(file.string()), size_bytes_(SizeOf(file)), file_(file, std::ios::binary) {
+    : name_(file.string()), size_bytes_(SizeOf(file)), file_(file, O_RDONLY) {
   const Header header = DecodeHeader(Read(0, kHeaderBytes), name_);
   if (header.key != key || header.frames != frames) {
     ThrowError(name_, StrCat(header.frames, " frames under the key ", header.key),
@@ -80,9 +82,8 @@ FeatureFile::FeatureFile(const std::filesystem::path& file, const std::string& k
 std::string FeatureFile::Read(std::uint64_t offset, std::uint64_t count) const {
   const bool there = count <= size_bytes_ && offset <= size_bytes_ - count;
   std::string bytes(there ? count : 0, '\0');
-  file_.seekg(static_cast<std::streamoff>(offset));
-  file_.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!there || !file_) {
+  if (!there ||
+      ReadUpTo(file_, bytes.data(), count, offset) != static_cast<std::ptrdiff_t>(count)) {
     ThrowError(name_, StrCat(SizeOf(name_), " bytes"), StrCat(count, " from the byte ", offset));
   }
   return bytes;

@@ -4,10 +4,10 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
+#include "core/files/disk.h"
 #include "experiments/cache/cache_file.h"
 #include "experiments/cache/front_end_frame.h"
 
@@ -38,7 +38,7 @@ class FeatureFile {
 
   std::string name_;
   std::uint64_t size_bytes_;
-  mutable std::ifstream file_;
+  FileDescriptor file_;
   std::vector<Place> places_;
 };
 

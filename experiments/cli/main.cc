@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <new>
 #include <opencv2/core/utility.hpp>
 #include <string>
 #include <string_view>
@@ -26,6 +28,15 @@ namespace {
 constexpr int kBadInput = 1;
 constexpr int kUsage = 2;
 constexpr int kInternal = 3;
+
+// As where a limit was set for a job: a failure of its input, and no error of the program.
+std::string OutOfMemory() {
+  rlimit limit{};
+  const bool limited = ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+  if (!limited) return "out of memory";
+  return StrCat("out of memory: memory limit of ", static_cast<double>(limit.rlim_cur) / 1e6,
+                " MB");
+}
 
 // One line on stderr, whatever the message holds.
 int Fail(const std::string& message, int exit_code) {
@@ -126,7 +137,13 @@ int main(int argc, char** argv) {
                      cvo::kUsage);
   } catch (const cvo::Error& error) {
     return cvo::Fail(error.what(), cvo::kBadInput);
+  } catch (const std::bad_alloc&) {
+    return cvo::Fail(cvo::OutOfMemory(), cvo::kBadInput);
   } catch (const std::exception& error) {
+    const auto* opencv = dynamic_cast<const cv::Exception*>(&error);
+    if (opencv != nullptr && opencv->code == cv::Error::StsNoMem) {
+      return cvo::Fail(cvo::OutOfMemory(), cvo::kBadInput);
+    }
     return cvo::Fail(cvo::StrCat("internal: ", error.what()), cvo::kInternal);
   } catch (...) {
     return cvo::Fail("internal: unknown exception", cvo::kInternal);

@@ -73,15 +73,8 @@ std::string DescribeNonPng(std::string_view bytes) {
 
 PngHeader ReadPngHeader(const std::filesystem::path& path) {
   const char* const expected = "a PNG image with 8 bits per channel";
-  std::array<char, kHeaderBytes> buffer{};
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) {
-    ThrowError(path.string(), "no file, or a pipe or a device", expected);
-  }
-  std::ifstream in(path, std::ios::binary);
-  if (!in) ThrowError(path.string(), "a file that cannot be opened", expected);
-  in.read(buffer.data(), buffer.size());
-  const std::string_view bytes(buffer.data(), static_cast<std::size_t>(in.gcount()));
+  const std::string header = ReadFileBytes(path, kHeaderBytes);
+  const std::string_view bytes = header;
   if (bytes.size() < kHeaderBytes || !bytes.starts_with(kSignature) ||
       bytes.substr(12, 4) != "IHDR") {
     ThrowError(path.string(), DescribeNonPng(bytes), expected);

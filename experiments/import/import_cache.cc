@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/import/import_cache.h"
 
+#include <exception>
+
+#include "core/files/json.h"
 #include "core/files/number.h"
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
@@ -29,6 +32,16 @@ std::string NameOf(const fs::path& left) {
   return name.empty() ? "stereo" : name;
 }
 
+bool IsWhole(const fs::path& folder) try {
+  const Json record = ReadJson(folder / kImportRecord);
+  for (const auto& [name, sha256] : record.at("files").items()) {
+    if (HashFile(folder / name) != sha256) return false;
+  }
+  return true;
+} catch (const std::exception&) {  // of the JSON library too
+  return false;
+}
+
 }  // namespace
 
 fs::path ImportIntoCache(const StereoImport& request, const fs::path& cache,
@@ -44,7 +57,9 @@ fs::path ImportIntoCache(const StereoImport& request, const fs::path& cache,
   AddImages(request.right, hash);
   const fs::path folder =
       cache / "imported" / hash.Hex().substr(0, kShortHash) / NameOf(request.left);
-  if (!fs::exists(folder / "import.json")) ImportStereo(request, folder, progress);
+  if (IsWhole(folder)) return folder;
+  fs::remove_all(folder);
+  ImportStereo(request, folder, progress);
   return folder;
 }
 

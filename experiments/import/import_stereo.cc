@@ -4,9 +4,11 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cerrno>
 #include <opencv2/imgcodecs.hpp>
 
 #include "core/base/error.h"
+#include "core/files/disk.h"
 #include "core/files/json.h"
 #include "core/files/number.h"
 #include "core/files/sha256.h"
@@ -39,24 +41,31 @@ class NewFolder {
   NewFolder(const NewFolder&) = delete;
   NewFolder& operator=(const NewFolder&) = delete;
 
-  const fs::path& path() const { return temporary_; }
-  void Keep() { fs::rename(temporary_, target_); }
+  void Write(const std::string& name, std::string_view bytes) {
+    WriteFileBytes(temporary_ / name, bytes);
+    files_[name] = Sha256Hex(bytes);
+  }
+  void Write(const std::string& name, const cv::Mat& image) {
+    std::vector<unsigned char> png;
+    Require(cv::imencode(".png", image, png), "import: an image that cannot be encoded");
+    Write(name, {reinterpret_cast<const char*>(png.data()), png.size()});
+  }
+  // The SHA-256 of each that was written.
+  const Json& files() const { return files_; }
+  void Keep() {
+    if (RenameFile(temporary_, target_) != 0) ThrowErrno(target_, "write", errno);
+  }
 
  private:
   fs::path target_;
   fs::path temporary_;
+  Json files_ = Json::object();
 };
 
 std::string FrameName(std::size_t frame) {
   constexpr std::size_t kDigits = 6;
   const std::string digits = std::to_string(frame);
   return StrCat(std::string(kDigits - std::min(kDigits, digits.size()), '0'), digits, ".png");
-}
-
-void WriteImage(const fs::path& path, const cv::Mat& image) {
-  if (!cv::imwrite(path.string(), image)) {
-    ThrowError(path.string(), "an image that cannot be written", "space and permission to write");
-  }
 }
 
 // Pairs of images, of one size.
@@ -175,17 +184,19 @@ ImportOutcome ImportStereo(
       left = rectification->Left(left);
       right = rectification->Right(right);
     }
-    WriteImage(target.path() / "image_0" / FrameName(outcome.frames), left);
-    WriteImage(target.path() / "image_1" / FrameName(outcome.frames), right);
+    target.Write("image_0/" + FrameName(outcome.frames), left);
+    target.Write("image_1/" + FrameName(outcome.frames), right);
     progress(++outcome.frames, pairs.size());
   }
   const Times times = TimesOf(request, pairs.left(), outcome.frames);
   outcome.times = times.source;
   std::string lines;
   for (const std::int64_t time_ns : times.ns) lines += FormatSecondsNs(time_ns) + "\n";
-  WriteFileBytes(target.path() / "times.txt", lines);
-  WriteFileBytes(target.path() / "calib.txt", CalibrationText(outcome.camera));
-  WriteFileBytes(target.path() / "import.json", DumpJson(Record(request, outcome, rectification)));
+  target.Write("times.txt", lines);
+  target.Write("calib.txt", CalibrationText(outcome.camera));
+  Json record = Record(request, outcome, rectification);
+  record["files"] = target.files();
+  target.Write(kImportRecord, DumpJson(record));
   target.Keep();
   return outcome;
 }

@@ -28,8 +28,11 @@ struct ImportOutcome {
   StereoCamera camera;     // of the images written
 };
 
+// What was made of what, and the SHA-256 of every other file.
+inline constexpr const char* kImportRecord = "import.json";
+
 // Writes a sequence in the layout of KITTI odometry: image_0, image_1 (8-bit grey PNG), calib.txt,
-// times.txt and import.json, which says what was made of what. Images that are not rectified are.
+// times.txt and kImportRecord. Images that are not rectified are.
 // The folder appears whole or not at all. Throws Error where it exists, where the cameras have
 // different numbers or sizes of images, and for files that cannot be read.
 ImportOutcome ImportStereo(

@@ -115,8 +115,11 @@ void Planner::FindBoxes(const Cell& cell, Input& input) {
       BoxesFile(detector, FindImageHashes(sequence, hash_index_, pool_, hooks_),
                 Absolute(request_.cache), [this](const auto& files) { return Hashes(files); });
   input.boxes = file.string();
+  if (AreBoxesWhole(file, [this](const auto& files) { return Hashes(files); })) return;
   std::error_code ignored;
-  if (fs::exists(file, ignored)) return;
+  if (fs::exists(file, ignored)) {
+    request_.notice("cached boxes are damaged and will be found again:  " + input.boxes);
+  }
   input.missing = kNotDetected;
   if (!wanted_outputs_.insert(file).second) return;
   const std::string name =

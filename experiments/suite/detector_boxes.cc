@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/files/json.h"
 #include "core/files/sha256.h"
+#include "core/files/text_file.h"
 #include "detector_sources.h"
 #include "experiments/record/build_identity.h"
 
@@ -51,6 +52,13 @@ fs::path BoxesFile(const DetectorInput& input, const std::vector<ImageHashes>& i
   return cache / "detections" / (Sha256Hex(DumpJson(json)) + ".txt");
 }
 
+bool AreBoxesWhole(const fs::path& boxes, const HashFiles& hash) try {
+  const std::string checksum = ReadFileBytes(boxes.string() + kChecksumSuffix, kHashBytes);
+  return checksum == hash({boxes}).front();
+} catch (const Error&) {
+  return false;
+}
+
 std::vector<std::string> DetectArguments(const DetectorInput& input, const fs::path& boxes) {
   const auto& [written, sequence, data] = input;
   const SuiteDetector& detector = written.detector;
@@ -68,7 +76,7 @@ std::vector<std::string> DetectArguments(const DetectorInput& input, const fs::p
   // Those of a scene were chosen when it was rendered.
   if (written.scene.empty()) add("--frames", written.frames);
   if (!written.layout.empty()) add("--layout", written.layout.dump());
-  add("-o", boxes.string());
+  arguments.insert(arguments.end(), {"-o", boxes.string(), "--checksum"});
   return arguments;
 }
 

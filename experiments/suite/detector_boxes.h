@@ -29,6 +29,9 @@ std::string FindMissingFile(const SuiteSequence& sequence, const std::filesystem
 std::filesystem::path BoxesFile(const DetectorInput& input, const std::vector<ImageHashes>& images,
                                 const std::filesystem::path& cache, const HashFiles& hash);
 
+// Whether the file and the checksum beside it (`detect --checksum`) are there and agree.
+bool AreBoxesWhole(const std::filesystem::path& boxes, const HashFiles& hash);
+
 // Arguments of the program that write them there.
 std::vector<std::string> DetectArguments(const DetectorInput& input,
                                          const std::filesystem::path& boxes);

@@ -12,6 +12,7 @@
 #include "core/files/host_name.h"
 #include "core/files/json.h"
 #include "core/files/text_file.h"
+#include "experiments/suite/scenes.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/support/temp_folder.h"
 
@@ -47,16 +48,20 @@ class FolderFaults : public testing::Test {
     return Program({"experiment", command, (folder_.path() / "suite.json").string(), "-o",
                     (folder_.path() / "out").string(), "-q"});
   }
-  // With the size and the time of modification that it had.
-  void Flip(const fs::path& name) const {
-    const fs::path file = scene_ / name;
+  // With the time of modification that it had.
+  static void Damage(const fs::path& file, const std::string& bytes) {
     fs::permissions(file, fs::perms::owner_write, fs::perm_options::add);
     const fs::file_time_type modified = fs::last_write_time(file);
-    std::string bytes = ReadFileBytes(file);
-    char& middle = bytes[bytes.size() / 2];
-    middle = static_cast<char>(middle ^ 1);
     WriteFileBytes(file, bytes);
     fs::last_write_time(file, modified);
+  }
+  static std::string Flipped(std::string bytes) {
+    char& middle = bytes[bytes.size() / 2];
+    middle = static_cast<char>(middle ^ 1);
+    return bytes;
+  }
+  void Flip(const fs::path& name) const {
+    Damage(scene_ / name, Flipped(ReadFileBytes(scene_ / name)));
   }
   std::map<std::string, std::string> Files() const {
     std::map<std::string, std::string> files;
@@ -94,6 +99,26 @@ TEST_F(FolderFaults, DamageOfEveryKindOfFileIsDetected) {
     WriteFileBytes(scene_ / name, whole);
   }
   EXPECT_THAT(Suite("plan").err, testing::IsEmpty());
+}
+
+// One bit, an end that is missing, and the file of another scene in its place.
+TEST_F(FolderFaults, DamageOfEveryFileIsDetected) {
+  if (IsSkipped()) return;
+  const fs::path other = folder_.path() / "other";
+  const ProcessResult render =
+      Program({"synth", "render", "tiny", "-o", other.string(), "--frames", "1:3", "--set",
+               "rig.width_px=512", "--set", "rate_hz=20", "-q"});
+  ASSERT_EQ(render.exit_code, 0) << render.err;
+  for (const auto& [path, whole] : Files()) {
+    const fs::path file = path;
+    const std::string swapped = ReadFileBytes(other / file.lexically_relative(scene_));
+    for (const std::string& bytes : {Flipped(whole), whole.substr(0, whole.size() / 2), swapped}) {
+      Damage(file, bytes);
+      EXPECT_TRUE(FindSceneDamage(scene_, HashesByReading)) << path;
+    }
+    Damage(file, whole);
+  }
+  EXPECT_EQ(FindSceneDamage(scene_, HashesByReading), std::nullopt);
 }
 
 TEST_F(FolderFaults, ARunRendersItAgain) {

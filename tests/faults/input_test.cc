@@ -27,6 +27,23 @@ TEST_F(InputFaults, Pipes) {
   ExpectOneLine(RunWall({"--labels", pipe}), 1, found);
   ExpectOneLine({"eval", "--groundtruth", pipe, "--estimate", pipe}, 1, found);
   ExpectOneLine({"experiment", "table", "--from", pipe}, 1, pipe);
+  // In place of results: said, or drawn without; never waited for.
+  ExpectDone(Suite("run"));
+  const fs::path run = FirstResult().parent_path();
+  for (const fs::path& file :
+       {fs::path(At("out/plan.json")), run / "result.json", run / "timing.json",
+        run / "objects.csv", run / "truth.json", run / "camera.tum"}) {
+    fs::rename(file, At("kept"));
+    fs::rename(pipe, file);
+    for (const Arguments& arguments : {Arguments{"experiment", "table", out()},
+                                       {"overlay", run, "-o", At("pictures")},
+                                       {"plot", run, "-o", At("plot.svg")}}) {
+      EXPECT_THAT(Run(arguments).exit_code, AnyOf(0, 1)) << arguments[0] << file;
+    }
+    fs::rename(file, pipe);
+    fs::rename(At("kept"), file);
+  }
+  ExpectOneLine({"check", out(), "--baseline", pipe}, 1, found);
   for (const char* name : {"times.txt", "calib.txt", "poses.txt", "image_0/000000.png",
                            "image_1/000002.png", "objects.csv", "labels.txt", "manifest.json"}) {
     const fs::path file = wall() / name;
@@ -91,6 +108,23 @@ TEST_F(InputFaults, Threads) {
   const ProcessResult many = Run(RunWall({"--threads", "1000"}), 3'000'000'000);
   EXPECT_EQ(many.exit_code, 1);
   EXPECT_THAT(many.err, HasSubstr("threads: found 1000, expected at most "));
+  EXPECT_EQ(test::LineCount(many.err), 1U) << many.err;
+}
+
+// Where a limit left no memory, that was an internal error.
+TEST_F(InputFaults, Memory) {
+  constexpr std::size_t kLimit_bytes = 700'000'000;
+  const auto eval = [&](int poses) {
+    std::string text;
+    for (int i = 0; i < poses; ++i) text += StrCat(i, " 0 0 0 0 0 0 1\n");
+    const std::string file = folder_.Write("long.tum", text);
+    return Run({"eval", "--groundtruth", file, "--estimate", file}, kLimit_bytes);
+  };
+  const ProcessResult few = eval(3);
+  if (few.exit_code != 0) GTEST_SKIP() << "this build needs more address space: " << few.err;
+  const ProcessResult many = eval(1'000'000);
+  EXPECT_EQ(many.exit_code, 1);
+  EXPECT_THAT(many.err, HasSubstr("out of memory: memory limit of 700 MB"));
   EXPECT_EQ(test::LineCount(many.err), 1U) << many.err;
 }
 

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/files/json_record.h"
 #include "core/files/number.h"
+#include "core/files/sha256.h"
 #include "core/files/text_file.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
@@ -27,6 +28,7 @@ struct DetectFlags {
   DetectorOptions options;
   std::string input;
   std::string output;
+  bool checksum = false;
   int threads = 1;
 };
 
@@ -73,7 +75,9 @@ Outcome DetectAll(const Sequence& sequence, DetectorModel& model, const Detector
   Outcome outcome;
   Progress progress(sequence.images.size(), false);
   for (std::size_t i = 0; i < sequence.images.size(); ++i) {
-    cv::Mat image = cv::imread(sequence.images[i].left.string(), cv::IMREAD_COLOR);
+    // Throws where the file cannot be read: that is no image without boxes.
+    const std::string bytes = ReadFileBytes(sequence.images[i].left);
+    cv::Mat image = cv::imdecode(std::vector<char>(bytes.begin(), bytes.end()), cv::IMREAD_COLOR);
     if (image.empty()) {
       progress.Note(sequence.images[i].left.string() + ": cannot be decoded, no boxes");
       ++outcome.images_skipped;
@@ -101,6 +105,11 @@ int DetectBoxes(DetectFlags& flags) {
   cv::setNumThreads(flags.threads);
   DetectorModel model(flags.files);
   const Outcome outcome = DetectAll(sequence, model, flags.options);
+  if (flags.checksum) {
+    const std::string name = std::filesystem::path(flags.output).filename().string();
+    WriteOutputFile(flags.output + kChecksumSuffix,
+                    StrCat(Sha256Hex(outcome.rows), "  ", name, "\n"), read);
+  }
   WriteOutputFile(flags.output, outcome.rows, read);
   const std::size_t frames = sequence.images.size() - outcome.images_skipped;
   std::cout << sequence.name << ": " << outcome.boxes << " boxes in " << frames << " frames";
@@ -146,6 +155,7 @@ Command AddDetectCommand(CLI::App& program) {
       ->capture_default_str();
   add("-o,--output", flags->output, "FILE", "file to write, in KITTI tracking's format")
       ->required();
+  app->add_flag("--checksum", flags->checksum, "also write FILE.sha256");
   app->footer(
       "COCO's classes are written as KITTI's (car: Car, person: Pedestrian). The network is the "
       "user's:\nno model comes with the program; experiments/README.md says where they are "

@@ -36,7 +36,7 @@ class DetectorSuite : public testing::Test {
   std::vector<fs::path> Boxes() const {
     std::vector<fs::path> files;
     for (const auto& file : fs::directory_iterator(folder_.path() / "cache" / "detections")) {
-      files.push_back(file.path());
+      if (file.path().extension() == ".txt") files.push_back(file.path());
     }
     return files;
   }
@@ -66,6 +66,16 @@ TEST_F(DetectorSuite, BoxesAreFoundOnceAndKept) {
   const Json result =
       ReadJson(folder_.path() / "out" / "jobs" / std::string(Jobs()[1]["job"]) / "result.json");
   EXPECT_EQ(result["detection_counts"]["given"], 4);
+
+  // Other boxes in their place are not read, nor are any without their checksum.
+  const fs::path checksum = Boxes()[0].string() + ".sha256";
+  WriteFileBytes(Boxes()[0], rows.substr(0, rows.find('\n') + 1));
+  const ProcessResult damaged = Run(sequence, R"(["static"])", folder_.path());
+  EXPECT_THAT(damaged.err, HasSubstr("cached boxes are damaged and will be found again"));
+  EXPECT_EQ(test::ReadFile(Boxes()[0]), rows);
+  fs::remove(checksum);
+  EXPECT_THAT(Run(sequence, R"(["static"])", folder_.path()).err, HasSubstr("finding boxes in 1"));
+  EXPECT_TRUE(fs::exists(checksum));
 
   std::string stricter = sequence;
   stricter.replace(stricter.find("0.3"), 3, "0.99");

@@ -113,6 +113,34 @@ TEST_F(ImportStereoTest, TheCacheIsKeyedByContent) {
   EXPECT_NE(import(), first);
 }
 
+// It was read as it was, or, without its record, stood in the way for ever.
+TEST_F(ImportStereoTest, ADamagedEntryOfTheCacheIsMadeAgain) {
+  WriteImages({"0.png", "1.png"});
+  int imports = 0;
+  const auto import = [&] {
+    return ImportIntoCache(request_, folder_.path() / "cache",
+                           [&](std::size_t done, std::size_t) { imports += done == 1 ? 1 : 0; });
+  };
+  const fs::path folder = import();
+  const std::string other = ReadFileBytes(folder / "image_0/000001.png");
+  for (const char* name :
+       {"image_0/000000.png", "image_1/000000.png", "times.txt", "calib.txt", "import.json"}) {
+    const std::string whole = ReadFileBytes(folder / name);
+    std::string flipped = whole;
+    flipped[whole.size() / 2] ^= 1;
+    for (const std::string& bytes : {flipped, whole.substr(0, whole.size() / 2), other}) {
+      imports = 0;
+      WriteFileBytes(folder / name, bytes);
+      EXPECT_EQ(import(), folder);
+      EXPECT_EQ(imports, 1) << name;
+      EXPECT_EQ(ReadFileBytes(folder / name), whole);
+    }
+    fs::remove(folder / name);
+    EXPECT_EQ(import(), folder);
+    EXPECT_EQ(ReadFileBytes(folder / name), whole);
+  }
+}
+
 TEST_F(ImportStereoTest, BadInputLeavesNothing) {
   ExpectError("expected a folder of images or a video file");
   WriteImages({"0.png", "1.png"});

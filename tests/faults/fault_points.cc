@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// fault_points POINTS: counts the calls of the operating system (core/files/disk.h) that a small
+// suite makes with an empty cache, and lets that many of them, spread evenly over all calls and the
+// three kinds of fault, fail, be cut short or kill the process. Afterwards the same command must
+// end with the same bytes, and nothing of the fault may be left.
+#include <cstdlib>
+#include <iostream>
+#include <map>
+
+#include "core/base/error.h"
+#include "core/files/sha256.h"
+#include "core/files/temporary.h"
+#include "core/files/text_file.h"
+#include "tests/experiments/cli/process.h"
+#include "tests/support/temp_folder.h"
+
+namespace cvo::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Files = std::map<std::string, std::string>;  // content by path
+
+constexpr const char* kSuite = R"({
+  "name": "faults", "sequences": [{"scene": "tiny", "frames": "0:2", "detections": "good"}],
+  "variants": ["full", "static"], "seeds": 1, "landmarks": true,
+  "table": {"rows": ["variant"], "metrics": ["camera_ate"]}
+})";
+constexpr const char* kKinds[] = {"fail", "kill", "short"};
+constexpr int kKilled = 128 + 9;
+
+struct Fault {
+  std::string kind;
+  std::uint64_t call = 0;
+};
+
+class FaultTest {
+ public:
+  FaultTest() { folder_.Write("suite.json", kSuite); }
+
+  void Run(std::uint64_t points, bool drawn) {
+    Undisturbed();
+    if (drawn) KeepDrawing();
+    Restore();
+    Undisturbed();
+    const std::uint64_t calls = Calls();
+    const std::uint64_t faults = calls * std::size(kKinds);
+    expected_ = Left();
+    std::cout << expected_.size() << " files, " << calls << " calls\n";
+    points = std::min(points, faults);
+    std::map<std::string, int> outcomes;
+    for (std::uint64_t i = 0; i < points; ++i) {
+      const std::uint64_t fault = i * faults / points;
+      ++outcomes[Try({kKinds[fault / calls], 1 + fault % calls})];
+    }
+    for (const auto& [outcome, count] : outcomes) std::cout << count << " x " << outcome << '\n';
+  }
+
+ private:
+  // How the run with the fault ended. Throws Error where the next one does not mend it.
+  std::string Try(const Fault& fault) const {
+    const std::string name = StrCat(fault.kind, " at call ", fault.call);
+    Restore();
+    const ProcessResult disturbed = RunSuite(fault);
+    const int code = disturbed.exit_code;
+    const bool internal = disturbed.err.find("internal") != std::string::npos;
+    if (internal || (code != 0 && code != 1 && (code != kKilled || fault.kind != "kill"))) {
+      throw Error(StrCat(name, ": exit code ", code, ": ", disturbed.err));
+    }
+    const ProcessResult again = RunSuite({"fail", 0});
+    if (again.exit_code != 0) throw Error(StrCat(name, ", afterwards: ", again.err));
+    Compare(Left(), name);
+    return StrCat(fault.kind, ", exit code ", code);
+  }
+
+  void Undisturbed() const {
+    const ProcessResult run = RunSuite({"fail", 0});
+    if (run.exit_code != 0) throw Error(run.err);
+  }
+  // Of the cache, what is under the key of a drawing.
+  void KeepDrawing() const {
+    for (const auto& entry : fs::directory_iterator(folder_.path() / "cache")) {
+      if (entry.path().filename().string().size() != kHashBytes) continue;
+      fs::create_directories(drawing());
+      fs::copy(entry.path(), drawing() / entry.path().filename(), fs::copy_options::recursive);
+    }
+  }
+  void Restore() const {
+    for (const char* made : {"out", "cache"}) fs::remove_all(folder_.path() / made);
+    if (fs::exists(drawing())) {
+      fs::copy(drawing(), folder_.path() / "cache", fs::copy_options::recursive);
+    }
+  }
+
+  ProcessResult RunSuite(const Fault& fault) const {
+    WriteFileBytes(counter(), std::string(sizeof(std::uint64_t), '\0'));
+    return RunProgram(
+        {"experiment", "run", (folder_.path() / "suite.json").string(), "-o",
+         (folder_.path() / "out").string(), "-j", "1", "-q"},
+        {.environment = {
+             StrCat("CLUSTERVO_CACHE=", (folder_.path() / "cache").string()),
+             StrCat("CLUSTERVO_FAULT=", fault.kind, ",", fault.call, ",", counter().string())}});
+  }
+  fs::path drawing() const { return folder_.path() / "drawing"; }
+  fs::path counter() const { return folder_.path() / "counter"; }
+  std::uint64_t Calls() const {
+    std::uint64_t calls = 0;
+    ReadFileBytes(counter()).copy(reinterpret_cast<char*>(&calls), sizeof(calls));
+    return calls;
+  }
+
+  // All that results and cached scenes consist of.
+  Files Left() const {
+    Files files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_.path())) {
+      const std::string name = entry.path().lexically_relative(folder_.path()).string();
+      if (IsTemporary(entry.path())) throw Error(name + " is left over");
+      const bool differs = name.ends_with("timing.json") || name.starts_with("cache/hashes") ||
+                           name.starts_with("out/lo");  // times; log files and the lock
+      if (entry.is_regular_file() && !differs && entry.path() != counter()) {
+        files[name] = ReadFileBytes(entry.path());
+      }
+    }
+    return files;
+  }
+
+  void Compare(const Files& found, const std::string& fault) const {
+    for (const auto& [name, content] : expected_) {
+      const auto at = found.find(name);
+      if (at == found.end()) throw Error(StrCat(fault, ": no ", name));
+      if (at->second != content) throw Error(StrCat(fault, ": ", name, " differs"));
+    }
+    for (const auto& [name, content] : found) {
+      if (!expected_.contains(name)) throw Error(StrCat(fault, ": ", name, " is too much"));
+    }
+  }
+
+  TempFolder folder_;
+  Files expected_;
+};
+
+int Main(int argc, char** argv) {
+  const std::uint64_t points = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 0;
+  if (points == 0) {
+    std::cerr << "fault_points POINTS [drawn]\n";
+    return 2;
+  }
+  try {
+    FaultTest().Run(points, argc > 2);
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << "fault_points: " << error.what() << '\n';
+    return 1;
+  }
+}
+
+}  // namespace
+}  // namespace cvo::test
+
+int main(int argc, char** argv) { return cvo::test::Main(argc, argv); }
