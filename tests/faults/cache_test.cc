@@ -12,6 +12,7 @@
 #include "core/files/host_name.h"
 #include "core/files/json.h"
 #include "core/files/text_file.h"
+#include "experiments/jobs/child_process.h"
 #include "experiments/suite/scenes.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/support/temp_folder.h"
@@ -154,6 +155,41 @@ TEST_F(FolderFaults, DamageOutsideTheCacheIsRefused) {
                                   HasSubstr("render the scene again")));
     EXPECT_EQ(test::LineCount(result.err), 1U) << result.err;
   }
+}
+
+// Three megabytes more with every frame, none of them in use.
+TEST_F(FolderFaults, ALongRunNeedsNoMoreMemory) {
+  if (IsSkipped()) return;
+  if (!kLimitsMemory) GTEST_SKIP() << "the sanitizer keeps what is freed";
+  constexpr int kFrames = 36;
+  const fs::path drive = folder_.path() / "drive";
+  std::string times;
+  std::string boxes;
+  for (int i = 0; i < kFrames; ++i) {
+    for (const char* side : {"image_0", "image_1"}) {
+      fs::create_directories(drive / side);
+      fs::copy(scene_ / side / StrCat("00000", i % 2, ".png"),
+               drive / side / StrCat("0000", i / 10, i % 10, ".png"));
+    }
+    times += StrCat(0.1 * i, "\n");
+    const TextFile rows(scene_ / "detections/good.txt");
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      const std::string& line = rows.line(row);
+      if (line.starts_with(StrCat(i % 2, " "))) boxes += StrCat(i, line.substr(1), "\n");
+    }
+  }
+  fs::copy(scene_ / "calib.txt", drive / "calib.txt");
+  WriteFileBytes(drive / "times.txt", times);
+  const fs::path detections = folder_.Write("boxes.txt", boxes);
+  const auto peak_mb = [&](int frames) {
+    const fs::path out = folder_.path() / "run";
+    const ProcessResult run =
+        Program({"run", drive.string(), "-o", out.string(), "--variant", "full", "--detections",
+                 detections.string(), "--frames", StrCat("0:", frames), "--threads", "1", "-q"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return ReadJson(out / "timing.json")["peak_memory_mb"].get<double>();
+  };
+  EXPECT_LT(peak_mb(kFrames) - peak_mb(12), 25.0);
 }
 
 TEST_F(FolderFaults, RemovesFilesOfKilledProcesses) {
