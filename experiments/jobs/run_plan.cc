@@ -131,8 +131,8 @@ class JobRunner {
       if (IsDone(job, end)) {
         RemoveFailure(run_.folder, job.job);
       } else if (!stopped_) {
-        const std::string message = end.ok ? ProblemOfResult(run_.folder, job)
-                                           : MessageOf(end, run_.folder.log(job.job));
+        const std::string message =
+            end.ok ? ProblemOfResult(run_.folder, job) : MessageOf(end, run_.folder.log(job.job));
         WriteFailure(run_.folder, job.job, message);
         run_.notice(StrCat("failed: ", Describe(job.cell), ": ", message));
       }

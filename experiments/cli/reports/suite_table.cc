@@ -31,7 +31,7 @@ int OutputSuiteTable(const std::filesystem::path& folder, const TableFormat& for
               << "written: " << (folder / "table.json").string()
               << " and table.md, with the definitions of the columns\n";
   }
-  return reports::IsComplete(table) ? 0 : kTableIncomplete;
+  return reports::IsComplete(table) ? 0 : kIncomplete;
 }
 
 }  // namespace cvo
