@@ -29,7 +29,8 @@ void InheritIdentities(const std::vector<LostCluster>& lost, FrameId newest,
                        ClusterMap& map);
 
 // Clusters that go on under an earlier id: their frame is aligned with what it was, by landmarks
-// that look alike, until then, after enough boxes, by the prediction and the centres that they show.
+// that look alike, until then, after enough boxes, by the prediction and the centres that they
+// show.
 void AlignInheritedFrames(const IdentityOptions& identity,
                           const ClusterAssociationOptions& association, FrameId newest,
                           ClusterMap& map, Rng& rng);
