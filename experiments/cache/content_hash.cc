@@ -10,11 +10,9 @@
 namespace cvo {
 
 std::string HashFile(const std::filesystem::path& file) {
-  try {
-    return Sha256Hex(ReadFileBytes(file));
-  } catch (const Error&) {
-    return "";
-  }
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return "";
+  return Sha256Hex(ReadFileBytes(file));
 }
 
 ImageHashes HashPair(const StereoPaths& pair) {
