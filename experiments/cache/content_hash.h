@@ -23,8 +23,8 @@ std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>
 // Every number of the camera, in the order of its declaration.
 Json CameraNumbers(const StereoCamera& camera);
 
-// SHA-256 of a file's bytes; empty where there is none, or a folder or a pipe. Throws Error where it
-// cannot be read: what is planned with another hash would be another job.
+// SHA-256 of a file's bytes; empty where there is none, or a folder or a pipe. Throws Error where
+// it cannot be read: what is planned with another hash would be another job.
 std::string HashFile(const std::filesystem::path& file);
 ImageHashes HashPair(const StereoPaths& pair);
 // Of every frame; reads all images.
