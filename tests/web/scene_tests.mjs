@@ -46,7 +46,7 @@ export const sceneTests = {
     assert.notEqual(third.words, first.words);
     assert.match(third.label, /frame 2/);
     assert.match(await slider.getAttribute('aria-valuetext'), /frame 2 \(3 of 6\)/);
-    assert.ok(await good.page.locator('.frame-image').evaluate((image) => image.naturalWidth > 0 && image.naturalWidth <= 320));
+    assert.ok(await good.page.locator('.frame-image').first().evaluate((image) => image.naturalWidth > 0 && image.naturalWidth <= 320));
   },
 
   async 'it plays to the end and stops, and pauses'({ good }) {
@@ -66,12 +66,12 @@ export const sceneTests = {
 
   async 'another run, and from above'({ good }) {
     await openScenes(good.page);
-    await good.page.locator('#scene-view select').selectOption({ label: 'tiny, 2d, seed 1' });
-    assert.match(await good.page.locator('.frame figcaption').textContent(), /one estimator per sequence/);
+    await good.page.locator('#scene-view select').first().selectOption({ label: 'tiny, 2d, seed 1' });
+    assert.match(await good.page.locator('.frame figcaption').first().textContent(), /one estimator per sequence/);
     await good.page.getByLabel('from above (2D)').check();
     assert.equal((await seen(good.page)).type, 'scatter');
     await good.page.getByLabel('from above (2D)').uncheck();
-    await good.page.locator('#scene-view select').selectOption({ index: 0 });
+    await good.page.locator('#scene-view select').first().selectOption({ index: 0 });
     assert.equal((await seen(good.page)).type, 'scatter3d');
   },
 

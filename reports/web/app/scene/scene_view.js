@@ -39,7 +39,7 @@ function besideParts() {
   return {
     side: element('div', { class: 'scene-side', hidden: '' }),
     name: element('h3'),
-    image: element('img', { alt: '', class: 'frame-image' }),
+    image: element('img', { alt: 'no run beside', class: 'frame-image' }),
     imageNote: element('figcaption'),
     words: element('ul', { class: 'words' }),
   };
