@@ -88,8 +88,8 @@ void CheckFlags(int argc, char** argv, const CLI::App& program) {
     if (std::find(names.begin(), names.end(), flag) != names.end()) continue;
     const std::string meant = DidYouMean(flag, names);
     if (meant.empty()) continue;  // the parser says what it is
-    throw CLI::ExtrasError(StrCat(CommandName(*app), " has no flag ", flag, meant),
-                           CLI::ExitCodes::ExtrasError);
+    const std::string command = CommandName(*app);
+    throw UsageError(StrCat(command, " has no flag ", flag, meant, " (see ", command, " --help)"));
   }
 }
 

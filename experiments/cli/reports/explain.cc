@@ -161,7 +161,12 @@ int ExplainBody(const ExplainFlags& flags, const ExplainedRun& read) {
 }
 
 int Explain(const ExplainFlags& flags) {
-  if (!flags.output.empty()) CheckOutputFile(flags.output, {flags.run});
+  if (!flags.output.empty()) {
+    if (fs::path(flags.output).extension() != ".png") {
+      throw UsageError(StrCat("-o ", flags.output, ": expected a name that ends in .png"));
+    }
+    CheckOutputFile(flags.output, {flags.run});
+  }
   const ExplainedRun read = ReadExplained(flags);
   if (!flags.body.empty()) return ExplainBody(flags, read);
   PrintBodies(read);

@@ -67,7 +67,9 @@ TEST_F(Cli, UnknownVariant) {
 
 TEST_F(Cli, NamesNearTheOnesThatWereGiven) {
   EXPECT_THAT(FailingRun({"--varient", "full"}),
-              FailsWith(2, "clustervo run has no flag --varient (did you mean --variant?)"));
+              FailsWith(2,
+                        "clustervo run has no flag --varient (did you mean --variant?) (see "
+                        "clustervo run --help)"));
   EXPECT_THAT(
       RunProgram({"experiment", "plan", "ci", "--outptu=x"}),
       FailsWith(2, "clustervo experiment plan has no flag --outptu (did you mean --output?"));

@@ -57,6 +57,7 @@ TEST_F(CliExplain, BadInputGivesOneLine) {
               "BODY: found \"chair_2\" (did you mean chair_1?), expected one of ball_1, ");
   ExpectError(RunProgram({"explain", Path("scene")}), "scene: found no result.json");
   EXPECT_EQ(RunProgram({"explain", Path("run"), "--oracles"}).exit_code, 2);
+  EXPECT_EQ(RunProgram({"explain", Path("run"), "chair_1", "-o", Path("a.gif")}).exit_code, 2);
   folder_->Write("bare/result.json", "{}");
   ExpectError(RunProgram({"explain", Path("bare")}), "expected a run with --landmarks");
 }
