@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/number.h"
 #include "reports/runs/body_story.h"
 
@@ -40,10 +41,6 @@ BodyStage CauseOf(const Stretch& stretch) {
   return part.Cause();
 }
 
-std::string FramesText(std::size_t count) {
-  return count == 1 ? "1 frame" : StrCat(count, " frames");
-}
-
 // The `most` longest that are not good, by where they begin.
 std::vector<std::size_t> Longest(const std::vector<Stretch>& stretches, std::size_t most) {
   std::vector<std::size_t> bad;
@@ -78,7 +75,7 @@ void AddStretch(const std::vector<Stretch>& stretches, std::size_t i,
   const auto shows = std::find_if(stretch.frames.begin(), stretch.frames.end(),
                                   [cause](const auto* frame) { return frame->stage == cause; });
   AddEvent((*shows)->frame,
-           StrCat(what, " for ", FramesText(stretch.frames.size()), " from ",
+           StrCat(what, " for ", Counted(stretch.frames.size(), "frame"), " from ",
                   stretch.frames.front()->frame, " on: ", StageName(cause)),
            events);
   if (i + 1 < stretches.size() && stretch.state == State::kLost && !begins) {

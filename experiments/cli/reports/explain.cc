@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/closest_names.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
@@ -81,9 +82,7 @@ const reports::BodyDetail& FindBodyNamed(const std::string& name,
     if (body.name == name || StrCat(body.id) == name) return body;
     names.push_back(body.name);
   }
-  std::string all;
-  for (const std::string& known : names) all += (all.empty() ? "" : ", ") + known;
-  ThrowError("BODY", Quoted(name) + DidYouMean(name, names), "one of " + all);
+  ThrowError("BODY", Quoted(name) + DidYouMean(name, names), "one of " + Joined(names, ", "));
 }
 
 // One line per body, those with most that is wrong first.
