@@ -8,35 +8,36 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "experiments/cli/command.h"
 
 namespace cvo {
 namespace {
+
+std::vector<const CLI::App*> CommandsBelow(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
 
 using VisitApp = std::function<void(const std::string& path, const CLI::App& app)>;
 
 // Every command with the words that lead to it, "clustervo experiment run".
 void ForEachCommand(const std::string& path, const CLI::App& app, const VisitApp& visit) {
   visit(path, app);
-  for (const CLI::App* below : app.get_subcommands([](const CLI::App*) { return true; })) {
+  for (const CLI::App* below : CommandsBelow(app)) {
     ForEachCommand(path + " " + below->get_name(), *below, visit);
   }
 }
 
-void AddWord(const std::string& word, std::string& words) {
-  words += (words.empty() ? "" : " ") + word;
-}
-
 // Names of commands below, and flags.
 std::string WordsAfter(const CLI::App& app) {
-  std::string words;
-  for (const CLI::App* below : app.get_subcommands([](const CLI::App*) { return true; })) {
-    AddWord(below->get_name(), words);
+  std::vector<std::string> words;
+  for (const CLI::App* below : CommandsBelow(app)) {
+    words.push_back(below->get_name());
   }
   for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) AddWord("--" + name, words);
+    for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
   }
-  return words;
+  return Joined(words, " ");
 }
 
 // With `before` in front of each of these characters.
@@ -77,11 +78,11 @@ std::string BashCompletion(const CLI::App& program) {
       "  for ((i = 1; i < COMP_CWORD; i++)); do\n"
       "    case \"$path ${COMP_WORDS[i]}\" in\n      ",
       [&] {
-        std::string paths;
+        std::vector<std::string> paths;
         ForEachCommand("clustervo", program, [&](const std::string& path, const CLI::App&) {
-          if (path != "clustervo") paths += (paths.empty() ? "'" : "|'") + path + "'";
+          if (path != "clustervo") paths.push_back("'" + path + "'");
         });
-        return paths;
+        return Joined(paths, "|");
       }(),
       ") path=\"$path ${COMP_WORDS[i]}\" ;;\n"
       "    esac\n"
@@ -105,7 +106,7 @@ std::string FishCompletion(const CLI::App& program) {
       lines += StrCat("complete -c clustervo -n '", inside, "' ", what, " -d '",
                       Escaped(about, "'\\", "\\"), "'\n");
     };
-    for (const CLI::App* below : app.get_subcommands([](const CLI::App*) { return true; })) {
+    for (const CLI::App* below : CommandsBelow(app)) {
       add("-a " + below->get_name(), below->get_description());
     }
     for (const CLI::Option* option : app.get_options()) {
