@@ -89,6 +89,17 @@ struct AddReacquisition : Base {
 };
 
 template <typename Base>
+struct AddLeftImage : Base {
+  static constexpr std::string_view kRung = "left_image";
+  static constexpr std::string_view kAdds =
+      "landmarks of bodies are also found where the left image alone shows them";
+  static void SetDefaults(Options& options) {
+    Base::SetDefaults(options);
+    options.association.left_only = Options().association.left_only;
+  }
+};
+
+template <typename Base>
 struct AddMissedDetections : Base {
   static constexpr std::string_view kRung = "missed_detections";
   static constexpr std::string_view kAdds = "a missed detection is no evidence against a cluster";

@@ -22,6 +22,7 @@ struct ClusterAssociationOptions {
   double rematch_ratio = 0.85;
   int ransac_iterations = 100;
   int min_rematch = 7;
+  bool left_only = true;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
@@ -81,6 +82,11 @@ struct ClusterAssociationOptions {
         {"landmarks", 3, 1000,
          "minimum consistent landmarks to accept a pose that was not predicted",
          "three fix the pose; four more agree by chance in less than one box in a thousand"});
+    visit.Field("left_only", self.left_only,
+                {"1", 0, 1,
+                 "whether landmarks of clusters are also found in the left image alone, where the "
+                 "right one does not show them",
+                 "METHOD.md 4.7"});
   }
 };
 

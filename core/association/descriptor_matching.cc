@@ -19,6 +19,7 @@ std::vector<Match> MatchDescriptors(std::span<const Descriptor> landmarks,
     int second = kNone;
     int best_feature = -1;
     for (int k = 0; k < static_cast<int>(features.size()); ++k) {
+      if (IsLeftOnly(features[k])) continue;
       const int hamming = HammingDistance(landmarks[i], features[k].descriptor);
       best_of_feature[k] = std::min(best_of_feature[k], hamming);
       if (hamming < best) {

@@ -11,7 +11,8 @@
 namespace cvo {
 
 // Brute force over descriptors alone: mutually nearest pairs within max_hamming whose best distance
-// is at most `ratio` of the second best. For a frame about which no prediction can be trusted.
+// is at most `ratio` of the second best; features of the left image alone are left out. For a frame
+// about which no prediction can be trusted.
 std::vector<Match> MatchDescriptors(std::span<const Descriptor> landmarks,
                                     std::span<const StereoFeature> features, int max_hamming,
                                     double ratio);

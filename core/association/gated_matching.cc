@@ -12,8 +12,16 @@
 namespace cvo {
 namespace {
 
+// Within this distance of its border the right image shows few corners.
+constexpr double kRightBorder_px = 16.0;
 // Below this pivot, px^2, a covariance says nothing that could be tested.
 constexpr double kMinPivot_px2 = 1e-9;
+
+double SearchRadius(const auto& innovation_px2, const ClusterAssociationOptions& options) {
+  const double variance_px2 = std::max(innovation_px2(0, 0), innovation_px2(1, 1));
+  return std::clamp(std::sqrt(options.gamma * variance_px2), options.min_radius_px,
+                    options.max_radius_px);
+}
 
 // The unique most similar feature that is_inside accepts, or -1.
 template <typename IsInside>
@@ -50,9 +58,7 @@ std::vector<Match> FindGated(std::span<const PredictedLandmark> landmarks, const
     const Eigen::Matrix3d& S = landmarks[i].*covariance;
     const Eigen::LDLT<Eigen::Matrix3d> factor(S);
     if (!(factor.vectorD().minCoeff() > kMinPivot_px2)) continue;
-    const double radius = std::clamp(std::sqrt(options.gamma * std::max(S(0, 0), S(1, 1))),
-                                     options.min_radius_px, options.max_radius_px);
-    Match match = FindSimilar(landmarks[i], grid, is_taken, radius, options,
+    Match match = FindSimilar(landmarks[i], grid, is_taken, SearchRadius(S, options), options,
                               [&](const Eigen::Vector3d& innovation) {
                                 return innovation.dot(factor.solve(innovation)) < options.gamma;
                               });
@@ -64,6 +70,32 @@ std::vector<Match> FindGated(std::span<const PredictedLandmark> landmarks, const
 }
 
 }  // namespace
+
+void AddLeftOnlyMatches(std::span<const PredictedLandmark> landmarks, const FeatureGrid& grid,
+                        const ClusterAssociationOptions& options, std::vector<Match>& matches) {
+  std::vector<char> is_matched(landmarks.size(), 0);
+  for (const Match& match : matches) is_matched[match.landmark] = 1;
+  std::vector<char> has_disparity;
+  for (const StereoFeature& feature : grid.features())
+    has_disparity.push_back(!IsLeftOnly(feature));
+  std::vector<Match> candidates;
+  for (int i = 0; i < static_cast<int>(landmarks.size()); ++i) {
+    if (is_matched[i] || landmarks[i].zeta_px[2] > kRightBorder_px) continue;
+    const Eigen::Matrix2d S = landmarks[i].innovation_px2.topLeftCorner<2, 2>();
+    const Eigen::Matrix2d information = S.inverse();
+    Match match = FindSimilar(landmarks[i], grid, has_disparity, SearchRadius(S, options), options,
+                              [&](const Eigen::Vector3d& innovation) {
+                                const Eigen::Vector2d d = innovation.head<2>();
+                                return d.dot(information * d) < options.gamma;
+                              });
+    match.landmark = i;
+    if (match.feature >= 0) candidates.push_back(match);
+  }
+  const std::vector<Match> added =
+      KeepOneToOne(std::move(candidates), static_cast<int>(landmarks.size()),
+                   static_cast<int>(grid.features().size()));
+  matches.insert(matches.end(), added.begin(), added.end());
+}
 
 std::vector<Match> ProbabilisticAssociation::Find(std::span<const PredictedLandmark> landmarks,
                                                   const FeatureGrid& grid,

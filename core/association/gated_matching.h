@@ -22,6 +22,12 @@ struct PredictedLandmark {
   Descriptor descriptor{};
 };
 
+// Landmarks that are left of what the right image shows, among the features of the left image
+// alone: the most similar descriptor within the gate on (u_left, v); unique and one-to-one.
+// `matches` grow.
+void AddLeftOnlyMatches(std::span<const PredictedLandmark> landmarks, const FeatureGrid& grid,
+                        const ClusterAssociationOptions& options, std::vector<Match>& matches);
+
 // How a feature is found for a predicted landmark (Eq. 2 of the paper): the most similar descriptor
 // among the features within the gate; unique and one-to-one. Features with is_taken are left out.
 template <typename Policy>

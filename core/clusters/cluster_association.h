@@ -80,8 +80,11 @@ std::vector<ClusterTrack> AssociateClusters(const FrameView& view, const Cluster
     tracks[q].world_from_object = tracks[q].predicted.world_from_object;
   }
   const internal::PredictedLandmarks landmarks = internal::PredictLandmarks(view, map, tracks);
-  const std::vector<Match> matches =
+  std::vector<Match> matches =
       LandmarkAssociation::Find(landmarks.predicted, view.grid, taken, view.options.association);
+  if (view.options.association.left_only) {
+    AddLeftOnlyMatches(landmarks.predicted, view.grid, view.options.association, matches);
+  }
   internal::TrackClusters(view, map, landmarks.source, matches, rng, taken, tracks);
 
   const std::vector<ImageBox> boxes = internal::BoxesOf(view.shown.detections);

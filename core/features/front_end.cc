@@ -51,7 +51,7 @@ std::vector<StereoFeature> ExtractStereoFeatures(const cv::Mat& left, const cv::
     extracted[i] = i == 0 ? ExtractOrb(left, orb, LeftRegions(boxes, orb))
                           : ExtractOrb(right, right_orb, RightRegions(boxes, orb, stereo, camera));
   });
-  return MatchStereo(extracted[0], extracted[1], camera, orb, stereo);
+  return MatchStereo(extracted[0], extracted[1], camera, orb, stereo, boxes);
 }
 
 }  // namespace cvo

@@ -19,7 +19,7 @@ OrbOptions RightOrb(const OrbOptions& orb, const StereoMatchOptions& stereo);
 // Corners of the left image with their columns in the right one, sorted by (v, u, octave). Images
 // are CV_8UC1 and of the camera's size: throws Error otherwise. Uses two threads of the pool; the
 // result does not depend on their number. `boxes`: where bodies may be in the left image
-// (OrbOptions::box_features).
+// (OrbOptions::box_features); there also corners that the right image does not show.
 std::vector<StereoFeature> ExtractStereoFeatures(const cv::Mat& left, const cv::Mat& right,
                                                  const StereoCamera& camera, const OrbOptions& orb,
                                                  const StereoMatchOptions& stereo, TaskPool& pool,

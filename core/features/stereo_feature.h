@@ -9,7 +9,12 @@
 
 namespace cvo {
 
-// A corner of the left image that was found in the right one: z of the paper's section 3.
+// The disagreement of a corner that was not found in the right image: the column there says
+// nothing.
+inline constexpr float kNoDisparity_px = 1e3F;
+
+// A corner of the left image that was found in the right one: z of the paper's section 3. In boxes
+// there are also those that were not: u_right is u_left until the body that they lie on is known.
 struct StereoFeature {
   Eigen::Vector3d z_px = Eigen::Vector3d::Zero();  // (u_left, v, u_right), u_left > u_right
   int octave = 0;                                  // pyramid level, scale = scale_factor^octave
@@ -25,5 +30,8 @@ struct StereoFeature {
   // z_px is where the landmark's reference was found, not where the corner is.
   bool is_aligned = false;
 };
+
+// Of a feature or an observation of one.
+bool IsLeftOnly(const auto& seen) { return seen.disagreement_px >= kNoDisparity_px; }
 
 }  // namespace cvo

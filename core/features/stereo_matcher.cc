@@ -163,6 +163,19 @@ RowOffset FitRowOffset(const std::vector<Pair>& pairs, const cv::Mat& image, dou
   return {samples, static_cast<double>(image.cols), static_cast<double>(image.rows)};
 }
 
+StereoFeature FeatureOf(const OrbKeypoint& corner, double u_right, float disagreement_px) {
+  StereoFeature feature;
+  feature.z_px = {corner.u_px, corner.v_px, u_right};
+  feature.octave = corner.octave;
+  feature.angle_rad = corner.angle_rad;
+  feature.response = corner.response;
+  feature.is_reserve = corner.is_reserve;
+  feature.disagreement_px = disagreement_px;
+  feature.descriptor = corner.descriptor;
+  feature.patch = corner.patch;
+  return feature;
+}
+
 struct AlignedFeature {
   StereoFeature feature;
   double sigma;  // of the column in the right image, px of the level
@@ -184,16 +197,8 @@ std::optional<AlignedFeature> Align(const OrbImage& left, const OrbImage& right,
   if (!match) return std::nullopt;
   const double u_right = coordinates.FullU(match->u_right);
   if (corner.u_px - u_right < options.min_disparity_px) return std::nullopt;
-  StereoFeature feature;
-  feature.z_px = {corner.u_px, corner.v_px, u_right};
-  feature.octave = corner.octave;
-  feature.angle_rad = corner.angle_rad;
-  feature.response = corner.response;
-  feature.is_reserve = corner.is_reserve;
-  feature.disagreement_px = static_cast<float>(match->disagreement);
-  feature.descriptor = corner.descriptor;
-  feature.patch = corner.patch;
-  return AlignedFeature{feature, match->sigma};
+  const auto disagreement_px = static_cast<float>(match->disagreement);
+  return AlignedFeature{FeatureOf(corner, u_right, disagreement_px), match->sigma};
 }
 
 // Features whose disparity is far less certain than the median of all are dropped: patches that
@@ -213,13 +218,34 @@ std::vector<StereoFeature> DropUncertain(const std::vector<AlignedFeature>& alig
   return features;
 }
 
+// `matched` and the other corners in boxes, in the order of the corners.
+std::vector<StereoFeature> WithLeftOnly(std::span<const OrbKeypoint> corners,
+                                        const std::vector<cv::Rect2d>& boxes,
+                                        const std::vector<StereoFeature>& matched) {
+  if (boxes.empty()) return matched;
+  std::vector<StereoFeature> features;
+  auto next = matched.begin();
+  for (const OrbKeypoint& corner : corners) {
+    if (next != matched.end() && next->z_px[0] == corner.u_px && next->z_px[1] == corner.v_px &&
+        next->octave == corner.octave) {
+      features.push_back(*next++);
+      continue;
+    }
+    const bool is_boxed = std::any_of(boxes.begin(), boxes.end(), [&](const cv::Rect2d& box) {
+      return box.contains({corner.u_px, corner.v_px});
+    });
+    if (is_boxed) features.push_back(FeatureOf(corner, corner.u_px, kNoDisparity_px));
+  }
+  return features;
+}
+
 }  // namespace
 
 std::vector<StereoFeature> MatchStereo(const OrbImage& left, const OrbImage& right,
                                        const StereoCamera& camera, const OrbOptions& orb,
-                                       const StereoMatchOptions& options) {
+                                       const StereoMatchOptions& options,
+                                       const std::vector<cv::Rect2d>& boxes) {
   options.Check();
-  if (left.keypoints.empty() || right.keypoints.empty()) return {};
   const PairFinder finder(left, right, camera, orb, options);
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < left.keypoints.size(); ++i) {
@@ -238,7 +264,7 @@ std::vector<StereoFeature> MatchStereo(const OrbImage& left, const OrbImage& rig
     const auto feature = Align(left, right, pair, applied, options);
     if (feature) aligned.push_back(*feature);
   }
-  return DropUncertain(aligned, options.max_sigma_medians);
+  return WithLeftOnly(left.keypoints, boxes, DropUncertain(aligned, options.max_sigma_medians));
 }
 
 }  // namespace cvo

@@ -29,6 +29,7 @@ std::vector<int> SceneFeatures(const std::vector<StereoFeature>& features,
                                std::span<const Detection> detections) {
   std::vector<int> indices;
   for (int i = 0; i < static_cast<int>(features.size()); ++i) {
+    if (IsLeftOnly(features[i])) continue;
     if (!features[i].is_reserve || IsDetected(detections, features[i])) indices.push_back(i);
   }
   return indices;
@@ -54,9 +55,9 @@ std::vector<FramePoint> CollectPoints(const FrameView& view,
     point.feature = i;
     const StereoFeature& feature = view.frame.features[i];
     const bool is_new = point.owner == kNoOwner;
-    if (is_new && view.camera.Disparity(feature.z_px) < view.options.tracking.min_disparity_px) {
-      continue;
-    }
+    const bool is_far =
+        view.camera.Disparity(feature.z_px) < view.options.tracking.min_disparity_px;
+    if (is_new && (is_far || IsLeftOnly(feature))) continue;
     const bool is_wanted = !feature.is_reserve || IsDetected(view.shown.detections, feature) ||
                            IsExpected(tracks, feature);
     if (is_new && !is_wanted) continue;

@@ -85,6 +85,7 @@ void Observe(const FrameView& view, const WindowFrame& frame, const Reassignment
       target.world_from_object.Inverse() * frame.world_from_camera;
   landmark.view_in_object =
       (Eigen::Vector3d(object_from_camera.translation()) - landmark.p_in_object).normalized();
+  if (IsLeftOnly(feature)) return;
   const Eigen::Matrix3d in_camera = view.camera.PointCovariance(
       feature.z_px, view.options.NoiseOfFeatures().Covariance(feature.octave));
   const double determinant = in_camera.determinant();
@@ -161,6 +162,8 @@ class Updater {
     if (label.cluster == owner) {
       landmark.label = label;
     } else {
+      // Where it is on another body is not known.
+      if (IsLeftOnly(feature)) return;
       ReassignmentTarget* to = targets_.Find(label.cluster);
       // One that cannot take it in leaves it where it is; what is no body's is removed.
       if (to || !label.cluster.valid()) {

@@ -9,6 +9,7 @@
 #include "core/clusters/cluster_optimization.h"
 #include "core/clusters/ground_direction.h"
 #include "core/clusters/landmark_alignment.h"
+#include "core/clusters/left_only.h"
 #include "core/estimation/double_track.h"
 #include "core/interface/odometry.h"
 #include "core/labelling/cluster_birth.h"
@@ -42,7 +43,9 @@ class VisualOdometry final : public Odometry {
     CheckGiven(input);
     StereoFrame frame = input;  // features that are matched move
     FrameReport report = Begin(frame.timestamp_ns);
-    report.features = static_cast<int>(frame.features.size());
+    report.features = static_cast<int>(
+        std::count_if(frame.features.begin(), frame.features.end(),
+                      [](const StereoFeature& feature) { return !IsLeftOnly(feature); }));
     const ShownBodies shown = Variant::Detections::Show(frame);
     const FeatureGrid grid(frame.features, camera_);
     const FeatureGrid scene_grid(frame.features, camera_,
@@ -68,16 +71,19 @@ class VisualOdometry final : public Odometry {
     std::vector<ClusterTrack> cluster_tracks;
     {
       const ScopedStage stage(times, "associate");
-      TakenFeatures taken = TakenBy(static_matches, frame.features.size());
+      TakenFeatures taken = TakenBy(static_matches, frame.features);
       cluster_tracks = AssociateClusters<typename Variant::LandmarkAssociation,
                                          typename Variant::BoxWeights, typename Variant::BoxCost,
                                          typename Variant::ClassGate, typename Variant::BoxRematch>(
           view, PredictorOfClusters(), clusters_, cluster_rng_, taken);
       for (std::size_t q = 0; q < cluster_tracks.size(); ++q) {
-        if (!cluster_tracks[q].is_tracked) continue;
-        AlignToLandmarks(options_,
-                         entering.world_from_camera.Inverse() * cluster_tracks[q].world_from_object,
-                         clusters_.live[q].landmarks, cluster_tracks[q].matches, frame.features);
+        const ClusterTrack& found = cluster_tracks[q];
+        if (!found.is_tracked) continue;
+        const RigidTransform camera_from_object =
+            entering.world_from_camera.Inverse() * found.world_from_object;
+        const std::vector<Landmark>& landmarks = clusters_.live[q].landmarks;
+        AlignToLandmarks(options_, camera_from_object, landmarks, found.matches, frame.features);
+        PlaceLeftOnly(window_.camera, camera_from_object, landmarks, found.matches, frame.features);
       }
     }
 
@@ -176,8 +182,11 @@ class VisualOdometry final : public Odometry {
     window_ = Window{camera_, CalibrationPrior(camera_, deviation_px), {}, {}, {}};
   }
 
-  static TakenFeatures TakenBy(const std::vector<Match>& matches, std::size_t features) {
-    TakenFeatures taken(features, 0);
+  // Those of the left image alone are for AddLeftOnlyMatches.
+  static TakenFeatures TakenBy(const std::vector<Match>& matches,
+                               const std::vector<StereoFeature>& features) {
+    TakenFeatures taken(features.size(), 0);
+    for (std::size_t i = 0; i < features.size(); ++i) taken[i] = IsLeftOnly(features[i]);
     for (const Match& match : matches) taken[match.feature] = 1;
     return taken;
   }

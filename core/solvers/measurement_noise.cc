@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/solvers/measurement_noise.h"
 
+#include "core/features/stereo_feature.h"
+
 namespace cvo {
 
 Eigen::Matrix3d SqrtInformation(const NoiseOptions& noise, double scale) {
@@ -28,7 +30,9 @@ Eigen::Matrix3d FeatureNoise::SqrtInformation(int octave, bool is_aligned,
                                               double disagreement_px) const {
   NoiseOptions noise = options;
   if (is_aligned) noise.corner_px = options.aligned_px;
-  if (noise.disagreement > 0.0) {
+  if (disagreement_px >= kNoDisparity_px) {
+    noise.disparity_px = disagreement_px;
+  } else if (noise.disagreement > 0.0) {
     noise.disparity_px = std::hypot(noise.least_disparity_px, noise.disagreement * disagreement_px);
   }
   return cvo::SqrtInformation(noise, std::pow(scale_factor, octave));

@@ -74,11 +74,12 @@ struct LookAhead::Slot {
   bool BothValid() const { return sides[0].problem.empty() && sides[1].problem.empty(); }
 
   // The pyramids are of no use once matched; frames wait here without them.
-  void Match(const Sequence& sequence, const Options& options) {
+  void Match(const Sequence& sequence, const Options& options,
+             const std::vector<cv::Rect2d>& boxes) {
     if (BothValid()) {
       const ScopedStage stage(match_times_s, "match_stereo");
-      features =
-          MatchStereo(sides[0].orb, sides[1].orb, sequence.camera, options.orb, options.stereo);
+      features = MatchStereo(sides[0].orb, sides[1].orb, sequence.camera, options.orb,
+                             options.stereo, boxes);
     }
     for (Side& side : sides) side.orb = {};
   }
@@ -110,7 +111,7 @@ void LookAhead::SubmitNext() {
                         : RightRegions(boxes, options.orb, options.stereo, sequence.camera);
           slot->sides[side] = PrepareSide({sequence, index, static_cast<int>(side)}, orb, regions);
           // Whichever image is ready last matches the pair; an error leaves the count above zero.
-          if (slot->unfinished.fetch_sub(1) == 1) slot->Match(sequence, options);
+          if (slot->unfinished.fetch_sub(1) == 1) slot->Match(sequence, options, boxes);
         });
   }
   ahead_.push_back(std::move(next));

@@ -118,6 +118,25 @@ TEST(ProbabilisticAssociationLiteral, MissesMostOfWhatItShouldAccept) {
   EXPECT_NEAR(Acceptance<ProbabilisticAssociation>(scene, 4.0), 0.74, 0.015);
 }
 
+TEST(AddLeftOnlyMatches, FindsLandmarksLeftOfTheRightImage) {
+  Rng rng(4, "gate");
+  Scene scene;
+  const Eigen::Matrix3d still = Eigen::Matrix3d::Zero();
+  const Eigen::Matrix3d measurement = Eigen::Matrix3d::Identity();
+  for (const double du_px : {1.0, 1.0, 5.0, 0.0, 0.0}) {
+    scene.Add(still, measurement, {du_px, 0.0, 20.0}, rng);
+    if (scene.landmarks.size() < 5) scene.landmarks.back().zeta_px[2] = -3.0;
+  }
+  // The second has a disparity, the third is too far off, the fourth is found already and the right
+  // image should show the fifth.
+  for (const int i : {0, 2, 3, 4}) scene.features[i].disagreement_px = kNoDisparity_px;
+  std::vector<Match> matches = {{3, 1, 0}};
+  AddLeftOnlyMatches(scene.landmarks, scene.Grid(), {}, matches);
+  ASSERT_THAT(matches, SizeIs(2));
+  EXPECT_EQ(matches[1].landmark, 0);
+  EXPECT_EQ(matches[1].feature, 0);
+}
+
 TEST(ProbabilisticAssociation, GateIsAnEllipsoidInAllThreeCoordinates) {
   Rng rng(3, "gate");
   // u_left and u_right move together: a change of disparity is far less likely than one of place.

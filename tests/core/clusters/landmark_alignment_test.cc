@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "core/clusters/left_only.h"
+
 namespace cvo {
 namespace {
 
@@ -108,6 +110,37 @@ TEST(FeatureNoise, TrustsDisparitiesAsTheirPatchesAgree) {
   EXPECT_NEAR(sigma(2, 0.02), 0.2, 1e-12);
   noise.options.disagreement = 0.0;
   EXPECT_NEAR(sigma(0, 0.02), 0.3, 1e-12);
+}
+
+TEST(FeatureNoise, DisparitiesOfTheLeftImageAloneSayNothing) {
+  FeatureNoise noise{{.corner_px = 0.5, .aligned_px = 0.1}, 1.2};
+  for (const double disagreement : {0.0, 3.0}) {
+    noise.options.disagreement = disagreement;
+    const Eigen::Matrix3d W = noise.SqrtInformation(0, false, kNoDisparity_px);
+    EXPECT_NEAR(W(0, 0), 2.0, 1e-12);
+    EXPECT_LE(W.row(2).norm(), 2e-3);
+  }
+}
+
+TEST(PlaceLeftOnly, GivesTheDisparityOfTheLandmarkToThoseWithoutOne) {
+  const StereoCamera camera = {.fx = 400,
+                               .fy = 400,
+                               .cx = 320,
+                               .cy = 120,
+                               .baseline_m = 0.5,
+                               .width_px = 640,
+                               .height_px = 240};
+  Landmark landmark;
+  landmark.p_in_object = {-1.0, 0.2, 3.0};
+  const RigidTransform camera_from_object(Eigen::Quaterniond::Identity(),
+                                          Eigen::Vector3d(0.0, 0.0, 1.0));
+  std::vector<StereoFeature> features(2);
+  features[0].z_px = features[1].z_px = {221.0, 140.0, 221.0};
+  features[0].disagreement_px = kNoDisparity_px;
+  PlaceLeftOnly(camera, camera_from_object, {landmark}, {{0, 0, 10}, {0, 1, 10}}, features);
+  EXPECT_NEAR(features[0].z_px[2], 221.0 - 400 * 0.5 / 4.0, 1e-9);
+  EXPECT_EQ(features[0].z_px[0], 221.0);
+  EXPECT_EQ(features[1].z_px[2], 221.0);
 }
 
 }  // namespace

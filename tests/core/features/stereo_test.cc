@@ -201,6 +201,37 @@ TEST(ExtractStereoFeatures, SameForEveryNumberOfThreads) {
   }
 }
 
+TEST(ExtractStereoFeatures, KeepsCornersOfBoxesThatTheRightImageDoesNotShow) {
+  const cv::Mat scene = DrawScene(320, 240, 9);
+  const cv::Mat left = Render(scene, 0);
+  const cv::Mat right = Render(scene, 40 * kSubpixelSteps);
+  const cv::Rect2d box(0, 60, 38, 120);  // left of what the right image shows
+  TaskPool pool(1);
+  const OrbOptions orb = {.box_features = 0};
+  const auto found = [&](const std::vector<cv::Rect2d>& boxes) {
+    return ExtractStereoFeatures(left, right, CameraFor(left), orb, {}, pool, boxes);
+  };
+  const auto is_pair = [](const StereoFeature& feature) { return !IsLeftOnly(feature); };
+  const std::vector<StereoFeature> without = found({});
+  EXPECT_TRUE(std::all_of(without.begin(), without.end(), is_pair));
+  std::vector<StereoFeature> with = found({box});
+  const auto inside = [&](const StereoFeature& feature) {
+    return box.contains({feature.z_px[0], feature.z_px[1]});
+  };
+  EXPECT_TRUE(std::is_sorted(with.begin(), with.end(),
+                             [](const auto& a, const auto& b) { return a.z_px[1] < b.z_px[1]; }));
+  int left_only = 0;
+  for (const StereoFeature& feature : with) {
+    if (is_pair(feature)) continue;
+    ++left_only;
+    EXPECT_TRUE(inside(feature));
+    EXPECT_EQ(feature.z_px[2], feature.z_px[0]);
+  }
+  EXPECT_GT(left_only, 10);
+  std::erase_if(with, IsLeftOnly<StereoFeature>);
+  EXPECT_EQ(with.size(), without.size());
+}
+
 TEST(ExtractStereoFeatures, SaysWhatIsWrongWithAnImage) {
   const cv::Mat good(240, 320, CV_8UC1, cv::Scalar(0));
   TaskPool pool(1);

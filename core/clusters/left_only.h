@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/association/match.h"
+#include "core/estimation/landmark.h"
+#include "core/geometry/rigid_transform.h"
+#include "core/geometry/stereo_camera.h"
+
+namespace cvo {
+
+// Features of the left image alone that were matched with landmarks of a body get the disparity
+// that the body's pose gives these (METHOD.md 4.7).
+void PlaceLeftOnly(const StereoCamera& camera, const RigidTransform& camera_from_object,
+                   const std::vector<Landmark>& landmarks, const std::vector<Match>& matches,
+                   std::span<StereoFeature> features);
+
+}  // namespace cvo
