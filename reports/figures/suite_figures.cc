@@ -35,6 +35,7 @@ SuiteDrawing SuiteFigures(const SuiteData& data) {
         StrCat("Change of error by sequence, and error over coverage: ", rows,
                " rows of the table by sequence, at most ", kMaxSceneRows, " can be read."));
   }
+  DrawDriftReduction(data, drawing);
   DrawSensitivity(data, drawing);
   DrawErrorOverTime(data, drawing);
   DrawTrajectories(data, drawing);
