@@ -5,7 +5,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "experiments/metrics/object_scores.h"
 
@@ -76,27 +75,32 @@ NormalEquations Linearise(const MotionPairs& motions, std::size_t frames, const 
 
 }  // namespace
 
-// Gauss-Newton from the closed form over poses, as long as the errors fall. A body that hardly
-// turns leaves the translation undetermined: damped, it stays that of the start.
+// Levenberg-Marquardt from the closed form over poses. A body that hardly turns leaves the
+// translation undetermined: damped, it stays that of the start.
 RigidTransform AlignByMotions(const CommonPoses& poses, std::size_t frames) {
-  constexpr int kSteps = 50;
-  constexpr double kDamping = 1e-9;
+  constexpr int kSteps = 100;
+  constexpr double kLeastDamping = 1e-9;
   constexpr double kDone = 1e-12;
+  constexpr double kRounding = 1.0 + 1e-9;
   const MotionPairs motions = {Motions(poses.truth), Motions(poses.estimate)};
   CommonPoses first = poses;
   first.frames.resize(frames);
   RigidTransform X = AlignObject(first);
   RigidTransform best = X;
-  double least = std::numeric_limits<double>::infinity();
+  NormalEquations at_best = Linearise(motions, frames, X);
+  double damping = kLeastDamping;
   for (int step = 0; step < kSteps; ++step) {
-    NormalEquations equations = Linearise(motions, frames, X);
-    if (!(equations.cost < least)) break;
-    best = X;
-    least = equations.cost;
-    equations.normal.diagonal().array() += kDamping * static_cast<double>(frames);
-    const Vector6d tangent = -equations.normal.ldlt().solve(equations.gradient);
+    Matrix6d normal = at_best.normal;
+    normal.diagonal().array() += damping * static_cast<double>(frames);
+    const Vector6d tangent = -normal.ldlt().solve(at_best.gradient);
     if (!(tangent.norm() > kDone)) break;
-    X = X * RigidTransform(ExpSo3(tangent.head<3>()), Eigen::Vector3d(tangent.tail<3>()));
+    X = best * RigidTransform(ExpSo3(tangent.head<3>()), Eigen::Vector3d(tangent.tail<3>()));
+    const NormalEquations equations = Linearise(motions, frames, X);
+    const bool is_better = equations.cost <= kRounding * at_best.cost;
+    damping = is_better ? std::max(0.1 * damping, kLeastDamping) : 10.0 * damping;
+    if (!is_better) continue;
+    best = X;
+    at_best = equations;
   }
   return best;
 }
