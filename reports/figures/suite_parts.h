@@ -17,6 +17,8 @@ void DrawErrorOverCoverage(const SuiteData& data, const std::vector<SeriesRows>&
                            SuiteDrawing& drawing);
 void DrawErrorOverTime(const SuiteData& data, SuiteDrawing& drawing);
 void DrawTrajectories(const SuiteData& data, SuiteDrawing& drawing);
+// Which frames were in the two tracks, for the first run.
+void DrawFrameTracks(const SuiteData& data, SuiteDrawing& drawing);
 void DrawStageTimes(const SuiteData& data, SuiteDrawing& drawing);
 
 }  // namespace cvo::reports
