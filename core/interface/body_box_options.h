@@ -9,20 +9,56 @@
 
 namespace cvo {
 
+// The size of bodies of a class; 0 where their landmarks have to tell.
+struct ClassSize {
+  double length_m = 0.0;
+  double width_m = 0.0;
+  double height_m = 0.0;
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor& visit) {
+    constexpr const char* kSource =
+        "Car: mean of its rows in KITTI tracking's label_02; the others: means of KITTI's object "
+        "labels as in Frustum PointNets (Qi et al. 2018)";
+    visit.Field(
+        "length_m", self.length_m,
+        {"m", 0.0, 100.0, "length of every body of the class; 0: from its landmarks", kSource});
+    visit.Field(
+        "width_m", self.width_m,
+        {"m", 0.0, 100.0, "width of every body of the class; 0: from its landmarks", kSource});
+    visit.Field(
+        "height_m", self.height_m,
+        {"m", 0.0, 100.0, "height of every body of the class; 0: from its landmarks", kSource});
+  }
+};
+
 // The boxes that are reported of bodies (METHOD.md 10.4); the estimator itself does not use them.
 struct BodyBoxOptions {
   double quantile = 0.02;
   double footprint_ratio = 1.2;
-  double car_length_m = 3.883;
-  double car_width_m = 1.627;
-  double car_height_m = 1.516;
   double heading_deviations = 1.0;
   int max_views = 30;
 
-  // Length, height and width of bodies of the class; 0 where their landmarks have to tell.
+  ClassSize car = {3.883, 1.627, 1.516};
+  ClassSize van = {5.068, 1.901, 2.205};
+  ClassSize truck = {10.136, 2.585, 3.252};
+  ClassSize tram = {16.172, 2.532, 3.531};
+  ClassSize pedestrian = {0.844, 0.661, 1.763};
+  ClassSize person_sitting = {0.801, 0.598, 1.275};
+  ClassSize cyclist = {1.763, 0.597, 1.737};
+
+  // Length, height and width of bodies of the class, by KITTI's names; 0 where their landmarks have
+  // to tell.
   Eigen::Vector3d SizeOf(std::string_view category) const {
-    if (category != "Car") return Eigen::Vector3d::Zero();
-    return {car_length_m, car_height_m, car_width_m};
+    const ClassSize size = category == "Car"              ? car
+                           : category == "Van"            ? van
+                           : category == "Truck"          ? truck
+                           : category == "Tram"           ? tram
+                           : category == "Pedestrian"     ? pedestrian
+                           : category == "Person_sitting" ? person_sitting
+                           : category == "Cyclist"        ? cyclist
+                                                          : ClassSize();
+    return {size.length_m, size.height_m, size.width_m};
   }
 
   template <typename Self, typename Visitor>
@@ -38,13 +74,13 @@ struct BodyBoxOptions {
                  "that looks as wide as its detections: what lies along the line of sight is "
                  "hardly seen, and landmarks behind the body may be taken for its own",
                  "METHOD.md 10.4"});
-    constexpr const char* kMeanCar = "mean of the rows of class Car in KITTI tracking's label_02";
-    visit.Field("car_length_m", self.car_length_m,
-                {"m", 0.0, 30.0, "length of every car; 0: from its landmarks", kMeanCar});
-    visit.Field("car_width_m", self.car_width_m,
-                {"m", 0.0, 30.0, "width of every car; 0: from its landmarks", kMeanCar});
-    visit.Field("car_height_m", self.car_height_m,
-                {"m", 0.0, 30.0, "height of every car; 0: from its landmarks", kMeanCar});
+    visit.Group("car", self.car);
+    visit.Group("van", self.van);
+    visit.Group("truck", self.truck);
+    visit.Group("tram", self.tram);
+    visit.Group("pedestrian", self.pedestrian);
+    visit.Group("person_sitting", self.person_sitting);
+    visit.Group("cyclist", self.cyclist);
     visit.Field("heading_deviations", self.heading_deviations,
                 {"standard deviations", 0.0, 1e9,
                  "a body that moved by more than this many deviations of one triangulated point "

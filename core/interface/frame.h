@@ -128,6 +128,7 @@ struct FrameReport {
   int inliers = 0;                   // of these, consistent with the camera pose
   int new_landmarks = 0;
   int window_frames = 0;          // spatial and temporal track together, this frame included
+  std::vector<int> spatial_ages;  // of the spatial track, in frames before this one; oldest first
   int window_landmarks = 0;       // optimised with the window
   int window_iterations = 0;      // of the bundle adjustment
   SolverEndings window_endings;   // of the bundle adjustment

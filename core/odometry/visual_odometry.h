@@ -252,6 +252,9 @@ class VisualOdometry final : public Odometry {
     }
     report.world_from_camera = trajectory_.back();
     report.window_frames = static_cast<int>(window_.spatial.size() + window_.temporal.size());
+    for (const WindowFrame& frame : window_.spatial) {
+      report.spatial_ages.push_back(static_cast<int>(newest_.value - frame.id.value));
+    }
     motion_.Update(timestamp_ns_, report.world_from_camera);
     for (Cluster& cluster : clusters_.live) UpdateExtent(options_.extent, cluster);
     view.world_from_camera = report.world_from_camera;

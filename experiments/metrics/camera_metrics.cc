@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/median.h"
 #include "experiments/metrics/kitti_drift.h"
+#include "experiments/metrics/max_drift.h"
 
 namespace cvo {
 namespace {
@@ -85,6 +86,16 @@ void AddDrift(const KittiDrift& drift, const Frames& frames, std::vector<Metric>
   add(kCameraRDrift, drift.rotation_deg_per_100m);
 }
 
+void AddMaxDrift(const CommonPoses& poses, const Frames& frames, std::vector<Metric>& metrics) {
+  const auto drifts = MeasureMaxDrift(poses, AlignAtFirst(poses));
+  if (!drifts) return;
+  const std::array values = drifts->Values();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    metrics.push_back(
+        frames.Make(reports::MaxDriftMetric(kCameraMaxDrift, i), values[i], frames.common));
+  }
+}
+
 }  // namespace
 
 std::vector<Metric> EvaluateCamera(const OptionalPoses& truth, const OptionalPoses& estimate,
@@ -103,6 +114,7 @@ std::vector<Metric> EvaluateCamera(const OptionalPoses& truth, const OptionalPos
   AddAte(poses, frames, metrics);
   AddRpe(poses, frames, metrics);
   if (const auto drift = ComputeKittiDrift(truth, estimate)) AddDrift(*drift, frames, metrics);
+  AddMaxDrift(poses, frames, metrics);
   for (const Metric& metric : metrics) {
     if (!std::isfinite(metric.value)) ThrowError(metric.name, "an overflow", "a finite number");
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include "core/base/error.h"
@@ -107,16 +108,26 @@ void AddFractions(const Group& group, std::vector<Metric>& metrics) {
 }
 
 // The mean over the bodies that determine the value; absent where none does.
-void AddMean(const Group& group, MetricId id, std::optional<double> reports::BodyRow::*value,
-             std::vector<Metric>& metrics) {
+template <typename Value>
+void AddMean(const Group& group, MetricId id, Value value, std::vector<Metric>& metrics) {
   double sum = 0.0;
   std::int64_t n = 0;
   for (const BodyScore* body : group.bodies) {
-    if (!(body->*value)) continue;
-    sum += *(body->*value);
+    const std::optional<double> of_body = std::invoke(value, *body);
+    if (!of_body) continue;
+    sum += *of_body;
     ++n;
   }
   if (n > 0) metrics.push_back(group.Error(id, sum / static_cast<double>(n), n));
+}
+
+void AddMaxDrift(const Group& group, std::vector<Metric>& metrics) {
+  for (std::size_t i = 0; i < reports::MaxDrifts().Values().size(); ++i) {
+    const auto value = [i](const BodyScore& body) -> std::optional<double> {
+      return body.max_drift ? std::optional(body.max_drift->Values().at(i)) : std::nullopt;
+    };
+    AddMean(group, reports::MaxDriftMetric(kObjectMaxDrift, i), value, metrics);
+  }
 }
 
 void AddErrors(const ObjectTruth& truth, const Group& group, std::vector<Metric>& metrics) {
@@ -133,6 +144,7 @@ void AddErrors(const ObjectTruth& truth, const Group& group, std::vector<Metric>
         truth.first_frame, truth.first_frame + static_cast<int>(truth.frame_count()) - 1};
   }
   AddMean(group, kObjectVelocity, &BodyScore::velocity_m_s, metrics);
+  if (group.form == BodyGroup::kMovers) AddMaxDrift(group, metrics);
 }
 
 void AddCounts(const Group& group, std::vector<Metric>& metrics) {

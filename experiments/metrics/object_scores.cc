@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "experiments/metrics/max_drift.h"
 
 namespace cvo {
 namespace {
@@ -110,12 +111,20 @@ std::optional<double> VelocityError(const ObjectTruth& truth, const TruthBody& b
   return RootMeanSquare(sum, n);
 }
 
+// Of the estimate, to that of the truth.
+struct Worlds {
+  RigidTransform by_camera;
+  RigidTransform by_first_pose;  // of the camera
+};
+
 void ScorePoses(const ObjectTruth& truth, const TruthBody& body, const ClusterEstimate& cluster,
-                const RigidTransform& truth_from_estimate, BodyScore& score) {
-  BodyPoses poses = CollectPoses(body, cluster, truth_from_estimate);
+                const Worlds& worlds, BodyScore& score) {
+  BodyPoses poses = CollectPoses(body, cluster, worlds.by_camera);
   score.cluster = cluster.id;
   score.estimated_frames = static_cast<int>(poses.counted.size());
   if (poses.counted.size() == 0) return;
+  score.max_drift =
+      MeasureMaxDrift(poses.counted, worlds.by_first_pose * worlds.by_camera.Inverse());
   const RigidTransform object_from_gtobject = AlignObject(poses.counted);
   ApplyObject(object_from_gtobject, poses.counted);
   ApplyObject(object_from_gtobject, poses.predicted);
@@ -127,7 +136,7 @@ void ScorePoses(const ObjectTruth& truth, const TruthBody& body, const ClusterEs
   SetRelative(OneFrameErrors(poses.counted), score.one_frame_rad, score.one_frame_m);
   SetRelative(MotionErrors(poses.counted), score.motion_rad, score.motion_m);
   score.velocity_m_s = VelocityError(truth, body, poses.counted_frames,
-                                     object_from_gtobject.Inverse(), truth_from_estimate);
+                                     object_from_gtobject.Inverse(), worlds.by_camera);
 }
 
 BodyScore DescribeBody(const TruthBody& body, const Continuity& continuity) {
@@ -181,6 +190,9 @@ ObjectScores ScoreObjects(const ObjectTruth& truth, const ObjectEstimate& estima
   ObjectScores scores;
   scores.match_by = estimate.match_by;
   scores.truth_from_estimate = AlignByCamera(truth.world_from_camera, estimate.world_from_camera);
+  const Worlds worlds = {
+      scores.truth_from_estimate,
+      AlignAtFirst(FindCommonPoses(truth.world_from_camera, estimate.world_from_camera))};
   const std::vector<ObjectMatch> matches = MatchObjects(truth, estimate);
   const std::vector<Continuity> continuity = MeasureContinuity(truth, estimate);
   auto match = matches.begin();
@@ -189,8 +201,7 @@ ObjectScores ScoreObjects(const ObjectTruth& truth, const ObjectEstimate& estima
     BodyScore score = DescribeBody(truth.bodies[i], continuity[i]);
     if (score.visible_frames == 0) continue;
     if (match != matches.end() && match->body == i) {
-      ScorePoses(truth, truth.bodies[i], estimate.clusters[match->cluster],
-                 scores.truth_from_estimate, score);
+      ScorePoses(truth, truth.bodies[i], estimate.clusters[match->cluster], worlds, score);
     }
     scores.bodies.push_back(std::move(score));
   }

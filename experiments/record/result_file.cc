@@ -102,6 +102,7 @@ Json FrameToJson(const FrameRecord& frame) {
           {"inliers", report.inliers},
           {"new_landmarks", report.new_landmarks},
           {"window_frames", report.window_frames},
+          {"spatial_ages", report.spatial_ages},
           {"window_landmarks", report.window_landmarks},
           {"window_iterations", report.window_iterations},
           {"mean_error_px", report.mean_error_px},

@@ -21,8 +21,11 @@ void Append(std::vector<Metric> from, std::vector<Metric>& to) {
   for (Metric& metric : from) to.push_back(std::move(metric));
 }
 
-// "camera_ate" is "camera_causal_ate".
+// "camera_ate" is "camera_causal_ate"; without what has no such form.
 void NameCausal(std::vector<Metric>& metrics) {
+  std::erase_if(metrics, [](const Metric& metric) {
+    return reports::MaxDriftIndex(reports::FindForm(metric.name).value().id).has_value();
+  });
   for (Metric& metric : metrics) {
     reports::MetricForm form = reports::FindForm(metric.name).value();
     form.causal = true;

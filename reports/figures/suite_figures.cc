@@ -35,9 +35,11 @@ SuiteDrawing SuiteFigures(const SuiteData& data) {
         StrCat("Change of error by sequence, and error over coverage: ", rows,
                " rows of the table by sequence, at most ", kMaxSceneRows, " can be read."));
   }
+  DrawDriftReduction(data, drawing);
   DrawSensitivity(data, drawing);
   DrawErrorOverTime(data, drawing);
   DrawTrajectories(data, drawing);
+  DrawFrameTracks(data, drawing);
   DrawStageTimes(data, drawing);
   MakeIdsUnique(drawing.figures);
   drawing.not_drawn.insert(drawing.not_drawn.end(), data.not_drawn.begin(), data.not_drawn.end());

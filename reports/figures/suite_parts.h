@@ -11,10 +11,14 @@ namespace cvo::reports {
 void DrawSensitivity(const SuiteData& data, SuiteDrawing& drawing);
 void DrawErrorReduction(const SuiteData& data, const std::vector<SeriesRows>& series,
                         SuiteDrawing& drawing);
+// Against what others published (ReferenceFigure), camera and bodies one by one.
+void DrawDriftReduction(const SuiteData& data, SuiteDrawing& drawing);
 void DrawErrorOverCoverage(const SuiteData& data, const std::vector<SeriesRows>& series,
                            SuiteDrawing& drawing);
 void DrawErrorOverTime(const SuiteData& data, SuiteDrawing& drawing);
 void DrawTrajectories(const SuiteData& data, SuiteDrawing& drawing);
+// Which frames were in the two tracks, for the first run.
+void DrawFrameTracks(const SuiteData& data, SuiteDrawing& drawing);
 void DrawStageTimes(const SuiteData& data, SuiteDrawing& drawing);
 
 }  // namespace cvo::reports

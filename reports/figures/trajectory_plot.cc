@@ -22,8 +22,8 @@ constexpr int kBetween_px = 64;    // for the axis of the upper panels
 constexpr int kInner_px = 10;      // between coordinates
 constexpr double kLeftEnd = 0.47;  // of the map and of the left error panel
 constexpr double kRightBegin = 0.57;
-constexpr std::size_t kMaxPoints = 2000;  // of a line
-constexpr double kGap = 5.5;              // longer than so many usual intervals: nothing in between
+constexpr std::size_t kMaxLinePoints = 2000;  // of a line
+constexpr double kGap = 5.5;  // longer than so many usual intervals: nothing in between
 
 constexpr std::array kAxisNames = {"x", "y", "z"};
 
@@ -46,7 +46,8 @@ double UsualInterval(const std::vector<double>& time) {
 template <typename X, typename Y>
 Json LineThrough(const std::vector<double>& time, const X& x, const Y& y) {
   const double longest = kGap * UsualInterval(time);
-  const std::size_t step = std::max<std::size_t>(1, (time.size() + kMaxPoints - 1) / kMaxPoints);
+  const std::size_t step =
+      std::max<std::size_t>(1, (time.size() + kMaxLinePoints - 1) / kMaxLinePoints);
   Json trace = {{"type", "scatter"}, {"mode", "lines"}, {"x", Json::array()}, {"y", Json::array()}};
   for (std::size_t i = 0; i < time.size(); ++i) {
     const bool after_gap = i > 0 && time[i] - time[i - 1] > longest;

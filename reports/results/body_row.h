@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,6 +11,49 @@
 #include "reports/statistics/common_frames.h"
 
 namespace cvo::reports {
+
+// The largest errors over a run, angles as absolute values.
+struct MaxDrift {
+  double translation_m = 0.0;
+  double roll_rad = 0.0;
+  double pitch_rad = 0.0;
+  double yaw_rad = 0.0;
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("translation_m", self.translation_m);
+    archive.Field("roll_rad", self.roll_rad);
+    archive.Field("pitch_rad", self.pitch_rad);
+    archive.Field("yaw_rad", self.yaw_rad);
+  }
+};
+
+// By the contracts of Alignment with these names (contract.h).
+struct MaxDrifts {
+  MaxDrift all_poses;
+  MaxDrift all_motions;
+  MaxDrift first_motions;
+
+  // In the order of the metrics from kCameraMaxDrift and from kObjectMaxDrift on.
+  std::array<double, 12> Values() const {
+    std::array<double, 12> values{};
+    std::size_t at = 0;
+    for (const MaxDrift& drift : {all_poses, all_motions, first_motions}) {
+      for (const double value :
+           {drift.translation_m, drift.roll_rad, drift.pitch_rad, drift.yaw_rad}) {
+        values[at++] = value;
+      }
+    }
+    return values;
+  }
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("all_poses", self.all_poses);
+    archive.Field("all_motions", self.all_motions);
+    archive.Field("first_motions", self.first_motions);
+  }
+};
 
 // What a run reaches on one body, as result files hold it. Root mean squares over its frames; empty
 // where these do not determine one. Frames count from the first one run.
@@ -33,6 +77,7 @@ struct BodyRow {
   std::optional<double> one_frame_m;
   std::optional<double> motion_rad;
   std::optional<double> motion_m;
+  std::optional<MaxDrifts> max_drift;
   FrameErrors errors;
   FrameErrors predicted;
 
@@ -57,6 +102,7 @@ struct BodyRow {
     archive.Field("one_frame_m", self.one_frame_m);
     archive.Field("motion_rad", self.motion_rad);
     archive.Field("motion_m", self.motion_m);
+    archive.Optional("max_drift", self.max_drift);
     archive.Field("errors", self.errors);
     archive.Field("predicted", self.predicted);
   }

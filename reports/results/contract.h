@@ -56,12 +56,27 @@ struct Visibility {
   }
 };
 
-enum class Alignment { kNone, kPositions, kWorld, kWorldAndBody };
-constexpr std::array<const char*, 4> EnumNames(Alignment) {
-  return {"none", "SE(3) over positions, Umeyama without scale",
+enum class Alignment {
+  kNone,
+  kPositions,
+  kWorld,
+  kWorldAndBody,
+  kAllPoses,
+  kAllMotions,
+  kFirstMotions
+};
+constexpr std::array<const char*, 7> EnumNames(Alignment) {
+  return {"none",
+          "SE(3) over positions, Umeyama without scale",
           "world by the camera (chordal mean of orientations, mean of positions)",
           "world by the camera (chordal mean of orientations, mean of positions), one "
-          "object_from_gtobject per body in closed form over its frames"};
+          "object_from_gtobject per body in closed form over its frames",
+          "one rigid transform on the right of the estimated poses over all frames, as ClusterVO; "
+          "ours: in closed form, world by the first pose of the camera",
+          "one rigid transform between the moving frames by their motions since the first frame, "
+          "as the tool of Oxford Multimotion; ours: squared errors in the frame of the truth",
+          "one rigid transform between the moving frames by their motions since the first frame "
+          "up to the 25th, as MVO 2018; ours: squared errors in the frame of the truth"};
 }
 
 // Which frames or pairs of frames are compared. Frames of bodies are those in which the body is
@@ -129,6 +144,9 @@ enum class Aggregation {
   kMeanOfPositions,
   kMedianOfPositions,
   kMaximumOfPositions,
+  kMaximumOfTranslations,
+  kMaximumOfAngle,
+  kAngleOfLargest,
   kRmsOfAngles,
   kRmsOfTranslations,
   kTranslationOverLength,
@@ -149,13 +167,17 @@ enum class Aggregation {
   kApModerate,
   kApHard
 };
-constexpr std::array<const char*, 24> EnumNames(Aggregation) {
+constexpr std::array<const char*, 27> EnumNames(Aggregation) {
   return {
       "fraction with an estimate",
       "root mean square of position errors",
       "mean of position errors",
       "median of position errors",
       "maximum of position errors",
+      "maximum of translation errors; of several bodies their mean",
+      "maximum of the absolute angle; of several bodies their mean",
+      "absolute angle in the frame where roll, pitch and yaw are largest together; of several "
+      "bodies their mean",
       "root mean square of rotation angles",
       "root mean square of translation norms",
       "mean of translation errors over length",

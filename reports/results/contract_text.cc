@@ -76,6 +76,12 @@ const char* Brief(Alignment alignment) {
     case Alignment::kWorld:
     case Alignment::kWorldAndBody:
       return "world by the camera";
+    case Alignment::kAllPoses:
+      return "one transform over all poses";
+    case Alignment::kAllMotions:
+      return "one transform over all motions";
+    case Alignment::kFirstMotions:
+      return "one transform over 25 frames";
   }
   throw Error("Alignment: not one of the enumerators");
 }

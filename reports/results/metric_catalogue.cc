@@ -80,6 +80,41 @@ constexpr MetricEntry Other(MetricId id, MetricFamily family, const char* name, 
           error, nullptr, 0.0,  of_predictions, label,    meaning};
 }
 
+// One of MaxDrifts::Values.
+constexpr MetricEntry Drift(MetricId first, std::size_t index, const char* name,
+                            const char* label) {
+  constexpr std::array kAlignments = {A::kAllPoses, A::kAllMotions, A::kFirstMotions};
+  constexpr std::array kMeanings = {
+      "Largest error over the run, in position or in an angle, after one constant change of the "
+      "estimated frame, over all frames: ClusterVO's protocol.",
+      "Largest error over the run, in position or in an angle of the frame where these are "
+      "largest, "
+      "of motions since the first frame: by the tool of Oxford Multimotion.",
+      "Largest error over the run, in position or in an angle of the frame where these are "
+      "largest, "
+      "of motions since the first frame, registered by the first 25 frames: MVO's protocol."};
+  const std::size_t contract = index / 4;
+  const bool camera = first == kCameraMaxDrift;
+  const Aggregation summary = index % 4 == 0  ? S::kMaximumOfTranslations
+                              : contract == 0 ? S::kMaximumOfAngle
+                                              : S::kAngleOfLargest;
+  const Relation relation = {kAlignments[contract], camera ? P::kFramesWithBoth : P::kEstimated,
+                             D::kNone, summary};
+  return {MaxDriftMetric(first, index),
+          camera ? kCamera : kBodies,
+          name,
+          index % 4 == 0 ? MetricUnit::kMetres : MetricUnit::kRadians,
+          relation,
+          kError,
+          camera ? kNothing : kMaxDrift,
+          nullptr,
+          nullptr,
+          0.0,
+          false,
+          label,
+          kMeanings[contract]};
+}
+
 constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
     Camera(kCameraCoverage, "camera_coverage", MetricUnit::kOne, kFraction,
            {A::kNone, P::kFramesWithTruth, D::kNone, S::kFractionOfFrames}, "camera coverage",
@@ -113,6 +148,18 @@ constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
            {A::kNone, P::kKittiStretches, D::kKittiLengths, S::kRotationOverLength}, "r drift",
            "Rotation error of the camera over stretches of 100 to 800 m, per length, as defined by "
            "the KITTI benchmark."),
+    Drift(kCameraMaxDrift, 0, "camera_max_drift", "camera max drift"),
+    Drift(kCameraMaxDrift, 1, "camera_max_drift_roll", "camera max roll"),
+    Drift(kCameraMaxDrift, 2, "camera_max_drift_pitch", "camera max pitch"),
+    Drift(kCameraMaxDrift, 3, "camera_max_drift_yaw", "camera max yaw"),
+    Drift(kCameraMaxDrift, 4, "camera_max_drift_tool", "camera max drift, tool"),
+    Drift(kCameraMaxDrift, 5, "camera_max_drift_tool_roll", "camera max roll, tool"),
+    Drift(kCameraMaxDrift, 6, "camera_max_drift_tool_pitch", "camera max pitch, tool"),
+    Drift(kCameraMaxDrift, 7, "camera_max_drift_tool_yaw", "camera max yaw, tool"),
+    Drift(kCameraMaxDrift, 8, "camera_max_drift_first25", "camera max drift, 25 frames"),
+    Drift(kCameraMaxDrift, 9, "camera_max_drift_first25_roll", "camera max roll, 25 frames"),
+    Drift(kCameraMaxDrift, 10, "camera_max_drift_first25_pitch", "camera max pitch, 25 frames"),
+    Drift(kCameraMaxDrift, 11, "camera_max_drift_first25_yaw", "camera max yaw, 25 frames"),
     Other(kObjectCoverage, kBodies, "object_coverage", MetricUnit::kOne,
           {A::kNone, P::kVisible, D::kNone, S::kFractionEstimated}, kFraction, kCoverage, nullptr,
           "object coverage",
@@ -153,6 +200,18 @@ constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
     Mean(kObjectVelocity, "object_velocity", MetricUnit::kMetresPerSecond, A::kWorldAndBody,
          P::kVelocities, D::kCentral, &BodyRow::velocity_m_s, "velocity error",
          "Error of the velocity of objects: length of the difference from the true one."),
+    Drift(kObjectMaxDrift, 0, "object_max_drift", "max drift"),
+    Drift(kObjectMaxDrift, 1, "object_max_drift_roll", "max roll"),
+    Drift(kObjectMaxDrift, 2, "object_max_drift_pitch", "max pitch"),
+    Drift(kObjectMaxDrift, 3, "object_max_drift_yaw", "max yaw"),
+    Drift(kObjectMaxDrift, 4, "object_max_drift_tool", "max drift, tool"),
+    Drift(kObjectMaxDrift, 5, "object_max_drift_tool_roll", "max roll, tool"),
+    Drift(kObjectMaxDrift, 6, "object_max_drift_tool_pitch", "max pitch, tool"),
+    Drift(kObjectMaxDrift, 7, "object_max_drift_tool_yaw", "max yaw, tool"),
+    Drift(kObjectMaxDrift, 8, "object_max_drift_first25", "max drift, 25 frames"),
+    Drift(kObjectMaxDrift, 9, "object_max_drift_first25_roll", "max roll, 25 frames"),
+    Drift(kObjectMaxDrift, 10, "object_max_drift_first25_pitch", "max pitch, 25 frames"),
+    Drift(kObjectMaxDrift, 11, "object_max_drift_first25_yaw", "max yaw, 25 frames"),
     Number(kObjectIdSwitches, "object_id_switches", P::kEachFrameItself, S::kSwitches, kSum,
            &BodyRow::id_switches, "id switches",
            "Number of times a true object is assigned a different id."),
@@ -213,8 +272,11 @@ constexpr bool IsComplete() {
 static_assert(IsComplete());
 
 std::vector<MetricForm> FormsOf(const MetricEntry& entry, bool causal) {
-  if ((entry.family == kLandmarks || entry.family == kBoxes) && causal) return {};
+  const bool has_one =
+      entry.family == kLandmarks || entry.family == kBoxes || MaxDriftIndex(entry.id);
+  if (has_one && causal) return {};
   std::vector<MetricForm> forms = {{entry.id, BodyGroup::kMovers, causal}};
+  if (has_one) return forms;
   if (entry.of_predictions) forms.push_back({entry.id, BodyGroup::kPredicted, causal});
   if (entry.family == kBodies) forms.push_back({entry.id, BodyGroup::kStanding, causal});
   return forms;

@@ -26,6 +26,8 @@ enum class MetricId {
   kCameraTrpe1Frame,
   kCameraTDrift,
   kCameraRDrift,
+  kCameraMaxDrift,  // twelve, see MaxDrifts::Values
+  kCameraMaxDriftEnd = kCameraMaxDrift + 11,
   kObjectCoverage,
   kObjectSuccess5cm,
   kObjectSuccess10cm,
@@ -38,6 +40,8 @@ enum class MetricId {
   kObjectMotionR,
   kObjectMotionT,
   kObjectVelocity,
+  kObjectMaxDrift,  // twelve
+  kObjectMaxDriftEnd = kObjectMaxDrift + 11,
   kObjectIdSwitches,
   kObjectFragments,
   kObjectUnmatched,
@@ -75,6 +79,7 @@ enum class FromBody {
   kCoverage,   // visible frames that are estimated
   kSuccess,    // visible frames within a limit
   kSum,        // sum of a field
+  kMaxDrift,   // mean of one of MaxDrifts
   kUnmatched,  // number of bodies without a cluster
 };
 
@@ -108,6 +113,20 @@ struct MetricEntry {
 };
 
 const MetricEntry& EntryOf(MetricId id);
+
+// The metric of value `index` of MaxDrifts::Values, for kCameraMaxDrift or kObjectMaxDrift; and the
+// index of one, empty for other metrics.
+constexpr MetricId MaxDriftMetric(MetricId first, std::size_t index) {
+  return static_cast<MetricId>(static_cast<std::size_t>(first) + index);
+}
+constexpr std::optional<std::size_t> MaxDriftIndex(MetricId id) {
+  for (const MetricId first : {MetricId::kCameraMaxDrift, MetricId::kObjectMaxDrift}) {
+    if (id >= first && id <= MaxDriftMetric(first, 11)) {
+      return static_cast<std::size_t>(id) - static_cast<std::size_t>(first);
+    }
+  }
+  return std::nullopt;
+}
 
 enum class BodyGroup { kMovers, kStanding, kPredicted };
 

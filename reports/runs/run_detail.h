@@ -18,7 +18,9 @@ struct CameraFrame {
   std::int64_t timestamp_ns = 0;
   std::string status;  // "first", "tracked", "recovered", "lost", "skipped"
   Pose world_from_camera{};
-  std::optional<Pose> truth;  // in truth.json
+  int window_frames = 0;          // in both tracks, this one included
+  std::vector<int> spatial_ages;  // of the spatial track, in frames before this one; oldest first
+  std::optional<Pose> truth;      // in truth.json
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -26,6 +28,8 @@ struct CameraFrame {
     archive.Field("timestamp_ns", self.timestamp_ns);
     archive.Field("status", self.status);
     archive.Field("refined", self.world_from_camera);
+    archive.Optional("window_frames", self.window_frames);
+    archive.Optional("spatial_ages", self.spatial_ages);
   }
 };
 

@@ -55,6 +55,9 @@ std::optional<Part> PartOf(const BodyMetric& metric, const BodyRow& body) {
           metric.predicted() ? body.predicted_ate_m : body.*entry.body_error;
       return error ? std::optional(Part{*error}) : std::nullopt;
     }
+    case FromBody::kMaxDrift:
+      if (!body.max_drift) return std::nullopt;
+      return Part{body.max_drift->Values().at(MaxDriftIndex(entry.id).value())};
     case FromBody::kNothing:
       break;
   }

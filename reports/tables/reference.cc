@@ -29,6 +29,7 @@ struct MetricMeaning {
 struct SystemFigures {
   std::string suite;
   std::string sequence;
+  std::string body;
   int first_frame = 0;
   int frames = 0;
   std::string system;
@@ -43,6 +44,7 @@ struct SystemFigures {
       archive.Field("sequence", self.sequence);
       archive.Field("first_frame", self.first_frame);
       archive.Field("frames", self.frames);
+      archive.Optional("body", self.body);
     }
     archive.Field("system", self.system);
     archive.Optional("truth", self.truth);
@@ -92,6 +94,7 @@ void AddFigures(const SystemFigures& figures, const SourceInFile& source, const 
     }
     ReferenceFigure figure{.source = reference.sources.size(),
                            .sequence = figures.sequence,
+                           .body = figures.body,
                            .suite = figures.suite,
                            .first_frame = figures.first_frame,
                            .frames = figures.frames,

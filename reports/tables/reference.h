@@ -31,6 +31,7 @@ struct ReferenceSource {
 struct ReferenceFigure {
   std::size_t source = 0;  // index
   std::string sequence;
+  std::string body;   // empty: the camera, or all bodies; tables leave out single bodies
   std::string suite;  // whose name starts so; then without sequence and frames
   int first_frame = 0;
   int frames = 0;

@@ -57,7 +57,7 @@ bool HasMatch(const ReferenceRow& row) {
 
 void AddToRow(const Reference& reference, const std::vector<Column>& columns, Row& row) {
   for (const ReferenceFigure& figure : reference.figures) {
-    if (figure.sequence != row.sequence->name) continue;
+    if (figure.sequence != row.sequence->name || !figure.body.empty()) continue;
     for (std::size_t i = 0; i < columns.size(); ++i) {
       if (columns[i].metric != figure.metric) continue;
       FindOrAdd(figure, columns.size(), row.reference).cells[i] =

@@ -62,6 +62,7 @@ void PrintScores(const RunScores& scores, std::ostream& out) {
                std::to_string(metric.n)});
   };
   for (const Metric& refined : scores.refined) {
+    if (reports::MaxDriftIndex(reports::FindForm(refined.name).value().id)) continue;  // too many
     const auto causal = std::find_if(
         scores.causal.begin(), scores.causal.end(),
         [&](const Metric& metric) { return WithoutCausal(metric.name) == refined.name; });

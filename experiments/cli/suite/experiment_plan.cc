@@ -15,12 +15,14 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "experiments/cli/command.h"
+#include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/run/text_table.h"
 #include "experiments/cli/suite/suite_flags.h"
 #include "experiments/jobs/job_status.h"
 #include "experiments/jobs/suite_folder.h"
+#include "experiments/suite/collection.h"
 #include "experiments/suite/plan_outlook.h"
 
 namespace cvo {
@@ -118,6 +120,10 @@ void PrintPreparations(const std::vector<Preparation>& preparations, std::ostrea
   }
 }
 
+double SecondsOf(const PlanState& state) {
+  return EstimatedSeconds(state.built, state.outlook, state.frame_times_s);
+}
+
 void Print(const PlanState& state, int processes, std::ostream& out) {
   const Plan& plan = state.built.plan;
   out << "suite " << plan.suite.name << ": " << plan.jobs.size() << " jobs on "
@@ -137,7 +143,7 @@ void Print(const PlanState& state, int processes, std::ostream& out) {
     }
   }
   PrintPreparations(state.built.preparations, out);
-  const double seconds = EstimatedSeconds(state.built, state.outlook, state.frame_times_s);
+  const double seconds = SecondsOf(state);
   if (seconds == 0.0) {
     out << "nothing to compute\n";
     return;
@@ -148,14 +154,16 @@ void Print(const PlanState& state, int processes, std::ostream& out) {
                                       : ", as measured in finished jobs\n");
 }
 
-int PrintPlan(const Flags& flags) {
-  Suite suite;
+Suite LoadSuiteOf(const Flags& flags) {
   try {
-    suite = flags.suite.Load();
+    return flags.suite.Load();
   } catch (const Error& error) {
-    std::cerr << "clustervo: error: " << error.what() << '\n';
-    return kUsage;
+    throw UsageError(error.what());
   }
+}
+
+PlanState PlanOf(const Flags& flags) {
+  const Suite suite = LoadSuiteOf(flags);
   PlanRequest request = flags.suite.Request();
   // Only worth showing where images have to be read, which is felt on a terminal.
   const bool quiet = flags.quiet || ::isatty(STDERR_FILENO) == 0;
@@ -165,9 +173,43 @@ int PrintPlan(const Flags& flags) {
     progress->Report(done);
   };
   request.notice = [](const std::string& line) { std::cerr << "clustervo: " << line << '\n'; };
-  const PlanState state = FindPlanState(suite, request, {flags.suite.output});
+  PlanState state = FindPlanState(suite, request, {flags.suite.output});
   progress.reset();
-  Print(state, flags.jobs, std::cout);
+  return state;
+}
+
+// Section by section, a suite that several show once.
+void PrintCollection(const Collection& collection, const Flags& flags) {
+  std::map<std::string, bool> planned;  // whether something of the suite is missing
+  double seconds = 0.0;
+  for (const CollectionSection& section : collection.sections) {
+    std::cout << section.title << '\n';
+    if (section.suite.empty()) {
+      std::cout << "no runs of its own\n\n";
+      continue;
+    }
+    if (!planned.contains(section.suite)) {
+      Flags of_suite = flags;
+      of_suite.suite.suite = section.suite;
+      of_suite.suite.output =
+          (fs::path(flags.suite.output) / SuiteFolderName(section.suite)).string();
+      const PlanState state = PlanOf(of_suite);
+      Print(state, flags.jobs, std::cout);
+      seconds += SecondsOf(state);
+      planned[section.suite] = Count(state.outlook, JobState::kMissing) > 0;
+    }
+    if (planned[section.suite]) std::cout << "get it: " << section.data << '\n';
+    std::cout << '\n';
+  }
+  std::cout << "all: about " << Duration(seconds / flags.jobs) << '\n';
+}
+
+int PrintPlan(const Flags& flags) {
+  if (const std::optional<Collection> collection = FindCollection(flags.suite.suite)) {
+    PrintCollection(*collection, flags);
+  } else {
+    Print(PlanOf(flags), flags.jobs, std::cout);
+  }
   return 0;
 }
 

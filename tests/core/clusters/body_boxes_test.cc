@@ -22,20 +22,21 @@ using test::StateAt;
 const Vector3d kDown = Vector3d::UnitY();
 const Vector3d kCar_m = BodyBoxOptions().SizeOf("Car");
 
-// A car of the class's size with points on the faces that a camera at the origin sees, and its
-// detection; the camera looks along z.
+// A car, or a body of another class, of the class's size with points on the faces that a camera at
+// the origin sees, and its detection; the camera looks along z.
 struct SeenCar {
   Options options;
+  Vector3d size_m;
   StereoFrame frame;
   FeatureGrid grid{{}, test::kCamera};
   ClusterMap map;
   BodyBoxes boxes;
   RigidTransform world_from_car;  // x forward, y down, origin at the centre
 
-  explicit SeenCar(std::string category = "Car") {
+  explicit SeenCar(const std::string& category = "Car") : size_m(options.boxes.SizeOf(category)) {
     Cluster cluster;
     cluster.id = ClusterId{1};
-    cluster.category = std::move(category);
+    cluster.category = category;
     cluster.score = 2.0;
     map.live.push_back(cluster);
   }
@@ -55,7 +56,7 @@ struct SeenCar {
     ImageBox box{1e9, 1e9, -1e9, -1e9};
     for (int i = 0; i < 8; ++i) {
       const Vector3d sign((i & 1) - 0.5, ((i >> 1) & 1) - 0.5, ((i >> 2) & 1) - 0.5);
-      const Vector3d c = pose * Vector3d(kCar_m.cwiseProduct(sign));
+      const Vector3d c = pose * Vector3d(size_m.cwiseProduct(sign));
       const Vector3d z = test::kCamera.Project(c).value();
       box = {std::min(box.left_px, z[0]), std::min(box.top_px, z[1]), std::max(box.right_px, z[0]),
              std::max(box.bottom_px, z[1])};
@@ -75,12 +76,12 @@ struct SeenCar {
     for (int axis = 0; axis < 3; ++axis) {
       for (const double side : {-0.5, 0.5}) {
         const Vector3d outwards = pose.rotation() * Vector3d(side * Vector3d::Unit(axis));
-        const Vector3d middle = pose * Vector3d(side * kCar_m[axis] * Vector3d::Unit(axis));
+        const Vector3d middle = pose * Vector3d(side * size_m[axis] * Vector3d::Unit(axis));
         if (outwards.dot(middle) >= 0.0) continue;
         for (int i = 0; i < 25; ++i) {
-          Vector3d p = kCar_m.cwiseProduct(
+          Vector3d p = size_m.cwiseProduct(
               Vector3d((i % 5) * 0.2 - 0.4, (i / 5) * 0.2 - 0.4, ((i * 3) % 5) * 0.2 - 0.4));
-          p[axis] = side * kCar_m[axis];
+          p[axis] = side * size_m[axis];
           Landmark landmark = test::MakeLandmark(static_cast<std::int64_t>(i), {f});
           landmark.p_in_object = object_from_car * p;
           cluster().landmarks.push_back(landmark);
@@ -108,6 +109,34 @@ TEST(BodyBoxes, ACarIsAsLargeAsItsClassAndBehindItsVisibleFaces) {
     EXPECT_EQ(report.box.size_m, kCar_m);
     EXPECT_LT((Center(report) - Vector3d(x, 1.0, 14.0)).norm(), 0.25) << x;
     EXPECT_GT(Forward(report).z(), 0.999);  // as a body is born: away from the camera
+  }
+}
+
+TEST(BodyBoxes, BodiesOfKittisClassesAreAsLargeAsTheirClass) {
+  for (const char* category : {"Van", "Cyclist"}) {
+    SeenCar body(category);
+    ASSERT_GT(body.size_m.minCoeff(), 0.0) << category;
+    const ClusterReport report = body.See(0, Ahead(3.0, 16.0));
+    EXPECT_EQ(report.box.size_m, body.size_m);
+    EXPECT_LT((Center(report) - Vector3d(3.0, 1.0, 16.0)).norm(), 0.4) << category;
+  }
+  EXPECT_TRUE(BodyBoxOptions().SizeOf("Chair").isZero());
+}
+
+TEST(BodyBoxes, SizesOfClassesAreOptions) {
+  int sizes = 0;
+  Options options;
+  VisitLeaves(options, [&](const std::string& path, auto& value, const FieldInfo& info) {
+    if (!path.starts_with("boxes.") || !path.ends_with("_m")) return;
+    ++sizes;
+    EXPECT_STRNE(info.source, "") << path;
+    value = 0;
+  });
+  EXPECT_EQ(sizes, 21);
+  for (const char* category :
+       {"Car", "Van", "Truck", "Tram", "Pedestrian", "Person_sitting", "Cyclist"}) {
+    EXPECT_GT(BodyBoxOptions().SizeOf(category).minCoeff(), 0.0) << category;
+    EXPECT_TRUE(options.boxes.SizeOf(category).isZero()) << category;
   }
 }
 

@@ -90,6 +90,8 @@ TEST_P(EveryVariant, KeepsTheWindowWithinItsSize) {
   const WindowOptions defaults;
   for (const FrameReport& report : run.reports) {
     EXPECT_LE(report.window_frames, defaults.spatial + defaults.temporal);
+    EXPECT_LE(report.spatial_ages.size(), static_cast<std::size_t>(defaults.spatial));
+    for (const int age : report.spatial_ages) EXPECT_GE(age, defaults.temporal);
   }
   EXPECT_GE(run.reports.back().window_frames, defaults.temporal);
 }

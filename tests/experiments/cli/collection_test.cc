@@ -30,11 +30,12 @@ class CollectionTest : public testing::Test {
                                          R"(], "variants": ["static"], "seeds": 1, "table": )",
                                          R"({"rows": ["sequence"], "metrics": ["camera_ate"]}})"));
   }
-  ProcessResult Run(const std::string& sections, const std::vector<std::string>& more = {}) const {
+  ProcessResult Run(const std::string& sections, const std::vector<std::string>& more = {},
+                    const std::string& command = "run") const {
     const fs::path file = folder_.Write(
         "all.json",
         StrCat(R"({"name": "all", "about": "Of tests", "sections": [)", sections, "]}"));
-    std::vector<std::string> all = {"experiment", "run", file.string(), "-o", out().string()};
+    std::vector<std::string> all = {"experiment", command, file.string(), "-o", out().string()};
     all.insert(all.end(), more.begin(), more.end());
     return test::RunProgram(
         all, {.environment = {StrCat("CLUSTERVO_CACHE=", (folder_.path() / "cache").string()),
@@ -73,6 +74,22 @@ TEST_F(CollectionTest, RunsItsSuitesAndShowsThemOnOnePage) {
   const ProcessResult again = Run(sections, {"--frames", "0:3"});
   EXPECT_THAT(again.err, Not(HasSubstr("100 %  1/1 jobs")));
   EXPECT_EQ(Page(), page);
+}
+
+TEST_F(CollectionTest, APlanSaysOfEachSectionWhatWouldRunAndWhereToGetTheRest) {
+  WriteSuite("here", R"({"folder": "wall"}, {"folder": "absent"})");
+  const ProcessResult plan = Run(
+      R"({"title": "Table 1", "columns": ["a"], "rows": []},
+         {"title": "Table 2", "suite": "here.json", "data": "example.org/here"},
+         {"title": "Table 3", "suite": "here.json", "data": "example.org/more"})",
+      {}, "plan");
+  ASSERT_EQ(plan.exit_code, 0) << plan.err;
+  EXPECT_THAT(plan.out, HasSubstr("Table 1\nno runs of its own\n"));
+  EXPECT_THAT(plan.out, HasSubstr("Table 2\nsuite here: 2 jobs on 2 sequences"));
+  EXPECT_THAT(plan.out, HasSubstr("1 x no absent below"));
+  EXPECT_THAT(plan.out, HasSubstr("get it: example.org/here\n\nTable 3\nget it: example.org/more"));
+  EXPECT_THAT(plan.out, HasSubstr("\nall: about "));
+  EXPECT_FALSE(fs::exists(out()));
 }
 
 TEST_F(CollectionTest, WhatIsWrongInTheFileIsSaid) {

@@ -206,7 +206,7 @@ TEST(CameraMetrics, DegenerateInputsLeaveMetricsOut) {
 TEST(CameraMetrics, AreFiniteForACameraThatStandsStill) {
   const OptionalPoses still(10, At(0));
   const auto metrics = EvaluateCamera(still, still);
-  EXPECT_EQ(metrics.size(), 9u);
+  EXPECT_EQ(metrics.size(), 9u + 12u);
   for (const Metric& metric : metrics) EXPECT_TRUE(std::isfinite(metric.value)) << metric.name;
 }
 
@@ -230,7 +230,7 @@ TEST(CameraMetrics, EachHasItsContract) {
   OptionalPoses truth, estimate;
   for (int i = 0; i < 150; ++i) truth.push_back(At(0, 0, i)), estimate.push_back(At(0, 0, i));
   const auto metrics = EvaluateCamera(truth, estimate, reports::TruthSource::kDevkit);
-  EXPECT_EQ(metrics.size(), 11u);
+  EXPECT_EQ(metrics.size(), 11u + 12u);
   for (const Metric& metric : metrics) {
     EXPECT_GT(metric.n, 0) << metric.name;
     const reports::Contract& c = metric.contract;

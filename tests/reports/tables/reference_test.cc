@@ -34,12 +34,37 @@ ReferenceCell Ate(const Table& table, const std::string& system, const std::stri
   return {};
 }
 
+// Of the camera alone: those of single bodies are for figures.
+TEST(Reference, MaximumDriftsOfOthersStandBesideOurs) {
+  Json result = Result("swinging_4_unconstrained", 500);
+  for (const char* name : {"camera_max_drift_first25", "camera_max_drift"}) {
+    result["metrics"].push_back(test::MetricOf(
+        name, 0.1, "m", "maximum of translation errors; of several bodies their mean"));
+    result["metrics"].back()["contract"]["alignment"] = NameOf(Alignment::kFirstMotions);
+  }
+  test::SuiteResults suite;
+  suite.table["metrics"] = {"camera_max_drift_first25", "camera_max_drift"};
+  suite.Add(result);
+  const Table table = MakeTable(suite.Written(), ShippedReference(), "");
+  ASSERT_THAT(table.rows[0].reference, SizeIs(3));
+  const ReferenceRow& mvo = table.rows[0].reference[0];
+  EXPECT_EQ(mvo.system, "MVO");
+  ASSERT_TRUE(mvo.cells[1]);
+  EXPECT_EQ(mvo.cells[1]->value, 0.21);
+  EXPECT_EQ(mvo.cells[1]->match, Match::kContractUnknown) << mvo.cells[1]->reason;
+  EXPECT_THAT(table.sources[mvo.source].caveat, HasSubstr("sources disagree"));
+}
+
 TEST(Reference, ShippedFilesHoldTheFacts) {
   const Reference reference = ShippedReference();
-  EXPECT_THAT(reference.sources, SizeIs(8));
+  EXPECT_THAT(reference.sources, SizeIs(10));
   double found = 0.0;
   for (const ReferenceFigure& figure : reference.figures) {
     EXPECT_EQ(figure.suite.empty(), figure.frames > 0);
+    if (figure.system == "MVO" && figure.body == "bottom left" &&
+        figure.metric == "object_max_drift_first25_yaw") {
+      EXPECT_DOUBLE_EQ(figure.value, 0.05498) << "3.15 degrees";
+    }
     if (figure.sequence == "2011_09_26_drive_0013" && figure.system == "ClusterVO" &&
         figure.metric == "camera_ate") {
       EXPECT_EQ(figure.frames, 144);

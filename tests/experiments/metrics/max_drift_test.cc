@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/metrics/max_drift.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/rng.h"
+#include "experiments/metrics/camera_metrics.h"
+
+namespace cvo {
+namespace {
+
+using Eigen::Vector3d;
+using reports::MaxDrift;
+
+constexpr std::size_t kFrames = 40;
+constexpr std::size_t kWrong = 30;  // after the first 25
+const RigidTransform kSame;
+
+RigidTransform Turn(double x, double y, double z) { return {ExpSo3({x, y, z}), Vector3d::Zero()}; }
+
+// A body that moves and turns, and an estimate of it without an error.
+CommonPoses RightPoses() {
+  CommonPoses poses;
+  for (std::size_t i = 0; i < kFrames; ++i) {
+    const double t = static_cast<double>(i);
+    poses.frames.push_back(static_cast<int>(i));
+    poses.truth.emplace_back(ExpSo3({0.05 * t, 0.3 * std::sin(0.4 * t), 0.02 * t}),
+                             Vector3d(0.2 * t, std::cos(0.3 * t), 0.01 * t * t));
+  }
+  poses.estimate = poses.truth;
+  return poses;
+}
+
+CommonPoses Noisy(CommonPoses poses, double rotation_rad) {
+  Rng rng(7, "noise");
+  const auto random = [&rng](double scale) {
+    return Vector3d(scale * Vector3d(rng.Normal(), rng.Normal(), rng.Normal()));
+  };
+  for (RigidTransform& pose : poses.estimate) {
+    pose = pose * RigidTransform(ExpSo3(random(rotation_rad)), random(0.1));
+  }
+  return poses;
+}
+
+std::array<double, 12> Values(const CommonPoses& poses) {
+  return MeasureMaxDrift(poses, kSame).value().Values();
+}
+
+TEST(MaxDrift, IsNoneForTheTruthInAnyFrame) {
+  CommonPoses poses = RightPoses();
+  for (RigidTransform& pose : poses.estimate) {
+    pose = pose * RigidTransform(ExpSo3({0.4, -0.9, 0.7}), Vector3d(0.3, -0.2, 0.5));
+  }
+  for (const double value : Values(poses)) EXPECT_LT(value, 1e-9);
+}
+
+TEST(MaxDrift, IsTheSameForAnyFrameOfTheEstimate) {
+  CommonPoses straight = RightPoses();
+  for (RigidTransform& pose : straight.truth) pose = {kSame.rotation(), pose.translation()};
+  straight.estimate = straight.truth;
+  for (const CommonPoses& poses :
+       {Noisy(RightPoses(), 0.1), Noisy(straight, 0.0), Noisy(straight, 0.02)}) {
+    const auto expected = Values(poses);
+    EXPECT_GT(expected[0], 0.1);
+    for (const RigidTransform& frame :
+         {RigidTransform(ExpSo3({0.4, -0.9, 0.7}), Vector3d(3.0, -2.0, 5.0)),
+          RigidTransform(ExpSo3({-2.0, 1.0, 0.3}), Vector3d(-0.1, 8.0, 0.2))}) {
+      CommonPoses other = poses;
+      for (RigidTransform& pose : other.estimate) pose = pose * frame;
+      const auto values = Values(other);
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        EXPECT_NEAR(values[i], expected[i], 1e-9) << i;
+      }
+    }
+  }
+}
+
+// What registers by motions finds the least errors: no X near it has smaller ones.
+TEST(MaxDrift, RegistersByTheLeastSquares) {
+  const CommonPoses poses = Noisy(RightPoses(), 0.1);
+  const RigidTransform found = AlignByMotions(poses, kFrames);
+  const auto cost = [&](const RigidTransform& X) {
+    double sum = 0.0;
+    for (std::size_t i = 1; i < kFrames; ++i) {
+      const RigidTransform error = X.Inverse() * poses.estimate[i].Inverse() * poses.estimate[0] *
+                                   X * poses.truth[0].Inverse() * poses.truth[i];
+      const double angle = RotationAngle(error.rotation());
+      sum += angle * angle + error.translation().squaredNorm();
+    }
+    return sum;
+  };
+  for (int k = 0; k < 6; ++k) {
+    for (const double step : {-1e-3, 1e-3}) {
+      EXPECT_LT(cost(found), cost(found.Plus(step * Vector6d::Unit(k)))) << k;
+    }
+  }
+}
+
+TEST(MaxDrift, OfFewerThanTwoPosesIsNotKnown) {
+  EXPECT_FALSE(MeasureMaxDrift({{0}, {kSame}, {kSame}}, kSame));
+  EXPECT_FALSE(MeasureMaxDrift({}, kSame));
+}
+
+// By hand: the first 25 frames are right, so the error is the one that was put in.
+TEST(MaxDrift, RegisteredByRightFramesIsTheErrorItself) {
+  CommonPoses poses = RightPoses();
+  poses.estimate[kWrong] =
+      poses.estimate[kWrong] * RigidTransform(ExpSo3({0.0, 0.0, 0.3}), Vector3d(0.3, 0.4, 0.0));
+  const auto drifts = MeasureMaxDrift(poses, kSame);
+  EXPECT_NEAR(drifts->first_motions.translation_m, 0.5, 1e-9);
+  EXPECT_NEAR(drifts->first_motions.yaw_rad, 0.3, 1e-9);
+  EXPECT_NEAR(drifts->first_motions.roll_rad, 0.0, 1e-9);
+  // One frame of 40 changes what registers over all frames a little.
+  for (const MaxDrift& drift : {drifts->all_poses, drifts->all_motions}) {
+    EXPECT_NEAR(drift.translation_m, 0.5, 0.1);
+    EXPECT_NEAR(drift.yaw_rad, 0.3, 0.03);
+  }
+}
+
+// Roll in one frame and yaw in another: ClusterVO's has each, the others those of one frame.
+TEST(MaxDrift, AnglesAreEachAloneOrThoseOfOneFrame) {
+  CommonPoses poses = RightPoses();
+  poses.estimate[28] = poses.estimate[28] * Turn(0.2, 0.0, 0.0);
+  poses.estimate[35] = poses.estimate[35] * Turn(0.0, 0.0, 0.3);
+  const auto drifts = MeasureMaxDrift(poses, kSame);
+  EXPECT_NEAR(drifts->all_poses.roll_rad, 0.2, 0.02);
+  EXPECT_NEAR(drifts->all_poses.yaw_rad, 0.3, 0.02);
+  EXPECT_NEAR(drifts->first_motions.roll_rad, 0.0, 1e-9);
+  EXPECT_NEAR(drifts->first_motions.yaw_rad, 0.3, 1e-9);
+}
+
+TEST(MaxDrift, OfTheCameraIsSinceItsFirstPose) {
+  const RigidTransform world(ExpSo3({0.1, 1.0, 0.2}), Vector3d(5, 6, 7));
+  const CommonPoses poses = RightPoses();
+  OptionalPoses truth(poses.truth.begin(), poses.truth.end());
+  OptionalPoses estimate;
+  for (const RigidTransform& pose : poses.estimate) estimate.emplace_back(world * pose);
+  *estimate[kWrong] = *estimate[kWrong] * RigidTransform(ExpSo3(Vector3d::Zero()), {0.5, 0, 0});
+  const auto metrics = EvaluateCamera(truth, estimate);
+  const Metric* all = FindMetric(metrics, "camera_max_drift");
+  const Metric* first = FindMetric(metrics, "camera_max_drift_first25");
+  ASSERT_TRUE(all != nullptr && first != nullptr);
+  EXPECT_NEAR(all->value, 0.5 * 39 / 40, 1e-9);
+  EXPECT_NEAR(first->value, 0.5, 1e-9);
+  EXPECT_EQ(all->contract.alignment, reports::Alignment::kAllPoses);
+  EXPECT_EQ(first->contract.alignment, reports::Alignment::kFirstMotions);
+  EXPECT_EQ(FindMetric(metrics, "camera_max_drift_tool_yaw")->unit, reports::MetricUnit::kRadians);
+}
+
+}  // namespace
+}  // namespace cvo
