@@ -9,56 +9,21 @@
 #include <cerrno>
 #include <set>
 #include <system_error>
+#include <utility>
 
 #include "core/base/error.h"
-#include "core/files/disk.h"
 #include "core/files/temporary.h"
 
 namespace cvo {
 namespace fs = std::filesystem;
 namespace {
 
-// A complete and synced file under a temporary name; removed again unless it is renamed.
-class StagedFile {
- public:
-  StagedFile(const fs::path& folder, const NamedContent& file) : target_(folder / file.name) {
-    FileDescriptor out = Create();
-    try {
-      WriteAll(out, file.content, 0, target_);
-      if (SyncFile(out) != 0 || out.Close() != 0) ThrowErrno(target_, "write", errno);
-    } catch (...) {
-      ::unlink(temporary_.c_str());
-      throw;
-    }
-  }
-  ~StagedFile() {
-    if (!temporary_.empty()) ::unlink(temporary_.c_str());
-  }
-  StagedFile(StagedFile&& other) noexcept
-      : target_(std::move(other.target_)), temporary_(std::move(other.temporary_)) {
-    other.temporary_.clear();
-  }
-  StagedFile& operator=(StagedFile&&) = delete;
-
-  void Publish() {
-    if (RenameFile(temporary_, target_) != 0) ThrowErrno(target_, "write", errno);
-    temporary_.clear();
-  }
-
- private:
-  // A killed process of the same number may have left some behind.
-  FileDescriptor Create() {
-    for (int attempt = 0;; ++attempt) {
-      temporary_ = TemporaryName(target_, std::to_string(attempt));
-      FileDescriptor out(temporary_, O_WRONLY | O_CREAT | O_EXCL);
-      if (out.get() >= 0) return out;
-      if (errno != EEXIST || attempt == 1000) ThrowErrno(target_, "write", errno);
-    }
-  }
-
-  fs::path target_;
-  fs::path temporary_;
-};
+StagedFile Staged(const fs::path& target, std::string_view content) {
+  StagedFile file(target);
+  file.Append(content);
+  file.Complete();
+  return file;
+}
 
 void SyncFolder(const fs::path& folder) {
   const FileDescriptor opened(folder, O_RDONLY | O_DIRECTORY);
@@ -104,12 +69,50 @@ void RemoveFile(const fs::path& folder, const fs::path& name) {
 
 }  // namespace
 
+StagedFile::StagedFile(fs::path target) : target_(std::move(target)) {
+  // A killed process of the same number may have left some behind.
+  for (int attempt = 0;; ++attempt) {
+    temporary_ = TemporaryName(target_, std::to_string(attempt));
+    file_ = FileDescriptor(temporary_, O_WRONLY | O_CREAT | O_EXCL);
+    if (file_.get() >= 0) return;
+    if (errno != EEXIST || attempt == 1000) ThrowErrno(target_, "write", errno);
+  }
+}
+
+StagedFile::~StagedFile() {
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+StagedFile::StagedFile(StagedFile&& other) noexcept
+    : target_(std::move(other.target_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      file_(std::move(other.file_)),
+      size_bytes_(other.size_bytes_) {}
+
+void StagedFile::Append(std::string_view bytes) {
+  WriteAll(file_, bytes, size_bytes_, target_);
+  size_bytes_ += bytes.size();
+}
+
+void StagedFile::Complete() {
+  if (SyncFile(file_) != 0 || file_.Close() != 0) ThrowErrno(target_, "write", errno);
+}
+
+void StagedFile::Publish() {
+  if (RenameFile(temporary_, target_) != 0) ThrowErrno(target_, "write", errno);
+  temporary_.clear();
+}
+
 void WriteFilesAtomically(const fs::path& folder, const std::vector<NamedContent>& files,
-                          const std::vector<std::string>& stale) {
+                          const std::vector<std::string>& stale, std::optional<StagedFile> begun) {
   const Subfolders subfolders(folder, files);
   std::vector<StagedFile> staged;
-  staged.reserve(files.size());
-  for (const NamedContent& file : files) staged.emplace_back(folder, file);
+  staged.reserve(files.size() + 1);
+  if (begun) {
+    begun->Complete();
+    staged.push_back(std::move(*begun));
+  }
+  for (const NamedContent& file : files) staged.push_back(Staged(folder / file.name, file.content));
   for (std::size_t i = 0; i < staged.size(); ++i) {
     if (i + 1 == staged.size()) {
       for (const std::string& name : stale) RemoveFile(folder, name);
@@ -144,8 +147,7 @@ OutputFolder::OutputFolder(fs::path folder, const std::vector<std::string>& name
     }
     if (wanted) RemoveLeftovers(path);
   }
-  const StagedFile probe(folder_,
-                         {names.empty() ? "probe" : names.front(), std::string(4096, '\n')});
+  (void)Staged(folder_ / (names.empty() ? "probe" : names.front()), std::string(4096, '\n'));
 }
 
 OutputFolder::~OutputFolder() {

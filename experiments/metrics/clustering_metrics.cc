@@ -14,10 +14,11 @@ namespace {
 using reports::MetricId;
 using enum reports::MetricId;
 
-// An observed landmark that is judged: the static scene is 0, and a body one of its own.
+// Observed landmarks that are judged: the static scene is 0, and a body one of its own.
 struct Judged {
   int body = 0;
   int cluster = 0;  // -1: none
+  int count = 0;
 };
 
 struct LeftOut {
@@ -32,12 +33,12 @@ std::vector<std::vector<Judged>> Judge(const ObjectEstimate& estimate, LeftOut& 
     frames.emplace_back();
     for (const LandmarkObservation& landmark : observed) {
       if (landmark.truth.body < 0) {
-        ++left_out.unknown;
+        left_out.unknown += landmark.count;
       } else if (landmark.truth.body > 0 && landmark.truth.motion == PointMotion::kStill) {
-        ++left_out.standing;
+        left_out.standing += landmark.count;
       } else {
-        frames.back().push_back({landmark.truth.body, landmark.cluster});
-        ++left_out.judged;
+        frames.back().push_back({landmark.truth.body, landmark.cluster, landmark.count});
+        left_out.judged += landmark.count;
       }
     }
   }
@@ -52,9 +53,9 @@ Decisions Count(const std::vector<std::vector<Judged>>& frames) {
   Decisions decisions;
   for (const auto& frame : frames) {
     for (const Judged& landmark : frame) {
-      decisions.hits += landmark.body > 0 && landmark.cluster > 0 ? 1 : 0;
-      decisions.predicted += landmark.cluster > 0 ? 1 : 0;
-      decisions.moving += landmark.body > 0 ? 1 : 0;
+      decisions.hits += landmark.body > 0 && landmark.cluster > 0 ? landmark.count : 0;
+      decisions.predicted += landmark.cluster > 0 ? landmark.count : 0;
+      decisions.moving += landmark.body > 0 ? landmark.count : 0;
     }
   }
   return decisions;
@@ -72,9 +73,10 @@ Purity CountPurity(const ObjectEstimate& estimate) {
   for (const auto& observed : estimate.landmarks) {
     for (const LandmarkObservation& landmark : observed) {
       if (landmark.truth.body < 0 || landmark.cluster <= 0) continue;
-      ++purity.in_clusters;
+      purity.in_clusters += landmark.count;
       // The static scene is no cluster's body.
-      if (landmark.truth.body > 0) ++bodies_of_cluster[landmark.cluster][landmark.truth.body];
+      if (landmark.truth.body == 0) continue;
+      bodies_of_cluster[landmark.cluster][landmark.truth.body] += landmark.count;
     }
   }
   for (const auto& [cluster, bodies] : bodies_of_cluster) {
@@ -104,10 +106,11 @@ double FrameIou(const std::vector<Judged>& frame, const ClusterOf& cluster_of) {
   std::map<int, std::int64_t> size_of_cluster;
   std::map<int, std::int64_t> both;
   for (const Judged& landmark : frame) {
-    ++size_of_body[landmark.body];
-    ++size_of_cluster[landmark.cluster];
+    size_of_body[landmark.body] += landmark.count;
+    size_of_cluster[landmark.cluster] += landmark.count;
     const auto cluster = cluster_of.find(landmark.body);
-    if (cluster != cluster_of.end() && cluster->second == landmark.cluster) ++both[landmark.body];
+    if (cluster == cluster_of.end() || cluster->second != landmark.cluster) continue;
+    both[landmark.body] += landmark.count;
   }
   double sum = 0.0;
   for (const auto& [body, size] : size_of_body) {
@@ -137,8 +140,9 @@ bool HasTwoGroups(const std::vector<Judged>& frame) {
 double FrameAri(const std::vector<Judged>& frame) {
   std::vector<int> bodies, clusters;
   for (const Judged& landmark : frame) {
-    bodies.push_back(landmark.body);
-    clusters.push_back(landmark.cluster);
+    const auto count = static_cast<std::size_t>(landmark.count);
+    bodies.insert(bodies.end(), count, landmark.body);
+    clusters.insert(clusters.end(), count, landmark.cluster);
   }
   return AdjustedRandIndex(bodies, clusters);
 }

@@ -16,13 +16,16 @@ namespace cvo {
 struct LandmarkTruth {
   std::int16_t body = -1;  // 0 the static scene, k a body, -1 not known or not judged
   PointMotion motion = PointMotion::kStill;
+
+  bool operator==(const LandmarkTruth&) const = default;
 };
 
-// A landmark observed in a frame: what the run takes it for, and what it is. 8 bytes, as a run has
-// millions of them.
+// Landmarks observed in a frame that are alike: what the run takes them for, and what they are. A
+// run observes millions.
 struct LandmarkObservation {
   std::int32_t cluster = -1;  // 0 the static scene, k a cluster, -1 none
   LandmarkTruth truth;
+  std::int32_t count = 1;
 };
 
 // A cluster in a frame. World is that of the estimated camera.

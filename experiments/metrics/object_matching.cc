@@ -3,6 +3,7 @@
 #include "experiments/metrics/object_matching.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -32,19 +33,13 @@ struct Overlap {
 
 // By body, then by cluster.
 std::vector<Overlap> FrameOverlaps(const std::vector<LandmarkObservation>& landmarks) {
-  std::vector<std::pair<int, std::int64_t>> pairs;
+  std::map<std::pair<int, std::int64_t>, int> counts;
   for (const LandmarkObservation& landmark : landmarks) {
     if (landmark.truth.body < 1 || landmark.cluster < 1) continue;
-    pairs.emplace_back(landmark.truth.body, landmark.cluster);
+    counts[{landmark.truth.body, landmark.cluster}] += landmark.count;
   }
-  std::sort(pairs.begin(), pairs.end());
   std::vector<Overlap> overlaps;
-  for (const auto& [body, cluster] : pairs) {
-    if (overlaps.empty() || overlaps.back().body != body || overlaps.back().cluster != cluster) {
-      overlaps.push_back({body, cluster, 0});
-    }
-    ++overlaps.back().landmarks;
-  }
+  for (const auto& [pair, count] : counts) overlaps.push_back({pair.first, pair.second, count});
   return overlaps;
 }
 

@@ -29,14 +29,14 @@ struct RunRecord {
   std::optional<reports::RunBodies> bodies = {};  // empty without truth
   const RunResult& run;
   TruthRecord truth = {};
-  bool landmarks = false;  // asked for
 };
 
 // tx ty tz qx qy qz qw.
 Json PoseToJson(const RigidTransform& pose);
 
-// What was read, with its hash.
-reports::RunSequence SequenceOf(const Sequence& sequence, const std::string& content);
+// What was read, with its hash; `bodies` may be null.
+reports::RunSequence SequenceOf(const Sequence& sequence, const ObjectTruth* bodies,
+                                const std::string& content);
 
 reports::CameraInfo CameraOf(const StereoCamera& camera);
 

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "core/base/stage_times.h"
 #include "core/geometry/rigid_transform.h"
 #include "core/interface/frame.h"
 #include "core/interface/odometry.h"
@@ -29,9 +28,8 @@ struct FrameRecord {
   FrameReport report;
   RigidTransform refined_world_from_camera;    // as last estimated, at the end of the run
   std::vector<Detection> detections;           // as the estimator was given them
-  std::vector<LandmarkObservation> landmarks;  // of the report, where bodies have a truth
+  std::vector<LandmarkObservation> landmarks;  // of the report, counted; where bodies have a truth
   std::vector<ImageProblem> problems;          // why the frame was skipped
-  StageTimes times_s;                          // measured, so never part of a result
 };
 
 // What became of a sequence's boxes, over the frames that were processed.
@@ -57,7 +55,9 @@ struct RunResult {
   std::vector<FrameRecord> frames;
   std::vector<ClusterTrajectory> clusters;  // as last estimated; none of a failed run
   DetectionCounts detections;
-  std::string landmark_rows;  // LandmarkRows of all frames, where they were asked for
+  // Wall time of every frame by stage, NaN where it had no such stage. Measured, so never part of a
+  // result.
+  std::map<std::string, std::vector<double>> times_s;
   double wall_s = 0.0;
 };
 

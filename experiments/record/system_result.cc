@@ -76,7 +76,7 @@ std::string SystemResultFile(const SystemRecord& record) {
   summary.variant = reports::SystemVariant(record.system);
   summary.system = FilesToJson(record);
   summary.seed = record.seed;
-  summary.sequence = SequenceOf(record.sequence, record.content);
+  summary.sequence = SequenceOf(record.sequence, record.truth, record.content);
   summary.sequence.camera.right_shift_px = record.right_shift_px;
   summary.given = GivenToJson({}, {});
   summary.build = record.build;

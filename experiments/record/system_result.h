@@ -33,6 +33,7 @@ struct SystemRecord {
   std::uint64_t seed = 0;
   std::vector<Metric> metrics = {};
   std::optional<reports::RunBodies> bodies = {};  // empty without truth or objects
+  const ObjectTruth* truth = nullptr;             // may be null
   const ObjectEstimate& estimate;
   int object_frames = 0;
   int object_frames_left_out = 0;

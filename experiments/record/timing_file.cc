@@ -64,16 +64,13 @@ reports::StageSummary Summary(const std::vector<double>& samples_ms) {
           Quantile(samples_ms, 0.95), Milliseconds(total_s)};
 }
 
-// Samples by stage; a frame without the stage counts as zero.
-std::map<std::string, std::vector<double>> StageSamples(const RunResult& run) {
-  std::map<std::string, std::vector<double>> samples;
-  for (std::size_t i = 0; i < run.frames.size(); ++i) {
-    for (const auto& [stage, seconds] : run.frames[i].times_s) {
-      auto [entry, added] = samples.try_emplace(stage, run.frames.size(), 0.0);
-      entry->second[i] = Milliseconds(seconds);
-    }
+// A frame without the stage counts as zero.
+std::vector<double> Samples_ms(const std::vector<double>& times_s) {
+  std::vector<double> samples_ms;
+  for (const double time_s : times_s) {
+    samples_ms.push_back(std::isnan(time_s) ? 0.0 : Milliseconds(time_s));
   }
-  return samples;
+  return samples_ms;
 }
 
 }  // namespace
@@ -100,10 +97,14 @@ std::string TimingFile(const RunResult& run, const RunContext& context) {
   timing.wall_s = run.wall_s;
   const double count = static_cast<double>(run.frames.size());
   timing.frames_per_second = run.wall_s > 0.0 ? count / run.wall_s : 0.0;
-  for (const auto& [stage, samples] : StageSamples(run)) timing.stages[stage] = Summary(samples);
-  for (const FrameRecord& frame : run.frames) {
-    Json row = {{"frame", frame.frame}};
-    for (const auto& [stage, seconds] : frame.times_s) row[stage + "_ms"] = Milliseconds(seconds);
+  for (const auto& [stage, times_s] : run.times_s) {
+    timing.stages[stage] = Summary(Samples_ms(times_s));
+  }
+  for (std::size_t i = 0; i < run.frames.size(); ++i) {
+    Json row = {{"frame", run.frames[i].frame}};
+    for (const auto& [stage, times_s] : run.times_s) {
+      if (!std::isnan(times_s[i])) row[stage + "_ms"] = Milliseconds(times_s[i]);
+    }
     timing.frames.push_back(std::move(row));
   }
   return FileText(timing);

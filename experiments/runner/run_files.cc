@@ -6,7 +6,6 @@
 #include <system_error>
 
 #include "core/base/error.h"
-#include "core/files/atomic_file.h"
 #include "experiments/metrics/trajectory.h"
 #include "experiments/record/cluster_tables.h"
 #include "experiments/record/landmark_table.h"
@@ -28,11 +27,10 @@ std::vector<NamedContent> ClusterFiles(const RunResult& run) {
   return files;
 }
 
-// <number>.tum in clusters/ and landmarks.csv, unless they are written now.
+// <number>.tum in clusters/, unless they are written now.
 std::vector<std::string> StaleFiles(const fs::path& folder,
                                     const std::vector<NamedContent>& written) {
   std::vector<std::string> stale;
-  if (fs::exists(folder / kLandmarks)) stale.emplace_back(kLandmarks);
   std::error_code none;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / kClusters, none)) {
     const std::string stem = entry.path().stem().string();
@@ -56,7 +54,14 @@ std::vector<std::string> RunFileNames() {
           "clusters/",  kTruth,         "timing.json", "result.json"};
 }
 
-void WriteRunFiles(const fs::path& folder, const RunRecord& record, const RunContext& context) {
+StagedFile BeginLandmarks(const fs::path& folder) {
+  StagedFile file(folder / kLandmarks);
+  file.Append(kLandmarksHeader);
+  return file;
+}
+
+void WriteRunFiles(const fs::path& folder, const RunRecord& record, const RunContext& context,
+                   std::optional<StagedFile> landmarks) {
   Trajectory timed;
   std::vector<RigidTransform> every_frame;
   for (const FrameRecord& frame : record.run.frames) {
@@ -69,14 +74,13 @@ void WriteRunFiles(const fs::path& folder, const RunRecord& record, const RunCon
   files.push_back({"camera.kitti", FormatKittiPoses(every_frame)});
   files.push_back({"objects.csv", ObjectTable(record.sequence, record.run)});
   files.push_back({"tracks.kitti", KittiTracks(record.sequence, record.run)});
-  if (record.landmarks) {
-    files.push_back({kLandmarks, std::string(kLandmarksHeader) + record.run.landmark_rows});
-  }
   files.push_back({kTruth, TruthFile(RecordedJob(record), record.truth)});
   // The result last: where it is complete, so is all else.
   files.push_back({"timing.json", TimingFile(record.run, context)});
   files.push_back({"result.json", ResultFile(record)});
-  WriteFilesAtomically(folder, files, StaleFiles(folder, files));
+  std::vector<std::string> stale = StaleFiles(folder, files);
+  if (!landmarks && fs::exists(folder / kLandmarks)) stale.emplace_back(kLandmarks);
+  WriteFilesAtomically(folder, files, stale, std::move(landmarks));
 }
 
 }  // namespace cvo

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/files/atomic_file.h"
 #include "experiments/record/result_file.h"
 #include "experiments/record/timing_file.h"
 
@@ -15,9 +17,13 @@ namespace cvo {
 // objects.csv, tracks.kitti, on request landmarks.csv, and clusters/<id>.tum.
 std::vector<std::string> RunFileNames();
 
+// landmarks.csv in the folder with its header: rows are added while the run goes on, since all of
+// them are many times the memory of a run.
+StagedFile BeginLandmarks(const std::filesystem::path& folder);
+
 // Writes them to a folder that exists: all complete, or none (see WriteFilesAtomically). Files of
 // an earlier run that this one does not have are removed.
 void WriteRunFiles(const std::filesystem::path& folder, const RunRecord& record,
-                   const RunContext& context);
+                   const RunContext& context, std::optional<StagedFile> landmarks = {});
 
 }  // namespace cvo

@@ -7,6 +7,7 @@
 
 #include "core/files/options_json.h"
 #include "experiments/cache/content_hash.h"
+#include "experiments/datasets/plausibility.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/record/job_identity.h"
 #include "experiments/runner/run_files.h"
@@ -60,11 +61,19 @@ std::string IdentifyJob(const RunRequest& request, const std::string& content) {
 std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesystem::path& folder) {
   const BuildIdentity build = ThisBuild();
   const std::unique_ptr<BodyTruthReader> truth = ReadBodyTruth(request.sequence);
-  std::optional<RunResult> run = RunSequence(request, truth.get());
+  std::optional<StagedFile> landmarks;
+  RunRequest writing = request;
+  if (request.landmarks) {
+    landmarks.emplace(BeginLandmarks(folder));
+    writing.landmark_rows = [&landmarks](const std::string& rows) { landmarks->Append(rows); };
+  }
+  std::optional<RunResult> run = RunSequence(writing, truth.get());
   if (!run) return std::nullopt;
 
+  const ObjectTruth* bodies = truth ? &truth->objects() : nullptr;
   JobOutcome outcome{std::move(*run), {}, ThisProcess()};
-  outcome.scores = ScoreRun(request.sequence, outcome.run, truth ? &truth->objects() : nullptr);
+  outcome.warnings = FindImplausible(request.sequence, bodies);
+  outcome.scores = ScoreRun(request.sequence, outcome.run, bodies);
   const RunRecord record{.sequence = request.sequence,
                          .build = build,
                          .variant = std::string(request.variant.name),
@@ -75,15 +84,14 @@ std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesyste
                          .bodies = BodiesOf(outcome.scores),
                          .run = outcome.run,
                          .truth = {.camera = &request.sequence.groundtruth_world_from_camera,
-                                   .objects = truth ? &truth->objects() : nullptr,
+                                   .objects = bodies,
                                    .truth_from_estimate = outcome.scores.truth_from_estimate,
-                                   .bodies = &outcome.scores.refined_bodies},
-                         .landmarks = request.landmarks};
+                                   .bodies = &outcome.scores.refined_bodies}};
   outcome.context.job = RecordedJob(record);
   outcome.context.threads = request.threads;
   outcome.context.sequence_folder = std::filesystem::absolute(request.sequence.folder).string();
   outcome.context.output_folder = std::filesystem::absolute(folder).string();
-  WriteRunFiles(folder, record, outcome.context);
+  WriteRunFiles(folder, record, outcome.context, std::move(landmarks));
   return outcome;
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "experiments/record/timing_file.h"
 #include "experiments/runner/run_files.h"
@@ -17,6 +18,7 @@ struct JobOutcome {
   RunResult run;
   RunScores scores;
   RunContext context;
+  std::vector<std::string> warnings = {};  // FindImplausible
 };
 
 // GivenToJson of a job; classes count where there are boxes alone.

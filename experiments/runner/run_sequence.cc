@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/runner/run_sequence.h"
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -66,30 +68,48 @@ std::vector<LandmarkTruth> AddTruth(const RunRequest& request, int index, TruthO
   return feature_truth;
 }
 
+// Counts them: a frame has a thousand landmarks and a dozen kinds of them.
 std::vector<LandmarkObservation> Observe(const std::vector<LandmarkReport>& landmarks,
                                          const std::vector<LandmarkTruth>& feature_truth) {
-  std::vector<LandmarkObservation> observations;
-  if (feature_truth.empty()) return observations;
+  std::vector<LandmarkObservation> kinds;
+  if (feature_truth.empty()) return kinds;
   for (const LandmarkReport& landmark : landmarks) {
-    observations.push_back({static_cast<std::int32_t>(landmark.cluster.value),
-                            feature_truth.at(static_cast<std::size_t>(landmark.feature))});
+    const auto cluster = static_cast<std::int32_t>(landmark.cluster.value);
+    const LandmarkTruth& truth = feature_truth.at(static_cast<std::size_t>(landmark.feature));
+    const auto kind =
+        std::find_if(kinds.begin(), kinds.end(), [&](const LandmarkObservation& other) {
+          return other.cluster == cluster && other.truth == truth;
+        });
+    if (kind == kinds.end()) {
+      kinds.push_back({cluster, truth, 1});
+    } else {
+      ++kind->count;
+    }
   }
-  return observations;
+  return kinds;
+}
+
+// The times of the last frame.
+void KeepTimes(const StageTimes& times_s, RunResult& result) {
+  for (const auto& [stage, time_s] : times_s) result.times_s[stage];
+  for (auto& [stage, of_frames] : result.times_s) {
+    of_frames.resize(result.frames.size(), std::numeric_limits<double>::quiet_NaN());
+    const auto time_s = times_s.find(stage);
+    if (time_s != times_s.end()) of_frames.back() = time_s->second;
+  }
 }
 
 // Lets the estimator work on one frame and adds it to the result. An Error of the estimator makes
 // the result a failed one without the frame.
-void Estimate(const RunRequest& request, PreparedFrame prepared,
-              const std::vector<LandmarkTruth>& feature_truth, Odometry& odometry,
-              RunResult& result) {
+void Estimate(const RunRequest& request, const std::vector<LandmarkTruth>& feature_truth,
+              Odometry& odometry, PreparedFrame& prepared, RunResult& result) {
   FrameRecord record;
   record.frame = request.sequence.first_frame + static_cast<int>(result.frames.size());
   record.timestamp_ns = prepared.frame.timestamp_ns;
   record.problems = std::move(prepared.problems);
-  record.times_s = std::move(prepared.times_s);
   try {
-    const ScopedStage stage(record.times_s, "estimate");
-    record.report = record.problems.empty() ? odometry.Process(prepared.frame, record.times_s)
+    const ScopedStage stage(prepared.times_s, "estimate");
+    record.report = record.problems.empty() ? odometry.Process(prepared.frame, prepared.times_s)
                                             : odometry.Skip(record.timestamp_ns);
   } catch (const Error& error) {
     result.status = RunStatus::kFailed;
@@ -97,9 +117,9 @@ void Estimate(const RunRequest& request, PreparedFrame prepared,
     return;
   }
   record.refined_world_from_camera = record.report.world_from_camera;
-  if (request.landmarks) {
-    result.landmark_rows +=
-        LandmarkRows(record.frame, prepared.frame, record.report.landmarks, feature_truth);
+  if (request.landmark_rows) {
+    request.landmark_rows(
+        LandmarkRows(record.frame, prepared.frame, record.report.landmarks, feature_truth));
   }
   record.landmarks = Observe(record.report.landmarks, feature_truth);
   record.report.landmarks = std::vector<LandmarkReport>();  // frees its memory, "= {}" does not
@@ -166,9 +186,10 @@ std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader*
     AddDetections(request, boxes[i], prepared, result.detections);
     const auto feature_truth = AddTruth(request, static_cast<int>(i), beside, prepared);
     result.wall_s -= beside.seconds;
-    Estimate(request, std::move(prepared), feature_truth, *odometry, result);
+    Estimate(request, feature_truth, *odometry, prepared, result);
     if (result.status == RunStatus::kFailed) break;
-    result.frames.back().times_s["frame"] = SecondsSince(frame_start) - beside.seconds;
+    prepared.times_s["frame"] = SecondsSince(frame_start) - beside.seconds;
+    KeepTimes(prepared.times_s, result);
     request.progress(i + 1);
     if (request.stop()) return std::nullopt;
   }

@@ -29,7 +29,8 @@ struct RunRequest {
   int threads = 1;                                    // results do not depend on it
   std::vector<std::string> classes = RigidClasses();  // of detections that count, see there
   OracleSwitches oracle = {};
-  bool landmarks = false;  // keep RunResult::landmark_rows
+  bool landmarks = false;                                           // RunJob writes landmarks.csv
+  std::function<void(const std::string& rows)> landmark_rows = {};  // of each frame; may be empty
   bool strict = false;  // an image that cannot be decoded is an error in place of a skipped frame
   std::vector<ImageHashes> images = {};  // of every frame, as FindImageHashes; empty: not known
   const FrontEndCache* cache = nullptr;  // may be null; results do not depend on it

@@ -41,16 +41,15 @@ SystemHashes HashesOf(const SystemFiles& files) {
   return {Sha256Hex(ReadFileBytes(files.camera)), HashObjects(files.objects)};
 }
 
-void Score(const SystemRequest& request, const ObjectEstimate& estimate, SystemOutcome& outcome) {
+void Score(const SystemRequest& request, const ObjectEstimate& estimate, const ObjectTruth* truth,
+           SystemOutcome& outcome) {
   const Sequence& sequence = request.sequence;
   outcome.metrics =
       EvaluateCamera(sequence.groundtruth_world_from_camera, estimate.world_from_camera,
                      EnumOf<reports::TruthSource>(sequence.groundtruth));
-  const std::unique_ptr<BodyTruthReader> truth =
-      request.files.objects.empty() ? nullptr : ReadBodyTruth(sequence);
-  if (truth) {
-    ObjectScores scores = ScoreObjects(truth->objects(), estimate);
-    for (Metric& metric : ObjectMetrics(truth->objects(), scores)) {
+  if (truth != nullptr) {
+    ObjectScores scores = ScoreObjects(*truth, estimate);
+    for (Metric& metric : ObjectMetrics(*truth, scores)) {
       outcome.metrics.push_back(std::move(metric));
     }
     outcome.bodies = std::move(scores.bodies);
@@ -72,8 +71,11 @@ std::string IdentifySystem(const SystemRequest& request) {
 
 SystemOutcome ScoreSystem(const SystemRequest& request) {
   const SystemEstimate system = ReadSystem(request.sequence, request.files);
+  const std::unique_ptr<BodyTruthReader> reader =
+      request.files.objects.empty() ? nullptr : ReadBodyTruth(request.sequence);
+  const ObjectTruth* truth = reader ? &reader->objects() : nullptr;
   SystemOutcome outcome;
-  Score(request, system.objects, outcome);
+  Score(request, system.objects, truth, outcome);
   const SystemHashes hashes = HashesOf(request.files);
   outcome.job = SystemJob(ThisBuild(), request.files.name, hashes, request.content, request.seed);
   outcome.frames = static_cast<int>(request.sequence.images.size());
@@ -89,6 +91,7 @@ SystemOutcome ScoreSystem(const SystemRequest& request) {
                                      .seed = request.seed,
                                      .metrics = outcome.metrics,
                                      .bodies = BodiesOf(outcome.bodies),
+                                     .truth = truth,
                                      .estimate = system.objects,
                                      .object_frames = system.object_frames,
                                      .object_frames_left_out = system.object_frames_left_out});

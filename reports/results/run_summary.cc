@@ -12,6 +12,18 @@
 namespace cvo::reports {
 namespace {
 
+struct Count {
+  const char* field;
+  std::int64_t value;
+};
+
+void CheckCounts(const std::vector<Count>& counts, const std::string& where) {
+  for (const Count& count : counts) {
+    if (count.value >= 0) continue;
+    ThrowError(StrCat(where, ", field ", count.field), StrCat(count.value), "an integer from 0");
+  }
+}
+
 void CheckErrors(const FrameErrors& errors, const std::string& where) {
   if (errors.frames.size() != errors.position_m.size() ||
       !std::is_sorted(errors.frames.begin(), errors.frames.end())) {
@@ -23,6 +35,15 @@ void CheckErrors(const FrameErrors& errors, const std::string& where) {
 
 void CheckBodies(const std::vector<BodyRow>& bodies, const std::string& where) {
   for (const BodyRow& body : bodies) {
+    CheckCounts({{"visible_frames", body.visible_frames},
+                 {"estimated_frames", body.estimated_frames},
+                 {"id_switches", body.id_switches},
+                 {"fragments", body.fragments}},
+                where);
+    if (body.estimated_frames > body.visible_frames) {
+      ThrowError(where + ", field estimated_frames", StrCat(body.estimated_frames),
+                 StrCat("at most ", body.visible_frames, ", as many as visible_frames"));
+    }
     CheckErrors(body.errors, where + ", errors");
     CheckErrors(body.predicted, where + ", predicted");
   }
@@ -67,7 +88,12 @@ RunSummary ReadRun(const std::filesystem::path& result_file,
   // Most of a result is poses, which are for others to read.
   auto run = ReadRecord<RunSummary>(result_file, {"clusters", "frames", "trajectories"});
   run.file = result_file;
+  CheckCounts({{"first_frame", run.sequence.first_frame},
+               {"frames", run.sequence.frames},
+               {"total_frames", run.sequence.total_frames}},
+              result_file.string() + ", sequence");
   for (const MetricValue& metric : run.metrics) {
+    CheckCounts({{"n", metric.n}}, StrCat(result_file.string(), ", ", metric.name));
     CheckPossible(metric.name, metric.value, result_file.string());
   }
   std::erase_if(run.metrics, [&](const MetricValue& metric) {

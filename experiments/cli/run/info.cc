@@ -9,6 +9,7 @@
 #include "experiments/cli/command.h"
 #include "experiments/cli/run/sequence_flags.h"
 #include "experiments/cli/run/text_table.h"
+#include "experiments/datasets/body_truth.h"
 #include "experiments/datasets/plausibility.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/datasets/sequence_type.h"
@@ -42,6 +43,11 @@ std::ptrdiff_t FramesWithTruth(const Sequence& sequence) {
   return std::count_if(truth.begin(), truth.end(), [](const auto& pose) { return !!pose; });
 }
 
+std::vector<std::string> Warnings(const Sequence& sequence) {
+  const std::unique_ptr<BodyTruthReader> bodies = ReadBodyTruth(sequence);
+  return FindImplausible(sequence, bodies ? &bodies->objects() : nullptr);
+}
+
 Json InfoJson(const Sequence& sequence) {
   const Rate rate = RateOf(sequence.timestamps_ns);
   const StereoCamera& camera = sequence.camera;
@@ -62,7 +68,7 @@ Json InfoJson(const Sequence& sequence) {
           {"labels", sequence.labels.size()},
           {"detections", sequence.detections.size()},
           {"missing", sequence.missing},
-          {"warnings", FindImplausible(sequence)}};
+          {"warnings", Warnings(sequence)}};
 }
 
 void PrintInfo(const Sequence& sequence) {
@@ -90,7 +96,7 @@ void PrintInfo(const Sequence& sequence) {
   table.Add({"labels", StrCat(sequence.labels.size(), " boxes")});
   table.Add({"detections", StrCat(sequence.detections.size(), " boxes")});
   for (const std::string& line : sequence.missing) table.Add({"missing", line});
-  for (const std::string& line : FindImplausible(sequence)) table.Add({"hardly true", line});
+  for (const std::string& line : Warnings(sequence)) table.Add({"hardly true", line});
   table.Print(std::cout);
 }
 

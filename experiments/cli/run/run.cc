@@ -20,7 +20,6 @@
 #include "experiments/cli/run/sequence_flags.h"
 #include "experiments/cli/run/text_table.h"
 #include "experiments/cli/stop_signal.h"
-#include "experiments/datasets/plausibility.h"
 #include "experiments/runner/job_cache.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/suite/scenes.h"
@@ -79,7 +78,7 @@ void PrintSummary(const Sequence& sequence, const JobOutcome& outcome) {
             << ReadableNumber(run.wall_s) << " s, " << ReadableNumber(rate) << " frames/s, "
             << ReadableNumber(outcome.context.peak_memory_mb) << " MB, status "
             << ToString(run.status) << (run.message.empty() ? "" : ": ") << run.message << '\n';
-  for (const std::string& line : FindImplausible(sequence)) {
+  for (const std::string& line : outcome.warnings) {
     std::cout << "warning: hardly true: " << line << '\n';
   }
   PrintProblems(run);

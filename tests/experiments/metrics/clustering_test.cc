@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/metrics/clustering_metrics.h"
 #include "tests/experiments/metrics/object_world.h"
@@ -61,6 +63,24 @@ TEST(ClusteringMetrics, HandComputed) {
   // Pairs: truth 28 + 28, clusters 21 + 28, both 15 + 1 + 15 + 0, of 120.
   const double chance = 56.0 * 49.0 / 120.0;
   EXPECT_DOUBLE_EQ(world("clustering_ari"), (31.0 - chance) / (0.5 * (56.0 + 49.0) - chance));
+}
+
+TEST(ClusteringMetrics, ACountIsAsManyLandmarks) {
+  World one_by_one(2);
+  World counted(2);
+  for (const auto& [cluster, body, count] :
+       {std::tuple(0, 0, 9), {1, 0, 2}, {1, 1, 6}, {0, 1, 3}, {2, 2, 4}, {1, 2, 5}, {0, -1, 2}}) {
+    Observe(one_by_one.estimate, 1, cluster, body, count);
+    counted.estimate.landmarks[1].push_back(
+        {cluster, {static_cast<std::int16_t>(body), PointMotion::kMoving}, count});
+  }
+  const std::vector<Metric> expected = one_by_one.Evaluate();
+  const std::vector<Metric> found = counted.Evaluate();
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_EQ(found[i].value, expected[i].value) << found[i].name;
+    EXPECT_EQ(found[i].left_out, expected[i].left_out) << found[i].name;
+  }
 }
 
 TEST(ClusteringMetrics, PurityIsOfTheBodyThatMostOfAClusterLiesOn) {

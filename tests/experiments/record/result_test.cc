@@ -34,7 +34,7 @@ class Result : public testing::Test {
       frame.frame = 4 + i;
       frame.timestamp_ns = 1'000'000'000LL + i;
       frame.report.status = status[i];
-      frame.times_s = {{"decode", 0.001 * (i + 1)}};
+      run_.times_s["decode"].push_back(0.001 * (i + 1));
       run_.frames.push_back(frame);
     }
     run_.frames[2].problems = {{"image_00/data/6.png", "found half a file, expected PNG"}};
@@ -109,7 +109,7 @@ TEST_F(Result, HoldsNothingOfTimeHostOrPaths) {
   const std::string before = File();
   EXPECT_THAT(before, Not(HasSubstr("secret")));
   run_.wall_s = 7.0;
-  run_.frames[0].times_s = {{"decode", 1.0}};
+  run_.times_s["decode"][0] = 1.0;
   sequence_.folder = "/elsewhere";
   EXPECT_EQ(File(), before);
 }

@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
+using testing::StartsWith;
 
 constexpr int kFrames = 4;
 
@@ -126,15 +127,22 @@ TEST_F(RunnerClusters, DetectionsReachTheirFrames) {
   EXPECT_THAT(run.clusters, SizeIs(2));
 }
 
-TEST_F(RunnerClusters, LandmarksAreKeptOnlyOnRequest) {
+TEST_F(RunnerClusters, LandmarksAreGivenAwayFrameByFrame) {
   RunRequest request = Request();
-  RunResult run = RunSequence(request).value();
+  std::vector<std::string> rows;
+  request.landmark_rows = [&rows](const std::string& of_frame) { rows.push_back(of_frame); };
+  const RunResult run = RunSequence(request).value();
   EXPECT_THAT(run.frames[0].report.landmarks, IsEmpty());
-  EXPECT_EQ(run.landmark_rows, "");
+  ASSERT_THAT(rows, SizeIs(kFrames));
+  EXPECT_THAT(rows[3], StartsWith("3,0,"));
+}
+
+TEST_F(RunnerClusters, AStoppedRunLeavesNoLandmarks) {
+  RunRequest request = Request();
   request.landmarks = true;
-  run = RunSequence(request).value();
-  EXPECT_THAT(run.frames[0].report.landmarks, IsEmpty());
-  EXPECT_THAT(run.landmark_rows, HasSubstr("\n3,0,"));
+  request.stop = [] { return true; };
+  EXPECT_FALSE(RunJob(request, Out()).has_value());
+  EXPECT_TRUE(fs::is_empty(Out()));
 }
 
 TEST_F(RunnerClusters, BoxesOfASkippedFrameAreCounted) {

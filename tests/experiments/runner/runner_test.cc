@@ -163,7 +163,7 @@ TEST_F(Runner, GivesTheFramesInOrder) {
     EXPECT_GT(frame.report.features, 20);
     EXPECT_EQ(frame.refined_world_from_camera.translation().y(), 1.0);
     for (const char* stage : {"decode", "extract", "match_stereo", "fake", "estimate", "frame"}) {
-      EXPECT_TRUE(frame.times_s.contains(stage)) << stage;
+      EXPECT_GE(run.times_s.at(stage).at(static_cast<std::size_t>(i)), 0.0) << stage;
     }
   }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files of the schema versions that are written today. Where these do not read any more, or are
 // written otherwise, the version must change.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/files/json_record.h"
@@ -12,6 +13,8 @@
 #include "reports/results/timing.h"
 #include "reports/results/truth.h"
 #include "reports/tables/table_json.h"
+#include "tests/support/error_message.h"
+#include "tests/support/temp_folder.h"
 
 namespace cvo::reports {
 namespace {
@@ -39,6 +42,26 @@ TEST(GoldenFiles, ResultIsRead) {
   ASSERT_EQ(run.bodies->refined.size(), 1U);
   EXPECT_EQ(run.bodies->refined[0].ate_m, 0.05);
   EXPECT_FALSE(run.bodies->refined[0].predicted_ate_m);
+}
+
+TEST(ReadRun, RefusesCountsThatCannotBe) {
+  const test::TempFolder folder;
+  const auto expect_refused = [&](const char* pointer, int value, const char* said) {
+    Json result = ReadJson(Golden("result.json"));
+    ASSERT_TRUE(result.contains(Json::json_pointer(pointer))) << pointer;
+    result[Json::json_pointer(pointer)] = value;
+    const std::string file = folder.Write("result.json", result.dump());
+    EXPECT_THAT(ErrorMessage([&] { ReadRun(file, {}); }), testing::HasSubstr(said));
+  };
+  for (const char* field : {"visible_frames", "estimated_frames", "id_switches", "fragments"}) {
+    const std::string pointer = StrCat("/bodies/refined/0/", field);
+    expect_refused(pointer.c_str(), -1, field);
+  }
+  expect_refused("/bodies/refined/0/estimated_frames", 1'000, "at most");
+  expect_refused("/sequence/frames", -5, "sequence, field frames: found -5");
+  expect_refused("/sequence/total_frames", -1, "total_frames");
+  expect_refused("/sequence/first_frame", -1, "first_frame");
+  expect_refused("/metrics/0/n", -3, "field n: found -3");
 }
 
 TEST(GoldenFiles, MetricsAndBodiesAreWrittenAsTheyAreRead) {
