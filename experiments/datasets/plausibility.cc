@@ -78,7 +78,7 @@ std::vector<std::optional<Eigen::Vector3d>> Velocities(const TruthBody& body,
 void FindBodyJumps(const ObjectTruth& truth, const std::vector<double>& steps_s,
                    std::vector<std::string>& lines) {
   constexpr double kHardest_m_s2 = 100.0;
-  constexpr double kNoise_m = 0.3;  // of labels, in the difference of two steps
+  constexpr double kNoise_m = 0.2;  // of labels, in the difference of two steps
   LargeSteps jumps;
   for (const TruthBody& body : truth.bodies) {
     const auto velocities = Velocities(body, steps_s);
