@@ -5,7 +5,7 @@
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help deps build report table table-all table-kitti sweep regression baseline test fuzz soak bench asan asan-variants tsan sbom format format-check lint clean
+.PHONY: help deps build report table table-all table-kitti sweep regression baseline test fuzz soak mutate bench asan asan-variants tsan sbom format format-check lint clean
 
 release := build/release
 asan := build/asan
@@ -101,6 +101,11 @@ soak: $(release)/build.ninja ## let every call on files fail (POINTS=n: n of the
 	cd $(release) && tests/faults/fault_points $(POINTS) drawn
 	cd $(release) && tests/faults/fault_points $(POINTS)
 	cd $(release) && tests/experiments/suite_kills $(KILLS) $(SEED)
+
+# A sample of MUTANTS=50 changes, the same for the same SEED; FOLDER=reports/statistics: of that one.
+MUTANTS ?= 50
+mutate: deps ## change single tokens of estimator, metrics and statistics: what do the tests not find?
+	node .ci/mutate.mjs $(MUTANTS) $(SEED) $(FOLDER)
 
 bench: build ## run the benchmarks, JSON to build/release/bench
 	cmake --build --preset release --target run_benchmarks
