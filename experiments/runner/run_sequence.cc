@@ -91,7 +91,7 @@ std::vector<LandmarkObservation> Observe(const std::vector<LandmarkReport>& land
 
 // The times of the last frame.
 void KeepTimes(const StageTimes& times_s, RunResult& result) {
-  for (const auto& [stage, time_s] : times_s) result.times_s[stage];
+  for (const auto& [stage, time_s] : times_s) result.times_s.try_emplace(stage);
   for (auto& [stage, of_frames] : result.times_s) {
     of_frames.resize(result.frames.size(), std::numeric_limits<double>::quiet_NaN());
     const auto time_s = times_s.find(stage);

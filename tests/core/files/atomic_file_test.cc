@@ -73,6 +73,18 @@ TEST(WriteFilesAtomically, WritesAndReplaces) {
   EXPECT_THAT(Names(folder.path()), ElementsAre("a.json", "b.txt", "c.txt"));
 }
 
+TEST(StagedFile, GrowsAndAppearsWithTheOthers) {
+  const test::TempFolder folder;
+  StagedFile(folder.path() / "lost.csv").Append("1\n");
+  EXPECT_THAT(Names(folder.path()), IsEmpty());
+  StagedFile rows(folder.path() / "rows.csv");
+  rows.Append("1\n");
+  rows.Append("2\n");
+  WriteFilesAtomically(folder.path(), {{"a.json", "new"}}, {}, std::move(rows));
+  EXPECT_EQ(test::ReadFile(folder.path() / "rows.csv"), "1\n2\n");
+  EXPECT_THAT(Names(folder.path()), ElementsAre("a.json", "rows.csv"));
+}
+
 TEST(WriteFilesAtomically, AFailedWriteChangesNothing) {
   const test::TempFolder folder;
   folder.Write("a.json", "old");
