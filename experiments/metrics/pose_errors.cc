@@ -56,8 +56,18 @@ double SquaredAnglesOf(const Block& distances2) {
   for (double last = ratio; last > kPrecision && terms < kSquaredAngle.size(); last *= ratio) {
     ++terms;
   }
-  Block sum = Block::Zero(distances2.size());
-  for (std::size_t k = terms; k > 0; --k) sum = distances2 * (sum + kSquaredAngle[k - 1]);
+  Block sum(distances2.size());
+  // As many at a time as stay in registers over all terms.
+  const auto add = [&]<Eigen::Index kSize>(Eigen::Index at) {
+    const Eigen::Array<double, kSize, 1> x = distances2.template segment<kSize>(at);
+    Eigen::Array<double, kSize, 1> angles2 = Eigen::Array<double, kSize, 1>::Zero();
+    for (std::size_t k = terms; k > 0; --k) angles2 = x * (angles2 + kSquaredAngle[k - 1]);
+    sum.template segment<kSize>(at) = angles2;
+  };
+  constexpr Eigen::Index kLanes = 8;
+  Eigen::Index at = 0;
+  for (; at + kLanes <= sum.size(); at += kLanes) add.template operator()<kLanes>(at);
+  for (; at < sum.size(); ++at) add.template operator()<1>(at);
   return sum.sum();
 }
 
@@ -70,13 +80,15 @@ double SquaredAngles(const std::vector<Eigen::Quaterniond>& Q) {
   for (Eigen::Index i = 1; i < q.cols(); ++i) {
     for (Eigen::Index first = 0; first < i; first += kBlock) {
       const Eigen::Index size = std::min(kBlock, i - first);
-      Block same = Block::Zero(size);
-      Block opposite = Block::Zero(size);  // q and -q are one rotation
-      for (Eigen::Index k = 0; k < 4; ++k) {
-        same += (rows.col(k).segment(first, size).array() - q(k, i)).square();
-        opposite += (rows.col(k).segment(first, size).array() + q(k, i)).square();
+      const auto row = [&](Eigen::Index k) { return rows.col(k).segment(first, size).array(); };
+      Block distances2 = (row(0) - q(0, i)).square() + (row(1) - q(1, i)).square() +
+                         (row(2) - q(2, i)).square() + (row(3) - q(3, i)).square();
+      // q and -q are one rotation; the squares of both distances add up to 4.
+      if (distances2.maxCoeff() > 1.99) {
+        distances2 = distances2.min((row(0) + q(0, i)).square() + (row(1) + q(1, i)).square() +
+                                    (row(2) + q(2, i)).square() + (row(3) + q(3, i)).square());
       }
-      sum += 2.0 * SquaredAnglesOf(same.min(opposite));
+      sum += 2.0 * SquaredAnglesOf(distances2);
     }
   }
   return sum;

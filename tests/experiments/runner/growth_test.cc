@@ -21,7 +21,7 @@ double Held_bytes() {
   return static_cast<double>(info.uordblks + info.hblkhd);
 }
 
-// Rows of landmarks.csv are 30 kB per frame here, landmarks with their truth 3 kB.
+// The rows of landmarks.csv alone would be many times as much.
 TEST(RunnerGrowth, OfAFrameLittleIsKept) {
   if (!kLimitsMemory) GTEST_SKIP() << "the sanitizer counts otherwise";
   constexpr std::size_t kFull = 40;  // frames until the window is
