@@ -93,7 +93,8 @@ void FindBodyJumps(const ObjectTruth& truth, const std::vector<double>& steps_s,
       }
       if (least_m_s == 0.0 || std::isinf(least_m_s)) continue;
       jumps.Add("ground truth of body " + body.name, truth.first_frame + static_cast<int>(i) + 1,
-                StrCat("moves ", least_m_s, " m/s otherwise than just before and after"));
+                StrCat("moves ", std::round(10.0 * least_m_s) / 10.0,
+                       " m/s otherwise than just before and after"));
     }
   }
   jumps.Tell(lines);

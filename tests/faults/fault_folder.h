@@ -78,6 +78,11 @@ class FaultFolder : public testing::Test {
     return folder_.path() / "out" / "jobs" / job / "result.json";
   }
 
+  static Arguments Joined(Arguments first, const Arguments& more) {
+    first.insert(first.end(), more.begin(), more.end());
+    return first;
+  }
+
   TempFolder folder_;
 
  private:
@@ -85,11 +90,6 @@ class FaultFolder : public testing::Test {
     "name": "small", "sequences": [{"folder": "wall"}], "variants": ["static"], "seeds": 2,
     "options": {"orb": {"features": 300}}, "grid": {"noise.corner_px": [0.5, 0.7]},
     "table": {"rows": ["noise.corner_px"], "metrics": ["camera_ate", "camera_coverage"]}})";
-
-  static Arguments Joined(Arguments first, const Arguments& more) {
-    first.insert(first.end(), more.begin(), more.end());
-    return first;
-  }
 };
 
 }  // namespace cvo::test
