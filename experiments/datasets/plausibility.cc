@@ -73,8 +73,18 @@ std::vector<std::optional<Eigen::Vector3d>> Velocities(const TruthBody& body,
   return velocities;
 }
 
-// A jump is a step unlike both its neighbours: what bounces or brakes goes on with its new
-// velocity.
+// The two steps beside a step, at an end or a gap the next two; empty where there are fewer.
+std::vector<std::size_t> Beside(std::size_t i,
+                                const std::vector<std::optional<Eigen::Vector3d>>& velocities) {
+  const auto known = [&](std::size_t k) { return k < velocities.size() && velocities[k]; };
+  if (!known(i)) return {};
+  if (known(i - 1) && known(i + 1)) return {i - 1, i + 1};
+  if (known(i + 1) && known(i + 2)) return {i + 1, i + 2};
+  if (known(i - 1) && known(i - 2)) return {i - 1, i - 2};
+  return {};
+}
+
+// A jump is a step unlike those beside it: what bounces or brakes goes on with its new velocity.
 void FindBodyJumps(const ObjectTruth& truth, const std::vector<double>& steps_s,
                    std::vector<std::string>& lines) {
   constexpr double kHardest_m_s2 = 100.0;
@@ -83,9 +93,8 @@ void FindBodyJumps(const ObjectTruth& truth, const std::vector<double>& steps_s,
   for (const TruthBody& body : truth.bodies) {
     const auto velocities = Velocities(body, steps_s);
     for (std::size_t i = 0; i < steps_s.size(); ++i) {
-      double least_m_s = std::numeric_limits<double>::infinity();  // change, of those too large
-      for (const std::size_t other : {i - 1, i + 1}) {
-        if (!velocities[i] || other >= steps_s.size() || !velocities[other]) continue;
+      double least_m_s = std::numeric_limits<double>::infinity();  // change, 0: a possible one
+      for (const std::size_t other : Beside(i, velocities)) {
         const double change_m_s = (*velocities[i] - *velocities[other]).norm();
         const double possible_m_s = kHardest_m_s2 * 0.5 * (steps_s[i] + steps_s[other]) +
                                     kNoise_m / std::min(steps_s[i], steps_s[other]);

@@ -39,6 +39,8 @@ TEST(Plausibility, ABodyThatJumpsIsNamedWithItsFrame) {
       ElementsAre(AllOf(StartsWith("ground truth of body body_1, frame 103: moves 15.1 m/s"),
                         Not(HasSubstr("more")))));
   EXPECT_THAT(Said({0.0, 3.0, 3.0, 3.0}), ElementsAre(HasSubstr("frame 101: moves 30 m/s")));
+  EXPECT_THAT(Said({8.0, 8.0, 4.0, 4.0}),
+              ElementsAre(AllOf(HasSubstr("frame 102: moves 40 m/s"), Not(HasSubstr("more")))));
   EXPECT_THAT(Said({0.0, 0.0, 0.0, 3.0}), ElementsAre(HasSubstr("frame 103: moves 30 m/s")));
   EXPECT_THAT(Said({0.0, 0.0, 0.0, 3.0, 0.0, 0.0, 0.0}),
               ElementsAre(AllOf(HasSubstr("frame 103: "), HasSubstr(", and 1 more like it"))));
