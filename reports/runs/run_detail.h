@@ -18,9 +18,10 @@ struct CameraFrame {
   std::int64_t timestamp_ns = 0;
   std::string status;  // "first", "tracked", "recovered", "lost", "skipped"
   Pose world_from_camera{};
-  int window_frames = 0;          // in both tracks, this one included
-  std::vector<int> spatial_ages;  // of the spatial track, in frames before this one; oldest first
-  std::optional<Pose> truth;      // in truth.json
+  int window_frames = 0;  // in both tracks, this one included
+  // Of the spatial track, in frames before this one; oldest first.
+  std::vector<int> spatial_ages = {};
+  std::optional<Pose> truth = {};  // in truth.json
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {

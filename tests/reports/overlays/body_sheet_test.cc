@@ -41,8 +41,8 @@ TEST(BodySheet, ShowsAnEventByTrueBodyAndAsEstimated) {
   OverlayRun run;
   run.sequence.camera = test::FlatCamera();
   run.has_landmarks = true;
-  run.detail.camera = {{10, 0, "tracked", {0, 0, 0, 0, 0, 0, 1}, {}},
-                       {11, 100'000'000, "tracked", {0, 0, 0, 0, 0, 0, 1}, {}}};
+  run.detail.camera = {{10, 0, "tracked", {0, 0, 0, 0, 0, 0, 1}},
+                       {11, 100'000'000, "tracked", {0, 0, 0, 0, 0, 0, 1}}};
   BodyDetail body;
   body.id = 3;
   body.cluster = 7;
