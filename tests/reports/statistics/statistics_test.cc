@@ -198,6 +198,12 @@ TEST(Holm, StepsDownAndStaysInOrder) {
   EXPECT_TRUE(HolmAdjusted({}).empty());
 }
 
+// Of one spread each: 6 at 1.5 spreads, since (t_5(0.975) + t_5(0.8))^2 = 12.2 <= 6 * 1.5^2 and
+// (t_4(0.975) + t_4(0.8))^2 = 13.8 > 5 * 1.5^2.
+TEST(PairedTest, PairsNeededCountTheDegreesTheyHave) {
+  EXPECT_EQ(PairsNeeded({{-std::sqrt(0.5), std::sqrt(0.5)}}, 1.5), 6U);
+}
+
 TEST(Holm, IsMonotoneAndNeverBelowThePValueItself) {
   Rng rng(2, "holm");
   for (int trial = 0; trial < 50; ++trial) {
