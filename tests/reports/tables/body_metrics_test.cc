@@ -41,6 +41,13 @@ BodyScore RandomBody(int id, Rng& rng) {
         id != 2 || (member != &BodyRow::one_frame_rad && member != &BodyRow::one_frame_m);
     if (known) body.*member = rng.Uniform();
   }
+  if (body.mover) {
+    body.max_drift.emplace();
+    for (MaxDrift* drift : {&body.max_drift->all_poses, &body.max_drift->all_motions,
+                            &body.max_drift->first_motions}) {
+      *drift = {rng.Uniform(), rng.Uniform(), rng.Uniform(), rng.Uniform()};
+    }
+  }
   return body;
 }
 
