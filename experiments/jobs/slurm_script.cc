@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/base/error.h"
+#include "experiments/jobs/child_process.h"
 
 namespace cvo {
 namespace {
@@ -30,8 +31,9 @@ exit "$code"
 )sh";
 
 std::string Case(const Task& task, std::size_t index) {
+  const double limit_mb = kLimitsMemory ? task.limit_memory_mb : 0.0;
   const auto limit_kib =
-      static_cast<std::int64_t>(std::ceil(task.limit_memory_mb * kBytesPerLimitMb / kBytesPerKib));
+      static_cast<std::int64_t>(std::ceil(limit_mb * kBytesPerLimitMb / kBytesPerKib));
   std::string text = StrCat(index, ")\n  log=", ShellQuoted(task.log.string()),
                             " limit_s=", task.limit_s, " limit_kib=", limit_kib, "\n  set --");
   for (const std::string& word : task.argv) text += StrCat(" ", ShellQuoted(word));
