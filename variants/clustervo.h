@@ -50,6 +50,7 @@ struct ClusterVo {
     options.association.min_box_members = 1;
     options.association.max_view_change_rad = 3.15;
     options.association.left_only = false;
+    options.clusters.trace_states = 0;
     options.unary.past_frames = 5;
     options.unary.box_foot = 0.0;
     options.unary.box_shrink = 0.0;

@@ -298,6 +298,17 @@ struct AddPastInformation : Base {
 };
 
 template <typename Base>
+struct AddTraceBack : Base {
+  static constexpr std::string_view kRung = "trace_back";
+  static constexpr std::string_view kAdds =
+      "clusters that were found are looked for in the frames before";
+  static void SetDefaults(Options& options) {
+    Base::SetDefaults(options);
+    options.clusters.trace_states = Options().clusters.trace_states;
+  }
+};
+
+template <typename Base>
 struct AddIdentity : Base {
   static constexpr std::string_view kRung = "identity";
   static constexpr std::string_view kAdds =

@@ -23,16 +23,18 @@ double SearchRadius(const auto& innovation_px2, const ClusterAssociationOptions&
                     options.max_radius_px);
 }
 
-// The unique most similar feature that is_inside accepts, or -1.
-template <typename IsInside>
-Match FindSimilar(const PredictedLandmark& landmark, const FeatureGrid& grid,
-                  const std::vector<char>& is_taken, double radius_px,
-                  const ClusterAssociationOptions& options, IsInside is_inside) {
-  Match best{-1, -1, 257};
-  int second = 257;
+constexpr Match kNoMatch{-1, -1, 257};
+
+// The unique most similar feature that is_wanted and is_inside accept, or kNoMatch.
+template <typename IsWanted, typename IsInside>
+Match FindSimilar(const PredictedLandmark& landmark, const FeatureGrid& grid, double radius_px,
+                  const ClusterAssociationOptions& options, IsWanted is_wanted,
+                  IsInside is_inside) {
+  Match best = kNoMatch;
+  int second = kNoMatch.hamming;
   grid.VisitNear(landmark.zeta_px[0], landmark.zeta_px[1], radius_px, [&](int index) {
     const StereoFeature& feature = grid.features()[index];
-    if (is_taken[index] || std::abs(feature.octave - landmark.octave) > 1) return;
+    if (!is_wanted(index) || std::abs(feature.octave - landmark.octave) > 1) return;
     if (!is_inside(feature.z_px - landmark.zeta_px)) return;
     const int hamming = HammingDistance(feature.descriptor, landmark.descriptor);
     if (hamming < best.hamming) {
@@ -43,25 +45,17 @@ Match FindSimilar(const PredictedLandmark& landmark, const FeatureGrid& grid,
       second = std::min(second, hamming);
     }
   });
-  if (best.hamming > options.max_hamming || best.hamming >= options.ratio * second) {
-    best.feature = -1;
-  }
-  return best;
+  const bool is_unique = best.hamming < options.ratio * second;
+  return best.hamming <= options.max_hamming && is_unique ? best : kNoMatch;
 }
 
-std::vector<Match> FindGated(std::span<const PredictedLandmark> landmarks, const FeatureGrid& grid,
-                             const std::vector<char>& is_taken,
-                             const ClusterAssociationOptions& options,
-                             Eigen::Matrix3d PredictedLandmark::*covariance) {
+// One-to-one matches of the landmarks with what `find` finds for each.
+template <typename Find>
+std::vector<Match> FindOneToOne(std::span<const PredictedLandmark> landmarks,
+                                const FeatureGrid& grid, Find find) {
   std::vector<Match> candidates;
   for (int i = 0; i < static_cast<int>(landmarks.size()); ++i) {
-    const Eigen::Matrix3d& S = landmarks[i].*covariance;
-    const Eigen::LDLT<Eigen::Matrix3d> factor(S);
-    if (!(factor.vectorD().minCoeff() > kMinPivot_px2)) continue;
-    Match match = FindSimilar(landmarks[i], grid, is_taken, SearchRadius(S, options), options,
-                              [&](const Eigen::Vector3d& innovation) {
-                                return innovation.dot(factor.solve(innovation)) < options.gamma;
-                              });
+    Match match = find(landmarks[i]);
     match.landmark = i;
     if (match.feature >= 0) candidates.push_back(match);
   }
@@ -69,31 +63,48 @@ std::vector<Match> FindGated(std::span<const PredictedLandmark> landmarks, const
                       static_cast<int>(grid.features().size()));
 }
 
+// Free features that were found in the right image too.
+auto IsFreePair(const FeatureGrid& grid, const std::vector<char>& is_taken) {
+  return [&](int index) { return !is_taken[index] && !IsLeftOnly(grid.features()[index]); };
+}
+
+std::vector<Match> FindGated(std::span<const PredictedLandmark> landmarks, const FeatureGrid& grid,
+                             const std::vector<char>& is_taken,
+                             const ClusterAssociationOptions& options,
+                             Eigen::Matrix3d PredictedLandmark::*covariance) {
+  return FindOneToOne(landmarks, grid, [&](const PredictedLandmark& landmark) {
+    const Eigen::Matrix3d& S = landmark.*covariance;
+    const Eigen::LDLT<Eigen::Matrix3d> factor(S);
+    if (!(factor.vectorD().minCoeff() > kMinPivot_px2)) return kNoMatch;
+    return FindSimilar(landmark, grid, SearchRadius(S, options), options,
+                       IsFreePair(grid, is_taken), [&](const Eigen::Vector3d& innovation) {
+                         return innovation.dot(factor.solve(innovation)) < options.gamma;
+                       });
+  });
+}
+
 }  // namespace
 
 void AddLeftOnlyMatches(std::span<const PredictedLandmark> landmarks, const FeatureGrid& grid,
-                        const ClusterAssociationOptions& options, std::vector<Match>& matches) {
+                        const std::vector<char>& is_taken, const ClusterAssociationOptions& options,
+                        std::vector<Match>& matches) {
   std::vector<char> is_matched(landmarks.size(), 0);
   for (const Match& match : matches) is_matched[match.landmark] = 1;
-  std::vector<char> has_disparity;
-  for (const StereoFeature& feature : grid.features())
-    has_disparity.push_back(!IsLeftOnly(feature));
-  std::vector<Match> candidates;
-  for (int i = 0; i < static_cast<int>(landmarks.size()); ++i) {
-    if (is_matched[i] || landmarks[i].zeta_px[2] > kRightBorder_px) continue;
-    const Eigen::Matrix2d S = landmarks[i].innovation_px2.topLeftCorner<2, 2>();
-    const Eigen::Matrix2d information = S.inverse();
-    Match match = FindSimilar(landmarks[i], grid, has_disparity, SearchRadius(S, options), options,
-                              [&](const Eigen::Vector3d& innovation) {
-                                const Eigen::Vector2d d = innovation.head<2>();
-                                return d.dot(information * d) < options.gamma;
-                              });
-    match.landmark = i;
-    if (match.feature >= 0) candidates.push_back(match);
-  }
+  const auto is_free = [&](int index) {
+    return !is_taken[index] && IsLeftOnly(grid.features()[index]);
+  };
   const std::vector<Match> added =
-      KeepOneToOne(std::move(candidates), static_cast<int>(landmarks.size()),
-                   static_cast<int>(grid.features().size()));
+      FindOneToOne(landmarks, grid, [&](const PredictedLandmark& landmark) {
+        const bool is_found = is_matched[&landmark - landmarks.data()] != 0;
+        if (is_found || landmark.zeta_px[2] > kRightBorder_px) return kNoMatch;
+        const Eigen::Matrix2d S = landmark.innovation_px2.topLeftCorner<2, 2>();
+        const Eigen::Matrix2d information = S.inverse();
+        return FindSimilar(landmark, grid, SearchRadius(S, options), options, is_free,
+                           [&](const Eigen::Vector3d& innovation) {
+                             const Eigen::Vector2d d = innovation.head<2>();
+                             return d.dot(information * d) < options.gamma;
+                           });
+      });
   matches.insert(matches.end(), added.begin(), added.end());
 }
 
@@ -114,16 +125,11 @@ std::vector<Match> FixedRadiusAssociation::Find(std::span<const PredictedLandmar
                                                 const FeatureGrid& grid,
                                                 const std::vector<char>& is_taken,
                                                 const ClusterAssociationOptions& options) {
-  std::vector<Match> candidates;
   const double radius = options.fixed_radius_px;
-  for (int i = 0; i < static_cast<int>(landmarks.size()); ++i) {
-    Match match = FindSimilar(landmarks[i], grid, is_taken, radius, options,
-                              [&](const Eigen::Vector3d& d) { return std::abs(d[2]) <= radius; });
-    match.landmark = i;
-    if (match.feature >= 0) candidates.push_back(match);
-  }
-  return KeepOneToOne(std::move(candidates), static_cast<int>(landmarks.size()),
-                      static_cast<int>(grid.features().size()));
+  return FindOneToOne(landmarks, grid, [&](const PredictedLandmark& landmark) {
+    return FindSimilar(landmark, grid, radius, options, IsFreePair(grid, is_taken),
+                       [&](const Eigen::Vector3d& d) { return std::abs(d[2]) <= radius; });
+  });
 }
 
 }  // namespace cvo

@@ -24,12 +24,14 @@ struct PredictedLandmark {
 
 // Landmarks that are left of what the right image shows, among the features of the left image
 // alone: the most similar descriptor within the gate on (u_left, v); unique and one-to-one.
-// `matches` grow.
+// Features with is_taken are left out. `matches` grow.
 void AddLeftOnlyMatches(std::span<const PredictedLandmark> landmarks, const FeatureGrid& grid,
-                        const ClusterAssociationOptions& options, std::vector<Match>& matches);
+                        const std::vector<char>& is_taken, const ClusterAssociationOptions& options,
+                        std::vector<Match>& matches);
 
 // How a feature is found for a predicted landmark (Eq. 2 of the paper): the most similar descriptor
-// among the features within the gate; unique and one-to-one. Features with is_taken are left out.
+// among the features within the gate; unique and one-to-one. Features with is_taken, and those of
+// the left image alone, are left out.
 template <typename Policy>
 concept LandmarkAssociationPolicy = requires(std::span<const PredictedLandmark> landmarks,
                                              const FeatureGrid& grid,

@@ -7,20 +7,24 @@
 #include "core/clusters/cluster_pose.h"
 
 namespace cvo::internal {
+void PredictLandmarksOf(const FrameView& view, const Cluster& cluster, int q,
+                        const PredictedCluster& at, PredictedLandmarks& landmarks) {
+  for (int i = 0; i < static_cast<int>(cluster.landmarks.size()); ++i) {
+    const auto predicted = PredictLandmark(view.options, view.camera, view.world_from_camera, at,
+                                           cluster.landmarks[i]);
+    if (!predicted) continue;
+    landmarks.predicted.push_back(*predicted);
+    landmarks.source.push_back({q, i});
+  }
+}
+
 PredictedLandmarks PredictLandmarks(const FrameView& view, const ClusterMap& map,
                                     const std::vector<ClusterTrack>& tracks) {
-  PredictedLandmarks result;
+  PredictedLandmarks landmarks;
   for (int q = 0; q < static_cast<int>(map.live.size()); ++q) {
-    const Cluster& cluster = map.live[q];
-    for (int i = 0; i < static_cast<int>(cluster.landmarks.size()); ++i) {
-      const auto predicted = PredictLandmark(view.options, view.camera, view.world_from_camera,
-                                             tracks[q].predicted, cluster.landmarks[i]);
-      if (!predicted) continue;
-      result.predicted.push_back(*predicted);
-      result.source.push_back({q, i});
-    }
+    PredictLandmarksOf(view, map.live[q], q, tracks[q].predicted, landmarks);
   }
-  return result;
+  return landmarks;
 }
 
 void TrackClusters(const FrameView& view, const ClusterMap& map,

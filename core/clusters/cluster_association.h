@@ -26,8 +26,22 @@ struct PredictedLandmarks {
   std::vector<PredictedLandmark> predicted;
   std::vector<Source> source;
 };
+// Appends those of one cluster, index q.
+void PredictLandmarksOf(const FrameView& view, const Cluster& cluster, int q,
+                        const PredictedCluster& at, PredictedLandmarks& landmarks);
 PredictedLandmarks PredictLandmarks(const FrameView& view, const ClusterMap& map,
                                     const std::vector<ClusterTrack>& tracks);
+// By index into landmarks.predicted.
+template <LandmarkAssociationPolicy LandmarkAssociation>
+std::vector<Match> FindLandmarks(const FrameView& view, const PredictedLandmarks& landmarks,
+                                 const TakenFeatures& taken) {
+  std::vector<Match> matches =
+      LandmarkAssociation::Find(landmarks.predicted, view.grid, taken, view.options.association);
+  if (view.options.association.left_only) {
+    AddLeftOnlyMatches(landmarks.predicted, view.grid, taken, view.options.association, matches);
+  }
+  return matches;
+}
 // Splits matches by cluster, drops those that given labels forbid, solves each provisional pose and
 // keeps what agrees with it; marks the features taken.
 void TrackClusters(const FrameView& view, const ClusterMap& map,
@@ -80,11 +94,8 @@ std::vector<ClusterTrack> AssociateClusters(const FrameView& view, const Cluster
     tracks[q].world_from_object = tracks[q].predicted.world_from_object;
   }
   const internal::PredictedLandmarks landmarks = internal::PredictLandmarks(view, map, tracks);
-  std::vector<Match> matches =
-      LandmarkAssociation::Find(landmarks.predicted, view.grid, taken, view.options.association);
-  if (view.options.association.left_only) {
-    AddLeftOnlyMatches(landmarks.predicted, view.grid, view.options.association, matches);
-  }
+  const std::vector<Match> matches =
+      internal::FindLandmarks<LandmarkAssociation>(view, landmarks, taken);
   internal::TrackClusters(view, map, landmarks.source, matches, rng, taken, tracks);
 
   const std::vector<ImageBox> boxes = internal::BoxesOf(view.shown.detections);

@@ -26,6 +26,12 @@ inline bool IsConfirmed(const Cluster& cluster, const ClusterOptions& options) {
   return cluster.detections >= options.confirm_detections || cluster.given_body.valid();
 }
 
+// In the frame of its last detection; before it is, it has no identity but a new one.
+inline bool IsJustConfirmed(const Cluster& cluster, const ClusterOptions& options, FrameId newest) {
+  return IsConfirmed(cluster, options) && cluster.detections == options.confirm_detections &&
+         cluster.last_detected == newest && cluster.last_observed == newest;
+}
+
 // The observations of a frame that leaves T_t become past knowledge of their landmarks; the frame
 // is no longer in the window.
 void AbsorbObservations(const Window& window, const WindowFrame& leaving, const FeatureNoise& noise,

@@ -227,10 +227,7 @@ void InheritIdentities(const std::vector<LostCluster>& lost, FrameId newest,
                        ClusterMap& map) {
   std::vector<ClusterId> inherited;
   for (Cluster& cluster : map.live) {
-    const bool is_just_confirmed =
-        IsConfirmed(cluster, options) && cluster.detections == options.confirm_detections &&
-        cluster.last_detected == newest && cluster.last_observed == newest;
-    if (!is_just_confirmed) continue;
+    if (!IsJustConfirmed(cluster, options, newest)) continue;
     const LostCluster* predecessor = FindPredecessor(cluster, lost, map, identity);
     if (!predecessor) continue;
     if (std::find(inherited.begin(), inherited.end(), predecessor->id) != inherited.end()) continue;

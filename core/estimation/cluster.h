@@ -63,10 +63,11 @@ struct Cluster {
   Lineage former;
   FrameId last_observed;
   FrameId last_detected;
-  int frames = 1;      // that saw it, ever
-  int detection = -1;  // index of the last frame's associated one; -1: none
-  int detections = 0;  // frames with an associated one
-  double score = 0.0;  // of the last one
+  FrameId lost_before;  // where it was looked for back in time: it is not in the frame before
+  int frames = 1;       // that saw it, ever
+  int detection = -1;   // index of the last frame's associated one; -1: none
+  int detections = 0;   // frames with an associated one
+  double score = 0.0;   // of the last one
 
   const ClusterState& Latest() const { return states.back(); }
 };

@@ -12,6 +12,7 @@ namespace cvo {
 // The disagreement of a corner that was not found in the right image: the column there says
 // nothing.
 inline constexpr float kNoDisparity_px = 1e3F;
+constexpr bool HasNoDisparity(double disagreement_px) { return disagreement_px >= kNoDisparity_px; }
 
 // A corner of the left image that was found in the right one: z of the paper's section 3. In boxes
 // there are also those that were not: u_right is u_left until the body that they lie on is known.
@@ -32,6 +33,6 @@ struct StereoFeature {
 };
 
 // Of a feature or an observation of one.
-bool IsLeftOnly(const auto& seen) { return seen.disagreement_px >= kNoDisparity_px; }
+bool IsLeftOnly(const auto& seen) { return HasNoDisparity(seen.disagreement_px); }
 
 }  // namespace cvo

@@ -25,6 +25,7 @@ struct ClusterOptions {
   double first_turn_rad_s = 2.0;
   double turn_deviation_rad_s = 0.5;
   double score_decay = 0.9;
+  int trace_states = 3;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
@@ -101,6 +102,11 @@ struct ClusterOptions {
     visit.Field(
         "score_decay", self.score_decay,
         {"1", 0, 1, "factor on a cluster's score per frame without a detection", "METHOD.md 10.1"});
+    visit.Field("trace_states", self.trace_states,
+                {"states", 0, 1000,
+                 "number of states in a row after which a found cluster is also searched in the "
+                 "frames before; 0: never",
+                 "two states give a velocity, the third checks it"});
   }
 };
 

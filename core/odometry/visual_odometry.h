@@ -10,6 +10,7 @@
 #include "core/clusters/ground_direction.h"
 #include "core/clusters/landmark_alignment.h"
 #include "core/clusters/left_only.h"
+#include "core/clusters/trace_back.h"
 #include "core/estimation/double_track.h"
 #include "core/interface/odometry.h"
 #include "core/labelling/cluster_birth.h"
@@ -71,7 +72,7 @@ class VisualOdometry final : public Odometry {
     std::vector<ClusterTrack> cluster_tracks;
     {
       const ScopedStage stage(times, "associate");
-      TakenFeatures taken = TakenBy(static_matches, frame.features);
+      TakenFeatures taken = TakenBy(static_matches, frame.features.size());
       cluster_tracks = AssociateClusters<typename Variant::LandmarkAssociation,
                                          typename Variant::BoxWeights, typename Variant::BoxCost,
                                          typename Variant::ClassGate, typename Variant::BoxRematch>(
@@ -126,6 +127,14 @@ class VisualOdometry final : public Odometry {
       report.calibration = {window_.camera.right_field_px, window.right_field_information};
     }
 
+    // Clusters that were found are looked for in the frames before (METHOD.md 6.6).
+    {
+      const ScopedStage stage(times, "trace");
+      TraceBack<typename Variant::LandmarkAssociation>(options_, window_, PredictorAnytimeOf(),
+                                                       &Variant::Detections::Show, kept_, clusters_,
+                                                       cluster_rng_);
+    }
+
     // Every cluster against the camera as it is now (3.3, dynamic clusters).
     {
       const ScopedStage stage(times, "optimize_clusters");
@@ -140,7 +149,9 @@ class VisualOdometry final : public Odometry {
     report.matches = track ? track->matches : 0;
     report.inliers = static_cast<int>(static_matches.size());
     report.landmarks = ReportLandmarks(view, points, labels);
-    return EndTracked(view, report);
+    report = EndTracked(view, std::move(report));
+    Keep(std::move(frame), report.landmarks);
+    return report;
   }
 
   FrameReport Skip(std::int64_t timestamp_ns) override {
@@ -182,13 +193,28 @@ class VisualOdometry final : public Odometry {
     window_ = Window{camera_, CalibrationPrior(camera_, deviation_px), {}, {}, {}};
   }
 
-  // Those of the left image alone are for AddLeftOnlyMatches.
-  static TakenFeatures TakenBy(const std::vector<Match>& matches,
-                               const std::vector<StereoFeature>& features) {
-    TakenFeatures taken(features.size(), 0);
-    for (std::size_t i = 0; i < features.size(); ++i) taken[i] = IsLeftOnly(features[i]);
+  PredictorAnytime PredictorAnytimeOf() const {
+    return [this](const Cluster& cluster, std::int64_t timestamp_ns) {
+      return PredictorAt<typename Variant::MotionPrior, typename Variant::Rotation>(
+          timestamp_ns, options_.motion_prior, options_.clusters)(cluster);
+    };
+  }
+
+  static TakenFeatures TakenBy(const std::vector<Match>& matches, std::size_t features) {
+    TakenFeatures taken(features, 0);
     for (const Match& match : matches) taken[match.feature] = 1;
     return taken;
+  }
+
+  void Keep(StereoFrame frame, const std::vector<LandmarkReport>& landmarks) {
+    if (options_.clusters.trace_states == 0) return;
+    KeptFrame kept{newest_, std::move(frame), {}};
+    kept.taken.resize(kept.frame.features.size(), 0);
+    for (const LandmarkReport& landmark : landmarks) {
+      kept.taken[landmark.feature] = landmark.cluster.valid() && landmark.cluster != kStaticScene;
+    }
+    kept_.push_back(std::move(kept));
+    while (kept_.front().id < window_.temporal.front().id) kept_.pop_front();
   }
 
   // The frame joins T_t; what the clusters saw in the frame that leaves it is kept by their points.
@@ -272,6 +298,7 @@ class VisualOdometry final : public Odometry {
   DoubleTrack<typename Variant::MarginalizationRule, typename Variant::SpatialTrack> double_track_;
 
   Window window_;
+  std::deque<KeptFrame> kept_;  // of T_t
   ClusterMap clusters_;
   BodyBoxes boxes_;
   MotionModel motion_;

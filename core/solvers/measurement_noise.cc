@@ -30,7 +30,7 @@ Eigen::Matrix3d FeatureNoise::SqrtInformation(int octave, bool is_aligned,
                                               double disagreement_px) const {
   NoiseOptions noise = options;
   if (is_aligned) noise.corner_px = options.aligned_px;
-  if (disagreement_px >= kNoDisparity_px) {
+  if (HasNoDisparity(disagreement_px)) {
     noise.disparity_px = disagreement_px;
   } else if (noise.disagreement > 0.0) {
     noise.disparity_px = std::hypot(noise.least_disparity_px, noise.disagreement * disagreement_px);

@@ -22,7 +22,7 @@ constexpr std::array kCacheStages = {"load_features", "store_features", "wait_fo
                                      "frame"};
 // In the order of the work; what is not named here follows, the sum comes last.
 constexpr std::array kEstimator = {"track",    "associate",         "label",   "window",
-                                   "optimize", "optimize_clusters", "estimate"};
+                                   "optimize", "trace", "optimize_clusters", "estimate"};
 constexpr int kBarsWidth_px = 620;
 constexpr char kSum[] = "estimate";
 constexpr char kAllVariants[] = "front end, all variants";

@@ -131,7 +131,8 @@ TEST(AddLeftOnlyMatches, FindsLandmarksLeftOfTheRightImage) {
   // image should show the fifth.
   for (const int i : {0, 2, 3, 4}) scene.features[i].disagreement_px = kNoDisparity_px;
   std::vector<Match> matches = {{3, 1, 0}};
-  AddLeftOnlyMatches(scene.landmarks, scene.Grid(), {}, matches);
+  const std::vector<char> is_taken(scene.features.size(), 0);
+  AddLeftOnlyMatches(scene.landmarks, scene.Grid(), is_taken, {}, matches);
   ASSERT_THAT(matches, SizeIs(2));
   EXPECT_EQ(matches[1].landmark, 0);
   EXPECT_EQ(matches[1].feature, 0);

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/clusters/trace_back.h"
+
+#include "core/clusters/cluster_pose.h"
+#include "core/clusters/landmark_alignment.h"
+#include "core/clusters/left_only.h"
+
+namespace cvo::internal {
+namespace {
+
+std::vector<ClusterPose>::iterator FirstPoseFrom(FrameId frame, ClusterTrajectory& trajectory) {
+  return std::lower_bound(
+      trajectory.poses.begin(), trajectory.poses.end(), frame.value,
+      [](const ClusterPose& pose, std::int64_t value) { return pose.frame < value; });
+}
+
+bool WasTracked(const ClusterTrajectory& trajectory, FrameId frame) {
+  return std::any_of(trajectory.poses.begin(), trajectory.poses.end(),
+                     [frame](const ClusterPose& pose) {
+                       return pose.frame == frame.value && pose.status == ClusterStatus::kTracked;
+                     });
+}
+
+auto FirstStateAfter(FrameId frame, auto& states) {
+  return std::find_if(states.begin(), states.end(),
+                      [frame](const ClusterState& state) { return frame < state.frame; });
+}
+
+// Where observations are by frame, oldest first.
+void InsertObservation(const Observation& seen, Landmark& landmark) {
+  const auto later = std::find_if(landmark.observations.begin(), landmark.observations.end(),
+                                  [&](const Observation& o) { return seen.frame < o.frame; });
+  landmark.observations.insert(later, seen);
+}
+
+// As the next pose, but for what the frame itself says.
+void InsertPose(const KeptFrame& kept, const ClusterTrack& track, double score_decay,
+                ClusterTrajectory& trajectory) {
+  auto at = FirstPoseFrom(kept.id, trajectory);
+  if (at != trajectory.poses.end() && at->frame == kept.id.value) at = trajectory.poses.erase(at);
+  if (at == trajectory.poses.end()) return;
+  ClusterPose pose = *at;
+  pose.frame = kept.id.value;
+  pose.timestamp_ns = kept.frame.timestamp_ns;
+  pose.status = ClusterStatus::kTracked;
+  pose.world_from_object = track.world_from_object;
+  pose.velocity_m_s = track.predicted.velocity_m_s;
+  pose.observed_landmarks = static_cast<int>(track.matches.size());
+  pose.detection = -1;
+  pose.score *= score_decay;
+  trajectory.poses.insert(at, pose);
+}
+
+}  // namespace
+
+FrameId FirstTracked(const Window& window, const Cluster& cluster) {
+  FrameId first;
+  for (auto frame = window.temporal.rbegin(); frame != window.temporal.rend(); ++frame) {
+    if (!FindState(cluster, frame->id)) break;
+    first = frame->id;
+  }
+  return first;
+}
+
+std::vector<FrameId> FramesToTrace(const ClusterOptions& options, const Window& window,
+                                   const ClusterTrajectory& trajectory, const Cluster& cluster) {
+  const FrameId newest = window.temporal.back().id;
+  const FrameId first = FirstTracked(window, cluster);
+  // What is confirmed in this frame may yet turn out to be another cluster (IdentityPolicy).
+  const bool is_settled =
+      IsConfirmed(cluster, options) && !IsJustConfirmed(cluster, options, newest);
+  if (options.trace_states == 0 || !first.valid() || !is_settled) return {};
+  std::vector<FrameId> frames;
+  int states = 0;
+  for (auto frame = window.temporal.rbegin(); frame != window.temporal.rend(); ++frame) {
+    if (first < frame->id || frame->id == first) {
+      ++states;
+      continue;
+    }
+    if (WasTracked(trajectory, frame->id)) break;
+    frames.push_back(frame->id);
+  }
+  if (states < options.trace_states || cluster.lost_before == first) frames.clear();
+  return frames;
+}
+
+PredictedCluster PredictBack(const PredictorAnytime& predict, const Cluster& cluster,
+                             const KeptFrame& kept) {
+  const auto next = FirstStateAfter(kept.id, cluster.states);
+  Cluster reversed;
+  reversed.frames = cluster.frames;
+  for (auto state = std::min(next + 2, cluster.states.end()); state != next;) {
+    ClusterState seen = *--state;
+    seen.timestamp_ns = -seen.timestamp_ns;
+    seen.velocity_m_s = -seen.velocity_m_s;
+    reversed.states.push_back(seen);
+  }
+  PredictedCluster predicted = predict(reversed, -kept.frame.timestamp_ns);
+  predicted.velocity_m_s = -predicted.velocity_m_s;
+  return predicted;
+}
+
+std::optional<ClusterTrack> TrackInPast(const FrameView& view, const Cluster& cluster,
+                                        const PredictedCluster& predicted,
+                                        const PredictedLandmarks& landmarks,
+                                        const std::vector<Match>& matches, Rng& rng,
+                                        KeptFrame& kept) {
+  std::vector<Match> allowed;
+  for (const Match& match : matches) {
+    if (!IsAllowed(view, cluster, match.feature)) continue;
+    allowed.push_back({landmarks.source[match.landmark].landmark, match.feature, match.hamming});
+  }
+  const auto solution = SolvePose(view, cluster, predicted.world_from_object, allowed,
+                                  view.options.clusters.min_tracked, true, rng);
+  if (!solution) return std::nullopt;
+  const RigidTransform world_from_object =
+      view.world_from_camera * solution->world_from_camera.Inverse();
+  const double off_m2 =
+      (world_from_object.translation() - predicted.world_from_object.translation()).squaredNorm();
+  if (off_m2 > view.options.association.gamma *
+                   predicted.translation_variance_m2) {
+    return std::nullopt;
+  }
+  ClusterTrack track;
+  track.predicted = predicted;
+  AcceptPose(view, allowed, *solution, kept.taken, track);
+  const RigidTransform camera_from_object =
+      view.world_from_camera.Inverse() * track.world_from_object;
+  AlignToLandmarks(view.options, camera_from_object, cluster.landmarks, track.matches,
+                   kept.frame.features);
+  PlaceLeftOnly(view.camera, camera_from_object, cluster.landmarks, track.matches,
+                kept.frame.features);
+  return track;
+}
+
+void AddPast(const ClusterOptions& options, const KeptFrame& kept, const ClusterTrack& track,
+             Cluster& cluster, ClusterTrajectory& trajectory) {
+  for (const Match& match : track.matches) {
+    const StereoFeature& feature = kept.frame.features[match.feature];
+    InsertObservation(
+        {kept.id, feature.z_px, feature.octave, feature.is_aligned, feature.disagreement_px},
+        cluster.landmarks[match.landmark]);
+  }
+  cluster.states.insert(
+      FirstStateAfter(kept.id, cluster.states),
+      {kept.id, kept.frame.timestamp_ns, track.world_from_object, track.predicted.velocity_m_s});
+  ++cluster.frames;
+  if (kept.id < cluster.former.since) cluster.former.since = kept.id;
+  InsertPose(kept, track, options.score_decay, trajectory);
+}
+
+}  // namespace cvo::internal

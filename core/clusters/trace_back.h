@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/clusters/cluster_association.h"
+
+namespace cvo {
+
+// A frame of T_t as it was seen: a body that is found later may be in it.
+struct KeptFrame {
+  FrameId id;
+  StereoFrame frame;
+  TakenFeatures taken;  // by clusters
+};
+
+// Any cluster as it is predicted at any time after its latest state.
+using PredictorAnytime =
+    std::function<PredictedCluster(const Cluster& cluster, std::int64_t timestamp_ns)>;
+
+namespace internal {
+
+// The first of the frames of T_t in which the cluster has been tracked without a gap until now;
+// invalid where it is not tracked now.
+FrameId FirstTracked(const Window& window, const Cluster& cluster);
+// The frames of T_t before that one, the latest first, up to one in which the cluster was tracked.
+// Empty unless it is time to search them.
+std::vector<FrameId> FramesToTrace(const ClusterOptions& options, const Window& window,
+                                   const ClusterTrajectory& trajectory, const Cluster& cluster);
+// The cluster in an earlier frame from its next two states: they are the last two where time runs
+// back.
+PredictedCluster PredictBack(const PredictorAnytime& predict, const Cluster& cluster,
+                             const KeptFrame& kept);
+// The cluster in an earlier frame; empty where too few of the matches agree. The features that
+// show it are placed and taken as in the newest frame.
+std::optional<ClusterTrack> TrackInPast(const FrameView& view, const Cluster& cluster,
+                                        const PredictedCluster& predicted,
+                                        const PredictedLandmarks& landmarks,
+                                        const std::vector<Match>& matches, Rng& rng,
+                                        KeptFrame& kept);
+// The state, the observations and the reported pose of an earlier frame.
+void AddPast(const ClusterOptions& options, const KeptFrame& kept, const ClusterTrack& track,
+             Cluster& cluster, ClusterTrajectory& trajectory);
+
+}  // namespace internal
+
+// Follows clusters that were found, for the first time or again, back through T_t until they are
+// lost (METHOD.md 6.6). `show` says what the estimator is shown of a frame's bodies.
+template <LandmarkAssociationPolicy LandmarkAssociation>
+void TraceBack(const Options& options, const Window& window, const PredictorAnytime& predict,
+               ShownBodies (*show)(const StereoFrame&), std::deque<KeptFrame>& kept_frames,
+               ClusterMap& map, Rng& rng) {
+  for (Cluster& cluster : map.live) {
+    ClusterTrajectory& trajectory = map.trajectories[cluster.id];
+    for (const FrameId id :
+         internal::FramesToTrace(options.clusters, window, trajectory, cluster)) {
+      const auto kept = std::find_if(kept_frames.begin(), kept_frames.end(),
+                                     [id](const KeptFrame& frame) { return frame.id == id; });
+      if (kept == kept_frames.end()) break;
+      const FeatureGrid grid(kept->frame.features, window.camera);
+      const FrameView view{options, kept->frame,   show(kept->frame),
+                           grid,    window.camera, window.Find(id)->world_from_camera};
+      const PredictedCluster predicted = internal::PredictBack(predict, cluster, *kept);
+      internal::PredictedLandmarks landmarks;
+      internal::PredictLandmarksOf(view, cluster, 0, predicted, landmarks);
+      const auto track = internal::TrackInPast(
+          view, cluster, predicted, landmarks,
+          internal::FindLandmarks<LandmarkAssociation>(view, landmarks, kept->taken), rng, *kept);
+      if (!track) {
+        cluster.lost_before = internal::FirstTracked(window, cluster);
+        break;
+      }
+      internal::AddPast(options.clusters, *kept, *track, cluster, trajectory);
+    }
+  }
+}
+
+}  // namespace cvo
