@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/clustering/point_extent.h"
-#include "core/clusters/box_center.h"
+#include "core/bodies/box_center.h"
 
 namespace cvo {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/clustering/point_extent.h"
-#include "core/clusters/box_center.h"
+#include "core/bodies/box_center.h"
 
 namespace cvo {
 namespace {

@@ -4,10 +4,10 @@
 
 #include "core/association/feature_grid.h"
 #include "core/base/rng.h"
-#include "core/clusters/body_boxes.h"
+#include "core/bodies/body_boxes.h"
 #include "core/clusters/cluster_association.h"
 #include "core/clusters/cluster_optimization.h"
-#include "core/clusters/ground_direction.h"
+#include "core/bodies/ground_direction.h"
 #include "core/clusters/landmark_alignment.h"
 #include "core/clusters/left_only.h"
 #include "core/clusters/trace_back.h"

@@ -31,7 +31,7 @@ std::vector<Part> CoreParts() {
   std::vector<std::string> below;
   for (const char* layer :
        {"base", "geometry", "features", "association", "clustering", "solvers", "estimation",
-        "interface", "clusters", "labelling", "odometry", "ceres"}) {
+        "interface", "clusters", "bodies", "labelling", "odometry", "ceres"}) {
     below.push_back(StrCat("core/", layer, "/"));
     std::vector<std::string> banned = NoFiles();
     if (layer != std::string("base")) banned.emplace_back("chrono");  // no clock steers a result

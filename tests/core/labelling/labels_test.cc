@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/base/rng.h"
-#include "core/clusters/box_center.h"
+#include "core/bodies/box_center.h"
 #include "core/clusters/cluster_pose.h"
 #include "core/labelling/cluster_birth.h"
 #include "core/labelling/landmark_update.h"

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/clusters/body_place.h"
+#include "core/bodies/body_place.h"
 
 namespace cvo {
 

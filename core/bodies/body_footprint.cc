@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/clusters/body_footprint.h"
+#include "core/bodies/body_footprint.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "core/clusters/body_direction.h"
+#include "core/bodies/body_direction.h"
 
 namespace cvo {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/clusters/body_boxes.h"
+#include "core/bodies/body_boxes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "core/clusters/body_direction.h"
-#include "core/clusters/body_score.h"
+#include "core/bodies/body_direction.h"
+#include "core/bodies/body_score.h"
 #include "core/odometry/detection_policies.h"
 #include "tests/core/clusters/small_windows.h"
 

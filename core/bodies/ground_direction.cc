@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/clusters/ground_direction.h"
+#include "core/bodies/ground_direction.h"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>

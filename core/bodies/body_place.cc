@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/clusters/body_place.h"
+#include "core/bodies/body_place.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/base/median.h"
-#include "core/clusters/box_center.h"
+#include "core/bodies/box_center.h"
 
 namespace cvo {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/clusters/box_center.h"
+#include "core/bodies/box_center.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/clusters/body_boxes.h"
+#include "core/bodies/body_boxes.h"
 
 #include <algorithm>
 
-#include "core/clusters/body_direction.h"
-#include "core/clusters/body_footprint.h"
-#include "core/clusters/body_score.h"
+#include "core/bodies/body_direction.h"
+#include "core/bodies/body_footprint.h"
+#include "core/bodies/body_score.h"
 
 namespace cvo {
 

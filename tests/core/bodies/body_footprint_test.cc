@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/clusters/body_footprint.h"
+#include "core/bodies/body_footprint.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/base/rng.h"
-#include "core/clusters/body_direction.h"
+#include "core/bodies/body_direction.h"
 #include "core/interface/options.h"
 
 namespace cvo {

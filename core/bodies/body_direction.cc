@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/clusters/body_direction.h"
+#include "core/bodies/body_direction.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/clusters/body_place.h"
+#include "core/bodies/body_place.h"
 
 namespace cvo {
 
