@@ -78,7 +78,7 @@ std::vector<FrameId> FramesToTrace(const ClusterOptions& options, const Window& 
       ++states;
       continue;
     }
-    if (WasTracked(trajectory, frame->id)) break;
+    if (FindState(cluster, frame->id) || WasTracked(trajectory, frame->id)) break;
     frames.push_back(frame->id);
   }
   if (states < options.trace_states || cluster.lost_before == first) frames.clear();

@@ -94,6 +94,69 @@ TEST(TraceBack, EndsWhereTheBodyWasNotSeen) {
   EXPECT_EQ(Watch({.detected_from = 8, .features_from = 4}).frames.front(), 4);
 }
 
+// T_t are the frames 0 to 6; the cluster was found in frame 4, its trajectory begins with frame 0.
+struct Found {
+  Window window;
+  Cluster cluster;
+  ClusterTrajectory trajectory;
+  ClusterOptions options;
+
+  Found() {
+    cluster.detections = options.confirm_detections;
+    for (const int frame : {0, 1, 2, 3, 4, 5, 6}) {
+      window.temporal.push_back({FrameId{frame}, {}});
+      ClusterPose pose;
+      pose.frame = frame;
+      pose.status = frame >= 4 ? ClusterStatus::kTracked : ClusterStatus::kPredicted;
+      trajectory.poses.push_back(pose);
+      if (frame >= 4)
+        cluster.states.push_back({FrameId{frame}, MovingWorld::TimeOf(frame), {}, {}});
+    }
+  }
+  std::vector<FrameId> Frames() const {
+    return internal::FramesToTrace(options, window, trajectory, cluster);
+  }
+};
+
+TEST(FramesToTrace, AreThoseBeforeTheClusterWasFound) {
+  const std::vector<FrameId> all = {FrameId{3}, FrameId{2}, FrameId{1}, FrameId{0}};
+  EXPECT_EQ(Found().Frames(), all);
+  EXPECT_EQ(internal::FirstTracked(Found().window, Found().cluster), FrameId{4});
+}
+
+TEST(FramesToTrace, EndWhereTheClusterWasTracked) {
+  const std::vector<FrameId> two = {FrameId{3}, FrameId{2}};
+  Found by_trajectory;  // under an identity that it has taken over
+  by_trajectory.trajectory.poses[1].status = ClusterStatus::kTracked;
+  EXPECT_EQ(by_trajectory.Frames(), two);
+  // With too few landmarks to count as tracked: the frame must not get a second state.
+  Found by_state;
+  by_state.cluster.states.insert(by_state.cluster.states.begin(),
+                                 {FrameId{1}, MovingWorld::TimeOf(1), {}, {}});
+  EXPECT_EQ(by_state.Frames(), two);
+}
+
+TEST(FramesToTrace, AreNoneUntilItIsTime) {
+  Found off;
+  off.options.trace_states = 0;
+  EXPECT_TRUE(off.Frames().empty());
+  Found young;
+  young.options.trace_states = 4;
+  EXPECT_TRUE(young.Frames().empty());
+  Found unconfirmed;
+  unconfirmed.cluster.detections = 1;
+  EXPECT_TRUE(unconfirmed.Frames().empty());
+  Found just_confirmed;
+  just_confirmed.cluster.last_detected = just_confirmed.cluster.last_observed = FrameId{6};
+  EXPECT_TRUE(just_confirmed.Frames().empty());
+  Found lost;
+  lost.cluster.states.pop_back();
+  EXPECT_TRUE(lost.Frames().empty());
+  Found done;
+  done.cluster.lost_before = FrameId{4};
+  EXPECT_TRUE(done.Frames().empty());
+}
+
 TEST(PredictBack, GoesOnAgainstTheMotionOfTheNextTwoStates) {
   const auto at = [](double time_s) {
     return RigidTransform(ExpSo3({0.0, 0.5 * time_s, 0.0}), Eigen::Vector3d(time_s, 0.0, 4.0));
