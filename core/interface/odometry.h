@@ -30,7 +30,8 @@ struct ClusterPose : ClusterReport {
 struct ClusterTrajectory {
   ClusterId id;
   std::string category;
-  // By frame, one per frame in which the cluster was live, those before it was confirmed included.
+  // By frame, one per frame in which the cluster was live, those before it was confirmed included,
+  // and those before it was found in which it was traced back (METHOD.md 6.6).
   std::vector<ClusterPose> poses;
 };
 

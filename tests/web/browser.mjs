@@ -8,6 +8,8 @@ const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-ba
   '--disable-component-update', '--disable-sync'];
 const GL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 const NO_GL = ['--disable-gpu', '--disable-3d-apis'];
+// A page that does nothing for so long has stopped; on a busy machine one may take a minute to load.
+const PATIENCE_MS = 200_000;
 
 export function launcher(modules, chromium) {
   const { chromium: driver } = createRequire(join(modules, 'x.js'))('playwright-core');
@@ -19,6 +21,7 @@ export function launcher(modules, chromium) {
 // What of it a page must not do is in `faults`: errors in the console, requests but for itself.
 export async function openPage(browser, file, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+  context.setDefaultTimeout(PATIENCE_MS);
   const page = await context.newPage();
   const faults = [];
   page.on('console', (message) => { if (message.type() === 'error') faults.push(message.text()); });
