@@ -6,7 +6,6 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "experiments/datasets/plausibility.h"
 #include "experiments/record/cluster_rows.h"
 #include "experiments/record/job_identity.h"
 
@@ -163,8 +162,8 @@ Json PoseToJson(const RigidTransform& pose) {
   return {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
 }
 
-reports::RunSequence SequenceOf(const Sequence& sequence, const ObjectTruth* bodies,
-                                const std::string& content) {
+reports::RunSequence SequenceOf(const Sequence& sequence, const std::string& content,
+                                const std::vector<std::string>& warnings) {
   reports::RunSequence of;
   of.name = sequence.name;
   of.type = sequence.type;
@@ -181,7 +180,7 @@ reports::RunSequence SequenceOf(const Sequence& sequence, const ObjectTruth* bod
   of.camera = CameraOf(sequence.camera);
   const Json perturbation = PerturbationToJson(sequence.perturbation);
   if (!perturbation.empty()) of.perturbation = perturbation;
-  of.warnings = FindImplausible(sequence, bodies);
+  of.warnings = warnings;
   if (!sequence.layout.empty()) of.layout = sequence.layout;
   return of;
 }
@@ -223,7 +222,7 @@ std::string ResultFile(const RunRecord& record) {
   summary.message = record.run.message;
   summary.variant = record.variant;
   summary.seed = record.seed;
-  summary.sequence = SequenceOf(record.sequence, record.truth.objects, record.run.content);
+  summary.sequence = SequenceOf(record.sequence, record.run.content, record.warnings);
   summary.options = record.options;
   summary.given = record.given;
   summary.detection_counts = DetectionsToJson(record.run.detections);

@@ -29,14 +29,15 @@ struct RunRecord {
   std::optional<reports::RunBodies> bodies = {};  // empty without truth
   const RunResult& run;
   TruthRecord truth = {};
+  std::vector<std::string> warnings = {};  // FindImplausible
 };
 
 // tx ty tz qx qy qz qw.
 Json PoseToJson(const RigidTransform& pose);
 
-// What was read, with its hash; `bodies` may be null.
-reports::RunSequence SequenceOf(const Sequence& sequence, const ObjectTruth* bodies,
-                                const std::string& content);
+// What was read, with its hash and what FindImplausible says of it.
+reports::RunSequence SequenceOf(const Sequence& sequence, const std::string& content,
+                                const std::vector<std::string>& warnings);
 
 reports::CameraInfo CameraOf(const StereoCamera& camera);
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/interface/frame.h"
+#include "experiments/datasets/plausibility.h"
 #include "experiments/record/job_identity.h"
 #include "experiments/record/result_file.h"
 
@@ -76,7 +77,8 @@ std::string SystemResultFile(const SystemRecord& record) {
   summary.variant = reports::SystemVariant(record.system);
   summary.system = FilesToJson(record);
   summary.seed = record.seed;
-  summary.sequence = SequenceOf(record.sequence, record.truth, record.content);
+  summary.sequence =
+      SequenceOf(record.sequence, record.content, FindImplausible(record.sequence, record.truth));
   summary.sequence.camera.right_shift_px = record.right_shift_px;
   summary.given = GivenToJson({}, {});
   summary.build = record.build;

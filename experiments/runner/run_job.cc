@@ -62,12 +62,12 @@ std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesyste
   const BuildIdentity build = ThisBuild();
   const std::unique_ptr<BodyTruthReader> truth = ReadBodyTruth(request.sequence);
   std::optional<StagedFile> landmarks;
-  RunRequest writing = request;
+  LandmarkSink sink;
   if (request.landmarks) {
     landmarks.emplace(BeginLandmarks(folder));
-    writing.landmark_rows = [&landmarks](const std::string& rows) { landmarks->Append(rows); };
+    sink = [&landmarks](const std::string& rows) { landmarks->Append(rows); };
   }
-  std::optional<RunResult> run = RunSequence(writing, truth.get());
+  std::optional<RunResult> run = RunSequence(request, truth.get(), sink);
   if (!run) return std::nullopt;
 
   const ObjectTruth* bodies = truth ? &truth->objects() : nullptr;
@@ -86,7 +86,8 @@ std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesyste
                          .truth = {.camera = &request.sequence.groundtruth_world_from_camera,
                                    .objects = bodies,
                                    .truth_from_estimate = outcome.scores.truth_from_estimate,
-                                   .bodies = &outcome.scores.refined_bodies}};
+                                   .bodies = &outcome.scores.refined_bodies},
+                         .warnings = outcome.warnings};
   outcome.context.job = RecordedJob(record);
   outcome.context.threads = request.threads;
   outcome.context.sequence_folder = std::filesystem::absolute(request.sequence.folder).string();

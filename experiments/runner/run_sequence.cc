@@ -100,9 +100,9 @@ void KeepTimes(const StageTimes& times_s, RunResult& result) {
 }
 
 // Lets the estimator work on one frame and adds it to the result. An Error of the estimator makes
-// the result a failed one without the frame.
-void Estimate(const RunRequest& request, const std::vector<LandmarkTruth>& feature_truth,
-              Odometry& odometry, PreparedFrame& prepared, RunResult& result) {
+// the result a failed one without the frame: false.
+bool Estimate(const RunRequest& request, Odometry& odometry, PreparedFrame& prepared,
+              RunResult& result) {
   FrameRecord record;
   record.frame = request.sequence.first_frame + static_cast<int>(result.frames.size());
   record.timestamp_ns = prepared.frame.timestamp_ns;
@@ -114,17 +114,21 @@ void Estimate(const RunRequest& request, const std::vector<LandmarkTruth>& featu
   } catch (const Error& error) {
     result.status = RunStatus::kFailed;
     result.message = StrCat("frame ", record.frame, ": ", error.what());
-    return;
+    return false;
   }
   record.refined_world_from_camera = record.report.world_from_camera;
-  if (request.landmark_rows) {
-    request.landmark_rows(
-        LandmarkRows(record.frame, prepared.frame, record.report.landmarks, feature_truth));
-  }
-  record.landmarks = Observe(record.report.landmarks, feature_truth);
-  record.report.landmarks = std::vector<LandmarkReport>();  // frees its memory, "= {}" does not
   record.detections = std::move(prepared.frame.detections);
   result.frames.push_back(std::move(record));
+  return true;
+}
+
+// Gives the landmarks of a frame away and keeps their counts.
+void GiveLandmarks(const StereoFrame& given, const std::vector<LandmarkTruth>& feature_truth,
+                   const LandmarkSink& sink, FrameRecord& record) {
+  std::vector<LandmarkReport>& landmarks = record.report.landmarks;
+  if (sink) sink(LandmarkRows(record.frame, given, landmarks, feature_truth));
+  record.landmarks = Observe(landmarks, feature_truth);
+  landmarks = std::vector<LandmarkReport>();  // frees its memory, "= {}" does not
 }
 
 // The final poses; those of a failed run stay unchanged.
@@ -153,16 +157,18 @@ void JudgeStatus(RunResult& result) {
 }
 
 // The identity of the input does not depend on how far the run came.
-void HashRest(const RunRequest& request, std::vector<ImageHashes>& hashes) {
+std::string ContentOf(const RunRequest& request, std::vector<ImageHashes> hashes) {
   for (std::size_t i = hashes.size(); i < request.sequence.images.size(); ++i) {
     hashes.push_back(request.images.empty() ? HashPair(request.sequence.images[i])
                                             : request.images[i]);
   }
+  return ContentHash(request.sequence, hashes);
 }
 
 }  // namespace
 
-std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader* truth) {
+std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader* truth,
+                                     const LandmarkSink& landmarks) {
   const Sequence& sequence = request.sequence;
   Require(request.images.empty() || request.images.size() == sequence.images.size(),
           "RunSequence: the hashes of all frames, or of none");
@@ -186,8 +192,8 @@ std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader*
     AddDetections(request, boxes[i], prepared, result.detections);
     const auto feature_truth = AddTruth(request, static_cast<int>(i), beside, prepared);
     result.wall_s -= beside.seconds;
-    Estimate(request, feature_truth, *odometry, prepared, result);
-    if (result.status == RunStatus::kFailed) break;
+    if (!Estimate(request, *odometry, prepared, result)) break;
+    GiveLandmarks(prepared.frame, feature_truth, landmarks, result.frames.back());
     prepared.times_s["frame"] = SecondsSince(frame_start) - beside.seconds;
     KeepTimes(prepared.times_s, result);
     request.progress(i + 1);
@@ -197,8 +203,7 @@ std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader*
   Refine(*odometry, result);
   JudgeStatus(result);
   if (result.status != RunStatus::kFailed) source->Finish();
-  HashRest(request, hashes);
-  result.content = ContentHash(sequence, hashes);
+  result.content = ContentOf(request, std::move(hashes));
   return result;
 }
 

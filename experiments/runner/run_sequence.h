@@ -29,8 +29,7 @@ struct RunRequest {
   int threads = 1;                                    // results do not depend on it
   std::vector<std::string> classes = RigidClasses();  // of detections that count, see there
   OracleSwitches oracle = {};
-  bool landmarks = false;                                           // RunJob writes landmarks.csv
-  std::function<void(const std::string& rows)> landmark_rows = {};  // of each frame; may be empty
+  bool landmarks = false;  // RunJob writes landmarks.csv
   bool strict = false;  // an image that cannot be decoded is an error in place of a skipped frame
   std::vector<ImageHashes> images = {};  // of every frame, as FindImageHashes; empty: not known
   const FrontEndCache* cache = nullptr;  // may be null; results do not depend on it
@@ -38,10 +37,14 @@ struct RunRequest {
   std::function<bool()> stop = [] { return false; };  // asked after every frame
 };
 
+// Takes the LandmarkRows of each frame.
+using LandmarkSink = std::function<void(const std::string& rows)>;
+
 // Runs the variant over every frame of the sequence. Empty where `stop` ended it. An Error of the
 // estimator itself is a result too (status failed, frames so far); all others are thrown. With
 // `truth`, landmarks are noted with what they are; the time for that is no part of the run's.
 [[nodiscard]] std::optional<RunResult> RunSequence(const RunRequest& request,
-                                                   BodyTruthReader* truth = nullptr);
+                                                   BodyTruthReader* truth = nullptr,
+                                                   const LandmarkSink& landmarks = {});
 
 }  // namespace cvo

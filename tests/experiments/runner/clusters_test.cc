@@ -128,10 +128,9 @@ TEST_F(RunnerClusters, DetectionsReachTheirFrames) {
 }
 
 TEST_F(RunnerClusters, LandmarksAreGivenAwayFrameByFrame) {
-  RunRequest request = Request();
   std::vector<std::string> rows;
-  request.landmark_rows = [&rows](const std::string& of_frame) { rows.push_back(of_frame); };
-  const RunResult run = RunSequence(request).value();
+  const auto keep = [&rows](const std::string& of_frame) { rows.push_back(of_frame); };
+  const RunResult run = RunSequence(Request(), nullptr, keep).value();
   EXPECT_THAT(run.frames[0].report.landmarks, IsEmpty());
   ASSERT_THAT(rows, SizeIs(kFrames));
   EXPECT_THAT(rows[3], StartsWith("3,0,"));
