@@ -56,8 +56,11 @@ void CheckSubcommand(int argc, char** argv, const CLI::App& program) {
     for (const CLI::App* command : known) names.push_back(command->get_name());
     const auto found = std::find(names.begin(), names.end(), word);
     if (found == names.end()) {
-      throw CLI::ExtrasError(StrCat("no subcommand \"", word, "\"", DidYouMean(word, names)),
-                             CLI::ExitCodes::ExtrasError);
+      const std::string meant = DidYouMean(word, names);
+      throw CLI::ExtrasError(
+          StrCat("no subcommand \"", word, "\"",
+                 meant.empty() ? ", expected " + OneOfKnown(word, names) : meant),
+          CLI::ExitCodes::ExtrasError);
     }
     app = known[static_cast<std::size_t>(found - names.begin())];
   }
@@ -97,6 +100,11 @@ int ExplainUsage(const CLI::App& program, const CLI::ParseError& error) {
   const CLI::App* app = &program;
   while (!app->get_subcommands().empty()) app = app->get_subcommands().front();
   return Fail(StrCat(error.what(), " (see ", CommandName(*app), " --help)"), kUsage);
+}
+
+// What is wrong with a flag's value is wrong usage; what is wrong with a file is bad input.
+int ExitCodeOf(std::string_view message) {
+  return message.starts_with("--") || message.starts_with("option --") ? kUsage : kBadInput;
 }
 
 // In place of streams that are closed, which the next files to be opened would become. Writing to
@@ -170,7 +178,7 @@ int main(int argc, char** argv) {
     return cvo::Fail(cvo::StrCat(error.path1().string(), ": ", error.code().message()),
                      cvo::kUsage);
   } catch (const cvo::Error& error) {
-    return cvo::Fail(error.what(), cvo::kBadInput);
+    return cvo::Fail(error.what(), cvo::ExitCodeOf(error.what()));
   } catch (const std::bad_alloc&) {
     return cvo::Fail(cvo::OutOfMemory(), cvo::kBadInput);
   } catch (const std::exception& error) {

@@ -53,7 +53,9 @@ bool IsKittiRig(const StereoCamera& camera) {
 std::string DataSetOf(const Sequence& sequence, const std::string& named) {
   if (named == kKittiDataSet || named == kOtherDataSet) return named;
   if (!named.empty()) {
-    ThrowError("option --dataset", Quoted(named), StrCat(kKittiDataSet, " or ", kOtherDataSet));
+    ThrowError("option --dataset",
+               Quoted(named) + DidYouMean(named, {kKittiDataSet, kOtherDataSet}),
+               StrCat(kKittiDataSet, " or ", kOtherDataSet));
   }
   // A rendered scene may have been given KITTI's camera.
   const bool rendered = std::filesystem::exists(sequence.folder / "scene.json");

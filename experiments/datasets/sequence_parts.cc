@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
+#include "core/files/closest_names.h"
 #include "experiments/datasets/frame_range.h"
 #include "experiments/datasets/image_files.h"
 #include "experiments/datasets/object_boxes.h"
@@ -93,16 +95,21 @@ void DropLowScores(const fs::path& file, double min_score, std::vector<ObjectBox
   std::erase_if(boxes, [&](const ObjectBox& box) { return *box.score < min_score; });
 }
 
+[[noreturn]] void FailPair(const std::string& found, const std::vector<std::string>& known) {
+  ThrowError("option --pair", Quoted(found) + DidYouMean(found, known),
+             Joined(known, " or ") + " for this type of sequence");
+}
+
 }  // namespace
 
 CameraPair ChoosePair(const SequenceRequest& request, const std::vector<CameraPair>& pairs) {
   if (!request.pair.empty()) {
-    std::string names;
+    std::vector<std::string> names;
     for (const CameraPair& pair : pairs) {
       if (pair.name == request.pair) return pair;
-      names += (names.empty() ? "" : " or ") + pair.name;
+      names.push_back(pair.name);
     }
-    ThrowError("option --pair", "\"" + request.pair + "\"", names + " for this type of sequence");
+    FailPair(request.pair, names);
   }
   for (const CameraPair& pair : pairs) {
     if (fs::is_directory(pair.left_folder) && fs::is_directory(pair.right_folder)) return pair;
@@ -173,7 +180,7 @@ void AddBoxes(const SequenceRequest& request, Sequence& sequence) {
 void AddPair(const SequenceRequest& request, const std::string& pair, StereoImages images,
              Sequence& sequence) {
   if (!request.pair.empty() && request.pair != pair) {
-    ThrowError("option --pair", "\"" + request.pair + "\"", pair + " for this type of sequence");
+    FailPair(request.pair, {pair});
   }
   sequence.pair = pair;
   sequence.images = std::move(images.paths);

@@ -8,6 +8,8 @@
 
 #include "core/association/clip_box.h"
 #include "core/base/error.h"
+#include "core/base/lists.h"
+#include "core/files/closest_names.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/object_boxes.h"
 
@@ -48,6 +50,15 @@ ImageBox MoveBox(const ObjectBox& box, const BoxCamera& camera,
 
 std::vector<std::string> RigidClasses() { return {kRigidClasses.begin(), kRigidClasses.end()}; }
 
+std::vector<std::string> KnownClasses() {
+  std::vector<std::string> names = RigidClasses();
+  for (const char* other : {"Pedestrian", "Person_sitting", "Cyclist", "Misc", "Person", "Bicycle",
+                            "Motorcycle", "DontCare"}) {
+    names.emplace_back(other);
+  }
+  return names;
+}
+
 std::vector<std::string> ParseClasses(const std::string& text) {
   std::vector<std::string> classes;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -62,6 +73,16 @@ std::vector<std::string> ParseClasses(const std::string& text) {
     begin = end + 1;
   }
   return classes;
+}
+
+void CheckClasses(const std::vector<std::string>& classes, const std::vector<ObjectBox>& boxes) {
+  std::vector<std::string> known = KnownClasses();
+  for (const ObjectBox& box : boxes) AddOnce(box.type, known);
+  for (const std::string& name : classes) {
+    const std::string meant = DidYouMean(name, known);
+    if (meant.empty() || Contains(known, name)) continue;
+    ThrowError("option --classes", Quoted(name) + meant, "classes of the detections");
+  }
 }
 
 double DepthInBox(const ObjectBox& box, const BoxCamera& camera,

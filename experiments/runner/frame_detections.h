@@ -22,8 +22,14 @@ inline constexpr std::array<std::string_view, 10> kRigidClasses = {
     "Car", "Van", "Truck", "Tram", "Bus", "Ball", "Block", "Chair", "Crate", "Tower"};
 std::vector<std::string> RigidClasses();
 
+// The same and the others of KITTI and of detectors of road users.
+std::vector<std::string> KnownClasses();
+
 // "A,B,..." as a list. Throws Error for an empty name.
 std::vector<std::string> ParseClasses(const std::string& text);
+
+// Throws Error for a class that no box has and that is a known one misspelt.
+void CheckClasses(const std::vector<std::string>& classes, const std::vector<ObjectBox>& boxes);
 
 // Where boxes were drawn: the left camera read and Sequence::detections_offset_m from it.
 struct BoxCamera {

@@ -63,16 +63,6 @@ Names VariantNames() {
   return names;
 }
 
-// KITTI's categories beside those that count by default.
-Names KnownClasses() {
-  Names names = RigidClasses();
-  for (const char* other : {"Pedestrian", "Person_sitting", "Cyclist", "Misc", "Person", "Bicycle",
-                            "Motorcycle", "DontCare"}) {
-    names.emplace_back(other);
-  }
-  return names;
-}
-
 void CheckName(const std::string& name, const std::string& where) {
   const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.' || c == '+';

@@ -296,8 +296,10 @@ Suite LoadSuite(const std::string& suite) {
   if (fs::is_regular_file(suite, ignored)) {
     return ParseSuite(ReadJson(suite), suite, fs::path(suite).parent_path());
   }
-  ThrowError("suite " + Quoted(suite), "neither a shipped suite nor a file",
-             "a JSON file or " + OneOfKnown(suite, names));
+  const std::string meant = DidYouMean(suite, names);
+  ThrowError("suite " + Quoted(suite), "neither a shipped suite nor a file" + meant,
+             "a JSON file or " + (meant.empty() ? OneOfKnown(suite, names)
+                                                : "one that `clustervo experiment list` lists"));
 }
 
 }  // namespace cvo

@@ -26,6 +26,11 @@ if(CVO_INSTALL)
                    "-DTRAJECTORY=${library_folder}/run/camera.tum" ${consumer_script})
   set_tests_properties(library.installed PROPERTIES FIXTURES_REQUIRED "library_scene;library_run")
 endif()
+if(CVO_INSTALL)
+  add_test(NAME program.installed
+           COMMAND "${CMAKE_COMMAND}" "-DPROGRAM_BUILD=${PROJECT_BINARY_DIR}"
+                   "-DWORK=${library_folder}/program" -P "${CMAKE_CURRENT_LIST_DIR}/program.cmake")
+endif()
 add_test(NAME library.subproject
          COMMAND ${consumer} "-DLIBRARY_SOURCE=${PROJECT_SOURCE_DIR}"
                  "-DWORK=${library_folder}/subproject" ${consumer_script})

@@ -134,7 +134,7 @@ TEST_F(InputFaults, OddValues) {
     ExpectOneLine(RunWall({"--right-shift", shift}), 2, "--right-shift");
   }
   for (const char* classes : {"<b>", "a,,b", "\x1b[31m", "a b"}) {
-    ExpectOneLine(RunWall({"--classes", classes}), 1, "option --classes");
+    ExpectOneLine(RunWall({"--classes", classes}), 2, "option --classes");
   }
   for (const char* scale : {"nan", "inf", "0", "1e308"}) {
     ExpectOneLine({"overlay", out(), "-o", At("pictures"), "--scale", scale}, 2, "--scale");

@@ -35,6 +35,11 @@ std::vector<std::string> NamesIn(const fs::path& folder, bool folders) {
   return names;
 }
 
+[[noreturn]] void FailUsage(const std::string& where, const std::string& found,
+                            const std::string& expected) {
+  throw UsageError(StrCat(where, ": found ", found, ", expected ", expected));
+}
+
 }  // namespace
 
 const VariantInfo& VariantNamed(const std::string& name) {
@@ -42,8 +47,10 @@ const VariantInfo& VariantNamed(const std::string& name) {
   for (const VariantInfo& variant : Variants()) names.emplace_back(variant.name);
   const std::string meant = DidYouMean(name, names);
   const bool known = std::find(names.begin(), names.end(), name) != names.end();
-  if (known || meant.empty()) return FindVariant(name);
-  ThrowError("variant", Quoted(name) + meant, "one of those that `clustervo variants` lists");
+  if (known) return FindVariant(name);
+  FailUsage(
+      "--variant", Quoted(name) + meant,
+      meant.empty() ? OneOfKnown(name, names) : "one of those that `clustervo variants` lists");
 }
 
 void CheckSequenceFolder(const fs::path& folder) {
@@ -54,12 +61,11 @@ void CheckSequenceFolder(const fs::path& folder) {
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
   if (std::binary_search(near.begin(), near.end(), name) || IsFamilySeed(name)) {
-    ThrowError(folder.string(), "no such folder",
-               StrCat("a sequence: `clustervo synth render ", name, " -o ", folder.string(),
-                      "` makes this one"));
+    FailUsage(folder.string(), "no such folder",
+              StrCat("a sequence: `clustervo synth render ", name, " -o ", folder.string(),
+                     "` makes this one"));
   }
-  ThrowError(folder.string(), "no such folder" + DidYouMean(name, near),
-             "the folder of a sequence");
+  FailUsage(folder.string(), "no such folder" + DidYouMean(name, near), "the folder of a sequence");
 }
 
 void CheckDetections(const std::string& detections, const fs::path& folder) {

@@ -116,6 +116,7 @@ int Run(const Flags& flags) {
   const std::vector<std::string> classes =
       flags.classes.empty() ? RigidClasses() : ParseClasses(flags.classes);
   const Sequence sequence = OpenSequence(flags.sequence.Request());
+  CheckClasses(classes, sequence.detections);
   std::vector<std::filesystem::path> read = FoldersOf(sequence);
   read.emplace_back(flags.run.config);
   const OutputFolder output = OpenOutput(flags.output, RunFileNames(), read);

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "core/base/error.h"
+#include "experiments/cli/run/known_names.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/jobs/local_engine.h"
 #include "experiments/jobs/slurm_engine.h"
@@ -33,7 +34,9 @@ void SuiteFlags::AddTo(CLI::App& app) {
       ->allow_extra_args(false);
 }
 
-Suite SuiteFlags::Load() const { return Override(LoadSuite(suite), overrides); }
+Suite SuiteFlags::Load() const {
+  return LoadNamed(suite, [&] { return Override(LoadSuite(suite), overrides); });
+}
 
 PlanRequest SuiteFlags::Request() const {
   PlanRequest request;

@@ -8,6 +8,7 @@
 #include "core/files/json.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
+#include "experiments/cli/run/known_names.h"
 #include "experiments/cli/run/text_table.h"
 #include "synth/family/generate.h"
 
@@ -33,13 +34,15 @@ int PrintKnobs(const synth::Family& family) {
 }
 
 int Generate(const GenerateFlags& flags) {
-  const synth::Family family = synth::LoadFamily(flags.family);
+  const auto family = LoadNamed(flags.family, [&] { return synth::LoadFamily(flags.family); });
   if (flags.knobs) return PrintKnobs(family);
   if (flags.seed.empty() || flags.output.empty()) {
     throw UsageError("--seed and --output are required, unless --knobs is given");
   }
   CheckOutputFile(flags.output, {flags.family});
-  const Json scene = synth::GenerateScene(family, synth::ParseFamilySeed(flags.seed), flags.set);
+  const Json scene = LoadNamed(flags.family, [&] {
+    return synth::GenerateScene(family, synth::ParseFamilySeed(flags.seed), flags.set);
+  });
   WriteOutputFile(flags.output, DumpJson(scene), {flags.family});
   std::cout << "written: " << flags.output << '\n';
   return 0;

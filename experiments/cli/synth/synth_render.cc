@@ -9,6 +9,7 @@
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
+#include "experiments/cli/run/known_names.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/stop_signal.h"
 #include "experiments/datasets/frame_range.h"
@@ -44,6 +45,9 @@ struct SceneFlags {
         ->allow_extra_args(false);
     AddThreads(app, threads);
     AddQuiet(app, quiet);
+  }
+  auto Load() const {
+    return LoadNamed(scene, [this] { return synth::LoadScene(scene, set); });
   }
   synth::SceneFrames Frames() const {
     if (frames.empty()) return {};
@@ -117,7 +121,7 @@ int Render(const RenderFlags& flags) {
   } catch (const Error& error) {
     throw UsageError(error.what());
   }
-  const auto scene = synth::LoadScene(flags.scene.scene, flags.scene.set);
+  const auto scene = flags.scene.Load();
   const int code = RunStoppable(flags.scene.quiet, [&](const synth::WorkHooks& hooks) {
     synth::WriteDataset(scene,
                         {.frames = flags.scene.Frames(),
@@ -133,7 +137,7 @@ int Render(const RenderFlags& flags) {
 }
 
 int Preview(const SceneFlags& flags) {
-  const auto scene = synth::LoadScene(flags.scene, flags.set);
+  const auto scene = flags.Load();
   const synth::SceneFrames frames = flags.Frames();
   CheckOutputFile(flags.output, {flags.scene});
   const int code = RunStoppable(flags.quiet, [&](const synth::WorkHooks& hooks) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/files/closest_names.h"
 #include "experiments/datasets/image_files.h"
 #include "experiments/datasets/oxts.h"
 #include "experiments/datasets/sequence_layout.h"
@@ -92,7 +93,10 @@ void AddTruth(const SequenceRequest& request, const fs::path& date_folder,
               const CalibrationFile& cameras, Sequence& sequence) {
   const bool interpolated = request.groundtruth == "interpolated";
   if (!interpolated && request.groundtruth != "devkit") {
-    ThrowError("option --groundtruth", "\"" + request.groundtruth + "\"", "devkit or interpolated");
+    ThrowError(
+        "option --groundtruth",
+        Quoted(request.groundtruth) + DidYouMean(request.groundtruth, {"devkit", "interpolated"}),
+        "devkit or interpolated");
   }
   const fs::path oxts_folder = sequence.folder / "oxts";
   if (!fs::exists(oxts_folder) && !interpolated) {

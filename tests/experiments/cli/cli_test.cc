@@ -50,6 +50,7 @@ class Cli : public testing::Test {
 TEST_F(Cli, WrongUsage) {
   EXPECT_THAT(RunProgram({}), FailsWith(2, "subcommand"));
   EXPECT_THAT(RunProgram({"runn"}), FailsWith(2, "did you mean run"));
+  EXPECT_THAT(RunProgram({"walk"}), FailsWith(2, "\"walk\", expected one of run, detect, "));
   EXPECT_THAT(RunProgram({"run", tiny()}), FailsWith(2, "--output"));
   EXPECT_THAT(RunProgram({"run", "-o", out()}), FailsWith(2, "no sequence"));
   EXPECT_THAT(FailingRun({"--no-such-option"}), FailsWith(2, "--no-such-option"));
@@ -61,8 +62,8 @@ TEST_F(Cli, WrongUsage) {
 
 TEST_F(Cli, UnknownVariant) {
   EXPECT_THAT(FailingRun({"--variant", "statik"}),
-              FailsWith(1, "found \"statik\" (did you mean static?), expected one of those"));
-  EXPECT_THAT(FailingRun({"--variant", "nothing_like"}), FailsWith(1, "expected one of: full"));
+              FailsWith(2, "found \"statik\" (did you mean static?), expected one of those"));
+  EXPECT_THAT(FailingRun({"--variant", "nothing_like"}), FailsWith(2, "expected one of full, "));
 }
 
 TEST_F(Cli, NamesNearTheOnesThatWereGiven) {
@@ -73,23 +74,50 @@ TEST_F(Cli, NamesNearTheOnesThatWereGiven) {
   EXPECT_THAT(
       RunProgram({"experiment", "plan", "ci", "--outptu=x"}),
       FailsWith(2, "clustervo experiment plan has no flag --outptu (did you mean --output?"));
-  EXPECT_THAT(FailingRun({"--oracle", "boxs"}), FailsWith(1, "did you mean boxes?"));
+  EXPECT_THAT(FailingRun({"--oracle", "boxs"}), FailsWith(2, "did you mean boxes?"));
   EXPECT_THAT(FailingRun({"--type", "kitti-odometri"}),
-              FailsWith(1, "did you mean kitti-odometry"));
-  EXPECT_THAT(FailingRun({"--detections", "lables"}), FailsWith(1, "did you mean labels?"));
+              FailsWith(2, "did you mean kitti-odometry"));
+  EXPECT_THAT(FailingRun({"--detections", "lables"}), FailsWith(2, "did you mean labels?"));
+  EXPECT_THAT(FailingRun({"--pair", "gray"}), FailsWith(2, "did you mean grey?"));
+  EXPECT_THAT(FailingRun({"--dataset", "kiti"}), FailsWith(2, "did you mean kitti?"));
   const auto sequence = [this](const std::string& name) {
     return RunProgram({"run", (folder_.path() / name).string(), "-o", out()});
   };
-  EXPECT_THAT(sequence("indoor_1"), FailsWith(1, "`clustervo synth render indoor_1 -o "));
-  EXPECT_THAT(sequence("room@7"), FailsWith(1, "`clustervo synth render room@7 -o "));
-  EXPECT_THAT(sequence("oclusion_2"), FailsWith(1, "did you mean occlusion_2?"));
-  EXPECT_THAT(sequence("tin"), FailsWith(1, "did you mean tiny?"));
+  EXPECT_THAT(sequence("indoor_1"), FailsWith(2, "`clustervo synth render indoor_1 -o "));
+  EXPECT_THAT(sequence("room@7"), FailsWith(2, "`clustervo synth render room@7 -o "));
+  EXPECT_THAT(sequence("oclusion_2"), FailsWith(2, "did you mean occlusion_2?"));
+  EXPECT_THAT(sequence("tin"), FailsWith(2, "did you mean tiny?"));
+  const auto other = [this](std::vector<std::string> command) {
+    command.insert(command.end(), {"-o", out()});
+    return RunProgram(command);
+  };
+  EXPECT_THAT(other({"synth", "render", "indor_1"}), FailsWith(2, "did you mean indoor_1, "));
+  EXPECT_THAT(other({"synth", "render", "romm@17"}), FailsWith(2, "did you mean room?"));
+  EXPECT_THAT(other({"synth", "generate", "room", "--seed", "3", "--set", "mover=3"}),
+              FailsWith(2, "did you mean movers?"));
+  EXPECT_THAT(other({"experiment", "run", "ablaton"}), FailsWith(2, "did you mean ablation?"));
+}
+
+// Classes of the boxes are names too; others may be missing from a whole sequence.
+TEST_F(Cli, MisspeltClasses) {
+  const std::string boxes =
+      folder_.Write("boxes.txt", "0 3 Forklift -1 -1 -10 10 10 60 60 -1 -1 -1 -1 -1 -1 -10 0.5\n")
+          .string();
+  const auto classes = [&](const std::string& names) {
+    return FailingRun({"--detections", boxes, "--classes", names});
+  };
+  EXPECT_THAT(classes("Car,Vann"), FailsWith(2, "--classes: found \"Vann\" (did you mean Van?)"));
+  EXPECT_THAT(classes("Forklft"), FailsWith(2, "(did you mean Forklift?)"));
+  EXPECT_EQ(RunProgram({"run", tiny(), "-o", out(), "-q", "--detections", boxes, "--classes",
+                        "car,FORKLIFT,Zebra"})
+                .exit_code,
+            0);
 }
 
 TEST_F(Cli, UnknownOption) {
-  EXPECT_THAT(FailingRun({"--set", "orb.feature=5"}), FailsWith(1, "did you mean orb.features"));
-  EXPECT_THAT(FailingRun({"--set", "orb.features=many"}), FailsWith(1, "expected an integer"));
-  EXPECT_THAT(FailingRun({"--set", "orb.features=1"}), FailsWith(1, "orb.features"));
+  EXPECT_THAT(FailingRun({"--set", "orb.feature=5"}), FailsWith(2, "did you mean orb.features"));
+  EXPECT_THAT(FailingRun({"--set", "orb.features=many"}), FailsWith(2, "expected an integer"));
+  EXPECT_THAT(FailingRun({"--set", "orb.features=1"}), FailsWith(2, "orb.features"));
 }
 
 TEST_F(Cli, BadConfiguration) {
@@ -104,10 +132,10 @@ TEST_F(Cli, BadConfiguration) {
 }
 
 TEST_F(Cli, BadSequence) {
-  EXPECT_THAT(RunProgram({"run", "/no/such/folder", "-o", out()}), FailsWith(1, "/no/such/folder"));
-  EXPECT_THAT(FailingRun({"--type", "bundler"}), FailsWith(1, "bundler"));
-  EXPECT_THAT(FailingRun({"--frames", "5:9"}), FailsWith(1, ""));
-  EXPECT_THAT(FailingRun({"--frames", "2"}), FailsWith(1, ""));
+  EXPECT_THAT(RunProgram({"run", "/no/such/folder", "-o", out()}), FailsWith(2, "/no/such/folder"));
+  EXPECT_THAT(FailingRun({"--type", "bundler"}), FailsWith(2, "bundler"));
+  EXPECT_THAT(FailingRun({"--frames", "5:9"}), FailsWith(2, ""));
+  EXPECT_THAT(FailingRun({"--frames", "2"}), FailsWith(2, ""));
   fs::remove(fs::path(tiny()) / "image_1" / "000001.png");
   EXPECT_THAT(FailingRun({}), FailsWith(1, "image"));
 }
@@ -185,7 +213,7 @@ TEST_F(Cli, InfoListsTheSequencesBelowAFolder) {
   const ProcessResult info = RunProgram({"info", folder_.path().string()});
   EXPECT_EQ(info.exit_code, 0);
   EXPECT_THAT(info.out, AllOf(HasSubstr(tiny()), HasSubstr("another")));
-  EXPECT_THAT(RunProgram({"info", "/no/such/folder"}), FailsWith(1, "/no/such/folder"));
+  EXPECT_THAT(RunProgram({"info", "/no/such/folder"}), FailsWith(2, "/no/such/folder"));
   fs::create_directory(folder_.path() / "empty");
   EXPECT_THAT(RunProgram({"info", (folder_.path() / "empty").string()}), FailsWith(1, "empty"));
 }

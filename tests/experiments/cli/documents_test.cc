@@ -188,9 +188,11 @@ void CheckHelpIsIn(const std::string& text, const Words& command, const std::str
 }
 
 TEST(Manual, HasEveryCommandAndFlag) {
-  CheckHelpIsIn(RunProgram({"manual", "bash"}).out, {}, "--");
+  for (const char* shell : {"bash", "zsh"}) {
+    CheckHelpIsIn(RunProgram({"manual", shell}).out, {}, "--");
+  }
   const auto fish = RunProgram({"manual", "fish"});
-  EXPECT_THAT(fish.out, HasSubstr("'__fish_seen_subcommand_from explain' -l oracles -d '"));
+  EXPECT_THAT(fish.out, HasSubstr("'__clustervo_is_at clustervo explain' -l oracles -d '"));
   const auto man = RunProgram({"manual", "man"});
   EXPECT_THAT(man.out, HasSubstr(".SS clustervo experiment run\n"));
   EXPECT_THAT(man.out, HasSubstr("\\-\\-oracles"));

@@ -95,7 +95,7 @@ TEST_F(EvalSequence, AveragePrecision) {
   test::ExpectError(run({"--iou", "1.5"}), "--iou", 2);
   test::ExpectError(run({"--class", "Tram"}), "--class", 2);
   test::ExpectError(run({"--sequence", tiny()}), "--sequence", 2);
-  test::ExpectError(run({"--frames", "4:"}), "--frames");
+  test::ExpectError(run({"--frames", "4:"}), "--frames", 2);
   test::ExpectError(RunProgram({"eval", "--ap", "--estimate", rows}), "--labels", 2);
   test::ExpectError(Evaluate({poses(), "--iou", "0.5"}), "--iou", 2);
   test::ExpectError(run({"--tracking"}), "--tracking", 2);

@@ -72,7 +72,7 @@ TEST(CliFigures, OneFigureByName) {
   EXPECT_THAT(run.out, Not(HasSubstr("not drawn")));
   test::ExpectError(
       suite.Draw({"--only", "error-reductoin"}),
-      "--only: found \"error-reductoin\" (did you mean error-reduction?), expected one of: ");
+      "--only: found \"error-reductoin\" (did you mean error-reduction?), expected one of: ", 2);
 }
 
 TEST(CliFigures, MissingInputGivesOneLine) {

@@ -160,8 +160,9 @@ TEST_F(CliOverlay, RefusesInvalidInput) {
   ExpectError(Overlay({out("none").string()}), "result.json");
   ExpectError(Overlay({run().string(), "--frame", "60"}),
               "--frame 60: found none that the run has, "
-              "expected 0 to 5");
-  ExpectError(Overlay({run().string(), "--frames", "8:9"}), "--frames 8:9");
+              "expected 0 to 5",
+              2);
+  ExpectError(Overlay({run().string(), "--frames", "8:9"}), "--frames 8:9", 2);
   ExpectError(RunProgram({"overlay", run().string(), "-o", "/proc/nowhere"}), "/proc/nowhere");
   fs::create_directories(out("blocked") / "000002.png");
   ExpectError(Overlay({run().string(), "--frame", "2"}, "blocked"), "000002.png");

@@ -124,7 +124,7 @@ TEST_F(CliRun, TheCacheDoesNotChangeTheBytes) {
   EXPECT_FALSE(stages.contains("extract"));
 
   const ProcessResult bad = Run(out("bad"), {"--cache", "--cache-size", "much"}, setup);
-  EXPECT_EQ(bad.exit_code, 1);
+  EXPECT_EQ(bad.exit_code, 2);
   EXPECT_THAT(bad.err, HasSubstr("option --cache-size: found \"much\""));
 }
 
@@ -164,7 +164,7 @@ TEST_F(CliRun, ReservedWordsForDetections) {
   ASSERT_EQ(Run(out(), {"--detections", "none"}).exit_code, 0);
   EXPECT_EQ(ResultOf(out())["sequence"]["detections"], 0);
   const ProcessResult none = Run(out(), {"--detections", "labels"});
-  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_EQ(none.exit_code, 2);
   EXPECT_THAT(none.err, HasSubstr("--detections: found \"labels\""));
   folder_.Write("tiny/labels.txt", "2 7 Car 0 0 -1.5 14 11 29 56 1.5 1.6 3.7 1 1.5 4 0.25\n");
   ASSERT_EQ(Run(out(), {"--detections", "labels"}).exit_code, 0);
@@ -195,7 +195,7 @@ TEST_F(CliRun, AnOracleNeedsTruth) {
   EXPECT_EQ(ResultOf(out())["given"]["oracle"], Json::array({"camera"}));
   for (const char* name : {"boxes", "labels,camera", "bodies"}) {
     const ProcessResult run = Run(out("new"), {"--oracle", name, "-q"});
-    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(run.exit_code, 2);
     EXPECT_THAT(run.err, HasSubstr("--oracle: found \""));
     EXPECT_EQ(test::LineCount(run.err), 1U);
     EXPECT_FALSE(fs::exists(out("new")));

@@ -39,11 +39,11 @@ TEST(CliSynth, GeneratesTheSceneOfASeed) {
   EXPECT_EQ(ReadFileBytes(file("a.json")), ReadFileBytes(file("b.json")));
   for (const char* seed : {"-1", "4294967296", "x"}) {
     const ProcessResult wrong = generate(seed, "movers=2", "c.json");
-    EXPECT_EQ(wrong.exit_code, 1) << seed;
+    EXPECT_EQ(wrong.exit_code, 2) << seed;
     EXPECT_THAT(wrong.err, HasSubstr("an integer from 0 to 4294967295"));
   }
   const ProcessResult wrong = generate("17", "mover=2", "c.json");
-  EXPECT_EQ(wrong.exit_code, 1);
+  EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_THAT(wrong.err, HasSubstr("no knob \"mover\""));
   EXPECT_FALSE(fs::exists(file("c.json")));
   const ProcessResult none = RunProgram({"synth", "generate", "room", "--seed", "17"});

@@ -228,7 +228,7 @@ TEST_F(CliSynthRender, BadScenesGiveOneLine) {
       {"sensor.no_such=1", "no_such"}};
   for (const auto& [assignment, expected] : cases) {
     const ProcessResult render = Render("bad", {"-q", "--set", assignment});
-    EXPECT_EQ(render.exit_code, 1) << assignment;
+    EXPECT_EQ(render.exit_code, 2) << assignment;
     EXPECT_EQ(test::LineCount(render.err), 1U) << assignment << ": " << render.err;
     EXPECT_THAT(render.err, AllOf(HasSubstr("clustervo: error: "), HasSubstr(expected)));
     EXPECT_FALSE(fs::exists(out("bad"))) << assignment;
