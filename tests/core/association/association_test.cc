@@ -8,17 +8,12 @@
 #include "core/association/descriptor_matching.h"
 #include "core/association/projected_matching.h"
 #include "core/base/rng.h"
+#include "tests/support/centred_camera.h"
 
 namespace cvo {
 namespace {
 
-const StereoCamera kCamera = {.fx = 400,
-                              .fy = 400,
-                              .cx = 320,
-                              .cy = 120,
-                              .baseline_m = 0.5,
-                              .width_px = 640,
-                              .height_px = 240};
+const StereoCamera kCamera = test::CentredCamera(400, 0.5, 640, 240);
 
 Descriptor RandomDescriptor(Rng& rng) {
   return {rng.NextU64(), rng.NextU64(), rng.NextU64(), rng.NextU64()};

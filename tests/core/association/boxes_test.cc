@@ -8,6 +8,7 @@
 
 #include "core/association/box_association.h"
 #include "core/geometry/stereo_camera.h"
+#include "tests/support/centred_camera.h"
 
 namespace cvo {
 namespace {
@@ -83,13 +84,7 @@ TEST(BoxWeightsLiteral, HandComputed) {
 
 // A landmark on the optical axis at depth_m, best triangulated at best_m.
 BoxMember Receding(double depth_m, double best_m) {
-  const StereoCamera camera = {.fx = 450,
-                               .fy = 450,
-                               .cx = 320,
-                               .cy = 240,
-                               .baseline_m = 0.3,
-                               .width_px = 640,
-                               .height_px = 480};
+  const StereoCamera camera = test::CentredCamera(450, 0.3, 640, 480);
   const Eigen::Matrix3d noise = 0.25 * Eigen::Matrix3d::Identity();
   const Eigen::Matrix3d best = camera.PointCovariance(*camera.Project({0.0, 0.0, best_m}), noise);
   const Eigen::Matrix3d J = camera.ProjectionJacobian({0.0, 0.0, depth_m});

@@ -10,6 +10,7 @@
 
 #include "core/association/gated_matching.h"
 #include "core/base/rng.h"
+#include "tests/support/centred_camera.h"
 
 namespace cvo {
 namespace {
@@ -17,13 +18,7 @@ namespace {
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-const StereoCamera kCamera = {.fx = 400,
-                              .fy = 400,
-                              .cx = 320,
-                              .cy = 120,
-                              .baseline_m = 0.5,
-                              .width_px = 640,
-                              .height_px = 240};
+const StereoCamera kCamera = test::CentredCamera(400, 0.5, 640, 240);
 
 Descriptor RandomDescriptor(Rng& rng) {
   return {rng.NextU64(), rng.NextU64(), rng.NextU64(), rng.NextU64()};

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/clusters/left_only.h"
+#include "tests/support/centred_camera.h"
 
 namespace cvo {
 namespace {
@@ -123,13 +124,7 @@ TEST(FeatureNoise, DisparitiesOfTheLeftImageAloneSayNothing) {
 }
 
 TEST(PlaceLeftOnly, GivesTheDisparityOfTheLandmarkToThoseWithoutOne) {
-  const StereoCamera camera = {.fx = 400,
-                               .fy = 400,
-                               .cx = 320,
-                               .cy = 120,
-                               .baseline_m = 0.5,
-                               .width_px = 640,
-                               .height_px = 240};
+  const StereoCamera camera = test::CentredCamera(400, 0.5, 640, 240);
   Landmark landmark;
   landmark.p_in_object = {-1.0, 0.2, 3.0};
   const RigidTransform camera_from_object(Eigen::Quaterniond::Identity(),

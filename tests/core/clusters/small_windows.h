@@ -6,18 +6,13 @@
 #include <vector>
 
 #include "core/clusters/cluster_map.h"
+#include "tests/support/centred_camera.h"
 
 // States, landmarks and windows of a few frames, 0.1 s apart.
 namespace cvo::test {
 
 inline constexpr std::int64_t kInterval_ns = 100'000'000;
-inline const StereoCamera kCamera = {.fx = 450,
-                                     .fy = 450,
-                                     .cx = 320,
-                                     .cy = 240,
-                                     .baseline_m = 0.3,
-                                     .width_px = 640,
-                                     .height_px = 480};
+inline const StereoCamera kCamera = CentredCamera(450, 0.3, 640, 480);
 
 inline RigidTransform At(double x, double y, double z, double yaw = 0.0) {
   return {ExpSo3({0.0, yaw, 0.0}), Eigen::Vector3d(x, y, z)};

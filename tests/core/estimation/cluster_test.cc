@@ -8,6 +8,7 @@
 #include "core/base/rng.h"
 #include "core/ceres/ceres_costs.h"
 #include "core/solvers/solver_policy.h"
+#include "tests/support/centred_camera.h"
 #include "tests/support/gradient_check.h"
 
 namespace cvo {
@@ -17,13 +18,7 @@ using ceres_costs::ObjectReprojectionCost;
 using ceres_costs::PointPriorCost;
 using ceres_costs::PoseManifold;
 
-const StereoCamera kCamera = {.fx = 500,
-                              .fy = 500,
-                              .cx = 320,
-                              .cy = 240,
-                              .baseline_m = 0.5,
-                              .width_px = 640,
-                              .height_px = 480};
+const StereoCamera kCamera = test::CentredCamera(500, 0.5, 640, 480);
 const SolverOptions kToConvergence = {.iterations = 80, .function_tolerance = 1e-14};
 
 Eigen::Vector3d RandomVector(Rng& rng) { return {rng.Normal(), rng.Normal(), rng.Normal()}; }

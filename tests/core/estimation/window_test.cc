@@ -10,17 +10,12 @@
 #include "core/estimation/double_track.h"
 #include "core/estimation/marginalization.h"
 #include "core/estimation/window_problem.h"
+#include "tests/support/centred_camera.h"
 
 namespace cvo {
 namespace {
 
-const StereoCamera kCamera = {.fx = 500,
-                              .fy = 500,
-                              .cx = 320,
-                              .cy = 240,
-                              .baseline_m = 0.5,
-                              .width_px = 640,
-                              .height_px = 480};
+const StereoCamera kCamera = test::CentredCamera(500, 0.5, 640, 480);
 
 RigidTransform CameraAt(int frame) {
   return {ExpSo3({0.0, 0.01 * frame, 0.0}), Eigen::Vector3d(0.05 * frame, 0.0, 0.4 * frame)};

@@ -6,16 +6,11 @@
 #include "core/labelling/cluster_labels.h"
 #include "core/labelling/landmark_update.h"
 #include "core/odometry/detection_policies.h"
+#include "tests/support/centred_camera.h"
 
 namespace cvo::test {
 
-inline const StereoCamera kCamera = {.fx = 450,
-                                     .fy = 450,
-                                     .cx = 320,
-                                     .cy = 240,
-                                     .baseline_m = 0.3,
-                                     .width_px = 640,
-                                     .height_px = 480};
+inline const StereoCamera kCamera = CentredCamera(450, 0.3, 640, 480);
 inline RigidTransform At(double x, double y, double z) {
   return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, y, z)};
 }
