@@ -6,6 +6,8 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "core/base/error.h"
@@ -27,6 +29,22 @@ std::string Joined(const List& list, std::string_view separator, const Part& par
 template <typename T>
 void AddOnce(const T& value, std::vector<T>& values) {
   if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
+}
+
+// The first element of which `part`, a function or a member, is `value`; null: none.
+template <typename List, typename Part, typename Value>
+auto* FindBy(List& list, const Part& part, const Value& value) {
+  const auto found = std::find_if(list.begin(), list.end(), [&](const auto& element) {
+    return std::invoke(part, element) == value;
+  });
+  return found == list.end() ? nullptr : &*found;
+}
+
+// The first element that has its `part` in common with `fresh`; where there is none, that is added.
+template <typename T, typename Part>
+T& FindOrAdd(std::vector<T>& list, const Part& part, std::type_identity_t<T> fresh) {
+  T* found = FindBy(list, part, std::invoke(part, fresh));
+  return found != nullptr ? *found : list.emplace_back(std::move(fresh));
 }
 
 // "1 run", "2 runs"; `many` where it is not `one` with an "s".

@@ -10,16 +10,11 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/closest_names.h"
 
 namespace cvo {
 namespace {
-
-const OptionLeaf* FindLeaf(std::string_view path, const std::vector<OptionLeaf>& leaves) {
-  const auto found = std::find_if(leaves.begin(), leaves.end(),
-                                  [path](const OptionLeaf& leaf) { return leaf.path == path; });
-  return found == leaves.end() ? nullptr : &*found;
-}
 
 bool IsGroup(const std::string& path, const std::vector<OptionLeaf>& leaves) {
   return std::any_of(leaves.begin(), leaves.end(),
@@ -126,7 +121,7 @@ void MergeGroup(const Json& group, const std::string& prefix, const std::string&
       ThrowError(where, StrCat("key \"", key, "\""), "nested objects in place of a dotted key");
     }
     const std::string path = prefix.empty() ? key : prefix + "." + key;
-    if (const OptionLeaf* leaf = FindLeaf(path, leaves)) {
+    if (const OptionLeaf* leaf = FindBy(leaves, &OptionLeaf::path, path)) {
       StoreJson(*leaf, value, where);
     } else if (!IsGroup(path, leaves)) {
       ThrowUnknown(where, path, leaves);
@@ -154,7 +149,7 @@ void SetOption(std::string_view assignment, const std::vector<OptionLeaf>& leave
   }
   const std::string_view path = assignment.substr(0, equals);
   const std::string_view text = assignment.substr(equals + 1);
-  const OptionLeaf* leaf = FindLeaf(path, leaves);
+  const OptionLeaf* leaf = FindBy(leaves, &OptionLeaf::path, path);
   if (leaf == nullptr) ThrowUnknown(where, path, leaves);
   const std::string found = StrCat("'", text, "'");
   if (bool* const* as_bool = std::get_if<bool*>(&leaf->value)) {

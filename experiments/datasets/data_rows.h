@@ -52,4 +52,11 @@ class DataRows {
 void CheckLater(const DataRows& rows, std::size_t row, std::int64_t time_ns,
                 const std::vector<std::int64_t>& before_ns, const std::string& of);
 
+struct TimedPoses {
+  std::vector<std::int64_t> times_ns;
+  std::vector<RigidTransform> poses;
+};
+// A file of EuRoC with poses of the body. Throws Error.
+TimedPoses ReadEurocPoses(const std::filesystem::path& path);
+
 }  // namespace cvo

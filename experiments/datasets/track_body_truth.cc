@@ -9,6 +9,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "experiments/datasets/body_truth_parts.h"
 
 namespace cvo {
@@ -112,9 +113,7 @@ class TrackBodyTruth final : public BodyTruthReader {
   }
 
   Eigen::Vector3d HalfSize_m(int id) const {
-    const auto found = std::find_if(tracks_.bodies.begin(), tracks_.bodies.end(),
-                                    [id](const BodyTrack& body) { return body.id == id; });
-    return 0.5 * found->size_m;
+    return 0.5 * FindBy(tracks_.bodies, &BodyTrack::id, id)->size_m;
   }
 
   ObjectTruth truth_;

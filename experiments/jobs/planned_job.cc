@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/jobs/planned_job.h"
 
-#include <algorithm>
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/atomic_file.h"
 #include "core/files/temporary.h"
 #include "experiments/cache/content_hash.h"
@@ -22,9 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 const PlannedJob& FindJob(const Plan& plan, const std::string& id, const SuiteFolder& folder) {
-  const auto found = std::find_if(plan.jobs.begin(), plan.jobs.end(),
-                                  [&](const PlannedJob& job) { return job.job == id; });
-  if (id.empty() || found == plan.jobs.end()) {
+  const PlannedJob* found = FindBy(plan.jobs, &PlannedJob::job, id);
+  if (id.empty() || found == nullptr) {
     ThrowError(folder.plan().string(), StrCat("no job \"", id, "\""), "a job of the plan");
   }
   if (plan.build != ThisBuild().identity) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 
 namespace cvo {
 namespace {
@@ -56,12 +57,8 @@ Similarity AlignYaw(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to,
 }  // namespace
 
 TrajectoryAlignment ParseTrajectoryAlignment(const std::string& text) {
-  std::string known;
-  for (const AlignmentText& entry : kTexts) {
-    if (text == entry.name) return entry.alignment;
-    known += (known.empty() ? "" : ", ") + std::string(entry.name);
-  }
-  ThrowError("alignment", text, "one of: " + known);
+  if (const auto* entry = FindBy(kTexts, &AlignmentText::name, text)) return entry->alignment;
+  ThrowError("alignment", text, "one of: " + Joined(kTexts, ", ", &AlignmentText::name));
 }
 
 std::string DescriptionOf(TrajectoryAlignment alignment) {

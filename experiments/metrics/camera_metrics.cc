@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
+#include "core/base/mean.h"
 #include "core/base/median.h"
 #include "experiments/metrics/kitti_drift.h"
 #include "experiments/metrics/max_drift.h"
@@ -45,14 +46,11 @@ Metric Coverage(const Frames& frames) {
 
 void AddAte(const CommonPoses& poses, const Frames& frames, std::vector<Metric>& metrics) {
   const std::vector<double> errors = AlignedPositionErrors(poses);
-  const auto n = static_cast<double>(errors.size());
-  const double sum = std::accumulate(errors.begin(), errors.end(), 0.0);
-  const double squares = std::inner_product(errors.begin(), errors.end(), errors.begin(), 0.0);
   const auto add = [&](MetricId id, double value) {
     metrics.push_back(frames.Make(id, value, frames.common));
   };
-  add(kCameraAte, std::sqrt(squares / n));
-  add(kCameraAteMean, sum / n);
+  add(kCameraAte, RootMeanSquare(errors).value());
+  add(kCameraAteMean, MeanOf(errors));
   add(kCameraAteMedian, Median(errors));
   add(kCameraAteMax, *std::max_element(errors.begin(), errors.end()));
 }
@@ -122,9 +120,7 @@ std::vector<Metric> EvaluateCamera(const OptionalPoses& truth, const OptionalPos
 }
 
 const Metric* FindMetric(const std::vector<Metric>& metrics, const std::string& name) {
-  const auto metric =
-      std::find_if(metrics.begin(), metrics.end(), [&](const Metric& m) { return m.name == name; });
-  return metric == metrics.end() ? nullptr : &*metric;
+  return FindBy(metrics, &Metric::name, name);
 }
 
 }  // namespace cvo

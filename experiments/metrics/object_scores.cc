@@ -6,21 +6,11 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/mean.h"
 #include "experiments/metrics/max_drift.h"
 
 namespace cvo {
 namespace {
-
-std::optional<double> RootMeanSquare(double sum, std::size_t n) {
-  if (n == 0) return std::nullopt;
-  return std::sqrt(sum / static_cast<double>(n));
-}
-
-std::optional<double> RootMeanSquare(const std::vector<double>& errors) {
-  double sum = 0.0;
-  for (const double error : errors) sum += error * error;
-  return RootMeanSquare(sum, errors.size());
-}
 
 // The frames of a body and of its cluster, the estimate in the world of the truth.
 struct BodyPoses {
@@ -74,26 +64,6 @@ void SetRelative(const std::optional<RelativeErrors>& errors, std::optional<doub
   translation_m = errors->translation_m;
 }
 
-std::optional<RelativeErrors> MotionErrors(const CommonPoses& poses) {
-  double rotation_sum = 0.0;
-  double translation_sum = 0.0;
-  std::size_t pairs = 0;
-  for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
-    if (poses.frames[i + 1] != poses.frames[i] + 1) continue;
-    const RigidTransform& G = poses.truth[i];
-    const RigidTransform H_gt = poses.truth[i + 1] * G.Inverse();
-    const RigidTransform H_est = poses.estimate[i + 1] * poses.estimate[i].Inverse();
-    const RigidTransform E = G.Inverse() * H_gt.Inverse() * H_est * G;
-    const double angle = RotationAngle(E.rotation());
-    rotation_sum += angle * angle;
-    translation_sum += E.translation().squaredNorm();
-    ++pairs;
-  }
-  if (pairs == 0) return std::nullopt;
-  return RelativeErrors{*RootMeanSquare(rotation_sum, pairs),
-                        *RootMeanSquare(translation_sum, pairs), static_cast<std::int64_t>(pairs)};
-}
-
 // Of the point of the body whose velocity the run gives, so that turning bodies are judged too.
 std::optional<double> VelocityError(const ObjectTruth& truth, const TruthBody& body,
                                     const std::vector<const ClusterFrame*>& frames,
@@ -108,7 +78,8 @@ std::optional<double> VelocityError(const ObjectTruth& truth, const TruthBody& b
     sum += (truth_from_estimate.rotation() * *frame->velocity_m_s - *expected).squaredNorm();
     ++n;
   }
-  return RootMeanSquare(sum, n);
+  if (n == 0) return std::nullopt;
+  return std::sqrt(sum / static_cast<double>(n));
 }
 
 // Of the estimate, to that of the truth.

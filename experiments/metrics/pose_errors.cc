@@ -107,6 +107,22 @@ std::optional<RelativeErrors> RootMeanSquares(double rotation_sum, double transl
   return RelativeErrors{std::sqrt(rotation_sum / n), std::sqrt(translation_sum / n), pairs};
 }
 
+// Of error(i), which says how frame i + 1 is off from frame i, over consecutive frames.
+template <typename Error>
+std::optional<RelativeErrors> ConsecutiveErrors(const CommonPoses& poses, const Error& error) {
+  double rotation_sum = 0.0;
+  double translation_sum = 0.0;
+  std::int64_t pairs = 0;
+  for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
+    if (poses.frames[i + 1] != poses.frames[i] + 1) continue;
+    const RigidTransform E = error(i);
+    rotation_sum += Square(RotationAngle(E.rotation()));
+    translation_sum += E.translation().squaredNorm();
+    ++pairs;
+  }
+  return RootMeanSquares(rotation_sum, translation_sum, pairs);
+}
+
 // Over all ordered pairs: |(p_j - p_i) - Q_i (g_j - g_i)|^2. With the true positions turned by a
 // rotation A amid the Q_i, d = p - A g and M_i = Q_i A^-1 - I it is |(d_j - d_i) - M_i (g_j -
 // g_i)|^2 of small numbers only, and the sum over j follows from first and second moments.
@@ -195,19 +211,20 @@ std::optional<RelativeErrors> AllPairsErrors(const CommonPoses& poses) {
 }
 
 std::optional<RelativeErrors> OneFrameErrors(const CommonPoses& poses) {
-  double rotation_sum = 0.0;
-  double translation_sum = 0.0;
-  std::int64_t pairs = 0;
-  for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
-    if (poses.frames[i + 1] != poses.frames[i] + 1) continue;
+  return ConsecutiveErrors(poses, [&](std::size_t i) {
     const RigidTransform G = poses.truth[i].Inverse() * poses.truth[i + 1];
     const RigidTransform P = poses.estimate[i].Inverse() * poses.estimate[i + 1];
-    const RigidTransform E = G.Inverse() * P;
-    rotation_sum += Square(RotationAngle(E.rotation()));
-    translation_sum += E.translation().squaredNorm();
-    ++pairs;
-  }
-  return RootMeanSquares(rotation_sum, translation_sum, pairs);
+    return G.Inverse() * P;
+  });
+}
+
+std::optional<RelativeErrors> MotionErrors(const CommonPoses& poses) {
+  return ConsecutiveErrors(poses, [&](std::size_t i) {
+    const RigidTransform& G = poses.truth[i];
+    const RigidTransform H_gt = poses.truth[i + 1] * G.Inverse();
+    const RigidTransform H_est = poses.estimate[i + 1] * poses.estimate[i].Inverse();
+    return G.Inverse() * H_gt.Inverse() * H_est * G;
+  });
 }
 
 }  // namespace cvo

@@ -42,5 +42,8 @@ inline constexpr std::size_t kMaxPairedRotations = 100'000;
 [[nodiscard]] std::optional<RelativeErrors> AllPairsErrors(const CommonPoses& poses);
 // Pairs (i, i + 1) of consecutive frames alone; empty where there are none.
 [[nodiscard]] std::optional<RelativeErrors> OneFrameErrors(const CommonPoses& poses);
+// The same of the motions in the world, which do not depend on the frame that a body is given:
+// E = G_i^-1 (G_j G_i^-1)^-1 (P_j P_i^-1) G_i.
+[[nodiscard]] std::optional<RelativeErrors> MotionErrors(const CommonPoses& poses);
 
 }  // namespace cvo

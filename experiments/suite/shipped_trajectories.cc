@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/suite/shipped_trajectories.h"
 
-#include <algorithm>
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/atomic_file.h"
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
@@ -54,10 +54,10 @@ std::vector<SuiteSystem::Files> ShippedFilesOf(const std::string& system,
     files.push_back({sequence.name, "", ""});
   }
   if (!files.empty()) return files;
-  std::string known;
-  for (const ShippedTrajectory& trajectory : ShippedTrajectories()) {
-    known += StrCat(known.empty() ? "" : ", ", trajectory.system, " on ", trajectory.scene);
-  }
+  const std::string known =
+      Joined(ShippedTrajectories(), ", ", [](const ShippedTrajectory& trajectory) {
+        return StrCat(trajectory.system, " on ", trajectory.scene);
+      });
   ThrowError(where, "none", "a file for each sequence; those that come with the program: " + known);
 }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/options_json.h"
 #include "core/interface/options.h"
 #include "experiments/suite/parse_suite.h"
@@ -28,15 +29,13 @@ void SetSuiteOption(const std::string& assignment, Json& options) {
   const std::vector<OptionLeaf> leaves = OptionLeaves(values);
   SetOption(assignment, leaves);
   const std::string path = assignment.substr(0, assignment.find('='));
-  const auto leaf = std::find_if(leaves.begin(), leaves.end(),
-                                 [&](const OptionLeaf& other) { return other.path == path; });
   Json* at = &options;
   for (std::size_t start = 0; start < path.size();) {
     const std::size_t end = std::min(path.find('.', start), path.size());
     at = &(*at)[path.substr(start, end - start)];
     start = end + 1;
   }
-  *at = ValueToJson(*leaf);
+  *at = ValueToJson(*FindBy(leaves, &OptionLeaf::path, path));
 }
 
 void Set(const std::string& assignment, Suite& suite) {
@@ -46,14 +45,13 @@ void Set(const std::string& assignment, Suite& suite) {
   }
   const std::string path = assignment.substr(0, equals);
   const Json value = ParseValue(assignment.substr(equals + 1));
-  const auto axis = std::find_if(suite.grid.begin(), suite.grid.end(),
-                                 [&](const GridAxis& other) { return other.path == path; });
+  GridAxis* axis = FindBy(suite.grid, &GridAxis::path, path);
   const bool of_sequence = !IsOptionPath(path);
-  if ((of_sequence || axis != suite.grid.end()) && suite.grid_one_at_a_time) {
+  if ((of_sequence || axis != nullptr) && suite.grid_one_at_a_time) {
     ThrowError("--set " + assignment, "a suite that varies one axis of its grid at a time",
                "an option that is not an axis");
   }
-  if (axis != suite.grid.end()) {
+  if (axis != nullptr) {
     axis->values = {value};
   } else if (of_sequence) {
     suite.grid.push_back({path, {value}});

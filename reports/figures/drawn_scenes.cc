@@ -2,31 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/figures/drawn_scenes.h"
 
-#include <algorithm>
-
 #include "core/base/error.h"
+#include "core/base/lists.h"
 
 namespace cvo::reports {
 
 std::vector<DrawnScene> GroupByScene(const std::vector<DrawnRun>& runs) {
   std::vector<DrawnScene> scenes;
   for (const DrawnRun& run : runs) {
-    auto found = std::find_if(scenes.begin(), scenes.end(), [&](const DrawnScene& scene) {
-      return scene.sequence == run.sequence;
-    });
-    if (found == scenes.end()) found = scenes.insert(scenes.end(), {run.sequence, {}});
-    found->runs.push_back(&run);
+    FindOrAdd(scenes, &DrawnScene::sequence, {run.sequence, {}}).runs.push_back(&run);
   }
   return scenes;
 }
 
 std::vector<std::string> VariantsOf(const std::vector<DrawnRun>& runs) {
   std::vector<std::string> variants;
-  for (const DrawnRun& run : runs) {
-    if (std::find(variants.begin(), variants.end(), run.variant) == variants.end()) {
-      variants.push_back(run.variant);
-    }
-  }
+  for (const DrawnRun& run : runs) AddOnce(run.variant, variants);
   return variants;
 }
 

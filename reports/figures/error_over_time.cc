@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 
+#include "core/base/lists.h"
+#include "core/base/mean.h"
 #include "reports/figures/drawn_scenes.h"
 #include "reports/figures/error_marks.h"
 #include "reports/figures/numbers.h"
@@ -19,10 +20,7 @@ constexpr std::size_t kMaxBodies = 6;
 constexpr int kCurveWidth_px = 720;
 
 const BodyDetail* FindBody(const DrawnRun& run, int id) {
-  for (const BodyDetail& body : run.detail.bodies) {
-    if (body.id == id) return &body;
-  }
-  return nullptr;
+  return FindBy(run.detail.bodies, &BodyDetail::id, id);
 }
 
 // Moving bodies that some run estimates, the most visible of them; by id.
@@ -193,13 +191,9 @@ std::string BodyErrorText(const DrawnScene& scene, const BodyDetail& drawn,
       text += "no estimate";
       continue;
     }
-    double squares = 0.0;
     double most = 0.0;
-    for (const BodyPosition& position : body->estimated) {
-      squares += position.error_m * position.error_m;
-      most = std::max(most, position.error_m);
-    }
-    const double rmse = std::sqrt(squares / static_cast<double>(body->estimated.size()));
+    for (const BodyPosition& position : body->estimated) most = std::max(most, position.error_m);
+    const double rmse = RootMeanSquare(body->estimated, &BodyPosition::error_m).value();
     text +=
         StrCat(NumberText(scale.from_m * rmse, 2), " ", scale.unit, " root mean square, at most ",
                NumberText(scale.from_m * most, 2), ", in ", body->estimated.size(), " frames");

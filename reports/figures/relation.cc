@@ -2,25 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/figures/relation.h"
 
-#include <algorithm>
-
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "reports/figures/numbers.h"
 #include "reports/results/contract_text.h"
 
 namespace cvo::reports {
 std::string RelationText(const std::vector<const Column*>& columns) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> groups;  // relation, labels
+  using Group = std::pair<std::string, std::vector<std::string>>;  // relation, labels
+  std::vector<Group> groups;
   for (const Column* column : columns) {
     if (!ShownAs(column->metric, column->unit).is_error) continue;
     const std::string relation = RelationText(column->contract);
-    auto found = std::find_if(groups.begin(), groups.end(),
-                              [&](const auto& group) { return group.first == relation; });
-    if (found == groups.end()) found = groups.insert(groups.end(), {relation, {}});
-    std::vector<std::string>& labels = found->second;
-    if (std::find(labels.begin(), labels.end(), column->label) == labels.end()) {
-      labels.push_back(column->label);
-    }
+    AddOnce(column->label, FindOrAdd(groups, &Group::first, {relation, {}}).second);
   }
   std::string text;
   for (const auto& [relation, labels] : groups) {
@@ -34,10 +28,7 @@ std::string IntervalText(const Table& table, const std::vector<std::size_t>& col
   for (const Row& row : table.rows) {
     for (const std::size_t column : columns) {
       const auto& interval = row.cells[column].interval;
-      if (!interval) continue;
-      if (std::find(meanings.begin(), meanings.end(), interval->meaning) == meanings.end()) {
-        meanings.push_back(interval->meaning);
-      }
+      if (interval) AddOnce(interval->meaning, meanings);
     }
   }
   if (meanings.empty()) return "No intervals: there is nothing to resample.";

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "reports/figures/swept_lines.h"
 #include "reports/tables/cells.h"
 #include "reports/tables/columns.h"
@@ -70,16 +71,11 @@ std::vector<SeriesRows> SplitByScene(const SuiteData& data) {
   std::vector<SeriesRows> series;
   for (const RowRuns& row : rows) {
     SeriesRows described = Describe(keys, row.keys);
-    auto found = std::find_if(series.begin(), series.end(), [&](const SeriesRows& known) {
-      return known.label == described.label;
-    });
-    if (found == series.end()) {
-      if (described.name.empty()) described.name = OneVariant(data.plan);
-      found = series.insert(series.end(), std::move(described));
-    }
-    found->scenes.push_back(
-        {ValueOf(keys, row.keys, "sequence"),
-         CellsOf(row, FindReference(rows, row, keys, reference), keys, data.table)});
+    if (described.name.empty()) described.name = OneVariant(data.plan);
+    FindOrAdd(series, &SeriesRows::label, std::move(described))
+        .scenes.push_back(
+            {ValueOf(keys, row.keys, "sequence"),
+             CellsOf(row, FindReference(rows, row, keys, reference), keys, data.table)});
   }
   std::vector<Difference*> differences;
   for (SeriesRows& known : series) {

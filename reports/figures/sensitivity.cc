@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
 
+#include "core/base/lists.h"
 #include "reports/figures/numbers.h"
 #include "reports/figures/palette.h"
 #include "reports/figures/plot.h"
@@ -50,10 +50,7 @@ std::vector<MetricGroup> GroupColumns(const Table& table) {
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     if (IsCoverage(table.columns[i])) continue;
     const std::string name = GroupOf(table.columns[i]);
-    auto found = std::find_if(groups.begin(), groups.end(),
-                              [&](const MetricGroup& group) { return group.name == name; });
-    if (found == groups.end()) found = groups.insert(groups.end(), {name, {}, false});
-    found->columns.push_back(i);
+    FindOrAdd(groups, &MetricGroup::name, {name, {}, false}).columns.push_back(i);
   }
   for (MetricGroup& group : groups) {
     const auto coverage = CoverageFor(group.name, table);

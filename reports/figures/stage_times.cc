@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/base/median.h"
 #include "reports/figures/numbers.h"
 #include "reports/figures/palette.h"
@@ -21,8 +22,8 @@ constexpr std::array kFrontEnd = {"decode", "extract", "match_stereo"};
 constexpr std::array kCacheStages = {"load_features", "store_features", "wait_for_features",
                                      "frame"};
 // In the order of the work; what is not named here follows, the sum comes last.
-constexpr std::array kEstimator = {"track",    "associate",         "label",   "window",
-                                   "optimize", "trace", "optimize_clusters", "estimate"};
+constexpr std::array kEstimator = {"track", "associate",         "label",   "window", "optimize",
+                                   "trace", "optimize_clusters", "estimate"};
 constexpr int kBarsWidth_px = 620;
 constexpr char kSum[] = "estimate";
 constexpr char kAllVariants[] = "front end, all variants";
@@ -70,10 +71,7 @@ std::string MostUsedMachine(const std::vector<DrawnRun>& runs, std::size_t& mach
 }
 
 StageSeries& SeriesOf(const std::string& name, std::vector<StageSeries>& series) {
-  auto found = std::find_if(series.begin(), series.end(),
-                            [&](const StageSeries& known) { return known.name == name; });
-  if (found == series.end()) found = series.insert(series.end(), {name, 0, false, {}});
-  return *found;
+  return FindOrAdd(series, &StageSeries::name, {name, 0, false, {}});
 }
 
 bool HasFrontEnd(const DrawnRun& run) {
@@ -119,7 +117,7 @@ std::vector<std::string> EstimatorStages(const std::vector<StageSeries>& series)
     if (one.name == kAllVariants) continue;
     for (const auto& [stage, samples] : one.stages) {
       if (Median(samples.p95_ms) < kNothing_ms) continue;
-      if (std::find(stages.begin(), stages.end(), stage) == stages.end()) stages.push_back(stage);
+      AddOnce(stage, stages);
     }
   }
   std::sort(stages.begin(), stages.end(), [](const std::string& a, const std::string& b) {

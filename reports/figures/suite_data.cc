@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "reports/figures/numbers.h"
 #include "reports/figures/suite_figures.h"
 #include "reports/figures/swept_lines.h"
@@ -65,10 +66,8 @@ std::vector<const SuiteRun*> ChooseRuns(const SuiteData& data) {
 class Reasons {
  public:
   void Add(const std::string& reason, const DrawnRun& run) {
-    auto found = std::find_if(reasons_.begin(), reasons_.end(),
-                              [&](const auto& known) { return known.first == reason; });
-    if (found == reasons_.end()) found = reasons_.insert(reasons_.end(), {reason, {}});
-    found->second.push_back(StrCat(run.sequence, " ", run.variant, " seed ", run.seed));
+    FindOrAdd(reasons_, &Reason::first, {reason, {}})
+        .second.push_back(StrCat(run.sequence, " ", run.variant, " seed ", run.seed));
   }
   std::vector<std::string> Texts() const {
     std::vector<std::string> texts;
@@ -81,7 +80,8 @@ class Reasons {
   }
 
  private:
-  std::vector<std::pair<std::string, std::vector<std::string>>> reasons_;
+  using Reason = std::pair<std::string, std::vector<std::string>>;
+  std::vector<Reason> reasons_;
 };
 
 void ReadDrawn(const SuiteRun& run, SuiteData& data, Reasons& reasons) {

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 
 namespace cvo::reports {
 namespace {
@@ -62,12 +63,7 @@ void AddPoint(const SuitePlan& plan, const Table& table, std::size_t row, double
               const std::string& label, SweptOption& option) {
   const std::string variant = VariantOf(plan, table, table.rows[row]);
   const std::string name = label.empty() ? variant : label;
-  auto line = std::find_if(option.lines.begin(), option.lines.end(),
-                           [&](const SweptLine& known) { return known.label == name; });
-  if (line == option.lines.end()) {
-    line = option.lines.insert(option.lines.end(), {name, variant, {}});
-  }
-  line->points.emplace_back(value, row);
+  FindOrAdd(option.lines, &SweptLine::label, {name, variant, {}}).points.emplace_back(value, row);
 }
 
 SweptOption ReadOption(const SuitePlan& plan, const Table& table, std::size_t key) {

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/mean.h"
 #include "reports/figures/numbers.h"
 #include "reports/figures/palette.h"
 #include "reports/figures/plot.h"
@@ -231,10 +231,7 @@ std::string TrackText(const PlottedTrack& track) {
   std::string text = StrCat(track.name, ": ", track.time.size(), " poses");
   const std::vector<double>& errors = track.position_error_m.values;
   if (errors.empty()) return text;
-  double squares = 0.0;
-  for (const double error : errors) squares += error * error;
-  return StrCat(text, ", position error ",
-                NumberText(std::sqrt(squares / static_cast<double>(errors.size()))),
+  return StrCat(text, ", position error ", NumberText(RootMeanSquare(errors).value()),
                 " m root mean square, at most ",
                 NumberText(*std::max_element(errors.begin(), errors.end())), " m");
 }

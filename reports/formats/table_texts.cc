@@ -233,12 +233,11 @@ std::vector<ColumnText> ColumnTexts(const Table& table) {
   std::vector<ColumnText> columns;
   for (const Column& column : table.columns) {
     const std::string coverage = CoverageOf(column.metric);
-    const auto found = std::find_if(table.columns.begin(), table.columns.end(),
-                                    [&](const Column& other) { return other.metric == coverage; });
+    const Column* found = FindBy(table.columns, &Column::metric, coverage);
     columns.push_back(
         {Printable(column.label), column.unit == "1" ? "" : Printable(column.unit), {}});
-    if (found == table.columns.end() || coverage == column.metric) continue;
-    columns.back().coverage = static_cast<std::size_t>(found - table.columns.begin());
+    if (found == nullptr || coverage == column.metric) continue;
+    columns.back().coverage = static_cast<std::size_t>(found - table.columns.data());
   }
   return columns;
 }

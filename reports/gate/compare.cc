@@ -3,9 +3,9 @@
 #include "reports/gate/compare.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "reports/results/metric_catalogue.h"
 
 namespace cvo::reports {
@@ -53,11 +53,7 @@ std::string SceneLabel(const Keys& keys, const std::vector<std::string>& scene_k
 }
 
 ScenePairs& SceneOf(const Keys& keys, std::vector<ScenePairs>& scenes) {
-  const auto found = std::find_if(scenes.begin(), scenes.end(),
-                                  [&](const ScenePairs& scene) { return scene.keys == keys; });
-  if (found != scenes.end()) return *found;
-  scenes.push_back({keys, {}, 0.0, 0.0});
-  return scenes.back();
+  return FindOrAdd(scenes, &ScenePairs::keys, {keys, {}, 0.0, 0.0});
 }
 
 std::vector<ScenePairs> GatherScenes(const Baseline& baseline, const BaselineMetric& metric,
@@ -116,12 +112,7 @@ void Judge(std::size_t comparisons, Candidate& candidate) {
 
 std::vector<std::string> Variants(const std::vector<RunPair>& pairs) {
   std::vector<std::string> variants;
-  for (const RunPair& pair : pairs) {
-    const std::string& variant = pair.baseline->keys.at("variant");
-    if (std::find(variants.begin(), variants.end(), variant) == variants.end()) {
-      variants.push_back(variant);
-    }
-  }
+  for (const RunPair& pair : pairs) AddOnce(pair.baseline->keys.at("variant"), variants);
   return variants;
 }
 

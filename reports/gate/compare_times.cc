@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/mean.h"
 #include "reports/gate/compare.h"
 
 namespace cvo::reports {
@@ -17,13 +18,8 @@ struct Logarithms {
 
 TimeComparison Compare(const std::string& variant, const Logarithms& logarithms) {
   const double count = static_cast<double>(logarithms.differences.size());
-  double sum = 0.0;
-  for (const double difference : logarithms.differences) sum += difference;
-  const double mean = sum / count;
-  double squares = 0.0;
-  for (const double difference : logarithms.differences) {
-    squares += (difference - mean) * (difference - mean);
-  }
+  const double mean = MeanOf(logarithms.differences);
+  const double squares = SquaresAroundMean(logarithms.differences);
   const double error = count > 1.0 ? std::sqrt(squares / (count - 1.0) / count) : 0.0;
   TimeComparison time;
   time.variant = variant;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "core/base/mean.h"
 #include "reports/gate/compare.h"
 #include "reports/results/metric_catalogue.h"
 #include "reports/statistics/student.h"
@@ -27,24 +27,13 @@ std::map<std::string, std::vector<double>> ValuesByVariant(const Baseline& basel
   return values;
 }
 
-double Mean(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-double SquaresAroundMean(const std::vector<double>& values) {
-  const double mean = Mean(values);
-  return std::accumulate(values.begin(), values.end(), 0.0, [mean](double sum, double value) {
-    return sum + (value - mean) * (value - mean);
-  });
-}
-
 // The same of all variants, scaled to errors of mean `own_mean`.
 SeedSpread Pooled(const std::map<std::string, std::vector<double>>& values, const MetricEntry& rule,
                   double own_mean) {
   SeedSpread pooled;
   double squares = 0.0;
   for (const auto& [variant, of_variant] : values) {
-    const double mean = Mean(of_variant);
+    const double mean = MeanOf(of_variant);
     const bool relative = rule.kind == MetricKind::kError && mean > 0.0;
     const double scale = relative ? own_mean / mean : 1.0;
     squares += scale * scale * SquaresAroundMean(of_variant);
@@ -67,7 +56,7 @@ std::optional<SeedSpread> SpreadOfSeeds(const Baseline& baseline, const Baseline
   const auto found = values.find(keys.at("variant"));
   const MetricEntry* rule = FindEntry(metric.name);
   if (found == values.end() || !rule) return std::nullopt;
-  const double mean = Mean(found->second);
+  const double mean = MeanOf(found->second);
   const double count = static_cast<double>(found->second.size());
   SeedSpread own;
   own.degrees = found->second.size() - 1;

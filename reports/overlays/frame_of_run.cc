@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "reports/overlays/overlay_run.h"
 #include "reports/overlays/project.h"
 
@@ -21,12 +22,6 @@ Rows RowsOfFrame(const std::vector<ClusterRow>& rows, int frame) {
   const auto above = [](int number, const ClusterRow& row) { return number < row.frame; };
   const auto first = std::lower_bound(rows.begin(), rows.end(), frame, below);
   return {first, std::upper_bound(first, rows.end(), frame, above)};
-}
-
-const ClusterRow* FindCluster(Rows rows, std::int64_t id) {
-  const auto found =
-      std::find_if(rows.begin(), rows.end(), [id](const ClusterRow& row) { return row.id == id; });
-  return found == rows.end() ? nullptr : &*found;
 }
 
 Position CenterInObject(const ClusterRow& row) {
@@ -50,7 +45,8 @@ class ClusterPath {
     const auto& camera = run_.detail.camera;
     if (at < 0 || at >= static_cast<std::ptrdiff_t>(camera.size())) return std::nullopt;
     const int frame = camera[static_cast<std::size_t>(at)].frame;
-    const ClusterRow* row = FindCluster(RowsOfFrame(run_.detail.clusters, frame), row_.id);
+    const Rows rows = RowsOfFrame(run_.detail.clusters, frame);
+    const ClusterRow* row = FindBy(rows, &ClusterRow::id, row_.id);
     if (row == nullptr) return std::nullopt;
     return Transform(row->world_from_object, CenterInObject(row_));
   }

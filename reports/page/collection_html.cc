@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/page/collection_html.h"
 
-#include <algorithm>
-
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "reports/formats/table_html.h"
 #include "reports/page/html.h"
 
@@ -81,8 +80,7 @@ std::vector<std::string> MissingSequences(const Table& table) {
   std::vector<std::string> missing;
   for (const Problem& problem : table.problems) {
     if (problem.state != "no data") continue;
-    const std::string line = StrCat(problem.sequence, ": ", problem.message);
-    if (std::find(missing.begin(), missing.end(), line) == missing.end()) missing.push_back(line);
+    AddOnce(StrCat(problem.sequence, ": ", problem.message), missing);
   }
   return missing;
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "reports/page/html.h"
 #include "reports/page/page_parts.h"
 
@@ -11,11 +11,7 @@ namespace {
 
 std::vector<std::string> Groups(const std::vector<Figure>& figures) {
   std::vector<std::string> groups;
-  for (const Figure& figure : figures) {
-    if (std::find(groups.begin(), groups.end(), figure.group) == groups.end()) {
-      groups.push_back(figure.group);
-    }
-  }
+  for (const Figure& figure : figures) AddOnce(figure.group, groups);
   return groups;
 }
 

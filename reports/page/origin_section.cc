@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <map>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/escape.h"
 #include "reports/figures/numbers.h"
 #include "reports/formats/table_html.h"
@@ -23,17 +23,11 @@ std::string FactsHtml(const std::vector<Fact>& facts) {
 // Each set of facts once, with the number of runs that it holds for.
 std::string FactsWithRunCounts(const std::vector<PageRun>& runs,
                                std::vector<Fact> RunOrigin::*facts, const char* heading) {
-  std::vector<std::pair<std::vector<Fact>, std::size_t>> counted;
+  using Count = std::pair<std::vector<Fact>, std::size_t>;
+  std::vector<Count> counted;
   for (const PageRun& run : runs) {
     const std::vector<Fact>& of_run = run.origin.*facts;
-    if (of_run.empty()) continue;
-    const auto known = std::find_if(counted.begin(), counted.end(),
-                                    [&](const auto& entry) { return entry.first == of_run; });
-    if (known == counted.end()) {
-      counted.emplace_back(of_run, 1);
-    } else {
-      ++known->second;
-    }
+    if (!of_run.empty()) ++FindOrAdd(counted, &Count::first, {of_run, 0}).second;
   }
   std::string html = StrCat("<h3>", heading, "</h3>\n");
   if (counted.empty()) html += "<p>Not known.</p>\n";

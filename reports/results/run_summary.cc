@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "core/base/lists.h"
 #include "core/files/text_file.h"
 #include "reports/results/metric_catalogue.h"
 
@@ -107,9 +108,7 @@ RunSummary ReadRun(const std::filesystem::path& result_file,
 }
 
 const MetricValue* FindMetric(const RunSummary& run, const std::string& name) {
-  const auto found = std::find_if(run.metrics.begin(), run.metrics.end(),
-                                  [&](const MetricValue& metric) { return metric.name == name; });
-  return found == run.metrics.end() ? nullptr : &*found;
+  return FindBy(run.metrics, &MetricValue::name, name);
 }
 
 }  // namespace cvo::reports

@@ -55,13 +55,8 @@ std::vector<std::size_t> Longest(const std::vector<Stretch>& stretches, std::siz
 }
 
 void AddEvent(int frame, const std::string& what, std::vector<BodyEvent>& events) {
-  const auto same = std::find_if(events.begin(), events.end(),
-                                 [frame](const auto& event) { return event.frame == frame; });
-  if (same == events.end()) {
-    events.push_back({frame, what});
-  } else if (same->what.find(what) == std::string::npos) {
-    same->what += ", " + what;
-  }
+  BodyEvent& event = FindOrAdd(events, &BodyEvent::frame, {frame, what});
+  if (event.what.find(what) == std::string::npos) event.what += ", " + what;
 }
 
 void AddStretch(const std::vector<Stretch>& stretches, std::size_t i,

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/csv_file.h"
 
 namespace cvo::reports {
@@ -161,12 +162,11 @@ int BodyStory::Judged() const {
 BodyStage BodyStory::Cause() const {
   BodyStage cause = BodyStage::kGood;
   int most = 0;
-  for (int i = static_cast<int>(BodyStage::kNoDetection); i <= static_cast<int>(BodyStage::kMotion);
-       ++i) {
-    const int count = Count(static_cast<BodyStage>(i));
+  for (const BodyStage stage : kWrongStages) {
+    const int count = Count(stage);
     if (count <= most) continue;
     most = count;
-    cause = static_cast<BodyStage>(i);
+    cause = stage;
   }
   return cause;
 }
@@ -226,9 +226,8 @@ BodyStory TellStory(const RunDetail& run, const BodyDetail& body, const Landmark
 }
 
 const BodyFrame& FrameOf(const BodyStory& story, int frame) {
-  const auto found = std::find_if(story.frames.begin(), story.frames.end(),
-                                  [frame](const auto& entry) { return entry.frame == frame; });
-  Require(found != story.frames.end(), "FrameOf: a frame of the story");
+  const BodyFrame* found = FindBy(story.frames, &BodyFrame::frame, frame);
+  Require(found != nullptr, "FrameOf: a frame of the story");
   return *found;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -39,6 +40,9 @@ enum class BodyStage {
   kIdentity,     // a cluster has its landmarks, but not the one that is scored
   kMotion,       // its cluster's landmarks are right and the pose is not
 };
+inline constexpr std::array kWrongStages = {
+    BodyStage::kNoDetection, BodyStage::kNoLandmarks, BodyStage::kLabel, BodyStage::kJoined,
+    BodyStage::kUnconfirmed, BodyStage::kIdentity,    BodyStage::kMotion};
 inline constexpr double kGoodError_m = 0.1;
 inline constexpr int kLeastLandmarks = 3;
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/number.h"
 
 namespace cvo::reports {
@@ -17,9 +18,8 @@ std::string LabelName(std::int64_t label) {
 }
 
 std::string BodyName(std::int64_t id, const std::vector<BodyDetail>& bodies) {
-  const auto found =
-      std::find_if(bodies.begin(), bodies.end(), [id](const auto& body) { return body.id == id; });
-  return found == bodies.end() ? StrCat("body ", id) : found->name;
+  const BodyDetail* found = FindBy(bodies, &BodyDetail::id, id);
+  return found == nullptr ? StrCat("body ", id) : found->name;
 }
 
 std::string LandmarksLine(const BodyStory& story, const BodyFrame& frame) {
@@ -126,9 +126,7 @@ std::vector<std::string> StoryLines(const BodyStory& story) {
                          "): of ", story.Judged(), " frames judged ", story.Count(BodyStage::kGood),
                          " within 10 cm"));
   std::string wrong;
-  for (int i = static_cast<int>(BodyStage::kNoDetection); i <= static_cast<int>(BodyStage::kMotion);
-       ++i) {
-    const auto stage = static_cast<BodyStage>(i);
+  for (const BodyStage stage : kWrongStages) {
     if (story.Count(stage) == 0) continue;
     wrong += StrCat(wrong.empty() ? "" : ", ", StageName(stage), " ", story.Count(stage));
   }

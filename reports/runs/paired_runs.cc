@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "reports/statistics/estimate.h"
 #include "reports/tables/body_metrics.h"
 #include "reports/tables/columns.h"
@@ -82,12 +83,6 @@ bool IsPaired(const BodyMetric& metric) {
          std::find(usual.begin(), usual.end(), MetricName({metric.form.id})) != usual.end();
 }
 
-const BodyRow* FindBody(const std::vector<BodyRow>& bodies, int id) {
-  const auto found = std::find_if(bodies.begin(), bodies.end(),
-                                  [id](const BodyRow& body) { return body.id == id; });
-  return found == bodies.end() ? nullptr : &*found;
-}
-
 }  // namespace
 
 std::size_t BlockLength(std::size_t frames) {
@@ -116,7 +111,7 @@ std::vector<PairedComparison> PairByFrame(const RunToCompare& run, const RunToCo
           comparisons);
   if (!run.summary.bodies || !reference.summary.bodies) return comparisons;
   for (const BodyRow& body : run.summary.bodies->refined) {
-    const BodyRow* other = FindBody(reference.summary.bodies->refined, body.id);
+    const BodyRow* other = FindBy(reference.summary.bodies->refined, &BodyRow::id, body.id);
     if (other == nullptr) continue;
     AddPair(body.name, body.mover ? "object_ate" : "object_standing_ate",
             FindCommon(body.errors, run.summary.sequence.first_frame, other->errors,
@@ -134,7 +129,8 @@ std::vector<PairedComparison> PairByBody(const RunToCompare& run, const RunToCom
     if (!body_metric || !IsPaired(*body_metric) || !metric.differing.empty()) continue;
     std::vector<Sample> samples;
     for (const BodyRow& body : BodiesOf(*body_metric, run.summary)) {
-      const BodyRow* other = FindBody(BodiesOf(*body_metric, reference.summary), body.id);
+      const BodyRow* other =
+          FindBy(BodiesOf(*body_metric, reference.summary), &BodyRow::id, body.id);
       const auto pair = other == nullptr ? std::nullopt : PairOf(*body_metric, body, *other);
       if (!pair) continue;
       samples.push_back({"", "", StrCat("body ", body.id), "", pair->first, pair->second});

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "core/base/mean.h"
 #include "reports/statistics/student.h"
 
 namespace cvo::reports {
@@ -27,12 +27,9 @@ Moments MomentsOf(const Differences& differences) {
   double several = 0.0;
   for (const std::vector<double>& stratum : differences) {
     const auto n = static_cast<double>(stratum.size());
-    const double mean = std::accumulate(stratum.begin(), stratum.end(), 0.0) / n;
-    moments.mean += mean / strata;
+    moments.mean += MeanOf(stratum) / strata;
     if (stratum.size() < 2) continue;
-    double squares = 0.0;
-    for (const double difference : stratum) squares += (difference - mean) * (difference - mean);
-    const double variance = squares / (n - 1.0);
+    const double variance = SquaresAroundMean(stratum) / (n - 1.0);
     moments.variance += variance / n / (strata * strata);
     moments.spread += variance;
     moments.degrees += static_cast<int>(stratum.size()) - 1;

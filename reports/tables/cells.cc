@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "reports/statistics/estimate.h"
 #include "reports/tables/body_metrics.h"
 #include "reports/tables/columns.h"
@@ -25,12 +26,6 @@ struct Gathered {
 };
 
 std::string BodyName(const BodyRow& body) { return StrCat("body ", body.id); }
-
-const BodyRow* FindBody(const std::vector<BodyRow>& bodies, int id) {
-  const auto found = std::find_if(bodies.begin(), bodies.end(),
-                                  [id](const BodyRow& body) { return body.id == id; });
-  return found == bodies.end() ? nullptr : &*found;
-}
 
 void GatherBodies(const SuiteRun& run, const BodyMetric& metric, const std::string& repetition,
                   Gathered& gathered) {
@@ -129,7 +124,7 @@ void GatherPair(const SuiteRun& run, const SuiteRun& reference,
     return;
   }
   for (const BodyRow& body : BodiesOf(*body_metric, *run.run)) {
-    const BodyRow* other = FindBody(BodiesOf(*body_metric, *reference.run), body.id);
+    const BodyRow* other = FindBy(BodiesOf(*body_metric, *reference.run), &BodyRow::id, body.id);
     if (other == nullptr) continue;
     if (const auto pair = PairOf(*body_metric, body, *other)) {
       samples.push_back({run.planned.family, SceneOf(run), BodyName(body), repetition, pair->first,

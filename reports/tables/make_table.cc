@@ -62,12 +62,6 @@ Table DescribeTable(const SuitePlan& plan, const std::vector<SuiteRun>& runs,
   return table;
 }
 
-const RowRuns* FindRow(const std::vector<RowRuns>& rows, const std::vector<std::string>& keys) {
-  const auto found =
-      std::find_if(rows.begin(), rows.end(), [&](const RowRuns& row) { return row.keys == keys; });
-  return found == rows.end() ? nullptr : &*found;
-}
-
 // Runs of one scene and seed that were not of the same images.
 std::vector<std::string> OtherImages(const std::vector<SuiteRun>& before,
                                      const std::vector<SuiteRun>& after) {
@@ -99,7 +93,7 @@ void CheckSameRows(const SuitePlan& before, const SuitePlan& after) {
 void NoteUnpaired(const std::vector<RowRuns>& before, const std::vector<RowRuns>& after,
                   Table& table) {
   for (const RowRuns& row : before) {
-    if (FindRow(after, row.keys) != nullptr) continue;
+    if (FindBy(after, &RowRuns::keys, row.keys) != nullptr) continue;
     Row label;
     label.keys = row.keys;
     table.notes.push_back(RowLabel(label) + ": no such row in the second folder");
@@ -150,7 +144,8 @@ Table CompareFolders(const std::filesystem::path& before, const std::filesystem:
   table.reference = before.string();
   table.change = true;
   AddRows(
-      rows, folder, [&](const RowRuns& row) { return FindRow(rows_before, row.keys); }, table);
+      rows, folder,
+      [&](const RowRuns& row) { return FindBy(rows_before, &RowRuns::keys, row.keys); }, table);
   for (const std::string& note : OtherImages(runs_before, runs)) table.notes.push_back(note);
   if (CpuLevels(runs) != CpuLevels(both)) table.notes.push_back(CpuLevelNote(CpuLevels(both)));
   NoteUnpaired(rows_before, rows, table);

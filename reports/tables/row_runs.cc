@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 
 namespace cvo::reports {
 namespace {
@@ -71,9 +72,7 @@ const RowRuns* FindReference(const std::vector<RowRuns>& rows, const RowRuns& ro
     if (keys[i] == reference.substr(0, equals)) wanted[i] = reference.substr(equals + 1);
   }
   if (wanted == row.keys) return nullptr;
-  const auto found = std::find_if(rows.begin(), rows.end(),
-                                  [&](const RowRuns& other) { return other.keys == wanted; });
-  return found == rows.end() ? nullptr : &*found;
+  return FindBy(rows, &RowRuns::keys, wanted);
 }
 
 std::string FullReference(const SuitePlan& plan) {
@@ -98,14 +97,8 @@ std::vector<std::string> PooledKeys(const std::vector<SuiteRun>& runs,
   }
   std::vector<std::string> texts;
   for (auto& [key, values] : pooled) {
-    std::string text = key + ": ";
-    for (const SuiteRun& run : runs) {
-      const std::string value = KeyOf(run.planned, key);
-      if (Contains(values, value)) continue;
-      text += (values.empty() ? "" : ", ") + value;
-      values.push_back(value);
-    }
-    if (values.size() > 1) texts.push_back(text);
+    for (const SuiteRun& run : runs) AddOnce(KeyOf(run.planned, key), values);
+    if (values.size() > 1) texts.push_back(key + ": " + Joined(values, ", "));
   }
   return texts;
 }

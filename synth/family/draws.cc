@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/closest_names.h"
 #include "core/files/text_file.h"
 
@@ -21,15 +22,9 @@ bool IsDraw(const Json& value) {
          std::find(kKinds.begin(), kKinds.end(), value.begin().key()) != kKinds.end();
 }
 
-const Knob* Find(const std::vector<Knob>& knobs, const std::string& name) {
-  const auto found =
-      std::find_if(knobs.begin(), knobs.end(), [&](const Knob& knob) { return knob.name == name; });
-  return found == knobs.end() ? nullptr : &*found;
-}
-
 const Knob& FindKnob(const std::vector<Knob>& knobs, const std::string& name,
                      const std::string& where) {
-  if (const Knob* knob = Find(knobs, name)) return *knob;
+  if (const Knob* knob = FindBy(knobs, &Knob::name, name)) return *knob;
   std::vector<std::string> names;
   for (const Knob& knob : knobs) names.push_back(knob.name);
   ThrowError(where, "no knob " + Quoted(name), OneOfKnown(name, names));

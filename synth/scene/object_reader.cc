@@ -37,7 +37,7 @@ std::string ObjectReader::Where(const std::string& key) const {
 }
 
 bool ObjectReader::Has(const std::string& key) {
-  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.push_back(key);
+  AddOnce(key, known_);
   return object_->contains(key);
 }
 

@@ -49,6 +49,32 @@ struct ExplainedRun {
   }
 };
 
+// Frames in which a detection shows each body, by body. Empty where the boxes or the true ones are
+// not known.
+std::map<int, reports::Detected> DetectedBodies(const std::optional<Sequence>& sequence,
+                                                const std::vector<std::string>& classes) {
+  std::map<int, reports::Detected> detected;
+  if (!sequence) return detected;
+  const std::unique_ptr<BodyTruthReader> truth = ReadBodyTruth(*sequence);
+  if (!truth) return detected;
+  OracleSwitches boxes;
+  boxes.boxes = true;
+  const Oracle oracle(*sequence, boxes, truth.get());
+  const auto detections = DetectionsOf(*sequence, classes);
+  for (std::size_t i = 0; i < detections.size(); ++i) {
+    StereoFrame frame;
+    frame.detections = detections[i];
+    oracle.Give(static_cast<int>(i), {}, frame);
+    const int number = sequence->first_frame + static_cast<int>(i);
+    for (const TruthBody& body : truth->objects().bodies) {
+      const auto& shown = frame.given.detection_body;
+      detected[body.id][number] =
+          std::find(shown.begin(), shown.end(), BodyId{body.id}) != shown.end();
+    }
+  }
+  return detected;
+}
+
 ExplainedRun ReadExplained(const ExplainFlags& flags) {
   const fs::path folder = flags.run;
   if (!fs::exists(folder / "result.json")) {
@@ -173,30 +199,6 @@ int Explain(const ExplainFlags& flags) {
 }
 
 }  // namespace
-
-std::map<int, reports::Detected> DetectedBodies(const std::optional<Sequence>& sequence,
-                                                const std::vector<std::string>& classes) {
-  std::map<int, reports::Detected> detected;
-  if (!sequence) return detected;
-  const std::unique_ptr<BodyTruthReader> truth = ReadBodyTruth(*sequence);
-  if (!truth) return detected;
-  OracleSwitches boxes;
-  boxes.boxes = true;
-  const Oracle oracle(*sequence, boxes, truth.get());
-  const auto detections = DetectionsOf(*sequence, classes);
-  for (std::size_t i = 0; i < detections.size(); ++i) {
-    StereoFrame frame;
-    frame.detections = detections[i];
-    oracle.Give(static_cast<int>(i), {}, frame);
-    const int number = sequence->first_frame + static_cast<int>(i);
-    for (const TruthBody& body : truth->objects().bodies) {
-      const auto& shown = frame.given.detection_body;
-      detected[body.id][number] =
-          std::find(shown.begin(), shown.end(), BodyId{body.id}) != shown.end();
-    }
-  }
-  return detected;
-}
 
 Command AddExplainCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand(

@@ -11,11 +11,6 @@
 
 namespace cvo {
 
-// Frames in which a detection shows each body, by body. Empty where the boxes or the true ones are
-// not known.
-std::map<int, reports::Detected> DetectedBodies(const std::optional<Sequence>& sequence,
-                                                const std::vector<std::string>& classes);
-
 // A body in a run with a part of the truth given.
 struct OracleResult {
   std::string oracle;  // "true boxes"

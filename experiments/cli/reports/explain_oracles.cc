@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <iostream>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
+#include "core/base/mean.h"
 #include "core/files/json_record.h"
 #include "core/files/options_json.h"
 #include "experiments/cli/progress.h"
@@ -38,26 +38,17 @@ OracleSwitches With(const char* name, const reports::RunSummary& run) {
   return switches;
 }
 
-const reports::BodyDetail& FindBody(const std::vector<reports::BodyDetail>& bodies, int id) {
-  const auto found =
-      std::find_if(bodies.begin(), bodies.end(), [id](const auto& body) { return body.id == id; });
-  Require(found != bodies.end(), "TryOracles: the body has truth");
-  return *found;
-}
-
 }  // namespace
 
 OracleResult ResultOf(const std::string& oracle, const reports::BodyDetail& body) {
   OracleResult result;
   result.oracle = oracle;
   result.judged = static_cast<int>(body.visible.size());
-  double sum_m2 = 0.0;
+  result.estimated = static_cast<int>(body.estimated.size());
   for (const reports::BodyPosition& position : body.estimated) {
-    ++result.estimated;
     result.good += position.error_m <= reports::kGoodError_m ? 1 : 0;
-    sum_m2 += position.error_m * position.error_m;
   }
-  if (result.estimated > 0) result.ate_m = std::sqrt(sum_m2 / result.estimated);
+  result.ate_m = RootMeanSquare(body.estimated, &reports::BodyPosition::error_m);
   return result;
 }
 
@@ -91,8 +82,10 @@ std::optional<std::vector<OracleResult>> TryOracles(const std::string& run_folde
     const std::optional<JobOutcome> outcome = RunJob(request, folder.path());
     if (!outcome) return std::nullopt;
     if (outcome->run.status == RunStatus::kFailed) throw Error(outcome->run.message);
-    results.push_back(ResultOf(StrCat("true ", name),
-                               FindBody(reports::ReadRunDetail(folder.path()).bodies, body)));
+    const reports::RunDetail detail = reports::ReadRunDetail(folder.path());
+    const auto* judged = FindBy(detail.bodies, &reports::BodyDetail::id, body);
+    Require(judged != nullptr, "TryOracles: the body has truth");
+    results.push_back(ResultOf(StrCat("true ", name), *judged));
   }
   return results;
 }

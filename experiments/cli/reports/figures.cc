@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/closest_names.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
@@ -28,9 +29,8 @@ void KeepOnly(const std::string& id, reports::SuiteDrawing& drawing) {
   std::vector<std::string> ids;
   for (const reports::Figure& figure : drawing.figures) ids.push_back(figure.id);
   if (std::find(ids.begin(), ids.end(), id) == ids.end()) {
-    std::string known;
-    for (const std::string& other : ids) known += (known.empty() ? "" : ", ") + other;
-    ThrowError("--only", StrCat("\"", id, "\"", DidYouMean(id, ids)), "one of: " + known);
+    ThrowError("--only", StrCat("\"", id, "\"", DidYouMean(id, ids)),
+               "one of: " + Joined(ids, ", "));
   }
   std::erase_if(drawing.figures, [&](const reports::Figure& figure) { return figure.id != id; });
 }

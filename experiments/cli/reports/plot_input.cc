@@ -30,14 +30,10 @@ bool HasCommas(const fs::path& path) {
 }
 
 Trajectory ReadEurocTrajectory(const fs::path& path) {
-  const DataRows rows(path, 8, "time in ns, position x y z, quaternion w x y z");
+  const TimedPoses read = ReadEurocPoses(path);
   Trajectory trajectory;
-  std::vector<std::int64_t> times_ns;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::int64_t time_ns = rows.Integer(i, 0);
-    CheckLater(rows, i, time_ns, times_ns, "the body");
-    times_ns.push_back(time_ns);
-    trajectory.push_back({time_ns, {rows.Quaternion(i, 4, true), rows.Vector(i, 1)}});
+  for (std::size_t i = 0; i < read.poses.size(); ++i) {
+    trajectory.push_back({read.times_ns[i], read.poses[i]});
   }
   return trajectory;
 }

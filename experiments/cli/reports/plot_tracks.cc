@@ -3,10 +3,10 @@
 #include "experiments/cli/reports/plot_tracks.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "core/base/error.h"
+#include "core/base/mean.h"
 #include "experiments/metrics/association.h"
 
 namespace cvo {
@@ -35,12 +35,6 @@ PlottedTrack MovedTrack(const std::string& name, const Trajectory& poses, const 
   return track;
 }
 
-double RootMeanSquare(const std::vector<double>& values) {
-  double squares = 0.0;
-  for (const double value : values) squares += value * value;
-  return std::sqrt(squares / static_cast<double>(values.size()));
-}
-
 void AddErrors(const CommonPoses& poses, const Similarity& moved, TrajectoryAlignment alignment,
                MatchedTrack& track) {
   std::vector<double>& errors_m = track.track.position_error_m.values;
@@ -53,9 +47,9 @@ void AddErrors(const CommonPoses& poses, const Similarity& moved, TrajectoryAlig
   for (const double error_rad : OrientationErrors(poses, alignment, moved)) {
     errors_deg.push_back(error_rad * 180.0 / std::numbers::pi);
   }
-  track.rms_m = RootMeanSquare(errors_m);
+  track.rms_m = RootMeanSquare(errors_m).value();
   track.most_m = *std::max_element(errors_m.begin(), errors_m.end());
-  track.rms_deg = RootMeanSquare(errors_deg);
+  track.rms_deg = RootMeanSquare(errors_deg).value();
 }
 
 }  // namespace

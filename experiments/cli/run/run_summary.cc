@@ -7,6 +7,7 @@
 #include <ostream>
 #include <string>
 
+#include "core/base/lists.h"
 #include "experiments/cli/run/text_table.h"
 
 namespace cvo {
@@ -63,11 +64,11 @@ void PrintScores(const RunScores& scores, std::ostream& out) {
   };
   for (const Metric& refined : scores.refined) {
     if (reports::MaxDriftIndex(reports::FindForm(refined.name).value().id)) continue;  // too many
-    const auto causal = std::find_if(
-        scores.causal.begin(), scores.causal.end(),
-        [&](const Metric& metric) { return WithoutCausal(metric.name) == refined.name; });
+    const Metric* causal = FindBy(
+        scores.causal, [](const Metric& metric) { return WithoutCausal(metric.name); },
+        refined.name);
     row(refined, ReadableNumber(refined.value),
-        causal == scores.causal.end() ? kNone : ReadableNumber(causal->value));
+        causal == nullptr ? kNone : ReadableNumber(causal->value));
   }
   for (const Metric& metric : scores.clustering) row(metric, kNone, ReadableNumber(metric.value));
   for (const Metric& metric : scores.boxes) row(metric, ReadableNumber(metric.value), kNone);

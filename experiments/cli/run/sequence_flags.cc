@@ -3,6 +3,7 @@
 #include "experiments/cli/run/sequence_flags.h"
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/json.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
@@ -17,14 +18,6 @@ namespace cvo {
 
 namespace {
 
-std::string Types() {
-  std::string types;
-  for (const SequenceLayout& layout : SequenceLayouts()) {
-    types += (types.empty() ? "" : ", ") + layout.type;
-  }
-  return types;
-}
-
 Json ReadLayoutSettings(const std::string& text) {
   if (text.empty()) return Json::object();
   const Json json = text.starts_with("{") ? ParseJson(text, "option --layout") : ReadJson(text);
@@ -36,7 +29,8 @@ Json ReadLayoutSettings(const std::string& text) {
 
 void SequenceFlags::AddLayoutTo(CLI::App& app) {
   app.add_option("--type", type,
-                 "layout of the folder: " + Types() + "; default: detected from its contents")
+                 "layout of the folder: " + Joined(SequenceLayouts(), ", ", &SequenceLayout::type) +
+                     "; default: detected from its contents")
       ->type_name("NAME");
   app.add_option("--layout", layout,
                  "settings of the layout, such as the names of bodies (experiments/README.md): a "

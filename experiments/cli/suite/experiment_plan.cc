@@ -87,16 +87,10 @@ std::size_t Count(const std::vector<PredictedState>& outlook, JobState state) {
 
 // "  12 x <reason>", the reasons in the order in which they occur.
 void PrintReasons(const std::vector<PredictedState>& outlook, JobState state, std::ostream& out) {
-  std::vector<std::pair<std::string, int>> reasons;
+  using Reason = std::pair<std::string, int>;
+  std::vector<Reason> reasons;
   for (const PredictedState& job : outlook) {
-    if (job.state != state) continue;
-    const auto found = std::find_if(reasons.begin(), reasons.end(),
-                                    [&](const auto& reason) { return reason.first == job.why; });
-    if (found != reasons.end()) {
-      ++found->second;
-    } else {
-      reasons.emplace_back(job.why, 1);
-    }
+    if (job.state == state) ++FindOrAdd(reasons, &Reason::first, {job.why, 0}).second;
   }
   for (const auto& [why, count] : reasons) out << "  " << count << " x " << why << '\n';
 }

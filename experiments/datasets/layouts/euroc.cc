@@ -82,21 +82,13 @@ void AddTruth(const fs::path& mav, Sequence& sequence) {
     sequence.missing.push_back(path.string() + ": no ground truth of the camera");
     return;
   }
-  const DataRows rows(path, 8, "time in ns, position x y z, quaternion w x y z");
+  const TimedPoses body = ReadEurocPoses(path);
   sequence.text_files.push_back(path);
   const RigidTransform body_from_left =
       ReadTransform(YamlMap::Read(mav / "cam0/sensor.yaml"), "T_BS");
-  std::vector<std::int64_t> times_ns;
-  std::vector<RigidTransform> world_from_body;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::int64_t time_ns = rows.Integer(i, 0);
-    CheckLater(rows, i, time_ns, times_ns, "the body");
-    times_ns.push_back(time_ns);
-    world_from_body.emplace_back(rows.Quaternion(i, 4, true), rows.Vector(i, 1));
-  }
   std::vector<std::optional<RigidTransform>> poses;
   for (const std::int64_t time_ns : sequence.timestamps_ns) {
-    std::optional<RigidTransform> pose = InterpolatePose(times_ns, world_from_body, time_ns);
+    std::optional<RigidTransform> pose = InterpolatePose(body.times_ns, body.poses, time_ns);
     if (pose) *pose = *pose * body_from_left;
     poses.push_back(pose);
   }

@@ -11,6 +11,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/text_file.h"
 #include "experiments/calibration/rig_file.h"
 #include "experiments/datasets/body_truth_parts.h"
@@ -154,8 +155,7 @@ const ViconTrack& Find(const std::map<std::string, ViconTrack>& tracks, const st
                        const fs::path& path) {
   const auto found = tracks.find(name);
   if (found != tracks.end()) return found->second;
-  std::string names;
-  for (const auto& [known, track] : tracks) names += (names.empty() ? "" : ", ") + known;
+  const std::string names = Joined(tracks, ", ", [](const auto& track) { return track.first; });
   ThrowError(path.string(), names, "object " + Quoted(name) + " of the layout settings");
 }
 
