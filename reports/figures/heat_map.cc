@@ -18,11 +18,14 @@ Json Places(std::size_t count) {
   return places;
 }
 
-Json NamedPlaces(const Json& names) {
-  const double last = static_cast<double>(names.size()) - 0.5;
-  return {{"tickvals", Places(names.size())},
+// Names at the places from `first` on.
+Json NamedPlaces(const Json& names, int first) {
+  Json places = Places(names.size());
+  for (Json& place : places) place = place.get<int>() + first;
+  const double begin = first - 0.5;
+  return {{"tickvals", places},
           {"ticktext", names},
-          {"range", {-0.5, last}},
+          {"range", {begin, begin + static_cast<double>(names.size())}},
           {"zeroline", false},
           {"showgrid", false},
           {"showline", false},
@@ -99,12 +102,13 @@ double LargestChange(const std::vector<HeatBlock>& blocks) {
   return largest;
 }
 
+// The block's name is above its rows: turned beside them it covers that of the next block.
 Panel BlockPanel(const HeatBlock& block) {
   constexpr int kRow_px = 24;
-  Panel panel{AxisOf(block.label), std::max(kRow_px * static_cast<int>(block.rows.size()), 60)};
-  Json names = Json::array();
+  Json names = {"<b>" + PlotText(block.label) + "</b>"};
   for (const HeatRow& row : block.rows) names.push_back(PlotText(row.label));
-  panel.y_axis.update(NamedPlaces(names));
+  Panel panel{AxisOf(""), kRow_px * static_cast<int>(names.size())};
+  panel.y_axis.update(NamedPlaces(names, -1));
   std::reverse(panel.y_axis["range"].begin(), panel.y_axis["range"].end());
   return panel;
 }
@@ -126,7 +130,7 @@ Plot DrawHeatMap(const std::vector<HeatBlock>& blocks, const std::vector<HeatCol
   Json headings = Json::array();
   for (const HeatColumn& column : columns) headings.push_back(column.heading);
   Json x_axis = AxisOf("");
-  x_axis.update(NamedPlaces(headings));
+  x_axis.update(NamedPlaces(headings, 0));
   x_axis.update({{"side", "top"}, {"tickangle", -45}, {"tickfont", {{"size", 11}}}});
   Plot plot(x_axis, panels, kTop_px, kBottom_px);
   plot.layout()["xaxis"]["anchor"] = "y";

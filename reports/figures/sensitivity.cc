@@ -90,6 +90,7 @@ Panel PanelOf(const Column& column) {
   Panel panel{AxisOf(""), IsCoverage(column) ? 112 : 130};
   panel.y_axis["title"]["text"] = StrCat(PlotText(column.label), "<br>(",
                                          shown.unit.empty() ? "count" : PlotText(shown.unit), ")");
+  panel.y_axis["title"]["font"] = {{"size", 11}};  // larger ones reach into the next panel
   panel.y_axis["rangemode"] = "tozero";
   panel.y_axis["nticks"] = 5;
   if (shown.is_share) panel.y_axis["range"] = {-4, 104};

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/closest_names.h"
+#include "core/files/text_file.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/run/run_flags.h"
@@ -94,9 +95,10 @@ ExplainedRun ReadExplained(const ExplainFlags& flags) {
   if (AdoptDetections(flags.sequence, read.run, flags.detections)) {
     read.detected = DetectedBodies(read.sequence, read.run.classes);
   } else if (read.run.sequence.detections > 0) {
-    std::cerr
-        << "clustervo: the boxes of the run are not in the sequence's folder, so that missing "
-           "ones are not known: give them with --detections FILE\n";
+    std::cerr << "clustervo: missing detections are not known: "
+              << (read.sequence ? "the boxes were drawn in another camera\n"
+                                : "the run's boxes are not in the sequence's folder (--detections, "
+                                  "--detections-camera, --min-score as in the run)\n");
   }
   return read;
 }
@@ -223,6 +225,10 @@ Command AddExplainCommand(CLI::App& program) {
       "boxes that the run was given, where they are not in the sequence's folder");
   add("--detections-camera", flags->detections.camera, "X",
       "camera (image_0X) in which these were detected");
+  add("--min-score", flags->detections.min_score, "SCORE", "lowest score that the run was given")
+      ->check(FiniteProblem);
+  add("--labels", flags->detections.labels, "FILE",
+      "labels that the run was given, where they are not in the sequence's folder");
   AddThreads(*app, flags->threads);
   AddQuiet(*app, flags->quiet);
   app->footer(

@@ -113,7 +113,7 @@ void StartAtZero(reports::TrajectoryPlot& plot) {
 
 std::string TitleOf(const PlotContent& content) {
   const std::optional<PlotReference>& reference = content.reference;
-  if (!reference) return "Trajectory " + content.inputs.front().name + ". Compared with nothing";
+  if (!reference) return "Trajectory of " + content.inputs.front().name + ". No ground truth";
   const TrajectoryAlignment alignment = content.matching.alignment;
   std::string title = StrCat(content.inputs.size() > 1 ? "Trajectories" : "Trajectory", " against ",
                              reference->name, ". ", reports::Capitalised(DescriptionOf(alignment)));

@@ -84,6 +84,8 @@ std::optional<Sequence> FindDetections(const std::string& folder, const reports:
     SequenceRequest request = RequestOf(run, folder);
     request.detections_file = name;
     request.detections_camera = given.camera;
+    request.min_score = given.min_score;
+    request.labels_file = given.labels;
     std::optional<Sequence> sequence;
     try {
       sequence = OpenSequence(request);
@@ -94,7 +96,8 @@ std::optional<Sequence> FindDetections(const std::string& folder, const reports:
     if (DetectionsHash(*sequence) == run.sequence.detections_hash) return sequence;
   }
   if (given.file.empty()) return std::nullopt;
-  ThrowError("--detections " + given.file, "other boxes than the run was given", "the run's");
+  ThrowError("--detections " + given.file, "other boxes than the run was given",
+             "the run's, with its --detections-camera and --min-score");
 }
 
 std::vector<std::vector<Detection>> DetectionsOf(const Sequence& sequence,

@@ -32,6 +32,8 @@ class RunImages {
 struct GivenDetections {
   std::string file = {};
   int camera = -1;  // as SequenceRequest::detections_camera
+  double min_score = -1e300;
+  std::string labels = {};  // file of the truth of bodies, where it is not in the folder
 };
 
 // The sequence of a run with the boxes that it was given; empty where they cannot be told. Throws

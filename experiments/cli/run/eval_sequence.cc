@@ -54,7 +54,7 @@ void PrintOutcome(const Sequence& sequence, const EvalSequence& eval,
   }
   std::cout << '\n';
   if (outcome.metrics.empty()) {
-    std::cout << "nothing to score: ground truth " << sequence.groundtruth << '\n';
+    std::cout << "no metrics: the sequence has no ground truth\n";
     return;
   }
   std::cout << '\n';

@@ -38,6 +38,7 @@ struct Flags {
   std::string oracle = "none";
   bool strict = false;
   bool landmarks = false;
+  bool all = false;
   bool cache = false;
   std::string cache_size;
 };
@@ -71,7 +72,7 @@ void PrintCalibration(const Sequence& sequence, const RunResult& run) {
             << ReadableNumber(*most) << " px in its parts\n";
 }
 
-void PrintSummary(const Sequence& sequence, const JobOutcome& outcome) {
+void PrintSummary(const Sequence& sequence, const JobOutcome& outcome, bool all) {
   const RunResult& run = outcome.run;
   const double rate = static_cast<double>(run.frames.size()) / run.wall_s;
   std::cout << sequence.name << ": " << run.frames.size() << " frames in "
@@ -85,11 +86,11 @@ void PrintSummary(const Sequence& sequence, const JobOutcome& outcome) {
   PrintCalibration(sequence, run);
   PrintDetections(sequence, run.detections, std::cout);
   if (outcome.scores.refined.empty()) {
-    std::cout << "nothing to score: ground truth " << sequence.groundtruth << '\n';
+    std::cout << "no metrics: the sequence has no ground truth\n";
     return;
   }
   std::cout << '\n';
-  PrintScores(outcome.scores, std::cout);
+  PrintScores(outcome.scores, all, std::cout);
 }
 
 // What earlier runs left for this one, and how it says what it goes on without.
@@ -150,7 +151,8 @@ int Run(const Flags& flags) {
     return kStopped;
   }
   if (outcome->run.status == RunStatus::kFailed) throw Error(outcome->run.message);
-  PrintSummary(sequence, *outcome);
+  PrintSummary(sequence, *outcome, flags.all);
+  std::cout << "\nwritten: " << flags.output << '\n';
   return 0;
 }
 
@@ -181,6 +183,7 @@ Command AddRunCommand(CLI::App& program) {
       ->capture_default_str();
   app->add_flag("--landmarks", flags->landmarks,
                 "write landmarks.csv: every landmark of every frame with its labels");
+  app->add_flag("--all", flags->all, "print all metrics instead of the most important ones");
   app->add_flag("--strict", flags->strict,
                 "treat an image that cannot be decoded as an error instead of skipping its frame");
   app->add_flag("--cache", flags->cache,

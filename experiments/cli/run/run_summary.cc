@@ -3,9 +3,11 @@
 #include "experiments/cli/run/run_summary.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <ostream>
 #include <string>
+#include <string_view>
 
 #include "core/base/lists.h"
 #include "experiments/cli/run/text_table.h"
@@ -20,6 +22,14 @@ std::string WithoutCausal(const std::string& name) {
   reports::MetricForm form = reports::FindForm(name).value();
   form.causal = false;
   return reports::MetricName(form);
+}
+
+// What is said of a run first.
+bool IsKeyMetric(const std::string& name) {
+  constexpr std::array<std::string_view, 8> kKey = {
+      "camera_ate",          "camera_trpe_1_frame", "camera_rrpe_1_frame", "object_ate",
+      "object_success_10cm", "object_coverage",     "moving_precision",    "moving_recall"};
+  return std::find(kKey.begin(), kKey.end(), name) != kKey.end();
 }
 
 std::string Value(const std::optional<double>& value) {
@@ -53,12 +63,22 @@ void PrintDetections(const Sequence& sequence, const DetectionCounts& counts, st
         << " as drawn in the other camera, without features to move them by";
   }
   out << '\n';
+  int negative = 0;
+  int positive = 0;
+  for (const ObjectBox& box : sequence.detections) {
+    negative += box.score && *box.score < 0.0 ? 1 : 0;
+    positive += box.score && *box.score > 0.0 ? 1 : 0;
+  }
+  if (negative == 0) return;
+  out << "warning: of " << sequence.detections.size() << " boxes in the file, " << positive
+      << " have a score above 0: --min-score 0 leaves out the others\n";
 }
 
-void PrintScores(const RunScores& scores, std::ostream& out) {
+void PrintScores(const RunScores& scores, bool all, std::ostream& out) {
   TextTable table({"metric", "refined", "causal", "unit", "n"});
-  const auto row = [&table](const Metric& metric, const std::string& refined,
-                            const std::string& causal) {
+  const auto row = [&table, all](const Metric& metric, const std::string& refined,
+                                 const std::string& causal) {
+    if (!all && !IsKeyMetric(metric.name)) return;
     table.Add({WithoutCausal(metric.name), refined, causal, NameOf(metric.unit),
                std::to_string(metric.n)});
   };
@@ -73,6 +93,8 @@ void PrintScores(const RunScores& scores, std::ostream& out) {
   for (const Metric& metric : scores.clustering) row(metric, kNone, ReadableNumber(metric.value));
   for (const Metric& metric : scores.boxes) row(metric, ReadableNumber(metric.value), kNone);
   table.Print(out);
+  out << "refined: poses as last estimated; causal: as when their image came\n";
+  if (!all) out << "all metrics: --all, and in result.json\n";
   if (scores.refined_bodies.empty()) return;
   out << "\nbodies, poses as last estimated:\n";
   PrintBodies(scores.refined_bodies, out);

@@ -13,11 +13,12 @@
 namespace cvo {
 
 // One line: how many boxes the estimator was given, and why others were left out. Nothing for a
-// sequence without detections.
+// sequence without detections. A second one where scores are 0 or negative, as margins are.
 void PrintDetections(const Sequence& sequence, const DetectionCounts& counts, std::ostream& out);
 
-// Metrics side by side with refined and with causal poses, then a line per body.
-void PrintScores(const RunScores& scores, std::ostream& out);
+// Metrics side by side with refined and with causal poses, the eight that matter most or all, then
+// a line per body.
+void PrintScores(const RunScores& scores, bool all, std::ostream& out);
 
 // A line per body that is visible in some frame.
 void PrintBodies(const std::vector<BodyScore>& bodies, std::ostream& out);

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/files/closest_names.h"
+#include "core/files/text_file.h"
 #include "experiments/datasets/image_files.h"
 #include "experiments/datasets/oxts.h"
 #include "experiments/datasets/sequence_layout.h"

@@ -44,7 +44,9 @@ class CliRun : public testing::Test {
 TEST_F(CliRun, WritesItsFilesAndPrintsTheMetrics) {
   const ProcessResult run = Run(out(), {"--set", "orb.features=500", "--seed", "7"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.out, AllOf(HasSubstr("camera_ate"), HasSubstr("8 frames"), HasSubstr("status")));
+  EXPECT_THAT(run.out, AllOf(HasSubstr("camera_ate "), HasSubstr("8 frames"), HasSubstr("status"),
+                             testing::Not(HasSubstr("camera_ate_median")), HasSubstr("--all"),
+                             testing::EndsWith("\nwritten: " + out().string() + "\n")));
   EXPECT_THAT(run.err, AllOf(HasSubstr("100 %  8/8 frames"), HasSubstr("frames/s")));
   const Json result = ResultOf(out());
   EXPECT_EQ(result["seed"], 7);
@@ -158,6 +160,17 @@ TEST_F(CliRun, ReportsWhichDetectionsCount) {
   EXPECT_EQ(ResultOf(out())["detection_counts"]["other_classes"]["Car"], 2);
   EXPECT_NE(ResultOf(out())["job"], result["job"]);
   EXPECT_FALSE(fs::exists(out() / "landmarks.csv"));
+}
+
+TEST_F(CliRun, AllMetricsAndAWarningOfMargins) {
+  std::string boxes = kBoxes;
+  boxes.replace(boxes.find(" 0.5"), 4, " -0.5");
+  const std::string file = folder_.Write("boxes.txt", boxes).string();
+  const ProcessResult run = Run(out(), {"--detections", file, "--all"});
+  EXPECT_THAT(run.out, AllOf(HasSubstr("camera_ate_median"),
+                             HasSubstr("warning: of 3 boxes in the file, 2 have a score above 0")));
+  EXPECT_THAT(Run(out(), {"--detections", file, "--min-score", "0"}).out,
+              testing::Not(HasSubstr("warning: of")));
 }
 
 TEST_F(CliRun, ReservedWordsForDetections) {

@@ -80,7 +80,7 @@ TEST_F(CliSynthRender, ARunOnItScoresItsBodies) {
   if (IsSkipped() || HasFatalFailure()) return;
   const ProcessResult run =
       RunProgram({"run", out("tiny").string(), "-o", out("out").string(), "--detections", "good",
-                  "--oracle", "camera,labels,boxes", "--landmarks", "-q"});
+                  "--oracle", "camera,labels,boxes", "--landmarks", "--all", "-q"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, AllOf(HasSubstr("detections: "), HasSubstr("object_standing_coverage"),
                              HasSubstr("bodies, poses as last estimated"), HasSubstr("chair_1")));

@@ -41,6 +41,7 @@ TEST(Sensitivity, DrawsErrorAboveCoverageOverTheOption) {
   const Json& layout = plotly["layout"];
   EXPECT_EQ(layout["yaxis"]["title"]["text"], "object ATE<br>(m)");
   EXPECT_EQ(layout["yaxis2"]["title"]["text"], "object coverage<br>(%)");
+  EXPECT_EQ(layout["yaxis2"]["title"]["font"]["size"], 11);
   EXPECT_EQ(layout["xaxis"]["title"]["text"], "window.spatial");
   EXPECT_EQ(layout["xaxis"]["anchor"], "y2") << "the lower panel carries the axis of both";
   EXPECT_GT(layout["yaxis"]["domain"][0], layout["yaxis2"]["domain"][1]);
