@@ -54,8 +54,8 @@ class CliOverlay : public testing::Test {
     all.insert(all.end(), arguments.begin(), arguments.end());
     return RunProgram(all);
   }
-  static void ExpectError(const ProcessResult& result, const std::string& text) {
-    EXPECT_EQ(result.exit_code, 1) << result.out;
+  static void ExpectError(const ProcessResult& result, const std::string& text, int exit_code = 1) {
+    EXPECT_EQ(result.exit_code, exit_code) << result.out;
     EXPECT_THAT(result.err, AllOf(HasSubstr("clustervo: error: "), HasSubstr(text)));
   }
 
