@@ -118,8 +118,7 @@ std::optional<ClusterTrack> TrackInPast(const FrameView& view, const Cluster& cl
       view.world_from_camera * solution->world_from_camera.Inverse();
   const double off_m2 =
       (world_from_object.translation() - predicted.world_from_object.translation()).squaredNorm();
-  if (off_m2 > view.options.association.gamma *
-                   predicted.translation_variance_m2) {
+  if (off_m2 > view.options.association.gamma * predicted.translation_variance_m2) {
     return std::nullopt;
   }
   ClusterTrack track;

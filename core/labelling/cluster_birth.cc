@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "core/clustering/point_extent.h"
 #include "core/bodies/box_center.h"
+#include "core/clustering/point_extent.h"
 
 namespace cvo {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/clustering/point_extent.h"
 #include "core/bodies/box_center.h"
+#include "core/clustering/point_extent.h"
 
 namespace cvo {
 namespace {

@@ -83,7 +83,8 @@ TEST_F(Sequences, KittiIsNotDetectedByFolderNames) {
   EXPECT_THAT(ErrorMessage([&] {
                 OpenSequence({.folder = root_.path() / "sequences/06", .dataset = "kiti"});
               }),
-              testing::EndsWith("option --dataset: found \"kiti\", expected kitti or other"));
+              testing::EndsWith("option --dataset: found \"kiti\" (did you mean kitti?), expected "
+                                "kitti or other"));
 }
 
 // The calibration of odometry 04 to 12.
