@@ -66,7 +66,7 @@ TEST_F(InputFaults, DeepJson) {
     ExpectOneLine({"experiment", "run", file, "-o", out()}, 1, "more than 100 values");
     ExpectOneLine({"synth", "render", file, "-o", out()}, 1, "more than 100 values");
     ExpectOneLine(
-        {"synth", "render", "tiny", "-o", out(), "--set", "objects.0=" + text.substr(0, 20'000)}, 1,
+        {"synth", "render", "tiny", "-o", out(), "--set", "objects.0=" + text.substr(0, 20'000)}, 2,
         "found");
     ExpectOneLine({"experiment", "table", "--from", file}, 1, file);
     ExpectOneLine({"check", folder_.path(), "--baseline", file}, 1, file);

@@ -58,10 +58,7 @@ class CollectionRun {
   int Run() {
     const OutputFolder output = OpenOutput(root_, {"index.html", "figures/"}, {});
     int worst = 0;
-    for (const CollectionSection& section : collection_.sections) {
-      if (!section.suite.empty())
-        FlagsOf(section.suite).suite.Load();  // throws before the first runs
-    }
+    CheckSuites();
     for (const CollectionSection& section : collection_.sections) {
       if (section.suite.empty() || ran_.contains(section.suite)) continue;
       const int code = RunOne(section.suite);
@@ -78,6 +75,17 @@ class CollectionRun {
   }
 
  private:
+  // Before the first runs. A name that is wrong is the file's fault, not that of a flag.
+  void CheckSuites() const {
+    for (const CollectionSection& section : collection_.sections) {
+      try {
+        if (!section.suite.empty()) FlagsOf(section.suite).suite.Load();
+      } catch (const UsageError& error) {
+        throw Error(StrCat(collection_.name, ", ", error.what()));
+      }
+    }
+  }
+
   fs::path FolderOf(const std::string& suite) const { return root_ / SuiteFolderName(suite); }
 
   SuiteRunFlags FlagsOf(const std::string& suite) const {

@@ -58,7 +58,7 @@ TEST(CliFigures, JsonNeedsNoBrowser) {
                              HasSubstr("not drawn: Time by stage")));
   const std::string text = test::ReadFile(suite.out() / "error-reduction.json");
   const Json figure = Json::parse(text);
-  EXPECT_EQ(figure["layout"]["yaxis"]["ticktext"][0], "room &lt;script&gt;alert(1)&lt;/script&gt;");
+  EXPECT_EQ(figure["layout"]["yaxis"]["ticktext"][1], "room &lt;script&gt;alert(1)&lt;/script&gt;");
   suite.Draw({"--format", "json"});
   EXPECT_EQ(test::ReadFile(suite.out() / "error-reduction.json"), text);
 }

@@ -217,18 +217,23 @@ TEST_F(CliSynthRender, NeverReplacesWhatItDidNotWrite) {
 TEST_F(CliSynthRender, BadScenesGiveOneLine) {
   RenderTiny({"--frames", "0:1"});
   if (IsSkipped() || HasFatalFailure()) return;
-  const std::vector<std::pair<std::string, std::string>> cases = {
+  struct Case {
+    std::string assignment;
+    std::string expected;
+    int exit_code = 2;  // wrong usage; a scene that can be read but not be drawn is bad input
+  };
+  const std::vector<Case> cases = {
       {"objects.0.colour=1", "colour"},
-      {"objects.2.path.still.at=[2.1, 0.1]", "ball_2"},    // in the wall
-      {"objects.2.path.still.at=[-1.9, -0.1]", "ball_2"},  // behind the camera
+      {"objects.2.path.still.at=[2.1, 0.1]", "ball_2", 1},    // in the wall
+      {"objects.2.path.still.at=[-1.9, -0.1]", "ball_2", 1},  // behind the camera
       {"objects.2={\"name\": \"ball_2\", \"model\": \"mesh\", \"file\": \"absent.obj\", "
        "\"category\": \"Ball\", \"size_m\": 0.5, \"path\": {\"still\": {\"at\": [1.3, 0.1]}}}",
        "absent.obj"},
       {"rig.width_px=0", "width_px"},
-      {"sensor.no_such=1", "no_such"}};
-  for (const auto& [assignment, expected] : cases) {
+      {"sensor.no_such=1", "no_such", 1}};
+  for (const auto& [assignment, expected, exit_code] : cases) {
     const ProcessResult render = Render("bad", {"-q", "--set", assignment});
-    EXPECT_EQ(render.exit_code, 2) << assignment;
+    EXPECT_EQ(render.exit_code, exit_code) << assignment;
     EXPECT_EQ(test::LineCount(render.err), 1U) << assignment << ": " << render.err;
     EXPECT_THAT(render.err, AllOf(HasSubstr("clustervo: error: "), HasSubstr(expected)));
     EXPECT_FALSE(fs::exists(out("bad"))) << assignment;
