@@ -63,9 +63,11 @@ std::vector<Match> FindOneToOne(std::span<const PredictedLandmark> landmarks,
                       static_cast<int>(grid.features().size()));
 }
 
-// Free features that were found in the right image too.
-auto IsFreePair(const FeatureGrid& grid, const std::vector<char>& is_taken) {
-  return [&](int index) { return !is_taken[index] && !IsLeftOnly(grid.features()[index]); };
+// Free features: those of the left image alone, or those that were found in the right one too.
+auto IsFree(const FeatureGrid& grid, const std::vector<char>& is_taken, bool left_only) {
+  return [&grid, &is_taken, left_only](int index) {
+    return !is_taken[index] && IsLeftOnly(grid.features()[index]) == left_only;
+  };
 }
 
 std::vector<Match> FindGated(std::span<const PredictedLandmark> landmarks, const FeatureGrid& grid,
@@ -77,7 +79,7 @@ std::vector<Match> FindGated(std::span<const PredictedLandmark> landmarks, const
     const Eigen::LDLT<Eigen::Matrix3d> factor(S);
     if (!(factor.vectorD().minCoeff() > kMinPivot_px2)) return kNoMatch;
     return FindSimilar(landmark, grid, SearchRadius(S, options), options,
-                       IsFreePair(grid, is_taken), [&](const Eigen::Vector3d& innovation) {
+                       IsFree(grid, is_taken, false), [&](const Eigen::Vector3d& innovation) {
                          return innovation.dot(factor.solve(innovation)) < options.gamma;
                        });
   });
@@ -90,17 +92,14 @@ void AddLeftOnlyMatches(std::span<const PredictedLandmark> landmarks, const Feat
                         std::vector<Match>& matches) {
   std::vector<char> is_matched(landmarks.size(), 0);
   for (const Match& match : matches) is_matched[match.landmark] = 1;
-  const auto is_free = [&](int index) {
-    return !is_taken[index] && IsLeftOnly(grid.features()[index]);
-  };
   const std::vector<Match> added =
       FindOneToOne(landmarks, grid, [&](const PredictedLandmark& landmark) {
         const bool is_found = is_matched[&landmark - landmarks.data()] != 0;
         if (is_found || landmark.zeta_px[2] > kRightBorder_px) return kNoMatch;
         const Eigen::Matrix2d S = landmark.innovation_px2.topLeftCorner<2, 2>();
         const Eigen::Matrix2d information = S.inverse();
-        return FindSimilar(landmark, grid, SearchRadius(S, options), options, is_free,
-                           [&](const Eigen::Vector3d& innovation) {
+        return FindSimilar(landmark, grid, SearchRadius(S, options), options,
+                           IsFree(grid, is_taken, true), [&](const Eigen::Vector3d& innovation) {
                              const Eigen::Vector2d d = innovation.head<2>();
                              return d.dot(information * d) < options.gamma;
                            });
@@ -127,7 +126,7 @@ std::vector<Match> FixedRadiusAssociation::Find(std::span<const PredictedLandmar
                                                 const ClusterAssociationOptions& options) {
   const double radius = options.fixed_radius_px;
   return FindOneToOne(landmarks, grid, [&](const PredictedLandmark& landmark) {
-    return FindSimilar(landmark, grid, radius, options, IsFreePair(grid, is_taken),
+    return FindSimilar(landmark, grid, radius, options, IsFree(grid, is_taken, false),
                        [&](const Eigen::Vector3d& d) { return std::abs(d[2]) <= radius; });
   });
 }

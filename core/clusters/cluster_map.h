@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <map>
 #include <vector>
@@ -26,10 +27,16 @@ inline bool IsConfirmed(const Cluster& cluster, const ClusterOptions& options) {
   return cluster.detections >= options.confirm_detections || cluster.given_body.valid();
 }
 
-// In the frame of its last detection; before it is, it has no identity but a new one.
+// By a detection in the newest frame: it may yet turn out to be a lost cluster (IdentityPolicy).
 inline bool IsJustConfirmed(const Cluster& cluster, const ClusterOptions& options, FrameId newest) {
   return IsConfirmed(cluster, options) && cluster.detections == options.confirm_detections &&
          cluster.last_detected == newest && cluster.last_observed == newest;
+}
+
+// The first pose in the frame or after it. Poses are by frame.
+auto FirstPoseFrom(std::int64_t frame, auto& trajectory) {
+  return std::lower_bound(trajectory.poses.begin(), trajectory.poses.end(), frame,
+                          [](const ClusterPose& pose, std::int64_t f) { return pose.frame < f; });
 }
 
 // The observations of a frame that leaves T_t become past knowledge of their landmarks; the frame

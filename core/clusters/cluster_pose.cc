@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/clusters/cluster_pose.h"
 
+#include "core/clusters/landmark_alignment.h"
+#include "core/clusters/left_only.h"
 #include "core/clusters/point_measurements.h"
 #include "core/estimation/camera_ransac.h"
 
@@ -40,6 +42,14 @@ void AcceptPose(const FrameView& view, const std::vector<Match>& matches,
     track.matches.push_back(matches[i]);
     taken[matches[i].feature] = 1;
   }
+}
+
+void PlaceFeatures(const FrameView& view, const Cluster& cluster, const ClusterTrack& track,
+                   std::span<StereoFeature> features) {
+  const RigidTransform camera_from_object =
+      view.world_from_camera.Inverse() * track.world_from_object;
+  AlignToLandmarks(view.options, camera_from_object, cluster.landmarks, track.matches, features);
+  PlaceLeftOnly(view.camera, camera_from_object, cluster.landmarks, track.matches, features);
 }
 
 }  // namespace cvo

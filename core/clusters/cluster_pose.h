@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/base/rng.h"
@@ -23,5 +24,9 @@ std::optional<CameraSolution> SolvePose(const FrameView& view, const Cluster& cl
 // The track takes the solution's pose and inliers.
 void AcceptPose(const FrameView& view, const std::vector<Match>& matches,
                 const CameraSolution& solution, TakenFeatures& taken, ClusterTrack& track);
+// The features of the view's frame that were matched move to where they show their landmarks:
+// AlignToLandmarks, PlaceLeftOnly.
+void PlaceFeatures(const FrameView& view, const Cluster& cluster, const ClusterTrack& track,
+                   std::span<StereoFeature> features);
 
 }  // namespace cvo

@@ -99,13 +99,11 @@ void ChangeFrameOfPoses(const RigidTransform& old_from_new, std::size_t first,
 // Expresses a cluster and its landmarks in another frame of the same body.
 void ChangeFrame(const RigidTransform& old_from_new, ClusterId id, Cluster& cluster,
                  ClusterTrajectory& trajectory) {
-  // Poses before the cluster was lost stay.
-  const std::int64_t since = cluster.former.since.value;
   const RigidTransform new_from_old = old_from_new.Inverse();
   const Eigen::Matrix3d R = new_from_old.RotationMatrix();
   ChangeFrameOfPoses(old_from_new, 0, cluster.states);
-  const auto first = std::find_if(trajectory.poses.begin(), trajectory.poses.end(),
-                                  [since](const ClusterPose& pose) { return pose.frame >= since; });
+  // Poses before the cluster was lost stay.
+  const auto first = FirstPoseFrom(cluster.former.since.value, trajectory);
   ChangeFrameOfPoses(old_from_new, static_cast<std::size_t>(first - trajectory.poses.begin()),
                      trajectory.poses);
   std::for_each(first, trajectory.poses.end(), [&](ClusterPose& pose) {

@@ -3,23 +3,14 @@
 #include "core/clusters/trace_back.h"
 
 #include "core/clusters/cluster_pose.h"
-#include "core/clusters/landmark_alignment.h"
-#include "core/clusters/left_only.h"
 
 namespace cvo::internal {
 namespace {
 
-std::vector<ClusterPose>::iterator FirstPoseFrom(FrameId frame, ClusterTrajectory& trajectory) {
-  return std::lower_bound(
-      trajectory.poses.begin(), trajectory.poses.end(), frame.value,
-      [](const ClusterPose& pose, std::int64_t value) { return pose.frame < value; });
-}
-
 bool WasTracked(const ClusterTrajectory& trajectory, FrameId frame) {
-  return std::any_of(trajectory.poses.begin(), trajectory.poses.end(),
-                     [frame](const ClusterPose& pose) {
-                       return pose.frame == frame.value && pose.status == ClusterStatus::kTracked;
-                     });
+  const auto pose = FirstPoseFrom(frame.value, trajectory);
+  return pose != trajectory.poses.end() && pose->frame == frame.value &&
+         pose->status == ClusterStatus::kTracked;
 }
 
 auto FirstStateAfter(FrameId frame, auto& states) {
@@ -37,7 +28,7 @@ void InsertObservation(const Observation& seen, Landmark& landmark) {
 // As the next pose, but for what the frame itself says.
 void InsertPose(const KeptFrame& kept, const ClusterTrack& track, double score_decay,
                 ClusterTrajectory& trajectory) {
-  auto at = FirstPoseFrom(kept.id, trajectory);
+  auto at = FirstPoseFrom(kept.id.value, trajectory);
   if (at != trajectory.poses.end() && at->frame == kept.id.value) at = trajectory.poses.erase(at);
   if (at == trajectory.poses.end()) return;
   ClusterPose pose = *at;
@@ -74,7 +65,7 @@ std::vector<FrameId> FramesToTrace(const ClusterOptions& options, const Window& 
   std::vector<FrameId> frames;
   int states = 0;
   for (auto frame = window.temporal.rbegin(); frame != window.temporal.rend(); ++frame) {
-    if (first < frame->id || frame->id == first) {
+    if (first <= frame->id) {
       ++states;
       continue;
     }
@@ -124,12 +115,7 @@ std::optional<ClusterTrack> TrackInPast(const FrameView& view, const Cluster& cl
   ClusterTrack track;
   track.predicted = predicted;
   AcceptPose(view, allowed, *solution, kept.taken, track);
-  const RigidTransform camera_from_object =
-      view.world_from_camera.Inverse() * track.world_from_object;
-  AlignToLandmarks(view.options, camera_from_object, cluster.landmarks, track.matches,
-                   kept.frame.features);
-  PlaceLeftOnly(view.camera, camera_from_object, cluster.landmarks, track.matches,
-                kept.frame.features);
+  PlaceFeatures(view, cluster, track, kept.frame.features);
   return track;
 }
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <deque>
 #include <functional>
 #include <optional>
 #include <vector>
 
+#include "core/base/lists.h"
 #include "core/clusters/cluster_association.h"
 
 namespace cvo {
@@ -59,9 +59,8 @@ void TraceBack(const Options& options, const Window& window, const PredictorAnyt
     ClusterTrajectory& trajectory = map.trajectories[cluster.id];
     for (const FrameId id :
          internal::FramesToTrace(options.clusters, window, trajectory, cluster)) {
-      const auto kept = std::find_if(kept_frames.begin(), kept_frames.end(),
-                                     [id](const KeptFrame& frame) { return frame.id == id; });
-      if (kept == kept_frames.end()) break;
+      KeptFrame* kept = FindBy(kept_frames, &KeptFrame::id, id);
+      if (kept == nullptr) break;
       const FeatureGrid grid(kept->frame.features, window.camera);
       const FrameView view{options, kept->frame,   show(kept->frame),
                            grid,    window.camera, window.Find(id)->world_from_camera};

@@ -53,9 +53,7 @@ void RecordTrajectory(const Cluster& cluster, const ClusterReport& report, Frame
   trajectory.category = cluster.category;
   trajectory.poses.push_back({report, newest.value, timestamp_ns});
   for (const ClusterState& state : cluster.states) {
-    const auto it = std::lower_bound(
-        trajectory.poses.begin(), trajectory.poses.end(), state.frame.value,
-        [](const ClusterPose& pose, std::int64_t frame) { return pose.frame < frame; });
+    const auto it = FirstPoseFrom(state.frame.value, trajectory);
     if (it == trajectory.poses.end() || it->frame != state.frame.value) continue;
     it->world_from_object = state.world_from_object;
     it->velocity_m_s = state.velocity_m_s;

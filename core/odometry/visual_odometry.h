@@ -8,8 +8,7 @@
 #include "core/bodies/ground_direction.h"
 #include "core/clusters/cluster_association.h"
 #include "core/clusters/cluster_optimization.h"
-#include "core/clusters/landmark_alignment.h"
-#include "core/clusters/left_only.h"
+#include "core/clusters/cluster_pose.h"
 #include "core/clusters/trace_back.h"
 #include "core/estimation/double_track.h"
 #include "core/interface/odometry.h"
@@ -78,13 +77,8 @@ class VisualOdometry final : public Odometry {
                                          typename Variant::ClassGate, typename Variant::BoxRematch>(
           view, PredictorOfClusters(), clusters_, cluster_rng_, taken);
       for (std::size_t q = 0; q < cluster_tracks.size(); ++q) {
-        const ClusterTrack& found = cluster_tracks[q];
-        if (!found.is_tracked) continue;
-        const RigidTransform camera_from_object =
-            entering.world_from_camera.Inverse() * found.world_from_object;
-        const std::vector<Landmark>& landmarks = clusters_.live[q].landmarks;
-        AlignToLandmarks(options_, camera_from_object, landmarks, found.matches, frame.features);
-        PlaceLeftOnly(window_.camera, camera_from_object, landmarks, found.matches, frame.features);
+        if (!cluster_tracks[q].is_tracked) continue;
+        PlaceFeatures(view, clusters_.live[q], cluster_tracks[q], frame.features);
       }
     }
 
@@ -195,8 +189,8 @@ class VisualOdometry final : public Odometry {
 
   PredictorAnytime PredictorAnytimeOf() const {
     return [this](const Cluster& cluster, std::int64_t timestamp_ns) {
-      return PredictorAt<typename Variant::MotionPrior, typename Variant::Rotation>(
-          timestamp_ns, options_.motion_prior, options_.clusters)(cluster);
+      return PredictCluster<typename Variant::MotionPrior, typename Variant::Rotation>(
+          cluster, timestamp_ns, options_.motion_prior, options_.clusters);
     };
   }
 

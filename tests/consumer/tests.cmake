@@ -25,8 +25,6 @@ if(CVO_INSTALL)
                    "-DWORK=${library_folder}/installed" "-DSCENE=${library_folder}/tiny"
                    "-DTRAJECTORY=${library_folder}/run/camera.tum" ${consumer_script})
   set_tests_properties(library.installed PROPERTIES FIXTURES_REQUIRED "library_scene;library_run")
-endif()
-if(CVO_INSTALL)
   add_test(NAME program.installed
            COMMAND "${CMAKE_COMMAND}" "-DPROGRAM_BUILD=${PROJECT_BINARY_DIR}"
                    "-DWORK=${library_folder}/program" -P "${CMAKE_CURRENT_LIST_DIR}/program.cmake")
