@@ -13,7 +13,9 @@
 #include "experiments/cli/reports/overlay.h"
 #include "experiments/cli/reports/report.h"
 #include "experiments/cli/reports/suite_table.h"
+#include "experiments/cli/run/known_names.h"
 #include "experiments/cli/stop_signal.h"
+#include "experiments/suite/parse_suite.h"
 #include "reports/page/collection_html.h"
 #include "reports/results/suite_runs.h"
 #include "reports/results/timing.h"
@@ -75,14 +77,13 @@ class CollectionRun {
   }
 
  private:
-  // Before the first runs. A name that is wrong is the file's fault, not that of a flag.
+  // Before the first runs. A name that is wrong is the file's fault, a value to override with is
+  // wrong usage.
   void CheckSuites() const {
     for (const CollectionSection& section : collection_.sections) {
-      try {
-        if (!section.suite.empty()) FlagsOf(section.suite).suite.Load();
-      } catch (const UsageError& error) {
-        throw Error(StrCat(collection_.name, ", ", error.what()));
-      }
+      if (section.suite.empty()) continue;
+      const Suite suite = LoadSuite(section.suite);
+      LoadNamed(section.suite, [&] { return Override(suite, flags_.suite.overrides); });
     }
   }
 
