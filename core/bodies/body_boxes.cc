@@ -50,7 +50,8 @@ void Follow(const BoxScene& scene, const Cluster& cluster, BodyTrack& track) {
 void TurnToMotion(const BoxScene& scene, const Cluster& cluster, BodyTrack& track) {
   const Eigen::Vector3d at = cluster.Latest().world_from_object * cluster.center_in_object;
   const double least_m = scene.options.boxes.heading_deviations *
-                         DepthDeviation(*scene.view, scene.world_from_camera.Inverse() * at);
+                         DepthDeviation(scene.view->camera, scene.options.place.disparity_px,
+                                        scene.world_from_camera.Inverse() * at);
   const auto direction = DirectionOfMotion(cluster, cluster.center_in_object, scene.down, least_m);
   if (direction) track.forward = *direction;
 }
@@ -63,7 +64,7 @@ void ShapeBox(const BoxScene& scene, const Cluster& cluster, const Eigen::Vector
   const bool is_known = known_m.minCoeff() > 0.0;
   track.shape.axes = is_known ? BoxAxes(track.forward, scene.down)
                               : FootprintAxes(points, track.forward, scene.down, options);
-  const LandmarkSides sides = SidesAlong(track.shape.axes, points, scene.options);
+  const LandmarkSides sides = SidesAlong(track.shape.axes, points, options, scene.options.extent);
   const Eigen::Vector3d size_m = WithPictures(sides.size_m, track.viewed, options);
   track.shape.size_m = (known_m.array() > 0.0).select(known_m, size_m);
   const Eigen::Vector3d camera = scene.world_from_camera.translation();
@@ -72,17 +73,19 @@ void ShapeBox(const BoxScene& scene, const Cluster& cluster, const Eigen::Vector
 
 // What the frame's picture of the body tells of its place, and of its sides for later frames.
 void LookAt(const BoxScene& scene, const Cluster& cluster, bool is_known, BodyTrack& track) {
+  const BoxSceneOptions& options = scene.options;
   const std::optional<BoxPlace> place =
-      is_known
-          ? PlaceBySurface(*scene.view, scene.newest, cluster, track.shape)
-          : PlaceByPicture(*scene.view, scene.newest, cluster, track.shape, track.landmark_center);
+      is_known ? PlaceBySurface(*scene.view, options.place, scene.newest, cluster, track.shape)
+               : PlaceByPicture(*scene.view, options.place, scene.newest, cluster, track.shape,
+                                track.landmark_center);
   if (!place) return;
-  const double kept = 1.0 - 1.0 / scene.options.boxes.max_views;
+  const double kept = 1.0 - 1.0 / options.boxes.max_views;
   track.center.information *= kept;
   track.center.weighted *= kept;
   track.center.Add(place->center_in_world, place->information);
   if (!is_known) {
-    AddPicture(*scene.view, cluster.detection, track.shape, place->center_in_world, track.viewed);
+    AddPicture(*scene.view, options.place.box_center.border_px, cluster.detection, track.shape,
+               place->center_in_world, track.viewed);
   }
 }
 
@@ -114,7 +117,8 @@ void BodyBoxes::Describe(const BoxScene& scene, std::vector<ClusterReport>& repo
       LookAt(scene, cluster, known_m.minCoeff() > 0.0, track);
     }
     reports[q].box = BoxAt(scene, cluster, track, reports[q].world_from_object);
-    reports[q].score = ScoreOf(scene.options, scene.view, scene.newest, cluster);
+    reports[q].score =
+        ScoreOf(scene.options.noise, scene.options.clusters, scene.view, scene.newest, cluster);
   }
 }
 

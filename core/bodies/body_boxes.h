@@ -7,12 +7,24 @@
 #include <vector>
 
 #include "core/bodies/body_place.h"
+#include "core/clustering/point_extent.h"
+#include "core/clusters/cluster_map.h"
+#include "core/interface/body_box_options.h"
 
 namespace cvo {
 
+// What boxes are made with.
+struct BoxSceneOptions {
+  FeatureNoise noise;
+  ClusterOptions clusters;
+  ExtentOptions extent;
+  BodyPlaceOptions place;
+  BodyBoxOptions boxes;
+};
+
 // What boxes are made from in a frame, once the estimator has finished it.
 struct BoxScene {
-  const Options& options;
+  BoxSceneOptions options;
   const ClusterMap& clusters;
   const FrameView* view = nullptr;  // with the camera as it is now; null: a frame without images
   FrameId newest;

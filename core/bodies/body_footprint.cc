@@ -59,13 +59,13 @@ Eigen::Matrix3d FootprintAxes(const Eigen::Matrix3Xd& points, const Eigen::Vecto
 }
 
 LandmarkSides SidesAlong(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points,
-                         const Options& options) {
+                         const BodyBoxOptions& options, const ExtentOptions& extent) {
   LandmarkSides sides;
   for (int k = 0; k < 3; ++k) {
-    const Interval range = RangeAlong(axes.col(k), points, options.boxes.quantile);
+    const Interval range = RangeAlong(axes.col(k), points, options.quantile);
     sides.low[k] = range.low;
     sides.high[k] = range.high;
-    sides.size_m[k] = std::max(range.high - range.low, 2.0 * options.extent.min_half_size_m);
+    sides.size_m[k] = std::max(range.high - range.low, 2.0 * extent.min_half_size_m);
   }
   return sides;
 }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "core/bodies/body_place.h"
+#include "core/clustering/point_extent.h"
+#include "core/interface/body_box_options.h"
 
 namespace cvo {
 
@@ -20,7 +22,7 @@ struct LandmarkSides {
   Eigen::Vector3d size_m = Eigen::Vector3d::Zero();
 };
 LandmarkSides SidesAlong(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points,
-                         const Options& options);
+                         const BodyBoxOptions& options, const ExtentOptions& extent);
 
 // The sides, held against what pictures told: height from them, and a footprint that differs from
 // the square that is as wide as they are by at most boxes.footprint_ratio a side.

@@ -54,10 +54,9 @@ struct CutEdges {
   bool bottom = false;
 };
 
-CutEdges CutBy(const FrameView& view, const ImageBox& box) {
-  const double border_px = view.options.box_center.border_px;
-  const double last_u_px = view.camera.width_px - 1 - border_px;
-  const double last_v_px = view.camera.height_px - 1 - border_px;
+CutEdges CutBy(const StereoCamera& camera, double border_px, const ImageBox& box) {
+  const double last_u_px = camera.width_px - 1 - border_px;
+  const double last_v_px = camera.height_px - 1 - border_px;
   CutEdges cut;
   cut.left = box.left_px < border_px;
   cut.top = box.top_px < border_px;
@@ -74,16 +73,16 @@ double EdgeShift(double at_low_px, double at_high_px, bool cuts_low, bool cuts_h
 }
 
 // The centre moved so that the box's picture is in the middle of the detection's box.
-Eigen::Vector3d Centred(const FrameView& view, const ImageBox& box, const BoxShape& seen,
-                        const Eigen::Vector3d& center) {
-  const ImageBox picture = PictureOf(view.camera, seen, center);
-  const CutEdges cut = CutBy(view, box);
+Eigen::Vector3d Centred(const StereoCamera& camera, double border_px, const ImageBox& box,
+                        const BoxShape& seen, const Eigen::Vector3d& center) {
+  const ImageBox picture = PictureOf(camera, seen, center);
+  const CutEdges cut = CutBy(camera, border_px, box);
   const double du_px = EdgeShift(box.left_px - picture.left_px, box.right_px - picture.right_px,
                                  cut.left, cut.right);
   const double dv_px = EdgeShift(box.top_px - picture.top_px, box.bottom_px - picture.bottom_px,
                                  cut.top, cut.bottom);
   const double depth_m = std::max(center.z(), kNear_m);
-  return center + depth_m * Eigen::Vector3d(du_px / view.camera.fx, dv_px / view.camera.fy, 0.0);
+  return center + depth_m * Eigen::Vector3d(du_px / camera.fx, dv_px / camera.fy, 0.0);
 }
 
 // How far the point lies behind the face of the box that its ray meets first; empty where it meets
@@ -146,10 +145,12 @@ BoxShape InCamera(const FrameView& view, const BoxShape& shape) {
   return {view.world_from_camera.Inverse().RotationMatrix() * shape.axes, shape.size_m};
 }
 
-BoxPlace PlaceAt(const FrameView& view, int detection, const BoxShape& shape,
-                 const Eigen::Vector3d& center) {
-  Eigen::Vector3d deviations = CenterDeviations(view, detection, shape.size_m.minCoeff());
-  deviations.z() = std::hypot(deviations.z(), DepthDeviation(view, center));
+BoxPlace PlaceAt(const FrameView& view, const BodyPlaceOptions& options, int detection,
+                 const BoxShape& shape, const Eigen::Vector3d& center) {
+  Eigen::Vector3d deviations =
+      CenterDeviations(view, options.box_center, detection, shape.size_m.minCoeff());
+  deviations.z() =
+      std::hypot(deviations.z(), DepthDeviation(view.camera, options.disparity_px, center));
   return {view.world_from_camera * center,
           InformationAlong(view.world_from_camera, center, deviations)};
 }
@@ -169,9 +170,8 @@ constexpr int kRounds = 5;
 
 }  // namespace
 
-double DepthDeviation(const FrameView& view, const Eigen::Vector3d& p) {
-  return p.z() * p.z() / (view.camera.fx * view.camera.baseline_m) *
-         view.options.noise.disparity_px;
+double DepthDeviation(const StereoCamera& camera, double disparity_px, const Eigen::Vector3d& p) {
+  return p.z() * p.z() / (camera.fx * camera.baseline_m) * disparity_px;
 }
 
 void ViewedSides::Add(double measured_m, double& side_m) {
@@ -181,35 +181,40 @@ void ViewedSides::Add(double measured_m, double& side_m) {
   side_m += (measured_m > side_m ? kUp : kDown) * (measured_m - side_m);
 }
 
-std::optional<BoxPlace> PlaceBySurface(const FrameView& view, FrameId newest,
-                                       const Cluster& cluster, const BoxShape& shape) {
+std::optional<BoxPlace> PlaceBySurface(const FrameView& view, const BodyPlaceOptions& options,
+                                       FrameId newest, const Cluster& cluster,
+                                       const BoxShape& shape) {
   if (!IsDetected(cluster, newest)) return std::nullopt;
   const std::vector<Eigen::Vector3d> points = SeenPoints(view, newest, cluster);
   if (points.empty()) return std::nullopt;
   const BoxShape seen = InCamera(view, shape);
   Eigen::Vector3d center = MedianPoint(points);
   for (int i = 0; i < kRounds; ++i) {
-    center = Centred(view, view.shown.detections[cluster.detection].box, seen, center);
-    center +=
-        SurfaceShift(points, seen, center, DepthDeviation(view, center)) * center.normalized();
+    center = Centred(view.camera, options.box_center.border_px,
+                     view.shown.detections[cluster.detection].box, seen, center);
+    center += SurfaceShift(points, seen, center,
+                           DepthDeviation(view.camera, options.disparity_px, center)) *
+              center.normalized();
   }
-  return PlaceAt(view, cluster.detection, shape, center);
+  return PlaceAt(view, options, cluster.detection, shape, center);
 }
 
-std::optional<BoxPlace> PlaceByPicture(const FrameView& view, FrameId newest,
-                                       const Cluster& cluster, const BoxShape& shape,
+std::optional<BoxPlace> PlaceByPicture(const FrameView& view, const BodyPlaceOptions& options,
+                                       FrameId newest, const Cluster& cluster,
+                                       const BoxShape& shape,
                                        const Eigen::Vector3d& center_in_world) {
   const Eigen::Vector3d center = view.world_from_camera.Inverse() * center_in_world;
   if (!IsDetected(cluster, newest) || center.z() < kNear_m) return std::nullopt;
   return PlaceAt(
-      view, cluster.detection, shape,
-      Centred(view, view.shown.detections[cluster.detection].box, InCamera(view, shape), center));
+      view, options, cluster.detection, shape,
+      Centred(view.camera, options.box_center.border_px,
+              view.shown.detections[cluster.detection].box, InCamera(view, shape), center));
 }
 
-void AddPicture(const FrameView& view, int detection, const BoxShape& shape,
+void AddPicture(const FrameView& view, double border_px, int detection, const BoxShape& shape,
                 const Eigen::Vector3d& center_in_world, ViewedSides& viewed) {
   const ImageBox& box = view.shown.detections[detection].box;
-  const CutEdges cut = CutBy(view, box);
+  const CutEdges cut = CutBy(view.camera, border_px, box);
   const Eigen::Matrix3d axes = InCamera(view, shape).axes;
   const Eigen::Vector3d center = view.world_from_camera.Inverse() * center_in_world;
   const double depth_m = std::max(center.z(), kNear_m);

@@ -4,7 +4,9 @@
 
 #include <optional>
 
-#include "core/clusters/cluster_track.h"
+#include "core/clusters/frame_view.h"
+#include "core/estimation/cluster.h"
+#include "core/interface/box_center_options.h"
 
 namespace cvo {
 
@@ -19,19 +21,27 @@ struct BoxPlace {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  // of the centre, in world, 1/m^2
 };
 
+// What bodies are placed with.
+struct BodyPlaceOptions {
+  BoxCenterOptions box_center;
+  double disparity_px = 0.0;  // noise.disparity_px
+};
+
 // Standard deviation of the depth of one triangulated point p in the camera, m.
-double DepthDeviation(const FrameView& view, const Eigen::Vector3d& p);
+double DepthDeviation(const StereoCamera& camera, double disparity_px, const Eigen::Vector3d& p);
 
 // Where a box of this shape is in the frame, if its picture is in the middle of the cluster's
 // detection, between those edges that are the body's own, and the foremost of the landmarks seen
 // lie on the faces turned to the camera. Empty without a detection or landmarks.
-std::optional<BoxPlace> PlaceBySurface(const FrameView& view, FrameId newest,
-                                       const Cluster& cluster, const BoxShape& shape);
+std::optional<BoxPlace> PlaceBySurface(const FrameView& view, const BodyPlaceOptions& options,
+                                       FrameId newest, const Cluster& cluster,
+                                       const BoxShape& shape);
 
 // The same for a body that is no solid box: as far away as `center_in_world`. Empty without a
 // detection.
-std::optional<BoxPlace> PlaceByPicture(const FrameView& view, FrameId newest,
-                                       const Cluster& cluster, const BoxShape& shape,
+std::optional<BoxPlace> PlaceByPicture(const FrameView& view, const BodyPlaceOptions& options,
+                                       FrameId newest, const Cluster& cluster,
+                                       const BoxShape& shape,
                                        const Eigen::Vector3d& center_in_world);
 
 // What pictures told so far of a body's sides; 0: nothing. What hides a body only makes its
@@ -44,8 +54,8 @@ struct ViewedSides {
 };
 
 // The sides with which the body would fill the detection, if it is there and between a box and an
-// ellipsoid, as far as the image does not cut the detection.
-void AddPicture(const FrameView& view, int detection, const BoxShape& shape,
+// ellipsoid, as far as the image does not cut the detection (`border_px` from its border).
+void AddPicture(const FrameView& view, double border_px, int detection, const BoxShape& shape,
                 const Eigen::Vector3d& center_in_world, ViewedSides& viewed);
 
 }  // namespace cvo

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLeastSize_m = 0.01;  // no box is so small: keeps the information finite
 
-bool MayBeHidden(const FrameView& view, int detection) {
+bool MayBeHidden(const FrameView& view, double max_overlap, int detection) {
   const ImageBox& box = view.shown.detections[detection].box;
   for (int m = 0; m < static_cast<int>(view.shown.detections.size()); ++m) {
     const ImageBox& other = view.shown.detections[m].box;
@@ -19,18 +19,17 @@ bool MayBeHidden(const FrameView& view, int detection) {
     const double height_px =
         std::min(box.bottom_px, other.bottom_px) - std::max(box.top_px, other.top_px);
     if (m == detection || width_px <= 0.0 || height_px <= 0.0) continue;
-    if (width_px * height_px > view.options.box_center.max_overlap * box.Width() * box.Height())
-      return true;
+    if (width_px * height_px > max_overlap * box.Width() * box.Height()) return true;
   }
   return false;
 }
 
 }  // namespace
 
-Eigen::Vector3d CenterDeviations(const FrameView& view, int detection, double size_m) {
-  const BoxCenterOptions& options = view.options.box_center;
+Eigen::Vector3d CenterDeviations(const FrameView& view, const BoxCenterOptions& options,
+                                 int detection, double size_m) {
   const ImageBox& box = view.shown.detections[detection].box;
-  const bool is_hidden = MayBeHidden(view, detection);
+  const bool is_hidden = MayBeHidden(view, options.max_overlap, detection);
   const auto of_edges = [&](double low_px, double high_px, int image_px) {
     const bool is_cut = low_px < options.border_px || high_px > image_px - 1 - options.border_px;
     return size_m * (is_cut || is_hidden ? options.unseen_deviation : options.edge_deviation);
@@ -49,8 +48,8 @@ Eigen::Matrix3d InformationAlong(const RigidTransform& world_from_camera,
   return R * deviations_m.cwiseAbs2().cwiseInverse().asDiagonal() * R.transpose();
 }
 
-BoxCenter CenterFromBox(const FrameView& view, int detection,
-                        const Eigen::Vector3d& surface_in_world) {
+BoxCenter CenterFromBox(const FrameView& view, const BoxCenterOptions& options, double birth_depth,
+                        int detection, const Eigen::Vector3d& surface_in_world) {
   const ImageBox& box = view.shown.detections[detection].box;
   const double surface_m = (view.world_from_camera.Inverse() * surface_in_world).z();
   const Eigen::Vector3d ray((0.5 * (box.left_px + box.right_px) - view.camera.cx) / view.camera.fx,
@@ -59,10 +58,10 @@ BoxCenter CenterFromBox(const FrameView& view, int detection,
   BoxCenter result;
   result.size_m = std::max(kLeastSize_m, surface_m * std::min(box.Width() / view.camera.fx,
                                                               box.Height() / view.camera.fy));
-  const double center_m = surface_m + view.options.clusters.birth_depth * result.size_m;
+  const double center_m = surface_m + birth_depth * result.size_m;
   result.center_in_world = view.world_from_camera * (center_m * ray);
   result.information = InformationAlong(view.world_from_camera, ray,
-                                        CenterDeviations(view, detection, result.size_m));
+                                        CenterDeviations(view, options, detection, result.size_m));
   return result;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 // Free features inside the box whose descriptor is that of one of the cluster's unmatched
 // landmarks.
-std::vector<Match> MatchInBox(const FrameView& view, const Cluster& cluster,
+std::vector<Match> MatchInBox(const ClusterSearch& search, const Cluster& cluster,
                               const std::vector<Match>& matched, const ImageBox& box,
                               const TakenFeatures& taken) {
   std::vector<char> is_matched(cluster.landmarks.size(), 0);
@@ -26,16 +26,16 @@ std::vector<Match> MatchInBox(const FrameView& view, const Cluster& cluster,
   }
   std::vector<StereoFeature> features;
   std::vector<int> indices;
-  for (int i = 0; i < static_cast<int>(view.frame.features.size()); ++i) {
-    const StereoFeature& feature = view.frame.features[i];
+  for (int i = 0; i < static_cast<int>(search.frame.features.size()); ++i) {
+    const StereoFeature& feature = search.frame.features[i];
     if (taken[i] || !box.Contains(feature.z_px[0], feature.z_px[1])) continue;
-    if (!IsAllowed(view, cluster, i)) continue;
+    if (!IsAllowed(search, cluster, i)) continue;
     features.push_back(feature);
     indices.push_back(i);
   }
   std::vector<Match> matches =
-      MatchDescriptors(descriptors, features, view.options.association.rematch_hamming,
-                       view.options.association.rematch_ratio);
+      MatchDescriptors(descriptors, features, search.options.association.rematch_hamming,
+                       search.options.association.rematch_ratio);
   for (Match& match : matches) {
     match.landmark = landmarks[match.landmark];
     match.feature = indices[match.feature];
@@ -45,20 +45,20 @@ std::vector<Match> MatchInBox(const FrameView& view, const Cluster& cluster,
 
 // More correspondences inside the box of a cluster; they must agree with its pose, or with each
 // other where it has none.
-void RematchAssociated(const FrameView& view, const Cluster& cluster, Rng& rng,
+void RematchAssociated(const ClusterSearch& search, const Cluster& cluster, Rng& rng,
                        TakenFeatures& taken, ClusterTrack& track) {
-  const ImageBox& box = view.shown.detections[track.detection].box;
-  std::vector<Match> matches = MatchInBox(view, cluster, track.matches, box, taken);
-  const int min_inliers =
-      track.is_tracked ? view.options.clusters.min_tracked : view.options.association.min_rematch;
+  const ImageBox& box = search.shown.detections[track.detection].box;
+  std::vector<Match> matches = MatchInBox(search, cluster, track.matches, box, taken);
+  const int min_inliers = track.is_tracked ? search.options.clusters.min_tracked
+                                           : search.options.association.min_rematch;
   matches.insert(matches.end(), track.matches.begin(), track.matches.end());
   std::sort(matches.begin(), matches.end(),
             [](const Match& a, const Match& b) { return a.landmark < b.landmark; });
-  const auto solution = SolvePose(view, cluster, track.world_from_object, matches, min_inliers,
+  const auto solution = SolvePose(search, cluster, track.world_from_object, matches, min_inliers,
                                   track.is_tracked, rng);
   const int before = static_cast<int>(track.matches.size());
   if (solution && solution->inliers >= before) {
-    AcceptPose(view, matches, *solution, taken, track);
+    AcceptPose(search, matches, *solution, taken, track);
   }
 }
 
@@ -76,15 +76,15 @@ bool MayShow(const FrameView& view, int detection, const Cluster& cluster) {
 }
 
 // Whether the cluster is what the detection shows; the track becomes that of the cluster there.
-bool Reacquire(const FrameView& view, const Cluster& cluster, int detection, Rng& rng,
+bool Reacquire(const ClusterSearch& search, const Cluster& cluster, int detection, Rng& rng,
                TakenFeatures& taken, ClusterTrack& track) {
-  const Detection& seen = view.shown.detections[detection];
-  if (!MayShow(view, detection, cluster)) return false;
-  const std::vector<Match> matches = MatchInBox(view, cluster, {}, seen.box, taken);
-  const auto solution = SolvePose(view, cluster, track.world_from_object, matches,
-                                  view.options.association.min_rematch, false, rng);
+  const Detection& seen = search.shown.detections[detection];
+  if (!MayShow(search, detection, cluster)) return false;
+  const std::vector<Match> matches = MatchInBox(search, cluster, {}, seen.box, taken);
+  const auto solution = SolvePose(search, cluster, track.world_from_object, matches,
+                                  search.options.association.min_rematch, false, rng);
   if (!solution || solution->inliers <= static_cast<int>(track.matches.size())) return false;
-  AcceptPose(view, matches, *solution, taken, track);
+  AcceptPose(search, matches, *solution, taken, track);
   track.detection = detection;
   return true;
 }
@@ -119,14 +119,14 @@ std::vector<Missing> FindMissing(const ClusterMap& map, const std::vector<Cluste
 // Detections that belong to no cluster, tried on the landmarks of those that are missing.
 class Reacquisition {
  public:
-  Reacquisition(const FrameView& view, const std::vector<PredictedCluster>& archived,
+  Reacquisition(const ClusterSearch& search, const std::vector<PredictedCluster>& archived,
                 ClusterMap& map, TakenFeatures& taken, std::vector<ClusterTrack>& tracks)
-      : view_(view), archived_(archived), map_(map), taken_(taken), tracks_(tracks) {}
+      : search_(search), archived_(archived), map_(map), taken_(taken), tracks_(tracks) {}
 
   void Try(int detection, Rng& rng) {
     for (const Missing& missing : FindMissing(map_, tracks_)) {
       ClusterTrack track = TrackOf(missing);
-      if (!Reacquire(view_, ClusterOf(missing), detection, rng, taken_, track)) continue;
+      if (!Reacquire(search_, ClusterOf(missing), detection, rng, taken_, track)) continue;
       Accept(missing, track);
       return;
     }
@@ -154,7 +154,7 @@ class Reacquisition {
     Revive(missing.index, track, map_, tracks_);
   }
 
-  const FrameView& view_;
+  const ClusterSearch& search_;
   std::vector<PredictedCluster> archived_;
   ClusterMap& map_;
   TakenFeatures& taken_;
@@ -163,22 +163,22 @@ class Reacquisition {
 
 }  // namespace
 
-void RematchInBox::Rematch(const FrameView& view, const ClusterMap& map, Rng& rng,
+void RematchInBox::Rematch(const ClusterSearch& search, const ClusterMap& map, Rng& rng,
                            TakenFeatures& taken, std::vector<ClusterTrack>& tracks) {
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     if (tracks[q].detection < 0) continue;
-    RematchAssociated(view, map.live[q], rng, taken, tracks[q]);
+    RematchAssociated(search, map.live[q], rng, taken, tracks[q]);
   }
 }
 
-void RematchInBox::Reacquire(const FrameView& view, const std::vector<PredictedCluster>& archived,
-                             ClusterMap& map, Rng& rng, TakenFeatures& taken,
-                             std::vector<ClusterTrack>& tracks) {
-  std::vector<char> is_used(view.shown.detections.size(), 0);
+void RematchInBox::Reacquire(const ClusterSearch& search,
+                             const std::vector<PredictedCluster>& archived, ClusterMap& map,
+                             Rng& rng, TakenFeatures& taken, std::vector<ClusterTrack>& tracks) {
+  std::vector<char> is_used(search.shown.detections.size(), 0);
   for (const ClusterTrack& track : tracks) {
     if (track.detection >= 0) is_used[track.detection] = 1;
   }
-  Reacquisition reacquisition(view, archived, map, taken, tracks);
+  Reacquisition reacquisition(search, archived, map, taken, tracks);
   for (int m = 0; m < static_cast<int>(is_used.size()); ++m) {
     if (!is_used[m]) reacquisition.Try(m, rng);
   }

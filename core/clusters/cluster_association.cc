@@ -7,46 +7,45 @@
 #include "core/clusters/cluster_pose.h"
 
 namespace cvo::internal {
-void PredictLandmarksOf(const FrameView& view, const Cluster& cluster, int q,
+void PredictLandmarksOf(const ClusterSearch& search, const Cluster& cluster, int q,
                         const PredictedCluster& at, PredictedLandmarks& landmarks) {
   for (int i = 0; i < static_cast<int>(cluster.landmarks.size()); ++i) {
-    const auto predicted = PredictLandmark(view.options, view.camera, view.world_from_camera, at,
-                                           cluster.landmarks[i]);
+    const auto predicted = PredictLandmark(search, at, cluster.landmarks[i]);
     if (!predicted) continue;
     landmarks.predicted.push_back(*predicted);
     landmarks.source.push_back({q, i});
   }
 }
 
-PredictedLandmarks PredictLandmarks(const FrameView& view, const ClusterMap& map,
+PredictedLandmarks PredictLandmarks(const ClusterSearch& search, const ClusterMap& map,
                                     const std::vector<ClusterTrack>& tracks) {
   PredictedLandmarks landmarks;
   for (int q = 0; q < static_cast<int>(map.live.size()); ++q) {
-    PredictLandmarksOf(view, map.live[q], q, tracks[q].predicted, landmarks);
+    PredictLandmarksOf(search, map.live[q], q, tracks[q].predicted, landmarks);
   }
   return landmarks;
 }
 
-void TrackClusters(const FrameView& view, const ClusterMap& map,
+void TrackClusters(const ClusterSearch& search, const ClusterMap& map,
                    const std::vector<PredictedLandmarks::Source>& source,
                    const std::vector<Match>& matches, Rng& rng, TakenFeatures& taken,
                    std::vector<ClusterTrack>& tracks) {
   std::vector<std::vector<Match>> by_cluster(tracks.size());
   for (const Match& match : matches) {
     const PredictedLandmarks::Source& from = source[match.landmark];
-    if (!IsAllowed(view, map.live[from.cluster], match.feature)) continue;
+    if (!IsAllowed(search, map.live[from.cluster], match.feature)) continue;
     by_cluster[from.cluster].push_back({from.landmark, match.feature, match.hamming});
   }
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     const bool is_settled =
-        static_cast<int>(map.live[q].states.size()) >= view.options.clusters.settled_states;
-    const auto solution = SolvePose(view, map.live[q], tracks[q].world_from_object, by_cluster[q],
-                                    view.options.clusters.min_tracked, is_settled, rng);
-    if (solution) AcceptPose(view, by_cluster[q], *solution, taken, tracks[q]);
+        static_cast<int>(map.live[q].states.size()) >= search.options.clusters.settled_states;
+    const auto solution = SolvePose(search, map.live[q], tracks[q].world_from_object, by_cluster[q],
+                                    search.options.clusters.min_tracked, is_settled, rng);
+    if (solution) AcceptPose(search, by_cluster[q], *solution, taken, tracks[q]);
   }
 }
 
-std::vector<BoxMember> MembersOf(const FrameView& view, const Cluster& cluster,
+std::vector<BoxMember> MembersOf(const ClusterSearch& search, const Cluster& cluster,
                                  const ClusterTrack& track) {
   std::vector<char> is_seen(cluster.landmarks.size(), !track.is_tracked);
   for (const Match& match : track.matches) is_seen[match.landmark] = 1;
@@ -55,8 +54,7 @@ std::vector<BoxMember> MembersOf(const FrameView& view, const Cluster& cluster,
   std::vector<BoxMember> members;
   for (std::size_t i = 0; i < cluster.landmarks.size(); ++i) {
     if (!is_seen[i]) continue;
-    const auto predicted = PredictLandmark(view.options, view.camera, view.world_from_camera, at,
-                                           cluster.landmarks[i]);
+    const auto predicted = PredictLandmark(search, at, cluster.landmarks[i]);
     if (!predicted) continue;
     members.push_back({predicted->zeta_px.head<2>(), predicted->measurement_px2.determinant(),
                        predicted->position_px2.determinant(),
@@ -96,10 +94,10 @@ void AssociateGivenDetections(const FrameView& view, const ClusterMap& map,
   }
 }
 
-void FindBoxOfTrack(const FrameView& view, const Cluster& cluster, ClusterTrack& track) {
+void FindBoxOfTrack(const ClusterSearch& search, const Cluster& cluster, ClusterTrack& track) {
   if (track.detection >= 0) return;  // represented by the detection's own box
   bool is_first = true;
-  for (const BoxMember& member : MembersOf(view, cluster, track)) {
+  for (const BoxMember& member : MembersOf(search, cluster, track)) {
     const double u = member.zeta_px[0];
     const double v = member.zeta_px[1];
     if (is_first) track.box = {u, v, u, v};

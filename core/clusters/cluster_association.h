@@ -15,7 +15,7 @@ namespace cvo {
 namespace internal {
 
 // Landmarks that were found; where the cluster was not found, those that should be seen.
-std::vector<BoxMember> MembersOf(const FrameView& view, const Cluster& cluster,
+std::vector<BoxMember> MembersOf(const ClusterSearch& search, const Cluster& cluster,
                                  const ClusterTrack& track);
 // Landmarks of all clusters that should be seen, flattened, with where they came from.
 struct PredictedLandmarks {
@@ -27,24 +27,25 @@ struct PredictedLandmarks {
   std::vector<Source> source;
 };
 // Appends those of one cluster, index q.
-void PredictLandmarksOf(const FrameView& view, const Cluster& cluster, int q,
+void PredictLandmarksOf(const ClusterSearch& search, const Cluster& cluster, int q,
                         const PredictedCluster& at, PredictedLandmarks& landmarks);
-PredictedLandmarks PredictLandmarks(const FrameView& view, const ClusterMap& map,
+PredictedLandmarks PredictLandmarks(const ClusterSearch& search, const ClusterMap& map,
                                     const std::vector<ClusterTrack>& tracks);
 // By index into landmarks.predicted.
 template <LandmarkAssociationPolicy LandmarkAssociation>
-std::vector<Match> FindLandmarks(const FrameView& view, const PredictedLandmarks& landmarks,
+std::vector<Match> FindLandmarks(const ClusterSearch& search, const PredictedLandmarks& landmarks,
                                  const TakenFeatures& taken) {
-  std::vector<Match> matches =
-      LandmarkAssociation::Find(landmarks.predicted, view.grid, taken, view.options.association);
-  if (view.options.association.left_only) {
-    AddLeftOnlyMatches(landmarks.predicted, view.grid, taken, view.options.association, matches);
+  std::vector<Match> matches = LandmarkAssociation::Find(landmarks.predicted, search.grid, taken,
+                                                         search.options.association);
+  if (search.options.association.left_only) {
+    AddLeftOnlyMatches(landmarks.predicted, search.grid, taken, search.options.association,
+                       matches);
   }
   return matches;
 }
 // Splits matches by cluster, drops those that given labels forbid, solves each provisional pose and
 // keeps what agrees with it; marks the features taken.
-void TrackClusters(const FrameView& view, const ClusterMap& map,
+void TrackClusters(const ClusterSearch& search, const ClusterMap& map,
                    const std::vector<PredictedLandmarks::Source>& source,
                    const std::vector<Match>& matches, Rng& rng, TakenFeatures& taken,
                    std::vector<ClusterTrack>& tracks);
@@ -56,7 +57,7 @@ void ForgetOtherCategories(const FrameView& view, const Cluster& cluster,
 // Of an expected cluster nothing was found: its box may show another body.
 void ReleaseUnseen(std::vector<ClusterTrack>& tracks);
 std::vector<ImageBox> BoxesOf(std::span<const Detection> detections);
-void FindBoxOfTrack(const FrameView& view, const Cluster& cluster, ClusterTrack& track);
+void FindBoxOfTrack(const ClusterSearch& search, const Cluster& cluster, ClusterTrack& track);
 
 }  // namespace internal
 
@@ -84,8 +85,9 @@ struct AcceptAnyClass {
 // found again.
 template <LandmarkAssociationPolicy LandmarkAssociation, BoxWeightsPolicy BoxWeights,
           BoxCostPolicy BoxCost, ClassGatePolicy ClassGate, BoxRematchPolicy BoxRematch>
-std::vector<ClusterTrack> AssociateClusters(const FrameView& view, const ClusterPredictor& predict,
-                                            ClusterMap& map, Rng& rng, TakenFeatures& taken) {
+std::vector<ClusterTrack> AssociateClusters(const ClusterSearch& search,
+                                            const ClusterPredictor& predict, ClusterMap& map,
+                                            Rng& rng, TakenFeatures& taken) {
   std::vector<PredictedCluster> archived;
   for (const Cluster& cluster : map.archived) archived.push_back(predict(cluster));
   std::vector<ClusterTrack> tracks(map.live.size());
@@ -93,27 +95,27 @@ std::vector<ClusterTrack> AssociateClusters(const FrameView& view, const Cluster
     tracks[q].predicted = predict(map.live[q]);
     tracks[q].world_from_object = tracks[q].predicted.world_from_object;
   }
-  const internal::PredictedLandmarks landmarks = internal::PredictLandmarks(view, map, tracks);
+  const internal::PredictedLandmarks landmarks = internal::PredictLandmarks(search, map, tracks);
   const std::vector<Match> matches =
-      internal::FindLandmarks<LandmarkAssociation>(view, landmarks, taken);
-  internal::TrackClusters(view, map, landmarks.source, matches, rng, taken, tracks);
+      internal::FindLandmarks<LandmarkAssociation>(search, landmarks, taken);
+  internal::TrackClusters(search, map, landmarks.source, matches, rng, taken, tracks);
 
-  const std::vector<ImageBox> boxes = internal::BoxesOf(view.shown.detections);
+  const std::vector<ImageBox> boxes = internal::BoxesOf(search.shown.detections);
   std::vector<BoxProbabilities> probabilities;
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     probabilities.push_back(
-        BoxWeights::Compute(internal::MembersOf(view, map.live[q], tracks[q]), boxes));
-    ClassGate::Apply(view, map.live[q], probabilities.back());
+        BoxWeights::Compute(internal::MembersOf(search, map.live[q], tracks[q]), boxes));
+    ClassGate::Apply(search, map.live[q], probabilities.back());
   }
   const std::vector<int> chosen = AssociateBoxes(probabilities, static_cast<int>(boxes.size()),
-                                                 view.options.association, &BoxCost::Cost);
+                                                 search.options.association, &BoxCost::Cost);
   for (std::size_t q = 0; q < tracks.size(); ++q) tracks[q].detection = chosen[q];
-  internal::AssociateGivenDetections(view, map, tracks);
-  BoxRematch::Rematch(view, map, rng, taken, tracks);
+  internal::AssociateGivenDetections(search, map, tracks);
+  BoxRematch::Rematch(search, map, rng, taken, tracks);
   internal::ReleaseUnseen(tracks);
-  BoxRematch::Reacquire(view, archived, map, rng, taken, tracks);
+  BoxRematch::Reacquire(search, archived, map, rng, taken, tracks);
   for (std::size_t q = 0; q < tracks.size(); ++q) {
-    internal::FindBoxOfTrack(view, map.live[q], tracks[q]);
+    internal::FindBoxOfTrack(search, map.live[q], tracks[q]);
   }
   return tracks;
 }

@@ -14,22 +14,23 @@ bool IsAllowed(const FrameView& view, const Cluster& cluster, int feature) {
   return given.empty() || !given[feature].valid() || given[feature] == cluster.given_body;
 }
 
-std::optional<CameraSolution> SolvePose(const FrameView& view, const Cluster& cluster,
+std::optional<CameraSolution> SolvePose(const ClusterSearch& search, const Cluster& cluster,
                                         const RigidTransform& world_from_object,
                                         const std::vector<Match>& matches, int min_inliers,
                                         bool is_predicted, Rng& rng) {
   if (static_cast<int>(matches.size()) < min_inliers) return std::nullopt;
-  const std::vector<PointMeasurement> measurements = MeasurementsOf(
-      view.options.NoiseOfFeatures(), cluster.landmarks, view.frame.features, matches);
+  const std::vector<PointMeasurement> measurements =
+      MeasurementsOf(search.options.noise, cluster.landmarks, search.frame.features, matches);
   if (is_predicted) {
-    const RigidTransform object_from_camera = world_from_object.Inverse() * view.world_from_camera;
+    const RigidTransform object_from_camera =
+        world_from_object.Inverse() * search.world_from_camera;
     CameraSolution solution =
-        SolveCamera(view.camera, measurements, object_from_camera, view.options.noise);
+        SolveCamera(search.camera, measurements, object_from_camera, search.options.noise.options);
     if (solution.inliers >= min_inliers && 2 * solution.inliers >= static_cast<int>(matches.size()))
       return solution;
   }
-  return SolveCameraRansac(view.camera, measurements, view.options.noise,
-                           view.options.association.ransac_iterations, min_inliers, rng);
+  return SolveCameraRansac(search.camera, measurements, search.options.noise.options,
+                           search.options.association.ransac_iterations, min_inliers, rng);
 }
 
 void AcceptPose(const FrameView& view, const std::vector<Match>& matches,
@@ -44,12 +45,15 @@ void AcceptPose(const FrameView& view, const std::vector<Match>& matches,
   }
 }
 
-void PlaceFeatures(const FrameView& view, const Cluster& cluster, const ClusterTrack& track,
+void PlaceFeatures(const ClusterSearch& search, const Cluster& cluster, const ClusterTrack& track,
                    std::span<StereoFeature> features) {
   const RigidTransform camera_from_object =
-      view.world_from_camera.Inverse() * track.world_from_object;
-  AlignToLandmarks(view.options, camera_from_object, cluster.landmarks, track.matches, features);
-  PlaceLeftOnly(view.camera, camera_from_object, cluster.landmarks, track.matches, features);
+      search.world_from_camera.Inverse() * track.world_from_object;
+  if (search.options.align_patches) {
+    AlignToLandmarks(search.options.orb.scale_factor, camera_from_object, cluster.landmarks,
+                     track.matches, features);
+  }
+  PlaceLeftOnly(search.camera, camera_from_object, cluster.landmarks, track.matches, features);
 }
 
 }  // namespace cvo

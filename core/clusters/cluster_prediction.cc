@@ -52,34 +52,33 @@ PredictedCluster WithUncertainty(const Cluster& cluster, const PredictedMotion& 
   return predicted;
 }
 
-std::optional<PredictedLandmark> PredictLandmark(const Options& options, const StereoCamera& camera,
-                                                 const RigidTransform& world_from_camera,
+std::optional<PredictedLandmark> PredictLandmark(const ClusterSearch& search,
                                                  const PredictedCluster& predicted,
                                                  const Landmark& landmark) {
-  const Eigen::Matrix3d R_camera_from_world = world_from_camera.RotationMatrix().transpose();
+  const Eigen::Matrix3d R_camera_from_world = search.world_from_camera.RotationMatrix().transpose();
   const Eigen::Vector3d p_in_world = predicted.world_from_object * landmark.p_in_object;
-  const Eigen::Vector3d to_camera = world_from_camera.translation() - p_in_world;
+  const Eigen::Vector3d to_camera = search.world_from_camera.translation() - p_in_world;
   const Eigen::Vector3d c = -(R_camera_from_world * to_camera);
-  const auto zeta = camera.Project(c);
-  if (!zeta || !camera.InImage((*zeta)[0], (*zeta)[1])) return std::nullopt;
+  const auto zeta = search.camera.Project(c);
+  if (!zeta || !search.camera.InImage((*zeta)[0], (*zeta)[1])) return std::nullopt;
 
   const Eigen::Matrix3d R_world_from_object = predicted.world_from_object.RotationMatrix();
   const double cos_view =
       (R_world_from_object * landmark.view_in_object).dot(to_camera.normalized());
-  if (cos_view < std::cos(options.association.max_view_change_rad)) return std::nullopt;
+  if (cos_view < std::cos(search.options.association.max_view_change_rad)) return std::nullopt;
 
-  const double log_scale = std::log(options.orb.scale_factor);
+  const double log_scale = std::log(search.options.orb.scale_factor);
   const int octave =
       std::clamp(landmark.last_octave +
                      static_cast<int>(std::lround(std::log(landmark.depth_m / c.z()) / log_scale)),
-                 0, options.orb.levels - 1);
-  const Eigen::Matrix3d J = camera.ProjectionJacobian(c) * R_camera_from_world;
+                 0, search.options.orb.levels - 1);
+  const Eigen::Matrix3d J = search.camera.ProjectionJacobian(c) * R_camera_from_world;
   const Eigen::Matrix3d JR = J * R_world_from_object;
   const double lever_m = landmark.p_in_object.norm();
   PredictedLandmark result;
   result.zeta_px = *zeta;
   result.position_px2 = JR * landmark.covariance.in_object_m2 * JR.transpose();
-  result.measurement_px2 = options.NoiseOfFeatures().Covariance(octave);
+  result.measurement_px2 = search.options.noise.Covariance(octave);
   result.innovation_px2 = result.position_px2 +
                           J * RideCovariance(predicted, lever_m) * J.transpose() +
                           result.measurement_px2;

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "core/association/gated_matching.h"
+#include "core/clusters/frame_view.h"
 #include "core/estimation/cluster.h"
 #include "core/estimation/motion_extrapolation.h"
 #include "core/estimation/window.h"
-#include "core/interface/options.h"
 
 namespace cvo {
 
@@ -56,8 +56,7 @@ ClusterPredictor PredictorAt(std::int64_t timestamp_ns, const MotionPriorOptions
 
 // A landmark of the cluster as the current camera should see it; empty where it is behind the
 // camera, out of the image or on the body's far side.
-std::optional<PredictedLandmark> PredictLandmark(const Options& options, const StereoCamera& camera,
-                                                 const RigidTransform& world_from_camera,
+std::optional<PredictedLandmark> PredictLandmark(const ClusterSearch& search,
                                                  const PredictedCluster& predicted,
                                                  const Landmark& landmark);
 

@@ -4,13 +4,10 @@
 
 #include <vector>
 
-#include "core/association/feature_grid.h"
 #include "core/association/image_box.h"
 #include "core/association/match.h"
 #include "core/clusters/cluster_map.h"
 #include "core/clusters/cluster_prediction.h"
-#include "core/interface/frame.h"
-#include "core/interface/options.h"
 
 namespace cvo {
 
@@ -23,18 +20,5 @@ struct ClusterTrack {
   int detection = -1;                // index into the frame's detections; -1: none
   ImageBox box;                      // around its landmarks, matched or predicted
 };
-
-// The current frame, as far as it is known when clusters are associated.
-struct FrameView {
-  const Options& options;
-  const StereoFrame& frame;
-  ShownBodies shown;
-  const FeatureGrid& grid;
-  StereoCamera camera;
-  RigidTransform world_from_camera;
-};
-
-// Features that are matched already, by index.
-using TakenFeatures = std::vector<char>;
 
 }  // namespace cvo

@@ -7,7 +7,7 @@
 #include "core/base/rng.h"
 #include "core/clusters/cluster_map.h"
 #include "core/clusters/cluster_prediction.h"
-#include "core/interface/options.h"
+#include "core/interface/identity_options.h"
 
 namespace cvo {
 

@@ -13,23 +13,22 @@ constexpr double kMaxZoom = 1.25;
 // Beyond this one the patches are not compared: the samples would leave them.
 constexpr double kMaxComparedZoom = 1.5;
 
-double LevelScale(const Options& options, const StereoFeature& feature) {
-  return std::pow(options.orb.scale_factor, feature.octave);
+double LevelScale(double scale_factor, const StereoFeature& feature) {
+  return std::pow(scale_factor, feature.octave);
 }
 
 bool IsWithin(double zoom, double limit) { return zoom <= limit && zoom * limit >= 1.0; }
 
 }  // namespace
 
-void AlignToLandmarks(const Options& options, const RigidTransform& camera_from_object,
+void AlignToLandmarks(double scale_factor, const RigidTransform& camera_from_object,
                       const std::vector<Landmark>& landmarks, const std::vector<Match>& matches,
                       std::span<StereoFeature> features) {
-  if (!options.tracking.align_patches) return;
   for (const Match& match : matches) {
     const Landmark& landmark = landmarks[match.landmark];
     StereoFeature& feature = features[match.feature];
     const double depth_m = (camera_from_object * landmark.p_in_object).z();
-    const double scale = LevelScale(options, feature);
+    const double scale = LevelScale(scale_factor, feature);
     const double zoom =
         landmark.reference.size_m / (std::max(depth_m, StereoCamera::kMinDepth_m) * scale);
     if (!IsWithin(zoom, kMaxComparedZoom)) continue;
@@ -42,8 +41,8 @@ void AlignToLandmarks(const Options& options, const RigidTransform& camera_from_
   }
 }
 
-void UpdateReference(const Options& options, const StereoFeature& feature, Landmark& landmark) {
-  const double size_m = landmark.depth_m * LevelScale(options, feature);
+void UpdateReference(double scale_factor, const StereoFeature& feature, Landmark& landmark) {
+  const double size_m = landmark.depth_m * LevelScale(scale_factor, feature);
   const bool is_kept = feature.is_aligned && IsWithin(landmark.reference.size_m / size_m, kMaxZoom);
   if (!is_kept) landmark.reference = {feature.patch, size_m};
 }

@@ -92,30 +92,30 @@ PredictedCluster PredictBack(const PredictorAnytime& predict, const Cluster& clu
   return predicted;
 }
 
-std::optional<ClusterTrack> TrackInPast(const FrameView& view, const Cluster& cluster,
+std::optional<ClusterTrack> TrackInPast(const ClusterSearch& search, const Cluster& cluster,
                                         const PredictedCluster& predicted,
                                         const PredictedLandmarks& landmarks,
                                         const std::vector<Match>& matches, Rng& rng,
                                         KeptFrame& kept) {
   std::vector<Match> allowed;
   for (const Match& match : matches) {
-    if (!IsAllowed(view, cluster, match.feature)) continue;
+    if (!IsAllowed(search, cluster, match.feature)) continue;
     allowed.push_back({landmarks.source[match.landmark].landmark, match.feature, match.hamming});
   }
-  const auto solution = SolvePose(view, cluster, predicted.world_from_object, allowed,
-                                  view.options.clusters.min_tracked, true, rng);
+  const auto solution = SolvePose(search, cluster, predicted.world_from_object, allowed,
+                                  search.options.clusters.min_tracked, true, rng);
   if (!solution) return std::nullopt;
   const RigidTransform world_from_object =
-      view.world_from_camera * solution->world_from_camera.Inverse();
+      search.world_from_camera * solution->world_from_camera.Inverse();
   const double off_m2 =
       (world_from_object.translation() - predicted.world_from_object.translation()).squaredNorm();
-  if (off_m2 > view.options.association.gamma * predicted.translation_variance_m2) {
+  if (off_m2 > search.options.association.gamma * predicted.translation_variance_m2) {
     return std::nullopt;
   }
   ClusterTrack track;
   track.predicted = predicted;
-  AcceptPose(view, allowed, *solution, kept.taken, track);
-  PlaceFeatures(view, cluster, track, kept.frame.features);
+  AcceptPose(search, allowed, *solution, kept.taken, track);
+  PlaceFeatures(search, cluster, track, kept.frame.features);
   return track;
 }
 

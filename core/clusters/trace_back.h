@@ -38,7 +38,7 @@ PredictedCluster PredictBack(const PredictorAnytime& predict, const Cluster& clu
                              const KeptFrame& kept);
 // The cluster in an earlier frame; empty where too few of the matches agree. The features that
 // show it are placed and taken as in the newest frame.
-std::optional<ClusterTrack> TrackInPast(const FrameView& view, const Cluster& cluster,
+std::optional<ClusterTrack> TrackInPast(const ClusterSearch& search, const Cluster& cluster,
                                         const PredictedCluster& predicted,
                                         const PredictedLandmarks& landmarks,
                                         const std::vector<Match>& matches, Rng& rng,
@@ -52,9 +52,9 @@ void AddPast(const ClusterOptions& options, const KeptFrame& kept, const Cluster
 // Follows clusters that were found, for the first time or again, back through T_t until they are
 // lost (METHOD.md 6.6). `show` says what the estimator is shown of a frame's bodies.
 template <LandmarkAssociationPolicy LandmarkAssociation>
-void TraceBack(const Options& options, const Window& window, const PredictorAnytime& predict,
-               ShownBodies (*show)(const StereoFrame&), std::deque<KeptFrame>& kept_frames,
-               ClusterMap& map, Rng& rng) {
+void TraceBack(const ClusterSearchOptions& options, const Window& window,
+               const PredictorAnytime& predict, ShownBodies (*show)(const StereoFrame&),
+               std::deque<KeptFrame>& kept_frames, ClusterMap& map, Rng& rng) {
   for (Cluster& cluster : map.live) {
     ClusterTrajectory& trajectory = map.trajectories[cluster.id];
     for (const FrameId id :
@@ -62,14 +62,15 @@ void TraceBack(const Options& options, const Window& window, const PredictorAnyt
       KeptFrame* kept = FindBy(kept_frames, &KeptFrame::id, id);
       if (kept == nullptr) break;
       const FeatureGrid grid(kept->frame.features, window.camera);
-      const FrameView view{options, kept->frame,   show(kept->frame),
-                           grid,    window.camera, window.Find(id)->world_from_camera};
+      const ClusterSearch search{
+          {kept->frame, show(kept->frame), grid, window.camera, window.Find(id)->world_from_camera},
+          options};
       const PredictedCluster predicted = internal::PredictBack(predict, cluster, *kept);
       internal::PredictedLandmarks landmarks;
-      internal::PredictLandmarksOf(view, cluster, 0, predicted, landmarks);
+      internal::PredictLandmarksOf(search, cluster, 0, predicted, landmarks);
       const auto track = internal::TrackInPast(
-          view, cluster, predicted, landmarks,
-          internal::FindLandmarks<LandmarkAssociation>(view, landmarks, kept->taken), rng, *kept);
+          search, cluster, predicted, landmarks,
+          internal::FindLandmarks<LandmarkAssociation>(search, landmarks, kept->taken), rng, *kept);
       if (!track) {
         cluster.lost_before = internal::FirstTracked(window, cluster);
         break;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "core/bodies/box_center.h"
 #include "core/clustering/point_extent.h"
 
 namespace cvo {
@@ -28,13 +27,14 @@ Eigen::Matrix3Xd PointsOf(ClusterId id, const FrameView& view,
   return columns;
 }
 
-Cluster CreateCluster(const FrameView& view, FrameId newest, const FrameLabels::Birth& birth,
-                      const Eigen::Matrix3Xd& members, BirthOriginFunction birth_origin) {
+Cluster CreateCluster(const FrameView& view, const BodyCenterOptions& options, FrameId newest,
+                      const FrameLabels::Birth& birth, const Eigen::Matrix3Xd& members,
+                      BirthOriginFunction birth_origin) {
   Cluster cluster;
   cluster.id = birth.id;
   cluster.given_body = birth.given_body;
   cluster.category = kUnknownCategory;
-  const RigidTransform axes = PrincipalAxes(members, view.options.extent);
+  const RigidTransform axes = PrincipalAxes(members, options.extent);
   Eigen::Vector3d origin = axes.translation();
   cluster.last_observed = newest;
   if (birth.detection >= 0) {
@@ -43,7 +43,8 @@ Cluster CreateCluster(const FrameView& view, FrameId newest, const FrameLabels::
     cluster.detections = 1;
     cluster.score = detection.score;
     cluster.last_detected = newest;
-    const BoxCenter box = CenterFromBox(view, birth.detection, origin);
+    const BoxCenter box =
+        CenterFromBox(view, options.box_center, options.birth_depth, birth.detection, origin);
     origin = birth_origin(axes.translation(), box.center_in_world);
     cluster.size_m = box.size_m;
   }
@@ -55,11 +56,12 @@ Cluster CreateCluster(const FrameView& view, FrameId newest, const FrameLabels::
 
 }  // namespace
 
-void CreateClusters(const FrameView& view, FrameId newest, const std::vector<FramePoint>& points,
-                    const FrameLabels& labels, BirthOriginFunction origin, ClusterMap& map) {
+void CreateClusters(const FrameView& view, const BodyCenterOptions& options, FrameId newest,
+                    const std::vector<FramePoint>& points, const FrameLabels& labels,
+                    BirthOriginFunction origin, ClusterMap& map) {
   for (const FrameLabels::Birth& birth : labels.births) {
-    map.live.push_back(
-        CreateCluster(view, newest, birth, PointsOf(birth.id, view, points, labels), origin));
+    map.live.push_back(CreateCluster(view, options, newest, birth,
+                                     PointsOf(birth.id, view, points, labels), origin));
     map.next.value = birth.id.value + 1;
   }
 }

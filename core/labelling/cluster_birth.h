@@ -4,6 +4,7 @@
 
 #include <concepts>
 
+#include "core/bodies/box_center.h"
 #include "core/labelling/cluster_labels.h"
 
 namespace cvo {
@@ -33,7 +34,8 @@ using BirthOriginFunction = Eigen::Vector3d (*)(const Eigen::Vector3d& centroid,
 
 // Makes the clusters that the frame's labels found, without landmarks yet: at rest, axes from the
 // principal axes of their points.
-void CreateClusters(const FrameView& view, FrameId newest, const std::vector<FramePoint>& points,
-                    const FrameLabels& labels, BirthOriginFunction origin, ClusterMap& map);
+void CreateClusters(const FrameView& view, const BodyCenterOptions& options, FrameId newest,
+                    const std::vector<FramePoint>& points, const FrameLabels& labels,
+                    BirthOriginFunction origin, ClusterMap& map);
 
 }  // namespace cvo

@@ -56,14 +56,14 @@ void NameLabels(const ClusterMap& map, const LabelScene& scene, std::vector<Clus
   }
 }
 
-void DropWeakBirths(const FrameView& view, const Window& window, const ClusterMap& map,
+void DropWeakBirths(int min_landmarks, const Window& window, const ClusterMap& map,
                     const std::vector<FramePoint>& points, FrameLabels& labels) {
   std::map<ClusterId, int> members;
   for (const PointLabel& label : labels.points) ++members[label.assigned.cluster];
   std::map<ClusterId, ClusterId> renamed;  // births in a row, without the dropped ones
   std::vector<FrameLabels::Birth> kept;
   for (FrameLabels::Birth birth : labels.births) {
-    const bool is_weak = members[birth.id] < view.options.clusters.min_landmarks;
+    const bool is_weak = members[birth.id] < min_landmarks;
     const ClusterId id{map.next.value + static_cast<std::int64_t>(kept.size())};
     renamed[birth.id] = is_weak ? ClusterId{} : id;
     birth.id = id;

@@ -61,8 +61,8 @@ DecidedLabels DescribeDecision(const Window& window, const ClusterMap& map,
 // own are its `adoptions`, those without one `births`, with ids from map.next on, which they get.
 void NameLabels(const ClusterMap& map, const LabelScene& scene, std::vector<ClusterId>& cluster_of,
                 FrameLabels& labels);
-// Takes back births of which too few points were accepted.
-void DropWeakBirths(const FrameView& view, const Window& window, const ClusterMap& map,
+// Takes back births of which fewer points than `min_landmarks` were accepted.
+void DropWeakBirths(int min_landmarks, const Window& window, const ClusterMap& map,
                     const std::vector<FramePoint>& points, FrameLabels& labels);
 // The label with the least energy but for `decided`; of the two labels that there are at least.
 int SecondLabel(const EnergyMatrix& total, Eigen::Index node, int decided);
@@ -76,29 +76,37 @@ FrameLabels AllStatic(const Window& window, const ClusterMap& map,
 void AdoptDetections(const FrameLabels& labels, const ClusterMap& map,
                      std::vector<ClusterTrack>& tracks);
 
+// What LabelPoints reads.
+struct LabelOptions {
+  LabelSceneOptions scene;
+  PairwiseOptions pairwise;
+  LabelMatchingOptions matching;
+  ConfidenceOptions confidence;
+};
+
 // Which body every point of the frame belongs to (section 3.2 of the paper).
 template <UnaryTerm Box, UnaryTerm Affinity, UnaryTerm Motion, PairwisePolicy Pairwise,
           LabelMatchingPolicy LabelMatching, ConfidencePolicy Confidence>
-FrameLabels LabelPoints(const FrameView& view, const Window& window, const ClusterMap& map,
-                        const std::vector<ClusterTrack>& tracks,
+FrameLabels LabelPoints(const FrameView& view, const LabelOptions& options, const Window& window,
+                        const ClusterMap& map, const std::vector<ClusterTrack>& tracks,
                         const std::vector<FramePoint>& points, const LabelSceneSteps& steps) {
   if (tracks.empty() && view.shown.detections.empty() && view.shown.feature_body.empty()) {
     return internal::AllStatic(window, map, points);
   }
-  const LabelScene scene = BuildLabelScene(view, window, map, tracks, points, steps);
-  const UnaryEnergies unary = ComputeUnaries<Box, Affinity, Motion>(scene.crf, view.options.unary);
+  const LabelScene scene = BuildLabelScene(view, options.scene, window, map, tracks, points, steps);
+  const UnaryEnergies unary = ComputeUnaries<Box, Affinity, Motion>(scene.crf, options.scene.unary);
   Eigen::Matrix3Xd positions(3, static_cast<Eigen::Index>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
     positions.col(static_cast<Eigen::Index>(i)) = scene.crf.nodes[i].MovingPlace().p_in_camera;
   }
-  const CrfResult crf = InferDenseCrf<Pairwise>(unary.total, positions, view.options.pairwise);
+  const CrfResult crf = InferDenseCrf<Pairwise>(unary.total, positions, options.pairwise);
   const std::vector<int> decided = internal::DecideLabels(view, points, scene, crf);
 
   FrameLabels labels;
   const internal::DecidedLabels decision =
       internal::DescribeDecision(window, map, points, scene, decided);
   std::vector<ClusterId> cluster_of = LabelMatching::Match(
-      decision.identities, {decision.label_of_old, decision.previous}, view.options.label_matching);
+      decision.identities, {decision.label_of_old, decision.previous}, options.matching);
   internal::NameLabels(map, scene, cluster_of, labels);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Index row = static_cast<Eigen::Index>(i);
@@ -106,7 +114,7 @@ FrameLabels LabelPoints(const FrameView& view, const Window& window, const Clust
     label.inferred = cluster_of[decided[i]];
     const Landmark* landmark = FindLandmark(points[i], window, map);
     label.assigned = landmark ? landmark->label : LabelState{label.inferred, 1};
-    if (landmark && Confidence::Update(label.inferred, view.options.confidence, label.assigned) ==
+    if (landmark && Confidence::Update(label.inferred, options.confidence, label.assigned) ==
                         LabelOutcome::kRemove) {
       label.assigned.cluster = ClusterId{};
     }
@@ -120,7 +128,7 @@ FrameLabels LabelPoints(const FrameView& view, const Window& window, const Clust
     label.second_motion = unary.motion(row, second);
     labels.points.push_back(label);
   }
-  internal::DropWeakBirths(view, window, map, points, labels);
+  internal::DropWeakBirths(options.scene.clusters.min_landmarks, window, map, points, labels);
   return labels;
 }
 

@@ -35,7 +35,7 @@ std::vector<int> SceneFeatures(const std::vector<StereoFeature>& features,
   return indices;
 }
 
-std::vector<FramePoint> CollectPoints(const FrameView& view,
+std::vector<FramePoint> CollectPoints(const FrameView& view, double min_disparity_px,
                                       const std::vector<Match>& static_matches,
                                       const std::vector<ClusterTrack>& tracks) {
   std::vector<FramePoint> by_feature(view.frame.features.size());
@@ -55,8 +55,7 @@ std::vector<FramePoint> CollectPoints(const FrameView& view,
     point.feature = i;
     const StereoFeature& feature = view.frame.features[i];
     const bool is_new = point.owner == kNoOwner;
-    const bool is_far =
-        view.camera.Disparity(feature.z_px) < view.options.tracking.min_disparity_px;
+    const bool is_far = view.camera.Disparity(feature.z_px) < min_disparity_px;
     if (is_new && (is_far || IsLeftOnly(feature))) continue;
     const bool is_wanted = !feature.is_reserve || IsDetected(view.shown.detections, feature) ||
                            IsExpected(tracks, feature);

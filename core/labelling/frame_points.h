@@ -40,7 +40,7 @@ std::vector<int> SceneFeatures(const std::vector<StereoFeature>& features,
 // Every feature that has the disparity for a landmark, by feature: those matched with the static
 // scene, those matched with clusters, and those that are new; of the reserve only new ones where a
 // detection or a cluster is.
-std::vector<FramePoint> CollectPoints(const FrameView& view,
+std::vector<FramePoint> CollectPoints(const FrameView& view, double min_disparity_px,
                                       const std::vector<Match>& static_matches,
                                       const std::vector<ClusterTrack>& tracks);
 

@@ -22,10 +22,9 @@ PastFrames FindPastFrames(const Window& window, int frames) {
   return past;
 }
 
-CrfNode MakeNode(const FrameView& view, const FramePoint& point, const Landmark* landmark,
-                 const PastFrames& past, const LabelSceneSteps& steps) {
+CrfNode MakeNode(const FrameView& view, const FeatureNoise& noise, const FramePoint& point,
+                 const Landmark* landmark, const PastFrames& past, const LabelSceneSteps& steps) {
   const StereoFeature& feature = view.frame.features[point.feature];
-  const FeatureNoise noise = view.options.NoiseOfFeatures();
   CrfNode node;
   node.z_px = feature.z_px;
   if (const auto p = view.camera.BackProject(feature.z_px)) node.p_in_camera = *p;
@@ -55,14 +54,15 @@ std::vector<std::optional<RigidTransform>> PastFromNow(const FrameView& view, Po
 }
 
 // A body fills its box, also where its landmarks so far are all on one part of it.
-void GrowToBox(const FrameView& view, const ImageBox& box, CrfLabel::Extent& extent) {
+void GrowToBox(const StereoCamera& camera, double box_half_size, const ImageBox& box,
+               CrfLabel::Extent& extent) {
   const double side_px = 0.5 * (box.Width() + box.Height());
-  const double side_m = extent.center_in_camera.z() * side_px / view.camera.fx;
-  extent.half_size_m = extent.half_size_m.cwiseMax(view.options.clusters.box_half_size * side_m);
+  const double side_m = extent.center_in_camera.z() * side_px / camera.fx;
+  extent.half_size_m = extent.half_size_m.cwiseMax(box_half_size * side_m);
 }
 
-CrfLabel ClusterLabel(const FrameView& view, int q, const ClusterMap& map,
-                      const ClusterTrack& track, const PastFrames& past) {
+CrfLabel ClusterLabel(const FrameView& view, const ClusterOptions& options, int q,
+                      const ClusterMap& map, const ClusterTrack& track, const PastFrames& past) {
   const Cluster& cluster = map.live[q];
   const RigidTransform camera_from_object =
       view.world_from_camera.Inverse() * track.world_from_object;
@@ -75,7 +75,7 @@ CrfLabel ClusterLabel(const FrameView& view, int q, const ClusterMap& map,
   }
   label.extent = CrfLabel::Extent{camera_from_object * cluster.center_in_object,
                                   camera_from_object.RotationMatrix(), cluster.half_size_m};
-  if (label.box) GrowToBox(view, *label.box, *label.extent);
+  if (label.box) GrowToBox(view.camera, options.box_half_size, *label.box, *label.extent);
   label.past_from_now.resize(past.size());
   if (track.is_tracked) {
     label.past_from_now = PastFromNow(view, ClusterOwner(q), track.world_from_object, map, past);
@@ -85,11 +85,12 @@ CrfLabel ClusterLabel(const FrameView& view, int q, const ClusterMap& map,
 
 // Where the body in a box that no cluster claims is: those of its points that are no cluster's and
 // that `choose_body` takes.
-std::optional<CrfLabel::Extent> NewBoxExtent(const FrameView& view, const ImageBox& box,
+std::optional<CrfLabel::Extent> NewBoxExtent(const FrameView& view,
+                                             const LabelSceneOptions& options, const ImageBox& box,
                                              const std::vector<FramePoint>& points,
                                              const std::vector<CrfNode>& nodes,
                                              const LabelSceneSteps& steps) {
-  const ImageBox inner = box.Shrunk(view.options.unary.box_shrink);
+  const ImageBox inner = box.Shrunk(options.unary.box_shrink);
   std::vector<Eigen::Vector3d> inside;
   std::vector<double> depths;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -99,25 +100,25 @@ std::optional<CrfLabel::Extent> NewBoxExtent(const FrameView& view, const ImageB
     depths.push_back(nodes[i].p_in_camera.z());
   }
   const double angular_size = std::max(box.Width(), box.Height()) / view.camera.fx;
-  const std::vector<int> chosen = steps.choose_body(depths, angular_size, view.options.extent);
+  const std::vector<int> chosen = steps.choose_body(depths, angular_size, options.extent);
   if (chosen.empty()) return std::nullopt;
   Eigen::Matrix3Xd body(3, static_cast<Eigen::Index>(chosen.size()));
   for (std::size_t k = 0; k < chosen.size(); ++k) {
     body.col(static_cast<Eigen::Index>(k)) = inside[chosen[k]];
   }
-  const PointExtent extent = ExtentAlong(Eigen::Matrix3d::Identity(), body, view.options.extent);
+  const PointExtent extent = ExtentAlong(Eigen::Matrix3d::Identity(), body, options.extent);
   return CrfLabel::Extent{extent.center, Eigen::Matrix3d::Identity(), extent.half_size_m};
 }
 
 // Bodies that occur in the given labels and have no label yet.
-void AddGivenBodies(const FrameView& view, LabelScene& scene) {
+void AddGivenBodies(const FrameView& view, const PastFrames& past, LabelScene& scene) {
   const std::span<const BodyId> bodies = view.shown.feature_body;
   for (const BodyId body : std::set<BodyId>(bodies.begin(), bodies.end())) {
     const auto known = std::find(scene.given_body.begin(), scene.given_body.end(), body);
     if (body <= kStaticBody || known != scene.given_body.end()) continue;
     CrfLabel label;
     label.kind = LabelKind::kNewBox;
-    label.past_from_now.resize(view.options.PastFrames());
+    label.past_from_now.resize(past.size());
     scene.crf.labels.push_back(label);
     scene.detection.push_back(-1);
     scene.given_body.push_back(body);
@@ -142,15 +143,16 @@ std::vector<int> AllDepths::Choose(const std::vector<double>& depths_m, double,
   return all;
 }
 
-LabelScene BuildLabelScene(const FrameView& view, const Window& window, const ClusterMap& map,
+LabelScene BuildLabelScene(const FrameView& view, const LabelSceneOptions& options,
+                           const Window& window, const ClusterMap& map,
                            const std::vector<ClusterTrack>& tracks,
                            const std::vector<FramePoint>& points, const LabelSceneSteps& steps) {
-  const PastFrames past = FindPastFrames(window, view.options.PastFrames());
+  const PastFrames past = FindPastFrames(window, options.past_frames);
   LabelScene scene;
   scene.crf.camera = view.camera;
   for (const FramePoint& point : points) {
     const Landmark* landmark = FindLandmark(point, window, map);
-    scene.crf.nodes.push_back(MakeNode(view, point, landmark, past, steps));
+    scene.crf.nodes.push_back(MakeNode(view, options.noise, point, landmark, past, steps));
     if (!landmark) continue;
     scene.crf.nodes.back().estimate = steps.place(OwnerInCamera(view, point, tracks), *landmark);
   }
@@ -163,7 +165,7 @@ LabelScene BuildLabelScene(const FrameView& view, const Window& window, const Cl
   scene.clusters = static_cast<int>(tracks.size());
   scene.detection.push_back(-1);
   for (int q = 0; q < scene.clusters; ++q) {
-    scene.crf.labels.push_back(ClusterLabel(view, q, map, tracks[q], past));
+    scene.crf.labels.push_back(ClusterLabel(view, options.clusters, q, map, tracks[q], past));
     scene.detection.push_back(tracks[q].detection);
     if (tracks[q].detection >= 0) is_claimed[tracks[q].detection] = 1;
   }
@@ -174,15 +176,16 @@ LabelScene BuildLabelScene(const FrameView& view, const Window& window, const Cl
     CrfLabel label;
     label.kind = LabelKind::kNewBox;
     label.box = view.shown.detections[m].box;
-    label.extent = NewBoxExtent(view, view.shown.detections[m].box, points, scene.crf.nodes, steps);
-    label.past_from_now.resize(view.options.PastFrames());
+    label.extent =
+        NewBoxExtent(view, options, view.shown.detections[m].box, points, scene.crf.nodes, steps);
+    label.past_from_now.resize(past.size());
     if (!label.extent) continue;
     scene.crf.labels.push_back(label);
     scene.detection.push_back(m);
     const std::span<const BodyId> given = view.shown.detection_body;
     scene.given_body.push_back(given.empty() ? BodyId() : given[m]);
   }
-  AddGivenBodies(view, scene);
+  AddGivenBodies(view, past, scene);
   CrfLabel outlier;
   outlier.kind = LabelKind::kOutlier;
   outlier.past_from_now.resize(past.size());

@@ -9,6 +9,7 @@
 #include "core/clustering/crf_scene.h"
 #include "core/clustering/depth_mode.h"
 #include "core/clustering/point_extent.h"
+#include "core/clustering/unary_options.h"
 #include "core/labelling/frame_points.h"
 
 namespace cvo {
@@ -81,6 +82,15 @@ struct AllDepths {
                                  const ExtentOptions& options);
 };
 
+// What BuildLabelScene reads.
+struct LabelSceneOptions {
+  FeatureNoise noise;
+  UnaryOptions unary;
+  ExtentOptions extent;
+  ClusterOptions clusters;
+  int past_frames = 0;  // that the motion term looks back
+};
+
 // The policies of BuildLabelScene.
 struct LabelSceneSteps {
   std::optional<CrfNode::Place> (*place)(const RigidTransform&, const Landmark&);
@@ -95,7 +105,8 @@ constexpr LabelSceneSteps StepsOf() {
 
 // What is known of every point and every class (section 3.2 of the paper). The current frame is
 // the one after the window's newest.
-LabelScene BuildLabelScene(const FrameView& view, const Window& window, const ClusterMap& map,
+LabelScene BuildLabelScene(const FrameView& view, const LabelSceneOptions& options,
+                           const Window& window, const ClusterMap& map,
                            const std::vector<ClusterTrack>& tracks,
                            const std::vector<FramePoint>& points, const LabelSceneSteps& steps);
 

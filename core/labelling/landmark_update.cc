@@ -67,18 +67,19 @@ class ReassignmentTargets {
 };
 
 // Adds the feature as the landmark's observation of the frame.
-void Observe(const FrameView& view, const WindowFrame& frame, const ReassignmentTarget& target,
-             const StereoFeature& feature, double depth_m, Landmark& landmark) {
+void Observe(const FrameView& view, const LandmarkUpdateOptions& options, const WindowFrame& frame,
+             const ReassignmentTarget& target, const StereoFeature& feature, double depth_m,
+             Landmark& landmark) {
   // The first one is where its reference is, which makes it as exact as those aligned with it.
   const bool is_aligned =
-      feature.is_aligned || (view.options.tracking.align_patches && landmark.observations.empty());
+      feature.is_aligned || (options.align_patches && landmark.observations.empty());
   landmark.observations.push_back(
       {frame.id, feature.z_px, feature.octave, is_aligned, feature.disagreement_px});
   landmark.descriptor = feature.descriptor;
   landmark.depth_m = std::max(depth_m, StereoCamera::kMinDepth_m);
   landmark.last_octave = feature.octave;
   landmark.last_seen = frame.id;
-  UpdateReference(view.options, feature, landmark);
+  UpdateReference(options.noise.scale_factor, feature, landmark);
   if (target.owner == kSceneOwner) return;
 
   const RigidTransform object_from_camera =
@@ -86,8 +87,8 @@ void Observe(const FrameView& view, const WindowFrame& frame, const Reassignment
   landmark.view_in_object =
       (Eigen::Vector3d(object_from_camera.translation()) - landmark.p_in_object).normalized();
   if (IsLeftOnly(feature)) return;
-  const Eigen::Matrix3d in_camera = view.camera.PointCovariance(
-      feature.z_px, view.options.NoiseOfFeatures().Covariance(feature.octave));
+  const Eigen::Matrix3d in_camera =
+      view.camera.PointCovariance(feature.z_px, options.noise.Covariance(feature.octave));
   const double determinant = in_camera.determinant();
   if (determinant >= landmark.covariance.determinant) return;
   const Eigen::Matrix3d R = object_from_camera.RotationMatrix();
@@ -101,19 +102,18 @@ double DepthIn(const WindowFrame& frame, const ReassignmentTarget& target,
 }
 
 // Those of the observations of the landmark that the target's motion explains.
-std::vector<Observation> Agreeing(const FrameView& view, const Window& window,
-                                  const ClusterMap& map, const ReassignmentTarget& target,
-                                  const Landmark& landmark,
+std::vector<Observation> Agreeing(const FrameView& view, const FeatureNoise& noise,
+                                  const Window& window, const ClusterMap& map,
+                                  const ReassignmentTarget& target, const Landmark& landmark,
                                   const std::vector<Observation>& observations) {
   std::vector<Observation> agreeing;
   for (const Observation& seen : observations) {
     const WindowFrame* frame = window.Find(seen.frame);
     const auto pose = frame ? OwnerPose(target.owner, seen.frame, map) : std::nullopt;
     if (!pose) continue;
-    const PointMeasurement m{*pose * landmark.p_in_object, seen.z_px,
-                             view.options.NoiseOfFeatures().SqrtInformation(seen)};
+    const PointMeasurement m{*pose * landmark.p_in_object, seen.z_px, noise.SqrtInformation(seen)};
     const auto error = WhitenedError(view.camera, m, frame->world_from_camera.Inverse());
-    if (error && error->squaredNorm() <= view.options.noise.gate) agreeing.push_back(seen);
+    if (error && error->squaredNorm() <= noise.options.gate) agreeing.push_back(seen);
   }
   return agreeing;
 }
@@ -133,9 +133,10 @@ std::optional<Landmark> MakeLandmark(const FrameView& view, const WindowFrame& f
 // The frame's points, one by one, into the takers' landmarks.
 class Updater {
  public:
-  Updater(const FrameView& view, const WindowFrame& entering,
+  Updater(const FrameView& view, const LandmarkUpdateOptions& options, const WindowFrame& entering,
           const std::vector<ClusterTrack>& tracks, Window& window, ClusterMap& map)
       : view_(view),
+        options_(options),
         entering_(entering),
         window_(window),
         map_(map),
@@ -172,7 +173,8 @@ class Updater {
         return;
       }
     }
-    Observe(view_, entering_, *from, feature, DepthIn(entering_, *from, landmark), landmark);
+    Observe(view_, options_, entering_, *from, feature, DepthIn(entering_, *from, landmark),
+            landmark);
   }
 
   void ApplyMoves() { targets_.ApplyMoves(); }
@@ -185,16 +187,18 @@ class Updater {
     moved->id = old.id;
     moved->label = label;
     moved->reference = old.reference;
-    moved->observations = Agreeing(view_, window_, map_, to, *moved, old.observations);
+    moved->observations =
+        Agreeing(view_, options_.noise, window_, map_, to, *moved, old.observations);
     Arrive(feature, std::move(*moved), to);
   }
 
   void Arrive(const StereoFeature& feature, Landmark landmark, ReassignmentTarget& to) {
-    Observe(view_, entering_, to, feature, DepthIn(entering_, to, landmark), landmark);
+    Observe(view_, options_, entering_, to, feature, DepthIn(entering_, to, landmark), landmark);
     to.arriving.push_back(std::move(landmark));
   }
 
   const FrameView& view_;
+  const LandmarkUpdateOptions& options_;
   const WindowFrame& entering_;
   const Window& window_;
   const ClusterMap& map_;
@@ -203,10 +207,11 @@ class Updater {
 
 }  // namespace
 
-int UpdateLandmarks(const FrameView& view, const WindowFrame& entering,
-                    const std::vector<ClusterTrack>& tracks, const std::vector<FramePoint>& points,
-                    FrameLabels& labels, LandmarkId& next_id, Window& window, ClusterMap& map) {
-  Updater updater(view, entering, tracks, window, map);
+int UpdateLandmarks(const FrameView& view, const LandmarkUpdateOptions& options,
+                    const WindowFrame& entering, const std::vector<ClusterTrack>& tracks,
+                    const std::vector<FramePoint>& points, FrameLabels& labels, LandmarkId& next_id,
+                    Window& window, ClusterMap& map) {
+  Updater updater(view, options, entering, tracks, window, map);
   int added = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const StereoFeature& feature = view.frame.features[points[i].feature];

@@ -18,10 +18,10 @@ struct Visible {
   std::vector<int> landmark;  // index into window.landmarks, by projected
 };
 
-Visible ProjectLandmarks(const Options& options, const Window& window,
+Visible ProjectLandmarks(const OrbOptions& options, const Window& window,
                          const RigidTransform& world_from_camera) {
   const RigidTransform camera_from_world = world_from_camera.Inverse();
-  const double log_scale = std::log(options.orb.scale_factor);
+  const double log_scale = std::log(options.scale_factor);
   Visible visible;
   for (int i = 0; i < static_cast<int>(window.landmarks.size()); ++i) {
     const Landmark& landmark = window.landmarks[i];
@@ -32,25 +32,26 @@ Visible ProjectLandmarks(const Options& options, const Window& window,
         landmark.last_octave +
         static_cast<int>(std::lround(std::log(landmark.depth_m / p_in_camera.z()) / log_scale));
     visible.projected.push_back(
-        {*zeta, std::clamp(octave, 0, options.orb.levels - 1), landmark.descriptor});
+        {*zeta, std::clamp(octave, 0, options.levels - 1), landmark.descriptor});
     visible.landmark.push_back(i);
   }
   return visible;
 }
 
 // Matches of landmarks (indices into window.landmarks) around a camera.
-std::vector<Match> SearchAround(const Options& options, const Window& window,
+std::vector<Match> SearchAround(const CameraTrackingOptions& options, const Window& window,
                                 const FeatureGrid& grid, const RigidTransform& world_from_camera,
                                 double radius_px) {
-  const Visible visible = ProjectLandmarks(options, window, world_from_camera);
+  const Visible visible = ProjectLandmarks(options.orb, window, world_from_camera);
   std::vector<Match> matches = MatchProjected(visible.projected, grid, radius_px,
                                               options.orb.scale_factor, options.matching);
   for (Match& match : matches) match.landmark = visible.landmark[match.landmark];
   return matches;
 }
 
-std::optional<RigidTransform> FindWithoutPrediction(const Options& options, const Window& window,
-                                                    const FeatureGrid& grid, Rng& rng) {
+std::optional<RigidTransform> FindWithoutPrediction(const CameraTrackingOptions& options,
+                                                    const Window& window, const FeatureGrid& grid,
+                                                    Rng& rng) {
   std::vector<Descriptor> descriptors;
   std::vector<int> landmark;
   const FrameId newest = window.temporal.back().id;
@@ -65,9 +66,9 @@ std::optional<RigidTransform> FindWithoutPrediction(const Options& options, cons
                        options.tracking.recovery_ratio);
   for (Match& match : matches) match.landmark = landmark[match.landmark];
   const auto solution = SolveCameraRansac(
-      window.camera,
-      MeasurementsOf(options.NoiseOfFeatures(), window.landmarks, grid.features(), matches),
-      options.noise, options.tracking.recovery_iterations, options.tracking.min_inliers, rng);
+      window.camera, MeasurementsOf(options.noise, window.landmarks, grid.features(), matches),
+      options.noise.options, options.tracking.recovery_iterations, options.tracking.min_inliers,
+      rng);
   if (!solution) return std::nullopt;
   return solution->world_from_camera;
 }
@@ -81,29 +82,27 @@ std::vector<Match> Inliers(const std::vector<Match>& matches, const CameraSoluti
 }
 
 // The camera is known: the landmarks that agree with it.
-CameraTrack MatchAround(const Options& options, const Window& window, const FeatureGrid& grid,
-                        const RigidTransform& world_from_camera) {
+CameraTrack MatchAround(const CameraTrackingOptions& options, const Window& window,
+                        const FeatureGrid& grid, const RigidTransform& world_from_camera) {
   const std::vector<Match> matches =
       SearchAround(options, window, grid, world_from_camera, options.matching.narrow_radius_px);
   const CameraSolution agreeing = ClassifyMeasurements(
-      window.camera,
-      MeasurementsOf(options.NoiseOfFeatures(), window.landmarks, grid.features(), matches),
-      world_from_camera, options.noise.gate);
+      window.camera, MeasurementsOf(options.noise, window.landmarks, grid.features(), matches),
+      world_from_camera, options.noise.options.gate);
   return {world_from_camera, Inliers(matches, agreeing), static_cast<int>(matches.size())};
 }
 
 }  // namespace
 
-std::optional<CameraTrack> TrackCamera(const Options& options, const Window& window,
+std::optional<CameraTrack> TrackCamera(const CameraTrackingOptions& options, const Window& window,
                                        const FeatureGrid& grid, std::span<StereoFeature> features,
                                        const RigidTransform& predicted_world_from_camera,
                                        bool is_given, Rng& rng) {
   if (is_given) return MatchAround(options, window, grid, predicted_world_from_camera);
   const auto solve = [&](const std::vector<Match>& matches, const RigidTransform& initial) {
-    return SolveCamera(
-        window.camera,
-        MeasurementsOf(options.NoiseOfFeatures(), window.landmarks, grid.features(), matches),
-        initial, options.noise);
+    return SolveCamera(window.camera,
+                       MeasurementsOf(options.noise, window.landmarks, grid.features(), matches),
+                       initial, options.noise.options);
   };
   const std::vector<Match> wide = SearchAround(options, window, grid, predicted_world_from_camera,
                                                options.matching.wide_radius_px);
@@ -120,7 +119,10 @@ std::optional<CameraTrack> TrackCamera(const Options& options, const Window& win
   }
   const std::vector<Match> narrow =
       SearchAround(options, window, grid, around, options.matching.narrow_radius_px);
-  AlignToLandmarks(options, around.Inverse(), window.landmarks, narrow, features);
+  if (options.tracking.align_patches) {
+    AlignToLandmarks(options.orb.scale_factor, around.Inverse(), window.landmarks, narrow,
+                     features);
+  }
   const CameraSolution second = solve(narrow, around);
   if (second.inliers < options.tracking.min_inliers) return std::nullopt;
   return CameraTrack{second.world_from_camera, Inliers(narrow, second),

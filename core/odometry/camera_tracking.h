@@ -8,12 +8,23 @@
 
 #include "core/association/feature_grid.h"
 #include "core/association/match.h"
+#include "core/association/projected_matching.h"
 #include "core/base/rng.h"
 #include "core/estimation/window.h"
+#include "core/features/options.h"
 #include "core/geometry/stereo_camera.h"
-#include "core/interface/options.h"
+#include "core/interface/tracking_options.h"
+#include "core/solvers/measurement_noise.h"
 
 namespace cvo {
+
+// What the camera is tracked with.
+struct CameraTrackingOptions {
+  FeatureNoise noise;
+  OrbOptions orb;
+  MatchingOptions matching;
+  TrackingOptions tracking;
+};
 
 struct CameraTrack {
   RigidTransform world_from_camera;
@@ -26,7 +37,7 @@ struct CameraTrack {
 // that it finds (`features`, those of the grid, move), solve again. Where the first search finds
 // too little, all recent descriptors are compared instead and RANSAC finds the camera. Empty where
 // fewer than tracking.min_inliers landmarks agree. A given camera is taken as it is.
-std::optional<CameraTrack> TrackCamera(const Options& options, const Window& window,
+std::optional<CameraTrack> TrackCamera(const CameraTrackingOptions& options, const Window& window,
                                        const FeatureGrid& grid, std::span<StereoFeature> features,
                                        const RigidTransform& predicted_world_from_camera,
                                        bool is_given, Rng& rng);

@@ -5,22 +5,23 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/bodies/box_center.h"
 #include "core/clustering/point_extent.h"
 
 namespace cvo {
 namespace {
 
 // Where the box puts the body's centre.
-void AddBoxCenter(const FrameView& view, const ClusterTrack& track, Cluster& cluster) {
+void AddBoxCenter(const FrameView& view, const BodyCenterOptions& options,
+                  const ClusterTrack& track, Cluster& cluster) {
   if (track.matches.empty()) return;
   Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(track.matches.size()));
   for (std::size_t i = 0; i < track.matches.size(); ++i) {
     points.col(static_cast<Eigen::Index>(i)) =
         track.world_from_object * cluster.landmarks[track.matches[i].landmark].p_in_object;
   }
-  const Eigen::Vector3d surface = PrincipalAxes(points, view.options.extent).translation();
-  const BoxCenter box = CenterFromBox(view, track.detection, surface);
+  const Eigen::Vector3d surface = PrincipalAxes(points, options.extent).translation();
+  const BoxCenter box =
+      CenterFromBox(view, options.box_center, options.birth_depth, track.detection, surface);
   const RigidTransform object_from_world = track.world_from_object.Inverse();
   const Eigen::Matrix3d R = object_from_world.RotationMatrix();
   cluster.box_center.Add(object_from_world * box.center_in_world,
@@ -62,8 +63,8 @@ void RecordTrajectory(const Cluster& cluster, const ClusterReport& report, Frame
 
 }  // namespace
 
-void AddStates(const FrameView& view, FrameId newest, const std::vector<ClusterTrack>& tracks,
-               ClusterMap& map) {
+void AddStates(const FrameView& view, const BodyCenterOptions& options, FrameId newest,
+               const std::vector<ClusterTrack>& tracks, ClusterMap& map) {
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     Cluster& cluster = map.live[q];
     const ClusterTrack& track = tracks[q];
@@ -74,7 +75,7 @@ void AddStates(const FrameView& view, FrameId newest, const std::vector<ClusterT
       cluster.score = view.shown.detections[track.detection].score;
     }
     if (!track.is_tracked) continue;
-    if (track.detection >= 0) AddBoxCenter(view, track, cluster);
+    if (track.detection >= 0) AddBoxCenter(view, options, track, cluster);
     cluster.states.push_back(
         {newest, view.frame.timestamp_ns, track.world_from_object, track.predicted.velocity_m_s});
     cluster.last_observed = newest;

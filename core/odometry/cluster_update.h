@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/bodies/box_center.h"
 #include "core/labelling/cluster_labels.h"
 
 namespace cvo {
 
 // Clusters whose pose the frame shows get a state of it; detections are counted.
-void AddStates(const FrameView& view, FrameId newest, const std::vector<ClusterTrack>& tracks,
-               ClusterMap& map);
+void AddStates(const FrameView& view, const BodyCenterOptions& options, FrameId newest,
+               const std::vector<ClusterTrack>& tracks, ClusterMap& map);
 
 // After the optimisation: every live cluster in the newest frame, boxes and scores left out; one
 // without a state in the frame is predicted there.

@@ -57,15 +57,19 @@ class VisualOdometry final : public Odometry {
     std::optional<CameraTrack> track;
     if (!window_.temporal.empty()) {
       const ScopedStage stage(times, "track");
-      track = TrackCamera(options_, window_, scene_grid, frame.features, predicted,
-                          frame.given.world_from_camera.has_value(), rng_);
+      track = TrackCamera(
+          {options_.NoiseOfFeatures(), options_.orb, options_.matching, options_.tracking}, window_,
+          scene_grid, frame.features, predicted, frame.given.world_from_camera.has_value(), rng_);
     }
     if (!track && !StartsMap(report.features)) return EndLost(predicted, report);
     if (!track) Restart();
     const std::vector<Match> static_matches = track ? track->inliers : std::vector<Match>();
     const WindowFrame entering{newest_, track ? track->world_from_camera : predicted,
                                frame.given.world_from_camera.has_value()};
-    const FrameView view{options_, frame, shown, grid, window_.camera, entering.world_from_camera};
+    const FrameView view{frame, shown, grid, window_.camera, entering.world_from_camera};
+    const ClusterSearch search{view,
+                               {options_.NoiseOfFeatures(), options_.orb, options_.association,
+                                options_.clusters, options_.tracking.align_patches}};
 
     // Features and boxes against the clusters (3.1, multi-level probabilistic association).
     std::vector<ClusterTrack> cluster_tracks;
@@ -75,22 +79,26 @@ class VisualOdometry final : public Odometry {
       cluster_tracks = AssociateClusters<typename Variant::LandmarkAssociation,
                                          typename Variant::BoxWeights, typename Variant::BoxCost,
                                          typename Variant::ClassGate, typename Variant::BoxRematch>(
-          view, PredictorOfClusters(), clusters_, cluster_rng_, taken);
+          search, PredictorOfClusters(), clusters_, cluster_rng_, taken);
       for (std::size_t q = 0; q < cluster_tracks.size(); ++q) {
         if (!cluster_tracks[q].is_tracked) continue;
-        PlaceFeatures(view, clusters_.live[q], cluster_tracks[q], frame.features);
+        PlaceFeatures(search, clusters_.live[q], cluster_tracks[q], frame.features);
       }
     }
 
     // Which body every point belongs to (3.2, heterogeneous CRF).
-    const std::vector<FramePoint> points = CollectPoints(view, static_matches, cluster_tracks);
+    const std::vector<FramePoint> points =
+        CollectPoints(view, options_.tracking.min_disparity_px, static_matches, cluster_tracks);
     FrameLabels labels;
     {
       const ScopedStage stage(times, "label");
+      const LabelSceneOptions scene{options_.NoiseOfFeatures(), options_.unary, options_.extent,
+                                    options_.clusters, options_.PastFrames()};
       labels = LabelPoints<typename Variant::BoxTerm, typename Variant::AffinityTerm,
                            typename Variant::MotionTerm, typename Variant::Pairwise,
                            typename Variant::LabelMatching, typename Variant::Confidence>(
-          view, window_, clusters_, cluster_tracks, points,
+          view, {scene, options_.pairwise, options_.label_matching, options_.confidence}, window_,
+          clusters_, cluster_tracks, points,
           StepsOf<typename Variant::PointPlace, typename Variant::PastFrame,
                   typename Variant::NewBody>());
       AdoptDetections(labels, clusters_, cluster_tracks);
@@ -99,10 +107,14 @@ class VisualOdometry final : public Odometry {
     // Frame and landmarks enter the windows (3.3, double-track frame management).
     {
       const ScopedStage stage(times, "window");
-      AddStates(view, newest_, cluster_tracks, clusters_);
-      CreateClusters(view, newest_, points, labels, &Variant::BirthOrigin::Origin, clusters_);
-      report.new_landmarks = UpdateLandmarks(view, entering, cluster_tracks, points, labels,
-                                             next_landmark_, window_, clusters_);
+      const BodyCenterOptions center{options_.box_center, options_.extent,
+                                     options_.clusters.birth_depth};
+      AddStates(view, center, newest_, cluster_tracks, clusters_);
+      CreateClusters(view, center, newest_, points, labels, &Variant::BirthOrigin::Origin,
+                     clusters_);
+      report.new_landmarks = UpdateLandmarks(
+          view, {options_.NoiseOfFeatures(), options_.tracking.align_patches}, entering,
+          cluster_tracks, points, labels, next_landmark_, window_, clusters_);
       RemoveUnconfirmed(newest_, options_.window.lost_frames, window_.landmarks);
       AdvanceWindow(entering);
     }
@@ -124,9 +136,9 @@ class VisualOdometry final : public Odometry {
     // Clusters that were found are looked for in the frames before (METHOD.md 6.6).
     {
       const ScopedStage stage(times, "trace");
-      TraceBack<typename Variant::LandmarkAssociation>(options_, window_, PredictorAnytimeOf(),
-                                                       &Variant::Detections::Show, kept_, clusters_,
-                                                       cluster_rng_);
+      TraceBack<typename Variant::LandmarkAssociation>(
+          search.options, window_, PredictorAnytimeOf(), &Variant::Detections::Show, kept_,
+          clusters_, cluster_rng_);
     }
 
     // Every cluster against the camera as it is now (3.3, dynamic clusters).
@@ -249,7 +261,10 @@ class VisualOdometry final : public Odometry {
     std::vector<ClusterReport> described =
         DescribeClusters(options_.clusters, newest_, predict, clusters_);
     if (view != nullptr) ground_.Update(SeenStaticPoints(), report.world_from_camera);
-    boxes_.Describe({options_, clusters_, view, newest_, report.world_from_camera,
+    const BodyPlaceOptions place{options_.box_center, options_.noise.disparity_px};
+    const BoxSceneOptions boxes{options_.NoiseOfFeatures(), options_.clusters, options_.extent,
+                                place, options_.boxes};
+    boxes_.Describe({boxes, clusters_, view, newest_, report.world_from_camera,
                      ground_.Down(report.world_from_camera)},
                     described);
     report.clusters =

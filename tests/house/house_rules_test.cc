@@ -152,6 +152,13 @@ TEST(ForbiddenText, MutableStaticsAndSleeps) {
   EXPECT_THAT(Text("core/base/a.cc", "  const double x = Operand();"), IsEmpty());
 }
 
+TEST(ForbiddenText, StepsTakeTheOptionsTheyRead) {
+  EXPECT_THAT(Text("core/odometry/a.h", "void A(const Options& options);"), SizeIs(1));
+  EXPECT_THAT(Text("core/bodies/a.h", "  Options options;"), SizeIs(1));
+  EXPECT_THAT(Text("core/bodies/a.h", "void A(const BodyBoxOptions& options);"), IsEmpty());
+  EXPECT_THAT(Text("core/odometry/visual_odometry.h", "  Options options_;"), IsEmpty());
+}
+
 TEST(Registered, EverySourceIsNamedByACMakeLists) {
   const SourceFile named{"tests/core/a_test.cc", ""};
   const SourceFile nested{"tests/core/deep/b_test.cc", ""};

@@ -36,6 +36,8 @@ const std::vector<TextRule>& TextRules() {
   static const std::regex any(".*");
   // One file asks for the architecture; a kernel for it, chosen at run time, asks that file.
   static const std::regex portable(R"((core|variants)/(?!features/cpu_level\.).*\.(h|cc))");
+  static const std::regex step(
+      R"(core/(clusters|bodies|labelling|odometry)/(?!visual_odometry\.h).*\.(h|cc))");
   static const std::vector<TextRule> rules = {
       {portable,
        std::regex(
@@ -52,7 +54,8 @@ const std::vector<TextRule>& TextRules() {
       {library, std::regex(R"(\bsleep_(for|until)\b|\bstd::random_device\b|\bs?rand\s*\()"),
        "sleep or hidden randomness"},
       {estimator, std::regex("max_solver_time_in_seconds"),
-       "time cap: results would depend on the computer"}};
+       "time cap: results would depend on the computer"},
+      {step, std::regex(R"(\bOptions\b)"), "all options in a step: it takes those it reads"}};
   return rules;
 }
 

@@ -22,10 +22,16 @@ using test::StateAt;
 const Vector3d kDown = Vector3d::UnitY();
 const Vector3d kCar_m = BodyBoxOptions().SizeOf("Car");
 
+BoxSceneOptions OptionsOfBoxes() {
+  BoxSceneOptions options;
+  options.place.disparity_px = NoiseOptions().disparity_px;
+  return options;
+}
+
 // A car, or a body of another class, of the class's size with points on the faces that a camera at
 // the origin sees, and its detection; the camera looks along z.
 struct SeenCar {
-  Options options;
+  BoxSceneOptions options = OptionsOfBoxes();
   Vector3d size_m;
   StereoFrame frame;
   FeatureGrid grid{{}, test::kCamera};
@@ -67,7 +73,7 @@ struct SeenCar {
     report.id = ClusterId{1};
     report.world_from_object = cluster().Latest().world_from_object;
     std::vector<ClusterReport> reports = {report};
-    const FrameView view{options, frame, UseDetections::Show(frame), grid, test::kCamera, {}};
+    const FrameView view{frame, UseDetections::Show(frame), grid, test::kCamera, {}};
     boxes.Describe({options, map, &view, FrameId{f}, {}, kDown}, reports);
     return reports.front();
   }
@@ -189,7 +195,8 @@ TEST(BodyScore, RisesWithAllThatIsKnown) {
   SeenCar car;
   car.See(0, Ahead(0.0, 14.0));
   const auto score = [&](std::int64_t newest) {
-    return ScoreOf(car.options, nullptr, FrameId{newest}, car.cluster());
+    return ScoreOf(car.options.noise, car.options.clusters, nullptr, FrameId{newest},
+                   car.cluster());
   };
   const double known = score(0);
   EXPECT_GT(known, 0.0);
@@ -213,9 +220,8 @@ TEST(BodyScore, FallsWithResidualsAndFewLandmarks) {
           test::kCamera.Project(camera_from_object * landmark.p_in_object).value();
       landmark.observations[0].z_px[0] += error_px;
     }
-    const FrameView view{car.options, car.frame,     UseDetections::Show(car.frame),
-                         car.grid,    test::kCamera, {}};
-    return ScoreOf(car.options, &view, FrameId{0}, car.cluster());
+    const FrameView view{car.frame, UseDetections::Show(car.frame), car.grid, test::kCamera, {}};
+    return ScoreOf(car.options.noise, car.options.clusters, &view, FrameId{0}, car.cluster());
   };
   const double exact = with_error(0.0);
   EXPECT_LT(with_error(1.0), exact);

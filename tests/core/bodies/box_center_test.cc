@@ -17,7 +17,6 @@ using Eigen::Vector3d;
 // A ball of 0.6 m diameter at `center`, seen by a camera at `world_from_camera`; its texture, and
 // so the surface that is seen, is on its right half.
 struct SeenBall {
-  Options options;
   StereoFrame frame;
   StereoCamera camera{400.0, 400.0, 320.0, 240.0, 0.2, 640, 480};
   Vector3d center{0.3, -0.2, 4.0};
@@ -34,9 +33,8 @@ struct SeenBall {
     const double surface_m = c.z() - 0.2 + depth_bias_m;
     const Vector3d surface = c / c.z() * surface_m + Vector3d(0.15, 0.0, 0.0);
     const FeatureGrid grid(frame.features, camera);
-    const FrameView view{options, frame,  UseDetections::Show(frame),
-                         grid,    camera, world_from_camera};
-    return CenterFromBox(view, 0, world_from_camera * surface);
+    const FrameView view{frame, UseDetections::Show(frame), grid, camera, world_from_camera};
+    return CenterFromBox(view, {}, ClusterOptions().birth_depth, 0, world_from_camera * surface);
   }
 };
 

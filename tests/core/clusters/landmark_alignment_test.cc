@@ -6,11 +6,14 @@
 
 #include <cmath>
 
+#include "core/clusters/cluster_pose.h"
 #include "core/clusters/left_only.h"
 #include "tests/support/centred_camera.h"
 
 namespace cvo {
 namespace {
+
+constexpr double kScaleFactor = 1.2;
 
 // Blobs around the corner, which lies `shift_px` from the middle.
 FeaturePatch Blobs(double shift_px) {
@@ -36,11 +39,10 @@ class LandmarkAlignmentTest : public ::testing::Test {
   }
   void Align() {
     std::vector<StereoFeature> features = {feature_};
-    AlignToLandmarks(options_, RigidTransform(), {landmark_}, {{0, 0}}, features);
+    AlignToLandmarks(kScaleFactor, RigidTransform(), {landmark_}, {{0, 0}}, features);
     feature_ = features[0];
   }
 
-  Options options_;
   Landmark landmark_;
   StereoFeature feature_;
 };
@@ -56,7 +58,7 @@ TEST_F(LandmarkAlignmentTest, MovesBothColumnsAndKeepsTheDisparity) {
 
 TEST_F(LandmarkAlignmentTest, MovesByPixelsOfTheImageWhereTheLevelIsCoarse) {
   feature_.octave = 4;
-  const double scale = std::pow(options_.orb.scale_factor, 4);
+  const double scale = std::pow(kScaleFactor, 4);
   landmark_.reference.size_m = 10.0 * scale;
   Align();
   EXPECT_NEAR(feature_.z_px[0], 100.0 + 0.5 * scale, 0.03 * scale);
@@ -70,26 +72,37 @@ TEST_F(LandmarkAlignmentTest, LeavesTheCornerWhereTheLandmarkLooksDifferent) {
 }
 
 TEST_F(LandmarkAlignmentTest, LeavesTheCornerWithoutTheOption) {
-  options_.tracking.align_patches = false;
-  Align();
-  EXPECT_FALSE(feature_.is_aligned);
-  EXPECT_EQ(feature_.z_px[0], 100.0);
+  const StereoCamera camera = test::CentredCamera(400, 0.5, 640, 240);
+  StereoFrame frame;
+  frame.features = {feature_};
+  const FeatureGrid grid(frame.features, camera);
+  Cluster cluster;
+  cluster.landmarks = {landmark_};
+  ClusterTrack track;
+  track.matches = {{0, 0}};
+  ClusterSearch search{{frame, {}, grid, camera, {}}, {}};
+  search.options.align_patches = false;
+  PlaceFeatures(search, cluster, track, frame.features);
+  EXPECT_EQ(frame.features[0].z_px[0], 100.0);
+  search.options.align_patches = true;
+  PlaceFeatures(search, cluster, track, frame.features);
+  EXPECT_NEAR(frame.features[0].z_px[0], 100.5, 0.03);
 }
 
 TEST_F(LandmarkAlignmentTest, KeepsTheReferenceUntilItsSizeHasChangedMuch) {
   landmark_.depth_m = 9.0;
   feature_.is_aligned = true;
-  UpdateReference(options_, feature_, landmark_);
+  UpdateReference(kScaleFactor, feature_, landmark_);
   EXPECT_EQ(landmark_.reference.size_m, 10.0);
   landmark_.depth_m = 7.0;
-  UpdateReference(options_, feature_, landmark_);
+  UpdateReference(kScaleFactor, feature_, landmark_);
   EXPECT_EQ(landmark_.reference.size_m, 7.0);
   EXPECT_EQ(landmark_.reference.patch.pixels, feature_.patch.pixels);
 }
 
 TEST_F(LandmarkAlignmentTest, TakesANewReferenceFromAFeatureThatIsNotAligned) {
   landmark_.depth_m = 10.0;
-  UpdateReference(options_, feature_, landmark_);
+  UpdateReference(kScaleFactor, feature_, landmark_);
   EXPECT_EQ(landmark_.reference.patch.pixels, feature_.patch.pixels);
 }
 

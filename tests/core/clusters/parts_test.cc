@@ -143,7 +143,7 @@ TEST(RetireClusters, TheArchiveForgetsTheOldest) {
 
 // A landmark on a body 6 m ahead, seen last by a camera at the origin.
 struct Prediction {
-  Options options;
+  ClusterSearchOptions options;
   PredictedCluster predicted;
   Landmark landmark;
   RigidTransform world_from_camera;
@@ -159,7 +159,10 @@ struct Prediction {
     landmark.covariance.in_object_m2 = Eigen::Vector3d(1e-4, 2e-4, 3e-4).asDiagonal();
   }
   std::optional<PredictedLandmark> Predict() const {
-    return PredictLandmark(options, kCamera, world_from_camera, predicted, landmark);
+    const StereoFrame frame;
+    const FeatureGrid grid({}, kCamera);
+    return PredictLandmark({{frame, {}, grid, kCamera, world_from_camera}, options}, predicted,
+                           landmark);
   }
 };
 
@@ -178,7 +181,7 @@ TEST(PredictLandmark, InnovationHoldsPositionMotionAndMeasurement) {
   const Eigen::Matrix3d R = p.predicted.world_from_object.RotationMatrix();
   const Eigen::Matrix3d position =
       J * R * p.landmark.covariance.in_object_m2 * R.transpose() * J.transpose();
-  const Eigen::Matrix3d measurement = MeasurementCovariance(p.options.noise, 1.0);
+  const Eigen::Matrix3d measurement = MeasurementCovariance(p.options.noise.options, 1.0);
   auto seen = p.Predict();
   EXPECT_LT((seen->position_px2 - position).norm(), 1e-9);
   EXPECT_LT((seen->measurement_px2 - measurement).norm(), 1e-12);

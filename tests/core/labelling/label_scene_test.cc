@@ -23,14 +23,15 @@ constexpr LabelSceneSteps kOurSteps = StepsOf<TriangulatedPlace, OldestPastFrame
 // A static landmark that frames 1 to 3 saw, past_frames being 4: frame 0 is the exact one.
 LabelScene SceneOfThreeFrames(const LabelSceneSteps& steps) {
   Moving m;
-  m.options.unary.past_frames = 4;
+  LabelSceneOptions options;
+  options.past_frames = 4;
   m.window.landmarks = {Moving::Seen(m.p_in_world, [&](std::int64_t) { return m.p_in_world; })};
   m.window.landmarks[0].p_in_object.z() += 0.5;
   std::erase_if(m.window.landmarks[0].observations,
                 [](const Observation& seen) { return seen.frame == FrameId{0}; });
   m.Add(m.p_in_world, kSceneOwner, 0, kStaticScene);
   return m.With([&](const FrameView& view) {
-    return BuildLabelScene(view, m.window, m.map, m.tracks, m.points, steps);
+    return BuildLabelScene(view, options, m.window, m.map, m.tracks, m.points, steps);
   });
 }
 

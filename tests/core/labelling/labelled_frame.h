@@ -17,7 +17,6 @@ inline RigidTransform At(double x, double y, double z) {
 
 // A frame seen from the origin, its features at given points.
 struct Frame {
-  Options options;
   StereoFrame frame;
   std::vector<FramePoint> points;
   FrameLabels labels;
@@ -47,8 +46,7 @@ struct Frame {
   template <typename Use>
   auto With(Use use) {
     const FeatureGrid grid(frame.features, kCamera);
-    const FrameView view{options, frame,   UseDetections::Show(frame),
-                         grid,    kCamera, RigidTransform()};
+    const FrameView view{frame, UseDetections::Show(frame), grid, kCamera, RigidTransform()};
     return use(view);
   }
 };
@@ -60,6 +58,7 @@ struct Moving : Frame {
   const Eigen::Vector3d p_in_world{0.5, 0.2, 6.0};  // of the point, static, or now on the body
   std::vector<ClusterTrack> tracks{1};
   LandmarkId next{10};
+  LandmarkUpdateOptions options;
 
   Moving() {
     Cluster cluster;
@@ -93,8 +92,8 @@ struct Moving : Frame {
   }
   int Update() {
     return With([&](const FrameView& view) {
-      return UpdateLandmarks(view, {FrameId{4}, {}, false}, tracks, points, labels, next, window,
-                             map);
+      return UpdateLandmarks(view, options, {FrameId{4}, {}, false}, tracks, points, labels, next,
+                             window, map);
     });
   }
 };

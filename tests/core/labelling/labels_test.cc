@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "core/base/rng.h"
-#include "core/bodies/box_center.h"
 #include "core/clusters/cluster_pose.h"
 #include "core/labelling/cluster_birth.h"
 #include "core/labelling/landmark_update.h"
@@ -114,7 +113,7 @@ TEST(UpdateLandmarks, CovarianceIsTheBestTriangulationInTheBodysFrame) {
   const Landmark& landmark = m.map.live[0].landmarks.at(0);
   const Eigen::Matrix3d R = m.tracks[0].world_from_object.RotationMatrix();
   const Eigen::Matrix3d in_camera = kCamera.PointCovariance(
-      Frame::Pixel(m.p_in_world), MeasurementCovariance(m.options.noise, 1.0));
+      Frame::Pixel(m.p_in_world), MeasurementCovariance(m.options.noise.options, 1.0));
   EXPECT_LT((R * landmark.covariance.in_object_m2 * R.transpose() - in_camera).norm(), 1e-12);
   EXPECT_LT((R * landmark.view_in_object + m.p_in_world.normalized()).norm(), 1e-9);
 }
@@ -133,6 +132,8 @@ TEST(RemoveUnconfirmed, ForgetsWhatWasSeenOnceLongAgo) {
   EXPECT_EQ(landmarks[1].id, LandmarkId{2});
   EXPECT_EQ(landmarks[2].id, LandmarkId{3});
 }
+
+const BodyCenterOptions kCenter{{}, {}, ClusterOptions().birth_depth};
 
 // The visible half of a ball in its box.
 Frame Ball(const Eigen::Vector3d& center, double radius_m) {
@@ -156,7 +157,7 @@ TEST(CreateClusters, OriginIsBehindTheSurfaceNearTheCentre) {
   Frame frame = Ball(center, 0.6);
   frame.labels.births = {{ClusterId{1}, 0, -1}};
   frame.With([&](const FrameView& view) {
-    CreateClusters(view, FrameId{4}, frame.points, frame.labels, &OriginBehindBox::Origin,
+    CreateClusters(view, kCenter, FrameId{4}, frame.points, frame.labels, &OriginBehindBox::Origin,
                    frame.map);
     return 0;
   });
@@ -177,7 +178,7 @@ TEST(CreateClusters, OriginMayBeTheMiddleOfThePoints) {
   Frame frame = Ball(center, 0.6);
   frame.labels.births = {{ClusterId{1}, 0, -1}};
   frame.With([&](const FrameView& view) {
-    CreateClusters(view, FrameId{4}, frame.points, frame.labels, &OriginAtCentroid::Origin,
+    CreateClusters(view, kCenter, FrameId{4}, frame.points, frame.labels, &OriginAtCentroid::Origin,
                    frame.map);
     return 0;
   });
@@ -189,7 +190,7 @@ TEST(CreateClusters, GivenLabelsAloneMakeAnUnnamedBodyOfItsPoints) {
   Frame frame = Ball({0.0, 0.0, 8.0}, 0.6);
   frame.labels.births = {{ClusterId{1}, -1, 5}};
   frame.With([&](const FrameView& view) {
-    CreateClusters(view, FrameId{4}, frame.points, frame.labels, &OriginBehindBox::Origin,
+    CreateClusters(view, kCenter, FrameId{4}, frame.points, frame.labels, &OriginBehindBox::Origin,
                    frame.map);
     return 0;
   });
@@ -202,7 +203,6 @@ TEST(CreateClusters, GivenLabelsAloneMakeAnUnnamedBodyOfItsPoints) {
 
 TEST(DropWeakBirths, RenumbersTheOthersAndGivesPointsBack) {
   Frame frame;
-  frame.options.clusters.min_landmarks = 3;
   frame.map.next = ClusterId{5};
   frame.window.landmarks.resize(1);
   frame.window.landmarks[0].label = {kStaticScene, 1};
@@ -215,10 +215,7 @@ TEST(DropWeakBirths, RenumbersTheOthersAndGivesPointsBack) {
   // Inferred to be of a birth, but not yet assigned to it.
   frame.labels.points.back().inferred = ClusterId{7};
   frame.labels.births = {{ClusterId{5}, 0, -1}, {ClusterId{6}, 1, -1}, {ClusterId{7}, 2, -1}};
-  frame.With([&](const FrameView& view) {
-    internal::DropWeakBirths(view, frame.window, frame.map, frame.points, frame.labels);
-    return 0;
-  });
+  internal::DropWeakBirths(3, frame.window, frame.map, frame.points, frame.labels);
   ASSERT_THAT(frame.labels.births, SizeIs(2));
   EXPECT_EQ(frame.labels.births[0].id, ClusterId{5});
   EXPECT_EQ(frame.labels.births[0].detection, 0);
@@ -260,6 +257,8 @@ TEST(IsAllowed, AFeatureIsGivenToItsBodyOnly) {
   EXPECT_FALSE(allowed({2, 3}, -1));
 }
 
+constexpr double kMinDisparity_px = 1.0;
+
 TEST(CollectPoints, LeavesOutNewPointsWithoutDisparityOnly) {
   Frame frame;
   frame.Add({0.0, 0.0, 5.0}, kNoOwner, -1, kNone);
@@ -267,7 +266,7 @@ TEST(CollectPoints, LeavesOutNewPointsWithoutDisparityOnly) {
   std::vector<ClusterTrack> tracks(2);
   tracks[1].matches = {{4, 2, 0}};
   const auto points = frame.With([&](const FrameView& view) {
-    return CollectPoints(view, {{9, 3, 0}}, tracks);
+    return CollectPoints(view, kMinDisparity_px, {{9, 3, 0}}, tracks);
   });
   ASSERT_THAT(points, SizeIs(3));
   EXPECT_EQ(points[0].owner, kNoOwner);
@@ -295,7 +294,7 @@ TEST(CollectPoints, TheReserveIsForWhereBodiesAre) {
   tracks[0].box = around(2);
   std::vector<int> features;
   for (const FramePoint& point : frame.With([&](const FrameView& view) {
-         return CollectPoints(view, {{9, 3, 0}}, tracks);
+         return CollectPoints(view, kMinDisparity_px, {{9, 3, 0}}, tracks);
        })) {
     features.push_back(point.feature);
   }
