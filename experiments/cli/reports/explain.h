@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cli/reports/run_images.h"
+#include "experiments/cli/pictures/run_images.h"
 #include "reports/runs/body_story.h"
 
 namespace cvo {

@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
-#include "experiments/cli/reports/report_images.h"
+#include "experiments/cli/pictures/report_images.h"
 #include "experiments/cli/reports/report_runs.h"
 #include "experiments/cli/reports/suite_table.h"
 #include "experiments/cli/scratch_folder.h"

@@ -10,7 +10,7 @@
 #include "core/files/json_record.h"
 #include "core/files/number.h"
 #include "experiments/cli/output_file.h"
-#include "experiments/cli/reports/overlay.h"
+#include "experiments/cli/pictures/overlay.h"
 #include "experiments/cli/reports/report.h"
 #include "experiments/cli/reports/suite_table.h"
 #include "experiments/cli/run/known_names.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/cli/reports/render_figures.h"
+#include "experiments/cli/pictures/render_figures.h"
 
-#include "experiments/cli/reports/browser.h"
+#include "experiments/cli/pictures/browser.h"
 #include "experiments/cli/scratch_folder.h"
 #include "reports/figure_files/render_page.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/cli/reports/plot_input.h"
+#include "experiments/cli/pictures/plot_input.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/cli/reports/plot_tracks.h"
+#include "experiments/cli/pictures/plot_tracks.h"
 
 #include <algorithm>
 #include <numbers>

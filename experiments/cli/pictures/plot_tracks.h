@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cli/reports/plot_input.h"
+#include "experiments/cli/pictures/plot_input.h"
 #include "experiments/metrics/alignment.h"
 #include "reports/figures/trajectory_plot.h"
 

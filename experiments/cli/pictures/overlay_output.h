@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cli/reports/run_images.h"
+#include "experiments/cli/pictures/run_images.h"
 #include "reports/overlays/overlay_run.h"
 
 namespace cvo {

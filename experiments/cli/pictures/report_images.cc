@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/cli/reports/report_images.h"
+#include "experiments/cli/pictures/report_images.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/files/atomic_file.h"
-#include "experiments/cli/reports/run_images.h"
+#include "experiments/cli/pictures/run_images.h"
 #include "reports/figures/numbers.h"
 #include "reports/overlays/draw_overlay.h"
 #include "reports/overlays/encode.h"

@@ -9,7 +9,7 @@
 #include "core/files/closest_names.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
-#include "experiments/cli/reports/render_figures.h"
+#include "experiments/cli/pictures/render_figures.h"
 #include "experiments/cli/reports/suite_table.h"
 #include "reports/figure_files/paper_figure.h"
 #include "reports/figures/suite_figures.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/cli/reports/overlay.h"
+#include "experiments/cli/pictures/overlay.h"
 
 #include <algorithm>
 #include <iostream>
@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
-#include "experiments/cli/reports/overlay_output.h"
+#include "experiments/cli/pictures/overlay_output.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/suite/suite_run.h"
 #include "experiments/datasets/frame_range.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/cli/reports/browser.h"
+#include "experiments/cli/pictures/browser.h"
 
 #include <poll.h>
 #include <unistd.h>

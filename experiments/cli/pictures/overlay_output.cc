@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/cli/reports/overlay_output.h"
+#include "experiments/cli/pictures/overlay_output.h"
 
 #include <algorithm>
 #include <cmath>

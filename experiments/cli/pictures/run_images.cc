@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/cli/reports/run_images.h"
+#include "experiments/cli/pictures/run_images.h"
 
 #include <array>
 #include <optional>
