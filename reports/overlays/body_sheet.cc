@@ -6,10 +6,10 @@
 #include <opencv2/core.hpp>
 
 #include "core/base/error.h"
-#include "reports/overlays/draw_cluster.h"
-#include "reports/overlays/draw_overlay.h"
-#include "reports/overlays/project.h"
-#include "reports/overlays/text_plate.h"
+#include "reports/overlays/drawing/draw_cluster.h"
+#include "reports/overlays/drawing/draw_overlay.h"
+#include "reports/overlays/drawing/project.h"
+#include "reports/overlays/drawing/text_plate.h"
 #include "reports/runs/body_words.h"
 
 namespace cvo::reports {

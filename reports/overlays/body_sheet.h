@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "reports/overlays/drawing/palette.h"
 #include "reports/overlays/overlay_run.h"
-#include "reports/overlays/palette.h"
 #include "reports/runs/body_story.h"
 
 namespace cvo::reports {

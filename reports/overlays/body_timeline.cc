@@ -6,8 +6,8 @@
 
 #include "core/base/error.h"
 #include "reports/overlays/body_sheet.h"
-#include "reports/overlays/strokes.h"
-#include "reports/overlays/text_plate.h"
+#include "reports/overlays/drawing/strokes.h"
+#include "reports/overlays/drawing/text_plate.h"
 
 namespace cvo::reports {
 namespace {

@@ -5,8 +5,8 @@
 #include <set>
 #include <tuple>
 
+#include "reports/overlays/drawing/palette.h"
 #include "reports/overlays/overlay_run.h"
-#include "reports/overlays/palette.h"
 
 namespace cvo::reports {
 namespace {

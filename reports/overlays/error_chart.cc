@@ -5,10 +5,10 @@
 
 #include "core/base/error.h"
 #include "core/files/number.h"
-#include "reports/overlays/draw_cluster.h"
+#include "reports/overlays/drawing/draw_cluster.h"
+#include "reports/overlays/drawing/strokes.h"
+#include "reports/overlays/drawing/text_plate.h"
 #include "reports/overlays/panels.h"
-#include "reports/overlays/strokes.h"
-#include "reports/overlays/text_plate.h"
 
 namespace cvo::reports {
 namespace {

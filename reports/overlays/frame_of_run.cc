@@ -6,8 +6,8 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
+#include "reports/overlays/drawing/project.h"
 #include "reports/overlays/overlay_run.h"
-#include "reports/overlays/project.h"
 
 namespace cvo::reports {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/overlays/draw_overlay.h"
-#include "reports/overlays/overlay_frame.h"
+#include "reports/overlays/drawing/draw_overlay.h"
+#include "reports/overlays/drawing/overlay_frame.h"
 
 namespace cvo::reports {
 

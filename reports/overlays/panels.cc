@@ -4,9 +4,9 @@
 
 #include <opencv2/core.hpp>
 
-#include "reports/overlays/draw_overlay.h"
+#include "reports/overlays/drawing/draw_overlay.h"
+#include "reports/overlays/drawing/text_plate.h"
 #include "reports/overlays/sheet.h"
-#include "reports/overlays/text_plate.h"
 
 namespace cvo::reports {
 namespace {

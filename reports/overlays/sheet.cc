@@ -6,8 +6,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
-#include "reports/overlays/draw_overlay.h"
-#include "reports/overlays/text_plate.h"
+#include "reports/overlays/drawing/draw_overlay.h"
+#include "reports/overlays/drawing/text_plate.h"
 
 namespace cvo::reports {
 namespace {

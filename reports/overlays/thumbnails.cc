@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "reports/overlays/draw_overlay.h"
+#include "reports/overlays/drawing/draw_overlay.h"
 #include "reports/overlays/encode.h"
 #include "reports/overlays/sheet.h"
 

@@ -7,8 +7,8 @@
 #include <span>
 
 #include "core/files/escape.h"
+#include "reports/overlays/drawing/palette.h"
 #include "reports/overlays/overlay_run.h"
-#include "reports/overlays/palette.h"
 #include "reports/page/page_parts.h"
 
 namespace cvo::reports {

@@ -90,6 +90,11 @@ std::vector<Part> MakeParts() {
   }
   parts.push_back(
       {"experiments/cli/", {"core/", "variants/", "experiments/", "reports/", "synth/"}, {}});
+  // What is drawn of a frame knows no folder of a run.
+  parts.push_back({"reports/overlays/drawing/",
+                   {"core/base/", "core/files/", "reports/results/", "reports/runs/",
+                    "reports/overlays/drawing/"},
+                   {"ceres/.*", "Eigen/.*", "filesystem"}});
   // They draw on images; all other reports know files of numbers and text alone.
   parts.push_back(
       {"reports/overlays/", {"core/base/", "core/files/", "reports/"}, {"ceres/.*", "Eigen/.*"}});

@@ -15,7 +15,7 @@
 #include "experiments/cli/progress.h"
 #include "experiments/cli/scratch_folder.h"
 #include "experiments/cli/stop_signal.h"
-#include "reports/overlays/draw_overlay.h"
+#include "reports/overlays/drawing/draw_overlay.h"
 #include "reports/overlays/encode.h"
 #include "reports/overlays/panels.h"
 #include "reports/overlays/sheet.h"

@@ -10,7 +10,7 @@
 #include "core/files/atomic_file.h"
 #include "experiments/cli/pictures/run_images.h"
 #include "reports/figures/numbers.h"
-#include "reports/overlays/draw_overlay.h"
+#include "reports/overlays/drawing/draw_overlay.h"
 #include "reports/overlays/encode.h"
 #include "reports/overlays/thumbnails.h"
 #include "reports/page/page_html.h"

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "reports/overlays/palette.h"
+#include "reports/overlays/drawing/palette.h"
 #include "tests/reports/overlays/overlay_scene.h"
 
 namespace cvo::reports {

@@ -4,8 +4,8 @@
 
 #include <opencv2/core.hpp>
 
-#include "reports/overlays/draw_overlay.h"
-#include "reports/overlays/palette.h"
+#include "reports/overlays/drawing/draw_overlay.h"
+#include "reports/overlays/drawing/palette.h"
 
 namespace cvo::test {
 

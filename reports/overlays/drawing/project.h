@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "reports/overlays/overlay_frame.h"
+#include "reports/overlays/drawing/overlay_frame.h"
 
 namespace cvo::reports {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/overlays/text_plate.h"
+#include "reports/overlays/drawing/text_plate.h"
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>

@@ -5,8 +5,8 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "reports/overlays/palette.h"
-#include "reports/overlays/project.h"
+#include "reports/overlays/drawing/palette.h"
+#include "reports/overlays/drawing/project.h"
 
 namespace cvo::reports {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <functional>
 
-#include "reports/overlays/draw_cluster.h"
-#include "reports/overlays/draw_overlay.h"
-#include "reports/overlays/text_plate.h"
+#include "reports/overlays/drawing/draw_cluster.h"
+#include "reports/overlays/drawing/draw_overlay.h"
+#include "reports/overlays/drawing/text_plate.h"
 
 namespace cvo::reports {
 namespace {

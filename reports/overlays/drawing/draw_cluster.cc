@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/overlays/draw_cluster.h"
+#include "reports/overlays/drawing/draw_cluster.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "reports/overlays/strokes.h"
+#include "reports/overlays/drawing/strokes.h"
 
 namespace cvo::reports {
 namespace {

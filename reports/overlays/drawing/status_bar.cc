@@ -4,8 +4,8 @@
 
 #include "core/base/error.h"
 #include "core/files/number.h"
-#include "reports/overlays/draw_cluster.h"
-#include "reports/overlays/text_plate.h"
+#include "reports/overlays/drawing/draw_cluster.h"
+#include "reports/overlays/drawing/text_plate.h"
 
 namespace cvo::reports {
 namespace {

@@ -5,10 +5,10 @@
 #include <opencv2/core/mat.hpp>
 #include <optional>
 
-#include "reports/overlays/draw_overlay.h"
-#include "reports/overlays/palette.h"
-#include "reports/overlays/project.h"
-#include "reports/overlays/strokes.h"
+#include "reports/overlays/drawing/draw_overlay.h"
+#include "reports/overlays/drawing/palette.h"
+#include "reports/overlays/drawing/project.h"
+#include "reports/overlays/drawing/strokes.h"
 
 namespace cvo::reports {
 

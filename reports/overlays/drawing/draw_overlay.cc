@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/overlays/draw_overlay.h"
+#include "reports/overlays/drawing/draw_overlay.h"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
-#include "reports/overlays/draw_cluster.h"
-#include "reports/overlays/strokes.h"
-#include "reports/overlays/text_plate.h"
+#include "reports/overlays/drawing/draw_cluster.h"
+#include "reports/overlays/drawing/strokes.h"
+#include "reports/overlays/drawing/text_plate.h"
 
 namespace cvo::reports {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/overlays/strokes.h"
+#include "reports/overlays/drawing/strokes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "reports/overlays/text_plate.h"
+#include "reports/overlays/drawing/text_plate.h"
 
 namespace cvo::reports {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/overlays/project.h"
+#include "reports/overlays/drawing/project.h"
 
 #include <algorithm>
 #include <array>

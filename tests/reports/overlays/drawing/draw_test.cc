@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "reports/overlays/drawing/text_plate.h"
 #include "reports/overlays/encode.h"
-#include "reports/overlays/text_plate.h"
 #include "tests/reports/overlays/overlay_scene.h"
 #include "tests/support/error_message.h"
 

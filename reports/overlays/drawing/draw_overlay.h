@@ -5,7 +5,7 @@
 #include <opencv2/core/mat.hpp>
 #include <string>
 
-#include "reports/overlays/overlay_frame.h"
+#include "reports/overlays/drawing/overlay_frame.h"
 
 namespace cvo::reports {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "reports/overlays/palette.h"
+#include "reports/overlays/drawing/palette.h"
 
 namespace cvo::reports {
 
