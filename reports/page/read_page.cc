@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "core/base/error.h"
-#include "reports/figures/suite_figures.h"
+#include "reports/figures/suite/suite_figures.h"
 #include "reports/page/choose_scenes.h"
 #include "reports/page/page_content.h"
 #include "reports/page/run_origin.h"

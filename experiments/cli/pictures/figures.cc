@@ -12,7 +12,7 @@
 #include "experiments/cli/pictures/render_figures.h"
 #include "experiments/cli/reports/suite_table.h"
 #include "reports/figure_files/paper_figure.h"
-#include "reports/figures/suite_figures.h"
+#include "reports/figures/suite/suite_figures.h"
 #include "reports/tables/make_table.h"
 
 namespace cvo {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "reports/figures/suite_figures.h"
+#include "reports/figures/suite/suite_figures.h"
 
 namespace cvo::test {
 

@@ -6,7 +6,7 @@
 #include "reports/figures/palette.h"
 #include "reports/figures/plot.h"
 #include "reports/figures/relation.h"
-#include "reports/figures/swept_lines.h"
+#include "reports/figures/suite/swept_lines.h"
 #include "tests/reports/figures/drawn_suite.h"
 
 namespace cvo::reports {

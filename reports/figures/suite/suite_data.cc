@@ -7,8 +7,8 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "reports/figures/numbers.h"
-#include "reports/figures/suite_figures.h"
-#include "reports/figures/swept_lines.h"
+#include "reports/figures/suite/suite_figures.h"
+#include "reports/figures/suite/swept_lines.h"
 
 namespace cvo::reports {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/figures/swept_lines.h"
+#include "reports/figures/suite/swept_lines.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/figures/suite_figures.h"
+#include "reports/figures/suite/suite_figures.h"
 
 #include <map>
 
 #include "core/base/error.h"
-#include "reports/figures/suite_parts.h"
+#include "reports/figures/suite/suite_parts.h"
 
 namespace cvo::reports {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
-#include "reports/figures/suite_parts.h"
+#include "reports/figures/suite/suite_parts.h"
 #include "tests/reports/figures/drawn_suite.h"
 
 namespace cvo::reports {

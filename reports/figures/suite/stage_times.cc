@@ -10,7 +10,7 @@
 #include "reports/figures/numbers.h"
 #include "reports/figures/palette.h"
 #include "reports/figures/plot.h"
-#include "reports/figures/suite_parts.h"
+#include "reports/figures/suite/suite_parts.h"
 
 namespace cvo::reports {
 namespace {

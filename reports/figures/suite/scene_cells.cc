@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/figures/scene_cells.h"
+#include "reports/figures/suite/scene_cells.h"
 
 #include <algorithm>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "reports/figures/swept_lines.h"
+#include "reports/figures/suite/swept_lines.h"
 #include "reports/tables/cells.h"
 #include "reports/tables/columns.h"
 #include "reports/tables/comparisons.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "reports/figures/scene_cells.h"
-#include "reports/figures/suite_figures.h"
+#include "reports/figures/suite/scene_cells.h"
+#include "reports/figures/suite/suite_figures.h"
 
 namespace cvo::reports {
 

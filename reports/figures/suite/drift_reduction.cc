@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "reports/figures/heat_map.h"
 #include "reports/figures/numbers.h"
-#include "reports/figures/suite_parts.h"
+#include "reports/figures/suite/suite_parts.h"
 #include "reports/results/metric_catalogue.h"
 
 namespace cvo::reports {

@@ -6,12 +6,12 @@
 
 #include "core/base/lists.h"
 #include "core/base/mean.h"
-#include "reports/figures/drawn_scenes.h"
-#include "reports/figures/error_marks.h"
 #include "reports/figures/numbers.h"
 #include "reports/figures/palette.h"
 #include "reports/figures/plot.h"
-#include "reports/figures/suite_parts.h"
+#include "reports/figures/suite/drawn_scenes.h"
+#include "reports/figures/suite/error_marks.h"
+#include "reports/figures/suite/suite_parts.h"
 
 namespace cvo::reports {
 namespace {

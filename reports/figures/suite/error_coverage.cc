@@ -10,9 +10,9 @@
 #include "reports/figures/palette.h"
 #include "reports/figures/plot.h"
 #include "reports/figures/relation.h"
-#include "reports/figures/scene_cells.h"
-#include "reports/figures/suite_parts.h"
-#include "reports/figures/swept_lines.h"
+#include "reports/figures/suite/scene_cells.h"
+#include "reports/figures/suite/suite_parts.h"
+#include "reports/figures/suite/swept_lines.h"
 
 namespace cvo::reports {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/files/json.h"
 #include "reports/figures/palette.h"
-#include "reports/figures/suite_figures.h"
+#include "reports/figures/suite/suite_figures.h"
 
 namespace cvo::reports {
 

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "reports/figures/drawn_scenes.h"
 #include "reports/figures/numbers.h"
 #include "reports/figures/palette.h"
 #include "reports/figures/plot.h"
-#include "reports/figures/suite_parts.h"
+#include "reports/figures/suite/drawn_scenes.h"
+#include "reports/figures/suite/suite_parts.h"
 
 namespace cvo::reports {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/figures/suite_figures.h"
+#include "reports/figures/suite/suite_figures.h"
 
 #include <gmock/gmock.h>
 
 #include <set>
 
-#include "reports/figures/error_reduction.h"
+#include "reports/figures/suite/error_reduction.h"
 #include "reports/tables/make_table.h"
 #include "tests/reports/figures/drawn_suite.h"
 #include "tests/reports/results/result_files.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/figures/error_marks.h"
+#include "reports/figures/suite/error_marks.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/figures/suite_figures.h"
+#include "reports/figures/suite/suite_figures.h"
 
 namespace cvo::reports {
 

@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "reports/figures/numbers.h"
 #include "reports/figures/plot.h"
-#include "reports/figures/suite_parts.h"
+#include "reports/figures/suite/suite_parts.h"
 
 namespace cvo::reports {
 namespace {

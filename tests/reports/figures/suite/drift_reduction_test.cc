@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "reports/figures/suite_parts.h"
+#include "reports/figures/suite/suite_parts.h"
 #include "tests/reports/figures/drawn_suite.h"
 
 namespace cvo::reports {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/figures/error_reduction.h"
+#include "reports/figures/suite/error_reduction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include "reports/figures/heat_map.h"
 #include "reports/figures/numbers.h"
 #include "reports/figures/relation.h"
-#include "reports/figures/scene_cells.h"
-#include "reports/figures/suite_parts.h"
+#include "reports/figures/suite/scene_cells.h"
+#include "reports/figures/suite/suite_parts.h"
 
 namespace cvo::reports {
 namespace {

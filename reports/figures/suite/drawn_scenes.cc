@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/figures/drawn_scenes.h"
+#include "reports/figures/suite/drawn_scenes.h"
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
