@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/features/orb.h"
+#include "core/features/orb/orb.h"
 #include "core/features/stereo_matcher.h"
 
 namespace cvo {

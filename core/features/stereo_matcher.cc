@@ -8,8 +8,8 @@
 #include <optional>
 #include <span>
 
+#include "core/features/orb/pyramid.h"
 #include "core/features/patch_alignment.h"
-#include "core/features/pyramid.h"
 #include "core/features/row_offset.h"
 
 namespace cvo {

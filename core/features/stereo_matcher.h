@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/features/options.h"
-#include "core/features/orb.h"
+#include "core/features/orb/orb.h"
 #include "core/features/stereo_feature.h"
 #include "core/geometry/stereo_camera.h"
 

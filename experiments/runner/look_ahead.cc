@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/features/front_end.h"
-#include "core/features/orb.h"
+#include "core/features/orb/orb.h"
 #include "core/features/stereo_matcher.h"
 #include "experiments/datasets/load_image.h"
 #include "experiments/runner/frame_detections.h"

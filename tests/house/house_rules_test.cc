@@ -76,7 +76,7 @@ TEST(Includes, SynthIncludesOnlyGeometryAndNothingIncludesTests) {
   EXPECT_THAT(Include("synth/scene/a.cc", "\"core/geometry/stereo_camera.h\""), IsEmpty());
   EXPECT_THAT(Include("synth/scene/a.cc", "\"core/files/json.h\""), IsEmpty());
   EXPECT_THAT(Include("synth/scene/a.cc", "\"experiments/datasets/sequence.h\""), SizeIs(1));
-  EXPECT_THAT(Include("synth/scene/a.cc", "\"core/features/orb.h\""), SizeIs(1));
+  EXPECT_THAT(Include("synth/scene/a.cc", "\"core/features/orb/orb.h\""), SizeIs(1));
   EXPECT_THAT(Include("synth/render/a.cc", "\"synth/scene/world.h\""), IsEmpty());
   EXPECT_THAT(Include("synth/models/a.cc", "\"synth/scene/world.h\""), SizeIs(1));
   EXPECT_THAT(Include("experiments/cli/a.cc", "\"tests/support/temp_folder.h\""), SizeIs(1));

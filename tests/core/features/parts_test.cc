@@ -8,13 +8,13 @@
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
-#include "core/features/brief.h"
-#include "core/features/corner_refinement.h"
-#include "core/features/corner_score.h"
-#include "core/features/corner_selection.h"
 #include "core/features/descriptor.h"
 #include "core/features/options.h"
-#include "core/features/pyramid.h"
+#include "core/features/orb/brief.h"
+#include "core/features/orb/corner_refinement.h"
+#include "core/features/orb/corner_score.h"
+#include "core/features/orb/corner_selection.h"
+#include "core/features/orb/pyramid.h"
 #include "core/features/row_offset.h"
 #include "tests/core/features/scene.h"
 

@@ -10,7 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/rng.h"
-#include "core/features/orb.h"
+#include "core/features/orb/orb.h"
 #include "core/features/stereo_matcher.h"
 #include "core/geometry/stereo_camera.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/features/corner_region.h"
+#include "core/features/orb/corner_region.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/features/brief.h"
+#include "core/features/orb/brief.h"
 
 #include <array>
 #include <cmath>

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "core/features/corner_region.h"
 #include "core/features/feature_patch.h"
 #include "core/features/options.h"
+#include "core/features/orb/corner_region.h"
 #include "core/features/stereo_feature.h"
 
 namespace cvo {

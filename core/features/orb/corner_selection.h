@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/features/corner_score.h"
+#include "core/features/orb/corner_score.h"
 
 namespace cvo {
 

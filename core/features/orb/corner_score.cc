@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/features/corner_score.h"
+#include "core/features/orb/corner_score.h"
 
 #include <algorithm>
 #include <cstring>

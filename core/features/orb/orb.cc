@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/features/orb.h"
+#include "core/features/orb/orb.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +9,11 @@
 #include <tuple>
 
 #include "core/base/error.h"
-#include "core/features/brief.h"
-#include "core/features/corner_refinement.h"
-#include "core/features/corner_score.h"
-#include "core/features/corner_selection.h"
-#include "core/features/pyramid.h"
+#include "core/features/orb/brief.h"
+#include "core/features/orb/corner_refinement.h"
+#include "core/features/orb/corner_score.h"
+#include "core/features/orb/corner_selection.h"
+#include "core/features/orb/pyramid.h"
 
 namespace cvo {
 namespace {

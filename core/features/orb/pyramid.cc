@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/features/pyramid.h"
+#include "core/features/orb/pyramid.h"
 
 #include <algorithm>
 #include <cmath>
