@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/files/number.h"
-#include "experiments/datasets/image_header.h"
+#include "experiments/datasets/formats/image_header.h"
 
 namespace cvo {
 namespace {

@@ -9,8 +9,8 @@
 #include "core/base/error.h"
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
-#include "experiments/datasets/image_header.h"
-#include "experiments/datasets/png.h"
+#include "experiments/datasets/formats/image_header.h"
+#include "experiments/datasets/formats/png.h"
 
 namespace cvo {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstdio>
 
 #include "experiments/datasets/body_truth_parts.h"
-#include "experiments/datasets/scene_truth.h"
+#include "experiments/datasets/formats/scene_truth.h"
 
 namespace cvo {
 

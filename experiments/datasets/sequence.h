@@ -15,33 +15,11 @@
 #include "core/geometry/rigid_transform.h"
 #include "core/geometry/stereo_camera.h"
 #include "experiments/calibration/rectification.h"
+#include "experiments/datasets/formats/object_boxes.h"
 #include "experiments/datasets/perturbation.h"
 #include "experiments/metrics/object_truth.h"
 
 namespace cvo {
-
-// One row of a KITTI label or detection file. Frames are counted from the start of the folder's
-// sequence.
-struct ObjectBox {
-  int frame = 0;
-  int track = -1;  // -1 where the file has none; never shown to the estimator
-  std::string type;
-  double truncation = -1.0;
-  int occlusion = -1;
-  double left_px = 0.0;
-  double top_px = 0.0;
-  double right_px = 0.0;
-  double bottom_px = 0.0;
-  // 3D box in rectified camera 0 (see Sequence::left_offset_m) where the file has one (labels):
-  // height, width, length (m), centre of the bottom face (m), heading about the y axis (rad).
-  struct Box3d {
-    double height_m, width_m, length_m;
-    Eigen::Vector3d bottom_in_camera;
-    double heading_rad;
-  };
-  std::optional<Box3d> box3d;
-  std::optional<double> score;
-};
 
 struct StereoPaths {
   std::filesystem::path left;

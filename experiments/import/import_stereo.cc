@@ -16,7 +16,7 @@
 #include "core/files/text_file.h"
 #include "experiments/calibration/rectification.h"
 #include "experiments/calibration/rig_file.h"
-#include "experiments/datasets/timestamps.h"
+#include "experiments/datasets/formats/timestamps.h"
 #include "experiments/import/stereo_source.h"
 
 namespace cvo {

@@ -11,7 +11,7 @@
 #include "core/base/lists.h"
 #include "core/files/closest_names.h"
 #include "core/files/text_file.h"
-#include "experiments/datasets/object_boxes.h"
+#include "experiments/datasets/formats/object_boxes.h"
 
 namespace cvo {
 namespace {

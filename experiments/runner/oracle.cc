@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/files/closest_names.h"
 #include "core/files/text_file.h"
-#include "experiments/datasets/scene_truth.h"
+#include "experiments/datasets/formats/scene_truth.h"
 
 namespace cvo {
 namespace {

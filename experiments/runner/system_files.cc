@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/files/number.h"
-#include "experiments/datasets/object_boxes.h"
+#include "experiments/datasets/formats/object_boxes.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/association.h"
 #include "experiments/metrics/pose_errors.h"

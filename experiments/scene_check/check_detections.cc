@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "experiments/datasets/object_boxes.h"
+#include "experiments/datasets/formats/object_boxes.h"
 #include "experiments/scene_check/checks.h"
 #include "experiments/scene_check/limits.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/task_pool.h"
-#include "experiments/datasets/scene_truth.h"
+#include "experiments/datasets/formats/scene_truth.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/scene_check/report.h"
 

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/files/text_file.h"
 #include "core/files/unique_names.h"
-#include "experiments/datasets/data_rows.h"
+#include "experiments/datasets/formats/data_rows.h"
 #include "experiments/metrics/trajectory.h"
 #include "reports/results/run_summary.h"
 

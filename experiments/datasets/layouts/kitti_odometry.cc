@@ -6,10 +6,10 @@
 // them in poses.txt beside the images, with labels.txt and detections/<level>.txt.
 
 #include "core/base/error.h"
+#include "experiments/datasets/formats/timestamps.h"
 #include "experiments/datasets/sequence_layout.h"
 #include "experiments/datasets/sequence_parts.h"
 #include "experiments/datasets/sequence_type.h"
-#include "experiments/datasets/timestamps.h"
 #include "experiments/metrics/trajectory.h"
 
 namespace cvo {

@@ -9,12 +9,12 @@
 #include "core/base/error.h"
 #include "core/files/closest_names.h"
 #include "core/files/text_file.h"
+#include "experiments/datasets/formats/oxts.h"
+#include "experiments/datasets/formats/timestamps.h"
 #include "experiments/datasets/image_files.h"
-#include "experiments/datasets/oxts.h"
 #include "experiments/datasets/sequence_layout.h"
 #include "experiments/datasets/sequence_parts.h"
 #include "experiments/datasets/sequence_type.h"
-#include "experiments/datasets/timestamps.h"
 
 namespace cvo {
 namespace {

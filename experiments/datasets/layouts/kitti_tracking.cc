@@ -6,11 +6,11 @@
 // <training>/image_02/<number>.
 
 #include "core/base/error.h"
-#include "experiments/datasets/oxts.h"
+#include "experiments/datasets/formats/oxts.h"
+#include "experiments/datasets/formats/timestamps.h"
 #include "experiments/datasets/sequence_layout.h"
 #include "experiments/datasets/sequence_parts.h"
 #include "experiments/datasets/sequence_type.h"
-#include "experiments/datasets/timestamps.h"
 
 namespace cvo {
 namespace {

@@ -16,12 +16,12 @@
 #include "core/files/text_file.h"
 #include "experiments/calibration/yaml_file.h"
 #include "experiments/datasets/body_truth_parts.h"
-#include "experiments/datasets/data_rows.h"
+#include "experiments/datasets/formats/data_rows.h"
+#include "experiments/datasets/formats/timestamps.h"
 #include "experiments/datasets/image_files.h"
 #include "experiments/datasets/sequence_layout.h"
 #include "experiments/datasets/sequence_parts.h"
 #include "experiments/datasets/sequence_type.h"
-#include "experiments/datasets/timestamps.h"
 
 namespace cvo {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/files/number.h"
-#include "experiments/datasets/object_boxes.h"
+#include "experiments/datasets/formats/object_boxes.h"
 
 namespace cvo {
 namespace {

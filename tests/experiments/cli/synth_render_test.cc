@@ -8,7 +8,7 @@
 
 #include "core/files/json.h"
 #include "core/files/sha256.h"
-#include "experiments/datasets/scene_truth.h"
+#include "experiments/datasets/formats/scene_truth.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/trajectory.h"
 #include "tests/experiments/cli/process.h"

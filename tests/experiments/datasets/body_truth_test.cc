@@ -7,7 +7,7 @@
 
 #include <numbers>
 
-#include "experiments/datasets/scene_truth.h"
+#include "experiments/datasets/formats/scene_truth.h"
 #include "tests/experiments/datasets/folders.h"
 #include "tests/support/error_message.h"
 

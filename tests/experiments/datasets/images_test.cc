@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/files/sha256.h"
+#include "experiments/datasets/formats/png.h"
 #include "experiments/datasets/load_image.h"
-#include "experiments/datasets/png.h"
 #include "tests/experiments/datasets/folders.h"
 
 namespace cvo {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 // The ground truth of rendered scenes: what is read, and what is refused.
-#include "experiments/datasets/scene_truth.h"
+#include "experiments/datasets/formats/scene_truth.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

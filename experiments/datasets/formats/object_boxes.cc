@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/datasets/object_boxes.h"
+#include "experiments/datasets/formats/object_boxes.h"
 
 #include <set>
 #include <utility>

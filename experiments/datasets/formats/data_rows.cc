@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/datasets/data_rows.h"
+#include "experiments/datasets/formats/data_rows.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/datasets/scene_truth.h"
+#include "experiments/datasets/formats/scene_truth.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/datasets/png.h"
+#include "experiments/datasets/formats/png.h"
 
 #include <zlib.h>
 

@@ -9,10 +9,10 @@
 
 #include "core/base/error.h"
 #include "core/files/number.h"
+#include "experiments/datasets/formats/object_boxes.h"
+#include "experiments/datasets/formats/oxts.h"
+#include "experiments/datasets/formats/timestamps.h"
 #include "experiments/datasets/frame_range.h"
-#include "experiments/datasets/object_boxes.h"
-#include "experiments/datasets/oxts.h"
-#include "experiments/datasets/timestamps.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/datasets/timestamps.h"
+#include "experiments/datasets/formats/timestamps.h"
 
 #include <chrono>
 #include <cmath>

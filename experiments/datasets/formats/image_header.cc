@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/datasets/image_header.h"
+#include "experiments/datasets/formats/image_header.h"
 
 #include <fstream>
 
 #include "core/base/error.h"
-#include "experiments/datasets/png.h"
+#include "experiments/datasets/formats/png.h"
 
 namespace cvo {
 namespace {

@@ -2,12 +2,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
-#include "experiments/datasets/sequence.h"
-
 namespace cvo {
+
+// One row of a KITTI label or detection file. Frames are counted from the start of the folder's
+// sequence.
+struct ObjectBox {
+  int frame = 0;
+  int track = -1;  // -1 where the file has none; never shown to the estimator
+  std::string type;
+  double truncation = -1.0;
+  int occlusion = -1;
+  double left_px = 0.0;
+  double top_px = 0.0;
+  double right_px = 0.0;
+  double bottom_px = 0.0;
+  // 3D box in rectified camera 0 (see Sequence::left_offset_m) where the file has one (labels):
+  // height, width, length (m), centre of the bottom face (m), heading about the y axis (rad).
+  struct Box3d {
+    double height_m, width_m, length_m;
+    Eigen::Vector3d bottom_in_camera;
+    double heading_rad;
+  };
+  std::optional<Box3d> box3d;
+  std::optional<double> score;
+};
 
 // KITTI tracking label files: 17 columns per row, frames below `frame_count`. Throws Error with
 // file and line.

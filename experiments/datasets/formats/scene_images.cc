@@ -5,8 +5,8 @@
 
 #include "core/base/error.h"
 #include "core/files/text_file.h"
-#include "experiments/datasets/png.h"
-#include "experiments/datasets/scene_truth.h"
+#include "experiments/datasets/formats/png.h"
+#include "experiments/datasets/formats/scene_truth.h"
 
 namespace cvo {
 namespace {
