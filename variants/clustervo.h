@@ -29,8 +29,7 @@ struct ClusterVo {
   using PastFrame = ExactPastFrame;
   using NewBody = AllDepths;
   using Pairwise = NormalizedGaussianKernel;
-  using LabelMatching = MatchAllLabels;
-  using Confidence = UnboundedConfidence;
+  using Confidence = CountLabels;
   using BirthOrigin = OriginAtCentroid;
   // Section 3.3.
   using MotionPrior = WhiteNoiseOnAccelerationFrameUnits;

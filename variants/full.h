@@ -10,7 +10,6 @@
 #include "core/clustering/box_term.h"
 #include "core/clustering/dense_crf.h"
 #include "core/clustering/label_confidence.h"
-#include "core/clustering/label_matching.h"
 #include "core/clustering/motion_term.h"
 #include "core/clusters/box_rematch.h"
 #include "core/clusters/cluster_association.h"
@@ -52,8 +51,7 @@ struct Full {
   using PastFrame = OldestPastFrame;
   using NewBody = NearestDepths;
   using Pairwise = NormalizedGaussianKernel;
-  using LabelMatching = MatchNewBoxes;
-  using Confidence = BoundedConfidence;
+  using Confidence = CountLabels;
   using BirthOrigin = OriginBehindBox;
   // Section 3.3.
   using MotionPrior = WhiteNoiseOnAcceleration;

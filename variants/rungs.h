@@ -176,21 +176,6 @@ struct AddLongPast : Base {
 };
 
 template <typename Base>
-struct AddKeptLabels : Base {
-  static constexpr std::string_view kRung = "kept_labels";
-  static constexpr std::string_view kAdds =
-      "clusters with a box keep their label: only new boxes are matched";
-  using LabelMatching = MatchNewBoxes;
-};
-
-template <typename Base>
-struct AddBoundedConfidence : Base {
-  static constexpr std::string_view kRung = "bounded_confidence";
-  static constexpr std::string_view kAdds = "the confidence of a label is bounded";
-  using Confidence = BoundedConfidence;
-};
-
-template <typename Base>
 struct AddReserve : Base {
   static constexpr std::string_view kRung = "reserve";
   static constexpr std::string_view kAdds = "bodies have a reserve of corners";

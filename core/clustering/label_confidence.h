@@ -2,27 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <concepts>
 
 #include "core/base/ids.h"
-#include "core/base/options.h"
 
 namespace cvo {
-
-struct ConfidenceOptions {
-  int max_confidence = 10;
-
-  template <typename Self, typename Visitor>
-  static void VisitFields(Self& self, Visitor& visit) {
-    visit.Field("max_confidence", self.max_confidence,
-                {"frames", 1, 100000,
-                 "maximum label confidence: number of frames with a different label before a "
-                 "landmark changes to it; larger is more robust to errors, smaller reacts faster "
-                 "when a parked car drives off",
-                 "METHOD.md 5.8"});
-  }
-};
 
 // The cluster of a landmark and how sure that is, w of section 3.2 of the paper.
 struct LabelState {
@@ -36,16 +20,14 @@ enum class LabelOutcome { kKept, kChanged, kRemove };
 // were matched with clusters; an invalid id is the outlier class. Outliers cost confidence but are
 // nothing that a landmark can be: it is to be removed instead, and the state is as before.
 template <typename Policy>
-concept ConfidencePolicy = requires(ClusterId inferred, const ConfidenceOptions& options,
-                                    LabelState& state) {
-  { Policy::Update(inferred, options, state) } -> std::same_as<LabelOutcome>;
+concept ConfidencePolicy = requires(ClusterId inferred, LabelState& state) {
+  { Policy::Update(inferred, state) } -> std::same_as<LabelOutcome>;
 };
 
 // Policy: w + 1 for the same label, w - 1 for another, which is accepted with w = 1 when w reaches
 // 0.
-struct UnboundedConfidence {
-  [[nodiscard]] static LabelOutcome Update(ClusterId inferred, const ConfidenceOptions&,
-                                           LabelState& state) {
+struct CountLabels {
+  [[nodiscard]] static LabelOutcome Update(ClusterId inferred, LabelState& state) {
     if (inferred.valid() && inferred == state.cluster) {
       ++state.confidence;
       return LabelOutcome::kKept;
@@ -60,20 +42,9 @@ struct UnboundedConfidence {
   }
 };
 
-// Policy: the same with w <= max_confidence, or what stood still for long could never move again.
-struct BoundedConfidence {
-  [[nodiscard]] static LabelOutcome Update(ClusterId inferred, const ConfidenceOptions& options,
-                                           LabelState& state) {
-    const LabelOutcome outcome = UnboundedConfidence::Update(inferred, options, state);
-    state.confidence = std::min(state.confidence, options.max_confidence);
-    return outcome;
-  }
-};
-
 // Policy: no memory, what was inferred last.
 struct TakeLabelsAtOnce {
-  [[nodiscard]] static LabelOutcome Update(ClusterId inferred, const ConfidenceOptions&,
-                                           LabelState& state) {
+  [[nodiscard]] static LabelOutcome Update(ClusterId inferred, LabelState& state) {
     if (!inferred.valid()) return LabelOutcome::kRemove;
     const bool is_same = inferred == state.cluster;
     state = {inferred, 1};

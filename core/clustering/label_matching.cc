@@ -19,12 +19,11 @@ void CheckInput(std::span<const LabelIdentity> labels, const LabeledNodes& nodes
   }
 }
 
-// Labels of the kinds that `wants` accepts.
-template <typename Wants>
-std::vector<int> LabelsThat(std::span<const LabelIdentity> labels, Wants wants) {
+std::vector<int> LabelsOfBodies(std::span<const LabelIdentity> labels) {
   std::vector<int> chosen;
   for (int label = 0; label < static_cast<int>(labels.size()); ++label) {
-    if (wants(labels[label].kind)) chosen.push_back(label);
+    const LabelKind kind = labels[label].kind;
+    if (kind == LabelKind::kCluster || kind == LabelKind::kNewBox) chosen.push_back(label);
   }
   return chosen;
 }
@@ -78,33 +77,11 @@ bool Contains(std::span<const ClusterId> ids, ClusterId id) {
 
 }  // namespace
 
-std::vector<ClusterId> MatchNewBoxes::Match(std::span<const LabelIdentity> labels,
-                                            const LabeledNodes& nodes,
-                                            const LabelMatchingOptions& options) {
-  CheckInput(labels, nodes);
-  std::vector<ClusterId> matched;
-  std::vector<ClusterId> detected;
-  for (const LabelIdentity& label : labels) {
-    matched.push_back(label.cluster);
-    if (label.kind == LabelKind::kCluster && label.is_detected) detected.push_back(label.cluster);
-  }
-  std::vector<ClusterId> clusters = PreviousClusters(nodes.previous);
-  std::erase_if(clusters, [&](ClusterId id) { return Contains(detected, id); });
-  MatchByOverlap(LabelsThat(labels, [](LabelKind kind) { return kind == LabelKind::kNewBox; }),
-                 clusters, nodes, options, matched);
-  return matched;
-}
-
-std::vector<ClusterId> MatchAllLabels::Match(std::span<const LabelIdentity> labels,
-                                             const LabeledNodes& nodes,
-                                             const LabelMatchingOptions& options) {
+std::vector<ClusterId> MatchLabels(std::span<const LabelIdentity> labels, const LabeledNodes& nodes,
+                                   const LabelMatchingOptions& options) {
   CheckInput(labels, nodes);
   std::vector<ClusterId> matched(labels.size());
-  MatchByOverlap(LabelsThat(labels,
-                            [](LabelKind kind) {
-                              return kind == LabelKind::kCluster || kind == LabelKind::kNewBox;
-                            }),
-                 PreviousClusters(nodes.previous), nodes, options, matched);
+  MatchByOverlap(LabelsOfBodies(labels), PreviousClusters(nodes.previous), nodes, options, matched);
   const std::vector<ClusterId> taken = matched;
   for (std::size_t label = 0; label < labels.size(); ++label) {
     if (!matched[label].valid() && !Contains(taken, labels[label].cluster)) {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <concepts>
 #include <span>
 #include <vector>
 
@@ -28,8 +27,7 @@ struct LabelMatchingOptions {
 // What a label of the CRF represents.
 struct LabelIdentity {
   LabelKind kind = LabelKind::kStatic;
-  ClusterId cluster;        // of kStatic and kCluster
-  bool is_detected = true;  // a cluster's: it has a box
+  ClusterId cluster;  // of kStatic and kCluster
 };
 
 // The result of the CRF for landmarks that there were before. By node, all alike in length.
@@ -39,27 +37,10 @@ struct LabeledNodes {
 };
 
 // By label, the cluster it continues (section 3.2 of the paper, Kuhn-Munkres over intersection over
-// union); an invalid id for the outliers, and where a new cluster begins.
-template <typename Policy>
-concept LabelMatchingPolicy = requires(std::span<const LabelIdentity> labels,
-                                       const LabeledNodes& nodes,
-                                       const LabelMatchingOptions& options) {
-  { Policy::Match(labels, nodes, options) } -> std::same_as<std::vector<ClusterId>>;
-};
-
-// Policy: clusters keep their label. A new box continues the cluster that its nodes were in before,
-// of those without a box and not the static scene.
-struct MatchNewBoxes {
-  static std::vector<ClusterId> Match(std::span<const LabelIdentity> labels,
-                                      const LabeledNodes& nodes,
-                                      const LabelMatchingOptions& options);
-};
-// Policy: as the paper reads, all labels compete for all clusters; the label of a cluster that
-// matches none keeps it if no other label took it.
-struct MatchAllLabels {
-  static std::vector<ClusterId> Match(std::span<const LabelIdentity> labels,
-                                      const LabeledNodes& nodes,
-                                      const LabelMatchingOptions& options);
-};
+// union): all labels of clusters and new boxes compete for all clusters, and the label of a cluster
+// that matches none keeps it if no other label took it. An invalid id for the outliers, and where a
+// new cluster begins.
+std::vector<ClusterId> MatchLabels(std::span<const LabelIdentity> labels, const LabeledNodes& nodes,
+                                   const LabelMatchingOptions& options);
 
 }  // namespace cvo

@@ -5,7 +5,6 @@
 #include "core/association/cluster_association_options.h"
 #include "core/association/projected_matching.h"
 #include "core/base/options.h"
-#include "core/clustering/label_confidence.h"
 #include "core/clustering/label_matching.h"
 #include "core/clustering/pairwise_options.h"
 #include "core/clustering/point_extent.h"
@@ -36,7 +35,6 @@ struct Options {
   UnaryOptions unary;
   PairwiseOptions pairwise;
   LabelMatchingOptions label_matching;
-  ConfidenceOptions confidence;
   ExtentOptions extent;
   MotionPriorOptions motion_prior;
   ClusterOptions clusters;
@@ -71,7 +69,6 @@ struct Options {
     visit.Group("unary", self.unary);
     visit.Group("pairwise", self.pairwise);
     visit.Group("label_matching", self.label_matching);
-    visit.Group("confidence", self.confidence);
     visit.Group("extent", self.extent);
     visit.Group("motion_prior", self.motion_prior);
     visit.Group("clusters", self.clusters);

@@ -27,7 +27,7 @@ DecidedLabels DescribeDecision(const Window& window, const ClusterMap& map,
   DecidedLabels result;
   for (std::size_t l = 0; l < scene.crf.labels.size(); ++l) {
     const CrfLabel& label = scene.crf.labels[l];
-    LabelIdentity identity{label.kind, l == 0 ? kStaticScene : ClusterId{}, label.box.has_value()};
+    LabelIdentity identity{label.kind, l == 0 ? kStaticScene : ClusterId{}};
     if (label.kind == LabelKind::kCluster) identity.cluster = map.live[l - 1].id;
     result.identities.push_back(identity);
   }

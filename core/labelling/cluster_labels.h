@@ -81,12 +81,11 @@ struct LabelOptions {
   LabelSceneOptions scene;
   PairwiseOptions pairwise;
   LabelMatchingOptions matching;
-  ConfidenceOptions confidence;
 };
 
 // Which body every point of the frame belongs to (section 3.2 of the paper).
 template <UnaryTerm Box, UnaryTerm Affinity, UnaryTerm Motion, PairwisePolicy Pairwise,
-          LabelMatchingPolicy LabelMatching, ConfidencePolicy Confidence>
+          ConfidencePolicy Confidence>
 FrameLabels LabelPoints(const FrameView& view, const LabelOptions& options, const Window& window,
                         const ClusterMap& map, const std::vector<ClusterTrack>& tracks,
                         const std::vector<FramePoint>& points, const LabelSceneSteps& steps) {
@@ -105,7 +104,7 @@ FrameLabels LabelPoints(const FrameView& view, const LabelOptions& options, cons
   FrameLabels labels;
   const internal::DecidedLabels decision =
       internal::DescribeDecision(window, map, points, scene, decided);
-  std::vector<ClusterId> cluster_of = LabelMatching::Match(
+  std::vector<ClusterId> cluster_of = MatchLabels(
       decision.identities, {decision.label_of_old, decision.previous}, options.matching);
   internal::NameLabels(map, scene, cluster_of, labels);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -114,8 +113,7 @@ FrameLabels LabelPoints(const FrameView& view, const LabelOptions& options, cons
     label.inferred = cluster_of[decided[i]];
     const Landmark* landmark = FindLandmark(points[i], window, map);
     label.assigned = landmark ? landmark->label : LabelState{label.inferred, 1};
-    if (landmark && Confidence::Update(label.inferred, options.confidence, label.assigned) ==
-                        LabelOutcome::kRemove) {
+    if (landmark && Confidence::Update(label.inferred, label.assigned) == LabelOutcome::kRemove) {
       label.assigned.cluster = ClusterId{};
     }
     label.energy_2d = unary.box(row, decided[i]);

@@ -6,7 +6,6 @@
 #include "core/association/gated_matching.h"
 #include "core/clustering/dense_crf.h"
 #include "core/clustering/label_confidence.h"
-#include "core/clustering/label_matching.h"
 #include "core/clustering/unary_terms.h"
 #include "core/clusters/box_rematch.h"
 #include "core/clusters/cluster_association.h"
@@ -27,9 +26,9 @@ namespace cvo {
 template <DetectionPolicy D, LandmarkAssociationPolicy LA, BoxWeightsPolicy BW, BoxCostPolicy BC,
           ClassGatePolicy CG, BoxRematchPolicy BR, RotationPolicy R, IdentityPolicy I, UnaryTerm BT,
           UnaryTerm AT, UnaryTerm MT, PointPlacePolicy PP, PastFramePolicy PF, NewBodyPolicy NB,
-          PairwisePolicy P, LabelMatchingPolicy LM, ConfidencePolicy C, BirthOriginPolicy BO,
-          MotionPriorPolicy MP, PastPolicy Pa, OutlierPolicy O, MarginalizationPolicy M,
-          GaugePolicy G, PromotionPolicy ST, CalibrationPolicy Ca, SolverPolicy S>
+          PairwisePolicy P, ConfidencePolicy C, BirthOriginPolicy BO, MotionPriorPolicy MP,
+          PastPolicy Pa, OutlierPolicy O, MarginalizationPolicy M, GaugePolicy G,
+          PromotionPolicy ST, CalibrationPolicy Ca, SolverPolicy S>
 struct Axes {
   using Detections = D;
   using LandmarkAssociation = LA;
@@ -46,7 +45,6 @@ struct Axes {
   using PastFrame = PF;
   using NewBody = NB;
   using Pairwise = P;
-  using LabelMatching = LM;
   using Confidence = C;
   using BirthOrigin = BO;
   using MotionPrior = MP;
@@ -67,8 +65,8 @@ using AxesOf =
          typename V::BoxCost, typename V::ClassGate, typename V::BoxRematch, typename V::Rotation,
          typename V::Identity, typename V::BoxTerm, typename V::AffinityTerm,
          typename V::MotionTerm, typename V::PointPlace, typename V::PastFrame, typename V::NewBody,
-         typename V::Pairwise, typename V::LabelMatching, typename V::Confidence,
-         typename V::BirthOrigin, typename V::MotionPrior, typename V::Past, typename V::Outliers,
+         typename V::Pairwise, typename V::Confidence, typename V::BirthOrigin,
+         typename V::MotionPrior, typename V::Past, typename V::Outliers,
          typename V::MarginalizationRule, typename V::Gauge, typename V::SpatialTrack,
          typename V::Calibration, typename V::Solver>;
 

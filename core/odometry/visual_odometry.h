@@ -96,9 +96,9 @@ class VisualOdometry final : public Odometry {
                                     options_.clusters, options_.PastFrames()};
       labels = LabelPoints<typename Variant::BoxTerm, typename Variant::AffinityTerm,
                            typename Variant::MotionTerm, typename Variant::Pairwise,
-                           typename Variant::LabelMatching, typename Variant::Confidence>(
-          view, {scene, options_.pairwise, options_.label_matching, options_.confidence}, window_,
-          clusters_, cluster_tracks, points,
+                           typename Variant::Confidence>(
+          view, {scene, options_.pairwise, options_.label_matching}, window_, clusters_,
+          cluster_tracks, points,
           StepsOf<typename Variant::PointPlace, typename Variant::PastFrame,
                   typename Variant::NewBody>());
       AdoptDetections(labels, clusters_, cluster_tracks);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/estimation/cluster.h"
 #include "core/odometry/detection_policies.h"
 
 namespace cvo {

@@ -19,7 +19,6 @@ struct Group {
 };
 
 // Labels: static scene, cluster 5, two new boxes, outliers.
-template <LabelMatchingPolicy Policy = MatchNewBoxes>
 std::vector<ClusterId> Match(std::initializer_list<Group> groups) {
   const LabelIdentity labels[] = {{LabelKind::kStatic, kStaticScene},
                                   {LabelKind::kCluster, ClusterId{5}},
@@ -32,19 +31,19 @@ std::vector<ClusterId> Match(std::initializer_list<Group> groups) {
     label_of_node.insert(label_of_node.end(), group.count, group.label);
     previous_of_node.insert(previous_of_node.end(), group.count, group.previous);
   }
-  return Policy::Match(labels, {label_of_node, previous_of_node}, {});
+  return MatchLabels(labels, {label_of_node, previous_of_node}, {});
 }
 
 std::vector<ClusterId> Expect(ClusterId first_box, ClusterId second_box) {
   return {kStaticScene, ClusterId{5}, first_box, second_box, kNone};
 }
 
-TEST(MatchNewBoxes, NewBoxContinuesTheClusterOfItsNodes) {
+TEST(MatchLabels, NewBoxContinuesTheClusterOfItsNodes) {
   EXPECT_EQ(Match({{10, 2, ClusterId{7}}, {5, 2, kNone}, {3, 0, ClusterId{7}}}),
             Expect(ClusterId{7}, kNone));
 }
 
-TEST(MatchNewBoxes, ThreeTenthsOfTheUnionAreNeeded) {
+TEST(MatchLabels, ThreeTenthsOfTheUnionAreNeeded) {
   // 3 shared of 3 + 5 + 2 and of 3 + 5 + 3; nodes without a cluster count in the union.
   EXPECT_EQ(Match({{3, 3, ClusterId{7}}, {5, 3, kNone}, {2, 4, ClusterId{7}}}),
             Expect(kNone, ClusterId{7}));
@@ -53,58 +52,44 @@ TEST(MatchNewBoxes, ThreeTenthsOfTheUnionAreNeeded) {
 }
 
 // Each for itself would take cluster 7; together 7 + 8 share more than 8 + nothing.
-TEST(MatchNewBoxes, BoxesShareOutTheClusters) {
+TEST(MatchLabels, BoxesShareOutTheClusters) {
   EXPECT_EQ(Match({{9, 2, ClusterId{7}}, {8, 2, ClusterId{8}}, {8, 3, ClusterId{7}}}),
             Expect(ClusterId{8}, ClusterId{7}));
 }
 
-TEST(MatchNewBoxes, OneClusterIsContinuedByOneBox) {
+TEST(MatchLabels, OneClusterIsContinuedByOneBox) {
   EXPECT_EQ(Match({{10, 2, ClusterId{7}}, {9, 3, ClusterId{7}}}), Expect(ClusterId{7}, kNone));
   EXPECT_EQ(Match({{10, 2, ClusterId{7}}, {10, 3, ClusterId{7}}}), Expect(ClusterId{7}, kNone));
 }
 
-TEST(MatchNewBoxes, StaticSceneAndClustersWithALabelAreNotToBeHad) {
-  EXPECT_EQ(Match({{10, 2, kStaticScene}, {10, 3, ClusterId{5}}}), Expect(kNone, kNone));
+TEST(MatchLabels, TheSceneOrOtherLabelsLeaveABoxNew) {
   EXPECT_EQ(Match({{10, 2, kNone}, {10, 0, ClusterId{7}}}), Expect(kNone, kNone));
 }
 
-TEST(MatchNewBoxes, NothingToMatch) {
+TEST(MatchLabels, NothingToMatch) {
   EXPECT_EQ(Match({}), Expect(kNone, kNone));
-  EXPECT_TRUE(MatchNewBoxes::Match({}, {}, {}).empty());
+  EXPECT_TRUE(MatchLabels({}, {}, {}).empty());
 }
 
-TEST(MatchNewBoxes, AClusterWithoutABoxKeepsItsLabelBesideTheBoxThatShowsIt) {
-  const LabelIdentity labels[] = {{LabelKind::kStatic, kStaticScene},
-                                  {LabelKind::kCluster, ClusterId{5}, false},
-                                  {LabelKind::kNewBox, kNone},
-                                  {LabelKind::kOutlier, kNone}};
-  const int of_node[] = {2, 2};
-  const ClusterId previous[] = {ClusterId{5}, ClusterId{5}};
-  EXPECT_EQ(MatchNewBoxes::Match(labels, {of_node, previous}, {}),
-            (std::vector<ClusterId>{kStaticScene, ClusterId{5}, ClusterId{5}, kNone}));
-}
-
-TEST(MatchAllLabels, ANewBoxMayTakeTheClusterOfALabel) {
-  EXPECT_EQ(Match<MatchAllLabels>({{10, 2, ClusterId{5}}, {2, 1, ClusterId{5}}}),
+TEST(MatchLabels, ANewBoxMayTakeTheClusterOfALabel) {
+  EXPECT_EQ(Match({{10, 2, ClusterId{5}}, {2, 1, ClusterId{5}}}),
             (std::vector<ClusterId>{kStaticScene, kNone, ClusterId{5}, kNone, kNone}));
 }
 
-TEST(MatchAllLabels, ALabelWithoutAMatchKeepsItsClusterIfNoOtherTookIt) {
-  EXPECT_EQ(Match<MatchAllLabels>({{10, 2, ClusterId{7}}, {3, 0, ClusterId{5}}}),
-            Expect(ClusterId{7}, kNone));
+TEST(MatchLabels, ALabelWithoutAMatchKeepsItsClusterIfNoOtherTookIt) {
+  EXPECT_EQ(Match({{10, 2, ClusterId{7}}, {3, 0, ClusterId{5}}}), Expect(ClusterId{7}, kNone));
 }
 
-TEST(MatchAllLabels, TheStaticSceneIsNobodysToTake) {
-  EXPECT_EQ(Match<MatchAllLabels>({{10, 2, kStaticScene}, {10, 1, kStaticScene}}),
-            Expect(kNone, kNone));
+TEST(MatchLabels, TheStaticSceneIsNobodysToTake) {
+  EXPECT_EQ(Match({{10, 2, kStaticScene}, {10, 1, kStaticScene}}), Expect(kNone, kNone));
 }
 
-TEST(MatchNewBoxes, RefusesLabelsThatAreNone) {
+TEST(MatchLabels, RefusesLabelsThatAreNone) {
   EXPECT_NE(ErrorMessage([] { Match({{1, 5, kNone}}); }), "");
   EXPECT_NE(ErrorMessage([] { Match({{1, -1, kNone}}); }), "");
   const LabelIdentity label{};
   const int of_node = 0;
-  EXPECT_NE(ErrorMessage([&] { MatchNewBoxes::Match({&label, 1}, {{&of_node, 1}, {}}, {}); }), "");
+  EXPECT_NE(ErrorMessage([&] { MatchLabels({&label, 1}, {{&of_node, 1}, {}}, {}); }), "");
 }
 
 constexpr ClusterId kCar{3};
@@ -112,26 +97,15 @@ constexpr ClusterId kCar{3};
 template <typename Policy>
 LabelOutcome Repeat(int times, ClusterId inferred, LabelState& state) {
   LabelOutcome outcome = LabelOutcome::kKept;
-  for (int i = 0; i < times; ++i) outcome = Policy::Update(inferred, {}, state);
+  for (int i = 0; i < times; ++i) outcome = Policy::Update(inferred, state);
   return outcome;
 }
 
-TEST(BoundedConfidence, GrowsToTheBoundAndYieldsAfterAsManyFrames) {
+TEST(CountLabels, YieldsAfterAsManyFramesAsItHeld) {
   LabelState state{kStaticScene, 1};
-  EXPECT_EQ(Repeat<BoundedConfidence>(200, kStaticScene, state), LabelOutcome::kKept);
-  EXPECT_EQ(state.confidence, 10);
-  EXPECT_EQ(Repeat<BoundedConfidence>(9, kCar, state), LabelOutcome::kKept);
-  EXPECT_EQ(state.cluster, kStaticScene);
-  EXPECT_EQ(Repeat<BoundedConfidence>(1, kCar, state), LabelOutcome::kChanged);
-  EXPECT_EQ(state.cluster, kCar);
-  EXPECT_EQ(state.confidence, 1);
-}
-
-TEST(UnboundedConfidence, YieldsAfterAsManyFramesAsItHeld) {
-  LabelState state{kStaticScene, 1};
-  EXPECT_EQ(Repeat<UnboundedConfidence>(200, kStaticScene, state), LabelOutcome::kKept);
-  EXPECT_EQ(Repeat<UnboundedConfidence>(200, kCar, state), LabelOutcome::kKept);
-  EXPECT_EQ(Repeat<UnboundedConfidence>(1, kCar, state), LabelOutcome::kChanged);
+  EXPECT_EQ(Repeat<CountLabels>(200, kStaticScene, state), LabelOutcome::kKept);
+  EXPECT_EQ(Repeat<CountLabels>(200, kCar, state), LabelOutcome::kKept);
+  EXPECT_EQ(Repeat<CountLabels>(1, kCar, state), LabelOutcome::kChanged);
 }
 
 TEST(TakeLabelsAtOnce, HasNoMemory) {
@@ -143,26 +117,21 @@ TEST(TakeLabelsAtOnce, HasNoMemory) {
   EXPECT_EQ(Repeat<TakeLabelsAtOnce>(1, kNone, state), LabelOutcome::kRemove);
 }
 
-template <typename Policy>
-class Confidence : public ::testing::Test {};
-using Policies = ::testing::Types<UnboundedConfidence, BoundedConfidence>;
-TYPED_TEST_SUITE(Confidence, Policies);
-
-TYPED_TEST(Confidence, OutliersCostConfidenceAndAtZeroTheLandmark) {
+TEST(CountLabels, OutliersCostConfidenceAndAtZeroTheLandmark) {
   LabelState state{kCar, 3};
-  EXPECT_EQ(Repeat<TypeParam>(2, kNone, state), LabelOutcome::kKept);
+  EXPECT_EQ(Repeat<CountLabels>(2, kNone, state), LabelOutcome::kKept);
   EXPECT_EQ(state.cluster, kCar);
   EXPECT_EQ(state.confidence, 1);
-  EXPECT_EQ(Repeat<TypeParam>(1, kNone, state), LabelOutcome::kRemove);
+  EXPECT_EQ(Repeat<CountLabels>(1, kNone, state), LabelOutcome::kRemove);
   EXPECT_EQ(state.cluster, kCar);
 }
 
-TYPED_TEST(Confidence, NewLandmarkTakesItsFirstLabel) {
+TEST(CountLabels, NewLandmarkTakesItsFirstLabel) {
   LabelState state;
-  EXPECT_EQ(Repeat<TypeParam>(1, kCar, state), LabelOutcome::kChanged);
+  EXPECT_EQ(Repeat<CountLabels>(1, kCar, state), LabelOutcome::kChanged);
   EXPECT_EQ(state.cluster, kCar);
   state = {};
-  EXPECT_EQ(Repeat<TypeParam>(1, kNone, state), LabelOutcome::kRemove);
+  EXPECT_EQ(Repeat<CountLabels>(1, kNone, state), LabelOutcome::kRemove);
 }
 
 }  // namespace
