@@ -5,7 +5,7 @@
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help deps build report table table-all table-kitti sweep regression baseline test fuzz soak mutate bench asan asan-variants tsan sbom format format-check lint clean
+.PHONY: help deps build report table table-all table-kitti sweep regression gate-power baseline test fuzz soak mutate bench asan asan-variants tsan sbom format format-check lint clean
 
 release := build/release
 asan := build/asan
@@ -77,6 +77,10 @@ regression: program ## run the suite ci and hold it against the committed baseli
 	code=$$?; test $$code -le 1 || exit $$code; \
 	$(release)/bin/clustervo check results/ci --baseline $(baseline) --junit results/ci/check.xml \
 	  --markdown results/ci/check.md
+
+gate-power: program ## which additions to the estimator would make regression fail if they were lost?
+	@$(release)/bin/clustervo experiment run gate_power -o results/gate_power $(addprefix -j ,$(JOBS))
+	@$(release)/bin/clustervo check results/gate_power --baseline $(baseline) --in-place-of full
 
 # Sixteen seeds tell how far seeds are apart; a check runs the suite's own two.
 baseline: program ## accept what the estimator does now: renew the baseline of make regression

@@ -61,6 +61,7 @@ Command AddExperimentTableCommand(CLI::App& experiment);
 Command AddExperimentCompareCommand(CLI::App& experiment);
 Command AddExperimentRunCommand(CLI::App& experiment);
 Command AddExperimentStatusCommand(CLI::App& experiment);
+Command AddExperimentTimesCommand(CLI::App& experiment);
 Command AddExperimentJobCommand(CLI::App& experiment);
 
 }  // namespace cvo

@@ -92,8 +92,10 @@ struct Sequence {
   std::vector<std::string> missing;  // what a complete folder would also hold, one line each
 };
 
-// In place of a detections file: the 2D boxes of the labels, without anything else.
+// In place of a detections file: the 2D boxes of the labels, without anything else; with
+// "labels:FIRST-LAST" those of the tracks with these ids alone.
 inline constexpr const char* kDetectionsFromLabels = "labels";
+bool AreFromLabels(const std::string& detections);
 
 // What a user asks for; empty means: decide from the folder.
 struct SequenceRequest {
@@ -106,7 +108,7 @@ struct SequenceRequest {
   int end_frame = -1;
   std::filesystem::path labels_file = {};  // instead of the folder's own
   int labels_camera = -1;                  // -1: image_02; in KITTI odometry the left image read
-  std::filesystem::path detections_file = {};  // or a scene's level, "good"; or "labels"
+  std::filesystem::path detections_file = {};  // or a scene's level, "good"; or AreFromLabels
   int detections_camera = -1;  // image_0X the boxes were detected in; -1: the left image read
   double min_score = -1e300;   // detections below are left out
   // Of the camera (StereoCamera); empty: 0, the calibration as published.

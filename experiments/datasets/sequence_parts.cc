@@ -3,6 +3,9 @@
 #include "experiments/datasets/sequence_parts.h"
 
 #include <algorithm>
+#include <charconv>
+#include <limits>
+#include <string_view>
 #include <utility>
 
 #include "core/base/error.h"
@@ -17,6 +20,8 @@ namespace cvo {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::string_view kTracksOfLabels = "labels:";
 
 template <typename T>
 void Cut(const FrameRange& range, std::vector<T>& values) {
@@ -45,8 +50,29 @@ void MoveLabels(double offset_m, double fx, std::vector<ObjectBox>& labels) {
   }
 }
 
+struct TrackRange {
+  int first = std::numeric_limits<int>::min();  // what has no track is below 0
+  int last = std::numeric_limits<int>::max();
+};
+
+// Of "labels" and "labels:FIRST-LAST".
+TrackRange TracksOf(const std::string& detections) {
+  TrackRange range;
+  if (detections == kDetectionsFromLabels) return range;
+  const std::string_view ids = std::string_view(detections).substr(kTracksOfLabels.size());
+  const char* const end = ids.data() + ids.size();
+  const auto first = std::from_chars(ids.data(), end, range.first);
+  if (first.ec == std::errc() && first.ptr != end && *first.ptr == '-') {
+    const auto last = std::from_chars(first.ptr + 1, end, range.last);
+    if (last.ec == std::errc() && last.ptr == end && range.first <= range.last) return range;
+  }
+  ThrowError("option --detections", Quoted(detections),
+             "labels, or labels:FIRST-LAST with the ids of tracks, as labels:0-5");
+}
+
 // Without what a detector could not know, and where the labels are already: in the left image read.
-void UseLabelsAsDetections(double min_score, Sequence& sequence) {
+void UseLabelsAsDetections(const std::string& detections, double min_score, Sequence& sequence) {
+  const TrackRange tracks = TracksOf(detections);
   if (sequence.labels.empty()) {
     ThrowError("option --detections", "\"labels\", but the sequence has none",
                "a sequence with labels, or --labels FILE");
@@ -55,6 +81,7 @@ void UseLabelsAsDetections(double min_score, Sequence& sequence) {
     ThrowError("option --min-score", "a lowest score for labels", "a file of boxes with scores");
   }
   for (const ObjectBox& label : sequence.labels) {
+    if (label.track < tracks.first || label.track > tracks.last) continue;
     ObjectBox box;
     box.frame = label.frame;
     box.type = label.type;
@@ -102,6 +129,10 @@ void DropLowScores(const fs::path& file, double min_score, std::vector<ObjectBox
 }
 
 }  // namespace
+
+bool AreFromLabels(const std::string& detections) {
+  return detections == kDetectionsFromLabels || detections.starts_with(kTracksOfLabels);
+}
 
 CameraPair ChoosePair(const SequenceRequest& request, const std::vector<CameraPair>& pairs) {
   if (!request.pair.empty()) {
@@ -169,8 +200,8 @@ void AddBoxes(const SequenceRequest& request, Sequence& sequence) {
     sequence.labels = ReadLabels(request.labels_file, sequence.total_frames);
     sequence.text_files.push_back(request.labels_file);
   }
-  if (request.detections_file == kDetectionsFromLabels) {
-    UseLabelsAsDetections(request.min_score, sequence);
+  if (AreFromLabels(request.detections_file)) {
+    UseLabelsAsDetections(request.detections_file, request.min_score, sequence);
   } else if (!request.detections_file.empty()) {
     sequence.detections = ReadDetections(request.detections_file, sequence.total_frames);
     DropLowScores(request.detections_file, request.min_score, sequence.detections);
@@ -249,8 +280,8 @@ void AddBoxes(const SequenceRequest& request, const LabelSource& own_labels, con
                sequence.labels);
     sequence.text_files.push_back(labels_file);
   }
-  if (request.detections_file == kDetectionsFromLabels) {
-    UseLabelsAsDetections(request.min_score, sequence);
+  if (AreFromLabels(request.detections_file)) {
+    UseLabelsAsDetections(request.detections_file, request.min_score, sequence);
   } else if (!request.detections_file.empty()) {
     const int camera = request.detections_camera == -1 ? left_camera : request.detections_camera;
     sequence.detections = ReadDetections(request.detections_file, sequence.total_frames);

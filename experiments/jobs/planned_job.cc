@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/jobs/planned_job.h"
 
+#include <algorithm>
 #include <system_error>
 
 #include "core/base/error.h"
@@ -69,10 +70,12 @@ void RunVariant(const Plan& plan, const Cell& cell, const Sequence& sequence, co
                      .variant = FindVariant(cell.variant),
                      .options = OptionsOf(plan.suite, cell.variant, cell.parameters),
                      .seed = cell.seed,
+                     .threads = std::max(plan.suite.timed_threads, 1),
                      .classes = ClassesOf(cell.sequence),
                      .oracle = OracleOf(cell.oracle),
                      .landmarks = cell.landmarks};
   cache.Serve(request);
+  if (plan.suite.timed_threads > 0) request.cache = nullptr;  // features count in its time
   folder.CheckIdentity(IdentifyJob(request), sequence);
   const std::optional<JobOutcome> outcome = RunJob(request, folder.path());
   // Of the bytes that were run on, which may have changed since they were looked at.

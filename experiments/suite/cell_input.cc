@@ -78,7 +78,7 @@ std::vector<std::string> SceneAssignments(const SuiteSequence& sequence,
 
 std::string DetectorLevel(const SuiteSequence& sequence) {
   const bool own = sequence.detector.model.empty();
-  return own && sequence.detections != kDetectionsFromLabels ? sequence.detections : "";
+  return own && !AreFromLabels(sequence.detections) ? sequence.detections : "";
 }
 
 SequenceRequest RequestOf(const Cell& cell, const fs::path& folder, const fs::path& data,
@@ -101,8 +101,8 @@ SequenceRequest RequestOf(const Cell& cell, const fs::path& folder, const fs::pa
     request.begin_frame = range.begin;
     request.end_frame = range.end;
   }
-  const bool from_labels = sequence.detections == kDetectionsFromLabels;
-  if (from_labels) request.detections_file = kDetectionsFromLabels;
+  const bool from_labels = AreFromLabels(sequence.detections);
+  if (from_labels) request.detections_file = sequence.detections;
   if (!sequence.detections.empty() && !from_labels && !by_detector) {
     request.detections_file = data / sequence.detections;
   }

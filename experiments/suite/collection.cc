@@ -65,6 +65,7 @@ CollectionSection ReadSection(ObjectReader object, const fs::path& folder) {
   section.suite = SuitePath(object.TextOr("suite", ""), folder);
   if (object.Has("text")) section.text = Texts(object.Value("text"), object.Where("text"));
   section.data = object.TextOr("data", "");
+  section.times = object.BoolOr("times", false);
   if (object.Has("columns")) ReadRows(object, section);
   for (ObjectReader& figure : object.ObjectsOr("figures")) {
     section.figures.push_back(ReadFigure(std::move(figure)));

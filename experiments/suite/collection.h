@@ -30,6 +30,7 @@ struct CollectionSection {
   // Variants whose measured frames per second go below, with the cells before it.
   std::vector<std::pair<std::string, std::vector<std::string>>> measured;
   std::vector<CollectionFigure> figures;
+  bool times = false;  // the suite's times in place of its table
 };
 
 // Suites that are run one after the other and shown on one page.

@@ -22,8 +22,8 @@ std::string FindMissingFile(const SuiteSequence& sequence, const fs::path& data)
   const SuiteDetector& detector = sequence.detector;
   std::vector<std::string> files = {detector.model, detector.weights, detector.names,
                                     sequence.labels};
-  const bool is_file = detector.model.empty() && sequence.scene.empty() &&
-                       sequence.detections != kDetectionsFromLabels;
+  const bool is_file =
+      detector.model.empty() && sequence.scene.empty() && !AreFromLabels(sequence.detections);
   if (is_file) files.push_back(sequence.detections);
   for (const std::string& file : files) {
     std::error_code ignored;

@@ -71,6 +71,7 @@ std::string DefaultName(const SuiteSequence& sequence) {
 }
 
 constexpr std::uint64_t kMaxFamilySeeds = 10000;
+constexpr int kMaxTimedThreads = 256;
 
 // "1000:1040" (its end not included), or one number.
 std::pair<std::uint32_t, std::uint64_t> ReadSeedRange(ObjectReader& object) {
@@ -265,6 +266,7 @@ Suite ReadCheckedSuite(const Json& json, const std::string& where, const fs::pat
   for (ObjectReader& system : object.ObjectsOr("systems")) {
     suite.systems.push_back(ReadSystem(std::move(system), suite.sequences));
   }
+  suite.timed_threads = object.IntegerOr("timed_threads", {1, kMaxTimedThreads}, 0);
   suite.landmarks = object.BoolOr("landmarks", false);
   suite.table = ReadTable(object.Object("table"));
   object.Finish();

@@ -86,6 +86,7 @@ struct Suite {
   bool grid_one_at_a_time = false;   // instead: each axis alone, the others at their defaults
   std::vector<std::vector<std::string>> oracles = {{}};  // sets of switches (runner/oracle.h)
   std::vector<SuiteSystem> systems;
+  int timed_threads = 0;   // jobs run one at a time, each with so many threads; 0: not timed
   bool landmarks = false;  // jobs of the first seed keep every landmark: what overlays draw
   SuiteTable table;
 };

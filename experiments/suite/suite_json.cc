@@ -70,6 +70,7 @@ Json SuiteToJson(const Suite& suite) {
   json["oracles"] = suite.oracles;
   json["systems"] = Json::array();
   for (const SuiteSystem& system : suite.systems) json["systems"].push_back(SystemToJson(system));
+  if (suite.timed_threads > 0) json["timed_threads"] = suite.timed_threads;
   json["landmarks"] = suite.landmarks;
   json["table"] = ToJson(suite.table);
   return json;

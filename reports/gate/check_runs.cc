@@ -6,6 +6,8 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
+#include "core/files/text_file.h"
 #include "reports/gate/compare.h"
 #include "reports/gate/gate_runs.h"
 #include "reports/tables/table_parts.h"
@@ -15,12 +17,16 @@ namespace {
 
 using Place = std::pair<std::map<std::string, std::string>, std::uint64_t>;
 
+std::vector<std::string> MetricNames(const Baseline& baseline) {
+  std::vector<std::string> names;
+  for (const BaselineMetric& metric : baseline.metrics) names.push_back(metric.name);
+  return names;
+}
+
 class Check {
  public:
-  Check(const std::filesystem::path& folder, const Baseline& baseline)
-      : baseline_(baseline),
-        runs_(ReadGateRuns(folder, MetricNames(baseline))),
-        time_ratios_(TimeRatios(runs_)) {
+  Check(const GateRuns& runs, const Baseline& baseline)
+      : baseline_(baseline), runs_(runs), time_ratios_(TimeRatios(runs_)) {
     for (const SuiteRun& run : runs_.runs) now_[{run.planned.keys, run.planned.seed}] = &run;
   }
 
@@ -39,12 +45,6 @@ class Check {
   }
 
  private:
-  static std::vector<std::string> MetricNames(const Baseline& baseline) {
-    std::vector<std::string> names;
-    for (const BaselineMetric& metric : baseline.metrics) names.push_back(metric.name);
-    return names;
-  }
-
   void Fail(const std::string& where, const std::string& message) {
     report_.problems.push_back({where, message});
   }
@@ -143,7 +143,7 @@ class Check {
   }
 
   const Baseline& baseline_;
-  GateRuns runs_;
+  const GateRuns& runs_;
   std::map<std::string, double> time_ratios_;
   std::map<Place, const SuiteRun*> now_;
   std::vector<RunPair> pairs_;
@@ -156,7 +156,31 @@ class Check {
 }  // namespace
 
 GateReport CheckRuns(const std::filesystem::path& folder, const Baseline& baseline) {
-  return Check(folder, baseline).Run();
+  return Check(ReadGateRuns(folder, MetricNames(baseline)), baseline).Run();
+}
+
+std::vector<LostPart> CheckInPlaceOf(const std::string& variant,
+                                     const std::filesystem::path& folder,
+                                     const Baseline& baseline) {
+  Baseline of_variant = baseline;
+  std::erase_if(of_variant.jobs, [&](const BaselineJob& job) {
+    return !job.keys.contains("variant") || job.keys.at("variant") != variant;
+  });
+  if (of_variant.jobs.empty()) {
+    ThrowError("variant " + Quoted(variant), "no run of it in the baseline", "one that is in it");
+  }
+  const GateRuns all = ReadGateRuns(folder, MetricNames(baseline));
+  std::vector<std::string> variants;
+  for (const SuiteRun& run : all.runs) AddOnce(KeyOf(run.planned, "variant"), variants);
+  std::vector<LostPart> parts;
+  for (const std::string& other : variants) {
+    GateRuns runs = all;
+    std::erase_if(runs.runs,
+                  [&](const SuiteRun& run) { return KeyOf(run.planned, "variant") != other; });
+    for (SuiteRun& run : runs.runs) run.planned.keys["variant"] = variant;
+    parts.push_back({other, Check(runs, of_variant).Run()});
+  }
+  return parts;
 }
 
 }  // namespace cvo::reports

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "reports/gate/baseline.h"
 #include "reports/gate/gate_report.h"
@@ -13,5 +15,17 @@ namespace cvo::reports {
 // the folder has no plan that can be read; all else is in the report: jobs that are missing, failed
 // or lost, metrics that are missing or mean something else, and nothing to compare.
 GateReport CheckRuns(const std::filesystem::path& folder, const Baseline& baseline);
+
+// How the gate sees a variant that is not the baseline's.
+struct LostPart {
+  std::string variant;
+  GateReport report;
+};
+
+// Holds each variant of the folder against the baseline's runs of `variant`: what the gate would
+// say if the estimator lost what they lack. Throws Error as CheckRuns, and where the baseline has
+// no such runs.
+std::vector<LostPart> CheckInPlaceOf(const std::string& variant,
+                                     const std::filesystem::path& folder, const Baseline& baseline);
 
 }  // namespace cvo::reports

@@ -139,6 +139,22 @@ std::string AlignedText(const TextRows& rows) {
   return text;
 }
 
+std::string PowerText(const std::vector<LostPart>& parts) {
+  TextRows rows = {{"variant", "verdict", "worse in"}};
+  for (const LostPart& part : parts) {
+    std::vector<std::string> worse;
+    for (const Comparison& comparison : part.report.comparisons) {
+      if (comparison.verdict == Verdict::kWorse) AddOnce(comparison.metric, worse);
+    }
+    std::string why = Joined(worse, ", ");
+    if (!part.report.problems.empty()) {
+      why += StrCat(why.empty() ? "" : ", ", Counted(part.report.problems.size(), "problem"));
+    }
+    rows.push_back({part.variant, part.report.Regressed() ? "noticed" : "NOT NOTICED", why});
+  }
+  return AlignedText(rows);
+}
+
 std::string GateText(const GateReport& report) {
   std::string text = Headline(report) + "\n";
   const TextRows moved = MovedRows(report);

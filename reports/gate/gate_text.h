@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/gate/gate_report.h"
+#include "reports/gate/check_runs.h"
 
 namespace cvo::reports {
 
@@ -27,6 +27,9 @@ std::vector<std::string> NoteLines(const GateReport& report);
 
 // Columns aligned with blanks, one line per row.
 std::string AlignedText(const TextRows& rows);
+
+// A line for each variant that was checked in place of another: what noticed it.
+std::string PowerText(const std::vector<LostPart>& parts);
 
 // The whole report for a terminal, as Markdown, and as JUnit XML: a test case per comparison and
 // per problem.

@@ -53,10 +53,14 @@ std::string ContractHtml(const Contract& contract) {
              : "<details><summary>Exact definition</summary><ul>\n" + html + "</ul></details>\n";
 }
 
-// Forms of a metric other than its own are described by their contract.
 std::string Meaning(const std::string& metric) {
-  const MetricEntry* entry = FindEntry(metric);
-  return entry != nullptr && metric == entry->name ? entry->meaning : "See the definition below.";
+  const std::optional<MetricForm> form = FindForm(metric);
+  if (!form) return "See the definition below.";
+  std::string meaning = EntryOf(form->id).meaning;
+  if (form->bodies == BodyGroup::kStanding) meaning += " Of objects that stand still.";
+  if (form->bodies == BodyGroup::kPredicted) meaning += " Of frames in which it was predicted.";
+  if (form->causal) meaning += " Causal: of what was estimated when each image came.";
+  return meaning;
 }
 
 std::string MeasureHtml(const Column& column) {

@@ -360,8 +360,12 @@ void CheckPossible(const std::string& name, double value, const std::string& whe
 }
 
 std::string MetricLabel(const std::string& name) {
-  const MetricEntry* entry = FindEntry(name);
-  return entry != nullptr && name == entry->name ? entry->label : name;
+  const std::optional<MetricForm> form = FindForm(name);
+  if (!form) return name;
+  std::string label = form->causal ? "causal " : "";
+  if (form->bodies == BodyGroup::kStanding) label += "standing ";
+  if (form->bodies == BodyGroup::kPredicted) label += "predicted ";
+  return label + EntryOf(form->id).label;
 }
 
 std::string CoverageOf(const std::string& name) {

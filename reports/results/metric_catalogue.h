@@ -153,7 +153,7 @@ const MetricEntry* FindEntry(const std::string& name);
 // is none need only be of a size that can be.
 void CheckPossible(const std::string& name, double value, const std::string& where);
 
-// What heads its column; the name of a form other than the entry's own.
+// What heads its column, as "object ATE" or "causal object ATE"; a name that is none as it is.
 std::string MetricLabel(const std::string& name);
 
 // The coverage that a metric must be read with, such as "object_coverage" for "object_ate"; empty

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -23,6 +24,7 @@ struct CheckFlags {
   std::string junit;
   std::string markdown;
   bool gate_time = false;
+  std::string in_place_of;
 };
 
 std::vector<std::filesystem::path> ReadBy(const CheckFlags& flags) {
@@ -37,6 +39,19 @@ int WriteBaseline(const CheckFlags& flags) {
             << baseline.metrics.size() << " metrics; checked runs need " << baseline.seeds.size()
             << " seeds\nwritten: " << flags.write_baseline << '\n';
   return 0;
+}
+
+// How much of an estimator the gate would miss: each variant of the folder in place of another.
+int CheckPower(const CheckFlags& flags) {
+  const std::vector<reports::LostPart> parts = reports::CheckInPlaceOf(
+      flags.in_place_of, flags.folder, reports::ReadBaseline(flags.baseline));
+  std::cout << reports::PowerText(parts);
+  const auto unnoticed =
+      std::count_if(parts.begin(), parts.end(), [&](const reports::LostPart& part) {
+        return part.variant != flags.in_place_of && !part.report.Regressed();
+      });
+  std::cout << '\n' << unnoticed << " not noticed\n";
+  return unnoticed > 0 ? kRegressed : 0;
 }
 
 int Check(const CheckFlags& flags) {
@@ -78,6 +93,9 @@ Command AddCheckCommand(CLI::App& program) {
   add("--markdown", flags->markdown, "FILE", "also write a summary in Markdown")->needs(check);
   app->add_flag("--gate-time", flags->gate_time, "also fail the check if a variant is slower")
       ->needs(check);
+  add("--in-place-of", flags->in_place_of, "VARIANT",
+      "check every variant of DIR in place of this one of the baseline: which would be noticed?")
+      ->needs(check);
   check->excludes(write);
   app->footer(
       "Runs are paired by scene and seed. A variant regresses in a metric if its mean difference "
@@ -90,7 +108,10 @@ Command AddCheckCommand(CLI::App& program) {
     if (!flags->baseline.empty() || !flags->write_baseline.empty()) return;
     throw CLI::RequiredError("--baseline or --write-baseline");
   });
-  return {app, [flags] { return flags->baseline.empty() ? WriteBaseline(*flags) : Check(*flags); }};
+  return {app, [flags] {
+            if (flags->baseline.empty()) return WriteBaseline(*flags);
+            return flags->in_place_of.empty() ? Check(*flags) : CheckPower(*flags);
+          }};
 }
 
 }  // namespace cvo

@@ -64,7 +64,7 @@ void PrintOutcome(const Sequence& sequence, const EvalSequence& eval,
   }
   if (outcome.bodies.empty()) return;
   std::cout << "\nbodies:\n";
-  PrintBodies(outcome.bodies, std::cout);
+  PrintBodies(outcome.bodies, outcome.metrics, std::cout);
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ void CheckSequenceFolder(const fs::path& folder) {
 void CheckDetections(const std::string& detections, const fs::path& folder) {
   std::vector<std::string> names = NamesIn(folder / "detections", false);
   names.insert(names.end(), {"labels", "none"});
-  if (detections.empty() || fs::exists(detections)) return;
+  if (detections.empty() || AreFromLabels(detections) || fs::exists(detections)) return;
   if (std::find(names.begin(), names.end(), detections) != names.end()) return;
   std::string all;
   for (const std::string& name : names) all += ", " + name;

@@ -97,11 +97,17 @@ void PrintScores(const RunScores& scores, bool all, std::ostream& out) {
   if (!all) out << "all metrics: --all, and in result.json\n";
   if (scores.refined_bodies.empty()) return;
   out << "\nbodies, poses as last estimated:\n";
-  PrintBodies(scores.refined_bodies, out);
+  PrintBodies(scores.refined_bodies, scores.refined, out);
 }
 
-void PrintBodies(const std::vector<BodyScore>& bodies, std::ostream& out) {
-  TextTable table({"body", "class", "moves", "travel m", "cluster", "visible", "estimated", "ATE m",
+void PrintBodies(const std::vector<BodyScore>& bodies, const std::vector<Metric>& metrics,
+                 std::ostream& out) {
+  double least_travel_m = 0.0;
+  for (const Metric& metric : metrics) {
+    least_travel_m = std::max(least_travel_m, metric.contract.travel_m.value_or(0.0));
+  }
+  const std::string moves = StrCat("moves (> ", ReadableNumber(least_travel_m), " m)");
+  TextTable table({"body", "class", moves, "travel m", "cluster", "visible", "estimated", "ATE m",
                    "in 10 cm", "motion rad", "motion m", "velocity error m/s", "switches"});
   for (const BodyScore& body : bodies) {
     table.Add({body.name, body.category, body.mover ? "yes" : "no", ReadableNumber(body.travel_m),

@@ -20,8 +20,9 @@ void PrintDetections(const Sequence& sequence, const DetectionCounts& counts, st
 // a line per body.
 void PrintScores(const RunScores& scores, bool all, std::ostream& out);
 
-// A line per body that is visible in some frame.
-void PrintBodies(const std::vector<BodyScore>& bodies, std::ostream& out);
+// A line per body that is visible in some frame; the metrics are theirs.
+void PrintBodies(const std::vector<BodyScore>& bodies, const std::vector<Metric>& metrics,
+                 std::ostream& out);
 
 // Name, value, unit and number of errors, one metric per line.
 void PrintMetrics(const std::vector<Metric>& metrics, std::ostream& out);

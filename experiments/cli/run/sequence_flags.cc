@@ -69,7 +69,8 @@ void SequenceFlags::AddTo(CLI::App& app) {
       ->capture_default_str();
   add("--detections", detections, "FILE|labels|none",
       "source of 2D boxes: a file in KITTI format (track ids are ignored), a detector level of a "
-      "synthetic scene (oracle, good, poor), the 2D boxes of the labels, or none");
+      "synthetic scene (oracle, good, poor), the 2D boxes of the labels (labels:0-5: of the tracks "
+      "with these ids), or none");
   add("--detections-camera", detections_camera, "X",
       "camera (image_0X) in which the boxes were detected; default: the left camera in use");
   AddRightShift(app, right_shift_px);

@@ -11,8 +11,8 @@ Command AddExperimentCommand(CLI::App& program) {
   app->footer("Start with: clustervo experiment list, then clustervo experiment run ci -o DIR.");
   return Group(*app, {AddExperimentListCommand(*app), AddExperimentPlanCommand(*app),
                       AddExperimentRunCommand(*app), AddExperimentStatusCommand(*app),
-                      AddExperimentTableCommand(*app), AddExperimentCompareCommand(*app),
-                      AddExperimentJobCommand(*app)});
+                      AddExperimentTableCommand(*app), AddExperimentTimesCommand(*app),
+                      AddExperimentCompareCommand(*app), AddExperimentJobCommand(*app)});
 }
 
 }  // namespace cvo

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/json_record.h"
 #include "core/files/number.h"
 #include "experiments/cli/output_file.h"
@@ -19,6 +20,7 @@
 #include "reports/page/collection_html.h"
 #include "reports/results/suite_runs.h"
 #include "reports/results/timing.h"
+#include "reports/runs/suite_times.h"
 #include "reports/tables/make_table.h"
 
 namespace cvo {
@@ -48,8 +50,8 @@ std::string SpeedText(Speed speed) {
   std::sort(speed.frames_per_s.begin(), speed.frames_per_s.end());
   const double median = speed.frames_per_s[speed.frames_per_s.size() / 2];
   return StrCat(FormatFixed(median, 1), " (", FormatFixed(speed.frames_per_s.front(), 1), " to ",
-                FormatFixed(speed.frames_per_s.back(), 1), " in ", speed.frames_per_s.size(),
-                " runs, one thread of ", speed.cpu, ")");
+                FormatFixed(speed.frames_per_s.back(), 1), " in ", Counted(speed.frames_per_s.size(), "run"),
+                ", one thread of ", speed.cpu, ")");
 }
 
 class CollectionRun {
@@ -124,6 +126,7 @@ class CollectionRun {
       collected.rows.back().push_back(SpeedText(speeds_[variant]));
     }
     if (!section.suite.empty()) AddTable(section.suite, collected);
+    if (section.times && collected.table) ReplaceByTimes(section.suite, collected);
     for (const CollectionFigure& figure : section.figures) AddPictures(figure, collected);
     return collected;
   }
@@ -139,6 +142,15 @@ class CollectionRun {
     WriteReport({.folder = folder.string(), .no_images = true});
     collected.report = reports::LinkedFile{SuiteFolderName(suite) + "/report/index.html",
                                            "Figures, and run by run"};
+  }
+
+  void ReplaceByTimes(const std::string& suite, reports::CollectedSection& collected) const {
+    const reports::SuiteTimes times = reports::ReadSuiteTimes(FolderOf(suite));
+    collected.table.reset();
+    collected.rows = reports::TimesTable(times);
+    collected.columns = collected.rows.front();
+    collected.rows.erase(collected.rows.begin());
+    collected.text.push_back("Here: " + Joined(times.machines, "; ") + ".");
   }
 
   void AddPictures(const CollectionFigure& figure, reports::CollectedSection& collected) const {

@@ -58,6 +58,14 @@ class StageProgress {
   std::optional<Progress> progress_;
 };
 
+// Jobs whose time counts must not run beside others.
+EngineFlags EngineOf(EngineFlags flags, const Suite& suite) {
+  if (suite.timed_threads == 0) return flags;
+  if (flags.jobs > 1) std::cerr << suite.name << ": one job at a time, because times count\n";
+  flags.jobs = 1;
+  return flags;
+}
+
 class SuiteRun {
  public:
   explicit SuiteRun(const SuiteRunFlags& flags)
@@ -67,7 +75,7 @@ class SuiteRun {
                            ReadBy(flags.suite))),
         folder_{fs::absolute(output_.path())},
         lock_(folder_.lock()),
-        engine_(flags.engine.Make(folder_)) {
+        engine_(EngineOf(flags.engine, suite_).Make(folder_)) {
     RemoveTemporaries(folder_.root);
     synth::RemoveLeftoversOfCache(flags.suite.Request().cache);
   }

@@ -35,6 +35,7 @@ SuiteDrawing SuiteFigures(const SuiteData& data) {
         StrCat("Change of error by sequence, and error over coverage: ", rows,
                " rows of the table by sequence, at most ", kMaxSceneRows, " can be read."));
   }
+  DrawWaterfall(data, drawing);
   DrawDriftReduction(data, drawing);
   DrawSensitivity(data, drawing);
   DrawErrorOverTime(data, drawing);

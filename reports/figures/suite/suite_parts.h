@@ -8,6 +8,8 @@
 namespace cvo::reports {
 
 // Each adds the figures of its kind, or why there are none.
+// Of a suite whose rows are compared with the row above.
+void DrawWaterfall(const SuiteData& data, SuiteDrawing& drawing);
 void DrawSensitivity(const SuiteData& data, SuiteDrawing& drawing);
 void DrawErrorReduction(const SuiteData& data, const std::vector<SeriesRows>& series,
                         SuiteDrawing& drawing);

@@ -18,6 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::ProcessResult;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -25,10 +26,12 @@ class CollectionTest : public testing::Test {
  protected:
   CollectionTest() { test::WriteTinySequence(folder_.path() / "data" / "wall", 4); }
 
-  void WriteSuite(const std::string& name, const std::string& sequences) const {
-    folder_.Write(name + ".json", StrCat(R"({"name": ")", name, R"(", "sequences": [)", sequences,
-                                         R"(], "variants": ["static"], "seeds": 1, "table": )",
-                                         R"({"rows": ["sequence"], "metrics": ["camera_ate"]}})"));
+  void WriteSuite(const std::string& name, const std::string& sequences,
+                  const std::string& more = "") const {
+    folder_.Write(name + ".json",
+                  StrCat(R"({"name": ")", name, R"(", "sequences": [)", sequences,
+                         R"(], "variants": ["static"], "seeds": 1, )", more, R"("table": )",
+                         R"({"rows": ["sequence"], "metrics": ["camera_ate"]}})"));
   }
   ProcessResult Run(const std::string& sections, const std::vector<std::string>& more = {},
                     const std::string& command = "run") const {
@@ -62,7 +65,7 @@ TEST_F(CollectionTest, RunsItsSuitesAndShowsThemOnOnePage) {
   ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
   const std::string page = Page();
   for (const char* text :
-       {"<title>all</title>", "<td>theirs</td><td>7</td>", "(", "in 1 runs, one thread of",
+       {"<title>all</title>", "<td>theirs</td><td>7</td>", "(", "in 1 run, one thread of",
         "<td>more</td><td>not run</td>", "What &lt;it&gt; is.", "0:3", "Get it: example.org/here",
         "absent: no absent below", "Table 3: nowhere</a>: not on this disk",
         "Get it: example.org/nowhere", "src=\"figures/here-wall-1/", "here/report/index.html",
@@ -74,6 +77,24 @@ TEST_F(CollectionTest, RunsItsSuitesAndShowsThemOnOnePage) {
   const ProcessResult again = Run(sections, {"--frames", "0:3"});
   EXPECT_THAT(again.err, Not(HasSubstr("100 %  1/1 jobs")));
   EXPECT_EQ(Page(), page);
+}
+
+TEST_F(CollectionTest, ATimedSuiteShowsItsTimes) {
+  WriteSuite("timed", R"({"folder": "wall"})", R"("timed_threads": 1, )");
+  const std::string sections = R"({"title": "Speed", "suite": "timed.json", "times": true})";
+  const ProcessResult run = Run(sections, {"-j", "2"});
+  ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
+  EXPECT_THAT(run.err, HasSubstr("timed: one job at a time, because times count"));
+  EXPECT_THAT(Page(), AllOf(HasSubstr("<th>frames/s</th>"), HasSubstr("<td>static</td><td>1</td>"),
+                            HasSubstr("1 thread.")));
+  EXPECT_FALSE(fs::exists(folder_.path() / "cache" / "frontend"));  // every job computes its own
+  const ProcessResult times =
+      test::RunProgram({"experiment", "times", (out() / "timed").string()}, {});
+  EXPECT_THAT(times.out,
+              AllOf(HasSubstr("clusters per frame"), HasSubstr("features [ms]"),
+                    HasSubstr("wall    none        static   1     0.0"), HasSubstr("machine: ")));
+  test::ExpectError(test::RunProgram({"experiment", "times", folder_.path().string()}, {}),
+                    "plan.json");
 }
 
 TEST_F(CollectionTest, APlanSaysOfEachSectionWhatWouldRunAndWhereToGetTheRest) {

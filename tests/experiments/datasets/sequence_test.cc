@@ -351,5 +351,26 @@ TEST(DetectionsFromLabels, AreOnlyTheirBoxes) {
       Error);
 }
 
+TEST(DetectionsFromLabels, AreOfTheTracksThatAreNamed) {
+  const test::TempFolder root;
+  const fs::path folder = WriteTrackingSequence(root);
+  const auto boxes = [&](const char* detections) {
+    return OpenSequence({.folder = folder, .detections_file = detections}).detections.size();
+  };
+  const Sequence all = OpenSequence({.folder = folder, .detections_file = "labels"});
+  const int first = all.labels[0].track;
+  const auto of_first = std::count_if(all.labels.begin(), all.labels.end(),
+                                      [&](const ObjectBox& label) { return label.track == first; });
+  EXPECT_EQ(boxes(StrCat("labels:", first, "-", first).c_str()), of_first);
+  EXPECT_EQ(boxes("labels:0-1000"), static_cast<std::size_t>(std::count_if(
+                                        all.labels.begin(), all.labels.end(),
+                                        [](const ObjectBox& label) { return label.track >= 0; })));
+  EXPECT_EQ(boxes("labels:900-1000"), 0U);
+  for (const char* wrong : {"labels:", "labels:1", "labels:2-1", "labels:1-x", "labels:1-2,3"}) {
+    EXPECT_THAT(ErrorMessage([&] { boxes(wrong); }),
+                HasSubstr(StrCat("option --detections: found \"", wrong, "\", expected labels")));
+  }
+}
+
 }  // namespace
 }  // namespace cvo

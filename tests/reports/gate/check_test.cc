@@ -68,6 +68,20 @@ TEST_F(GateTest, SceneThatGetsWorseIsFound) {
   EXPECT_THAT(GateText(report), HasSubstr("1 worse, 0 better"));
 }
 
+TEST_F(GateTest, TellsWhichOtherVariantsItWouldNoticeInPlaceOfOne) {
+  const auto verdicts = [&] {
+    return PowerText(CheckInPlaceOf("full", now_.path(), MakeBaseline(then_.path())));
+  };
+  EXPECT_THAT(verdicts(),
+              AllOf(HasSubstr("full     NOT NOTICED"), HasSubstr("static   NOT NOTICED")))
+      << "both have the same errors";
+  Scale("room", "static", 2.0);
+  EXPECT_THAT(verdicts(), AllOf(HasSubstr("full     NOT NOTICED"),
+                                HasSubstr("static   noticed      camera_ate")));
+  EXPECT_THAT(ErrorMessage([&] { CheckInPlaceOf("2d", now_.path(), MakeBaseline(then_.path())); }),
+              HasSubstr("variant \"2d\": found no run of it in the baseline"));
+}
+
 TEST_F(GateTest, LessThanTheNoiseOfSeedsIsTolerated) {
   Scale("room", "full", 1.02);
   Scale("street", "static", 0.99);

@@ -33,7 +33,9 @@ TEST(MetricCatalogue, ColumnsOfOneTableHaveUniqueHeadings) {
         << entry.name;
     EXPECT_EQ(MetricLabel(entry.name), entry.label);
   }
-  EXPECT_EQ(MetricLabel("camera_causal_ate"), "camera_causal_ate");
+  EXPECT_EQ(MetricLabel("camera_causal_ate"), "causal camera ATE");
+  EXPECT_EQ(MetricLabel("object_causal_standing_ate"), "causal standing object ATE");
+  EXPECT_EQ(MetricLabel("other"), "other");
 }
 
 TEST(MetricCatalogue, RotationsHaveOneUnit) {

@@ -65,6 +65,34 @@ TEST(ErrorReduction, OfAShareIsThatOfWhatIsMissing) {
   EXPECT_NEAR(*ErrorReduction(cell, share), -100.0, 1e-9);
 }
 
+TEST(Waterfall, HasABarFromTheRowAboveToEachRow) {
+  SuiteData data = test::SweptSuite("variant", {1, 2, 3});
+  data.table.reference = kRowAbove;
+  const auto step = [&](std::size_t row, double low, double high) {
+    const double before = data.table.rows[row - 1].cells[0].value;
+    Difference difference;
+    difference.value = before - 0.1;
+    difference.reference_value = before;
+    difference.difference = -0.1;
+    difference.interval = Interval{low, high, ""};
+    data.table.rows[row].keys = {row == 1 ? "clustervo_to_box_foot" : "full"};
+    data.table.rows[row].cells[0].difference = difference;
+  };
+  step(1, -0.15, -0.05);
+  step(2, -0.25, 0.05);
+  const Figure figure = test::FindFigure(SuiteFigures(data), "waterfall");
+  const Json plotly = Json::parse(figure.plotly);
+  const Json better = test::TracesNamed(plotly, "better").at(0);
+  EXPECT_EQ(better["x"], Json({"box_foot"}));
+  EXPECT_EQ(better["base"], Json({0.1}));
+  EXPECT_EQ(better["y"], Json({-0.1}));
+  EXPECT_EQ(better["error_y"]["array"], Json({0.05}));
+  EXPECT_EQ(test::TracesNamed(plotly, "interval contains 0").at(0)["x"], Json({"full"}));
+  EXPECT_THAT(figure.alt, HasSubstr("Object ATE: better by box_foot; worse by none."));
+  data.table.reference = "full";
+  EXPECT_EQ(test::FindFigure(SuiteFigures(data), "waterfall").plotly, "");
+}
+
 TEST(ErrorReduction, IsAHeatMapOfSequencesAndMeasures) {
   const TwoVariants suite;
   const Figure figure = test::FindFigure(Draw(suite.Written()), "error-reduction");
