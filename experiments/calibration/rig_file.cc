@@ -161,8 +161,11 @@ StereoRig ReadOpenCv(const YamlMap& map, const OpenCvKeys& keys) {
   const std::vector<double> t = map.Numbers("T", 3);
   const Eigen::Matrix3d rotation =
       Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(r.data());
-  return {OpenCvCamera(map, keys, "1"), OpenCvCamera(map, keys, "2"),
-          RigidTransform(NearestRotation(rotation), {t[0], t[1], t[2]})};
+  StereoRig rig = {OpenCvCamera(map, keys, "1"), OpenCvCamera(map, keys, "2"),
+                   RigidTransform(NearestRotation(rotation), {t[0], t[1], t[2]})};
+  if (map.Has("image_width")) rig.width_px = static_cast<int>(map.Number("image_width"));
+  if (map.Has("image_height")) rig.height_px = static_cast<int>(map.Number("image_height"));
+  return rig;
 }
 
 // KITTI.

@@ -9,6 +9,7 @@
 #include "core/base/lists.h"
 #include "core/files/closest_names.h"
 #include "core/files/text_file.h"
+#include "experiments/calibration/camera_check.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/datasets/sequence_layout.h"
 #include "experiments/datasets/sequence_parts.h"
@@ -57,9 +58,10 @@ std::string DataSetOf(const Sequence& sequence, const std::string& named) {
                Quoted(named) + DidYouMean(named, {kKittiDataSet, kOtherDataSet}),
                StrCat(kKittiDataSet, " or ", kOtherDataSet));
   }
-  // A rendered scene may have been given KITTI's camera.
-  const bool rendered = std::filesystem::exists(sequence.folder / "scene.json");
-  return !rendered && IsKittiRig(sequence.camera) ? kKittiDataSet : kOtherDataSet;
+  // A rendered scene or somebody's own images may have been given KITTI's camera.
+  const bool made =
+      fs::exists(sequence.folder / "scene.json") || fs::exists(sequence.folder / "import.json");
+  return !made && IsKittiRig(sequence.camera) ? kKittiDataSet : kOtherDataSet;
 }
 
 std::string TypeOf(const SequenceRequest& request) {
@@ -73,8 +75,11 @@ std::string TypeOf(const SequenceRequest& request) {
                sequences.empty() ? "one with images"
                                  : StrCat("one of them, such as ", sequences.front().string()));
   }
-  ThrowError(folder.string(), fs::exists(folder) ? "a folder of no known type" : "no such folder",
-             "a sequence: " + Joined(SequenceLayouts(), ", ", &SequenceLayout::type));
+  const std::string found = fs::is_directory(folder) ? "a folder of no known type"
+                            : fs::exists(folder)     ? "a file"
+                                                     : "no such folder";
+  ThrowError(folder.string(), found,
+             "the folder of a sequence: " + Joined(SequenceLayouts(), ", ", &SequenceLayout::type));
 }
 
 const SequenceLayout& LayoutOfType(const std::string& type) {
@@ -125,6 +130,7 @@ Sequence OpenSequence(const SequenceRequest& request) try {
   sequence.camera.right_shift_px = request.right_shift_px.value_or(0.0);
   if (sequence.groundtruth.empty()) sequence.groundtruth = "none";
   sequence.groundtruth_world_from_camera.resize(sequence.images.size());
+  CheckCamera(sequence.camera, sequence.folder.string() + ", calibration");
   CutFrames(resolved, sequence);
   PerturbSequence(resolved.perturbation, sequence);
   return sequence;

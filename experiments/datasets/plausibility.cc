@@ -30,6 +30,14 @@ class LargeSteps {
   std::string first_;
 };
 
+// Of another unit than metres, most likely.
+void FindBaseline(double baseline_m, std::vector<std::string>& lines) {
+  constexpr double kShortest_m = 1e-3;
+  constexpr double kLongest_m = 10.0;
+  if (baseline_m == 0.0 || (baseline_m >= kShortest_m && baseline_m <= kLongest_m)) return;
+  lines.push_back(StrCat("calibration: a baseline of ", baseline_m, " m"));
+}
+
 void FindGaps(const Sequence& sequence, const std::vector<double>& steps_s,
               std::vector<std::string>& lines) {
   constexpr double kLongest = 5.0;  // times the usual interval
@@ -118,6 +126,7 @@ std::vector<std::string> FindImplausible(const Sequence& sequence, const ObjectT
         1e-9 * static_cast<double>(sequence.timestamps_ns[i] - sequence.timestamps_ns[i - 1]));
   }
   std::vector<std::string> lines;
+  FindBaseline(sequence.camera.baseline_m, lines);
   if (steps_s.empty()) return lines;
   FindGaps(sequence, steps_s, lines);
   FindJumps(sequence, steps_s, lines);

@@ -52,7 +52,7 @@ fs::path ImportIntoCache(const StereoImport& request, const fs::path& cache,
   hash.Add(kMadeBy);
   hash.Add(HashFile(request.calibration));
   if (!request.times.empty()) hash.Add(HashFile(request.times));
-  hash.Add(FormatDouble(request.rate_hz));
+  hash.Add(request.rate_hz ? "rate " + FormatDouble(*request.rate_hz) : "10");
   AddImages(request.left, hash);
   AddImages(request.right, hash);
   const fs::path folder =

@@ -14,6 +14,7 @@
 #include "core/files/sha256.h"
 #include "core/files/temporary.h"
 #include "core/files/text_file.h"
+#include "experiments/calibration/camera_check.h"
 #include "experiments/calibration/rectification.h"
 #include "experiments/calibration/rig_file.h"
 #include "experiments/datasets/formats/timestamps.h"
@@ -118,11 +119,17 @@ struct Times {
 };
 
 Times TimesOf(const StereoImport& request, const ImageSource& left, std::size_t count) {
-  if (!request.times.empty()) return {"file", ReadTimes(request.times, count)};
+  constexpr double kUsual_hz = 10.0;
   Times times{"names", TimesOfNames(left.files())};
-  if (!times.ns.empty()) return times;
+  if (!request.times.empty()) times = {"file", ReadTimes(request.times, count)};
+  if (!times.ns.empty()) {
+    if (!request.rate_hz) return times;
+    ThrowError("--rate", StrCat("times in a ", request.times.empty() ? "name" : "file", " as well"),
+               "one of the two");
+  }
+  if (request.rate_hz) return {"rate", NominalTimes(count, *request.rate_hz)};
   if (left.rate_hz() > 0.0) return {"video", NominalTimes(count, left.rate_hz())};
-  return {"nominal", NominalTimes(count, request.rate_hz)};
+  return {"nominal", NominalTimes(count, kUsual_hz)};
 }
 
 std::string CalibrationText(const StereoCamera& camera) {
@@ -167,6 +174,8 @@ ImportOutcome ImportStereo(
     const std::function<void(std::size_t done, std::size_t total)>& progress) {
   const StereoRig rig = ReadStereoRig(request.calibration);
   PairReader pairs(request);
+  // A folder has as many images as it says, a video may not.
+  if (!pairs.left().files().empty()) (void)TimesOf(request, pairs.left(), pairs.size());
   NewFolder target(folder);
   std::optional<Rectification> rectification;
   ImportOutcome outcome;
@@ -175,7 +184,7 @@ ImportOutcome ImportStereo(
   cv::Mat right;
   while (pairs.Next(left, right)) {
     if (outcome.frames == 0) {
-      CheckSize(rig, left.cols, left.rows, request.calibration.string());
+      CheckCameras(rig, left.cols, left.rows, request.calibration.string());
       if (outcome.rectified) rectification.emplace(rig, left.size());
       outcome.camera =
           rectification ? rectification->camera() : CameraOf(rig, left.cols, left.rows);

@@ -16,15 +16,14 @@ struct StereoImport {
   std::filesystem::path left;  // a folder of images, or a video
   std::filesystem::path right;
   std::filesystem::path calibration;
-  std::filesystem::path times =
-      {};  // empty: from the images' names, from the video, else `rate_hz`
-  double rate_hz = 10.0;
+  std::filesystem::path times = {};    // empty: from the images' names, else from `rate_hz`
+  std::optional<double> rate_hz = {};  // empty: the video's, else 10
 };
 
 struct ImportOutcome {
   std::size_t frames = 0;
   bool rectified = false;  // by us; else the images were used as they are
-  const char* times = "";  // where they come from: "file", "names", "video" or "nominal"
+  const char* times = "";  // where they come from: "file", "names", "rate", "video" or "nominal"
   StereoCamera camera;     // of the images written
 };
 
@@ -34,7 +33,8 @@ inline constexpr const char* kImportRecord = "import.json";
 // Writes a sequence in the layout of KITTI odometry: image_0, image_1 (8-bit grey PNG), calib.txt,
 // times.txt and kImportRecord. Images that are not rectified are.
 // The folder appears whole or not at all. Throws Error where it exists, where the cameras have
-// different numbers or sizes of images, and for files that cannot be read.
+// different numbers or sizes of images, for files that cannot be read, and for a rate where the
+// times are known.
 ImportOutcome ImportStereo(
     const StereoImport& request, const std::filesystem::path& folder,
     const std::function<void(std::size_t done, std::size_t total)>& progress);

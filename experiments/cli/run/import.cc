@@ -7,6 +7,7 @@
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
+#include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/run/sequence_flags.h"
 #include "experiments/cli/run/text_table.h"
 
@@ -16,6 +17,7 @@ namespace {
 struct ImportFlags {
   StereoImport stereo;
   std::string output;
+  bool quiet = false;
 };
 
 int Import(const ImportFlags& flags) {
@@ -24,7 +26,7 @@ int Import(const ImportFlags& flags) {
   std::optional<Progress> progress;
   const ImportOutcome outcome =
       ImportStereo(flags.stereo, flags.output, [&](std::size_t done, std::size_t total) {
-        if (!progress) progress.emplace(total, false);
+        if (!progress) progress.emplace(total, flags.quiet);
         progress->Report(done);
       });
   progress.reset();
@@ -48,6 +50,7 @@ Command AddImportCommand(CLI::App& program) {
   app->add_option("-o,--output", flags->output, "new folder, in the layout of KITTI odometry")
       ->type_name("FOLDER")
       ->required();
+  AddQuiet(*app, flags->quiet);
   app->footer(
       "run takes the same flags and keeps the sequence in the cache; import is for looking at it, "
       "and for suites.\n"

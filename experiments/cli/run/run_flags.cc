@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <thread>
 
 #include "core/files/options_json.h"
+#include "experiments/cli/output_file.h"
 
 namespace cvo {
 
@@ -22,7 +24,13 @@ void RunFlags::AddTo(CLI::App& app) {
 }
 
 Options RunFlags::Resolve(const Options& defaults) const {
+  CheckNoFolder("--config", config);
   return ResolveOptions<Options>(config, set, defaults);
+}
+
+void CheckNoFolder(const char* flag, const std::string& file) {
+  if (!std::filesystem::is_directory(file)) return;
+  throw UsageError(StrCat(flag, ": found the folder ", file, ", expected a file"));
 }
 
 void AddQuiet(CLI::App& app, bool& quiet) {

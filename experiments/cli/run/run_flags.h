@@ -23,6 +23,9 @@ struct RunFlags {
   Options Resolve(const Options& defaults) const;
 };
 
+// Throws UsageError for a folder where the flag means a file.
+void CheckNoFolder(const char* flag, const std::string& file);
+
 // -q, and --threads with the number of CPUs as its default: what every long command has.
 void AddQuiet(CLI::App& app, bool& quiet);
 void AddThreads(CLI::App& app, int& threads);

@@ -9,6 +9,7 @@
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/run/known_names.h"
+#include "experiments/cli/run/run_flags.h"
 #include "experiments/datasets/frame_range.h"
 #include "experiments/datasets/sequence_layout.h"
 #include "experiments/import/import_cache.h"
@@ -108,13 +109,16 @@ void AddStereo(CLI::App& app, StereoImport& stereo) {
   add("--times", stereo.times, "FILE",
       "times of the images, one per line, in seconds or whole nanoseconds; default: the images' "
       "names, where they are nanoseconds, else --rate");
-  add("--rate", stereo.rate_hz, "HZ", "images per second, where nothing else gives times")
+  add("--rate", stereo.rate_hz, "HZ",
+      "images per second, where neither names nor --times give times; default: a video's own, "
+      "else 10")
       ->check(CLI::Range(1e-3, 1e6).description(""))
-      ->check(FiniteProblem)
-      ->capture_default_str();
+      ->check(FiniteProblem);
 }
 
-SequenceRequest SequenceFlags::Request() const {
+SequenceRequest SequenceFlags::Request(bool quiet) const {
+  CheckNoFolder("--labels", labels);
+  if (detections != "labels" && detections != "none") CheckNoFolder("--detections", detections);
   SequenceRequest request;
   request.folder = folder;
   if (stereo.left.empty() && stereo.right.empty()) {
@@ -128,7 +132,7 @@ SequenceRequest SequenceFlags::Request() const {
     std::optional<Progress> progress;
     request.folder =
         ImportIntoCache(stereo, synth::CacheFolder(), [&](std::size_t done, std::size_t total) {
-          if (!progress) progress.emplace(total, false);
+          if (!progress) progress.emplace(total, quiet);
           progress->Report(done);
         });
   }

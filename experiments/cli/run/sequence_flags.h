@@ -34,9 +34,10 @@ struct SequenceFlags {
   // Those alone that say which part is read and what is true of it; the folder and --groundtruth
   // are left to the caller.
   void AddTruthTo(CLI::App& app);
-  // Images of --left and --right become a sequence in the cache first, with progress on stderr.
+  // Images of --left and --right become a sequence in the cache first, unless `quiet` with progress
+  // on stderr.
   // Throws Error for a range of frames that is none, UsageError where there is no sequence or two.
-  SequenceRequest Request() const;
+  SequenceRequest Request(bool quiet = false) const;
 };
 
 // --left, --right, --calib, --times and --rate.

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "experiments/calibration/camera_check.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo {
@@ -78,6 +79,34 @@ TEST_F(RigFile, OpenCvs) {
   EXPECT_EQ(rig.right.lens, LensModel::kPinhole);  // no distortion at all
   EXPECT_EQ(rig.right.fy, 503.0);
   EXPECT_EQ(rig.right_from_left.translation().x(), -0.06);
+}
+
+// What no camera is, seen with its images.
+TEST_F(RigFile, CamerasThatCannotBe) {
+  const auto expect_error = [&](const std::string& text, const std::string& message) {
+    try {
+      CheckCameras(Read(text), 640, 480, "calib");
+      ADD_FAILURE() << "no error: " << message;
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr(message));
+    }
+  };
+  expect_error("fx: 700\nfy: 700\ncx: 640\ncy: 240\nbaseline_m: 0.1\n",
+               "calib, left camera: found cx 640, cy 240, expected a centre within the images of "
+               "640x480 px");
+  expect_error("fx: 700\nfy: 300\ncx: 320\ncy: 240\nbaseline_m: 0.1\n",
+               "found fx 700, fy 300, expected focal lengths within a factor of 2");
+  expect_error(
+      "left: {fx: 500, fy: 500, cx: 320, cy: 240}\n"
+      "right: {fx: 500, fy: 500, cx: 320, cy: -1}\n"
+      "right_from_left: [1, 0, 0, -0.1, 0, 1, 0, 0, 0, 0, 1, 0]\n",
+      "right camera: found cx 320, cy -1");
+  const std::string opencv =
+      "K1: [500, 0, 320, 0, 500, 240, 0, 0, 1]\nD1: [0, 0, 0, 0]\n"
+      "K2: [500, 0, 320, 0, 500, 240, 0, 0, 1]\nD2: [0, 0, 0, 0]\n"
+      "R: [1, 0, 0, 0, 1, 0, 0, 0, 1]\nT: [-0.1, 0, 0]\n";
+  CheckCameras(Read(opencv + "image_width: 640\nimage_height: 480\n"), 640, 480, "calib");
+  expect_error(opencv + "image_width: 1280\nimage_height: 960\n", "a calibration of 1280x960 px");
 }
 
 TEST_F(RigFile, KittisText) {

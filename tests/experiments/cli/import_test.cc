@@ -14,6 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::ProcessResult;
 using testing::HasSubstr;
+using testing::Not;
 
 class OwnStereo : public testing::Test {
  protected:
@@ -44,6 +45,9 @@ TEST_F(OwnStereo, TheSameTrajectoryAsOfTheSequence) {
   EXPECT_EQ(test::ReadFile(out("a") + "/camera.kitti"), test::ReadFile(out("b") + "/camera.kitti"));
   const ProcessResult imported = Run({"import", "-o", out("c")});
   EXPECT_THAT(imported.out, HasSubstr("3 pairs of"));
+  EXPECT_EQ(Run({"import", "-q", "-o", out("d")}).err, "");
+  EXPECT_EQ(Run({"run", "-q", "--rate", "25", "-o", out("e")}).err, "");
+  EXPECT_THAT(test::RunProgram({"info", out("c")}).out, HasSubstr("10 Hz (assumed: no times"));
   EXPECT_TRUE(fs::exists(out("c") + "/import.json"));
 }
 
@@ -54,6 +58,9 @@ TEST_F(OwnStereo, BadUse) {
   EXPECT_EQ(Run({"run", tiny(), "-o", out("x")}).exit_code, 2);
   EXPECT_EQ(test::RunProgram({"run", "--left", tiny() + "/image_0", "-o", out("x")}).exit_code, 2);
   EXPECT_EQ(Run({"import", "-o", tiny() + "/image_0/x"}).exit_code, 2);
+  const std::string times = folder_.Write("times.txt", "0\n1\n").string();
+  EXPECT_THAT(Run({"import", "-o", out("x"), "--times", times}).err,
+              testing::AllOf(HasSubstr("found 2 times, expected 3"), Not(HasSubstr("%"))));
   fs::remove(tiny() + "/image_1/000002.png");
   const ProcessResult fewer = Run({"run", "-o", out("x")});
   EXPECT_EQ(fewer.exit_code, 1);

@@ -65,5 +65,18 @@ TEST(Plausibility, FramesWithoutTruthSeparate) {
   EXPECT_THAT(FindImplausible(sequence, &truth), IsEmpty());
 }
 
+TEST(Plausibility, BaselinesOfAnotherUnit) {
+  Sequence sequence;
+  for (const double usual_m : {0.001, 0.54, 10.0}) {
+    sequence.camera.baseline_m = usual_m;
+    EXPECT_THAT(FindImplausible(sequence, nullptr), IsEmpty()) << usual_m;
+  }
+  for (const double odd_m : {0.0005, 120.0}) {
+    sequence.camera.baseline_m = odd_m;
+    EXPECT_THAT(FindImplausible(sequence, nullptr),
+                ElementsAre(StartsWith("calibration: a baseline of ")));
+  }
+}
+
 }  // namespace
 }  // namespace cvo

@@ -95,6 +95,11 @@ constexpr const char* kKitti06 =
 TEST_F(Sequences, KittiIsDetectedByItsCalibrationInAnyFolder) {
   const fs::path there = WriteOdometrySequence(root_);
   root_.Write("sequences/06/calib.txt", kKitti06);
+  for (const std::string image : {"image_0", "image_1"}) {
+    for (int k = 0; k < 3; ++k) {
+      root_.Write("sequences/06/" + image + "/" + Digits(k, 6) + ".png", GreyPng(1226, 370));
+    }
+  }
   fs::create_directories(root_.path() / "elsewhere");
   fs::copy(root_.path() / "poses", root_.path() / "elsewhere/poses");
   fs::copy(there, root_.path() / "elsewhere/06", fs::copy_options::recursive);
@@ -108,6 +113,19 @@ TEST_F(Sequences, KittiIsDetectedByItsCalibrationInAnyFolder) {
   EXPECT_EQ(OpenSequence({.folder = there, .dataset = "other"}).dataset, "other");
   root_.Write("sequences/06/scene.json", "{}");
   EXPECT_EQ(OpenSequence({.folder = there}).dataset, "other") << "rendered with KITTI's camera";
+  fs::remove(there / "scene.json");
+  root_.Write("sequences/06/import.json", R"({"times": "nominal"})");
+  EXPECT_EQ(OpenSequence({.folder = there}).dataset, "other") << "somebody's own";
+  EXPECT_EQ(OpenSequence({.folder = there}).name, "06");
+}
+
+TEST_F(Sequences, ACameraThatCannotBe) {
+  const fs::path there = WriteOdometrySequence(root_);
+  root_.Write("sequences/06/calib.txt", kKitti06);
+  EXPECT_THAT(
+      ErrorMessage([&] { OpenSequence({.folder = there}); }),
+      testing::EndsWith("06, calibration: found cx 601.8873, cy 183.1104, expected a centre "
+                        "within the images of 12x8 px"));
 }
 
 TEST_F(Sequences, RawDriveInColour) {

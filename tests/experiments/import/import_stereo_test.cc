@@ -64,7 +64,7 @@ TEST_F(ImportStereoTest, ASequenceThatCanBeOpened) {
   const ImportOutcome outcome = Import();
   EXPECT_EQ(outcome.frames, 3U);
   EXPECT_FALSE(outcome.rectified);
-  EXPECT_STREQ(outcome.times, "nominal");
+  EXPECT_STREQ(outcome.times, "rate");
   const Sequence sequence = OpenSequence({.folder = out()});
   EXPECT_EQ(sequence.images.size(), 3U);
   EXPECT_EQ(sequence.timestamps_ns[2], 100'000'000);
@@ -84,6 +84,11 @@ TEST_F(ImportStereoTest, TimesOfNamesAndFiles) {
   request_.times = folder_.Write("times.txt", "0.5\n1.75\n");
   EXPECT_STREQ(Import().times, "file");
   EXPECT_EQ(OpenSequence({.folder = out()}).timestamps_ns[1], 1'750'000'000);
+  fs::remove_all(out());
+  request_.rate_hz = 20.0;
+  ExpectError("--rate: found times in a file as well");
+  request_.times.clear();
+  ExpectError("--rate: found times in a name as well");
 }
 
 TEST_F(ImportStereoTest, WhatIsNotRectifiedWillBe) {
