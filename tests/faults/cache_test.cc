@@ -144,7 +144,8 @@ TEST_F(FolderFaults, DamageOutsideTheCacheIsRefused) {
   const std::string out = (folder_.path() / "run").string();
   EXPECT_EQ(Program({"run", copy.string(), "-o", out, "-q"}).exit_code, 0);
   Flip("depth_0/000001.tiff");
-  EXPECT_EQ(Program({"run", copy.string(), "-o", out, "-q", "--frames", "0:1"}).exit_code, 0);
+  EXPECT_EQ(
+      Program({"run", copy.string(), "-o", out, "-q", "--frames", "0:1", "--force"}).exit_code, 0);
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"run", copy.string(), "-o", out, "-q"},
         {"run", copy.string(), "-o", out, "-q", "--cache"},
@@ -183,9 +184,9 @@ TEST_F(FolderFaults, ALongRunNeedsNoMoreMemory) {
   const fs::path detections = folder_.Write("boxes.txt", boxes);
   const auto peak_mb = [&](int frames) {
     const fs::path out = folder_.path() / "run";
-    const ProcessResult run =
-        Program({"run", drive.string(), "-o", out.string(), "--variant", "full", "--detections",
-                 detections.string(), "--frames", StrCat("0:", frames), "--threads", "1", "-q"});
+    const ProcessResult run = Program({"run", drive.string(), "-o", out.string(), "--variant",
+                                       "full", "--detections", detections.string(), "--frames",
+                                       StrCat("0:", frames), "--threads", "1", "-q", "--force"});
     EXPECT_EQ(run.exit_code, 0) << run.err;
     return ReadJson(out / "timing.json")["peak_memory_mb"].get<double>();
   };

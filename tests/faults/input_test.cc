@@ -220,7 +220,7 @@ TEST_F(InputFaults, Images) {
 TEST_F(InputFaults, ImplausibleTruth) {
   const fs::path drive = folder_.path() / "drive";
   test::WriteTinySequence(drive, 5);
-  const Arguments arguments = {"run", drive.string(), "-o", out(), "-q"};
+  const Arguments arguments = {"run", drive.string(), "-o", out(), "-q", "--force"};
   ExpectDone(arguments);
   EXPECT_FALSE(ReadJson(At("out/result.json"))["sequence"].contains("warnings"));
   std::string jump;

@@ -5,8 +5,11 @@
 #include <memory>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/json.h"
 #include "experiments/cli/command.h"
+#include "experiments/cli/output_file.h"
+#include "experiments/cli/run/pair_check.h"
 #include "experiments/cli/run/sequence_flags.h"
 #include "experiments/cli/run/text_table.h"
 #include "experiments/datasets/body_truth.h"
@@ -14,9 +17,18 @@
 #include "experiments/datasets/sequence.h"
 #include "experiments/datasets/sequence_type.h"
 #include "experiments/record/result_file.h"
+#include "reports/overlays/encode.h"
 
 namespace cvo {
 namespace {
+
+namespace fs = std::filesystem;
+
+struct InfoFlags {
+  SequenceFlags sequence;
+  std::string picture;
+  bool json = false;
+};
 
 struct Rate {
   double duration_s = 0.0;
@@ -43,12 +55,62 @@ std::ptrdiff_t FramesWithTruth(const Sequence& sequence) {
   return std::count_if(truth.begin(), truth.end(), [](const auto& pose) { return !!pose; });
 }
 
-std::vector<std::string> Warnings(const Sequence& sequence) {
+std::vector<std::string> Warnings(const Sequence& sequence, const std::optional<PairCheck>& pair) {
   const std::unique_ptr<BodyTruthReader> bodies = ReadBodyTruth(sequence);
-  return FindImplausible(sequence, bodies ? &bodies->objects() : nullptr);
+  std::vector<std::string> lines = FindImplausible(sequence, bodies ? &bodies->objects() : nullptr);
+  if (pair && !pair->Problem().empty()) lines.push_back("stereo pair: " + pair->Problem());
+  return lines;
 }
 
-Json InfoJson(const Sequence& sequence) {
+// The detectors of a rendered scene, of which --detections names one.
+std::vector<std::string> LevelsOf(const Sequence& sequence) {
+  std::vector<std::string> levels;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(sequence.folder / "detections", none)) {
+    if (entry.path().extension() == ".txt") levels.push_back(entry.path().stem().string());
+  }
+  std::sort(levels.begin(), levels.end());
+  return levels;
+}
+
+std::string DetectionsText(const Sequence& sequence) {
+  const std::vector<std::string> levels = LevelsOf(sequence);
+  return StrCat(sequence.detections.size(), " boxes",
+                levels.empty() ? "" : "; --detections has " + Joined(levels, ", "));
+}
+
+// These data sets state no times, nor do images whose import says so.
+bool HasAssumedRate(const Sequence& sequence) {
+  if (sequence.type == "kitti-tracking" || sequence.type == "virtual-kitti") return true;
+  if (sequence.type == "clusterslam") return !sequence.layout.contains("rate_hz");
+  const fs::path import = sequence.folder / kImportRecord;
+  return fs::exists(import) && ReadJson(import).value("times", "") == "nominal";
+}
+
+std::string RateText(const Sequence& sequence) {
+  const Rate rate = RateOf(sequence.timestamps_ns);
+  return StrCat(ReadableNumber(rate.median_hz), " Hz",
+                HasAssumedRate(sequence) ? " (assumed: no times are stated)" : "", ", duration ",
+                ReadableNumber(rate.duration_s), " s, longest gap ",
+                ReadableNumber(rate.longest_gap_s), " s");
+}
+
+// Rectified images have what they both show in the same row.
+std::string RowsText(const PairCheck& pair) {
+  return StrCat("off by ", ReadableNumber(pair.row_error_px), " px, the median of ",
+                pair.matches.size(), " matches in frame ", pair.frame, "; median disparity ",
+                ReadableNumber(pair.disparity_px), " px");
+}
+
+Json RowsJson(const std::optional<PairCheck>& pair) {
+  if (!pair) return nullptr;
+  return {{"frame", pair->frame},
+          {"matches", pair->matches.size()},
+          {"median_row_error_px", pair->row_error_px},
+          {"median_disparity_px", pair->disparity_px}};
+}
+
+Json InfoJson(const Sequence& sequence, const std::optional<PairCheck>& pair) {
   const Rate rate = RateOf(sequence.timestamps_ns);
   const StereoCamera& camera = sequence.camera;
   return {{"name", sequence.name},
@@ -62,17 +124,19 @@ Json InfoJson(const Sequence& sequence) {
           {"duration_s", rate.duration_s},
           {"median_rate_hz", rate.median_hz},
           {"longest_gap_s", rate.longest_gap_s},
+          {"assumed_rate", HasAssumedRate(sequence)},
+          {"rows", RowsJson(pair)},
           {"camera", ToJson(CameraOf(camera))},
           {"groundtruth", sequence.groundtruth},
           {"groundtruth_frames", FramesWithTruth(sequence)},
           {"labels", sequence.labels.size()},
           {"detections", sequence.detections.size()},
+          {"detection_levels", LevelsOf(sequence)},
           {"missing", sequence.missing},
-          {"warnings", Warnings(sequence)}};
+          {"warnings", Warnings(sequence, pair)}};
 }
 
-void PrintInfo(const Sequence& sequence) {
-  const Rate rate = RateOf(sequence.timestamps_ns);
+void PrintInfo(const Sequence& sequence, const std::optional<PairCheck>& pair) {
   const StereoCamera& camera = sequence.camera;
   const auto last_frame =
       sequence.first_frame + static_cast<std::ptrdiff_t>(sequence.images.size());
@@ -82,21 +146,20 @@ void PrintInfo(const Sequence& sequence) {
   table.Add({"folder", sequence.folder.string()});
   table.Add({"frames", StrCat(sequence.images.size(), " (", sequence.first_frame, " to ",
                               last_frame - 1, " of ", sequence.total_frames, ")")});
-  table.Add(
-      {"rate", StrCat(ReadableNumber(rate.median_hz), " Hz, ", ReadableNumber(rate.duration_s),
-                      " s, longest gap ", ReadableNumber(rate.longest_gap_s), " s")});
+  table.Add({"rate", RateText(sequence)});
   table.Add({"images", StrCat(sequence.pair, ", ", camera.width_px, "x", camera.height_px, " px")});
   table.Add({"calibration",
              StrCat("fx ", ReadableNumber(camera.fx), ", fy ", ReadableNumber(camera.fy), ", cx ",
                     ReadableNumber(camera.cx), ", cy ", ReadableNumber(camera.cy), " px, baseline ",
                     ReadableNumber(camera.baseline_m), " m, u_right shifted by ",
                     ReadableNumber(camera.right_shift_px), " px")});
+  table.Add({"rows", pair ? RowsText(*pair) : "not known: too few matches in the middle frame"});
   table.Add(
       {"ground truth", StrCat(sequence.groundtruth, ", ", FramesWithTruth(sequence), " frames")});
   table.Add({"labels", StrCat(sequence.labels.size(), " boxes")});
-  table.Add({"detections", StrCat(sequence.detections.size(), " boxes")});
+  table.Add({"detections", DetectionsText(sequence)});
   for (const std::string& line : sequence.missing) table.Add({"missing", line});
-  for (const std::string& line : Warnings(sequence)) table.Add({"hardly true", line});
+  for (const std::string& line : Warnings(sequence, pair)) table.Add({"hardly true", line});
   table.Print(std::cout);
 }
 
@@ -118,18 +181,28 @@ int ListSequences(const std::vector<FoundSequence>& found, bool json) {
   return 0;
 }
 
-int ShowInfo(const SequenceFlags& flags, bool json) {
-  const SequenceRequest request = flags.Request();
+int ShowInfo(const InfoFlags& flags) {
+  const bool draws = !flags.picture.empty();
+  if (draws && fs::path(flags.picture).extension() != ".png") {
+    throw UsageError(StrCat("--picture ", flags.picture, ": expected a name that ends in .png"));
+  }
+  const SequenceRequest request = flags.sequence.Request();
   if (request.type.empty() && DetectSequenceType(NormalFolder(request.folder)).empty()) {
     const std::vector<FoundSequence> found = FindSequences(request.folder);
-    if (!found.empty()) return ListSequences(found, json);
+    if (!found.empty()) return ListSequences(found, flags.json);
   }
   const Sequence sequence = OpenSequence(request);
-  if (json) {
-    std::cout << DumpJson(InfoJson(sequence));
+  if (draws) CheckOutputFile(flags.picture, FoldersOf(sequence));
+  const std::optional<PairCheck> pair = CheckMiddlePair(sequence);
+  if (flags.json) {
+    std::cout << DumpJson(InfoJson(sequence, pair));
   } else {
-    PrintInfo(sequence);
+    PrintInfo(sequence, pair);
   }
+  if (!draws) return 0;
+  if (!pair) ThrowError(sequence.folder.string(), "too few matches in the middle frame", "20");
+  WriteOutputFile(flags.picture, reports::PngBytes(pair->Picture()), FoldersOf(sequence));
+  if (!flags.json) std::cout << "written: " << flags.picture << '\n';
   return 0;
 }
 
@@ -138,14 +211,20 @@ int ShowInfo(const SequenceFlags& flags, bool json) {
 Command AddInfoCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "info", "Describe a sequence folder: frames, rate, calibration, ground truth, missing files");
-  const auto flags = std::make_shared<SequenceFlags>();
-  const auto json = std::make_shared<bool>(false);
-  flags->AddTo(*app);
-  app->add_flag("--json", *json, "print JSON");
+  const auto flags = std::make_shared<InfoFlags>();
+  flags->sequence.AddTo(*app);
+  app->add_flag("--json", flags->json, "print JSON");
+  app->add_option(
+         "--picture", flags->picture,
+         "also draw the middle pair of images (PNG) with features found in both: each must "
+         "lie in the same row")
+      ->type_name("FILE");
   app->footer(
       "For a folder that contains several sequences, lists them.\n"
-      "Example: clustervo info kitti_raw/2011_09_26/2011_09_26_drive_0001_sync");
-  return {app, [flags, json] { return ShowInfo(*flags, *json); }};
+      "Examples:\n"
+      "  clustervo info kitti_raw/2011_09_26/2011_09_26_drive_0001_sync\n"
+      "  clustervo info --left cam0 --right cam1 --calib camchain.yaml --picture rows.png");
+  return {app, [flags] { return ShowInfo(*flags); }};
 }
 
 }  // namespace cvo

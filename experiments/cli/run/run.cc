@@ -14,7 +14,9 @@
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
+#include "experiments/cli/run/former_run.h"
 #include "experiments/cli/run/known_names.h"
+#include "experiments/cli/run/pair_check.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/run/run_summary.h"
 #include "experiments/cli/run/sequence_flags.h"
@@ -38,6 +40,7 @@ struct Flags {
   std::string oracle = "none";
   bool strict = false;
   bool landmarks = false;
+  bool force = false;
   bool all = false;
   bool cache = false;
   std::string cache_size;
@@ -93,6 +96,17 @@ void PrintSummary(const Sequence& sequence, const JobOutcome& outcome, bool all)
   PrintScores(outcome.scores, all, std::cout);
 }
 
+// A trajectory of predicted poses is none, whatever its files look like.
+void RefuseLost(const Sequence& sequence, const RunResult& run) {
+  const auto lost = std::count_if(run.frames.begin(), run.frames.end(), [](const auto& frame) {
+    return frame.report.status == FrameStatus::kLost;
+  });
+  if (2 * static_cast<std::size_t>(lost) <= run.frames.size()) return;
+  const std::optional<PairCheck> pair = CheckMiddlePair(sequence);
+  const std::string problem = pair ? pair->Problem() : "";
+  throw Error(run.message + (problem.empty() ? "" : ": " + problem));
+}
+
 // What earlier runs left for this one, and how it says what it goes on without.
 JobCache OpenCache(const Flags& flags, std::size_t frames) {
   FileHashHooks hooks;
@@ -116,7 +130,7 @@ int Run(const Flags& flags) {
   const Options options = flags.run.Resolve(variant.defaults());
   const std::vector<std::string> classes =
       flags.classes.empty() ? RigidClasses() : ParseClasses(flags.classes);
-  const Sequence sequence = OpenSequence(flags.sequence.Request());
+  const Sequence sequence = OpenSequence(flags.sequence.Request(flags.run.quiet));
   CheckClasses(classes, sequence.detections);
   std::vector<std::filesystem::path> read = FoldersOf(sequence);
   read.emplace_back(flags.run.config);
@@ -142,6 +156,7 @@ int Run(const Flags& flags) {
                           .strict = flags.strict,
                           .stop = [&stop] { return stop.Requested(); }};
     if (cache) cache->Serve(request);
+    if (!flags.force) CheckFormerRun(request, output.path());
     Progress progress(sequence.images.size(), flags.run.quiet);
     request.progress = [&progress](std::size_t done) { progress.Report(done); };
     outcome = RunJob(request, output.path());
@@ -153,6 +168,7 @@ int Run(const Flags& flags) {
   if (outcome->run.status == RunStatus::kFailed) throw Error(outcome->run.message);
   PrintSummary(sequence, *outcome, flags.all);
   std::cout << "\nwritten: " << flags.output << '\n';
+  RefuseLost(sequence, outcome->run);
   return 0;
 }
 
@@ -183,6 +199,9 @@ Command AddRunCommand(CLI::App& program) {
       ->capture_default_str();
   app->add_flag("--landmarks", flags->landmarks,
                 "write landmarks.csv: every landmark of every frame with its labels");
+  app->add_flag("--force", flags->force,
+                "replace the result of another run in FOLDER, which is refused otherwise; the same "
+                "run may be repeated");
   app->add_flag("--all", flags->all, "print all metrics instead of the most important ones");
   app->add_flag("--strict", flags->strict,
                 "treat an image that cannot be decoded as an error instead of skipping its frame");
@@ -193,7 +212,7 @@ Command AddRunCommand(CLI::App& program) {
       "with --cache: maximum total size of cached features, the least recently used are removed "
       "first; default: CLUSTERVO_CACHE_SIZE or 20G");
   app->footer(
-      "Output files: result.json, timing.json, camera.tum, camera.kitti; for moving "
+      "Output files: result.json, timing.json, truth.json, camera.tum, camera.kitti; for moving "
       "bodies\nobjects.csv (every cluster in every frame, with its life state), tracks.kitti "
       "(KITTI\ntracking rows, without the life state) and clusters/<id>.tum.\ncamera.kitti has one "
       "line per frame; skipped frames, listed in result.json, have their\npredicted pose. "

@@ -156,8 +156,8 @@ TEST_F(CliKitti, CameraIsAsAccurateAsPromised) {
       {"kitti_raw/2011_09_26/2011_09_26_drive_0013_sync", 0.21},
       {"kitti_odometry/sequences/06", 0.06}};
   for (const auto& [folder, ate_m] : promises) {
-    const ProcessResult run =
-        RunProgram({"run", (*data_ / folder).string(), "-o", out("run").string(), "--quiet"});
+    const ProcessResult run = RunProgram(
+        {"run", (*data_ / folder).string(), "-o", out("run").string(), "--quiet", "--force"});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const std::map<std::string, double> metrics = MetricsOf(out("run"));
     EXPECT_EQ(metrics.at("camera_coverage"), 1.0) << folder;

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/base/error.h"
 #include "core/files/json.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/runner/tiny_sequence.h"
@@ -95,11 +96,60 @@ TEST_F(CliRun, StrictFailsOnADamagedImageAndWritesNothing) {
   EXPECT_FALSE(fs::exists(out()));
 }
 
+// What a folder holds is replaced by the same run alone, unless it is forced.
+TEST_F(CliRun, AnotherRunIsNotReplaced) {
+  const std::string boxes =
+      folder_.Write("boxes.txt", "0 3 Car -1 -1 -10 10 10 60 60 -1 -1 -1 -1 -1 -1 -10 0.5\n")
+          .string();
+  ASSERT_EQ(Run(out(), {"-q", "--landmarks"}).exit_code, 0);
+  const std::string before = ReadFile(out() / "result.json");
+  const auto refused = [&](std::vector<std::string> more, const std::string& found) {
+    more.insert(more.end(), {"-q", "--landmarks"});
+    test::ExpectError(Run(out(), more), StrCat(": found a run of tiny with ", found), 2);
+  };
+  refused({"--seed", "7"}, "seed 0, expected 7 (--force replaces it)");
+  refused({"--variant", "static"}, "variant full, expected static");
+  refused({"--set", "orb.features=500"}, "option orb.features ");
+  refused({"--frames", "1:4"}, "frames 0:8, expected 1:4");
+  refused({"--oracle", "camera"}, "classes and oracles {");
+  refused({"--detections", boxes}, "0 other detections, expected the 1 asked for");
+  test::ExpectError(Run(out(), {"-q"}), "with landmarks.csv, expected one without", 2);
+  EXPECT_EQ(Run(out(), {"-q", "--landmarks", "--threads", "1"}).exit_code, 0);
+  EXPECT_EQ(ReadFile(out() / "result.json"), before);
+  fs::copy_file(tiny() / "image_0/000001.png", tiny() / "image_0/000002.png",
+                fs::copy_options::overwrite_existing);
+  refused({}, "other images, calibration or truth, expected those asked for");
+  EXPECT_EQ(Run(out(), {"-q", "--force"}).exit_code, 0);
+  EXPECT_FALSE(fs::exists(out() / "landmarks.csv"));
+  folder_.Write("out/result.json", "{");
+  test::ExpectError(Run(out(), {"-q"}), "; --force replaces it", 2);
+}
+
+// A trajectory of predictions alone is written and is a failure, with its cause where it shows.
+TEST_F(CliRun, LostFramesAreAFailure) {
+  const fs::path right = tiny() / "image_1";
+  fs::rename(right, tiny() / "right");
+  fs::copy(tiny() / "image_0", right);
+  const ProcessResult same = Run(out(), {"-q"});
+  EXPECT_EQ(same.exit_code, 1);
+  EXPECT_THAT(same.err, AllOf(HasSubstr(" of 8 frames lost, the first is frame "),
+                              HasSubstr(": the left and right images are the same")));
+  EXPECT_EQ(ResultOf(out())["status"], "lost");
+  fs::remove_all(right);
+  fs::rename(tiny() / "image_0", right);
+  fs::rename(tiny() / "right", tiny() / "image_0");
+  const ProcessResult swapped = Run(out("swapped"), {"-q"});
+  EXPECT_EQ(swapped.exit_code, 1);
+  EXPECT_THAT(swapped.err, HasSubstr(": left and right seem to be swapped"));
+  EXPECT_THAT(RunProgram({"info", tiny().string()}).out, HasSubstr("seem to be swapped"));
+}
+
 TEST_F(CliRun, AFullDiskLosesNothing) {
   ASSERT_EQ(Run(out()).exit_code, 0);
   const std::string before = ReadFile(out() / "result.json");
   // Room for the trajectories, which are written first, but not for the result.
-  const ProcessResult run = Run(out(), {"--quiet", "--seed", "1"}, {.file_size_limit = 4096});
+  const ProcessResult run =
+      Run(out(), {"--quiet", "--seed", "1", "--force"}, {.file_size_limit = 4096});
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_THAT(run.err, AllOf(HasSubstr("json"), HasSubstr("cannot write")));
   EXPECT_EQ(test::LineCount(run.err), 1U);
@@ -156,7 +206,7 @@ TEST_F(CliRun, ReportsWhichDetectionsCount) {
   EXPECT_EQ(test::LineCount(ReadFile(out() / "objects.csv")), 1U);  // one detection is no cluster
   EXPECT_THAT(ReadFile(out() / "landmarks.csv"), testing::StartsWith("frame,id,u_px"));
 
-  ASSERT_EQ(Run(out(), {"--detections", boxes, "--classes", "dog"}).exit_code, 0);
+  ASSERT_EQ(Run(out(), {"--detections", boxes, "--classes", "dog", "--force"}).exit_code, 0);
   EXPECT_EQ(ResultOf(out())["detection_counts"]["other_classes"]["Car"], 2);
   EXPECT_NE(ResultOf(out())["job"], result["job"]);
   EXPECT_FALSE(fs::exists(out() / "landmarks.csv"));
@@ -169,7 +219,7 @@ TEST_F(CliRun, AllMetricsAndAWarningOfMargins) {
   const ProcessResult run = Run(out(), {"--detections", file, "--all"});
   EXPECT_THAT(run.out, AllOf(HasSubstr("camera_ate_median"),
                              HasSubstr("warning: of 3 boxes in the file, 2 have a score above 0")));
-  EXPECT_THAT(Run(out(), {"--detections", file, "--min-score", "0"}).out,
+  EXPECT_THAT(Run(out(), {"--detections", file, "--min-score", "0", "--force"}).out,
               testing::Not(HasSubstr("warning: of")));
 }
 
@@ -180,7 +230,7 @@ TEST_F(CliRun, ReservedWordsForDetections) {
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_THAT(none.err, HasSubstr("--detections: found \"labels\""));
   folder_.Write("tiny/labels.txt", "2 7 Car 0 0 -1.5 14 11 29 56 1.5 1.6 3.7 1 1.5 4 0.25\n");
-  ASSERT_EQ(Run(out(), {"--detections", "labels"}).exit_code, 0);
+  ASSERT_EQ(Run(out(), {"--detections", "labels", "--force"}).exit_code, 0);
   EXPECT_EQ(ResultOf(out())["frames"][2]["detections"], 1);
 }
 
