@@ -3,6 +3,7 @@
 #include "experiments/suite/data_folder.h"
 
 #include "core/base/error.h"
+#include "core/files/closest_names.h"
 #include "experiments/datasets/sequence_type.h"
 
 namespace cvo {
@@ -18,6 +19,14 @@ bool EndsWith(const fs::path& path, const fs::path& end) {
     if (a == path.begin() || *--a != *--b) return false;
   }
   return true;
+}
+
+// As many of the last parts of a path as the other one has.
+std::string LastParts(const fs::path& path, const fs::path& other) {
+  fs::path last;
+  auto part = path.end();
+  for (auto i = other.begin(); i != other.end() && part != path.begin(); ++i) last = *--part / last;
+  return NormalFolder(fs::path("/") / last).relative_path().string();
 }
 
 }  // namespace
@@ -46,7 +55,13 @@ DataFolder::Found DataFolder::Find(const std::string& folder) {
     }
     found.folder = fs::absolute(sequence.folder);
   }
-  if (found.folder.empty()) found.missing = StrCat("no ", folder, " below ", root_.string());
+  if (found.folder.empty()) {
+    std::vector<std::string> known;
+    for (const FoundSequence& sequence : All()) {
+      known.push_back(LastParts(sequence.folder, fs::path(folder)));
+    }
+    found.missing = StrCat("no ", folder, DidYouMean(folder, known), " below ", root_.string());
+  }
   return found;
 }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/closest_names.h"
 #include "core/files/text_file.h"
 #include "experiments/suite/collection.h"
@@ -33,6 +34,14 @@ std::vector<std::string> TextsOr(ObjectReader& object, const std::string& key,
     ThrowError(object.Where(key), value.dump(), "a list of texts");
   }
   return value.get<std::vector<std::string>>();
+}
+
+// Empty where the key is not there.
+std::string OneOfOr(ObjectReader& object, const std::string& key,
+                    const std::vector<std::string>& known) {
+  std::string text = object.TextOr(key, "");
+  if (text.empty() || std::find(known.begin(), known.end(), text) != known.end()) return text;
+  ThrowError(object.Where(key), Quoted(text) + DidYouMean(text, known), Joined(known, " or "));
 }
 
 Json ObjectOr(ObjectReader& object, const std::string& key) {
@@ -156,8 +165,8 @@ SuiteSequence ReadSequence(ObjectReader object, const fs::path& folder) {
   sequence.classes = TextsOr(object, "classes", {});
   sequence.perturb = ObjectOr(object, "perturb");
   if (!sequence.folder.empty()) {
-    sequence.dataset = object.TextOr("dataset", "");
-    sequence.pair = object.TextOr("pair", "");
+    sequence.dataset = OneOfOr(object, "dataset", {"kitti", "other"});
+    sequence.pair = OneOfOr(object, "pair", {"grey", "colour"});
     sequence.groundtruth = object.TextOr("groundtruth", sequence.groundtruth);
     sequence.detections_camera = object.IntegerOr("detections_camera", {0, 3}, -1);
     if (object.Has("min_score")) sequence.min_score = object.Number("min_score", {-1e6, 1e6});

@@ -5,6 +5,7 @@
 
 #include <numeric>
 #include <set>
+#include <tuple>
 
 #include "experiments/suite/cell_input.h"
 #include "experiments/suite/plan.h"
@@ -34,6 +35,17 @@ Json With(const std::string& pointer, const Json& value) {
 
 std::string MessageOf(const Json& json) {
   return ErrorMessage([&] { Parse(json); });
+}
+
+TEST(Suite, DataSetsAndPairsAreKnown) {
+  for (const auto& [key, value, message] :
+       {std::tuple{"dataset", "kiti",
+                   "found \"kiti\" (did you mean kitti?), expected kitti or other"},
+        {"pair", "gray", "found \"gray\" (did you mean grey?), expected grey or colour"}}) {
+    Json json = test::FolderSuite("07");
+    json["sequences"][0][key] = value;
+    EXPECT_EQ(MessageOf(json), StrCat("s.json, sequences.0.", key, ": ", message));
+  }
 }
 
 TEST(Suite, ReadsAFile) {
