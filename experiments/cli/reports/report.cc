@@ -48,6 +48,10 @@ int WriteReport(const ReportFlags& flags) {
   reports::PageRequest request;
   request.folder = folder;
   if (!flags.against.empty()) request.against = Named(flags.against);
+  if (!flags.against.empty() && !fs::exists(request.against / "plan.json")) {
+    throw UsageError(
+        StrCat("--against ", flags.against, ": found no plan.json, expected a suite's folder"));
+  }
   request.default_options = DefaultOptions();
   request.images_of_all = !flags.runs.empty();
   for (const VariantInfo& variant : Variants()) {
