@@ -4,6 +4,7 @@
 // the last frame and writes the trajectory of the camera.
 #include <charconv>
 #include <cmath>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -59,8 +60,7 @@ std::string Shortest(double value) {
   return {text, std::to_chars(text, text + sizeof(text), value).ptr};
 }
 
-int main(int, char** argv) {
-  const fs::path folder = argv[1];
+void Run(const fs::path& folder, const fs::path& tum) {
   const auto read = [&](const char* side, int frame) {
     std::string name = std::to_string(frame);
     name.insert(0, 6 - name.size(), '0');
@@ -82,11 +82,22 @@ int main(int, char** argv) {
     }
   }
 
-  std::ofstream out(argv[2]);
+  std::ofstream out(tum);
   const std::vector<cvo::RigidTransform> trajectory = odometry.Trajectory();
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     out << times[i];
     for (int k : {4, 5, 6, 0, 1, 2, 3}) out << ' ' << Shortest(trajectory[i].data()[k]);
     out << '\n';
   }
+}
+
+int main(int argc, char** argv) try {
+  if (argc != 3) {
+    std::cerr << "usage: consumer SEQUENCE TUM\n";
+    return 2;
+  }
+  Run(argv[1], argv[2]);
+} catch (const std::exception& error) {
+  std::cerr << "consumer: " << error.what() << '\n';
+  return 1;
 }
