@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/cli/command.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
+#include "core/files/closest_names.h"
 #include "core/files/number.h"
+#include "core/files/text_file.h"
 #include "experiments/record/build_identity.h"
 
 namespace cvo {
@@ -23,6 +27,15 @@ Command Group(CLI::App& app, std::vector<Command> commands) {
 std::string FiniteProblem(const std::string& text) {
   const std::optional<double> number = ParseDouble(text);
   return number ? "" : StrCat("found '", text, "', expected a finite number");
+}
+
+CLI::Validator OneOf(std::vector<std::string> names) {
+  return {[names = std::move(names)](const std::string& text) -> std::string {
+            if (std::find(names.begin(), names.end(), text) != names.end()) return "";
+            return StrCat("found ", Quoted(text), DidYouMean(text, names), ", expected one of ",
+                          Joined(names, ", "));
+          },
+          ""};
 }
 
 std::string VersionText() {

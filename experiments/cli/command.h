@@ -43,6 +43,10 @@ Command Group(CLI::App& app, std::vector<Command> commands);
 // A check for numbers, which the parser lets be NaN and infinite: what is wrong, or empty.
 std::string FiniteProblem(const std::string& text);
 
+// A check for one of some names, which the flag's help lists: the nearest is named where it is
+// none.
+CLI::Validator OneOf(std::vector<std::string> names);
+
 // What `clustervo --version` prints.
 std::string VersionText();
 

@@ -44,6 +44,11 @@ int Fail(const std::string& message, int exit_code) {
   return exit_code;
 }
 
+std::string CommandName(const CLI::App& app) {
+  const CLI::App* above = app.get_parent();
+  return above == nullptr ? app.get_name() : CommandName(*above) + " " + app.get_name();
+}
+
 // A word that is no subcommand where one must be, which the parser would only call unexpected.
 void CheckSubcommand(int argc, char** argv, const CLI::App& program) {
   const CLI::App* app = &program;
@@ -57,18 +62,13 @@ void CheckSubcommand(int argc, char** argv, const CLI::App& program) {
     const auto found = std::find(names.begin(), names.end(), word);
     if (found == names.end()) {
       const std::string meant = DidYouMean(word, names);
-      throw CLI::ExtrasError(
-          StrCat("no subcommand \"", word, "\"",
-                 meant.empty() ? ", expected " + OneOfKnown(word, names) : meant),
-          CLI::ExitCodes::ExtrasError);
+      const std::string command = CommandName(*app);
+      throw UsageError(StrCat(command, " has no subcommand \"", word, "\"",
+                              meant.empty() ? ", expected " + OneOfKnown(word, names) : meant,
+                              " (see ", command, " --help)"));
     }
     app = known[static_cast<std::size_t>(found - names.begin())];
   }
-}
-
-std::string CommandName(const CLI::App& app) {
-  const CLI::App* above = app.get_parent();
-  return above == nullptr ? app.get_name() : CommandName(*above) + " " + app.get_name();
 }
 
 // A flag that the command does not have, with what may have been meant.
@@ -90,7 +90,7 @@ void CheckFlags(int argc, char** argv, const CLI::App& program) {
     }
     if (std::find(names.begin(), names.end(), flag) != names.end()) continue;
     const std::string meant = DidYouMean(flag, names);
-    if (meant.empty()) continue;  // the parser says what it is
+    if (meant.empty()) continue;  // a flag's value, or ExplainUsage says what it is
     const std::string command = CommandName(*app);
     throw UsageError(StrCat(command, " has no flag ", flag, meant, " (see ", command, " --help)"));
   }
@@ -99,6 +99,17 @@ void CheckFlags(int argc, char** argv, const CLI::App& program) {
 int ExplainUsage(const CLI::App& program, const CLI::ParseError& error) {
   const CLI::App* app = &program;
   while (!app->get_subcommands().empty()) app = app->get_subcommands().front();
+  if (app->get_require_subcommand_min() > 0 && program.remaining_size(true) == 0) {
+    std::cerr << program.help();
+    return kUsage;
+  }
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    const std::string extra = program.remaining(true).front();
+    const std::string command = CommandName(*app);
+    return Fail(StrCat(command, extra.starts_with('-') ? " has no flag " : " has no use for ",
+                       extra, " (see ", command, " --help)"),
+                kUsage);
+  }
   return Fail(StrCat(error.what(), " (see ", CommandName(*app), " --help)"), kUsage);
 }
 
@@ -133,8 +144,8 @@ int Main(int argc, char** argv) {
   cv::setNumThreads(1);  // the program's own threads are enough, and OpenCV's cost determinism
 
   CLI::App program(
-      "Stereo visual odometry on recorded drives, scored under explicitly stated error "
-      "definitions.");
+      "Stereo odometry of a camera and of the bodies that move before it, on recorded sequences "
+      "and rendered scenes, scored under explicitly stated error definitions.");
   program.name("clustervo");
   program.set_version_flag("--version", VersionText);
   program.require_subcommand(1);

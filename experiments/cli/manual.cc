@@ -46,7 +46,7 @@ Command AddManualCommand(CLI::App& program) {
   app->add_option("WHAT", *what, "man, bash, zsh or fish")
       ->type_name("")
       ->required()
-      ->check(CLI::IsMember({"man", "bash", "zsh", "fish"}).description(""));
+      ->check(OneOf({"man", "bash", "zsh", "fish"}));
   app->footer(
       "`cmake --install` puts all of them where the shells and man look for them.\n"
       "Examples:\n"

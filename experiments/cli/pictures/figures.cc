@@ -77,7 +77,7 @@ Command AddFiguresCommand(CLI::App& program) {
   app->add_option("-o,--output", flags->out, "output folder")->type_name("OUT")->required();
   app->add_option("--format", flags->format, "svg, pdf, or json (Plotly figure)")
       ->type_name("FORMAT")
-      ->check(CLI::IsMember({"svg", "pdf", "json"}));
+      ->check(OneOf({"svg", "pdf", "json"}));
   app->add_option("--only", flags->only, "write only this figure, given by its file name")
       ->type_name("ID");
   app->footer(

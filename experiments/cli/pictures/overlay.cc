@@ -166,7 +166,7 @@ void AddDrawingFlags(CLI::App& app, OverlayFlags& flags) {
       "label that colours the landmarks: cluster (the cluster they belong to) or inferred (the "
       "label inferred from the energy terms in the frame, drawn without 3D boxes); default: "
       "cluster, for several runs inferred")
-      ->check(CLI::IsMember({"cluster", "inferred"}).description(""));
+      ->check(OneOf({"cluster", "inferred"}));
   app.add_flag("--sheet", flags.sheet,
                "also write DIR/sheet.png: evenly spaced frames in one image");
   app.add_flag("--video", flags.video,

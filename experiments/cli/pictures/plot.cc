@@ -230,12 +230,12 @@ Command AddPlotCommand(CLI::App& program) {
                   "the first common pose) or yaw (about the vertical, and translation); default: "
                   "se3 with ground truth, else none")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"none", "se3", "sim3", "origin", "yaw"}).description(""));
+      ->check(OneOf({"none", "se3", "sim3", "origin", "yaw"}));
   app->add_option("--up", flags->up,
                   "vertical axis: y (down, as cameras have it) or z (up); default: y for runs and "
                   "KITTI files, for others the one along which they extend less")
       ->type_name("AXIS")
-      ->check(CLI::IsMember({"y", "z"}).description(""));
+      ->check(OneOf({"y", "z"}));
   app->add_option("--max-time-difference", flags->max_time_difference_s,
                   "maximum time difference of matching poses, in seconds")
       ->type_name("S")

@@ -8,6 +8,7 @@
 #include "core/files/json_record.h"
 #include "core/files/number.h"
 #include "experiments/cli/command.h"
+#include "experiments/cli/output_file.h"
 #include "experiments/cli/run/text_table.h"
 #include "reports/results/metric_catalogue.h"
 #include "reports/runs/run_comparison.h"
@@ -139,6 +140,10 @@ void PrintComparison(const RunComparison& comparison, bool all) {
 }
 
 int CompareSomeRuns(const CompareRunsFlags& flags) {
+  constexpr std::size_t kMost = 20;
+  if (flags.runs.size() > kMost) {
+    throw UsageError(StrCat("RUN: found ", flags.runs.size(), " runs, expected at most ", kMost));
+  }
   for (const std::string& run : flags.runs) {
     if (fs::exists(fs::path(run) / "result.json")) continue;
     ThrowError(run, fs::exists(fs::path(run) / "plan.json") ? "a suite's folder" : "no result.json",
@@ -164,7 +169,7 @@ Command AddCompareCommand(CLI::App& program) {
                   "is what the others are compared with")
       ->type_name("")
       ->required()
-      ->expected(2, 20);
+      ->expected(-2);
   app->add_flag("--all", flags->all, "also causal metrics and those of bodies that stay put");
   app->add_flag("--json", flags->json, "print JSON, with all metrics, pairs and intervals");
   app->footer(

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "reports/formats/table_csv.h"
 #include "reports/formats/table_html.h"
@@ -45,7 +46,7 @@ std::string Rendered(const reports::Table& table, const TableFormat& format) {
 void AddTableFormat(CLI::App& app, TableFormat& format) {
   app.add_option("--format", format.format, "output format of the table")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"terminal", "markdown", "csv", "latex", "html"}))
+      ->check(OneOf({"terminal", "markdown", "csv", "latex", "html"}))
       ->capture_default_str();
   app.add_option("-o,--output", format.output,
                  "write the table to this file instead of printing it")

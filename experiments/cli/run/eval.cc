@@ -160,7 +160,7 @@ Command AddEvalCommand(CLI::App& program) {
   app->add_option("--format", flags->format,
                   "tum (time tx ty tz qx qy qz qw) or kitti (12 numbers); default: from the number "
                   "of columns")
-      ->check(CLI::IsMember({"tum", "kitti"}));
+      ->check(OneOf({"tum", "kitti"}));
   app->add_option("--max-time-difference", flags->max_time_difference_s,
                   "maximum time difference of matching TUM poses, in seconds")
       ->check(CLI::Range(0.0, 1e6).description(""))

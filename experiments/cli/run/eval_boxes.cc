@@ -163,7 +163,7 @@ void EvalBoxes::AddTo(CLI::App& app) {
   std::vector<CLI::Option*> options;
   options.push_back(app.add_option("--class", category,
                                    "class that is scored; Van and Person_sitting are neighbours")
-                        ->check(CLI::IsMember({"Car", "Pedestrian", "Cyclist"}))
+                        ->check(OneOf({"Car", "Pedestrian", "Cyclist"}))
                         ->capture_default_str());
   options.push_back(app.add_option("--iou", least_overlap,
                                    "with --ap: intersection over union to exceed; default: the "
@@ -175,12 +175,12 @@ void EvalBoxes::AddTo(CLI::App& app) {
       app.add_option("--truncation", truncation,
                      "with --ap: applied (labels truncated beyond a level's limit are "
                      "ignored there, in a tracking file each of 1 or 2) or ignored")
-          ->check(CLI::IsMember({"applied", "ignored"}))
+          ->check(OneOf({"applied", "ignored"}))
           ->capture_default_str());
   options.push_back(app.add_option("--dontcare", dont_care,
                                    "with --ap: whose false positives DontCare regions forgive: 2d, "
                                    "as in KITTI's benchmark, or all, by the box in the image")
-                        ->check(CLI::IsMember({"2d", "all"}))
+                        ->check(OneOf({"2d", "all"}))
                         ->capture_default_str());
   for (CLI::Option* option : options) option->group("With --ap or --tracking");
 }

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "core/base/error.h"
+#include "experiments/cli/command.h"
 #include "experiments/cli/run/known_names.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/jobs/local_engine.h"
@@ -55,7 +56,7 @@ void EngineFlags::AddTo(CLI::App& app) {
          "--engine", name,
          "where jobs run: local (processes on this machine) or slurm (see experiments/README.md)")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"local", "slurm"}).description(""))
+      ->check(OneOf({"local", "slurm"}))
       ->capture_default_str();
   app.add_option("--sbatch", sbatch,
                  "with slurm: additional flag for sbatch, such as --sbatch=--partition=short; can "

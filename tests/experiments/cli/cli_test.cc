@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <opencv2/imgcodecs.hpp>
+
 #include "core/files/json.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/runner/tiny_sequence.h"
@@ -48,8 +50,20 @@ class Cli : public testing::Test {
 };
 
 TEST_F(Cli, WrongUsage) {
-  EXPECT_THAT(RunProgram({}), FailsWith(2, "subcommand"));
+  for (const std::vector<std::string>& group : {std::vector<std::string>{}, {"synth"}}) {
+    const ProcessResult none = RunProgram(group);
+    EXPECT_EQ(none.exit_code, 2);
+    EXPECT_THAT(none.err, AllOf(HasSubstr("Usage: clustervo"), HasSubstr("Subcommands:")));
+  }
   EXPECT_THAT(RunProgram({"runn"}), FailsWith(2, "did you mean run"));
+  EXPECT_THAT(RunProgram({"rnu"}), FailsWith(2, "did you mean run?) (see clustervo --help)"));
+  EXPECT_THAT(RunProgram({"synth", "lst"}),
+              FailsWith(2, "did you mean list?) (see clustervo synth --help)"));
+  EXPECT_THAT(RunProgram({"manual", "bsh"}),
+              FailsWith(2, "WHAT: found \"bsh\" (did you mean bash, zsh?), expected one of man, "));
+  EXPECT_THAT(RunProgram({"info", tiny(), "more"}),
+              FailsWith(2, "clustervo info has no use for more (see clustervo info --help)"));
+  EXPECT_THAT(FailingRun({"--zzzzzzzzzz"}), FailsWith(2, "clustervo run has no flag --zzzzzzzzzz"));
   EXPECT_THAT(RunProgram({"walk"}), FailsWith(2, "\"walk\", expected one of run, detect, "));
   EXPECT_THAT(RunProgram({"run", tiny()}), FailsWith(2, "--output"));
   EXPECT_THAT(RunProgram({"run", "-o", out()}), FailsWith(2, "no sequence"));
@@ -134,6 +148,13 @@ TEST_F(Cli, BadConfiguration) {
 TEST_F(Cli, BadSequence) {
   EXPECT_THAT(RunProgram({"run", "/no/such/folder", "-o", out()}), FailsWith(2, "/no/such/folder"));
   EXPECT_THAT(FailingRun({"--type", "bundler"}), FailsWith(2, "bundler"));
+  const std::string file = folder_.Write("sheet.png", "").string();
+  EXPECT_THAT(RunProgram({"run", file, "-o", out()}),
+              FailsWith(1, "sheet.png: found a file, expected the folder of a sequence"));
+  for (const char* flag : {"--labels", "--config", "--detections"}) {
+    EXPECT_THAT(FailingRun({flag, tiny()}),
+                FailsWith(2, std::string(flag) + ": found the folder " + tiny()));
+  }
   EXPECT_THAT(FailingRun({"--frames", "5:9"}), FailsWith(2, ""));
   EXPECT_THAT(FailingRun({"--frames", "2"}), FailsWith(2, ""));
   fs::remove(fs::path(tiny()) / "image_1" / "000001.png");
@@ -205,7 +226,16 @@ TEST_F(Cli, InfoDescribesAFolder) {
   EXPECT_EQ(json["groundtruth"], "official");
   EXPECT_NEAR(json["median_rate_hz"].get<double>(), 10.0, 1e-9);
   EXPECT_EQ(json["camera"]["width_px"], test::kTinyWidth_px);
-  EXPECT_THAT(RunProgram({"info", tiny()}).out, HasSubstr("baseline 0.5 m"));
+  EXPECT_LT(json["rows"]["median_row_error_px"].get<double>(), 0.5);
+  EXPECT_NEAR(json["rows"]["median_disparity_px"].get<double>(), 10.0, 0.5);
+  fs::create_directory(fs::path(tiny()) / "detections");
+  folder_.Write("tiny/detections/poor.txt", "");
+  const std::string picture = (folder_.path() / "rows.png").string();
+  EXPECT_THAT(RunProgram({"info", tiny(), "--picture", picture}).out,
+              AllOf(HasSubstr("baseline 0.5 m"), HasSubstr("10 Hz, duration 0.2 s"),
+                    HasSubstr("0 boxes; --detections has poor"), HasSubstr("off by 0")));
+  EXPECT_EQ(cv::imread(picture).size(), cv::Size(2 * test::kTinyWidth_px, test::kTinyHeight_px));
+  EXPECT_THAT(RunProgram({"info", tiny(), "--picture", "rows.gif"}), FailsWith(2, ".png"));
 }
 
 TEST_F(Cli, InfoListsTheSequencesBelowAFolder) {
