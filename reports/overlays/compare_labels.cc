@@ -60,6 +60,49 @@ std::map<std::int64_t, Counts> SharedLandmarks(const OverlayRun& run, const Over
   return shared;
 }
 
+using FramesById = std::map<std::int64_t, std::set<int>>;
+using UsedColors = std::array<std::set<int>, kClusterColors>;  // frames by colour
+
+std::size_t ColorIndex(std::int64_t id) {
+  return (static_cast<std::uint64_t>(id) - 1U) % kClusterColors;
+}
+
+// The first colour from `wanted` on that others have in the fewest of the frames; takes it there.
+std::size_t TakeColor(std::size_t wanted, const std::set<int>& frames, UsedColors& used) {
+  std::size_t best = wanted;
+  std::size_t least = frames.size() + 1;
+  for (std::size_t i = 0; i < kClusterColors && least > 0; ++i) {
+    const std::size_t color = (wanted + i) % kClusterColors;
+    const auto shared = static_cast<std::size_t>(std::count_if(
+        frames.begin(), frames.end(), [&](int frame) { return used[color].contains(frame); }));
+    if (shared >= least) continue;
+    best = color;
+    least = shared;
+  }
+  used[best].insert(frames.begin(), frames.end());
+  return best;
+}
+
+// The frames in which something is drawn in a cluster's colour.
+FramesById FramesOfClusters(const OverlayRun& run) {
+  FramesById frames;
+  for (const ClusterRow& row : run.detail.clusters) frames[row.id].insert(row.frame);
+  for (const auto& [frame, dots] : run.landmarks) {
+    for (const LandmarkDot& dot : dots) {
+      if (dot.label > kStaticLabel) frames[dot.label].insert(frame);
+    }
+  }
+  return frames;
+}
+
+// The colour that a cluster should have, and how many landmarks speak for it.
+struct Wish {
+  std::int64_t id = 0;
+  std::set<int> frames;
+  std::size_t color = 0;
+  std::int64_t shared = 0;
+};
+
 }  // namespace
 
 void MarkWrongLabels(OverlayRun& run) {
@@ -84,25 +127,13 @@ void MarkWrongLabels(OverlayRun& run) {
 }
 
 std::map<std::int64_t, std::int64_t> ApartColors(const std::vector<ClusterRow>& rows) {
-  std::map<std::int64_t, std::set<int>> frames;  // by cluster
+  FramesById frames;
   for (const ClusterRow& row : rows) frames[row.id].insert(row.frame);
-  std::array<std::set<int>, kClusterColors> used;  // frames by colour
+  UsedColors used;
   std::map<std::int64_t, std::int64_t> chosen;
   for (const auto& [id, of_cluster] : frames) {
-    const std::size_t own = (static_cast<std::uint64_t>(id) - 1U) % kClusterColors;
-    std::size_t best = own;
-    std::size_t least = of_cluster.size() + 1;
-    for (std::size_t i = 0; i < kClusterColors && least > 0; ++i) {
-      const std::size_t color = (own + i) % kClusterColors;
-      const auto shared = static_cast<std::size_t>(
-          std::count_if(of_cluster.begin(), of_cluster.end(),
-                        [&](int frame) { return used[color].contains(frame); }));
-      if (shared >= least) continue;
-      best = color;
-      least = shared;
-    }
-    used[best].insert(of_cluster.begin(), of_cluster.end());
-    if (best != own) chosen[id] = static_cast<std::int64_t>(best) + 1;
+    const std::size_t color = TakeColor(ColorIndex(id), of_cluster, used);
+    if (color != ColorIndex(id)) chosen[id] = static_cast<std::int64_t>(color) + 1;
   }
   return chosen;
 }
@@ -110,10 +141,28 @@ std::map<std::int64_t, std::int64_t> ApartColors(const std::vector<ClusterRow>& 
 void AgreeOnColors(std::vector<OverlayRun>& runs) {
   const std::map<std::int64_t, std::int64_t>& last = runs.back().color_ids;
   for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
-    for (const auto& [cluster, counts] : SharedLandmarks(runs[i], runs.back())) {
-      const std::int64_t id = MostOften(counts);
-      const auto color = last.find(id);
-      runs[i].color_ids[cluster] = color == last.end() ? id : color->second;
+    const std::map<std::int64_t, Counts> shared = SharedLandmarks(runs[i], runs.back());
+    // Several clusters may share most with the same one: it is the colour of whichever shares more.
+    std::vector<Wish> wishes;
+    for (const auto& [id, frames] : FramesOfClusters(runs[i])) {
+      Wish wish{id, frames, ColorIndex(id), 0};
+      if (const auto found = shared.find(id); found != shared.end()) {
+        const std::int64_t there = MostOften(found->second);
+        const auto color = last.find(there);
+        wish.color = ColorIndex(color == last.end() ? there : color->second);
+        wish.shared = found->second.at(there);
+      }
+      wishes.push_back(std::move(wish));
+    }
+    std::stable_sort(wishes.begin(), wishes.end(),
+                     [](const Wish& a, const Wish& b) { return a.shared > b.shared; });
+    UsedColors used;
+    runs[i].color_ids.clear();
+    for (const Wish& wish : wishes) {
+      const std::size_t color = TakeColor(wish.color, wish.frames, used);
+      if (color != ColorIndex(wish.id)) {
+        runs[i].color_ids[wish.id] = static_cast<std::int64_t>(color) + 1;
+      }
     }
   }
 }

@@ -55,7 +55,8 @@ void MarkWrongLabels(OverlayRun& run);
 std::map<std::int64_t, std::int64_t> ApartColors(const std::vector<ClusterRow>& rows);
 
 // Gives the clusters of all runs the colours of the last run's: each that of the cluster with which
-// it shares most landmarks, over all frames. Runs of one sequence have the same pixels.
+// it shares most landmarks, over all frames, unless one that shares more with it is there at the
+// same time: within a run colours stay apart. Runs of one sequence have the same pixels.
 void AgreeOnColors(std::vector<OverlayRun>& runs);
 
 // The corner that bodies are in least, over all frames: the same in all pictures of the run.

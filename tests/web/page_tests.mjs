@@ -60,6 +60,13 @@ export const pageTests = {
     }
   },
 
+  async 'no button of a chart sends it anywhere'({ good }) {
+    await drawAll(good.page);
+    const names = await good.page.locator('.modebar-btn').evaluateAll((all) => all.map((button) => button.dataset.title ?? button.dataset.attr ?? ''));
+    assert.ok(names.length > 0);
+    assert.deepEqual(names.filter((name) => /share|cloud|send|edit/i.test(name)), []);
+  },
+
   async 'what the page names is in it: labels of images and of fields'({ good }) {
     const unnamed = await good.page.evaluate(() => [
       ...[...document.querySelectorAll('img:not([hidden])')].filter((image) => !image.alt),

@@ -3,7 +3,10 @@
 import { readData } from './page_data.js';
 import { onThemeChange, template } from './theme.js';
 
-export const CONFIG = { responsive: true, displaylogo: false, showTips: false, scrollZoom: false };
+// No button may send a figure anywhere: the page needs no network.
+export const CONFIG = {
+  responsive: true, displaylogo: false, showTips: false, scrollZoom: false, showSendToCloud: false,
+};
 
 const drawn = new Set();
 

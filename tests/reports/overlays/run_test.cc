@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 // What of a run's folder is drawn.
+#include <set>
 #include <gmock/gmock.h>
 
 #include "reports/overlays/overlay_run.h"
@@ -243,6 +244,21 @@ TEST(AgreeOnColors, ByTheLandmarksThatClustersShare) {
   AgreeOnColors(runs);
   EXPECT_THAT(runs[0].color_ids, ElementsAre(testing::Pair(2, 4), testing::Pair(9, 7)));
   EXPECT_THAT(runs[1].color_ids, IsEmpty());
+}
+
+// Both bodies of the first run are one cluster of the second, and a third has that one's colour.
+TEST(AgreeOnColors, KeepsClustersOfOneRunApart) {
+  std::vector<OverlayRun> runs = {
+      RunWithLabels({{1, 1, 2}, {2, 1, 9}, {3, 1, 9}, {4, 1, 4}, {5, 1, 4}}),
+      RunWithLabels({{1, 1, 4}, {2, 1, 4}, {3, 1, 4}, {4, 1, 0}, {5, 1, 0}})};
+  AgreeOnColors(runs);
+  std::set<std::int64_t> colors;
+  for (const std::int64_t id : {2, 4, 9}) {
+    const auto found = runs[0].color_ids.find(id);
+    colors.insert(found == runs[0].color_ids.end() ? id : found->second);
+  }
+  EXPECT_THAT(colors, testing::SizeIs(3));
+  EXPECT_EQ(runs[0].color_ids.at(9), 4) << "it shares most";
 }
 
 TEST(ErrorChart, HasALineForEachBodyInTheColourOfItsCluster) {
