@@ -7,6 +7,8 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
+#include "reports/statistics/aligned_errors.h"
+#include "reports/statistics/common_frames.h"
 #include "reports/statistics/estimate.h"
 #include "reports/tables/body_metrics.h"
 #include "reports/tables/columns.h"
@@ -21,21 +23,46 @@ struct CommonErrors {
   std::vector<double> reference_m;
 };
 
-// `shift` and `reference_shift` bring their frames to one count.
-CommonErrors FindCommon(const FrameErrors& errors, int shift, const FrameErrors& reference,
-                        int reference_shift) {
-  CommonErrors common;
-  for (std::size_t i = 0, k = 0; i < errors.frames.size() && k < reference.frames.size();) {
-    const int frame = errors.frames[i] + shift;
-    const int other = reference.frames[k] + reference_shift;
-    if (frame == other) {
-      common.errors_m.push_back(errors.position_m[i]);
-      common.reference_m.push_back(reference.position_m[k]);
-    }
+// Calls `act` with the indices of each frame that both have. `shift` and `reference_shift` bring
+// their frames to one count.
+template <typename Act>
+void ForCommonFrames(const std::vector<int>& frames, int shift, const std::vector<int>& reference,
+                     int reference_shift, const Act& act) {
+  for (std::size_t i = 0, k = 0; i < frames.size() && k < reference.size();) {
+    const int frame = frames[i] + shift;
+    const int other = reference[k] + reference_shift;
+    if (frame == other) act(i, k);
     if (frame <= other) ++i;
     if (other <= frame) ++k;
   }
+}
+
+CommonErrors CommonBodyErrors(const FrameErrors& errors, int shift, const FrameErrors& reference,
+                              int reference_shift) {
+  CommonErrors common;
+  ForCommonFrames(errors.frames, shift, reference.frames, reference_shift,
+                  [&](std::size_t i, std::size_t k) {
+                    common.errors_m.push_back(errors.position_m[i]);
+                    common.reference_m.push_back(reference.position_m[k]);
+                  });
   return common;
+}
+
+// Each run is aligned to the truth over the same frames: otherwise what one of them did elsewhere
+// would be in its errors here.
+CommonErrors CommonCameraErrors(const CameraPositions& run, const CameraPositions& reference) {
+  CameraPositions here;
+  CameraPositions there;
+  const auto add = [](const CameraPositions& from, std::size_t i, CameraPositions& to) {
+    to.estimated_m.push_back(from.estimated_m[i]);
+    to.truth_m.push_back(from.truth_m[i]);
+  };
+  ForCommonFrames(run.frames, 0, reference.frames, 0, [&](std::size_t i, std::size_t k) {
+    add(run, i, here);
+    add(reference, k, there);
+  });
+  return {AlignedErrors(here.estimated_m, here.truth_m),
+          AlignedErrors(there.estimated_m, there.truth_m)};
 }
 
 // Blocks take the place of bodies: there is one scene, in which they are resampled.
@@ -90,31 +117,28 @@ std::size_t BlockLength(std::size_t frames) {
       1, static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(frames)))));
 }
 
-FrameErrors CameraErrors(const RunDetail& detail) {
-  FrameErrors errors;
+CameraPositions CameraPositionsOf(const RunDetail& detail) {
+  CameraPositions camera;
+  const auto position = [](const Pose& pose) { return Position{pose[0], pose[1], pose[2]}; };
   for (const CameraFrame& frame : detail.camera) {
     if (!frame.truth || frame.status == "skipped") continue;
-    double squares = 0.0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double off = frame.world_from_camera[k] - (*frame.truth)[k];
-      squares += off * off;
-    }
-    errors.frames.push_back(frame.frame);
-    errors.position_m.push_back(std::sqrt(squares));
+    camera.frames.push_back(frame.frame);
+    camera.estimated_m.push_back(position(frame.world_from_camera));
+    camera.truth_m.push_back(position(*frame.truth));
   }
-  return errors;
+  return camera;
 }
 
 std::vector<PairedComparison> PairByFrame(const RunToCompare& run, const RunToCompare& reference) {
   std::vector<PairedComparison> comparisons;
-  AddPair("camera", "camera_ate", FindCommon(run.camera, 0, reference.camera, 0), run, reference,
-          comparisons);
+  AddPair("camera", "camera_ate_mean", CommonCameraErrors(run.camera, reference.camera), run,
+          reference, comparisons);
   if (!run.summary.bodies || !reference.summary.bodies) return comparisons;
   for (const BodyRow& body : run.summary.bodies->refined) {
     const BodyRow* other = FindBy(reference.summary.bodies->refined, &BodyRow::id, body.id);
     if (other == nullptr) continue;
     AddPair(body.name, body.mover ? "object_ate" : "object_standing_ate",
-            FindCommon(body.errors, run.summary.sequence.first_frame, other->errors,
+            CommonBodyErrors(body.errors, run.summary.sequence.first_frame, other->errors,
                        reference.summary.sequence.first_frame),
             run, reference, comparisons);
   }

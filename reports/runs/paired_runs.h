@@ -7,20 +7,28 @@
 
 #include "reports/runs/run_comparison.h"
 #include "reports/runs/run_detail.h"
-#include "reports/statistics/common_frames.h"
 
 namespace cvo::reports {
+
+// Where the camera was estimated and where it was, in frames that have both.
+struct CameraPositions {
+  std::vector<int> frames;  // ascending
+  std::vector<Position> estimated_m;
+  std::vector<Position> truth_m;
+};
 
 // A run as it is compared.
 struct RunToCompare {
   std::string name;
   RunSummary summary;
-  FrameErrors camera;  // positions against the truth in the world of the run; may be empty
+  CameraPositions camera;  // may be empty
 };
 
-FrameErrors CameraErrors(const RunDetail& detail);
+CameraPositions CameraPositionsOf(const RunDetail& detail);
 
-// The camera and each body that both estimate, over the frames of both.
+// The camera and each body that both estimate, over the frames of both. The camera's positions are
+// aligned to the truth over these frames, as camera ATE aligns them over all of a run's; those of
+// bodies are in the world that their metrics are taken in.
 std::vector<PairedComparison> PairByFrame(const RunToCompare& run, const RunToCompare& reference);
 
 // Metrics of bodies, over the bodies of both.

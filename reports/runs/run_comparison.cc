@@ -20,7 +20,7 @@ RunToCompare ReadOne(const fs::path& folder, std::vector<std::string>& notes) {
   RunToCompare run;
   run.summary = ReadRun(folder / "result.json", AllMetricNames());
   run.name = run.summary.variant;
-  run.camera = CameraErrors(ReadRunDetail(folder));
+  run.camera = CameraPositionsOf(ReadRunDetail(folder));
   if (run.camera.frames.empty()) {
     notes.push_back(StrCat(folder.string(), ": no truth of the camera frame by frame"));
   }
@@ -96,7 +96,8 @@ void JudgeAll(RunComparison& comparison) {
   CorrectForMany(differences);
   for (auto* list : {&comparison.by_frame, &comparison.by_body}) {
     for (PairedComparison& paired : *list) {
-      paired.verdict = VerdictText(paired.difference, paired.metric);
+      paired.verdict =
+          VerdictText(paired.difference, paired.metric, paired.frames > 0 ? "block" : "pair");
     }
   }
 }

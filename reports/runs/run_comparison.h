@@ -58,7 +58,7 @@ struct ComparedMetric {
 struct PairedComparison {
   std::string run;
   std::string what;    // "camera position", the name of a body, or of a metric
-  std::string metric;  // whose direction says what is better
+  std::string metric;  // of its kind; of the camera the same over these frames: camera_ate_mean
   std::string unit;
   std::size_t frames = 0;  // that both have; 0: a pairing of bodies
   Difference difference;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/tables/comparisons.h"
 
+#include <map>
+
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/number.h"
@@ -56,14 +58,15 @@ std::optional<bool> IsBetter(const std::string& metric, double difference) {
   return (difference > 0.0) == rule->higher_is_better();
 }
 
-std::string UndecidedText(std::size_t pairs) {
-  return StrCat("undecided (", Counted(pairs, "pair"), ", ", kMinPairs, " needed)");
+std::string UndecidedText(std::size_t pairs, const std::string& what) {
+  return StrCat("undecided (", Counted(pairs, what), ", ", kMinPairs, " needed)");
 }
 
-std::string VerdictText(const Difference& difference, const std::string& metric) {
+std::string VerdictText(const Difference& difference, const std::string& metric,
+                        const std::string& what) {
   if (difference.difference == 0.0) return "the same";
   if (!difference.distinguishable) {
-    return difference.pairs < kMinPairs ? UndecidedText(difference.pairs) : "not significant";
+    return difference.pairs < kMinPairs ? UndecidedText(difference.pairs, what) : "not significant";
   }
   const auto better = IsBetter(metric, difference.difference);
   return !better ? "differs" : *better ? "better" : "worse";
@@ -100,19 +103,23 @@ void CorrectForMany(Table& table) {
 std::string MovedText(const Table& table) {
   std::string distinguishable;
   std::string noise;
+  std::map<std::size_t, std::string> undecided;  // by the number of pairs
   for (const Row& row : table.rows) {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const auto& difference = row.cells[i].difference;
       if (!difference || difference->difference == 0.0) continue;
-      (difference->distinguishable ? distinguishable : noise) +=
-          Line(row, table.columns[i], *difference);
+      (difference->distinguishable       ? distinguishable
+       : difference->pairs < kMinPairs ? undecided[difference->pairs]
+                                       : noise) += Line(row, table.columns[i], *difference);
     }
   }
-  if (distinguishable.empty() && noise.empty()) return "nothing moved\n";
   std::string text;
   if (!distinguishable.empty()) text += "moved, distinguishable from noise:\n" + distinguishable;
   if (!noise.empty()) text += "moved, not distinguishable from noise:\n" + noise;
-  return text;
+  for (const auto& [pairs, lines] : undecided) {
+    text += StrCat("moved, ", UndecidedText(pairs), ":\n", lines);
+  }
+  return text.empty() ? "nothing moved\n" : text;
 }
 
 }  // namespace cvo::reports

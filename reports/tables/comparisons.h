@@ -17,12 +17,13 @@ Difference DifferenceOf(const PairedEstimate& estimate, const std::string& refer
 // Whether a higher or lower value is better; empty for a metric that is not known.
 std::optional<bool> IsBetter(const std::string& metric, double difference);
 
-// "undecided (3 pairs, 6 needed)".
-std::string UndecidedText(std::size_t pairs);
+// "undecided (3 pairs, 6 needed)"; `what` is one of those that are paired.
+std::string UndecidedText(std::size_t pairs, const std::string& what = "pair");
 
 // "better", "worse", "differs", "the same", "not significant" or UndecidedText. After
 // CorrectForMany.
-std::string VerdictText(const Difference& difference, const std::string& metric);
+std::string VerdictText(const Difference& difference, const std::string& metric,
+                        const std::string& what = "pair");
 
 // Corrects the p-values of differences that are read together for their number (Holm), and says
 // which of them can be told from noise.

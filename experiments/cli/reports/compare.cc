@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/json_record.h"
 #include "core/files/number.h"
 #include "experiments/cli/command.h"
@@ -93,25 +94,28 @@ void PrintMetricsOf(const RunComparison& comparison, bool all) {
 }
 
 void PrintPaired(const std::vector<PairedComparison>& list, const std::string& heading,
-                 const std::string& value_heading, bool several) {
+                 const std::string& first, const std::string& value_heading, bool several) {
   if (list.empty()) return;
   std::cout << '\n' << heading << '\n';
-  std::vector<std::string> header = {"what",       "pairs",         "unit", value_heading, "first",
-                                     "difference", "95 % interval", "in %", "verdict"};
+  std::vector<std::string> header = {
+      "what",        list.front().frames > 0 ? "blocks of frames" : "pairs",
+      "unit",        first,
+      value_heading, "difference",
+      "95 % interval", "in %", "verdict"};
   if (several) header.insert(header.begin(), "run");
   TextTable table(header);
   for (const PairedComparison& paired : list) {
     const reports::Difference& difference = paired.difference;
     const std::string pairs = paired.frames > 0
-                                  ? StrCat(paired.frames, " frames, ", difference.pairs, " blocks")
+                                  ? StrCat(difference.pairs, " (", Counted(paired.frames, "frame"), ")")
                                   : StrCat(difference.pairs);
     const auto& interval = difference.interval;
     std::vector<std::string> row = {
         paired.what,
         pairs,
         paired.unit,
-        ReadableNumber(difference.value),
         ReadableNumber(difference.reference_value),
+        ReadableNumber(difference.value),
         Signed(difference.difference),
         interval ? StrCat(Signed(interval->low), " to ", Signed(interval->high)) : "-",
         difference.percent ? Signed(*difference.percent) : "-",
@@ -128,9 +132,13 @@ void PrintComparison(const RunComparison& comparison, bool all) {
   PrintMetricsOf(comparison, all);
   const bool several = comparison.runs.size() > 2;
   const std::string value = several ? "run" : comparison.runs.back().name;
-  PrintPaired(comparison.by_frame, "mean position error over the frames that both estimate:", value,
-              several);
-  PrintPaired(comparison.by_body, "over the bodies of both:", value, several);
+  const std::string& first = comparison.runs.front().name;
+  PrintPaired(comparison.by_frame,
+              "mean position error over the frames that both estimate. camera: each run aligned to "
+              "the truth by SE(3)\nover these frames alone (camera_ate_mean is over all of a run's "
+              "own); bodies: in the world of the object metrics:",
+              first, value, several);
+  PrintPaired(comparison.by_body, "over the bodies of both:", first, value, several);
   std::cout << "\ndifferences: run minus first (" << comparison.runs.front().name
             << "). Intervals are bootstrapped over blocks of\nconsecutive frames, or over bodies, "
                "of this one sequence: they say nothing of other scenes.\nbetter, worse: the "

@@ -30,8 +30,9 @@ TEST(CliCompare, PrintsMetricsAndPairs) {
   const std::string b = WriteRun(folder, "full", 0.03);
   const auto text = RunProgram({"compare", a, b});
   ASSERT_EQ(text.exit_code, 0) << text.err;
-  EXPECT_THAT(text.out, AllOf(HasSubstr("camera_ate "), HasSubstr("8 frames, 3 blocks"),
-                              HasSubstr("-0.01"), HasSubstr("undecided (3 pairs, 6 needed)"),
+  EXPECT_THAT(text.out, AllOf(HasSubstr("camera_ate "), HasSubstr("3 (8 frames)"),
+                              HasSubstr("-0.01"), HasSubstr("undecided (3 blocks, 6 needed)"),
+                              HasSubstr("by SE(3)"), HasSubstr("unit  static  full"),
                               HasSubstr("they say nothing of other scenes")));
   const auto json = RunProgram({"compare", a, b, "--json"});
   ASSERT_EQ(json.exit_code, 0) << json.err;

@@ -60,6 +60,38 @@ TEST_F(CompareRunsTest, ABodyIsPairedFrameByFrameInBlocks) {
   EXPECT_EQ(body.verdict, "worse");
 }
 
+// The first run has a jump after the frames of the second. What both have is the same but for
+// where the world is: aligned over these frames, neither has an error.
+TEST_F(CompareRunsTest, CamerasAreAlignedOverTheFramesOfBoth) {
+  const auto write = [&](const std::string& name, int frames, double aside_m) {
+    Json result = RunOf(name, {});
+    Json truth = {
+        {"schema_version", 1}, {"kind", "truth"}, {"job", "a"}, {"camera", Json::array()}};
+    for (int i = 0; i < frames; ++i) {
+      const double jump_m = i < 12 ? 0.0 : 3.0;
+      const double x = 0.1 * i * i;
+      truth["camera"].push_back(Json::array({x, 0.2 * i, 0.0, 0.0, 0.0, 0.0, 1.0}));
+      result["frames"].push_back(
+          {{"frame", i},
+           {"timestamp_ns", i + 1},
+           {"status", i == 0 ? "first" : "tracked"},
+           {"refined", Json::array({x + aside_m, 0.2 * i + jump_m, 0.0, 0.0, 0.0, 0.0, 1.0})}});
+    }
+    truth["bodies"] = Json::array();
+    folder_.Write(name + "/truth.json", truth.dump());
+    return Write(name, result);
+  };
+  const RunComparison comparison =
+      CompareRuns({write("full", 24, 0.5), write("static", 12, 0.0)});
+  ASSERT_EQ(comparison.by_frame.size(), 1U);
+  const PairedComparison& camera = comparison.by_frame[0];
+  EXPECT_EQ(camera.what, "camera");
+  EXPECT_EQ(camera.metric, "camera_ate_mean");
+  EXPECT_EQ(camera.frames, 12U);
+  EXPECT_NEAR(camera.difference.value, 0.0, 1e-9);
+  EXPECT_NEAR(camera.difference.reference_value, 0.0, 1e-9);
+}
+
 TEST_F(CompareRunsTest, FewBodiesDecideNothing) {
   std::vector<Json> before;
   std::vector<Json> after;

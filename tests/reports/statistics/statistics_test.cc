@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
+#include "reports/statistics/aligned_errors.h"
 #include "reports/statistics/common_frames.h"
 #include "reports/statistics/estimate.h"
 #include "reports/statistics/paired_test.h"
@@ -246,6 +247,23 @@ TEST(Statistics, EqualVariantsDoNotDiffer) {
   EXPECT_EQ(estimate->p_value, 1.0);
   EXPECT_FALSE(estimate->effect);
   EXPECT_FALSE(estimate->percent_interval) << "a resampled reference can be 0";
+}
+
+TEST(AlignedErrors, RotationAndTranslationAreNoErrors) {
+  const std::vector<std::array<double, 3>> truth = {
+      {0.0, 0.0, 0.0}, {1.0, 0.0, 0.2}, {2.0, 0.5, 0.1}, {2.5, 1.5, -0.3}};
+  std::vector<std::array<double, 3>> moved;  // by a quarter turn about z, then along
+  for (const auto& [x, y, z] : truth) moved.push_back({5.0 - y, x - 7.0, z + 1.0});
+  for (const double error : AlignedErrors(moved, truth)) EXPECT_NEAR(error, 0.0, 1e-12);
+}
+
+TEST(AlignedErrors, OfASquareWithOneWideSide) {
+  // The best translation is none and the best rotation none, by symmetry: 0.5 m at each corner.
+  const std::vector<std::array<double, 3>> truth = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  std::vector<std::array<double, 3>> wide = truth;
+  for (auto& point : wide) point[0] *= 1.5;
+  for (const double error : AlignedErrors(wide, truth)) EXPECT_NEAR(error, 0.5, 1e-12);
+  EXPECT_TRUE(AlignedErrors({}, {}).empty());
 }
 
 TEST(CommonFrames, OnlyFramesThatBothHave) {
