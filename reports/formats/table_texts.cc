@@ -107,24 +107,25 @@ TextLine ReferenceLine(const ReferenceRow& line, const Table& table) {
   return texts;
 }
 
-std::string PercentText(double percent, bool change) {
+std::string PercentText(double percent) {
   const std::string text = Fixed(percent, 1);
-  return StrCat(change && text[0] != '-' ? "+" : "", text, "%");
+  return StrCat(text[0] != '-' ? "+" : "", text, "%");
 }
 
 std::string PercentRangeText(const Interval& interval) {
   return StrCat(Fixed(interval.low, 0), "..", Fixed(interval.high, 0), "%");
 }
 
-CellText DifferenceText(const Difference& difference, int decimals, bool change) {
+// Both with the sign of the row's value minus the reference's.
+CellText DifferenceText(const Difference& difference, int decimals) {
   CellText text;
   text.value = Fixed(difference.difference, decimals);
   if (text.value[0] != '-') text.value = "+" + text.value;
   if (difference.interval) text.interval = RangeText(*difference.interval, decimals);
-  const auto& percent = change ? difference.percent : difference.reference_lower;
-  const auto& range = change ? difference.percent_interval : difference.reference_lower_interval;
-  if (percent) text.percent = PercentText(*percent, change);
-  if (range) text.percent_interval = PercentRangeText(*range);
+  if (difference.percent) text.percent = PercentText(*difference.percent);
+  if (difference.percent_interval) {
+    text.percent_interval = PercentRangeText(*difference.percent_interval);
+  }
   text.n = Counted(difference.pairs, "pair");
   text.units = text.n;
   text.distinguishable = difference.distinguishable;
@@ -179,8 +180,7 @@ void AddDifferenceColumn(const Table& table, std::size_t column, std::vector<Tex
   std::size_t index = 0;
   for (TextLine& line : lines) {
     const auto& difference = table.rows[*line.row].cells[column].difference;
-    line.cells.push_back(difference ? DifferenceText(*difference, decimals[index++], table.change)
-                                    : CellText{});
+    line.cells.push_back(difference ? DifferenceText(*difference, decimals[index++]) : CellText{});
   }
 }
 
@@ -223,9 +223,8 @@ TextBlock DifferenceBlock(const Table& table) {
                        [](const CellText& cell) { return cell.value.empty(); });
   });
   const std::string reference = Printable(table.reference);
-  return {StrCat("difference to ", reference, ", paired, with its interval; below, ",
-                 table.change ? "in percent of what was"
-                              : StrCat("by how many percent ", reference, " is lower")),
+  return {StrCat("difference from ", reference, " (paired): value, 95 % interval, and percent of ",
+                 reference),
           std::move(lines)};
 }
 

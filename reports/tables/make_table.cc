@@ -13,6 +13,7 @@
 #include "reports/tables/comparisons.h"
 #include "reports/tables/reference_rows.h"
 #include "reports/tables/table_parts.h"
+#include "reports/tables/what_differs.h"
 
 namespace cvo::reports {
 namespace {
@@ -142,6 +143,7 @@ Table CompareFolders(const std::filesystem::path& before, const std::filesystem:
   Table table = DescribeTable(plan, runs, metrics, "");
   table.title = StrCat(folder.string(), " against ", before.string());
   table.reference = before.string();
+  table.about = WhatDiffers(runs_before, runs);
   table.change = true;
   AddRows(
       rows, folder,

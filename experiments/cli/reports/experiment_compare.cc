@@ -30,7 +30,9 @@ int Compare(const CompareFlags& flags) {
 
 Command AddExperimentCompareCommand(CLI::App& experiment) {
   CLI::App* app = experiment.add_subcommand(
-      "compare", "Compare the results of two suite folders run by run and report the differences");
+      "compare",
+      "Compare the results of two suite folders over the runs that both have: what they were made "
+      "with, and what moved");
   const auto flags = std::make_shared<CompareFlags>();
   app->add_option("A", flags->before, "suite folder with the earlier results")
       ->type_name("")
@@ -40,8 +42,10 @@ Command AddExperimentCompareCommand(CLI::App& experiment) {
       ->required();
   AddTableFormat(*app, flags->format);
   app->footer(
-      "Rows, scenes, seeds and bodies are paired; differences are B - A. Results that define "
-      "the\nsame metric differently are rejected.\n"
+      "First says in which options, builds and variants they differ. Rows, scenes, seeds and "
+      "bodies "
+      "are\npaired; differences are B - A. Results that define the same metric differently are "
+      "rejected.\nFor the values of single runs: clustervo compare A/jobs/ID B/jobs/ID.\n"
       "Example: clustervo experiment compare results/before results/after");
   app->callback([flags] { CheckTableFormat(flags->format); });
   return {app, [flags] { return Compare(*flags); }};

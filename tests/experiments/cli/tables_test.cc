@@ -81,7 +81,7 @@ TEST(CliTables, CompareReportsChanges) {
   after.Add(better);
   const ProcessResult run = Compare(before, after);
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("moved, not distinguishable from noise:\n"
+  EXPECT_THAT(run.out, HasSubstr("moved, undecided (1 pair, 6 needed):\n"
                                  "  2011_09_26_drive_0001 static, camera_ate: -0.0125 m (-20 %), "
                                  "no interval, 1 pair\n"));
   EXPECT_THAT(Compare(before, before).out, HasSubstr("\nnothing moved\n"));

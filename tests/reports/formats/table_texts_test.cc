@@ -57,13 +57,27 @@ TEST(Digits, OfDifferencesAreAboutThoseOfTheValues) {
   Difference& difference = *table.rows[1].cells[3].difference;
   difference.difference = -3e-8;
   difference.interval = Interval{-1e-7, 2e-8, ""};
-  difference.reference_lower = -0.001;
-  difference.reference_lower_interval = Interval{-0.2, 15.0, ""};
+  difference.percent = -0.001;
+  difference.percent_interval = Interval{-0.2, 15.0, ""};
   const CellText cell = MakeTexts(table).blocks[1].lines[0].cells[3];
   EXPECT_EQ(cell.value, "+0.0000");
   EXPECT_EQ(cell.interval, "0.0000..0.0000");
-  EXPECT_EQ(cell.percent, "0.0%");
+  EXPECT_EQ(cell.percent, "+0.0%");
   EXPECT_EQ(cell.percent_interval, "0..15%");
+}
+
+// The sign is that of the row's value minus the reference's, of errors and of shares.
+TEST(TableTexts, PercentIsOfTheReference) {
+  Table table = test::HostileTable();
+  Difference& difference = *table.rows[1].cells[3].difference;
+  const auto shown = [&](double value, double reference) {
+    difference.difference = value - reference;
+    difference.percent = 100.0 * (value - reference) / reference;
+    difference.reference_lower = 100.0 * (value - reference) / value;
+    return MakeTexts(table).blocks[1].lines[0].cells[3].percent;
+  };
+  EXPECT_EQ(shown(0.4786, 0.1), "+378.6%");
+  EXPECT_EQ(shown(0.6, 1.0), "-40.0%");
 }
 
 TEST(Digits, ZeroHasNoSign) {

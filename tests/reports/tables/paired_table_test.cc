@@ -104,7 +104,8 @@ TEST(PairedTable, MarksDistinguishableDifferences) {
             "95 %, bootstrap over 8 bodies of one scene: says nothing of other scenes");
   EXPECT_FALSE(CellOf(table, 1, "object_coverage").difference->distinguishable);
   EXPECT_THAT(TableText(table, false), AllOf(HasSubstr("0.0745*"), HasSubstr("+0.0200*"),
-                                             HasSubstr("by how many percent full is lower")));
+                                             HasSubstr("difference from full (paired): value, 95 % "
+                                                       "interval, and percent of full")));
   const Json json = Json::parse(TableJson(table));
   const Json& cell = json["rows"][1]["cells"][2];
   ASSERT_EQ(cell["metric"], "object_coverage");
@@ -203,6 +204,19 @@ TEST(CompareFolders, ReportsChangesAndTheirSize) {
   EXPECT_EQ(MovedText(table),
             "moved, distinguishable from noise:\n"
             "  room full, object_ate: -0.02 m (-26.85 %), -0.02 to -0.02, 8 pairs\n");
+}
+
+TEST(CompareFolders, SaysWhatTheyWereMadeWith) {
+  SuiteResults before;
+  SuiteResults after;
+  before.Add(Room(0.02), "full");
+  Json fewer = Room(0.02);
+  fewer["options"]["orb"]["features"] = 800;
+  after.Add(fewer, "full");
+  EXPECT_EQ(CompareFolders(before.Written(), after.Written()).about,
+            "Made with other options orb.features 2000 -> 800.");
+  EXPECT_EQ(CompareFolders(before.Written(), before.Written()).about,
+            "Made with the same options, builds and variants.");
 }
 
 TEST(CompareFolders, EqualFoldersHaveNoChanges) {
