@@ -15,8 +15,6 @@
 namespace cvo {
 namespace {
 
-using TrueBoxes = std::vector<std::vector<std::pair<int, ImageBox>>>;
-
 // Detectors draw boxes around what they see: the visible part.
 TrueBoxes SceneBoxes(const Sequence& sequence, const std::filesystem::path& table) {
   TrueBoxes boxes(sequence.images.size());
@@ -42,12 +40,6 @@ TrueBoxes LabelBoxes(const Sequence& sequence, const BodyTruthReader& truth) {
   return boxes;
 }
 
-TrueBoxes BoxesOfBodies(const Sequence& sequence, const BodyTruthReader& truth) {
-  const std::filesystem::path table = sequence.folder / "objects.csv";
-  return std::filesystem::is_regular_file(table) ? SceneBoxes(sequence, table)
-                                                 : LabelBoxes(sequence, truth);
-}
-
 void RequireBodies(const char* name, const BodyTruthReader* truth) {
   if (truth != nullptr) return;
   ThrowError("option --oracle", StrCat("\"", name, "\" for a sequence without true bodies"),
@@ -55,6 +47,12 @@ void RequireBodies(const char* name, const BodyTruthReader* truth) {
 }
 
 }  // namespace
+
+TrueBoxes BoxesOfBodies(const Sequence& sequence, const BodyTruthReader& truth) {
+  const std::filesystem::path table = sequence.folder / "objects.csv";
+  return std::filesystem::is_regular_file(table) ? SceneBoxes(sequence, table)
+                                                 : LabelBoxes(sequence, truth);
+}
 
 std::vector<std::string> OracleSwitches::Names() const {
   std::vector<std::string> names;

@@ -12,6 +12,13 @@
 
 namespace cvo {
 
+// By frame from the first one run: ids of bodies and what is seen of them in the left image.
+using TrueBoxes = std::vector<std::vector<std::pair<int, ImageBox>>>;
+
+// Around the visible part of bodies of a rendered scene, else those of the labels; those of other
+// bodies are not there. Throws Error for a file that cannot be read.
+TrueBoxes BoxesOfBodies(const Sequence& sequence, const BodyTruthReader& truth);
+
 // What the estimator is given from the ground truth in place of what it would find out: whose box
 // each detection is, which body each feature is on, where the camera is.
 struct OracleSwitches {
@@ -46,7 +53,7 @@ class Oracle {
 
  private:
   OracleSwitches switches_;
-  std::vector<std::vector<std::pair<int, ImageBox>>> boxes_;      // [frame]: body, box
+  TrueBoxes boxes_;
   std::vector<std::optional<RigidTransform>> first_from_camera_;  // [frame]
 };
 

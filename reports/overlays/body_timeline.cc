@@ -83,6 +83,11 @@ void DrawLabels(const BodyStory& story, const Bands& bands, int text_px, cv::Mat
   };
   put("stage", bands.stage.y);
   put("detected", bands.detections.y - 3);
+  const bool known = std::any_of(story.frames.begin(), story.frames.end(),
+                                 [](const BodyFrame& frame) { return frame.detected.has_value(); });
+  if (!known) {
+    DrawPlate("boxes not known", {bands.detections.x, bands.detections.y - 3}, text, picture);
+  }
   put("landmarks, own", bands.landmarks.y);
   put("error to 30 cm", bands.errors.y);
   std::vector<Stroke> strokes;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <opencv2/core.hpp>
 
 #include "reports/overlays/overlay_run.h"
@@ -43,6 +44,17 @@ Corner EmptiestCorner(const OverlayRun& run) {
     best = corner;
   }
   return best;
+}
+
+void LimitTo(const std::vector<OverlayRun>& runs, OverlayStyle& style) {
+  const auto any = [&](const auto& has) { return std::any_of(runs.begin(), runs.end(), has); };
+  style.has_landmarks = any([](const OverlayRun& run) { return !run.landmarks.empty(); });
+  style.has_detections = any([](const OverlayRun& run) {
+    return std::any_of(run.detections.begin(), run.detections.end(),
+                       [](const auto& boxes) { return !boxes.second.empty(); });
+  });
+  style.has_clusters = any([](const OverlayRun& run) { return !run.detail.clusters.empty(); });
+  style.inset = style.inset && style.has_clusters;
 }
 
 }  // namespace cvo::reports

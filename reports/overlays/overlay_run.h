@@ -62,6 +62,9 @@ void AgreeOnColors(std::vector<OverlayRun>& runs);
 // The corner that bodies are in least, over all frames: the same in all pictures of the run.
 Corner EmptiestCorner(const OverlayRun& run);
 
+// Leaves of inset and legend what some of the runs have anything for.
+void LimitTo(const std::vector<OverlayRun>& runs, OverlayStyle& style);
+
 // What is drawn on a frame of the run. Throws Error naming the frames that there are.
 OverlayFrame FrameOf(const OverlayRun& run, int frame);
 

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kGap_px = 4;
 constexpr Rgb kGapColor{255, 255, 255};
+constexpr Rgb kEmptyColor{24, 24, 28};  // as the bars below the pictures
 
 // Images of one size in rows.
 cv::Mat Grid(const std::vector<cv::Mat>& images, int columns) {
@@ -22,14 +23,18 @@ cv::Mat Grid(const std::vector<cv::Mat>& images, int columns) {
   const int rows = (count + columns - 1) / columns;
   cv::Mat grid(rows * (size.height + kGap_px) - kGap_px, columns * (size.width + kGap_px) - kGap_px,
                CV_8UC3, Bgr(kGapColor));
+  const auto place = [&](int i) {
+    return cv::Rect({i % columns * (size.width + kGap_px), i / columns * (size.height + kGap_px)},
+                    size);
+  };
+  for (int i = count; i < rows * columns; ++i) grid(place(i)).setTo(Bgr(kEmptyColor));
   for (int i = 0; i < count; ++i) {
     const cv::Mat& image = images[static_cast<std::size_t>(i)];
     if (image.size() != size) {
       ThrowError("images side by side", StrCat(image.cols, "x", image.rows, " pixels"),
                  StrCat(size.width, "x", size.height, ", as the first has"));
     }
-    const cv::Point at(i % columns * (size.width + kGap_px), i / columns * (size.height + kGap_px));
-    image.copyTo(grid(cv::Rect(at, size)));
+    image.copyTo(grid(place(i)));
   }
   return grid;
 }

@@ -123,8 +123,8 @@ std::vector<std::string> StoryLines(const BodyStory& story) {
   std::vector<std::string> lines;
   lines.push_back(StrCat(body.name, " (", body.category, body.mover ? ", moves" : ", stands",
                          body.cluster > 0 ? StrCat(", cluster ", body.cluster) : ", no cluster",
-                         "): of ", story.Judged(), " frames judged ", story.Count(BodyStage::kGood),
-                         " within 10 cm"));
+                         "): ", story.Count(BodyStage::kGood), " of ",
+                         Counted(story.Judged(), "judged frame"), " within 10 cm"));
   std::string wrong;
   for (const BodyStage stage : kWrongStages) {
     if (story.Count(stage) == 0) continue;

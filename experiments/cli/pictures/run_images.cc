@@ -100,6 +100,18 @@ std::optional<Sequence> FindDetections(const std::string& folder, const reports:
              "the run's, with its --detections-camera and --min-score");
 }
 
+std::optional<Sequence> FindLabelled(const std::string& folder, const reports::OverlayRun& run,
+                                     const std::string& labels_file) {
+  SequenceRequest request = RequestOf(run, folder);
+  if (request.folder.empty()) return std::nullopt;
+  request.labels_file = labels_file;
+  try {
+    return OpenSequence(request);
+  } catch (const Error&) {
+    return std::nullopt;  // what needs it says so itself
+  }
+}
+
 std::vector<std::vector<Detection>> DetectionsOf(const Sequence& sequence,
                                                  const std::vector<std::string>& classes) {
   std::vector<std::vector<Detection>> detections;

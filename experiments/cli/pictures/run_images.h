@@ -41,6 +41,10 @@ struct GivenDetections {
 std::optional<Sequence> FindDetections(const std::string& folder, const reports::OverlayRun& run,
                                        const GivenDetections& given);
 
+// The sequence of a run with its truth, without detections; empty where it cannot be read.
+std::optional<Sequence> FindLabelled(const std::string& folder, const reports::OverlayRun& run,
+                                     const std::string& labels_file);
+
 // By frame, of the classes.
 std::vector<std::vector<Detection>> DetectionsOf(const Sequence& sequence,
                                                  const std::vector<std::string>& classes);

@@ -76,6 +76,24 @@ std::map<int, reports::Detected> DetectedBodies(const std::optional<Sequence>& s
   return detected;
 }
 
+// The true boxes of a body, by frame; empty where its sequence or its boxes are not there.
+std::map<int, reports::PixelBox> TrueBoxesOf(const ExplainFlags& flags, const ExplainedRun& read,
+                                             int body) {
+  std::map<int, reports::PixelBox> found;
+  const auto sequence = FindLabelled(flags.sequence, read.run, flags.detections.labels);
+  const auto truth = sequence ? ReadBodyTruth(*sequence) : nullptr;
+  if (!truth) return found;
+  const TrueBoxes boxes = BoxesOfBodies(*sequence, *truth);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (const auto& [id, box] : boxes[i]) {
+      if (id != body) continue;
+      found[sequence->first_frame + static_cast<int>(i)] = {box.left_px, box.top_px, box.right_px,
+                                                            box.bottom_px};
+    }
+  }
+  return found;
+}
+
 ExplainedRun ReadExplained(const ExplainFlags& flags) {
   const fs::path folder = flags.run;
   if (!fs::exists(folder / "result.json")) {
@@ -145,6 +163,7 @@ std::vector<std::string> OracleLines(const std::vector<OracleResult>& results) {
   }
   const int wrong = results.front().judged - results.front().good;
   const int mended = best->good - results.front().good;
+  if (wrong == 0) return lines;
   lines.push_back(mended == 0
                       ? "none of them mends it"
                       : StrCat(best->oracle, " mend it most: ", mended, " of ", wrong, " frames"));
@@ -181,7 +200,8 @@ int ExplainBody(const ExplainFlags& flags, const ExplainedRun& read) {
   const RunImages images(read.run, flags.sequence);
   lines.front() = StrCat(read.run.sequence.name, ", ", read.run.variant, ": ", lines.front());
   const cv::Mat sheet =
-      reports::BodySheet(read.run, story, lines, [&](int frame) { return images.Left(frame); });
+      reports::BodySheet(read.run, story, lines, TrueBoxesOf(flags, read, body.id),
+                         [&](int frame) { return images.Left(frame); });
   WriteOutputFile(flags.output, reports::PngBytes(sheet), {flags.run});
   std::cout << "\nwritten: " << flags.output << '\n';
   return 0;

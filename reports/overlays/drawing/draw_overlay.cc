@@ -109,6 +109,19 @@ cv::Rect DrawInset(const OverlayFrame& frame, const CameraInfo& camera, const Ov
 
 }  // namespace
 
+namespace {
+
+// Whether the words of a frame with much in it fit in one row. The same for all frames of a run:
+// pictures of a video have one size.
+bool FitInOneRow(int text_px, int width_px) {
+  constexpr const char* kLong =
+      "frame 0000  00.00 s  camera recovered  bodies 00 + 00 predicted (0 out of view)  landmarks "
+      "0000 static, 000 on bodies, 00 outliers, 000 with a wrong label  variant, seed 0";
+  return PlateSize(kLong, text_px).width <= width_px;
+}
+
+}  // namespace
+
 OverlayStyle StyleFor(const CameraInfo& camera, int width_px) {
   OverlayStyle style;
   style.scale = static_cast<double>(width_px) / camera.width_px;
@@ -122,7 +135,7 @@ OverlayStyle StyleFor(const CameraInfo& camera, int width_px) {
   style.rim_px = std::min(size, 1.0);
   style.dash_px = 3.0 + 4.0 * size;
   style.names = width_px >= 400;
-  style.status_rows = width_px >= 400 && width_px < 900 ? 2 : 1;
+  style.status_rows = width_px >= 400 && !FitInOneRow(style.text_px, width_px) ? 2 : 1;
   style.inset = style.legend = width_px >= 600;
   return style;
 }
@@ -155,6 +168,7 @@ cv::Mat DrawOverlay(const cv::Mat& image, const OverlayFrame& frame, const Camer
     parts.push_back(bar);
   }
   if (style.legend) parts.push_back(LegendBar(style, picture.cols));
+  std::erase_if(parts, [](const cv::Mat& part) { return part.empty(); });
   if (parts.size() == 1) return picture;
   cv::Mat all;
   cv::vconcat(parts, all);

@@ -29,6 +29,10 @@ struct OverlayStyle {
   bool inset = false;  // the bodies from above
   Corner inset_corner = Corner::kTopLeft;
   bool legend = false;  // what the marks mean, below the image
+  // What there is in some frame of the run: the legend has nothing else.
+  bool has_landmarks = true;
+  bool has_detections = true;
+  bool has_clusters = true;
 };
 
 // For drawings that are this wide, from thumbnails to screens.

@@ -52,19 +52,23 @@ LegendEntry Frame(const char* meaning, int line_px, double dash_px, Rgb color) {
 
 std::vector<LegendEntry> EntriesOf(const OverlayStyle& style) {
   const Rgb color = ClusterColor(2);
-  std::vector<LegendEntry> entries = {
-      Disc("landmark of a body", style.landmark_px, style.rim_px, color),
-      Disc("static", style.static_px, style.rim_px, kStaticColor),
-      Disc("outlier", 0.5 * style.static_px, 0.0, kOutlierColor),
-      Frame("detection", 1, 0.0, kDetectionColor)};
-  if (style.wrong) {
+  std::vector<LegendEntry> entries;
+  if (style.has_landmarks) {
+    if (style.has_clusters) {
+      entries.push_back(Disc("landmark of a body", style.landmark_px, style.rim_px, color));
+    }
+    entries.push_back(Disc("static", style.static_px, style.rim_px, kStaticColor));
+    entries.push_back(Disc("outlier", 0.5 * style.static_px, 0.0, kOutlierColor));
+  }
+  if (style.has_detections) entries.push_back(Frame("detection", 1, 0.0, kDetectionColor));
+  if (style.wrong && style.has_landmarks) {
     entries.push_back(
         {"wrong label", [&style, color](cv::Rect field, cv::Mat& bar) {
            DrawDisc(MiddleOf(field), style.landmark_px + 2.6, 1.0, {255, 255, 255}, bar);
            DrawDisc(MiddleOf(field), style.landmark_px, 1.2, color, bar);
          }});
   }
-  if (!style.boxes) return entries;
+  if (!style.boxes || !style.has_clusters) return entries;
   entries.push_back(Frame("3D box", style.line_px, 0.0, color));
   entries.push_back(Frame("predicted", style.line_px, 0.5 * style.dash_px, color));
   const auto along = [](cv::Rect field) {
@@ -90,6 +94,7 @@ std::vector<LegendEntry> EntriesOf(const OverlayStyle& style) {
 cv::Mat LegendBar(const OverlayStyle& style, int width_px) {
   const int row_px = PlateSize("x", style.text_px).height + 2;
   const std::vector<LegendEntry> entries = EntriesOf(style);
+  if (entries.empty()) return cv::Mat(0, width_px, CV_8UC3);
   std::vector<cv::Rect> fields;
   cv::Point at(kEdge_px, kEdge_px);
   for (const LegendEntry& entry : entries) {

@@ -37,6 +37,15 @@ TEST(BodyTimeline, HasEachFrameInTheColourOfItsStage) {
   EXPECT_EQ(test::CountColor(timeline, ColorOf(BodyStage::kMotion)), 0);
 }
 
+TEST(BodyTimeline, SaysWhereBoxesAreNotKnown) {
+  BodyStory story = TwoFrames();
+  const cv::Mat known = BodyTimeline(story, 800, 9);
+  story.frames[0].detected.reset();
+  const cv::Mat unknown = BodyTimeline(story, 800, 9);
+  constexpr Rgb kInk{190, 192, 198};
+  EXPECT_GT(test::CountColor(unknown, kInk), test::CountColor(known, kInk) + 100);
+}
+
 TEST(BodySheet, ShowsAnEventByTrueBodyAndAsEstimated) {
   OverlayRun run;
   run.sequence.camera = test::FlatCamera();
@@ -52,13 +61,33 @@ TEST(BodySheet, ShowsAnEventByTrueBodyAndAsEstimated) {
   }
   BodyStory story = TwoFrames();
   story.body = body;
-  const cv::Mat sheet = BodySheet(run, story, {"why"}, [](int) { return test::FlatImage(); });
+  const cv::Mat sheet = BodySheet(run, story, {"why"}, {}, [](int) { return test::FlatImage(); });
   EXPECT_GT(sheet.rows, 400);
   // The landmarks are the cluster's by their true body alone.
   const cv::Mat left = sheet(cv::Rect(0, 200, sheet.cols / 2, sheet.rows - 200));
   const cv::Mat right = sheet(cv::Rect(sheet.cols / 2, 200, sheet.cols / 2, sheet.rows - 200));
   EXPECT_GT(test::CountColor(left, ClusterColor(7)), 20);
   EXPECT_EQ(test::CountColor(right, ClusterColor(7)), 0);
+}
+
+TEST(BodySheet, MarksWhereTheBodyTrulyIs) {
+  OverlayRun run;
+  run.sequence.camera = test::FlatCamera();
+  run.detail.camera = {{10, 0, "tracked", {0, 0, 0, 0, 0, 0, 1}},
+                       {11, 100'000'000, "tracked", {0, 0, 0, 0, 0, 0, 1}}};
+  BodyStory story = TwoFrames();
+  const auto white = [&](const std::map<int, PixelBox>& boxes) {
+    const cv::Mat sheet =
+        BodySheet(run, story, {"why"}, boxes, [](int) { return test::FlatImage(); });
+    return test::CountColor(sheet, {255, 255, 255});
+  };
+  const int without = white({});
+  const int with_box = white({{11, {100, 80, 180, 140}}});
+  EXPECT_GT(with_box, without + 500) << "in both panels";
+  story.body.truth = {{11, {0, 0, 2, 0, 0, 0, 1}}};
+  const int with_position = white({});
+  EXPECT_GT(with_position, without + 100) << "a cross";
+  EXPECT_LT(with_position, with_box);
 }
 
 TEST(DrawOverlay, BoxesWithoutAClusterAreDashed) {

@@ -300,6 +300,40 @@ TEST(Legend, HasEveryMarkOfTheStyleAndOneSizeForAllFrames) {
   EXPECT_GT(LegendBar(style, 100).rows, LegendBar(style, 800).rows) << "in rows";
 }
 
+// At KITTI's size a frame with much in it needs two rows, and no frame has fewer.
+TEST(StatusLine, HasRoomForTheLandmarksOfWideImages) {
+  const CameraInfo kitti{1242, 375, 720.0, 720.0, 610.0, 170.0};
+  const OverlayStyle style = StyleFor(kitti, 1242);
+  EXPECT_EQ(style.status_rows, 2);
+  EXPECT_EQ(StyleFor(kitti, 320).status_rows, 1);
+  OverlayFrame frame;
+  frame.has_clusters = frame.has_landmarks = true;
+  for (int i = 0; i < 1000; ++i) frame.landmarks.push_back({1.0F, 1.0F, kStaticLabel});
+  const cv::Mat image(375, 1242, CV_8UC1, cv::Scalar(kGrey));
+  const cv::Mat picture = DrawOverlay(image, frame, kitti, style);
+  EXPECT_EQ(picture.rows, 375 + BarHeight(style.text_px, 2) + LegendBar(style, 1242).rows);
+}
+
+TEST(Legend, HasOnlyWhatSomeRunHas) {
+  OverlayStyle style = StyleFor({640, 480, 400.0, 400.0, 320.0, 240.0}, 640);
+  EXPECT_TRUE(style.inset);
+  const cv::Mat whole = LegendBar(style, 2000);
+  OverlayRun run;
+  run.landmarks[0] = {{1.0F, 1.0F, kStaticLabel}};
+  LimitTo({run}, style);
+  EXPECT_FALSE(style.inset);
+  EXPECT_LT(CountColor(LegendBar(style, 2000), ClusterColor(2)), 1);
+  EXPECT_GT(CountColor(whole, ClusterColor(2)), 1);
+  LimitTo({OverlayRun()}, style);
+  EXPECT_TRUE(LegendBar(style, 2000).empty());
+}
+
+TEST(ContactSheet, EmptyCellsAreDark) {
+  const cv::Mat white(10, 10, CV_8UC3, cv::Scalar(255, 255, 255));
+  const cv::Mat sheet = ContactSheet({white, white, white}, 2);
+  EXPECT_EQ(CountColor(sheet(cv::Rect(14, 14, 10, 10)), {255, 255, 255}), 0);
+}
+
 TEST(BirdsEye, ShowsBodiesWhereTheyAreFromAbove) {
   OverlayFrame frame;
   frame.clusters = {Cube(2, -0.8, 3.0), Cube(5, 0.8, 1.2)};
