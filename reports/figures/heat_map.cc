@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "reports/figures/numbers.h"
@@ -87,6 +88,8 @@ Json ColourAxis(double limit, int length_px) {
         {"thickness", 12},
         {"ticksuffix", ""},
         {"lenmode", "pixels"},
+        {"y", 1},
+        {"yanchor", "top"},
         {"len", length_px}}}};
 }
 
@@ -121,24 +124,56 @@ std::string HeatText(double reduction_percent) {
   return (percent < 0.0 ? "−" : percent > 0.0 ? "+" : "") + NumberText(std::abs(percent), 4);
 }
 
+namespace {
+
+// Of headings turned by 45 degrees, of one line or several.
+int HeadingHeight(const std::vector<HeatColumn>& columns) {
+  constexpr double kLetter_px = 6.5;
+  constexpr double kLine_px = 14.0;
+  constexpr std::string_view kBreak = "<br>";
+  double height_px = 0.0;
+  for (const HeatColumn& column : columns) {
+    std::size_t longest = 0;
+    double lines = 0.0;
+    for (std::size_t at = 0; at <= column.heading.size();) {
+      const std::size_t end = std::min(column.heading.find(kBreak, at), column.heading.size());
+      longest = std::max(longest, end - at);
+      lines += 1.0;
+      at = end + kBreak.size();
+    }
+    height_px = std::max(
+        height_px, std::sqrt(0.5) * (kLetter_px * static_cast<double>(longest) + kLine_px * lines));
+  }
+  return static_cast<int>(std::ceil(height_px));
+}
+
+}  // namespace
+
 Plot DrawHeatMap(const std::vector<HeatBlock>& blocks, const std::vector<HeatColumn>& columns) {
-  constexpr int kTop_px = 84;
-  constexpr int kBottom_px = 16;
-  constexpr int kLeastBar_px = 120;
+  constexpr int kLeastTop_px = 84;
+  constexpr int kLeastBottom_px = 16;
+  constexpr int kLeastBar_px = 110;
   std::vector<Panel> panels;
-  for (const HeatBlock& block : blocks) panels.push_back(BlockPanel(block));
+  int rows_px = 0;
+  for (const HeatBlock& block : blocks) {
+    panels.push_back(BlockPanel(block));
+    rows_px += panels.back().height_px;
+  }
+  const int top_px = std::max(kLeastTop_px, HeadingHeight(columns) + 16);
+  // Plotly takes room for the bar from the headings where it is longer than the map.
+  const int bottom_px = kLeastBottom_px + std::max(0, kLeastBar_px - rows_px);
   Json headings = Json::array();
   for (const HeatColumn& column : columns) headings.push_back(column.heading);
   Json x_axis = AxisOf("");
   x_axis.update(NamedPlaces(headings, 0));
   x_axis.update({{"side", "top"}, {"tickangle", -45}, {"tickfont", {{"size", 11}}}});
-  Plot plot(x_axis, panels, kTop_px, kBottom_px);
+  Plot plot(x_axis, panels, top_px, bottom_px);
   plot.layout()["xaxis"]["anchor"] = "y";
   const double limit = std::clamp(LargestChange(blocks), 20.0, 100.0);
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     plot.AddTrace(i, BlockTrace(blocks[i], columns, limit));
   }
-  const int inner_px = plot.height_px() - kTop_px - kBottom_px;
+  const int inner_px = plot.height_px() - top_px - bottom_px;
   plot.layout()["coloraxis"] = ColourAxis(limit, std::max(inner_px, kLeastBar_px));
   return plot;
 }

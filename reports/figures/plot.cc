@@ -23,6 +23,7 @@ Json AxisOf(const std::string& title) {
           {"zeroline", false},
           {"showline", true},
           {"ticks", "outside"},
+          {"exponentformat", "none"},
           {"ticklen", 4}};
 }
 

@@ -30,7 +30,8 @@ std::string FigureHtml(const Figure& figure, std::size_t index) {
                 TitleHtml(figure.title), "<p class=\"reading\">", Escaped(figure.caption),
                 "</p></figcaption>\n<div class=\"plot-scroll\"><div class=\"plot\" role=\"img\" "
                 "aria-label=\"",
-                alt, "\" style=\"min-height:", figure.height_px, "px", width,
+                alt, "\" data-width=\"", figure.width_px,
+                "\" style=\"min-height:", figure.height_px, "px", width,
                 "\"></div></div>\n<details><summary>In words</summary><p>", alt,
                 "</p></details>\n</figure>\n");
 }
@@ -53,15 +54,15 @@ std::string FigureSection(const PageContent& content) {
 }
 
 std::string SceneSection(const PageContent& content) {
-  std::string html = "<section id=\"scenes\">\n<h2>Runs, frame by frame</h2>\n";
+  std::string html = "<section id=\"scenes\">\n<h2>Frame by frame</h2>\n";
   if (content.scenes.empty()) {
     return html +
            "<p class=\"problem\">No run can be shown: none has trajectories.</p>\n</section>\n";
   }
   html += "<p>Trajectories, clusters, images and errors of one run at a selected time.";
   if (content.scenes_left_out > 0) {
-    html += StrCat(" The page holds ", content.scenes.size(), " runs; ", content.scenes_left_out,
-                   " more would make it too large.");
+    html += StrCat(" The page holds ", Counted(content.scenes.size(), "run"), "; ",
+                   content.scenes_left_out, " more would make it too large.");
   }
   return html +
          "</p>\n<div id=\"scene-view\"><noscript>This view needs "

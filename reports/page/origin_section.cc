@@ -54,7 +54,7 @@ std::string OptionsHtml(const Provenance& provenance) {
 }  // namespace
 
 std::string OriginSection(const PageContent& content) {
-  std::string html = "<section id=\"origin\">\n<h2>Where the numbers come from</h2>\n";
+  std::string html = "<section id=\"origin\">\n<h2>Origin of the numbers</h2>\n";
   html += FactsWithRunCounts(content.runs, &RunOrigin::build, "Program");
   html += FactsWithRunCounts(content.runs, &RunOrigin::machine, "Machine");
   if (content.table) html += OptionsHtml(content.table->provenance);

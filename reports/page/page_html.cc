@@ -27,17 +27,19 @@ std::string Head(const PageContent& content) {
 
 std::string Navigation(const PageContent& content) {
   std::string html = "<nav aria-label=\"Parts of this page\"><ul>\n";
-  const auto add = [&html](const char* id, const char* name) {
+  const auto add = [&html](const char* id, const std::string& name) {
     html += StrCat("<li><a href=\"#", id, "\">", name, "</a></li>\n");
   };
   add("summary", "Summary");
   add("table", "Table");
-  if (!content.compared_with.empty()) add("comparison", "Comparison");
+  if (!content.compared_with.empty()) {
+    add("comparison", Escaped("Compared with " + content.compared_with));
+  }
   add("figures", "Figures");
   add("scenes", "Frame by frame");
   add("missing", "What is missing");
-  add("glossary", "Terms");
-  add("origin", "Origin");
+  add("glossary", "Terms and metrics");
+  add("origin", "Origin of the numbers");
   return html + "</ul></nav>\n";
 }
 

@@ -87,7 +87,7 @@ std::string RuleText(const std::string& reference) {
 }  // namespace
 
 std::string SummarySection(const PageContent& content) {
-  std::string html = "<section id=\"summary\">\n<h2>What this shows</h2>\n";
+  std::string html = "<section id=\"summary\">\n<h2>Summary</h2>\n";
   if (!content.about.empty()) html += Element("p", content.about) + "\n";
   for (const std::string& problem : content.problems) {
     html += "<p class=\"problem\">" + Escaped(problem) + "</p>\n";

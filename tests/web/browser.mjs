@@ -24,7 +24,10 @@ export async function openPage(browser, file, options = {}) {
   context.setDefaultTimeout(PATIENCE_MS);
   const page = await context.newPage();
   const faults = [];
-  page.on('console', (message) => { if (message.type() === 'error') faults.push(message.text()); });
+  page.on('console', (message) => {
+    // Plotly warns of a layout that it does not take as it is.
+    if (message.type() === 'error' || /WARN: ignored/.test(message.text())) faults.push(message.text());
+  });
   page.on('pageerror', (error) => faults.push(String(error)));
   page.on('dialog', (dialog) => { faults.push(`dialog ${dialog.message()}`); dialog.dismiss(); });
   page.on('request', (request) => {

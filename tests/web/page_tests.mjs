@@ -95,6 +95,41 @@ export const pageTests = {
     await close();
   },
 
+  async 'the menu has the names of the headings'({ good }) {
+    const names = await good.page.evaluate(() => [...document.querySelectorAll('header nav a')].map((link) => [
+      link.textContent, document.querySelector(`${link.getAttribute('href')} h2`).textContent]));
+    assert.ok(names.length > 5);
+    for (const [name, heading] of names) assert.equal(name, heading);
+  },
+
+  async 'what goes on to the side says so, until its end'({ pages, browser }) {
+    const { page, close } = await openPage(browser, pages.good, { viewport: { width: 390, height: 844 } });
+    const table = page.locator('.cvo-scroll').first();
+    const hint = page.locator('.cvo-scroll + .scroll-hint').first();
+    await hint.waitFor();
+    const fades = () => table.evaluate((place) => place.classList.contains('more-right'));
+    assert.ok(await fades());
+    await table.evaluate((place) => { place.scrollLeft = place.scrollWidth; });
+    await page.waitForFunction(() => !document.querySelector('.cvo-scroll').classList.contains('more-right'));
+    const caption = await page.locator('.cvo-differences .cvo-caption').first().boundingBox();
+    assert.ok(caption.width <= 390, 'captions wrap');
+    await close();
+  },
+
+  async 'maps are as high as their width needs'({ good }) {
+    await drawAll(good.page);
+    const gaps = await good.page.evaluate(() => [...document.querySelectorAll('[data-figure] .plot')]
+      .filter((plot) => plot.layout.yaxis?.scaleanchor)
+      .map((plot) => {
+        const size = plot._fullLayout._size;
+        const [low, high] = plot._fullLayout.yaxis.domain;
+        const whole = plot.layout.yaxis.domain;
+        return 1 - (high - low) / (whole[1] - whole[0]) + 0 * size.h;
+      }));
+    assert.ok(gaps.length > 0);
+    for (const gap of gaps) assert.ok(gap < 0.2, `${gap} of the height is empty`);
+  },
+
   async 'a phone scrolls down only'({ pages, browser }) {
     const { page, faults, close } = await openPage(browser, pages.good, { viewport: { width: 360, height: 740 }, hasTouch: true });
     assert.equal(await page.evaluate(tooWide), 0);

@@ -49,6 +49,21 @@ export const sceneTests = {
     assert.ok(await good.page.locator('.frame-image').first().evaluate((image) => image.naturalWidth > 0 && image.naturalWidth <= 320));
   },
 
+  async 'the axes hold every box whole'({ good }) {
+    await openScenes(good.page);
+    const outside = await good.page.evaluate(() => {
+      const plot = document.querySelector('.scene-plot');
+      const { scene } = plot._fullLayout;
+      const boxes = plot.data.filter((trace) => trace.mode === 'lines' && !trace.name);
+      const points = (axis) => boxes.flatMap((trace) => trace[axis]).filter((value) => value !== null);
+      return ['x', 'y', 'z'].map((axis) => {
+        const [low, high] = scene[`${axis}axis`].range;
+        return { count: points(axis).length, out: points(axis).filter((value) => value < low || value > high).length };
+      });
+    });
+    for (const { count, out } of outside) assert.ok(count > 0 && out === 0, JSON.stringify(outside));
+  },
+
   async 'it plays to the end and stops, and pauses'({ good }) {
     await openScenes(good.page);
     await good.page.locator('.player input').focus();

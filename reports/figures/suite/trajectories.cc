@@ -186,10 +186,11 @@ class Panels {
            Rounded(top, 6)}},
          {"anchor", Name("x", panel)},
          {"range", {Rounded(extent_.z_low), Rounded(extent_.z_high)}},
-         {"scaleanchor", Name("x", panel)},
          {"constrain", "domain"},
          {"showticklabels", column == 0},
          {"nticks", 6}});
+    // The others match the first, and with it its scale.
+    if (panel == 0) y["scaleanchor"] = "x";
     if (panel > 0) {
       x["matches"] = "x";
       y["matches"] = "y";

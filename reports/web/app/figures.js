@@ -10,6 +10,28 @@ export const CONFIG = {
 
 const drawn = new Set();
 
+// Both axes in metres on one scale: what is narrower is also lower, else it would have gaps.
+const oneScale = (layout) => layout.yaxis?.scaleanchor !== undefined;
+
+function heightFor(plot, layout) {
+  const { l, r, t, b } = layout.margin;
+  const meant = Number(plot.dataset.width);
+  plot.style.maxWidth = `${meant}px`;
+  const part = Math.min(1, Math.max(0.2, (plot.clientWidth - l - r) / (meant - l - r)));
+  const height = Math.round(t + b + part * (layout.height - t - b));
+  plot.style.minHeight = `${height}px`;
+  return height;
+}
+
+function followWidth(plot, layout) {
+  let width = plot.clientWidth;
+  new ResizeObserver(() => {
+    if (plot.clientWidth === width) return;
+    width = plot.clientWidth;
+    window.Plotly.relayout(plot, { height: heightFor(plot, layout) });
+  }).observe(plot.parentElement);
+}
+
 function draw(figure) {
   const plot = figure.querySelector('.plot');
   const { data, layout } = readData(figure.dataset.figure) ?? {};
@@ -17,8 +39,10 @@ function draw(figure) {
     plot.textContent = 'This figure could not be made.';
     return;
   }
+  const size = oneScale(layout) ? { height: heightFor(plot, layout) } : {};
   // The caption is text of the page.
-  window.Plotly.newPlot(plot, data, { ...layout, title: undefined, template: template() }, CONFIG);
+  window.Plotly.newPlot(plot, data, { ...layout, ...size, title: undefined, template: template() }, CONFIG);
+  if (oneScale(layout)) followWidth(plot, layout);
   figure.dataset.drawn = 'true';
   drawn.add(plot);
 }

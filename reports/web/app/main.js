@@ -5,6 +5,7 @@ import { openableCells } from './cell_dialog.js';
 import { drawFiguresInView } from './figures.js';
 import { readData } from './page_data.js';
 import { sceneView } from './scene/scene_view.js';
+import { scrollHints } from './scroll_hints.js';
 import { arrowKeys } from './tables/arrow_keys.js';
 import { foldNotes } from './tables/fold_notes.js';
 import { tableTools } from './tables/table_tools.js';
@@ -18,6 +19,7 @@ for (const frame of document.querySelectorAll('[data-table]')) {
   }
   foldNotes(frame);
 }
+scrollHints();
 document.documentElement.dataset.ready = String(Math.round(performance.now()));
 
 // Plotly and the large parts of the data stand below this script.

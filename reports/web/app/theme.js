@@ -21,7 +21,7 @@ export function onThemeChange(act) {
 // For Plotly's layout.template: what a figure sets itself goes before.
 export function template() {
   const { text, grid, muted } = colours();
-  const axis = { gridcolor: grid, linecolor: muted, zerolinecolor: grid, tickcolor: muted, automargin: true };
+  const axis = { gridcolor: grid, linecolor: muted, zerolinecolor: grid, tickcolor: muted, automargin: true, exponentformat: 'none' };
   const axis3d = { ...axis, backgroundcolor: 'rgba(0,0,0,0)', showbackground: false };
   return {
     data: { bar: [{ error_x: { color: muted }, error_y: { color: muted } }] },

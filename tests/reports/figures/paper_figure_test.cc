@@ -4,7 +4,9 @@
 
 #include <gmock/gmock.h>
 
+#include "reports/figure_files/interactive_page.h"
 #include "reports/figure_files/render_page.h"
+#include "reports/figures/heat_map.h"
 #include "tests/reports/figures/drawn_suite.h"
 #include "tests/support/error_message.h"
 
@@ -65,6 +67,25 @@ TEST(RenderPage, HasNothingRandomAndNoNetwork) {
   EXPECT_THAT(page, AllOf(StartsWith("<!DOCTYPE html>"), HasSubstr("Math.random = ")));
   EXPECT_LT(page.find("Math.random = "), page.find("Plotly"));
   EXPECT_THAT(page, Not(HasSubstr("<script src")));
+}
+
+TEST(InteractivePage, FollowsTheSchemeAndSendsNothing) {
+  const std::string page = InteractivePage(SmallFigure());
+  EXPECT_THAT(page, AllOf(HasSubstr("prefers-color-scheme: dark"), HasSubstr("width < LEAST"),
+                          HasSubstr("showSendToCloud: false"), Not(HasSubstr("<script src"))));
+}
+
+TEST(DrawHeatMap, HasRoomForHeadingsAndBar) {
+  const auto layout = [](const std::string& heading) {
+    const std::vector<HeatBlock> blocks = {{"full", {{"tiny", {HeatCell{-5.0, false, "+5", ""}}}}}};
+    Json made = DrawHeatMap(blocks, {{"a", heading}}).layout();
+    return made;
+  };
+  const Json usual = layout("camera<br>ATE");
+  const Json tall = layout("a heading that is longer than most<br>of the others");
+  EXPECT_GT(tall["margin"]["t"].get<int>(), usual["margin"]["t"].get<int>() + 80);
+  const int inner = usual["height"].get<int>() - usual["margin"]["t"].get<int>();
+  EXPECT_GE(inner, usual["coloraxis"]["colorbar"]["len"].get<int>());
 }
 
 TEST(RenderPage, ItsResultIsReadBackWithTitleAndCaption) {

@@ -88,3 +88,17 @@ export function labels(clusters, frame) {
   }
   return path;
 }
+
+// The boxes of all frames: what axes must hold.
+export function allBoxes(clusters) {
+  const path = new Path();
+  for (const cluster of clusters) {
+    for (let row = 0; row < cluster.frames.length; ++row) {
+      for (const [a, b] of boxEdges(cluster, row)) {
+        path.add(a);
+        path.add(b);
+      }
+    }
+  }
+  return path;
+}

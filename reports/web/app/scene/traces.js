@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-import { bodiesAt, boxes, cameraPath, labels, trails, truthOfBodies } from './paths.js';
+import { allBoxes, bodiesAt, boxes, cameraPath, labels, trails, truthOfBodies } from './paths.js';
 
 const TRAIL_FRAMES = 40;
 const INK = '#e8eaed';
@@ -68,7 +68,7 @@ function range(lists) {
 // Axes hold the whole run, so that nothing jumps when time moves.
 function ranges(run) {
   const last = run.frames.length - 1;
-  const paths = [cameraPath(run.camera.estimated, last), truthOfBodies(run.bodies), trails(run.clusters, last, last)];
+  const paths = [cameraPath(run.camera.estimated, last), truthOfBodies(run.bodies), trails(run.clusters, last, last), allBoxes(run.clusters)];
   return { x: range(paths.map((path) => path.x)), y: range(paths.map((path) => path.y)), z: range(paths.map((path) => path.z)) };
 }
 
@@ -89,14 +89,14 @@ export function sceneLayout(run, flat, width) {
   }
   const size = (span) => span[1] - span[0];
   const longest = Math.max(size(spans.x), size(spans.y), size(spans.z));
-  const scale = width < 500 ? 1.15 : 1.6; // so that a phone shows the axes too
+  const scale = width < 500 ? 1.0 : 1.25; // so that the axes' numbers and titles are in view
   const aspect = (span) => scale * Math.max(size(span) / longest, 0.15);
   return {
     ...shared, margin: { l: 0, r: 0, t: 0, b: 0 },
     scene: {
       xaxis: axis('right (m)', spans.x), yaxis: axis('forward (m)', spans.y), zaxis: axis('up (m)', spans.z),
       aspectmode: 'manual', aspectratio: { x: aspect(spans.x), y: aspect(spans.y), z: aspect(spans.z) },
-      camera: { eye: { x: 0.15, y: -1.75, z: 1.05 }, center: { x: 0, y: 0, z: -0.15 }, up: { x: 0, y: 0, z: 1 } },
+      camera: { eye: { x: 0.15, y: -1.75, z: 1.05 }, center: { x: 0, y: 0, z: -0.3 }, up: { x: 0, y: 0, z: 1 } },
     },
   };
 }
@@ -118,7 +118,7 @@ export function errorTraces(run, cameraErrors) {
 }
 
 export function errorLayout() {
-  const axis = { gridcolor: GRID, zerolinecolor: GRID, linecolor: TRUTH, color: INK, automargin: true };
+  const axis = { gridcolor: GRID, zerolinecolor: GRID, linecolor: TRUTH, color: INK, automargin: true, exponentformat: 'none' };
   return {
     paper_bgcolor: 'rgba(0,0,0,0)', plot_bgcolor: 'rgba(0,0,0,0)', font: { color: INK, family: 'system-ui, sans-serif', size: 12 },
     margin: { l: 52, r: 8, t: 8, b: 40 }, showlegend: true, legend: { orientation: 'h', y: 1, yanchor: 'bottom', x: 0, font: { size: 11 } },
