@@ -9,7 +9,7 @@
 
 namespace cvo {
 
-// What is well-formed in the times and the true poses of a sequence and yet hardly true, one line
+// What is well-formed in the times and the true poses of a sequence and yet implausible, one line
 // each: a gap between frames, a camera or a body that jumps. Empty for a good one. `bodies`: null
 // where nothing is known of them.
 std::vector<std::string> FindImplausible(const Sequence& sequence, const ObjectTruth* bodies);

@@ -68,7 +68,7 @@ struct RunSequence : SequenceInfo {
   std::string content;  // hash
   CameraInfo camera;
   std::optional<Json> perturbation;   // of images and calibration
-  std::vector<std::string> warnings;  // what of times and truth is hardly true
+  std::vector<std::string> warnings;  // what of times and truth is implausible
   std::optional<Json> layout;         // settings by which its folder was read
 
   template <typename Self, typename Archive>

@@ -229,7 +229,7 @@ TEST_F(InputFaults, ImplausibleTruth) {
   }
   const std::string jumps = folder_.Write("jump.txt", jump);
   const std::string said = "ground truth of body track 3, frame 2: moves ";
-  EXPECT_THAT(Run(Joined(arguments, {"--labels", jumps})).out, HasSubstr("hardly true: " + said));
+  EXPECT_THAT(Run(Joined(arguments, {"--labels", jumps})).out, HasSubstr("implausible: " + said));
   EXPECT_THAT(ReadJson(At("out/result.json"))["sequence"]["warnings"][0].get<std::string>(),
               HasSubstr(said));
   EXPECT_THAT(Run({"info", drive.string(), "--labels", jumps}).out, HasSubstr(said));
@@ -238,10 +238,10 @@ TEST_F(InputFaults, ImplausibleTruth) {
   WriteFileBytes(drive / "poses.txt", Replaced(poses, "\n1 0 0 ", "\n1 0 0 50000"));
   const ProcessResult run = Run(arguments);
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("hardly true: times, frame 3: 2.8 s after the one before"));
-  EXPECT_THAT(run.out, HasSubstr("hardly true: ground truth of the camera, frame 1: 5"));
+  EXPECT_THAT(run.out, HasSubstr("implausible: times, frame 3: 2.8 s after the one before"));
+  EXPECT_THAT(run.out, HasSubstr("implausible: ground truth of the camera, frame 1: 5"));
   EXPECT_EQ(ReadJson(At("out/result.json"))["sequence"]["warnings"].size(), 2U);
-  EXPECT_THAT(Run({"info", drive.string()}).out, HasSubstr("hardly true"));
+  EXPECT_THAT(Run({"info", drive.string()}).out, HasSubstr("implausible"));
   const std::string label = "1 3 Car 0 0 0 10 10 40 40 1.5 1.6 4 0 1 8 0\n";
   const std::string labels = folder_.Write("labels.txt", label + label);
   ExpectOneLine(RunWall({"--labels", labels}), 1, "track 3 of frame 1 a second time");

@@ -13,6 +13,7 @@
 #include "core/files/text_file.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
+#include "experiments/cli/run/text_table.h"
 #include "experiments/cli/scratch_folder.h"
 #include "experiments/cli/stop_signal.h"
 #include "reports/overlays/drawing/draw_overlay.h"
@@ -55,6 +56,7 @@ cv::Mat DrawFrame(const OverlayJob& job, const cv::Mat& image, int frame, int wi
   reports::OverlayStyle style = reports::StyleFor(camera, width_px);
   style.inset = style.inset && job.inset && job.boxes;
   style.inset_corner = job.inset_corner;
+  reports::LimitTo(job.runs, style);
   const bool legend = style.legend && !on_sheet;
   style.legend = legend && job.runs.size() == 1;
   style.boxes = job.boxes;
@@ -121,7 +123,7 @@ class OverlayWriter {
     const std::string name = video_->path().filename().string();
     WriteFilesAtomically(folder_, {{name, ReadFileBytes(video_->path())}});
     std::cout << "written: " << (folder_ / name).string() << " (" << video_->format() << ", "
-              << FramesPerSecond(job_) << " frames/s)\n";
+              << FrameRateText(FramesPerSecond(job_)) << ")\n";
   }
 
  private:

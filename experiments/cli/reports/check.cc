@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "reports/gate/check_runs.h"
@@ -35,9 +36,10 @@ int WriteBaseline(const CheckFlags& flags) {
   CheckOutputFile(flags.write_baseline, ReadBy(flags));
   const reports::Baseline baseline = reports::MakeBaseline(flags.folder, flags.gate_seeds);
   WriteOutputFile(flags.write_baseline, reports::BaselineText(baseline), ReadBy(flags));
-  std::cout << baseline.suite << ": " << baseline.jobs.size() << " runs with "
-            << baseline.metrics.size() << " metrics; checked runs need " << baseline.seeds.size()
-            << " seeds\nwritten: " << flags.write_baseline << '\n';
+  std::cout << baseline.suite << ": " << Counted(baseline.jobs.size(), "run") << " with "
+            << Counted(baseline.metrics.size(), "metric") << "; checked runs need "
+            << Counted(baseline.seeds.size(), "seed") << "\nwritten: " << flags.write_baseline
+            << '\n';
   return 0;
 }
 

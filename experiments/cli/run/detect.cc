@@ -116,8 +116,8 @@ int DetectBoxes(DetectFlags& flags) {
   if (outcome.images_skipped > 0) std::cout << ", " << outcome.images_skipped << " skipped";
   std::cout << "\nnetwork: " << NameOf(model.layout()) << ", input " << model.input().width << "x"
             << model.input().height << " px, "
-            << ReadableNumber(static_cast<double>(frames) / std::max(1e-9, outcome.network_s))
-            << " frames/s\nwritten: " << flags.output << '\n';
+            << FrameRateText(static_cast<double>(frames) / std::max(1e-9, outcome.network_s))
+            << "\nwritten: " << flags.output << '\n';
   return 0;
 }
 

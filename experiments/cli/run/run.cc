@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
@@ -78,12 +79,12 @@ void PrintCalibration(const Sequence& sequence, const RunResult& run) {
 void PrintSummary(const Sequence& sequence, const JobOutcome& outcome, bool all) {
   const RunResult& run = outcome.run;
   const double rate = static_cast<double>(run.frames.size()) / run.wall_s;
-  std::cout << sequence.name << ": " << run.frames.size() << " frames in "
-            << ReadableNumber(run.wall_s) << " s, " << ReadableNumber(rate) << " frames/s, "
+  std::cout << sequence.name << ": " << Counted(run.frames.size(), "frame") << " in "
+            << ReadableNumber(run.wall_s) << " s, " << FrameRateText(rate) << ", "
             << ReadableNumber(outcome.context.peak_memory_mb) << " MB, status "
             << ToString(run.status) << (run.message.empty() ? "" : ": ") << run.message << '\n';
   for (const std::string& line : outcome.warnings) {
-    std::cout << "warning: hardly true: " << line << '\n';
+    std::cout << "warning: implausible: " << line << '\n';
   }
   PrintProblems(run);
   PrintCalibration(sequence, run);

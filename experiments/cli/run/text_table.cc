@@ -39,4 +39,9 @@ void TextTable::Print(std::ostream& out) const {
 
 std::string ReadableNumber(double value) { return FormatGeneral(value, 4); }
 
+std::string FrameRateText(double frames_per_s) {
+  const std::string number = ReadableNumber(frames_per_s);
+  return number + (number == "1" ? " frame/s" : " frames/s");
+}
+
 }  // namespace cvo

@@ -26,4 +26,7 @@ class TextTable {
 // A number for display, with four significant digits.
 std::string ReadableNumber(double value);
 
+// "1 frame/s", "12.5 frames/s".
+std::string FrameRateText(double frames_per_s);
+
 }  // namespace cvo

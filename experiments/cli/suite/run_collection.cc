@@ -50,8 +50,8 @@ std::string SpeedText(Speed speed) {
   std::sort(speed.frames_per_s.begin(), speed.frames_per_s.end());
   const double median = speed.frames_per_s[speed.frames_per_s.size() / 2];
   return StrCat(FormatFixed(median, 1), " (", FormatFixed(speed.frames_per_s.front(), 1), " to ",
-                FormatFixed(speed.frames_per_s.back(), 1), " in ", Counted(speed.frames_per_s.size(), "run"),
-                ", one thread of ", speed.cpu, ")");
+                FormatFixed(speed.frames_per_s.back(), 1), " in ",
+                Counted(speed.frames_per_s.size(), "run"), ", one thread of ", speed.cpu, ")");
 }
 
 class CollectionRun {

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/temporary.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
@@ -173,8 +174,8 @@ class SuiteRun {
       tasks.push_back(std::move(task));
     }
     if (!flags_.quiet) {
-      std::cerr << (boxes ? "finding boxes in " : "rendering ") << wanted.size()
-                << (boxes ? " sequences\n" : " scenes\n");
+      std::cerr << (boxes ? "finding boxes in " : "rendering ")
+                << Counted(wanted.size(), boxes ? "sequence" : "scene") << '\n';
     }
     const auto messages = RunPreparations(tasks, run, *engine_);
     if (!messages) throw Stopped();
