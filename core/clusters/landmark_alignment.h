@@ -8,6 +8,7 @@
 #include "core/association/match.h"
 #include "core/estimation/landmark.h"
 #include "core/features/stereo_feature.h"
+#include "core/geometry/rigid_transform.h"
 
 namespace cvo {
 

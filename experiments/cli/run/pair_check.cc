@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/median.h"
-#include "core/features/orb.h"
+#include "core/features/orb/orb.h"
 #include "experiments/datasets/load_image.h"
 
 namespace cvo {
