@@ -27,7 +27,7 @@ pre { white-space: pre-wrap; }
 )";
 
 // Colours follow the page's, and where there is little room the panels stand one below the other.
-constexpr char kDraw[] = R"(
+constexpr char kDrawPlot[] = R"(
 const plot = document.getElementById('plot');
 const named = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 const template = () => {
@@ -93,7 +93,7 @@ std::string InteractivePage(const Figure& figure) {
       "</p>\n<div id=\"plot\" role=\"img\" aria-label=\"", EscapedText(figure.alt),
       "\"></div>\n<details><summary>Licence of Plotly</summary><pre>", HtmlEscaped(PlotlyLicence()),
       "</pre></details>\n<script>\nconst figure = ", PlotJson(plotly["data"], plotly["layout"]),
-      ";", kDraw, "</script></body></html>\n");
+      ";", kDrawPlot, "</script></body></html>\n");
 }
 
 }  // namespace cvo::reports
