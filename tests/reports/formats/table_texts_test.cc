@@ -147,7 +147,7 @@ TEST(TableTexts, DifferencesHaveALineOfTheirOwn) {
   const CellText& cell = block.lines[0].cells[3];
   EXPECT_EQ(cell.value, "+0.047");
   EXPECT_EQ(cell.interval, "0.011..0.087");
-  EXPECT_EQ(cell.percent, "44.9%");
+  EXPECT_EQ(cell.percent, "+81.0%");
   EXPECT_EQ(cell.n, "11 pairs");
   EXPECT_TRUE(cell.distinguishable);
   EXPECT_EQ(block.lines[0].cells[0], CellText{});
@@ -222,7 +222,7 @@ TEST(TableMarkdown, EscapesNames) {
             HasSubstr("\\- about [a link]\\(javascript:alert(1)) \\| and \\`code\\`"),
             HasSubstr("| =cmd\\|' /C calc'!A0 | x,\"y\" z \xEF\xBF\xBD[31m |"),
             HasSubstr("| **0.058** (0.034..0.085) |"), HasSubstr("| 0.104\\* (0.061..0.160) |"),
-            HasSubstr("| +0.047\\* (0.011..0.087); 44.9% |"), HasSubstr("| *(0.04)* |"),
+            HasSubstr("| +0.047\\* (0.011..0.087); +81.0% |"), HasSubstr("| *(0.04)* |"),
             HasSubstr("| *Unknown [a]* |"), HasSubstr("\n- bold: best of its column")));
 }
 
