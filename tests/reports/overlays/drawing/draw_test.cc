@@ -9,6 +9,14 @@
 
 #include "reports/overlays/drawing/text_plate.h"
 #include "reports/overlays/encode.h"
+#include "reports/overlays/overlay_run.h"
+#include "reports/overlays/sheet.h"
+<<<<<<< HEAD:tests/reports/overlays/drawing/draw_test.cc
+=======
+#include "reports/overlays/overlay_run.h"
+#include "reports/overlays/sheet.h"
+#include "reports/overlays/text_plate.h"
+>>>>>>> 84c8615 (Tests of overlays name what they use):tests/reports/overlays/draw_test.cc
 #include "tests/reports/overlays/overlay_scene.h"
 #include "tests/support/error_message.h"
 
@@ -309,7 +317,7 @@ TEST(StatusLine, HasRoomForTheLandmarksOfWideImages) {
   OverlayFrame frame;
   frame.has_clusters = frame.has_landmarks = true;
   for (int i = 0; i < 1000; ++i) frame.landmarks.push_back({1.0F, 1.0F, kStaticLabel});
-  const cv::Mat image(375, 1242, CV_8UC1, cv::Scalar(kGrey));
+  const cv::Mat image(375, 1242, CV_8UC1, cv::Scalar(test::kGrey));
   const cv::Mat picture = DrawOverlay(image, frame, kitti, style);
   EXPECT_EQ(picture.rows, 375 + BarHeight(style.text_px, 2) + LegendBar(style, 1242).rows);
 }
