@@ -15,7 +15,6 @@
 =======
 #include "reports/overlays/overlay_run.h"
 #include "reports/overlays/sheet.h"
-#include "reports/overlays/text_plate.h"
 >>>>>>> 84c8615 (Tests of overlays name what they use):tests/reports/overlays/draw_test.cc
 #include "tests/reports/overlays/overlay_scene.h"
 #include "tests/support/error_message.h"
