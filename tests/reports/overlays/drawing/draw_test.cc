@@ -11,11 +11,6 @@
 #include "reports/overlays/encode.h"
 #include "reports/overlays/overlay_run.h"
 #include "reports/overlays/sheet.h"
-<<<<<<< HEAD:tests/reports/overlays/drawing/draw_test.cc
-=======
-#include "reports/overlays/overlay_run.h"
-#include "reports/overlays/sheet.h"
->>>>>>> 84c8615 (Tests of overlays name what they use):tests/reports/overlays/draw_test.cc
 #include "tests/reports/overlays/overlay_scene.h"
 #include "tests/support/error_message.h"
 
