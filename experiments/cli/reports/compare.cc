@@ -98,17 +98,18 @@ void PrintPaired(const std::vector<PairedComparison>& list, const std::string& h
   if (list.empty()) return;
   std::cout << '\n' << heading << '\n';
   std::vector<std::string> header = {
-      "what",        list.front().frames > 0 ? "blocks of frames" : "pairs",
-      "unit",        first,
-      value_heading, "difference",
-      "95 % interval", "in %", "verdict"};
+      "what",          list.front().frames > 0 ? "blocks of frames" : "pairs",
+      "unit",          first,
+      value_heading,   "difference",
+      "95 % interval", "in %",
+      "verdict"};
   if (several) header.insert(header.begin(), "run");
   TextTable table(header);
   for (const PairedComparison& paired : list) {
     const reports::Difference& difference = paired.difference;
-    const std::string pairs = paired.frames > 0
-                                  ? StrCat(difference.pairs, " (", Counted(paired.frames, "frame"), ")")
-                                  : StrCat(difference.pairs);
+    const std::string pairs =
+        paired.frames > 0 ? StrCat(difference.pairs, " (", Counted(paired.frames, "frame"), ")")
+                          : StrCat(difference.pairs);
     const auto& interval = difference.interval;
     std::vector<std::string> row = {
         paired.what,
