@@ -115,7 +115,9 @@ TEST(Trajectories, AreSeenFromAboveWithOneScale) {
   EXPECT_EQ(layout["xaxis"]["title"]["text"], "x, right (m)");
   EXPECT_EQ(layout["yaxis"]["title"]["text"], "z, ahead (m)");
   EXPECT_EQ(layout["yaxis"]["scaleanchor"], "x");
-  EXPECT_EQ(layout["yaxis2"]["scaleanchor"], "x2");
+  EXPECT_EQ(layout["yaxis"]["scaleanchor"], "x");
+  EXPECT_EQ(layout["yaxis2"]["matches"], "y") << "and with it the scale";
+  EXPECT_FALSE(layout["yaxis2"].contains("scaleanchor")) << "Plotly warns of both";
   const Json truth = TraceLike(plotly, "line", "color", kTruthColour);
   EXPECT_EQ(truth["y"], Json({0.05, 0.25, 0.45, 0.65, 0.85})) << "z, not the height";
   const Json camera = TraceLike(plotly, "line", "color", Palette({"full"}).Of("full").colour);
