@@ -115,7 +115,6 @@ TEST(Trajectories, AreSeenFromAboveWithOneScale) {
   EXPECT_EQ(layout["xaxis"]["title"]["text"], "x, right (m)");
   EXPECT_EQ(layout["yaxis"]["title"]["text"], "z, ahead (m)");
   EXPECT_EQ(layout["yaxis"]["scaleanchor"], "x");
-  EXPECT_EQ(layout["yaxis"]["scaleanchor"], "x");
   EXPECT_EQ(layout["yaxis2"]["matches"], "y") << "and with it the scale";
   EXPECT_FALSE(layout["yaxis2"].contains("scaleanchor")) << "Plotly warns of both";
   const Json truth = TraceLike(plotly, "line", "color", kTruthColour);
