@@ -38,7 +38,7 @@ TEST(ContactSheet, FillsRowsFromTheTopLeft) {
   EXPECT_EQ(test::ColorAt(sheet, 0, 0).red, 10);
   EXPECT_EQ(test::ColorAt(sheet, 44, 0).red, 20);
   EXPECT_EQ(test::ColorAt(sheet, 39, 34).red, 30);
-  EXPECT_EQ(test::ColorAt(sheet, 44, 34), (Rgb{255, 255, 255}));
+  EXPECT_EQ(test::ColorAt(sheet, 44, 34), (Rgb{24, 24, 28}));
   EXPECT_THAT(ErrorMessage([] {
                 ContactSheet({Filled(40, 30, {}), Filled(41, 30, {})}, 2);
               }),
