@@ -139,7 +139,7 @@ std::vector<PairedComparison> PairByFrame(const RunToCompare& run, const RunToCo
     if (other == nullptr) continue;
     AddPair(body.name, body.mover ? "object_ate" : "object_standing_ate",
             CommonBodyErrors(body.errors, run.summary.sequence.first_frame, other->errors,
-                       reference.summary.sequence.first_frame),
+                             reference.summary.sequence.first_frame),
             run, reference, comparisons);
   }
   return comparisons;

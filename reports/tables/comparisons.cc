@@ -108,7 +108,7 @@ std::string MovedText(const Table& table) {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const auto& difference = row.cells[i].difference;
       if (!difference || difference->difference == 0.0) continue;
-      (difference->distinguishable       ? distinguishable
+      (difference->distinguishable     ? distinguishable
        : difference->pairs < kMinPairs ? undecided[difference->pairs]
                                        : noise) += Line(row, table.columns[i], *difference);
     }

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 // What of a run's folder is drawn.
-#include <set>
 #include <gmock/gmock.h>
+
+#include <set>
 
 #include "reports/overlays/overlay_run.h"
 #include "reports/overlays/panels.h"

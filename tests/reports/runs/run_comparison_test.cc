@@ -81,8 +81,7 @@ TEST_F(CompareRunsTest, CamerasAreAlignedOverTheFramesOfBoth) {
     folder_.Write(name + "/truth.json", truth.dump());
     return Write(name, result);
   };
-  const RunComparison comparison =
-      CompareRuns({write("full", 24, 0.5), write("static", 12, 0.0)});
+  const RunComparison comparison = CompareRuns({write("full", 24, 0.5), write("static", 12, 0.0)});
   ASSERT_EQ(comparison.by_frame.size(), 1U);
   const PairedComparison& camera = comparison.by_frame[0];
   EXPECT_EQ(camera.what, "camera");
