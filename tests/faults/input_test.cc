@@ -208,7 +208,7 @@ TEST_F(InputFaults, Images) {
   damaged[whole.size() / 2] ^= 1;
   for (const std::string& bytes : {whole.substr(0, whole.size() / 2), damaged}) {
     WriteFileBytes(image, bytes);
-    const ProcessResult run = Run(RunWall());
+    const ProcessResult run = Run(RunWall({"--force"}));
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("frame 1 skipped: image_1/000001.png: "));
     EXPECT_EQ(ReadJson(At("out/result.json"))["undecodable"].size(), 1U);

@@ -181,7 +181,7 @@ TEST_F(SuiteFaults, Symlinks) {
   fs::remove(fs::path(out()) / "clusters");
   const fs::path file = folder_.Write("mine.json", "mine");
   fs::create_symlink(file, fs::path(out()) / "result.json");
-  ExpectDone(RunWall());
+  ExpectDone(RunWall({"--force"}));
   EXPECT_EQ(ReadFileBytes(file), "mine");
 }
 

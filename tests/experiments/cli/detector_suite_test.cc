@@ -53,7 +53,7 @@ TEST_F(DetectorSuite, BoxesAreFoundOnceAndKept) {
   const std::string sequence = StrCat(R"({"folder": "wall", "detections": )", kTinyNetwork, "}");
   const ProcessResult run = Run(sequence, R"(["static"])", folder_.path());
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("finding boxes in 1 sequences"));
+  EXPECT_THAT(run.err, HasSubstr("finding boxes in 1 sequence\n"));
   ASSERT_EQ(Boxes().size(), 1U);
   const std::string rows = test::ReadFile(Boxes()[0]);
   EXPECT_THAT(rows, testing::StartsWith("0 -1 Car -1 -1 -10 "));

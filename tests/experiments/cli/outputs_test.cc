@@ -214,6 +214,7 @@ TEST_F(CliOutputs, FailedOutputIsAnError) {
       {"experiment", "status", suite, "--json"},
       {"experiment", "table", suite},
       {"experiment", "table", suite, "--format", "csv"},
+      {"experiment", "times", suite},
       {"experiment", "compare", suite, suite},
       {"check", suite, "--baseline", Path("base.json")},
       {"check", suite, "--write-baseline", Path("base.json")},
