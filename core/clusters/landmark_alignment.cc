@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/stereo_camera.h"
+
 namespace cvo {
 namespace {
 
