@@ -117,9 +117,11 @@ std::vector<std::vector<std::string>> TimesTable(const SuiteTimes& times) {
   for (const std::string& stage : times.stages) header.push_back(stage + " [ms]");
   header.emplace_back("time, first row = 1");
   std::vector<std::vector<std::string>> table = {header};
-  const TimesRow* first = nullptr;
   for (const TimesRow& row : times.rows) {
-    if (first == nullptr || first->keys[0] != row.keys[0]) first = &row;
+    const auto first =
+        std::find_if(times.rows.begin(), times.rows.end(), [&](const TimesRow& other) {
+          return other.keys[0] == row.keys[0] && other.keys[2] == row.keys[2];
+        });
     std::vector<std::string>& cells = table.emplace_back(row.keys);
     cells.insert(cells.end(), {StrCat(row.runs), FormatFixed(row.clusters, 1),
                                FormatFixed(row.frames_per_s, 1)});

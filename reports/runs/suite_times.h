@@ -29,7 +29,7 @@ struct SuiteTimes {
 SuiteTimes ReadSuiteTimes(const std::filesystem::path& folder);
 
 // As texts, the header first. The last column is the time per frame over that of the first row with
-// the same scenes.
+// the same scenes and variant.
 std::vector<std::vector<std::string>> TimesTable(const SuiteTimes& times);
 
 }  // namespace cvo::reports
