@@ -27,6 +27,15 @@ Json AxisOf(const std::string& title) {
           {"ticklen", 4}};
 }
 
+Panel PanelOf(const Column& column, int height_px) {
+  const Shown shown = ShownAs(column.metric, column.unit);
+  Panel panel{AxisOf(""), height_px};
+  panel.y_axis["title"]["text"] = StrCat(PlotText(column.label), "<br>(",
+                                         shown.unit.empty() ? "count" : PlotText(shown.unit), ")");
+  panel.y_axis["title"]["font"] = {{"size", 11}};  // larger ones reach into the next panel
+  return panel;
+}
+
 Json BaseLayout(int height_px, int top_px, int bottom_px) {
   return {{"height", height_px},
           {"margin", {{"l", 70}, {"r", 16}, {"t", top_px}, {"b", bottom_px}}},

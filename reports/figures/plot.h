@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/files/json.h"
+#include "reports/tables/table.h"
 
 namespace cvo::reports {
 
@@ -16,6 +17,9 @@ struct Panel {
   Json y_axis;
   int height_px = 130;
 };
+
+// Its axis is titled with the metric and its unit.
+Panel PanelOf(const Column& column, int height_px);
 
 // Panels above each other that share the x axis, as Plotly's data and layout.
 class Plot {

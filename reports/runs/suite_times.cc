@@ -101,7 +101,7 @@ SuiteTimes ReadSuiteTimes(const fs::path& folder) {
     const fs::path run_folder = folder / "jobs" / run.job;
     if (run.job.empty() || run.system || !fs::exists(run_folder / "timing.json")) continue;
     const auto timing = ReadRecord<TimingData>(run_folder / "timing.json");
-    AddOnce(StrCat(timing.cpu, ", ", timing.threads, timing.threads == 1 ? " thread" : " threads"),
+    AddOnce(StrCat(timing.cpu, ", ", Counted(static_cast<std::size_t>(timing.threads), "thread")),
             times.machines);
     AddRun(run_folder, timing,
            FindOrAdd(groups, &TimedRuns::keys, {KeysOf(run, options), {}, {}, {}}));

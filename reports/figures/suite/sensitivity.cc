@@ -85,12 +85,9 @@ Json XAxis(const SweptOption& option) {
   return axis;
 }
 
-Panel PanelOf(const Column& column) {
+Panel CurvePanel(const Column& column) {
   const Shown shown = ShownAs(column.metric, column.unit);
-  Panel panel{AxisOf(""), IsCoverage(column) ? 112 : 130};
-  panel.y_axis["title"]["text"] = StrCat(PlotText(column.label), "<br>(",
-                                         shown.unit.empty() ? "count" : PlotText(shown.unit), ")");
-  panel.y_axis["title"]["font"] = {{"size", 11}};  // larger ones reach into the next panel
+  Panel panel = PanelOf(column, IsCoverage(column) ? 112 : 130);
   panel.y_axis["rangemode"] = "tozero";
   panel.y_axis["nticks"] = 5;
   if (shown.is_share) panel.y_axis["range"] = {-4, 104};
@@ -224,7 +221,7 @@ Figure DrawGroup(const SweptOption& option, const MetricGroup& group, const Tabl
   std::vector<const Column*> columns;
   for (const std::size_t column : group.columns) {
     columns.push_back(&table.columns[column]);
-    panels.push_back(PanelOf(table.columns[column]));
+    panels.push_back(CurvePanel(table.columns[column]));
   }
   std::vector<std::string> entries;
   for (const SweptLine& line : option.lines) entries.push_back(line.label);

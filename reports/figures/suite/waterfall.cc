@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "reports/figures/numbers.h"
 #include "reports/figures/plot.h"
 #include "reports/figures/relation.h"
@@ -13,6 +14,7 @@ namespace cvo::reports {
 namespace {
 
 constexpr std::size_t kMostPanels = 6;
+constexpr int kPanelHeight_px = 120;
 constexpr int kRowWidth_px = 22;
 constexpr int kBeside_px = 110;
 constexpr int kLeastWidth_px = 420;
@@ -31,8 +33,7 @@ Change ChangeOf(const Difference& difference, bool higher_is_better) {
 
 // A step is named by what it adds.
 std::string StepName(const Row& row) {
-  std::string name;
-  for (const std::string& key : row.keys) name += (name.empty() ? "" : ", ") + key;
+  const std::string name = Joined(row.keys, ", ");
   const std::size_t to = name.find("_to_");
   return to == std::string::npos ? name : name.substr(to + 4);
 }
@@ -70,16 +71,6 @@ Json Bars(const Table& table, std::size_t column, Change change) {
   bars["error_y"] = {{"type", "data"},      {"symmetric", false}, {"array", above},
                      {"arrayminus", below}, {"thickness", 1},     {"width", 2}};
   return bars;
-}
-
-Panel PanelOf(const Column& column) {
-  const Shown shown = ShownAs(column.metric, column.unit);
-  Panel panel{AxisOf(""), 120};
-  panel.y_axis["title"]["text"] = StrCat(PlotText(column.label), "<br>(",
-                                         shown.unit.empty() ? "count" : PlotText(shown.unit), ")");
-  panel.y_axis["title"]["font"] = {{"size", 11}};
-  panel.y_axis["nticks"] = 5;
-  return panel;
 }
 
 std::string Alt(const Table& table, const std::vector<std::size_t>& columns) {
@@ -125,7 +116,8 @@ void DrawWaterfall(const SuiteData& data, SuiteDrawing& drawing) {
   std::vector<Panel> panels;
   std::vector<const Column*> drawn;
   for (const std::size_t column : columns) {
-    panels.push_back(PanelOf(table.columns[column]));
+    panels.push_back(PanelOf(table.columns[column], kPanelHeight_px));
+    panels.back().y_axis["nticks"] = 5;
     drawn.push_back(&table.columns[column]);
   }
   Figure figure;
