@@ -22,17 +22,24 @@ constexpr double kRowSigma_px = 0.4;          // of the rows of a pair, at level
 // The corners of one octave by image row. Corners come sorted by v.
 class RowTable {
  public:
+  struct Entry {
+    float u_px;
+    float v_px;
+    int corner;
+  };
+
   RowTable(const OrbImage& image, int octave) : first_(image.pyramid[0].rows + 1, 0) {
     for (std::size_t i = 0; i < image.keypoints.size(); ++i) {
-      if (image.keypoints[i].octave != octave) continue;
-      corners_.push_back(static_cast<int>(i));
-      ++first_[Row(image.keypoints[i].v_px) + 1];
+      const OrbKeypoint& corner = image.keypoints[i];
+      if (corner.octave != octave) continue;
+      corners_.push_back({corner.u_px, corner.v_px, static_cast<int>(i)});
+      ++first_[Row(corner.v_px) + 1];
     }
     for (std::size_t row = 1; row < first_.size(); ++row) first_[row] += first_[row - 1];
   }
 
-  // Indices of the corners in the rows from v_from to v_to.
-  std::span<const int> Between(double v_from, double v_to) const {
+  // The corners in the rows from v_from to v_to.
+  std::span<const Entry> Between(double v_from, double v_to) const {
     const int begin = first_[Row(v_from)];
     return std::span(corners_).subspan(begin, first_[Row(v_to) + 1] - begin);
   }
@@ -41,7 +48,7 @@ class RowTable {
   int Row(double v) const {
     return std::clamp(static_cast<int>(std::floor(v)), 0, static_cast<int>(first_.size()) - 2);
   }
-  std::vector<int> corners_;
+  std::vector<Entry> corners_;
   std::vector<int> first_;
 };
 
@@ -121,11 +128,12 @@ class PairFinder {
     const double tolerance = options_.row_tolerance_px * scales_[std::max(corner.octave, octave)];
     const double farthest_u = corner.u_px + options_.row_tolerance_px * scales_[corner.octave];
     const double nearest_u = corner.u_px - max_disparity_;
-    for (const int i : rows_[octave].Between(corner.v_px - tolerance, corner.v_px + tolerance)) {
-      const OrbKeypoint& other = right_[i];
+    for (const RowTable::Entry& other :
+         rows_[octave].Between(corner.v_px - tolerance, corner.v_px + tolerance)) {
       if (other.u_px > farthest_u || other.u_px < nearest_u) continue;
       if (std::abs(other.v_px - corner.v_px) > tolerance) continue;
-      const int distance = HammingDistance(corner.descriptor, other.descriptor);
+      const int i = other.corner;
+      const int distance = HammingDistance(corner.descriptor, right_[i].descriptor);
       candidates_.push_back({i, distance});
       if (distance < best_left_distance_[i]) {
         best_left_distance_[i] = distance;
@@ -163,7 +171,8 @@ RowOffset FitRowOffset(const std::vector<Pair>& pairs, const cv::Mat& image, dou
   return {samples, static_cast<double>(image.cols), static_cast<double>(image.rows)};
 }
 
-StereoFeature FeatureOf(const OrbKeypoint& corner, double u_right, float disagreement_px) {
+StereoFeature FeatureOf(const OrbImage& image, const OrbKeypoint& corner, double u_right,
+                        float disagreement_px) {
   StereoFeature feature;
   feature.z_px = {corner.u_px, corner.v_px, u_right};
   feature.octave = corner.octave;
@@ -172,17 +181,20 @@ StereoFeature FeatureOf(const OrbKeypoint& corner, double u_right, float disagre
   feature.is_reserve = corner.is_reserve;
   feature.disagreement_px = disagreement_px;
   feature.descriptor = corner.descriptor;
-  feature.patch = corner.patch;
+  feature.patch = PatchAround(image, corner);
   return feature;
 }
 
-struct AlignedFeature {
-  StereoFeature feature;
-  double sigma;  // of the column in the right image, px of the level
+// A corner whose partner was found.
+struct AlignedCorner {
+  const OrbKeypoint* left;
+  double u_right;
+  double sigma;            // of the column in the right image, px of the level
+  double disagreement_px;  // of the level
 };
 
-std::optional<AlignedFeature> Align(const OrbImage& left, const OrbImage& right, const Pair& pair,
-                                    double row_offset_px, const StereoMatchOptions& options) {
+std::optional<AlignedCorner> Align(const OrbImage& left, const OrbImage& right, const Pair& pair,
+                                   double row_offset_px, const StereoMatchOptions& options) {
   const OrbKeypoint& corner = *pair.left;
   const LevelCoordinates coordinates(left.pyramid, corner.octave);
   PatchQuery query;
@@ -197,44 +209,39 @@ std::optional<AlignedFeature> Align(const OrbImage& left, const OrbImage& right,
   if (!match) return std::nullopt;
   const double u_right = coordinates.FullU(match->u_right);
   if (corner.u_px - u_right < options.min_disparity_px) return std::nullopt;
-  const auto disagreement_px = static_cast<float>(match->disagreement);
-  return AlignedFeature{FeatureOf(corner, u_right, disagreement_px), match->sigma};
+  return AlignedCorner{&corner, u_right, match->sigma, match->disagreement};
 }
 
-// Features whose disparity is far less certain than the median of all are dropped: patches that
+// Corners whose disparity is far less certain than the median of all are dropped: patches that
 // differ, as on the edge of an object, or that have little structure along the row.
-std::vector<StereoFeature> DropUncertain(const std::vector<AlignedFeature>& aligned,
-                                         double max_sigma_medians) {
-  std::vector<StereoFeature> features;
-  if (aligned.empty()) return features;
+void DropUncertain(std::vector<AlignedCorner>& aligned, double max_sigma_medians) {
+  if (aligned.empty()) return;
   std::vector<double> sigmas;
-  for (const AlignedFeature& a : aligned) sigmas.push_back(a.sigma);
+  for (const AlignedCorner& corner : aligned) sigmas.push_back(corner.sigma);
   const auto middle = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2);
   std::nth_element(sigmas.begin(), middle, sigmas.end());
   const double max_sigma = std::max(max_sigma_medians * *middle, kSurelyGoodSigma_px);
-  for (const AlignedFeature& a : aligned) {
-    if (a.sigma <= max_sigma) features.push_back(a.feature);
-  }
-  return features;
+  std::erase_if(aligned, [&](const AlignedCorner& corner) { return !(corner.sigma <= max_sigma); });
 }
 
-// `matched` and the other corners in boxes, in the order of the corners.
-std::vector<StereoFeature> WithLeftOnly(std::span<const OrbKeypoint> corners,
-                                        const std::vector<cv::Rect2d>& boxes,
-                                        const std::vector<StereoFeature>& matched) {
-  if (boxes.empty()) return matched;
+// Features of the aligned corners and of the others in boxes, in the order of the image's corners.
+std::vector<StereoFeature> MakeFeatures(const OrbImage& left,
+                                        const std::vector<AlignedCorner>& aligned,
+                                        const std::vector<cv::Rect2d>& boxes) {
   std::vector<StereoFeature> features;
-  auto next = matched.begin();
-  for (const OrbKeypoint& corner : corners) {
-    if (next != matched.end() && next->z_px[0] == corner.u_px && next->z_px[1] == corner.v_px &&
-        next->octave == corner.octave) {
-      features.push_back(*next++);
+  features.reserve(aligned.size());
+  auto next = aligned.begin();
+  for (const OrbKeypoint& corner : left.keypoints) {
+    if (next != aligned.end() && next->left == &corner) {
+      features.push_back(
+          FeatureOf(left, corner, next->u_right, static_cast<float>(next->disagreement_px)));
+      ++next;
       continue;
     }
     const bool is_boxed = std::any_of(boxes.begin(), boxes.end(), [&](const cv::Rect2d& box) {
       return box.contains({corner.u_px, corner.v_px});
     });
-    if (is_boxed) features.push_back(FeatureOf(corner, corner.u_px, kNoDisparity_px));
+    if (is_boxed) features.push_back(FeatureOf(left, corner, corner.u_px, kNoDisparity_px));
   }
   return features;
 }
@@ -253,7 +260,7 @@ std::vector<StereoFeature> MatchStereo(const OrbImage& left, const OrbImage& rig
     if (j) pairs.push_back({&left.keypoints[i], &right.keypoints[*j]});
   }
   const RowOffset row_offset = FitRowOffset(pairs, left.pyramid[0], orb.scale_factor);
-  std::vector<AlignedFeature> aligned;
+  std::vector<AlignedCorner> aligned;
   for (const Pair& pair : pairs) {
     const double offset = row_offset.At(pair.left->u_px, pair.left->v_px);
     const double error = pair.right->v_px - pair.left->v_px - offset;
@@ -261,10 +268,11 @@ std::vector<StereoFeature> MatchStereo(const OrbImage& left, const OrbImage& rig
     if (std::abs(error) > options.max_row_error_px * scale) continue;
     const double applied =
         std::clamp(offset, -options.max_row_correction_px, options.max_row_correction_px);
-    const auto feature = Align(left, right, pair, applied, options);
-    if (feature) aligned.push_back(*feature);
+    const auto corner = Align(left, right, pair, applied, options);
+    if (corner) aligned.push_back(*corner);
   }
-  return WithLeftOnly(left.keypoints, boxes, DropUncertain(aligned, options.max_sigma_medians));
+  DropUncertain(aligned, options.max_sigma_medians);
+  return MakeFeatures(left, aligned, boxes);
 }
 
 }  // namespace cvo

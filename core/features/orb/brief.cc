@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/features/orb/brief.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -145,6 +146,28 @@ std::vector<BriefTest> DesignPattern() {
   return pattern;
 }
 
+// Both ends of every test, for one angle after the other.
+const std::vector<Point>& TurnedEnds() {
+  static const std::vector<Point> turned = [] {
+    std::vector<Point> ends;
+    for (int bin = 0; bin < kAngleBins; ++bin) {
+      const double angle = 2.0 * std::numbers::pi * bin / kAngleBins;
+      const double c = std::cos(angle);
+      const double s = std::sin(angle);
+      const auto add = [&](double x, double y) {
+        ends.push_back({static_cast<int>(std::lround(c * x - s * y)),
+                        static_cast<int>(std::lround(s * x + c * y))});
+      };
+      for (const BriefTest& test : BriefPattern()) {
+        add(test.x0, test.y0);
+        add(test.x1, test.y1);
+      }
+    }
+    return ends;
+  }();
+  return turned;
+}
+
 }  // namespace
 
 const std::vector<BriefTest>& BriefPattern() {
@@ -178,22 +201,12 @@ float PatchAngle(const cv::Mat& image, int x, int y) {
   return std::atan2(static_cast<float>(m01), static_cast<float>(m10));
 }
 
-BriefDescriber::BriefDescriber(std::size_t row_stride) : offsets_(kAngleBins * kTests * 2) {
-  const auto stride = static_cast<long>(row_stride);
-  std::size_t next = 0;
-  for (int bin = 0; bin < kAngleBins; ++bin) {
-    const double angle = 2.0 * std::numbers::pi * bin / kAngleBins;
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    const auto offset = [&](double x, double y) {
-      return static_cast<std::int32_t>(std::lround(s * x + c * y) * stride +
-                                       std::lround(c * x - s * y));
-    };
-    for (const BriefTest& test : BriefPattern()) {
-      offsets_[next++] = offset(test.x0, test.y0);
-      offsets_[next++] = offset(test.x1, test.y1);
-    }
-  }
+BriefDescriber::BriefDescriber(std::size_t row_stride) {
+  const std::vector<Point>& ends = TurnedEnds();
+  const auto stride = static_cast<std::int32_t>(row_stride);
+  offsets_.resize(ends.size());
+  std::transform(ends.begin(), ends.end(), offsets_.begin(),
+                 [stride](const Point& end) { return end.y * stride + end.x; });
 }
 
 Descriptor BriefDescriber::Describe(const cv::Mat& blurred, int x, int y, float angle_rad) const {

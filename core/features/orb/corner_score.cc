@@ -139,30 +139,41 @@ void ComputeFastScoresPlain(const cv::Mat& image, cv::Mat& scores) {
   ScoreImage(image, scores, ScoreRowPlain);
 }
 
-std::vector<Corner> FindCorners(const cv::Mat& scores, const CornerSearch& search) {
-  const int first = search.border_px;
-  const int last_x = scores.cols - search.border_px;
-  const int last_y = scores.rows - search.border_px;
-  std::vector<Corner> all;
-  if (last_x <= first || last_y <= first) return all;
+std::vector<Corner> FindMaxima(const cv::Mat& scores, int border_px, int threshold) {
+  const int last_x = scores.cols - border_px;
+  const int last_y = scores.rows - border_px;
+  std::vector<Corner> maxima;
+  if (last_x <= border_px) return maxima;
   std::vector<Byte> marks(static_cast<std::size_t>(scores.cols));
-  const int columns = (last_x - first + search.cell_px - 1) / search.cell_px;
-  const int rows = (last_y - first + search.cell_px - 1) / search.cell_px;
-  const auto cell = [&](const Corner& corner) {
-    return (corner.y - first) / search.cell_px * columns + (corner.x - first) / search.cell_px;
+  for (int y = border_px; y < last_y; ++y) {
+    MarkMaxima(scores, y, threshold, border_px, last_x, marks);
+    AppendMarked(marks, y, border_px, last_x, maxima);
+  }
+  return maxima;
+}
+
+std::vector<bool> FollowRule(std::span<const Corner> corners, const cv::Size& size,
+                             const CornerRule& rule) {
+  const int border = rule.border_px;
+  const int columns = size.width / rule.cell_px + 1;
+  const int rows = size.height / rule.cell_px + 1;
+  const auto cell = [&](const Corner& c) {
+    return (c.y - border) / rule.cell_px * columns + (c.x - border) / rule.cell_px;
   };
-  for (int y = first; y < last_y; ++y) {
-    MarkMaxima(scores, y, search.min_threshold, first, last_x, marks);
-    AppendMarked(marks, y, first, last_x, all);
-  }
+  const auto is_inside = [&](const Corner& c) {
+    return c.x >= border && c.y >= border && c.x < size.width - border &&
+           c.y < size.height - border;
+  };
   std::vector<char> has_strong(static_cast<std::size_t>(columns * rows), 0);
-  for (const Corner& corner : all) {
-    if (corner.score > search.threshold) has_strong[cell(corner)] = 1;
+  for (const Corner& c : corners) {
+    if (c.score > rule.threshold && is_inside(c)) has_strong[cell(c)] = 1;
   }
-  std::erase_if(all, [&](const Corner& corner) {
-    return corner.score <= search.threshold && has_strong[cell(corner)] != 0;
-  });
-  return all;
+  std::vector<bool> follow;
+  follow.reserve(corners.size());
+  for (const Corner& c : corners) {
+    follow.push_back(is_inside(c) && (c.score > rule.threshold || has_strong[cell(c)] == 0));
+  }
+  return follow;
 }
 
 }  // namespace cvo

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <opencv2/core/mat.hpp>
+#include <span>
 #include <vector>
 
 namespace cvo {
@@ -26,15 +27,19 @@ inline bool InReadingOrder(const Corner& a, const Corner& b) {
   return a.y != b.y ? a.y < b.y : a.x < b.x;
 }
 
-struct CornerSearch {
-  int border_px = 0;  // no corner nearer to the edge, >= 4
-  int cell_px = 0;
-  int threshold = 0;      // corners score more than this ...
-  int min_threshold = 0;  // ... or than this in cells without such a corner
+// Maxima of the scores among their 8 neighbours (of equal ones, the first in reading order) that
+// score more than `threshold`, in reading order. None is nearer to the edge than `border_px` >= 4.
+std::vector<Corner> FindMaxima(const cv::Mat& scores, int border_px, int threshold);
+
+struct CornerRule {
+  int border_px = 0;  // distance from the edge
+  int cell_px = 0;    // side of the cells, which begin at the border
+  int threshold = 0;
 };
 
-// Maxima of the scores among their 8 neighbours (of equal ones, the first in reading order), in
-// reading order.
-std::vector<Corner> FindCorners(const cv::Mat& scores, const CornerSearch& search);
+// Which corners of an image of this size follow the rule: not nearer to the edge than the border,
+// and with a score above the threshold unless none in their cell has one.
+std::vector<bool> FollowRule(std::span<const Corner> corners, const cv::Size& size,
+                             const CornerRule& rule);
 
 }  // namespace cvo

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 namespace cvo {
 namespace {
@@ -24,58 +23,86 @@ std::vector<Corner> SortByScore(const std::vector<Corner>& corners) {
   return sorted;
 }
 
-// Corners at least a distance apart, strongest first. Keeps a picture of what the discs around
-// those already chosen cover.
-class EvenSelector {
- public:
-  explicit EvenSelector(const std::vector<Corner>& strongest_first) : corners_(strongest_first) {
-    x0_ = x1_ = corners_[0].x;
-    y0_ = y1_ = corners_[0].y;
-    for (const Corner& corner : corners_) {
-      x0_ = std::min(x0_, corner.x);
-      x1_ = std::max(x1_, corner.x);
-      y0_ = std::min(y0_, corner.y);
-      y1_ = std::max(y1_, corner.y);
+using Word = std::uint64_t;
+constexpr int kWordBits = 64;
+
+// The pixels nearer to the middle one than `distance`, one bit each; rows of whole words.
+struct Disc {
+  explicit Disc(double distance) : reach(static_cast<int>(std::ceil(distance)) - 1) {
+    words = (2 * reach) / kWordBits + 1;
+    rows.assign(static_cast<std::size_t>((2 * reach + 1) * words), 0);
+    for (int y = -reach; y <= reach; ++y) {
+      const int half = static_cast<int>(std::ceil(std::sqrt(distance * distance - y * y))) - 1;
+      Word* row = &rows[static_cast<std::size_t>((y + reach) * words)];
+      for (int x = reach - half; x <= reach + half; ++x) {
+        row[x / kWordBits] |= Word{1} << (x % kWordBits);
+      }
     }
   }
 
-  int width() const { return x1_ - x0_ + 1; }
-  int height() const { return y1_ - y0_ + 1; }
+  int reach;
+  int words;  // of a row
+  std::vector<Word> rows;
+};
+
+// Corners at least a distance apart, strongest first. Keeps a picture, a bit for each pixel, of
+// what the discs around those already chosen cover.
+class EvenSelector {
+ public:
+  explicit EvenSelector(const std::vector<Corner>& strongest_first) : corners_(strongest_first) {
+    int x1 = x0_ = corners_[0].x;
+    int y1 = y0_ = corners_[0].y;
+    for (const Corner& corner : corners_) {
+      x0_ = std::min(x0_, corner.x);
+      x1 = std::max(x1, corner.x);
+      y0_ = std::min(y0_, corner.y);
+      y1 = std::max(y1, corner.y);
+    }
+    width_ = x1 - x0_ + 1;
+    height_ = y1 - y0_ + 1;
+  }
+
+  int width() const { return width_; }
+  int height() const { return height_; }
 
   // Stops at `limit` corners.
   std::vector<Corner> Spread(double distance, int limit) {
-    covered_.assign(static_cast<std::size_t>(width()) * height(), 0);
-    std::vector<int> half_widths;  // of the disc's rows, by |y|
-    for (int y = 0; y < distance; ++y) {
-      const int half = static_cast<int>(std::ceil(std::sqrt(distance * distance - y * y))) - 1;
-      half_widths.push_back(half);
-    }
+    const Disc disc(distance);
+    // As large as the discs reach, so that none is cut, and a word more for their last bits.
+    stride_ = (width_ + 2 * disc.reach) / kWordBits + 2;
+    covered_.assign(static_cast<std::size_t>(stride_) * (height_ + 2 * disc.reach), 0);
     std::vector<Corner> chosen;
     for (const Corner& corner : corners_) {
       if (static_cast<int>(chosen.size()) >= limit) break;
-      const std::size_t row = static_cast<std::size_t>(corner.y - y0_);
-      if (covered_[row * width() + (corner.x - x0_)] != 0) continue;
+      const int x = corner.x - x0_ + disc.reach;
+      const Word* row = Row(corner.y - y0_ + disc.reach);
+      if ((row[x / kWordBits] >> (x % kWordBits) & 1U) != 0) continue;
       chosen.push_back(corner);
-      Cover(corner, half_widths);
+      Cover(corner.x - x0_, corner.y - y0_, disc);
     }
     return chosen;
   }
 
  private:
-  void Cover(const Corner& corner, const std::vector<int>& half_widths) {
-    const int reach = static_cast<int>(half_widths.size()) - 1;
-    for (int y = std::max(y0_, corner.y - reach); y <= std::min(y1_, corner.y + reach); ++y) {
-      const int half = half_widths[std::abs(y - corner.y)];
-      const int left = std::max(x0_, corner.x - half);
-      const int right = std::min(x1_, corner.x + half);
-      std::memset(&covered_[static_cast<std::size_t>(y - y0_) * width() + (left - x0_)], 1,
-                  static_cast<std::size_t>(right - left + 1));
+  Word* Row(int y) { return &covered_[static_cast<std::size_t>(y) * stride_]; }
+
+  // x, y: of the disc's first column and row.
+  void Cover(int x, int y, const Disc& disc) {
+    const int shift = x % kWordBits;
+    const Word* part = disc.rows.data();
+    Word* row = Row(y) + x / kWordBits;
+    for (int i = 0; i <= 2 * disc.reach; ++i, row += stride_) {
+      for (int word = 0; word < disc.words; ++word, ++part) {
+        row[word] |= *part << shift;
+        row[word + 1] |= *part >> 1 >> (kWordBits - 1 - shift);
+      }
     }
   }
 
   const std::vector<Corner>& corners_;
-  int x0_, x1_, y0_, y1_;
-  std::vector<std::uint8_t> covered_;
+  int x0_, y0_, width_, height_;
+  int stride_ = 0;  // words of a row
+  std::vector<Word> covered_;
 };
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <opencv2/imgproc.hpp>
 #include <tuple>
 
@@ -28,33 +27,12 @@ constexpr double kBlurSigma_px = 2.0;
 constexpr int kScoreBlurSide_px = 3;
 constexpr double kScoreBlurSigma_px = 0.8;
 
-// Scratch images by level. Blurred ones and copies are padded and have one row stride.
+// Scratch of one level after another; the blurred images are padded like the pyramid's levels.
 struct Work {
-  std::vector<cv::Mat> blurred;
-  std::vector<cv::Mat> copies;
-  std::vector<cv::Mat> scores;
+  cv::Mat blurred;
+  cv::Mat scores;
   BriefDescriber describer;
 };
-
-std::vector<cv::Mat> AllocatePadded(const std::vector<cv::Mat>& pyramid) {
-  std::vector<cv::Mat> padded;
-  const int columns = pyramid[0].cols + 2 * kPadding_px;
-  for (const cv::Mat& level : pyramid) {
-    const cv::Mat storage(level.rows + 2 * kPadding_px, columns, CV_8UC1);
-    padded.push_back(storage.colRange(0, level.cols + 2 * kPadding_px));
-  }
-  return padded;
-}
-
-cv::Mat WithoutPadding(const cv::Mat& padded) {
-  return padded(cv::Rect(kPadding_px, kPadding_px, padded.cols - 2 * kPadding_px,
-                         padded.rows - 2 * kPadding_px));
-}
-
-void MirrorEdges(cv::Mat& padded) {
-  cv::copyMakeBorder(WithoutPadding(padded), padded, kPadding_px, kPadding_px, kPadding_px,
-                     kPadding_px, cv::BORDER_REFLECT_101 | cv::BORDER_ISOLATED);
-}
 
 void Blur(const cv::Mat& image, cv::Mat& blurred, int side_px, double sigma_px) {
   cv::GaussianBlur(image, blurred, cv::Size(side_px, side_px), sigma_px, sigma_px,
@@ -77,24 +55,6 @@ void ScoreLevel(const cv::Mat& image, cv::Mat& blurred, cv::Mat& scores) {
   ComputeFastScores(blurred, scores);
 }
 
-// Those that are not among the selected ones; both are in reading order.
-std::vector<Corner> Without(const std::vector<Corner>& corners,
-                            const std::vector<Corner>& selected) {
-  std::vector<Corner> others;
-  std::set_difference(corners.begin(), corners.end(), selected.begin(), selected.end(),
-                      std::back_inserter(others), InReadingOrder);
-  return others;
-}
-
-std::vector<Corner> Within(const cv::Rect2d& region, const LevelCoordinates& coordinates,
-                           const std::vector<Corner>& corners) {
-  std::vector<Corner> inside;
-  std::copy_if(corners.begin(), corners.end(), std::back_inserter(inside), [&](const Corner& c) {
-    return region.contains({coordinates.FullU(c.x), coordinates.FullV(c.y)});
-  });
-  return inside;
-}
-
 // How many corners are still wanted: first ones, of the reserve, and in each region.
 struct Wanted {
   int first = 0;
@@ -102,109 +62,132 @@ struct Wanted {
   std::vector<CornerRegion> regions;
 };
 
-std::vector<Corner> Union(const std::vector<Corner>& a, const std::vector<Corner>& b) {
-  std::vector<Corner> both;
-  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both), InReadingOrder);
-  return both;
-}
-
-// Corners of a level, in reading order.
-struct LevelCorners {
-  std::vector<Corner> all;     // far enough from the edge
-  std::vector<Corner> others;  // for regions alone: nearer to it, or weak beside strong ones
-  std::vector<Corner> first;   // of all, chosen evenly
+enum class Use : char {
+  kFree,
+  kForRegions,  // nearer to the edge, or weak beside strong ones: for regions alone
+  kFirst,
+  kReserve,
 };
 
-// The level's part of the reserve: what the regions lack, then evenly.
-std::vector<Corner> SelectReserve(const LevelCorners& corners, const LevelCoordinates& coordinates,
-                                  int level, double scale_factor, Wanted& wanted) {
-  std::vector<Corner> rest = Without(corners.all, corners.first);
-  std::vector<Corner> reserve;
-  int left = wanted.reserve;
-  const auto take = [&](const std::vector<Corner>& selected) {
-    rest = Without(rest, selected);
-    reserve = Union(reserve, selected);
-    left -= static_cast<int>(selected.size());
+// Corners of a level, in reading order, and what each is used for.
+struct LevelCorners {
+  std::vector<Corner> corners;
+  std::vector<Use> uses;
+
+  // Those with a use that is asked for, among the corners from begin to end.
+  std::vector<Corner> Select(std::size_t begin, std::size_t end, auto&& is_asked) const {
+    std::vector<Corner> selected;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (is_asked(i)) selected.push_back(corners[i]);
+    }
+    return selected;
+  }
+
+  // `used` is in reading order, a part of the corners.
+  void Mark(const std::vector<Corner>& used, Use use) {
+    auto at = corners.begin();
+    for (const Corner& corner : used) {
+      at = std::lower_bound(at, corners.end(), corner, InReadingOrder);
+      uses[static_cast<std::size_t>(at - corners.begin())] = use;
+    }
+  }
+};
+
+LevelCorners FindLevelCorners(const cv::Mat& scores, const OrbOptions& options, bool for_regions) {
+  LevelCorners level;
+  level.corners =
+      FindMaxima(scores, for_regions ? kRegionBorder_px : kBorder_px, options.fast_threshold_min);
+  const CornerRule rule{kBorder_px, options.cell_px, options.fast_threshold};
+  for (const bool follows : FollowRule(level.corners, scores.size(), rule)) {
+    level.uses.push_back(follows ? Use::kFree : Use::kForRegions);
+  }
+  return level;
+}
+
+// The part of a level's reserve that is for a region.
+void SelectInRegion(const LevelCoordinates& coordinates, int quota, Wanted& wanted,
+                    CornerRegion& region, LevelCorners& level) {
+  const auto row = [&](double v_px) {
+    const auto is_above = [&](const Corner& c) { return coordinates.FullV(c.y) < v_px; };
+    const auto at = std::partition_point(level.corners.begin(), level.corners.end(), is_above);
+    return static_cast<std::size_t>(at - level.corners.begin());
   };
-  const int evenly = LevelQuota(wanted.reserve, level, scale_factor);
-  for (CornerRegion& region : wanted.regions) {
-    const std::vector<Corner> taken = Union(corners.first, reserve);
-    const int found = static_cast<int>(Within(region.box, coordinates, taken).size());
-    const int quota = LevelQuota(region.corners, level, scale_factor);
-    const std::vector<Corner> free = Union(rest, Without(corners.others, reserve));
+  const std::size_t begin = row(region.box.y);
+  const std::size_t end = row(region.box.y + region.box.height);
+  const auto is_inside = [&](std::size_t i) {
+    const double u_px = coordinates.FullU(level.corners[i].x);
+    return u_px >= region.box.x && u_px < region.box.x + region.box.width;
+  };
+  int found = 0;
+  const std::vector<Corner> free = level.Select(begin, end, [&](std::size_t i) {
+    if (!is_inside(i)) return false;
+    const bool is_used = level.uses[i] == Use::kFirst || level.uses[i] == Use::kReserve;
+    found += is_used ? 1 : 0;
+    return !is_used;
+  });
+  const std::vector<Corner> selected = SelectEvenly(free, std::min(quota - found, wanted.reserve));
+  const int count = static_cast<int>(selected.size());
+  region.corners -= found + count;
+  wanted.reserve -= count;
+  level.Mark(selected, Use::kReserve);
+}
+
+// The level's share of the first corners, then of the reserve: what the regions lack, then evenly.
+void SelectCorners(const LevelCoordinates& coordinates, int level, double scale_factor,
+                   Wanted& wanted, LevelCorners& corners) {
+  const auto select_evenly = [&](int quota, Use use) {
+    const auto is_free = [&](std::size_t i) { return corners.uses[i] == Use::kFree; };
     const std::vector<Corner> selected =
-        SelectEvenly(Within(region.box, coordinates, free), std::min(quota - found, left));
-    region.corners -= found + static_cast<int>(selected.size());
-    take(selected);
+        SelectEvenly(corners.Select(0, corners.corners.size(), is_free), quota);
+    corners.Mark(selected, use);
+    return static_cast<int>(selected.size());
+  };
+  wanted.first -= select_evenly(LevelQuota(wanted.first, level, scale_factor), Use::kFirst);
+  const int evenly = LevelQuota(wanted.reserve, level, scale_factor);
+  const int before = wanted.reserve;
+  for (CornerRegion& region : wanted.regions) {
+    const int quota = LevelQuota(region.corners, level, scale_factor);
+    SelectInRegion(coordinates, quota, wanted, region, corners);
   }
-  take(SelectEvenly(rest, evenly - static_cast<int>(reserve.size())));
-  wanted.reserve = left;
-  return reserve;
-}
-
-LevelCorners FindLevelCorners(const cv::Mat& scores, int level, const OrbOptions& options,
-                              Wanted& wanted) {
-  CornerSearch search;
-  search.border_px = kBorder_px;
-  search.cell_px = options.cell_px;
-  search.threshold = options.fast_threshold;
-  search.min_threshold = options.fast_threshold_min;
-  LevelCorners corners;
-  corners.all = FindCorners(scores, search);
-  corners.first = SelectEvenly(corners.all, LevelQuota(wanted.first, level, options.scale_factor));
-  wanted.first -= static_cast<int>(corners.first.size());
-  if (wanted.regions.empty()) return corners;
-  search.border_px = kRegionBorder_px;
-  search.threshold = search.min_threshold;
-  corners.others = Without(FindCorners(scores, search), corners.all);
-  return corners;
-}
-
-FeaturePatch PatchAround(const cv::Mat& padded, const Corner& corner, const Eigen::Vector2d& move) {
-  FeaturePatch patch;
-  patch.corner_u = static_cast<float>(move.x());
-  patch.corner_v = static_cast<float>(move.y());
-  const int column = corner.x + kPadding_px - FeaturePatch::kRadius_px;
-  for (int y = 0; y < FeaturePatch::kSide_px; ++y) {
-    const int row = corner.y + kPadding_px - FeaturePatch::kRadius_px + y;
-    std::copy_n(padded.ptr<std::uint8_t>(row) + column, FeaturePatch::kSide_px,
-                patch.pixels.begin() + y * FeaturePatch::kSide_px);
-  }
-  return patch;
+  const int in_regions = before - wanted.reserve;
+  wanted.reserve -= select_evenly(evenly - in_regions, Use::kReserve);
 }
 
 void ExtractLevel(const std::vector<cv::Mat>& pyramid, int level, const OrbOptions& options,
                   Wanted& wanted, Work& work, std::vector<OrbKeypoint>& keypoints) {
   const cv::Mat& image = pyramid[level];
-  cv::Mat& blurred = work.blurred[level];
-  cv::Mat inner = WithoutPadding(blurred);
-  cv::Mat& scores = work.scores[level];
-  ScoreLevel(image, inner, scores);
-  const LevelCorners corners = FindLevelCorners(scores, level, options, wanted);
+  const cv::Rect whole({0, 0}, image.size());
+  cv::Mat blurred = work.blurred(whole);
+  cv::Mat scores = work.scores(whole);
+  ScoreLevel(image, blurred, scores);
+  LevelCorners corners = FindLevelCorners(scores, options, !wanted.regions.empty());
   const LevelCoordinates coordinates(pyramid, level);
-  const std::vector<Corner> reserve =
-      SelectReserve(corners, coordinates, level, options.scale_factor, wanted);
-  Blur(image, inner, kBlurSide_px, kBlurSigma_px);
-  MirrorEdges(blurred);
-  cv::Mat& copy = work.copies[level];
-  image.copyTo(WithoutPadding(copy));
-  MirrorEdges(copy);
-  const auto add = [&](const Corner& corner, bool is_reserve) {
+  SelectCorners(coordinates, level, options.scale_factor, wanted, corners);
+  Blur(image, blurred, kBlurSide_px, kBlurSigma_px);
+  MirrorEdges(blurred, kPadding_px);
+  const cv::Mat padded_image = Padded(image, kPadding_px);
+  const cv::Mat padded_blurred = Padded(blurred, kPadding_px);
+  for (std::size_t i = 0; i < corners.corners.size(); ++i) {
+    const Use use = corners.uses[i];
+    if (use != Use::kFirst && use != Use::kReserve) continue;
+    const Corner& corner = corners.corners[i];
     const Eigen::Vector2d move = RefineCorner(scores, corner.x, corner.y);
+    const int x = corner.x + kPadding_px;
+    const int y = corner.y + kPadding_px;
     OrbKeypoint keypoint;
     keypoint.u_px = static_cast<float>(coordinates.FullU(corner.x + move.x()));
     keypoint.v_px = static_cast<float>(coordinates.FullV(corner.y + move.y()));
     keypoint.octave = level;
-    keypoint.angle_rad = PatchAngle(copy, corner.x + kPadding_px, corner.y + kPadding_px);
+    keypoint.x = corner.x;
+    keypoint.y = corner.y;
+    keypoint.move_x = static_cast<float>(move.x());
+    keypoint.move_y = static_cast<float>(move.y());
+    keypoint.angle_rad = PatchAngle(padded_image, x, y);
     keypoint.response = static_cast<float>(corner.score);
-    keypoint.is_reserve = is_reserve;
-    keypoint.descriptor = work.describer.Describe(blurred, corner.x + kPadding_px,
-                                                  corner.y + kPadding_px, keypoint.angle_rad);
-    keypoint.patch = PatchAround(copy, corner, move);
+    keypoint.is_reserve = use == Use::kReserve;
+    keypoint.descriptor = work.describer.Describe(padded_blurred, x, y, keypoint.angle_rad);
     keypoints.push_back(keypoint);
-  };
-  for (const Corner& corner : corners.first) add(corner, false);
-  for (const Corner& corner : reserve) add(corner, true);
+  }
 }
 
 }  // namespace
@@ -214,11 +197,11 @@ OrbImage ExtractOrb(const cv::Mat& image, const OrbOptions& options,
   Require(image.type() == CV_8UC1 && !image.empty(), "ExtractOrb: needs a CV_8UC1 image");
   options.Check();
   OrbImage result;
-  result.pyramid = BuildPyramid(image, options.levels, options.scale_factor, 2 * kBorder_px + 1);
-  std::vector<cv::Mat> blurred = AllocatePadded(result.pyramid);
-  const std::size_t stride = blurred[0].step;
-  Work work{std::move(blurred), AllocatePadded(result.pyramid), AllocateLike(result.pyramid),
-            BriefDescriber(stride)};
+  result.pyramid =
+      BuildPyramid(image, options.levels, options.scale_factor, 2 * kBorder_px + 1, kPadding_px);
+  const std::size_t stride = result.pyramid[0].step;
+  Work work{AllocatePadded(image.size(), stride, kPadding_px),
+            AllocatePadded(image.size(), stride, 0), BriefDescriber(stride)};
   // Coarse to fine: what a level cannot fill is left for the finer ones, which have more to offer.
   Wanted wanted{options.features,
                 cvRound(options.features * options.reserve),
@@ -230,6 +213,20 @@ OrbImage ExtractOrb(const cv::Mat& image, const OrbOptions& options,
   std::sort(result.keypoints.begin(), result.keypoints.end(),
             [&](const OrbKeypoint& a, const OrbKeypoint& b) { return key(a) < key(b); });
   return result;
+}
+
+FeaturePatch PatchAround(const OrbImage& image, const OrbKeypoint& keypoint) {
+  const cv::Mat padded = Padded(image.pyramid[keypoint.octave], kPadding_px);
+  FeaturePatch patch;
+  patch.corner_u = keypoint.move_x;
+  patch.corner_v = keypoint.move_y;
+  const int column = keypoint.x + kPadding_px - FeaturePatch::kRadius_px;
+  for (int y = 0; y < FeaturePatch::kSide_px; ++y) {
+    const int row = keypoint.y + kPadding_px - FeaturePatch::kRadius_px + y;
+    std::copy_n(padded.ptr<std::uint8_t>(row) + column, FeaturePatch::kSide_px,
+                patch.pixels.begin() + y * FeaturePatch::kSide_px);
+  }
+  return patch;
 }
 
 }  // namespace cvo

@@ -20,20 +20,27 @@ struct OrbKeypoint {
   float angle_rad = 0.0F;
   float response = 0.0F;
   bool is_reserve = false;  // beyond OrbOptions::features
+  // Of its level: the pixel, and the corner from that pixel's centre.
+  int x = 0;
+  int y = 0;
+  float move_x = 0.0F;
+  float move_y = 0.0F;
   Descriptor descriptor{};
-  FeaturePatch patch;
 };
 
 // Corners of one image and of its reserve, sorted by (v, u, octave), and the pyramid they were
 // found in.
 struct OrbImage {
   std::vector<OrbKeypoint> keypoints;
-  std::vector<cv::Mat> pyramid;  // CV_8UC1, level 0 first
+  std::vector<cv::Mat> pyramid;  // CV_8UC1, level 0 first, with mirrored edges around each level
 };
 
 // ORB corners spread over the image (METHOD.md 2.1), the reserve in `regions` first. `image` is
 // CV_8UC1. Pure: the same image and regions give the same corners on any thread.
 OrbImage ExtractOrb(const cv::Mat& image, const OrbOptions& options,
                     std::span<const CornerRegion> regions = {});
+
+// The pixels around one of the image's corners.
+FeaturePatch PatchAround(const OrbImage& image, const OrbKeypoint& keypoint);
 
 }  // namespace cvo

@@ -5,22 +5,24 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <opencv2/imgproc.hpp>
 
 namespace cvo {
 namespace {
 
 constexpr int kRowAlignment = 64;  // bytes: a cache line
 
-std::vector<cv::Mat> Allocate(const std::vector<cv::Size>& sizes) {
+std::vector<cv::Mat> Allocate(const std::vector<cv::Size>& sizes, int padding_px) {
   int rows = 0;
-  for (const cv::Size& size : sizes) rows += size.height;
-  const int stride = (sizes[0].width + kRowAlignment - 1) / kRowAlignment * kRowAlignment;
+  for (const cv::Size& size : sizes) rows += size.height + 2 * padding_px;
+  const int width = sizes[0].width + 2 * padding_px;
+  const int stride = (width + kRowAlignment - 1) / kRowAlignment * kRowAlignment;
   const cv::Mat storage(rows, stride, CV_8UC1);
   std::vector<cv::Mat> images;
-  int top = 0;
+  int top = padding_px;
   for (const cv::Size& size : sizes) {
-    images.push_back(storage(cv::Rect(0, top, size.width, size.height)));
-    top += size.height;
+    images.push_back(storage(cv::Rect(padding_px, top, size.width, size.height)));
+    top += size.height + 2 * padding_px;
   }
   return images;
 }
@@ -84,7 +86,7 @@ void ShrinkByArea(const cv::Mat& source, cv::Mat& image) {
 }  // namespace
 
 std::vector<cv::Mat> BuildPyramid(const cv::Mat& image, int levels, double scale_factor,
-                                  int min_side_px) {
+                                  int min_side_px, int padding_px) {
   std::vector<cv::Size> sizes = {image.size()};
   for (int level = 1; level < levels; ++level) {
     const double scale = std::pow(scale_factor, -level);
@@ -92,18 +94,29 @@ std::vector<cv::Mat> BuildPyramid(const cv::Mat& image, int levels, double scale
     if (std::min(size.width, size.height) < std::max(min_side_px, kTaps)) break;
     sizes.push_back(size);
   }
-  std::vector<cv::Mat> pyramid = Allocate(sizes);
+  std::vector<cv::Mat> pyramid = Allocate(sizes, padding_px);
   image.copyTo(pyramid[0]);
   for (std::size_t level = 1; level < pyramid.size(); ++level) {
     ShrinkByArea(pyramid[level - 1], pyramid[level]);
   }
+  for (const cv::Mat& level : pyramid) MirrorEdges(level, padding_px);
   return pyramid;
 }
 
-std::vector<cv::Mat> AllocateLike(const std::vector<cv::Mat>& pyramid) {
-  std::vector<cv::Size> sizes;
-  for (const cv::Mat& level : pyramid) sizes.push_back(level.size());
-  return Allocate(sizes);
+cv::Mat AllocatePadded(const cv::Size& size, std::size_t stride, int padding_px) {
+  const cv::Mat storage(size.height + 2 * padding_px, static_cast<int>(stride), CV_8UC1);
+  return storage(cv::Rect({padding_px, padding_px}, size));
+}
+
+cv::Mat Padded(const cv::Mat& image, int padding_px) {
+  cv::Mat padded = image;
+  return padded.adjustROI(padding_px, padding_px, padding_px, padding_px);
+}
+
+void MirrorEdges(const cv::Mat& image, int padding_px) {
+  cv::Mat padded = Padded(image, padding_px);
+  cv::copyMakeBorder(image, padded, padding_px, padding_px, padding_px, padding_px,
+                     cv::BORDER_REFLECT_101 | cv::BORDER_ISOLATED);
 }
 
 }  // namespace cvo

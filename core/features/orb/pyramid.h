@@ -9,12 +9,20 @@ namespace cvo {
 
 // Levels of CV_8UC1, each scale_factor smaller than the one before, at most `levels`: it ends
 // before a side would fall under min_side_px. All levels share one row stride, so that an offset in
-// bytes means the same displacement at each. Level 0 is a copy of the image.
+// bytes means the same displacement at each. Level 0 is a copy of the image. `padding_px` pixels
+// around each are its mirrored edges (Padded).
 std::vector<cv::Mat> BuildPyramid(const cv::Mat& image, int levels, double scale_factor,
-                                  int min_side_px);
+                                  int min_side_px, int padding_px = 0);
 
-// Images of the pyramid's sizes and stride with undefined content.
-std::vector<cv::Mat> AllocateLike(const std::vector<cv::Mat>& pyramid);
+// An image of this size with undefined content, a view into one that is `padding_px` larger on
+// every side and has rows of `stride` bytes.
+cv::Mat AllocatePadded(const cv::Size& size, std::size_t stride, int padding_px);
+
+// A level, or what AllocatePadded gave, with the pixels around it.
+cv::Mat Padded(const cv::Mat& image, int padding_px);
+
+// Sets the pixels around it to its mirrored edges, the outermost row and column left out.
+void MirrorEdges(const cv::Mat& image, int padding_px);
 
 // Pixel coordinates at a level and in the full image. Centres of pixels are at integers, so
 // u_full + 1/2 = (u_level + 1/2) scale, with the scale that the rounded sizes really have: leaving

@@ -94,17 +94,23 @@ TEST(FastScores, FollowTheDefinitionOnBothPaths) {
   EXPECT_GT(corners, 50);
 }
 
-TEST(FindCorners, TakesWeakOnesOnlyInCellsWithoutStrongOnes) {
+TEST(FindMaxima, OfEqualNeighboursTheFirstAndNoneAtTheEdge) {
   cv::Mat scores(60, 100, CV_8UC1, cv::Scalar(0));
-  scores.at<std::uint8_t>(20, 20) = 30;  // first cell
-  scores.at<std::uint8_t>(25, 25) = 10;
-  scores.at<std::uint8_t>(20, 60) = 10;  // second cell
-  scores.at<std::uint8_t>(20, 61) = 10;  // equal neighbour
-  scores.at<std::uint8_t>(20, 64) = 7;   // not above the lower threshold
-  const std::vector<Corner> corners = FindCorners(scores, {10, 40, 20, 7});
-  ASSERT_EQ(corners.size(), 2u);
-  EXPECT_EQ(corners[0].x, 20);
-  EXPECT_EQ(corners[1].x, 60);
+  scores.at<std::uint8_t>(20, 60) = 10;
+  scores.at<std::uint8_t>(20, 61) = 10;
+  scores.at<std::uint8_t>(20, 64) = 7;  // not above the threshold
+  scores.at<std::uint8_t>(9, 30) = 50;  // too near to the edge
+  const std::vector<Corner> maxima = FindMaxima(scores, 10, 7);
+  ASSERT_EQ(maxima.size(), 1u);
+  EXPECT_EQ(maxima[0].x, 60);
+  EXPECT_TRUE(FindMaxima(scores(cv::Rect(0, 0, 20, 20)), 10, 7).empty());
+}
+
+TEST(FollowRule, WeakOnesOnlyInCellsWithoutStrongOnes) {
+  // Two in the first cell, one in the second, one before the border.
+  const std::vector<Corner> corners = {{20, 20, 30}, {60, 20, 10}, {25, 25, 10}, {9, 30, 50}};
+  const std::vector<bool> follow = FollowRule(corners, {100, 60}, {10, 40, 20});
+  EXPECT_EQ(follow, (std::vector<bool>{true, true, false, false}));
 }
 
 TEST(SelectEvenly, KeepsTheQuotaApart) {
