@@ -40,15 +40,19 @@ double SpeedVariance(const Cluster& cluster, const ClusterOptions& options) {
   return deviation * deviation;
 }
 
+double TurnVariance(const Cluster& cluster, const ClusterOptions& options) {
+  const double deviation =
+      FallingDeviation(options.first_turn_rad_s, options.turn_deviation_rad_s, cluster.frames);
+  return deviation * deviation;
+}
+
 PredictedCluster WithUncertainty(const Cluster& cluster, const PredictedMotion& extrapolated,
                                  double dt_s, const ClusterOptions& options) {
-  const double turn =
-      FallingDeviation(options.first_turn_rad_s, options.turn_deviation_rad_s, cluster.frames);
   PredictedCluster predicted;
   predicted.world_from_object = extrapolated.world_from_object;
   predicted.velocity_m_s = cluster.Latest().velocity_m_s;
   predicted.translation_variance_m2 = extrapolated.translation_covariance_m2(0, 0);
-  predicted.rotation_variance_rad2 = turn * turn * dt_s * dt_s;
+  predicted.rotation_variance_rad2 = TurnVariance(cluster, options) * dt_s * dt_s;
   return predicted;
 }
 

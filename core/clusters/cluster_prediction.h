@@ -27,8 +27,9 @@ std::vector<MotionState> LastStates(const Cluster& cluster, std::int64_t origin_
 // How well the next pose can be predicted, `extrapolated` being its mean.
 PredictedCluster WithUncertainty(const Cluster& cluster, const PredictedMotion& extrapolated,
                                  double dt_s, const ClusterOptions& options);
-// Variance of the cluster's velocity, m^2/s^2.
+// Variance of the cluster's velocity, m^2/s^2, and of its angular velocity, rad^2/s^2.
 double SpeedVariance(const Cluster& cluster, const ClusterOptions& options);
+double TurnVariance(const Cluster& cluster, const ClusterOptions& options);
 
 template <MotionPriorPolicy MotionPrior, RotationPolicy Rotation>
 PredictedCluster PredictCluster(const Cluster& cluster, std::int64_t timestamp_ns,

@@ -148,38 +148,92 @@ std::optional<RigidTransform> AlignLandmarks(const IdentityOptions& identity,
                            association.min_rematch, association.ransac_iterations, rng);
 }
 
-// Where a body is in the frame that was predicted for it, by the centres of its boxes now and
-// before it was lost, and by the prediction: each counts as far as it is certain.
-Eigen::Vector3d ShiftFromPrediction(const RigidTransform& predicted_from_now,
-                                    const CenterEstimate& now, const CenterEstimate& before,
-                                    double variance_m2) {
-  const Eigen::Vector3d measured = predicted_from_now * now.InObject() - before.InObject();
-  if (now.boxes == 0 || before.boxes == 0) return measured;
-  const Eigen::Matrix3d R = predicted_from_now.RotationMatrix();
-  const Eigen::Matrix3d predicted = variance_m2 * Eigen::Matrix3d::Identity();
-  const Eigen::Matrix3d boxes = R * now.Covariance() * R.transpose() + before.Covariance();
-  return predicted * (predicted + boxes).llt().solve(measured);
+BodyMotion MotionAtLoss(const Cluster& cluster, const ClusterOptions& options) {
+  const ClusterState& last = cluster.Latest();
+  return {last.timestamp_ns,
+          last.world_from_object,
+          last.velocity_m_s,
+          TurnRates(cluster.states, 0).back(),
+          SpeedVariance(cluster, options),
+          TurnVariance(cluster, options)};
 }
 
-void Inherit(const LostCluster& lost, const IdentityOptions& options, ClusterMap& map,
-             Cluster& found) {
-  const Cluster& before = FindCluster(map, lost.id);
-  const RigidTransform now = found.Latest().world_from_object;
-  const RigidTransform& predicted = lost.predicted.world_from_object;
-  const double deviation = options.prediction_deviation;
-  const double variance_m2 = deviation * deviation * lost.predicted.translation_variance_m2;
-  const Eigen::Vector3d shift = ShiftFromPrediction(predicted.Inverse() * now, found.box_center,
-                                                    before.box_center, variance_m2);
-  const RigidTransform world_from_lost =
-      predicted * RigidTransform(Eigen::Quaterniond::Identity(), shift);
-  found.former = {FrameId{}, before.landmarks, before.box_center, shift, variance_m2};
+// At the first of a found cluster's poses, at least one, after it had been lost.
+template <typename Pose>
+BodyMotion MotionWhenFound(const Cluster& cluster, const ClusterOptions& options,
+                           const std::vector<Pose>& poses, std::int64_t lost_ns) {
+  const auto is_before = [lost_ns](const Pose& pose) { return pose.timestamp_ns <= lost_ns; };
+  const auto first = std::find_if_not(poses.begin(), poses.end() - 1, is_before);
+  const std::size_t index = static_cast<std::size_t>(first - poses.begin());
+  return {first->timestamp_ns,
+          first->world_from_object,
+          first->velocity_m_s,
+          TurnRates(poses, index)[index],
+          SpeedVariance(cluster, options),
+          TurnVariance(cluster, options)};
+}
+
+// A body's frame when it is found, as its motions before and after tell.
+struct BridgedPose {
+  RigidTransform world_from_object;
+  double variance_m2 = 0.0;  // of its origin, each axis
+};
+
+BridgedPose BridgeGap(const BodyMotion& before, const BodyMotion& found,
+                      const MotionPriorOptions& motion) {
+  const double dt = SecondsBetween(before.timestamp_ns, found.timestamp_ns);
+  const BridgedMotion turn = BridgeMotion(dt, motion.turn_q_rad2_s3, before.turn_variance_rad2_s2,
+                                          found.turn_variance_rad2_s2);
+  const BridgedMotion way =
+      BridgeMotion(dt, motion.q_m2_s3, before.speed_variance_m2_s2, found.speed_variance_m2_s2);
+  const Eigen::Vector3d rate =
+      before.turn_rad_s + turn.later_share * (found.turn_rad_s - before.turn_rad_s);
+  // Its origin x, which moves with the found body: v(x) = v + w x (x - t), linear in x.
+  const double share_s = way.later_share * dt;
+  const Eigen::Vector3d t = found.world_from_object.translation();
+  const Eigen::Matrix3d A = Eigen::Matrix3d::Identity() - share_s * Skew(found.turn_rad_s);
+  const Eigen::Vector3d b =
+      before.world_from_object.translation() + dt * before.velocity_m_s +
+      share_s * (found.velocity_m_s - found.turn_rad_s.cross(t) - before.velocity_m_s);
+  return {RigidTransform(ExpSo3(rate * dt) * before.world_from_object.rotation(),
+                         Eigen::Vector3d(A.inverse() * b)),
+          way.variance};
+}
+
+// The former frame of a found body: by its motions before and after, and by the centres of its
+// boxes; each counts as far as it is certain.
+RigidTransform PlaceFormer(const IdentityStep& step, const Lineage& former, const BodyMotion& found,
+                           const CenterEstimate& now) {
+  const BridgedPose bridged = BridgeGap(former.last, found, step.motion);
+  const RigidTransform bridged_from_now =
+      bridged.world_from_object.Inverse() * found.world_from_object;
+  Eigen::Vector3d shift = bridged_from_now * now.InObject() - former.box_center.InObject();
+  if (now.boxes > 0 && former.box_center.boxes > 0) {
+    const double deviation = step.identity.prediction_deviation;
+    const Eigen::Matrix3d R = bridged_from_now.RotationMatrix();
+    const Eigen::Matrix3d by_motion =
+        deviation * deviation * bridged.variance_m2 * Eigen::Matrix3d::Identity();
+    const Eigen::Matrix3d by_boxes =
+        R * now.Covariance() * R.transpose() + former.box_center.Covariance();
+    shift = by_motion * (by_motion + by_boxes).llt().solve(shift);
+  }
+  return bridged.world_from_object * RigidTransform(Eigen::Quaterniond::Identity(), shift);
+}
+
+void Inherit(const IdentityStep& step, ClusterId lost, ClusterMap& map, Cluster& found) {
+  const Cluster& before = FindCluster(map, lost);
+  found.former = {FrameId{}, before.landmarks, before.box_center,
+                  MotionAtLoss(before, step.clusters)};
+  const BodyMotion motion =
+      MotionWhenFound(found, step.clusters, found.states, found.former.last.timestamp_ns);
+  const RigidTransform world_from_lost = PlaceFormer(step, found.former, motion, found.box_center);
   ClusterTrajectory later = std::move(map.trajectories[found.id]);
   map.trajectories.erase(found.id);
-  ChangeFrame(now.Inverse() * world_from_lost, lost.id, found, later);
-  found.id = lost.id;
+  ChangeFrame(motion.world_from_object.Inverse() * world_from_lost, lost, found, later);
+  found.id = lost;
   found.former.since =
       later.poses.empty() ? found.Latest().frame : FrameId{later.poses.front().frame};
-  std::vector<ClusterPose>& poses = map.trajectories[lost.id].poses;
+  std::vector<ClusterPose>& poses = map.trajectories[lost].poses;
   // While both were live, the lost one was only predicted.
   std::erase_if(poses, [&](const ClusterPose& pose) {
     return !later.poses.empty() && pose.frame >= later.poses.front().frame;
@@ -220,50 +274,49 @@ std::vector<LostCluster> FindLostClusters(const ClusterOptions& options, FrameId
   return lost;
 }
 
-void InheritIdentities(const std::vector<LostCluster>& lost, FrameId newest,
-                       const IdentityOptions& identity, const ClusterOptions& options,
+void InheritIdentities(const IdentityStep& step, const std::vector<LostCluster>& lost,
                        ClusterMap& map) {
   std::vector<ClusterId> inherited;
   for (Cluster& cluster : map.live) {
-    if (!IsJustConfirmed(cluster, options, newest)) continue;
-    const LostCluster* predecessor = FindPredecessor(cluster, lost, map, identity);
+    if (!IsJustConfirmed(cluster, step.clusters, step.newest)) continue;
+    const LostCluster* predecessor = FindPredecessor(cluster, lost, map, step.identity);
     if (!predecessor) continue;
     if (std::find(inherited.begin(), inherited.end(), predecessor->id) != inherited.end()) continue;
     inherited.push_back(predecessor->id);
-    Inherit(*predecessor, identity, map, cluster);
+    Inherit(step, predecessor->id, map, cluster);
   }
-  for (const ClusterId id : inherited) Remove(id, newest, map);
+  for (const ClusterId id : inherited) Remove(id, step.newest, map);
   std::sort(map.live.begin(), map.live.end(),
             [](const Cluster& a, const Cluster& b) { return a.id < b.id; });
 }
 
-void AlignInheritedFrames(const IdentityOptions& identity,
-                          const ClusterAssociationOptions& association, FrameId newest,
-                          ClusterMap& map, Rng& rng) {
+void AlignInheritedFrames(const IdentityStep& step, ClusterMap& map, Rng& rng) {
   for (Cluster& cluster : map.live) {
     Lineage& former = cluster.former;
     if (!former.since.valid()) continue;
-    const std::int64_t age = newest.value - former.since.value;
-    if (former.is_centered && age % identity.align_interval != 0) continue;
+    const std::int64_t age = step.newest.value - former.since.value;
+    if (former.is_placed && age % step.identity.align_interval != 0) continue;
     ClusterTrajectory& trajectory = map.trajectories[cluster.id];
-    if (const auto former_from_now = AlignLandmarks(identity, association, cluster, rng)) {
+    if (const auto former_from_now =
+            AlignLandmarks(step.identity, step.association, cluster, rng)) {
       ChangeFrame(former_from_now->Inverse(), cluster.id, cluster, trajectory);
       MergeFormerLandmarks(cluster);
-    } else if (!former.is_centered && cluster.box_center.boxes >= identity.align_boxes) {
-      const RigidTransform from_prediction(Eigen::Quaterniond::Identity(), former.shift_in_object);
-      const Eigen::Vector3d shift = ShiftFromPrediction(
-          from_prediction, cluster.box_center, former.box_center, former.prediction_variance_m2);
-      const RigidTransform old_from_new(Eigen::Quaterniond::Identity(),
-                                        Eigen::Vector3d(shift - former.shift_in_object));
-      ChangeFrame(old_from_new, cluster.id, cluster, trajectory);
-      former.is_centered = true;
+    } else if (!former.is_placed) {
+      const std::vector<ClusterPose> since(FirstPoseFrom(former.since.value, trajectory),
+                                           trajectory.poses.end());
+      if (since.empty() || since.back().timestamp_ns <= former.last.timestamp_ns) continue;
+      const BodyMotion motion =
+          MotionWhenFound(cluster, step.clusters, since, former.last.timestamp_ns);
+      ChangeFrame(motion.world_from_object.Inverse() *
+                      PlaceFormer(step, former, motion, cluster.box_center),
+                  cluster.id, cluster, trajectory);
+      former.is_placed = cluster.box_center.boxes >= step.identity.align_boxes;
     }
   }
 }
 
 void InheritLostIdentity::Update(const IdentityStep& step, ClusterMap& map, Rng&) {
-  InheritIdentities(FindLostClusters(step.clusters, step.newest, step.predict, map), step.newest,
-                    step.identity, step.clusters, map);
+  InheritIdentities(step, FindLostClusters(step.clusters, step.newest, step.predict, map), map);
 }
 
 }  // namespace cvo

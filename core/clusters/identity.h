@@ -20,29 +20,26 @@ struct LostCluster {
 std::vector<LostCluster> FindLostClusters(const ClusterOptions& options, FrameId newest,
                                           const ClusterPredictor& predict, const ClusterMap& map);
 
-// Clusters confirmed in this frame whose place and size one lost cluster of their class explains,
-// and no other nearly as well, go on under its id: a body that turned while it was hidden shows
-// none of its old landmarks. Their frame becomes the lost one's: its rotation is predicted, its
-// origin is between the prediction and the boxes.
-void InheritIdentities(const std::vector<LostCluster>& lost, FrameId newest,
-                       const IdentityOptions& identity, const ClusterOptions& options,
-                       ClusterMap& map);
-
-// Clusters that go on under an earlier id: their frame is aligned with what it was, by landmarks
-// that look alike, until then, after enough boxes, by the prediction and the centres that they
-// show.
-void AlignInheritedFrames(const IdentityOptions& identity,
-                          const ClusterAssociationOptions& association, FrameId newest,
-                          ClusterMap& map, Rng& rng);
-
-// Updates cluster identities at the end of a frame.
+// What updates of cluster identities at the end of a frame read.
 struct IdentityStep {
   const IdentityOptions& identity;
   const ClusterAssociationOptions& association;
   const ClusterOptions& clusters;
+  const MotionPriorOptions& motion;
   FrameId newest;
   const ClusterPredictor& predict;  // for the frame's time
 };
+
+// Clusters confirmed in this frame whose place and size one lost cluster of their class explains,
+// and no other nearly as well, go on under its id: a body that turned while it was hidden shows
+// none of its old landmarks. Their frame becomes the lost one's, where the motions before and after
+// the loss and the boxes place it.
+void InheritIdentities(const IdentityStep& step, const std::vector<LostCluster>& lost,
+                       ClusterMap& map);
+
+// Clusters that go on under an earlier id: their frame is aligned with what it was, by landmarks
+// that look alike, until then, after enough boxes, by the motions and the centres that they show.
+void AlignInheritedFrames(const IdentityStep& step, ClusterMap& map, Rng& rng);
 
 template <typename Policy>
 concept IdentityPolicy = requires(const IdentityStep& step, ClusterMap& map, Rng& rng) {
@@ -63,7 +60,7 @@ template <IdentityPolicy Identity>
 struct WithAlignedFrames {
   static void Update(const IdentityStep& step, ClusterMap& map, Rng& rng) {
     Identity::Update(step, map, rng);
-    AlignInheritedFrames(step.identity, step.association, step.newest, map, rng);
+    AlignInheritedFrames(step, map, rng);
   }
 };
 

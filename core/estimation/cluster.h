@@ -37,15 +37,24 @@ struct CenterEstimate {
   CenterEstimate In(const RigidTransform& new_from_old) const;
 };
 
+// How a body moves at one time, and how well that is known.
+struct BodyMotion {
+  std::int64_t timestamp_ns = 0;
+  RigidTransform world_from_object;
+  Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  // of its origin, in world
+  Eigen::Vector3d turn_rad_s = Eigen::Vector3d::Zero();    // in world
+  double speed_variance_m2_s2 = 0.0;                       // each axis
+  double turn_variance_rad2_s2 = 0.0;
+};
+
 // What a cluster knows of itself from before it was lost, until it is aligned with that: its frame
 // since `since` is a guess.
 struct Lineage {
   FrameId since;
   std::vector<Landmark> landmarks;  // in its frame as it was
   CenterEstimate box_center;
-  Eigen::Vector3d shift_in_object = Eigen::Vector3d::Zero();  // of the guess, from the prediction
-  double prediction_variance_m2 = 0.0;                        // each axis
-  bool is_centered = false;  // aligned by the centres: what is left to turn is not known
+  BodyMotion last;         // in its frame as it was
+  bool is_placed = false;  // by enough boxes: landmarks alone move it still
 };
 
 // A rigid body that moves or may move. Its frame is arbitrary and stays what it was at birth.

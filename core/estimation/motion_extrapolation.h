@@ -42,6 +42,16 @@ PredictedMotion ExtrapolateTranslation(const MotionState& last, double time_s,
                                        double power_density_m2_s3,
                                        const Eigen::Matrix3d& velocity_covariance_m2_s2);
 
+// A motion with white noise on its acceleration, dt_s long, whose velocity is measured at both ends
+// (METHOD.md 6.5): its mean velocity is before + later_share (after - before); `variance` is that
+// of the way, dt_s times it.
+struct BridgedMotion {
+  double later_share = 0.0;
+  double variance = 0.0;  // m^2 or rad^2
+};
+BridgedMotion BridgeMotion(double dt_s, double power_density, double variance_before,
+                           double variance_after);
+
 // The body at time_s, after the last of its states (at least one; oldest first, times increasing).
 template <MotionPriorPolicy MotionPrior, RotationPolicy RotationModel>
 PredictedMotion Extrapolate(const MotionPriorOptions& options, std::span<const MotionState> states,

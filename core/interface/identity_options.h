@@ -38,11 +38,11 @@ struct IdentityOptions {
                  "back, and rooms have walls",
                  "the free space of the rendered rooms, not swept"});
     visit.Field("prediction_deviation", self.prediction_deviation,
-                {"predicted deviations", 1e-3, 1e6,
-                 "standard deviation of a found cluster's place around the predicted one: larger "
-                 "trusts the boxes, smaller the motion",
-                 "chosen from 0.14, 0.3, 1 and boxes alone on development rooms, crowds, benches "
-                 "and streets; a prediction's own deviation is wide enough to search in"});
+                {"deviations of the motion", 1e-3, 1e6,
+                 "standard deviation of a found cluster's place around the one that its motions "
+                 "before and after tell: larger trusts the boxes, smaller the motions",
+                 "chosen from 0.3, 0.6 and 1 on development rooms, crowds, benches and streets, "
+                 "where little but the object ATE of benches changes"});
     visit.Field("min_lead", self.min_lead,
                 {"nats", 0, 100,
                  "minimum margin by which the next candidate must be less likely; with larger "
@@ -55,8 +55,8 @@ struct IdentityOptions {
                  "set by hand on the rendered rooms, not swept"});
     visit.Field("align_boxes", self.align_boxes,
                 {"boxes", 1, 10000,
-                 "number of boxes after which a cluster's frame is aligned with the former one by "
-                 "box centres, unless landmarks aligned it earlier",
+                 "number of boxes up to which a found cluster's frame is placed anew in every frame, "
+                 "unless landmarks aligned it earlier",
                  "half a second at 30 Hz, not swept"});
     visit.Field(
         "align_interval", self.align_interval,
