@@ -9,8 +9,21 @@
 
 namespace cvo {
 
-// r = W (pi(p_in_camera) - z) and its 3x3 Jacobian by p_in_camera. A point nearer than
-// StereoCamera::kMinDepth_m is projected from that depth instead, so that r stays finite.
+// A point nearer than StereoCamera::kMinDepth_m is projected from that depth instead, so that its
+// residual stays finite.
+inline Eigen::Vector3d InFront(const Eigen::Vector3d& p_in_camera) {
+  return {p_in_camera.x(), p_in_camera.y(),
+          std::max(p_in_camera.z(), 1.001 * StereoCamera::kMinDepth_m)};
+}
+
+// r = W (pi(p_in_camera) - z), near points as above.
+inline Eigen::Vector3d EvaluateResidual(const StereoCamera& camera, const Eigen::Vector3d& z_px,
+                                        const Eigen::Matrix3d& sqrt_information,
+                                        const Eigen::Vector3d& p_in_camera) {
+  return sqrt_information * (*camera.Project(InFront(p_in_camera)) - z_px);
+}
+
+// The same r and its 3x3 Jacobian by p_in_camera.
 struct ProjectionResidual {
   Eigen::Vector3d r;
   Eigen::Matrix3d J;
@@ -20,8 +33,7 @@ inline ProjectionResidual EvaluateProjection(const StereoCamera& camera,
                                              const Eigen::Vector3d& z_px,
                                              const Eigen::Matrix3d& sqrt_information,
                                              const Eigen::Vector3d& p_in_camera) {
-  Eigen::Vector3d c = p_in_camera;
-  c.z() = std::max(c.z(), 1.001 * StereoCamera::kMinDepth_m);
+  const Eigen::Vector3d c = InFront(p_in_camera);
   const Eigen::Vector3d zeta_px = *camera.Project(c);
   return {sqrt_information * (zeta_px - z_px), sqrt_information * camera.ProjectionJacobian(c),
           zeta_px};
@@ -30,7 +42,7 @@ inline ProjectionResidual EvaluateProjection(const StereoCamera& camera,
 // r = W (pi(camera_from_world p) - z), the reprojection term of the paper's static energy. J_pose
 // is 3x6 in the tangent of world_from_camera, J_point 3x3, J_field by
 // camera.right_field_px.
-// Near points as in EvaluateProjection.
+// Near points as above.
 struct ReprojectionResidual {
   Eigen::Vector3d r;
   Eigen::Matrix<double, 3, 6> J_pose;

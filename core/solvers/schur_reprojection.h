@@ -66,7 +66,7 @@ double ReprojectionEnergy(const StereoCamera& camera, const std::vector<View>& v
   for (const ReprojectionFactor& factor : factors) {
     const View& view = views[factor.pose];
     const Eigen::Vector3d c = view.InCamera(view.Lever(points[factor.point]));
-    const Eigen::Vector3d r = EvaluateProjection(camera, factor.z_px, factor.sqrt_information, c).r;
+    const Eigen::Vector3d r = EvaluateResidual(camera, factor.z_px, factor.sqrt_information, c);
     energy += HuberLoss(r.squaredNorm(), huber);
   }
   return 0.5 * energy;

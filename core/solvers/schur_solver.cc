@@ -36,6 +36,13 @@ bool InvertRoot(const Eigen::Matrix3d& A, Eigen::Matrix3d& inverse) {
   return true;
 }
 
+// sum += a b^T, column by column: Eigen's product would load each element of b three times.
+void AddProduct(const Matrix63d& a, const Matrix63d& b, Matrix6d& sum) {
+  for (int j = 0; j < 6; ++j) {
+    sum.col(j) += a.col(0) * b(j, 0) + a.col(1) * b(j, 1) + a.col(2) * b(j, 2);
+  }
+}
+
 std::size_t PairIndex(int row, int column) {
   return static_cast<std::size_t>(row) * (row + 1) / 2 + column;
 }
@@ -94,7 +101,7 @@ void SchurSolver::AddPairs(const SchurEquations& equations, int begin, int end) 
     const Matrix63d& row = E_[i - begin];
     Matrix6d* pairs = &pairs_[PairIndex(equations.couplings[i].pose, 0)];
     for (int k = begin; k <= i; ++k) {
-      pairs[equations.couplings[k].pose].noalias() += row.lazyProduct(E_[k - begin].transpose());
+      AddProduct(row, E_[k - begin], pairs[equations.couplings[k].pose]);
     }
   }
 }
