@@ -28,4 +28,9 @@ struct FeaturePatch {
                                                                const FeaturePatch& seen,
                                                                double zoom);
 
+// The same, without AVX2: what processors without it run.
+[[nodiscard]] std::optional<Eigen::Vector2d> AlignFeaturePatchPlain(const FeaturePatch& reference,
+                                                                    const FeaturePatch& seen,
+                                                                    double zoom);
+
 }  // namespace cvo
