@@ -23,12 +23,12 @@ struct FeaturePatch {
 // Where `seen` shows the point that is the corner of `reference`, as a shift from seen's own
 // corner, px of its level (METHOD.md 3.4). `zoom`: how much larger, in pixels of the levels, the
 // point's surroundings are in `seen`. Empty where the patches do not look alike, or the shift is
-// too large.
+// too large. Uses AVX2 where there is.
 [[nodiscard]] std::optional<Eigen::Vector2d> AlignFeaturePatch(const FeaturePatch& reference,
                                                                const FeaturePatch& seen,
                                                                double zoom);
 
-// The same, without AVX2: what processors without it run.
+// The same without AVX2: what the fast path is tested against.
 [[nodiscard]] std::optional<Eigen::Vector2d> AlignFeaturePatchPlain(const FeaturePatch& reference,
                                                                     const FeaturePatch& seen,
                                                                     double zoom);

@@ -5,10 +5,12 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
 #include "core/base/error.h"
+#include "core/features/cpu_level.h"
 
 namespace cvo {
 namespace {
@@ -23,13 +25,18 @@ constexpr double kShearInformation = 100.0;
 constexpr double kQuarterInformation = 100.0;
 constexpr double kWindowSigma = 0.7;  // of the patch radius
 
-constexpr int kRegister = 4;  // floats; rows are processed in whole registers
+constexpr int kRegister = 8;  // floats; rows are processed in whole registers
 constexpr int kMaxSide = 2 * kMaxPatchRadius_px + 1;
 constexpr int kMaxLanes = 32;
 constexpr int kMargin = 3;  // columns of the strip beyond the search, for shear and interpolation
 constexpr int kMaxStrip = kMaxSide + 2 * (kMaxSearchRadius_px + kMargin) + kMaxLanes;
 
 using Lanes = float[kMaxLanes];
+using Register = float[kRegister];
+
+[[gnu::always_inline]] inline void Store(const Register& from, float* to) {
+  for (int x = 0; x < kRegister; ++x) to[x] = from[x];
+}
 
 // Both images around the corner, sampled with the same fraction of a column so that interpolation
 // smooths them alike. Lanes beyond the patch are finite and have no weight.
@@ -38,11 +45,26 @@ struct Patches {
   int side;
   int lanes;
   int shifts;
-  Lanes weight;  // of a column or row; that of a pixel is the product
+  const float* weight;  // of a column or row; that of a pixel is the product
   float left[kMaxSide][kMaxLanes];
   float slope[kMaxSide][kMaxLanes];  // d left / du
   float right[kMaxSide][kMaxStrip];  // shift s compares left[y][x] with right[y][x + s + kMargin]
 };
+
+// The weights for a radius; 0 beyond the patch.
+const float* WindowOf(int radius) {
+  static const auto windows = [] {
+    std::array<std::array<float, kMaxLanes>, kMaxPatchRadius_px + 1> all{};
+    for (int r = 1; r <= kMaxPatchRadius_px; ++r) {
+      for (int x = 0; x <= 2 * r; ++x) {
+        const double z = (x - r) / (kWindowSigma * r);
+        all[r][x] = static_cast<float>(std::exp(-0.5 * z * z));
+      }
+    }
+    return all;
+  }();
+  return windows[radius].data();
+}
 
 // Bilinear samples on a grid of step 1 from (u, v) on.
 class Sampler {
@@ -91,11 +113,7 @@ bool SamplePatches(const cv::Mat& left, const cv::Mat& right, const PatchQuery& 
   const Sampler in_right(right, u - whole_disparity - query.search_radius - kMargin,
                          query.v_right - p.radius);
   if (!in_left.Covers(p.side + 2, p.side) || !in_right.Covers(strip, p.side)) return false;
-  const double sigma = kWindowSigma * p.radius;
-  for (int x = 0; x < p.lanes; ++x) {
-    const double z = (x - p.radius) / sigma;
-    p.weight[x] = x < p.side ? static_cast<float>(std::exp(-0.5 * z * z)) : 0.0F;
-  }
+  p.weight = WindowOf(p.radius);
   float wide[kMaxLanes + 2] = {};
   for (int y = 0; y < p.side; ++y) {
     in_left.Row(y, p.side + 2, wide);
@@ -130,32 +148,26 @@ double SumOfWeights(const Patches& p) {
   return sum * sum;
 }
 
-Moments Difference(const Patches& p, int shift) {
-  Lanes first = {};
-  Lanes second = {};
-  for (int y = 0; y < p.side; ++y) {
-    const float* right = p.right[y] + shift + kMargin;
-    for (int x = 0; x < p.lanes; ++x) {
-      const float e = right[x] - p.left[y][x];
-      first[x] += p.weight[y] * e;
-      second[x] += p.weight[y] * e * e;
+[[gnu::always_inline]] inline Moments Difference(const Patches& p, int shift) {
+  Lanes first;
+  Lanes second;
+  for (int begin = 0; begin < p.lanes; begin += kRegister) {
+    Register of_first = {};
+    Register of_second = {};
+    for (int y = 0; y < p.side; ++y) {
+      const float* right = p.right[y] + shift + kMargin + begin;
+      const float* left = p.left[y] + begin;
+      const float weight = p.weight[y];
+      for (int x = 0; x < kRegister; ++x) {
+        const float e = right[x] - left[x];
+        of_first[x] += weight * e;
+        of_second[x] += weight * e * e;
+      }
     }
+    Store(of_first, first + begin);
+    Store(of_second, second + begin);
   }
   return {SumOfWeights(p), WeightedSum(p, first), WeightedSum(p, second)};
-}
-
-// Shift of the smallest difference with the vertex of the parabola through it and its neighbours.
-std::optional<double> SearchShift(const Patches& p) {
-  double costs[2 * kMaxSearchRadius_px + 1];
-  int best = 0;
-  for (int shift = 0; shift < p.shifts; ++shift) {
-    costs[shift] = Difference(p, shift).Variance();
-    if (costs[shift] < costs[best]) best = shift;
-  }
-  if (best == 0 || best == p.shifts - 1) return std::nullopt;
-  const double curvature = costs[best - 1] + costs[best + 1] - 2.0 * costs[best];
-  if (!(curvature > 0.0)) return std::nullopt;
-  return best + 0.5 * (costs[best - 1] - costs[best + 1]) / curvature;
 }
 
 // The unknowns: shift of the middle row, shear, brightness.
@@ -183,7 +195,7 @@ struct Slopes {
   Quarters by_quarter;  // information on the shift
 };
 
-Slopes SumSlopes(const Patches& p) {
+[[gnu::always_inline]] inline Slopes SumSlopes(const Patches& p) {
   Lanes g = {}, gy = {}, ggy = {}, ggyy = {};
   Halves gg = {};
   for (int i = 0; i < p.side; ++i) {
@@ -213,7 +225,8 @@ struct Residuals {
 };
 
 // Right patch, warped with cubic convolution, minus left patch. Empty beyond the strip.
-std::optional<Residuals> Evaluate(const Patches& p, const Vector& warp) {
+[[gnu::always_inline]] inline std::optional<Residuals> Evaluate(const Patches& p,
+                                                                const Vector& warp) {
   Lanes e1 = {}, ee = {}, gey = {};
   Halves ge = {};
   const int last = p.side + p.shifts - 1 + 2 * kMargin - 1;
@@ -248,33 +261,71 @@ std::optional<Residuals> Evaluate(const Patches& p, const Vector& warp) {
                    {SumOfWeights(p), first, WeightedSum(p, ee)}};
 }
 
+// The inner loops for one kind of processor; all kinds give the same numbers.
+struct PatchLoops {
+  Moments (*difference)(const Patches&, int shift);
+  Slopes (*sum_slopes)(const Patches&);
+  std::optional<Residuals> (*evaluate)(const Patches&, const Vector& warp);
+};
+
+Moments DifferencePlain(const Patches& p, int shift) { return Difference(p, shift); }
+Slopes SumSlopesPlain(const Patches& p) { return SumSlopes(p); }
+std::optional<Residuals> EvaluatePlain(const Patches& p, const Vector& warp) {
+  return Evaluate(p, warp);
+}
+constexpr PatchLoops kPlainLoops{DifferencePlain, SumSlopesPlain, EvaluatePlain};
+
+#if defined(CVO_WITH_AVX2)
+__attribute__((target("avx2"))) Moments DifferenceAvx2(const Patches& p, int shift) {
+  return Difference(p, shift);
+}
+__attribute__((target("avx2"))) Slopes SumSlopesAvx2(const Patches& p) { return SumSlopes(p); }
+__attribute__((target("avx2"))) std::optional<Residuals> EvaluateAvx2(const Patches& p,
+                                                                      const Vector& warp) {
+  return Evaluate(p, warp);
+}
+constexpr PatchLoops kAvx2Loops{DifferenceAvx2, SumSlopesAvx2, EvaluateAvx2};
+#endif
+
+// Shift of the smallest difference with the vertex of the parabola through it and its neighbours.
+std::optional<double> SearchShift(const Patches& p, const PatchLoops& loops) {
+  double costs[2 * kMaxSearchRadius_px + 1];
+  int best = 0;
+  for (int shift = 0; shift < p.shifts; ++shift) {
+    costs[shift] = loops.difference(p, shift).Variance();
+    if (costs[shift] < costs[best]) best = shift;
+  }
+  if (best == 0 || best == p.shifts - 1) return std::nullopt;
+  const double curvature = costs[best - 1] + costs[best + 1] - 2.0 * costs[best];
+  if (!(curvature > 0.0)) return std::nullopt;
+  return best + 0.5 * (costs[best - 1] - costs[best + 1]) / curvature;
+}
+
 double Disagreement(const Quarters& information, const Quarters& gradient) {
   const Quarters shift = gradient / (information + kQuarterInformation);
   return std::sqrt((information * shift.square()).sum() / information.sum());
 }
 
-}  // namespace
-
-std::optional<PatchMatch> AlignPatch(const cv::Mat& left, const cv::Mat& right,
-                                     const PatchQuery& query) {
+std::optional<PatchMatch> Align(const cv::Mat& left, const cv::Mat& right, const PatchQuery& query,
+                                const PatchLoops& loops) {
   Require(query.patch_radius >= 1 && query.patch_radius <= kMaxPatchRadius_px &&
               query.search_radius >= 1 && query.search_radius <= kMaxSearchRadius_px,
           "AlignPatch: radius out of range");
   Patches p;
   const double whole_disparity = std::round(query.u_left - query.u_right);
   if (!SamplePatches(left, right, query, whole_disparity, p)) return std::nullopt;
-  const std::optional<double> start = SearchShift(p);
+  const std::optional<double> start = SearchShift(p, loops);
   if (!start) return std::nullopt;
-  const Slopes slopes = SumSlopes(p);
+  const Slopes slopes = loops.sum_slopes(p);
   if (!(slopes.information.determinant() > 0.0)) return std::nullopt;
   const Matrix covariance = slopes.information.inverse();
   // Gauss-Newton with the left patch's slopes, which do not change from step to step.
   Vector warp(*start, 0.0, 0.0);
-  std::optional<Residuals> residuals = Evaluate(p, warp);
+  std::optional<Residuals> residuals = loops.evaluate(p, warp);
   for (int step = 0; step < kMaxSteps && residuals; ++step) {
     const Vector change = covariance * residuals->gradient;
     warp -= change;
-    residuals = Evaluate(p, warp);
+    residuals = loops.evaluate(p, warp);
     if (std::abs(change[0]) < kSmallStep_px) break;
   }
   if (!residuals || std::abs(warp[0] - *start) > kMaxMove_px || std::abs(warp[1]) > kMaxShear) {
@@ -285,6 +336,21 @@ std::optional<PatchMatch> AlignPatch(const cv::Mat& left, const cv::Mat& right,
   match.sigma = std::sqrt(residuals->moments.Variance() * covariance(0, 0));
   match.disagreement = Disagreement(slopes.by_quarter, residuals->by_quarter);
   return match;
+}
+
+}  // namespace
+
+std::optional<PatchMatch> AlignPatch(const cv::Mat& left, const cv::Mat& right,
+                                     const PatchQuery& query) {
+#if defined(CVO_WITH_AVX2)
+  if (UsesAvx2()) return Align(left, right, query, kAvx2Loops);
+#endif
+  return AlignPatchPlain(left, right, query);
+}
+
+std::optional<PatchMatch> AlignPatchPlain(const cv::Mat& left, const cv::Mat& right,
+                                          const PatchQuery& query) {
+  return Align(left, right, query, kPlainLoops);
 }
 
 }  // namespace cvo

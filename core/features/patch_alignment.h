@@ -31,8 +31,12 @@ struct PatchMatch {
 // The column at which the right image looks like the patch of the left one: whole columns first,
 // then Gauss-Newton steps over the disparity, its change from row to row (the ground) and the
 // brightness. Empty where a patch leaves its image, the best column lies at the end of the search,
-// or the steps lead away from it.
+// or the steps lead away from it. Uses AVX2 where there is.
 [[nodiscard]] std::optional<PatchMatch> AlignPatch(const cv::Mat& left, const cv::Mat& right,
                                                    const PatchQuery& query);
+
+// The same without AVX2: what the fast path is tested against.
+[[nodiscard]] std::optional<PatchMatch> AlignPatchPlain(const cv::Mat& left, const cv::Mat& right,
+                                                        const PatchQuery& query);
 
 }  // namespace cvo
