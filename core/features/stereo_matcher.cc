@@ -128,11 +128,16 @@ class PairFinder {
     const double tolerance = options_.row_tolerance_px * scales_[std::max(corner.octave, octave)];
     const double farthest_u = corner.u_px + options_.row_tolerance_px * scales_[corner.octave];
     const double nearest_u = corner.u_px - max_disparity_;
-    for (const RowTable::Entry& other :
-         rows_[octave].Between(corner.v_px - tolerance, corner.v_px + tolerance)) {
-      if (other.u_px > farthest_u || other.u_px < nearest_u) continue;
-      if (std::abs(other.v_px - corner.v_px) > tolerance) continue;
-      const int i = other.corner;
+    const auto band = rows_[octave].Between(corner.v_px - tolerance, corner.v_px + tolerance);
+    // Most are too far away in the row, which a branch per corner could not foresee.
+    near_.resize(band.size());
+    std::size_t count = 0;
+    for (const RowTable::Entry& other : band) {
+      near_[count] = other.corner;
+      count += (other.u_px <= farthest_u) & (other.u_px >= nearest_u) &
+               (std::abs(other.v_px - corner.v_px) <= tolerance);
+    }
+    for (const int i : std::span(near_).first(count)) {
       const int distance = HammingDistance(corner.descriptor, right_[i].descriptor);
       candidates_.push_back({i, distance});
       if (distance < best_left_distance_[i]) {
@@ -152,6 +157,7 @@ class PairFinder {
   std::vector<RowTable> rows_;  // of the right corners, by octave
   std::vector<int> best_left_;  // of each right corner
   std::vector<int> best_left_distance_;
+  std::vector<int> near_;              // right corners that the left one at hand may be
   std::vector<Candidate> candidates_;  // of the left corner at hand
   std::vector<Choice> choices_;        // of each left corner
 };
