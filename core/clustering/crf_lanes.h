@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 namespace cvo {
 
@@ -24,6 +25,10 @@ struct alignas(32) CrfTilePoints {
 struct alignas(32) CrfTile {
   float k[kCrfTile][kCrfTile];
 };
+
+// What a matrix leaves to the next one: the system takes longer to give so much than the kernel to
+// fill it.
+using CrfMemory = std::vector<CrfTile>;
 
 // next = softmax over all labels of (weight * message - energy).
 struct CrfUpdate {

@@ -177,9 +177,9 @@ class MeanField {
 
 template <typename Kernel>
 CrfResult Infer(const CrfMatrix& energies, const Eigen::Matrix3Xd& points,
-                const PairwiseOptions& options, const CrfLoops& loops) {
+                const PairwiseOptions& options, const CrfLoops& loops, CrfMemory& memory) {
   CheckInput(energies, points, options);
-  const PairwiseTiles tiles(points, Kernel::BandwidthM(options), loops);
+  const PairwiseTiles tiles(points, Kernel::BandwidthM(options), loops, memory);
   std::vector<double> scales;
   for (const double degree : tiles.degrees()) scales.push_back(Kernel::Scale(degree));
   return MeanField(energies, tiles, scales, options.alpha, loops).Run(options);
@@ -187,7 +187,7 @@ CrfResult Infer(const CrfMatrix& energies, const Eigen::Matrix3Xd& points,
 
 template <>
 CrfResult Infer<NoPairwise>(const CrfMatrix& energies, const Eigen::Matrix3Xd& points,
-                            const PairwiseOptions& options, const CrfLoops&) {
+                            const PairwiseOptions& options, const CrfLoops&, CrfMemory&) {
   CheckInput(energies, points, options);
   return {Softmax(energies), 0};
 }
@@ -201,23 +201,24 @@ double RawGaussianKernel::Scale(double) { return 1.0; }
 
 template <PairwisePolicy Kernel>
 CrfResult InferDenseCrf(const CrfMatrix& energies, const Eigen::Matrix3Xd& points,
-                        const PairwiseOptions& options) {
-  return Infer<Kernel>(energies, points, options, FastCrfLoops());
+                        const PairwiseOptions& options, CrfMemory& memory) {
+  return Infer<Kernel>(energies, points, options, FastCrfLoops(), memory);
 }
 
 template <PairwisePolicy Kernel>
 CrfResult InferDenseCrfPlain(const CrfMatrix& energies, const Eigen::Matrix3Xd& points,
                              const PairwiseOptions& options) {
-  return Infer<Kernel>(energies, points, options, PlainCrfLoops());
+  CrfMemory memory;
+  return Infer<Kernel>(energies, points, options, PlainCrfLoops(), memory);
 }
 
 template CrfResult InferDenseCrf<NormalizedGaussianKernel>(const CrfMatrix&,
                                                            const Eigen::Matrix3Xd&,
-                                                           const PairwiseOptions&);
+                                                           const PairwiseOptions&, CrfMemory&);
 template CrfResult InferDenseCrf<RawGaussianKernel>(const CrfMatrix&, const Eigen::Matrix3Xd&,
-                                                    const PairwiseOptions&);
+                                                    const PairwiseOptions&, CrfMemory&);
 template CrfResult InferDenseCrf<NoPairwise>(const CrfMatrix&, const Eigen::Matrix3Xd&,
-                                             const PairwiseOptions&);
+                                             const PairwiseOptions&, CrfMemory&);
 template CrfResult InferDenseCrfPlain<NormalizedGaussianKernel>(const CrfMatrix&,
                                                                 const Eigen::Matrix3Xd&,
                                                                 const PairwiseOptions&);

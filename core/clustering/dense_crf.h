@@ -6,6 +6,7 @@
 #include <concepts>
 #include <vector>
 
+#include "core/clustering/crf_lanes.h"
 #include "core/clustering/pairwise_options.h"
 
 namespace cvo {
@@ -53,7 +54,13 @@ concept PairwisePolicy = std::same_as<Policy, NoPairwise> ||
 // precision without the cut gives (raw kernel: 1e-3). Memory: 2 N^2 + 40 N M bytes at most.
 template <PairwisePolicy Kernel>
 CrfResult InferDenseCrf(const CrfMatrix& energies, const Eigen::Matrix3Xd& points,
-                        const PairwiseOptions& options);
+                        const PairwiseOptions& options, CrfMemory& memory);
+template <PairwisePolicy Kernel>
+CrfResult InferDenseCrf(const CrfMatrix& energies, const Eigen::Matrix3Xd& points,
+                        const PairwiseOptions& options) {
+  CrfMemory memory;
+  return InferDenseCrf<Kernel>(energies, points, options, memory);
+}
 
 // The same without AVX2: what the fast path is tested against.
 template <PairwisePolicy Kernel>

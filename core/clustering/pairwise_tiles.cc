@@ -66,11 +66,12 @@ void KeepUpperTriangle(CrfTile& tile) {
 }  // namespace
 
 PairwiseTiles::PairwiseTiles(const Eigen::Matrix3Xd& points, double bandwidth_m,
-                             const CrfLoops& loops)
+                             const CrfLoops& loops, CrfMemory& memory)
     : loops_(loops),
       order_(points.cols()),
       degrees_(points.cols(), 0.0),
-      padded_(static_cast<int>((points.cols() + kCrfTile - 1) / kCrfTile) * kCrfTile) {
+      padded_(static_cast<int>((points.cols() + kCrfTile - 1) / kCrfTile) * kCrfTile),
+      tiles_(memory) {
   std::iota(order_.begin(), order_.end(), 0);
   OrderByPlace(points, order_);
   ListTiles(points, kCutoffBandwidths * bandwidth_m);
@@ -93,7 +94,10 @@ void PairwiseTiles::ListTiles(const Eigen::Matrix3Xd& points, double reach_m) {
 }
 
 void PairwiseTiles::FillTiles(const Eigen::Matrix3Xd& points, double bandwidth_m) {
-  tiles_ = std::make_unique_for_overwrite<CrfTile[]>(places_.size());
+  if (tiles_.size() < places_.size()) {
+    tiles_ = {};
+    tiles_.resize(places_.size());
+  }
   const float scale = static_cast<float>(0.5 / (bandwidth_m * bandwidth_m));
   CrfTilePoints rows{};
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
@@ -120,7 +124,9 @@ void PairwiseTiles::AddDegrees() {
       const float* k = tiles_[t].k[i];
       float lanes[kCrfLanes] = {};
       for (int j = 0; j < kCrfTile; ++j) of_column[j] += k[j];
-      for (int j = 0; j < kCrfTile; ++j) lanes[j % kCrfLanes] += k[j];
+      for (int j = 0; j < kCrfTile; j += kCrfLanes) {
+        for (int l = 0; l < kCrfLanes; ++l) lanes[l] += k[j + l];
+      }
       for (const float part : lanes) sums[place.row + i] += part;
     }
     for (int j = 0; j < kCrfTile; ++j) sums[place.column + j] += of_column[j];

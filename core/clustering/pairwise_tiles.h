@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <memory>
 #include <vector>
 
 #include "core/clustering/crf_lanes.h"
@@ -15,8 +14,9 @@ namespace cvo {
 // kCrfTile nodes, those are stored that are not all zero: at most 2 N^2 bytes.
 class PairwiseTiles {
  public:
-  // points: 3 x N, m, finite.
-  PairwiseTiles(const Eigen::Matrix3Xd& points, double bandwidth_m, const CrfLoops& loops);
+  // points: 3 x N, m, finite. `memory` is written to and must outlive it.
+  PairwiseTiles(const Eigen::Matrix3Xd& points, double bandwidth_m, const CrfLoops& loops,
+                CrfMemory& memory);
 
   // order()[i] is the column of `points` that is node i here.
   const std::vector<int>& order() const { return order_; }
@@ -43,7 +43,7 @@ class PairwiseTiles {
   std::vector<double> degrees_;
   int padded_;
   std::vector<Place> places_;
-  std::unique_ptr<CrfTile[]> tiles_;
+  CrfMemory& tiles_;  // by place; there may be more
 };
 
 }  // namespace cvo

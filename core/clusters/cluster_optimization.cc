@@ -30,20 +30,19 @@ void AddFrames(const Window& window, const Cluster& cluster, ClusterSelection& s
   }
 }
 
-// The factors of a landmark's observations in the problem's frames.
-std::vector<ReprojectionFactor> FactorsOf(const FeatureNoise& noise, const Cluster& cluster,
-                                          const ClusterSelection& selection,
-                                          const Landmark& landmark) {
-  std::vector<ReprojectionFactor> factors;
+// Adds the factors of a landmark's observations in the problem's frames, as those of its next
+// point. Both are in the order of time.
+void AddFactors(const FeatureNoise& noise, const Cluster& cluster, const std::vector<int>& states,
+                const Landmark& landmark, ClusterProblem& problem) {
+  const int point = static_cast<int>(problem.points.size());
+  std::size_t pose = 0;
   for (const Observation& seen : landmark.observations) {
-    const auto it = std::find_if(selection.states.begin(), selection.states.end(),
-                                 [&](int s) { return cluster.states[s].frame == seen.frame; });
-    if (it == selection.states.end()) continue;
-    factors.push_back({static_cast<int>(it - selection.states.begin()),
-                       static_cast<int>(selection.problem.points.size()), seen.z_px,
-                       noise.SqrtInformation(seen)});
+    while (pose < states.size() && cluster.states[states[pose]].frame < seen.frame) ++pose;
+    if (pose == states.size()) return;
+    if (cluster.states[states[pose]].frame != seen.frame) continue;
+    problem.factors.push_back(
+        {static_cast<int>(pose), point, seen.z_px, noise.SqrtInformation(seen)});
   }
-  return factors;
 }
 
 }  // namespace
@@ -56,15 +55,19 @@ ClusterSelection SelectCluster(const FeatureNoise& noise, const Window& window,
   AddFrames(window, cluster, selection);
   for (int i = 0; i < static_cast<int>(cluster.landmarks.size()); ++i) {
     const Landmark& landmark = cluster.landmarks[i];
-    const std::vector<ReprojectionFactor> factors = FactorsOf(noise, cluster, selection, landmark);
     const bool has_past = !landmark.past_information.isZero();
-    if (factors.empty() || (factors.size() < 2 && !has_past)) continue;
+    const std::size_t before = problem.factors.size();
+    AddFactors(noise, cluster, selection.states, landmark, problem);
+    const std::size_t added = problem.factors.size() - before;
+    if (added == 0 || (added < 2 && !has_past)) {
+      problem.factors.resize(before);
+      continue;
+    }
     selection.landmarks.push_back(i);
     problem.points.push_back(landmark.p_in_object);
     PointPrior prior;
     if (has_past) prior = {landmark.past_mean_in_object, SquareRoot(landmark.past_information)};
     problem.point_priors.push_back(prior);
-    problem.factors.insert(problem.factors.end(), factors.begin(), factors.end());
   }
   return selection;
 }

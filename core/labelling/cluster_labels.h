@@ -88,7 +88,8 @@ template <UnaryTerm Box, UnaryTerm Affinity, UnaryTerm Motion, PairwisePolicy Pa
           ConfidencePolicy Confidence>
 FrameLabels LabelPoints(const FrameView& view, const LabelOptions& options, const Window& window,
                         const ClusterMap& map, const std::vector<ClusterTrack>& tracks,
-                        const std::vector<FramePoint>& points, const LabelSceneSteps& steps) {
+                        const std::vector<FramePoint>& points, const LabelSceneSteps& steps,
+                        CrfMemory& memory) {
   if (tracks.empty() && view.shown.detections.empty() && view.shown.feature_body.empty()) {
     return internal::AllStatic(window, map, points);
   }
@@ -98,7 +99,7 @@ FrameLabels LabelPoints(const FrameView& view, const LabelOptions& options, cons
   for (std::size_t i = 0; i < points.size(); ++i) {
     positions.col(static_cast<Eigen::Index>(i)) = scene.crf.nodes[i].MovingPlace().p_in_camera;
   }
-  const CrfResult crf = InferDenseCrf<Pairwise>(unary.total, positions, options.pairwise);
+  const CrfResult crf = InferDenseCrf<Pairwise>(unary.total, positions, options.pairwise, memory);
   const std::vector<int> decided = internal::DecideLabels(view, points, scene, crf);
 
   FrameLabels labels;

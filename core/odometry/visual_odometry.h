@@ -100,7 +100,8 @@ class VisualOdometry final : public Odometry {
           view, {scene, options_.pairwise, options_.label_matching}, window_, clusters_,
           cluster_tracks, points,
           StepsOf<typename Variant::PointPlace, typename Variant::PastFrame,
-                  typename Variant::NewBody>());
+                  typename Variant::NewBody>(),
+          crf_memory_);
       AdoptDetections(labels, clusters_, cluster_tracks);
     }
 
@@ -311,6 +312,7 @@ class VisualOdometry final : public Odometry {
   ClusterMap clusters_;
   BodyBoxes boxes_;
   MotionModel motion_;
+  CrfMemory crf_memory_;
   std::vector<RigidTransform> trajectory_;
   FrameId newest_;
   LandmarkId next_landmark_{0};

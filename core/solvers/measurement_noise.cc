@@ -6,14 +6,23 @@
 
 namespace cvo {
 
-Eigen::Matrix3d SqrtInformation(const NoiseOptions& noise, double scale) {
-  const double corner = 1.0 / (noise.corner_px * scale);
-  const double disparity = 1.0 / (noise.disparity_px * scale);
+namespace {
+
+// Of deviations in px.
+Eigen::Matrix3d Whitening(double corner_px, double disparity_px) {
+  const double corner = 1.0 / corner_px;
+  const double disparity = 1.0 / disparity_px;
   Eigen::Matrix3d W;
   W << corner, 0.0, 0.0,  //
       0.0, corner, 0.0,   //
       disparity, 0.0, -disparity;
   return W;
+}
+
+}  // namespace
+
+Eigen::Matrix3d SqrtInformation(const NoiseOptions& noise, double scale) {
+  return Whitening(noise.corner_px * scale, noise.disparity_px * scale);
 }
 
 Eigen::Matrix3d MeasurementCovariance(const NoiseOptions& noise, double scale) {
@@ -28,14 +37,15 @@ Eigen::Matrix3d MeasurementCovariance(const NoiseOptions& noise, double scale) {
 
 Eigen::Matrix3d FeatureNoise::SqrtInformation(int octave, bool is_aligned,
                                               double disagreement_px) const {
-  NoiseOptions noise = options;
-  if (is_aligned) noise.corner_px = options.aligned_px;
+  const double scale = std::pow(scale_factor, octave);
+  double disparity_px = options.disparity_px;
   if (HasNoDisparity(disagreement_px)) {
-    noise.disparity_px = disagreement_px;
-  } else if (noise.disagreement > 0.0) {
-    noise.disparity_px = std::hypot(noise.least_disparity_px, noise.disagreement * disagreement_px);
+    disparity_px = disagreement_px;
+  } else if (options.disagreement > 0.0) {
+    disparity_px = std::hypot(options.least_disparity_px, options.disagreement * disagreement_px);
   }
-  return cvo::SqrtInformation(noise, std::pow(scale_factor, octave));
+  return Whitening((is_aligned ? options.aligned_px : options.corner_px) * scale,
+                   disparity_px * scale);
 }
 
 Eigen::Matrix3d FeatureNoise::Covariance(int octave) const {

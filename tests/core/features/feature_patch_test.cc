@@ -57,6 +57,7 @@ TEST_P(AlignFeaturePatchTest, FindsTheCorner) {
   ASSERT_TRUE(shift.has_value());
   EXPECT_NEAR(shift->x(), view.shift_px.x(), 0.03);
   EXPECT_NEAR(shift->y(), view.shift_px.y(), 0.03);
+  EXPECT_EQ(shift, AlignFeaturePatchPlain(Reference(), seen, view.zoom));
 }
 
 Eigen::Matrix2d Deformation(double a, double b, double c, double d) {
