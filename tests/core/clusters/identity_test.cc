@@ -17,11 +17,18 @@ RigidTransform At(double x, double yaw = 0.0) {
   return {ExpSo3({0.0, yaw, 0.0}), Eigen::Vector3d(x, 0.0, 6.0)};
 }
 
+constexpr std::int64_t kInterval_ns = 100'000'000;
+const Eigen::Vector3d kVelocity_m_s(1.0, 0.0, 0.0);
+
 // Cluster 1 was lost after frame 10 and is archived, predicted at x = 1; cluster 2 was found in
-// frame 19 and is confirmed in frame 20, at x = 1.1 and turned.
+// frame 19 and is confirmed in frame 20, at x = 1.1 and turned. Both move at 1 m/s, so that cluster
+// 1 is 0.1 m behind.
 struct Return {
   IdentityOptions identity;
+  ClusterAssociationOptions association;
   ClusterOptions options;
+  MotionPriorOptions motion;
+  ClusterPredictor predict;
   ClusterMap map;
   std::vector<LostCluster> lost;
 
@@ -29,7 +36,7 @@ struct Return {
     Cluster old = Make(1, {{10, At(0.0)}});
     old.detections = 8;
     map.archived = {old};
-    map.live = {Make(2, {{19, At(1.08, 0.7)}, {20, At(1.1, 0.8)}})};
+    map.live = {Make(2, {{19, At(1.0, 0.7)}, {20, At(1.1, 0.8)}})};
     map.live[0].detections = options.confirm_detections;
     Landmark landmark;
     landmark.id = LandmarkId{3};
@@ -47,18 +54,20 @@ struct Return {
     cluster.id = ClusterId{id};
     cluster.category = "cart";
     cluster.size_m = 1.0;
+    cluster.frames = 100;
     ClusterReport report;
+    report.velocity_m_s = kVelocity_m_s;
     report.id = cluster.id;
     report.box.object_from_box = At(0.3);
     ClusterTrajectory& trajectory = map.trajectories[cluster.id];
     trajectory.id = cluster.id;
     for (const auto& [frame, pose] : poses) {
-      cluster.states.push_back({FrameId{frame}, frame, pose, Eigen::Vector3d::Zero()});
+      cluster.states.push_back({FrameId{frame}, frame * kInterval_ns, pose, kVelocity_m_s});
       cluster.last_observed = cluster.last_detected = FrameId{frame};
       // Poses are recorded at the end of a frame, that of frame 20 is not there yet.
       if (frame < 20) {
         trajectory.poses.push_back(
-            test::PoseInFrame(frame, frame, ClusterStatus::kTracked, pose, report));
+            test::PoseInFrame(frame, frame * kInterval_ns, ClusterStatus::kTracked, pose, report));
       }
     }
     return cluster;
@@ -69,11 +78,16 @@ struct Return {
     predicted.predicted.translation_variance_m2 = variance_m2;
     return predicted;
   }
+  IdentityStep Step() const {
+    return {identity, association, options, motion, FrameId{20}, predict};
+  }
   // The id under which the found cluster goes on.
   std::int64_t Found() {
-    InheritIdentities(lost, FrameId{20}, identity, options, map);
+    InheritIdentities(Step(), lost, map);
     return map.live.at(0).id.value;
   }
+  void StopTurning() { map.live[0].states[1].world_from_object = At(1.1, 0.7); }
+  double FoundX() const { return map.live[0].Latest().world_from_object.translation().x(); }
 };
 
 TEST(InheritIdentities, TheFoundClusterGoesOnAsTheLostOne) {
@@ -96,8 +110,9 @@ TEST(InheritIdentities, OnlyTheFrameOfTheBodyChanges) {
   const ClusterPose told = r.map.trajectories.at(before.id).poses.back();
   ASSERT_EQ(r.Found(), 1);
   const Cluster& after = r.map.live[0];
-  // The axes are those that were predicted, the origin is the found one's in every frame.
-  EXPECT_LT(after.Latest().world_from_object.Minus(At(1.1)).norm(), 1e-12);
+  // The axes are turned by half the found one's rate, 1 rad/s, over 0.9 s: the lost one did not
+  // turn. The origin is the found one's in every frame.
+  EXPECT_LT(after.states[0].world_from_object.Minus(At(1.0, 0.45)).norm(), 1e-9);
   for (std::size_t i = 0; i < 2; ++i) {
     const RigidTransform& was = before.states[i].world_from_object;
     const RigidTransform& is = after.states[i].world_from_object;
@@ -126,40 +141,75 @@ TEST(InheritIdentities, OnlyTheFrameOfTheBodyChanges) {
       1e-12);
 }
 
-TEST(InheritIdentities, ThePlaceIsBetweenThePredictionAndTheBoxes) {
-  // Boxes see the body 0.1 m from where it is predicted.
+TEST(InheritIdentities, ThePlaceIsBetweenTheMotionsAndTheBoxes) {
+  // Boxes see the body 0.1 m from where its motions put it.
   const auto placed_at = [](double box_deviation_m) {
     Return r;
-    r.identity.prediction_deviation = 0.5;  // of 0.2 m
+    r.StopTurning();
+    const double speed = SpeedVariance(r.map.live[0], r.options);
+    const BridgedMotion way = BridgeMotion(0.9, r.motion.q_m2_s3, speed, speed);
+    r.identity.prediction_deviation = 0.1 / std::sqrt(way.variance);
     const Eigen::Matrix3d information =
         2.0 / (box_deviation_m * box_deviation_m) * Eigen::Matrix3d::Identity();
     r.map.archived[0].box_center.Add(Eigen::Vector3d::Zero(), information);
     // Many boxes of one side tell no more than one.
     for (int i = 0; i < 9; ++i) r.map.live[0].box_center.Add(Eigen::Vector3d::Zero(), information);
     EXPECT_EQ(r.Found(), 1);
-    return r.map.live[0].Latest().world_from_object.translation().x();
+    return r.FoundX();
   };
   EXPECT_NEAR(placed_at(1e-6), 1.1, 1e-6);
   EXPECT_NEAR(placed_at(0.1), 1.05, 1e-6);
   EXPECT_NEAR(placed_at(1e6), 1.0, 1e-6);
 }
 
+TEST(InheritIdentities, ThePointThatTheMotionsMeetInRidesOnTheFoundBody) {
+  // The body has turned about (1, 0, 6) at 1 rad/s: the point that was lost at x = 0 rides on it.
+  Return r;
+  const Eigen::Matrix3d nothing = 1e-12 * Eigen::Matrix3d::Identity();
+  r.map.archived[0].box_center.Add(Eigen::Vector3d::Zero(), nothing);
+  r.map.live[0].box_center.Add(Eigen::Vector3d::Zero(), nothing);
+  ASSERT_EQ(r.Found(), 1);
+  const Eigen::Vector3d x = r.map.live[0].states[0].world_from_object.translation();
+  const Eigen::Vector3d velocity =
+      kVelocity_m_s + Eigen::Vector3d::UnitY().cross(Eigen::Vector3d(x - At(1.0).translation()));
+  const Eigen::Vector3d expected = At(0.0).translation() + 0.9 * 0.5 * (kVelocity_m_s + velocity);
+  EXPECT_LT((x - expected).norm(), 1e-6);
+}
+
+TEST(AlignInheritedFrames, PlacesTheFrameAnewUntilThereAreEnoughBoxes) {
+  Return r;
+  r.StopTurning();
+  const Eigen::Matrix3d nothing = 1e-12 * Eigen::Matrix3d::Identity();
+  r.map.archived[0].box_center.Add(Eigen::Vector3d::Zero(), nothing);
+  r.map.live[0].box_center.Add(Eigen::Vector3d::Zero(), nothing);
+  ASSERT_EQ(r.Found(), 1);
+  EXPECT_NEAR(r.FoundX(), 1.0, 1e-6);
+  // The velocity at which it was found turns out to be larger: so was the way between.
+  ClusterPose& first = r.map.trajectories.at(ClusterId{1}).poses.back();
+  first.velocity_m_s.x() = 1.2;
+  Rng rng(0, "identity");
+  AlignInheritedFrames(r.Step(), r.map, rng);
+  EXPECT_NEAR(r.FoundX(), 1.0 + 0.9 * 0.5 * 0.2, 1e-6);
+  // The last time that it is placed.
+  r.identity.align_boxes = 1;
+  first.velocity_m_s.x() = 1.4;
+  AlignInheritedFrames(r.Step(), r.map, rng);
+  EXPECT_NEAR(r.FoundX(), 1.0 + 0.9 * 0.5 * 0.4, 1e-6);
+  first.velocity_m_s.x() = 2.0;
+  AlignInheritedFrames(r.Step(), r.map, rng);
+  EXPECT_NEAR(r.FoundX(), 1.0 + 0.9 * 0.5 * 0.4, 1e-6);
+}
+
 TEST(InheritIdentities, VelocitiesAreThoseOfTheNewOrigin) {
   Return r;
-  constexpr std::int64_t kInterval_ns = 100'000'000;
-  Cluster& found = r.map.live[0];
-  for (ClusterState& state : found.states) {
-    state.timestamp_ns = state.frame.value * kInterval_ns;
-    state.velocity_m_s = {0.2, 0.0, 0.0};
-  }
-  found.box_center.Add({0.3, 0.0, 0.2}, Eigen::Matrix3d::Identity());
+  r.map.live[0].box_center.Add({0.3, 0.0, 0.2}, Eigen::Matrix3d::Identity());
   ASSERT_EQ(r.Found(), 1);
   const std::vector<ClusterState>& states = r.map.live[0].states;
   const Eigen::Vector3d moved = states[1].world_from_object.translation() -
                                 Eigen::Vector3d(states[0].world_from_object.translation());
   const Eigen::Vector3d mean = 0.5 * (states[0].velocity_m_s + states[1].velocity_m_s);
   EXPECT_LT((mean - moved / 0.1).norm(), 1e-3);
-  EXPECT_GT((mean - Eigen::Vector3d(0.2, 0.0, 0.0)).norm(), 0.2);
+  EXPECT_GT((mean - kVelocity_m_s).norm(), 0.2);
 }
 
 TEST(InheritIdentities, ALostLiveClusterThatWasOnlyPredictedMeanwhileGivesWay) {
@@ -243,9 +293,8 @@ TEST(IdentityPolicies, OneInheritsAndTheOtherDoesNot) {
   const auto found = [&](auto policy) {
     Return r;
     Rng rng(0, "identity");
-    const IdentityOptions identity;
-    const ClusterAssociationOptions association;
-    decltype(policy)::Update({identity, association, r.options, FrameId{20}, predict}, r.map, rng);
+    r.predict = predict;
+    decltype(policy)::Update(r.Step(), r.map, rng);
     return r.map.live.at(0).id.value;
   };
   EXPECT_EQ(found(InheritLostIdentity()), 1);
