@@ -53,11 +53,12 @@ struct IdentityOptions {
                  "standard deviation of a body's size between boxes, as a factor: a turning body "
                  "shows another side",
                  "set by hand on the rendered rooms, not swept"});
-    visit.Field("align_boxes", self.align_boxes,
-                {"boxes", 1, 10000,
-                 "number of boxes up to which a found cluster's frame is placed anew in every frame, "
-                 "unless landmarks aligned it earlier",
-                 "half a second at 30 Hz, not swept"});
+    visit.Field(
+        "align_boxes", self.align_boxes,
+        {"boxes", 1, 10000,
+         "number of boxes up to which a found cluster's frame is placed anew in every frame, "
+         "unless landmarks aligned it earlier",
+         "half a second at 30 Hz, not swept"});
     visit.Field(
         "align_interval", self.align_interval,
         {"frames", 1, 1000,
