@@ -68,6 +68,7 @@ struct Sequence {
   std::shared_ptr<const Rectification> rectification;
   std::vector<StereoPaths> images;
   std::vector<std::int64_t> timestamps_ns;  // strictly increasing
+  bool is_rate_assumed = false;             // no times are stated
 
   // Ground truth of the left camera of the pair; empty where a frame has none.
   std::string groundtruth;  // "devkit", "interpolated", "official" or "none"

@@ -81,8 +81,7 @@ std::string DetectionsText(const Sequence& sequence) {
 
 // These data sets state no times, nor do images whose import says so.
 bool HasAssumedRate(const Sequence& sequence) {
-  if (sequence.type == "kitti-tracking" || sequence.type == "virtual-kitti") return true;
-  if (sequence.type == "clusterslam") return !sequence.layout.contains("rate_hz");
+  if (sequence.is_rate_assumed) return true;
   const fs::path import = sequence.folder / kImportRecord;
   return fs::exists(import) && ReadJson(import).value("times", "") == "nominal";
 }

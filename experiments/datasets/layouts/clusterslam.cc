@@ -316,6 +316,7 @@ Sequence ReadClusterSlam(const SequenceRequest& request) {
           ListStereoImages(request.folder / "images/left", request.folder / "images/right"),
           sequence);
   sequence.timestamps_ns = NominalTimes(sequence.images.size(), settings.rate_hz);
+  sequence.is_rate_assumed = !request.layout.contains("rate_hz");
   ReadCamera(sequence);
   if (IsFolder(request.folder / "pose")) {
     AddTruth(settings, sequence);

@@ -79,6 +79,7 @@ Sequence ReadKittiTracking(const SequenceRequest& request) {
   sequence.text_files.push_back(calibration.path());
   AddImages(pair, rig, sequence);
   sequence.timestamps_ns = NominalTimes(sequence.images.size());
+  sequence.is_rate_assumed = true;
   AddTruth(set_folder / "oxts" / (number + ".txt"), calibration, sequence);
 
   LabelSource labels = {set_folder / "label_02" / (number + ".txt"), 2};

@@ -292,6 +292,7 @@ Sequence ReadVirtualKitti(const SequenceRequest& request) {
   AddPair(request, "colour",
           ListStereoImages(images / "Camera_0", images / "Camera_1", {"rgb_", ".jpg"}), sequence);
   sequence.timestamps_ns = NominalTimes(sequence.images.size());
+  sequence.is_rate_assumed = true;
   const fs::path text = FolderOf(request.folder, "textgt", "extrinsic.txt");
   ReadCamera(text, sequence);
   const std::vector<RigidTransform> left_from_world = ReadPoses(text, sequence);
