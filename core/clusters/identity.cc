@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "core/association/descriptor_matching.h"
 #include "core/estimation/point_ransac.h"
@@ -68,27 +69,25 @@ const LostCluster* FindPredecessor(const Cluster& found, const std::vector<LostC
   return second - least > options.min_lead ? best : nullptr;
 }
 
-// How fast the body turns, in world, at each of its poses from the first one on, rad/s.
+// How fast the body turns, in world, at the i-th of its poses, rad/s.
 template <typename Pose>
-std::vector<Eigen::Vector3d> TurnRates(const std::vector<Pose>& poses, std::size_t first) {
-  std::vector<Eigen::Vector3d> rates(poses.size(), Eigen::Vector3d::Zero());
-  for (std::size_t i = first; i < poses.size(); ++i) {
-    const Pose& before = poses[i > first ? i - 1 : i];
-    const Pose& after = poses[i + 1 < poses.size() ? i + 1 : i];
-    if (before.timestamp_ns == after.timestamp_ns) continue;
-    rates[i] = LogSo3(Eigen::Quaterniond(after.world_from_object.rotation() *
-                                         before.world_from_object.rotation().conjugate())) /
-               SecondsBetween(before.timestamp_ns, after.timestamp_ns);
-  }
-  return rates;
+Eigen::Vector3d TurnRate(std::span<const Pose> poses, std::size_t i) {
+  const Pose& before = poses[i > 0 ? i - 1 : i];
+  const Pose& after = poses[i + 1 < poses.size() ? i + 1 : i];
+  if (before.timestamp_ns == after.timestamp_ns) return Eigen::Vector3d::Zero();
+  return LogSo3(Eigen::Quaterniond(after.world_from_object.rotation() *
+                                   before.world_from_object.rotation().conjugate())) /
+         SecondsBetween(before.timestamp_ns, after.timestamp_ns);
 }
 
-// Poses of a body and velocities of its origin, from the first one on, in another frame of it.
+// Poses of a body and velocities of its origin, in another frame of it.
 template <typename Pose>
-void ChangeFrameOfPoses(const RigidTransform& old_from_new, std::size_t first,
-                        std::vector<Pose>& poses) {
-  const std::vector<Eigen::Vector3d> rates = TurnRates(poses, first);
-  for (std::size_t i = first; i < poses.size(); ++i) {
+void ChangeFrameOfPoses(const RigidTransform& old_from_new, std::span<Pose> poses) {
+  std::vector<Eigen::Vector3d> rates;  // of the poses as they were
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    rates.push_back(TurnRate(std::span<const Pose>(poses), i));
+  }
+  for (std::size_t i = 0; i < poses.size(); ++i) {
     const Eigen::Vector3d lever =
         poses[i].world_from_object.rotation() * Eigen::Vector3d(old_from_new.translation());
     poses[i].velocity_m_s += rates[i].cross(lever);
@@ -101,11 +100,10 @@ void ChangeFrame(const RigidTransform& old_from_new, ClusterId id, Cluster& clus
                  ClusterTrajectory& trajectory) {
   const RigidTransform new_from_old = old_from_new.Inverse();
   const Eigen::Matrix3d R = new_from_old.RotationMatrix();
-  ChangeFrameOfPoses(old_from_new, 0, cluster.states);
+  ChangeFrameOfPoses(old_from_new, std::span(cluster.states));
   // Poses before the cluster was lost stay.
   const auto first = FirstPoseFrom(cluster.former.since.value, trajectory);
-  ChangeFrameOfPoses(old_from_new, static_cast<std::size_t>(first - trajectory.poses.begin()),
-                     trajectory.poses);
+  ChangeFrameOfPoses(old_from_new, std::span(first, trajectory.poses.end()));
   std::for_each(first, trajectory.poses.end(), [&](ClusterPose& pose) {
     pose.id = id;
     pose.center_in_object = new_from_old * pose.center_in_object;
@@ -153,7 +151,7 @@ BodyMotion MotionAtLoss(const Cluster& cluster, const ClusterOptions& options) {
   return {last.timestamp_ns,
           last.world_from_object,
           last.velocity_m_s,
-          TurnRates(cluster.states, 0).back(),
+          TurnRate(std::span<const ClusterState>(cluster.states), cluster.states.size() - 1),
           SpeedVariance(cluster, options),
           TurnVariance(cluster, options)};
 }
@@ -161,14 +159,13 @@ BodyMotion MotionAtLoss(const Cluster& cluster, const ClusterOptions& options) {
 // At the first of a found cluster's poses, at least one, after it had been lost.
 template <typename Pose>
 BodyMotion MotionWhenFound(const Cluster& cluster, const ClusterOptions& options,
-                           const std::vector<Pose>& poses, std::int64_t lost_ns) {
+                           std::span<const Pose> poses, std::int64_t lost_ns) {
   const auto is_before = [lost_ns](const Pose& pose) { return pose.timestamp_ns <= lost_ns; };
   const auto first = std::find_if_not(poses.begin(), poses.end() - 1, is_before);
-  const std::size_t index = static_cast<std::size_t>(first - poses.begin());
   return {first->timestamp_ns,
           first->world_from_object,
           first->velocity_m_s,
-          TurnRates(poses, index)[index],
+          TurnRate(std::span<const Pose>(first, poses.end()), 0),
           SpeedVariance(cluster, options),
           TurnVariance(cluster, options)};
 }
@@ -224,8 +221,8 @@ void Inherit(const IdentityStep& step, ClusterId lost, ClusterMap& map, Cluster&
   const Cluster& before = FindCluster(map, lost);
   found.former = {FrameId{}, before.landmarks, before.box_center,
                   MotionAtLoss(before, step.clusters)};
-  const BodyMotion motion =
-      MotionWhenFound(found, step.clusters, found.states, found.former.last.timestamp_ns);
+  const BodyMotion motion = MotionWhenFound<ClusterState>(found, step.clusters, found.states,
+                                                          found.former.last.timestamp_ns);
   const RigidTransform world_from_lost = PlaceFormer(step, found.former, motion, found.box_center);
   ClusterTrajectory later = std::move(map.trajectories[found.id]);
   map.trajectories.erase(found.id);
@@ -302,8 +299,8 @@ void AlignInheritedFrames(const IdentityStep& step, ClusterMap& map, Rng& rng) {
       ChangeFrame(former_from_now->Inverse(), cluster.id, cluster, trajectory);
       MergeFormerLandmarks(cluster);
     } else if (!former.is_placed) {
-      const std::vector<ClusterPose> since(FirstPoseFrom(former.since.value, trajectory),
-                                           trajectory.poses.end());
+      const std::span<const ClusterPose> since(FirstPoseFrom(former.since.value, trajectory),
+                                               trajectory.poses.end());
       if (since.empty() || since.back().timestamp_ns <= former.last.timestamp_ns) continue;
       const BodyMotion motion =
           MotionWhenFound(cluster, step.clusters, since, former.last.timestamp_ns);
