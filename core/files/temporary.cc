@@ -15,7 +15,7 @@
 
 #include "core/base/error.h"
 #include "core/files/host_name.h"
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 
 namespace cvo {
 namespace fs = std::filesystem;

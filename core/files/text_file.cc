@@ -13,7 +13,7 @@
 
 #include "core/base/error.h"
 #include "core/files/disk.h"
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 
 namespace cvo {
 namespace fs = std::filesystem;

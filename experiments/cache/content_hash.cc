@@ -3,7 +3,7 @@
 #include "experiments/cache/content_hash.h"
 
 #include "core/base/error.h"
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/files/options_json.h"
+#include "core/files/json/options_json.h"
 #include "core/files/sha256.h"
 
 namespace cvo {

@@ -12,7 +12,7 @@
 
 #include "core/base/error.h"
 #include "core/files/atomic_file.h"
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
 #include "experiments/cache/cache_file.h"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/files/number.h"
 #include "core/files/sha256.h"
+#include "core/files/text/number.h"
 
 namespace cvo {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/files/json_record.h"
+#include "core/files/json/json_record.h"
 #include "core/files/text_file.h"
 #include "experiments/calibration/kitti_calibration.h"
 #include "experiments/calibration/yaml_file.h"

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/files/closest_names.h"
-#include "core/files/number.h"
+#include "core/files/text/closest_names.h"
+#include "core/files/text/number.h"
 #include "core/files/text_file.h"
 
 namespace cvo {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/cli/clean_output.h"
 
-#include "core/files/utf8.h"
+#include "core/files/text/utf8.h"
 
 namespace cvo {
 

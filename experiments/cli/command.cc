@@ -7,8 +7,8 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/closest_names.h"
-#include "core/files/number.h"
+#include "core/files/text/closest_names.h"
+#include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/record/build_identity.h"
 

@@ -17,8 +17,8 @@
 
 #include "core/base/error.h"
 #include "core/base/message.h"
-#include "core/files/closest_names.h"
-#include "core/files/utf8.h"
+#include "core/files/text/closest_names.h"
+#include "core/files/text/utf8.h"
 #include "experiments/cli/clean_output.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"

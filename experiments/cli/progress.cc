@@ -9,8 +9,8 @@
 #include <cstdio>
 
 #include "core/base/error.h"
-#include "core/files/number.h"
-#include "core/files/utf8.h"
+#include "core/files/text/number.h"
+#include "core/files/text/utf8.h"
 
 namespace cvo {
 namespace {

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "experiments/datasets/sequence.h"
-#include "experiments/metrics/object_estimate.h"
+#include "experiments/metrics/objects/object_estimate.h"
 
 namespace cvo {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 
 namespace cvo {
 namespace {

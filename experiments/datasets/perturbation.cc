@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
-#include "core/files/options_json.h"
+#include "core/files/json/options_json.h"
 #include "experiments/datasets/sequence.h"
 
 namespace cvo {

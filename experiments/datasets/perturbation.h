@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/base/options.h"
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 
 namespace cvo {
 

@@ -17,7 +17,7 @@
 #include "experiments/calibration/rectification.h"
 #include "experiments/datasets/formats/object_boxes.h"
 #include "experiments/datasets/perturbation.h"
-#include "experiments/metrics/object_truth.h"
+#include "experiments/metrics/objects/object_truth.h"
 
 namespace cvo {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/files/json_record.h"
+#include "core/files/json/json_record.h"
 #include "experiments/datasets/sequence.h"
 
 namespace cvo {

@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/closest_names.h"
+#include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/formats/object_boxes.h"
 #include "experiments/datasets/frame_range.h"

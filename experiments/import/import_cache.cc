@@ -4,9 +4,9 @@
 
 #include <exception>
 
-#include "core/files/json.h"
-#include "core/files/number.h"
+#include "core/files/json/json.h"
 #include "core/files/sha256.h"
+#include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/cache/content_hash.h"
 #include "experiments/import/stereo_source.h"

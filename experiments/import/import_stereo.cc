@@ -9,10 +9,10 @@
 
 #include "core/base/error.h"
 #include "core/files/disk.h"
-#include "core/files/json.h"
-#include "core/files/number.h"
+#include "core/files/json/json.h"
 #include "core/files/sha256.h"
 #include "core/files/temporary.h"
+#include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/calibration/camera_check.h"
 #include "experiments/calibration/rectification.h"

@@ -15,7 +15,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 
 namespace cvo {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "experiments/jobs/suite_folder.h"
-#include "experiments/suite/plan.h"
+#include "experiments/suite/plan/plan.h"
 
 namespace cvo {
 

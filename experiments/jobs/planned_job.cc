@@ -14,7 +14,7 @@
 #include "experiments/runner/run_job.h"
 #include "experiments/runner/score_files.h"
 #include "experiments/suite/cell_input.h"
-#include "experiments/suite/scenes.h"
+#include "experiments/suite/plan/scenes.h"
 #include "variants/registry.h"
 
 namespace cvo {

@@ -6,7 +6,7 @@
 
 #include "experiments/jobs/suite_folder.h"
 #include "experiments/runner/job_cache.h"
-#include "experiments/suite/plan.h"
+#include "experiments/suite/plan/plan.h"
 
 namespace cvo {
 

@@ -11,7 +11,7 @@
 #include "experiments/jobs/engine.h"
 #include "experiments/jobs/job_status.h"
 #include "experiments/jobs/suite_folder.h"
-#include "experiments/suite/plan.h"
+#include "experiments/suite/plan/plan.h"
 
 namespace cvo {
 

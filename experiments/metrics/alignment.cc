@@ -104,4 +104,16 @@ std::vector<double> OrientationErrors(const CommonPoses& poses, TrajectoryAlignm
   return errors;
 }
 
+RigidTransform AlignObject(const CommonPoses& poses) {
+  Require(poses.size() > 0, "AlignObject: needs a pair of poses");
+  Eigen::Matrix3d rotations = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d t = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const RigidTransform object_from_gtobject = poses.estimate[i].Inverse() * poses.truth[i];
+    rotations += object_from_gtobject.RotationMatrix();
+    t += object_from_gtobject.translation();
+  }
+  return {NearestRotation(rotations), t / static_cast<double>(poses.size())};
+}
+
 }  // namespace cvo

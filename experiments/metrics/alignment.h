@@ -43,4 +43,8 @@ Similarity AlignTrajectory(const CommonPoses& poses, TrajectoryAlignment alignme
 std::vector<double> OrientationErrors(const CommonPoses& poses, TrajectoryAlignment alignment,
                                       const Similarity& truth_from_estimate);
 
+// object_from_gtobject that brings the estimated poses nearest to the true ones of the same world
+// (METHOD.md 10.2). At least one pair.
+RigidTransform AlignObject(const CommonPoses& poses);
+
 }  // namespace cvo

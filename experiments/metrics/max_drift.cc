@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/metrics/object_scores.h"
+#include "experiments/metrics/alignment.h"
 
 namespace cvo {
 namespace {

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/calibration/kitti_calibration.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/metric.h"
 #include "experiments/record/build_identity.h"

@@ -10,7 +10,7 @@
 #include "core/geometry/rigid_transform.h"
 #include "core/interface/frame.h"
 #include "core/interface/odometry.h"
-#include "experiments/metrics/object_estimate.h"
+#include "experiments/metrics/objects/object_estimate.h"
 
 namespace cvo {
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/metric.h"
-#include "experiments/metrics/object_estimate.h"
+#include "experiments/metrics/objects/object_estimate.h"
 #include "experiments/record/build_identity.h"
 #include "reports/results/run_summary.h"
 

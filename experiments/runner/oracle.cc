@@ -8,7 +8,7 @@
 
 #include "core/association/assignment.h"
 #include "core/base/error.h"
-#include "core/files/closest_names.h"
+#include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/formats/scene_truth.h"
 

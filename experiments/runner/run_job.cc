@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "core/files/options_json.h"
+#include "core/files/json/options_json.h"
 #include "experiments/cache/content_hash.h"
 #include "experiments/datasets/plausibility.h"
 #include "experiments/record/build_identity.h"

@@ -9,7 +9,7 @@
 
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/metric.h"
-#include "experiments/metrics/object_scores.h"
+#include "experiments/metrics/objects/object_scores.h"
 #include "experiments/runner/system_files.h"
 
 namespace cvo {

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "experiments/metrics/camera_metrics.h"
-#include "experiments/metrics/clustering_metrics.h"
 #include "experiments/metrics/kitti_ap/box_metrics.h"
-#include "experiments/metrics/object_metrics.h"
+#include "experiments/metrics/objects/clustering_metrics.h"
+#include "experiments/metrics/objects/object_metrics.h"
 #include "experiments/record/cluster_rows.h"
 #include "experiments/record/cluster_tables.h"
 

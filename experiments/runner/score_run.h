@@ -6,8 +6,8 @@
 
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/metric.h"
-#include "experiments/metrics/object_estimate.h"
-#include "experiments/metrics/object_scores.h"
+#include "experiments/metrics/objects/object_estimate.h"
+#include "experiments/metrics/objects/object_scores.h"
 #include "experiments/record/run_record.h"
 
 namespace cvo {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 #include "experiments/datasets/formats/object_boxes.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/association.h"

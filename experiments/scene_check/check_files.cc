@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
 #include "experiments/scene_check/checks.h"

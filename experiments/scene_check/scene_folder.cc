@@ -8,7 +8,7 @@
 #include <cstdio>
 
 #include "core/base/error.h"
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 #include "experiments/datasets/load_image.h"
 
 namespace cvo {

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/options_json.h"
+#include "core/files/json/options_json.h"
 #include "experiments/datasets/frame_range.h"
 #include "experiments/runner/frame_detections.h"
 #include "experiments/suite/shipped_trajectories.h"

@@ -10,7 +10,7 @@
 #include "experiments/datasets/sequence.h"
 #include "experiments/runner/oracle.h"
 #include "experiments/runner/system_files.h"
-#include "experiments/suite/plan.h"
+#include "experiments/suite/cell.h"
 #include "experiments/suite/suite_grid.h"
 
 namespace cvo {

@@ -10,8 +10,8 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/closest_names.h"
-#include "core/files/options_json.h"
+#include "core/files/json/options_json.h"
+#include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/frame_range.h"
 #include "experiments/runner/frame_detections.h"

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "core/files/json.h"
-#include "experiments/suite/shipped_suites.h"
+#include "core/files/json/json.h"
+#include "experiments/suite/shipped/shipped_suites.h"
 #include "synth/scene/object_reader.h"
 
 namespace cvo {

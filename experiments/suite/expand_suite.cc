@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "experiments/suite/plan.h"
+#include "experiments/suite/cell.h"
 #include "experiments/suite/suite_grid.h"
 
 namespace cvo {
@@ -38,6 +38,12 @@ void AddSystems(const Suite& suite, const SuiteSequence& sequence, std::vector<C
 }
 
 }  // namespace
+
+Json ParametersOf(const Cell& cell) {
+  Json parameters = Json::object();
+  for (const auto& [path, value] : cell.parameters) parameters[path] = value;
+  return parameters;
+}
 
 std::vector<Cell> ExpandSuite(const Suite& suite) {
   std::vector<Cell> cells;

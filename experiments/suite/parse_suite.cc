@@ -7,10 +7,10 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/closest_names.h"
+#include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
 #include "experiments/suite/collection.h"
-#include "experiments/suite/shipped_suites.h"
+#include "experiments/suite/shipped/shipped_suites.h"
 #include "experiments/suite/shipped_trajectories.h"
 #include "experiments/suite/suite_grid.h"
 #include "synth/family/generate.h"

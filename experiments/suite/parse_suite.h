@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "experiments/suite/suite.h"
 
 namespace cvo {

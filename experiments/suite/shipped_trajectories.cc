@@ -9,6 +9,7 @@
 #include "core/files/atomic_file.h"
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
+#include "experiments/suite/shipped/trajectory_texts.h"
 #include "synth/scene/shipped_scenes.h"
 
 namespace cvo {

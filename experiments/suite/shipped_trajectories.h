@@ -12,14 +12,6 @@
 
 namespace cvo {
 
-// What another system made of a shipped scene: a file of reports/reference/trajectories.
-struct ShippedTrajectory {
-  std::string_view system;
-  std::string_view scene;
-  std::string_view text;  // TUM, behind a line with the hash of the scene file
-};
-const std::vector<ShippedTrajectory>& ShippedTrajectories();
-
 // The sequences of which there is one; throws Error at `where` if there is none.
 std::vector<SuiteSystem::Files> ShippedFilesOf(const std::string& system,
                                                const std::vector<SuiteSequence>& sequences,

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/files/number.h"
-#include "core/files/options_json.h"
+#include "core/files/json/options_json.h"
+#include "core/files/text/number.h"
 #include "core/interface/options.h"
 #include "experiments/suite/cell_input.h"
 #include "synth/family/generate.h"

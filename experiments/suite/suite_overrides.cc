@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/options_json.h"
+#include "core/files/json/options_json.h"
 #include "core/interface/options.h"
 #include "experiments/suite/parse_suite.h"
 #include "experiments/suite/suite_grid.h"

@@ -9,7 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/yolo/letterbox.h"
 

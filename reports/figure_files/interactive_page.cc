@@ -3,9 +3,9 @@
 #include "reports/figure_files/interactive_page.h"
 
 #include "core/base/error.h"
-#include "core/files/escape.h"
-#include "core/files/json.h"
-#include "core/files/utf8.h"
+#include "core/files/json/json.h"
+#include "core/files/text/escape.h"
+#include "core/files/text/utf8.h"
 #include "reports/figures/plot.h"
 #include "reports/web/assets.h"
 

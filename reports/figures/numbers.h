@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/files/json.h"
-#include "core/files/number.h"
+#include "core/files/json/json.h"
+#include "core/files/text/number.h"
 #include "reports/tables/table.h"
 
 namespace cvo::reports {

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <string_view>
 
-#include "core/files/utf8.h"
+#include "core/files/text/utf8.h"
 
 namespace cvo::reports {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 
 namespace cvo::reports {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "core/files/utf8.h"
+#include "core/files/text/utf8.h"
 
 namespace cvo::reports {
 namespace {

@@ -3,7 +3,7 @@
 #include "reports/formats/table_csv.h"
 
 #include "core/base/error.h"
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 #include "reports/formats/csv_text.h"
 #include "reports/formats/digits.h"
 #include "reports/formats/table_texts.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/files/utf8.h"
+#include "core/files/text/utf8.h"
 #include "reports/formats/column_panels.h"
 #include "reports/formats/latex_text.h"
 #include "reports/formats/table_texts.h"

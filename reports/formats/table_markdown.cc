@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/error.h"
-#include "core/files/escape.h"
+#include "core/files/text/escape.h"
 #include "reports/formats/table_text.h"
 #include "reports/formats/table_texts.h"
 

@@ -6,8 +6,8 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/number.h"
-#include "core/files/utf8.h"
+#include "core/files/text/number.h"
+#include "core/files/text/utf8.h"
 #include "reports/formats/best_cells.h"
 #include "reports/formats/digits.h"
 #include "reports/results/metric_catalogue.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/error.h"
-#include "core/files/escape.h"
-#include "core/files/utf8.h"
+#include "core/files/text/escape.h"
+#include "core/files/text/utf8.h"
 #include "reports/gate/gate_text.h"
 
 namespace cvo::reports {

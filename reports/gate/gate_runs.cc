@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "reports/results/metric_catalogue.h"
 #include "reports/results/timing.h"
 #include "reports/tables/columns.h"

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 #include "reports/gate/gate_runs.h"
 
 namespace cvo::reports {

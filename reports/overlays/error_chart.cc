@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 #include "reports/overlays/drawing/draw_cluster.h"
 #include "reports/overlays/drawing/strokes.h"
 #include "reports/overlays/drawing/text_plate.h"

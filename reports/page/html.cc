@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/page/html.h"
 
-#include "core/files/escape.h"
-#include "core/files/utf8.h"
+#include "core/files/text/escape.h"
+#include "core/files/text/utf8.h"
 
 namespace cvo::reports {
 std::string Escaped(std::string_view text) { return HtmlEscaped(Printable(text)); }

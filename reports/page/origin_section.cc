@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/escape.h"
+#include "core/files/text/escape.h"
 #include "reports/figures/numbers.h"
 #include "reports/formats/table_html.h"
 #include "reports/page/html.h"

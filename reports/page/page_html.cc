@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "reports/figures/plot.h"
 #include "reports/page/html.h"
 #include "reports/page/page_parts.h"

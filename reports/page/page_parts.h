@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "reports/page/page_content.h"
 
 namespace cvo::reports {

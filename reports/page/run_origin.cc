@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "core/files/json.h"
-#include "core/files/json_record.h"
-#include "core/files/number.h"
+#include "core/files/json/json.h"
+#include "core/files/json/json_record.h"
+#include "core/files/text/number.h"
 
 namespace cvo::reports {
 namespace {

@@ -6,7 +6,7 @@
 #include <map>
 #include <span>
 
-#include "core/files/escape.h"
+#include "core/files/text/escape.h"
 #include "reports/overlays/drawing/palette.h"
 #include "reports/overlays/overlay_run.h"
 #include "reports/page/page_parts.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "core/files/json_record.h"
+#include "core/files/json/json_record.h"
 #include "reports/statistics/common_frames.h"
 
 namespace cvo::reports {

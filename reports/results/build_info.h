@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/files/json_record.h"
+#include "core/files/json/json_record.h"
 
 namespace cvo::reports {
 

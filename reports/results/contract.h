@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/files/json_record.h"
+#include "core/files/json/json_record.h"
 
 // What a number means. Two numbers compare where their contracts are equal; texts are made of them
 // for readers alone (contract_text.h). Files hold the names below.

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/files/json_record.h"
+#include "core/files/json/json_record.h"
 #include "core/files/text_file.h"
 
 namespace cvo::reports {

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "core/files/json_record.h"
+#include "core/files/json/json_record.h"
 
 namespace cvo::reports {
 

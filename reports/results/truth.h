@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/files/json_record.h"
+#include "core/files/json/json_record.h"
 
 namespace cvo::reports {
 

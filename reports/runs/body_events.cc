@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 #include "reports/runs/body_story.h"
 
 namespace cvo::reports {

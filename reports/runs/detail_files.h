@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "reports/runs/run_detail.h"
 
 namespace cvo::reports {

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/files/json.h"
-#include "core/files/unique_names.h"
+#include "core/files/json/json.h"
+#include "core/files/text/unique_names.h"
 #include "reports/results/metric_catalogue.h"
 #include "reports/runs/paired_runs.h"
 #include "reports/tables/comparisons.h"

@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/base/median.h"
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 #include "reports/results/suite_runs.h"
 #include "reports/results/timing.h"
 #include "reports/runs/run_detail.h"

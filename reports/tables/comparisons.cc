@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 #include "reports/results/metric_catalogue.h"
 #include "reports/statistics/paired_test.h"
 

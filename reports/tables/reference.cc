@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "core/files/json_record.h"
+#include "core/files/json/json_record.h"
 #include "reports/reference/shipped.h"
 
 namespace cvo::reports {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/base/lists.h"
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 
 namespace cvo::reports {
 namespace {

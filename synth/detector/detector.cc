@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/files/closest_names.h"
-#include "core/files/number.h"
+#include "core/files/text/closest_names.h"
+#include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "synth/detector/detector_process.h"
 #include "synth/sensor/quick_normal.h"

@@ -8,7 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "core/base/error.h"
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "core/files/text_file.h"
 #include "synth/truth/labels.h"
 #include "synth/truth/object_table.h"

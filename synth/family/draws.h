@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/rng.h"
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 
 namespace cvo::synth {
 

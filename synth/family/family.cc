@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "core/files/closest_names.h"
+#include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
 #include "synth/scene/object_reader.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "synth/family/draws.h"
 
 namespace cvo::synth {

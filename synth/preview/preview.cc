@@ -6,7 +6,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 #include "synth/preview/path_map.h"
 #include "synth/truth/truth.h"
 

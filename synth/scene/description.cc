@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/files/closest_names.h"
-#include "core/files/number.h"
 #include "core/files/sha256.h"
+#include "core/files/text/closest_names.h"
+#include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "synth/scene/parse_scene.h"
 #include "synth/scene/shipped_scenes.h"

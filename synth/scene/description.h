@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "synth/scene/scene_parts.h"
 #include "synth/scene/world.h"
 

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "core/geometry/stereo_camera.h"
 #include "synth/models/make_model.h"
 #include "synth/models/surroundings.h"

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/base/error.h"
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 
 namespace cvo::synth {
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 #include "synth/truth/flow.h"
 #include "synth/truth/labels.h"
 #include "synth/truth/object_table.h"

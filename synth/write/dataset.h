@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "synth/write/clean_render.h"
 #include "synth/write/dataset_settings.h"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/files/closest_names.h"
-#include "core/files/options_json.h"
+#include "core/files/json/options_json.h"
+#include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
 
 namespace cvo::synth {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "synth/detector/detector_options.h"
 #include "synth/sensor/sensor.h"
 

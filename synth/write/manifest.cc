@@ -5,7 +5,7 @@
 #include <mutex>
 
 #include "core/base/error.h"
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
 

@@ -10,10 +10,10 @@
 
 #include "core/base/error.h"
 #include "core/files/host_name.h"
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "core/files/text_file.h"
 #include "experiments/jobs/child_process.h"
-#include "experiments/suite/scenes.h"
+#include "experiments/suite/plan/scenes.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/support/temp_folder.h"
 

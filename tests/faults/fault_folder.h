@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "core/files/text_file.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/runner/tiny_sequence.h"

@@ -3,7 +3,7 @@
 #include "tests/faults/parsers.h"
 
 #include "core/files/csv_file.h"
-#include "core/files/options_json.h"
+#include "core/files/json/options_json.h"
 #include "core/files/text_file.h"
 #include "core/interface/options.h"
 #include "experiments/calibration/kitti_calibration.h"
@@ -15,7 +15,7 @@
 #include "experiments/metrics/trajectory.h"
 #include "experiments/suite/collection.h"
 #include "experiments/suite/parse_suite.h"
-#include "experiments/suite/plan.h"
+#include "experiments/suite/plan/plan.h"
 #include "reports/gate/baseline.h"
 #include "reports/results/metric_catalogue.h"
 #include "reports/results/run_summary.h"

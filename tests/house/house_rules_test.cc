@@ -48,12 +48,31 @@ TEST(Includes, ArrowsOfTheExperiments) {
   EXPECT_THAT(Include("experiments/metrics/a.cc", "\"experiments/record/job_identity.h\""),
               SizeIs(1));
   EXPECT_THAT(Include("core/files/a.cc", "\"experiments/datasets/sequence.h\""), SizeIs(1));
-  EXPECT_THAT(Include("experiments/datasets/a.cc", "\"core/files/json.h\""), IsEmpty());
+  EXPECT_THAT(Include("experiments/datasets/a.cc", "\"core/files/json/json.h\""), IsEmpty());
   EXPECT_THAT(Include("experiments/datasets/a.cc", "\"experiments/runner/a.h\""), SizeIs(1));
   EXPECT_THAT(Include("experiments/record/a.cc", "\"experiments/cli/a.h\""), SizeIs(1));
   EXPECT_THAT(Include("experiments/runner/a.cc", "\"reports/tables/table.h\""), SizeIs(1));
   EXPECT_THAT(Include("experiments/cli/a.cc", "\"reports/tables/table.h\""), IsEmpty());
   EXPECT_THAT(Include("experiments/record/a.cc", "\"build_sources.h\""), IsEmpty());
+}
+
+TEST(Includes, AFolderInsideAnotherIsBelowOrAboveIt) {
+  EXPECT_THAT(Include("core/files/a.cc", "\"core/files/text/utf8.h\""), IsEmpty());
+  EXPECT_THAT(Include("core/files/a.cc", "\"core/files/json/json.h\""), SizeIs(1));
+  EXPECT_THAT(Include("core/files/text/a.cc", "\"core/files/disk.h\""), SizeIs(1));
+  EXPECT_THAT(Include("core/files/json/a.cc", "\"core/files/text_file.h\""), IsEmpty());
+  EXPECT_THAT(Include("experiments/metrics/a.cc", "\"experiments/metrics/objects/a.h\""),
+              SizeIs(1));
+  EXPECT_THAT(Include("experiments/datasets/a.cc", "\"experiments/metrics/objects/a.h\""),
+              IsEmpty());
+  EXPECT_THAT(Include("experiments/suite/shipped/a.cc", "\"experiments/suite/suite.h\""),
+              SizeIs(1));
+  EXPECT_THAT(Include("experiments/suite/a.cc", "\"experiments/suite/shipped/a.h\""), IsEmpty());
+  EXPECT_THAT(Include("experiments/suite/a.cc", "\"experiments/suite/plan/plan.h\""), SizeIs(1));
+  EXPECT_THAT(Include("experiments/suite/plan/a.cc", "\"synth/write/manifest.h\""), IsEmpty());
+  EXPECT_THAT(Include("experiments/jobs/a.cc", "\"experiments/suite/plan/plan.h\""), IsEmpty());
+  EXPECT_THAT(Include("experiments/jobs/a.cc", "\"experiments/jobs/slurm/a.h\""), SizeIs(1));
+  EXPECT_THAT(Include("reports/web/a.cc", "\"reports/overlays/drawing/a.h\""), IsEmpty());
 }
 
 TEST(Includes, ReportsReadFilesOnly) {
@@ -74,7 +93,7 @@ TEST(Includes, OnlyOverlaysDraw) {
 
 TEST(Includes, SynthIncludesOnlyGeometryAndNothingIncludesTests) {
   EXPECT_THAT(Include("synth/scene/a.cc", "\"core/geometry/stereo_camera.h\""), IsEmpty());
-  EXPECT_THAT(Include("synth/scene/a.cc", "\"core/files/json.h\""), IsEmpty());
+  EXPECT_THAT(Include("synth/scene/a.cc", "\"core/files/json/json.h\""), IsEmpty());
   EXPECT_THAT(Include("synth/scene/a.cc", "\"experiments/datasets/sequence.h\""), SizeIs(1));
   EXPECT_THAT(Include("synth/scene/a.cc", "\"core/features/orb/orb.h\""), SizeIs(1));
   EXPECT_THAT(Include("synth/render/a.cc", "\"synth/scene/world.h\""), IsEmpty());

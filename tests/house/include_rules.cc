@@ -11,7 +11,8 @@
 namespace cvo::test {
 namespace {
 
-// What the files below `folder` may include, by the first characters of the included path.
+// What the files below `folder` may include, by the first characters of the included path. Of the
+// folders inside it, those that come after it in MakeParts stand above it: it may not include them.
 struct Part {
   std::string folder;
   std::vector<std::string> may_include;
@@ -59,7 +60,11 @@ std::vector<Part> MakeParts() {
   parts.push_back({"variants/", estimator, NoFiles()});
   parts.push_back({"experiments/python/", estimator, {}});
   parts.back().may_include.emplace_back("experiments/python/");
-  parts.push_back({"core/files/", {"core/base/", "core/files/"}, {"opencv2/.*", "Eigen/.*"}});
+  parts.push_back(
+      {"core/files/text/", {"core/base/", "core/files/text/"}, {"opencv2/.*", "Eigen/.*"}});
+  for (const char* folder : {"core/files/", "core/files/json/"}) {
+    parts.push_back({folder, {"core/base/", "core/files/"}, {"opencv2/.*", "Eigen/.*"}});
+  }
   for (const Part& part : SynthParts()) parts.push_back(part);
   parts.push_back({"experiments/calibration/", {"core/", "experiments/calibration/"}, {}});
   const std::vector<std::string> readers = {"core/", "experiments/calibration/",
@@ -70,7 +75,9 @@ std::vector<Part> MakeParts() {
                    {"core/base/", "core/geometry/", "core/files/", "experiments/datasets/formats/"},
                    {}});
   parts.push_back({"experiments/datasets/", readers, {}});
-  parts.push_back({"experiments/metrics/", readers, {}});
+  for (const char* folder : {"", "objects/", "kitti_ap/", "tracking/"}) {
+    parts.push_back({StrCat("experiments/metrics/", folder), readers, {}});
+  }
   // Reads files only, so that it cannot share a mistake with what wrote them.
   parts.push_back(
       {"experiments/scene_check/",
@@ -86,7 +93,9 @@ std::vector<Part> MakeParts() {
   // Results are written by the schema that reports read them by.
   std::vector<std::string> below = {"core/", "variants/", "reports/results/",
                                     "experiments/datasets/", "experiments/metrics/"};
-  for (const char* folder : {"cache", "record", "runner", "suite", "jobs"}) {
+  parts.push_back({"experiments/suite/shipped/", {"experiments/suite/shipped/"}, {}});
+  for (const char* folder :
+       {"cache", "record", "runner", "suite", "suite/plan", "jobs", "jobs/slurm"}) {
     const std::string part = StrCat("experiments/", folder, "/");
     below.push_back(part);
     if (folder == std::string("suite")) below.emplace_back("synth/");
@@ -116,16 +125,23 @@ bool StartsWithAny(const std::string& text, const std::vector<std::string>& pref
 
 const Part* FindPart(const std::string& path) {
   static const std::vector<Part> parts = MakeParts();
+  const Part* innermost = nullptr;
   for (const Part& part : parts) {
-    if (path.starts_with(part.folder)) return &part;
+    const bool is_deeper = innermost == nullptr || part.folder.size() > innermost->folder.size();
+    if (is_deeper && path.starts_with(part.folder)) innermost = &part;
   }
-  return nullptr;
+  return innermost;
+}
+
+bool IsInsideAndAbove(const Part* other, const Part& part) {
+  return other != nullptr && other > &part && other->folder.starts_with(part.folder);
 }
 
 // A header made by the build has no folder.
 bool IsAllowed(const Part& part, const std::string& included, bool system) {
   if (!system) {
-    return included.find('/') == std::string::npos || StartsWithAny(included, part.may_include);
+    return included.find('/') == std::string::npos || (StartsWithAny(included, part.may_include) &&
+                                                       !IsInsideAndAbove(FindPart(included), part));
   }
   return std::none_of(
       part.banned_system.begin(), part.banned_system.end(),

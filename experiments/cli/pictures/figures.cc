@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/closest_names.h"
+#include "core/files/text/closest_names.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/pictures/render_figures.h"

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "core/files/text/unique_names.h"
 #include "core/files/text_file.h"
-#include "core/files/unique_names.h"
 #include "experiments/datasets/formats/data_rows.h"
 #include "experiments/metrics/trajectory.h"
 #include "reports/results/run_summary.h"

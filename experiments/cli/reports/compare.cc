@@ -6,8 +6,8 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/json_record.h"
-#include "core/files/number.h"
+#include "core/files/json/json_record.h"
+#include "core/files/text/number.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/run/text_table.h"

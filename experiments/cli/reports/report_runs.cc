@@ -8,8 +8,8 @@
 
 #include "core/base/error.h"
 #include "core/files/atomic_file.h"
-#include "core/files/json_record.h"
-#include "core/files/unique_names.h"
+#include "core/files/json/json_record.h"
+#include "core/files/text/unique_names.h"
 #include "reports/results/metric_catalogue.h"
 #include "reports/results/plan_file.h"
 #include "reports/results/run_summary.h"

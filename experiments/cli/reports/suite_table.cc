@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "core/files/atomic_file.h"
-#include "core/files/options_json.h"
+#include "core/files/json/options_json.h"
 #include "core/interface/options.h"
 #include "reports/formats/table_text.h"
 #include "reports/tables/make_table.h"

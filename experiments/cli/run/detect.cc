@@ -8,9 +8,9 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "core/base/error.h"
-#include "core/files/json_record.h"
-#include "core/files/number.h"
+#include "core/files/json/json_record.h"
 #include "core/files/sha256.h"
+#include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"

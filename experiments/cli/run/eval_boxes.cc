@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/run/text_table.h"
 #include "experiments/metrics/kitti_ap/ap_files.h"

@@ -15,7 +15,7 @@
 #include "experiments/cli/run/run_summary.h"
 #include "experiments/runner/run_files.h"
 #include "experiments/runner/score_files.h"
-#include "experiments/suite/scenes.h"
+#include "experiments/suite/plan/scenes.h"
 
 namespace cvo {
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "core/files/options_json.h"
+#include "core/files/json/options_json.h"
 #include "experiments/cache/content_hash.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/record/job_identity.h"

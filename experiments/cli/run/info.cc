@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/run/pair_check.h"

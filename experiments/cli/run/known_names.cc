@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/files/closest_names.h"
+#include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
 #include "synth/family/family.h"
 #include "synth/scene/shipped_scenes.h"

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/files/options_json.h"
+#include "core/files/json/options_json.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/run/text_table.h"
 

@@ -25,7 +25,7 @@
 #include "experiments/cli/stop_signal.h"
 #include "experiments/runner/job_cache.h"
 #include "experiments/runner/run_job.h"
-#include "experiments/suite/scenes.h"
+#include "experiments/suite/plan/scenes.h"
 #include "synth/write/render_cache.h"
 
 namespace cvo {

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "core/files/options_json.h"
+#include "core/files/json/options_json.h"
 #include "experiments/cli/output_file.h"
 
 namespace cvo {

@@ -6,8 +6,8 @@
 #include <ostream>
 
 #include "core/base/error.h"
-#include "core/files/number.h"
-#include "core/files/utf8.h"
+#include "core/files/text/number.h"
+#include "core/files/text/utf8.h"
 
 namespace cvo {
 

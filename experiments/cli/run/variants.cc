@@ -3,7 +3,7 @@
 #include <iostream>
 #include <memory>
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/run/text_table.h"
 #include "variants/registry.h"

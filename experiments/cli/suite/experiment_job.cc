@@ -3,7 +3,7 @@
 #include <iostream>
 #include <memory>
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "experiments/cli/command.h"
 #include "experiments/jobs/planned_job.h"
 #include "synth/write/render_cache.h"

@@ -6,8 +6,8 @@
 #include "experiments/cli/run/text_table.h"
 #include "experiments/suite/collection.h"
 #include "experiments/suite/parse_suite.h"
-#include "experiments/suite/plan.h"
-#include "experiments/suite/shipped_suites.h"
+#include "experiments/suite/plan/plan.h"
+#include "experiments/suite/shipped/shipped_suites.h"
 #include "experiments/suite/suite_grid.h"
 
 namespace cvo {

@@ -23,7 +23,7 @@
 #include "experiments/jobs/job_status.h"
 #include "experiments/jobs/suite_folder.h"
 #include "experiments/suite/collection.h"
-#include "experiments/suite/plan_outlook.h"
+#include "experiments/suite/plan/plan_outlook.h"
 
 namespace cvo {
 namespace {

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "core/base/error.h"
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/suite/job_report.h"
 #include "experiments/jobs/run_plan.h"

@@ -22,7 +22,7 @@
 #include "experiments/cli/suite/job_report.h"
 #include "experiments/jobs/folder_lock.h"
 #include "experiments/jobs/run_plan.h"
-#include "experiments/suite/build_plan.h"
+#include "experiments/suite/plan/build_plan.h"
 #include "synth/write/render_cache.h"
 
 namespace cvo {

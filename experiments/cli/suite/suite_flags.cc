@@ -9,7 +9,7 @@
 #include "experiments/cli/run/known_names.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/jobs/local_engine.h"
-#include "experiments/jobs/slurm_engine.h"
+#include "experiments/jobs/slurm/slurm_engine.h"
 #include "experiments/suite/parse_suite.h"
 #include "synth/write/render_cache.h"
 

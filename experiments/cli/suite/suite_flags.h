@@ -9,7 +9,7 @@
 
 #include "experiments/jobs/engine.h"
 #include "experiments/jobs/suite_folder.h"
-#include "experiments/suite/build_plan.h"
+#include "experiments/suite/plan/build_plan.h"
 #include "experiments/suite/suite_overrides.h"
 
 namespace cvo {

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/closest_names.h"
+#include "core/files/text/closest_names.h"
 #include "reports/results/suite_runs.h"
 
 namespace cvo {

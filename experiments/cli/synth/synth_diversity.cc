@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/run/text_table.h"
 #include "synth/diversity/diversity.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/run/known_names.h"

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/files/closest_names.h"
+#include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/formats/oxts.h"
 #include "experiments/datasets/formats/timestamps.h"

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 #include "experiments/datasets/formats/object_boxes.h"
 
 namespace cvo {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/files/json_record.h"
+#include "core/files/json/json_record.h"
 #include "experiments/metrics/kitti_ap/box_overlap.h"
 
 namespace cvo {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "reports/figures/palette.h"
 #include "reports/figures/suite/suite_figures.h"
 

@@ -6,7 +6,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/runner/tiny_sequence.h"
 #include "tests/support/temp_folder.h"

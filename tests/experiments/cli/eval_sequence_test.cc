@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/runner/tiny_sequence.h"
 #include "tests/support/temp_folder.h"

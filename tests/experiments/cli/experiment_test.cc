@@ -11,7 +11,7 @@
 #include <fstream>
 
 #include "core/base/error.h"
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "experiments/jobs/child_process.h"
 #include "experiments/jobs/folder_lock.h"
 #include "tests/experiments/cli/process.h"

@@ -8,7 +8,7 @@
 #include <map>
 #include <optional>
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/support/real_data.h"
 #include "tests/support/temp_folder.h"

@@ -10,8 +10,8 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "core/files/json.h"
-#include "core/files/number.h"
+#include "core/files/json/json.h"
+#include "core/files/text/number.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/runner/tiny_sequence.h"
 #include "tests/support/temp_folder.h"

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "tests/experiments/cli/process.h"
-#include "tests/experiments/jobs/slurm_cluster.h"
+#include "tests/experiments/jobs/slurm/slurm_cluster.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo::test {

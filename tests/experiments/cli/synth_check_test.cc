@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "core/files/text_file.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/scene_check/rays.h"

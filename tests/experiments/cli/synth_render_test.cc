@@ -6,7 +6,7 @@
 
 #include <map>
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "core/files/sha256.h"
 #include "experiments/datasets/formats/scene_truth.h"
 #include "experiments/datasets/sequence.h"

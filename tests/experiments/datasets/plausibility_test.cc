@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/experiments/metrics/object_world.h"
+#include "tests/experiments/metrics/objects/object_world.h"
 
 namespace cvo {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "experiments/record/truth_file.h"
 
 namespace cvo {

@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "core/base/error.h"
-#include "core/files/json.h"
-#include "experiments/metrics/object_scores.h"
+#include "core/files/json/json.h"
+#include "experiments/metrics/objects/object_scores.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/runner/score_run.h"
 #include "tests/experiments/runner/tiny_sequence.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "tests/experiments/runner/system_drive.h"
 
 namespace cvo {

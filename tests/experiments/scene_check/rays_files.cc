@@ -8,9 +8,9 @@
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
-#include "core/files/json.h"
-#include "core/files/number.h"
+#include "core/files/json/json.h"
 #include "core/files/sha256.h"
+#include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/metrics/trajectory.h"
 #include "tests/experiments/scene_check/rays.h"

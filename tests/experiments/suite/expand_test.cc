@@ -5,7 +5,6 @@
 
 #include "experiments/suite/cell_input.h"
 #include "experiments/suite/parse_suite.h"
-#include "experiments/suite/plan.h"
 #include "experiments/suite/suite_grid.h"
 #include "tests/experiments/suite/examples.h"
 #include "tests/support/error_message.h"

@@ -8,8 +8,7 @@
 #include <tuple>
 
 #include "experiments/suite/cell_input.h"
-#include "experiments/suite/plan.h"
-#include "experiments/suite/shipped_suites.h"
+#include "experiments/suite/shipped/shipped_suites.h"
 #include "experiments/suite/suite_overrides.h"
 #include "tests/experiments/suite/examples.h"
 #include "tests/support/error_message.h"

@@ -8,6 +8,7 @@
 #include "experiments/jobs/job_status.h"
 #include "experiments/metrics/trajectory.h"
 #include "experiments/suite/cell_input.h"
+#include "experiments/suite/shipped/trajectory_texts.h"
 #include "synth/family/generate.h"
 #include "synth/scene/shipped_scenes.h"
 #include "tests/experiments/suite/examples.h"

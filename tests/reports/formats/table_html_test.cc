@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/files/escape.h"
+#include "core/files/text/escape.h"
 #include "tests/reports/formats/hostile_table.h"
 
 namespace cvo::reports {

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/files/utf8.h"
+#include "core/files/text/utf8.h"
 #include "reports/formats/digits.h"
 #include "reports/formats/table_text.h"
 #include "tests/reports/formats/hostile_table.h"

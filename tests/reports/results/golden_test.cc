@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/files/json_record.h"
+#include "core/files/json/json_record.h"
 #include "core/files/text_file.h"
 #include "reports/gate/baseline.h"
 #include "reports/results/run_summary.h"

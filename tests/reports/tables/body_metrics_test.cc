@@ -9,7 +9,7 @@
 #include <set>
 
 #include "core/base/rng.h"
-#include "experiments/metrics/object_metrics.h"
+#include "experiments/metrics/objects/object_metrics.h"
 #include "reports/tables/make_table.h"
 #include "tests/reports/results/result_files.h"
 

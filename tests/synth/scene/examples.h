@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/files/json.h"
+#include "core/files/json/json.h"
 #include "synth/scene/description.h"
 
 namespace cvo::test {

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "core/base/error.h"
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 #include "experiments/datasets/formats/object_boxes.h"
 #include "experiments/datasets/formats/oxts.h"
 #include "experiments/datasets/formats/timestamps.h"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "tests/experiments/datasets/layouts/written_scene.h"
 #include "tests/support/error_message.h"

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
-#include "core/files/number.h"
+#include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/body_truth_parts.h"
 #include "experiments/datasets/formats/scene_truth.h"

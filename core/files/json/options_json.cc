@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/files/json/options_json.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "core/base/error.h"
+#include "core/base/lists.h"
+#include "core/files/text/closest_names.h"
+
+namespace cvo {
+namespace {
+
+bool IsGroup(const std::string& path, const std::vector<OptionLeaf>& leaves) {
+  return std::any_of(leaves.begin(), leaves.end(),
+                     [&path](const OptionLeaf& leaf) { return leaf.path.starts_with(path + "."); });
+}
+
+[[noreturn]] void ThrowUnknown(const std::string& where, std::string_view path,
+                               const std::vector<OptionLeaf>& leaves) {
+  std::vector<std::string> known;
+  for (const OptionLeaf& leaf : leaves) known.push_back(leaf.path);
+  // A short list says more than where to find it.
+  constexpr std::size_t kShort = 20;
+  std::string expected = "one of those that `clustervo options` lists";
+  if (known.size() <= kShort) {
+    expected = "one of";
+    for (const std::string& name : known) expected += (&name == &known[0] ? " " : ", ") + name;
+  }
+  expected += DidYouMean(path, known);
+  ThrowError(where, StrCat("unknown option ", path), expected);
+}
+
+// As the source wrote it, cut to fit a line.
+std::string Shown(const Json& value) {
+  std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  constexpr std::size_t kLongest = 60;
+  if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
+  return text;
+}
+
+const char* Expected(const OptionLeaf& leaf) {
+  if (std::holds_alternative<bool*>(leaf.value)) return "true or false";
+  return std::holds_alternative<int*>(leaf.value) ? "an integer" : "a finite number";
+}
+
+void CheckRange(const OptionLeaf& leaf, double number, const std::string& where) {
+  if (!(number >= leaf.info.min && number <= leaf.info.max)) {
+    ThrowError(StrCat(where, ", option ", leaf.path), StrCat(number),
+               StrCat("a value in [", leaf.info.min, ", ", leaf.info.max, "]"));
+  }
+}
+
+std::optional<bool> BoolFromJson(const Json& value) {
+  if (!value.is_boolean()) return std::nullopt;
+  return value.get<bool>();
+}
+
+std::optional<int> IntFromJson(const Json& value) {
+  if (!value.is_number_integer()) return std::nullopt;
+  if (value.is_number_unsigned() &&
+      value.get<std::uint64_t>() > std::uint64_t{std::numeric_limits<int>::max()}) {
+    return std::nullopt;
+  }
+  const std::int64_t number = value.get<std::int64_t>();
+  if (number < std::numeric_limits<int>::min() || number > std::numeric_limits<int>::max()) {
+    return std::nullopt;
+  }
+  return static_cast<int>(number);
+}
+
+std::optional<double> DoubleFromJson(const Json& value) {
+  if (!value.is_number()) return std::nullopt;
+  return value.get<double>();
+}
+
+template <typename T>
+std::optional<T> NumberFromText(std::string_view text) {
+  T number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  if (!std::isfinite(static_cast<double>(number))) return std::nullopt;
+  return number;
+}
+
+std::optional<bool> BoolFromText(std::string_view text) {
+  if (text == "true") return true;
+  if (text == "false") return false;
+  return std::nullopt;
+}
+
+// Stores a value that was read, or throws: `found` is how the source wrote it.
+template <typename T>
+void Store(const OptionLeaf& leaf, T* target, const std::optional<T>& read,
+           const std::string& where, const std::string& found) {
+  if (!read) ThrowError(StrCat(where, ", option ", leaf.path), found, Expected(leaf));
+  CheckRange(leaf, static_cast<double>(*read), where);
+  *target = *read;
+}
+
+void StoreJson(const OptionLeaf& leaf, const Json& value, const std::string& where) {
+  const std::string found = Shown(value);
+  if (bool* const* as_bool = std::get_if<bool*>(&leaf.value)) {
+    Store(leaf, *as_bool, BoolFromJson(value), where, found);
+  } else if (int* const* as_int = std::get_if<int*>(&leaf.value)) {
+    Store(leaf, *as_int, IntFromJson(value), where, found);
+  } else {
+    Store(leaf, std::get<double*>(leaf.value), DoubleFromJson(value), where, found);
+  }
+}
+
+void MergeGroup(const Json& group, const std::string& prefix, const std::string& where,
+                const std::vector<OptionLeaf>& leaves) {
+  for (const auto& [key, value] : group.items()) {
+    if (key.find('.') != std::string::npos) {
+      ThrowError(where, StrCat("key \"", key, "\""), "nested objects in place of a dotted key");
+    }
+    const std::string path = prefix.empty() ? key : prefix + "." + key;
+    if (const OptionLeaf* leaf = FindBy(leaves, &OptionLeaf::path, path)) {
+      StoreJson(*leaf, value, where);
+    } else if (!IsGroup(path, leaves)) {
+      ThrowUnknown(where, path, leaves);
+    } else if (!value.is_object()) {
+      ThrowError(StrCat(where, ", option ", path), Shown(value), "an object of options");
+    } else {
+      MergeGroup(value, path, where, leaves);
+    }
+  }
+}
+
+}  // namespace
+
+void MergeOptions(const Json& config, const std::string& where,
+                  const std::vector<OptionLeaf>& leaves) {
+  if (!config.is_object()) ThrowError(where, StrCat("a JSON ", config.type_name()), "an object");
+  MergeGroup(config, "", where, leaves);
+}
+
+void SetOption(std::string_view assignment, const std::vector<OptionLeaf>& leaves) {
+  const std::string where = StrCat("--set ", assignment);
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string_view::npos) {
+    ThrowError(where, "no '='", "PATH=VALUE, for example orb.features=2000");
+  }
+  const std::string_view path = assignment.substr(0, equals);
+  const std::string_view text = assignment.substr(equals + 1);
+  const OptionLeaf* leaf = FindBy(leaves, &OptionLeaf::path, path);
+  if (leaf == nullptr) ThrowUnknown(where, path, leaves);
+  const std::string found = StrCat("'", text, "'");
+  if (bool* const* as_bool = std::get_if<bool*>(&leaf->value)) {
+    Store(*leaf, *as_bool, BoolFromText(text), where, found);
+  } else if (int* const* as_int = std::get_if<int*>(&leaf->value)) {
+    Store(*leaf, *as_int, NumberFromText<int>(text), where, found);
+  } else {
+    Store(*leaf, std::get<double*>(leaf->value), NumberFromText<double>(text), where, found);
+  }
+}
+
+Json OptionsToJson(const std::vector<OptionLeaf>& leaves) {
+  Json options = Json::object();
+  for (const OptionLeaf& leaf : leaves) {
+    Json* at = &options;
+    std::size_t begin = 0;
+    for (std::size_t dot = leaf.path.find('.'); dot != std::string::npos;
+         dot = leaf.path.find('.', begin)) {
+      at = &(*at)[leaf.path.substr(begin, dot - begin)];
+      begin = dot + 1;
+    }
+    (*at)[leaf.path.substr(begin)] = ValueToJson(leaf);
+  }
+  return options;
+}
+
+const char* TypeName(const OptionLeaf& leaf) {
+  if (std::holds_alternative<bool*>(leaf.value)) return "bool";
+  return std::holds_alternative<int*>(leaf.value) ? "int" : "double";
+}
+
+Json ValueToJson(const OptionLeaf& leaf) {
+  return std::visit([](const auto* value) { return Json(*value); }, leaf.value);
+}
+
+}  // namespace cvo

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/files/text/number.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+
+#include "core/base/error.h"
+
+namespace cvo {
+namespace {
+
+// Half of the range of int64 (146 years), so that differences of times do not overflow.
+constexpr std::int64_t kMaxNs = std::numeric_limits<std::int64_t>::max() / 2;
+
+bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+
+template <typename T>
+std::optional<T> ParseWhole(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && (IsDigit(text[1]) || text[1] == '.')) {
+    text.remove_prefix(1);
+  }
+  T value{};
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (result.ec != std::errc() || result.ptr != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+// value = digits * 10^exponent, sign apart.
+struct Decimal {
+  bool negative = false;
+  std::string digits;
+  int exponent = 0;
+};
+
+std::optional<Decimal> ParseDecimal(std::string_view text) {
+  Decimal decimal;
+  if (!text.empty() && (text[0] == '-' || text[0] == '+')) {
+    decimal.negative = text[0] == '-';
+    text.remove_prefix(1);
+  }
+  const std::size_t mantissa_end = std::min(text.find_first_of("eE"), text.size());
+  if (mantissa_end < text.size()) {
+    const auto exponent = ParseWhole<int>(text.substr(mantissa_end + 1));
+    if (!exponent || std::abs(*exponent) > 400) return std::nullopt;
+    decimal.exponent = *exponent;
+  }
+  bool after_point = false;
+  for (const char c : text.substr(0, mantissa_end)) {
+    if (c == '.' && !after_point) {
+      after_point = true;
+    } else if (IsDigit(c)) {
+      decimal.digits += c;
+      if (after_point) --decimal.exponent;
+    } else {
+      return std::nullopt;
+    }
+  }
+  if (decimal.digits.empty()) return std::nullopt;
+  return decimal;
+}
+
+std::string Formatted(double value, std::chars_format format, int precision) {
+  std::array<char, 512> buffer;
+  const auto result =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, precision);
+  return std::string(buffer.data(), result.ptr);
+}
+
+}  // namespace
+
+std::optional<double> ParseDouble(std::string_view text) {
+  const auto value = ParseWhole<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::optional<std::int64_t> ParseInteger(std::string_view text) {
+  return ParseWhole<std::int64_t>(text);
+}
+
+std::optional<std::int64_t> ParseSecondsNs(std::string_view text) {
+  const std::optional<Decimal> decimal = ParseDecimal(text);
+  if (!decimal) return std::nullopt;
+  const std::string& digits = decimal->digits;
+  // How many digits stand before the point once the unit is 1 ns.
+  const std::ptrdiff_t whole = std::ssize(digits) + decimal->exponent + 9;
+  std::int64_t magnitude = 0;
+  for (std::ptrdiff_t i = 0; i < whole; ++i) {
+    const int digit = i < std::ssize(digits) ? digits[static_cast<std::size_t>(i)] - '0' : 0;
+    if (magnitude > (kMaxNs - digit) / 10) return std::nullopt;
+    magnitude = magnitude * 10 + digit;
+  }
+  const bool rounds_up =
+      whole >= 0 && whole < std::ssize(digits) && digits[static_cast<std::size_t>(whole)] >= '5';
+  if (rounds_up) ++magnitude;
+  return decimal->negative ? -magnitude : magnitude;
+}
+
+std::string FormatSecondsNs(std::int64_t time_ns) {
+  constexpr std::uint64_t kNsPerSecond = 1'000'000'000;
+  const auto bits = static_cast<std::uint64_t>(time_ns);
+  const std::uint64_t magnitude = time_ns < 0 ? 0 - bits : bits;
+  const std::string fraction = std::to_string(magnitude % kNsPerSecond);
+  std::string text(time_ns < 0 ? 1 : 0, '-');
+  text.append(std::to_string(magnitude / kNsPerSecond)).append(1, '.');
+  return text.append(9 - fraction.size(), '0').append(fraction);
+}
+
+std::string FormatDouble(double value) {
+  std::array<char, 32> buffer;
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return std::string(buffer.data(), result.ptr);
+}
+
+// From 10^15 on as FormatGeneral: further digits before the point say nothing, and may be 309.
+std::string FormatFixed(double value, int decimals) {
+  constexpr double kExact = 1e15;
+  if (std::abs(value) >= kExact) return FormatGeneral(value, 6);
+  return Formatted(value, std::chars_format::fixed, decimals);
+}
+
+std::string FormatGeneral(double value, int digits) {
+  return Formatted(value, std::chars_format::general, digits);
+}
+
+std::string FormatSigned(double value, int digits) {
+  return StrCat(std::signbit(value) ? "" : "+", FormatGeneral(value, digits));
+}
+
+double RoundedTo(double value, int digits) {
+  return ParseDouble(FormatGeneral(value, digits)).value_or(value);
+}
+
+}  // namespace cvo

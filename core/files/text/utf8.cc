@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/files/text/utf8.h"
+
+#include <algorithm>
+
+namespace cvo {
+namespace {
+
+constexpr char32_t kNoCharacter = 0xFFFD;
+
+// Continuation bytes that a first byte asks for; -1: not the first byte of a character.
+int Continuations(unsigned char first) {
+  if (first < 0x80) return 0;
+  if (first >= 0xC2 && first < 0xE0) return 1;
+  if (first >= 0xE0 && first < 0xF0) return 2;
+  if (first >= 0xF0 && first < 0xF5) return 3;
+  return -1;
+}
+
+// Shorter ways to write a character than the bytes used, surrogates, beyond Unicode.
+bool IsMalformed(char32_t character, int continuations) {
+  if (character >= 0xD800 && character < 0xE000) return true;
+  if (continuations == 2) return character < 0x800;
+  if (continuations == 3) return character < 0x10000 || character > 0x10FFFF;
+  return false;
+}
+
+bool TurnsDirection(char32_t character) {
+  return (character >= 0x202A && character <= 0x202E) ||
+         (character >= 0x2066 && character <= 0x2069) || character == 0x200E || character == 0x200F;
+}
+
+bool EndsLine(char32_t character) {
+  return character == '\n' || character == '\r' || character == '\t' || character == 0x85 ||
+         character == 0x2028 || character == 0x2029;
+}
+
+bool IsControl(char32_t character) {
+  return character < 0x20 || (character >= 0x7F && character < 0xA0) || character == 0xFEFF;
+}
+
+char32_t InLine(char32_t character) {
+  if (EndsLine(character)) return ' ';
+  return IsControl(character) || TurnsDirection(character) ? kNoCharacter : character;
+}
+
+}  // namespace
+
+std::vector<char32_t> Characters(std::string_view text) {
+  std::vector<char32_t> characters;
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const auto first = static_cast<unsigned char>(text[at]);
+    const int wanted = Continuations(first);
+    char32_t character = wanted <= 0 ? first : first & (0x3Fu >> wanted);
+    int found = 0;
+    while (found < wanted && at + 1 + static_cast<std::size_t>(found) < text.size()) {
+      const auto next = static_cast<unsigned char>(text[at + 1 + static_cast<std::size_t>(found)]);
+      if ((next & 0xC0) != 0x80) break;
+      character = (character << 6) | (next & 0x3Fu);
+      ++found;
+    }
+    const bool whole = wanted >= 0 && found == wanted && !IsMalformed(character, wanted);
+    characters.push_back(whole ? character : kNoCharacter);
+    at += 1 + static_cast<std::size_t>(found);
+  }
+  return characters;
+}
+
+bool IsUtf8(std::string_view text) {
+  const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
+  if (std::all_of(text.begin(), text.end(), is_ascii)) return true;
+  // U+FFFD itself is a character, too: only its three bytes give it back.
+  std::string again;
+  for (const char32_t character : Characters(text)) AppendUtf8(character, again);
+  return again == text;
+}
+
+bool HasControl(std::string_view text) {
+  return std::any_of(text.begin(), text.end(),
+                     [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
+}
+
+void AppendUtf8(char32_t character, std::string& text) {
+  const auto add = [&text](char32_t byte) { text += static_cast<char>(byte); };
+  if (character < 0x80) {
+    add(character);
+  } else if (character < 0x800) {
+    add(0xC0 | (character >> 6));
+    add(0x80 | (character & 0x3F));
+  } else if (character < 0x10000) {
+    add(0xE0 | (character >> 12));
+    add(0x80 | ((character >> 6) & 0x3F));
+    add(0x80 | (character & 0x3F));
+  } else {
+    add(0xF0 | (character >> 18));
+    add(0x80 | ((character >> 12) & 0x3F));
+    add(0x80 | ((character >> 6) & 0x3F));
+    add(0x80 | (character & 0x3F));
+  }
+}
+
+std::string Printable(std::string_view text) {
+  std::string line;
+  for (const char32_t character : Characters(text)) AppendUtf8(InLine(character), line);
+  return line;
+}
+
+std::string PrintableLines(std::string_view text) {
+  std::string lines;
+  const std::vector<char32_t> characters = Characters(text);
+  for (std::size_t i = 0; i < characters.size(); ++i) {
+    const bool before_end = i + 1 < characters.size() && characters[i + 1] == '\n';
+    const bool ends = characters[i] == '\n' || (characters[i] == '\r' && before_end);
+    AppendUtf8(ends ? characters[i] : InLine(characters[i]), lines);
+  }
+  return lines;
+}
+
+std::size_t Width(std::string_view text) { return Characters(text).size(); }
+
+}  // namespace cvo

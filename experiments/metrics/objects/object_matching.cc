@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/metrics/objects/object_matching.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/association/assignment.h"
+
+namespace cvo {
+namespace {
+
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+template <typename Item>
+std::size_t IndexOf(const std::vector<Item>& items, std::int64_t id) {
+  const auto item =
+      std::lower_bound(items.begin(), items.end(), id,
+                       [](const Item& i, std::int64_t value) { return i.id < value; });
+  return item == items.end() || item->id != id ? kNone
+                                               : static_cast<std::size_t>(item - items.begin());
+}
+
+// Landmarks of a cluster seen on a body.
+struct Overlap {
+  int body = 0;
+  std::int64_t cluster = 0;
+  int landmarks = 0;
+};
+
+// By body, then by cluster.
+std::vector<Overlap> FrameOverlaps(const std::vector<LandmarkObservation>& landmarks) {
+  std::map<std::pair<int, std::int64_t>, int> counts;
+  for (const LandmarkObservation& landmark : landmarks) {
+    if (landmark.truth.body < 1 || landmark.cluster < 1) continue;
+    counts[{landmark.truth.body, landmark.cluster}] += landmark.count;
+  }
+  std::vector<Overlap> overlaps;
+  for (const auto& [pair, count] : counts) overlaps.push_back({pair.first, pair.second, count});
+  return overlaps;
+}
+
+// Landmarks that each body and each cluster of the lists share in a frame.
+Eigen::MatrixXd LandmarksInFrame(const ObjectTruth& truth, const ObjectEstimate& estimate,
+                                 std::size_t frame) {
+  Eigen::MatrixXd shared =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(truth.bodies.size()),
+                            static_cast<Eigen::Index>(estimate.clusters.size()));
+  for (const Overlap& overlap : FrameOverlaps(estimate.landmarks[frame])) {
+    const std::size_t body = IndexOf(truth.bodies, overlap.body);
+    const std::size_t cluster = IndexOf(estimate.clusters, overlap.cluster);
+    if (body == kNone || cluster == kNone) continue;
+    shared(static_cast<Eigen::Index>(body), static_cast<Eigen::Index>(cluster)) = overlap.landmarks;
+  }
+  return shared;
+}
+
+// [body]: the index of its cluster or -1. A pair that shares nothing costs nothing; were it
+// forbidden, the assignment would give away landmarks for a pair more.
+std::vector<int> AssignMostShared(const Eigen::MatrixXd& shared) {
+  std::vector<int> clusters = Assign(-shared);
+  for (std::size_t body = 0; body < clusters.size(); ++body) {
+    int& cluster = clusters[body];
+    if (cluster >= 0 && shared(static_cast<Eigen::Index>(body), cluster) == 0.0) cluster = -1;
+  }
+  return clusters;
+}
+
+// -1: none with enough landmarks.
+std::int64_t BestCluster(const std::vector<Overlap>& overlaps, int body, std::int64_t last) {
+  const Overlap* best = nullptr;
+  for (const Overlap& overlap : overlaps) {
+    if (overlap.body != body || overlap.landmarks < kMinObservedLandmarks) continue;
+    const bool better = best == nullptr || overlap.landmarks > best->landmarks ||
+                        (overlap.landmarks == best->landmarks && overlap.cluster == last);
+    if (better) best = &overlap;
+  }
+  return best == nullptr ? -1 : best->cluster;
+}
+
+// A body up to now.
+struct Track {
+  std::int64_t cluster = -1;  // the last one
+  bool interrupted = false;   // since then, in a visible frame
+
+  void Add(std::int64_t best, Continuity& continuity) {
+    if (best == -1) {
+      interrupted = cluster != -1;
+      return;
+    }
+    if (cluster != -1 && best != cluster) ++continuity.id_switches;
+    if (interrupted) ++continuity.fragments;
+    cluster = best;
+    interrupted = false;
+  }
+};
+
+// [body]: the id of its cluster in the frame, -1: none.
+std::vector<std::int64_t> ClustersInFrame(const ObjectTruth& truth, const ObjectEstimate& estimate,
+                                          std::size_t frame, const std::vector<Track>& tracks) {
+  std::vector<std::int64_t> clusters(truth.bodies.size(), -1);
+  if (estimate.match_by == MatchBy::kLandmarks) {
+    const std::vector<Overlap> overlaps = FrameOverlaps(estimate.landmarks[frame]);
+    for (std::size_t i = 0; i < clusters.size(); ++i) {
+      clusters[i] = BestCluster(overlaps, truth.bodies[i].id, tracks[i].cluster);
+    }
+    return clusters;
+  }
+  if (clusters.empty() || estimate.clusters.empty()) return clusters;
+  const std::vector<int> assigned = AssignMostShared(NearnessInFrame(truth, estimate, frame));
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    if (assigned[i] >= 0) clusters[i] = estimate.clusters[static_cast<std::size_t>(assigned[i])].id;
+  }
+  return clusters;
+}
+
+// nullptr where the cluster is not in the frame.
+const ClusterFrame* FindFrame(const ClusterEstimate& cluster, std::size_t frame) {
+  const auto found = std::lower_bound(
+      cluster.frames.begin(), cluster.frames.end(), static_cast<int>(frame),
+      [](const ClusterFrame& candidate, int value) { return candidate.frame < value; });
+  return found == cluster.frames.end() || found->frame != static_cast<int>(frame) ? nullptr
+                                                                                  : &*found;
+}
+
+// Where the bodies of a frame are, in the camera; those without a box or a pose are not there.
+std::vector<std::optional<Eigen::Vector3d>> BodiesInCamera(const ObjectTruth& truth,
+                                                           std::size_t frame) {
+  const RigidTransform camera_from_world = truth.world_from_camera[frame]->Inverse();
+  std::vector<std::optional<Eigen::Vector3d>> centers(truth.bodies.size());
+  for (std::size_t b = 0; b < centers.size(); ++b) {
+    const TruthBody& body = truth.bodies[b];
+    if (!body.frames[frame] || body.diagonal_m <= 0.0) continue;
+    centers[b] = camera_from_world * body.frames[frame]->world_from_object.translation();
+  }
+  return centers;
+}
+
+}  // namespace
+
+std::vector<ObjectMatch> MatchObjects(const ObjectTruth& truth, const ObjectEstimate& estimate) {
+  if (truth.bodies.empty() || estimate.clusters.empty()) return {};
+  Eigen::MatrixXd shared =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(truth.bodies.size()),
+                            static_cast<Eigen::Index>(estimate.clusters.size()));
+  for (std::size_t k = 0; k < estimate.landmarks.size(); ++k) {
+    shared += estimate.match_by == MatchBy::kLandmarks ? LandmarksInFrame(truth, estimate, k)
+                                                       : NearnessInFrame(truth, estimate, k);
+  }
+  const std::vector<int> assigned = AssignMostShared(shared);
+  std::vector<ObjectMatch> matches;
+  for (std::size_t body = 0; body < assigned.size(); ++body) {
+    if (assigned[body] < 0) continue;
+    matches.push_back({body, static_cast<std::size_t>(assigned[body]),
+                       shared(static_cast<Eigen::Index>(body), assigned[body])});
+  }
+  return matches;
+}
+
+std::vector<Continuity> MeasureContinuity(const ObjectTruth& truth,
+                                          const ObjectEstimate& estimate) {
+  std::vector<Continuity> continuity(truth.bodies.size());
+  std::vector<Track> tracks(truth.bodies.size());
+  for (std::size_t k = 0; k < estimate.landmarks.size(); ++k) {
+    const std::vector<std::int64_t> clusters = ClustersInFrame(truth, estimate, k, tracks);
+    for (std::size_t i = 0; i < truth.bodies.size(); ++i) {
+      const auto& frame = truth.bodies[i].frames.at(k);
+      if (frame && frame->visible) tracks[i].Add(clusters[i], continuity[i]);
+    }
+  }
+  return continuity;
+}
+
+Eigen::MatrixXd NearnessInFrame(const ObjectTruth& truth, const ObjectEstimate& estimate,
+                                std::size_t frame) {
+  Eigen::MatrixXd nearness =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(truth.bodies.size()),
+                            static_cast<Eigen::Index>(estimate.clusters.size()));
+  if (!truth.world_from_camera[frame] || !estimate.world_from_camera[frame]) return nearness;
+  const auto bodies = BodiesInCamera(truth, frame);
+  const RigidTransform camera_from_world = estimate.world_from_camera[frame]->Inverse();
+  for (std::size_t c = 0; c < estimate.clusters.size(); ++c) {
+    const ClusterFrame* cluster = FindFrame(estimate.clusters[c], frame);
+    if (cluster == nullptr) continue;
+    const Eigen::Vector3d center =
+        camera_from_world * (cluster->world_from_object * cluster->point_in_object);
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      if (!bodies[b]) continue;
+      nearness(static_cast<Eigen::Index>(b), static_cast<Eigen::Index>(c)) =
+          std::max(0.0, 1.0 - (center - *bodies[b]).norm() / truth.bodies[b].diagonal_m);
+    }
+  }
+  return nearness;
+}
+
+}  // namespace cvo

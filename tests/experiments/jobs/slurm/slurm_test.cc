@@ -1,0 +1,341 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <thread>
+
+#include "core/base/error.h"
+#include "experiments/jobs/child_process.h"
+#include "experiments/jobs/slurm/slurm_engine.h"
+#include "experiments/jobs/slurm/slurm_script.h"
+#include "tests/experiments/jobs/slurm/slurm_cluster.h"
+#include "tests/experiments/jobs/wait_until.h"
+#include "tests/support/error_message.h"
+
+namespace cvo::test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+// Output of one Run.
+struct EngineOutput {
+  std::map<std::string, std::vector<TaskEnd>> ends;  // by the task's name
+  std::vector<std::string> notices;
+};
+
+std::size_t LinesOf(const fs::path& file) {
+  std::ifstream in(file);
+  std::size_t count = 0;
+  for (std::string line; std::getline(in, line);) ++count;
+  return count;
+}
+
+// A program in front of the one of this name, as long as it lives.
+class Programs {
+ public:
+  Programs(const std::string& name, const std::string& script) : path_(std::getenv("PATH")) {
+    fs::permissions(folder_.Write(name, script), fs::perms::owner_all);
+    ::setenv("PATH", StrCat(folder_.path().string(), ":", path_).c_str(), 1);
+  }
+  ~Programs() { ::setenv("PATH", path_.c_str(), 1); }
+  Programs(const Programs&) = delete;
+  Programs& operator=(const Programs&) = delete;
+
+  const fs::path& folder() const { return folder_.path(); }
+
+ private:
+  TempFolder folder_;
+  std::string path_;
+};
+
+class SlurmEngineTest : public ::testing::Test {
+ protected:
+  SlurmEngineTest() {
+    fs::create_directory(folder_);
+    options_.folder = folder_ / "slurm";
+    options_.poll_s = 0.2;
+    options_.latency_s = 1.0;
+  }
+  void SetUp() override {
+    if (!cluster_.missing().empty()) GTEST_SKIP() << cluster_.missing();
+  }
+
+  // A task of sh. Each start adds a line to the file `name`.started.
+  Task Shell(const std::string& name, const std::string& script) const {
+    Task task;
+    task.name = name;
+    task.argv = {"/bin/sh", "-c", "echo x >>\"$1\"\n" + script, "sh", Started(name).string()};
+    task.log = folder_ / (name + ".log");
+    return task;
+  }
+  fs::path Started(const std::string& name) const { return folder_ / (name + ".started"); }
+  std::size_t Starts(const std::string& name) const { return LinesOf(Started(name)); }
+
+  EngineHooks Hooks(const std::vector<Task>& tasks, EngineOutput& output) const {
+    EngineHooks hooks;
+    hooks.ended = [&](std::size_t task, const TaskEnd& end) {
+      output.ends[tasks[task].name].push_back(end);
+    };
+    hooks.notice = [&](const std::string& line) { output.notices.push_back(line); };
+    return hooks;
+  }
+  EngineOutput RunAll(const std::vector<Task>& tasks) const {
+    EngineOutput output;
+    SlurmEngine(options_).Run(tasks, Hooks(tasks, output));
+    return output;
+  }
+  // Run in a process of its own, which ends with it.
+  pid_t StartRunner(const std::vector<Task>& tasks) const {
+    const pid_t runner = ::fork();
+    if (runner != 0) return runner;
+    RunAll(tasks);
+    ::_exit(0);
+  }
+  bool NothingLeft() const { return !fs::exists(options_.folder) || fs::is_empty(options_.folder); }
+
+  TempFolder temp_;
+  // Every byte that a name may have and a shell or Slurm could stumble on.
+  fs::path folder_ = temp_.path() / "it's 100%a \"folder\" $HOME";
+  SlurmOptions options_;
+  SlurmCluster cluster_;
+};
+
+std::string Job(const EngineOutput& output) {
+  for (const std::string& line : output.notices) {
+    if (line.starts_with("slurm: job ")) return line.substr(11, line.find(':', 11) - 11);
+  }
+  return "";
+}
+
+TEST_F(SlurmEngineTest, RunsMoreTasksThanAnArrayHolds) {
+  std::vector<Task> tasks;
+  for (int i = 0; i < 6; ++i) tasks.push_back(Shell(StrCat("task", i), "true"));
+  tasks[1] = Shell("task1", "printf '%s|' \"$@\"; echo to stderr >&2");
+  tasks[1].argv.insert(tasks[1].argv.end(), {"it's", "two\nlines", "$HOME `id`", "", "-n", "\\"});
+  tasks[2] = Shell("task2", "exit 3");
+  tasks[3] = Shell("task3", "sleep 30");
+  tasks[3].limit_s = 0.5;
+  tasks[4] = Shell("task4", "ulimit -v");
+  tasks[4].limit_memory_mb = 512.0;
+  tasks[5] = Shell("task5", "kill -9 $$");
+  const EngineOutput output = RunAll(tasks);
+  ASSERT_EQ(output.ends.size(), tasks.size());
+  for (const Task& task : tasks) {
+    EXPECT_EQ(output.ends.at(task.name).size(), 1u) << task.name;
+    EXPECT_EQ(Starts(task.name), 1u) << task.name;
+  }
+  EXPECT_TRUE(output.ends.at("task0").front().ok);
+  EXPECT_EQ(ReadFile(tasks[1].log),
+            tasks[1].argv[4] + "|it's|two\nlines|$HOME `id`||-n|\\|to stderr\n");
+  EXPECT_EQ(output.ends.at("task2").front().message, "exit code 3");
+  EXPECT_EQ(output.ends.at("task3").front().message, "stopped after 0.5 s");
+  EXPECT_TRUE(output.ends.at("task4").front().ok);
+  EXPECT_EQ(ReadFile(tasks[4].log), kLimitsMemory ? "500000\n" : "unlimited\n");
+  EXPECT_EQ(output.ends.at("task5").front().message, "killed by signal 9 (SIGKILL)");
+  EXPECT_THAT(output.notices, ElementsAre(HasSubstr("4 tasks"), HasSubstr("2 tasks")));
+  EXPECT_TRUE(NothingLeft());
+}
+
+TEST_F(SlurmEngineTest, WaitsForADrainedNodeAndRequeuedTasks) {
+  std::vector<Task> tasks = {Shell("long", "[ $(wc -l <\"$1\") -gt 1 ] || sleep 60"),
+                             Shell("short", "true")};
+  options_.sbatch_flags = {"--cpus-per-task=8"};  // one after the other
+  EngineOutput output;
+  EngineHooks hooks = Hooks(tasks, output);
+  bool requeued = false;
+  bool waits = false;
+  bool resumed = false;
+  hooks.stop = [&] {
+    if (!requeued && Starts("long") == 1) {
+      requeued = true;
+      Printed({"scontrol", "update", "NodeName=" + cluster_.node(), "State=DRAIN", "Reason=test"});
+      Printed({"scontrol", "requeue", Job(output) + "_0"});
+    }
+    if (requeued && !waits &&
+        ::testing::Value(output.notices, Contains(HasSubstr("requeued by")))) {
+      waits = true;  // Slurm would let two minutes pass before it starts a task again
+      Printed({"scontrol", "update", "JobId=" + Job(output) + "_0", "StartTime=now"});
+    }
+    if (waits && !resumed && ::testing::Value(output.notices, Contains(HasSubstr("DRAINED")))) {
+      resumed = true;
+      Printed({"scontrol", "update", "NodeName=" + cluster_.node(), "State=RESUME"});
+    }
+    return false;
+  };
+  SlurmEngine(options_).Run(tasks, hooks);
+  EXPECT_TRUE(resumed);
+  EXPECT_EQ(Starts("long"), 2u);
+  EXPECT_EQ(Starts("short"), 1u);
+  ASSERT_EQ(output.ends["long"].size(), 1u);
+  EXPECT_TRUE(output.ends["long"].front().ok) << output.ends["long"].front().message;
+  EXPECT_TRUE(output.ends["short"].front().ok);
+}
+
+TEST_F(SlurmEngineTest, TasksWithoutAnExitCodeFailAlone) {
+  const std::vector<Task> tasks = {Shell("cancelled", "sleep 60"), Shell("fine", "true"),
+                                   Shell("lost", "kill -9 $PPID")};
+  EngineOutput output;
+  EngineHooks hooks = Hooks(tasks, output);
+  bool done = false;
+  hooks.stop = [&] {
+    if (!done && Starts("cancelled") == 1) {
+      done = true;
+      Printed({"scancel", Job(output) + "_0"});
+    }
+    return false;
+  };
+  SlurmEngine(options_).Run(tasks, hooks);
+  ASSERT_EQ(output.ends.size(), 3u);
+  EXPECT_THAT(output.ends["cancelled"].front().message, StartsWith("cancelled in Slurm"));
+  EXPECT_TRUE(output.ends["fine"].front().ok);
+  EXPECT_THAT(output.ends["lost"].front().message, StartsWith("failed in Slurm (FAILED)"));
+}
+
+TEST_F(SlurmEngineTest, AKilledRunnerResumesItsTasks) {
+  const std::string wait = "for i in $(seq 300); do [ -e \"${1%/*}/go\" ] || sleep 0.1; done";
+  std::vector<Task> tasks;
+  for (int i = 0; i < 6; ++i) tasks.push_back(Shell(StrCat("task", i), i == 2 ? "true" : wait));
+  const pid_t runner = StartRunner(tasks);
+  const bool started = WaitUntil([&] { return Starts("task2") + Starts("task5") == 2; });
+  ::kill(runner, SIGKILL);
+  ::waitpid(runner, nullptr, 0);
+  ASSERT_TRUE(started);
+  tasks[1] = Shell("another", "true");  // the suite was edited: task1 is not asked for any more
+  tasks[4].limit_s = 60.0;              // and task4 is to run in another way
+  EngineOutput output;
+  EngineHooks hooks = Hooks(tasks, output);
+  hooks.stop = [&] {
+    if (output.ends.contains("another")) std::ofstream(folder_ / "go") << "go";
+    return false;
+  };
+  SlurmEngine engine(options_);
+  engine.KeepOnly({"another", "task0", "task2", "task3", "task4", "task5"}, hooks);
+  EXPECT_THAT(output.notices, ElementsAre(HasSubstr("cancelled tasks")));
+  // In two parts: what is not asked for yet is left alone.
+  engine.Run(std::span(tasks).first(3), hooks);
+  hooks.ended = [&](std::size_t task, const TaskEnd& end) {
+    output.ends[tasks[task + 3].name].push_back(end);
+  };
+  engine.Run(std::span(tasks).subspan(3), hooks);
+  ASSERT_EQ(output.ends.size(), 6u);
+  for (const Task& task : tasks) {
+    ASSERT_EQ(output.ends[task.name].size(), 1u) << task.name;
+    EXPECT_TRUE(output.ends[task.name].front().ok) << output.ends[task.name].front().message;
+    EXPECT_EQ(Starts(task.name), task.name == "task4" ? 2u : 1u) << task.name;
+  }
+  EXPECT_THAT(output.notices, Contains(HasSubstr("submitted by an earlier run")));
+  engine.KeepOnly({}, hooks);
+  EXPECT_TRUE(NothingLeft());
+}
+
+TEST_F(SlurmEngineTest, StopCancelsAll) {
+  std::vector<Task> tasks;
+  for (int i = 0; i < 6; ++i) tasks.push_back(Shell(StrCat("task", i), "sleep 60"));
+  EngineOutput output;
+  EngineHooks hooks = Hooks(tasks, output);
+  hooks.stop = [&] { return Starts("task0") > 0; };
+  SlurmEngine(options_).Run(tasks, hooks);
+  EXPECT_THAT(output.ends, IsEmpty());
+  EXPECT_EQ(Printed({"squeue", "--noheader"}), "");
+  EXPECT_TRUE(NothingLeft());
+}
+
+TEST_F(SlurmEngineTest, SurvivesARestartOfTheController) {
+  // Not as patient as the real one, which tries for nine seconds by itself.
+  const Programs programs("squeue", R"sh(#!/bin/sh
+if scontrol ping | grep -q DOWN; then
+  echo "slurm_load_jobs error: Unable to contact slurm controller (connect failure)" >&2
+  exit 1
+fi
+exec /usr/bin/squeue "$@"
+)sh");
+  const std::vector<Task> tasks = {Shell("during", "sleep 0.5"), Shell("after", "sleep 4")};
+  EngineOutput output;
+  EngineHooks hooks = Hooks(tasks, output);
+  bool down = false;
+  bool back = false;
+  hooks.stop = [&] {
+    if (!down && Starts("during") + Starts("after") == 2) {
+      cluster_.StopController();
+      down = true;
+    }
+    if (!back && ::testing::Value(output.notices, Contains(HasSubstr("retrying")))) {
+      cluster_.StartController();
+      back = true;
+    }
+    return false;
+  };
+  SlurmEngine(options_).Run(tasks, hooks);
+  EXPECT_TRUE(output.ends.at("during").front().ok) << output.ends["during"].front().message;
+  EXPECT_TRUE(output.ends.at("after").front().ok) << output.ends["after"].front().message;
+  EXPECT_EQ(Starts("during"), 1u);
+  EXPECT_THAT(output.notices, Contains(HasSubstr("responds again")));
+}
+
+// In front of the real sbatch: a user who may have two tasks in the queue.
+constexpr const char* kLimitingSbatch = R"sh(#!/bin/sh
+for word; do case $word in --array=0-*) last=${word#--array=0-} ;; esac; done
+if [ $(($(squeue --noheader --array | wc -l) + last + 1)) -gt 2 ]; then
+  echo "sbatch: error: AssocMaxSubmitJobLimit" >&2
+  echo "sbatch: error: Batch job submission failed: Job violates accounting/QOS policy" >&2
+  exit 1
+fi
+exec /usr/bin/sbatch "$@"
+)sh";
+
+TEST_F(SlurmEngineTest, SubmitsNoMoreThanSlurmAccepts) {
+  // Somebody else's, as far as this engine knows.
+  Printed({"sbatch", "--array=0-1", "--output=/dev/null", "--wrap=sleep 2"});
+  const Programs programs("sbatch", kLimitingSbatch);
+  options_.full_s = 0.5;
+  std::vector<Task> tasks;
+  for (int i = 0; i < 5; ++i) tasks.push_back(Shell(StrCat("task", i), "true"));
+  const EngineOutput output = RunAll(tasks);
+  for (const Task& task : tasks) EXPECT_EQ(Starts(task.name), 1u) << task.name;
+  EXPECT_EQ(output.ends.size(), 5u);
+  EXPECT_THAT(output.notices, Contains(HasSubstr("accepts no more tasks")).Times(1));
+}
+
+TEST_F(SlurmEngineTest, APermanentRefusalIsAnError) {
+  const std::vector<Task> tasks = {Shell("task", "true")};
+  options_.sbatch_flags = {"--partition=nowhere"};
+  EXPECT_THAT(ErrorMessage([&] { RunAll(tasks); }), HasSubstr("partition"));
+  EXPECT_TRUE(NothingLeft());
+}
+
+TEST(SlurmEngine, GivesUpIfSlurmDoesNotRespond) {
+  const Programs programs("scontrol", R"sh(#!/bin/sh
+echo "slurm_load_ctl_conf error: Unable to contact slurm controller (connect failure)" >&2
+exit 1
+)sh");
+  SlurmOptions options;
+  options.folder = programs.folder();
+  options.patience_s = 0.5;
+  const Task task{"task", {"/bin/true"}, "/dev/null"};
+  EXPECT_THAT(ErrorMessage([&] {
+                SlurmEngine(options).Run({&task, 1}, {});
+              }),
+              HasSubstr("Slurm does not respond: scontrol: slurm_load_ctl_conf error"));
+}
+
+TEST(SlurmOptions, FlagsAreOneWordEach) {
+  SlurmOptions options;
+  options.folder = "/shared";
+  options.sbatch_flags = {"-p", "short"};
+  EXPECT_THAT(ErrorMessage([&] { options.Check(); }), HasSubstr("found short"));
+}
+
+}  // namespace
+}  // namespace cvo::test

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "experiments/metrics/alignment.h"
+#include "experiments/metrics/objects/object_metrics.h"
+#include "tests/experiments/metrics/objects/object_world.h"
+
+namespace cvo {
+namespace {
+
+using namespace test;  // NOLINT
+
+const std::vector<std::string> kErrors = {
+    "object_ate",          "object_rrpe_all_pairs", "object_trpe_all_pairs", "object_rrpe_1_frame",
+    "object_trpe_1_frame", "object_motion_r",       "object_motion_t"};
+
+TEST(ObjectMetrics, AreZeroForTheTruthInAnyWorldAndAnyClusterFrame) {
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    const ObjectTruth truth = RandomTruth(seed, 20);
+    Rng rng(seed, "frames");
+    const auto random = [&] { return Pose(RandomVector(rng, 1.0), RandomVector(rng, 5.0)); };
+    const ObjectEstimate estimate = Restate(PerfectEstimate(truth), random(), {random(), random()});
+    const auto metrics = Evaluate(truth, estimate);
+    for (const std::string& name : kErrors) EXPECT_NEAR(Value(metrics, name), 0.0, 1e-6) << name;
+    EXPECT_NEAR(Value(metrics, "object_velocity"), 0.0, 1e-9);
+    for (const char* name : {"object_coverage", "object_success_5cm", "object_success_20cm"}) {
+      EXPECT_EQ(Value(metrics, name), 1.0) << name;
+    }
+    for (const char* name : {"object_id_switches", "object_fragments", "object_unmatched",
+                             "object_unmatched_clusters"}) {
+      EXPECT_EQ(Value(metrics, name), 0.0) << name;
+    }
+  }
+}
+
+TEST(ObjectMetrics, DoNotDependOnTheWorldNorOnTheClusterFrame) {
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    const ObjectTruth truth = RandomTruth(seed, 20);
+    const ObjectEstimate estimate = Noisy(truth, seed);
+    Rng rng(seed, "frames");
+    const auto random = [&] { return Pose(RandomVector(rng, 1.0), RandomVector(rng, 5.0)); };
+    const auto a = Evaluate(truth, estimate);
+    const auto b = Evaluate(truth, Restate(estimate, random(), {random(), random()}));
+    ASSERT_EQ(a.size(), b.size());
+    EXPECT_GT(Value(a, "object_ate"), 0.01);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      EXPECT_NEAR(a[i].value, b[i].value, 1e-9) << a[i].name;
+    }
+  }
+}
+
+TEST(ObjectMetrics, MotionErrorEqualsItsDefinition) {
+  const ObjectTruth truth = RandomTruth(3, 20);
+  const ObjectEstimate estimate = Noisy(truth, 3);
+  const Eigen::Matrix4d A =
+      AlignByCamera(truth.world_from_camera, estimate.world_from_camera).Matrix();
+  double rotation = 0.0, translation = 0.0;
+  for (std::size_t body = 0; body < 2; ++body) {
+    double rotation_sum = 0.0, translation_sum = 0.0;
+    const auto G = [&](std::size_t k) {
+      return truth.bodies[body].frames[k]->world_from_object.Matrix();
+    };
+    const auto P = [&](std::size_t k) {
+      return Eigen::Matrix4d(A * estimate.clusters[body].frames[k].world_from_object.Matrix());
+    };
+    for (std::size_t k = 0; k < 19; ++k) {
+      const Eigen::Matrix4d H_gt = G(k + 1) * G(k).inverse();
+      const Eigen::Matrix4d H_est = P(k + 1) * P(k).inverse();
+      const Eigen::Matrix4d E = G(k).inverse() * H_gt.inverse() * H_est * G(k);
+      const double angle = std::acos(0.5 * (E.topLeftCorner<3, 3>().trace() - 1.0));
+      rotation_sum += angle * angle;
+      translation_sum += E.topRightCorner<3, 1>().squaredNorm();
+    }
+    rotation += std::sqrt(rotation_sum / 19) / 2;
+    translation += std::sqrt(translation_sum / 19) / 2;
+  }
+  const auto metrics = Evaluate(truth, estimate);
+  EXPECT_NEAR(Value(metrics, "object_motion_r"), rotation, 1e-6);
+  EXPECT_NEAR(Value(metrics, "object_motion_t"), translation, 1e-9);
+}
+
+TEST(ObjectMetrics, RotationsHandComputed) {
+  // A body that turns by 0.1 rad and moves 0.5 m too far in its last step.
+  ObjectTruth truth = TruthOf(3);
+  AddBody(truth, Line(3));
+  ObjectEstimate estimate = PerfectEstimate(truth);
+  estimate.clusters[0].frames[2].world_from_object = Pose({0, 0, 0.1}, {2.5, 0, 0});
+  const auto metrics = Evaluate(truth, estimate);
+  EXPECT_NEAR(Value(metrics, "object_rrpe_1_frame"), std::sqrt(0.01 / 2.0), 1e-9);
+  EXPECT_NEAR(Value(metrics, "object_motion_r"), std::sqrt(0.01 / 2.0), 1e-9);
+  EXPECT_NEAR(Value(metrics, "object_rrpe_all_pairs"), std::sqrt(4 * 0.01 / 6.0), 1e-9);
+  EXPECT_EQ(Count(metrics, "object_rrpe_all_pairs"), 1);  // one body
+}
+
+TEST(ObjectMetrics, HandComputed) {
+  ObjectTruth truth = TruthOf(4);
+  AddBody(truth, Line(4));
+  // Mean 0.07: errors 0.07, 0.07, 0.03 and 0.11.
+  const auto metrics = Evaluate(truth, OffBy(truth, {0.0, 0.0, 0.1, 0.18}));
+  EXPECT_NEAR(Value(metrics, "object_ate"), std::sqrt((0.0049 * 2 + 0.0009 + 0.0121) / 4.0), 1e-12);
+  EXPECT_EQ(Value(metrics, "object_success_5cm"), 0.25);
+  EXPECT_EQ(Value(metrics, "object_success_10cm"), 0.75);
+  EXPECT_EQ(Value(metrics, "object_success_20cm"), 1.0);
+  EXPECT_EQ(Count(metrics, "object_success_5cm"), 4);
+  // Steps off by 0, 0.1 and 0.08.
+  EXPECT_NEAR(Value(metrics, "object_trpe_1_frame"), std::sqrt((0.01 + 0.0064) / 3.0), 1e-12);
+  EXPECT_NEAR(Value(metrics, "object_motion_t"), std::sqrt((0.01 + 0.0064) / 3.0), 1e-12);
+  // Differences 0, 0.1, 0.18, 0.1, 0.18 and 0.08, each in both directions.
+  EXPECT_NEAR(Value(metrics, "object_trpe_all_pairs"),
+              std::sqrt((2 * 0.01 + 2 * 0.0324 + 0.0064) / 6.0), 1e-12);
+  EXPECT_NEAR(Value(metrics, "object_velocity"), 0.0, 1e-12);
+}
+
+TEST(ObjectMetrics, AConstantOffsetAndRotationOfTheClusterFrameDoNotCount) {
+  ObjectTruth truth = TruthOf(4);
+  AddBody(truth, Line(4));
+  const ObjectEstimate estimate =
+      Restate(PerfectEstimate(truth), RigidTransform(), {Pose({0.3, -1.0, 2.0}, {0.5, 0.2, -0.1})});
+  EXPECT_NEAR(Value(Evaluate(truth, estimate), "object_ate"), 0.0, 1e-12);
+}
+
+TEST(ObjectMetrics, TheWorldIsAlignedByTheCameraAlone) {
+  ObjectTruth truth = TruthOf(3);
+  truth.world_from_camera = {At(0), At(0, 0, 1), At(0, 0, 2)};
+  AddBody(truth, {At(0), Pose({0, 0, 1.5}, {1, 0, 0}), Pose({0, 0, 3.0}, {2, 0, 0})});
+  ObjectEstimate estimate = PerfectEstimate(truth);
+  for (auto& pose : estimate.world_from_camera) pose = At(0, 0.3) * *pose;
+  // The camera is 0.3 m off, the body is not. As it turns, it sees the offset of the world from
+  // different sides, and its own frame takes up the mean alone.
+  EXPECT_GT(Value(Evaluate(truth, estimate), "object_ate"), 0.2);
+  const RigidTransform A = AlignByCamera(truth.world_from_camera, estimate.world_from_camera);
+  EXPECT_NEAR((A.translation() - Eigen::Vector3d(0, -0.3, 0)).norm(), 0.0, 1e-12);
+}
+
+TEST(AlignByCamera, RotationIsThatOfTheOrientationsNotOfThePositions) {
+  // A straight path leaves the roll free for positions; orientations determine it.
+  const RigidTransform roll = Pose({0, 0, 0.7}, {1, 2, 3});
+  OptionalPoses truth, estimate;
+  for (int k = 0; k < 5; ++k) {
+    truth.push_back(At(0, 0, k));
+    estimate.push_back(roll.Inverse() * At(0, 0, k));
+  }
+  EXPECT_NEAR(AlignByCamera(truth, estimate).Minus(roll).norm(), 0.0, 1e-12);
+  EXPECT_EQ(AlignByCamera({}, {}).Matrix(), Eigen::Matrix4d::Identity());
+}
+
+TEST(AlignObject, MinimisesTheSquaredErrors) {
+  Rng rng(1, "poses");
+  CommonPoses poses;
+  const RigidTransform X = Pose(RandomVector(rng, 1.0), RandomVector(rng, 1.0));
+  for (int k = 0; k < 10; ++k) {
+    poses.frames.push_back(k);
+    poses.estimate.push_back(Pose(RandomVector(rng, 1.0), RandomVector(rng, 3.0)));
+    poses.truth.push_back(poses.estimate.back() * X *
+                          Pose(RandomVector(rng, 0.1), RandomVector(rng, 0.1)));
+  }
+  const auto cost = [&](const RigidTransform& x) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      sum += ((poses.estimate[k] * x).Matrix() - poses.truth[k].Matrix()).squaredNorm();
+    }
+    return sum;
+  };
+  const RigidTransform best = AlignObject(poses);
+  for (int i = 0; i < 6; ++i) {
+    for (const double step : {-1e-3, 1e-3}) {
+      EXPECT_GT(cost(best.Plus(step * Vector6d::Unit(i))), cost(best)) << i;
+    }
+  }
+}
+
+TEST(ObjectMetrics, VelocityIsThatOfTheGivenPoint) {
+  // A body that turns in place by 0.2 rad per frame: a point 1 m off its origin moves on a circle.
+  ObjectTruth truth = TruthOf(3);
+  truth.mover_travel_m = -1.0;
+  AddBody(truth, {Pose({0, 0, -0.2}, {0, 0, 0}), At(0), Pose({0, 0, 0.2}, {0, 0, 0})});
+  ObjectEstimate estimate = PerfectEstimate(truth);
+  EXPECT_NEAR(Value(Evaluate(truth, estimate), "object_velocity"), 0.0, 1e-12);
+  for (ClusterFrame& frame : estimate.clusters[0].frames) {
+    frame.point_in_object = Eigen::Vector3d::UnitX();
+  }
+  // In the middle by 2 sin(0.2) over two frames; before and after it by a chord of 2 sin(0.1).
+  const double middle = std::sin(0.2) / 0.1, side = 2.0 * std::sin(0.1) / 0.1;
+  EXPECT_NEAR(Value(Evaluate(truth, estimate), "object_velocity"),
+              std::sqrt((middle * middle + 2 * side * side) / 3.0), 1e-9);
+}
+
+TEST(ObjectMetrics, VelocityErrorIsInMetresPerSecond) {
+  ObjectTruth truth = TruthOf(3);
+  AddBody(truth, Line(3));  // 1 m in 0.1 s
+  ObjectEstimate estimate = PerfectEstimate(truth);
+  for (ClusterFrame& frame : estimate.clusters[0].frames) {
+    EXPECT_NEAR(frame.velocity_m_s->x(), 10.0, 1e-12);
+    frame.velocity_m_s->setZero();
+  }
+  EXPECT_NEAR(Value(Evaluate(truth, estimate), "object_velocity"), 10.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace cvo
