@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
+#include "experiments/datasets/formats/grey_png.h"
 #include "experiments/datasets/formats/image_header.h"
 #include "experiments/datasets/formats/png.h"
 
@@ -16,7 +17,11 @@ namespace cvo {
 namespace {
 
 // Grey is converted here and not by the PNG library, whose arithmetic depends on its version.
-cv::Mat DecodeGrey(const std::string& bytes) {
+cv::Mat DecodeGrey(const std::string& bytes, bool is_png) {
+  if (is_png) {
+    cv::Mat grey = DecodeGreyPng(bytes);
+    if (!grey.empty()) return grey;
+  }
   const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
   const cv::Mat decoded = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
   if (decoded.empty() || decoded.depth() != CV_8U || decoded.channels() == 1) return decoded;
@@ -46,7 +51,7 @@ LoadedImage LoadGrey(const std::filesystem::path& path) {
   const auto damage = IsJpeg(path) ? FindJpegDamage(bytes) : FindPngDamage(bytes);
   if (damage) return fail(*damage);
   try {
-    image.grey = DecodeGrey(bytes);
+    image.grey = DecodeGrey(bytes, !IsJpeg(path));
   } catch (const cv::Exception& error) {
     return fail(StrCat("one that OpenCV refuses (", error.err, ")"));
   }

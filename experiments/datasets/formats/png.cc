@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/datasets/formats/png.h"
 
-#include <zlib.h>
+#include <libdeflate.h>
 
 #include <array>
 #include <cstdint>
@@ -20,12 +20,13 @@ namespace {
 constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
 // Signature, then length, "IHDR", width, height, bit depth, colour type, ...
 constexpr std::size_t kHeaderBytes = 26;
+constexpr std::size_t kChunkOverhead = 12;  // length, type, CRC
+constexpr std::uint32_t kMaxSide_px = 1 << 15;
 constexpr int kColourTypeGrey = 0;
 constexpr int kColourTypeGreyAlpha = 4;
 
 std::uint32_t Crc32(std::string_view bytes) {
-  return static_cast<std::uint32_t>(
-      ::crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
+  return libdeflate_crc32(0, bytes.data(), bytes.size());
 }
 
 std::uint32_t ReadBigEndian(std::string_view bytes, std::size_t offset) {
@@ -77,7 +78,6 @@ PngHeader ReadPngHeader(const std::filesystem::path& path) {
   }
   const std::uint32_t width = ReadBigEndian(bytes, 16);
   const std::uint32_t height = ReadBigEndian(bytes, 20);
-  constexpr std::uint32_t kMaxSide_px = 1 << 15;
   if (width == 0 || height == 0 || width > kMaxSide_px || height > kMaxSide_px) {
     ThrowError(path.string(), StrCat(width, "x", height, " pixels"),
                StrCat("sides between 1 and ", kMaxSide_px));
@@ -92,7 +92,6 @@ PngHeader ReadPngHeader(const std::filesystem::path& path) {
 
 std::optional<std::string> FindPngDamage(std::string_view bytes) {
   if (bytes.size() < kHeaderBytes || !bytes.starts_with(kSignature)) return DescribeNonPng(bytes);
-  constexpr std::size_t kChunkOverhead = 12;  // length, type, CRC
   bool has_data = false;
   std::size_t at = kSignature.size();
   while (at + kChunkOverhead <= bytes.size()) {
@@ -111,6 +110,24 @@ std::optional<std::string> FindPngDamage(std::string_view bytes) {
     at += kChunkOverhead + length;
   }
   return StrCat("a file cut short after ", bytes.size(), " bytes, without an end");
+}
+
+std::optional<PngPixels> FindGreyPixels(std::string_view bytes) {
+  constexpr std::size_t kInterlace = 28;
+  if (bytes[24] != 8 || bytes[25] != kColourTypeGrey || bytes[kInterlace] != 0) return std::nullopt;
+  const std::uint32_t width = ReadBigEndian(bytes, 16);
+  const std::uint32_t height = ReadBigEndian(bytes, 20);
+  if (width > kMaxSide_px || height > kMaxSide_px) return std::nullopt;
+  PngPixels pixels{{static_cast<int>(width), static_cast<int>(height)}, {}};
+  for (std::size_t at = kSignature.size(); at < bytes.size();) {
+    const std::size_t length = ReadBigEndian(bytes, at);
+    const std::string_view type = bytes.substr(at + 4, 4);
+    if (type == "tRNS") return std::nullopt;
+    if (type == "IDAT") pixels.compressed += bytes.substr(at + 8, length);
+    if (type == "IEND") break;
+    at += kChunkOverhead + length;
+  }
+  return pixels;
 }
 
 cv::Mat ReadPaletteIndexes(const std::filesystem::path& path, cv::Size size) {

@@ -24,6 +24,15 @@ PngHeader ReadPngHeader(const std::filesystem::path& path);
 // CRC, no image data, no end. Empty where the file is whole. Decoders may return half an image.
 [[nodiscard]] std::optional<std::string> FindPngDamage(std::string_view bytes);
 
+struct PngPixels {
+  cv::Size size;
+  std::string compressed;  // zlib data of the rows, all IDAT chunks
+};
+
+// What a file without damage holds if it is of 8 bits of grey, not interlaced and without
+// transparency; empty for any other kind.
+std::optional<PngPixels> FindGreyPixels(std::string_view bytes);
+
 // CV_16UC1: the indexes of a PNG file with a palette of 8 bits, or the values of a grey one. Throws
 // Error for one that is damaged or of another size or kind.
 cv::Mat ReadPaletteIndexes(const std::filesystem::path& path, cv::Size size);
