@@ -64,10 +64,11 @@ FrameReport StereoOdometry::Process(const cv::Mat& left, const cv::Mat& right,
                                     std::int64_t timestamp_ns,
                                     const std::vector<Detection>& boxes) {
   Shown shown = ShowBoxes(boxes, camera_);
+  Remember(RegionsOf(shown.detections));
   StereoFrame frame;
   frame.timestamp_ns = timestamp_ns;
   frame.features = ExtractStereoFeatures(left, right, camera_, options_.orb, options_.stereo,
-                                         *pool_, RegionsOf(shown.detections));
+                                         *pool_, recent_boxes_);
   frame.detections = std::move(shown.detections);
   StageTimes times;
   FrameReport report = odometry_->Process(frame, times);
@@ -82,7 +83,14 @@ FrameReport StereoOdometry::Process(const cv::Mat& left, const cv::Mat& right,
 
 FrameReport StereoOdometry::Skip(std::int64_t timestamp_ns) {
   features_.clear();
+  Remember({});
   return odometry_->Skip(timestamp_ns);
+}
+
+void StereoOdometry::Remember(std::vector<cv::Rect2d> boxes) {
+  recent_boxes_.push_back(std::move(boxes));
+  const auto kept = static_cast<std::size_t>(options_.orb.reserve_frames);
+  if (recent_boxes_.size() > kept) recent_boxes_.erase(recent_boxes_.begin());
 }
 
 }  // namespace cvo

@@ -63,10 +63,13 @@ class StereoOdometry {
   }
 
  private:
+  void Remember(std::vector<cv::Rect2d> boxes);
+
   StereoCamera camera_;
   Options options_;
   std::unique_ptr<TaskPool> pool_;
   std::unique_ptr<Odometry> odometry_;
+  std::vector<std::vector<cv::Rect2d>> recent_boxes_;  // of the last orb.reserve_frames
   std::vector<StereoFeature> features_;
 };
 

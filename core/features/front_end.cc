@@ -40,18 +40,20 @@ OrbOptions RightOrb(const OrbOptions& orb, const StereoMatchOptions& stereo) {
 std::vector<StereoFeature> ExtractStereoFeatures(const cv::Mat& left, const cv::Mat& right,
                                                  const StereoCamera& camera, const OrbOptions& orb,
                                                  const StereoMatchOptions& stereo, TaskPool& pool,
-                                                 const std::vector<cv::Rect2d>& boxes) {
+                                                 RecentBoxes boxes) {
   CheckImage("left", left, camera);
   CheckImage("right", right, camera);
   orb.Check();
   stereo.Check();
   const OrbOptions right_orb = RightOrb(orb, stereo);
+  const std::vector<CornerRegion> regions = LeftRegions(boxes, orb);
   std::array<OrbImage, 2> extracted;
   pool.ParallelFor(2, [&](int i) {
-    extracted[i] = i == 0 ? ExtractOrb(left, orb, LeftRegions(boxes, orb))
-                          : ExtractOrb(right, right_orb, RightRegions(boxes, orb, stereo, camera));
+    extracted[i] = i == 0 ? ExtractOrb(left, orb, regions)
+                          : ExtractOrb(right, right_orb, RightRegions(regions, stereo, camera));
   });
-  return MatchStereo(extracted[0], extracted[1], camera, orb, stereo, boxes);
+  return MatchStereo(extracted[0], extracted[1], camera, orb, stereo,
+                     boxes.empty() ? std::vector<cv::Rect2d>() : boxes.back());
 }
 
 }  // namespace cvo

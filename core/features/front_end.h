@@ -7,6 +7,7 @@
 
 #include "core/base/task_pool.h"
 #include "core/features/options.h"
+#include "core/features/orb/corner_region.h"
 #include "core/features/stereo_feature.h"
 #include "core/geometry/stereo_camera.h"
 
@@ -18,11 +19,11 @@ OrbOptions RightOrb(const OrbOptions& orb, const StereoMatchOptions& stereo);
 
 // Corners of the left image with their columns in the right one, sorted by (v, u, octave). Images
 // are CV_8UC1 and of the camera's size: throws Error otherwise. Uses two threads of the pool; the
-// result does not depend on their number. `boxes`: where bodies may be in the left image
-// (OrbOptions::box_features); there also corners that the right image does not show.
+// result does not depend on their number. In the present frame's boxes there are also corners that
+// the right image does not show.
 std::vector<StereoFeature> ExtractStereoFeatures(const cv::Mat& left, const cv::Mat& right,
                                                  const StereoCamera& camera, const OrbOptions& orb,
                                                  const StereoMatchOptions& stereo, TaskPool& pool,
-                                                 const std::vector<cv::Rect2d>& boxes = {});
+                                                 RecentBoxes boxes = {});
 
 }  // namespace cvo

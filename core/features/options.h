@@ -10,7 +10,8 @@ struct OrbOptions {
   static constexpr int kMaxFeatures = 100000;
 
   int features = 2000;         // per image
-  double reserve = 1.0;        // as many more, over features
+  double reserve = 1.0;        // as many more, over features, were they all over the image
+  int reserve_frames = 3;      // for which a box keeps those around it
   int box_features = 100;      // of these, in each region where a body may be
   int levels = 8;              // of the pyramid
   double scale_factor = 1.2;   // between levels
@@ -28,14 +29,19 @@ struct OrbOptions {
                  "METHOD.md 2.1"});
     visit.Field("reserve", self.reserve,
                 {"1", 0.0, 10.0,
-                 "additional corners, relative to orb.features, that can become landmarks only "
-                 "inside detections or clusters, since bodies are small",
+                 "additional corners in and near detections, since bodies are small: as dense as "
+                 "reserve * orb.features of them over the whole image",
                  "METHOD.md 2.1: chosen from 0 ... 2 on the rooms and streets"});
+    visit.Field("reserve_frames", self.reserve_frames,
+                {"frames", 1, 100,
+                 "number of frames for which the surroundings of a detection have a reserve: "
+                 "detectors miss bodies now and then",
+                 "METHOD.md 2.1"});
     visit.Field(
         "box_features", self.box_features,
         {"1", 0, kMaxFeatures,
-         "corners wanted in each detection, taken from the reserve before the rest of it is "
-         "spread over the image: evenly spread, small bodies have too few",
+         "corners wanted in each detection, taken from the reserve first: evenly spread, small "
+         "bodies have too few",
          "METHOD.md 2.1"});
     visit.Field("levels", self.levels,
                 {"1", 1, 16, "pyramid levels; fewer reduce scale invariance", "METHOD.md 2.1"});

@@ -98,21 +98,22 @@ LookAhead::LookAhead(const Sequence& sequence, const Options& options, TaskPool&
 void LookAhead::SubmitNext() {
   if (submitted_ == sequence_.images.size()) return;
   const std::size_t index = submitted_++;
-  const std::vector<cv::Rect2d>& boxes = boxes_[index];
+  const std::vector<CornerRegion> regions =
+      LeftRegions(std::span(boxes_).first(index + 1), options_.orb);
   Submitted next;
   next.slot = std::make_shared<Slot>();
   for (std::size_t side = 0; side < 2; ++side) {
     // The slot is kept alive by its tasks: they may still run when an error has ended the run.
-    next.tickets[side] = pool_.Submit(
-        [slot = next.slot, side, index, &sequence = sequence_, &options = options_, boxes] {
-          const OrbOptions orb = side == 0 ? options.orb : RightOrb(options.orb, options.stereo);
-          const std::vector<CornerRegion> regions =
-              side == 0 ? LeftRegions(boxes, orb)
-                        : RightRegions(boxes, options.orb, options.stereo, sequence.camera);
-          slot->sides[side] = PrepareSide({sequence, index, static_cast<int>(side)}, orb, regions);
-          // Whichever image is ready last matches the pair; an error leaves the count above zero.
-          if (slot->unfinished.fetch_sub(1) == 1) slot->Match(sequence, options, boxes);
-        });
+    next.tickets[side] = pool_.Submit([slot = next.slot, side, index, &sequence = sequence_,
+                                       &options = options_, &boxes = boxes_[index], regions] {
+      const SideOfFrame of{sequence, index, static_cast<int>(side)};
+      slot->sides[side] = side == 0
+                              ? PrepareSide(of, options.orb, regions)
+                              : PrepareSide(of, RightOrb(options.orb, options.stereo),
+                                            RightRegions(regions, options.stereo, sequence.camera));
+      // Whichever image is ready last matches the pair; an error leaves the count above zero.
+      if (slot->unfinished.fetch_sub(1) == 1) slot->Match(sequence, options, boxes);
+    });
   }
   ahead_.push_back(std::move(next));
 }

@@ -9,7 +9,7 @@ endif()
 set(library_folder "${PROJECT_BINARY_DIR}/tests/consumer")
 add_test(NAME library.render
          COMMAND clustervo synth render tiny -o "${library_folder}/tiny")
-add_test(NAME library.run COMMAND clustervo run "${library_folder}/tiny" --detections good
+add_test(NAME library.run COMMAND clustervo run "${library_folder}/tiny" --force --detections good
                                   --landmarks -o "${library_folder}/run")
 set_tests_properties(library.render library.run PROPERTIES
   ENVIRONMENT "CLUSTERVO_CACHE=${library_folder}/cache")

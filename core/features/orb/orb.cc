@@ -74,10 +74,9 @@ struct LevelCorners {
   std::vector<Corner> corners;
   std::vector<Use> uses;
 
-  // Those with a use that is asked for, among the corners from begin to end.
-  std::vector<Corner> Select(std::size_t begin, std::size_t end, auto&& is_asked) const {
+  std::vector<Corner> Select(auto&& is_asked) const {
     std::vector<Corner> selected;
-    for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
       if (is_asked(i)) selected.push_back(corners[i]);
     }
     return selected;
@@ -104,26 +103,33 @@ LevelCorners FindLevelCorners(const cv::Mat& scores, const OrbOptions& options, 
   return level;
 }
 
-// The part of a level's reserve that is for a region.
-void SelectInRegion(const LevelCoordinates& coordinates, int quota, Wanted& wanted,
-                    CornerRegion& region, LevelCorners& level) {
+// The corners of a level in a box of the image, by index.
+void VisitInside(const LevelCoordinates& coordinates, const cv::Rect2d& box,
+                 const std::vector<Corner>& corners, auto&& visit) {
   const auto row = [&](double v_px) {
     const auto is_above = [&](const Corner& c) { return coordinates.FullV(c.y) < v_px; };
-    const auto at = std::partition_point(level.corners.begin(), level.corners.end(), is_above);
-    return static_cast<std::size_t>(at - level.corners.begin());
+    return std::partition_point(corners.begin(), corners.end(), is_above) - corners.begin();
   };
-  const std::size_t begin = row(region.box.y);
-  const std::size_t end = row(region.box.y + region.box.height);
-  const auto is_inside = [&](std::size_t i) {
-    const double u_px = coordinates.FullU(level.corners[i].x);
-    return u_px >= region.box.x && u_px < region.box.x + region.box.width;
-  };
+  const std::ptrdiff_t end = row(box.y + box.height);
+  const double left = coordinates.LevelU(box.x);
+  const double right = coordinates.LevelU(box.x + box.width);
+  for (std::ptrdiff_t i = row(box.y); i < end; ++i) {
+    const int x = corners[static_cast<std::size_t>(i)].x;
+    if (x >= left && x < right) visit(static_cast<std::size_t>(i));
+  }
+}
+
+// The part of a level's reserve that a region lacks.
+void SelectInRegion(const LevelCoordinates& coordinates, int quota, Wanted& wanted,
+                    CornerRegion& region, LevelCorners& level) {
   int found = 0;
-  const std::vector<Corner> free = level.Select(begin, end, [&](std::size_t i) {
-    if (!is_inside(i)) return false;
-    const bool is_used = level.uses[i] == Use::kFirst || level.uses[i] == Use::kReserve;
-    found += is_used ? 1 : 0;
-    return !is_used;
+  std::vector<Corner> free;
+  VisitInside(coordinates, region.box, level.corners, [&](std::size_t i) {
+    if (level.uses[i] == Use::kFirst || level.uses[i] == Use::kReserve) {
+      ++found;
+    } else {
+      free.push_back(level.corners[i]);
+    }
   });
   const std::vector<Corner> selected = SelectEvenly(free, std::min(quota - found, wanted.reserve));
   const int count = static_cast<int>(selected.size());
@@ -132,25 +138,38 @@ void SelectInRegion(const LevelCoordinates& coordinates, int quota, Wanted& want
   level.Mark(selected, Use::kReserve);
 }
 
-// The level's share of the first corners, then of the reserve: what the regions lack, then evenly.
+// The rest of a level's reserve: so many as the regions would have of `quota` over the image.
+void SelectNear(const LevelCoordinates& coordinates, int quota, Wanted& wanted,
+                LevelCorners& level) {
+  std::vector<char> is_near(level.corners.size());
+  for (const CornerRegion& region : wanted.regions) {
+    VisitInside(coordinates, region.box, level.corners,
+                [&](std::size_t i) { is_near[i] = level.uses[i] == Use::kFree; });
+  }
+  const std::vector<Corner> near = level.Select([&](std::size_t i) { return is_near[i] != 0; });
+  const auto free = std::count(level.uses.begin(), level.uses.end(), Use::kFree);
+  if (near.empty() || quota <= 0) return;
+  wanted.reserve -= std::min(quota, static_cast<int>(free));
+  const double share = static_cast<double>(near.size()) / static_cast<double>(free);
+  level.Mark(SelectEvenly(near, cvRound(quota * share)), Use::kReserve);
+}
+
+// The level's share of the first corners, then of the reserve: what the regions lack, then evenly
+// in them.
 void SelectCorners(const LevelCoordinates& coordinates, int level, double scale_factor,
                    Wanted& wanted, LevelCorners& corners) {
-  const auto select_evenly = [&](int quota, Use use) {
-    const auto is_free = [&](std::size_t i) { return corners.uses[i] == Use::kFree; };
-    const std::vector<Corner> selected =
-        SelectEvenly(corners.Select(0, corners.corners.size(), is_free), quota);
-    corners.Mark(selected, use);
-    return static_cast<int>(selected.size());
-  };
-  wanted.first -= select_evenly(LevelQuota(wanted.first, level, scale_factor), Use::kFirst);
+  const std::vector<Corner> first =
+      SelectEvenly(corners.Select([&](std::size_t i) { return corners.uses[i] == Use::kFree; }),
+                   LevelQuota(wanted.first, level, scale_factor));
+  corners.Mark(first, Use::kFirst);
+  wanted.first -= static_cast<int>(first.size());
   const int evenly = LevelQuota(wanted.reserve, level, scale_factor);
   const int before = wanted.reserve;
   for (CornerRegion& region : wanted.regions) {
     const int quota = LevelQuota(region.corners, level, scale_factor);
     SelectInRegion(coordinates, quota, wanted, region, corners);
   }
-  const int in_regions = before - wanted.reserve;
-  wanted.reserve -= select_evenly(evenly - in_regions, Use::kReserve);
+  SelectNear(coordinates, evenly - (before - wanted.reserve), wanted, corners);
 }
 
 void ExtractLevel(const std::vector<cv::Mat>& pyramid, int level, const OrbOptions& options,

@@ -35,7 +35,7 @@ struct OrbImage {
   std::vector<cv::Mat> pyramid;  // CV_8UC1, level 0 first, with mirrored edges around each level
 };
 
-// ORB corners spread over the image (METHOD.md 2.1), the reserve in `regions` first. `image` is
+// ORB corners spread over the image (METHOD.md 2.1), with a reserve in `regions`. `image` is
 // CV_8UC1. Pure: the same image and regions give the same corners on any thread.
 OrbImage ExtractOrb(const cv::Mat& image, const OrbOptions& options,
                     std::span<const CornerRegion> regions = {});

@@ -233,9 +233,9 @@ TEST(ExtractStereoFeatures, KeepsCornersOfBoxesThatTheRightImageDoesNotShow) {
   const cv::Mat right = Render(scene, 40 * kSubpixelSteps);
   const cv::Rect2d box(0, 60, 38, 120);  // left of what the right image shows
   TaskPool pool(1);
-  const OrbOptions orb = {.box_features = 0};
+  const OrbOptions orb = {.reserve = 0.0, .box_features = 0};
   const auto found = [&](const std::vector<cv::Rect2d>& boxes) {
-    return ExtractStereoFeatures(left, right, CameraFor(left), orb, {}, pool, boxes);
+    return ExtractStereoFeatures(left, right, CameraFor(left), orb, {}, pool, {&boxes, 1});
   };
   const auto is_pair = [](const StereoFeature& feature) { return !IsLeftOnly(feature); };
   const std::vector<StereoFeature> without = found({});

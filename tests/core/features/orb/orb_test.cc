@@ -71,7 +71,9 @@ TEST(ExtractOrb, AReserveComesOnTopAndLeavesTheOthersAsTheyAre) {
   const cv::Mat image = Textured(320, 240);
   const OrbImage alone = ExtractOrb(image, options);
   options.reserve = 0.5;
-  const OrbImage both = ExtractOrb(image, options);
+  EXPECT_EQ(ExtractOrb(image, options).keypoints.size(), 200u);  // the reserve is for regions
+  const CornerRegion whole{cv::Rect2d(0.0, 0.0, 320.0, 240.0), 0};
+  const OrbImage both = ExtractOrb(image, options, {&whole, 1});
   EXPECT_EQ(both.keypoints.size(), 300u);
   const auto key = [](const OrbKeypoint& k) { return std::tie(k.v_px, k.u_px, k.octave); };
   std::vector<OrbKeypoint> first;
@@ -112,7 +114,20 @@ TEST(ExtractOrb, TheReserveGoesToRegionsFirst) {
   EXPECT_LT(evenly.inside, 10);
   EXPECT_GE(favoured.inside, 20);
   EXPECT_LE(favoured.inside, 32);  // refinement moves corners across the edge
-  EXPECT_EQ(favoured.reserve, evenly.reserve);
+  EXPECT_GE(favoured.reserve, favoured.inside - evenly.inside);
+}
+
+TEST(ExtractOrb, TheReserveOfARegionIsAsDenseAsOverTheWholeImage) {
+  OrbOptions options;
+  options.features = 200;
+  options.reserve = 2.0;
+  const cv::Mat image = Textured(320, 240);
+  const CornerRegion whole{cv::Rect2d(0.0, 0.0, 320.0, 240.0), 0};
+  const CornerRegion half{cv::Rect2d(0.0, 0.0, 160.0, 240.0), 0};
+  const int in_whole = CountIn(half.box, ExtractOrb(image, options, {&whole, 1})).inside;
+  const RegionCount in_half = CountIn(half.box, ExtractOrb(image, options, {&half, 1}));
+  EXPECT_NEAR(in_half.inside, in_whole, 0.1 * in_whole);
+  EXPECT_NEAR(in_half.reserve, 200, 20);
 }
 
 TEST(ExtractOrb, RegionsHaveCornersNearTheEdgeOfTheImage) {
@@ -147,15 +162,31 @@ TEST(ExtractOrb, RegionsShareWhatTheReserveHas) {
   EXPECT_EQ(CountIn({}, ExtractOrb(Textured(320, 240), options, regions)).reserve, 20);
 }
 
-TEST(RightRegions, ReachToTheLargestDisparityAtTheSameDensity) {
-  const StereoCamera camera{450.0, 450.0, 319.5, 239.5, 0.12, 640, 480};
+TEST(LeftRegions, AreTheNewestBoxesAndOlderOnesThatWereNotSeenAgain) {
   OrbOptions orb;
   orb.box_features = 40;
+  orb.reserve_frames = 3;
+  const std::vector<std::vector<cv::Rect2d>> boxes{
+      {{400.0, 100.0, 20.0, 20.0}},                              // too old
+      {{300.0, 100.0, 50.0, 40.0}, {100.0, 100.0, 20.0, 10.0}},  // the first is seen again
+      {},
+      {{305.0, 102.0, 50.0, 40.0}}};
+  const std::vector<CornerRegion> regions = LeftRegions(boxes, orb);
+  ASSERT_EQ(regions.size(), 2u);
+  EXPECT_EQ(regions[0].box, boxes[3][0]);
+  EXPECT_EQ(regions[0].corners, 40);
+  EXPECT_EQ(regions[1].box, cv::Rect2d(96.0, 98.0, 28.0, 14.0));
+  EXPECT_EQ(regions[1].corners, 0);
+  EXPECT_TRUE(LeftRegions({}, orb).empty());
+}
+
+TEST(RightRegions, ReachToTheLargestDisparityAtTheSameDensity) {
+  const StereoCamera camera{450.0, 450.0, 319.5, 239.5, 0.12, 640, 480};
   StereoMatchOptions stereo;
   stereo.right_features = 1.5;
   stereo.min_depth_baselines = 3.0;  // 150 px
-  const auto regions =
-      RightRegions({{300.0, 100.0, 50.0, 40.0}, {30.0, 0.0, 60.0, 20.0}}, orb, stereo, camera);
+  const auto regions = RightRegions(
+      {{{300.0, 100.0, 50.0, 40.0}, 40}, {{30.0, 0.0, 60.0, 20.0}, 40}}, stereo, camera);
   ASSERT_EQ(regions.size(), 2u);
   EXPECT_EQ(regions[0].box, cv::Rect2d(150.0, 100.0, 200.0, 40.0));
   EXPECT_EQ(regions[0].corners, 240);
