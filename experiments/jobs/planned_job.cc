@@ -74,8 +74,11 @@ void RunVariant(const Plan& plan, const Cell& cell, const Sequence& sequence, co
                      .classes = ClassesOf(cell.sequence),
                      .oracle = OracleOf(cell.oracle),
                      .landmarks = cell.landmarks};
-  cache.Serve(request);
-  if (plan.suite.timed_threads > 0) request.cache = nullptr;  // features count in its time
+  if (plan.suite.timed_threads > 0) {
+    request.images = cache.ImagesOf(sequence, request.threads);  // features count in its time
+  } else {
+    cache.Serve(request);
+  }
   folder.CheckIdentity(IdentifyJob(request), sequence);
   const std::optional<JobOutcome> outcome = RunJob(request, folder.path());
   // Of the bytes that were run on, which may have changed since they were looked at.

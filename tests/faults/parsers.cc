@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/faults/parsers.h"
 
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
 #include "core/files/csv_file.h"
 #include "core/files/json/options_json.h"
 #include "core/files/text_file.h"
 #include "core/interface/options.h"
 #include "experiments/calibration/kitti_calibration.h"
+#include "experiments/datasets/formats/grey_png.h"
 #include "experiments/datasets/formats/object_boxes.h"
 #include "experiments/datasets/formats/oxts.h"
 #include "experiments/datasets/formats/png.h"
@@ -50,6 +54,14 @@ std::string Repeated(const std::string& text, int times) {
   std::string all;
   for (int i = 0; i < times; ++i) all += text;
   return all;
+}
+
+std::string GreyPng() {
+  cv::Mat image(6, 9, CV_8UC1);
+  cv::randu(image, 0, 256);
+  std::vector<unsigned char> bytes;
+  cv::imencode(".png", image, bytes);
+  return {bytes.begin(), bytes.end()};
 }
 
 std::vector<Parser> SuiteParsers() {
@@ -130,6 +142,9 @@ std::vector<Parser> SequenceParsers() {
            [](const fs::path& file) {
              (void)FindPngDamage(ReadFileBytes(file));
              ReadPngHeader(file);
+           }},
+          {"pixels of a grey png", {GreyPng()}, [](const fs::path& file) {
+             (void)DecodeGreyPng(ReadFileBytes(file));
            }}};
 }
 

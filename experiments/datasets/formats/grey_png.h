@@ -7,10 +7,10 @@
 
 namespace cvo {
 
-// CV_8UC1: what a whole PNG file shows (FindPngDamage), if it is one of 8 bits of grey, not
-// interlaced and without transparency, as stereo pairs are. Empty for any other, which OpenCV
-// reads, and where the pixels do not inflate to the image's size. Half as long as OpenCV takes:
-// decoding was a seventh of a run.
+// CV_8UC1: what a PNG file of 8 bits of grey shows that is not interlaced and has no transparency,
+// as stereo pairs are. Empty for any other bytes, other kinds of PNG file included, and where the
+// pixels do not inflate to the image's size; checksums are FindPngDamage's. Takes half as long as
+// OpenCV, whose decoding was a seventh of a run.
 cv::Mat DecodeGreyPng(std::string_view bytes);
 
 }  // namespace cvo

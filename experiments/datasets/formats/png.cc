@@ -114,17 +114,20 @@ std::optional<std::string> FindPngDamage(std::string_view bytes) {
 
 std::optional<PngPixels> FindGreyPixels(std::string_view bytes) {
   constexpr std::size_t kInterlace = 28;
-  if (bytes[24] != 8 || bytes[25] != kColourTypeGrey || bytes[kInterlace] != 0) return std::nullopt;
+  if (bytes.size() <= kInterlace || bytes[24] != 8 || bytes[25] != kColourTypeGrey ||
+      bytes[kInterlace] != 0) {
+    return std::nullopt;
+  }
   const std::uint32_t width = ReadBigEndian(bytes, 16);
   const std::uint32_t height = ReadBigEndian(bytes, 20);
   if (width > kMaxSide_px || height > kMaxSide_px) return std::nullopt;
   PngPixels pixels{{static_cast<int>(width), static_cast<int>(height)}, {}};
-  for (std::size_t at = kSignature.size(); at < bytes.size();) {
+  std::size_t at = kSignature.size();
+  while (at + kChunkOverhead <= bytes.size()) {
     const std::size_t length = ReadBigEndian(bytes, at);
     const std::string_view type = bytes.substr(at + 4, 4);
-    if (type == "tRNS") return std::nullopt;
+    if (type == "tRNS" || length > bytes.size() - at - kChunkOverhead) return std::nullopt;
     if (type == "IDAT") pixels.compressed += bytes.substr(at + 8, length);
-    if (type == "IEND") break;
     at += kChunkOverhead + length;
   }
   return pixels;

@@ -29,8 +29,8 @@ struct PngPixels {
   std::string compressed;  // zlib data of the rows, all IDAT chunks
 };
 
-// What a file without damage holds if it is of 8 bits of grey, not interlaced and without
-// transparency; empty for any other kind.
+// What a PNG file holds if it is of 8 bits of grey, not interlaced and without transparency; empty
+// for any other kind. Checksums are FindPngDamage's.
 std::optional<PngPixels> FindGreyPixels(std::string_view bytes);
 
 // CV_16UC1: the indexes of a PNG file with a palette of 8 bits, or the values of a grey one. Throws
