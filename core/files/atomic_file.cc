@@ -6,8 +6,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <set>
 #include <system_error>
 #include <utility>
 
@@ -31,33 +31,6 @@ void SyncFolder(const fs::path& folder) {
   // Some network file systems cannot sync a folder; their rename is durable by itself.
   if (SyncFile(opened) != 0 && errno != EINVAL) ThrowErrno(folder, "write", errno);
 }
-
-// The folders within a folder that files go to. Those that are empty at the end go away again.
-class Subfolders {
- public:
-  Subfolders(const fs::path& folder, const std::vector<NamedContent>& files) {
-    for (const NamedContent& file : files) {
-      const fs::path parent = fs::path(file.name).parent_path();
-      if (parent.empty() || !paths_.insert(folder / parent).second) continue;
-      if (::mkdir((folder / parent).c_str(), 0777) != 0 && errno != EEXIST) {
-        ThrowErrno(folder / parent, "create the folder", errno);
-      }
-    }
-  }
-  ~Subfolders() {
-    std::error_code ignored;
-    for (const fs::path& path : paths_) fs::remove(path, ignored);  // refuses where it is not empty
-  }
-  Subfolders(const Subfolders&) = delete;
-  Subfolders& operator=(const Subfolders&) = delete;
-
-  void Sync() const {
-    for (const fs::path& path : paths_) SyncFolder(path);
-  }
-
- private:
-  std::set<fs::path> paths_;
-};
 
 // And the folder in `folder` that it is in, once that is empty.
 void RemoveFile(const fs::path& folder, const fs::path& name) {
@@ -103,24 +76,47 @@ void StagedFile::Publish() {
   temporary_.clear();
 }
 
-void WriteFilesAtomically(const fs::path& folder, const std::vector<NamedContent>& files,
-                          const std::vector<std::string>& stale, std::optional<StagedFile> begun) {
-  const Subfolders subfolders(folder, files);
-  std::vector<StagedFile> staged;
-  staged.reserve(files.size() + 1);
-  if (begun) {
-    begun->Complete();
-    staged.push_back(std::move(*begun));
+StagedFiles::~StagedFiles() {
+  files_.clear();  // takes away what was not published
+  std::error_code ignored;
+  for (const fs::path& path : subfolders_) fs::remove(path, ignored);  // refuses where it is full
+}
+
+void StagedFiles::Add(const std::string& name, std::string_view content) {
+  const fs::path parent = fs::path(name).parent_path();
+  if (!parent.empty() && subfolders_.insert(folder_ / parent).second &&
+      ::mkdir((folder_ / parent).c_str(), 0777) != 0 && errno != EEXIST) {
+    ThrowErrno(folder_ / parent, "create the folder", errno);
   }
-  for (const NamedContent& file : files) staged.push_back(Staged(folder / file.name, file.content));
-  for (std::size_t i = 0; i < staged.size(); ++i) {
-    if (i + 1 == staged.size()) {
-      for (const std::string& name : stale) RemoveFile(folder, name);
-      subfolders.Sync();
+  files_.push_back(Staged(folder_ / name, content));
+}
+
+void StagedFiles::Add(StagedFile begun) {
+  begun.Complete();
+  files_.push_back(std::move(begun));
+}
+
+bool StagedFiles::Has(const std::string& name) const {
+  return std::any_of(files_.begin(), files_.end(),
+                     [&](const StagedFile& file) { return file.target() == folder_ / name; });
+}
+
+void StagedFiles::Publish(const std::vector<std::string>& stale) {
+  for (std::size_t i = 0; i < files_.size(); ++i) {
+    if (i + 1 == files_.size()) {
+      for (const std::string& name : stale) RemoveFile(folder_, name);
+      for (const fs::path& path : subfolders_) SyncFolder(path);
     }
-    staged[i].Publish();
+    files_[i].Publish();
   }
-  SyncFolder(folder);
+  SyncFolder(folder_);
+}
+
+void WriteFilesAtomically(const fs::path& folder, const std::vector<NamedContent>& files,
+                          const std::vector<std::string>& stale) {
+  StagedFiles staged(folder);
+  for (const NamedContent& file : files) staged.Add(file.name, file.content);
+  staged.Publish(stale);
 }
 
 OutputFolder::OutputFolder(fs::path folder, const std::vector<std::string>& names)

@@ -4,9 +4,10 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/files/disk.h"
@@ -41,15 +42,36 @@ class StagedFile {
   std::uint64_t size_bytes_ = 0;
 };
 
-// Writes files that belong together: each under a temporary name beside its own, checked and synced
-// to the disk; only when all of them are complete are they renamed, the last of the list last and
-// after the files of `stale` are gone. Throws Error naming the file and why. A final name holds
-// what it held before or the complete new content, and no temporary is left behind. `begun` is one
-// more of them.
+// Files of a folder that belong together: each is written under a temporary name beside its own,
+// checked and synced to the disk as it is added, so that only one need be in memory. Throws Error
+// naming the file and why; what was not published goes away.
+class StagedFiles {
+ public:
+  explicit StagedFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  ~StagedFiles();  // folders in it that are still empty go away
+  StagedFiles(const StagedFiles&) = delete;
+  StagedFiles& operator=(const StagedFiles&) = delete;
+
+  // `name` as of a NamedContent.
+  void Add(const std::string& name, std::string_view content);
+  // One that was begun before, in the same folder.
+  void Add(StagedFile begun);
+  bool Has(const std::string& name) const;
+
+  // Renames them in the order in which they were added, the last one after the files of `stale` are
+  // gone: a final name holds what it held before or the complete new content.
+  void Publish(const std::vector<std::string>& stale = {});
+
+ private:
+  std::filesystem::path folder_;
+  std::set<std::filesystem::path> subfolders_;
+  std::vector<StagedFile> files_;
+};
+
+// All of them, as StagedFiles.
 void WriteFilesAtomically(const std::filesystem::path& folder,
                           const std::vector<NamedContent>& files,
-                          const std::vector<std::string>& stale = {},
-                          std::optional<StagedFile> begun = {});
+                          const std::vector<std::string>& stale = {});
 
 // A folder that results will be written to. Creates it where there is none, and proves that files
 // of these names can be written ("a/": a folder): throws Error naming what is in the way. A folder

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/runner/run_files.h"
 
-#include <algorithm>
 #include <system_error>
+#include <utility>
 
 #include "core/base/error.h"
 #include "experiments/metrics/trajectory.h"
@@ -19,17 +19,8 @@ constexpr const char* kClusters = "clusters";
 constexpr const char* kLandmarks = "landmarks.csv";
 constexpr const char* kTruth = "truth.json";
 
-std::vector<NamedContent> ClusterFiles(const RunResult& run) {
-  std::vector<NamedContent> files;
-  for (const ClusterTrajectory& cluster : run.clusters) {
-    files.push_back({StrCat(kClusters, "/", cluster.id.value, ".tum"), ClusterTum(cluster)});
-  }
-  return files;
-}
-
 // <number>.tum in clusters/, unless they are written now.
-std::vector<std::string> StaleFiles(const fs::path& folder,
-                                    const std::vector<NamedContent>& written) {
+std::vector<std::string> StaleFiles(const fs::path& folder, const StagedFiles& written) {
   std::vector<std::string> stale;
   std::error_code none;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / kClusters, none)) {
@@ -40,10 +31,7 @@ std::vector<std::string> StaleFiles(const fs::path& folder,
     }
     stale.push_back(StrCat(kClusters, "/", entry.path().filename().string()));
   }
-  std::erase_if(stale, [&](const std::string& name) {
-    return std::any_of(written.begin(), written.end(),
-                       [&](const NamedContent& file) { return file.name == name; });
-  });
+  std::erase_if(stale, [&](const std::string& name) { return written.Has(name); });
   return stale;
 }
 
@@ -69,18 +57,23 @@ void WriteRunFiles(const fs::path& folder, const RunRecord& record, const RunCon
     if (frame.report.status == FrameStatus::kSkipped) continue;
     timed.push_back({frame.timestamp_ns, frame.refined_world_from_camera});
   }
-  std::vector<NamedContent> files = ClusterFiles(record.run);
-  files.push_back({"camera.tum", FormatTumTrajectory(timed)});
-  files.push_back({"camera.kitti", FormatKittiPoses(every_frame)});
-  files.push_back({"objects.csv", ObjectTable(record.sequence, record.run)});
-  files.push_back({"tracks.kitti", KittiTracks(record.sequence, record.run)});
-  files.push_back({kTruth, TruthFile(RecordedJob(record), record.truth)});
+  StagedFiles files(folder);
+  const bool has_landmarks = landmarks.has_value();
+  if (landmarks) files.Add(std::move(*landmarks));
+  for (const ClusterTrajectory& cluster : record.run.clusters) {
+    files.Add(StrCat(kClusters, "/", cluster.id.value, ".tum"), ClusterTum(cluster));
+  }
+  files.Add("camera.tum", FormatTumTrajectory(timed));
+  files.Add("camera.kitti", FormatKittiPoses(every_frame));
+  files.Add("objects.csv", ObjectTable(record.sequence, record.run));
+  files.Add("tracks.kitti", KittiTracks(record.sequence, record.run));
+  files.Add(kTruth, TruthFile(RecordedJob(record), record.truth));
   // The result last: where it is complete, so is all else.
-  files.push_back({"timing.json", TimingFile(record.run, context)});
-  files.push_back({"result.json", ResultFile(record)});
+  files.Add("timing.json", TimingFile(record.run, context));
+  files.Add("result.json", ResultFile(record));
   std::vector<std::string> stale = StaleFiles(folder, files);
-  if (!landmarks && fs::exists(folder / kLandmarks)) stale.emplace_back(kLandmarks);
-  WriteFilesAtomically(folder, files, stale, std::move(landmarks));
+  if (!has_landmarks && fs::exists(folder / kLandmarks)) stale.emplace_back(kLandmarks);
+  files.Publish(stale);
 }
 
 }  // namespace cvo

@@ -21,7 +21,7 @@ std::vector<std::string> RunFileNames();
 // them are many times the memory of a run.
 StagedFile BeginLandmarks(const std::filesystem::path& folder);
 
-// Writes them to a folder that exists: all complete, or none (see WriteFilesAtomically). Files of
+// Writes them to a folder that exists: all complete, or none (see StagedFiles). Files of
 // an earlier run that this one does not have are removed.
 void WriteRunFiles(const std::filesystem::path& folder, const RunRecord& record,
                    const RunContext& context, std::optional<StagedFile> landmarks = {});

@@ -80,7 +80,13 @@ TEST(StagedFile, GrowsAndAppearsWithTheOthers) {
   StagedFile rows(folder.path() / "rows.csv");
   rows.Append("1\n");
   rows.Append("2\n");
-  WriteFilesAtomically(folder.path(), {{"a.json", "new"}}, {}, std::move(rows));
+  StagedFiles files(folder.path());
+  files.Add(std::move(rows));
+  files.Add("a.json", "new");
+  EXPECT_TRUE(files.Has("rows.csv"));
+  EXPECT_FALSE(files.Has("b.json"));
+  EXPECT_FALSE(fs::exists(folder.path() / "a.json"));
+  files.Publish();
   EXPECT_EQ(test::ReadFile(folder.path() / "rows.csv"), "1\n2\n");
   EXPECT_THAT(Names(folder.path()), ElementsAre("a.json", "rows.csv"));
 }
