@@ -141,14 +141,15 @@ void SelectInRegion(const LevelCoordinates& coordinates, int quota, Wanted& want
 // The rest of a level's reserve: so many as the regions would have of `quota` over the image.
 void SelectNear(const LevelCoordinates& coordinates, int quota, Wanted& wanted,
                 LevelCorners& level) {
+  if (quota <= 0 || wanted.regions.empty()) return;
   std::vector<char> is_near(level.corners.size());
   for (const CornerRegion& region : wanted.regions) {
     VisitInside(coordinates, region.box, level.corners,
                 [&](std::size_t i) { is_near[i] = level.uses[i] == Use::kFree; });
   }
   const std::vector<Corner> near = level.Select([&](std::size_t i) { return is_near[i] != 0; });
+  if (near.empty()) return;
   const auto free = std::count(level.uses.begin(), level.uses.end(), Use::kFree);
-  if (near.empty() || quota <= 0) return;
   wanted.reserve -= std::min(quota, static_cast<int>(free));
   const double share = static_cast<double>(near.size()) / static_cast<double>(free);
   level.Mark(SelectEvenly(near, cvRound(quota * share)), Use::kReserve);
