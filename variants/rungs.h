@@ -151,7 +151,7 @@ template <typename Base>
 struct AddNearestDepths : Base {
   static constexpr std::string_view kRung = "nearest_depths";
   static constexpr std::string_view kAdds =
-      "a new body is the nearest dense range of depths in its box";
+      "a new body is the nearest dense range of depths that fills its box";
   using NewBody = NearestDepths;
 };
 

@@ -15,7 +15,7 @@ struct BodyTrack {
   FrameId frame;
   Eigen::Vector3d forward = Eigen::Vector3d::UnitZ();  // level
   BoxShape shape;
-  CenterEstimate center;  // by the views so far; none where no view placed it
+  CenterEstimate center;  // in the body's frame, by the views so far
   Eigen::Vector3d landmark_center = Eigen::Vector3d::Zero();
   ViewedSides viewed;  // as far as pictures told
 };
@@ -42,7 +42,6 @@ void Follow(const BoxScene& scene, const Cluster& cluster, BodyTrack& track) {
   } else if (const ClusterState* before = FindState(cluster, track.frame)) {
     const RigidTransform motion = latest.world_from_object * before->world_from_object.Inverse();
     track.forward = TurnedBy(motion, scene.down, track.forward);
-    track.center = track.center.In(motion);
   }
   track.frame = latest.frame;
 }
@@ -82,7 +81,10 @@ void LookAt(const BoxScene& scene, const Cluster& cluster, bool is_known, BodyTr
   const double kept = 1.0 - 1.0 / options.boxes.max_views;
   track.center.information *= kept;
   track.center.weighted *= kept;
-  track.center.Add(place->center_in_world, place->information);
+  const RigidTransform object_from_world = cluster.Latest().world_from_object.Inverse();
+  const Eigen::Matrix3d R = object_from_world.RotationMatrix();
+  track.center.Add(object_from_world * place->center_in_world,
+                   R * place->information * R.transpose());
   if (!is_known) {
     AddPicture(*scene.view, options.place.box_center.border_px, cluster.detection, track.shape,
                place->center_in_world, track.viewed);
@@ -92,9 +94,10 @@ void LookAt(const BoxScene& scene, const Cluster& cluster, bool is_known, BodyTr
 // Where the body is reported to be, which is where it is predicted if it was not found.
 BodyBox BoxAt(const BoxScene& scene, const Cluster& cluster, const BodyTrack& track,
               const RigidTransform& world_from_object) {
-  const RigidTransform motion = world_from_object * cluster.Latest().world_from_object.Inverse();
+  const RigidTransform& latest = cluster.Latest().world_from_object;
+  const RigidTransform motion = world_from_object * latest.Inverse();
   const Eigen::Vector3d center =
-      track.center.boxes > 0 ? track.center.InObject() : track.landmark_center;
+      track.center.boxes > 0 ? latest * track.center.InObject() : track.landmark_center;
   const Eigen::Matrix3d axes =
       BoxAxes(TurnedBy(motion, scene.down, track.shape.axes.col(0)), scene.down);
   return {world_from_object.Inverse() * RigidTransform(axes, motion * center), track.shape.size_m};

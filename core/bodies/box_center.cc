@@ -24,6 +24,10 @@ bool MayBeHidden(const FrameView& view, double max_overlap, int detection) {
   return false;
 }
 
+bool IsCut(const BoxCenterOptions& options, double low_px, double high_px, int image_px) {
+  return low_px < options.border_px || high_px > image_px - 1 - options.border_px;
+}
+
 }  // namespace
 
 Eigen::Vector3d CenterDeviations(const FrameView& view, const BoxCenterOptions& options,
@@ -31,8 +35,9 @@ Eigen::Vector3d CenterDeviations(const FrameView& view, const BoxCenterOptions& 
   const ImageBox& box = view.shown.detections[detection].box;
   const bool is_hidden = MayBeHidden(view, options.max_overlap, detection);
   const auto of_edges = [&](double low_px, double high_px, int image_px) {
-    const bool is_cut = low_px < options.border_px || high_px > image_px - 1 - options.border_px;
-    return size_m * (is_cut || is_hidden ? options.unseen_deviation : options.edge_deviation);
+    return size_m * (is_hidden || IsCut(options, low_px, high_px, image_px)
+                         ? options.unseen_deviation
+                         : options.edge_deviation);
   };
   return {of_edges(box.left_px, box.right_px, view.camera.width_px),
           of_edges(box.top_px, box.bottom_px, view.camera.height_px),
@@ -62,6 +67,9 @@ BoxCenter CenterFromBox(const FrameView& view, const BoxCenterOptions& options, 
   result.center_in_world = view.world_from_camera * (center_m * ray);
   result.information = InformationAlong(view.world_from_camera, ray,
                                         CenterDeviations(view, options, detection, result.size_m));
+  result.is_whole = !MayBeHidden(view, options.max_overlap, detection) &&
+                    !IsCut(options, box.left_px, box.right_px, view.camera.width_px) &&
+                    !IsCut(options, box.top_px, box.bottom_px, view.camera.height_px);
   return result;
 }
 

@@ -18,7 +18,8 @@ struct BodyCenterOptions {
 // Where a body's centre is, judged by its box and the nearest points in it alone.
 struct BoxCenter {
   Eigen::Vector3d center_in_world = Eigen::Vector3d::Zero();
-  double size_m = 0.0;  // smaller side of the box at the body's depth
+  double size_m = 0.0;    // smaller side of the box at the body's depth
+  bool is_whole = false;  // neither cut by the image's border nor overlapped
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  // of the centre, in world, 1/m^2
 };
 

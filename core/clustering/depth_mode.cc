@@ -101,8 +101,8 @@ std::vector<int> IndicesIn(const Range& range, const std::vector<double>& log_de
 
 }  // namespace
 
-std::vector<int> NearestMode(const std::vector<double>& depths_m, double angular_size,
-                             const ExtentOptions& options) {
+std::vector<std::vector<int>> DepthModes(const std::vector<double>& depths_m, double angular_size,
+                                         const ExtentOptions& options) {
   std::vector<double> log_depths(depths_m.size());
   std::transform(depths_m.begin(), depths_m.end(), log_depths.begin(), LogDepth);
   const double count = CountIn(RangeOf(log_depths), log_depths);
@@ -111,12 +111,15 @@ std::vector<int> NearestMode(const std::vector<double>& depths_m, double angular
   if (count < needed) return {};
   const double width = std::min(std::max(options.mode_width * angular_size, options.mode_min_width),
                                 options.mode_max_width);
+  std::vector<std::vector<int>> modes;
   const DepthDensity density = MakeDensity(log_depths, width);
   for (std::size_t bin = 1; bin + 1 < density.values.size(); ++bin) {
     const auto mode = ModeAt(density, bin, options.mode_valley);
-    if (mode && CountIn(*mode, log_depths) >= needed) return IndicesIn(*mode, log_depths);
+    if (mode && CountIn(*mode, log_depths) >= needed) {
+      modes.push_back(IndicesIn(*mode, log_depths));
+    }
   }
-  return {};
+  return modes;
 }
 
 }  // namespace cvo

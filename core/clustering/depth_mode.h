@@ -8,10 +8,10 @@
 
 namespace cvo {
 
-// Of the points in a box of angular_size (larger side over focal length), those that make the
-// nearest dense range of depths; ascending indices, empty where there is none. `depths_m` that are
+// Of the points in a box of angular_size (larger side over focal length), those that make a dense
+// range of depths, for each such range, the nearest first; ascending indices. `depths_m` that are
 // not positive are left out.
-std::vector<int> NearestMode(const std::vector<double>& depths_m, double angular_size,
-                             const ExtentOptions& options);
+std::vector<std::vector<int>> DepthModes(const std::vector<double>& depths_m, double angular_size,
+                                         const ExtentOptions& options);
 
 }  // namespace cvo

@@ -30,19 +30,25 @@ bool MayBeOne(const Cluster& found, const Cluster& lost) {
   return found.category == lost.category && (!is_given || found.given_body == lost.given_body);
 }
 
+// Of two sizes; 0 where they may be the same, or one is unknown: a body that given labels
+// alone told of has none.
+double LogRatio(const BodySize& a, const BodySize& b) {
+  if (a.side_m == 0.0 || b.side_m == 0.0) return 0.0;
+  const double ratio = std::log(a.side_m / b.side_m);
+  const bool may_be_same = ratio < 0.0 ? !a.is_whole : !b.is_whole;
+  return may_be_same ? 0.0 : ratio;
+}
+
 // How badly a lost cluster explains where the found one's centre is, and its size: minus the
 // logarithm of the probability density, 1/m^3. What may be anywhere is a poor explanation.
 double ExplanationEnergy(const Cluster& found, const Cluster& lost,
                          const PredictedCluster& predicted, const IdentityOptions& options) {
   const double spread =
       std::min(std::sqrt(predicted.translation_variance_m2), options.max_spread_m);
-  const double deviation = std::hypot(spread, options.center_deviation * lost.size_m);
+  const double deviation = std::hypot(spread, options.center_deviation * lost.size.side_m);
   const Eigen::Vector3d offset = found.Latest().world_from_object * found.box_center.InObject() -
                                  predicted.world_from_object * lost.box_center.InObject();
-  // A body that given labels alone told of has no size.
-  const bool has_size = found.size_m > 0.0 && lost.size_m > 0.0;
-  const double size =
-      has_size ? std::log(found.size_m / lost.size_m) / std::log(options.size_factor) : 0.0;
+  const double size = LogRatio(found.size, lost.size) / std::log(options.size_factor);
   return 0.5 * (offset.squaredNorm() / (deviation * deviation) + size * size) +
          3.0 * std::log(deviation);
 }
@@ -142,7 +148,7 @@ std::optional<RigidTransform> AlignLandmarks(const IdentityOptions& identity,
     from.col(column) = cluster.landmarks[matches[i].feature].p_in_object;
     to.col(column) = cluster.former.landmarks[matches[i].landmark].p_in_object;
   }
-  return AlignPointsRansac(from, to, identity.point_deviation * cluster.size_m,
+  return AlignPointsRansac(from, to, identity.point_deviation * cluster.size.side_m,
                            association.min_rematch, association.ransac_iterations, rng);
 }
 

@@ -36,6 +36,12 @@ CenterEstimate CenterEstimate::In(const RigidTransform& new_from_old) const {
   return there;
 }
 
+void BodySize::Add(double side_of_box_m, bool box_is_whole) {
+  if (!box_is_whole && (is_whole || side_of_box_m < side_m)) return;
+  side_m = side_of_box_m;
+  is_whole = box_is_whole;
+}
+
 const ClusterState* FindState(const Cluster& cluster, FrameId frame) {
   const auto it = std::lower_bound(cluster.states.begin(), cluster.states.end(), frame,
                                    [](const ClusterState& s, FrameId id) { return s.frame < id; });

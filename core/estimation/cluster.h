@@ -37,6 +37,15 @@ struct CenterEstimate {
   CenterEstimate In(const RigidTransform& new_from_old) const;
 };
 
+// Smaller side of the last box that showed a whole body, m; until then its size is at least that of
+// the largest part of it.
+struct BodySize {
+  double side_m = 0.0;  // 0: no box told
+  bool is_whole = false;
+
+  void Add(double side_of_box_m, bool box_is_whole);
+};
+
 // How a body moves at one time, and how well that is known.
 struct BodyMotion {
   std::int64_t timestamp_ns = 0;
@@ -67,7 +76,7 @@ struct Cluster {
   // Box around its landmarks along the axes of its frame: the p30/p70 centre and half sides.
   Eigen::Vector3d center_in_object = Eigen::Vector3d::Zero();
   Eigen::Vector3d half_size_m = Eigen::Vector3d::Zero();
-  double size_m = 0.0;  // smaller side of the box it was born in
+  BodySize size;
   CenterEstimate box_center;
   Lineage former;
   FrameId last_observed;

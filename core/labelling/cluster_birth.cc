@@ -46,7 +46,7 @@ Cluster CreateCluster(const FrameView& view, const BodyCenterOptions& options, F
     const BoxCenter box =
         CenterFromBox(view, options.box_center, options.birth_depth, birth.detection, origin);
     origin = birth_origin(axes.translation(), box.center_in_world);
-    cluster.size_m = box.size_m;
+    cluster.size.Add(box.size_m, box.is_whole);
   }
   cluster.states.push_back({newest, view.frame.timestamp_ns,
                             RigidTransform(axes.RotationMatrix(), origin),

@@ -3,7 +3,6 @@
 #include "core/labelling/label_scene.h"
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 
 namespace cvo {
@@ -83,33 +82,6 @@ CrfLabel ClusterLabel(const FrameView& view, const ClusterOptions& options, int 
   return label;
 }
 
-// Where the body in a box that no cluster claims is: those of its points that are no cluster's and
-// that `choose_body` takes.
-std::optional<CrfLabel::Extent> NewBoxExtent(const FrameView& view,
-                                             const LabelSceneOptions& options, const ImageBox& box,
-                                             const std::vector<FramePoint>& points,
-                                             const std::vector<CrfNode>& nodes,
-                                             const LabelSceneSteps& steps) {
-  const ImageBox inner = box.Shrunk(options.unary.box_shrink);
-  std::vector<Eigen::Vector3d> inside;
-  std::vector<double> depths;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].owner.kind == PointOwner::Kind::kCluster) continue;
-    if (!inner.Contains(nodes[i].z_px[0], nodes[i].z_px[1])) continue;
-    inside.push_back(nodes[i].p_in_camera);
-    depths.push_back(nodes[i].p_in_camera.z());
-  }
-  const double angular_size = std::max(box.Width(), box.Height()) / view.camera.fx;
-  const std::vector<int> chosen = steps.choose_body(depths, angular_size, options.extent);
-  if (chosen.empty()) return std::nullopt;
-  Eigen::Matrix3Xd body(3, static_cast<Eigen::Index>(chosen.size()));
-  for (std::size_t k = 0; k < chosen.size(); ++k) {
-    body.col(static_cast<Eigen::Index>(k)) = inside[chosen[k]];
-  }
-  const PointExtent extent = ExtentAlong(Eigen::Matrix3d::Identity(), body, options.extent);
-  return CrfLabel::Extent{extent.center, Eigen::Matrix3d::Identity(), extent.half_size_m};
-}
-
 // Bodies that occur in the given labels and have no label yet.
 void AddGivenBodies(const FrameView& view, const PastFrames& past, LabelScene& scene) {
   const std::span<const BodyId> bodies = view.shown.feature_body;
@@ -134,14 +106,6 @@ RigidTransform OwnerInCamera(const FrameView& view, const FramePoint& point,
 }
 
 }  // namespace
-
-std::vector<int> AllDepths::Choose(const std::vector<double>& depths_m, double,
-                                   const ExtentOptions& options) {
-  if (static_cast<int>(depths_m.size()) < options.mode_min_points) return {};
-  std::vector<int> all(depths_m.size());
-  std::iota(all.begin(), all.end(), 0);
-  return all;
-}
 
 LabelScene BuildLabelScene(const FrameView& view, const LabelSceneOptions& options,
                            const Window& window, const ClusterMap& map,
@@ -171,15 +135,16 @@ LabelScene BuildLabelScene(const FrameView& view, const LabelSceneOptions& optio
   }
   scene.given_body.push_back(kStaticBody);
   for (const Cluster& cluster : map.live) scene.given_body.push_back(cluster.given_body);
-  for (int m = 0; m < static_cast<int>(view.shown.detections.size()); ++m) {
-    if (is_claimed[m]) continue;
+  const std::vector<std::optional<CrfLabel::Extent>> bodies =
+      FindNewBodies(view, {steps.new_body, options.extent, options.unary.box_shrink}, is_claimed,
+                    points, scene.crf.nodes);
+  for (int m = 0; m < static_cast<int>(bodies.size()); ++m) {
+    if (!bodies[m]) continue;
     CrfLabel label;
     label.kind = LabelKind::kNewBox;
     label.box = view.shown.detections[m].box;
-    label.extent =
-        NewBoxExtent(view, options, view.shown.detections[m].box, points, scene.crf.nodes, steps);
+    label.extent = bodies[m];
     label.past_from_now.resize(past.size());
-    if (!label.extent) continue;
     scene.crf.labels.push_back(label);
     scene.detection.push_back(m);
     const std::span<const BodyId> given = view.shown.detection_body;

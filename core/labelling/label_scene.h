@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "core/clustering/crf_scene.h"
-#include "core/clustering/depth_mode.h"
-#include "core/clustering/point_extent.h"
 #include "core/clustering/unary_options.h"
 #include "core/labelling/frame_points.h"
+#include "core/labelling/new_bodies.h"
 
 namespace cvo {
 
@@ -62,26 +61,6 @@ struct ExactPastFrame {
   static bool Takes(int later) { return later == 0; }
 };
 
-// The points in a box that no cluster has that are its body's, by their depths.
-template <typename Policy>
-concept NewBodyPolicy = requires(const std::vector<double>& depths_m, double angular_size,
-                                 const ExtentOptions& options) {
-  { Policy::Choose(depths_m, angular_size, options) } -> std::same_as<std::vector<int>>;
-};
-
-// Policy: the nearest dense range of depths.
-struct NearestDepths {
-  static std::vector<int> Choose(const std::vector<double>& depths_m, double angular_size,
-                                 const ExtentOptions& options) {
-    return NearestMode(depths_m, angular_size, options);
-  }
-};
-// Policy: all of them, if there are extent.mode_min_points.
-struct AllDepths {
-  static std::vector<int> Choose(const std::vector<double>& depths_m, double angular_size,
-                                 const ExtentOptions& options);
-};
-
 // What BuildLabelScene reads.
 struct LabelSceneOptions {
   FeatureNoise noise;
@@ -95,12 +74,12 @@ struct LabelSceneOptions {
 struct LabelSceneSteps {
   std::optional<CrfNode::Place> (*place)(const RigidTransform&, const Landmark&);
   bool (*takes_past)(int later);
-  std::vector<int> (*choose_body)(const std::vector<double>&, double, const ExtentOptions&);
+  NewBodyRule new_body;
 };
 
 template <PointPlacePolicy PointPlace, PastFramePolicy PastFrame, NewBodyPolicy NewBody>
 constexpr LabelSceneSteps StepsOf() {
-  return {&PointPlace::Place, &PastFrame::Takes, &NewBody::Choose};
+  return {&PointPlace::Place, &PastFrame::Takes, RuleOf<NewBody>()};
 }
 
 // What is known of every point and every class (section 3.2 of the paper). The current frame is

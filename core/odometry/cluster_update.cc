@@ -22,6 +22,7 @@ void AddBoxCenter(const FrameView& view, const BodyCenterOptions& options,
   const Eigen::Vector3d surface = PrincipalAxes(points, options.extent).translation();
   const BoxCenter box =
       CenterFromBox(view, options.box_center, options.birth_depth, track.detection, surface);
+  cluster.size.Add(box.size_m, box.is_whole);
   const RigidTransform object_from_world = track.world_from_object.Inverse();
   const Eigen::Matrix3d R = object_from_world.RotationMatrix();
   cluster.box_center.Add(object_from_world * box.center_in_world,

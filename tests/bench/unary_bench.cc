@@ -75,13 +75,13 @@ BENCHMARK(BM_Term<Box2dTerm>)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_Term<AffinityTerm>)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_Term<MotionTerm>)->Unit(benchmark::kMicrosecond);
 
-void BM_NearestMode(benchmark::State& state) {
+void BM_DepthModes(benchmark::State& state) {
   Rng rng(1, "unary_bench");
   std::vector<double> depths_m(static_cast<std::size_t>(state.range(0)));
   for (double& depth_m : depths_m) depth_m = rng.Uniform(5.0, 80.0);
-  for (auto _ : state) benchmark::DoNotOptimize(NearestMode(depths_m, 0.15, {}));
+  for (auto _ : state) benchmark::DoNotOptimize(DepthModes(depths_m, 0.15, {}));
 }
-BENCHMARK(BM_NearestMode)->Arg(200)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_DepthModes)->Arg(200)->Unit(benchmark::kMicrosecond);
 
 void BM_ExtentAndAxes(benchmark::State& state) {
   const Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Random(3, state.range(0));

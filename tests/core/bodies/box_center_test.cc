@@ -62,18 +62,34 @@ TEST(BoxCenter, SaysLittleWhereAnEdgeMayNotBeTheBodys) {
   ball.center = {3.0, 0.0, 5.0};
   const Vector3d across(5.0, 0.0, -3.0);
   const BoxCenter whole = ball.From({});
+  EXPECT_TRUE(whole.is_whole);
   EXPECT_NEAR(DeviationAlong(up, whole), 0.05 * whole.size_m, 1e-9);
   EXPECT_NEAR(DeviationAlong(across, whole), 0.05 * whole.size_m, 1e-9);
   EXPECT_NEAR(DeviationAlong(ball.center, whole), 0.3 * whole.size_m, 1e-9);
   ball.hides = true;
   const BoxCenter hidden = ball.From({});
+  EXPECT_FALSE(hidden.is_whole);
   EXPECT_NEAR(DeviationAlong(up, hidden), 0.3 * hidden.size_m, 1e-9);
   EXPECT_NEAR(DeviationAlong(across, hidden), 0.3 * hidden.size_m, 1e-9);
   ball.hides = false;
   ball.center = {3.9, 0.0, 5.0};  // cut by the right border
   const BoxCenter cut = ball.From({});
+  EXPECT_FALSE(cut.is_whole);
   EXPECT_NEAR(DeviationAlong(up, cut), 0.05 * cut.size_m, 1e-9);
   EXPECT_NEAR(DeviationAlong({5.0, 0.0, -3.9}, cut), 0.3 * cut.size_m, 1e-9);
+}
+
+TEST(BodySize, IsThatOfTheLastWholeBoxOrOfTheLargestPart) {
+  BodySize size;
+  size.Add(0.4, false);
+  size.Add(0.3, false);
+  EXPECT_EQ(size.side_m, 0.4);
+  size.Add(0.5, true);
+  size.Add(0.9, false);
+  EXPECT_EQ(size.side_m, 0.5);
+  size.Add(0.35, true);
+  EXPECT_EQ(size.side_m, 0.35);
+  EXPECT_TRUE(size.is_whole);
 }
 
 TEST(CenterEstimate, TwoSidesFixWhatOneCannotTell) {

@@ -136,61 +136,73 @@ std::vector<int> FirstIndices(int count) {
   return indices;
 }
 
+std::vector<int> Nearest(const std::vector<double>& depths_m, double angular_size,
+                         const ExtentOptions& options) {
+  const auto modes = DepthModes(depths_m, angular_size, options);
+  return modes.empty() ? std::vector<int>() : modes.front();
+}
+
 constexpr double kCarAngle = 0.15;  // 3 m at 20 m
 
-TEST(NearestMode, IsTheForegroundOfABoxThatIsHalfBackground) {
+TEST(DepthModes, IsTheForegroundOfABoxThatIsHalfBackground) {
   const std::vector<double> depths = Joined(Spread(19, 21, 20), Spread(28, 60, 20));
-  EXPECT_EQ(NearestMode(depths, kCarAngle, {}), FirstIndices(20));
+  EXPECT_EQ(Nearest(depths, kCarAngle, {}), FirstIndices(20));
   // A wall is denser than what stands before it.
-  EXPECT_EQ(NearestMode(Joined(Spread(19, 21, 20), Spread(28, 28.1, 30)), kCarAngle, {}),
+  EXPECT_EQ(Nearest(Joined(Spread(19, 21, 20), Spread(28, 28.1, 30)), kCarAngle, {}),
             FirstIndices(20));
 }
 
-TEST(NearestMode, LeavesOutAFewNearerPoints) {
-  const std::vector<double> near = {5.0, 5.1, 5.2, 9.0, 14.0};
-  std::vector<int> car = FirstIndices(20);
-  EXPECT_EQ(
-      NearestMode(Joined(Joined(Spread(19, 21, 20), Spread(30, 40, 20)), near), kCarAngle, {}),
-      car);
+TEST(DepthModes, AreOrderedByDepth) {
+  const auto modes = DepthModes(Joined(Spread(28, 28.1, 5), Spread(19, 21, 20)), kCarAngle, {});
+  ASSERT_THAT(modes, ::testing::SizeIs(2));
+  EXPECT_THAT(modes[0], ::testing::SizeIs(20));
+  EXPECT_EQ(modes[1], FirstIndices(5));
 }
 
-TEST(NearestMode, IsMeasuredByItsOwnPeakNotByAStrayPointBefore) {
+TEST(DepthModes, LeavesOutAFewNearerPoints) {
+  const std::vector<double> near = {5.0, 5.1, 5.2, 9.0, 14.0};
+  std::vector<int> car = FirstIndices(20);
+  EXPECT_EQ(Nearest(Joined(Joined(Spread(19, 21, 20), Spread(30, 40, 20)), near), kCarAngle, {}),
+            car);
+}
+
+TEST(DepthModes, IsMeasuredByItsOwnPeakNotByAStrayPointBefore) {
   // Single points lead up to the car and on from there to a wall.
   const std::vector<double> links = {17.9, 22, 23, 24, 25, 26, 27};
   const std::vector<double> depths = Joined(Joined(Spread(19, 21, 20), links), Spread(28, 29, 20));
-  EXPECT_EQ(NearestMode(depths, kCarAngle, {}), FirstIndices(20));
+  EXPECT_EQ(Nearest(depths, kCarAngle, {}), FirstIndices(20));
 }
 
-TEST(NearestMode, IsEverythingWhereThereIsNoBackground) {
-  EXPECT_EQ(NearestMode(Spread(2.8, 3.3, 30), 0.2, {}), FirstIndices(30));
-  EXPECT_EQ(NearestMode(std::vector<double>(8, 4.0), 0.2, {}), FirstIndices(8));
+TEST(DepthModes, IsEverythingWhereThereIsNoBackground) {
+  EXPECT_EQ(Nearest(Spread(2.8, 3.3, 30), 0.2, {}), FirstIndices(30));
+  EXPECT_EQ(Nearest(std::vector<double>(8, 4.0), 0.2, {}), FirstIndices(8));
 }
 
-TEST(NearestMode, WideBodiesAreDeep) {
+TEST(DepthModes, WideBodiesAreDeep) {
   // A lorry that fills half the image is one body; so deep a car would be two.
   const std::vector<double> depths = Joined(Spread(12, 15, 15), Spread(17.5, 21, 15));
-  EXPECT_EQ(NearestMode(depths, 0.7, {}), FirstIndices(30));
-  EXPECT_EQ(NearestMode(depths, 0.1, {}), FirstIndices(15));
+  EXPECT_EQ(Nearest(depths, 0.7, {}), FirstIndices(30));
+  EXPECT_EQ(Nearest(depths, 0.1, {}), FirstIndices(15));
 }
 
-TEST(NearestMode, IsEmptyWithTooFewPoints) {
-  EXPECT_THAT(NearestMode({}, kCarAngle, {}), IsEmpty());
-  EXPECT_THAT(NearestMode(Spread(19, 21, 4), kCarAngle, {}), IsEmpty());
-  EXPECT_THAT(NearestMode(Spread(19, 21, 4), kCarAngle, ExtentOptions{.mode_min_points = 4}),
+TEST(DepthModes, IsEmptyWithTooFewPoints) {
+  EXPECT_THAT(Nearest({}, kCarAngle, {}), IsEmpty());
+  EXPECT_THAT(Nearest(Spread(19, 21, 4), kCarAngle, {}), IsEmpty());
+  EXPECT_THAT(Nearest(Spread(19, 21, 4), kCarAngle, ExtentOptions{.mode_min_points = 4}),
               ElementsAre(0, 1, 2, 3));
   // Scattered points are no body.
-  EXPECT_THAT(NearestMode({1, 2, 4, 8, 16, 32, 64}, kCarAngle, {}), IsEmpty());
+  EXPECT_THAT(Nearest({1, 2, 4, 8, 16, 32, 64}, kCarAngle, {}), IsEmpty());
 }
 
-TEST(NearestMode, IgnoresWhatIsNoDepth) {
+TEST(DepthModes, IgnoresWhatIsNoDepth) {
   const double nan = std::nan("");
   const double inf = std::numeric_limits<double>::infinity();
   const std::vector<double> depths = {-1, 5.0, nan, 5.1, 0, 5.2, inf, 5.3, 5.4};
-  EXPECT_THAT(NearestMode(depths, kCarAngle, {}), ElementsAre(1, 3, 5, 7, 8));
+  EXPECT_THAT(Nearest(depths, kCarAngle, {}), ElementsAre(1, 3, 5, 7, 8));
 }
 
 // Depths with the noise of a stereo pair, cars seen from behind and furniture before a wall.
-TEST(NearestMode, FindsTheForegroundInNoise) {
+TEST(DepthModes, FindsTheForegroundInNoise) {
   Rng rng(8, "mode");
   for (const double z : {3.0, 8.0, 20.0, 40.0}) {
     double found = 0.0;
@@ -201,7 +213,7 @@ TEST(NearestMode, FindsTheForegroundInNoise) {
         const double depth = i < 15 ? z * rng.Uniform(0.95, 1.05) : z * rng.Uniform(1.35, 2.5);
         depths.push_back(350.0 / (350.0 / depth + 0.3 * rng.Normal()));
       }
-      for (const int i : NearestMode(depths, 0.12, {})) (i < 15 ? found : wrong) += 1.0;
+      for (const int i : Nearest(depths, 0.12, {})) (i < 15 ? found : wrong) += 1.0;
     }
     EXPECT_GT(found / 1500.0, 0.9) << z;
     EXPECT_LT(wrong / found, 0.03) << z;

@@ -53,7 +53,7 @@ struct Return {
     Cluster cluster;
     cluster.id = ClusterId{id};
     cluster.category = "cart";
-    cluster.size_m = 1.0;
+    cluster.size.Add(1.0, true);
     cluster.frames = 100;
     ClusterReport report;
     report.velocity_m_s = kVelocity_m_s;
@@ -260,12 +260,24 @@ TEST(InheritIdentities, WhatMayBeAnywhereIsNoRivalOfWhatIsExpectedNearby) {
 TEST(InheritIdentities, NotABodyOfAnotherSize) {
   Return r;
   r.lost = {Return::Predicted(1, 1.0, 1.0)};
-  r.map.archived[0].size_m = 5.0;
+  r.map.archived[0].size.Add(5.0, true);
   EXPECT_EQ(r.Found(), 2);
   Return unknown;
   unknown.lost = {Return::Predicted(1, 1.0, 1.0)};
-  unknown.map.archived[0].size_m = 0.0;  // told of by given labels alone
+  unknown.map.archived[0].size = {};  // told of by given labels alone
   EXPECT_EQ(unknown.Found(), 1);
+}
+
+TEST(InheritIdentities, APartOfABodyMayBeSmallerButNotLarger) {
+  const auto found = [](double found_m, double lost_m) {
+    Return r;
+    r.lost = {Return::Predicted(1, 1.0, 1.0)};
+    r.map.live[0].size = {found_m, false};
+    r.map.archived[0].size = {lost_m, true};
+    return r.Found();
+  };
+  EXPECT_EQ(found(0.2, 1.0), 1);
+  EXPECT_EQ(found(5.0, 1.0), 2);
 }
 
 TEST(InheritIdentities, OnlyAtTheMomentOfConfirmation) {
@@ -304,10 +316,10 @@ TEST(IdentityPolicies, OneInheritsAndTheOtherDoesNot) {
 TEST(IdentityOptions, AreReadByTheRule) {
   Return r;
   r.identity.size_factor = 1.01;
-  r.map.live[0].size_m = 1.2;
+  r.map.live[0].size.Add(1.2, true);
   EXPECT_EQ(r.Found(), 2) << "a size that differs by 20 % is another body's at 1 %";
   Return s;
-  s.map.live[0].size_m = 1.2;
+  s.map.live[0].size.Add(1.2, true);
   EXPECT_EQ(s.Found(), 1);
 }
 

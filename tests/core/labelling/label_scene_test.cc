@@ -54,9 +54,10 @@ TEST(BuildLabelScene, ALandmarksPlaceIsTriangulatedOrItsOwn) {
 
 TEST(NewBodyPolicies, TheNearestDepthsOrAllOfThem) {
   const std::vector<double> depths_m = {2.0, 2.01, 2.02, 2.0, 2.01, 9.0, 9.1};
-  EXPECT_THAT(NearestDepths::Choose(depths_m, 0.2, {}), ElementsAre(0, 1, 2, 3, 4));
-  EXPECT_THAT(AllDepths::Choose(depths_m, 0.2, {}), SizeIs(7));
-  EXPECT_THAT(AllDepths::Choose({2.0, 2.0, 2.0, 2.0}, 0.2, {}), IsEmpty());
+  EXPECT_THAT(NearestDepths::Candidates(depths_m, 0.2, {}),
+              ElementsAre(ElementsAre(0, 1, 2, 3, 4)));
+  EXPECT_THAT(AllDepths::Candidates(depths_m, 0.2, {}), ElementsAre(SizeIs(7)));
+  EXPECT_THAT(AllDepths::Candidates({2.0, 2.0, 2.0, 2.0}, 0.2, {}), IsEmpty());
 }
 
 // Two clusters that exchange their labels, and one whose label begins a new one.

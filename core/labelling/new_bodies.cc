@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/labelling/new_bodies.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace cvo {
+namespace {
+
+// A detection that no cluster claims, and its body's points as far as known.
+struct OpenBox {
+  int detection = 0;
+  ImageBox inner;
+  double angular_size = 0.0;
+  std::vector<int> body;  // into the points
+  double fill = 0.0;      // how much of the box they are spread over, in [0, 1]
+};
+
+// How much of the box the points are spread over, in [0, 1].
+double Fill(const ImageBox& box, const std::vector<int>& body, const std::vector<CrfNode>& nodes) {
+  if (body.empty()) return 0.0;
+  const Eigen::Vector3d& first = nodes[body.front()].z_px;
+  ImageBox spread{first[0], first[1], first[0], first[1]};
+  for (const int i : body) {
+    const Eigen::Vector3d& z_px = nodes[i].z_px;
+    spread = {std::min(spread.left_px, z_px[0]), std::min(spread.top_px, z_px[1]),
+              std::max(spread.right_px, z_px[0]), std::max(spread.bottom_px, z_px[1])};
+  }
+  return IntersectionOverUnion(spread, box);
+}
+
+std::vector<OpenBox> OpenBoxes(const FrameView& view, double shrink,
+                               const std::vector<char>& is_claimed) {
+  std::vector<OpenBox> open;
+  for (int m = 0; m < static_cast<int>(is_claimed.size()); ++m) {
+    const ImageBox& box = view.shown.detections[m].box;
+    if (is_claimed[m]) continue;
+    open.push_back(
+        {m, box.Shrunk(shrink), std::max(box.Width(), box.Height()) / view.camera.fx, {}});
+  }
+  return open;
+}
+
+void ChooseBody(const NewBodyStep& step, const std::vector<CrfNode>& nodes,
+                const std::vector<char>& is_taken, OpenBox& box) {
+  std::vector<int> inside;
+  std::vector<double> depths;
+  for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
+    if (is_taken[i] || !box.inner.Contains(nodes[i].z_px[0], nodes[i].z_px[1])) continue;
+    inside.push_back(i);
+    depths.push_back(nodes[i].p_in_camera.z());
+  }
+  std::vector<std::vector<int>> candidates =
+      step.rule.candidates(depths, box.angular_size, step.extent);
+  std::vector<double> fills;
+  for (std::vector<int>& body : candidates) {
+    for (int& k : body) k = inside[k];
+    fills.push_back(Fill(box.inner, body, nodes));
+  }
+  box.body.clear();
+  box.fill = 0.0;
+  if (candidates.empty()) return;
+  const double least = step.extent.mode_min_fill * *std::max_element(fills.begin(), fills.end());
+  const auto chosen =
+      std::find_if(fills.begin(), fills.end(), [least](double fill) { return fill >= least; });
+  box.body = std::move(candidates[static_cast<std::size_t>(chosen - fills.begin())]);
+  box.fill = *chosen;
+}
+
+// The boxes one after the other, the one that its points fill best first; the others do without
+// these points.
+void ShareOut(const NewBodyStep& step, const std::vector<CrfNode>& nodes,
+              std::vector<char> is_taken, std::vector<OpenBox>& open) {
+  for (auto next = open.begin(); next != open.end(); ++next) {
+    std::iter_swap(next, std::max_element(next, open.end(), [](const OpenBox& a, const OpenBox& b) {
+                     return a.fill < b.fill;
+                   }));
+    for (const int i : next->body) is_taken[i] = 1;
+    for (auto other = next + 1; other != open.end(); ++other) {
+      const bool loses = std::any_of(other->body.begin(), other->body.end(),
+                                     [&](int i) { return is_taken[i] != 0; });
+      if (loses) ChooseBody(step, nodes, is_taken, *other);
+    }
+  }
+}
+
+CrfLabel::Extent ExtentOf(const std::vector<int>& body, const std::vector<CrfNode>& nodes,
+                          const ExtentOptions& options) {
+  Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(body.size()));
+  for (std::size_t k = 0; k < body.size(); ++k) {
+    points.col(static_cast<Eigen::Index>(k)) = nodes[body[k]].p_in_camera;
+  }
+  const PointExtent extent = ExtentAlong(Eigen::Matrix3d::Identity(), points, options);
+  return {extent.center, Eigen::Matrix3d::Identity(), extent.half_size_m};
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> AllDepths::Candidates(const std::vector<double>& depths_m, double,
+                                                    const ExtentOptions& options) {
+  if (static_cast<int>(depths_m.size()) < options.mode_min_points) return {};
+  std::vector<int> all(depths_m.size());
+  std::iota(all.begin(), all.end(), 0);
+  return {all};
+}
+
+std::vector<std::optional<CrfLabel::Extent>> FindNewBodies(const FrameView& view,
+                                                           const NewBodyStep& step,
+                                                           const std::vector<char>& is_claimed,
+                                                           const std::vector<FramePoint>& points,
+                                                           const std::vector<CrfNode>& nodes) {
+  std::vector<char> is_taken;
+  for (const FramePoint& point : points) {
+    is_taken.push_back(point.owner.kind == PointOwner::Kind::kCluster);
+  }
+  std::vector<OpenBox> open = OpenBoxes(view, step.box_shrink, is_claimed);
+  for (OpenBox& box : open) ChooseBody(step, nodes, is_taken, box);
+  if (!step.rule.shares_points) ShareOut(step, nodes, is_taken, open);
+  std::vector<std::optional<CrfLabel::Extent>> bodies(is_claimed.size());
+  for (const OpenBox& box : open) {
+    if (!box.body.empty()) bodies[box.detection] = ExtentOf(box.body, nodes, step.extent);
+  }
+  return bodies;
+}
+
+}  // namespace cvo
