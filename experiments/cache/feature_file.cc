@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/files/sha256.h"
-#include "experiments/cache/bytes.h"
+#include "core/files/bytes.h"
 
 namespace cvo {
 namespace {
