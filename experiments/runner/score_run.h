@@ -8,7 +8,7 @@
 #include "experiments/metrics/metric.h"
 #include "experiments/metrics/objects/object_estimate.h"
 #include "experiments/metrics/objects/object_scores.h"
-#include "experiments/record/run_record.h"
+#include "experiments/log/run_record.h"
 
 namespace cvo {
 
