@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/base/lists.h"
 #include "core/bodies/body_direction.h"
 #include "core/bodies/body_footprint.h"
 #include "core/bodies/body_score.h"
@@ -123,6 +124,15 @@ void BodyBoxes::Describe(const BoxScene& scene, std::vector<ClusterReport>& repo
     reports[q].score =
         ScoreOf(scene.options.noise, scene.options.clusters, scene.view, scene.newest, cluster);
   }
+  ForgetGone(scene.clusters);
+}
+
+void BodyBoxes::ForgetGone(const ClusterMap& clusters) {
+  if (tracks_.size() <= 2 * (clusters.live.size() + clusters.archived.size())) return;
+  std::erase_if(tracks_, [&](const auto& track) {
+    return FindBy(clusters.live, &Cluster::id, track.first) == nullptr &&
+           FindBy(clusters.archived, &Cluster::id, track.first) == nullptr;
+  });
 }
 
 }  // namespace cvo

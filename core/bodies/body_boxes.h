@@ -41,6 +41,9 @@ class BodyBoxes {
   void Describe(const BoxScene& scene, std::vector<ClusterReport>& reports);
 
  private:
+  // Tracks of clusters that cannot come back.
+  void ForgetGone(const ClusterMap& clusters);
+
   std::map<ClusterId, std::shared_ptr<BodyTrack>> tracks_;
 };
 

@@ -18,11 +18,16 @@ namespace cvo {
 namespace fs = std::filesystem;
 namespace {
 
-StagedFile Staged(const fs::path& target, std::string_view content) {
+constexpr std::size_t kPendingBytes = std::size_t{1} << 18U;  // small parts are written together
+
+StagedFile Staged(const fs::path& target, const std::function<void(const TextSink&)>& write) {
   StagedFile file(target);
-  file.Append(content);
+  write([&file](std::string_view part) { file.Append(part); });
   file.Complete();
   return file;
+}
+StagedFile Staged(const fs::path& target, std::string_view content) {
+  return Staged(target, [content](const TextSink& sink) { sink(content); });
 }
 
 void SyncFolder(const fs::path& folder) {
@@ -60,14 +65,28 @@ StagedFile::StagedFile(StagedFile&& other) noexcept
     : target_(std::move(other.target_)),
       temporary_(std::exchange(other.temporary_, {})),
       file_(std::move(other.file_)),
-      size_bytes_(other.size_bytes_) {}
+      size_bytes_(other.size_bytes_),
+      pending_(std::move(other.pending_)) {}
 
 void StagedFile::Append(std::string_view bytes) {
+  if (pending_.size() + bytes.size() <= kPendingBytes) {
+    pending_ += bytes;
+    return;
+  }
+  WritePending();
   WriteAll(file_, bytes, size_bytes_, target_);
   size_bytes_ += bytes.size();
 }
 
+void StagedFile::WritePending() {
+  WriteAll(file_, pending_, size_bytes_, target_);
+  size_bytes_ += pending_.size();
+  pending_.clear();
+}
+
 void StagedFile::Complete() {
+  WritePending();
+  pending_.shrink_to_fit();
   if (SyncFile(file_) != 0 || file_.Close() != 0) ThrowErrno(target_, "write", errno);
 }
 
@@ -83,12 +102,16 @@ StagedFiles::~StagedFiles() {
 }
 
 void StagedFiles::Add(const std::string& name, std::string_view content) {
+  Add(name, [content](const TextSink& sink) { sink(content); });
+}
+
+void StagedFiles::Add(const std::string& name, const std::function<void(const TextSink&)>& write) {
   const fs::path parent = fs::path(name).parent_path();
   if (!parent.empty() && subfolders_.insert(folder_ / parent).second &&
       ::mkdir((folder_ / parent).c_str(), 0777) != 0 && errno != EEXIST) {
     ThrowErrno(folder_ / parent, "create the folder", errno);
   }
-  files_.push_back(Staged(folder_ / name, content));
+  files_.push_back(Staged(folder_ / name, write));
 }
 
 void StagedFiles::Add(StagedFile begun) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "core/files/disk.h"
+#include "core/files/text_sink.h"
 
 namespace cvo {
 
@@ -36,10 +38,13 @@ class StagedFile {
   void Publish();
 
  private:
+  void WritePending();
+
   std::filesystem::path target_;
   std::filesystem::path temporary_;
   FileDescriptor file_;
-  std::uint64_t size_bytes_ = 0;
+  std::uint64_t size_bytes_ = 0;  // of the file
+  std::string pending_;           // behind them
 };
 
 // Files of a folder that belong together: each is written under a temporary name beside its own,
@@ -54,6 +59,8 @@ class StagedFiles {
 
   // `name` as of a NamedContent.
   void Add(const std::string& name, std::string_view content);
+  // What `write` gives the sink: a part of it at a time is in memory.
+  void Add(const std::string& name, const std::function<void(const TextSink&)>& write);
   // One that was begun before, in the same folder.
   void Add(StagedFile begun);
   bool Has(const std::string& name) const;

@@ -52,6 +52,10 @@ class Odometry {
 
   // Every cluster that was ever reported, archived ones included, by id.
   virtual std::vector<ClusterTrajectory> ClusterTrajectories() const = 0;
+
+  // Poses of reported clusters that no later frame changes, by id. They leave the estimator:
+  // ClusterTrajectories() is without them from then on. For runs of any length.
+  virtual std::vector<ClusterTrajectory> TakeSettledPoses() { return {}; }
 };
 
 }  // namespace cvo

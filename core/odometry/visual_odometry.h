@@ -9,6 +9,7 @@
 #include "core/clusters/cluster_association.h"
 #include "core/clusters/cluster_optimization.h"
 #include "core/clusters/cluster_pose.h"
+#include "core/clusters/settled_poses.h"
 #include "core/clusters/trace_back.h"
 #include "core/estimation/double_track.h"
 #include "core/interface/odometry.h"
@@ -172,6 +173,10 @@ class VisualOdometry final : public Odometry {
 
   std::vector<ClusterTrajectory> ClusterTrajectories() const override {
     return ConfirmedTrajectories(clusters_, options_.clusters);
+  }
+
+  std::vector<ClusterTrajectory> TakeSettledPoses() override {
+    return cvo::TakeSettledPoses(window_, options_.clusters, clusters_);
   }
 
  private:

@@ -3,7 +3,7 @@
 #include "experiments/cache/content_hash.h"
 
 #include "core/base/error.h"
-#include "core/files/json/json.h"
+#include "core/files/json/json_rows.h"
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
 
@@ -32,27 +32,48 @@ Json CameraNumbers(const StereoCamera& camera) {
 
 std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>& images) {
   Require(images.size() == sequence.images.size(), "ContentHash: one entry per frame");
+  return ContentHash(sequence, [&images](std::size_t frame) { return images[frame]; });
+}
+
+std::string ContentHash(const Sequence& sequence,
+                        const std::function<ImageHashes(std::size_t frame)>& images) {
   Json text_files = Json::array();
   for (const std::filesystem::path& file : sequence.text_files) {
     text_files.push_back(Sha256Hex(ReadFileBytes(file)));
   }
-  Json image_files = Json::array();
-  for (const ImageHashes& pair : images)
-    image_files.push_back(Json::array({pair.left, pair.right}));
-  Json json = {{"name", sequence.name},
-               {"type", sequence.type},
-               {"pair", sequence.pair},
-               {"groundtruth", sequence.groundtruth},
-               {"first_frame", sequence.first_frame},
-               {"total_frames", sequence.total_frames},
-               {"camera", CameraNumbers(sequence.camera)},
-               {"timestamps_ns", sequence.timestamps_ns},
-               {"text_files", text_files},
-               {"images", image_files}};
-  if (!sequence.layout.empty()) json["layout"] = sequence.layout;
+  const Json json = {{"name", sequence.name},
+                     {"type", sequence.type},
+                     {"pair", sequence.pair},
+                     {"groundtruth", sequence.groundtruth},
+                     {"first_frame", sequence.first_frame},
+                     {"total_frames", sequence.total_frames},
+                     {"camera", CameraNumbers(sequence.camera)},
+                     {"timestamps_ns", sequence.timestamps_ns},
+                     {"text_files", text_files}};
+  Json behind;
+  if (!sequence.layout.empty()) behind["layout"] = sequence.layout;
   const Json perturbation = PerturbationToJson(sequence.perturbation);
-  if (!perturbation.empty()) json["perturbation"] = perturbation;
-  return Sha256Hex(DumpJson(json));
+  if (!perturbation.empty()) behind["perturbation"] = perturbation;
+
+  Sha256 hash;
+  std::string last;  // part of the text
+  std::size_t frame = 0;
+  const auto next = [&](Json& row) {
+    if (frame == sequence.images.size()) return false;
+    const ImageHashes pair = images(frame++);
+    row = Json::array({pair.left, pair.right});
+    return true;
+  };
+  DumpJsonWithRows(json, "images", next, [&](std::string_view part) {
+    hash.Add(last);
+    last = part;
+  });
+  if (!behind.empty()) {
+    constexpr std::string_view kEnd = "\n}\n";
+    last.replace(last.size() - kEnd.size(), kEnd.size(), "," + DumpJson(behind).substr(1));
+  }
+  hash.Add(last);
+  return hash.Hex();
 }
 
 }  // namespace cvo

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,9 @@ struct ImageHashes {
 // Identity of what a run reads: the bytes of the images and text files and the parameters of the
 // sequence, but not where they lie. One entry per frame of the sequence.
 std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>& images);
+// The same from the hashes of each frame: one at a time is in memory.
+std::string ContentHash(const Sequence& sequence,
+                        const std::function<ImageHashes(std::size_t frame)>& images);
 
 // Every number of the camera, in the order of its declaration.
 Json CameraNumbers(const StereoCamera& camera);

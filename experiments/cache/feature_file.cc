@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/files/bytes.h"
 #include "core/files/sha256.h"
-#include "experiments/cache/bytes.h"
 
 namespace cvo {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "core/base/error.h"
-#include "experiments/cache/bytes.h"
+#include "core/files/bytes.h"
 
 namespace cvo {
 namespace {

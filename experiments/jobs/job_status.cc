@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/files/atomic_file.h"
-#include "experiments/record/run_record.h"
+#include "experiments/log/run_record.h"
 #include "experiments/suite/shipped_trajectories.h"
 #include "reports/results/plan_file.h"
 #include "reports/results/run_summary.h"

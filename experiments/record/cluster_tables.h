@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
-#include <vector>
 
+#include "core/files/text_sink.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/record/run_record.h"
+#include "experiments/log/run_record.h"
 
 namespace cvo {
 
@@ -16,17 +17,20 @@ namespace cvo {
 // estimator uses; box_ to width_m: the body's upright box, x forward, in the body's frame
 // (METHOD.md 10.4). The 2D box is the last estimate's 3D box in the
 // left image read, empty out of view; detection: index among the frame's, empty: none.
-std::string ObjectTable(const Sequence& sequence, const RunResult& run);
+void WriteObjectTable(const Sequence& sequence, const RunResult& run, const TextSink& sink);
 
 // Clusters in view as rows of KITTI tracking with a score. 2D box: of the associated detection,
 // else of the projected 3D box, in the left image read. 3D box: that of objects.csv, in rectified
 // camera 0, as last estimated. Predicted ones are among them: see objects.csv.
-std::vector<ObjectBox> TrackBoxes(const Sequence& sequence, const RunResult& run);
+void ForEachTrackBox(const Sequence& sequence, const RunResult& run,
+                     const std::function<void(const ObjectBox&)>& take);
 
 // tracks.kitti: these rows.
-std::string KittiTracks(const Sequence& sequence, const RunResult& run);
+void WriteKittiTracks(const Sequence& sequence, const RunResult& run, const TextSink& sink);
 
-// clusters/<id>.tum: where the cluster was tracked, world_from_object as last estimated.
-std::string ClusterTum(const ClusterTrajectory& cluster);
+// The text of each cluster's clusters/<id>.tum, by id: where it was tracked, world_from_object as
+// last estimated.
+void ForEachClusterTum(const PoseLog& clusters,
+                       const std::function<void(ClusterId, const std::string& text)>& take);
 
 }  // namespace cvo

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <numbers>
-#include <utility>
+#include <optional>
 
-#include "experiments/record/cluster_rows.h"
+#include "experiments/log/cluster_rows.h"
 #include "experiments/record/cluster_tables.h"
 #include "experiments/record/table_row.h"
 
@@ -36,11 +36,11 @@ std::optional<ImageBox> Box2d(const ClusterRow& cluster, const StereoCamera& cam
 
 }  // namespace
 
-std::vector<ObjectBox> TrackBoxes(const Sequence& sequence, const RunResult& run) {
-  std::vector<ObjectBox> boxes;
-  for (const ClusterRow& cluster : ClusterRows(run)) {
+void ForEachTrackBox(const Sequence& sequence, const RunResult& run,
+                     const std::function<void(const ObjectBox&)>& take) {
+  ForEachClusterRow(run, [&](const ClusterRow& cluster) {
     const std::optional<ImageBox> box2d = Box2d(cluster, sequence.camera);
-    if (!box2d) continue;
+    if (!box2d) return;
     ObjectBox box;
     box.frame = cluster.frame.frame;
     box.track = static_cast<int>(cluster.id.value);
@@ -51,14 +51,12 @@ std::vector<ObjectBox> TrackBoxes(const Sequence& sequence, const RunResult& run
     box.bottom_px = box2d->bottom_px;
     box.box3d = UprightBox(cluster, sequence.left_offset_m);
     box.score = cluster.Last().score;
-    boxes.push_back(std::move(box));
-  }
-  return boxes;
+    take(box);
+  });
 }
 
-std::string KittiTracks(const Sequence& sequence, const RunResult& run) {
-  std::string rows;
-  for (const ObjectBox& box : TrackBoxes(sequence, run)) {
+void WriteKittiTracks(const Sequence& sequence, const RunResult& run, const TextSink& sink) {
+  ForEachTrackBox(sequence, run, [&sink](const ObjectBox& box) {
     const ObjectBox::Box3d& box3d = *box.box3d;
     const Eigen::Vector3d& bottom = box3d.bottom_in_camera;
     TableRow row(' ');
@@ -74,9 +72,8 @@ std::string KittiTracks(const Sequence& sequence, const RunResult& run) {
     row.Vector(bottom);
     row.Number(box3d.heading_rad);
     row.Number(*box.score);
-    rows += row.Line();
-  }
-  return rows;
+    sink(row.Line());
+  });
 }
 
 }  // namespace cvo

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include "experiments/log/cluster_rows.h"
 #include "experiments/metrics/trajectory.h"
-#include "experiments/record/cluster_rows.h"
 #include "experiments/record/cluster_tables.h"
 #include "experiments/record/table_row.h"
 
@@ -26,9 +26,9 @@ void AddPose(const ClusterReport* report, TableRow& row) {
 
 }  // namespace
 
-std::string ObjectTable(const Sequence& sequence, const RunResult& run) {
-  std::string table = kObjectTableHeader;
-  for (const ClusterRow& cluster : ClusterRows(run)) {
+void WriteObjectTable(const Sequence& sequence, const RunResult& run, const TextSink& sink) {
+  sink(kObjectTableHeader);
+  ForEachClusterRow(run, [&](const ClusterRow& cluster) {
     const ClusterReport& report = cluster.Last();
     TableRow row(',');
     row.Integer(cluster.frame.frame);
@@ -46,18 +46,23 @@ std::string ObjectTable(const Sequence& sequence, const RunResult& run) {
     row.Integer(report.observed_landmarks);
     report.detection < 0 ? row.Empty(1) : row.Integer(report.detection);
     row.Number(report.score);
-    table += row.Line();
-  }
-  return table;
+    sink(row.Line());
+  });
 }
 
-std::string ClusterTum(const ClusterTrajectory& cluster) {
-  Trajectory tracked;
-  for (const ClusterPose& pose : cluster.poses) {
-    if (pose.status != ClusterStatus::kTracked) continue;
-    tracked.push_back({pose.timestamp_ns, pose.world_from_object});
+void ForEachClusterTum(const PoseLog& clusters,
+                       const std::function<void(ClusterId, const std::string& text)>& take) {
+  const std::vector<PoseLog::Entry> entries = clusters.ByCluster();
+  auto entry = entries.begin();
+  for (const ClusterId id : clusters.clusters()) {
+    Trajectory tracked;
+    for (; entry != entries.end() && entry->id() == id; ++entry) {
+      const ClusterPose pose = clusters.Read(*entry);
+      if (pose.status != ClusterStatus::kTracked) continue;
+      tracked.push_back({pose.timestamp_ns, pose.world_from_object});
+    }
+    take(id, FormatTumTrajectory(tracked));
   }
-  return FormatTumTrajectory(tracked);
 }
 
 }  // namespace cvo

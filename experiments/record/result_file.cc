@@ -6,7 +6,8 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "experiments/record/cluster_rows.h"
+#include "core/files/json/json_rows.h"
+#include "experiments/log/cluster_rows.h"
 #include "experiments/record/job_identity.h"
 
 namespace cvo {
@@ -58,11 +59,11 @@ Json UndecodableToJson(const RunResult& run) {
 Json TrajectoriesToJson(const RunResult& run) {
   Json predicted = Json::array();
   Json omitted = Json::array();
-  for (std::size_t row = 0; row < run.frames.size(); ++row) {
-    if (IsPredicted(run.frames[row])) predicted.push_back(row);
-    if (run.frames[row].report.status == FrameStatus::kSkipped) {
-      omitted.push_back(run.frames[row].frame);
-    }
+  std::size_t row = 0;
+  for (const FrameRecord& frame : run.frames) {
+    if (IsPredicted(frame)) predicted.push_back(row);
+    if (frame.report.status == FrameStatus::kSkipped) omitted.push_back(frame.frame);
+    ++row;
   }
   return {{"camera.kitti", {{"pose", "refined"}, {"predicted_rows", predicted}}},
           {"camera.tum", {{"pose", "refined"}, {"omitted_frames", omitted}}}};
@@ -79,7 +80,7 @@ Json CalibrationToJson(const CalibrationReport& calibration) {
 
 // What the run ended with.
 Json LastCalibrationToJson(const RunResult& run) {
-  const CalibrationReport* last = LastCalibration(run);
+  const std::optional<CalibrationReport> last = LastCalibration(run);
   if (!last) return nullptr;
   Json json = CalibrationToJson(*last);
   const Matrix6d covariance_px2 = last->Covariance_px2();
@@ -128,13 +129,13 @@ Json ClustersToJson(const RunResult& run) {
     int last = 0;
   };
   std::map<ClusterId, Life> lives;
-  for (const ClusterRow& row : ClusterRows(run)) {
+  ForEachClusterRow(run, [&lives](const ClusterRow& row) {
     Life& life = lives[row.id];
     if (life.frames++ == 0) life.first = row.frame.frame;
     life.last = row.frame.frame;
     life.category = row.Last().category;
     life.tracked += row.Last().status == ClusterStatus::kTracked ? 1 : 0;
-  }
+  });
   Json clusters = Json::array();
   for (const auto& [id, life] : lives) {
     clusters.push_back({{"id", id.value},
@@ -149,11 +150,12 @@ Json ClustersToJson(const RunResult& run) {
 
 }  // namespace
 
-const CalibrationReport* LastCalibration(const RunResult& run) {
-  for (auto frame = run.frames.rbegin(); frame != run.frames.rend(); ++frame) {
-    if (frame->report.calibration.IsEstimated()) return &frame->report.calibration;
+std::optional<CalibrationReport> LastCalibration(const RunResult& run) {
+  for (std::size_t i = run.frames.size(); i-- > 0;) {
+    const CalibrationReport calibration = run.frames[i].report.calibration;
+    if (calibration.IsEstimated()) return calibration;
   }
-  return nullptr;
+  return std::nullopt;
 }
 
 Json PoseToJson(const RigidTransform& pose) {
@@ -213,9 +215,7 @@ std::string RecordedJob(const RunRecord& record) {
                       DetectionsHash(record.sequence), record.given, record.seed});
 }
 
-std::string ResultFile(const RunRecord& record) {
-  Json frames = Json::array();
-  for (const FrameRecord& frame : record.run.frames) frames.push_back(FrameToJson(frame));
+void WriteResultFile(const RunRecord& record, const TextSink& sink) {
   reports::RunSummary summary;
   summary.job = RecordedJob(record);
   summary.status = ToString(record.run.status);
@@ -229,14 +229,22 @@ std::string ResultFile(const RunRecord& record) {
   summary.build = record.build;
   summary.metrics = record.metrics;
   summary.bodies = record.bodies;
-  return ResultText(summary, {{"clusters", ClustersToJson(record.run)},
-                              {"calibration", LastCalibrationToJson(record.run)},
-                              {"frame_counts", CountsToJson(record.run)},
-                              {"solver_endings", SolverEndingsToJson(record.run)},
-                              {"undecodable", UndecodableToJson(record.run)},
-                              {"trajectories", TrajectoriesToJson(record.run)},
-                              {"pose_layout", {"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"}},
-                              {"frames", frames}});
+  Json json = FileJson(summary);
+  json.update({{"clusters", ClustersToJson(record.run)},
+               {"calibration", LastCalibrationToJson(record.run)},
+               {"frame_counts", CountsToJson(record.run)},
+               {"solver_endings", SolverEndingsToJson(record.run)},
+               {"undecodable", UndecodableToJson(record.run)},
+               {"trajectories", TrajectoriesToJson(record.run)},
+               {"pose_layout", {"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"}}});
+  auto frame = record.run.frames.begin();
+  const auto next = [&](Json& row) {
+    if (frame == record.run.frames.end()) return false;
+    row = FrameToJson(*frame);
+    ++frame;
+    return true;
+  };
+  DumpJsonWithRows(json, "frames", next, sink);
 }
 
 }  // namespace cvo

@@ -8,10 +8,11 @@
 #include <vector>
 
 #include "core/files/json/json.h"
+#include "core/files/text_sink.h"
 #include "experiments/datasets/sequence.h"
+#include "experiments/log/run_record.h"
 #include "experiments/metrics/metric.h"
 #include "experiments/record/build_identity.h"
-#include "experiments/record/run_record.h"
 #include "experiments/record/truth_file.h"
 #include "reports/results/run_summary.h"
 
@@ -44,13 +45,13 @@ reports::CameraInfo CameraOf(const StereoCamera& camera);
 // The content of a result.json: the summary and, behind it, what only some readers need.
 std::string ResultText(const reports::RunSummary& summary, const Json& details);
 
-// Of the last frame that has an estimate of it; null where there is none.
-const CalibrationReport* LastCalibration(const RunResult& run);
+// Of the last frame that has an estimate of it; empty where there is none.
+std::optional<CalibrationReport> LastCalibration(const RunResult& run);
 
 std::string RecordedJob(const RunRecord& record);
 
 // The content of result.json: the same bytes for the same job, whatever the time, host, paths and
 // number of threads. Throws Error naming a field that is not finite.
-std::string ResultFile(const RunRecord& record);
+void WriteResultFile(const RunRecord& record, const TextSink& sink);
 
 }  // namespace cvo

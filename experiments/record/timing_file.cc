@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/files/host_name.h"
+#include "core/files/json/json_rows.h"
 #include "reports/results/timing.h"
 
 namespace cvo {
@@ -84,7 +85,7 @@ RunContext ThisProcess() {
   return context;
 }
 
-std::string TimingFile(const RunResult& run, const RunContext& context) {
+void WriteTimingFile(const RunResult& run, const RunContext& context, const TextSink& sink) {
   reports::TimingData timing;
   timing.job = context.job;
   timing.date = context.date;
@@ -100,14 +101,21 @@ std::string TimingFile(const RunResult& run, const RunContext& context) {
   for (const auto& [stage, times_s] : run.times_s) {
     timing.stages[stage] = Summary(Samples_ms(times_s));
   }
-  for (std::size_t i = 0; i < run.frames.size(); ++i) {
-    Json row = {{"frame", run.frames[i].frame}};
+  Json head = FileJson(timing);
+  head.erase("frames");
+  auto frame = run.frames.begin();
+  std::size_t i = 0;
+  const auto next = [&](Json& row) {
+    if (frame == run.frames.end()) return false;
+    row = {{"frame", frame->frame}};
     for (const auto& [stage, times_s] : run.times_s) {
       if (!std::isnan(times_s[i])) row[stage + "_ms"] = Milliseconds(times_s[i]);
     }
-    timing.frames.push_back(std::move(row));
-  }
-  return FileText(timing);
+    ++frame;
+    ++i;
+    return true;
+  };
+  DumpJsonWithRows(head, "frames", next, sink);
 }
 
 }  // namespace cvo

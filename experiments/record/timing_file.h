@@ -4,7 +4,8 @@
 
 #include <string>
 
-#include "experiments/record/run_record.h"
+#include "core/files/text_sink.h"
+#include "experiments/log/run_record.h"
 
 namespace cvo {
 
@@ -24,6 +25,6 @@ struct RunContext {
 RunContext ThisProcess();
 
 // The content of timing.json: wall ms per frame by stage, frames per second, and the context.
-std::string TimingFile(const RunResult& run, const RunContext& context);
+void WriteTimingFile(const RunResult& run, const RunContext& context, const TextSink& sink);
 
 }  // namespace cvo

@@ -35,6 +35,21 @@ std::vector<std::string> StaleFiles(const fs::path& folder, const StagedFiles& w
   return stale;
 }
 
+std::string CameraTum(const FrameLog& frames) {
+  Trajectory timed;
+  for (const FrameRecord& frame : frames) {
+    if (frame.report.status == FrameStatus::kSkipped) continue;
+    timed.push_back({frame.timestamp_ns, frame.refined_world_from_camera});
+  }
+  return FormatTumTrajectory(timed);
+}
+
+std::string CameraKitti(const FrameLog& frames) {
+  std::vector<RigidTransform> every_frame;
+  for (const FrameRecord& frame : frames) every_frame.push_back(frame.refined_world_from_camera);
+  return FormatKittiPoses(every_frame);
+}
+
 }  // namespace
 
 std::vector<std::string> RunFileNames() {
@@ -50,27 +65,23 @@ StagedFile BeginLandmarks(const fs::path& folder) {
 
 void WriteRunFiles(const fs::path& folder, const RunRecord& record, const RunContext& context,
                    std::optional<StagedFile> landmarks) {
-  Trajectory timed;
-  std::vector<RigidTransform> every_frame;
-  for (const FrameRecord& frame : record.run.frames) {
-    every_frame.push_back(frame.refined_world_from_camera);
-    if (frame.report.status == FrameStatus::kSkipped) continue;
-    timed.push_back({frame.timestamp_ns, frame.refined_world_from_camera});
-  }
+  const RunResult& run = record.run;
   StagedFiles files(folder);
   const bool has_landmarks = landmarks.has_value();
   if (landmarks) files.Add(std::move(*landmarks));
-  for (const ClusterTrajectory& cluster : record.run.clusters) {
-    files.Add(StrCat(kClusters, "/", cluster.id.value, ".tum"), ClusterTum(cluster));
-  }
-  files.Add("camera.tum", FormatTumTrajectory(timed));
-  files.Add("camera.kitti", FormatKittiPoses(every_frame));
-  files.Add("objects.csv", ObjectTable(record.sequence, record.run));
-  files.Add("tracks.kitti", KittiTracks(record.sequence, record.run));
+  ForEachClusterTum(run.clusters, [&files](ClusterId id, const std::string& text) {
+    files.Add(StrCat(kClusters, "/", id.value, ".tum"), text);
+  });
+  files.Add("camera.tum", CameraTum(run.frames));
+  files.Add("camera.kitti", CameraKitti(run.frames));
+  files.Add("objects.csv",
+            [&](const TextSink& sink) { WriteObjectTable(record.sequence, run, sink); });
+  files.Add("tracks.kitti",
+            [&](const TextSink& sink) { WriteKittiTracks(record.sequence, run, sink); });
   files.Add(kTruth, TruthFile(RecordedJob(record), record.truth));
   // The result last: where it is complete, so is all else.
-  files.Add("timing.json", TimingFile(record.run, context));
-  files.Add("result.json", ResultFile(record));
+  files.Add("timing.json", [&](const TextSink& sink) { WriteTimingFile(run, context, sink); });
+  files.Add("result.json", [&](const TextSink& sink) { WriteResultFile(record, sink); });
   std::vector<std::string> stale = StaleFiles(folder, files);
   if (!has_landmarks && fs::exists(folder / kLandmarks)) stale.emplace_back(kLandmarks);
   files.Publish(stale);

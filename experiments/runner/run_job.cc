@@ -67,7 +67,7 @@ std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesyste
     landmarks.emplace(BeginLandmarks(folder));
     sink = [&landmarks](const std::string& rows) { landmarks->Append(rows); };
   }
-  std::optional<RunResult> run = RunSequence(request, truth.get(), sink);
+  std::optional<RunResult> run = RunSequence(request, truth.get(), sink, folder);
   if (!run) return std::nullopt;
 
   const ObjectTruth* bodies = truth ? &truth->objects() : nullptr;

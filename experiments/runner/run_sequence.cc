@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +15,8 @@
 #include "core/base/error.h"
 #include "core/base/stage_times.h"
 #include "core/base/task_pool.h"
+#include "core/files/sha256.h"
+#include "core/files/spool.h"
 #include "core/interface/odometry.h"
 #include "experiments/cache/content_hash.h"
 #include "experiments/record/landmark_table.h"
@@ -90,8 +94,12 @@ std::vector<LandmarkObservation> Observe(const std::vector<LandmarkReport>& land
 }
 
 // The times of the last frame.
-void KeepTimes(const StageTimes& times_s, RunResult& result) {
-  for (const auto& [stage, time_s] : times_s) result.times_s.try_emplace(stage);
+void KeepTimes(const StageTimes& times_s, std::size_t all_frames, RunResult& result) {
+  for (const auto& [stage, time_s] : times_s) {
+    const auto [of_frames, added] = result.times_s.try_emplace(stage);
+    // At once: what grows in steps leaves holes between what is needed for a frame alone.
+    if (added) of_frames->second.reserve(all_frames);
+  }
   for (auto& [stage, of_frames] : result.times_s) {
     of_frames.resize(result.frames.size(), std::numeric_limits<double>::quiet_NaN());
     const auto time_s = times_s.find(stage);
@@ -99,10 +107,33 @@ void KeepTimes(const StageTimes& times_s, RunResult& result) {
   }
 }
 
-// Lets the estimator work on one frame and adds it to the result. An Error of the estimator makes
-// the result a failed one without the frame: false.
-bool Estimate(const RunRequest& request, Odometry& odometry, PreparedFrame& prepared,
-              RunResult& result) {
+// The hashes of the images so far, which would otherwise be a third of what is kept of a frame.
+class HashLog {
+ public:
+  explicit HashLog(const std::filesystem::path& folder) : spool_(folder) {}
+
+  std::size_t size() const { return spool_.size() / (2 * kHashBytes); }
+  void Append(const ImageHashes& hashes) {
+    for (std::string hash : {hashes.left, hashes.right}) {
+      hash.resize(kHashBytes, ' ');  // that of a file that cannot be read is empty
+      spool_.Append(hash);
+    }
+  }
+  ImageHashes operator[](std::size_t frame) const { return {Read(2 * frame), Read(2 * frame + 1)}; }
+
+ private:
+  std::string Read(std::size_t image) const {
+    std::string hash = spool_.Read(kHashBytes * image, kHashBytes);
+    return hash.starts_with(' ') ? "" : hash;
+  }
+
+  Spool spool_;
+};
+
+// Lets the estimator work on one frame. An Error of the estimator makes the result a failed one
+// without the frame: empty.
+std::optional<FrameRecord> Estimate(const RunRequest& request, Odometry& odometry,
+                                    PreparedFrame& prepared, RunResult& result) {
   FrameRecord record;
   record.frame = request.sequence.first_frame + static_cast<int>(result.frames.size());
   record.timestamp_ns = prepared.frame.timestamp_ns;
@@ -114,12 +145,11 @@ bool Estimate(const RunRequest& request, Odometry& odometry, PreparedFrame& prep
   } catch (const Error& error) {
     result.status = RunStatus::kFailed;
     result.message = StrCat("frame ", record.frame, ": ", error.what());
-    return false;
+    return std::nullopt;
   }
   record.refined_world_from_camera = record.report.world_from_camera;
   record.detections = std::move(prepared.frame.detections);
-  result.frames.push_back(std::move(record));
-  return true;
+  return record;
 }
 
 // Gives the landmarks of a frame away and keeps their counts.
@@ -133,13 +163,12 @@ void GiveLandmarks(const StereoFrame& given, const std::vector<LandmarkTruth>& f
 
 // The final poses; those of a failed run stay unchanged.
 void Refine(const Odometry& odometry, RunResult& result) {
-  if (result.status == RunStatus::kFailed) return;
-  const std::vector<RigidTransform> trajectory = odometry.Trajectory();
-  Require(trajectory.size() == result.frames.size(), "Odometry::Trajectory: one pose per frame");
-  for (std::size_t i = 0; i < trajectory.size(); ++i) {
-    result.frames[i].refined_world_from_camera = trajectory[i];
+  if (result.status == RunStatus::kFailed) {
+    result.clusters = PoseLog();
+    return;
   }
-  result.clusters = odometry.ClusterTrajectories();
+  result.frames.Refine(odometry.Trajectory());
+  result.clusters.Add(odometry.ClusterTrajectories());
 }
 
 void JudgeStatus(RunResult& result) {
@@ -157,18 +186,18 @@ void JudgeStatus(RunResult& result) {
 }
 
 // The identity of the input does not depend on how far the run came.
-std::string ContentOf(const RunRequest& request, std::vector<ImageHashes> hashes) {
-  for (std::size_t i = hashes.size(); i < request.sequence.images.size(); ++i) {
-    hashes.push_back(request.images.empty() ? HashPair(request.sequence.images[i])
-                                            : request.images[i]);
-  }
-  return ContentHash(request.sequence, hashes);
+std::string ContentOf(const RunRequest& request, const HashLog& hashes) {
+  return ContentHash(request.sequence, [&](std::size_t i) {
+    if (i < hashes.size()) return hashes[i];
+    return request.images.empty() ? HashPair(request.sequence.images[i]) : request.images[i];
+  });
 }
 
 }  // namespace
 
 std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader* truth,
-                                     const LandmarkSink& landmarks) {
+                                     const LandmarkSink& landmarks,
+                                     const std::filesystem::path& spool_folder) {
   const Sequence& sequence = request.sequence;
   Require(request.images.empty() || request.images.size() == sequence.images.size(),
           "RunSequence: the hashes of all frames, or of none");
@@ -176,26 +205,31 @@ std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader*
   TruthOfFrame beside{truth, Oracle(sequence, request.oracle, truth)};
   const auto run_start = std::chrono::steady_clock::now();
   TaskPool pool(request.threads);
-  const std::unique_ptr<Odometry> odometry =
+  std::unique_ptr<Odometry> odometry =
       request.variant.make({sequence.camera, request.options, request.seed}, pool);
-  const std::unique_ptr<FrameSource> source =
+  std::unique_ptr<FrameSource> source =
       OpenFrames({sequence, request.options, request.images, request.cache}, pool);
 
   RunResult result;
-  std::vector<ImageHashes> hashes;
+  result.frames = FrameLog(spool_folder);
+  result.clusters = PoseLog(spool_folder);
+  HashLog hashes(spool_folder);
   for (std::size_t i = 0; i < sequence.images.size(); ++i) {
     const auto frame_start = std::chrono::steady_clock::now();
     PreparedFrame prepared = source->Next();
     prepared.times_s["wait_for_features"] = SecondsSince(frame_start);
     if (request.strict) RefuseProblems(sequence, prepared);
-    hashes.push_back(prepared.hashes);
+    hashes.Append(prepared.hashes);
     AddDetections(request, boxes[i], prepared, result.detections);
     const auto feature_truth = AddTruth(request, static_cast<int>(i), beside, prepared);
     result.wall_s -= beside.seconds;
-    if (!Estimate(request, *odometry, prepared, result)) break;
-    GiveLandmarks(prepared.frame, feature_truth, landmarks, result.frames.back());
+    std::optional<FrameRecord> record = Estimate(request, *odometry, prepared, result);
+    if (!record) break;
+    GiveLandmarks(prepared.frame, feature_truth, landmarks, *record);
+    result.frames.Append(*record);
+    result.clusters.Add(odometry->TakeSettledPoses());
     prepared.times_s["frame"] = SecondsSince(frame_start) - beside.seconds;
-    KeepTimes(prepared.times_s, result);
+    KeepTimes(prepared.times_s, sequence.images.size(), result);
     request.progress(i + 1);
     if (request.stop()) return std::nullopt;
   }
@@ -203,7 +237,10 @@ std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader*
   Refine(*odometry, result);
   JudgeStatus(result);
   if (result.status != RunStatus::kFailed) source->Finish();
-  result.content = ContentOf(request, std::move(hashes));
+  // What follows has the memory that they need.
+  source.reset();
+  odometry.reset();
+  result.content = ContentOf(request, hashes);
   return result;
 }
 

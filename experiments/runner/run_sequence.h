@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -14,7 +15,7 @@
 #include "experiments/cache/front_end_cache.h"
 #include "experiments/datasets/body_truth.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/record/run_record.h"
+#include "experiments/log/run_record.h"
 #include "experiments/runner/frame_detections.h"
 #include "experiments/runner/oracle.h"
 #include "variants/registry.h"
@@ -42,9 +43,11 @@ using LandmarkSink = std::function<void(const std::string& rows)>;
 
 // Runs the variant over every frame of the sequence. Empty where `stop` ended it. An Error of the
 // estimator itself is a result too (status failed, frames so far); all others are thrown. With
-// `truth`, landmarks are noted with what they are; the time for that is no part of the run's.
+// `truth`, landmarks are noted with what they are; the time for that is no part of the run's. What
+// is kept of a long run is in a file in `spool_folder`; empty: in memory.
 [[nodiscard]] std::optional<RunResult> RunSequence(const RunRequest& request,
                                                    BodyTruthReader* truth = nullptr,
-                                                   const LandmarkSink& landmarks = {});
+                                                   const LandmarkSink& landmarks = {},
+                                                   const std::filesystem::path& spool_folder = {});
 
 }  // namespace cvo

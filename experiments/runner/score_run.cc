@@ -7,11 +7,11 @@
 #include <string>
 #include <utility>
 
+#include "experiments/log/cluster_rows.h"
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/metrics/kitti_ap/box_metrics.h"
 #include "experiments/metrics/objects/clustering_metrics.h"
 #include "experiments/metrics/objects/object_metrics.h"
-#include "experiments/record/cluster_rows.h"
 #include "experiments/record/cluster_tables.h"
 
 namespace cvo {
@@ -44,35 +44,56 @@ ClusterFrame FrameOf(const ClusterReport& report, std::size_t frame) {
   return cluster;
 }
 
+// Whether landmarks tell which body a cluster is; nearness does otherwise.
+bool MatchByTruth(const ObjectTruth* objects, ObjectEstimate& estimate) {
+  const bool by_landmarks = objects != nullptr && objects->tells_pixels;
+  if (!by_landmarks) estimate.match_by = MatchBy::kNearness;
+  return by_landmarks;
+}
+
+std::vector<Metric> CameraMetrics(const Sequence& sequence, const ObjectEstimate& estimate) {
+  return EvaluateCamera(sequence.groundtruth_world_from_camera, estimate.world_from_camera,
+                        EnumOf<reports::TruthSource>(sequence.groundtruth));
+}
+
+void ScoreRefined(const Sequence& sequence, ObjectEstimate refined, const ObjectTruth* objects,
+                  RunScores& scores) {
+  MatchByTruth(objects, refined);
+  scores.refined = CameraMetrics(sequence, refined);
+  scores.truth_from_estimate =
+      AlignByCamera(sequence.groundtruth_world_from_camera, refined.world_from_camera);
+  if (objects == nullptr) return;
+  ObjectScores of_refined = ScoreObjects(*objects, refined);
+  Append(ObjectMetrics(*objects, of_refined), scores.refined);
+  scores.refined_bodies = std::move(of_refined.bodies);
+}
+
+void ScoreCausal(const Sequence& sequence, ObjectEstimate causal, const ObjectTruth* objects,
+                 RunScores& scores) {
+  const bool by_landmarks = MatchByTruth(objects, causal);
+  scores.causal = CameraMetrics(sequence, causal);
+  if (objects == nullptr) return;
+  ObjectScores of_causal = ScoreObjects(*objects, causal);
+  Append(ObjectMetrics(*objects, of_causal), scores.causal);
+  if (by_landmarks) {
+    scores.clustering = ClusteringMetrics(*objects, causal, MatchObjects(*objects, causal));
+  }
+  scores.causal_bodies = std::move(of_causal.bodies);
+}
+
 }  // namespace
 
 RunScores ScoreRun(const Sequence& sequence, const RunResult& run, const ObjectTruth* objects) {
   if (run.status == RunStatus::kFailed) return {};
-  ObjectEstimate refined = ObjectEstimateOf(run, PoseTime::kRefined);
-  ObjectEstimate causal = ObjectEstimateOf(run, PoseTime::kCausal);
-  const bool by_landmarks = objects != nullptr && objects->tells_pixels;
-  if (!by_landmarks) refined.match_by = causal.match_by = MatchBy::kNearness;
-  const auto camera = [&sequence](const ObjectEstimate& estimate) {
-    return EvaluateCamera(sequence.groundtruth_world_from_camera, estimate.world_from_camera,
-                          EnumOf<reports::TruthSource>(sequence.groundtruth));
-  };
   RunScores scores;
-  scores.refined = camera(refined);
-  scores.causal = camera(causal);
-  scores.truth_from_estimate =
-      AlignByCamera(sequence.groundtruth_world_from_camera, refined.world_from_camera);
-  if (objects != nullptr) {
-    ObjectScores of_refined = ScoreObjects(*objects, refined);
-    ObjectScores of_causal = ScoreObjects(*objects, causal);
-    Append(ObjectMetrics(*objects, of_refined), scores.refined);
-    Append(ObjectMetrics(*objects, of_causal), scores.causal);
-    if (by_landmarks) {
-      scores.clustering = ClusteringMetrics(*objects, causal, MatchObjects(*objects, causal));
-    }
-    scores.refined_bodies = std::move(of_refined.bodies);
-    scores.causal_bodies = std::move(of_causal.bodies);
+  // One after the other: an estimate is all poses of a run.
+  ScoreRefined(sequence, ObjectEstimateOf(run, PoseTime::kRefined), objects, scores);
+  ScoreCausal(sequence, ObjectEstimateOf(run, PoseTime::kCausal), objects, scores);
+  if (TellsBoxes(sequence)) {
+    std::vector<ObjectBox> boxes;
+    ForEachTrackBox(sequence, run, [&boxes](const ObjectBox& box) { boxes.push_back(box); });
+    scores.boxes = BoxMetrics(sequence, boxes);
   }
-  scores.boxes = BoxMetrics(sequence, TrackBoxes(sequence, run));
   const double shift_px = sequence.camera.right_shift_px;
   StatePoses(reports::PoseTime::kRefined, shift_px, scores.refined);
   StatePoses(reports::PoseTime::kCausal, shift_px, scores.causal);
@@ -84,7 +105,9 @@ RunScores ScoreRun(const Sequence& sequence, const RunResult& run, const ObjectT
 
 ObjectEstimate ObjectEstimateOf(const RunResult& run, PoseTime time) {
   ObjectEstimate estimate;
+  int first_frame = 0;
   for (const FrameRecord& frame : run.frames) {
+    if (estimate.landmarks.empty()) first_frame = frame.frame;
     const RigidTransform& pose = time == PoseTime::kCausal ? frame.report.world_from_camera
                                                            : frame.refined_world_from_camera;
     const bool skipped = frame.report.status == FrameStatus::kSkipped;
@@ -92,15 +115,15 @@ ObjectEstimate ObjectEstimateOf(const RunResult& run, PoseTime time) {
     estimate.landmarks.push_back(frame.landmarks);
   }
   std::map<ClusterId, ClusterEstimate> clusters;
-  for (const ClusterRow& row : ClusterRows(run)) {
+  ForEachClusterRow(run, [&](const ClusterRow& row) {
     const ClusterReport* report = time == PoseTime::kCausal ? row.causal : &row.Last();
-    if (!report) continue;
+    if (!report) return;
     ClusterEstimate& cluster = clusters[row.id];
     cluster.id = row.id.value;
     cluster.category = report->category;
-    const auto frame = static_cast<std::size_t>(row.frame.frame - run.frames.front().frame);
-    cluster.frames.push_back(FrameOf(*report, frame));
-  }
+    cluster.frames.push_back(
+        FrameOf(*report, static_cast<std::size_t>(row.frame.frame - first_frame)));
+  });
   for (auto& [id, cluster] : clusters) estimate.clusters.push_back(std::move(cluster));
   return estimate;
 }

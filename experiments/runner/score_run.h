@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "experiments/datasets/sequence.h"
+#include "experiments/log/run_record.h"
 #include "experiments/metrics/metric.h"
 #include "experiments/metrics/objects/object_estimate.h"
 #include "experiments/metrics/objects/object_scores.h"
-#include "experiments/record/run_record.h"
 
 namespace cvo {
 

@@ -95,7 +95,7 @@ std::vector<Part> MakeParts() {
                                     "experiments/datasets/", "experiments/metrics/"};
   parts.push_back({"experiments/suite/shipped/", {"experiments/suite/shipped/"}, {}});
   for (const char* folder :
-       {"cache", "record", "runner", "suite", "suite/plan", "jobs", "jobs/slurm"}) {
+       {"cache", "log", "record", "runner", "suite", "suite/plan", "jobs", "jobs/slurm"}) {
     const std::string part = StrCat("experiments/", folder, "/");
     below.push_back(part);
     if (folder == std::string("suite")) below.emplace_back("synth/");

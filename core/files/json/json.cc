@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/files/json/json_rows.h"
 #include "core/files/text/number.h"
 #include "core/files/text/utf8.h"
 #include "core/files/text_file.h"
@@ -188,6 +189,23 @@ std::string DumpJson(const Json& value) {
   Writer writer;
   writer.Write(value, "", 0, false);
   return writer.Take() + "\n";
+}
+
+void DumpJsonWithRows(const Json& object, const std::string& key,
+                      const std::function<bool(Json& row)>& next, const TextSink& sink) {
+  constexpr std::string_view kEnd = "\n}\n";
+  std::string text = DumpJson(object);
+  Require(text.ends_with(kEnd), "DumpJsonWithRows: an object with members");
+  text.resize(text.size() - kEnd.size());
+  sink(StrCat(text, ",\n  ", DumpScalar(key), ": ["));
+  Json row;
+  std::size_t count = 0;
+  for (; next(row); ++count) {
+    Writer writer;
+    writer.Write(row, StrCat(key, "[", count, "]"), 4, true);
+    sink(StrCat(count > 0 ? "," : "", "\n    ", writer.Take()));
+  }
+  sink(StrCat(count > 0 ? "\n  ]" : "]", kEnd));
 }
 
 }  // namespace cvo

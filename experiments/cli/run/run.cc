@@ -58,7 +58,7 @@ void PrintProblems(const RunResult& run) {
 
 // By how much u_right is off, as the mean over the image and from where to where.
 void PrintCalibration(const Sequence& sequence, const RunResult& run) {
-  const CalibrationReport* calibration = LastCalibration(run);
+  const std::optional<CalibrationReport> calibration = LastCalibration(run);
   if (!calibration) return;
   StereoCamera camera = sequence.camera;
   camera.right_field_px = calibration->right_field_px;

@@ -32,14 +32,16 @@ std::vector<ApFrame> FramesOf(const Sequence& sequence, const std::vector<Object
 
 }  // namespace
 
+bool TellsBoxes(const Sequence& sequence) {
+  return std::any_of(sequence.labels.begin(), sequence.labels.end(), [](const ObjectBox& label) {
+    return label.type == ApProtocol().category && label.box3d.has_value();
+  });
+}
+
 std::vector<Metric> BoxMetrics(const Sequence& sequence, const std::vector<ObjectBox>& boxes) {
+  if (!TellsBoxes(sequence)) return {};
   ApProtocol protocol;
   protocol.least_overlap = 0.25;
-  const bool is_told =
-      std::any_of(sequence.labels.begin(), sequence.labels.end(), [&](const ObjectBox& label) {
-        return label.type == protocol.category && label.box3d.has_value();
-      });
-  if (!is_told) return {};
   const std::vector<ApFrame> frames = FramesOf(sequence, boxes);
   std::vector<Metric> metrics;
   for (const SpaceMetrics& space : kSpaces) {

@@ -91,6 +91,22 @@ TEST(StagedFile, GrowsAndAppearsWithTheOthers) {
   EXPECT_THAT(Names(folder.path()), ElementsAre("a.json", "rows.csv"));
 }
 
+TEST(StagedFile, IsWhatItsPartsAreInAnyNumber) {
+  const test::TempFolder folder;
+  std::string all;
+  StagedFiles files(folder.path());
+  files.Add("rows.csv", [&all](const TextSink& sink) {
+    for (std::size_t i = 0; i < 2000; ++i) {
+      const std::string part((i * 7919) % 1000 + (i == 1000 ? 1'000'000 : 0),
+                             static_cast<char>('a' + i % 26));
+      all += part;
+      sink(part);
+    }
+  });
+  files.Publish();
+  EXPECT_EQ(test::ReadFile(folder.path() / "rows.csv"), all);
+}
+
 TEST(WriteFilesAtomically, AFailedWriteChangesNothing) {
   const test::TempFolder folder;
   folder.Write("a.json", "old");

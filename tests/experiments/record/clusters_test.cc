@@ -9,11 +9,12 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "experiments/record/cluster_rows.h"
+#include "experiments/log/cluster_rows.h"
 #include "experiments/record/cluster_tables.h"
 #include "experiments/record/landmark_table.h"
 #include "experiments/record/result_file.h"
 #include "tests/support/cluster_poses.h"
+#include "tests/support/collected.h"
 
 namespace cvo {
 namespace {
@@ -63,7 +64,7 @@ class Clusters : public testing::Test {
     cluster.observed_landmarks = 12;
     cluster.score = 0.75;
     frame.report.clusters = {cluster};
-    run_.frames = {frame};
+    frames_ = {frame};
   }
 
   // 1 m ahead of the cluster's origin.
@@ -76,17 +77,29 @@ class Clusters : public testing::Test {
             "Car",
             {test::PoseInFrame(frame, 500, ClusterStatus::kTracked, world_from_object, cluster())}};
   }
-  ClusterReport& cluster() { return run_.frames[0].report.clusters[0]; }
-  std::optional<ImageBox> Box() const {
-    return ProjectedBox(ClusterRows(run_)[0], sequence_.camera);
+  ClusterReport& cluster() { return frames_[0].report.clusters[0]; }
+  RunResult Run() const {
+    RunResult run;
+    run.frames = frames_;
+    run.clusters = clusters_;
+    return run;
   }
+  std::optional<ImageBox> Box() const {
+    std::optional<ImageBox> box;
+    ForEachClusterRow(Run(),
+                      [&](const ClusterRow& row) { box = ProjectedBox(row, sequence_.camera); });
+    return box;
+  }
+  std::string ObjectTable() const { return test::Collected(WriteObjectTable, sequence_, Run()); }
+  std::string KittiTracks() const { return test::Collected(WriteKittiTracks, sequence_, Run()); }
   std::vector<std::string> Track() const {
-    const auto rows = Cells(KittiTracks(sequence_, run_), ' ');
+    const auto rows = Cells(KittiTracks(), ' ');
     return rows.empty() ? std::vector<std::string>() : rows[0];
   }
 
   Sequence sequence_;
-  RunResult run_;
+  std::vector<FrameRecord> frames_;
+  std::vector<ClusterTrajectory> clusters_;
 };
 
 TEST_F(Clusters, TheBoxIsThatOfTheNearestFace) {
@@ -113,8 +126,8 @@ TEST_F(Clusters, OutOfViewThereIsNoBoxAndNoTrack) {
   for (const RigidTransform& pose : {At(0, 0, -9), At(30, 0, 9), At(0, -30, 9)}) {
     cluster().world_from_object = pose;
     EXPECT_FALSE(Box());
-    EXPECT_TRUE(KittiTracks(sequence_, run_).empty());
-    const auto rows = Cells(ObjectTable(sequence_, run_), ',');
+    EXPECT_TRUE(KittiTracks().empty());
+    const auto rows = Cells(ObjectTable(), ',');
     ASSERT_THAT(rows, SizeIs(2));
     EXPECT_THAT(rows[1], SizeIs(rows[0].size()));
   }
@@ -146,23 +159,23 @@ TEST_F(Clusters, TheHeadingIsThatOfTheBoxAndWhatItTiltsIsLeftOut) {
 }
 
 TEST_F(Clusters, TheBoxOfATrackIsTheDetections) {
-  run_.frames[0].detections = {{{1, 2, 3, 4}, "Car", 1.0}, {{5, 6, 7, 8.5}, "Car", 1.0}};
+  frames_[0].detections = {{{1, 2, 3, 4}, "Car", 1.0}, {{5, 6, 7, 8.5}, "Car", 1.0}};
   cluster().detection = 1;
   const auto row = Track();
   EXPECT_THAT(std::vector(row.begin() + 6, row.begin() + 10), ElementsAre("5", "6", "7", "8.5"));
 }
 
 TEST_F(Clusters, ThePoseAsLastEstimatedIsUsedWithTheCamerasOwn) {
-  run_.frames[0].refined_world_from_camera = At(1, 0, 0);
+  frames_[0].refined_world_from_camera = At(1, 0, 0);
   EXPECT_NEAR(std::stod(Track()[13]), -0.06, 1e-12);  // no refined pose: both causal
-  run_.clusters = {Refined(0, At(3, 0, 9))};
+  clusters_ = {Refined(0, At(3, 0, 9))};
   EXPECT_NEAR(std::stod(Track()[13]), 2.0 - 0.06, 1e-12);
 }
 
 TEST_F(Clusters, ARowHasAllFields) {
   cluster().status = ClusterStatus::kPredicted;
   cluster().velocity_m_s = {0.1, 0.2, 0.3};
-  auto rows = Cells(ObjectTable(sequence_, run_), ',');
+  auto rows = Cells(ObjectTable(), ',');
   ASSERT_THAT(rows, SizeIs(2));
   ASSERT_THAT(rows[0], SizeIs(48));
   ASSERT_THAT(rows[1], SizeIs(48));
@@ -177,19 +190,19 @@ TEST_F(Clusters, ARowHasAllFields) {
   EXPECT_EQ(rows[1][45], "12");
   EXPECT_EQ(rows[1][46], "");  // no detection
   EXPECT_EQ(rows[1][47], "0.75");
-  run_.clusters = {Refined(0, At(0, 0, 8))};
-  rows = Cells(ObjectTable(sequence_, run_), ',');
+  clusters_ = {Refined(0, At(0, 0, 8))};
+  rows = Cells(ObjectTable(), ',');
   EXPECT_EQ(rows[1][17], "8");
 }
 
 TEST_F(Clusters, AFrameBeforeTheClusterWasConfirmedHasARefinedPoseAlone) {
-  run_.frames.push_back(run_.frames[0]);
-  run_.frames[1].frame = 5;
-  run_.clusters = {Refined(0, At(0, 0, 8))};
-  run_.clusters[0].poses.push_back(
+  frames_.push_back(frames_[0]);
+  frames_[1].frame = 5;
+  clusters_ = {Refined(0, At(0, 0, 8))};
+  clusters_[0].poses.push_back(
       test::PoseInFrame(1, 600, ClusterStatus::kTracked, At(0, 0, 8.5), cluster()));
-  run_.frames[0].report.clusters.clear();
-  const auto rows = Cells(ObjectTable(sequence_, run_), ',');
+  frames_[0].report.clusters.clear();
+  const auto rows = Cells(ObjectTable(), ',');
   ASSERT_THAT(rows, SizeIs(3));
   EXPECT_THAT(std::vector(rows[1].begin(), rows[1].begin() + 8),
               ElementsAre("4", "500", "3", "Car", "tracked", "", "", ""));
@@ -203,23 +216,25 @@ TEST_F(Clusters, AFrameBeforeTheClusterWasConfirmedHasARefinedPoseAlone) {
 TEST_F(Clusters, TrajectoriesHoldTrackedFramesAlone) {
   ClusterTrajectory cluster = Refined(0, At(1, 2, 3));
   cluster.poses.push_back(test::PoseInFrame(1, 2, ClusterStatus::kPredicted, At(4, 5, 6)));
-  const std::string text = ClusterTum(cluster);
+  std::string text;
+  ForEachClusterTum(PoseLog({cluster}), [&text](ClusterId, const std::string& tum) { text = tum; });
   EXPECT_THAT(text, HasSubstr("1 2 3 0 0 0 1"));
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
 }
 
 TEST_F(Clusters, RefuseNan) {
   cluster().score = std::nan("");
-  EXPECT_THROW(ObjectTable(sequence_, run_), Error);
-  EXPECT_THROW(KittiTracks(sequence_, run_), Error);
+  EXPECT_THROW(ObjectTable(), Error);
+  EXPECT_THROW(KittiTracks(), Error);
 }
 
 TEST_F(Clusters, TheResultListsThem) {
-  run_.frames.push_back(run_.frames[0]);
-  run_.frames[1].frame = 5;
-  run_.frames[1].report.clusters[0].status = ClusterStatus::kPredicted;
-  const RunRecord record{.sequence = sequence_, .build = ThisBuild(), .variant = "x", .run = run_};
-  const Json json = ParseJson(ResultFile(record), "result");
+  frames_.push_back(frames_[0]);
+  frames_[1].frame = 5;
+  frames_[1].report.clusters[0].status = ClusterStatus::kPredicted;
+  const RunResult run = Run();
+  const RunRecord record{.sequence = sequence_, .build = ThisBuild(), .variant = "x", .run = run};
+  const Json json = ParseJson(test::Collected(WriteResultFile, record), "result");
   ASSERT_EQ(json["clusters"].size(), 1U);
   const Json& row = json["clusters"][0];
   EXPECT_EQ(row["id"], 3);

@@ -9,6 +9,7 @@
 #include "experiments/metrics/metric.h"
 #include "experiments/record/result_file.h"
 #include "experiments/record/timing_file.h"
+#include "tests/support/collected.h"
 
 namespace cvo {
 namespace {
@@ -35,20 +36,23 @@ class Result : public testing::Test {
       frame.timestamp_ns = 1'000'000'000LL + i;
       frame.report.status = status[i];
       run_.times_s["decode"].push_back(0.001 * (i + 1));
-      run_.frames.push_back(frame);
+      frames_.push_back(frame);
     }
-    run_.frames[2].problems = {{"image_00/data/6.png", "found half a file, expected PNG"}};
+    frames_[2].problems = {{"image_00/data/6.png", "found half a file, expected PNG"}};
     run_.content = "content";
     run_.wall_s = 2.0;
   }
 
   std::string File(const std::vector<Metric>& metrics = {}) {
-    return ResultFile(
-        {sequence_, build_, "static", {{"a", 1}}, Json::object(), 3, metrics, {}, run_});
+    run_.frames = frames_;
+    return test::Collected(
+        WriteResultFile,
+        RunRecord{sequence_, build_, "static", {{"a", 1}}, Json::object(), 3, metrics, {}, run_});
   }
 
   Sequence sequence_;
   BuildIdentity build_ = ThisBuild();
+  std::vector<FrameRecord> frames_;
   RunResult run_;
 };
 
@@ -71,10 +75,10 @@ TEST_F(Result, SaysWhatHappenedToEachFrame) {
 }
 
 TEST_F(Result, CountsHowTheSolversEnded) {
-  run_.frames[0].report.window_endings.converged = 1;
-  run_.frames[1].report.window_endings.iteration_limit = 1;
-  run_.frames[1].report.cluster_endings = {4, 2, 1};
-  run_.frames[3].report.cluster_endings = {1, 0, 0};
+  frames_[0].report.window_endings.converged = 1;
+  frames_[1].report.window_endings.iteration_limit = 1;
+  frames_[1].report.cluster_endings = {4, 2, 1};
+  frames_[3].report.cluster_endings = {1, 0, 0};
   const Json endings = ParseJson(File(), "result")["solver_endings"];
   EXPECT_EQ(endings["camera_windows"],
             Json({{"converged", 1}, {"iteration_limit", 1}, {"no_usable_step", 0}}));
@@ -83,9 +87,9 @@ TEST_F(Result, CountsHowTheSolversEnded) {
 }
 
 TEST_F(Result, KeepsBothPosesOfAFrame) {
-  run_.frames[1].report.world_from_camera =
+  frames_[1].report.world_from_camera =
       RigidTransform(Eigen::Quaterniond::Identity(), Eigen::Vector3d(1, 2, 3));
-  run_.frames[1].refined_world_from_camera =
+  frames_[1].refined_world_from_camera =
       RigidTransform(Eigen::Quaterniond::Identity(), Eigen::Vector3d(4, 5, 6));
   const Json frame = ParseJson(File(), "result")["frames"][1];
   EXPECT_EQ(frame["causal"], Json({1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 1.0}));
@@ -94,7 +98,7 @@ TEST_F(Result, KeepsBothPosesOfAFrame) {
 
 TEST_F(Result, HasTheEstimateOfTheCalibrationWithItsDeviations) {
   EXPECT_TRUE(ParseJson(File(), "result")["calibration"].is_null()) << "nothing was estimated";
-  CalibrationReport& calibration = run_.frames[1].report.calibration;
+  CalibrationReport& calibration = frames_[1].report.calibration;
   calibration.right_field_px << 0.1, 0.2, 0.3, 0.4, 0.5, 0.6;
   calibration.information = 100.0 * Matrix6d::Identity();
   const Json result = ParseJson(File(), "result");
@@ -117,12 +121,13 @@ TEST_F(Result, HoldsNothingOfTimeHostOrPaths) {
 TEST_F(Result, NamesTheJobItBelongsTo) {
   const RunRecord record{sequence_, build_, "static", {{"a", 1}}, {}, 3, {}, {}, run_};
   const RunRecord other{sequence_, build_, "static", {{"a", 1}}, {}, 4, {}, {}, run_};
-  EXPECT_EQ(ParseJson(ResultFile(record), "result")["job"], RecordedJob(record));
+  EXPECT_EQ(ParseJson(test::Collected(WriteResultFile, record), "result")["job"],
+            RecordedJob(record));
   EXPECT_NE(RecordedJob(record), RecordedJob(other));
 }
 
 TEST_F(Result, RefusesNanAndNamesTheField) {
-  run_.frames[3].report.mean_error_px = std::nan("");
+  frames_[3].report.mean_error_px = std::nan("");
   try {
     File();
     FAIL();
@@ -147,10 +152,11 @@ TEST_F(Result, MetricsCarryTheirContract) {
 }
 
 TEST_F(Result, TimingHasQuantilesAndContext) {
+  run_.frames = frames_;
   RunContext context = ThisProcess();
   context.job = "job";
   context.threads = 2;
-  const Json json = ParseJson(TimingFile(run_, context), "timing");
+  const Json json = ParseJson(test::Collected(WriteTimingFile, run_, context), "timing");
   EXPECT_EQ(json["frames_per_second"], 2.0);
   EXPECT_EQ(json["threads"], 2);
   EXPECT_EQ(json["job"], "job");
@@ -163,7 +169,9 @@ TEST_F(Result, TimingHasQuantilesAndContext) {
   EXPECT_EQ(json["frames"].size(), 4U);
 }
 
-TEST(Timing, OfNoFrames) { EXPECT_NO_THROW(TimingFile(RunResult{}, ThisProcess())); }
+TEST(Timing, OfNoFrames) {
+  EXPECT_NO_THROW(test::Collected(WriteTimingFile, RunResult{}, ThisProcess()));
+}
 
 }  // namespace
 }  // namespace cvo

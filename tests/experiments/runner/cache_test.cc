@@ -14,6 +14,7 @@
 #include "experiments/runner/run_sequence.h"
 #include "tests/experiments/cache/frames.h"
 #include "tests/experiments/runner/tiny_sequence.h"
+#include "tests/support/collected.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 #include "variants/registry.h"
@@ -56,10 +57,10 @@ class RunnerCache : public testing::Test {
     return request;
   }
   std::string ResultOf(const RunRequest& request, const RunResult& run) const {
-    return ResultFile({.sequence = sequence_,
-                       .build = ThisBuild(),
-                       .variant = std::string(request.variant.name),
-                       .run = run});
+    return test::Collected(WriteResultFile, RunRecord{.sequence = sequence_,
+                                                      .build = ThisBuild(),
+                                                      .variant = std::string(request.variant.name),
+                                                      .run = run});
   }
   std::string Plain(const RunRequest& request) const {
     return ResultOf(request, RunSequence(request).value());

@@ -124,7 +124,7 @@ TEST_F(RunnerClusters, DetectionsReachTheirFrames) {
   EXPECT_EQ(run.frames[1].report.clusters[1].detection, 1);
   EXPECT_EQ(run.detections.given, 4);
   EXPECT_EQ(run.detections.other_classes.at("Cyclist"), 1);
-  EXPECT_THAT(run.clusters, SizeIs(2));
+  EXPECT_THAT(run.clusters.clusters(), SizeIs(2));
 }
 
 TEST_F(RunnerClusters, LandmarksAreGivenAwayFrameByFrame) {
@@ -229,7 +229,7 @@ TEST(ObjectEstimateOf, VelocityIsComparedAtItsPoint) {
   body.id = 1;
   body.name = "top";
   body.category = "Ball";
-  RunResult run;
+  std::vector<FrameRecord> frames;
   for (int k = 0; k < 3; ++k) {
     const RigidTransform pose(ExpSo3({0.0, 0.3 * k, 0.0}), {0.0, 0.0, 5.0});
     truth.timestamps_ns.push_back(100'000'000 * k);
@@ -245,8 +245,10 @@ TEST(ObjectEstimateOf, VelocityIsComparedAtItsPoint) {
     frame.report.status = FrameStatus::kTracked;
     frame.report.clusters = {cluster};
     frame.landmarks.assign(5, {1, {1, PointMotion::kMoving}});
-    run.frames.push_back(frame);
+    frames.push_back(frame);
   }
+  RunResult run;
+  run.frames = frames;
   truth.bodies.push_back(body);
   FinishTruth(truth);
   const ObjectScores scores = ScoreObjects(truth, ObjectEstimateOf(run, PoseTime::kCausal));
@@ -255,17 +257,19 @@ TEST(ObjectEstimateOf, VelocityIsComparedAtItsPoint) {
 }
 
 TEST(ObjectEstimateOf, FramesBeforeAClusterWasConfirmedAreRefinedOnes) {
-  RunResult run;
-  run.frames.resize(2);
-  run.frames[1].frame = 1;
+  std::vector<FrameRecord> frames(2);
+  frames[1].frame = 1;
   ClusterReport cluster;
   cluster.id = ClusterId{1};
-  run.frames[1].report.clusters = {cluster};
-  run.clusters = {{cluster.id, "", {}}};
+  frames[1].report.clusters = {cluster};
+  ClusterTrajectory trajectory{cluster.id, "", {}};
   for (int k = 0; k < 2; ++k) {
-    run.clusters[0].poses.push_back(
+    trajectory.poses.push_back(
         test::PoseInFrame(k, k, ClusterStatus::kTracked, At(1.0 + k), cluster));
   }
+  RunResult run;
+  run.frames = frames;
+  run.clusters = PoseLog({trajectory});
   const auto causal = ObjectEstimateOf(run, PoseTime::kCausal).clusters.at(0).frames;
   ASSERT_THAT(causal, SizeIs(1));
   EXPECT_EQ(causal[0].frame, 1);

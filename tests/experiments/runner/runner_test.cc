@@ -16,6 +16,7 @@
 #include "experiments/runner/run_sequence.h"
 #include "experiments/runner/score_run.h"
 #include "tests/experiments/runner/tiny_sequence.h"
+#include "tests/support/collected.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo {
@@ -123,7 +124,9 @@ class Runner : public testing::Test {
     return {.sequence = sequence_, .variant = variant, .options = {}};
   }
   std::string ResultOf(const RunResult& run) const {
-    return ResultFile({.sequence = sequence_, .build = ThisBuild(), .variant = "fake", .run = run});
+    return test::Collected(
+        WriteResultFile,
+        RunRecord{.sequence = sequence_, .build = ThisBuild(), .variant = "fake", .run = run});
   }
 
   test::TempFolder folder_;

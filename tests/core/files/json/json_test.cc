@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/files/json/json_rows.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo {
@@ -131,6 +132,39 @@ TEST(DumpJson, RowsTakeOneLineEach) {
 
 TEST(DumpJson, TextThatIsNotUtf8IsStillJson) {
   EXPECT_NO_THROW(ParseJson(DumpJson({{"name", "\xff\"\n"}}), "text"));
+}
+
+TEST(DumpJsonWithRows, WritesWhatDumpJsonDoes) {
+  const Json head = {{"a", 1}, {"b", {{"c", 0.5}}}};
+  const std::vector<Json> all = {{{"x", 1}, {"y", {1.0, 2.0}}},
+                                 Json::array({"p", "q"}),
+                                 {{"x", 2}, {"inner", {{"list", {1, 2}}, {"z", nullptr}}}},
+                                 7};
+  for (std::size_t count = 0; count <= all.size(); ++count) {
+    Json whole = head;
+    whole["rows"] = Json(std::vector<Json>(all.begin(), all.begin() + static_cast<long>(count)));
+    if (count == 0) whole["rows"] = Json::array();
+    std::size_t next = 0;
+    std::string text;
+    DumpJsonWithRows(
+        head, "rows", [&](Json& row) { return next < count && (row = all[next++], true); },
+        [&text](std::string_view part) { text += part; });
+    EXPECT_EQ(text, DumpJson(whole)) << count;
+  }
+}
+
+TEST(DumpJsonWithRows, NamesTheRowOfANumberThatIsNotFinite) {
+  int rows = 0;
+  const auto next = [&rows](Json& row) {
+    row = {{"x", rows == 2 ? std::nan("") : 1.0}};
+    return rows++ < 3;
+  };
+  try {
+    DumpJsonWithRows({{"a", 1}}, "rows", next, [](std::string_view) {});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("rows[2].x: found nan"));
+  }
 }
 
 }  // namespace

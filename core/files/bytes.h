@@ -12,7 +12,8 @@
 
 namespace cvo {
 
-static_assert(std::endian::native == std::endian::little, "files of the cache are little-endian");
+static_assert(std::endian::native == std::endian::little,
+              "numbers are written as they are in memory");
 
 // Numbers one after the other, without padding.
 template <typename T>

@@ -2,35 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "core/geometry/rigid_transform.h"
-#include "core/interface/frame.h"
-#include "core/interface/odometry.h"
-#include "experiments/metrics/objects/object_estimate.h"
+#include "experiments/log/frame_log.h"
+#include "experiments/log/pose_log.h"
 
 namespace cvo {
-
-// An image that could not be decoded.
-struct ImageProblem {
-  std::string image;   // its path within the sequence's folder
-  std::string reason;  // what was found and what was expected
-};
-
-// One frame of a run.
-struct FrameRecord {
-  int frame = 0;  // counted in the folder
-  std::int64_t timestamp_ns = 0;
-  // With the poses as estimated when the frame came; without its landmarks, which are many.
-  FrameReport report;
-  RigidTransform refined_world_from_camera;    // as last estimated, at the end of the run
-  std::vector<Detection> detections;           // as the estimator was given them
-  std::vector<LandmarkObservation> landmarks;  // of the report, counted; where bodies have a truth
-  std::vector<ImageProblem> problems;          // why the frame was skipped
-};
 
 // What became of a sequence's boxes, over the frames that were processed.
 struct DetectionCounts {
@@ -52,8 +32,8 @@ struct RunResult {
   RunStatus status = RunStatus::kOk;
   std::string message;  // empty where ok
   std::string content;  // hash of the sequence: images, text files and parameters
-  std::vector<FrameRecord> frames;
-  std::vector<ClusterTrajectory> clusters;  // as last estimated; none of a failed run
+  FrameLog frames = FrameLog();
+  PoseLog clusters = PoseLog();  // trajectories as last estimated; none of a failed run
   DetectionCounts detections;
   // Wall time of every frame by stage, NaN where it had no such stage. Measured, so never part of a
   // result.

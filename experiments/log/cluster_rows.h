@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
-#include <vector>
 
 #include "core/geometry/stereo_camera.h"
-#include "experiments/record/run_record.h"
+#include "experiments/log/run_record.h"
 
 namespace cvo {
 
 // A live cluster in a frame, as reported when the frame came and as last estimated; at least one of
-// the two. The run must outlive it.
+// the two.
 struct ClusterRow {
   const FrameRecord& frame;
   ClusterId id;
@@ -22,8 +22,8 @@ struct ClusterRow {
   RigidTransform CameraFromBox() const;
 };
 
-// By frame, then by id.
-std::vector<ClusterRow> ClusterRows(const RunResult& run);
+// Of a run, by frame, then by id. A row lasts for the call.
+void ForEachClusterRow(const RunResult& run, const std::function<void(const ClusterRow&)>& take);
 
 // The rectangle around the part of the cluster's 3D box that is in front of the camera, within the
 // image. Empty where none of it is.

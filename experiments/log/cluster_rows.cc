@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/record/cluster_rows.h"
+#include "experiments/log/cluster_rows.h"
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <limits>
 #include <map>
-#include <utility>
+#include <vector>
 
 namespace cvo {
 namespace {
@@ -30,24 +31,23 @@ RigidTransform ClusterRow::CameraFromBox() const {
   return world_from_camera.Inverse() * Last().world_from_object * Last().box.object_from_box;
 }
 
-std::vector<ClusterRow> ClusterRows(const RunResult& run) {
-  std::map<std::pair<std::size_t, ClusterId>, ClusterRow> rows;  // by frame and id
-  const auto row = [&](std::size_t i, ClusterId id) -> ClusterRow& {
-    return rows.try_emplace({i, id}, ClusterRow{run.frames[i], id}).first->second;
-  };
-  for (std::size_t i = 0; i < run.frames.size(); ++i) {
-    for (const ClusterReport& report : run.frames[i].report.clusters) {
-      row(i, report.id).causal = &report;
+void ForEachClusterRow(const RunResult& run, const std::function<void(const ClusterRow&)>& take) {
+  const std::vector<PoseLog::Entry> entries = run.clusters.ByFrame();
+  auto entry = entries.begin();
+  int index = 0;
+  for (const FrameRecord& frame : run.frames) {
+    std::deque<ClusterPose> poses;
+    std::map<ClusterId, ClusterRow> rows;
+    const auto row = [&](ClusterId id) -> ClusterRow& {
+      return rows.try_emplace(id, ClusterRow{frame, id}).first->second;
+    };
+    for (const ClusterReport& report : frame.report.clusters) row(report.id).causal = &report;
+    for (; entry != entries.end() && entry->frame == index; ++entry) {
+      row(entry->id()).refined = &poses.emplace_back(run.clusters.Read(*entry));
     }
+    for (const auto& [id, row_of_id] : rows) take(row_of_id);
+    ++index;
   }
-  for (const ClusterTrajectory& cluster : run.clusters) {
-    for (const ClusterPose& pose : cluster.poses) {
-      row(static_cast<std::size_t>(pose.frame), cluster.id).refined = &pose;
-    }
-  }
-  std::vector<ClusterRow> ordered;
-  for (const auto& [key, row_of_key] : rows) ordered.push_back(row_of_key);
-  return ordered;
 }
 
 std::optional<ImageBox> ProjectedBox(const ClusterRow& row, const StereoCamera& camera) {

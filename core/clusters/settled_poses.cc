@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/clusters/settled_poses.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "core/base/lists.h"
+
+namespace cvo {
+namespace {
+
+// It may still go on as a lost cluster (IdentityPolicy), also where what is given confirms it.
+bool MayBeAnother(const Cluster& cluster, const ClusterOptions& options) {
+  return cluster.detections < options.confirm_detections;
+}
+
+// The frame from which poses may change, whatever cluster they are of.
+FrameId FirstOpen(const Window& window, const ClusterOptions& options, const ClusterMap& map) {
+  FrameId first = window.temporal.front().id;
+  for (const Cluster& cluster : map.live) {
+    const auto trajectory = map.trajectories.find(cluster.id);
+    if (!MayBeAnother(cluster, options) || trajectory == map.trajectories.end()) continue;
+    const std::vector<ClusterPose>& poses = trajectory->second.poses;
+    if (!poses.empty()) first = std::min(first, FrameId{poses.front().frame});
+  }
+  return first;
+}
+
+// The frame from which those of this cluster may.
+FrameId FirstOpen(const Cluster& cluster, FrameId of_all) {
+  const FrameId first = std::min(of_all, cluster.states.front().frame);
+  return cluster.former.since.valid() ? std::min(first, cluster.former.since) : first;
+}
+
+const Cluster* FindById(const ClusterMap& map, ClusterId id) {
+  const Cluster* live = FindBy(map.live, &Cluster::id, id);
+  return live != nullptr ? live : FindBy(map.archived, &Cluster::id, id);
+}
+
+std::vector<ClusterPose> TakeBefore(FrameId open, ClusterTrajectory& trajectory) {
+  const auto end = FirstPoseFrom(open.value, trajectory);
+  std::vector<ClusterPose> taken(std::make_move_iterator(trajectory.poses.begin()),
+                                 std::make_move_iterator(end));
+  trajectory.poses.erase(trajectory.poses.begin(), end);
+  return taken;
+}
+
+}  // namespace
+
+std::vector<ClusterTrajectory> TakeSettledPoses(const Window& window, const ClusterOptions& options,
+                                                ClusterMap& map) {
+  std::vector<ClusterTrajectory> settled;
+  if (window.temporal.empty()) return settled;
+  const FrameId open = FirstOpen(window, options, map);
+  for (auto it = map.trajectories.begin(); it != map.trajectories.end();) {
+    auto& [id, trajectory] = *it;
+    const Cluster* cluster = FindById(map, id);
+    if (cluster == nullptr || !MayBeAnother(*cluster, options)) {
+      std::vector<ClusterPose> poses =
+          TakeBefore(cluster == nullptr ? open : FirstOpen(*cluster, open), trajectory);
+      if (!poses.empty()) settled.push_back({id, trajectory.category, std::move(poses)});
+    }
+    const bool is_over = cluster == nullptr && trajectory.poses.empty();
+    it = is_over ? map.trajectories.erase(it) : std::next(it);
+  }
+  return settled;
+}
+
+}  // namespace cvo

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "core/files/text_sink.h"
+
+namespace cvo::test {
+
+// What a writer gives its sink: Collected(WriteResultFile, record).
+template <typename Write, typename... Arguments>
+std::string Collected(const Write& write, const Arguments&... arguments) {
+  std::string text;
+  write(arguments..., [&text](std::string_view part) { text += part; });
+  return text;
+}
+
+}  // namespace cvo::test
