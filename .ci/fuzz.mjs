@@ -4,14 +4,15 @@
 // within HOURS (0: however long it takes), JOBS parsers at once (0: one per processor). Corpora are kept
 // in build/fuzz/attack and grow from call to call. What is found is named, and read again by every call.
 import { spawn, spawnSync } from 'node:child_process';
-import { createWriteStream, mkdirSync, readFileSync, readdirSync } from 'node:fs';
-import { availableParallelism } from 'node:os';
+import { createWriteStream, existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
+import { availableParallelism, tmpdir } from 'node:os';
 import { join, relative, resolve } from 'node:path';
 
 const program = resolve('build/fuzz/tests/faults/fuzz_target');
 const attack = resolve('build/fuzz/attack');
 const kLongest_s = 20; // for one file, on a loaded machine
 const kMost_mb = 2048;
+const memory = mkdtempSync(existsSync('/dev/shm') ? '/dev/shm/fuzz_' : join(tmpdir(), 'fuzz_'));
 const columns = [14, 11, 9, 8, 10, 9];
 
 const row = (cells) => cells.map((cell, i) => (i ? `${cell}`.padStart(columns[i]) : cell.padEnd(columns[i]))).join('');
@@ -26,7 +27,7 @@ async function attackOne(name, { runs, share_s, seed }) {
     `-rss_limit_mb=${kMost_mb}`, '-dict=dictionary', '-artifact_prefix=findings/', '-print_final_stats=1'];
   const start = Date.now();
   const code = await new Promise((done) => {
-    const child = spawn(program, [name, ...flags, 'corpus', 'seeds', 'findings'], { cwd: folder });
+    const child = spawn(program, [name, ...flags, 'corpus', 'seeds', 'findings'], { cwd: folder, env: { ...process.env, TMPDIR: memory } });
     child.stdout.pipe(log, { end: false });
     child.stderr.pipe(log, { end: false });
     child.on('close', (status) => log.end(() => done(status)));
@@ -56,4 +57,8 @@ async function main([runs, hours, seed, jobs, only]) {
   return good ? 0 : 1;
 }
 
-process.exitCode = await main(process.argv.slice(2));
+try {
+  process.exitCode = await main(process.argv.slice(2));
+} finally {
+  rmSync(memory, { recursive: true });
+}

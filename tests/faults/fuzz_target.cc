@@ -20,12 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A parser and its file, in memory where there is a folder for that.
+// A parser and its file, which TMPDIR may put into memory.
 class Target {
  public:
   explicit Target(Parser parser) : parser_(std::move(parser)) {
-    const fs::path memory = "/dev/shm";
-    std::string folder = (fs::exists(memory) ? memory : fs::temp_directory_path()) / "cvo_XXXXXX";
+    std::string folder = fs::temp_directory_path() / "fuzz_XXXXXX";
     if (::mkdtemp(folder.data()) == nullptr) ThrowError(folder, "no folder", "one for its file");
     folder_ = folder;
   }
@@ -38,7 +37,6 @@ class Target {
     WriteFileBytes(file, bytes);
     if (const std::string why = Finding(parser_, file); !why.empty()) {
       std::cerr << parser_.name << ": " << why << std::endl;
-      fs::remove_all(folder_);
       std::abort();
     }
   }
