@@ -4,7 +4,7 @@
 // within HOURS (0: however long it takes), JOBS parsers at once (0: one per processor). Corpora are kept
 // in build/fuzz/attack and grow from call to call. What is found is named, and read again by every call.
 import { spawn, spawnSync } from 'node:child_process';
-import { createWriteStream, existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
+import { createWriteStream, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { availableParallelism, tmpdir } from 'node:os';
 import { join, relative, resolve } from 'node:path';
 
@@ -27,7 +27,8 @@ async function attackOne(name, { runs, share_s, seed }) {
     `-rss_limit_mb=${kMost_mb}`, '-dict=dictionary', '-artifact_prefix=findings/', '-print_final_stats=1'];
   const start = Date.now();
   const code = await new Promise((done) => {
-    const child = spawn(program, [name, ...flags, 'corpus', 'seeds', 'findings'], { cwd: folder, env: { ...process.env, TMPDIR: memory } });
+    const child = spawn(program, [name, ...flags, 'corpus', 'seeds', 'findings'],
+      { cwd: folder, env: { ...process.env, TMPDIR: memory, UBSAN_OPTIONS: 'print_stacktrace=1' } });
     child.stdout.pipe(log, { end: false });
     child.stderr.pipe(log, { end: false });
     child.on('close', (status) => log.end(() => done(status)));
@@ -44,13 +45,12 @@ async function attackOne(name, { runs, share_s, seed }) {
 }
 
 async function main([runs, hours, seed, jobs, only]) {
-  const seeds = spawnSync(program, ['seeds', attack], { stdio: 'inherit' });
-  if (seeds.status !== 0) return 1;
-  const names = readdirSync(attack).filter((name) => !only || name === only);
+  const seeds = spawnSync(program, ['seeds', attack], { encoding: 'utf8', stdio: ['ignore', 'pipe', 'inherit'] });
+  const names = seeds.stdout.split('\n').filter((name) => name && (!only || name === only));
   const workers = Math.min(Number(jobs) || availableParallelism(), names.length);
   const share_s = Math.ceil((Number(hours) * 3600 * workers) / names.length);
   console.log(row(['parser', 'executions', 'seconds', 'per s', 'coverage', 'findings']));
-  let good = names.length > 0;
+  let good = seeds.status === 0 && names.length > 0;
   await Promise.all(Array.from({ length: workers }, async () => {
     while (names.length) good = (await attackOne(names.shift(), { runs, share_s, seed })) && good;
   }));

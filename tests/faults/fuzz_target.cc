@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 // One program of libFuzzer for all parsers:
-//   fuzz_target seeds FOLDER               writes FOLDER/<parser>/seeds and .../dictionary
+//   fuzz_target seeds FOLDER               writes seeds and a dictionary for each, prints names
 //   fuzz_target PARSER [libFuzzer's own]   attacks that parser, or reads the files given once
 // A finding ends it; libFuzzer keeps the input.
 #include <stdlib.h>
@@ -91,6 +91,7 @@ void WriteSeeds(const fs::path& folder) {
       WriteFileBytes(seeds / std::to_string(i), parser.seeds[i]);
     }
     WriteFileBytes(folder / parser.name / "dictionary", Dictionary(parser));
+    std::cout << parser.name << '\n';
   }
 }
 
