@@ -90,12 +90,16 @@ baseline: program ## accept what the estimator does now: renew the baseline of m
 test: build ## run the tests; CLUSTERVO_DATA=<folder> adds those on real data
 	ctest --preset release --output-junit "$(CURDIR)/$(release)/tests.xml"
 
-# The same SEED makes the same files.
-MUTATIONS ?= 100000
+# libFuzzer with sanitizers; what it learns stays in build/fuzz/attack, and the next call goes on from there.
+HOURS ?=
+RUNS ?= $(if $(HOURS),-1,1000000)
 SEED ?= 1
-fuzz: $(release)/build.ninja ## give every parser MUTATIONS=100000 spoilt files
-	cmake --build --preset release --target fuzz_parsers $(jobs)
-	cd $(release) && tests/faults/fuzz_parsers $(MUTATIONS) $(SEED)
+.PHONY: clang
+clang:
+	@.ci/install-packages clang libclang-rt-dev
+fuzz: clang build/fuzz/build.ninja ## give every parser RUNS=1000000 spoilt files, or all of them HOURS=n (PARSER=suite: that one)
+	cmake --build --preset fuzz --target fuzz_target $(jobs)
+	node .ci/fuzz.mjs $(RUNS) $(or $(HOURS),0) $(SEED) $(or $(JOBS),0) $(PARSER)
 
 # Hours; the same SEED kills at the same moments.
 POINTS ?= 1000000

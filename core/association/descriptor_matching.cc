@@ -11,12 +11,12 @@ namespace cvo {
 std::vector<Match> MatchDescriptors(std::span<const Descriptor> landmarks,
                                     std::span<const StereoFeature> features, int max_hamming,
                                     double ratio) {
-  constexpr int kNone = 257;
-  std::vector<int> best_of_feature(features.size(), kNone);
+  constexpr int kFarthest = 257;
+  std::vector<int> best_of_feature(features.size(), kFarthest);
   std::vector<Match> candidates;
   for (int i = 0; i < static_cast<int>(landmarks.size()); ++i) {
-    int best = kNone;
-    int second = kNone;
+    int best = kFarthest;
+    int second = kFarthest;
     int best_feature = -1;
     for (int k = 0; k < static_cast<int>(features.size()); ++k) {
       if (IsLeftOnly(features[k])) continue;

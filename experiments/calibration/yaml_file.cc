@@ -14,6 +14,7 @@ namespace cvo {
 namespace {
 
 constexpr std::size_t kMostBytes = 1 << 20;
+constexpr std::size_t kMostValues = 1000;  // in one list; aliases can make it endless
 
 YAML::Node Parse(const std::filesystem::path& path) {
   std::string text = ReadFileBytes(path);
@@ -28,10 +29,13 @@ YAML::Node Parse(const std::filesystem::path& path) {
   }
 }
 
-void Collect(const YAML::Node& node, std::vector<std::string>& scalars) {
+// False where there are too many values.
+bool Collect(const YAML::Node& node, std::size_t& values, std::vector<std::string>& scalars) {
+  if (++values > kMostValues) return false;
   if (node.IsScalar()) scalars.push_back(node.Scalar());
-  if (!node.IsSequence()) return;
-  for (const YAML::Node& part : node) Collect(part, scalars);
+  if (!node.IsSequence()) return true;
+  return std::all_of(node.begin(), node.end(),
+                     [&](const YAML::Node& part) { return Collect(part, values, scalars); });
 }
 
 }  // namespace
@@ -75,7 +79,10 @@ std::vector<double> YamlMap::Numbers(const std::string& key) const {
     node.reset(data);
   }
   std::vector<std::string> scalars;
-  Collect(node, scalars);
+  std::size_t values = 0;
+  if (!Collect(node, values, scalars)) {
+    Fail(key, StrCat("more than ", kMostValues, " values"), "a list of numbers");
+  }
   std::vector<double> numbers;
   for (const std::string& scalar : scalars) {
     const std::optional<double> number = ParseDouble(scalar);

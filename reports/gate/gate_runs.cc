@@ -51,9 +51,9 @@ std::string RunLabel(const std::map<std::string, std::string>& keys, std::uint64
 }
 
 std::map<std::string, double> TimeRatios(const GateRuns& runs) {
-  using Place = std::pair<std::map<std::string, std::string>, std::uint64_t>;
+  using TimedRun = std::pair<std::map<std::string, std::string>, std::uint64_t>;
   std::map<std::string, double> times_ms;  // by job
-  std::map<Place, double> reference_ms;
+  std::map<TimedRun, double> reference_ms;
   for (const SuiteRun& run : runs.runs) {
     if (!run.run) continue;
     const auto time_ms = EstimateTimeMs(runs.folder / "jobs" / run.planned.job / "timing.json");
@@ -64,7 +64,7 @@ std::map<std::string, double> TimeRatios(const GateRuns& runs) {
   }
   std::map<std::string, double> ratios;
   for (const SuiteRun& run : runs.runs) {
-    Place place{run.planned.keys, run.planned.seed};
+    TimedRun place{run.planned.keys, run.planned.seed};
     place.first["variant"] = kTimeReference;
     const auto time = times_ms.find(run.planned.job);
     const auto reference = reference_ms.find(place);

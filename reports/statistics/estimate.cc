@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <ranges>
 
 #include "core/base/rng.h"
 #include "reports/statistics/paired_test.h"
@@ -21,7 +20,8 @@ Differences DifferencesOf(const Strata& strata) {
   Differences differences;
   for (const std::vector<Unit>& units : strata.units) {
     differences.emplace_back();
-    for (const auto& [value, reference] : units | std::views::transform(&Unit::parts)) {
+    for (const Unit& unit : units) {
+      const auto& [value, reference] = unit.parts;
       if (value.weight <= 0.0 || reference.weight <= 0.0) continue;
       differences.back().push_back(Figure(value, strata.within) - Figure(reference, strata.within));
     }

@@ -88,8 +88,9 @@ void AddSplits(const Table& table, Lines& lines) {
        {"given", "recorded images"},
        {"none", "scenes of neither the development nor the test split"}}};
   for (const auto& [split, meaning] : kSplits) {
-    if (std::any_of(table.rows.begin(), table.rows.end(),
-                    [&](const Row& row) { return row.split.find(split) != std::string::npos; })) {
+    if (std::any_of(table.rows.begin(), table.rows.end(), [name = split](const Row& row) {
+          return row.split.find(name) != std::string::npos;
+        })) {
       lines.push_back(StrCat("split ", split, ": ", meaning));
     }
   }

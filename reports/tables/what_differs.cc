@@ -60,8 +60,8 @@ std::vector<std::string> OptionChanges(const Made& before, const Made& after) {
     OptionValues all = options;
     all.insert(there->second.begin(), there->second.end());
     for (const auto& [path, unused] : all) {
-      const auto value = [&](const OptionValues& from) {
-        const auto found = from.find(path);
+      const auto value = [&name = path](const OptionValues& from) {
+        const auto found = from.find(name);
         return found == from.end() ? Values() : found->second;
       };
       const Values was = value(there->second);

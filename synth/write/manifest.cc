@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synth/write/manifest.h"
 
+#include <array>
 #include <mutex>
 
 #include "core/base/error.h"
-#include "core/files/json/json.h"
+#include "core/files/json/json_record.h"
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
 
@@ -59,30 +60,37 @@ Manifest ReadManifest(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / kManifestName;
   const Json json = ReadJson(path);
   const auto expected = [] { return StrCat("a manifest \"", kKind, "\", ", kSchemaVersion); };
-  if (!json.is_object() || json.value("kind", "") != kKind ||
-      json.value("schema_version", 0) != kSchemaVersion) {
+  if (!json.is_object() || json.value("kind", Json()) != kKind ||
+      json.value("schema_version", Json()) != kSchemaVersion) {
     ThrowError(path.string(), "another JSON file", expected());
   }
   Manifest manifest;
+  const auto read = [&]<typename T>(const Json& from, const char* key, T& value) {
+    value = FromJson<T>(from.at(key), StrCat(path.string(), ", ", key));
+  };
   try {
-    manifest.scene = json.at("scene");
-    if (!json.at("seed").is_null()) manifest.seed = json.at("seed").get<std::uint64_t>();
-    manifest.first_frame = json.at("frames").at("first");
-    manifest.frames = json.at("frames").at("count");
-    manifest.width_px = json.at("image").at("width_px");
-    manifest.height_px = json.at("image").at("height_px");
+    read(json, "scene", manifest.scene);
+    read(json, "seed", manifest.seed);
+    read(json.at("frames"), "first", manifest.first_frame);
+    read(json.at("frames"), "count", manifest.frames);
+    read(json.at("image"), "width_px", manifest.width_px);
+    read(json.at("image"), "height_px", manifest.height_px);
     if (json.contains("rig_error")) {
       const Json& error = json.at("rig_error");
-      manifest.rig_error.shift_px = error.at("shift_px");
-      for (int i = 0; i < 3; ++i)
-        manifest.rig_error.rotation_deg[i] = error.at("rotation_deg").at(i);
-      manifest.rig_error.focal = error.at("focal");
+      std::array<double, 3> rotation_deg;
+      read(error, "shift_px", manifest.rig_error.shift_px);
+      read(error, "rotation_deg", rotation_deg);
+      read(error, "focal", manifest.rig_error.focal);
+      manifest.rig_error.rotation_deg = Eigen::Vector3d(rotation_deg.data());
     }
-    manifest.renderer.gl = json.at("renderer").at("gl");
-    manifest.renderer.renderer = json.at("renderer").at("renderer");
-    manifest.program_sources = json.at("program_sources");
+    read(json.at("renderer"), "gl", manifest.renderer.gl);
+    read(json.at("renderer"), "renderer", manifest.renderer.renderer);
+    read(json, "program_sources", manifest.program_sources);
     for (const Json& file : json.at("files")) {
-      manifest.files.push_back({file.at("name"), file.at("size_bytes"), file.at("sha256")});
+      FileRecord& record = manifest.files.emplace_back();
+      read(file, "name", record.name);
+      read(file, "size_bytes", record.size_bytes);
+      read(file, "sha256", record.sha256);
     }
   } catch (const nlohmann::json::exception& error) {
     ThrowError(path.string(), StrCat("a damaged one (", error.what(), ")"), expected());

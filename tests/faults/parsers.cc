@@ -2,15 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/faults/parsers.h"
 
+#include <chrono>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "core/base/error.h"
 #include "core/files/csv_file.h"
 #include "core/files/json/options_json.h"
 #include "core/files/text_file.h"
 #include "core/interface/options.h"
+#include "experiments/cache/front_end_frame.h"
 #include "experiments/calibration/kitti_calibration.h"
+#include "experiments/calibration/rig_file.h"
+#include "experiments/datasets/formats/data_rows.h"
 #include "experiments/datasets/formats/grey_png.h"
+#include "experiments/datasets/formats/image_header.h"
 #include "experiments/datasets/formats/object_boxes.h"
 #include "experiments/datasets/formats/oxts.h"
 #include "experiments/datasets/formats/png.h"
@@ -25,9 +31,12 @@
 #include "reports/results/run_summary.h"
 #include "reports/results/timing.h"
 #include "reports/results/truth.h"
+#include "reports/runs/body_story.h"
+#include "reports/runs/detail_files.h"
 #include "reports/tables/table_json.h"
 #include "synth/family/family.h"
 #include "synth/scene/description.h"
+#include "synth/write/manifest.h"
 
 namespace cvo::test {
 namespace {
@@ -64,6 +73,24 @@ std::string GreyPng() {
   return {bytes.begin(), bytes.end()};
 }
 
+std::string SceneManifest() {
+  synth::Manifest manifest;
+  manifest.scene = "tiny";
+  manifest.frames = 3;
+  manifest.files = {{"image_0/000000.png", 17, "ab"}};
+  return synth::FormatManifest(manifest);
+}
+
+std::string CachedFrame(bool damaged) {
+  FrontEndFrame frame;
+  if (damaged) {
+    frame.problems.push_back({1, "a file that ends"});
+  } else {
+    frame.features.resize(2);
+  }
+  return EncodeFrame(frame);
+}
+
 std::vector<Parser> SuiteParsers() {
   return {
       {"suite",
@@ -94,61 +121,170 @@ std::vector<Parser> ResultParsers() {
       {"table",
        {Golden("table")},
        [](const fs::path& file) { ReadTable(ReadFileBytes(file), file); }},
-      {"baseline", {Golden("baseline")}, [](const fs::path& file) { ReadBaseline(file); }}};
+      {"baseline", {Golden("baseline")}, [](const fs::path& file) { ReadBaseline(file); }},
+      {"clusters.csv",
+       {"frame,id,category,status,x,y,z,qx,qy,qz,qw,vx,vy,vz,refined_x,refined_y,refined_z,"
+        "refined_qx,refined_qy,refined_qz,refined_qw,refined_vx,refined_vy,refined_vz,center_x,"
+        "center_y,center_z,half_x_m,half_y_m,half_z_m,observed_landmarks\n"
+        "3,1,Car,tracked,1,2,3,0,0,0,1,0,0,0,,,,,,,,,,,0,0,0,1,2,3,17\n"},
+       [](const fs::path& file) { ReadClusterTable(file); }},
+      {"landmarks.csv",
+       {"frame,cluster,inferred,energy_2d,energy_3d,energy_motion,second,second_2d,second_3d,"
+        "second_motion,truth_body\n0,0,1,0.5,1,2,,0.5,1,2,\n"},
+       [](const fs::path& file) { ReadLabelledLandmarks(file); }}};
 }
 
 std::vector<Parser> SequenceParsers() {
-  return {{"calibration",
-           {"P0: 200 0 128 0 0 200 64 0 0 0 1 0\nP1: 200 0 128 -100 0 200 64 0 0 0 1 0\n"},
-           [](const fs::path& file) {
-             const CalibrationFile calibration(file);
-             (void)CameraRig(calibration, "P").Stereo(0, 1, 256, 128);
-           }},
-          {"times", {"0\n0.1\n2e-1\n"}, [](const fs::path& file) { ReadSecondsTimes(file); }},
-          {"dates",
-           {"2011-09-26 13:02:25.964389445\n2011-09-26 13:02:26.064389445\n"},
-           [](const fs::path& file) { ReadDateTimes(file); }},
-          {"poses",
-           {Repeated("1 0 0 1 0 1 0 2 0 0 1 3\n", 2)},
-           [](const fs::path& file) { ReadKittiPoses(file); }},
-          {"trajectory",
-           {"# comment\n1.5 1 2 3 0 0 0 1\n2.5 1 2 3 0 0 0.6 0.8\n"},
-           [](const fs::path& file) { ReadTumTrajectory(file); }},
-          {"oxts",
-           {"49 8 112" + Repeated(" 0.1", 27) + "\n"},
-           [](const fs::path& file) { ImuPoses(ReadOxtsPackets(file)); }},
-          {"labels",
-           {StrCat(kBox, "\n0 -1 DontCare -1 -1 -10 1 2 3 4 -1 -1 -1 -1000 -1000 -1000 -10\n")},
-           [](const fs::path& file) { ReadLabels(file, kFrames); }},
-          {"detections",
-           {StrCat(kBox, " 0.5\n", kBox, " 0.9\n")},
-           [](const fs::path& file) { ReadDetections(file, kFrames); }},
-          {"objects",
-           {"Car 0 0 0 10 10 40 40 1.5 1.6 4 0 1 8 0 0.5\n"},
-           [](const fs::path& file) { ReadObjectFile(file, 0); }},
-          {"table of bodies",
-           {"frame,id,x\n0,1,2.5\n1,1,2.75\n"},
-           [](const fs::path& file) {
-             const CsvFile csv(file, "frame,id,x");
-             for (std::size_t row = 0; row < csv.rows(); ++row) {
-               (void)csv.Integer(row, 0);
-               (void)csv.Name(row, 1);
-               (void)csv.Number(row, 2);
-             }
-           }},
-          {"png",
-           {std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x8\0\0\0\0\x3a\x7e\x9b\x55",
-                        33)},
-           [](const fs::path& file) {
-             (void)FindPngDamage(ReadFileBytes(file));
-             ReadPngHeader(file);
-           }},
-          {"pixels of a grey png", {GreyPng()}, [](const fs::path& file) {
-             (void)DecodeGreyPng(ReadFileBytes(file));
-           }}};
+  return {
+      {"calibration",
+       {"P0: 200 0 128 0 0 200 64 0 0 0 1 0\nP1: 200 0 128 -100 0 200 64 0 0 0 1 0\n"},
+       [](const fs::path& file) {
+         const CalibrationFile calibration(file);
+         (void)CameraRig(calibration, "P").Stereo(0, 1, 256, 128);
+       }},
+      {"times", {"0\n0.1\n2e-1\n"}, [](const fs::path& file) { ReadSecondsTimes(file); }},
+      {"dates",
+       {"2011-09-26 13:02:25.964389445\n2011-09-26 13:02:26.064389445\n"},
+       [](const fs::path& file) { ReadDateTimes(file); }},
+      {"poses",
+       {Repeated("1 0 0 1 0 1 0 2 0 0 1 3\n", 2)},
+       [](const fs::path& file) { ReadKittiPoses(file); }},
+      {"trajectory",
+       {"# comment\n1.5 1 2 3 0 0 0 1\n2.5 1 2 3 0 0 0.6 0.8\n"},
+       [](const fs::path& file) { ReadTumTrajectory(file); }},
+      {"oxts",
+       {"49 8 112" + Repeated(" 0.1", 27) + "\n"},
+       [](const fs::path& file) { ImuPoses(ReadOxtsPackets(file)); }},
+      {"labels",
+       {StrCat(kBox, "\n0 -1 DontCare -1 -1 -10 1 2 3 4 -1 -1 -1 -1000 -1000 -1000 -10\n")},
+       [](const fs::path& file) { ReadLabels(file, kFrames); }},
+      {"detections",
+       {StrCat(kBox, " 0.5\n", kBox, " 0.9\n")},
+       [](const fs::path& file) { ReadDetections(file, kFrames); }},
+      {"objects",
+       {"Car 0 0 0 10 10 40 40 1.5 1.6 4 0 1 8 0 0.5\n"},
+       [](const fs::path& file) { ReadObjectFile(file, 0); }},
+      {"rig",
+       {"left: {fx: 500, fy: 501, cx: 320, cy: 240, lens: plumb_bob, coefficients: [-0.2, 0.1, 0, "
+        "0]}\n"
+        "right: {fx: 500, fy: 501, cx: 320, cy: 240}\n"
+        "right_from_left: [1, 0, 0, -0.1, 0, 1, 0, 0, 0, 0, 1, 0]\n",
+        "{\"fx\": 700, \"fy\": 701, \"cx\": 320, \"cy\": 240, \"baseline_m\": 0.12}",
+        "%YAML:1.0\n---\nK1: [500, 0, 320, 0, 500, 240, 0, 0, 1]\nD1: [0, 0, 0, 0]\n"
+        "K2: !!opencv-matrix\n   rows: 3\n   cols: 3\n   data: [500, 0, 320, 0, 500, 240, 0, 0, "
+        "1]\n"
+        "D2: [0, 0, 0, 0]\nR: [1, 0, 0, 0, 1, 0, 0, 0, 1]\nT: [-0.1, 0, 0]\n",
+        "cam0:\n  camera_model: pinhole\n  distortion_model: radtan\n"
+        "  distortion_coeffs: [-0.28, 0.07, 0, 0]\n  intrinsics: [458, 457, 367, 248]\n"
+        "cam1:\n  T_cn_cnm1:\n  - [1, 0, 0, -0.11]\n  - [0, 1, 0, 0]\n  - [0, 0, 1, 0]\n"
+        "  - [0, 0, 0, 1]\n  intrinsics: [457, 456, 380, 255]\n  resolution: [752, 480]\n"},
+       [](const fs::path& file) { ReadStereoRig(file); }},
+      {"euroc_poses",
+       {"#timestamp, x, y, z, qw, qx, qy, qz\n1403636580838555648,4.6,-1.7,0.8,1,0,0,0,9\n"
+        "1403636580843555328,4.6,-1.7,0.8,0.6,0,0.8,0,9\n"},
+       [](const fs::path& file) { ReadEurocPoses(file); }},
+      {"objects.csv",
+       {StrCat(
+           kObjectsHeader, "\n",
+           "0,1,ball,Ball,1,2,3,0,0,0.6,0.8,0.5,0,0,0,0,1.25,0.7,0.7,0.7,12,24,0.5,0.25,1,2,4,4,"
+           "1,2,5,6\n1,1,ball,Ball,1,2,3,0,0,0,1,0,0,0,0,0,0,0.7,0.7,0.7,0,0,0,1,,,,,,,,\n")},
+       [](const fs::path& file) { ReadSceneBodies(file, 2); }},
+      {"targets.csv",
+       {StrCat(kTargetsHeader, "\n0,0,0.5,0.25,2\n1,3,0.5,0.25,2\n")},
+       [](const fs::path& file) { ReadTargetCorners(file); }},
+      {"manifest.json",
+       {SceneManifest()},
+       [](const fs::path& file) { synth::ReadManifest(file.parent_path()); }},
+      {"image.jpg",
+       {std::string("\xff\xd8\xff\xe0\0\4\0\0\xff\xc0\0\x0b\x8\0\x10\0\x20\1\1\x11\0\xff\xd9", 23)},
+       [](const fs::path& file) {
+         (void)FindJpegDamage(ReadFileBytes(file));
+         ReadImageSize(file);
+       }},
+      {"cached_frame",
+       {CachedFrame(false), CachedFrame(true)},
+       [](const fs::path& file) { DecodeFrame(ReadFileBytes(file)); }},
+      {"rows.csv",
+       {"frame,id,x\n0,1,2.5\n1,1,2.75\n"},
+       [](const fs::path& file) {
+         const CsvFile csv(file, "frame,id,x");
+         for (std::size_t row = 0; row < csv.rows(); ++row) {
+           (void)csv.Integer(row, 0);
+           (void)csv.Name(row, 1);
+           (void)csv.Number(row, 2);
+         }
+       }},
+      {"header.png",
+       {std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x8\0\0\0\0\x3a\x7e\x9b\x55",
+                    33)},
+       [](const fs::path& file) {
+         (void)FindPngDamage(ReadFileBytes(file));
+         ReadPngHeader(file);
+       }},
+      {"grey.png", {GreyPng()}, [](const fs::path& file) {
+         (void)DecodeGreyPng(ReadFileBytes(file));
+       }}};
 }
 
 }  // namespace
+
+const std::vector<std::string>& HostilePieces() {
+  static const std::vector<std::string> kPieces = {"nan",
+                                                   "inf",
+                                                   "-1",
+                                                   "0",
+                                                   "1e999",
+                                                   "-1e308",
+                                                   "1e-320",
+                                                   "99999999999999999999",
+                                                   "2147483648",
+                                                   "-9223372036854775808",
+                                                   "0x10",
+                                                   "null",
+                                                   "true",
+                                                   "\"\"",
+                                                   "[",
+                                                   "]",
+                                                   "{",
+                                                   "}",
+                                                   "[[[[[[[[",
+                                                   ",",
+                                                   ":",
+                                                   "\n",
+                                                   "\r\n",
+                                                   "\t",
+                                                   " ",
+                                                   std::string(1, '\0'),
+                                                   "\x1b[31m",
+                                                   "\xff",
+                                                   "\xc2\x9b",
+                                                   "\xe2\x80\xae",
+                                                   "..",
+                                                   "/",
+                                                   "../../",
+                                                   "\\u0000",
+                                                   "\\ud800",
+                                                   "#",
+                                                   ".",
+                                                   "=",
+                                                   std::string(300, '9')};
+  return kPieces;
+}
+
+std::string Finding(const Parser& parser, const fs::path& file) {
+  constexpr double kLongest_s = 5.0;
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  try {
+    parser.read(file);
+  } catch (const Error& error) {
+    if (std::string_view(error.what()).size() > 1000) return "a message without an end";
+  } catch (const std::exception& error) {
+    return StrCat("another exception: ", error.what());
+  }
+  const std::chrono::duration<double> took = Clock::now() - start;
+  return took.count() > kLongest_s ? StrCat(took.count(), " s") : "";
+}
 
 std::vector<Parser> AllParsers() {
   std::vector<Parser> all;

@@ -116,6 +116,16 @@ TEST_F(RigFile, KittisText) {
   EXPECT_EQ(rig.right_from_left.translation().x(), -0.5);
 }
 
+// A list within itself, and lists of lists that a few bytes make gigabytes, ended the program.
+TEST_F(RigFile, EndlessLists) {
+  const std::string cameras =
+      "left: {fx: 1, fy: 2, cx: 3, cy: 4}\nright: {fx: 1, fy: 2, cx: 3, cy: 4}\nright_from_left: ";
+  ExpectError(cameras + "&a [*a]\n", "found more than 1000 values");
+  std::string lists = "&a0 [1, 2, 3]";
+  for (int i = 0; i < 30; ++i) lists += StrCat(", &a", i + 1, " [*a", i, ", *a", i, "]");
+  ExpectError(cameras + "[" + lists + "]\n", "found more than 1000 values");
+}
+
 TEST_F(RigFile, BadInput) {
   ExpectError("fx: 1\nfy: 1\ncx: 1\ncy: 1\nbaseline: 1\n",
               "key \"baseline\" (did you mean baseline_m?)");

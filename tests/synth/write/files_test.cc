@@ -184,6 +184,15 @@ TEST(ReadManifest, RefusesOtherJson) {
   temp.Write("manifest.json",
              "{\"kind\": \"clustervo synthetic sequence\", \"schema_version\": 1}");
   EXPECT_THAT(ErrorMessage([&] { ReadManifest(temp.path()); }), HasSubstr("damaged"));
+  temp.Write("manifest.json", "{\"kind\": 5, \"schema_version\": [1]}");
+  EXPECT_THAT(ErrorMessage([&] { ReadManifest(temp.path()); }),
+              HasSubstr("found another JSON file"));
+  temp.Write(
+      "manifest.json",
+      "{\"kind\": \"clustervo synthetic sequence\", \"schema_version\": 1, \"scene\": \"a\", "
+      "\"seed\": null, \"frames\": {\"first\": 1e300, \"count\": 3}}");
+  EXPECT_THAT(ErrorMessage([&] { ReadManifest(temp.path()); }),
+              HasSubstr("manifest.json, first: found 1e+300, expected an integer"));
 }
 
 }  // namespace

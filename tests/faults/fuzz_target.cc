@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// One program of libFuzzer for all parsers:
+//   fuzz_target seeds FOLDER               writes seeds and a dictionary for each, prints names
+//   fuzz_target PARSER [libFuzzer's own]   attacks that parser, or reads the files given once
+// A finding ends it; libFuzzer keeps the input.
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <iostream>
+#include <optional>
+#include <set>
+
+#include "core/base/error.h"
+#include "core/files/text_file.h"
+#include "tests/faults/parsers.h"
+
+namespace cvo::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A parser and its file, which TMPDIR may put into memory.
+class Target {
+ public:
+  explicit Target(Parser parser) : parser_(std::move(parser)) {
+    std::string folder = fs::temp_directory_path() / "fuzz_XXXXXX";
+    if (::mkdtemp(folder.data()) == nullptr) ThrowError(folder, "no folder", "one for its file");
+    folder_ = folder;
+  }
+  ~Target() { fs::remove_all(folder_); }
+  Target(const Target&) = delete;
+  Target& operator=(const Target&) = delete;
+
+  void Read(std::string_view bytes) const {
+    const fs::path file = folder_ / parser_.name;
+    WriteFileBytes(file, bytes);
+    if (const std::string why = Finding(parser_, file); !why.empty()) {
+      std::cerr << parser_.name << ": " << why << std::endl;
+      std::abort();
+    }
+  }
+
+ private:
+  Parser parser_;
+  fs::path folder_;
+};
+
+// The entry points of libFuzzer have no other way to hand it on.
+std::optional<Target>& TheTarget() {
+  static std::optional<Target> target;
+  return target;
+}
+
+std::string DictionaryEntry(std::string_view word) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string entry = "\"";
+  for (const unsigned char byte : word) {
+    entry += {'\\', 'x', kDigits[byte / 16], kDigits[byte % 16]};
+  }
+  return entry + "\"\n";
+}
+
+// Keys, values and numbers of the seeds, and what readers stumble over.
+std::string Dictionary(const Parser& parser) {
+  constexpr std::string_view kEnds = " \t\r\n,:[]{}\"";
+  constexpr std::size_t kLongest = 60;  // libFuzzer takes 64
+  std::set<std::string> words;
+  for (const std::string& text : parser.seeds) {
+    for (std::size_t begin = 0; begin != std::string::npos;) {
+      begin = text.find_first_not_of(kEnds, begin);
+      if (begin == std::string::npos) break;
+      const std::size_t end = std::min(text.find_first_of(kEnds, begin), text.size());
+      words.insert(text.substr(begin, end - begin));
+      begin = end;
+    }
+  }
+  words.insert(HostilePieces().begin(), HostilePieces().end());
+  std::string all;
+  for (const std::string& word : words) {
+    if (word.size() <= kLongest) all += DictionaryEntry(word);
+  }
+  return all;
+}
+
+void WriteSeeds(const fs::path& folder) {
+  for (const Parser& parser : AllParsers()) {
+    const fs::path seeds = folder / parser.name / "seeds";
+    fs::create_directories(seeds);
+    for (std::size_t i = 0; i < parser.seeds.size(); ++i) {
+      WriteFileBytes(seeds / std::to_string(i), parser.seeds[i]);
+    }
+    WriteFileBytes(folder / parser.name / "dictionary", Dictionary(parser));
+    std::cout << parser.name << '\n';
+  }
+}
+
+void Start(const std::vector<std::string>& arguments) {
+  if (arguments.size() == 2 && arguments[0] == "seeds") {
+    WriteSeeds(arguments[1]);
+    std::exit(0);
+  }
+  for (const Parser& parser : AllParsers()) {
+    if (!arguments.empty() && parser.name == arguments[0]) TheTarget().emplace(parser);
+  }
+  if (!TheTarget()) {
+    std::cerr << "fuzz_target seeds FOLDER | PARSER [flags of libFuzzer] [FILE ...]\n";
+    std::exit(2);
+  }
+}
+
+}  // namespace
+}  // namespace cvo::test
+
+// The first argument is ours, the others are libFuzzer's.
+extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
+  cvo::test::Start({*argv + 1, *argv + *argc});
+  (*argv)[1] = (*argv)[0];
+  ++*argv;
+  --*argc;
+  return 0;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  cvo::test::TheTarget()->Read({reinterpret_cast<const char*>(data), size});
+  return 0;
+}
