@@ -152,49 +152,50 @@ struct Wrong {
   std::string key;
 };
 
-class WrongSuite : public testing::TestWithParam<Wrong> {};
-
-TEST_P(WrongSuite, NamesFileAndKey) {
-  const Wrong& wrong = GetParam();
-  EXPECT_THAT(MessageOf(With(wrong.pointer, wrong.value)),
-              AllOf(StartsWith("s.json"), HasSubstr(wrong.key)));
+TEST(Suite, AWrongValueIsNamedWithFileAndKey) {
+  const std::vector<Wrong> cases = {
+      {"/sede", 1, "sede"},
+      {"/name", 5, "name"},
+      {"/name", "a/b", "name"},
+      {"/sequences/0/scene", "tinny", "did you mean tiny"},
+      {"/sequences/0/scne", "tiny", "sequences.0.scne"},
+      {"/sequences/0/folder", "f", "sequences.0"},
+      {"/sequences/0/detections", "godo", "did you mean good"},
+      {"/sequences/0/frames", "3:99", "sequences.0"},
+      {"/sequences/0/classes", {"Carr"}, "sequences.0.classes.0"},
+      {"/sequences/0/perturb", {{"blurr_px", 1}}, "blurr_px"},
+      {"/sequences/0/perturb", {{"drop_rate", 2}}, "drop_rate"},
+      {"/sequences/0/perturb", 3, "sequences.0.perturb"},
+      {"/grid", {{"perturb.gama", {1}}}, "gama"},
+      {"/grid", {{"perturb.gamma", {99}}}, "gamma"},
+      {"/sequences", Json::array(), "sequences"},
+      {"/variants", {"ful"}, "variants.0"},
+      {"/variants", {"full", "full"}, "variants.1"},
+      {"/variants", Json::array(), "variants"},
+      {"/options", {{"window", {{"spatail", 4}}}}, "window.spatail"},
+      {"/options", {{"window", {{"spatial", 4.5}}}}, "window.spatial"},
+      {"/grid", {{"window.spatail", {4}}}, "grid.window.spatail"},
+      {"/grid", {{"window.spatial", {4, 1000}}}, "grid.window.spatial"},
+      {"/grid", {{"window.spatial", {4, "x"}}}, "grid.window.spatial"},
+      {"/grid", {{"window.spatial", {4, 4}}}, "grid.window.spatial"},
+      {"/grid", {{"window.spatial", Json::array()}}, "grid.window.spatial"},
+      {"/grid", {{"scene.detector.miss_rat", {0.1}}}, "grid"},
+      {"/grid", {{"scene.detector.miss_rate", {2}}}, "grid"},
+      {"/grid_one_at_a_time", 1, "grid_one_at_a_time"},
+      {"/oracles", {{"boxs"}}, "oracles.0.0"},
+      {"/oracles", Json::array(), "oracles"},
+      {"/systems", {{{"name", "full"}}}, "systems.0"},
+      {"/table/metrics", {"camera_aet"}, "table.metrics.0"},
+      {"/table/metrics", Json::array(), "table.metrics"},
+      {"/table/rows", {"varaint"}, "table.rows.0"},
+      {"/table/reference", "static", "table.reference"},
+      {"/table/reference", "detections=good", "table.reference"}};
+  for (const Wrong& wrong : cases) {
+    EXPECT_THAT(MessageOf(With(wrong.pointer, wrong.value)),
+                AllOf(StartsWith("s.json"), HasSubstr(wrong.key)))
+        << wrong.pointer;
+  }
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    Suite, WrongSuite,
-    testing::Values(
-        Wrong{"/sede", 1, "sede"}, Wrong{"/name", 5, "name"}, Wrong{"/name", "a/b", "name"},
-        Wrong{"/sequences/0/scene", "tinny", "did you mean tiny"},
-        Wrong{"/sequences/0/scne", "tiny", "sequences.0.scne"},
-        Wrong{"/sequences/0/folder", "f", "sequences.0"},
-        Wrong{"/sequences/0/detections", "godo", "did you mean good"},
-        Wrong{"/sequences/0/frames", "3:99", "sequences.0"},
-        Wrong{"/sequences/0/classes", {"Carr"}, "sequences.0.classes.0"},
-        Wrong{"/sequences/0/perturb", {{"blurr_px", 1}}, "blurr_px"},
-        Wrong{"/sequences/0/perturb", {{"drop_rate", 2}}, "drop_rate"},
-        Wrong{"/sequences/0/perturb", 3, "sequences.0.perturb"},
-        Wrong{"/grid", {{"perturb.gama", {1}}}, "gama"},
-        Wrong{"/grid", {{"perturb.gamma", {99}}}, "gamma"},
-        Wrong{"/sequences", Json::array(), "sequences"}, Wrong{"/variants", {"ful"}, "variants.0"},
-        Wrong{"/variants", {"full", "full"}, "variants.1"},
-        Wrong{"/variants", Json::array(), "variants"},
-        Wrong{"/options", {{"window", {{"spatail", 4}}}}, "window.spatail"},
-        Wrong{"/options", {{"window", {{"spatial", 4.5}}}}, "window.spatial"},
-        Wrong{"/grid", {{"window.spatail", {4}}}, "grid.window.spatail"},
-        Wrong{"/grid", {{"window.spatial", {4, 1000}}}, "grid.window.spatial"},
-        Wrong{"/grid", {{"window.spatial", {4, "x"}}}, "grid.window.spatial"},
-        Wrong{"/grid", {{"window.spatial", {4, 4}}}, "grid.window.spatial"},
-        Wrong{"/grid", {{"window.spatial", Json::array()}}, "grid.window.spatial"},
-        Wrong{"/grid", {{"scene.detector.miss_rat", {0.1}}}, "grid"},
-        Wrong{"/grid", {{"scene.detector.miss_rate", {2}}}, "grid"},
-        Wrong{"/grid_one_at_a_time", 1, "grid_one_at_a_time"},
-        Wrong{"/oracles", {{"boxs"}}, "oracles.0.0"}, Wrong{"/oracles", Json::array(), "oracles"},
-        Wrong{"/systems", {{{"name", "full"}}}, "systems.0"},
-        Wrong{"/table/metrics", {"camera_aet"}, "table.metrics.0"},
-        Wrong{"/table/metrics", Json::array(), "table.metrics"},
-        Wrong{"/table/rows", {"varaint"}, "table.rows.0"},
-        Wrong{"/table/reference", "static", "table.reference"},
-        Wrong{"/table/reference", "detections=good", "table.reference"}));
 
 TEST(Suite, RowsDistinguishPointsOfAGrid) {
   Json json = With("/grid", {{"window.spatial", {4, 5}}});
