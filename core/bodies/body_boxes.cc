@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "core/base/lists.h"
 #include "core/bodies/body_direction.h"
 #include "core/bodies/body_footprint.h"
 #include "core/bodies/body_score.h"
@@ -82,10 +81,8 @@ void LookAt(const BoxScene& scene, const Cluster& cluster, bool is_known, BodyTr
   const double kept = 1.0 - 1.0 / options.boxes.max_views;
   track.center.information *= kept;
   track.center.weighted *= kept;
-  const RigidTransform object_from_world = cluster.Latest().world_from_object.Inverse();
-  const Eigen::Matrix3d R = object_from_world.RotationMatrix();
-  track.center.Add(object_from_world * place->center_in_world,
-                   R * place->information * R.transpose());
+  track.center.Add(cluster.Latest().world_from_object.Inverse(), place->center_in_world,
+                   place->information);
   if (!is_known) {
     AddPicture(*scene.view, options.place.box_center.border_px, cluster.detection, track.shape,
                place->center_in_world, track.viewed);
@@ -129,10 +126,8 @@ void BodyBoxes::Describe(const BoxScene& scene, std::vector<ClusterReport>& repo
 
 void BodyBoxes::ForgetGone(const ClusterMap& clusters) {
   if (tracks_.size() <= 2 * (clusters.live.size() + clusters.archived.size())) return;
-  std::erase_if(tracks_, [&](const auto& track) {
-    return FindBy(clusters.live, &Cluster::id, track.first) == nullptr &&
-           FindBy(clusters.archived, &Cluster::id, track.first) == nullptr;
-  });
+  std::erase_if(tracks_,
+                [&](const auto& track) { return FindCluster(clusters, track.first) == nullptr; });
 }
 
 }  // namespace cvo

@@ -47,24 +47,6 @@ ImageBox PictureOf(const StereoCamera& camera, const BoxShape& shape,
   return picture;
 }
 
-struct CutEdges {
-  bool left = false;
-  bool top = false;
-  bool right = false;
-  bool bottom = false;
-};
-
-CutEdges CutBy(const StereoCamera& camera, double border_px, const ImageBox& box) {
-  const double last_u_px = camera.width_px - 1 - border_px;
-  const double last_v_px = camera.height_px - 1 - border_px;
-  CutEdges cut;
-  cut.left = box.left_px < border_px;
-  cut.top = box.top_px < border_px;
-  cut.right = box.right_px > last_u_px;
-  cut.bottom = box.bottom_px > last_v_px;
-  return cut;
-}
-
 // How far a picture has to move between those of its two edges that are not cut.
 double EdgeShift(double at_low_px, double at_high_px, bool cuts_low, bool cuts_high) {
   if (cuts_low && cuts_high) return 0.0;

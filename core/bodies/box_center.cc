@@ -24,24 +24,41 @@ bool MayBeHidden(const FrameView& view, double max_overlap, int detection) {
   return false;
 }
 
-bool IsCut(const BoxCenterOptions& options, double low_px, double high_px, int image_px) {
-  return low_px < options.border_px || high_px > image_px - 1 - options.border_px;
+// Whether an edge of a detection's box may not be its body's own.
+struct UnseenEdges {
+  bool across = false;  // left or right
+  bool down = false;    // top or bottom
+};
+
+UnseenEdges UnseenOf(const FrameView& view, const BoxCenterOptions& options, int detection) {
+  const bool is_hidden = MayBeHidden(view, options.max_overlap, detection);
+  const CutEdges cut = CutBy(view.camera, options.border_px, view.shown.detections[detection].box);
+  return {is_hidden || cut.left || cut.right, is_hidden || cut.top || cut.bottom};
+}
+
+Eigen::Vector3d Deviations(const BoxCenterOptions& options, const UnseenEdges& unseen,
+                           double size_m) {
+  return size_m * Eigen::Vector3d(unseen.across ? options.unseen_deviation : options.edge_deviation,
+                                  unseen.down ? options.unseen_deviation : options.edge_deviation,
+                                  options.unseen_deviation);
 }
 
 }  // namespace
 
+CutEdges CutBy(const StereoCamera& camera, double border_px, const ImageBox& box) {
+  const double last_u_px = camera.width_px - 1 - border_px;
+  const double last_v_px = camera.height_px - 1 - border_px;
+  CutEdges cut;
+  cut.left = box.left_px < border_px;
+  cut.top = box.top_px < border_px;
+  cut.right = box.right_px > last_u_px;
+  cut.bottom = box.bottom_px > last_v_px;
+  return cut;
+}
+
 Eigen::Vector3d CenterDeviations(const FrameView& view, const BoxCenterOptions& options,
                                  int detection, double size_m) {
-  const ImageBox& box = view.shown.detections[detection].box;
-  const bool is_hidden = MayBeHidden(view, options.max_overlap, detection);
-  const auto of_edges = [&](double low_px, double high_px, int image_px) {
-    return size_m * (is_hidden || IsCut(options, low_px, high_px, image_px)
-                         ? options.unseen_deviation
-                         : options.edge_deviation);
-  };
-  return {of_edges(box.left_px, box.right_px, view.camera.width_px),
-          of_edges(box.top_px, box.bottom_px, view.camera.height_px),
-          size_m * options.unseen_deviation};
+  return Deviations(options, UnseenOf(view, options, detection), size_m);
 }
 
 Eigen::Matrix3d InformationAlong(const RigidTransform& world_from_camera,
@@ -65,11 +82,10 @@ BoxCenter CenterFromBox(const FrameView& view, const BoxCenterOptions& options, 
                                                               box.Height() / view.camera.fy));
   const double center_m = surface_m + birth_depth * result.size_m;
   result.center_in_world = view.world_from_camera * (center_m * ray);
-  result.information = InformationAlong(view.world_from_camera, ray,
-                                        CenterDeviations(view, options, detection, result.size_m));
-  result.is_whole = !MayBeHidden(view, options.max_overlap, detection) &&
-                    !IsCut(options, box.left_px, box.right_px, view.camera.width_px) &&
-                    !IsCut(options, box.top_px, box.bottom_px, view.camera.height_px);
+  const UnseenEdges unseen = UnseenOf(view, options, detection);
+  result.information =
+      InformationAlong(view.world_from_camera, ray, Deviations(options, unseen, result.size_m));
+  result.is_whole = !unseen.across && !unseen.down;
   return result;
 }
 

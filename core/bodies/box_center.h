@@ -15,6 +15,15 @@ struct BodyCenterOptions {
   double birth_depth = 0.0;  // clusters.birth_depth
 };
 
+// Which edges of a box the image's border may cut: those closer to it than `border_px`.
+struct CutEdges {
+  bool left = false;
+  bool top = false;
+  bool right = false;
+  bool bottom = false;
+};
+CutEdges CutBy(const StereoCamera& camera, double border_px, const ImageBox& box);
+
 // Where a body's centre is, judged by its box and the nearest points in it alone.
 struct BoxCenter {
   Eigen::Vector3d center_in_world = Eigen::Vector3d::Zero();

@@ -5,6 +5,8 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
+#include "core/base/lists.h"
+
 namespace cvo {
 namespace {
 
@@ -44,6 +46,11 @@ void AddKnowledge(const PointKnowledge& knowledge, double keep, Landmark& landma
 }
 
 }  // namespace
+
+const Cluster* FindCluster(const ClusterMap& map, ClusterId id) {
+  const Cluster* live = FindBy(map.live, &Cluster::id, id);
+  return live != nullptr ? live : FindBy(map.archived, &Cluster::id, id);
+}
 
 void AbsorbObservations(const Window& window, const WindowFrame& leaving, const FeatureNoise& noise,
                         const ClusterOptions& options, Cluster& cluster) {

@@ -23,6 +23,9 @@ struct ClusterMap {
   ClusterId next{1};
 };
 
+// Live or archived; null: neither.
+const Cluster* FindCluster(const ClusterMap& map, ClusterId id);
+
 inline bool IsConfirmed(const Cluster& cluster, const ClusterOptions& options) {
   return cluster.detections >= options.confirm_detections || cluster.given_body.valid();
 }

@@ -13,15 +13,10 @@
 namespace cvo {
 namespace {
 
-const Cluster& FindCluster(const ClusterMap& map, ClusterId id) {
-  for (const Cluster& cluster : map.live) {
-    if (cluster.id == id) return cluster;
-  }
-  const auto it = std::find_if(map.archived.begin(), map.archived.end(),
-                               [id](const Cluster& cluster) { return cluster.id == id; });
-  Require(it != map.archived.end(),
-          "InheritIdentities: a lost cluster is neither live nor archived");
-  return *it;
+const Cluster& LostOne(const ClusterMap& map, ClusterId id) {
+  const Cluster* cluster = FindCluster(map, id);
+  Require(cluster != nullptr, "InheritIdentities: a lost cluster is neither live nor archived");
+  return *cluster;
 }
 
 // Whether their class and what is given of them let two clusters be one body.
@@ -60,7 +55,7 @@ const LostCluster* FindPredecessor(const Cluster& found, const std::vector<LostC
   double least = 0.5 * options.gate * options.gate;
   double second = std::numeric_limits<double>::infinity();
   for (const LostCluster& candidate : lost) {
-    const Cluster& cluster = FindCluster(map, candidate.id);
+    const Cluster& cluster = LostOne(map, candidate.id);
     if (!MayBeOne(found, cluster)) continue;
     if (found.given_body.valid()) return &candidate;
     const double energy = ExplanationEnergy(found, cluster, candidate.predicted, options);
@@ -224,7 +219,7 @@ RigidTransform PlaceFormer(const IdentityStep& step, const Lineage& former, cons
 }
 
 void Inherit(const IdentityStep& step, ClusterId lost, ClusterMap& map, Cluster& found) {
-  const Cluster& before = FindCluster(map, lost);
+  const Cluster& before = LostOne(map, lost);
   found.former = {FrameId{}, before.landmarks, before.box_center,
                   MotionAtLoss(before, step.clusters)};
   const BodyMotion motion = MotionWhenFound<ClusterState>(found, step.clusters, found.states,

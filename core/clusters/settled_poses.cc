@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/base/lists.h"
-
 namespace cvo {
 namespace {
 
@@ -33,11 +31,6 @@ FrameId FirstOpen(const Cluster& cluster, FrameId of_all) {
   return cluster.former.since.valid() ? std::min(first, cluster.former.since) : first;
 }
 
-const Cluster* FindById(const ClusterMap& map, ClusterId id) {
-  const Cluster* live = FindBy(map.live, &Cluster::id, id);
-  return live != nullptr ? live : FindBy(map.archived, &Cluster::id, id);
-}
-
 std::vector<ClusterPose> TakeBefore(FrameId open, ClusterTrajectory& trajectory) {
   const auto end = FirstPoseFrom(open.value, trajectory);
   std::vector<ClusterPose> taken(std::make_move_iterator(trajectory.poses.begin()),
@@ -55,7 +48,7 @@ std::vector<ClusterTrajectory> TakeSettledPoses(const Window& window, const Clus
   const FrameId open = FirstOpen(window, options, map);
   for (auto it = map.trajectories.begin(); it != map.trajectories.end();) {
     auto& [id, trajectory] = *it;
-    const Cluster* cluster = FindById(map, id);
+    const Cluster* cluster = FindCluster(map, id);
     if (cluster == nullptr || !MayBeAnother(*cluster, options)) {
       std::vector<ClusterPose> poses =
           TakeBefore(cluster == nullptr ? open : FirstOpen(*cluster, open), trajectory);

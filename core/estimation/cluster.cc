@@ -13,6 +13,13 @@ void CenterEstimate::Add(const Eigen::Vector3d& center, const Eigen::Matrix3d& i
   ++boxes;
 }
 
+void CenterEstimate::Add(const RigidTransform& object_from_there,
+                         const Eigen::Vector3d& center_there,
+                         const Eigen::Matrix3d& information_there) {
+  const Eigen::Matrix3d R = object_from_there.RotationMatrix();
+  Add(object_from_there * center_there, R * information_there * R.transpose());
+}
+
 void CenterEstimate::Add(const CenterEstimate& other) {
   information += other.information;
   weighted += other.weighted;

@@ -27,6 +27,9 @@ struct CenterEstimate {
   int boxes = 0;
 
   void Add(const Eigen::Vector3d& center, const Eigen::Matrix3d& information_of_box);
+  // Both of a frame that `object_from_there` leads out of.
+  void Add(const RigidTransform& object_from_there, const Eigen::Vector3d& center_there,
+           const Eigen::Matrix3d& information_there);
   void Add(const CenterEstimate& other);  // of the same frame
   // The origin without a box.
   Eigen::Vector3d InObject() const;

@@ -18,9 +18,8 @@ struct OpenBox {
   double fill = 0.0;      // how much of the box they are spread over, in [0, 1]
 };
 
-// How much of the box the points are spread over, in [0, 1].
+// How much of the box the points, at least one, are spread over, in [0, 1].
 double Fill(const ImageBox& box, const std::vector<int>& body, const std::vector<CrfNode>& nodes) {
-  if (body.empty()) return 0.0;
   const Eigen::Vector3d& first = nodes[body.front()].z_px;
   ImageBox spread{first[0], first[1], first[0], first[1]};
   for (const int i : body) {

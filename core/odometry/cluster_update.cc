@@ -23,10 +23,7 @@ void AddBoxCenter(const FrameView& view, const BodyCenterOptions& options,
   const BoxCenter box =
       CenterFromBox(view, options.box_center, options.birth_depth, track.detection, surface);
   cluster.size.Add(box.size_m, box.is_whole);
-  const RigidTransform object_from_world = track.world_from_object.Inverse();
-  const Eigen::Matrix3d R = object_from_world.RotationMatrix();
-  cluster.box_center.Add(object_from_world * box.center_in_world,
-                         R * box.information * R.transpose());
+  cluster.box_center.Add(track.world_from_object.Inverse(), box.center_in_world, box.information);
 }
 
 ClusterReport DescribeCluster(const ClusterOptions& options, FrameId newest,

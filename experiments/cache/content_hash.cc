@@ -50,13 +50,12 @@ std::string ContentHash(const Sequence& sequence,
                      {"camera", CameraNumbers(sequence.camera)},
                      {"timestamps_ns", sequence.timestamps_ns},
                      {"text_files", text_files}};
-  Json behind;
+  Json behind = Json::object();
   if (!sequence.layout.empty()) behind["layout"] = sequence.layout;
   const Json perturbation = PerturbationToJson(sequence.perturbation);
   if (!perturbation.empty()) behind["perturbation"] = perturbation;
 
   Sha256 hash;
-  std::string last;  // part of the text
   std::size_t frame = 0;
   const auto next = [&](Json& row) {
     if (frame == sequence.images.size()) return false;
@@ -64,15 +63,8 @@ std::string ContentHash(const Sequence& sequence,
     row = Json::array({pair.left, pair.right});
     return true;
   };
-  DumpJsonWithRows(json, "images", next, [&](std::string_view part) {
-    hash.Add(last);
-    last = part;
-  });
-  if (!behind.empty()) {
-    constexpr std::string_view kEnd = "\n}\n";
-    last.replace(last.size() - kEnd.size(), kEnd.size(), "," + DumpJson(behind).substr(1));
-  }
-  hash.Add(last);
+  DumpJsonWithRows(
+      json, "images", next, [&hash](std::string_view part) { hash.Add(part); }, behind);
   return hash.Hex();
 }
 

@@ -10,6 +10,16 @@
 #include "experiments/log/packed.h"
 
 namespace cvo {
+namespace {
+
+template <typename Key>
+std::vector<PoseLog::Entry> SortedBy(std::vector<PoseLog::Entry> entries, const Key& key) {
+  std::sort(entries.begin(), entries.end(),
+            [&key](const PoseLog::Entry& a, const PoseLog::Entry& b) { return key(a) < key(b); });
+  return entries;
+}
+
+}  // namespace
 
 PoseLog::PoseLog(const std::vector<ClusterTrajectory>& clusters) { Add(clusters); }
 
@@ -28,19 +38,11 @@ void PoseLog::Add(const std::vector<ClusterTrajectory>& clusters) {
 }
 
 std::vector<PoseLog::Entry> PoseLog::ByFrame() const {
-  std::vector<Entry> entries = entries_;
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return std::tie(a.frame, a.cluster) < std::tie(b.frame, b.cluster);
-  });
-  return entries;
+  return SortedBy(entries_, [](const Entry& e) { return std::tie(e.frame, e.cluster); });
 }
 
 std::vector<PoseLog::Entry> PoseLog::ByCluster() const {
-  std::vector<Entry> entries = entries_;
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return std::tie(a.cluster, a.frame) < std::tie(b.cluster, b.frame);
-  });
-  return entries;
+  return SortedBy(entries_, [](const Entry& e) { return std::tie(e.cluster, e.frame); });
 }
 
 ClusterPose PoseLog::Read(const Entry& entry) const {

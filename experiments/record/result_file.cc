@@ -192,10 +192,10 @@ reports::CameraInfo CameraOf(const StereoCamera& camera) {
           camera.cx,       camera.cy,        camera.baseline_m, camera.right_shift_px};
 }
 
-std::string ResultText(const reports::RunSummary& summary, const Json& details) {
+Json ResultJson(const reports::RunSummary& summary, const Json& details) {
   Json json = FileJson(summary);
   json.update(details);
-  return DumpJson(json);
+  return json;
 }
 
 const char* ToString(RunStatus status) {
@@ -229,14 +229,14 @@ void WriteResultFile(const RunRecord& record, const TextSink& sink) {
   summary.build = record.build;
   summary.metrics = record.metrics;
   summary.bodies = record.bodies;
-  Json json = FileJson(summary);
-  json.update({{"clusters", ClustersToJson(record.run)},
-               {"calibration", LastCalibrationToJson(record.run)},
-               {"frame_counts", CountsToJson(record.run)},
-               {"solver_endings", SolverEndingsToJson(record.run)},
-               {"undecodable", UndecodableToJson(record.run)},
-               {"trajectories", TrajectoriesToJson(record.run)},
-               {"pose_layout", {"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"}}});
+  const Json json =
+      ResultJson(summary, {{"clusters", ClustersToJson(record.run)},
+                           {"calibration", LastCalibrationToJson(record.run)},
+                           {"frame_counts", CountsToJson(record.run)},
+                           {"solver_endings", SolverEndingsToJson(record.run)},
+                           {"undecodable", UndecodableToJson(record.run)},
+                           {"trajectories", TrajectoriesToJson(record.run)},
+                           {"pose_layout", {"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"}}});
   auto frame = record.run.frames.begin();
   const auto next = [&](Json& row) {
     if (frame == record.run.frames.end()) return false;

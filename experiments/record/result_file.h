@@ -42,8 +42,8 @@ reports::RunSequence SequenceOf(const Sequence& sequence, const std::string& con
 
 reports::CameraInfo CameraOf(const StereoCamera& camera);
 
-// The content of a result.json: the summary and, behind it, what only some readers need.
-std::string ResultText(const reports::RunSummary& summary, const Json& details);
+// A result.json: the summary and, behind it, what only some readers need.
+Json ResultJson(const reports::RunSummary& summary, const Json& details);
 
 // Of the last frame that has an estimate of it; empty where there is none.
 std::optional<CalibrationReport> LastCalibration(const RunResult& run);

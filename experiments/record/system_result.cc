@@ -84,10 +84,11 @@ std::string SystemResultFile(const SystemRecord& record) {
   summary.build = record.build;
   summary.metrics = record.metrics;
   summary.bodies = record.bodies;
-  return ResultText(summary, {{"clusters", ClustersToJson(record)},
-                              {"frame_counts", CountsToJson(record.estimate.world_from_camera)},
-                              {"pose_layout", {"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"}},
-                              {"frames", FramesToJson(record)}});
+  return DumpJson(
+      ResultJson(summary, {{"clusters", ClustersToJson(record)},
+                           {"frame_counts", CountsToJson(record.estimate.world_from_camera)},
+                           {"pose_layout", {"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"}},
+                           {"frames", FramesToJson(record)}}));
 }
 
 }  // namespace cvo

@@ -64,12 +64,13 @@ std::map<std::string, double> TimeRatios(const GateRuns& runs) {
   }
   std::map<std::string, double> ratios;
   for (const SuiteRun& run : runs.runs) {
-    TimedRun place{run.planned.keys, run.planned.seed};
-    place.first["variant"] = kTimeReference;
+    TimedRun reference_run{run.planned.keys, run.planned.seed};
+    reference_run.first["variant"] = kTimeReference;
     const auto time = times_ms.find(run.planned.job);
-    const auto reference = reference_ms.find(place);
+    const auto reference = reference_ms.find(reference_run);
     if (time == times_ms.end() || reference == reference_ms.end()) continue;
-    if (place.first != run.planned.keys) ratios[run.planned.job] = time->second / reference->second;
+    if (reference_run.first != run.planned.keys)
+      ratios[run.planned.job] = time->second / reference->second;
   }
   return ratios;
 }

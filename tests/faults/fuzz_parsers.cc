@@ -66,11 +66,10 @@ class Mutator {
 
   // A number, a key or a value as a whole.
   void ReplaceWord(std::string& text, std::size_t at) {
-    constexpr std::string_view kEnds = " \t\r\n,:[]{}\"";
-    const std::size_t begin = text.find_first_not_of(kEnds, at);
-    if (begin == std::string::npos) return;
-    const std::size_t end = std::min(text.find_first_of(kEnds, begin), text.size());
-    text.replace(begin, end - begin, Pick(HostilePieces()));
+    const std::string_view word = WordFrom(text, at);
+    if (word.empty()) return;
+    text.replace(static_cast<std::size_t>(word.data() - text.data()), word.size(),
+                 Pick(HostilePieces()));
   }
 
   const std::vector<std::string>& seeds_;

@@ -63,16 +63,13 @@ std::string DictionaryEntry(std::string_view word) {
 
 // Keys, values and numbers of the seeds, and what readers stumble over.
 std::string Dictionary(const Parser& parser) {
-  constexpr std::string_view kEnds = " \t\r\n,:[]{}\"";
   constexpr std::size_t kLongest = 60;  // libFuzzer takes 64
   std::set<std::string> words;
   for (const std::string& text : parser.seeds) {
-    for (std::size_t begin = 0; begin != std::string::npos;) {
-      begin = text.find_first_not_of(kEnds, begin);
-      if (begin == std::string::npos) break;
-      const std::size_t end = std::min(text.find_first_of(kEnds, begin), text.size());
-      words.insert(text.substr(begin, end - begin));
-      begin = end;
+    std::size_t at = 0;
+    for (auto word = WordFrom(text, at); !word.empty(); word = WordFrom(text, at)) {
+      words.emplace(word);
+      at = static_cast<std::size_t>(word.data() - text.data()) + word.size();
     }
   }
   words.insert(HostilePieces().begin(), HostilePieces().end());

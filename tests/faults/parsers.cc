@@ -271,6 +271,12 @@ const std::vector<std::string>& HostilePieces() {
   return kPieces;
 }
 
+std::string_view WordFrom(std::string_view text, std::size_t begin) {
+  constexpr std::string_view kEnds = " \t\r\n,:[]{}\"";
+  begin = std::min(text.find_first_not_of(kEnds, begin), text.size());
+  return text.substr(begin, text.find_first_of(kEnds, begin) - begin);
+}
+
 std::string Finding(const Parser& parser, const fs::path& file) {
   constexpr double kLongest_s = 5.0;
   using Clock = std::chrono::steady_clock;

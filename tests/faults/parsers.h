@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cvo::test {
@@ -22,6 +23,9 @@ std::vector<Parser> AllParsers();
 
 // What readers stumble over: numbers, brackets, blanks, bytes of control.
 const std::vector<std::string>& HostilePieces();
+
+// The first number, key or value of a text from this place on, as a whole; empty: there is none.
+std::string_view WordFrom(std::string_view text, std::size_t begin);
 
 // Why a file is a finding; empty: it is none.
 std::string Finding(const Parser& parser, const std::filesystem::path& file);

@@ -192,7 +192,8 @@ std::string DumpJson(const Json& value) {
 }
 
 void DumpJsonWithRows(const Json& object, const std::string& key,
-                      const std::function<bool(Json& row)>& next, const TextSink& sink) {
+                      const std::function<bool(Json& row)>& next, const TextSink& sink,
+                      const Json& behind) {
   constexpr std::string_view kEnd = "\n}\n";
   std::string text = DumpJson(object);
   Require(text.ends_with(kEnd), "DumpJsonWithRows: an object with members");
@@ -205,7 +206,8 @@ void DumpJsonWithRows(const Json& object, const std::string& key,
     writer.Write(row, StrCat(key, "[", count, "]"), 4, true);
     sink(StrCat(count > 0 ? "," : "", "\n    ", writer.Take()));
   }
-  sink(StrCat(count > 0 ? "\n  ]" : "]", kEnd));
+  const std::string end = behind.empty() ? std::string(kEnd) : "," + DumpJson(behind).substr(1);
+  sink(StrCat(count > 0 ? "\n  ]" : "]", end));
 }
 
 }  // namespace cvo

@@ -10,9 +10,11 @@
 
 namespace cvo {
 
-// As DumpJson of the object, not empty, with one member more behind the others: an array of what
-// `next` sets its row to until it returns false. One row at a time is in memory.
+// As DumpJson of the object, not empty, with one member more behind its own and before those of
+// `behind`: an array of what `next` sets its row to until it returns false. One row at a time is in
+// memory.
 void DumpJsonWithRows(const Json& object, const std::string& key,
-                      const std::function<bool(Json& row)>& next, const TextSink& sink);
+                      const std::function<bool(Json& row)>& next, const TextSink& sink,
+                      const Json& behind = Json::object());
 
 }  // namespace cvo

@@ -150,6 +150,13 @@ TEST(DumpJsonWithRows, WritesWhatDumpJsonDoes) {
         head, "rows", [&](Json& row) { return next < count && (row = all[next++], true); },
         [&text](std::string_view part) { text += part; });
     EXPECT_EQ(text, DumpJson(whole)) << count;
+    whole["z"] = {{"last", true}};
+    next = 0;
+    text.clear();
+    DumpJsonWithRows(
+        head, "rows", [&](Json& row) { return next < count && (row = all[next++], true); },
+        [&text](std::string_view part) { text += part; }, {{"z", {{"last", true}}}});
+    EXPECT_EQ(text, DumpJson(whole)) << count;
   }
 }
 
