@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/median.h"
+#include "core/geometry/rigid_transform.h"
 
 namespace cvo {
 namespace {
@@ -67,6 +68,71 @@ void FindJumps(const Sequence& sequence, const std::vector<double>& steps_s,
   jumps.Tell(lines);
 }
 
+// How a camera moves from one frame to the next.
+struct CameraStep {
+  double length_m = 0.0;
+  double sideways_m = 0.0;  // to the right, in the camera before
+  double turn_rad = 0.0;
+};
+
+// A stretch of the way of a camera on a car.
+struct Stretch {
+  int first = 0;  // frame
+  int last = 0;
+  double sideways_rad = 0.0;    // from where the camera looks to where it goes
+  double by_turning_rad = 0.0;  // what of it the car's turning may make
+};
+
+// All of 10 m, each from another frame on.
+std::vector<Stretch> StretchesOf(int first_frame, const std::vector<CameraStep>& steps) {
+  constexpr double kLength_m = 10.0;
+  constexpr double kLever_m = 3.0;  // from a car's rear axle to its camera, at most
+  std::vector<Stretch> stretches;
+  for (std::size_t begin = 0; begin < steps.size(); ++begin) {
+    CameraStep sum;
+    std::size_t end = begin;
+    for (; end < steps.size() && sum.length_m < kLength_m; ++end) {
+      sum.length_m += steps[end].length_m;
+      sum.sideways_m += steps[end].sideways_m;
+      sum.turn_rad += steps[end].turn_rad;
+    }
+    if (sum.length_m < kLength_m) break;
+    stretches.push_back({first_frame + static_cast<int>(begin), first_frame + static_cast<int>(end),
+                         sum.sideways_m / sum.length_m, kLever_m * sum.turn_rad / sum.length_m});
+  }
+  return stretches;
+}
+
+// A car goes where it heads. Where its positions go sideways, they are wrong: those of OxTS drift
+// by a metre on KITTI drive 0013.
+void FindSideslip(const Sequence& sequence, std::vector<std::string>& lines) {
+  constexpr double kLeast_rad = 0.02;
+  const auto& truth = sequence.groundtruth_world_from_camera;
+  std::vector<CameraStep> steps;
+  for (std::size_t i = 0; i + 1 < truth.size(); ++i) {
+    if (!truth[i] || !truth[i + 1]) return;
+    const RigidTransform step = truth[i]->Inverse() * *truth[i + 1];
+    steps.push_back(
+        {step.translation().norm(), step.translation().x(), std::abs(LogSo3(step.rotation()).y())});
+  }
+  const std::vector<Stretch> stretches = StretchesOf(sequence.first_frame, steps);
+  if (stretches.empty()) return;
+  std::vector<double> angles_rad;
+  for (const Stretch& stretch : stretches) angles_rad.push_back(stretch.sideways_rad);
+  const double usual_rad = Median(angles_rad);  // the camera need not look straight ahead
+  const auto slip_rad = [&](const Stretch& stretch) {
+    return std::abs(stretch.sideways_rad - usual_rad) - stretch.by_turning_rad;
+  };
+  const Stretch worst = *std::max_element(
+      stretches.begin(), stretches.end(),
+      [&](const Stretch& a, const Stretch& b) { return slip_rad(a) < slip_rad(b); });
+  if (slip_rad(worst) < kLeast_rad) return;
+  lines.push_back(StrCat("ground truth of the camera, frames ", worst.first, " to ", worst.last,
+                         ": the car slips sideways by ",
+                         std::round(1000.0 * slip_rad(worst)) / 100.0,
+                         " m in 10 m: its positions do not fit its orientations"));
+}
+
 // Velocity from each frame to the next, m/s; empty where one of the two has no truth.
 std::vector<std::optional<Eigen::Vector3d>> Velocities(const TruthBody& body,
                                                        const std::vector<double>& steps_s) {
@@ -110,8 +176,8 @@ void FindBodyJumps(const ObjectTruth& truth, const std::vector<double>& steps_s,
       }
       if (least_m_s == 0.0 || std::isinf(least_m_s)) continue;
       jumps.Add("ground truth of body " + body.name, truth.first_frame + static_cast<int>(i) + 1,
-                StrCat("moves ", std::round(10.0 * least_m_s) / 10.0,
-                       " m/s otherwise than just before and after"));
+                StrCat("its velocity differs by ", std::round(10.0 * least_m_s) / 10.0,
+                       " m/s from those just before and after"));
     }
   }
   jumps.Tell(lines);
@@ -130,6 +196,7 @@ std::vector<std::string> FindImplausible(const Sequence& sequence, const ObjectT
   if (steps_s.empty()) return lines;
   FindGaps(sequence, steps_s, lines);
   FindJumps(sequence, steps_s, lines);
+  if (sequence.dataset == "kitti") FindSideslip(sequence, lines);
   if (bodies != nullptr) FindBodyJumps(*bodies, steps_s, lines);
   return lines;
 }

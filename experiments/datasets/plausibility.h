@@ -10,8 +10,8 @@
 namespace cvo {
 
 // What is well-formed in the times and the true poses of a sequence and yet implausible, one line
-// each: a gap between frames, a camera or a body that jumps. Empty for a good one. `bodies`: null
-// where nothing is known of them.
+// each: a gap between frames, a camera or a body that jumps, a car that slips sideways. Empty for a
+// good one. `bodies`: null where nothing is known of them.
 std::vector<std::string> FindImplausible(const Sequence& sequence, const ObjectTruth* bodies);
 
 }  // namespace cvo

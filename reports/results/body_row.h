@@ -77,6 +77,8 @@ struct BodyRow {
   std::optional<double> one_frame_m;
   std::optional<double> motion_rad;
   std::optional<double> motion_m;
+  std::optional<double> ate_in_camera_m;
+  std::optional<double> motion_in_camera_m;
   std::optional<MaxDrifts> max_drift;
   FrameErrors errors;
   FrameErrors predicted;
@@ -102,6 +104,8 @@ struct BodyRow {
     archive.Field("one_frame_m", self.one_frame_m);
     archive.Field("motion_rad", self.motion_rad);
     archive.Field("motion_m", self.motion_m);
+    archive.Added("ate_in_camera_m", self.ate_in_camera_m);
+    archive.Added("motion_in_camera_m", self.motion_in_camera_m);
     archive.Optional("max_drift", self.max_drift);
     archive.Field("errors", self.errors);
     archive.Field("predicted", self.predicted);

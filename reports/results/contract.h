@@ -61,22 +61,28 @@ enum class Alignment {
   kPositions,
   kWorld,
   kWorldAndBody,
+  kSeen,
+  kSeenAndBody,
   kAllPoses,
   kAllMotions,
   kFirstMotions
 };
-constexpr std::array<const char*, 7> EnumNames(Alignment) {
-  return {"none",
-          "SE(3) over positions, Umeyama without scale",
-          "world by the camera (chordal mean of orientations, mean of positions)",
-          "world by the camera (chordal mean of orientations, mean of positions), one "
-          "object_from_gtobject per body in closed form over its frames",
-          "one rigid transform on the right of the estimated poses over all frames, as ClusterVO; "
-          "ours: in closed form, world by the first pose of the camera",
-          "one rigid transform between the moving frames by their motions since the first frame, "
-          "as the tool of Oxford Multimotion; ours: squared errors in the frame of the truth",
-          "one rigid transform between the moving frames by their motions since the first frame "
-          "up to the 25th, as MVO 2018; ours: squared errors in the frame of the truth"};
+constexpr std::array<const char*, 9> EnumNames(Alignment) {
+  return {
+      "none",
+      "SE(3) over positions, Umeyama without scale",
+      "world by the camera (chordal mean of orientations, mean of positions)",
+      "world by the camera (chordal mean of orientations, mean of positions), one "
+      "object_from_gtobject per body in closed form over its frames",
+      "each true pose as the camera of its frame sees it, from where that camera was estimated",
+      "each true pose as the camera of its frame sees it, from where that camera was estimated; "
+      "one object_from_gtobject per body in closed form over its frames",
+      "one rigid transform on the right of the estimated poses over all frames, as ClusterVO; "
+      "ours: in closed form, world by the first pose of the camera",
+      "one rigid transform between the moving frames by their motions since the first frame, "
+      "as the tool of Oxford Multimotion; ours: squared errors in the frame of the truth",
+      "one rigid transform between the moving frames by their motions since the first frame "
+      "up to the 25th, as MVO 2018; ours: squared errors in the frame of the truth"};
 }
 
 // Which frames or pairs of frames are compared. Frames of bodies are those in which the body is

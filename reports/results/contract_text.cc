@@ -76,6 +76,9 @@ const char* Brief(Alignment alignment) {
     case Alignment::kWorld:
     case Alignment::kWorldAndBody:
       return "world by the camera";
+    case Alignment::kSeen:
+    case Alignment::kSeenAndBody:
+      return "as the camera sees them";
     case Alignment::kAllPoses:
       return "one transform over all poses";
     case Alignment::kAllMotions:

@@ -197,6 +197,14 @@ constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
     Mean(kObjectMotionT, "object_motion_t", MetricUnit::kMetres, A::kWorld, P::kMotions,
          D::kOneFrame, &BodyRow::motion_m, "motion error",
          "Error of the translation of an object from one frame to the next."),
+    Mean(kObjectAteInCamera, "object_ate_in_camera", MetricUnit::kMetres, A::kSeenAndBody,
+         P::kEstimated, D::kNone, &BodyRow::ate_in_camera_m, "object ATE in camera",
+         "As object ATE, but objects are compared as the camera of each frame sees them: what "
+         "objects add to the error of the camera, and to that of its truth."),
+    Mean(kObjectMotionTInCamera, "object_motion_t_in_camera", MetricUnit::kMetres, A::kSeen,
+         P::kMotions, D::kOneFrame, &BodyRow::motion_in_camera_m, "motion error in camera",
+         "As the motion error in translation, but objects are compared as the camera of each frame "
+         "sees them."),
     Mean(kObjectVelocity, "object_velocity", MetricUnit::kMetresPerSecond, A::kWorldAndBody,
          P::kVelocities, D::kCentral, &BodyRow::velocity_m_s, "velocity error",
          "Error of the velocity of objects: length of the difference from the true one."),

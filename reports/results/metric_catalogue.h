@@ -39,6 +39,8 @@ enum class MetricId {
   kObjectTrpe1Frame,
   kObjectMotionR,
   kObjectMotionT,
+  kObjectAteInCamera,
+  kObjectMotionTInCamera,
   kObjectVelocity,
   kObjectMaxDrift,  // twelve
   kObjectMaxDriftEnd = kObjectMaxDrift + 11,

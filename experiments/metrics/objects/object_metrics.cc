@@ -139,10 +139,12 @@ void AddErrors(const ObjectTruth& truth, const Group& group, std::vector<Metric>
   const std::size_t before = metrics.size();
   AddMean(group, kObjectMotionR, &BodyScore::motion_rad, metrics);
   AddMean(group, kObjectMotionT, &BodyScore::motion_m, metrics);
+  AddMean(group, kObjectMotionTInCamera, &BodyScore::motion_in_camera_m, metrics);
   for (std::size_t i = before; i < metrics.size(); ++i) {
     metrics[i].contract.frames = reports::FrameSpan{
         truth.first_frame, truth.first_frame + static_cast<int>(truth.frame_count()) - 1};
   }
+  AddMean(group, kObjectAteInCamera, &BodyScore::ate_in_camera_m, metrics);
   AddMean(group, kObjectVelocity, &BodyScore::velocity_m_s, metrics);
   if (group.form == BodyGroup::kMovers) AddMaxDrift(group, metrics);
 }

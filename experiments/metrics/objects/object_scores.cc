@@ -44,6 +44,23 @@ BodyPoses CollectPoses(const TruthBody& body, const ClusterEstimate& cluster,
   return poses;
 }
 
+// The true poses as the camera of their frame sees them, from where that camera was estimated: what
+// is left is the body's own error, whatever that of the camera and of its truth. Frames that lack
+// either camera are left out.
+CommonPoses AsSeen(const ObjectTruth& truth, const ObjectEstimate& estimate,
+                   const RigidTransform& truth_from_estimate, const CommonPoses& poses) {
+  CommonPoses seen;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const auto at = static_cast<std::size_t>(poses.frames[i]);
+    const auto& of_truth = truth.world_from_camera[at];
+    const auto& estimated = estimate.world_from_camera[at];
+    if (!of_truth || !estimated) continue;
+    Add(poses.frames[i], truth_from_estimate * *estimated * of_truth->Inverse() * poses.truth[i],
+        poses.estimate[i], seen);
+  }
+  return seen;
+}
+
 void ApplyObject(const RigidTransform& object_from_gtobject, CommonPoses& poses) {
   for (RigidTransform& estimate : poses.estimate) estimate = estimate * object_from_gtobject;
 }
@@ -89,14 +106,24 @@ struct Worlds {
   RigidTransform by_first_pose;  // of the camera
 };
 
-void ScorePoses(const ObjectTruth& truth, const TruthBody& body, const ClusterEstimate& cluster,
-                const Worlds& worlds, BodyScore& score) {
+void ScoreAsSeen(CommonPoses seen, BodyScore& score) {
+  if (seen.size() == 0) return;
+  ApplyObject(AlignObject(seen), seen);
+  std::vector<Eigen::Vector3d> positions;
+  score.ate_in_camera_m = RootMeanSquare(PositionErrors(seen, positions).position_m);
+  std::optional<double> rotation_rad;  // as in the world but for the camera's
+  SetRelative(MotionErrors(seen), rotation_rad, score.motion_in_camera_m);
+}
+
+void ScorePoses(const ObjectTruth& truth, const ObjectEstimate& estimate, const TruthBody& body,
+                const ClusterEstimate& cluster, const Worlds& worlds, BodyScore& score) {
   BodyPoses poses = CollectPoses(body, cluster, worlds.by_camera);
   score.cluster = cluster.id;
   score.estimated_frames = static_cast<int>(poses.counted.size());
   if (poses.counted.size() == 0) return;
   score.max_drift =
       MeasureMaxDrift(poses.counted, worlds.by_first_pose * worlds.by_camera.Inverse());
+  ScoreAsSeen(AsSeen(truth, estimate, worlds.by_camera, poses.counted), score);
   const RigidTransform object_from_gtobject = AlignObject(poses.counted);
   ApplyObject(object_from_gtobject, poses.counted);
   ApplyObject(object_from_gtobject, poses.predicted);
@@ -161,7 +188,8 @@ ObjectScores ScoreObjects(const ObjectTruth& truth, const ObjectEstimate& estima
     BodyScore score = DescribeBody(truth.bodies[i], continuity[i]);
     if (score.visible_frames == 0) continue;
     if (match != matches.end() && match->body == i) {
-      ScorePoses(truth, truth.bodies[i], estimate.clusters[match->cluster], worlds, score);
+      ScorePoses(truth, estimate, truth.bodies[i], estimate.clusters[match->cluster], worlds,
+                 score);
     }
     scores.bodies.push_back(std::move(score));
   }

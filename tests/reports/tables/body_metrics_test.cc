@@ -36,7 +36,8 @@ BodyScore RandomBody(int id, Rng& rng) {
   body.predicted_ate_m = rng.Uniform();
   body.velocity_m_s = rng.Uniform();
   for (auto member : {&BodyRow::all_pairs_rad, &BodyRow::all_pairs_m, &BodyRow::one_frame_rad,
-                      &BodyRow::one_frame_m, &BodyRow::motion_rad, &BodyRow::motion_m}) {
+                      &BodyRow::one_frame_m, &BodyRow::motion_rad, &BodyRow::motion_m,
+                      &BodyRow::ate_in_camera_m, &BodyRow::motion_in_camera_m}) {
     const bool known =
         id != 2 || (member != &BodyRow::one_frame_rad && member != &BodyRow::one_frame_m);
     if (known) body.*member = rng.Uniform();

@@ -180,7 +180,7 @@ TEST(ObjectMetrics, EachHasItsContract) {
   ObjectEstimate estimate = Noisy(truth, 2);
   estimate.clusters[0].frames[3].predicted = true;
   const auto metrics = Evaluate(truth, estimate);
-  EXPECT_EQ(metrics.size(), 15u + 12u + 4u + 15u + 1u);
+  EXPECT_EQ(metrics.size(), 17u + 12u + 4u + 17u + 1u);
   for (const Metric& metric : metrics) {
     EXPECT_GT(metric.n, 0) << metric.name;
     const reports::Contract& c = metric.contract;

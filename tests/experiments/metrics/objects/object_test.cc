@@ -12,8 +12,9 @@ namespace {
 using namespace test;  // NOLINT
 
 const std::vector<std::string> kErrors = {
-    "object_ate",          "object_rrpe_all_pairs", "object_trpe_all_pairs", "object_rrpe_1_frame",
-    "object_trpe_1_frame", "object_motion_r",       "object_motion_t"};
+    "object_ate",          "object_rrpe_all_pairs", "object_trpe_all_pairs",
+    "object_rrpe_1_frame", "object_trpe_1_frame",   "object_motion_r",
+    "object_motion_t",     "object_ate_in_camera",  "object_motion_t_in_camera"};
 
 TEST(ObjectMetrics, AreZeroForTheTruthInAnyWorldAndAnyClusterFrame) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
@@ -131,6 +132,33 @@ TEST(ObjectMetrics, TheWorldIsAlignedByTheCameraAlone) {
   EXPECT_GT(Value(Evaluate(truth, estimate), "object_ate"), 0.2);
   const RigidTransform A = AlignByCamera(truth.world_from_camera, estimate.world_from_camera);
   EXPECT_NEAR((A.translation() - Eigen::Vector3d(0, -0.3, 0)).norm(), 0.0, 1e-12);
+}
+
+TEST(ObjectMetrics, InCameraTheErrorsOfTheCameraAndOfItsTruthDoNotCount) {
+  ObjectTruth truth = TruthOf(4);
+  AddBody(truth, Line(4));
+  ObjectEstimate estimate = PerfectEstimate(truth);
+  // The truth drifts sideways, and what the camera saw goes along with it, as labels do.
+  for (int k = 0; k < 4; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const RigidTransform drift = Pose({0.0, 0.01 * k, 0.0}, {0.0, 0.0, 0.5 * k * k});
+    truth.world_from_camera[i] = drift * *truth.world_from_camera[i];
+    truth.bodies[0].frames[i]->world_from_object =
+        drift * truth.bodies[0].frames[i]->world_from_object;
+  }
+  const auto metrics = Evaluate(truth, estimate);
+  EXPECT_GT(Value(metrics, "object_ate"), 0.5);
+  EXPECT_GT(Value(metrics, "object_motion_t"), 0.5);
+  EXPECT_NEAR(Value(metrics, "object_ate_in_camera"), 0.0, 1e-12);
+  EXPECT_NEAR(Value(metrics, "object_motion_t_in_camera"), 0.0, 1e-12);
+  // An error of the body counts: 0.4 m off in one of four frames, of which the body's frame takes
+  // up a quarter.
+  estimate.clusters[0].frames[2].world_from_object = At(2.0, 0.4);
+  EXPECT_NEAR(Value(Evaluate(truth, estimate), "object_ate_in_camera"), 0.4 * std::sqrt(3.0) / 4.0,
+              1e-12);
+  // Frames without a pose of the camera are left out.
+  estimate.world_from_camera[2].reset();
+  EXPECT_NEAR(Value(Evaluate(truth, estimate), "object_ate_in_camera"), 0.0, 1e-12);
 }
 
 TEST(AlignByCamera, RotationIsThatOfTheOrientationsNotOfThePositions) {
