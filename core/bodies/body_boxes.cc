@@ -64,7 +64,10 @@ void ShapeBox(const BoxScene& scene, const Cluster& cluster, const Eigen::Vector
   track.shape.axes = is_known ? BoxAxes(track.forward, scene.down)
                               : FootprintAxes(points, track.forward, scene.down, options);
   const LandmarkSides sides = SidesAlong(track.shape.axes, points, options, scene.options.extent);
-  const Eigen::Vector3d size_m = WithPictures(sides.size_m, track.viewed, options);
+  track.shape.is_round = IsRound(cluster.category);
+  const Eigen::Vector3d size_m = track.shape.is_round
+                                     ? SidesOfBall(sides.size_m, track.viewed)
+                                     : WithPictures(sides.size_m, track.viewed, options);
   track.shape.size_m = (known_m.array() > 0.0).select(known_m, size_m);
   const Eigen::Vector3d camera = scene.world_from_camera.translation();
   track.landmark_center = CenterBehindNearSides(sides, track.shape, camera);

@@ -83,6 +83,11 @@ Eigen::Vector3d WithPictures(const Eigen::Vector3d& size_m, const ViewedSides& v
   return sides_m;
 }
 
+Eigen::Vector3d SidesOfBall(const Eigen::Vector3d& size_m, const ViewedSides& viewed) {
+  const double viewed_m = std::max(viewed.height_m, viewed.square_m);
+  return Eigen::Vector3d::Constant(viewed_m > 0.0 ? viewed_m : size_m.maxCoeff());
+}
+
 Eigen::Vector3d CenterBehindNearSides(const LandmarkSides& sides, const BoxShape& shape,
                                       const Eigen::Vector3d& camera_in_world) {
   const Eigen::Vector3d camera = shape.axes.transpose() * camera_in_world;

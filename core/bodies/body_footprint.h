@@ -29,6 +29,10 @@ LandmarkSides SidesAlong(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& po
 Eigen::Vector3d WithPictures(const Eigen::Vector3d& size_m, const ViewedSides& viewed,
                              const BodyBoxOptions& options);
 
+// Of a ball: all sides are its diameter, the largest of what pictures, or without them landmarks,
+// told.
+Eigen::Vector3d SidesOfBall(const Eigen::Vector3d& size_m, const ViewedSides& viewed);
+
 // In world: where a side is longer than its landmarks reach, they are on its half towards the
 // camera.
 Eigen::Vector3d CenterBehindNearSides(const LandmarkSides& sides, const BoxShape& shape,

@@ -124,7 +124,8 @@ bool IsDetected(const Cluster& cluster, FrameId newest) {
 }
 
 BoxShape InCamera(const FrameView& view, const BoxShape& shape) {
-  return {view.world_from_camera.Inverse().RotationMatrix() * shape.axes, shape.size_m};
+  return {view.world_from_camera.Inverse().RotationMatrix() * shape.axes, shape.size_m,
+          shape.is_round};
 }
 
 BoxPlace PlaceAt(const FrameView& view, const BodyPlaceOptions& options, int detection,
@@ -204,12 +205,12 @@ void AddPicture(const FrameView& view, double border_px, int detection, const Bo
   if (!cut.top && !cut.bottom) {
     const Eigen::Vector3d down = axes.transpose() * center.cross(right).normalized();
     const double tall_m = box.Height() * depth_m / view.camera.fy;
-    viewed.Add(HeightOf(tall_m, down, shape.size_m), viewed.height_m);
+    viewed.Add(shape.is_round ? tall_m : HeightOf(tall_m, down, shape.size_m), viewed.height_m);
   }
   if (!cut.left && !cut.right) {
     const double wide_m = box.Width() * depth_m / view.camera.fx;
     const double by_corners = (right.transpose() * axes).cwiseAbs().sum();
-    viewed.Add(0.5 * (wide_m / by_corners + wide_m), viewed.square_m);
+    viewed.Add(shape.is_round ? wide_m : 0.5 * (wide_m / by_corners + wide_m), viewed.square_m);
   }
 }
 

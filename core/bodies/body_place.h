@@ -14,6 +14,7 @@ namespace cvo {
 struct BoxShape {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   Eigen::Vector3d size_m = Eigen::Vector3d::Zero();
+  bool is_round = false;  // the body in it is a ball
 };
 
 struct BoxPlace {
@@ -53,8 +54,9 @@ struct ViewedSides {
   static void Add(double measured_m, double& side_m);
 };
 
-// The sides with which the body would fill the detection, if it is there and between a box and an
-// ellipsoid, as far as the image does not cut the detection (`border_px` from its border).
+// The sides with which the body would fill the detection, if it is there and a ball or else between
+// a box and an ellipsoid, as far as the image does not cut the detection (`border_px` from its
+// border).
 void AddPicture(const FrameView& view, double border_px, int detection, const BoxShape& shape,
                 const Eigen::Vector3d& center_in_world, ViewedSides& viewed);
 

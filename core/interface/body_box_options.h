@@ -32,6 +32,9 @@ struct ClassSize {
   }
 };
 
+// Whether bodies of the class are balls.
+inline bool IsRound(std::string_view category) { return category == "Ball"; }
+
 // The boxes that are reported of bodies (METHOD.md 10.4); the estimator itself does not use them.
 struct BodyBoxOptions {
   double quantile = 0.02;

@@ -228,7 +228,7 @@ TEST_F(InputFaults, ImplausibleTruth) {
     jump += StrCat(k, " 3 Car 0 0 0 10 10 40 40 1.5 1.6 4 0 1 ", k < 2 ? 8 : 4, " 0\n");
   }
   const std::string jumps = folder_.Write("jump.txt", jump);
-  const std::string said = "ground truth of body track 3, frame 2: moves ";
+  const std::string said = "ground truth of body track 3, frame 2: its velocity differs by ";
   EXPECT_THAT(Run(Joined(arguments, {"--labels", jumps})).out, HasSubstr("implausible: " + said));
   EXPECT_THAT(ReadJson(At("out/result.json"))["sequence"]["warnings"][0].get<std::string>(),
               HasSubstr(said));

@@ -60,6 +60,14 @@ TEST(BodyFootprint, PicturesCorrectWhatLandmarksTell) {
   EXPECT_LT((sides - Vector3d(1.2, 0.8, 1.0 / 1.2)).norm(), 1e-12);
 }
 
+TEST(BodyFootprint, SidesOfABallAreItsDiameter) {
+  // Landmarks are on its near side, and one picture may show a part of it.
+  const Vector3d told(0.5, 0.55, 0.3);
+  EXPECT_EQ(SidesOfBall(told, {.height_m = 0.4, .square_m = 0.6}), Vector3d::Constant(0.6));
+  EXPECT_EQ(SidesOfBall(told, {.height_m = 0.6, .square_m = 0.0}), Vector3d::Constant(0.6));
+  EXPECT_EQ(SidesOfBall(told, {}), Vector3d::Constant(0.55));
+}
+
 TEST(BodyFootprint, WhatIsMissingIsOnTheFarSide) {
   LandmarkSides sides{{-0.5, -0.3, 3.0}, {0.5, 0.3, 3.2}, {1.0, 0.6, 0.2}};
   const BoxShape shape{Eigen::Matrix3d::Identity(), {1.0, 0.6, 1.0}};

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/bodies/body_place.h"
 #include "core/estimation/cluster.h"
 #include "core/odometry/detection_policies.h"
 
@@ -24,6 +25,14 @@ struct SeenBall {
   double depth_bias_m = 0.0;  // of the surface
   bool hides = false;         // another body, before its lower right quarter
 
+  ViewedSides Viewed(const BoxShape& shape) {
+    From({});  // as a detection
+    ViewedSides viewed;
+    const FeatureGrid grid(frame.features, camera);
+    const FrameView view{frame, UseDetections::Show(frame), grid, camera, RigidTransform()};
+    AddPicture(view, 2.0, 0, shape, center, viewed);
+    return viewed;
+  }
   BoxCenter From(const RigidTransform& world_from_camera) {
     const Vector3d c = world_from_camera.Inverse() * center;
     const double u = camera.fx * c.x() / c.z() + camera.cx;
@@ -49,6 +58,19 @@ TEST(BoxCenter, LiesBehindTheSurfaceInTheMiddleOfTheBox) {
   const BoxCenter fix = ball.From({});
   EXPECT_NEAR(fix.size_m, 0.6, 0.04);
   EXPECT_LT((fix.center_in_world - ball.center).norm(), 0.02);
+}
+
+TEST(BodyPlace, ABallIsAsTallAndWideAsItsPicture) {
+  SeenBall ball;
+  const Eigen::Matrix3d turned =
+      Eigen::AngleAxisd(std::numbers::pi / 4.0, Vector3d::UnitY()).toRotationMatrix();
+  BoxShape shape{turned, Vector3d::Constant(0.5)};
+  // It might be a box that is seen from corner to corner.
+  EXPECT_LT(ball.Viewed(shape).square_m, 0.55);
+  shape.is_round = true;
+  const ViewedSides of_ball = ball.Viewed(shape);
+  EXPECT_NEAR(of_ball.height_m, 0.6, 1e-9);
+  EXPECT_NEAR(of_ball.square_m, 0.6, 1e-9);
 }
 
 double DeviationAlong(const Vector3d& direction, const BoxCenter& fix) {
