@@ -17,6 +17,7 @@ struct ClusterVo {
   using LandmarkAssociation = ProbabilisticAssociation;
   using BoxWeights = BoxWeightsLiteral;
   using BoxCost = UnsharedBoxCost;
+  using ClassGate = AcceptAnyClass;
   using BoxRematch = RematchInOwnBox;
   using Rotation = HeldRotation;
   using Identity = AlwaysNewIdentity;
@@ -44,6 +45,8 @@ struct ClusterVo {
   static void SetDefaults(Options& options) {
     options.association.gamma = 4.0;
     options.association.max_entropy = 1.0;
+    options.association.min_box_probability = 0.0;
+    options.association.min_box_members = 1;
     options.association.max_view_change_rad = 3.15;
     options.association.left_only = false;
     options.clusters.trace_states = 0;

@@ -39,6 +39,7 @@ struct Full {
   using LandmarkAssociation = ProbabilisticAssociation;
   using BoxWeights = BoundedBoxWeights;
   using BoxCost = SharedBoxCost;
+  using ClassGate = RefuseOtherClasses;
   using BoxRematch = RematchInBox;
   using Rotation = ConstantAngularVelocity;
   using Identity = WithAlignedFrames<InheritLostIdentity>;

@@ -35,6 +35,25 @@ struct AddBoxShare : Base {
 };
 
 template <typename Base>
+struct AddLeastShare : Base {
+  static constexpr std::string_view kRung = "least_share";
+  static constexpr std::string_view kAdds =
+      "a cluster's box needs a least share and number of its landmarks";
+  static void SetDefaults(Options& options) {
+    Base::SetDefaults(options);
+    options.association.min_box_probability = Options().association.min_box_probability;
+    options.association.min_box_members = Options().association.min_box_members;
+  }
+};
+
+template <typename Base>
+struct AddClassGate : Base {
+  static constexpr std::string_view kRung = "class_gate";
+  static constexpr std::string_view kAdds = "a cluster takes no box of another class";
+  using ClassGate = RefuseOtherClasses;
+};
+
+template <typename Base>
 struct AddWideGate : Base {
   static constexpr std::string_view kRung = "wide_gate";
   static constexpr std::string_view kAdds = "a 95 % gate for features in place of 74 %";

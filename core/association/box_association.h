@@ -25,6 +25,7 @@ struct BoxMember {
 struct BoxProbabilities {
   std::vector<double> probability;  // by box
   std::vector<double> weight;       // by box: of the landmarks inside
+  std::vector<int> members;         // by box: their number
   double entropy = 0.0;             // bits
 };
 

@@ -15,7 +15,9 @@ struct ClusterAssociationOptions {
   int max_hamming = 75;
   double ratio = 0.9;
   double max_view_change_rad = 1.0;
+  double min_box_probability = 0.3;
   double max_entropy = 1.44;
+  int min_box_members = 3;
   int rematch_hamming = 60;
   double rematch_ratio = 0.85;
   int ransac_iterations = 100;
@@ -47,12 +49,22 @@ struct ClusterAssociationOptions {
                  "maximum change of viewing direction since a landmark was last observed for it to "
                  "be searched: a body occludes its own far side",
                  "corners survive about 60 degrees"});
+    visit.Field("min_box_probability", self.min_box_probability,
+                {"1", 0, 1,
+                 "minimum share of a cluster's weight inside a box for the cluster to be assigned "
+                 "to that box",
+                 "METHOD.md 4.5"});
     visit.Field(
         "max_entropy", self.max_entropy,
         {"bit", 0, 20,
          "maximum entropy of a cluster's distribution over boxes for the cluster to be assigned to "
          "one",
          "paper, section 3.1: 1.0, read as nats; one bit refuses every pair of overlapping boxes"});
+    visit.Field(
+        "min_box_members", self.min_box_members,
+        {"landmarks", 1, 1000,
+         "minimum landmarks of a cluster inside a box for the cluster to be assigned to that box",
+         "METHOD.md 4.5"});
     visit.Field(
         "rematch_hamming", self.rematch_hamming,
         {"bits", 1, 256, "maximum descriptor distance without a prediction", "METHOD.md 4.6"});

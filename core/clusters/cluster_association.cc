@@ -63,6 +63,13 @@ std::vector<BoxMember> MembersOf(const ClusterSearch& search, const Cluster& clu
   return members;
 }
 
+void ForgetOtherCategories(const FrameView& view, const Cluster& cluster,
+                           BoxProbabilities& probabilities) {
+  for (std::size_t m = 0; m < view.shown.detections.size(); ++m) {
+    if (view.shown.detections[m].category != cluster.category) probabilities.members[m] = 0;
+  }
+}
+
 void ReleaseUnseen(std::vector<ClusterTrack>& tracks) {
   for (ClusterTrack& track : tracks) {
     if (!track.is_tracked) track.detection = -1;

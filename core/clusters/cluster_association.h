@@ -51,6 +51,9 @@ void TrackClusters(const ClusterSearch& search, const ClusterMap& map,
                    std::vector<ClusterTrack>& tracks);
 void AssociateGivenDetections(const FrameView& view, const ClusterMap& map,
                               std::vector<ClusterTrack>& tracks);
+// Takes the boxes of another class from the cluster.
+void ForgetOtherCategories(const FrameView& view, const Cluster& cluster,
+                           BoxProbabilities& probabilities);
 // Of an expected cluster nothing was found: its box may show another body.
 void ReleaseUnseen(std::vector<ClusterTrack>& tracks);
 std::vector<ImageBox> BoxesOf(std::span<const Detection> detections);
@@ -58,11 +61,30 @@ void FindBoxOfTrack(const ClusterSearch& search, const Cluster& cluster, Cluster
 
 }  // namespace internal
 
+// Whether a box of another class may be the cluster's.
+template <typename Policy>
+concept ClassGatePolicy = requires(const FrameView& view, const Cluster& cluster,
+                                   BoxProbabilities& probabilities) {
+  Policy::Apply(view, cluster, probabilities);
+};
+
+// Policy: it may not.
+struct RefuseOtherClasses {
+  static void Apply(const FrameView& view, const Cluster& cluster,
+                    BoxProbabilities& probabilities) {
+    internal::ForgetOtherCategories(view, cluster, probabilities);
+  }
+};
+// Policy: it may; the paper does not compare classes.
+struct AcceptAnyClass {
+  static void Apply(const FrameView&, const Cluster&, BoxProbabilities&) {}
+};
+
 // Multi-level association (section 3.1 of the paper): features with landmarks of the live clusters,
 // detections with clusters. One track per cluster of map.live, which may grow by clusters that are
 // found again.
 template <LandmarkAssociationPolicy LandmarkAssociation, BoxWeightsPolicy BoxWeights,
-          BoxCostPolicy BoxCost, BoxRematchPolicy BoxRematch>
+          BoxCostPolicy BoxCost, ClassGatePolicy ClassGate, BoxRematchPolicy BoxRematch>
 std::vector<ClusterTrack> AssociateClusters(const ClusterSearch& search,
                                             const ClusterPredictor& predict, ClusterMap& map,
                                             Rng& rng, TakenFeatures& taken) {
@@ -83,6 +105,7 @@ std::vector<ClusterTrack> AssociateClusters(const ClusterSearch& search,
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     probabilities.push_back(
         BoxWeights::Compute(internal::MembersOf(search, map.live[q], tracks[q]), boxes));
+    ClassGate::Apply(search, map.live[q], probabilities.back());
   }
   const std::vector<int> chosen = AssociateBoxes(probabilities, static_cast<int>(boxes.size()),
                                                  search.options.association, &BoxCost::Cost);

@@ -24,16 +24,17 @@ namespace cvo {
 // In what variants differ, and what each axis asks of its policies. Two variants with the same
 // axes are one type of estimator, whatever their options.
 template <DetectionPolicy D, LandmarkAssociationPolicy LA, BoxWeightsPolicy BW, BoxCostPolicy BC,
-          BoxRematchPolicy BR, RotationPolicy R, IdentityPolicy I, UnaryTerm BT, UnaryTerm AT,
-          UnaryTerm MT, PointPlacePolicy PP, PastFramePolicy PF, NewBodyPolicy NB, PairwisePolicy P,
-          ConfidencePolicy C, BirthOriginPolicy BO, MotionPriorPolicy MP, PastPolicy Pa,
-          OutlierPolicy O, MarginalizationPolicy M, GaugePolicy G, PromotionPolicy ST,
-          CalibrationPolicy Ca, SolverPolicy S>
+          ClassGatePolicy CG, BoxRematchPolicy BR, RotationPolicy R, IdentityPolicy I, UnaryTerm BT,
+          UnaryTerm AT, UnaryTerm MT, PointPlacePolicy PP, PastFramePolicy PF, NewBodyPolicy NB,
+          PairwisePolicy P, ConfidencePolicy C, BirthOriginPolicy BO, MotionPriorPolicy MP,
+          PastPolicy Pa, OutlierPolicy O, MarginalizationPolicy M, GaugePolicy G,
+          PromotionPolicy ST, CalibrationPolicy Ca, SolverPolicy S>
 struct Axes {
   using Detections = D;
   using LandmarkAssociation = LA;
   using BoxWeights = BW;
   using BoxCost = BC;
+  using ClassGate = CG;
   using BoxRematch = BR;
   using Rotation = R;
   using Identity = I;
@@ -61,12 +62,13 @@ struct Axes {
 template <typename V>
 using AxesOf =
     Axes<typename V::Detections, typename V::LandmarkAssociation, typename V::BoxWeights,
-         typename V::BoxCost, typename V::BoxRematch, typename V::Rotation, typename V::Identity,
-         typename V::BoxTerm, typename V::AffinityTerm, typename V::MotionTerm,
-         typename V::PointPlace, typename V::PastFrame, typename V::NewBody, typename V::Pairwise,
-         typename V::Confidence, typename V::BirthOrigin, typename V::MotionPrior, typename V::Past,
-         typename V::Outliers, typename V::MarginalizationRule, typename V::Gauge,
-         typename V::SpatialTrack, typename V::Calibration, typename V::Solver>;
+         typename V::BoxCost, typename V::ClassGate, typename V::BoxRematch, typename V::Rotation,
+         typename V::Identity, typename V::BoxTerm, typename V::AffinityTerm,
+         typename V::MotionTerm, typename V::PointPlace, typename V::PastFrame, typename V::NewBody,
+         typename V::Pairwise, typename V::Confidence, typename V::BirthOrigin,
+         typename V::MotionPrior, typename V::Past, typename V::Outliers,
+         typename V::MarginalizationRule, typename V::Gauge, typename V::SpatialTrack,
+         typename V::Calibration, typename V::Solver>;
 
 template <typename V>
 concept EstimatorVariant = requires {

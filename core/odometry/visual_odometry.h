@@ -77,10 +77,10 @@ class VisualOdometry final : public Odometry {
     {
       const ScopedStage stage(times, "associate");
       TakenFeatures taken = TakenBy(static_matches, frame.features.size());
-      cluster_tracks =
-          AssociateClusters<typename Variant::LandmarkAssociation, typename Variant::BoxWeights,
-                            typename Variant::BoxCost, typename Variant::BoxRematch>(
-              search, PredictorOfClusters(), clusters_, cluster_rng_, taken);
+      cluster_tracks = AssociateClusters<typename Variant::LandmarkAssociation,
+                                         typename Variant::BoxWeights, typename Variant::BoxCost,
+                                         typename Variant::ClassGate, typename Variant::BoxRematch>(
+          search, PredictorOfClusters(), clusters_, cluster_rng_, taken);
       for (std::size_t q = 0; q < cluster_tracks.size(); ++q) {
         if (!cluster_tracks[q].is_tracked) continue;
         PlaceFeatures(search, clusters_.live[q], cluster_tracks[q], frame.features);
