@@ -88,17 +88,18 @@ std::vector<Stretch> StretchesOf(int first_frame, const std::vector<CameraStep>&
   constexpr double kLength_m = 10.0;
   constexpr double kLever_m = 3.0;  // from a car's rear axle to its camera, at most
   std::vector<Stretch> stretches;
-  for (std::size_t begin = 0; begin < steps.size(); ++begin) {
-    CameraStep sum;
-    std::size_t end = begin;
-    for (; end < steps.size() && sum.length_m < kLength_m; ++end) {
-      sum.length_m += steps[end].length_m;
-      sum.sideways_m += steps[end].sideways_m;
-      sum.turn_rad += steps[end].turn_rad;
-    }
+  CameraStep sum;  // from begin to end: a car may stand for thousands of frames
+  const auto add = [&sum](const CameraStep& step, double sign) {
+    sum.length_m += sign * step.length_m;
+    sum.sideways_m += sign * step.sideways_m;
+    sum.turn_rad += sign * step.turn_rad;
+  };
+  for (std::size_t begin = 0, end = 0; begin < steps.size(); ++begin) {
+    for (; end < steps.size() && sum.length_m < kLength_m; ++end) add(steps[end], 1.0);
     if (sum.length_m < kLength_m) break;
     stretches.push_back({first_frame + static_cast<int>(begin), first_frame + static_cast<int>(end),
                          sum.sideways_m / sum.length_m, kLever_m * sum.turn_rad / sum.length_m});
+    add(steps[begin], -1.0);
   }
   return stretches;
 }

@@ -111,8 +111,7 @@ void ScoreAsSeen(CommonPoses seen, BodyScore& score) {
   ApplyObject(AlignObject(seen), seen);
   std::vector<Eigen::Vector3d> positions;
   score.ate_in_camera_m = RootMeanSquare(PositionErrors(seen, positions).position_m);
-  std::optional<double> rotation_rad;  // as in the world but for the camera's
-  SetRelative(MotionErrors(seen), rotation_rad, score.motion_in_camera_m);
+  if (const auto motion = MotionErrors(seen)) score.motion_in_camera_m = motion->translation_m;
 }
 
 void ScorePoses(const ObjectTruth& truth, const ObjectEstimate& estimate, const TruthBody& body,
