@@ -18,6 +18,7 @@
 #include "experiments/datasets/formats/object_boxes.h"
 #include "experiments/datasets/perturbation.h"
 #include "experiments/metrics/objects/object_truth.h"
+#include "experiments/metrics/trajectory.h"
 
 namespace cvo {
 
@@ -73,6 +74,9 @@ struct Sequence {
   // Ground truth of the left camera of the pair; empty where a frame has none.
   std::string groundtruth;  // "devkit", "interpolated", "official" or "none"
   std::vector<std::optional<RigidTransform>> groundtruth_world_from_camera;
+  // The same at times of its own in the images' clock, of the whole recording and in another world;
+  // empty where the data set states it frame by frame.
+  Trajectory truth_track;
 
   // A point seen from the left camera read is p_in_camera0 + (left_offset_m, 0, 0).
   double left_offset_m = 0.0;

@@ -99,6 +99,12 @@ bool IsInImage(const StereoCamera& camera, const Eigen::Vector3d& p_in_camera) {
          z_px->y() <= camera.height_px - 1;
 }
 
+RigidTransform LeftFromRectified(const Sequence& sequence) {
+  if (!sequence.rectification) return {};
+  const Eigen::Matrix3d turn = sequence.rectification->rectified_from_left();
+  return {Eigen::Matrix3d(turn.transpose()), Eigen::Vector3d::Zero()};
+}
+
 void MoveBody(const RigidTransform& first_from_world, const Sequence& sequence, BodyTrack& body) {
   const bool by_centre = sequence.bodies->visible.by == reports::VisibleBy::kCentre;
   for (std::size_t i = 0; i < body.frames.size(); ++i) {
@@ -236,12 +242,7 @@ void AddRig(const StereoRig& rig, const fs::path& calibration, Sequence& sequenc
 
 void AddCameraTruth(std::vector<std::optional<RigidTransform>> world_from_left,
                     Sequence& sequence) {
-  RigidTransform left_from_rectified;
-  if (sequence.rectification) {
-    const Eigen::Matrix3d turn = sequence.rectification->rectified_from_left();
-    left_from_rectified =
-        RigidTransform(Eigen::Matrix3d(turn.transpose()), Eigen::Vector3d::Zero());
-  }
+  const RigidTransform left_from_rectified = LeftFromRectified(sequence);
   std::optional<RigidTransform> first_from_world;
   for (std::optional<RigidTransform>& pose : world_from_left) {
     if (!pose) continue;
@@ -266,6 +267,22 @@ void StateFramesWithoutTruth(const std::string& reason, Sequence& sequence) {
   if (without == 0) return;
   sequence.missing.push_back(StrCat("no ground truth of the camera for ", without, " of ",
                                     poses.size(), " frames: ", reason));
+}
+
+void AddCameraTruth(const Trajectory& world_from_carrier, const RigidTransform& carrier_from_left,
+                    const std::string& reason, Sequence& sequence) {
+  std::vector<std::optional<RigidTransform>> poses;
+  for (const std::int64_t time_ns : sequence.timestamps_ns) {
+    std::optional<RigidTransform> pose = InterpolatePose(world_from_carrier, time_ns);
+    if (pose) *pose = *pose * carrier_from_left;
+    poses.push_back(pose);
+  }
+  AddCameraTruth(std::move(poses), sequence);
+  StateFramesWithoutTruth(reason, sequence);
+  for (const TimedPose& pose : world_from_carrier) {
+    sequence.truth_track.push_back({pose.timestamp_ns, pose.world_from_camera * carrier_from_left *
+                                                           LeftFromRectified(sequence)});
+  }
 }
 
 void AddBoxes(const SequenceRequest& request, const LabelSource& own_labels, const CameraRig& rig,

@@ -12,6 +12,7 @@
 #include "experiments/calibration/stereo_rig.h"
 #include "experiments/datasets/image_files.h"
 #include "experiments/datasets/sequence.h"
+#include "experiments/metrics/trajectory.h"
 
 namespace cvo {
 
@@ -63,5 +64,10 @@ void AddCameraTruth(std::vector<std::optional<RigidTransform>> world_from_left, 
 
 // Adds to Sequence::missing how many of the frames have no truth, and why.
 void StateFramesWithoutTruth(const std::string& reason, Sequence& sequence);
+
+// Both, from poses of what carries the camera, at times of their own in the images' clock: they are
+// interpolated to the images.
+void AddCameraTruth(const Trajectory& world_from_carrier, const RigidTransform& carrier_from_left,
+                    const std::string& reason, Sequence& sequence);
 
 }  // namespace cvo

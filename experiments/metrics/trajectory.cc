@@ -44,6 +44,22 @@ int CountColumns(const std::string& line) {
 
 }  // namespace
 
+std::optional<RigidTransform> InterpolatePose(const Trajectory& trajectory, std::int64_t time_ns) {
+  const auto after = std::lower_bound(
+      trajectory.begin(), trajectory.end(), time_ns,
+      [](const TimedPose& pose, std::int64_t time) { return pose.timestamp_ns < time; });
+  if (after == trajectory.end()) return std::nullopt;
+  if (after->timestamp_ns == time_ns) return after->world_from_camera;
+  if (after == trajectory.begin()) return std::nullopt;
+  const TimedPose& a = *(after - 1);
+  const TimedPose& b = *after;
+  const double s = static_cast<double>(time_ns - a.timestamp_ns) /
+                   static_cast<double>(b.timestamp_ns - a.timestamp_ns);
+  return RigidTransform(
+      a.world_from_camera.rotation().slerp(s, b.world_from_camera.rotation()),
+      (1.0 - s) * a.world_from_camera.translation() + s * b.world_from_camera.translation());
+}
+
 Trajectory ReadTumTrajectory(const std::filesystem::path& path) {
   const TextFile file(path);
   Trajectory trajectory;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,11 @@ struct TimedPose {
 
 // Strictly increasing in time.
 using Trajectory = std::vector<TimedPose>;
+
+// The pose at a time: position linear, rotation on the shortest arc. Empty outside the range of
+// times.
+[[nodiscard]] std::optional<RigidTransform> InterpolatePose(const Trajectory& trajectory,
+                                                            std::int64_t time_ns);
 
 // TUM trajectory files: "time tx ty tz qx qy qz qw" per line, time in seconds, comments after #.
 // Reading is strict (finite numbers, unit quaternions to within 1e-3, increasing time) and throws

@@ -14,7 +14,7 @@
 #include "experiments/cache/front_end_frame.h"
 #include "experiments/calibration/kitti_calibration.h"
 #include "experiments/calibration/rig_file.h"
-#include "experiments/datasets/formats/data_rows.h"
+#include "experiments/datasets/euroc_poses.h"
 #include "experiments/datasets/formats/grey_png.h"
 #include "experiments/datasets/formats/image_header.h"
 #include "experiments/datasets/formats/object_boxes.h"

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/files/text/unique_names.h"
 #include "core/files/text_file.h"
-#include "experiments/datasets/formats/data_rows.h"
+#include "experiments/datasets/euroc_poses.h"
 #include "experiments/metrics/trajectory.h"
 #include "reports/results/run_summary.h"
 
@@ -27,15 +27,6 @@ bool HasCommas(const fs::path& path) {
     }
   }
   return false;
-}
-
-Trajectory ReadEurocTrajectory(const fs::path& path) {
-  const TimedPoses read = ReadEurocPoses(path);
-  Trajectory trajectory;
-  for (std::size_t i = 0; i < read.poses.size(); ++i) {
-    trajectory.push_back({read.times_ns[i], read.poses[i]});
-  }
-  return trajectory;
 }
 
 Trajectory ReadKittiTrajectory(const fs::path& path) {
@@ -78,7 +69,7 @@ PlotInput ReadPlotInput(const std::string& path) {
     input.path = path;
     input.name = fs::path(path).stem().string();
     if (HasCommas(path)) {
-      input.poses = ReadEurocTrajectory(path);
+      input.poses = ReadEurocPoses(path);
     } else {
       input.timed = DetectPoseFormat(path) == "tum";
       input.camera_axes = !input.timed;

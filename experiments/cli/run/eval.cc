@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/run/eval_boxes.h"
+#include "experiments/cli/run/eval_clock.h"
 #include "experiments/cli/run/eval_sequence.h"
 #include "experiments/cli/run/run_summary.h"
 #include "experiments/metrics/association.h"
@@ -26,6 +27,7 @@ struct EvalFlags {
   bool json = false;
   EvalSequence sequence;  // whose own truth is used; without a folder: two files
   EvalBoxes boxes;        // if wanted
+  EvalClock clock;        // if wanted
 };
 
 // Poses frame by frame of the truth.
@@ -113,12 +115,18 @@ void CheckUsage(const CLI::App& app, const EvalFlags& flags) {
       throw CLI::ValidationError("--labels", "is required with --ap and --tracking");
     }
     std::vector<std::string> others = EvalSequence::FlagNames();
-    others.insert(others.end(),
-                  {"--groundtruth", "--sequence", "--format", "--max-time-difference"});
+    others.insert(others.end(), {"--groundtruth", "--sequence", "--format", "--max-time-difference",
+                                 "--clock-offset"});
     for (const std::string& flag : others) {
       if (flag != "--labels" && flag != "--frames") refuse(flag, "does not apply to boxes");
     }
     return;
+  }
+  if (flags.clock.wanted()) {
+    for (const char* flag : {"--format", "--max-time-difference", "--objects", "--name", "--output",
+                             "--right-shift"}) {
+      refuse(flag, "does not apply with --clock-offset");
+    }
   }
   if (app.count("--sequence") > 0) {
     refuse("--format",
@@ -138,8 +146,15 @@ int Evaluate(const CLI::App& app, EvalFlags& flags) {
     const SequenceFlags& part = flags.sequence.flags;
     return EvaluateBoxes(flags.boxes, {part.labels, flags.estimate, part.frames}, flags.json);
   }
-  if (app.count("--sequence") == 0) return EvaluateFiles(flags);
+  if (app.count("--sequence") == 0) {
+    return flags.clock.wanted()
+               ? EvaluateClock(flags.clock, flags.groundtruth, flags.estimate, flags.json)
+               : EvaluateFiles(flags);
+  }
   if (!flags.groundtruth.empty()) flags.sequence.flags.groundtruth = flags.groundtruth;
+  if (flags.clock.wanted()) {
+    return EvaluateClock(flags.clock, flags.sequence.flags.Request(), flags.estimate, flags.json);
+  }
   return EvaluateSequence(flags.sequence, flags.estimate, flags.json);
 }
 
@@ -168,6 +183,7 @@ Command AddEvalCommand(CLI::App& program) {
       ->capture_default_str();
   app->add_flag("--json", flags->json, "print JSON, with the contract of each metric");
   flags->sequence.AddTo(*app);
+  flags->clock.AddTo(*app);
   flags->boxes.AddTo(*app);
   app->footer(
       "Poses are world_from_camera. For ATE, the estimate is aligned by SE(3) over "

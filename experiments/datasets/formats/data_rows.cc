@@ -122,22 +122,10 @@ void DataRows::FailCell(std::size_t row, std::size_t column, const char* expecte
 }
 
 void CheckLater(const DataRows& rows, std::size_t row, std::int64_t time_ns,
-                const std::vector<std::int64_t>& before_ns, const std::string& of) {
-  if (before_ns.empty() || time_ns > before_ns.back()) return;
+                std::optional<std::int64_t> before_ns, const std::string& of) {
+  if (!before_ns || time_ns > *before_ns) return;
   rows.Fail(row, StrCat("time ", FormatSecondsNs(time_ns), " s of ", of),
-            StrCat("one after ", FormatSecondsNs(before_ns.back()), " s, that of the row before"));
-}
-
-TimedPoses ReadEurocPoses(const std::filesystem::path& path) {
-  const DataRows rows(path, 8, "time in ns, position x y z, quaternion w x y z");
-  TimedPoses read;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::int64_t time_ns = rows.Integer(i, 0);
-    CheckLater(rows, i, time_ns, read.times_ns, "the body");
-    read.times_ns.push_back(time_ns);
-    read.poses.emplace_back(rows.Quaternion(i, 4, true), rows.Vector(i, 1));
-  }
-  return read;
+            StrCat("one after ", FormatSecondsNs(*before_ns), " s, that of the row before"));
 }
 
 }  // namespace cvo

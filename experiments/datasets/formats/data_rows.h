@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,15 +49,9 @@ class DataRows {
   std::size_t columns_ = 0;
 };
 
-// Times of rows that must increase. Throws Error naming the row that does not.
+// Times of rows must increase. Throws Error naming the row if its time is not after `before_ns`,
+// which the first row does not have.
 void CheckLater(const DataRows& rows, std::size_t row, std::int64_t time_ns,
-                const std::vector<std::int64_t>& before_ns, const std::string& of);
-
-struct TimedPoses {
-  std::vector<std::int64_t> times_ns;
-  std::vector<RigidTransform> poses;
-};
-// A file of EuRoC with poses of the body. Throws Error.
-TimedPoses ReadEurocPoses(const std::filesystem::path& path);
+                std::optional<std::int64_t> before_ns, const std::string& of);
 
 }  // namespace cvo

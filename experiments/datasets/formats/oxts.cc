@@ -68,21 +68,4 @@ std::vector<RigidTransform> ImuPoses(const std::vector<OxtsPacket>& packets) {
   return poses;
 }
 
-std::optional<RigidTransform> InterpolatePose(const std::vector<std::int64_t>& times_ns,
-                                              const std::vector<RigidTransform>& poses,
-                                              std::int64_t time_ns) {
-  Require(times_ns.size() == poses.size(), "InterpolatePose: needs one time per pose");
-  if (times_ns.empty() || time_ns < times_ns.front() || time_ns > times_ns.back()) {
-    return std::nullopt;
-  }
-  const auto after = std::lower_bound(times_ns.begin(), times_ns.end(), time_ns);
-  const auto b = static_cast<std::size_t>(after - times_ns.begin());
-  if (times_ns[b] == time_ns) return poses[b];
-  const std::size_t a = b - 1;
-  const double s =
-      static_cast<double>(time_ns - times_ns[a]) / static_cast<double>(times_ns[b] - times_ns[a]);
-  return RigidTransform(poses[a].rotation().slerp(s, poses[b].rotation()),
-                        (1.0 - s) * poses[a].translation() + s * poses[b].translation());
-}
-
 }  // namespace cvo

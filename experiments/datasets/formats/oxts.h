@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <vector>
 
 #include "core/geometry/rigid_transform.h"
@@ -29,11 +27,5 @@ std::vector<OxtsPacket> ReadOxtsPackets(const std::filesystem::path& path);
 // The devkit's convertOxtsToPose: imu_0_from_imu_i with a Mercator projection whose scale is that
 // of the first packet's latitude.
 std::vector<RigidTransform> ImuPoses(const std::vector<OxtsPacket>& packets);
-
-// The pose at a time: position linear, rotation on the shortest arc. Times strictly increasing, as
-// many as poses. Empty outside their range.
-[[nodiscard]] std::optional<RigidTransform> InterpolatePose(
-    const std::vector<std::int64_t>& times_ns, const std::vector<RigidTransform>& poses,
-    std::int64_t time_ns);
 
 }  // namespace cvo

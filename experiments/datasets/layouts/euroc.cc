@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/files/text_file.h"
 #include "experiments/calibration/rig_file.h"
+#include "experiments/datasets/euroc_poses.h"
 #include "experiments/datasets/formats/data_rows.h"
 #include "experiments/datasets/formats/oxts.h"
 #include "experiments/datasets/sequence_layout.h"
@@ -40,11 +41,11 @@ std::map<std::int64_t, fs::path> ReadCamera(const fs::path& camera, Sequence& se
   const DataRows rows(list, 2, "time in ns, file name");
   sequence.text_files.push_back(list);
   std::map<std::int64_t, fs::path> files;
-  std::vector<std::int64_t> times_ns;
+  std::optional<std::int64_t> before_ns;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::int64_t time_ns = rows.Integer(i, 0);
-    CheckLater(rows, i, time_ns, times_ns, camera.filename().string());
-    times_ns.push_back(time_ns);
+    CheckLater(rows, i, time_ns, before_ns, camera.filename().string());
+    before_ns = time_ns;
     const fs::path file = camera / "data" / rows.Text(i, 1);
     if (!fs::is_regular_file(file)) {
       rows.Fail(i, "no image " + file.string(), "one for each row");
@@ -82,18 +83,11 @@ void AddTruth(const fs::path& mav, Sequence& sequence) {
     sequence.missing.push_back(path.string() + ": no ground truth of the camera");
     return;
   }
-  const TimedPoses body = ReadEurocPoses(path);
+  const Trajectory body = ReadEurocPoses(path);
   sequence.text_files.push_back(path);
   const RigidTransform body_from_left =
       ReadTransform(YamlMap::Read(mav / "cam0/sensor.yaml"), "T_BS");
-  std::vector<std::optional<RigidTransform>> poses;
-  for (const std::int64_t time_ns : sequence.timestamps_ns) {
-    std::optional<RigidTransform> pose = InterpolatePose(body.times_ns, body.poses, time_ns);
-    if (pose) *pose = *pose * body_from_left;
-    poses.push_back(pose);
-  }
-  AddCameraTruth(std::move(poses), sequence);
-  StateFramesWithoutTruth("it starts later or ends earlier", sequence);
+  AddCameraTruth(body, body_from_left, "it starts later or ends earlier", sequence);
 }
 
 Sequence ReadEuroc(const SequenceRequest& request) {

@@ -77,9 +77,11 @@ ImuTruth InterpolatedTruth(const std::vector<RigidTransform>& poses, const fs::p
     ThrowError(times_file.string(), StrCat(times_ns.size(), " times"),
                StrCat(poses.size(), ", as many as packets in ", (oxts_folder / "data").string()));
   }
+  Trajectory packets;
+  for (std::size_t i = 0; i < poses.size(); ++i) packets.push_back({times_ns[i], poses[i]});
   ImuTruth truth;
   for (const std::int64_t time_ns : sequence.timestamps_ns) {
-    truth.push_back(InterpolatePose(times_ns, poses, time_ns));
+    truth.push_back(InterpolatePose(packets, time_ns));
   }
   const auto outside =
       std::count_if(truth.begin(), truth.end(), [](const auto& pose) { return !pose; });

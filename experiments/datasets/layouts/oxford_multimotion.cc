@@ -95,6 +95,7 @@ std::vector<StereoPaths> ReadImages(const fs::path& stereo, Sequence& sequence) 
   sequence.text_files.push_back(list);
   std::vector<StereoPaths> pairs;
   std::optional<std::int64_t> last;
+  std::optional<std::int64_t> before_ns;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::int64_t number = rows.Integer(i, 0);
     if (number < 0 || number > 999'999 || (last && number != *last + 1)) {
@@ -104,7 +105,8 @@ std::vector<StereoPaths> ReadImages(const fs::path& stereo, Sequence& sequence) 
     }
     last = number;
     const std::int64_t time_ns = rows.SecondsAndNs(i, 1);
-    CheckLater(rows, i, time_ns, sequence.timestamps_ns, "the images");
+    CheckLater(rows, i, time_ns, before_ns, "the images");
+    before_ns = time_ns;
     sequence.timestamps_ns.push_back(time_ns);
     std::array<char, 16> digits{};
     std::snprintf(digits.data(), digits.size(), "%06d", static_cast<int>(number));
@@ -118,25 +120,20 @@ std::vector<StereoPaths> ReadImages(const fs::path& stereo, Sequence& sequence) 
   return pairs;
 }
 
-struct ViconTrack {
-  std::vector<std::int64_t> times_ns;
-  std::vector<RigidTransform> world_from_object;
-};
-
-// Rows of all objects, interleaved. Their quaternion and matrix say the same, which settles the
-// order of the former.
-std::map<std::string, ViconTrack> ReadVicon(const fs::path& path) {
+// world_from_object of all objects, whose rows are interleaved. Their quaternion and matrix say the
+// same, which settles the order of the former.
+std::map<std::string, Trajectory> ReadVicon(const fs::path& path) {
   constexpr std::size_t kWithMatrix = 26;
   constexpr double kSame_rad = 0.05;
   const DataRows rows(path, 10, "seconds, nanoseconds, object, quaternion x y z w, position x y z");
-  std::map<std::string, ViconTrack> tracks;
+  std::map<std::string, Trajectory> tracks;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::string name(rows.Text(i, 2));
     if (name.empty()) rows.Fail(i, "no name of an object", "one in the third column");
-    ViconTrack& track = tracks[name];
+    Trajectory& track = tracks[name];
     const std::int64_t time_ns = rows.SecondsAndNs(i, 0);
-    CheckLater(rows, i, time_ns, track.times_ns, name);
-    track.times_ns.push_back(time_ns);
+    CheckLater(rows, i, time_ns,
+               track.empty() ? std::nullopt : std::optional(track.back().timestamp_ns), name);
     const RigidTransform pose(rows.Quaternion(i, 3, false), rows.Vector(i, 7));
     if (rows.columns() >= kWithMatrix) {
       const RigidTransform matrix = rows.Matrix(i, 10);
@@ -146,21 +143,17 @@ std::map<std::string, ViconTrack> ReadVicon(const fs::path& path) {
                   "the same rotation (quaternion x y z w, matrix row by row)");
       }
     }
-    track.world_from_object.push_back(pose);
+    track.push_back({time_ns, pose});
   }
   return tracks;
 }
 
-const ViconTrack& Find(const std::map<std::string, ViconTrack>& tracks, const std::string& name,
+const Trajectory& Find(const std::map<std::string, Trajectory>& tracks, const std::string& name,
                        const fs::path& path) {
   const auto found = tracks.find(name);
   if (found != tracks.end()) return found->second;
   const std::string names = Joined(tracks, ", ", [](const auto& track) { return track.first; });
   ThrowError(path.string(), names, "object " + Quoted(name) + " of the layout settings");
-}
-
-std::optional<RigidTransform> At(const ViconTrack& track, std::int64_t time_ns) {
-  return InterpolatePose(track.times_ns, track.world_from_object, time_ns);
 }
 
 void AddTruth(const Settings& settings, Sequence& sequence) {
@@ -173,7 +166,7 @@ void AddTruth(const Settings& settings, Sequence& sequence) {
       FindCalibration(sequence.folder, settings.vicon_calibration, "vicon");
   const RigidTransform apparatus_from_left =
       ReadTransform(YamlMap::Read(calibration), "T_apparatus_left");
-  const std::map<std::string, ViconTrack> tracks = ReadVicon(path);
+  const std::map<std::string, Trajectory> tracks = ReadVicon(path);
   sequence.text_files.insert(sequence.text_files.end(), {path, calibration});
   std::map<std::string, BodySettings> bodies = settings.bodies;
   if (bodies.empty()) {
@@ -193,23 +186,20 @@ void AddTruth(const Settings& settings, Sequence& sequence) {
                             Eigen::Vector3d(body.size_m.data()),
                             {}});
   }
-  std::vector<std::optional<RigidTransform>> cameras;
   const auto offset_ns = static_cast<std::int64_t>(std::llround(1e9 * settings.clock_offset_s));
   for (const std::int64_t image_ns : sequence.timestamps_ns) {
-    const std::int64_t time_ns = image_ns + offset_ns;
-    std::optional<RigidTransform> camera = At(Find(tracks, settings.apparatus, path), time_ns);
-    if (camera) *camera = *camera * apparatus_from_left;
-    cameras.push_back(camera);
     std::size_t i = 0;
     for (const auto& [name, body] : bodies) {
-      const std::optional<RigidTransform> pose = At(tracks.at(name), time_ns);
+      const std::optional<RigidTransform> pose =
+          InterpolatePose(tracks.at(name), image_ns + offset_ns);
       truth.bodies[i++].frames.push_back(pose ? std::optional(BodyFrame{*pose, false})
                                               : std::nullopt);
     }
   }
   if (!bodies.empty()) sequence.bodies = std::move(truth);
-  AddCameraTruth(std::move(cameras), sequence);
-  StateFramesWithoutTruth("Vicon starts later or ends earlier", sequence);
+  Trajectory apparatus = Find(tracks, settings.apparatus, path);
+  for (TimedPose& pose : apparatus) pose.timestamp_ns -= offset_ns;
+  AddCameraTruth(apparatus, apparatus_from_left, "Vicon starts later or ends earlier", sequence);
 }
 
 Sequence ReadMultimotion(const SequenceRequest& request) {

@@ -4,7 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/files/json/json.h"
+#include "experiments/metrics/trajectory.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/runner/tiny_sequence.h"
 #include "tests/support/temp_folder.h"
@@ -117,6 +120,37 @@ TEST_F(EvalSequence, TrackingScores) {
   test::ExpectError(
       RunProgram({"eval", "--tracking", "--labels", labels, "--estimate", rows, "--iou", "0.5"}),
       "--iou", 2);
+}
+
+// A camera that turns to and fro, 10 poses a second, its clock `ahead_s` ahead.
+std::string TurningCamera(double ahead_s) {
+  Trajectory trajectory;
+  for (int i = 0; i < 100; ++i) {
+    const double angle = 0.3 * std::sin(0.25 * i) + 0.2 * std::sin(0.41 * i);
+    trajectory.push_back({std::llround(1e9 * (1.0 + 0.1 * i + ahead_s)),
+                          {ExpSo3({0.0, angle, 0.0}), Eigen::Vector3d::Zero()}});
+  }
+  return FormatTumTrajectory(trajectory);
+}
+
+TEST_F(EvalSequence, EstimatesTheClockOfTheTruth) {
+  const std::string truth = folder_.Write("truth.tum", TurningCamera(0.25)).string();
+  const std::string estimate = folder_.Write("estimate.tum", TurningCamera(0.0)).string();
+  const std::vector<std::string> clock = {"eval", "--clock-offset", "1",     "--groundtruth",
+                                          truth,  "--estimate",     estimate};
+  const ProcessResult result = RunProgram(clock);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("clock of the ground truth: +0.2500"));
+  std::vector<std::string> with_json = clock;
+  with_json.emplace_back("--json");
+  const Json json = ParseJson(RunProgram(with_json).out, "eval --clock-offset");
+  EXPECT_NEAR(json["clock"]["offset_s"].get<double>(), 0.25, 1e-3);
+  test::ExpectError(
+      RunProgram({"eval", "--clock-offset", "1", "--groundtruth", truth, "--estimate", poses()}),
+      "clocks are compared by times");
+  test::ExpectError(Evaluate({poses(), "--clock-offset", "1"}), "2 pairs of poses");
+  test::ExpectError(Evaluate({poses(), "--clock-offset", "1", "-o", out()}),
+                    "does not apply with --clock-offset", 2);
 }
 
 }  // namespace

@@ -23,6 +23,22 @@ RigidTransform RandomPose(Rng& rng) {
   return {ExpSo3(rotation), translation};
 }
 
+TEST(Trajectory, InterpolatesPositionsAndRotations) {
+  const Trajectory poses = {{100, {ExpSo3({0, 0, 0}), {0, 0, 0}}},
+                            {200, {ExpSo3({0, 0, 0.4}), {1, 0, 0}}},
+                            {400, {ExpSo3({0, 0, 0.8}), {3, 2, 0}}}};
+  EXPECT_FALSE(InterpolatePose(poses, 99).has_value());
+  EXPECT_FALSE(InterpolatePose(poses, 401).has_value());
+  for (const TimedPose& pose : poses) {
+    EXPECT_EQ(InterpolatePose(poses, pose.timestamp_ns)->Matrix(), pose.world_from_camera.Matrix());
+  }
+  const RigidTransform quarter = *InterpolatePose(poses, 125);
+  EXPECT_NEAR(quarter.translation().x(), 0.25, 1e-15);
+  EXPECT_NEAR(RotationAngle(quarter.rotation()), 0.1, 1e-12);
+  EXPECT_NEAR(InterpolatePose(poses, 300)->translation().y(), 1.0, 1e-15);
+  EXPECT_FALSE(InterpolatePose({}, 0).has_value());
+}
+
 class TumTrajectory : public testing::Test {
  protected:
   Trajectory Read(const std::string& text) {

@@ -263,22 +263,5 @@ TEST(Oxts, OriginIsTheFirstPacketWhateverItsHeading) {
   EXPECT_TRUE(ImuPoses({}).empty());
 }
 
-TEST(Oxts, InterpolatesPositionsAndRotations) {
-  const std::vector<std::int64_t> times = {100, 200, 400};
-  const std::vector<RigidTransform> poses = {{ExpSo3({0, 0, 0}), {0, 0, 0}},
-                                             {ExpSo3({0, 0, 0.4}), {1, 0, 0}},
-                                             {ExpSo3({0, 0, 0.8}), {3, 2, 0}}};
-  EXPECT_FALSE(InterpolatePose(times, poses, 99).has_value());
-  EXPECT_FALSE(InterpolatePose(times, poses, 401).has_value());
-  EXPECT_EQ(InterpolatePose(times, poses, 100)->Matrix(), poses[0].Matrix());
-  EXPECT_EQ(InterpolatePose(times, poses, 400)->Matrix(), poses[2].Matrix());
-  EXPECT_EQ(InterpolatePose(times, poses, 200)->Matrix(), poses[1].Matrix());
-  const RigidTransform quarter = *InterpolatePose(times, poses, 125);
-  EXPECT_NEAR(quarter.translation().x(), 0.25, 1e-15);
-  EXPECT_NEAR(RotationAngle(quarter.rotation()), 0.1, 1e-12);
-  EXPECT_NEAR(InterpolatePose(times, poses, 300)->translation().y(), 1.0, 1e-15);
-  EXPECT_FALSE(InterpolatePose({}, {}, 0).has_value());
-}
-
 }  // namespace
 }  // namespace cvo

@@ -146,6 +146,20 @@ TEST_F(MultimotionFiles, PosesAreInterpolatedAndTheClockMatters) {
   EXPECT_EQ(Open().groundtruth, "none");
 }
 
+// In the clock of the images and the axes of the camera, whatever else is in the world.
+TEST_F(MultimotionFiles, TheTrackOfTheCameraIsThatOfVicon) {
+  const Sequence sequence = Open();
+  ASSERT_EQ(sequence.truth_track.size(), sequence.timestamps_ns.size());
+  const RigidTransform first = sequence.truth_track[0].world_from_camera.Inverse();
+  for (std::size_t i = 0; i < sequence.truth_track.size(); ++i) {
+    const TimedPose& pose = sequence.truth_track[i];
+    EXPECT_EQ(pose.timestamp_ns, sequence.timestamps_ns[i]);
+    EXPECT_LT(
+        (first * pose.world_from_camera).Minus(*sequence.groundtruth_world_from_camera[i]).norm(),
+        1e-9);
+  }
+}
+
 TEST_F(MultimotionFiles, BodiesAreVisibleWhereTheirCentreIsInTheImage) {
   const Sequence sequence = Open();
   EXPECT_TRUE(sequence.bodies->bodies[0].frames[0]->visible);

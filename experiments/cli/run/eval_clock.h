@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "experiments/datasets/sequence.h"
+
+namespace cvo {
+
+// clustervo eval --clock-offset: how far the clock of the ground truth is ahead.
+struct EvalClock {
+  std::optional<double> most_s;
+
+  bool wanted() const { return most_s.has_value(); }
+  void AddTo(CLI::App& app);
+};
+
+// Print the offset, or JSON with `json`: of two TUM files, and of a sequence and an estimate of its
+// camera.
+int EvaluateClock(const EvalClock& eval, const std::string& groundtruth,
+                  const std::string& estimate, bool json);
+int EvaluateClock(const EvalClock& eval, const SequenceRequest& request,
+                  const std::string& estimate, bool json);
+
+}  // namespace cvo
