@@ -51,10 +51,10 @@ suite = $(release)/bin/clustervo experiment run $(1) -o results/$(1) $(addprefix
 table: program ## the paper's ablation on rooms of the test split, end to end: its table, and results/ablation
 	@$(call suite,ablation)
 
-table-all: program ## the same for every variant
+table-all: program ## the main variants and ablations on the development rooms
 	@$(call suite,ablation_all)
 
-table-kitti: $(if $(DATA),program) ## DATA=<KITTI folder>: the table of KITTI raw, of the drives that are there
+table-kitti: $(if $(DATA),program) ## DATA=<KITTI folder>: the table of KITTI raw, of the drives found
 	$(if $(DATA),,$(error make table-kitti: give DATA=<KITTI folder>))
 	@$(call suite,kitti_raw)
 
@@ -83,7 +83,7 @@ gate-power: program ## which additions to the estimator would make regression fa
 	@$(release)/bin/clustervo check results/gate_power --baseline $(baseline) --in-place-of full
 
 # Sixteen seeds tell how far seeds are apart; a check runs the suite's own two.
-baseline: program ## accept what the estimator does now: renew the baseline of make regression
+baseline: program ## accept what the estimator does now: update the baseline of make regression
 	$(release)/bin/clustervo experiment run ci --seeds 16 -o results/ci_seeds $(addprefix -j ,$(JOBS))
 	$(release)/bin/clustervo check results/ci_seeds --write-baseline $(baseline) --gate-seeds 2
 

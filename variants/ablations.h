@@ -25,7 +25,8 @@ struct Only2d3d : Full {
 struct NoGpPrior : Full {
   static constexpr std::string_view kName = "no_gp_prior";
   static constexpr std::string_view kChanges =
-      "no white-noise-on-acceleration prior on positions, the paper's; that on orientations stays";
+      "without the paper's white-noise-on-acceleration prior on positions; the prior on "
+      "orientations is kept";
   using MotionPrior = WithTurnPrior<cvo::NoMotionPrior>;
 };
 

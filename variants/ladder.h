@@ -51,9 +51,10 @@ struct Climbed<0, kLeftOut> {
 };
 
 inline constexpr std::string_view kUpTo = "clustervo_to_";
-inline constexpr std::string_view kUpToChanges = "a step from clustervo to full, which adds: ";
+inline constexpr std::string_view kUpToChanges =
+    "clustervo with the additions of ladder up to and including: ";
 inline constexpr std::string_view kWithout = "no_";
-inline constexpr std::string_view kWithoutChanges = "full without: ";
+inline constexpr std::string_view kWithoutChanges = "full without this addition: ";
 
 }  // namespace internal
 

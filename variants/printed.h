@@ -10,14 +10,14 @@ namespace cvo {
 struct PrintedGate : ClusterVo {
   static constexpr std::string_view kName = "printed_gate";
   static constexpr std::string_view kChanges =
-      "clustervo with equation 2 as printed: the gate has the covariance of the position alone";
+      "clustervo with equation 2 as printed: the gate uses only the covariance of the position";
   using LandmarkAssociation = ProbabilisticAssociationLiteral;
 };
 
 struct PrintedBoxes : ClusterVo {
   static constexpr std::string_view kName = "printed_boxes";
   static constexpr std::string_view kChanges =
-      "clustervo with equation 6 as printed: outside of boxes all classes are alike";
+      "clustervo with equation 6 as printed: outside boxes, all classes are equally likely";
   using BoxTerm = Box2dTermLiteral;
 };
 
@@ -45,7 +45,7 @@ struct PrintedKernel : ClusterVo {
 struct PrintedSeconds : ClusterVo {
   static constexpr std::string_view kName = "printed_seconds";
   static constexpr std::string_view kChanges =
-      "clustervo with Q = 0.01 in metres and seconds in place of metres and frames";
+      "clustervo with Q = 0.01 in metres and seconds instead of metres and frames";
   using MotionPrior = WhiteNoiseOnTranslation;
   static void SetDefaults(Options& options) {
     ClusterVo::SetDefaults(options);

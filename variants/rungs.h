@@ -12,14 +12,14 @@ template <typename Base>
 struct AddBoxWeights : Base {
   static constexpr std::string_view kRung = "box_weights";
   static constexpr std::string_view kAdds =
-      "bounded weights of landmarks in boxes, and the case of no box";
+      "bounded weights of landmarks in boxes, and a cluster may have no box";
   using BoxWeights = BoundedBoxWeights;
 };
 
 template <typename Base>
 struct AddEntropyInNats : Base {
   static constexpr std::string_view kRung = "entropy";
-  static constexpr std::string_view kAdds = "an entropy limit of 1 nat in place of 1 bit for boxes";
+  static constexpr std::string_view kAdds = "an entropy limit of 1 nat instead of 1 bit for boxes";
   static void SetDefaults(Options& options) {
     Base::SetDefaults(options);
     options.association.max_entropy = Options().association.max_entropy;
@@ -38,7 +38,7 @@ template <typename Base>
 struct AddLeastShare : Base {
   static constexpr std::string_view kRung = "least_share";
   static constexpr std::string_view kAdds =
-      "a cluster's box needs a least share and number of its landmarks";
+      "a box is assigned only if it contains a minimum share and number of the cluster's landmarks";
   static void SetDefaults(Options& options) {
     Base::SetDefaults(options);
     options.association.min_box_probability = Options().association.min_box_probability;
@@ -56,7 +56,7 @@ struct AddClassGate : Base {
 template <typename Base>
 struct AddWideGate : Base {
   static constexpr std::string_view kRung = "wide_gate";
-  static constexpr std::string_view kAdds = "a 95 % gate for features in place of 74 %";
+  static constexpr std::string_view kAdds = "a 95 % gate for features instead of 74 %";
   static void SetDefaults(Options& options) {
     Base::SetDefaults(options);
     options.association.gamma = Options().association.gamma;
@@ -66,7 +66,7 @@ struct AddWideGate : Base {
 template <typename Base>
 struct AddTurning : Base {
   static constexpr std::string_view kRung = "turning";
-  static constexpr std::string_view kAdds = "bodies are predicted to turn on";
+  static constexpr std::string_view kAdds = "bodies are predicted to keep turning";
   using Rotation = ConstantAngularVelocity;
 };
 
@@ -84,7 +84,7 @@ template <typename Base>
 struct AddReacquisition : Base {
   static constexpr std::string_view kRung = "reacquisition";
   static constexpr std::string_view kAdds =
-      "boxes left over are tried on clusters that were not found";
+      "boxes without a cluster are tried on clusters that were not found";
   using BoxRematch = RematchInBox;
 };
 
@@ -92,7 +92,7 @@ template <typename Base>
 struct AddLeftImage : Base {
   static constexpr std::string_view kRung = "left_image";
   static constexpr std::string_view kAdds =
-      "landmarks of bodies are also found where the left image alone shows them";
+      "landmarks of bodies are also found if only the left image shows them";
   static void SetDefaults(Options& options) {
     Base::SetDefaults(options);
     options.association.left_only = Options().association.left_only;
@@ -119,7 +119,7 @@ struct AddBoxFoot : Base {
 template <typename Base>
 struct AddBoxShrink : Base {
   static constexpr std::string_view kRung = "box_shrink";
-  static constexpr std::string_view kAdds = "the rim of a box is not the body's";
+  static constexpr std::string_view kAdds = "the border of a box is taken for background";
   static void SetDefaults(Options& options) {
     Base::SetDefaults(options);
     options.unary.box_shrink = Options().unary.box_shrink;
@@ -159,7 +159,7 @@ template <typename Base>
 struct AddTriangulation : Base {
   static constexpr std::string_view kRung = "triangulation";
   static constexpr std::string_view kAdds =
-      "current triangulations in place of landmarks in the motion and pairwise terms";
+      "current triangulations instead of landmarks in the motion and pairwise terms";
   using PointPlace = TriangulatedPlace;
 };
 
@@ -178,7 +178,7 @@ struct AddLongPast : Base {
 template <typename Base>
 struct AddReserve : Base {
   static constexpr std::string_view kRung = "reserve";
-  static constexpr std::string_view kAdds = "bodies have a reserve of corners";
+  static constexpr std::string_view kAdds = "bodies get additional corners";
   static void SetDefaults(Options& options) {
     Base::SetDefaults(options);
     options.orb.reserve = Options().orb.reserve;
@@ -206,7 +206,7 @@ struct AddConfirmation : Base {
 template <typename Base>
 struct AddFixedGauge : Base {
   static constexpr std::string_view kRung = "fixed_gauge";
-  static constexpr std::string_view kAdds = "the oldest frame of the window is held";
+  static constexpr std::string_view kAdds = "the oldest frame of the window is held fixed";
   using Gauge = FixOldestFrame;
 };
 
@@ -225,7 +225,7 @@ template <typename Base>
 struct AddPatchNoise : Base {
   static constexpr std::string_view kRung = "patch_noise";
   static constexpr std::string_view kAdds =
-      "a disparity is as certain as the quarters of its patch agree on it";
+      "the noise of a disparity grows with the disagreement of the quarters of its patch";
   static void SetDefaults(Options& options) {
     Base::SetDefaults(options);
     options.noise.disagreement = Options().noise.disagreement;
@@ -263,7 +263,7 @@ template <typename Base>
 struct AddStifferPrior : Base {
   static constexpr std::string_view kRung = "stiffer_prior";
   static constexpr std::string_view kAdds =
-      "the motion prior has 1 m^2/s^3 in place of 0.01 m^2/frame^3";
+      "the motion prior has 1 m^2/s^3 instead of 0.01 m^2/frame^3";
   using MotionPrior = WhiteNoiseOnTranslation;
 };
 
@@ -285,8 +285,7 @@ struct AddPastInformation : Base {
 template <typename Base>
 struct AddTraceBack : Base {
   static constexpr std::string_view kRung = "trace_back";
-  static constexpr std::string_view kAdds =
-      "clusters that were found are looked for in the frames before";
+  static constexpr std::string_view kAdds = "new clusters are also searched for in earlier frames";
   static void SetDefaults(Options& options) {
     Base::SetDefaults(options);
     options.clusters.trace_states = Options().clusters.trace_states;
@@ -297,7 +296,7 @@ template <typename Base>
 struct AddIdentity : Base {
   static constexpr std::string_view kRung = "identity";
   static constexpr std::string_view kAdds =
-      "a new cluster that only one lost one explains goes on as that one";
+      "a new cluster explained by exactly one lost cluster takes over its id";
   using Identity = InheritLostIdentity;
 };
 
@@ -305,7 +304,7 @@ template <typename Base>
 struct AddAlignment : Base {
   static constexpr std::string_view kRung = "alignment";
   static constexpr std::string_view kAdds =
-      "the frame of an inherited cluster is aligned with its former one";
+      "when an id is inherited, the new object frame is aligned with the old one";
   using Identity = WithAlignedFrames<typename Base::Identity>;
 };
 

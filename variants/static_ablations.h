@@ -48,13 +48,14 @@ struct StaticCornersOnly : Static {
 struct StaticShiftOnly : Static {
   static constexpr std::string_view kName = "static_shift_only";
   static constexpr std::string_view kChanges =
-      "static; the estimated error of the calibration is the same all over the image";
+      "static; the calibration error is estimated as one constant over the image";
   using Calibration = EstimateRightShift;
 };
 
 struct StaticTrustCalibration : Static {
   static constexpr std::string_view kName = "static_trust_calibration";
-  static constexpr std::string_view kChanges = "static; the calibration is taken as it is";
+  static constexpr std::string_view kChanges =
+      "static; the calibration is trusted: its error is not estimated";
   using Calibration = TrustCalibration;
 };
 

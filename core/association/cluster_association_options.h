@@ -9,7 +9,6 @@ namespace cvo {
 // Association of features and boxes with moving bodies (section 3.1 of the paper).
 struct ClusterAssociationOptions {
   double gamma = 7.815;
-  double min_radius_px = 3.0;
   double max_radius_px = 60.0;
   double fixed_radius_px = 20.0;
   int max_hamming = 75;
@@ -31,9 +30,6 @@ struct ClusterAssociationOptions {
                  "gate on the squared Mahalanobis distance of a feature from its prediction; "
                  "larger gives fewer missed and more false matches",
                  "95 % of chi^2 with 3 degrees of freedom; the paper has 4.0 (74 %)"});
-    visit.Field("min_radius_px", self.min_radius_px,
-                {"px", 0, 100, "minimum search radius: predictions are never more accurate",
-                 "METHOD.md 4.2"});
     visit.Field("max_radius_px", self.max_radius_px,
                 {"px", 1, 500, "maximum search radius", "METHOD.md 4.2"});
     visit.Field("fixed_radius_px", self.fixed_radius_px,
@@ -84,8 +80,8 @@ struct ClusterAssociationOptions {
          "three fix the pose; four more agree by chance in less than one box in a thousand"});
     visit.Field("left_only", self.left_only,
                 {"1", 0, 1,
-                 "whether landmarks of clusters are also found in the left image alone, where the "
-                 "right one does not show them",
+                 "whether landmarks of clusters are also searched for in the left image only, if "
+                 "the right image does not show them",
                  "METHOD.md 4.7"});
   }
 };

@@ -19,8 +19,7 @@ constexpr double kMinPivot_px2 = 1e-9;
 
 double SearchRadius(const auto& innovation_px2, const ClusterAssociationOptions& options) {
   const double variance_px2 = std::max(innovation_px2(0, 0), innovation_px2(1, 1));
-  return std::clamp(std::sqrt(options.gamma * variance_px2), options.min_radius_px,
-                    options.max_radius_px);
+  return std::min(std::sqrt(options.gamma * variance_px2), options.max_radius_px);
 }
 
 constexpr Match kNoMatch{-1, -1, 257};

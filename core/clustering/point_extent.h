@@ -51,9 +51,9 @@ struct ExtentOptions {
                  "simulated: passes over 2 of 30, finds bodies that have 40 %"});
     visit.Field("mode_min_fill", self.mode_min_fill,
                 {"1", 0.0, 1.0,
-                 "minimum area of a new box that its foreground is spread over, as a fraction of "
-                 "that of the range of depths that is spread over most: less is a part of "
-                 "something in front; 0: the nearest range in any case",
+                 "minimum image area covered by the foreground of a new box, as a fraction of the "
+                 "area covered by the most widely spread depth range; less is taken for part of "
+                 "something in front; 0: always the nearest range",
                  "chosen from 0, 0.3 and 0.5 on development rooms"});
     visit.Field("mode_valley", self.mode_valley,
                 {"1", 0.0, 1.0,

@@ -31,12 +31,13 @@ struct UnaryOptions {
                  "fraction of the width and height by which each side of a detection is moved "
                  "inwards, since the border of a box shows background",
                  "METHOD.md 5.3"});
-    visit.Field("box_foot", self.box_foot,
-                {"1", 0.0, 1.0,
-                 "lower fraction of a detection's height in which landmarks may equally be static: "
-                 "the ground is visible there between legs or wheels; 0 as in the paper",
-                 "chosen from 0 ... 0.35 on the rooms: half of the background landmarks wrongly "
-                 "assigned to bodies were in this part of their boxes"});
+    visit.Field(
+        "box_foot", self.box_foot,
+        {"1", 0.0, 1.0,
+         "lower fraction of a detection's height in which landmarks are as likely to be static as "
+         "part of the body: the ground is visible there between legs or wheels; 0 as in the paper",
+         "chosen from 0 ... 0.35 on the rooms: half of the background landmarks wrongly "
+         "assigned to bodies were in this part of their boxes"});
     visit.Field("kappa", self.kappa,
                 {"half sizes", 0.1, 100.0,
                  "standard deviation of a body's points; 2 to 2.5 reaches the surface of a box",

@@ -36,8 +36,8 @@ struct WindowOptions {
          "METHOD.md 7.1"});
     visit.Field("promote_common", self.promote_common,
                 {"1", 0, 1,
-                 "a frame is promoted if it shares less than this fraction of its landmarks with "
-                 "the newest frame in T_s",
+                 "a frame is promoted if it sees less than this fraction of the landmarks of the "
+                 "newest frame in T_s",
                  "METHOD.md 7.1"});
     visit.Field("lost_frames", self.lost_frames,
                 {"frames", 1, 100,

@@ -24,25 +24,25 @@ struct OrbOptions {
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
-    visit.Field("features", self.features,
-                {"1", 10, kMaxFeatures, "corners kept per image; more cost time in every stage",
-                 "METHOD.md 2.1"});
+    visit.Field(
+        "features", self.features,
+        {"1", 10, kMaxFeatures,
+         "corners kept per image; more corners take more time in every stage", "METHOD.md 2.1"});
     visit.Field("reserve", self.reserve,
                 {"1", 0.0, 10.0,
-                 "additional corners in and near detections, since bodies are small: as dense as "
-                 "reserve * orb.features of them over the whole image",
+                 "additional corners in and near detections, because bodies are small; density as "
+                 "if reserve * orb.features corners were spread over the whole image",
                  "METHOD.md 2.1: chosen from 0 ... 2 on the rooms and streets"});
     visit.Field("reserve_frames", self.reserve_frames,
                 {"frames", 1, 100,
-                 "number of frames for which the surroundings of a detection have a reserve: "
-                 "detectors miss bodies now and then",
+                 "number of frames for which the area around a detection keeps additional corners, "
+                 "because detectors occasionally miss bodies",
                  "METHOD.md 2.1"});
-    visit.Field(
-        "box_features", self.box_features,
-        {"1", 0, kMaxFeatures,
-         "corners wanted in each detection, taken from the reserve first: evenly spread, small "
-         "bodies have too few",
-         "METHOD.md 2.1"});
+    visit.Field("box_features", self.box_features,
+                {"1", 0, kMaxFeatures,
+                 "target number of corners in each detection, taken from the reserve first; an "
+                 "even spread gives small bodies too few",
+                 "METHOD.md 2.1"});
     visit.Field("levels", self.levels,
                 {"1", 1, 16, "pyramid levels; fewer reduce scale invariance", "METHOD.md 2.1"});
     visit.Field("scale_factor", self.scale_factor,
@@ -100,9 +100,11 @@ struct StereoMatchOptions {
     visit.Field("row_tolerance_px", self.row_tolerance_px,
                 {"px", 0.5, 10.0, "maximum row difference of a stereo match, at the corner's scale",
                  "METHOD.md 2.2"});
-    visit.Field("max_row_error_px", self.max_row_error_px,
-                {"px", 0.1, 10.0, "the same after global row alignment of the image pair",
-                 "measured on KITTI"});
+    visit.Field(
+        "max_row_error_px", self.max_row_error_px,
+        {"px", 0.1, 10.0,
+         "maximum row difference of a stereo match after global row alignment of the image pair",
+         "measured on KITTI"});
     visit.Field("max_row_correction_px", self.max_row_correction_px,
                 {"px", 0.0, 10.0,
                  "maximum row shift of patches to compensate a rectification error; 0: none",

@@ -73,9 +73,9 @@ struct BodyBoxOptions {
                  "METHOD.md 10.4"});
     visit.Field("footprint_ratio", self.footprint_ratio,
                 {"1", 1.0, 1000.0,
-                 "maximum ratio of a side of the footprint of such a body to that of the square "
-                 "that looks as wide as its detections: what lies along the line of sight is "
-                 "hardly seen, and landmarks behind the body may be taken for its own",
+                 "for a body without a class size: maximum factor between a side of its footprint "
+                 "and the square that appears as wide as its detections; extent along the line of "
+                 "sight is poorly observed, and landmarks behind the body may be taken for its own",
                  "METHOD.md 10.4"});
     visit.Group("car", self.car);
     visit.Group("van", self.van);

@@ -19,11 +19,12 @@ struct BoxCenterOptions {
                 {"sizes of the body", 1e-4, 10,
                  "standard deviation of the centre between two edges of a complete box",
                  "edges of detections jitter by some per cent of the box"});
-    visit.Field("unseen_deviation", self.unseen_deviation,
-                {"sizes of the body", 1e-4, 10,
-                 "the same along the line of sight, and where an edge may not be the body's own: "
-                 "the extent there depends on the body's shape",
-                 "half of a body as deep as it is wide, or less; not swept"});
+    visit.Field(
+        "unseen_deviation", self.unseen_deviation,
+        {"sizes of the body", 1e-4, 10,
+         "standard deviation of the centre along the line of sight, and across it where an edge of "
+         "the box may not be the body's; the extent there depends on the body's shape",
+         "half of a body as deep as it is wide, or less; not swept"});
     visit.Field(
         "border_px", self.border_px,
         {"px", 0, 1000, "box edges closer than this to the image border may be truncated by it",

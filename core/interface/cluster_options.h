@@ -59,10 +59,11 @@ struct ClusterOptions {
         {"landmarks", 3, 1000,
          "minimum consistent landmarks to estimate a cluster's pose; with fewer it is predicted",
          "three fix the pose, the fourth checks it"});
-    visit.Field(
-        "min_observed", self.min_observed,
-        {"landmarks", 3, 1000,
-         "minimum observed landmarks for a frame to have a state of the cluster", "METHOD.md 8.1"});
+    visit.Field("min_observed", self.min_observed,
+                {"landmarks", 3, 1000,
+                 "minimum observed landmarks for a cluster with a pose to be reported as tracked, "
+                 "not predicted",
+                 "METHOD.md 8.1"});
     visit.Field("settled_states", self.settled_states,
                 {"states", 1, 1000,
                  "number of states below which a pose is estimated by RANSAC instead of from the "
@@ -104,8 +105,8 @@ struct ClusterOptions {
         {"1", 0, 1, "factor on a cluster's score per frame without a detection", "METHOD.md 10.1"});
     visit.Field("trace_states", self.trace_states,
                 {"states", 0, 1000,
-                 "number of states in a row after which a found cluster is also searched in the "
-                 "frames before; 0: never",
+                 "number of consecutive states after which a new cluster is also searched for in "
+                 "earlier frames; 0: never",
                  "two states give a velocity, the third checks it"});
   }
 };

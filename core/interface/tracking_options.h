@@ -36,8 +36,8 @@ struct TrackingOptions {
                  "1 - (1 - 0.3^3)^300"});
     visit.Field("recovery_frames", self.recovery_frames,
                 {"frames", 1, 1000,
-                 "number of latest frames whose landmarks are searched without a prediction; more "
-                 "cost time and give more false matches",
+                 "number of most recent frames whose landmarks are searched without a prediction; "
+                 "more cost time and give more false matches",
                  "a lost frame shows what the frames before it showed; not swept"});
     visit.Field("restart_after", self.restart_after,
                 {"frames", 1, 1000,

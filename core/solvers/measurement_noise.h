@@ -28,27 +28,29 @@ struct NoiseOptions {
     visit.Field("corner_px", self.corner_px,
                 {"px", 0.01, 10, "standard deviation of u_left and v at level 0",
                  "residuals on KITTI: 0.35-0.45 px at level 0, growing with the level's scale"});
-    visit.Field(
-        "aligned_px", self.aligned_px,
-        {"px", 0.01, 10, "the same of corners that were aligned with their landmark's first patch",
-         "METHOD.md 3.4: residuals are 0.05-0.1 px on KITTI, 0.04 px on rendered streets"});
+    visit.Field("aligned_px", self.aligned_px,
+                {"px", 0.01, 10,
+                 "standard deviation of u_left and v at level 0, for corners that were aligned "
+                 "with their landmark's first patch",
+                 "METHOD.md 3.4: residuals are 0.05-0.1 px on KITTI, 0.04 px on rendered streets"});
     visit.Field("disparity_px", self.disparity_px,
                 {"px", 0.01, 10, "standard deviation of u_left - u_right at level 0",
                  "residuals on KITTI: 0.15-0.2 px, and 0.1-0.2 px of rectification error"});
-    visit.Field("least_disparity_px", self.least_disparity_px,
-                {"px", 0.001, 10,
-                 "the same of disparities on which all parts of the patch agree, in energies",
-                 "METHOD.md 7.2: residuals are 0.05 px on rendered rooms, 0.1 px on KITTI"});
+    visit.Field(
+        "least_disparity_px", self.least_disparity_px,
+        {"px", 0.001, 10,
+         "standard deviation of a disparity, as used in energies, if all parts of its patch agree",
+         "METHOD.md 7.2: residuals are 0.05 px on rendered rooms, 0.1 px on KITTI"});
     visit.Field("disagreement", self.disagreement,
                 {"1", 0, 1000,
-                 "in energies, standard deviation of a disparity relative to how far the quarters "
-                 "of its patch disagree; 0: disparity_px for all",
+                 "standard deviation of a disparity, as used in energies, per pixel of "
+                 "disagreement between the quarters of its patch; 0: noise.disparity_px for all",
                  "METHOD.md 7.2: chosen from 3, 5 and 6 on rooms, streets and KITTI"});
-    visit.Field("right_field_px", self.right_field_px,
-                {"px", 1e-6, 10,
-                 "standard deviation of each coefficient of the calibration's error in u_right "
-                 "over the image, before anything is seen",
-                 "METHOD.md 7.6: chosen from 0.02 ... 0.3 on KITTI, streets and rooms"});
+    visit.Field(
+        "right_field_px", self.right_field_px,
+        {"px", 1e-6, 10,
+         "prior standard deviation of each coefficient of the calibration-error field of u_right",
+         "METHOD.md 7.6: chosen from 0.02 ... 0.3 on KITTI, streets and rooms"});
     visit.Field("huber", self.huber,
                 {"standard deviations", 0.1, 1e6,
                  "threshold at which the Huber loss becomes linear: sqrt(7.815)", "METHOD.md 7.2"});

@@ -22,8 +22,8 @@ struct MotionPriorOptions {
                  "METHOD.md 8.2: chosen from 0.01 ... 300 on 10 Hz and 30 Hz data"});
     visit.Field("q_m2_frame3", self.q_m2_frame3,
                 {"m^2/frame^3", 1e-9, 1e6,
-                 "the same with the frame as the unit of time; used by the variant that interprets "
-                 "the paper's value this way",
+                 "power density of a body's acceleration with the frame as the unit of time; used "
+                 "by variants that read the paper's value this way",
                  "paper, section 4.1"});
     visit.Field(
         "turn_q_rad2_s3", self.turn_q_rad2_s3,

@@ -45,7 +45,7 @@ struct SolverOptions {
                 {"1", 1, 100,
                  "maximum solves of a cluster per frame; outliers are removed after each, and it "
                  "is solved again while new ones are found",
-                 "a body that leaves the image has its worst matches in its last frame"});
+                 "matches of a body that leaves the image are worst in its last frame"});
     visit.Field("function_tolerance", self.function_tolerance,
                 {"1", 0, 1, "stop when a step lowers the energy by less than this fraction",
                  "measured: KITTI accuracy as at 1e-4 with 0.8 of the time, one step per frame"});

@@ -19,6 +19,7 @@
 #include "core/base/message.h"
 #include "core/files/text/closest_names.h"
 #include "core/files/text/utf8.h"
+#include "core/files/text_file.h"
 #include "experiments/cli/clean_output.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
@@ -106,9 +107,9 @@ int ExplainUsage(const CLI::App& program, const CLI::ParseError& error) {
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     const std::string extra = program.remaining(true).front();
     const std::string command = CommandName(*app);
-    return Fail(StrCat(command, extra.starts_with('-') ? " has no flag " : " has no use for ",
-                       extra, " (see ", command, " --help)"),
-                kUsage);
+    const std::string problem =
+        extra.starts_with('-') ? " has no flag " + extra : ": unexpected argument " + Quoted(extra);
+    return Fail(StrCat(command, problem, " (see ", command, " --help)"), kUsage);
   }
   return Fail(StrCat(error.what(), " (see ", CommandName(*app), " --help)"), kUsage);
 }
@@ -146,15 +147,15 @@ int Main(int argc, char** argv) {
   cv::setNumThreads(1);  // the program's own threads are enough, and OpenCV's cost determinism
 
   CLI::App program(
-      "Stereo odometry of a camera and of the bodies that move before it, on recorded sequences "
-      "and rendered scenes, scored under explicitly stated error definitions.");
+      "Stereo visual odometry that also tracks moving rigid bodies, on recorded and rendered "
+      "sequences, scored with explicitly defined metrics.");
   program.name("clustervo");
   program.set_version_flag("--version", VersionText);
   program.require_subcommand(1);
   program.footer(
       "Start with: clustervo info SEQUENCE, then clustervo run SEQUENCE -o OUT.\n"
-      "Exit codes: 0 done, 1 bad input or a failure, 2 wrong usage, 3 internal error, 130 "
-      "stopped.");
+      "Exit codes: 0 success, 1 bad input or failure, 2 usage error, 3 internal error, 130 "
+      "interrupted.");
   const std::vector<Command> commands = {
       AddRunCommand(program),     AddDetectCommand(program),  AddEvalCommand(program),
       AddImportCommand(program),  AddInfoCommand(program),    AddVariantsCommand(program),

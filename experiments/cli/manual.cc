@@ -40,15 +40,15 @@ std::string ManPage(const CLI::App& program) {
 }  // namespace
 
 Command AddManualCommand(CLI::App& program) {
-  CLI::App* app = program.add_subcommand(
-      "manual", "Print the man page, or the completion of commands and flags for a shell");
+  CLI::App* app =
+      program.add_subcommand("manual", "Print the man page or a shell completion script");
   const auto what = std::make_shared<std::string>();
   app->add_option("WHAT", *what, "man, bash, zsh or fish")
       ->type_name("")
       ->required()
       ->check(OneOf({"man", "bash", "zsh", "fish"}));
   app->footer(
-      "`cmake --install` puts all of them where the shells and man look for them.\n"
+      "`cmake --install` installs all of them in the standard places.\n"
       "Examples:\n"
       "  clustervo manual man > ~/.local/share/man/man1/clustervo.1\n"
       "  eval \"$(clustervo manual bash)\"      # in ~/.bashrc\n"

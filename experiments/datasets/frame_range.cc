@@ -35,7 +35,7 @@ FrameRange ParseFrameRange(std::string_view text) {
   const FrameRange range = {ParseFrame(text.substr(0, colon), 0, whole),
                             ParseFrame(text.substr(colon + 1), -1, whole)};
   if (range.end >= 0 && range.end <= range.begin) {
-    ThrowError(kWhere, "\"" + whole + "\", no frame at all", "A:B with A < B");
+    ThrowError(kWhere, "\"" + whole + "\", an empty range", "A:B with A < B");
   }
   return range;
 }

@@ -122,6 +122,8 @@ Sequence OpenSequence(const SequenceRequest& request) try {
   Sequence sequence = layout.read(resolved);
   sequence.type = resolved.type;
   sequence.layout = resolved.layout;
+  sequence.box_sources = {resolved.labels_file, resolved.detections_file,
+                          resolved.detections_camera, resolved.min_score};
   sequence.dataset = DataSetOf(sequence, resolved.dataset);
   // KITTI numbers its odometry sequences.
   if (sequence.type == kKittiOdometry && sequence.dataset == kKittiDataSet) {

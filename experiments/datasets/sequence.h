@@ -54,6 +54,14 @@ struct BodyTracks {
   std::vector<std::vector<LabelledPixel>> pixels;  // [frame]; may be empty
 };
 
+// Where labels and detections were asked for from (SequenceRequest).
+struct BoxSources {
+  std::filesystem::path labels;
+  std::filesystem::path detections;
+  int detections_camera = -1;
+  double min_score = -1e300;
+};
+
 // A stereo sequence on disk, its images still undecoded. All vectors over frames have the same
 // length and start at `first_frame` of the folder.
 struct Sequence {
@@ -87,6 +95,7 @@ struct Sequence {
   // at p_in_camera + (detections_offset_m, 0, 0): see ShiftBox.
   std::vector<ObjectBox> detections;
   double detections_offset_m = 0.0;
+  BoxSources box_sources;
   // Where the data set states poses of bodies itself (not in labels, nor as a rendered scene).
   std::optional<BodyTracks> bodies;
   Json layout = Json::object();  // settings of its layout that were given

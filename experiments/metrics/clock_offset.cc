@@ -156,10 +156,10 @@ void RequireOneMinimum(const Trajectory& truth, const std::vector<TurnRate>& rat
     const Minimum other = RefineFrom(truth, rates, offset_s(i), *found[i]);
     const bool is_same = std::abs(other.offset_s - minimum.offset_s) < kStep_s;
     if (is_same || other.agreement.MeanSquare() >= limit) continue;
-    ThrowError(
-        kWhat,
-        StrCat("turn rates that agree as well at ", offset_s(i), " s as at ", offset_s(best), " s"),
-        "a smaller range, or motions that do not repeat");
+    ThrowError(kWhat,
+               StrCat("rotation rates that agree as well at ", offset_s(i), " s as at ",
+                      offset_s(best), " s"),
+               "a smaller range, or motions that do not repeat");
   }
 }
 
@@ -188,11 +188,11 @@ ClockOffset EstimateClockOffset(const Trajectory& truth, const Trajectory& estim
   clock.explained = 1.0 - agreement.squares / agreement.spread;
   clock.residual_rad_per_s = std::sqrt(agreement.MeanSquare());
   if (!(clock.explained >= kLeastExplained)) {
-    ThrowError(
-        kWhat,
-        StrCat("turn rates of which the truth explains ",
-               std::lround(100.0 * std::max(0.0, clock.explained)), " %"),
-        StrCat(std::lround(100.0 * kLeastExplained), " % or more: a camera that turns to and fro"));
+    ThrowError(kWhat,
+               StrCat("rotation rates of which the truth explains ",
+                      std::lround(100.0 * std::max(0.0, clock.explained)), " %"),
+               StrCat(std::lround(100.0 * kLeastExplained),
+                      " % or more: a camera that turns back and forth"));
   }
   RequireOneMinimum(truth, rates, found, best, minimum);
   clock.deviation_s = clock.residual_rad_per_s / std::sqrt(minimum.information);

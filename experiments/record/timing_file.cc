@@ -16,7 +16,6 @@
 
 #include "core/files/host_name.h"
 #include "core/files/json/json_rows.h"
-#include "reports/results/timing.h"
 
 namespace cvo {
 namespace {
@@ -93,7 +92,7 @@ void WriteTimingFile(const RunResult& run, const RunContext& context, const Text
   timing.cpu = context.cpu;
   timing.cpus = static_cast<int>(std::thread::hardware_concurrency());
   timing.threads = context.threads;
-  timing.paths = {context.sequence_folder, context.output_folder};
+  timing.paths = context.paths;
   timing.peak_memory_mb = context.peak_memory_mb;
   timing.wall_s = run.wall_s;
   const double count = static_cast<double>(run.frames.size());

@@ -6,6 +6,7 @@
 
 #include "core/files/text_sink.h"
 #include "experiments/log/run_record.h"
+#include "reports/results/timing.h"
 
 namespace cvo {
 
@@ -16,8 +17,7 @@ struct RunContext {
   std::string host;
   std::string cpu;
   int threads = 1;
-  std::string sequence_folder;
-  std::string output_folder;
+  reports::RunPaths paths;
   double peak_memory_mb = 0.0;  // 10^6 bytes, of the whole process
 };
 

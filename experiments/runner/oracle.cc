@@ -42,8 +42,9 @@ TrueBoxes LabelBoxes(const Sequence& sequence, const BodyTruthReader& truth) {
 
 void RequireBodies(const char* name, const BodyTruthReader* truth) {
   if (truth != nullptr) return;
-  ThrowError("option --oracle", StrCat("\"", name, "\" for a sequence without true bodies"),
-             "a rendered scene, or labels with 3D boxes and the camera's truth");
+  ThrowError("option --oracle",
+             StrCat("\"", name, "\", but the sequence has no ground truth of bodies"),
+             "a rendered scene, or labels with 3D boxes and ground truth of the camera");
 }
 
 }  // namespace
@@ -126,8 +127,9 @@ Oracle::Oracle(const Sequence& sequence, const OracleSwitches& switches,
   if (!switches.camera) return;
   const auto& world_from_camera = sequence.groundtruth_world_from_camera;
   if (world_from_camera.empty() || !world_from_camera.front()) {
-    ThrowError("option --oracle", "\"camera\" for a sequence without the camera's truth",
-               "one with it, in the first frame too");
+    ThrowError("option --oracle",
+               "\"camera\", but the sequence has no ground truth of the camera in its first frame",
+               "ground truth of the camera from the first frame on");
   }
   const RigidTransform first_from_world = world_from_camera.front()->Inverse();
   for (const auto& pose : world_from_camera) {

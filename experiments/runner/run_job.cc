@@ -33,6 +33,25 @@ Json GivenOf(const RunRequest& request) {
   return Given(request.sequence, request.classes, request.oracle);
 }
 
+// Levels of a scene and "labels" are no files.
+std::string PathOf(const std::filesystem::path& source) {
+  std::error_code ignored;
+  const bool is_file = !source.empty() && std::filesystem::exists(source, ignored);
+  return is_file ? std::filesystem::absolute(source).string() : source.string();
+}
+
+reports::RunPaths PathsOf(const Sequence& sequence, const std::filesystem::path& output) {
+  const BoxSources& boxes = sequence.box_sources;
+  reports::RunPaths paths;
+  paths.sequence = std::filesystem::absolute(sequence.folder).string();
+  paths.output = std::filesystem::absolute(output).string();
+  paths.labels = PathOf(boxes.labels);
+  paths.detections = PathOf(boxes.detections);
+  paths.detections_camera = boxes.detections_camera;
+  if (boxes.min_score > BoxSources().min_score) paths.min_score = boxes.min_score;
+  return paths;
+}
+
 Json ResolvedOptions(const RunRequest& request) {
   Options options = request.options;
   return OptionsToJson(OptionLeaves(options));
@@ -90,8 +109,7 @@ std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesyste
                          .warnings = outcome.warnings};
   outcome.context.job = RecordedJob(record);
   outcome.context.threads = request.threads;
-  outcome.context.sequence_folder = std::filesystem::absolute(request.sequence.folder).string();
-  outcome.context.output_folder = std::filesystem::absolute(folder).string();
+  outcome.context.paths = PathsOf(request.sequence, folder);
   WriteRunFiles(folder, record, outcome.context, std::move(landmarks));
   return outcome;
 }

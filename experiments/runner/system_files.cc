@@ -191,6 +191,7 @@ SystemEstimate ReadSystem(const Sequence& sequence, const SystemFiles& files) {
   SystemEstimate system;
   ObjectEstimate& estimate = system.objects;
   estimate.match_by = MatchBy::kNearness;
+  estimate.differentiated = true;
   estimate.world_from_camera = ReadCameraAtFrames(files.camera, sequence);
   estimate.landmarks.resize(estimate.world_from_camera.size());
   system.frames_without_camera = static_cast<int>(std::count(

@@ -84,7 +84,7 @@ Json ColourAxis(double limit, int length_px) {
         {0.83, "#f1a340"},
         {1.0, "#b35806"}}},
       {"colorbar",
-       {{"title", {{"text", "change of<br>error (%)"}, {"side", "top"}, {"font", {{"size", 11}}}}},
+       {{"title", {{"text", "change in<br>error (%)"}, {"side", "top"}, {"font", {{"size", 11}}}}},
         {"thickness", 12},
         {"ticksuffix", ""},
         {"lenmode", "pixels"},

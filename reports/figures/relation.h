@@ -9,8 +9,9 @@
 
 namespace cvo::reports {
 
-// What a title says of how metrics are measured, those alike together: "object ATE: alignment
-// world by the camera; camera T.RPE: delta all, not aligned". Empty for shares and counts.
+// What a title says of how metrics are measured, those alike together: "object ATE: aligned
+// in the world frame by the camera; camera T.RPE: delta all, not aligned". Empty for shares and
+// counts.
 std::string RelationText(const std::vector<const Column*>& columns);
 
 // What the intervals of these columns mean, each wording once.

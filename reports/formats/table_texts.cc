@@ -71,7 +71,7 @@ CellText ValueText(const Cell& cell, int decimals) {
   text.units = UnitsText(cell.n);
   text.distinguishable = cell.difference && cell.difference->distinguishable;
   text.grey = !cell.not_comparable.empty();
-  if (text.grey) text.note = Printable("means something else: " + cell.not_comparable);
+  if (text.grey) text.note = Printable("defined differently: " + cell.not_comparable);
   return text;
 }
 
@@ -273,7 +273,9 @@ TableTexts MakeTexts(const Table& table) {
 }
 
 std::string BestNote(const std::string& mark) {
-  return mark + ": best of its column among rows on the same data, by its value alone";
+  return mark +
+         ": best value of the column among rows on the same data, whether or not the difference is "
+         "significant";
 }
 
 }  // namespace cvo::reports

@@ -64,7 +64,7 @@ struct TableTexts {
 
 TableTexts MakeTexts(const Table& table);
 
-// What a mark of best cells means, such as "^: best of its column ...".
+// What a mark of best cells means, such as "^: best value of the column ...".
 std::string BestNote(const std::string& mark);
 
 }  // namespace cvo::reports

@@ -64,7 +64,7 @@ class Check {
     if (found == now_.end()) {
       const bool wanted = std::find(baseline_.seeds.begin(), baseline_.seeds.end(), job.seed) !=
                           baseline_.seeds.end();
-      if (wanted) Fail(label, "not among the jobs of this folder, but in the baseline");
+      if (wanted) Fail(label, "in the baseline, but not among the jobs of this folder");
       return;
     }
     const SuiteRun& run = *found->second;
@@ -72,6 +72,10 @@ class Check {
     report_.build = run.run->build.identity;
     if (job.status == "ok" && run.state != "ok") {
       Fail(label, StrCat("ended as ", run.state, run.message.empty() ? "" : ": " + run.message));
+    }
+    const int frames = run.run->sequence.frames;
+    if (job.frames > 0 && frames != job.frames) {
+      return Fail(label, StrCat(frames, " frames, in the baseline ", job.frames));
     }
     if (!job.content.empty() && run.run->sequence.content != job.content) ++other_images_;
     RunPair pair{&job, {}, std::nullopt};
@@ -101,7 +105,7 @@ class Check {
     }
     if (!refused_.insert({metric.name, run.sequence.type}).second) return false;
     if (known == metric.contracts.end()) {
-      Fail(metric.name, StrCat("measured on ", run.sequence.type, ", in the baseline not"));
+      Fail(metric.name, StrCat("measured on ", run.sequence.type, ", but not in the baseline"));
     } else if (metric.unit != value.unit) {
       Fail(metric.name,
            StrCat("in ", NameOf(value.unit), ", in the baseline in ", NameOf(metric.unit)));
@@ -139,7 +143,9 @@ class Check {
     std::set<std::string> levels = CpuLevels(runs_.runs);
     levels.insert(baseline_.build.cpu_level);
     if (levels.size() > 1) report_.notes.push_back(CpuLevelNote(levels));
-    note(other_images_, " runs read other images than the baseline: scenes were rendered again");
+    note(other_images_,
+         " runs read other images than the baseline (other frames, or scenes that render "
+         "differently): verdicts do not compare like with like");
   }
 
   const Baseline& baseline_;

@@ -89,7 +89,7 @@ TextRows TimeRows(const GateReport& report) {
 }
 
 std::string Headline(const GateReport& report) {
-  return StrCat(report.suite, ": ", Counted(report.runs, "run"), " against those of ",
+  return StrCat(report.suite, ": ", Counted(report.runs, "run"), " compared with those of ",
                 CommitName(report.baseline_commit), ": ", report.Count(Verdict::kWorse), " worse, ",
                 report.Count(Verdict::kBetter), " better, ", report.Count(Verdict::kWithin),
                 " within tolerance, ", report.Count(Verdict::kSame), " the same",
@@ -111,7 +111,9 @@ std::vector<std::string> ProblemLines(const GateReport& report) {
 std::vector<std::string> NoteLines(const GateReport& report) {
   std::vector<std::string> lines = report.notes;
   if (report.Count(Verdict::kBetter) > 0) {
-    lines.emplace_back("better than the baseline beyond tolerance: renew the baseline to keep it");
+    lines.emplace_back(
+        "better than the baseline by more than the tolerance: update the baseline to hold this "
+        "level");
   }
   for (const TimeComparison& time : report.times) {
     if (time.verdict != Verdict::kWorse) continue;

@@ -25,7 +25,7 @@ std::vector<std::uint64_t> GateSeeds(const GateRuns& runs, std::size_t gate_seed
   std::vector<std::uint64_t> seeds(all.begin(), all.end());
   if (seeds.size() < 2) {
     ThrowError(runs.folder.string(), StrCat(seeds.size(), " seed"),
-               "at least two: their spread is what tolerances are made of");
+               "at least two: tolerances are derived from their spread");
   }
   if (gate_seeds > seeds.size()) {
     ThrowError(runs.folder.string(), StrCat(seeds.size(), " seeds"),
@@ -71,6 +71,7 @@ BaselineJob MakeJob(const SuiteRun& run, const std::map<std::string, double>& ra
   job.seed = run.planned.seed;
   job.type = run.run->sequence.type;
   job.content = run.run->sequence.content;
+  job.frames = run.run->sequence.frames;
   job.status = run.state;
   for (const MetricValue& metric : run.run->metrics) job.values[metric.name] = metric.value;
   const auto ratio = ratios.find(run.planned.job);

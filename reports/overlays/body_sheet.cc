@@ -239,9 +239,9 @@ cv::Mat BodySheet(const OverlayRun& run, const BodyStory& story,
   std::vector<cv::Mat> parts = {
       TextBlock(lines, width), BodyTimeline(story, width, kSheetText_px),
       TextBlock({"left: landmarks in the colour of their true body; right: as "
-                 "estimated, wrong labels ringed. Boxes of detections: in "
-                 "the colour of the cluster they were associated with; dashed: with none.",
-                 "White with heavy dashes, or a cross where no box is known: the body's truth"},
+                 "estimated, wrong labels ringed. Boxes of detections: in the colour of the "
+                 "cluster they were associated with; dashed: without a cluster.",
+                 "White with heavy dashes, or a cross if no box is known: the true body"},
                 width)};
   const auto texts = EventTexts(run, story);
   for (std::size_t i = 0; i < story.events.size(); i += columns) {

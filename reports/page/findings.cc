@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <map>
 
 #include "core/base/error.h"
 #include "reports/figures/numbers.h"
@@ -13,9 +14,9 @@ namespace cvo::reports {
 namespace {
 
 struct RowFindings {
-  std::vector<std::string> better, worse, other;  // real differences, as HTML
-  std::vector<std::string> noise, few, same;      // labels of columns
-  std::size_t most_pairs = 0;                     // of few
+  std::vector<std::string> better, worse, other;        // real differences, as HTML
+  std::vector<std::string> noise, same;                 // labels of columns
+  std::map<std::size_t, std::vector<std::string>> few;  // the same, by the number of pairs
 };
 
 std::string Verdict(const std::optional<bool>& better) {
@@ -59,8 +60,7 @@ RowFindings FindingsOf(const Row& row, const Table& table, const std::string& re
     } else if (difference->difference == 0.0) {
       found.same.push_back(name);
     } else if (difference->pairs < kMinPairs) {
-      found.few.push_back(name);
-      found.most_pairs = std::max(found.most_pairs, difference->pairs);
+      found.few[difference->pairs].push_back(name);
     } else {
       found.noise.push_back(name);
     }
@@ -83,11 +83,12 @@ std::string Headline(const RowFindings& found) {
   if (!found.worse.empty()) parts.push_back(StrCat("worse in ", found.worse.size()));
   if (!found.other.empty()) parts.push_back(StrCat("different in ", found.other.size()));
   if (parts.empty() && found.noise.empty() && !found.few.empty()) {
-    return UndecidedText(found.most_pairs);
+    return UndecidedText(found.few.rbegin()->first);
   }
   if (parts.empty()) return "no significant difference";
-  const std::size_t all = found.better.size() + found.worse.size() + found.other.size() +
-                          found.noise.size() + found.few.size() + found.same.size();
+  std::size_t all = found.better.size() + found.worse.size() + found.other.size() +
+                    found.noise.size() + found.same.size();
+  for (const auto& [pairs, labels] : found.few) all += labels.size();
   return StrCat(Listed(parts), " of ", CountText(all, "metric", "metrics"));
 }
 
@@ -116,7 +117,9 @@ std::string FindingsHtml(const Table& table, const std::string& reference) {
     }
     if (any) html += "</ul>\n";
     html += InconclusiveHtml("Not significant", found.noise);
-    html += InconclusiveHtml(Capitalised(UndecidedText(found.most_pairs)), found.few);
+    for (const auto& [pairs, labels] : found.few) {
+      html += InconclusiveHtml(Capitalised(UndecidedText(pairs)), labels);
+    }
     html += InconclusiveHtml("The same", found.same);
   }
   if (!unchanged.empty()) {

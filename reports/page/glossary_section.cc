@@ -59,7 +59,7 @@ std::string Meaning(const std::string& metric) {
   std::string meaning = EntryOf(form->id).meaning;
   if (form->bodies == BodyGroup::kStanding) meaning += " Of objects that stand still.";
   if (form->bodies == BodyGroup::kPredicted) meaning += " Of frames in which it was predicted.";
-  if (form->causal) meaning += " Causal: of what was estimated when each image came.";
+  if (form->causal) meaning += " Causal: of the estimates at the time of each frame.";
   return meaning;
 }
 

@@ -34,10 +34,11 @@ std::string ComparedText(const PageContent& content, const Table& table) {
   for (const std::string& key : table.keys) {
     if (key == "sequence" || key == "family") continue;
     const std::vector<std::string> values = ValuesOf(content.runs, key);
-    text += StrCat(text.empty() ? "Compared: " : "; ", Counted(values.size(), "value"), " of ", key,
-                   " (", Named(values), ")");
+    const std::string counted = key == "variant"
+                                    ? Counted(values.size(), "variant")
+                                    : StrCat(Counted(values.size(), "value"), " of ", key);
+    text += StrCat(text.empty() ? "Compares " : ", ", counted, " (", Named(values), ")");
   }
-  if (!text.empty()) text += ". ";
   std::set<std::uint64_t> seeds;
   for (const PageRun& run : content.runs) seeds.insert(run.run.planned.seed);
   const std::vector<std::string> sequences = ValuesOf(content.runs, "sequence");
@@ -45,8 +46,9 @@ std::string ComparedText(const PageContent& content, const Table& table) {
   for (const Row& row : table.rows) {
     if (!row.split.empty()) splits.insert(row.split);
   }
-  return StrCat(text, "On ", Counted(sequences.size(), "sequence"), " (", Named(sequences),
-                "), each with ", Counted(seeds.size(), "seed"), ".",
+  return StrCat(text.empty() ? "On " : text + " on ", Counted(sequences.size(), "sequence"), " (",
+                Named(sequences), sequences.size() == 1 ? ") with " : "), each with ",
+                Counted(seeds.size(), "seed"), ".",
                 splits.empty() ? "" : " Split: ", Listed({splits.begin(), splits.end()}),
                 splits.empty() ? "" : ".");
 }
@@ -62,7 +64,7 @@ std::string VariantsHtml(const std::vector<Fact>& variants) {
 
 std::string JobsText(const JobCounts& jobs) {
   std::string text = StrCat(jobs.done, " of ", Counted(jobs.planned, "run"), " ",
-                            jobs.done == 1 ? "is" : "are", " there");
+                            jobs.done == 1 ? "is" : "are", " complete");
   const auto add = [&text](std::size_t count, const char* what) {
     if (count > 0) text += StrCat("; ", count, " ", what);
   };
@@ -76,9 +78,9 @@ std::string JobsText(const JobCounts& jobs) {
 std::string RuleText(const std::string& reference) {
   return StrCat(
       "Differences are relative to ", reference,
-      ", over the pairs that both have in common. A difference is considered significant "
-      "if its 95 % interval does not contain 0, its p-value, corrected for the number of "
-      "comparisons in the table (Holm), is below 0.05, and there are at least ",
+      ", over the pairs that both have. A difference is considered significant if its 95 % "
+      "interval does not contain 0, its p-value, corrected for the number of comparisons in the "
+      "table (Holm), is below 0.05, and there are at least ",
       kMinPairs,
       " pairs. Intervals cover the variation over scenes; where a row has only one scene, "
       "over its bodies.");

@@ -106,9 +106,10 @@ enum class Pairing {
   kFramesWithLandmarks,
   kFramesWithGroups,
   kBirdsEyeBoxes,
-  kVolumeBoxes
+  kVolumeBoxes,
+  kVelocitiesOfPositions
 };
-constexpr std::array<const char*, 19> EnumNames(Pairing) {
+constexpr std::array<const char*, 20> EnumNames(Pairing) {
   return {
       "all frames with truth",
       "all frames with truth and estimate",
@@ -131,7 +132,9 @@ constexpr std::array<const char*, 19> EnumNames(Pairing) {
       "all frames with such landmarks",
       "frames with landmarks of at least two of the static scene and the bodies",
       "boxes with an intersection over union above 0.25 in bird's view, by KITTI's object devkit",
-      "boxes with an intersection over union above 0.25 in 3D, by KITTI's object devkit"};
+      "boxes with an intersection over union above 0.25 in 3D, by KITTI's object devkit",
+      "visible object-frames with an estimate, differences of estimated positions against "
+      "differences of true positions of the same point"};
 }
 
 // How clusters are matched to bodies.

@@ -66,25 +66,25 @@ std::string VisibleText(const Contract& contract) {
   throw Error("VisibleBy: not one of the enumerators");
 }
 
-// The first words of an alignment.
+// An alignment in a few words, for titles.
 const char* Brief(Alignment alignment) {
   switch (alignment) {
     case Alignment::kNone:
-      return "none";
+      return "not aligned";
     case Alignment::kPositions:
-      return "SE(3) over positions";
+      return "aligned by SE(3) over positions";
     case Alignment::kWorld:
     case Alignment::kWorldAndBody:
-      return "world by the camera";
+      return "aligned in the world frame by the camera";
     case Alignment::kSeen:
     case Alignment::kSeenAndBody:
-      return "as the camera sees them";
+      return "compared as the camera sees them";
     case Alignment::kAllPoses:
-      return "one transform over all poses";
+      return "aligned by one transform over all poses";
     case Alignment::kAllMotions:
-      return "one transform over all motions";
+      return "aligned by one transform over all motions";
     case Alignment::kFirstMotions:
-      return "one transform over 25 frames";
+      return "aligned by one transform over 25 frames";
   }
   throw Error("Alignment: not one of the enumerators");
 }
@@ -134,8 +134,7 @@ std::string RelationText(const Contract& contract) {
   if (contract.delta) {
     text = contract.delta == Delta::kNone ? "" : StrCat("delta ", Brief(*contract.delta), ", ");
   }
-  if (contract.alignment == Alignment::kNone) return text + "not aligned";
-  return StrCat(text, "alignment ", contract.alignment ? Brief(*contract.alignment) : "not stated");
+  return text + (contract.alignment ? Brief(*contract.alignment) : "alignment not stated");
 }
 
 }  // namespace cvo::reports

@@ -104,7 +104,7 @@ std::vector<BodyEvent> FindEvents(const BodyStory& story) {
   const auto joined = std::find_if(story.frames.begin(), story.frames.end(), [](const auto& frame) {
     return frame.stage == BodyStage::kJoined;
   });
-  if (joined != story.frames.end()) AddEvent(joined->frame, "joined to a wrong body", events);
+  if (joined != story.frames.end()) AddEvent(joined->frame, "merged into another body", events);
   AddWorst(story, events);
   std::stable_sort(events.begin(), events.end(),
                    [](const auto& a, const auto& b) { return a.frame < b.frame; });

@@ -132,7 +132,7 @@ std::string_view StageName(BodyStage stage) {
     case BodyStage::kLabel:
       return "label wrong";
     case BodyStage::kJoined:
-      return "joined to a wrong body";
+      return "merged into another body";
     case BodyStage::kUnconfirmed:
       return "not confirmed yet";
     case BodyStage::kIdentity:

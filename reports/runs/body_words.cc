@@ -96,19 +96,19 @@ std::vector<std::string> ContestLines(const BodyFrame& frame) {
 std::string Advice(BodyStage cause) {
   switch (cause) {
     case BodyStage::kNoDetection:
-      return "the detector missed it while no cluster had it";
+      return "the detector missed it while no cluster tracked it";
     case BodyStage::kNoLandmarks:
-      return "too few corners are seen on it";
+      return "too few landmarks are seen on it";
     case BodyStage::kLabel:
-      return "its corners are there and labelled as something else";
+      return "its landmarks are labelled as something else";
     case BodyStage::kJoined:
-      return "a cluster of another body has its corners";
+      return "its landmarks are in the cluster of another body";
     case BodyStage::kUnconfirmed:
       return "its cluster waits for a second detection";
     case BodyStage::kIdentity:
-      return "another cluster than the one that is scored has it";
+      return "a cluster other than the one that is scored tracks it";
     case BodyStage::kMotion:
-      return "its corners are labelled right, the pose is wrong";
+      return "its landmarks have the right label, but its pose is wrong";
     case BodyStage::kHidden:
     case BodyStage::kGood:
       break;
@@ -130,7 +130,7 @@ std::vector<std::string> StoryLines(const BodyStory& story) {
     if (story.Count(stage) == 0) continue;
     wrong += StrCat(wrong.empty() ? "" : ", ", StageName(stage), " ", story.Count(stage));
   }
-  if (!wrong.empty()) lines.push_back("frames by what is wrong: " + wrong);
+  if (!wrong.empty()) lines.push_back("frames by failed stage: " + wrong);
   const BodyStage cause = story.Cause();
   lines.push_back(cause == BodyStage::kGood ? Advice(cause)
                                             : StrCat(StageName(cause), ": ", Advice(cause)));

@@ -96,7 +96,7 @@ void AddPair(const std::string& what, const std::string& metric, const CommonErr
   if (!estimate) return;
   const std::string meaning = StrCat(
       "95 %, bootstrap over ", blocks.size(), " blocks of ", BlockLength(common.errors_m.size()),
-      " consecutive frames of this sequence: says nothing of other scenes");
+      " consecutive frames of this sequence: says nothing about other scenes");
   comparisons.push_back(
       {run.name, what, metric, "m", common.errors_m.size(),
        DifferenceOf(*estimate, reference.name, meaning, "frames that both estimate"), ""});
@@ -162,7 +162,7 @@ std::vector<PairedComparison> PairByBody(const RunToCompare& run, const RunToCom
     const auto estimate = EstimateDifference(samples, body_metric->within());
     if (!estimate) continue;
     const std::string meaning = StrCat("95 %, bootstrap over ", samples.size(),
-                                       " bodies of one scene: says nothing of other scenes");
+                                       " bodies of one scene: says nothing about other scenes");
     comparisons.push_back(
         {run.name, metric.name, metric.name, metric.unit, 0,
          DifferenceOf(*estimate, reference.name, meaning, PairingText(*body_metric)), ""});

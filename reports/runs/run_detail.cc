@@ -35,7 +35,7 @@ void ReadTiming(const fs::path& file, RunDetail& detail) {
   detail.host = timing.host;
   detail.cpu = timing.cpu;
   detail.date = timing.date;
-  detail.sequence_folder = timing.paths.sequence;
+  detail.paths = timing.paths;
 }
 
 void ReadTruth(const fs::path& file, RunDetail& detail) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/results/timing.h"
 #include "reports/results/truth.h"
 
 namespace cvo::reports {
@@ -85,7 +86,7 @@ struct RunDetail {
   std::string host;
   std::string cpu;
   std::string date;                  // of the run, UTC
-  std::string sequence_folder;       // where the images were
+  RunPaths paths;                    // what it read, and where
   std::vector<std::string> missing;  // files that are not there or cannot be read, and why
 };
 

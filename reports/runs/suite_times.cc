@@ -115,7 +115,7 @@ std::vector<std::vector<std::string>> TimesTable(const SuiteTimes& times) {
   std::vector<std::string> header = times.keys;
   header.insert(header.end(), {"runs", "clusters per frame", "frames/s"});
   for (const std::string& stage : times.stages) header.push_back(stage + " [ms]");
-  header.emplace_back("time, first row = 1");
+  header.emplace_back("time relative to the variant's first row on the same scene");
   std::vector<std::vector<std::string>> table = {header};
   for (const TimesRow& row : times.rows) {
     const auto first =

@@ -81,7 +81,7 @@ std::string LeftOutText(const Gathered& gathered, std::size_t runs) {
 // Runs of several seeds of a scene count as one.
 std::string Resampled(std::size_t scenes, std::size_t bodies, bool families, std::size_t seeds) {
   const std::string what =
-      scenes == 1 ? StrCat(bodies, " bodies of one scene: says nothing of other scenes")
+      scenes == 1 ? StrCat(bodies, " bodies of one scene: says nothing about other scenes")
                   : StrCat(scenes, " scenes", families ? " within their families" : "");
   return StrCat("95 %, bootstrap over ", what, seeds > 1 ? "; seeds averaged" : "");
 }
@@ -143,7 +143,9 @@ Cell MakeCell(const RowRuns& row, const std::vector<std::string>& keys, const Co
   const auto estimate =
       EstimateMean(gathered.samples, body_metric ? body_metric->within() : Within::kMean);
   if (!estimate) {
-    cell.message = runs == 0 ? "no result" : runs == 1 ? "not in the result" : "in no result";
+    cell.message = runs == 0   ? "no result"
+                   : runs == 1 ? "no value in the run"
+                               : "no value in any run";
     return cell;
   }
   cell.present = true;

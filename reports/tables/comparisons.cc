@@ -114,12 +114,12 @@ std::string MovedText(const Table& table) {
     }
   }
   std::string text;
-  if (!distinguishable.empty()) text += "moved, distinguishable from noise:\n" + distinguishable;
-  if (!noise.empty()) text += "moved, not distinguishable from noise:\n" + noise;
+  if (!distinguishable.empty()) text += "changed, distinguishable from noise:\n" + distinguishable;
+  if (!noise.empty()) text += "changed, not distinguishable from noise:\n" + noise;
   for (const auto& [pairs, lines] : undecided) {
     text += StrCat("moved, ", UndecidedText(pairs), ":\n", lines);
   }
-  return text.empty() ? "nothing moved\n" : text;
+  return text.empty() ? "nothing changed\n" : text;
 }
 
 }  // namespace cvo::reports

@@ -33,7 +33,7 @@ void CorrectForMany(const std::vector<Difference*>& differences);
 void CorrectForMany(Table& table);
 
 // One line per cell whose paired difference is not 0: by how much, in which interval, and whether
-// that can be told from noise; these first. "nothing moved" where there is none.
+// that can be told from noise; these first. "nothing changed" where there is none.
 std::string MovedText(const Table& table);
 
 }  // namespace cvo::reports

@@ -83,8 +83,8 @@ void AddProblems(const Table& table, Lines& lines) {
 // What each split of the rows is.
 void AddSplits(const Table& table, Lines& lines) {
   constexpr std::array<std::pair<const char*, const char*>, 4> kSplits = {
-      {{"development", "scenes that options were chosen on, so that its numbers are in-sample"},
-       {"test", "scenes that no option was chosen on"},
+      {{"development", "options were chosen on these scenes, so the values are in-sample"},
+       {"test", "no option was chosen on these scenes"},
        {"given", "recorded images"},
        {"none", "scenes of neither the development nor the test split"}}};
   for (const auto& [split, meaning] : kSplits) {
@@ -108,10 +108,10 @@ void AddPower(const Table& table, Lines& lines) {
     if (most > 0) needs.push_back(StrCat(ColumnName(table, i), " ", most));
   }
   if (needs.empty()) return;
-  lines.push_back(StrCat("scenes that would tell a difference of ", 100.0 * kPowerDifference,
-                         " % from noise, 80 % of the time, for the row that needs most of them "
-                         "(one comparison, 5 % two-sided): ",
-                         Joined(needs, ", ")));
+  lines.push_back(
+      StrCat("scenes needed to detect a difference of ", 100.0 * kPowerDifference,
+             " % (80 % power, 5 % two-sided, uncorrected), for the row that needs most: ",
+             Joined(needs, ", ")));
 }
 
 void AddIntervals(const Table& table, Lines& lines) {
@@ -133,7 +133,7 @@ void AddIntervals(const Table& table, Lines& lines) {
     lines.push_back(StrCat(
         "*: distinguishable from noise: the interval of the paired difference excludes 0, and its "
         "p-value (Student's t over scenes), corrected for the ",
-        differences, " comparisons of this table (Holm), is below 0.05; never said of fewer than ",
+        differences, " comparisons of this table (Holm), is below 0.05; never with fewer than ",
         kMinPairs, " pairs"));
   }
   pairings.Print("", lines);
@@ -151,7 +151,7 @@ void AddCells(const Table& table, Lines& lines) {
       if (!row.runs.empty() && !cell.present) remarks.Add(cell.message, label);
       remarks.Add(cell.left_out, label);
       if (!cell.not_comparable.empty()) {
-        remarks.Add("in brackets, means something else: " + cell.not_comparable, label);
+        remarks.Add("in brackets, defined differently: " + cell.not_comparable, label);
       }
     }
     Lines of_row;

@@ -163,8 +163,8 @@ bool VariesPerturbation(const Table& table) {
 
 std::string CpuLevelNote(const std::set<std::string>& levels) {
   if (levels.size() < 2) return "";
-  return StrCat("results are of processors of different levels (", Joined(levels, ", "),
-                "): what differs by rounding alone means nothing");
+  return StrCat("results come from processors of different levels (", Joined(levels, ", "),
+                "): differences at the level of rounding mean nothing");
 }
 
 std::set<std::string> CpuLevels(const std::vector<SuiteRun>& runs) {
@@ -181,7 +181,7 @@ std::vector<std::string> TableNotes(const std::vector<SuiteRun>& runs, const Tab
     if (!run.run || run.run->sequence.camera.right_shift_px == 0.0) continue;
     AddOnce(StrCat(KeyOf(run.planned, "sequence"), ", ", KeyOf(run.planned, "variant"),
                    ": calibration corrected, u_right by ", run.run->sequence.camera.right_shift_px,
-                   " px; does not compare with rows on the calibration as published"),
+                   " px; not comparable with rows on the published calibration"),
             notes);
   }
   for (const SuiteRun& run : runs) {
@@ -200,14 +200,14 @@ std::vector<std::string> TableNotes(const std::vector<SuiteRun>& runs, const Tab
         return RunsOf(row, table.keys) != RunsOf(rows[0], table.keys);
       })) {
     notes.emplace_back(
-        "rows stand on different runs: compare them by their paired differences only");
+        "rows are based on different runs: compare them by their paired differences only");
   }
   const std::vector<std::string>& builds = table.provenance.builds;
   const std::set<std::string> levels = CpuLevels(runs);
   if (levels.size() > 1) AddOnce(CpuLevelNote(levels), notes);
   if (builds.size() > std::max<std::size_t>(levels.size(), 1)) {
-    notes.push_back(StrCat("results are of ", builds.size(),
-                           " builds of the program: run the suite again for one"));
+    notes.push_back(StrCat("results come from ", builds.size(),
+                           " builds of the program: run the suite again to have one"));
   }
   return notes;
 }

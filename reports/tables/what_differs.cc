@@ -100,8 +100,8 @@ std::string WhatDiffers(const std::vector<SuiteRun>& before, const std::vector<S
   add("builds ", a.builds == b.builds ? "" : ChangeOf(a.builds, b.builds));
   add("variants only before: ", OnlyIn(a.variants, b.variants));
   add("variants only after: ", OnlyIn(b.variants, a.variants));
-  if (parts.empty()) return "Made with the same options, builds and variants.";
-  return StrCat("Made with other ", Joined(parts, "; "), ".");
+  if (parts.empty()) return "The two folders have the same options, builds and variants.";
+  return StrCat("The two folders differ: ", Joined(parts, "; "), ".");
 }
 
 }  // namespace cvo::reports

@@ -52,7 +52,8 @@ TEST(Ladder, EachRungIsMissedInFull) {
 TEST(Ladder, NamesAreMadeOfTheRungs) {
   EXPECT_EQ(UpTo<0>::kName, "clustervo_to_box_weights");
   EXPECT_EQ(Without<0>::kName, "no_box_weights");
-  EXPECT_EQ(FindVariant("no_turn_prior").changes, "full without: a motion prior on orientations");
+  EXPECT_EQ(FindVariant("no_turn_prior").changes,
+            "full without this addition: a motion prior on orientations");
 }
 
 TEST(Registry, EveryNameIsThereOnce) {

@@ -42,7 +42,7 @@ const tooWide = () => {
 export const pageTests = {
   async 'the page says what was compared, on what, and what of it is significant'({ good }) {
     const text = await good.page.locator('#summary').innerText();
-    for (const part of ['Compared: 3 values of variant (full, 2d and static). On 2 sequences (tiny and short)', 'each with 2 seeds', '12 of 12 runs are there', 'Significant differences', 'labels from the 2D boxes only']) {
+    for (const part of ['Compares 3 variants (full, 2d and static) on 2 sequences (tiny and short)', 'each with 2 seeds', '12 of 12 runs are complete', 'Significant differences', 'labels from the 2D boxes only']) {
       assert.ok(text.includes(part), part);
     }
   },
@@ -90,7 +90,7 @@ export const pageTests = {
     assert.ok((await page.title()).startsWith(HOSTILE));
     const text = await page.locator('main').innerText();
     assert.ok(text.includes(BREAKOUT) && text.includes(HOSTILE));
-    assert.match(text, /9 of 12 runs are there; 3 failed/);
+    assert.match(text, /9 of 12 runs are complete; 3 failed/);
     assert.match(await page.locator('#missing').innerText(), /schema_version/);
     await close();
   },

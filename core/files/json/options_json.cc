@@ -118,7 +118,7 @@ void MergeGroup(const Json& group, const std::string& prefix, const std::string&
                 const std::vector<OptionLeaf>& leaves) {
   for (const auto& [key, value] : group.items()) {
     if (key.find('.') != std::string::npos) {
-      ThrowError(where, StrCat("key \"", key, "\""), "nested objects in place of a dotted key");
+      ThrowError(where, StrCat("key \"", key, "\""), "nested objects instead of a dotted key");
     }
     const std::string path = prefix.empty() ? key : prefix + "." + key;
     if (const OptionLeaf* leaf = FindBy(leaves, &OptionLeaf::path, path)) {

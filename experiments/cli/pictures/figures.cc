@@ -70,8 +70,8 @@ int WriteFigures(const FigureFlags& flags) {
 }  // namespace
 
 Command AddFiguresCommand(CLI::App& program) {
-  CLI::App* app = program.add_subcommand(
-      "figures", "Write the figures of a suite's results as files for publication");
+  CLI::App* app =
+      program.add_subcommand("figures", "Export the figures of a suite as SVG, PDF or Plotly JSON");
   const auto flags = std::make_shared<FigureFlags>();
   app->add_option("DIR", flags->folder, "output folder of the suite")->type_name("")->required();
   app->add_option("-o,--output", flags->out, "output folder")->type_name("OUT")->required();

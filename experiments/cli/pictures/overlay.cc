@@ -44,7 +44,7 @@ std::vector<int> SelectFrames(const OverlayFlags& flags,
   const std::string wanted = flags.frame >= 0       ? StrCat("--frame ", flags.frame)
                              : flags.frames.empty() ? "frames"
                                                     : "--frames " + flags.frames;
-  ThrowError(wanted, runs.size() > 1 ? "none that all runs have" : "none that the run has",
+  ThrowError(wanted, runs.size() > 1 ? "no frame that all runs have" : "no such frame in the run",
              camera.empty() ? "a run with frames"
                             : StrCat(camera.front().frame, " to ", camera.back().frame));
 }
@@ -88,7 +88,7 @@ int DrawOverlays(const OverlayFlags& flags) {
           : SuiteRunFolders({flags.suite, flags.sequence, flags.variants, flags.seed});
   const std::string images_folder = flags.suite.empty() ? flags.sequence : "";
   const bool inferred = flags.labels.empty() ? folders.size() > 1 : flags.labels == "inferred";
-  if (flags.panels && folders.size() > 1) throw UsageError("--panels: is of one run");
+  if (flags.panels && folders.size() > 1) throw UsageError("--panels needs exactly one run");
   OverlayJob job;
   for (const std::string& folder : folders) {
     job.read.insert(job.read.end(), {folder, std::filesystem::path(folder) / "clusters"});
@@ -114,8 +114,8 @@ int DrawOverlays(const OverlayFlags& flags) {
   const RunImages images(job.runs.front(), images_folder);
   for (reports::OverlayRun& run : job.runs) {
     if (AdoptDetections(images_folder, run) || run.sequence.detections == 0) continue;
-    std::cerr << "clustervo: only detections associated with a cluster are drawn: the others are "
-                 "not in the sequence's folder\n";
+    std::cerr << "clustervo: note: the run's detection file is not in the sequence's folder, so "
+                 "only detections that were assigned to a cluster are drawn\n";
   }
   job.inset_corner = reports::EmptiestCorner(job.runs.front());
   return WriteOverlays(job, images);
@@ -173,9 +173,9 @@ void AddDrawingFlags(CLI::App& app, OverlayFlags& flags) {
                "also write DIR/video.mp4, or .webm or .avi if OpenCV cannot write MP4");
   app.add_flag("--no-images", flags.no_images, "write only the sheet or video, no image per frame");
   app.add_flag("--panels", flags.panels,
-               "instead of images per frame, write DIR/panels.jpg: the one frame as landmarks, "
-               "boxes and tracks, from above, and the errors over time");
-  app.add_flag("--no-inset", flags.no_inset, "without the bodies from above in the corner");
+               "with --frame N and one run: write DIR/panels.jpg instead, four views of the frame: "
+               "landmarks, boxes and tracks, bird's-eye view, and errors over time");
+  app.add_flag("--no-inset", flags.no_inset, "omit the bird's-eye view in the corner");
   AddQuiet(app, flags.quiet);
 }
 
@@ -190,12 +190,11 @@ Command AddOverlayCommand(CLI::App& program) {
   app->footer(
       "Landmarks are drawn if the run has landmarks.csv (clustervo run --landmarks; in a suite, "
       "the\nfirst seed). A cluster id has the same colour in all frames; with several runs, the "
-      "colours\nare those of the last run. Clusters that are there at the same time have different "
-      "colours, up\nto 16. Dashed and shaded: clusters with too few landmarks in the frame, drawn "
-      "at "
-      "their\npredicted pose. White rings (inferred labels): wrong labels, if the run has ground "
-      "truth.\nPictures of 600 pixels and more have a legend and the bodies from above, in the "
-      "corner\nthat bodies are in least.\n"
+      "colours\nare those of the last run. Up to 16 clusters that exist at the same time "
+      "have\ndifferent colours. Dashed and shaded: clusters with too few landmarks in the frame, "
+      "drawn at\ntheir predicted pose. White rings (inferred labels): wrong labels, if the run has "
+      "ground truth.\nPictures at least 600 pixels wide have a legend and a bird's-eye view, "
+      "placed in the corner\nwith the fewest bodies.\n"
       "Examples:\n"
       "  clustervo overlay results/indoor_1 -o pictures --every 5 --sheet --video\n"
       "  clustervo overlay results/indoor_1 -o pictures --frame 60 --panels\n"
@@ -206,7 +205,8 @@ Command AddOverlayCommand(CLI::App& program) {
   app->callback([flags] {
     if (flags->panels && flags->frame < 0) throw CLI::RequiredError("--panels: --frame N");
     if (flags->panels && (flags->sheet || flags->video)) {
-      throw CLI::ValidationError("--panels", "is of one frame, without --sheet and --video");
+      throw CLI::ValidationError("--panels",
+                                 "draws one frame and cannot be combined with --sheet or --video");
     }
     if (flags->runs.empty() && flags->suite.empty()) throw CLI::RequiredError("RUN or --suite");
     if (!flags->suite.empty() && flags->sequence.empty()) {

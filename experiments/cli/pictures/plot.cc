@@ -120,7 +120,7 @@ std::string TitleOf(const PlotContent& content) {
   if (alignment == TrajectoryAlignment::kNone && reference->of_run) {
     title += " here (the truth is in the world of its run, aligned by the camera)";
   }
-  if (!content.inputs.front().timed) return title + "; poses matched by their number";
+  if (!content.inputs.front().timed) return title + "; poses matched by line number";
   return StrCat(title, "; poses matched within ",
                 1e-9 * static_cast<double>(content.matching.tolerance_ns), " s");
 }
@@ -133,7 +133,7 @@ std::string CaptionOf(const PlotContent& content, bool bodies) {
                     content.matching.vertical == Vertical::kYDown ? "y down" : "z up",
                     "; both its axes have one scale.");
   if (reference && !reference->is_truth) {
-    caption += StrCat(" Distances are from ", reference->name, ", which is no truth.");
+    caption += StrCat(" Distances are from ", reference->name, ", which is not ground truth.");
   }
   if (reference &&
       (alignment == TrajectoryAlignment::kSe3 || alignment == TrajectoryAlignment::kSim3)) {
@@ -222,18 +222,18 @@ Command AddPlotCommand(CLI::App& program) {
       ->type_name("")
       ->required();
   app->add_option("--groundtruth", flags->groundtruth,
-                  "trajectory to compare with; default: the truth of the first run that has one, "
-                  "else the first trajectory")
+                  "trajectory to compare with; default: the ground truth of the first run that has "
+                  "one, otherwise the first trajectory")
       ->type_name("FILE");
   app->add_option("--align", flags->align,
                   "how trajectories are aligned with it: none, se3, sim3 (with scale), origin (at "
                   "the first common pose) or yaw (about the vertical, and translation); default: "
-                  "se3 with ground truth, else none")
+                  "se3 with ground truth, otherwise none")
       ->type_name("NAME")
       ->check(OneOf({"none", "se3", "sim3", "origin", "yaw"}));
   app->add_option("--up", flags->up,
                   "vertical axis: y (down, as cameras have it) or z (up); default: y for runs and "
-                  "KITTI files, for others the one along which they extend less")
+                  "KITTI files, otherwise the axis with the smaller extent")
       ->type_name("AXIS")
       ->check(OneOf({"y", "z"}));
   app->add_option("--max-time-difference", flags->max_time_difference_s,
@@ -246,10 +246,10 @@ Command AddPlotCommand(CLI::App& program) {
       ->type_name("FILE")
       ->required();
   app->footer(
-      "Title and caption state alignment and pairing. Files of KITTI have no times: poses are "
-      "then\nmatched by their number, and all files need as many. SVG and PDF are rendered by "
-      "Chromium\n(Debian's, or CLUSTERVO_BROWSER); HTML needs none. The same input gives the same "
-      "bytes.\n"
+      "Title and caption state alignment and pairing. KITTI files have no timestamps: their poses "
+      "are\nmatched by line number, and all files must have the same number of poses. SVG and PDF "
+      "are\nrendered by Chromium (Debian's, or CLUSTERVO_BROWSER); HTML needs none. The same input "
+      "gives\nthe same bytes.\n"
       "Examples:\n"
       "  clustervo plot results/room results/static -o cameras.svg\n"
       "  clustervo plot mine.txt theirs.txt --groundtruth poses/06.txt --align sim3 -o 06.html");

@@ -19,13 +19,30 @@ constexpr std::array<const char*, 4> kDetections = {"good", "oracle", "poor",
 
 SequenceRequest RequestOf(const reports::OverlayRun& run, const std::string& folder) {
   SequenceRequest request;
-  request.folder = folder.empty() ? run.detail.sequence_folder : folder;
+  request.folder = folder.empty() ? run.detail.paths.sequence : folder;
   request.type = run.sequence.type;
   request.pair = run.sequence.pair;
   if (run.sequence.layout) request.layout = *run.sequence.layout;
   request.begin_frame = run.sequence.first_frame;
   request.end_frame = run.sequence.first_frame + run.sequence.frames;
   return request;
+}
+
+// What is given; else what the run read, as it says itself, then what its folder may have.
+std::vector<GivenDetections> SourcesOf(const reports::OverlayRun& run,
+                                       const GivenDetections& given) {
+  if (!given.file.empty()) return {given};
+  const reports::RunPaths& paths = run.detail.paths;
+  std::vector<GivenDetections> sources;
+  if (!paths.detections.empty()) {
+    const double min_score = paths.min_score.value_or(given.min_score);
+    sources.push_back({paths.detections, paths.detections_camera, min_score,
+                       given.labels.empty() ? paths.labels : given.labels});
+  }
+  for (const char* name : kDetections) {
+    sources.push_back({name, given.camera, given.min_score, given.labels});
+  }
+  return sources;
 }
 
 // The box of a detection, with the cluster that it was associated with.
@@ -78,33 +95,31 @@ cv::Mat RunImages::Left(int frame) const {
 
 std::optional<Sequence> FindDetections(const std::string& folder, const reports::OverlayRun& run,
                                        const GivenDetections& given) {
-  std::vector<std::string> names(kDetections.begin(), kDetections.end());
-  if (!given.file.empty()) names = {given.file};
-  for (const std::string& name : names) {
+  for (const GivenDetections& source : SourcesOf(run, given)) {
     SequenceRequest request = RequestOf(run, folder);
-    request.detections_file = name;
-    request.detections_camera = given.camera;
-    request.min_score = given.min_score;
-    request.labels_file = given.labels;
+    request.detections_file = source.file;
+    request.detections_camera = source.camera;
+    request.min_score = source.min_score;
+    request.labels_file = source.labels;
     std::optional<Sequence> sequence;
     try {
       sequence = OpenSequence(request);
     } catch (const Error&) {
       if (!given.file.empty()) throw;
-      continue;  // a folder without this level
+      continue;  // a folder without this level, or files that have moved
     }
     if (DetectionsHash(*sequence) == run.sequence.detections_hash) return sequence;
   }
   if (given.file.empty()) return std::nullopt;
-  ThrowError("--detections " + given.file, "other boxes than the run was given",
-             "the run's, with its --detections-camera and --min-score");
+  ThrowError("--detections " + given.file, "boxes other than those of the run",
+             "the run's boxes, with its --detections-camera and --min-score");
 }
 
 std::optional<Sequence> FindLabelled(const std::string& folder, const reports::OverlayRun& run,
                                      const std::string& labels_file) {
   SequenceRequest request = RequestOf(run, folder);
   if (request.folder.empty()) return std::nullopt;
-  request.labels_file = labels_file;
+  request.labels_file = labels_file.empty() ? run.detail.paths.labels : labels_file;
   try {
     return OpenSequence(request);
   } catch (const Error&) {

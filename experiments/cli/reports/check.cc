@@ -96,7 +96,8 @@ Command AddCheckCommand(CLI::App& program) {
   app->add_flag("--gate-time", flags->gate_time, "also fail the check if a variant is slower")
       ->needs(check);
   add("--in-place-of", flags->in_place_of, "VARIANT",
-      "check every variant of DIR in place of this one of the baseline: which would be noticed?")
+      "compare every variant of DIR with this variant of the baseline, to see which losses the "
+      "gate would notice")
       ->needs(check);
   check->excludes(write);
   app->footer(

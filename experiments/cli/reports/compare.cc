@@ -136,15 +136,15 @@ void PrintComparison(const RunComparison& comparison, bool all) {
   const std::string& first = comparison.runs.front().name;
   PrintPaired(comparison.by_frame,
               "mean position error over the frames that both estimate. camera: each run aligned to "
-              "the truth by SE(3)\nover these frames alone (camera_ate_mean is over all of a run's "
-              "own); bodies: in the world of the object metrics:",
+              "the truth by SE(3)\nover these frames alone (camera_ate_mean covers all frames of a "
+              "run); bodies: in the world of the object metrics:",
               first, value, several);
-  PrintPaired(comparison.by_body, "over the bodies of both:", first, value, several);
-  std::cout << "\ndifferences: run minus first (" << comparison.runs.front().name
-            << "). Intervals are bootstrapped over blocks of\nconsecutive frames, or over bodies, "
-               "of this one sequence: they say nothing of other scenes.\nbetter, worse: the "
-               "interval excludes 0 and p, corrected for all comparisons here (Holm), is below "
-               "0.05.\n";
+  PrintPaired(comparison.by_body, "over the bodies that both runs have:", first, value, several);
+  std::cout
+      << "\ndifferences: run minus first (" << comparison.runs.front().name
+      << "). Intervals are bootstrapped over blocks of\nconsecutive frames, or over bodies, "
+         "of this one sequence: they say nothing about other scenes.\nbetter, worse: the interval "
+         "excludes 0 and p, corrected for all comparisons here (Holm), is below 0.05.\n";
   for (const std::string& note : comparison.notes) std::cout << "not compared: " << note << '\n';
 }
 
@@ -175,15 +175,15 @@ Command AddCompareCommand(CLI::App& program) {
   const auto flags = std::make_shared<CompareRunsFlags>();
   app->add_option("RUN", flags->runs,
                   "output folders of clustervo run or eval, or DIR/jobs/ID of a suite; the first "
-                  "is what the others are compared with")
+                  "is the reference")
       ->type_name("")
       ->required()
       ->expected(-2);
-  app->add_flag("--all", flags->all, "also causal metrics and those of bodies that stay put");
+  app->add_flag("--all", flags->all, "also print causal metrics and the metrics of static bodies");
   app->add_flag("--json", flags->json, "print JSON, with all metrics, pairs and intervals");
   app->footer(
-      "One sequence says nothing of others: intervals are over its frames or its bodies. To "
-      "compare\nover many scenes, run a suite (clustervo experiment).\n"
+      "Intervals cover the frames or bodies of this sequence only. To draw conclusions about "
+      "other\nscenes, run a suite (clustervo experiment).\n"
       "Example: clustervo compare results/room_static results/room_full");
   return {app, [flags] { return CompareSomeRuns(*flags); }};
 }

@@ -29,10 +29,9 @@ int Compare(const CompareFlags& flags) {
 }  // namespace
 
 Command AddExperimentCompareCommand(CLI::App& experiment) {
-  CLI::App* app = experiment.add_subcommand(
-      "compare",
-      "Compare the results of two suite folders over the runs that both have: what they were made "
-      "with, and what moved");
+  CLI::App* app = experiment.add_subcommand("compare",
+                                            "Compare the results of two suite folders over their "
+                                            "common runs: how they were made and what changed");
   const auto flags = std::make_shared<CompareFlags>();
   app->add_option("A", flags->before, "suite folder with the earlier results")
       ->type_name("")
@@ -42,10 +41,10 @@ Command AddExperimentCompareCommand(CLI::App& experiment) {
       ->required();
   AddTableFormat(*app, flags->format);
   app->footer(
-      "First says in which options, builds and variants they differ. Rows, scenes, seeds and "
-      "bodies "
-      "are\npaired; differences are B - A. Results that define the same metric differently are "
-      "rejected.\nFor the values of single runs: clustervo compare A/jobs/ID B/jobs/ID.\n"
+      "The output starts with the options, builds and variants in which they differ. Rows, scenes, "
+      "seeds\nand bodies are paired; differences are B - A. Results that define the same metric "
+      "differently are\nrejected. For the values of single runs: clustervo compare A/jobs/ID "
+      "B/jobs/ID.\n"
       "Example: clustervo experiment compare results/before results/after");
   app->callback([flags] { CheckTableFormat(flags->format); });
   return {app, [flags] { return Compare(*flags); }};

@@ -107,16 +107,15 @@ ExplainedRun ReadExplained(const ExplainFlags& flags) {
   read.run = reports::ReadOverlayRun(folder, reports::LandmarkLabel::kCluster);
   for (const std::string& line : read.run.missing) std::cerr << "clustervo: " << line << '\n';
   if (read.run.detail.bodies.empty()) {
-    ThrowError(flags.run, "no truth of bodies", "a run whose sequence has it");
+    ThrowError(flags.run, "no ground truth of bodies", "a run on a sequence that has it");
   }
   read.sequence = FindDetections(flags.sequence, read.run, flags.detections);
-  if (AdoptDetections(flags.sequence, read.run, flags.detections)) {
-    read.detected = DetectedBodies(read.sequence, read.run.classes);
-  } else if (read.run.sequence.detections > 0) {
-    std::cerr << "clustervo: missing detections are not known: "
-              << (read.sequence ? "the boxes were drawn in another camera\n"
-                                : "the run's boxes are not in the sequence's folder (--detections, "
-                                  "--detections-camera, --min-score as in the run)\n");
+  // Boxes of another camera are a few pixels off, which does not hide whose they are.
+  read.detected = DetectedBodies(read.sequence, read.run.classes);
+  AdoptDetections(flags.sequence, read.run, flags.detections);
+  if (!read.sequence && read.run.sequence.detections > 0) {
+    std::cerr << "clustervo: note: missed detections cannot be shown without the run's detection "
+                 "file: give --detections, --detections-camera and --min-score as in the run\n";
   }
   return read;
 }
@@ -162,11 +161,12 @@ std::vector<std::string> OracleLines(const std::vector<OracleResult>& results) {
     if (result.good > best->good) best = &result;
   }
   const int wrong = results.front().judged - results.front().good;
-  const int mended = best->good - results.front().good;
+  const int repaired = best->good - results.front().good;
   if (wrong == 0) return lines;
-  lines.push_back(mended == 0
-                      ? "none of them mends it"
-                      : StrCat(best->oracle, " mend it most: ", mended, " of ", wrong, " frames"));
+  lines.push_back(repaired == 0
+                      ? "none of them repairs it"
+                      : StrCat(best->oracle, best->oracle.ends_with('s') ? " help" : " helps",
+                               " most: ", repaired, " of ", wrong, " frames repaired"));
   return lines;
 }
 
@@ -186,7 +186,7 @@ int ExplainBody(const ExplainFlags& flags, const ExplainedRun& read) {
   std::vector<std::string> lines = reports::StoryLines(story);
   if (flags.oracles) {
     if (!read.sequence) {
-      ThrowError("--oracles", "no detections that are those of the run", "--detections FILE");
+      ThrowError("--oracles", "no detection file of the run", "--detections FILE");
     }
     const auto results = TryOracles(flags.run, *read.sequence, body.id, flags.threads, flags.quiet);
     if (!results) return kStopped;
@@ -223,38 +223,40 @@ int Explain(const ExplainFlags& flags) {
 }  // namespace
 
 Command AddExplainCommand(CLI::App& program) {
-  CLI::App* app = program.add_subcommand(
-      "explain", "Explain why a body was lost or wrong in a run: its stages, frames and labels");
+  CLI::App* app =
+      program.add_subcommand("explain",
+                             "Explain why a run lost or misplaced a body: which stage failed, in "
+                             "which frames, and how its landmarks were labelled");
   const auto flags = std::make_shared<ExplainFlags>();
   const auto add = [app](const char* flag, auto& value, const char* kind, const char* meaning) {
     return app->add_option(flag, value, meaning)->type_name(kind);
   };
   add("RUN", flags->run, "", "output folder of clustervo run --landmarks")->required();
-  CLI::Option* body =
-      add("BODY", flags->body, "", "name or number of a body of the truth; default: list all");
+  CLI::Option* body = add("BODY", flags->body, "",
+                          "name or number of a ground-truth body; default: list all bodies");
   add("-o,--output", flags->output, "FILE",
-      "also draw a picture (PNG): the body's frames by stage, "
-      "and what was around it when it was found, lost, joined and worst")
+      "also write a PNG: a timeline of the failed stage in each frame, and image crops of the "
+      "frames in which the body was found, lost, merged or worst estimated")
       ->needs(body);
   app->add_flag("--oracles", flags->oracles,
-                "run the sequence again with true boxes, labels and camera in turn, and say which "
-                "of them mends the body")
+                "rerun the sequence with true boxes, true labels and the true camera in turn, and "
+                "report which of them repairs the body")
       ->needs(body);
   add("--sequence", flags->sequence, "FOLDER", "folder of the images, if they have moved since");
   add("--detections", flags->detections.file, "FILE",
-      "boxes that the run was given, where they are not in the sequence's folder");
+      "detection file of the run, if it is not in the sequence's folder");
   add("--detections-camera", flags->detections.camera, "X",
       "camera (image_0X) in which these were detected");
-  add("--min-score", flags->detections.min_score, "SCORE", "lowest score that the run was given")
+  add("--min-score", flags->detections.min_score, "SCORE", "--min-score of the run")
       ->check(FiniteProblem);
   add("--labels", flags->detections.labels, "FILE",
-      "labels that the run was given, where they are not in the sequence's folder");
+      "label file of the run, if it is not in the sequence's folder");
   AddThreads(*app, flags->threads);
   AddQuiet(*app, flags->quiet);
   app->footer(
-      "Stages: detection missing, no landmarks, label wrong, joined to a wrong body, not confirmed "
-      "yet,\nunder another id (than the cluster that is scored), motion wrong (the landmarks are "
-      "right). The\nfirst that is so counts in each frame in which the body is judged.\n"
+      "Stages: detection missing, no landmarks, label wrong, merged into another body, not "
+      "confirmed\nyet, under another id (than the cluster that is scored), motion wrong (the "
+      "landmarks are right).\nIn every judged frame, the first stage that applies is counted.\n"
       "Examples:\n"
       "  clustervo explain results/indoor_1\n"
       "  clustervo explain results/indoor_1 ball_1 -o ball_1.png --oracles");

@@ -48,7 +48,10 @@ OracleResult ResultOf(const std::string& oracle, const reports::BodyDetail& body
   for (const reports::BodyPosition& position : body.estimated) {
     result.good += position.error_m <= reports::kGoodError_m ? 1 : 0;
   }
-  result.ate_m = RootMeanSquare(body.estimated, &reports::BodyPosition::error_m);
+  // One pose is aligned without an error.
+  if (body.estimated.size() > 1) {
+    result.ate_m = RootMeanSquare(body.estimated, &reports::BodyPosition::error_m);
+  }
   return result;
 }
 

@@ -81,12 +81,12 @@ Command AddReportCommand(CLI::App& program) {
       program.add_subcommand("report", "Write the results of a suite as a single HTML page");
   const auto flags = std::make_shared<ReportFlags>();
   app->add_option("DIR", flags->runs,
-                  "output folder of the suite; or those of runs on one sequence, shown side by "
-                  "side")
+                  "output folder of a suite, or the output folders of runs on one sequence, which "
+                  "are shown side by side")
       ->type_name("")
       ->required();
   app->add_option("-o,--output", flags->out,
-                  "output folder for index.html; default: DIR/report, of runs it must be given")
+                  "output folder for index.html; default: DIR/report; required for runs")
       ->type_name("OUT");
   app->add_option("--against", flags->against, "second output folder of the suite to compare with")
       ->type_name("DIR");

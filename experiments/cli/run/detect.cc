@@ -133,7 +133,7 @@ Command AddDetectCommand(CLI::App& program) {
   add("SEQUENCE", flags->sequence.folder, "", "folder of a sequence, as for run")->required();
   flags->sequence.AddLayoutTo(*app);
   add("--pair", flags->sequence.pair, "NAME",
-      "images to read, grey or colour; default: grey if present, else colour");
+      "images to read, grey or colour; default: grey if present, otherwise colour");
   add("--frames", flags->sequence.frames, "A:B", "frames A to B-1, counted from 0; default: all");
   add("--model", flags->files.model, "FILE", "network: Darknet .cfg, or .onnx")->required();
   add("--weights", flags->files.weights, "FILE",
@@ -146,7 +146,8 @@ Command AddDetectCommand(CLI::App& program) {
       ->check(FiniteProblem)
       ->capture_default_str();
   add("--max-overlap", flags->options.max_overlap, "NUMBER",
-      "of boxes of one class with a larger intersection over union, the best is kept")
+      "non-maximum suppression: of boxes of the same class that overlap by more than this "
+      "intersection over union, only the best is kept")
       ->check(CLI::Range(0.0, 1.0).description(""))
       ->check(FiniteProblem)
       ->capture_default_str();
@@ -157,9 +158,8 @@ Command AddDetectCommand(CLI::App& program) {
       ->required();
   app->add_flag("--checksum", flags->checksum, "also write FILE.sha256");
   app->footer(
-      "COCO's classes are written as KITTI's (car: Car, person: Pedestrian). The network is the "
-      "user's:\nno model comes with the program; experiments/README.md says where they are "
-      "published.\n"
+      "COCO's classes are written as KITTI's (car: Car, person: Pedestrian). No network is "
+      "included;\nexperiments/README.md says where to download one.\n"
       "Example: clustervo detect drive_0013 --model yolov3.cfg --names coco.names -o boxes.txt\n"
       "         clustervo run drive_0013 -o results/0013 --variant full --detections boxes.txt");
   return {app, [flags] { return DetectBoxes(*flags); }};

@@ -86,6 +86,11 @@ int EvaluateFiles(const EvalFlags& flags) {
     ThrowError(flags.estimate, StrCat(poses.matched, " poses that match one of the truth"),
                StrCat("2 or more within ", flags.max_time_difference_s, " s"));
   }
+  if (poses.matched < poses.unmatched_estimate) {
+    std::cerr << StrCat("clustervo: note: only ", poses.matched, " of ",
+                        poses.matched + poses.unmatched_estimate, " poses of ", flags.estimate,
+                        " match one of the truth within ", flags.max_time_difference_s, " s\n");
+  }
   std::vector<Metric> metrics =
       EvaluateCamera(poses.truth, poses.estimate, reports::TruthSource::kFile);
   StatePoses(reports::PoseTime::kFile, 0.0, metrics);
@@ -112,7 +117,7 @@ void CheckUsage(const CLI::App& app, const EvalFlags& flags) {
   flags.boxes.CheckUsage(app);
   if (flags.boxes.wanted()) {
     if (flags.sequence.flags.labels.empty()) {
-      throw CLI::ValidationError("--labels", "is required with --ap and --tracking");
+      throw CLI::ValidationError("--labels is required with --ap and --tracking");
     }
     std::vector<std::string> others = EvalSequence::FlagNames();
     others.insert(others.end(), {"--groundtruth", "--sequence", "--format", "--max-time-difference",
@@ -135,8 +140,8 @@ void CheckUsage(const CLI::App& app, const EvalFlags& flags) {
     return;
   }
   if (flags.groundtruth.empty()) {
-    throw CLI::ValidationError("--groundtruth",
-                               "is required, unless --sequence, --ap or --tracking is given");
+    throw CLI::ValidationError(
+        "--groundtruth is required unless --sequence, --ap or --tracking is given");
   }
   for (const std::string& flag : EvalSequence::FlagNames()) refuse(flag, "needs --sequence");
 }
@@ -189,8 +194,9 @@ Command AddEvalCommand(CLI::App& program) {
       "Poses are world_from_camera. For ATE, the estimate is aligned by SE(3) over "
       "positions.\nWith --sequence, camera and objects are scored in the same way as a run. "
       "Objects are KITTI\ntracking rows with 3D boxes in rectified camera 0, or a folder of "
-      "<id>.tum files with\nworld_from_object. They have no landmarks, so they are matched to "
-      "bodies by distance, as\nstated in the contracts.\n"
+      "<id>.tum files with\nworld_from_object. They have no landmarks and are therefore matched to "
+      "ground-truth bodies by\ndistance, as the contracts state; unlike in run, velocities are "
+      "differences of their poses.\n"
       "Examples:\n"
       "  clustervo eval --groundtruth poses/06.txt --estimate OUT/camera.kitti\n"
       "  clustervo eval --sequence scenes/indoor_1 --estimate cam.tum --objects tracks.kitti \\\n"

@@ -89,9 +89,10 @@ std::string Percent(double fraction) { return FormatFixed(100.0 * fraction, 2); 
 
 void Print(const std::vector<ApOfSpace>& all, std::ostream& out) {
   const ApProtocol& contract = all.front().contract;
-  out << contract.category << ", overlap over " << contract.least_overlap << ", truncation "
-      << NameOf(contract.truncation) << ", DontCare regions: "
-      << (contract.dont_care == DontCareRule::kAll ? "all boxes" : "2D alone") << "\n\n";
+  out << contract.category << ", IoU > " << contract.least_overlap << ", truncation limits "
+      << NameOf(contract.truncation) << ", DontCare regions in "
+      << (contract.dont_care == DontCareRule::kAll ? "2D, bird's-eye view and 3D" : "2D only")
+      << "\n\n";
   TextTable table({"AP, percent", "points", "easy", "moderate", "hard"});
   for (const ApOfSpace& space : all) {
     for (const bool at_40 : {false, true}) {
@@ -111,8 +112,8 @@ void Print(const std::vector<ApOfSpace>& all, std::ostream& out) {
 }
 
 void Print(const std::vector<TrackingOfSpace>& all, std::ostream& out) {
-  out << "similarity: intersection over union of boxes, at 0.5 but for HOTA, DetA, AssA and LocA; "
-         "what counts is decided by the boxes in the image\n\n";
+  out << "matches: intersection over union of at least 0.5 (HOTA, DetA, AssA, LocA: averaged over "
+         "thresholds); the image boxes decide which labels and detections count\n\n";
   TextTable table({"percent", "HOTA", "DetA", "AssA", "LocA", "MOTA", "MOTP", "IDF1", "switches",
                    "fragments", "missed", "false"});
   for (const TrackingOfSpace& space : all) {
@@ -162,26 +163,28 @@ void EvalBoxes::AddTo(CLI::App& app) {
       "and --estimate are files of KITTI tracking");
   std::vector<CLI::Option*> options;
   options.push_back(app.add_option("--class", category,
-                                   "class that is scored; Van and Person_sitting are neighbours")
+                                   "class to score; as in the benchmark, Van (for Car) and "
+                                   "Person_sitting (for Pedestrian) count neither for nor against")
                         ->check(OneOf({"Car", "Pedestrian", "Cyclist"}))
                         ->capture_default_str());
   options.push_back(app.add_option("--iou", least_overlap,
-                                   "with --ap: intersection over union to exceed; default: the "
-                                   "benchmark's, 0.7 for Car, else 0.5")
+                                   "with --ap: a match needs a larger intersection over union than "
+                                   "this; default: 0.7 for Car, otherwise 0.5, as in the benchmark")
                         ->type_name("NUMBER")
                         ->check(CLI::Range(0.0, 1.0).description(""))
                         ->check(FiniteProblem));
-  options.push_back(
-      app.add_option("--truncation", truncation,
-                     "with --ap: applied (labels truncated beyond a level's limit are "
-                     "ignored there, in a tracking file each of 1 or 2) or ignored")
-          ->check(OneOf({"applied", "ignored"}))
-          ->capture_default_str());
-  options.push_back(app.add_option("--dontcare", dont_care,
-                                   "with --ap: whose false positives DontCare regions forgive: 2d, "
-                                   "as in KITTI's benchmark, or all, by the box in the image")
-                        ->check(OneOf({"2d", "all"}))
+  options.push_back(app.add_option("--truncation", truncation,
+                                   "with --ap: applied (labels truncated beyond a level's limit "
+                                   "are ignored at that level; in tracking files that is every "
+                                   "label with truncation 1 or 2) or ignored (no limit)")
+                        ->check(OneOf({"applied", "ignored"}))
                         ->capture_default_str());
+  options.push_back(
+      app.add_option("--dontcare", dont_care,
+                     "with --ap: where DontCare regions excuse false positives: 2d (as in KITTI's "
+                     "benchmark), or all (also bird's-eye view and 3D, judged by the image box)")
+          ->check(OneOf({"2d", "all"}))
+          ->capture_default_str());
   for (CLI::Option* option : options) option->group("With --ap or --tracking");
 }
 

@@ -35,10 +35,10 @@ int Print(const ClockOffset& clock, bool json) {
         {{"schema_version", 1}, {"kind", "clock offset"}, {"clock", ToJson(clock)}});
     return 0;
   }
-  std::cout << "clock of the ground truth: " << (clock.offset_s > 0.0 ? "+" : "")
+  std::cout << "clock offset (ground truth minus estimate): " << (clock.offset_s > 0.0 ? "+" : "")
             << FormatFixed(clock.offset_s, 5) << " s, standard deviation "
             << FormatFixed(clock.deviation_s, 5) << " s\n"
-            << "turn rates of " << clock.pairs
+            << "rotation rates of " << clock.pairs
             << " pairs of consecutive poses: " << FormatFixed(100.0 * clock.explained, 1)
             << " % explained, residual " << FormatFixed(clock.residual_rad_per_s, 5) << " rad/s\n";
   return 0;
@@ -48,8 +48,8 @@ int Print(const ClockOffset& clock, bool json) {
 
 void EvalClock::AddTo(CLI::App& app) {
   app.add_option("--clock-offset", most_s,
-                 "score nothing; estimate from turn rates by how much the clock of the ground "
-                 "truth is ahead of the estimate's, searching so far either way")
+                 "instead of scoring, estimate from rotation rates how far the ground-truth clock "
+                 "is ahead of the estimate's; search range: -SECONDS to SECONDS (0.01 to 10)")
       ->type_name("SECONDS")
       ->check(CLI::Range(0.01, kMostClockOffset_s).description(""))
       ->check(FiniteProblem);

@@ -22,7 +22,7 @@ class FormerRun {
     try {
       run_ = reports::ReadRun(folder / "result.json", {});
     } catch (const Error& error) {
-      throw UsageError(StrCat(error.what(), "; --force replaces it"));
+      throw UsageError(StrCat(error.what(), "; use --force to replace it"));
     }
   }
 
@@ -30,7 +30,7 @@ class FormerRun {
 
   [[noreturn]] void Refuse(const std::string& found, const std::string& expected) const {
     throw UsageError(StrCat(folder_.string(), ": found a run of ", run_.sequence.name, " with ",
-                            found, ", expected ", expected, " (--force replaces it)"));
+                            found, ", expected ", expected, "; use --force to replace it"));
   }
   void ExpectSame(const std::string& what, const std::string& found,
                   const std::string& asked) const {
@@ -66,8 +66,8 @@ void CheckFormerRun(const RunRequest& request, const fs::path& folder) {
   former.ExpectSame("seed", StrCat(run.seed), StrCat(request.seed));
   CheckOptions(former, request.options);
   if (run.sequence.detections_hash != DetectionsHash(sequence)) {
-    former.Refuse(StrCat(run.sequence.detections, " other detections"),
-                  StrCat("the ", sequence.detections.size(), " asked for"));
+    former.Refuse(StrCat("other detections (", run.sequence.detections, ")"),
+                  StrCat("the given ones (", sequence.detections.size(), ")"));
   }
   former.ExpectSame("classes and oracles", run.given.dump(),
                     Given(sequence, request.classes, request.oracle).dump());
@@ -77,7 +77,7 @@ void CheckFormerRun(const RunRequest& request, const fs::path& folder) {
   const auto& hashes = request.images;
   if (run.sequence.content == ContentHash(sequence, hashes.empty() ? HashImages(sequence) : hashes))
     return;
-  former.Refuse("other images, calibration or truth", "those asked for");
+  former.Refuse("other images, calibration or ground truth", "the given ones");
 }
 
 }  // namespace cvo

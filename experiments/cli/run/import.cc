@@ -44,7 +44,7 @@ int Import(const ImportFlags& flags) {
 
 Command AddImportCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "import", "Make a sequence of your own stereo images, rectified if they are not");
+      "import", "Convert your own stereo images into a sequence, rectifying them if necessary");
   const auto flags = std::make_shared<ImportFlags>();
   AddStereo(*app, flags->stereo);
   app->add_option("-o,--output", flags->output, "new folder, in the layout of KITTI odometry")
@@ -52,8 +52,8 @@ Command AddImportCommand(CLI::App& program) {
       ->required();
   AddQuiet(*app, flags->quiet);
   app->footer(
-      "run takes the same flags and keeps the sequence in the cache; import is for looking at it, "
-      "and for suites.\n"
+      "run accepts the same flags and caches the sequence. Use import to inspect the sequence or "
+      "to\nuse it in a suite.\n"
       "Example: clustervo import --left cam0 --right cam1 --calib camchain.yaml -o kitchen");
   return {app, [flags] { return Import(*flags); }};
 }

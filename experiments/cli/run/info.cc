@@ -89,15 +89,15 @@ bool HasAssumedRate(const Sequence& sequence) {
 std::string RateText(const Sequence& sequence) {
   const Rate rate = RateOf(sequence.timestamps_ns);
   return StrCat(ReadableNumber(rate.median_hz), " Hz",
-                HasAssumedRate(sequence) ? " (assumed: no times are stated)" : "", ", duration ",
-                ReadableNumber(rate.duration_s), " s, longest gap ",
+                HasAssumedRate(sequence) ? " (assumed: no timestamps were given)" : "",
+                ", duration ", ReadableNumber(rate.duration_s), " s, longest gap ",
                 ReadableNumber(rate.longest_gap_s), " s");
 }
 
 // Rectified images have what they both show in the same row.
 std::string RowsText(const PairCheck& pair) {
-  return StrCat("off by ", ReadableNumber(pair.row_error_px), " px, the median of ",
-                pair.matches.size(), " matches in frame ", pair.frame, "; median disparity ",
+  return StrCat(ReadableNumber(pair.row_error_px), " px (median of ", pair.matches.size(),
+                " matches in frame ", pair.frame, "); median disparity ",
                 ReadableNumber(pair.disparity_px), " px");
 }
 
@@ -152,7 +152,8 @@ void PrintInfo(const Sequence& sequence, const std::optional<PairCheck>& pair) {
                     ReadableNumber(camera.cx), ", cy ", ReadableNumber(camera.cy), " px, baseline ",
                     ReadableNumber(camera.baseline_m), " m, u_right shifted by ",
                     ReadableNumber(camera.right_shift_px), " px")});
-  table.Add({"rows", pair ? RowsText(*pair) : "not known: too few matches in the middle frame"});
+  table.Add(
+      {"row error", pair ? RowsText(*pair) : "not known: too few matches in the middle frame"});
   table.Add(
       {"ground truth", StrCat(sequence.groundtruth, ", ", FramesWithTruth(sequence), " frames")});
   table.Add({"labels", StrCat(sequence.labels.size(), " boxes")});

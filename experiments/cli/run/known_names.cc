@@ -77,7 +77,7 @@ void CheckDetections(const std::string& detections, const fs::path& folder) {
   std::string all;
   for (const std::string& name : names) all += ", " + name;
   ThrowError("--detections", Quoted(detections) + DidYouMean(detections, names),
-             "a file, or of this sequence one of " + all.substr(2));
+             "a file, or for this sequence one of " + all.substr(2));
 }
 
 }  // namespace cvo

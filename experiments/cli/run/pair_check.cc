@@ -59,7 +59,8 @@ double MedianOf(const std::vector<PairCheck::Match>& matches,
 std::string PairCheck::Problem() const {
   if (cv::norm(left, right, cv::NORM_INF) == 0.0) return "the left and right images are the same";
   if (disparity_px < 0.0) {
-    return "left and right seem to be swapped: things are farther right in the right image";
+    return "left and right seem to be swapped: points are farther right in the right image than in "
+           "the left";
   }
   return "";
 }

@@ -69,11 +69,11 @@ void PrintCalibration(const Sequence& sequence, const RunResult& run) {
     }
   }
   const auto [least, most] = std::minmax_element(shifts_px.begin(), shifts_px.end());
-  std::cout << "calibration: right columns off by "
+  std::cout << "self-calibration: u_right is too large by "
             << ReadableNumber(camera.right_shift_px + camera.right_field_px[0]) << " +- "
             << ReadableNumber(std::sqrt(calibration->Covariance_px2()(0, 0)))
-            << " px on average over the image, " << ReadableNumber(*least) << " to "
-            << ReadableNumber(*most) << " px in its parts\n";
+            << " px (mean over the image; locally " << ReadableNumber(*least) << " to "
+            << ReadableNumber(*most) << " px)\n";
 }
 
 void PrintSummary(const Sequence& sequence, const JobOutcome& outcome, bool all) {
@@ -195,14 +195,14 @@ Command AddRunCommand(CLI::App& program) {
       "detection classes to treat as rigid bodies, others are ignored; default: vehicles and the "
       "moving objects of the shipped scenes");
   add("--oracle", flags->oracle, "A,B,...",
-      "quantities taken from ground truth instead of being estimated: boxes (the body shown by "
-      "each detection), labels (the body of each feature), camera")
+      "quantities taken from the ground truth instead of being estimated: boxes (which body each "
+      "detection shows), labels (which body each feature belongs to), camera (its pose)")
       ->capture_default_str();
   app->add_flag("--landmarks", flags->landmarks,
                 "write landmarks.csv: every landmark of every frame with its labels");
   app->add_flag("--force", flags->force,
-                "replace the result of another run in FOLDER, which is refused otherwise; the same "
-                "run may be repeated");
+                "overwrite FOLDER even if it holds the results of a different run (refused by "
+                "default; the same run can always be repeated)");
   app->add_flag("--all", flags->all, "print all metrics instead of the most important ones");
   app->add_flag("--strict", flags->strict,
                 "treat an image that cannot be decoded as an error instead of skipping its frame");

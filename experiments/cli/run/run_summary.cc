@@ -60,7 +60,8 @@ void PrintDetections(const Sequence& sequence, const DetectionCounts& counts, st
   for (const auto& [type, count] : counts.other_classes) left_out(count, "of class " + type);
   if (counts.without_depth > 0) {
     out << "; " << counts.without_depth
-        << " as drawn in the other camera, without features to move them by";
+        << " used where they were detected, because no feature gives a depth to move them to this "
+           "camera";
   }
   out << '\n';
   int negative = 0;
@@ -83,7 +84,6 @@ void PrintScores(const RunScores& scores, bool all, std::ostream& out) {
                std::to_string(metric.n)});
   };
   for (const Metric& refined : scores.refined) {
-    if (reports::MaxDriftIndex(reports::FindForm(refined.name).value().id)) continue;  // too many
     const Metric* causal = FindBy(
         scores.causal, [](const Metric& metric) { return WithoutCausal(metric.name); },
         refined.name);
@@ -93,10 +93,10 @@ void PrintScores(const RunScores& scores, bool all, std::ostream& out) {
   for (const Metric& metric : scores.clustering) row(metric, kNone, ReadableNumber(metric.value));
   for (const Metric& metric : scores.boxes) row(metric, ReadableNumber(metric.value), kNone);
   table.Print(out);
-  out << "refined: poses as last estimated; causal: as when their image came\n";
+  out << "refined: final estimates; causal: estimates at the time of each frame\n";
   if (!all) out << "all metrics: --all, and in result.json\n";
   if (scores.refined_bodies.empty()) return;
-  out << "\nbodies, poses as last estimated:\n";
+  out << "\nbodies, refined poses:\n";
   PrintBodies(scores.refined_bodies, scores.refined, out);
 }
 

@@ -35,7 +35,7 @@ void SequenceFlags::AddLayoutTo(CLI::App& app) {
       ->type_name("NAME");
   app.add_option("--layout", layout,
                  "settings of the layout, such as the names of bodies (experiments/README.md): a "
-                 "JSON object or a file with one")
+                 "JSON object, or a file containing one")
       ->type_name("JSON|FILE");
 }
 
@@ -47,7 +47,7 @@ void SequenceFlags::AddTruthTo(CLI::App& app) {
   add("--dataset", dataset, "NAME",
       "recorded data set, kitti or other; default: kitti if the calibration is KITTI's");
   add("--pair", pair, "NAME",
-      "images to read, grey or colour; default: grey if present, else colour");
+      "images to read, grey or colour; default: grey if present, otherwise colour");
   add("--frames", frames, "A:B", "frames A to B-1, counted from 0; default: all");
   add("--labels", labels, "FILE", "KITTI label file to use instead of the folder's own");
   add("--labels-camera", labels_camera, "X",
@@ -56,9 +56,10 @@ void SequenceFlags::AddTruthTo(CLI::App& app) {
 }
 
 void SequenceFlags::AddTo(CLI::App& app) {
-  app.add_option("SEQUENCE", folder,
-                 "folder of a sequence of KITTI or another known data set (experiments/README.md), "
-                 "<training>/<number> of KITTI tracking; or --left, --right and --calib")
+  app.add_option(
+         "SEQUENCE", folder,
+         "sequence folder of KITTI or another supported data set (see experiments/README.md), or "
+         "<training>/<number> for KITTI tracking; alternatively give --left, --right and --calib")
       ->type_name("");
   const auto add = [&app](const char* flag, auto& value, const char* kind, const char* meaning) {
     return app.add_option(flag, value, meaning)->type_name(kind);
@@ -82,10 +83,9 @@ void SequenceFlags::AddTo(CLI::App& app) {
 }
 
 void AddRightShift(CLI::App& app, std::optional<double>& right_shift_px) {
-  app.add_option(
-         "--right-shift", right_shift_px,
-         "known rectification error: offset of u_right to the right, from which its estimate "
-         "starts; default: 0")
+  app.add_option("--right-shift", right_shift_px,
+                 "known rectification error: pixels by which u_right is too large; the estimate of "
+                 "this error starts from it; default: 0")
       ->type_name("PX")
       ->check(CLI::Range(-100.0, 100.0).description(""))
       ->check(FiniteProblem);
@@ -102,16 +102,17 @@ void AddStereo(CLI::App& app, StereoImport& stereo) {
     return app.add_option(flag, value, meaning)->type_name(kind)->group("Your own stereo images");
   };
   add("--left", stereo.left, "FOLDER|VIDEO", "images of the left camera");
-  add("--right", stereo.right, "FOLDER|VIDEO", "images of the right camera, as many");
+  add("--right", stereo.right, "FOLDER|VIDEO",
+      "images of the right camera, the same number as --left");
   add("--calib", stereo.calibration, "FILE",
-      "calibration: YAML or JSON, OpenCV's, Kalibr's or KITTI's (experiments/README.md); images "
-      "that are not rectified will be");
+      "calibration file: YAML or JSON as in experiments/README.md, or the format of OpenCV, Kalibr "
+      "or KITTI; unrectified images are rectified");
   add("--times", stereo.times, "FILE",
-      "times of the images, one per line, in seconds or whole nanoseconds; default: the images' "
-      "names, where they are nanoseconds, else --rate");
+      "file with one timestamp per line, in seconds or integer nanoseconds; default: the file "
+      "names if they are nanoseconds, otherwise --rate");
   add("--rate", stereo.rate_hz, "HZ",
-      "images per second, where neither names nor --times give times; default: a video's own, "
-      "else 10")
+      "frame rate, used if neither --times nor the file names give timestamps; default: the "
+      "video's frame rate, otherwise 10")
       ->check(CLI::Range(1e-3, 1e6).description(""))
       ->check(FiniteProblem);
 }
@@ -127,7 +128,9 @@ SequenceRequest SequenceFlags::Request(bool quiet) const {
     CheckSequenceFolder(folder);
     CheckDetections(detections, folder);
   } else {
-    if (!folder.empty()) throw UsageError("two sequences: " + folder + " and --left");
+    if (!folder.empty()) {
+      throw UsageError("give either a sequence folder or --left and --right, not both");
+    }
     CheckStereo(stereo);
     std::optional<Progress> progress;
     request.folder =

@@ -27,7 +27,7 @@ Command AddExperimentJobCommand(CLI::App& experiment) {
   const auto folder = std::make_shared<std::string>();
   const auto id = std::make_shared<std::string>();
   app->add_option("DIR", *folder, "the suite's folder")->type_name("")->required();
-  app->add_option("ID", *id, "the job's identity, as in DIR/plan.json")->type_name("")->required();
+  app->add_option("ID", *id, "id of the job in DIR/plan.json")->type_name("")->required();
   return {app, [folder, id] { return RunOne({*folder}, *id); }};
 }
 

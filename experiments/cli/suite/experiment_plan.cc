@@ -104,13 +104,13 @@ void PrintPreparations(const std::vector<Preparation>& preparations, std::ostrea
   }
   const std::size_t scenes = counts[Stage::kDrawing] + counts[Stage::kNoise];
   if (scenes > 0) {
-    out << "scenes to render: " << scenes << " with "
-        << frames[Stage::kDrawing] + frames[Stage::kNoise] << " frames, " << counts[Stage::kDrawing]
-        << " of them drawn first, the rest from cached drawings\n";
+    out << "scenes to render: " << scenes << " (" << frames[Stage::kDrawing] + frames[Stage::kNoise]
+        << " frames), " << counts[Stage::kDrawing]
+        << " of them from scratch, the rest from cached renders\n";
   }
   if (counts[Stage::kBoxes] > 0) {
-    out << "sequences to find boxes in: " << counts[Stage::kBoxes] << " with "
-        << frames[Stage::kBoxes] << " frames\n";
+    out << "sequences to detect boxes in: " << counts[Stage::kBoxes] << " ("
+        << frames[Stage::kBoxes] << " frames)\n";
   }
 }
 
@@ -126,7 +126,7 @@ void Print(const PlanState& state, int processes, std::ostream& out) {
   const std::array<std::pair<JobState, const char*>, 4> states = {
       {{JobState::kDone, "done"},
        {JobState::kRuns, "to run"},
-       {JobState::kPrepares, "to run when their scenes are rendered or their boxes found"},
+       {JobState::kPrepares, "to run after rendering or detection"},
        {JobState::kMissing, "missing, left out"}}};
   for (const auto& [job_state, label] : states) {
     const std::size_t count = Count(state.outlook, job_state);
@@ -142,10 +142,10 @@ void Print(const PlanState& state, int processes, std::ostream& out) {
     out << "nothing to compute\n";
     return;
   }
-  out << "time: about " << Duration(seconds / processes) << " with "
+  out << "estimated time: " << Duration(seconds / processes) << " with "
       << Counted(static_cast<std::size_t>(processes), "process", "processes")
-      << (state.frame_times_s.empty() ? ", assumed: 35 frames/s, 4 frames/s drawn\n"
-                                      : ", as measured in finished jobs\n");
+      << (state.frame_times_s.empty() ? " (assuming 35 frames/s, rendering 4 frames/s)\n"
+                                      : " (as measured in finished jobs)\n");
 }
 
 Suite LoadSuiteOf(const Flags& flags) {
@@ -195,7 +195,7 @@ void PrintCollection(const Collection& collection, const Flags& flags) {
     if (planned[section.suite]) std::cout << "get it: " << section.data << '\n';
     std::cout << '\n';
   }
-  std::cout << "all: about " << Duration(seconds / flags.jobs) << '\n';
+  std::cout << "estimated time of all suites: " << Duration(seconds / flags.jobs) << '\n';
 }
 
 int PrintPlan(const Flags& flags) {
@@ -212,7 +212,7 @@ int PrintPlan(const Flags& flags) {
 Command AddExperimentPlanCommand(CLI::App& experiment) {
   CLI::App* app = experiment.add_subcommand("plan",
                                             "Show which jobs a suite would run, which are done, "
-                                            "why any run again, and the estimated time");
+                                            "why jobs are rerun, and the estimated time");
   const auto flags = std::make_shared<Flags>();
   flags->suite.AddTo(*app);
   app->add_option("-j,--jobs", flags->jobs, "number of processes to estimate the time for")

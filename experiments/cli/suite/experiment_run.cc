@@ -32,9 +32,9 @@ Command AddExperimentRunCommand(CLI::App& experiment) {
       "others.\nRunning the same command again runs failed and missing jobs, also after an "
       "interrupt or a\ncrash.\nOutput files: plan.json, jobs/<id>/ (as clustervo run), "
       "failed/<id>.json, logs/<id>.log.\n"
-      "paper is a collection of suites: each is run to a folder of its name below DIR, and "
-      "DIR/index.html\nshows them as the paper's tables and figures.\n"
-      "Exit code 1: some jobs failed, 130: stopped.\n"
+      "paper is a collection of suites: each runs in DIR/<suite>, and DIR/index.html shows the "
+      "results\nas the paper's tables and figures.\nExit code 0: all jobs succeeded, 1: some "
+      "failed or the suite is invalid, 2: wrong usage, 130:\ninterrupted.\n"
       "Example: clustervo experiment run ablation -o results/ablation");
   return {app, [flags] {
             const std::optional<Collection> collection = FindCollection(flags->suite.suite);

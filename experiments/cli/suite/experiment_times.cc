@@ -29,9 +29,9 @@ Command AddExperimentTimesCommand(CLI::App& experiment) {
   const auto folder = std::make_shared<std::string>();
   app->add_option("DIR", *folder, "output folder of the suite")->type_name("")->required();
   app->footer(
-      "Medians over the runs of a row; stages are means over frames. Times compare only where runs "
-      "had the\nmachine to themselves, as in a suite with timed_threads: it runs one job at a time "
-      "and keeps no features.\nExample: clustervo experiment times results/timing");
+      "Medians over the runs of a row; stages are means over frames. Times are comparable only if "
+      "every\nrun had the machine to itself, as in a suite with timed_threads, which runs one job "
+      "at a time\nwithout cached features.\nExample: clustervo experiment times results/timing");
   return {app, [folder] { return ShowTimes(*folder); }};
 }
 

@@ -28,9 +28,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Frames per second of the runs of a variant, in all suites.
+// Frames per second of the runs of a variant, in the suites with timed_threads: others share the
+// machine and may read features from the cache.
 struct Speed {
   std::vector<double> frames_per_s;
+  int threads = 1;
   std::string cpu;
 };
 
@@ -41,6 +43,7 @@ void AddSpeeds(const fs::path& folder, std::map<std::string, Speed>& speeds) {
     const auto timing = ReadRecord<reports::TimingData>(file);
     Speed& speed = speeds[run.variant];
     speed.frames_per_s.push_back(timing.frames_per_second);
+    speed.threads = timing.threads;
     speed.cpu = timing.cpu;
   }
 }
@@ -51,7 +54,8 @@ std::string SpeedText(Speed speed) {
   const double median = speed.frames_per_s[speed.frames_per_s.size() / 2];
   return StrCat(FormatFixed(median, 1), " (", FormatFixed(speed.frames_per_s.front(), 1), " to ",
                 FormatFixed(speed.frames_per_s.back(), 1), " in ",
-                Counted(speed.frames_per_s.size(), "run"), ", one thread of ", speed.cpu, ")");
+                Counted(speed.frames_per_s.size(), "run"), ", ",
+                Counted(static_cast<std::size_t>(speed.threads), "thread"), " of ", speed.cpu, ")");
 }
 
 class CollectionRun {
@@ -110,7 +114,8 @@ class CollectionRun {
       problem = error.what();
       std::cout << problem << '\n';
     }
-    if (code != kStopped) AddSpeeds(FolderOf(suite), speeds_);
+    const bool is_timed = LoadSuite(suite).timed_threads > 0;
+    if (code != kStopped && is_timed) AddSpeeds(FolderOf(suite), speeds_);
     return code;
   }
 

@@ -62,7 +62,8 @@ class StageProgress {
 // Jobs whose time counts must not run beside others.
 EngineFlags EngineOf(EngineFlags flags, const Suite& suite) {
   if (suite.timed_threads == 0) return flags;
-  if (flags.jobs > 1) std::cerr << suite.name << ": one job at a time, because times count\n";
+  if (flags.jobs > 1)
+    std::cerr << suite.name << ": one job at a time, because the suite measures times\n";
   flags.jobs = 1;
   return flags;
 }

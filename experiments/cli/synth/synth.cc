@@ -6,8 +6,8 @@ namespace cvo {
 
 Command AddSynthCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand("synth",
-                                         "List, generate, render, preview and check synthetic "
-                                         "stereo sequences with exact ground truth");
+                                         "List, generate, render, preview, check and summarise "
+                                         "synthetic stereo sequences with exact ground truth");
   app->footer(
       "Start with: clustervo synth render indoor_1 -o indoor_1, then clustervo synth check "
       "indoor_1\n"

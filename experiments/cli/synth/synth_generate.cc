@@ -57,7 +57,8 @@ Command AddSynthGenerateCommand(CLI::App& synth) {
       ->type_name("")
       ->required();
   app->add_option("--seed", flags->seed,
-                  "0 to 999: for development; 1000 to 1999: test split, for reporting only")
+                  "seed of the scene; 0 to 999: development, 1000 to 1999: test split, for "
+                  "reporting only, 2000 and above: no split")
       ->type_name("N");
   app->add_option("--set", flags->set, "set one parameter (knob); can be repeated")
       ->type_name("KNOB=VALUE")

@@ -52,6 +52,7 @@ using MatchBy = reports::Matching;
 // What a run says of the bodies; frames as in the truth it is compared with.
 struct ObjectEstimate {
   MatchBy match_by = MatchBy::kLandmarks;
+  bool differentiated = false;  // velocities are differences of positions, not estimates
   OptionalPoses world_from_camera;
   std::vector<ClusterEstimate> clusters;                    // increasing in id
   std::vector<std::vector<LandmarkObservation>> landmarks;  // [frame]: observed in it

@@ -26,8 +26,9 @@ struct Group {
   std::vector<const BodyScore*> bodies;
   reports::Contract contract;
   std::string left_out;
-  std::int64_t visible = 0;    // object-frames
-  std::int64_t estimated = 0;  // of these
+  bool differentiated = false;  // ObjectScores::differentiated
+  std::int64_t visible = 0;     // object-frames
+  std::int64_t estimated = 0;   // of these
 
   // Of errors: what has no estimate is left out.
   Metric Error(MetricId id, double value, std::int64_t n) const {
@@ -82,6 +83,7 @@ Group MakeGroup(const ObjectTruth& truth, const ObjectScores& scores, bool mover
   group.contract = MatchingOf(truth, scores);
   group.contract.subject = movers ? reports::Subject::kMovers : reports::Subject::kStanding;
   group.contract.travel_m = truth.mover_travel_m;
+  group.differentiated = scores.differentiated;
   group.left_out = UnmatchedBodiesText(group);
   return group;
 }
@@ -130,6 +132,14 @@ void AddMaxDrift(const Group& group, std::vector<Metric>& metrics) {
   }
 }
 
+void AddVelocity(const Group& group, std::vector<Metric>& metrics) {
+  const std::size_t before = metrics.size();
+  AddMean(group, kObjectVelocity, &BodyScore::velocity_m_s, metrics);
+  if (group.differentiated && metrics.size() > before) {
+    metrics.back().contract.pairing = reports::Pairing::kVelocitiesOfPositions;
+  }
+}
+
 void AddErrors(const ObjectTruth& truth, const Group& group, std::vector<Metric>& metrics) {
   AddMean(group, kObjectAte, &BodyScore::ate_m, metrics);
   AddMean(group, kObjectRrpeAllPairs, &BodyScore::all_pairs_rad, metrics);
@@ -145,7 +155,7 @@ void AddErrors(const ObjectTruth& truth, const Group& group, std::vector<Metric>
         truth.first_frame, truth.first_frame + static_cast<int>(truth.frame_count()) - 1};
   }
   AddMean(group, kObjectAteInCamera, &BodyScore::ate_in_camera_m, metrics);
-  AddMean(group, kObjectVelocity, &BodyScore::velocity_m_s, metrics);
+  AddVelocity(group, metrics);
   if (group.form == BodyGroup::kMovers) AddMaxDrift(group, metrics);
 }
 

@@ -175,6 +175,7 @@ ObjectScores ScoreObjects(const ObjectTruth& truth, const ObjectEstimate& estima
   CheckEstimate(truth, estimate);
   ObjectScores scores;
   scores.match_by = estimate.match_by;
+  scores.differentiated = estimate.differentiated;
   scores.truth_from_estimate = AlignByCamera(truth.world_from_camera, estimate.world_from_camera);
   const Worlds worlds = {
       scores.truth_from_estimate,

@@ -20,6 +20,7 @@ struct BodyScore : reports::BodyRow {
 
 struct ObjectScores {
   MatchBy match_by = MatchBy::kLandmarks;
+  bool differentiated = false;         // velocities: ObjectEstimate::differentiated
   RigidTransform truth_from_estimate;  // of the worlds
   std::vector<BodyScore> bodies;       // that are visible in some frame, by id
   int clusters = 0;                    // whose pose counts in some frame

@@ -107,7 +107,7 @@ Figure DriftFigure(const PublishedDrift& published, const ReferenceSource& sourc
   const Plot plot = DrawHeatMap(blocks, columns);
   Figure figure;
   figure.id = Slug(StrCat("drift-reduction-", published.system, "-", source.id));
-  figure.group = "Change of error";
+  figure.group = "Change in error";
   figure.title =
       StrCat("Maximum drift on ", published.sequence, " against ", published.system,
              " as published, in percent. ", Capitalised(published.figures.front()->metric));

@@ -56,7 +56,8 @@ std::vector<ErrorAndCoverage> FindPairs(const Table& table, std::vector<std::str
     if (varies) {
       pairs.push_back({*error, *coverage});
     } else {
-      not_drawn.push_back(what + "it is covered in all frames, so there is nothing to trade.");
+      not_drawn.push_back(what +
+                          "coverage is 100 % in all rows, so there is no trade-off to show.");
     }
   }
   return pairs;

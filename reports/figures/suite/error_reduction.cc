@@ -160,7 +160,7 @@ std::optional<double> ErrorReduction(const Cell& cell, const Column& column) {
 
 void DrawErrorReduction(const SuiteData& data, const std::vector<SeriesRows>& series,
                         SuiteDrawing& drawing) {
-  const std::string what = "Change of error by sequence: ";
+  const std::string what = "Change in error by sequence: ";
   if (data.table.reference.empty() || data.table.change) {
     drawing.not_drawn.push_back(what + "the suite names no reference to compare with.");
     return;
@@ -184,16 +184,16 @@ void DrawErrorReduction(const SuiteData& data, const std::vector<SeriesRows>& se
   const Plot plot = DrawHeatMap(map.blocks, drawn);
   Figure figure;
   figure.id = "error-reduction";
-  figure.group = "Change of error";
-  figure.title = StrCat("Change of error against ", data.table.reference, ", in percent. ",
+  figure.group = "Change in error";
+  figure.title = StrCat("Change in error relative to ", data.table.reference, ", in percent. ",
                         Capitalised(RelationText(columns)));
   figure.caption = StrCat(
       "Blue and −: less error than ", data.table.reference,
       "; orange and +: more, ×12: twelve times as much. In brackets: not distinguishable from it "
       "(the 95 % interval of the "
-      "paired difference holds 0, its p-value, corrected for the number of cells, is not below "
-      "0.05, or there are too few pairs). Empty: nothing to compare. Of "
-      "shares the error is what is missing to 100 %. Each cell is on what both have in common.");
+      "paired difference contains 0, its p-value, corrected for the number of cells, is not below "
+      "0.05, or there are too few pairs). Empty: nothing to compare. For shares, the error is the "
+      "difference to 100 %. Each cell is based on what both have in common.");
   figure.alt = StrCat("Heat map of ", map.rows, " rows by ", map.columns.size(),
                       " metrics, against ", data.table.reference, ". ");
   for (const HeatBlock& block : map.blocks) figure.alt += HeatBlockText(block, map, data.table);

@@ -206,8 +206,8 @@ std::string Caption(const std::vector<StageSeries>& series, const std::string& m
       ". Bars: median over the frames of a run; whiskers: to its 95th percentile; both the median "
       "over runs of ",
       Listed(runs),
-      ". Times depend on the machine and on what else it does: they are no part of the accuracy. "
-      "Left out is what depends on whether features were kept from an earlier run.");
+      ". Times depend on the machine and its load and say nothing about accuracy. Stages that "
+      "depend on whether features were cached are left out.");
   if (!beside.empty() && beside.size() + 1 < series.size()) {
     text += StrCat(" Pale: all runs of ", Listed(beside),
                    " computed features at the same time, which slows them; do not compare them "

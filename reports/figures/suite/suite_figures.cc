@@ -32,7 +32,7 @@ SuiteDrawing SuiteFigures(const SuiteData& data) {
     DrawErrorOverCoverage(data, series, drawing);
   } else {
     drawing.not_drawn.push_back(
-        StrCat("Change of error by sequence, and error over coverage: ", rows,
+        StrCat("Change in error by sequence, and error over coverage: ", rows,
                " rows of the table by sequence, at most ", kMaxSceneRows, " can be read."));
   }
   DrawWaterfall(data, drawing);

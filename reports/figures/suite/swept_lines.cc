@@ -128,7 +128,7 @@ std::vector<SweptOption> FindSweptOptions(const SuitePlan& plan, const Table& ta
   for (const std::string& path : pooled) {
     not_drawn.push_back(
         StrCat("Sensitivity to ", path,
-               ": the suite's table has no rows by it, so they are means over it."));
+               ": the suite's table has no rows by this option; its rows are means over it."));
   }
   std::vector<SweptOption> options;
   for (std::size_t key = 0; key < table.keys.size(); ++key) {

@@ -139,8 +139,9 @@ void DrawWaterfall(const SuiteData& data, SuiteDrawing& drawing) {
   figure.group = "Step by step";
   figure.title = StrCat("Each row against the row above. ", Capitalised(RelationText(drawn)));
   figure.caption =
-      "A bar goes from the row above to the row, both on what they have in common; its line is the "
-      "95 % interval of the difference. Not corrected for the number of steps: the table is.";
+      "Each bar goes from the row above to the row, both over what they have in common; its line "
+      "is the 95 % interval of the difference. The intervals are not corrected for the number of "
+      "steps; the table is.";
   figure.alt = Alt(table, columns);
   figure.least_px = figure.width_px;
   figure.height_px = plot.height_px();

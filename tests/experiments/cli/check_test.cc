@@ -33,7 +33,7 @@ class CliCheckTest : public ::testing::Test {
 TEST_F(CliCheckTest, SameResultsPass) {
   const ProcessResult check = Check({"--gate-time"});
   EXPECT_EQ(check.exit_code, 0) << check.out << check.err;
-  EXPECT_THAT(check.out, StartsWith("gate: 16 runs against those of 0123456789ab: 0 worse"));
+  EXPECT_THAT(check.out, StartsWith("gate: 16 runs compared with those of 0123456789ab: 0 worse"));
   EXPECT_THAT(check.out, HasSubstr("\nno regression\n"));
   EXPECT_EQ(check.err, "");
 }

@@ -65,11 +65,11 @@ TEST_F(CollectionTest, RunsItsSuitesAndShowsThemOnOnePage) {
   ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
   const std::string page = Page();
   for (const char* text :
-       {"<title>all</title>", "<td>theirs</td><td>7</td>", "(", "in 1 run, one thread of",
+       {"<title>all</title>", "<td>theirs</td><td>7</td>", "<td>ours</td><td>not run</td>",
         "<td>more</td><td>not run</td>", "What &lt;it&gt; is.", "0:3", "Get it: example.org/here",
         "absent: no absent below", "Table 3: nowhere</a>: not on this disk",
         "Get it: example.org/nowhere", "src=\"figures/here-wall-1/", "here/report/index.html",
-        "No picture of wall, static, frame 9: --frame 9: found none that the run has"}) {
+        "No picture of wall, static, frame 9: --frame 9: found no such frame in the run"}) {
     EXPECT_THAT(page, HasSubstr(text));
   }
   EXPECT_TRUE(fs::exists(out() / "here" / "report" / "index.html"));
@@ -81,12 +81,13 @@ TEST_F(CollectionTest, RunsItsSuitesAndShowsThemOnOnePage) {
 
 TEST_F(CollectionTest, ATimedSuiteShowsItsTimes) {
   WriteSuite("timed", R"({"folder": "wall"})", R"("timed_threads": 1, )");
-  const std::string sections = R"({"title": "Speed", "suite": "timed.json", "times": true})";
+  const std::string sections = R"({"title": "Speed", "suite": "timed.json", "times": true},
+      {"title": "All", "columns": ["system", "frames/s"], "measured": {"static": ["ours"]}})";
   const ProcessResult run = Run(sections, {"-j", "2"});
   ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
-  EXPECT_THAT(run.err, HasSubstr("timed: one job at a time, because times count"));
+  EXPECT_THAT(run.err, HasSubstr("timed: one job at a time, because the suite measures times"));
   EXPECT_THAT(Page(), AllOf(HasSubstr("<th>frames/s</th>"), HasSubstr("<td>static</td><td>1</td>"),
-                            HasSubstr("1 thread.")));
+                            HasSubstr("1 thread."), HasSubstr("in 1 run, 1 thread of ")));
   EXPECT_FALSE(fs::exists(folder_.path() / "cache" / "frontend"));  // every job computes its own
   const ProcessResult times =
       test::RunProgram({"experiment", "times", (out() / "timed").string()}, {});
@@ -109,7 +110,7 @@ TEST_F(CollectionTest, APlanSaysOfEachSectionWhatWouldRunAndWhereToGetTheRest) {
   EXPECT_THAT(plan.out, HasSubstr("Table 2\nsuite here: 2 jobs on 2 sequences"));
   EXPECT_THAT(plan.out, HasSubstr("1 x no absent below"));
   EXPECT_THAT(plan.out, HasSubstr("get it: example.org/here\n\nTable 3\nget it: example.org/more"));
-  EXPECT_THAT(plan.out, HasSubstr("\nall: about "));
+  EXPECT_THAT(plan.out, HasSubstr("\nestimated time of all suites: "));
   EXPECT_FALSE(fs::exists(out()));
 }
 

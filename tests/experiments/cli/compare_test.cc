@@ -33,7 +33,7 @@ TEST(CliCompare, PrintsMetricsAndPairs) {
   EXPECT_THAT(text.out, AllOf(HasSubstr("camera_ate "), HasSubstr("3 (8 frames)"),
                               HasSubstr("-0.01"), HasSubstr("undecided (3 blocks, 6 needed)"),
                               HasSubstr("by SE(3)"), HasSubstr("unit  static  full"),
-                              HasSubstr("they say nothing of other scenes")));
+                              HasSubstr("they say nothing about other scenes")));
   const auto json = RunProgram({"compare", a, b, "--json"});
   ASSERT_EQ(json.exit_code, 0) << json.err;
   const Json parsed = Json::parse(json.out);

@@ -140,7 +140,7 @@ TEST_F(EvalSequence, EstimatesTheClockOfTheTruth) {
                                           truth,  "--estimate",     estimate};
   const ProcessResult result = RunProgram(clock);
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out, HasSubstr("clock of the ground truth: +0.2500"));
+  EXPECT_THAT(result.out, HasSubstr("clock offset (ground truth minus estimate): +0.2500"));
   std::vector<std::string> with_json = clock;
   with_json.emplace_back("--json");
   const Json json = ParseJson(RunProgram(with_json).out, "eval --clock-offset");

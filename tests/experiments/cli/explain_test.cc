@@ -52,6 +52,22 @@ TEST_F(CliExplain, ListsBodiesAndTellsOfOneWhatMendsIt) {
   EXPECT_GT(picture.rows, 400);
 }
 
+// The run says where its boxes were.
+TEST_F(CliExplain, FindsBoxesOutsideOfTheSequence) {
+  fs::copy_file(Path("scene") + "/detections/oracle.txt", Path("elsewhere.txt"));
+  const ProcessResult run = RunProgram({"run", Path("scene"), "-o", Path("given"), "--landmarks",
+                                        "--detections", Path("elsewhere.txt"), "-q"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  fs::remove_all(Path("scene") + "/detections");
+  const ProcessResult one = RunProgram({"explain", Path("given"), "chair_1", "--oracles", "-q"});
+  ASSERT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_THAT(one.out, AllOf(HasSubstr("; detected"), HasSubstr("true labels: ")));
+  EXPECT_EQ(one.err, "");
+  fs::remove(Path("elsewhere.txt"));
+  EXPECT_THAT(RunProgram({"explain", Path("given"), "chair_1"}).err,
+              HasSubstr("give --detections"));
+}
+
 TEST_F(CliExplain, BadInputGivesOneLine) {
   ExpectError(RunProgram({"explain", Path("run"), "chair_2"}),
               "BODY: found \"chair_2\" (did you mean chair_1?), expected one of ball_1, ");

@@ -54,7 +54,7 @@ TEST(CliFigures, JsonNeedsNoBrowser) {
   const ProcessResult run =
       suite.Draw({"--format", "json"}, {.environment = {"CLUSTERVO_BROWSER=/nowhere"}});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.out, AllOf(HasSubstr("error-reduction.json: Change of error against full"),
+  EXPECT_THAT(run.out, AllOf(HasSubstr("error-reduction.json: Change in error relative to full"),
                              HasSubstr("not drawn: Time by stage")));
   const std::string text = test::ReadFile(suite.out() / "error-reduction.json");
   const Json figure = Json::parse(text);
@@ -110,7 +110,7 @@ TEST(CliFigures, NamesStayTextAndBytesAreReproducible) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const std::string svg = test::ReadFile(suite.out() / "error-reduction.svg");
   EXPECT_THAT(svg, StartsWith("<svg"));
-  EXPECT_THAT(svg, AllOf(HasSubstr("Change of error against full, in percent"),
+  EXPECT_THAT(svg, AllOf(HasSubstr("Change in error relative to full, in percent"),
                          HasSubstr("room &#60;script&#62;alert(1)&#60;/script&#62;"),
                          HasSubstr("(+100)"), HasSubstr("In brackets:")));
   EXPECT_THAT(svg, Not(HasSubstr("<script")));

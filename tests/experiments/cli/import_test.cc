@@ -47,7 +47,8 @@ TEST_F(OwnStereo, TheSameTrajectoryAsOfTheSequence) {
   EXPECT_THAT(imported.out, HasSubstr("3 pairs of"));
   EXPECT_EQ(Run({"import", "-q", "-o", out("d")}).err, "");
   EXPECT_EQ(Run({"run", "-q", "--rate", "25", "-o", out("e")}).err, "");
-  EXPECT_THAT(test::RunProgram({"info", out("c")}).out, HasSubstr("10 Hz (assumed: no times"));
+  EXPECT_THAT(test::RunProgram({"info", out("c")}).out,
+              HasSubstr("10 Hz (assumed: no timestamps were given)"));
   EXPECT_TRUE(fs::exists(out("c") + "/import.json"));
 }
 

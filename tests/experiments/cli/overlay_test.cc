@@ -68,8 +68,9 @@ TEST_F(CliOverlay, DrawsEveryFrameAndASheetReproducibly) {
   ASSERT_EQ(one.exit_code, 0) << one.err;
   EXPECT_THAT(one.out, AllOf(HasSubstr("000000.png to 000005.png (6 images)"),
                              HasSubstr("sheet.png (6 frames)")));
-  EXPECT_THAT(one.err, AllOf(HasSubstr("100 %  6/6 frames"),
-                             HasSubstr("the others are not in the sequence's folder")));
+  EXPECT_THAT(one.err,
+              AllOf(HasSubstr("100 %  6/6 frames"),
+                    HasSubstr("the run's detection file is not in the sequence's folder")));
   ASSERT_EQ(Overlay({run().string(), "--sheet", "-q"}, "two").exit_code, 0);
   for (const char* name : {"000000.png", "000005.png", "sheet.png"}) {
     const std::string bytes = ReadFile(out("one") / name);
@@ -120,7 +121,7 @@ TEST_F(CliOverlay, FourPanelsOfAFrame) {
   const ProcessResult two =
       Overlay({run().string(), run().string(), "--panels", "--frame", "4"}, "three");
   EXPECT_EQ(two.exit_code, 2);
-  EXPECT_THAT(two.err, HasSubstr("--panels: is of one run"));
+  EXPECT_THAT(two.err, HasSubstr("--panels needs exactly one run"));
 }
 
 TEST_F(CliOverlay, WritesOnlyAVideoAndReportsItsFormat) {
@@ -159,9 +160,7 @@ TEST_F(CliOverlay, RefusesInvalidInput) {
   MakeRun();
   ExpectError(Overlay({out("none").string()}), "result.json");
   ExpectError(Overlay({run().string(), "--frame", "60"}),
-              "--frame 60: found none that the run has, "
-              "expected 0 to 5",
-              2);
+              "--frame 60: found no such frame in the run, expected 0 to 5", 2);
   ExpectError(Overlay({run().string(), "--frames", "8:9"}), "--frames 8:9", 2);
   ExpectError(RunProgram({"overlay", run().string(), "-o", "/proc/nowhere"}), "/proc/nowhere");
   fs::create_directories(out("blocked") / "000002.png");

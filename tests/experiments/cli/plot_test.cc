@@ -131,7 +131,7 @@ TEST_F(CliPlot, FilesOfEurocHaveCommas) {
 TEST_F(CliPlot, KittiFilesAreMatchedByTheirNumber) {
   const ProcessResult run = Plot({Tum("mine.txt"), "--groundtruth", Kitti("06.txt")});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("poses matched by their number"));
+  EXPECT_THAT(run.out, HasSubstr("poses matched by line number"));
   EXPECT_LT(SummaryValue(run.out, "rms m"), 1e-5) << run.out;
   ExpectError(Plot({Kitti("short.txt", 5), "--groundtruth", Kitti("06.txt")}),
               "06.txt: found 12 poses, expected 5, as many as ");

@@ -32,7 +32,7 @@ TEST(CliReport, WritesOnePageBesideTheResults) {
   EXPECT_THAT(run.err, IsEmpty());
   const fs::path out = suite.folder().path() / "report";
   EXPECT_EQ(run.out, "written: " + (out / "index.html").string() + "\n");
-  EXPECT_THAT(Page(out), AllOf(HasSubstr("1 of 1 run is there; none failed."),
+  EXPECT_THAT(Page(out), AllOf(HasSubstr("1 of 1 run is complete; none failed."),
                                HasSubstr("<code>orb.features</code>: 1999 (default "),
                                HasSubstr("no clusters: the static-world baseline")));
   EXPECT_EQ(std::distance(fs::directory_iterator(out), fs::directory_iterator()), 1);
@@ -87,7 +87,7 @@ TEST(CliReport, RunsSideBySide) {
   const std::string out = (folder.path() / "page").string();
   const ProcessResult run = RunProgram({"report", runs[0], runs[1], "-o", out});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(Page(out), AllOf(HasSubstr("2 of 2 runs are there"), HasSubstr("Runs on ")));
+  EXPECT_THAT(Page(out), AllOf(HasSubstr("2 of 2 runs are complete"), HasSubstr("Runs on ")));
   test::ExpectError(RunProgram({"report", runs[0], runs[0], "-o", out}), "the same run twice");
   test::ExpectError(RunProgram({"report", runs[0], out, "-o", out}), "found no result.json");
   EXPECT_EQ(RunProgram({"report", runs[0], runs[1]}).exit_code, 2);

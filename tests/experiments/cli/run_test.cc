@@ -107,22 +107,22 @@ TEST_F(CliRun, AnotherRunIsNotReplaced) {
     more.insert(more.end(), {"-q", "--landmarks"});
     test::ExpectError(Run(out(), more), StrCat(": found a run of tiny with ", found), 2);
   };
-  refused({"--seed", "7"}, "seed 0, expected 7 (--force replaces it)");
+  refused({"--seed", "7"}, "seed 0, expected 7; use --force to replace it");
   refused({"--variant", "static"}, "variant full, expected static");
   refused({"--set", "orb.features=500"}, "option orb.features ");
   refused({"--frames", "1:4"}, "frames 0:8, expected 1:4");
   refused({"--oracle", "camera"}, "classes and oracles {");
-  refused({"--detections", boxes}, "0 other detections, expected the 1 asked for");
+  refused({"--detections", boxes}, "other detections (0), expected the given ones (1)");
   test::ExpectError(Run(out(), {"-q"}), "with landmarks.csv, expected one without", 2);
   EXPECT_EQ(Run(out(), {"-q", "--landmarks", "--threads", "1"}).exit_code, 0);
   EXPECT_EQ(ReadFile(out() / "result.json"), before);
   fs::copy_file(tiny() / "image_0/000001.png", tiny() / "image_0/000002.png",
                 fs::copy_options::overwrite_existing);
-  refused({}, "other images, calibration or truth, expected those asked for");
+  refused({}, "other images, calibration or ground truth, expected the given ones");
   EXPECT_EQ(Run(out(), {"-q", "--force"}).exit_code, 0);
   EXPECT_FALSE(fs::exists(out() / "landmarks.csv"));
   folder_.Write("out/result.json", "{");
-  test::ExpectError(Run(out(), {"-q"}), "; --force replaces it", 2);
+  test::ExpectError(Run(out(), {"-q"}), "; use --force to replace it", 2);
 }
 
 // A trajectory of predictions alone is written and is a failure, with its cause where it shows.
@@ -215,10 +215,13 @@ TEST_F(CliRun, AllMetricsAndAWarningOfMargins) {
   boxes.replace(boxes.find(" 0.5"), 4, " -0.5");
   const std::string file = folder_.Write("boxes.txt", boxes).string();
   const ProcessResult run = Run(out(), {"--detections", file, "--all"});
-  EXPECT_THAT(run.out, AllOf(HasSubstr("camera_ate_median"),
+  EXPECT_THAT(run.out, AllOf(HasSubstr("camera_ate_median"), HasSubstr("camera_max_drift"),
                              HasSubstr("warning: of 3 boxes in the file, 2 have a score above 0")));
   EXPECT_THAT(Run(out(), {"--detections", file, "--min-score", "0", "--force"}).out,
               testing::Not(HasSubstr("warning: of")));
+  const Json paths = ReadJson(out() / "timing.json")["paths"];
+  EXPECT_EQ(paths["detections"], file);
+  EXPECT_EQ(paths["min_score"], 0.0);
 }
 
 TEST_F(CliRun, ReservedWordsForDetections) {

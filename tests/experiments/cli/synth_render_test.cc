@@ -83,7 +83,7 @@ TEST_F(CliSynthRender, ARunOnItScoresItsBodies) {
                   "--oracle", "camera,labels,boxes", "--landmarks", "--all", "-q"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, AllOf(HasSubstr("detections: "), HasSubstr("object_standing_coverage"),
-                             HasSubstr("bodies, poses as last estimated"), HasSubstr("chair_1")));
+                             HasSubstr("bodies, refined poses"), HasSubstr("chair_1")));
   const Json result = ReadJson(out("out") / "result.json");
   EXPECT_EQ(result["given"]["oracle"], Json::array({"boxes", "labels", "camera"}));
   ASSERT_EQ(result["bodies"]["refined"].size(), 3U);

@@ -84,7 +84,7 @@ TEST(CliTables, CompareReportsChanges) {
   EXPECT_THAT(run.out, HasSubstr("moved, undecided (1 pair, 6 needed):\n"
                                  "  2011_09_26_drive_0001 static, camera_ate: -0.0125 m (-20 %), "
                                  "no interval, 1 pair\n"));
-  EXPECT_THAT(Compare(before, before).out, HasSubstr("\nnothing moved\n"));
+  EXPECT_THAT(Compare(before, before).out, HasSubstr("\nnothing changed\n"));
   better["metrics"][1]["contract"]["delta"] = "1 frame";
   SuiteResults other;
   other.Add(better);

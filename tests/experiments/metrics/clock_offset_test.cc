@@ -102,7 +102,7 @@ TEST(ClockOffset, IsRefusedWhereMotionsDoNotDetermineIt) {
                     return RigidTransform(ExpSo3({0, 0.2 * t_s, 0}), {});
                   },
                   1),
-              HasSubstr("to and fro"));
+              HasSubstr("back and forth"));
   EXPECT_THAT(
       Refused([](double t_s) { return RigidTransform(ExpSo3({}), Vector3d(t_s, 0, 0)); }, 1),
       HasSubstr("the truth explains"));

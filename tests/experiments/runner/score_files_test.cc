@@ -65,6 +65,9 @@ TEST(ScoreSystem, VelocityIsThatOfTheBoxes) {
     return said;
   }));
   EXPECT_NEAR(*outcome.bodies[0].velocity_m_s, 1.0, 1e-6);
+  // A run states the velocities that it estimated: another contract.
+  EXPECT_EQ(FindMetric(outcome.metrics, "object_velocity")->contract.pairing,
+            reports::Pairing::kVelocitiesOfPositions);
 }
 
 // What our readers know of a calibration says nothing of what the system was given.

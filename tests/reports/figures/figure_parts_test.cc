@@ -63,10 +63,10 @@ TEST(FigureTexts, TheRelationIsThatOfTheContractInBrief) {
   rpe.contract.alignment = Alignment::kNone;
   const Column share = test::ColumnOf("object_coverage", "object coverage", "1");
   EXPECT_EQ(RelationText({&ate, &rpe, &share}),
-            "object ATE: alignment SE(3) over positions; object T.RPE: delta all, not aligned");
+            "object ATE: aligned by SE(3) over positions; object T.RPE: delta all, not aligned");
   rpe.contract = ate.contract;
   EXPECT_EQ(RelationText({&ate, &rpe}),
-            "object ATE and object T.RPE: alignment SE(3) over positions");
+            "object ATE and object T.RPE: aligned by SE(3) over positions");
 }
 
 TEST(Palette, AVariantLooksTheSameInEverySuite) {

@@ -25,7 +25,7 @@ inline reports::Cell CellOf(double value, double low, double high) {
 
 inline reports::Cell MissingCell() {
   reports::Cell cell;
-  cell.message = "in no result, <i>not</i> 100 % & more";
+  cell.message = "no value in any run, <i>not</i> 100 % & more";
   return cell;
 }
 
@@ -107,7 +107,7 @@ inline reports::Table HostileTable() {
   table.jobs = {9, 6, 1, 2, 1, 0};
   table.problems = {{kFormula, kFormula, 1, "failed", "killed <i>by</i> signal 9", "logs/x.log"},
                     {kFormula, kFormula, 2, "failed", "half_written & gone", ""}};
-  table.notes = {"results are of 2 builds of the program: run the suite again for one"};
+  table.notes = {"results come from 2 builds of the program: run the suite again to have one"};
   table.provenance = {{"abc", "def"},
                       {1, 2},
                       {{"orb.features", "2000", {"1999", "1500"}}, {"new.option", "", {"[1,2]"}}}};

@@ -97,7 +97,8 @@ TEST(TableCsv, HasARecordPerRow) {
   EXPECT_EQ(records[1].at("variant"), test::kLatex);
   EXPECT_EQ(records[1].at("object_id_switches"), "");
   EXPECT_EQ(records[1].at("object_id_switches marks"), "missing");
-  EXPECT_EQ(records[1].at("object_id_switches note"), "in no result, <i>not</i> 100 % & more");
+  EXPECT_EQ(records[1].at("object_id_switches note"),
+            "no value in any run, <i>not</i> 100 % & more");
   EXPECT_EQ(records[2].at("camera_ate marks"), "not comparable");
   EXPECT_EQ(records[6].at("system"), "Unknown");
   EXPECT_EQ(records[6].at("source"), "a paper (CVPR <2020>) table_2");
@@ -131,7 +132,7 @@ TEST(TableLongCsv, HasARecordPerCell) {
   EXPECT_EQ(worse.at("pairs"), "11");
   EXPECT_EQ(worse.at("distinguishable"), "true");
   EXPECT_EQ(worse.at("left_out"), "1 of 12 bodies (of all runs) without a value");
-  EXPECT_EQ(records[5 + 4].at("message"), "in no result, <i>not</i> 100 % & more");
+  EXPECT_EQ(records[5 + 4].at("message"), "no value in any run, <i>not</i> 100 % & more");
   EXPECT_EQ(records[5 + 4].at("runs"), "");
   EXPECT_EQ(records[2 * 5 + 1].at("not_comparable"), "delta \"1 frame\"");
   const auto& theirs = records[3 * 5 + 3];

@@ -80,7 +80,7 @@ TEST(TableHtml, MissingCellsHaveAReasonAndNoNumber) {
   const std::string cell = Element(TableHtml(test::HostileTable()),
                                    "<td class=\"number missing\" data-row=\"1\"", "</td>");
   EXPECT_THAT(cell, AllOf(HasSubstr("<span class=\"value\">-</span>"), Not(HasSubstr("data-value")),
-                          HasSubstr("<span class=\"reason\">in no result, &lt;i&gt;not")));
+                          HasSubstr("<span class=\"reason\">no value in any run, &lt;i&gt;not")));
 }
 
 TEST(TableHtml, FiguresOfOthersAreGreyWithTheReasonUnlessTheyCompare) {

@@ -81,7 +81,7 @@ TEST(TableLatex, ShowsValuesIntervalsMarksAndNotes) {
           HasSubstr(" & \\begin{tabular}[t]{@{}r@{}}\\textbf{0.058}\\\\\\scriptsize 0.034..0.085"),
           HasSubstr("0.104\\rlap{\\textsuperscript{*}}"),
           HasSubstr("\\begin{tabular}[b]{@{}r@{}}object ATE\\\\{}[m]\\end{tabular}"),
-          HasSubstr("\\relax n, object ATE: "), HasSubstr("bold: best of its column"),
+          HasSubstr("\\relax n, object ATE: "), HasSubstr("bold: best value of the column"),
           HasSubstr("camera ATE: root mean square"), HasSubstr("a caveat: 50 \\%")));
 }
 

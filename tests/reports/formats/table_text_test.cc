@@ -63,7 +63,8 @@ TEST(TableText, AlignsColumnsAndBracketsWhatDoesNotCompare) {
             "          ClusterVO [b]  0:144                            (0.26)\n"
             "          Rooms [b]                                        (0.5)\n"
             "\n"
-            "^: best of its column among rows on the same data, by its value alone\n"
+            "^: best value of the column among rows on the same data, whether or not the "
+            "difference is significant\n"
             "1 of 1 runs\n"
             "n, coverage, ATE: 1 scene, 1 seed, 1 run\n"
             "(in brackets): not comparable with ours: other scenes, frames or images, or a metric "
@@ -98,7 +99,7 @@ TEST(TableText, IsAsWideAsTheTerminalWithCoverageBesideAccuracy) {
 TEST(TableText, ReportsMissingRuns) {
   Table table = SmallTable();
   table.rows[0].cells[1] = {};
-  table.rows[0].cells[1].message = "not in the result";
+  table.rows[0].cells[1].message = "no value in the run";
   table.jobs.planned = 40;
   table.jobs.lost = 1;
   table.jobs.failed = 20;
@@ -115,7 +116,7 @@ TEST(TableText, ReportsMissingRuns) {
                           HasSubstr("drive_9: no data: no such folder\nfull, drive_1, seed 0: "
                                     "failed: killed (log: logs/x.log)\n"),
                           HasSubstr("and 10 more: table.json has all\n"),
-                          HasSubstr("drive_1 static; ATE: not in the result\n")));
+                          HasSubstr("drive_1 static; ATE: no value in the run\n")));
 }
 
 TEST(TableText, ShowsIntervalsBelowTheirValues) {
@@ -164,10 +165,10 @@ TEST(TableJson, HoldsValuesUnitsCountsRunsAndComparisons) {
 TEST(TableJson, MissingCellsHaveAMessageAndNoValue) {
   Table table = SmallTable();
   table.rows[0].cells[1] = {};
-  table.rows[0].cells[1].message = "not in the result";
+  table.rows[0].cells[1].message = "no value in the run";
   const Json cell = Json::parse(TableJson(table))["rows"][0]["cells"][1];
   EXPECT_EQ(cell["status"], "missing");
-  EXPECT_EQ(cell["message"], "not in the result");
+  EXPECT_EQ(cell["message"], "no value in the run");
   EXPECT_FALSE(cell.contains("value"));
 }
 

@@ -126,9 +126,9 @@ TEST(TableTexts, OneLinePerRowAndPerFigureOfOthers) {
 TEST(TableTexts, ExplainIncomparableAndMissingFigures) {
   const std::vector<TextLine> lines = MakeTexts(test::HostileTable()).blocks[0].lines;
   EXPECT_EQ(lines[1].cells[4].value, "-");
-  EXPECT_EQ(lines[1].cells[4].note, "in no result, <i>not</i> 100 % & more");
+  EXPECT_EQ(lines[1].cells[4].note, "no value in any run, <i>not</i> 100 % & more");
   EXPECT_TRUE(lines[2].cells[1].grey);
-  EXPECT_EQ(lines[2].cells[1].note, "means something else: delta \"1 frame\"");
+  EXPECT_EQ(lines[2].cells[1].note, "defined differently: delta \"1 frame\"");
   EXPECT_EQ(lines[3].cells[1].note, "inferred, not stated: poses");
   EXPECT_FALSE(lines[3].cells[1].grey);
   EXPECT_EQ(lines[4].cells[1].note, "frames 0:144, ours 0:72");
@@ -223,7 +223,7 @@ TEST(TableMarkdown, EscapesNames) {
             HasSubstr("| =cmd\\|' /C calc'!A0 | x,\"y\" z \xEF\xBF\xBD[31m |"),
             HasSubstr("| **0.058** (0.034..0.085) |"), HasSubstr("| 0.104\\* (0.061..0.160) |"),
             HasSubstr("| +0.047\\* (0.011..0.087); +81.0% |"), HasSubstr("| *(0.04)* |"),
-            HasSubstr("| *Unknown [a]* |"), HasSubstr("\n- bold: best of its column")));
+            HasSubstr("| *Unknown [a]* |"), HasSubstr("\n- bold: best value of the column")));
 }
 
 TEST(TableText, EscapesNames) {

@@ -120,7 +120,7 @@ TEST(GateText, JunitIsEscapedAndCounts) {
 
 TEST(GateText, MarkdownIsATable) {
   const std::string text = GateMarkdown(HandMadeReport());
-  EXPECT_THAT(text, HasSubstr("### Regression\n\nci: 2 runs against those of abc: 1 worse"));
+  EXPECT_THAT(text, HasSubstr("### Regression\n\nci: 2 runs compared with those of abc: 1 worse"));
   EXPECT_THAT(text,
               HasSubstr("| full | all | camera\\_ate (m) | 1 | 2 | +1 | 0.5 | 2 | WORSE |\n"));
   EXPECT_THAT(text, HasSubstr("- 2d on \"room\" \\& more: bad \\| \\<"));

@@ -101,7 +101,7 @@ TEST_F(GateTest, LowerCoverageIsWorseAndHigherIsNot) {
   const GateReport back = CheckRuns(then_.path(), MakeBaseline(now_.path()));
   EXPECT_FALSE(back.Regressed());
   EXPECT_EQ(back.Count(Verdict::kBetter), 3U);
-  EXPECT_THAT(NoteLines(back), Contains(HasSubstr("renew the baseline")));
+  EXPECT_THAT(NoteLines(back), Contains(HasSubstr("update the baseline to hold this level")));
 }
 
 TEST_F(GateTest, MissingMetricFails) {
@@ -190,6 +190,15 @@ TEST_F(GateTest, OtherImagesAreNoted) {
   now_.Edit(GateFolder::Id("room", "full", 1),
             [](Json& result) { result["sequence"]["content"] = "other"; });
   EXPECT_THAT(NoteLines(Check()), Contains(HasSubstr("1 runs read other images")));
+}
+
+TEST_F(GateTest, AnotherNumberOfFramesFailsAndIsNotCompared) {
+  now_.Edit(GateFolder::Id("room", "full", 1),
+            [](Json& result) { result["sequence"]["frames"] = 10; });
+  const GateReport report = Check();
+  EXPECT_THAT(report.problems,
+              Problem("full on room, detections good, seed 1", "10 frames, in the baseline 60"));
+  EXPECT_EQ(report.runs, 15U);
 }
 
 TEST(Gate, SeedsBeyondThoseOfTheGateNeedNotRun) {

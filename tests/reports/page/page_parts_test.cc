@@ -199,6 +199,15 @@ TEST(Findings, NoiseAndFewPairsAreNoFindings) {
   const std::string few = FindingsHtml(TwoRows(0.25, 5, false), "full");
   EXPECT_THAT(few, HasSubstr("2d: undecided (5 pairs, 6 needed)"));
   EXPECT_THAT(few, HasSubstr("Undecided (5 pairs, 6 needed): object ATE."));
+  Table mixed = TwoRows(0.25, 5, false);
+  mixed.columns.push_back({"camera_ate", "camera ATE", "m", {}});
+  for (Row& row : mixed.rows) row.cells.push_back(row.cells.front());
+  for (Row& row : mixed.rows) {
+    if (row.cells.back().difference) row.cells.back().difference->pairs = 1;
+  }
+  const std::string both = FindingsHtml(mixed, "full");
+  EXPECT_THAT(both, HasSubstr("Undecided (1 pair, 6 needed): camera ATE."));
+  EXPECT_THAT(both, HasSubstr("Undecided (5 pairs, 6 needed): object ATE."));
   EXPECT_THAT(FindingsHtml(TwoRows(0.0, 8, false), "full"),
               HasSubstr("The same in every metric: 2d."));
   EXPECT_THAT(noise, Not(HasSubstr("<li")));

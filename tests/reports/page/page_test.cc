@@ -57,9 +57,9 @@ TEST(Page, StatesWhatWasCompared) {
   suite.Add(WithBodies(Result("room"), Json::array({BodyOf(1, {0.25, 0.25})})), "full");
   const std::string page = PageOf(suite);
   EXPECT_THAT(page, HasSubstr("what it is"));
-  EXPECT_THAT(page, HasSubstr("Compared: 2 values of variant (static and full). On 1 sequence "
-                              "(room), each with 1 seed."));
-  EXPECT_THAT(page, HasSubstr("2 of 2 runs are there; none failed."));
+  EXPECT_THAT(page,
+              HasSubstr("Compares 2 variants (static and full) on 1 sequence (room) with 1 seed."));
+  EXPECT_THAT(page, HasSubstr("2 of 2 runs are complete; none failed."));
   EXPECT_THAT(page, HasSubstr("Undecided (1 pair, 6 needed): object ATE"));
   EXPECT_THAT(page, HasSubstr("Content-Security-Policy"));
 }
@@ -113,7 +113,7 @@ TEST(Page, MissingResultsAreListedWithAReason) {
   other["schema_version"] = 1;
   suite.Add(other);
   const std::string page = PageOf(suite);
-  EXPECT_THAT(page, HasSubstr("1 of 5 runs is there; 3 failed; 1 not run yet."));
+  EXPECT_THAT(page, HasSubstr("1 of 5 runs is complete; 3 failed; 1 not run yet."));
   EXPECT_THAT(page, HasSubstr("killed by signal 9 (log: logs/x.log)"));
   EXPECT_THAT(page, HasSubstr("<strong>not run</strong>"));
   EXPECT_THAT(page, HasSubstr("result.json: found"));

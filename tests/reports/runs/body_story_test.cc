@@ -152,8 +152,7 @@ TEST(BodyStory, EventsAreFoundLostWrongAndWorst) {
                           "16 off by more than 10 cm for 2 frames from 16 on: motion wrong, worst "
                           "error, 12 cm",
                           "20 lost for 4 frames from 20 on: label wrong", "25 found again"));
-  EXPECT_THAT(StoryLines(story),
-              Contains("frames by what is wrong: label wrong 6, motion wrong 2"));
+  EXPECT_THAT(StoryLines(story), Contains("frames by failed stage: label wrong 6, motion wrong 2"));
 }
 
 TEST(ReadLabelledLandmarks, NeedsTheSecondLabel) {

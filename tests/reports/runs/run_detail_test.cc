@@ -107,7 +107,7 @@ TEST(RunDetail, ReadsTimesAndMachine) {
   EXPECT_EQ(detail.host, "here");
   EXPECT_EQ(detail.cpu, "one of 3 GHz");
   EXPECT_EQ(detail.date, "2026-01-02T03:04:05Z");
-  EXPECT_EQ(detail.sequence_folder, "/data/room");
+  EXPECT_EQ(detail.paths.sequence, "/data/room");
 }
 
 TEST(RunDetail, ListsFilesThatAreNotThere) {

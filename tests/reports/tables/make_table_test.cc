@@ -348,7 +348,7 @@ TEST_F(MakeTableTest, MissingMetricsAreReported) {
   const Table table = Make();
   EXPECT_TRUE(table.rows[1].cells[0].present);
   EXPECT_FALSE(table.rows[1].cells[1].present);
-  EXPECT_EQ(table.rows[1].cells[1].message, "not in the result");
+  EXPECT_EQ(table.rows[1].cells[1].message, "no value in the run");
   EXPECT_FALSE(table.rows[2].cells[0].present);
 }
 

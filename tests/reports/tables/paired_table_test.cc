@@ -86,7 +86,7 @@ TEST(PairedTable, OnlyCommonScenesAndSeedsArePaired) {
   const auto ate = CellOf(table, 1, "object_ate").difference;
   EXPECT_NEAR(ate->difference, 0.01, 1e-12);
   EXPECT_EQ(ate->pairs, 1U);
-  EXPECT_THAT(table.notes, ElementsAre(HasSubstr("rows stand on different runs")));
+  EXPECT_THAT(table.notes, ElementsAre(HasSubstr("rows are based on different runs")));
   EXPECT_THAT(CellOf(table, 0, "object_ate").left_out, HasSubstr("1 of 5 bodies"));
 }
 
@@ -101,7 +101,7 @@ TEST(PairedTable, MarksDistinguishableDifferences) {
   ASSERT_TRUE(ate.difference && ate.difference->interval);
   EXPECT_TRUE(ate.difference->distinguishable);
   EXPECT_EQ(ate.difference->interval->meaning,
-            "95 %, bootstrap over 8 bodies of one scene: says nothing of other scenes");
+            "95 %, bootstrap over 8 bodies of one scene: says nothing about other scenes");
   EXPECT_FALSE(CellOf(table, 1, "object_coverage").difference->distinguishable);
   EXPECT_THAT(TableText(table, false), AllOf(HasSubstr("0.0745*"), HasSubstr("+0.0200*"),
                                              HasSubstr("difference from full (paired): value, 95 % "
@@ -144,8 +144,8 @@ TEST(PairedTable, ScenesAreWhatIsResampledAndManyComparisonsAreCorrectedFor) {
   const std::string text = TableText(table, false);
   EXPECT_THAT(text, HasSubstr("variant  split  runs"));
   EXPECT_THAT(text, HasSubstr("comparisons of this table (Holm), is below 0.05"));
-  EXPECT_THAT(text, HasSubstr("scenes that would tell a difference of 10 % from noise"));
-  EXPECT_THAT(text, HasSubstr("split test: scenes that no option was chosen on"));
+  EXPECT_THAT(text, HasSubstr("scenes needed to detect a difference of 10 % (80 % power, "));
+  EXPECT_THAT(text, HasSubstr("split test: no option was chosen on these scenes"));
   const Json json = Json::parse(TableJson(table));
   EXPECT_EQ(json["rows"][1]["split"], "test");
   EXPECT_EQ(TableJson(ReadTable(TableJson(table), "table")), TableJson(table));
@@ -202,7 +202,7 @@ TEST(CompareFolders, ReportsChangesAndTheirSize) {
   EXPECT_NEAR(ate->difference, -0.02, 1e-12);
   EXPECT_NEAR(*ate->percent, -100.0 * 0.02 / 0.0745, 1e-9);
   EXPECT_EQ(MovedText(table),
-            "moved, distinguishable from noise:\n"
+            "changed, distinguishable from noise:\n"
             "  room full, object_ate: -0.02 m (-26.85 %), -0.02 to -0.02, 8 pairs\n");
 }
 
@@ -214,15 +214,15 @@ TEST(CompareFolders, SaysWhatTheyWereMadeWith) {
   fewer["options"]["orb"]["features"] = 800;
   after.Add(fewer, "full");
   EXPECT_EQ(CompareFolders(before.Written(), after.Written()).about,
-            "Made with other options orb.features 2000 -> 800.");
+            "The two folders differ: options orb.features 2000 -> 800.");
   EXPECT_EQ(CompareFolders(before.Written(), before.Written()).about,
-            "Made with the same options, builds and variants.");
+            "The two folders have the same options, builds and variants.");
 }
 
 TEST(CompareFolders, EqualFoldersHaveNoChanges) {
   SuiteResults before;
   before.Add(Room(0.0), "full");
-  EXPECT_EQ(MovedText(CompareFolders(before.Written(), before.Written())), "nothing moved\n");
+  EXPECT_EQ(MovedText(CompareFolders(before.Written(), before.Written())), "nothing changed\n");
 }
 
 TEST(CompareFolders, OtherContractsAreRefusedNamingTheMetricAndBothFiles) {

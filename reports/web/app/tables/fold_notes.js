@@ -11,7 +11,7 @@ function fold(list, name) {
 // Notes and definitions are long; what most readers need of them is said above the table.
 export function foldNotes(frame) {
   const notes = frame.querySelector('.cvo-footnotes');
-  if (notes) fold(notes, 'Notes: on what each value stands, and what is compared with what');
+  if (notes) fold(notes, 'Notes: what each value is based on, and how values are compared');
   const list = frame.querySelector('.cvo-definitions');
   if (!list) return;
   if (list.previousElementSibling?.matches('p')) list.previousElementSibling.remove();

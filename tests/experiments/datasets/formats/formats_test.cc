@@ -110,7 +110,7 @@ TEST(FrameRange, RefusesOtherTexts) {
         << text;
   }
   for (const char* text : {"5:5", "5:2", ":0"}) {
-    EXPECT_THAT(ErrorMessage([&] { ParseFrameRange(text); }), HasSubstr("no frame at all")) << text;
+    EXPECT_THAT(ErrorMessage([&] { ParseFrameRange(text); }), HasSubstr("an empty range")) << text;
   }
 }
 

@@ -29,7 +29,7 @@ TEST(Sensitivity, DrawsErrorAboveCoverageOverTheOption) {
   const Figure& figure = drawing.figures[0];
   EXPECT_EQ(figure.id, "sensitivity-window-spatial-object-errors");
   EXPECT_EQ(figure.title,
-            "Object errors over window.spatial. Object ATE: alignment SE(3) over positions");
+            "Object errors over window.spatial. Object ATE: aligned by SE(3) over positions");
   const Json plotly = Json::parse(figure.plotly);
   const auto curves = test::TracesNamed(plotly, "full");
   ASSERT_THAT(curves, SizeIs(2));
@@ -139,8 +139,8 @@ TEST(Sensitivity, ReportsWhyThereIsNone) {
   for (Row& row : pooled.table.rows) row.keys = {"full"};
   const SuiteDrawing over = Draw(pooled);
   EXPECT_THAT(over.figures, IsEmpty());
-  EXPECT_THAT(over.not_drawn,
-              ElementsAre(AllOf(HasSubstr("Sensitivity to a"), HasSubstr("no rows by it"))));
+  EXPECT_THAT(over.not_drawn, ElementsAre(AllOf(HasSubstr("Sensitivity to a"),
+                                                HasSubstr("no rows by this option"))));
   EXPECT_THAT(Draw(test::SweptSuite("a", {1})).not_drawn, ElementsAre(HasSubstr("at least 2")));
   SuiteData many = test::SweptSuite("a", {1, 2});
   many.table.keys = {"a", "sequence"};

@@ -96,7 +96,7 @@ TEST(Waterfall, HasABarFromTheRowAboveToEachRow) {
 TEST(ErrorReduction, IsAHeatMapOfSequencesAndMeasures) {
   const TwoVariants suite;
   const Figure figure = test::FindFigure(Draw(suite.Written()), "error-reduction");
-  EXPECT_THAT(figure.title, HasSubstr("Change of error against full, in percent"));
+  EXPECT_THAT(figure.title, HasSubstr("Change in error relative to full, in percent"));
   const Json plotly = Json::parse(figure.plotly);
   ASSERT_THAT(plotly["data"], SizeIs(1));
   const Json& map = plotly["data"][0];
@@ -178,7 +178,7 @@ TEST(ErrorOverCoverage, FullCameraCoverageIsNotDrawn) {
   const TwoVariants suite;
   const SuiteDrawing drawing = Draw(suite.Written());
   EXPECT_EQ(test::FindFigure(drawing, "error-over-coverage-camera-ate").id, "");
-  EXPECT_THAT(drawing.not_drawn, Contains(HasSubstr("covered in all frames")));
+  EXPECT_THAT(drawing.not_drawn, Contains(HasSubstr("coverage is 100 % in all rows")));
 }
 
 TEST(SuiteFigures, ReportMissingResults) {
@@ -189,7 +189,7 @@ TEST(SuiteFigures, ReportMissingResults) {
   const SuiteDrawing drawing = Draw(suite.Written());
   EXPECT_THAT(drawing.figures, IsEmpty());
   for (const char* what :
-       {"Change of error", "Error over coverage of the object", "Time by stage"}) {
+       {"Change in error", "Error over coverage of the object", "Time by stage"}) {
     EXPECT_THAT(drawing.not_drawn, Contains(HasSubstr(what))) << what;
   }
 }
