@@ -30,6 +30,7 @@ int Import(const ImportFlags& flags) {
         progress->Report(done);
       });
   progress.reset();
+  for (const std::string& line : outcome.damaged) std::cout << "lost: " << line << '\n';
   const StereoCamera& camera = outcome.camera;
   std::cout << outcome.frames << " pairs of " << camera.width_px << "x" << camera.height_px
             << " px, " << (outcome.rectified ? "rectified" : "used as they are")

@@ -64,7 +64,7 @@ TEST_F(OwnStereo, BadUse) {
   fs::remove(tiny() + "/image_1/000002.png");
   const ProcessResult fewer = Run({"run", "-o", out("x")});
   EXPECT_EQ(fewer.exit_code, 1);
-  EXPECT_THAT(fewer.err, HasSubstr("found 2 images, expected 3"));
+  EXPECT_THAT(fewer.err, HasSubstr("image_0/000002.png: found no image 2 in "));
   EXPECT_FALSE(fs::exists(out("x")));
 }
 
