@@ -127,6 +127,7 @@ JobCache OpenCache(const Flags& flags, std::size_t frames) {
 }
 
 int Run(const Flags& flags) {
+  if (!flags.cache_size.empty()) (void)CacheLimit(flags.cache_size);  // without --cache, too
   const VariantInfo& variant = VariantNamed(flags.variant);
   const Options options = flags.run.Resolve(variant.defaults());
   const std::vector<std::string> classes =

@@ -122,10 +122,8 @@ SequenceRequest SequenceFlags::Request(bool quiet) const {
   SequenceRequest request;
   request.folder = folder;
   if (stereo.left.empty() && stereo.right.empty()) {
-    if (folder.empty())
-      throw UsageError("no sequence: give a folder, or --left, --right and --calib");
+    if (folder.empty()) throw UsageError(kSequenceMissing);
     CheckSequenceFolder(folder);
-    CheckDetections(detections, folder);
   } else {
     if (!folder.empty()) throw UsageError("two sequences: " + folder + " and --left");
     CheckStereo(stereo);
@@ -136,6 +134,7 @@ SequenceRequest SequenceFlags::Request(bool quiet) const {
           progress->Report(done);
         });
   }
+  CheckDetections(detections, request.folder);
   request.type = type;
   request.layout = ReadLayoutSettings(layout);
   request.dataset = dataset;

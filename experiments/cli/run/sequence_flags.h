@@ -11,6 +11,9 @@
 
 namespace cvo {
 
+inline constexpr const char* kSequenceMissing =
+    "no sequence: give a folder, or --left, --right and --calib";
+
 // The flags that say which sequence to read, and which part of it.
 struct SequenceFlags {
   std::string folder;

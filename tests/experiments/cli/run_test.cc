@@ -176,6 +176,8 @@ TEST_F(CliRun, TheCacheDoesNotChangeTheBytes) {
   const ProcessResult bad = Run(out("bad"), {"--cache", "--cache-size", "much"}, setup);
   EXPECT_EQ(bad.exit_code, 2);
   EXPECT_THAT(bad.err, HasSubstr("option --cache-size: found \"much\""));
+  test::ExpectError(Run(out("bad"), {"--cache-size", "much"}, setup),
+                    "option --cache-size: found \"much\"", 2);
 }
 
 TEST_F(CliRun, AnUnusableCacheGivesANotice) {
