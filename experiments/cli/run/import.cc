@@ -6,6 +6,7 @@
 
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
+#include "experiments/cli/output_place.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/run/sequence_flags.h"
@@ -22,6 +23,7 @@ struct ImportFlags {
 
 int Import(const ImportFlags& flags) {
   CheckStereo(flags.stereo);
+  CheckApartFrom(InputsOf(flags.stereo), flags.output);
   CheckNewSequence(flags.output, {flags.stereo.left, flags.stereo.right});
   std::optional<Progress> progress;
   const ImportOutcome outcome =

@@ -97,6 +97,10 @@ void CheckStereo(const StereoImport& stereo) {
   if (stereo.calibration.empty()) throw UsageError("--calib is missing");
 }
 
+std::vector<std::filesystem::path> InputsOf(const StereoImport& stereo) {
+  return {stereo.left, stereo.right, stereo.calibration, stereo.times};
+}
+
 void AddStereo(CLI::App& app, StereoImport& stereo) {
   const auto add = [&app](const char* flag, auto& value, const char* kind, const char* meaning) {
     return app.add_option(flag, value, meaning)->type_name(kind)->group("Your own stereo images");
@@ -114,6 +118,12 @@ void AddStereo(CLI::App& app, StereoImport& stereo) {
       "else 10")
       ->check(CLI::Range(1e-3, 1e6).description(""))
       ->check(FiniteProblem);
+}
+
+std::vector<std::filesystem::path> SequenceFlags::OwnInputs() const {
+  std::vector<std::filesystem::path> inputs = InputsOf(stereo);
+  inputs.insert(inputs.end(), {detections, labels});
+  return inputs;
 }
 
 SequenceRequest SequenceFlags::Request(bool quiet) const {
