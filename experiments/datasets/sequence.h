@@ -87,6 +87,8 @@ struct Sequence {
   // at p_in_camera + (detections_offset_m, 0, 0): see ShiftBox.
   std::vector<ObjectBox> detections;
   double detections_offset_m = 0.0;
+  bool has_detections_source = false;  // a file or the labels; they may hold none
+  int low_scores = 0;                  // boxes of it left out: below the lowest score asked for
   // Where the data set states poses of bodies itself (not in labels, nor as a rendered scene).
   std::optional<BodyTracks> bodies;
   Json layout = Json::object();  // settings of its layout that were given

@@ -212,6 +212,13 @@ TEST_F(CliRun, ReportsWhichDetectionsCount) {
   EXPECT_FALSE(fs::exists(out() / "landmarks.csv"));
 }
 
+// Nothing was said of boxes that were all left out.
+TEST_F(CliRun, ReportsThatAllDetectionsHaveLowScores) {
+  const std::string boxes = folder_.Write("boxes.txt", kBoxes).string();
+  EXPECT_THAT(Run(out(), {"--detections", boxes, "--min-score", "99"}).out,
+              HasSubstr("\ndetections: 0 given; left out: 3 below --min-score\n"));
+}
+
 TEST_F(CliRun, AllMetricsAndAWarningOfMargins) {
   std::string boxes = kBoxes;
   boxes.replace(boxes.find(" 0.5"), 4, " -0.5");
@@ -250,7 +257,9 @@ TEST_F(CliRun, BadDetectionsAreRefusedWithFileAndLine) {
     EXPECT_FALSE(fs::exists(out()));
   }
   const std::string empty = folder_.Write("boxes.txt", "").string();
-  EXPECT_EQ(Run(out(), {"--detections", empty}).exit_code, 0);
+  const ProcessResult run = Run(out(), {"--detections", empty});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_THAT(run.out, HasSubstr("\ndetections: 0 given, none in the frames read\n"));
 }
 
 TEST_F(CliRun, AnOracleNeedsTruth) {
