@@ -23,6 +23,7 @@
 #include "experiments/cli/clean_output.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
+#include "experiments/cli/run/sequence_flags.h"
 
 namespace cvo {
 namespace {
@@ -97,6 +98,23 @@ void CheckFlags(int argc, char** argv, const CLI::App& program) {
   }
 }
 
+// What is read is asked for before where results go.
+bool LacksSequence(const CLI::App& app) {
+  const CLI::Option* folder = app.get_option_no_throw("SEQUENCE");
+  const CLI::Option* left = app.get_option_no_throw("--left");
+  return folder != nullptr && left != nullptr && folder->count() + left->count() == 0;
+}
+
+// Shells make an empty name of a variable that is not set.
+void CheckOutputName(const CLI::App& program) {
+  const CLI::App* app = &program;
+  while (!app->get_subcommands().empty()) app = app->get_subcommands().front();
+  const CLI::Option* output = app->get_option_no_throw("--output");
+  if (output == nullptr || output->count() == 0 || !output->results().front().empty()) return;
+  throw UsageError(StrCat("--output: found an empty name, expected that of a folder or file (see ",
+                          CommandName(*app), " --help)"));
+}
+
 int ExplainUsage(const CLI::App& program, const CLI::ParseError& error) {
   const CLI::App* app = &program;
   while (!app->get_subcommands().empty()) app = app->get_subcommands().front();
@@ -111,7 +129,10 @@ int ExplainUsage(const CLI::App& program, const CLI::ParseError& error) {
         extra.starts_with('-') ? " has no flag " + extra : ": unexpected argument " + Quoted(extra);
     return Fail(StrCat(command, problem, " (see ", command, " --help)"), kUsage);
   }
-  return Fail(StrCat(error.what(), " (see ", CommandName(*app), " --help)"), kUsage);
+  const bool required = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+  return Fail(StrCat(required && LacksSequence(*app) ? kSequenceMissing : error.what(), " (see ",
+                     CommandName(*app), " --help)"),
+              kUsage);
 }
 
 // What is wrong with a flag's value is wrong usage; what is wrong with a file is bad input.
@@ -167,6 +188,7 @@ int Main(int argc, char** argv) {
     CheckSubcommand(argc, argv, program);
     CheckFlags(argc, argv, program);
     program.parse(argc, argv);
+    CheckOutputName(program);
   } catch (const CLI::ParseError& error) {
     // Help and version are thrown too.
     return error.get_exit_code() == 0 ? program.exit(error) : ExplainUsage(program, error);

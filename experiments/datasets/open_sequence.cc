@@ -64,6 +64,14 @@ std::string DataSetOf(const Sequence& sequence, const std::string& named) {
   return !made && IsKittiRig(sequence.camera) ? kKittiDataSet : kOtherDataSet;
 }
 
+void RefuseSeveral(const fs::path& folder) {
+  if (!fs::is_directory(folder)) return;
+  const std::vector<FoundSequence> found = FindSequences(folder);
+  if (found.empty()) return;
+  ThrowError(folder.string(), StrCat("a folder that contains ", Counted(found.size(), "sequence")),
+             StrCat("one of them: `clustervo info ", folder.string(), "` lists them"));
+}
+
 std::string TypeOf(const SequenceRequest& request) {
   if (!request.type.empty()) return request.type;
   const fs::path& folder = request.folder;
@@ -75,6 +83,7 @@ std::string TypeOf(const SequenceRequest& request) {
                sequences.empty() ? "one with images"
                                  : StrCat("one of them, such as ", sequences.front().string()));
   }
+  RefuseSeveral(folder);
   const std::string found = fs::is_directory(folder) ? "a folder of no known type"
                             : fs::exists(folder)     ? "a file"
                                                      : "no such folder";

@@ -96,6 +96,7 @@ struct Sequence {
   std::vector<ObjectBox> detections;
   double detections_offset_m = 0.0;
   BoxSources box_sources;
+  int low_scores = 0;  // boxes left out: below BoxSources::min_score
   // Where the data set states poses of bodies itself (not in labels, nor as a rendered scene).
   std::optional<BodyTracks> bodies;
   Json layout = Json::object();  // settings of its layout that were given

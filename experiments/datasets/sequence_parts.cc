@@ -119,14 +119,15 @@ void MoveBody(const RigidTransform& first_from_world, const Sequence& sequence, 
   }
 }
 
-void DropLowScores(const fs::path& file, double min_score, std::vector<ObjectBox>& boxes) {
+void DropLowScores(const fs::path& file, double min_score, Sequence& sequence) {
   if (min_score <= SequenceRequest().min_score) return;
-  for (const ObjectBox& box : boxes) {
+  for (const ObjectBox& box : sequence.detections) {
     if (!box.score) {
       ThrowError(file.string(), "boxes without scores", "scores, as a lowest score is asked for");
     }
   }
-  std::erase_if(boxes, [&](const ObjectBox& box) { return *box.score < min_score; });
+  sequence.low_scores = static_cast<int>(std::erase_if(
+      sequence.detections, [&](const ObjectBox& box) { return *box.score < min_score; }));
 }
 
 [[noreturn]] void FailPair(const std::string& found, const std::vector<std::string>& known) {
@@ -210,7 +211,7 @@ void AddBoxes(const SequenceRequest& request, Sequence& sequence) {
     UseLabelsAsDetections(request.detections_file, request.min_score, sequence);
   } else if (!request.detections_file.empty()) {
     sequence.detections = ReadDetections(request.detections_file, sequence.total_frames);
-    DropLowScores(request.detections_file, request.min_score, sequence.detections);
+    DropLowScores(request.detections_file, request.min_score, sequence);
     sequence.text_files.push_back(request.detections_file);
   }
 }
@@ -302,7 +303,7 @@ void AddBoxes(const SequenceRequest& request, const LabelSource& own_labels, con
   } else if (!request.detections_file.empty()) {
     const int camera = request.detections_camera == -1 ? left_camera : request.detections_camera;
     sequence.detections = ReadDetections(request.detections_file, sequence.total_frames);
-    DropLowScores(request.detections_file, request.min_score, sequence.detections);
+    DropLowScores(request.detections_file, request.min_score, sequence);
     sequence.detections_offset_m = rig.Offset_m(camera) - rig.Offset_m(left_camera);
     sequence.text_files.push_back(request.detections_file);
   }

@@ -46,7 +46,8 @@ bool IsWhole(const fs::path& folder) try {
 
 fs::path ImportIntoCache(const StereoImport& request, const fs::path& cache,
                          const std::function<void(std::size_t done, std::size_t total)>& progress) {
-  constexpr const char* kMadeBy = "import 1\n";  // changes where the same input gives other images
+  constexpr const char* kMadeBy =
+      "import 2\n";  // changes if the same input gives other images or none
   constexpr std::size_t kShortHash = 16;
   Sha256 hash;
   hash.Add(kMadeBy);

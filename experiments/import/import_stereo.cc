@@ -18,6 +18,7 @@
 #include "experiments/calibration/rectification.h"
 #include "experiments/calibration/rig_file.h"
 #include "experiments/datasets/formats/timestamps.h"
+#include "experiments/import/image_names.h"
 #include "experiments/import/stereo_source.h"
 
 namespace cvo {
@@ -46,10 +47,15 @@ class NewFolder {
     WriteFileBytes(temporary_ / name, bytes);
     files_[name] = Sha256Hex(bytes);
   }
-  void Write(const std::string& name, const cv::Mat& image) {
+  // A damaged image becomes one that cannot be decoded: the header alone.
+  void Write(const std::string& name, const SourceImage& image) {
+    constexpr std::size_t kHeader = 33;  // signature and first chunk of a PNG file
+    const cv::Mat grey =
+        image.damage.empty() ? image.grey : cv::Mat(image.size, CV_8UC1, cv::Scalar(0));
     std::vector<unsigned char> png;
-    Require(cv::imencode(".png", image, png), "import: an image that cannot be encoded");
-    Write(name, {reinterpret_cast<const char*>(png.data()), png.size()});
+    Require(cv::imencode(".png", grey, png), "import: an image that cannot be encoded");
+    Write(name,
+          {reinterpret_cast<const char*>(png.data()), image.damage.empty() ? png.size() : kHeader});
   }
   // The SHA-256 of each that was written.
   const Json& files() const { return files_; }
@@ -74,6 +80,7 @@ class PairReader {
  public:
   explicit PairReader(const StereoImport& request)
       : request_(request), left_(OpenImages(request.left)), right_(OpenImages(request.right)) {
+    CheckPartners(left_->files(), right_->files());
     if (left_->size() != right_->size()) {
       ThrowError(request.right.string(), StrCat(right_->size(), " images"),
                  StrCat(left_->size(), ", as many as in ", request.left.string()));
@@ -82,24 +89,25 @@ class PairReader {
 
   std::size_t size() const { return left_->size(); }
   const ImageSource& left() const { return *left_; }
+  const ImageSource& right() const { return *right_; }
 
   // False at the end.
-  bool Next(cv::Mat& left, cv::Mat& right) {
+  bool Next(SourceImage& left, SourceImage& right) {
     left = left_->Next();
     right = right_->Next();
-    if (left.empty() != right.empty()) {
-      ThrowError((left.empty() ? request_.left : request_.right).string(),
+    if (left.size.empty() != right.size.empty()) {
+      ThrowError((left.size.empty() ? request_.left : request_.right).string(),
                  StrCat("an end after ", read_, " images"),
                  "as many images as of the other camera");
     }
-    if (left.empty()) return false;
-    if (size_.empty()) size_ = left.size();
-    if (left.size() != size_ || right.size() != size_) {
-      const cv::Size found = left.size() != size_ ? left.size() : right.size();
-      ThrowError(StrCat((left.size() != size_ ? request_.left : request_.right).string(),
-                        ", image ", read_),
-                 StrCat(found.width, "x", found.height, " px"),
-                 StrCat(size_.width, "x", size_.height, " px, as the first image"));
+    if (left.size.empty()) return false;
+    if (size_.empty()) size_ = left.size;
+    if (left.size != size_ || right.size != size_) {
+      const cv::Size found = left.size != size_ ? left.size : right.size;
+      ThrowError(
+          StrCat((left.size != size_ ? request_.left : request_.right).string(), ", image ", read_),
+          StrCat(found.width, "x", found.height, " px"),
+          StrCat(size_.width, "x", size_.height, " px, as the first image"));
     }
     ++read_;
     return true;
@@ -132,6 +140,12 @@ Times TimesOf(const StereoImport& request, const ImageSource& left, std::size_t 
   return {"nominal", NominalTimes(count, kUsual_hz)};
 }
 
+std::string TimesText(const Times& times) {
+  std::string lines;
+  for (const std::int64_t time_ns : times.ns) lines += FormatSecondsNs(time_ns) + "\n";
+  return lines;
+}
+
 std::string CalibrationText(const StereoCamera& camera) {
   const auto row = [&](const char* key, double offset_px) {
     std::string text = key;
@@ -149,6 +163,18 @@ Json RowsOf(const Eigen::Matrix3d& matrix) {
   Json rows = Json::array();
   for (int i = 0; i < 3; ++i) rows.push_back({matrix(i, 0), matrix(i, 1), matrix(i, 2)});
   return rows;
+}
+
+// Of an image of the frame that is being made.
+void NoteDamage(const SourceImage& image, ImportOutcome& outcome) {
+  if (image.damage.empty()) return;
+  outcome.damaged.push_back(StrCat("frame ", outcome.frames, ": ", image.damage));
+}
+
+Json NamesOf(const ImageSource& source) {
+  Json names = Json::array();
+  for (const fs::path& file : source.files()) names.push_back(file.filename().string());
+  return names;
 }
 
 Json Record(const StereoImport& request, const ImportOutcome& outcome,
@@ -180,30 +206,31 @@ ImportOutcome ImportStereo(
   std::optional<Rectification> rectification;
   ImportOutcome outcome;
   outcome.rectified = !IsRectified(rig);
-  cv::Mat left;
-  cv::Mat right;
+  SourceImage left;
+  SourceImage right;
   while (pairs.Next(left, right)) {
     if (outcome.frames == 0) {
-      CheckCameras(rig, left.cols, left.rows, request.calibration.string());
-      if (outcome.rectified) rectification.emplace(rig, left.size());
-      outcome.camera =
-          rectification ? rectification->camera() : CameraOf(rig, left.cols, left.rows);
+      CheckCameras(rig, left.size.width, left.size.height, request.calibration.string());
+      if (outcome.rectified) rectification.emplace(rig, left.size);
+      outcome.camera = rectification ? rectification->camera()
+                                     : CameraOf(rig, left.size.width, left.size.height);
     }
-    if (rectification) {
-      left = rectification->Left(left);
-      right = rectification->Right(right);
-    }
+    if (rectification && left.damage.empty()) left.grey = rectification->Left(left.grey);
+    if (rectification && right.damage.empty()) right.grey = rectification->Right(right.grey);
+    NoteDamage(left, outcome);
+    NoteDamage(right, outcome);
     target.Write("image_0/" + FrameName(outcome.frames), left);
     target.Write("image_1/" + FrameName(outcome.frames), right);
     progress(++outcome.frames, pairs.size());
   }
   const Times times = TimesOf(request, pairs.left(), outcome.frames);
   outcome.times = times.source;
-  std::string lines;
-  for (const std::int64_t time_ns : times.ns) lines += FormatSecondsNs(time_ns) + "\n";
-  target.Write("times.txt", lines);
+  target.Write("times.txt", TimesText(times));
   target.Write("calib.txt", CalibrationText(outcome.camera));
   Json record = Record(request, outcome, rectification);
+  // Each in the order of the frames; empty of a video.
+  record["left_images"] = NamesOf(pairs.left());
+  record["right_images"] = NamesOf(pairs.right());
   record["files"] = target.files();
   target.Write(kImportRecord, DumpJson(record));
   target.Keep();

@@ -12,6 +12,9 @@
 #include "core/base/error.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
+#include "experiments/datasets/formats/image_header.h"
+#include "experiments/datasets/formats/png.h"
+#include "experiments/import/image_names.h"
 
 namespace cvo {
 namespace {
@@ -29,8 +32,36 @@ bool IsImage(const fs::path& file) {
   return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
 }
 
-std::optional<std::int64_t> NumberOf(const fs::path& file) {
-  return ParseInteger(file.stem().string());
+bool IsPng(std::string_view bytes) { return bytes.starts_with("\x89PNG"); }
+bool IsJpegFile(std::string_view bytes) { return bytes.starts_with("\xff\xd8"); }
+
+// Of the formats that say where they end, whatever the file's name: decoders may return half an
+// image. Some cameras fill JPEG files up with zeros.
+std::optional<std::string> FindDamage(std::string_view bytes) {
+  if (IsPng(bytes)) return FindPngDamage(bytes);
+  if (!IsJpegFile(bytes)) return std::nullopt;
+  return FindJpegDamage(bytes.substr(0, bytes.find_last_not_of('\0') + 1));
+}
+
+SourceImage DamagedImage(const fs::path& file, const std::string& damage) {
+  constexpr const char* kExpected = "an image that can be decoded";
+  const std::string problem = StrCat(file.string(), ": found ", damage, ", expected ", kExpected);
+  try {
+    return {{}, ReadImageSize(file), problem};
+  } catch (const Error&) {
+    throw Error(problem);
+  }
+}
+
+SourceImage ReadImage(const fs::path& file) {
+  const std::string bytes = ReadFileBytes(file);
+  if (const std::optional<std::string> damage = FindDamage(bytes)) {
+    return DamagedImage(file, *damage);
+  }
+  const cv::Mat grey = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
+  if (!grey.empty()) return {grey, grey.size(), ""};
+  if (IsPng(bytes) || IsJpegFile(bytes)) return DamagedImage(file, "damaged pixels");
+  ThrowError(file.string(), "no image that can be decoded", "one");
 }
 
 class ImageFolder final : public ImageSource {
@@ -40,22 +71,13 @@ class ImageFolder final : public ImageSource {
       if (entry.is_regular_file() && IsImage(entry.path())) files_.push_back(entry.path());
     }
     if (files_.empty()) ThrowError(folder.string(), "no image", "a folder of images");
-    const bool numbered = std::all_of(files_.begin(), files_.end(),
-                                      [](const fs::path& file) { return !!NumberOf(file); });
-    std::sort(files_.begin(), files_.end(), [&](const fs::path& a, const fs::path& b) {
-      if (numbered && *NumberOf(a) != *NumberOf(b)) return *NumberOf(a) < *NumberOf(b);
-      return a.filename() < b.filename();
-    });
+    SortByNumber(files_);
   }
 
   std::size_t size() const override { return files_.size(); }
   std::vector<fs::path> files() const override { return files_; }
-  cv::Mat Next() override {
-    if (next_ == files_.size()) return {};
-    const fs::path& file = files_[next_++];
-    cv::Mat image = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
-    if (image.empty()) ThrowError(file.string(), "no image that can be decoded", "one");
-    return image;
+  SourceImage Next() override {
+    return next_ == files_.size() ? SourceImage() : ReadImage(files_[next_++]);
   }
 
  private:
@@ -76,13 +98,16 @@ class Video final : public ImageSource {
     return static_cast<std::size_t>(std::max(0.0, video_.get(cv::CAP_PROP_FRAME_COUNT)));
   }
   double rate_hz() const override { return std::max(0.0, video_.get(cv::CAP_PROP_FPS)); }
-  cv::Mat Next() override {
+  SourceImage Next() override {
     cv::Mat image;
     if (!video_.read(image) || image.empty()) return {};
-    if (image.channels() == 1) return image.clone();
-    cv::Mat grey;
-    cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
-    return grey;
+    SourceImage next{{}, image.size(), ""};
+    if (image.channels() == 1) {
+      next.grey = image.clone();
+    } else {
+      cv::cvtColor(image, next.grey, cv::COLOR_BGR2GRAY);
+    }
+    return next;
   }
 
  private:
@@ -123,7 +148,7 @@ std::vector<std::int64_t> ReadTimes(const fs::path& path, std::size_t count) {
 std::vector<std::int64_t> TimesOfNames(const std::vector<fs::path>& files) {
   std::vector<std::int64_t> times_ns;
   for (const fs::path& file : files) {
-    const std::optional<std::int64_t> number = NumberOf(file);
+    const std::optional<std::int64_t> number = ParseInteger(file.stem().string());
     if (!number || *number <= kLeastNs) return {};
     if (!times_ns.empty() && *number <= times_ns.back()) return {};
     times_ns.push_back(*number);

@@ -6,20 +6,26 @@
 #include <filesystem>
 #include <memory>
 #include <opencv2/core/mat.hpp>
+#include <string>
 #include <vector>
 
 namespace cvo {
 
-// Images of one camera in order of time: a folder of image files, sorted by number where all names
-// are numbers, else by name; or a video.
+struct SourceImage {
+  cv::Mat grey;        // 8 bits; empty if it is damaged
+  cv::Size size;       // also of a damaged one, from its header; empty: at the end
+  std::string damage;  // "<file>: found ..., expected ..."; empty: whole
+};
+
+// Images of one camera in order of time: a folder of image files (SortByNumber), or a video.
 class ImageSource {
  public:
   virtual ~ImageSource() = default;
 
   // Number of images; of a video as its header states it.
   virtual std::size_t size() const = 0;
-  // The next image as 8-bit grey; empty at the end. Throws Error for one that cannot be decoded.
-  virtual cv::Mat Next() = 0;
+  // The next image. Throws Error for one whose header cannot be read either.
+  virtual SourceImage Next() = 0;
   // The files, where the source is a folder.
   virtual std::vector<std::filesystem::path> files() const { return {}; }
   // Of a video, where its header states it; else 0.

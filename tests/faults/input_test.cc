@@ -50,7 +50,7 @@ TEST_F(InputFaults, Pipes) {
     const bool existed = fs::exists(file);
     if (existed) fs::rename(file, folder_.path() / "kept");
     ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
-    ExpectOneLine(RunWall(), 1, found);
+    ExpectOneLine({"run", wall().string(), "-o", At("new"), "-q"}, 1, found);
     fs::remove(file);
     if (existed) fs::rename(folder_.path() / "kept", file);
   }

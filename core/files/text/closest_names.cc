@@ -35,6 +35,28 @@ std::string_view LastPart(std::string_view path) {
   return path.substr(path.rfind('.') + 1);  // npos + 1 = 0
 }
 
+// A text with 0 in place of each number, or with the number without leading zeros.
+std::string Reduced(std::string_view text, bool numbers) {
+  constexpr std::string_view kDigits = "0123456789";
+  std::string reduced;
+  while (!text.empty()) {
+    const std::size_t digits = std::min(text.find_first_not_of(kDigits), text.size());
+    if (digits > 0) {
+      const std::size_t zeros = std::min(text.find_first_not_of('0'), digits - 1);
+      reduced += numbers ? text.substr(zeros, digits - zeros) : "0";
+    } else {
+      reduced += text.front();
+    }
+    text.remove_prefix(std::max<std::size_t>(digits, 1));
+  }
+  return reduced;
+}
+
+// One of another number is there, but it is not what was meant.
+bool DiffersInNumbersAlone(std::string_view a, std::string_view b) {
+  return Reduced(a, false) == Reduced(b, false) && Reduced(a, true) != Reduced(b, true);
+}
+
 }  // namespace
 
 std::vector<std::string> ClosestNames(std::string_view name,
@@ -43,6 +65,7 @@ std::vector<std::string> ClosestNames(std::string_view name,
   if (name.size() > kLongest) return {};
   std::vector<std::pair<std::size_t, std::string>> near;
   for (const std::string& candidate : known) {
+    if (DiffersInNumbersAlone(name, candidate)) continue;
     const std::size_t whole = EditDistance(name, candidate);
     const std::size_t last = EditDistance(LastPart(name), LastPart(candidate));
     const std::size_t distance = std::min(whole, last + 1);

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
+#include "experiments/cli/output_place.h"
 #include "experiments/cli/pictures/report_images.h"
 #include "experiments/cli/reports/report_runs.h"
 #include "experiments/cli/reports/suite_table.h"
@@ -45,6 +46,7 @@ int WriteRunsReport(const ReportFlags& flags) {
 
 int WriteReport(const ReportFlags& flags) {
   const fs::path folder = Named(flags.folder);
+  CheckNoCollection(flags.folder);
   reports::PageRequest request;
   request.folder = folder;
   if (!flags.against.empty()) request.against = Named(flags.against);

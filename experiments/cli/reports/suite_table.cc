@@ -7,6 +7,7 @@
 #include "core/files/atomic_file.h"
 #include "core/files/json/options_json.h"
 #include "core/interface/options.h"
+#include "experiments/cli/output_place.h"
 #include "reports/formats/table_text.h"
 #include "reports/tables/make_table.h"
 #include "reports/tables/table_json.h"
@@ -19,6 +20,7 @@ std::string DefaultOptions() {
 }
 
 int OutputSuiteTable(const std::filesystem::path& folder, const TableFormat& format) {
+  CheckNoCollection(folder);
   const reports::Table table =
       reports::MakeTable(folder, reports::ShippedReference(), DefaultOptions());
   if (format.Terminal()) {

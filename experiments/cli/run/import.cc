@@ -6,6 +6,7 @@
 
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
+#include "experiments/cli/output_place.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/run/sequence_flags.h"
@@ -22,6 +23,7 @@ struct ImportFlags {
 
 int Import(const ImportFlags& flags) {
   CheckStereo(flags.stereo);
+  CheckApartFrom(InputsOf(flags.stereo), flags.output);
   CheckNewSequence(flags.output, {flags.stereo.left, flags.stereo.right});
   std::optional<Progress> progress;
   const ImportOutcome outcome =
@@ -30,6 +32,7 @@ int Import(const ImportFlags& flags) {
         progress->Report(done);
       });
   progress.reset();
+  for (const std::string& line : outcome.damaged) std::cout << "lost: " << line << '\n';
   const StereoCamera& camera = outcome.camera;
   std::cout << outcome.frames << " pairs of " << camera.width_px << "x" << camera.height_px
             << " px, " << (outcome.rectified ? "rectified" : "used as they are")

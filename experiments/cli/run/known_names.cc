@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
 #include "synth/family/family.h"
@@ -71,13 +72,14 @@ void CheckSequenceFolder(const fs::path& folder) {
 
 void CheckDetections(const std::string& detections, const fs::path& folder) {
   std::vector<std::string> names = NamesIn(folder / "detections", false);
+  const bool has_levels = !names.empty();
   names.insert(names.end(), {"labels", "none"});
   if (detections.empty() || AreFromLabels(detections) || fs::exists(detections)) return;
   if (std::find(names.begin(), names.end(), detections) != names.end()) return;
-  std::string all;
-  for (const std::string& name : names) all += ", " + name;
+  const std::string levels =
+      has_levels ? "" : " (this sequence has no detector levels such as good)";
   ThrowError("--detections", Quoted(detections) + DidYouMean(detections, names),
-             "a file, or for this sequence one of " + all.substr(2));
+             "a file, or for this sequence one of " + Joined(names, ", ") + levels);
 }
 
 }  // namespace cvo

@@ -14,6 +14,7 @@
 #include "core/base/lists.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
+#include "experiments/cli/output_place.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/run/former_run.h"
 #include "experiments/cli/run/known_names.h"
@@ -127,10 +128,13 @@ JobCache OpenCache(const Flags& flags, std::size_t frames) {
 }
 
 int Run(const Flags& flags) {
+  if (!flags.cache_size.empty()) (void)CacheLimit(flags.cache_size);  // without --cache, too
   const VariantInfo& variant = VariantNamed(flags.variant);
   const Options options = flags.run.Resolve(variant.defaults());
   const std::vector<std::string> classes =
       flags.classes.empty() ? RigidClasses() : ParseClasses(flags.classes);
+  CheckApartFrom(flags.sequence.OwnInputs(), flags.output);
+  CheckPlaceOfRun(flags.output);
   const Sequence sequence = OpenSequence(flags.sequence.Request(flags.run.quiet));
   CheckClasses(classes, sequence.detections);
   std::vector<std::filesystem::path> read = FoldersOf(sequence);

@@ -47,14 +47,16 @@ std::string SuccessAt10cm(const BodyScore& body) {
 }  // namespace
 
 void PrintDetections(const Sequence& sequence, const DetectionCounts& counts, std::ostream& out) {
-  if (sequence.detections.empty()) return;
+  if (sequence.box_sources.detections.empty()) return;
   out << "detections: " << counts.given << " given";
+  if (sequence.detections.empty() && sequence.low_scores == 0) out << ", none in the frames read";
   const char* separator = "; left out: ";
   const auto left_out = [&](int count, const std::string& why) {
     if (count == 0) return;
     out << separator << count << ' ' << why;
     separator = ", ";
   };
+  left_out(sequence.low_scores, "below --min-score");
   left_out(counts.outside, "outside the image");
   left_out(counts.skipped, "of skipped frames");
   for (const auto& [type, count] : counts.other_classes) left_out(count, "of class " + type);

@@ -12,8 +12,8 @@
 
 namespace cvo {
 
-// One line: how many boxes the estimator was given, and why others were left out. Nothing for a
-// sequence without detections. A second one where scores are 0 or negative, as margins are.
+// One line: how many boxes the estimator was given, and why others were left out. Nothing if
+// none were asked for. A second one where scores are 0 or negative, as margins are.
 void PrintDetections(const Sequence& sequence, const DetectionCounts& counts, std::ostream& out);
 
 // Metrics side by side with refined and with causal poses, the eight that matter most or all, then

@@ -97,6 +97,10 @@ void CheckStereo(const StereoImport& stereo) {
   if (stereo.calibration.empty()) throw UsageError("--calib is missing");
 }
 
+std::vector<std::filesystem::path> InputsOf(const StereoImport& stereo) {
+  return {stereo.left, stereo.right, stereo.calibration, stereo.times};
+}
+
 void AddStereo(CLI::App& app, StereoImport& stereo) {
   const auto add = [&app](const char* flag, auto& value, const char* kind, const char* meaning) {
     return app.add_option(flag, value, meaning)->type_name(kind)->group("Your own stereo images");
@@ -117,16 +121,20 @@ void AddStereo(CLI::App& app, StereoImport& stereo) {
       ->check(FiniteProblem);
 }
 
+std::vector<std::filesystem::path> SequenceFlags::OwnInputs() const {
+  std::vector<std::filesystem::path> inputs = InputsOf(stereo);
+  inputs.insert(inputs.end(), {detections, labels});
+  return inputs;
+}
+
 SequenceRequest SequenceFlags::Request(bool quiet) const {
   CheckNoFolder("--labels", labels);
   if (detections != "labels" && detections != "none") CheckNoFolder("--detections", detections);
   SequenceRequest request;
   request.folder = folder;
   if (stereo.left.empty() && stereo.right.empty()) {
-    if (folder.empty())
-      throw UsageError("no sequence: give a folder, or --left, --right and --calib");
+    if (folder.empty()) throw UsageError(kSequenceMissing);
     CheckSequenceFolder(folder);
-    CheckDetections(detections, folder);
   } else {
     if (!folder.empty()) {
       throw UsageError("give either a sequence folder or --left and --right, not both");
@@ -139,6 +147,7 @@ SequenceRequest SequenceFlags::Request(bool quiet) const {
           progress->Report(done);
         });
   }
+  CheckDetections(detections, request.folder);
   request.type = type;
   request.layout = ReadLayoutSettings(layout);
   request.dataset = dataset;

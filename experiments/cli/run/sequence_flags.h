@@ -3,13 +3,18 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "experiments/datasets/sequence.h"
 #include "experiments/import/import_stereo.h"
 
 namespace cvo {
+
+inline constexpr const char* kSequenceMissing =
+    "no sequence: give a folder, or --left, --right and --calib";
 
 // The flags that say which sequence to read, and which part of it.
 struct SequenceFlags {
@@ -38,12 +43,16 @@ struct SequenceFlags {
   // on stderr.
   // Throws Error for a range of frames that is none, UsageError where there is no sequence or two.
   SequenceRequest Request(bool quiet = false) const;
+  // Files and folders that were named and are no part of a sequence.
+  std::vector<std::filesystem::path> OwnInputs() const;
 };
 
 // --left, --right, --calib, --times and --rate.
 void AddStereo(CLI::App& app, StereoImport& stereo);
 // Throws UsageError where one of the first three is missing.
 void CheckStereo(const StereoImport& stereo);
+// Its files and folders, some empty.
+std::vector<std::filesystem::path> InputsOf(const StereoImport& stereo);
 
 void AddRightShift(CLI::App& app, std::optional<double>& right_shift_px);
 

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/files/json/json.h"
 #include "experiments/cli/command.h"
+#include "experiments/cli/output_place.h"
 #include "experiments/cli/suite/job_report.h"
 #include "experiments/jobs/run_plan.h"
 
@@ -36,6 +37,7 @@ Json StatusToJson(const SuiteFolder& folder, const Plan& plan,
 }
 
 int ShowStatus(const std::string& path, bool json) {
+  CheckNoCollection(path);
   const SuiteFolder folder{path};
   if (!std::filesystem::exists(folder.plan())) {
     ThrowError(path, "no plan.json", "an output folder of clustervo experiment run");

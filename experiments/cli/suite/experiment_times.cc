@@ -5,6 +5,7 @@
 
 #include "core/base/lists.h"
 #include "experiments/cli/command.h"
+#include "experiments/cli/output_place.h"
 #include "experiments/cli/run/text_table.h"
 #include "reports/runs/suite_times.h"
 
@@ -12,6 +13,7 @@ namespace cvo {
 namespace {
 
 int ShowTimes(const std::string& folder) {
+  CheckNoCollection(folder);
   const reports::SuiteTimes times = reports::ReadSuiteTimes(folder);
   const std::vector<std::vector<std::string>> rows = reports::TimesTable(times);
   TextTable table(rows.front());

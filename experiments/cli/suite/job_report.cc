@@ -14,7 +14,7 @@ void PrintJobs(const SuiteFolder& folder, const Plan& plan, const std::vector<Jo
   out << status.size() << (status.size() == 1 ? " job: " : " jobs: ") << counts.done << " done";
   if (counts.failed > 0) out << ", " << counts.failed << " failed";
   if (counts.missing > 0) out << ", " << counts.missing << " not run yet";
-  if (counts.no_sequence > 0) out << ", " << counts.no_sequence << " without a sequence";
+  if (counts.no_sequence > 0) out << ", " << counts.no_sequence << " with missing input";
   out << '\n';
   std::set<std::string> told;
   for (std::size_t i = 0; i < status.size(); ++i) {
@@ -26,7 +26,7 @@ void PrintJobs(const SuiteFolder& folder, const Plan& plan, const std::vector<Jo
     }
     if (status[i].state == JobStatus::State::kNoSequence &&
         told.insert(job.cell.sequence.name).second) {
-      out << "no sequence: " << job.cell.sequence.name << ": " << status[i].message << '\n';
+      out << "missing input: " << job.cell.sequence.name << ": " << status[i].message << '\n';
     }
   }
 }

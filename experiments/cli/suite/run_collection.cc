@@ -11,6 +11,7 @@
 #include "core/files/json/json_record.h"
 #include "core/files/text/number.h"
 #include "experiments/cli/output_file.h"
+#include "experiments/cli/output_place.h"
 #include "experiments/cli/pictures/overlay.h"
 #include "experiments/cli/reports/report.h"
 #include "experiments/cli/reports/suite_table.h"
@@ -64,6 +65,7 @@ class CollectionRun {
       : collection_(collection), flags_(flags), root_(flags.suite.output) {}
 
   int Run() {
+    CheckPlaceOfSuite(root_, collection_.name);
     const OutputFolder output = OpenOutput(root_, {"index.html", "figures/"}, {});
     int worst = 0;
     CheckSuites();

@@ -17,6 +17,7 @@
 #include "core/files/temporary.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
+#include "experiments/cli/output_place.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/stop_signal.h"
 #include "experiments/cli/suite/job_report.h"
@@ -37,6 +38,11 @@ std::vector<fs::path> ReadBy(const SuiteFlags& suite) {
   std::vector<fs::path> read = {request.data, request.cache};
   if (fs::is_regular_file(suite.suite)) read.emplace_back(suite.suite);  // else a shipped one
   return read;
+}
+
+OutputFolder OpenSuiteOutput(const SuiteFlags& flags, const std::string& suite) {
+  CheckPlaceOfSuite(flags.output, suite);
+  return OpenOutput(flags.output, {"plan.json", "jobs/", "failed/", "logs/"}, ReadBy(flags));
 }
 
 // One after the other, each stage with a bar of its own.
@@ -73,8 +79,7 @@ class SuiteRun {
   explicit SuiteRun(const SuiteRunFlags& flags)
       : flags_(flags),
         suite_(flags.suite.Load()),
-        output_(OpenOutput(flags.suite.output, {"plan.json", "jobs/", "failed/", "logs/"},
-                           ReadBy(flags.suite))),
+        output_(OpenSuiteOutput(flags.suite, suite_.name)),
         folder_{fs::absolute(output_.path())},
         lock_(folder_.lock()),
         engine_(EngineOf(flags.engine, suite_).Make(folder_)) {

@@ -68,6 +68,9 @@ TEST_F(Cli, WrongUsage) {
   EXPECT_THAT(RunProgram({"walk"}), FailsWith(2, "\"walk\", expected one of run, detect, "));
   EXPECT_THAT(RunProgram({"run", tiny()}), FailsWith(2, "--output"));
   EXPECT_THAT(RunProgram({"run", "-o", out()}), FailsWith(2, "no sequence"));
+  EXPECT_THAT(RunProgram({"run"}), FailsWith(2, "no sequence: give a folder, or --left, "));
+  EXPECT_THAT(RunProgram({"run", tiny(), "-o", ""}),
+              FailsWith(2, "--output: found an empty name, expected "));
   EXPECT_THAT(FailingRun({"--no-such-option"}), FailsWith(2, "--no-such-option"));
   EXPECT_THAT(FailingRun({"--threads", "0"}), FailsWith(2, "--threads"));
   EXPECT_THAT(FailingRun({"--threads", "2x"}), FailsWith(2, "--threads"));
@@ -111,6 +114,17 @@ TEST_F(Cli, NamesNearTheOnesThatWereGiven) {
   EXPECT_THAT(other({"synth", "generate", "room", "--seed", "3", "--set", "mover=3"}),
               FailsWith(2, "did you mean movers?"));
   EXPECT_THAT(other({"experiment", "run", "ablaton"}), FailsWith(2, "did you mean ablation?"));
+}
+
+TEST_F(Cli, AFolderOfSequencesIsNoSequence) {
+  test::WriteTinySequence(folder_.path() / "all" / "a", 2);
+  test::WriteTinySequence(folder_.path() / "all" / "b", 2);
+  const std::string all = (folder_.path() / "all").string();
+  EXPECT_THAT(RunProgram({"run", all, "-o", out()}),
+              FailsWith(1,
+                        "all: found a folder that contains 2 sequences, expected one of them: "
+                        "`clustervo info " +
+                            all + "` lists them"));
 }
 
 // Classes of the boxes are names too; others may be missing from a whole sequence.

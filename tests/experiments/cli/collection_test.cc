@@ -73,6 +73,18 @@ TEST_F(CollectionTest, RunsItsSuitesAndShowsThemOnOnePage) {
     EXPECT_THAT(page, HasSubstr(text));
   }
   EXPECT_TRUE(fs::exists(out() / "here" / "report" / "index.html"));
+  for (const std::vector<std::string>& command :
+       std::vector<std::vector<std::string>>{{"experiment", "status"},
+                                             {"experiment", "table"},
+                                             {"experiment", "times"},
+                                             {"report"}}) {
+    std::vector<std::string> of_all = command;
+    of_all.push_back(out().string());
+    test::ExpectError(test::RunProgram(of_all, {}),
+                      out().string() +
+                          ": found the folder of a collection of suites, expected "
+                          "that of a suite in it: here, nowhere");
+  }
   // A second call runs nothing again and gives the same page.
   const ProcessResult again = Run(sections, {"--frames", "0:3"});
   EXPECT_THAT(again.err, Not(HasSubstr("100 %  1/1 jobs")));

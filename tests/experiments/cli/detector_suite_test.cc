@@ -91,7 +91,7 @@ TEST_F(DetectorSuite, WhatIsMissingOrWrongIsSaid) {
   // A network that is not there is no failure; one that cannot be is.
   const ProcessResult missing = Run(both, R"(["static"])", folder_.path());
   EXPECT_EQ(missing.exit_code, 0);
-  EXPECT_THAT(missing.out, HasSubstr("no sequence: wall: no file two.names below"));
+  EXPECT_THAT(missing.out, HasSubstr("missing input: wall: no file two.names below"));
   folder_.Write("two.names", "person\n");
   const ProcessResult wrong = Run(both, R"(["static"])", folder_.path());
   EXPECT_EQ(wrong.exit_code, 1);

@@ -116,8 +116,8 @@ TEST_F(CliExperiment, AMissingSequenceIsListed) {
   WriteSuite("{\"folder\": \"wall\"}, {\"folder\": \"door\"}", "1");
   const ProcessResult run = Run();
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.out, AllOf(StartsWith("small: 4 jobs: 2 done, 2 without a sequence\n"),
-                             HasSubstr("no sequence: door: ")));
+  EXPECT_THAT(run.out, AllOf(StartsWith("small: 4 jobs: 2 done, 2 with missing input\n"),
+                             HasSubstr("missing input: door: ")));
   WriteSuite("{\"folder\": \"door\"}", "1");
   const ProcessResult none = Run();
   EXPECT_EQ(none.exit_code, 1);

@@ -69,8 +69,8 @@ TEST_F(CliExplain, FindsBoxesOutsideOfTheSequence) {
 }
 
 TEST_F(CliExplain, BadInputGivesOneLine) {
-  ExpectError(RunProgram({"explain", Path("run"), "chair_2"}),
-              "BODY: found \"chair_2\" (did you mean chair_1?), expected one of ball_1, ");
+  ExpectError(RunProgram({"explain", Path("run"), "chairs_1"}),
+              "BODY: found \"chairs_1\" (did you mean chair_1?), expected one of ball_1, ");
   ExpectError(RunProgram({"explain", Path("scene")}), "scene: found no result.json");
   EXPECT_EQ(RunProgram({"explain", Path("run"), "--oracles"}).exit_code, 2);
   EXPECT_EQ(RunProgram({"explain", Path("run"), "chair_1", "-o", Path("a.gif")}).exit_code, 2);

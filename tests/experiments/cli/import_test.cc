@@ -52,6 +52,46 @@ TEST_F(OwnStereo, TheSameTrajectoryAsOfTheSequence) {
   EXPECT_TRUE(fs::exists(out("c") + "/import.json"));
 }
 
+// The results went among the images, to which only sequences were safe.
+TEST_F(OwnStereo, NothingIsWrittenIntoTheImagesFolders) {
+  const auto copy = fs::copy_options::recursive;
+  fs::create_directories(out("own/cam"));
+  fs::copy(tiny() + "/image_0", out("own/left"), copy);
+  fs::copy(tiny() + "/image_1", out("own/right"), copy);
+  const std::string cam = out("own/cam/cam.txt");
+  fs::copy_file(tiny() + "/calib.txt", cam);
+  flags_ = {"--left", out("own/left"), "--right", out("own/right"), "--calib", cam};
+  for (const char* place : {"own", "own/left", "own/left/", "own/right/new", "own/cam"}) {
+    for (const char* command : {"run", "import"}) {
+      test::ExpectError(Run({command, "-q", "-o", out(place)}), "expected a folder of its own", 2);
+    }
+  }
+  EXPECT_EQ(std::distance(fs::recursive_directory_iterator(out("own")), {}), 10);
+  EXPECT_EQ(Run({"run", "-q", "-o", out("own/result")}).exit_code, 0);
+  EXPECT_EQ(Run({"import", "-q", "-o", out("own/sequence")}).exit_code, 0);
+  const std::string boxes = folder_.Write("boxes/boxes.txt", "").string();
+  test::ExpectError(Run({"run", "-q", "--detections", boxes, "-o", out("boxes")}),
+                    "boxes: found the folder of the input ", 2);
+}
+
+// As of a sequence: the frame is lost, or refused.
+TEST_F(OwnStereo, ADamagedImageLosesItsFrame) {
+  test::CutFile(tiny() + "/image_1/000001.png");
+  const ProcessResult run = Run({"run", "-o", out("a")});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("frame 1 skipped: image_1/000001.png"));
+  test::ExpectError(Run({"run", "-q", "--strict", "-o", out("b")}), "image_1/000001.png");
+  EXPECT_THAT(Run({"import", "-q", "-o", out("c")}).out,
+              HasSubstr("lost: frame 1: " + tiny() + "/image_1/000001.png: found "));
+}
+
+TEST_F(OwnStereo, HasNoDetectorLevels) {
+  const ProcessResult run = Run({"run", "-q", "--detections", "good", "-o", out("x")});
+  test::ExpectError(run,
+                    "found \"good\", expected a file, or for this sequence one of labels, none", 2);
+  EXPECT_THAT(run.err, HasSubstr("(this sequence has no detector levels such as good)"));
+}
+
 TEST_F(OwnStereo, BadUse) {
   const ProcessResult none = test::RunProgram({"run", "-o", out("x")});
   EXPECT_EQ(none.exit_code, 2);
@@ -65,7 +105,7 @@ TEST_F(OwnStereo, BadUse) {
   fs::remove(tiny() + "/image_1/000002.png");
   const ProcessResult fewer = Run({"run", "-o", out("x")});
   EXPECT_EQ(fewer.exit_code, 1);
-  EXPECT_THAT(fewer.err, HasSubstr("found 2 images, expected 3"));
+  EXPECT_THAT(fewer.err, HasSubstr("image_0/000002.png: found no image 2 in "));
   EXPECT_FALSE(fs::exists(out("x")));
 }
 

@@ -169,6 +169,12 @@ TEST_F(CliOutputs, NothingIsWrittenOverWhatIsRead) {
       {"figures", Path("suite"), "-o", Path("suite"), "--format", "json"},
       {"report", Path("suite"), "-o", Path("suite")},
       {"run", Path("data/wall"), "-o", Path("suite/jobs/mine")},
+      {"run", Path("data/wall"), "-o", Path("suite"), "--force"},
+      {"run", Path("data/wall"), "-o", Path("run/new"), "--force"},
+      {"run", Path("data/wall"), "-o", Path("run/clusters")},
+      {"experiment", "run", Path("suite.json"), "-o", Path("run")},
+      {"experiment", "run", Path("other.json"), "-o", Path("suite")},
+      {"experiment", "run", Path("all.json"), "-o", Path("suite")},
       {"run", Path("data/wall"), "-o", Path("mine"), "--config", Path("mine/result.json")},
       {"eval", "--sequence", Path("data/wall"), "--estimate", Path("run/camera.tum"), "--objects",
        Path("run/clusters"), "-o", Path("run/clusters")},
@@ -178,6 +184,10 @@ TEST_F(CliOutputs, NothingIsWrittenOverWhatIsRead) {
       {"check", Path("suite"), "--write-baseline", Path("suite/plan.json")},
       {"check", Path("suite"), "--baseline", Path("base.json"), "--markdown", Path("base.json")}};
   fs::create_directories(Path("run/clusters"));
+  std::string other = test::ReadFile(Path("suite.json"));
+  folder_->Write("other.json", other.replace(other.find("small"), 5, "other"));
+  folder_->Write("all.json",
+                 R"({"name": "all", "sections": [{"title": "t", "suite": "suite.json"}]})");
   folder_->Write("mine/result.json", "{}");
   for (const Arguments& arguments : commands) ExpectRefused(arguments);
 }

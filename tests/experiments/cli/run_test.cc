@@ -176,6 +176,8 @@ TEST_F(CliRun, TheCacheDoesNotChangeTheBytes) {
   const ProcessResult bad = Run(out("bad"), {"--cache", "--cache-size", "much"}, setup);
   EXPECT_EQ(bad.exit_code, 2);
   EXPECT_THAT(bad.err, HasSubstr("option --cache-size: found \"much\""));
+  test::ExpectError(Run(out("bad"), {"--cache-size", "much"}, setup),
+                    "option --cache-size: found \"much\"", 2);
 }
 
 TEST_F(CliRun, AnUnusableCacheGivesANotice) {
@@ -208,6 +210,13 @@ TEST_F(CliRun, ReportsWhichDetectionsCount) {
   EXPECT_EQ(ResultOf(out())["detection_counts"]["other_classes"]["Car"], 2);
   EXPECT_NE(ResultOf(out())["job"], result["job"]);
   EXPECT_FALSE(fs::exists(out() / "landmarks.csv"));
+}
+
+// Nothing was said of boxes that were all left out.
+TEST_F(CliRun, ReportsThatAllDetectionsHaveLowScores) {
+  const std::string boxes = folder_.Write("boxes.txt", kBoxes).string();
+  EXPECT_THAT(Run(out(), {"--detections", boxes, "--min-score", "99"}).out,
+              HasSubstr("\ndetections: 0 given; left out: 3 below --min-score\n"));
 }
 
 TEST_F(CliRun, AllMetricsAndAWarningOfMargins) {
@@ -251,7 +260,9 @@ TEST_F(CliRun, BadDetectionsAreRefusedWithFileAndLine) {
     EXPECT_FALSE(fs::exists(out()));
   }
   const std::string empty = folder_.Write("boxes.txt", "").string();
-  EXPECT_EQ(Run(out(), {"--detections", empty}).exit_code, 0);
+  const ProcessResult run = Run(out(), {"--detections", empty});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_THAT(run.out, HasSubstr("\ndetections: 0 given, none in the frames read\n"));
 }
 
 TEST_F(CliRun, AnOracleNeedsTruth) {

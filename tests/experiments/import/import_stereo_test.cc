@@ -8,9 +8,13 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "core/base/error.h"
+#include "core/files/json/json.h"
 #include "core/files/text_file.h"
+#include "experiments/datasets/load_image.h"
 #include "experiments/datasets/sequence.h"
+#include "experiments/import/image_names.h"
 #include "experiments/import/import_cache.h"
+#include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo {
@@ -74,6 +78,82 @@ TEST_F(ImportStereoTest, ASequenceThatCanBeOpened) {
   const cv::Mat second = cv::imread(sequence.images[1].right.string(), cv::IMREAD_UNCHANGED);
   EXPECT_EQ(second.type(), CV_8UC1);
   EXPECT_EQ(second.at<unsigned char>(3, 3), 20);
+}
+
+// They were sorted as text, 10 before 2.
+TEST_F(ImportStereoTest, NumbersInNamesAreSortedAsNumbers) {
+  const std::vector<std::string> names = {"frame_l_0.png", "frame_l_2.png", "frame_l_10.png"};
+  WriteImages(names);
+  Import();
+  const Sequence sequence = OpenSequence({.folder = out()});
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const cv::Mat image = cv::imread(sequence.images[i].left.string(), cv::IMREAD_UNCHANGED);
+    EXPECT_EQ(image.at<unsigned char>(3, 3), 10 * (i + 1)) << names[i];
+  }
+  const Json record = ReadJson(out() / "import.json");
+  EXPECT_EQ(record.at("left_images"), Json(names));
+  EXPECT_EQ(record.at("right_images"), Json(names));
+}
+
+// Of a few names in order, whatever order they are listed in.
+TEST(ImageNames, AreInOrderOfTime) {
+  const std::vector<std::vector<fs::path>> lists = {
+      {"9.jpg", "10.png", "011.bmp"},
+      {"-1.png", "0.png", "1.png"},
+      {"1.25.png", "1.5.png", "2.0.png"},  // seconds
+      {"0.1.png", "0.2.png", "0.10.png"},  // camera 0
+      {"1403636579763555584.png", "1403636579813555456.png"},
+      {"a_1_b_9.png", "a_1_b_10.png", "a_2_b_1.png"},
+      {"x99999999999999999999.png", "x100000000000000000000.png"},
+      {"a.png", "a1.png", "b.png"}};
+  for (const std::vector<fs::path>& ordered : lists) {
+    std::vector<fs::path> files(ordered.rbegin(), ordered.rend());
+    SortByNumber(files);
+    EXPECT_EQ(files, ordered);
+  }
+}
+
+// Each was paired with the next of the other camera.
+TEST(ImageNames, OneWithoutItsPartnerIsNamed) {
+  const std::vector<fs::path> left = {"left/l_1.png", "left/l_2.png", "left/l_4.png"};
+  const auto problem = [&](const std::vector<fs::path>& a, const std::vector<fs::path>& b) {
+    return ErrorMessage([&] { CheckPartners(a, b); });
+  };
+  EXPECT_THAT(problem(left, {"right/r_01.png", "right/r_03.png", "right/r_04.png"}),
+              testing::StartsWith("left/l_2.png: found no image 2 in right, expected "));
+  EXPECT_THAT(problem({left[0], left[1]}, {"right/r_1.png", "right/r_2.png", "right/r_3.png"}),
+              testing::StartsWith("right/r_3.png: found no image 3 in left, expected "));
+  EXPECT_THAT(problem({"left/0.png", "left/1.png"}, {"right/1.png", "right/2.png"}),
+              testing::StartsWith("left/0.png: found no image 0 in right, expected "));
+}
+
+TEST(ImageNames, WithoutCommonNumbersArePairedByPosition) {
+  CheckPartners({"a/1.png", "a/2.png"}, {"b/0001.png", "b/0002.png"});
+  CheckPartners({"a/a.png", "a/b.png"}, {"b/c.png", "b/d.png"});
+  CheckPartners({"a/1_left0.png", "a/2_left0.png"}, {"b/1_right1.png", "b/3_right1.png"});
+  CheckPartners({"a/left_0.png"}, {"b/right_1.png"});
+  // Of cameras that are not synchronised.
+  CheckPartners({"a/1403636579763555584.png", "a/1403636579813555456.png"},
+                {"b/1403636579763999999.png", "b/1403636579813999999.png"});
+  CheckPartners({"a/12.25.png", "a/12.75.png"}, {"b/12.26.png", "b/12.76.png"});
+}
+
+// The whole sequence was refused.
+TEST_F(ImportStereoTest, AFrameWithDamagedPixelsIsLostAlone) {
+  WriteImages({"0.png", "1.jpg", "2.png"});
+  for (const char* name : {"0.png", "1.jpg"}) {
+    const std::string whole = ReadFileBytes(request_.right / name);
+    WriteFileBytes(request_.right / name, whole.substr(0, whole.size() - 20));
+  }
+  const ImportOutcome outcome = Import();
+  ASSERT_EQ(outcome.damaged.size(), 2U);
+  EXPECT_THAT(outcome.damaged[0], testing::StartsWith("frame 0: " + request_.right.string()));
+  EXPECT_THAT(outcome.damaged[1], testing::HasSubstr("1.jpg: found a file cut short"));
+  const Sequence sequence = OpenSequence({.folder = out()});
+  EXPECT_TRUE(LoadFrameImage(sequence, 0, 0).ok());
+  EXPECT_FALSE(LoadFrameImage(sequence, 0, 1).ok());
+  EXPECT_FALSE(LoadFrameImage(sequence, 1, 1).ok());
+  EXPECT_TRUE(LoadFrameImage(sequence, 2, 1).ok());
 }
 
 TEST_F(ImportStereoTest, TimesOfNamesAndFiles) {
@@ -150,7 +230,10 @@ TEST_F(ImportStereoTest, BadInputLeavesNothing) {
   ExpectError("expected a folder of images or a video file");
   WriteImages({"0.png", "1.png"});
   fs::remove(request_.right / "1.png");
+  ExpectError("left/1.png: found no image 1 in ");
+  fs::rename(request_.right / "0.png", request_.right / "zero.png");
   ExpectError("found 1 images, expected 2, as many as in");
+  fs::rename(request_.right / "zero.png", request_.right / "0.png");
   folder_.Write("kitchen/right/1.png", "no image");
   ExpectError("1.png: found no image that can be decoded");
   cv::imwrite((request_.right / "1.png").string(), cv::Mat(40, 64, CV_8UC1, cv::Scalar(0)));

@@ -163,5 +163,15 @@ TEST(ClosestNames, NearestFirstAtMostThree) {
   EXPECT_EQ(DidYouMean("qqqq", known), "");
 }
 
+// A sequence that is not there was answered with the names of others.
+TEST(ClosestNames, AnotherNumberIsNoMisspelling) {
+  const std::vector<std::string> known = {"drive_0001_sync", "drive_0013_sync", "drive_001_syn"};
+  EXPECT_THAT(ClosestNames("drive_0047_sync", known), ElementsAre("drive_001_syn"));
+  EXPECT_THAT(ClosestNames("drive_013_sync", known),
+              ElementsAre("drive_0013_sync", "drive_001_syn"));
+  EXPECT_THAT(ClosestNames("08", {"07", "06"}), IsEmpty());
+  EXPECT_THAT(ClosestNames("7", {"07"}), ElementsAre("07"));
+}
+
 }  // namespace
 }  // namespace cvo

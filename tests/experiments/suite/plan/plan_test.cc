@@ -113,8 +113,8 @@ TEST_F(SuitePlan, MissingInputIsReportedNotThrown) {
   EXPECT_THAT(missing(FolderSuite("2011_09_26_drive_0009_sync")),
               HasSubstr("no 2011_09_26_drive_0009_sync below"));
   EXPECT_THAT(missing(FolderSuite("07")), HasSubstr("both "));
-  EXPECT_EQ(missing(FolderSuite("a/70")),
-            StrCat("no a/70 (did you mean a/07, b/07?) below ", data().string()));
+  EXPECT_EQ(missing(FolderSuite("a/O7")),
+            StrCat("no a/O7 (did you mean a/07, b/07?) below ", data().string()));
   EXPECT_EQ(missing(FolderSuite("a/07")), "");
   EXPECT_THAT(missing(FolderSuite("bad")), HasSubstr("calib.txt"));
   Json json = FolderSuite("a/07");
