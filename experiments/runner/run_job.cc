@@ -34,9 +34,10 @@ Json GivenOf(const RunRequest& request) {
 }
 
 // Levels of a scene and "labels" are no files.
-std::string PathOf(const std::filesystem::path& source) {
+std::optional<std::string> PathOf(const std::filesystem::path& source) {
+  if (source.empty()) return std::nullopt;
   std::error_code ignored;
-  const bool is_file = !source.empty() && std::filesystem::exists(source, ignored);
+  const bool is_file = std::filesystem::exists(source, ignored);
   return is_file ? std::filesystem::absolute(source).string() : source.string();
 }
 
@@ -47,7 +48,7 @@ reports::RunPaths PathsOf(const Sequence& sequence, const std::filesystem::path&
   paths.output = std::filesystem::absolute(output).string();
   paths.labels = PathOf(boxes.labels);
   paths.detections = PathOf(boxes.detections);
-  paths.detections_camera = boxes.detections_camera;
+  if (boxes.detections_camera >= 0) paths.detections_camera = boxes.detections_camera;
   if (boxes.min_score > BoxSources().min_score) paths.min_score = boxes.min_score;
   return paths;
 }

@@ -36,8 +36,8 @@ struct BaselineJob {
   std::uint64_t seed = 0;
   std::string type;  // of dataset
   std::string
-      content;     // of its images; distinguishes a different rendering from a different estimate
-  int frames = 0;  // of the run; 0 in older files, which lack it
+      content;  // of its images; distinguishes a different rendering from a different estimate
+  std::optional<int> frames;             // of the run; older files lack it
   std::string status;                    // "ok" or "lost"
   std::map<std::string, double> values;  // by metric; those that the run does not have lack
   std::optional<double> time_ratio;      // time of the estimate over that of kTimeReference
@@ -48,7 +48,7 @@ struct BaselineJob {
     archive.Field("seed", self.seed);
     archive.Field("type", self.type);
     archive.Field("content", self.content);
-    archive.Added("frames", self.frames);
+    archive.Optional("frames", self.frames);
     archive.Field("status", self.status);
     archive.Field("values", self.values);
     archive.Optional("time_ratio", self.time_ratio);

@@ -74,8 +74,8 @@ class Check {
       Fail(label, StrCat("ended as ", run.state, run.message.empty() ? "" : ": " + run.message));
     }
     const int frames = run.run->sequence.frames;
-    if (job.frames > 0 && frames != job.frames) {
-      return Fail(label, StrCat(frames, " frames, in the baseline ", job.frames));
+    if (job.frames && frames != *job.frames) {
+      return Fail(label, StrCat(frames, " frames, in the baseline ", *job.frames));
     }
     if (!job.content.empty() && run.run->sequence.content != job.content) ++other_images_;
     RunPair pair{&job, {}, std::nullopt};

@@ -25,22 +25,22 @@ struct StageSummary {
   }
 };
 
-// What a run read and wrote, where it was made. Not the labels and boxes of the sequence's folder.
+// What a run read and wrote, where it was made.
 struct RunPaths {
   std::string sequence;
   std::string output;
-  std::string labels;          // file; empty: the folder's own
-  std::string detections;      // file, level of a scene or "labels"; empty: none
-  int detections_camera = -1;  // image_0X; -1: the left image that was read
+  std::optional<std::string> labels;      // file; empty: the folder's own
+  std::optional<std::string> detections;  // file, level of a scene or "labels"
+  std::optional<int> detections_camera;   // image_0X; empty: the left image that was read
   std::optional<double> min_score;
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
     archive.Field("sequence", self.sequence);
     archive.Field("output", self.output);
-    archive.Added("labels", self.labels);
-    archive.Added("detections", self.detections);
-    archive.Added("detections_camera", self.detections_camera);
+    archive.Optional("labels", self.labels);
+    archive.Optional("detections", self.detections);
+    archive.Optional("detections_camera", self.detections_camera);
     archive.Optional("min_score", self.min_score);
   }
 };

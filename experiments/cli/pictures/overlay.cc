@@ -114,8 +114,8 @@ int DrawOverlays(const OverlayFlags& flags) {
   const RunImages images(job.runs.front(), images_folder);
   for (reports::OverlayRun& run : job.runs) {
     if (AdoptDetections(images_folder, run) || run.sequence.detections == 0) continue;
-    std::cerr << "clustervo: note: the run's detection file is not in the sequence's folder, so "
-                 "only detections that were assigned to a cluster are drawn\n";
+    std::cerr << "clustervo: note: the run's detection file was not found or is of another camera, "
+                 "so only detections that were assigned to a cluster are drawn\n";
   }
   job.inset_corner = reports::EmptiestCorner(job.runs.front());
   return WriteOverlays(job, images);

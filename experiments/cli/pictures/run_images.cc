@@ -28,16 +28,19 @@ SequenceRequest RequestOf(const reports::OverlayRun& run, const std::string& fol
   return request;
 }
 
+std::string LabelsOf(const reports::OverlayRun& run, const std::string& given) {
+  return given.empty() ? run.detail.paths.labels.value_or("") : given;
+}
+
 // What is given; else what the run read, as it says itself, then what its folder may have.
 std::vector<GivenDetections> SourcesOf(const reports::OverlayRun& run,
                                        const GivenDetections& given) {
   if (!given.file.empty()) return {given};
   const reports::RunPaths& paths = run.detail.paths;
   std::vector<GivenDetections> sources;
-  if (!paths.detections.empty()) {
-    const double min_score = paths.min_score.value_or(given.min_score);
-    sources.push_back({paths.detections, paths.detections_camera, min_score,
-                       given.labels.empty() ? paths.labels : given.labels});
+  if (paths.detections) {
+    sources.push_back({*paths.detections, paths.detections_camera.value_or(given.camera),
+                       paths.min_score.value_or(given.min_score), LabelsOf(run, given.labels)});
   }
   for (const char* name : kDetections) {
     sources.push_back({name, given.camera, given.min_score, given.labels});
@@ -119,7 +122,7 @@ std::optional<Sequence> FindLabelled(const std::string& folder, const reports::O
                                      const std::string& labels_file) {
   SequenceRequest request = RequestOf(run, folder);
   if (request.folder.empty()) return std::nullopt;
-  request.labels_file = labels_file.empty() ? run.detail.paths.labels : labels_file;
+  request.labels_file = LabelsOf(run, labels_file);
   try {
     return OpenSequence(request);
   } catch (const Error&) {

@@ -94,7 +94,8 @@ TEST_F(CollectionTest, RunsItsSuitesAndShowsThemOnOnePage) {
 TEST_F(CollectionTest, ATimedSuiteShowsItsTimes) {
   WriteSuite("timed", R"({"folder": "wall"})", R"("timed_threads": 1, )");
   const std::string sections = R"({"title": "Speed", "suite": "timed.json", "times": true},
-      {"title": "All", "columns": ["system", "frames/s"], "measured": {"static": ["ours"]}})";
+      {"title": "All", "columns": ["system", "frames/s"], "rows": [],
+       "measured": {"static": ["ours"]}})";
   const ProcessResult run = Run(sections, {"-j", "2"});
   ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
   EXPECT_THAT(run.err, HasSubstr("timed: one job at a time, because the suite measures times"));
