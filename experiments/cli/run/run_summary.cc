@@ -48,7 +48,7 @@ std::string SuccessAt10cm(const BodyScore& body) {
 
 void PrintDetections(const Sequence& sequence, const DetectionCounts& counts, std::ostream& out) {
   if (sequence.box_sources.detections.empty()) return;
-  out << "detections: " << counts.given << " given";
+  out << "detections: " << counts.given << " used";
   if (sequence.detections.empty() && sequence.low_scores == 0) out << ", none in the frames read";
   const char* separator = "; left out: ";
   const auto left_out = [&](int count, const std::string& why) {

@@ -199,7 +199,7 @@ TEST_F(CliRun, ReportsWhichDetectionsCount) {
   const ProcessResult run = Run(out(), {"--detections", boxes, "--landmarks"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out,
-              HasSubstr("detections: 1 given; left out: 1 outside the image, 1 of class Dog\n"));
+              HasSubstr("detections: 1 used; left out: 1 outside the image, 1 of class Dog\n"));
   const Json result = ResultOf(out());
   EXPECT_EQ(result["detection_counts"]["given"], 1);
   EXPECT_EQ(result["detection_counts"]["other_classes"]["Dog"], 1);
@@ -216,7 +216,7 @@ TEST_F(CliRun, ReportsWhichDetectionsCount) {
 TEST_F(CliRun, ReportsThatAllDetectionsHaveLowScores) {
   const std::string boxes = folder_.Write("boxes.txt", kBoxes).string();
   EXPECT_THAT(Run(out(), {"--detections", boxes, "--min-score", "99"}).out,
-              HasSubstr("\ndetections: 0 given; left out: 3 below --min-score\n"));
+              HasSubstr("\ndetections: 0 used; left out: 3 below --min-score\n"));
 }
 
 TEST_F(CliRun, AllMetricsAndAWarningOfMargins) {
@@ -262,7 +262,7 @@ TEST_F(CliRun, BadDetectionsAreRefusedWithFileAndLine) {
   const std::string empty = folder_.Write("boxes.txt", "").string();
   const ProcessResult run = Run(out(), {"--detections", empty});
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_THAT(run.out, HasSubstr("\ndetections: 0 given, none in the frames read\n"));
+  EXPECT_THAT(run.out, HasSubstr("\ndetections: 0 used, none in the frames read\n"));
 }
 
 TEST_F(CliRun, AnOracleNeedsTruth) {
