@@ -75,12 +75,12 @@ report: program ## the results of make table as one page: results/ablation/repor
 regression: program ## run the suite ci and hold it against the committed baseline
 	@$(release)/bin/clustervo experiment run ci -o results/ci $(addprefix -j ,$(JOBS)); \
 	code=$$?; test $$code -le 1 || exit $$code; \
-	$(release)/bin/clustervo check results/ci --baseline $(baseline) --junit results/ci/check.xml \
+	$(release)/bin/clustervo check results/ci --baseline $(baseline) --exact --junit results/ci/check.xml \
 	  --markdown results/ci/check.md
 
 gate-power: program ## which additions to the estimator would make regression fail if they were lost?
 	@$(release)/bin/clustervo experiment run gate_power -o results/gate_power $(addprefix -j ,$(JOBS))
-	@$(release)/bin/clustervo check results/gate_power --baseline $(baseline) --in-place-of full
+	@$(release)/bin/clustervo check results/gate_power --baseline $(baseline) --exact --in-place-of full
 
 # Sixteen seeds tell how far seeds are apart; a check runs the suite's own two.
 baseline: program ## accept what the estimator does now: update the baseline of make regression

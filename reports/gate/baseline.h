@@ -59,12 +59,14 @@ struct BaselineBuild {
   std::string identity;
   std::string cpu_level = "avx2";  // of the processor; older files lack it, and needed this one
   std::string commit;              // for people
+  std::string platform;            // BuildInfo::Platform; older files lack it
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
     archive.Field("identity", self.identity);
     archive.Added("cpu_level", self.cpu_level);
     archive.Field("commit", self.commit);
+    archive.Optional("platform", self.platform);
   }
 };
 

@@ -30,7 +30,7 @@ class Check {
     for (const SuiteRun& run : runs_.runs) now_[{run.planned.keys, run.planned.seed}] = &run;
   }
 
-  GateReport Run() {
+  GateReport Run(bool exact) {
     report_.suite = runs_.suite;
     report_.baseline_commit = baseline_.build.commit;
     report_.baseline_build = baseline_.build.identity;
@@ -39,6 +39,7 @@ class Check {
     report_.runs = pairs_.size();
     report_.comparisons = CompareValues(baseline_, pairs_);
     if (report_.comparisons.empty()) Fail(runs_.suite, "nothing was compared");
+    if (exact) CountChanges();
     CheckTimes();
     AddNotes();
     return std::move(report_);
@@ -70,6 +71,7 @@ class Check {
     const SuiteRun& run = *found->second;
     if (!run.run) return;
     report_.build = run.run->build.identity;
+    platforms_.insert(run.run->build.Platform());
     if (job.status == "ok" && run.state != "ok") {
       Fail(label, StrCat("ended as ", run.state, run.message.empty() ? "" : ": " + run.message));
     }
@@ -117,6 +119,18 @@ class Check {
     return false;
   }
 
+  // The same estimator gives the same values, but another platform may round otherwise.
+  void CountChanges() {
+    const std::string& platform = baseline_.build.platform;
+    if (!platform.empty() && platforms_ == std::set<std::string>{platform}) {
+      report_.changed = report_.comparisons.size() - report_.Count(Verdict::kSame);
+      return;
+    }
+    report_.notes.push_back(StrCat("exactness is not checked: the platform is not the baseline's (",
+                                   Joined(platforms_, "; "),
+                                   "; baseline: ", platform.empty() ? "unknown" : platform, ")"));
+  }
+
   void CheckTimes() {
     report_.times = CompareTimes(pairs_);
     std::set<std::string> missing;
@@ -153,6 +167,7 @@ class Check {
   std::map<std::string, double> time_ratios_;
   std::map<Place, const SuiteRun*> now_;
   std::vector<RunPair> pairs_;
+  std::set<std::string> platforms_;
   std::set<std::pair<std::string, std::string>> refused_;
   std::size_t new_values_ = 0;
   std::size_t other_images_ = 0;
@@ -161,13 +176,13 @@ class Check {
 
 }  // namespace
 
-GateReport CheckRuns(const std::filesystem::path& folder, const Baseline& baseline) {
-  return Check(ReadGateRuns(folder, MetricNames(baseline)), baseline).Run();
+GateReport CheckRuns(const std::filesystem::path& folder, const Baseline& baseline, bool exact) {
+  return Check(ReadGateRuns(folder, MetricNames(baseline)), baseline).Run(exact);
 }
 
 std::vector<LostPart> CheckInPlaceOf(const std::string& variant,
-                                     const std::filesystem::path& folder,
-                                     const Baseline& baseline) {
+                                     const std::filesystem::path& folder, const Baseline& baseline,
+                                     bool exact) {
   Baseline of_variant = baseline;
   std::erase_if(of_variant.jobs, [&](const BaselineJob& job) {
     return !job.keys.contains("variant") || job.keys.at("variant") != variant;
@@ -184,7 +199,7 @@ std::vector<LostPart> CheckInPlaceOf(const std::string& variant,
     std::erase_if(runs.runs,
                   [&](const SuiteRun& run) { return KeyOf(run.planned, "variant") != other; });
     for (SuiteRun& run : runs.runs) run.planned.keys["variant"] = variant;
-    parts.push_back({other, Check(runs, of_variant).Run()});
+    parts.push_back({other, Check(runs, of_variant).Run(exact)});
   }
   return parts;
 }

@@ -31,11 +31,12 @@ std::string Failure(const Comparison& comparison) {
 }  // namespace
 
 std::string GateJunit(const GateReport& report) {
-  const std::size_t failures = report.problems.size() + report.Count(Verdict::kWorse);
+  const std::string change = ChangeLine(report);
+  const std::size_t others = report.problems.size() + (change.empty() ? 0 : 1);
   const std::string group = "clustervo." + report.suite;
   const std::string counts =
-      StrCat("tests=\"", report.problems.size() + report.comparisons.size(), "\" failures=\"",
-             failures, "\" errors=\"0\" skipped=\"0\" time=\"0\"");
+      StrCat("tests=\"", others + report.comparisons.size(), "\" failures=\"",
+             others + report.Count(Verdict::kWorse), "\" errors=\"0\" skipped=\"0\" time=\"0\"");
   std::string text = StrCat("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites ", counts,
                             ">\n <testsuite name=\"", Escaped(group), "\" ", counts, ">\n");
   for (const Comparison& comparison : report.comparisons) {
@@ -46,6 +47,7 @@ std::string GateJunit(const GateReport& report) {
   for (const GateProblem& problem : report.problems) {
     text += TestCase(group, problem.where, problem.message);
   }
+  if (!change.empty()) text += TestCase(group, "same values", change);
   std::string notes;
   for (const std::string& line : NoteLines(report)) notes += StrCat("\n", Escaped(line));
   if (!notes.empty()) text += StrCat("  <system-out>", notes, "\n  </system-out>\n");

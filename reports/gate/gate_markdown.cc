@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include <cctype>
+
 #include "core/base/error.h"
 #include "core/files/text/escape.h"
 #include "core/files/text/utf8.h"
@@ -35,10 +37,11 @@ std::string MarkdownList(const std::vector<std::string>& lines) {
 }  // namespace
 
 std::string GateMarkdown(const GateReport& report) {
-  return StrCat("### ", report.Regressed() ? "Regression" : "No regression", "\n\n",
-                EscapedCell(Headline(report)), "\n", MarkdownTable(MovedRows(report)),
-                MarkdownList(ProblemLines(report)), MarkdownTable(TimeRows(report)),
-                MarkdownList(NoteLines(report)));
+  std::string verdict = GateVerdict(report);
+  verdict.front() = static_cast<char>(std::toupper(verdict.front()));
+  return StrCat("### ", verdict, "\n\n", EscapedCell(Headline(report)), "\n",
+                MarkdownTable(MovedRows(report)), MarkdownList(ProblemLines(report)),
+                MarkdownTable(TimeRows(report)), MarkdownList(NoteLines(report)));
 }
 
 }  // namespace cvo::reports

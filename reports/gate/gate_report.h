@@ -49,6 +49,9 @@ struct GateReport {
   std::string build;     // of the runs that were checked
   std::size_t runs = 0;  // compared with the baseline's
   std::vector<GateProblem> problems;
+  // Comparisons that are not the same, in an exact check on the baseline's platform: what a program
+  // with the baseline's estimator would not show.
+  std::size_t changed = 0;
   std::vector<Comparison> comparisons;
   std::vector<TimeComparison> times;
   std::vector<std::string> time_problems;
@@ -56,6 +59,7 @@ struct GateReport {
 
   std::size_t Count(Verdict verdict) const;
   bool Regressed() const { return !problems.empty() || Count(Verdict::kWorse) > 0; }
+  bool Failed() const { return Regressed() || changed > 0; }
   bool Slower() const;
 };
 

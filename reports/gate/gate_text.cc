@@ -96,8 +96,20 @@ std::string Headline(const GateReport& report) {
                 report.problems.empty() ? "" : ", " + Counted(report.problems.size(), "problem"));
 }
 
+std::string GateVerdict(const GateReport& report) {
+  return report.Regressed() ? "regression" : report.Failed() ? "changed" : "no regression";
+}
+
+std::string ChangeLine(const GateReport& report) {
+  if (report.changed == 0) return "";
+  return StrCat(report.changed, " of ", report.comparisons.size(),
+                " values differ from the baseline: the estimator changed; if this is intended, "
+                "update the baseline");
+}
+
 std::vector<std::string> ProblemLines(const GateReport& report) {
   std::vector<std::string> lines;
+  if (report.changed > 0) lines.push_back(ChangeLine(report));
   for (const GateProblem& problem : report.problems) {
     if (lines.size() == kMaxProblems) {
       lines.push_back(StrCat("and ", report.problems.size() - lines.size(), " more"));
@@ -142,7 +154,7 @@ std::string AlignedText(const TextRows& rows) {
 }
 
 std::string PowerText(const std::vector<LostPart>& parts) {
-  TextRows rows = {{"variant", "verdict", "worse in"}};
+  TextRows rows = {{"variant", "verdict", "values that differ", "worse in"}};
   for (const LostPart& part : parts) {
     std::vector<std::string> worse;
     for (const Comparison& comparison : part.report.comparisons) {
@@ -152,7 +164,9 @@ std::string PowerText(const std::vector<LostPart>& parts) {
     if (!part.report.problems.empty()) {
       why += StrCat(why.empty() ? "" : ", ", Counted(part.report.problems.size(), "problem"));
     }
-    rows.push_back({part.variant, part.report.Regressed() ? "noticed" : "NOT NOTICED", why});
+    const std::size_t values = part.report.comparisons.size();
+    rows.push_back({part.variant, part.report.Failed() ? "noticed" : "NOT NOTICED",
+                    StrCat(values - part.report.Count(Verdict::kSame), " of ", values), why});
   }
   return AlignedText(rows);
 }

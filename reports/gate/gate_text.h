@@ -20,6 +20,12 @@ TextRows TimeRows(const GateReport& report);
 // One line: how many runs, how many comparisons of each verdict.
 std::string Headline(const GateReport& report);
 
+// "no regression", "changed" or "regression".
+std::string GateVerdict(const GateReport& report);
+
+// How many values changed, in an exact check; empty where none did.
+std::string ChangeLine(const GateReport& report);
+
 // One line each: what fails the check apart from its numbers, then what else is worth knowing, such
 // as a baseline to renew.
 std::vector<std::string> ProblemLines(const GateReport& report);
@@ -32,7 +38,7 @@ std::string AlignedText(const TextRows& rows);
 std::string PowerText(const std::vector<LostPart>& parts);
 
 // The whole report for a terminal, as Markdown, and as JUnit XML: a test case per comparison and
-// per problem.
+// per problem or change.
 std::string GateText(const GateReport& report);
 std::string GateMarkdown(const GateReport& report);
 std::string GateJunit(const GateReport& report);

@@ -90,6 +90,7 @@ Baseline MakeBaseline(const std::filesystem::path& folder, std::size_t gate_seed
   const BuildInfo& build = runs.runs.front().run->build;
   baseline.build.identity = build.identity;
   baseline.build.commit = build.commit;
+  baseline.build.platform = build.Platform();
   if (!build.cpu_level.empty()) baseline.build.cpu_level = build.cpu_level;
   baseline.seeds = GateSeeds(runs, gate_seeds);
   baseline.metrics = CollectMetrics(runs);

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "core/base/error.h"
 #include "core/files/json/json_record.h"
 
 namespace cvo::reports {
@@ -49,6 +50,14 @@ struct BuildInfo {
     VisitIdentity(self, archive);
     archive.Field("identity", self.identity);
     archive.Added("commit", self.commit);
+  }
+
+  // What a program of the same sources needs to give the same bytes: compiler, flags, libraries and
+  // level of the processor. Empty where the run does not say.
+  std::string Platform() const {
+    if (compiler.empty() || cpu_level.empty()) return "";
+    return StrCat(compiler, ", ", build_type, ", ", flags, ", OpenCV ", libraries.opencv,
+                  ", Eigen ", libraries.eigen, ", ", cpu_level);
   }
 };
 

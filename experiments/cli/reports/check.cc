@@ -24,6 +24,7 @@ struct CheckFlags {
   std::size_t gate_seeds = 0;
   std::string junit;
   std::string markdown;
+  bool exact = false;
   bool gate_time = false;
   std::string in_place_of;
 };
@@ -46,11 +47,11 @@ int WriteBaseline(const CheckFlags& flags) {
 // How much of an estimator the gate would miss: each variant of the folder in place of another.
 int CheckPower(const CheckFlags& flags) {
   const std::vector<reports::LostPart> parts = reports::CheckInPlaceOf(
-      flags.in_place_of, flags.folder, reports::ReadBaseline(flags.baseline));
+      flags.in_place_of, flags.folder, reports::ReadBaseline(flags.baseline), flags.exact);
   std::cout << reports::PowerText(parts);
   const auto unnoticed =
       std::count_if(parts.begin(), parts.end(), [&](const reports::LostPart& part) {
-        return part.variant != flags.in_place_of && !part.report.Regressed();
+        return part.variant != flags.in_place_of && !part.report.Failed();
       });
   std::cout << '\n' << unnoticed << " not noticed\n";
   return unnoticed > 0 ? kRegressed : 0;
@@ -61,16 +62,14 @@ int Check(const CheckFlags& flags) {
     if (!file.empty()) CheckOutputFile(file, ReadBy(flags));
   }
   const reports::Baseline baseline = reports::ReadBaseline(flags.baseline);
-  const reports::GateReport report = reports::CheckRuns(flags.folder, baseline);
+  const reports::GateReport report = reports::CheckRuns(flags.folder, baseline, flags.exact);
   if (!flags.junit.empty()) WriteOutputFile(flags.junit, reports::GateJunit(report), ReadBy(flags));
   if (!flags.markdown.empty())
     WriteOutputFile(flags.markdown, reports::GateMarkdown(report), ReadBy(flags));
   std::cout << reports::GateText(report);
-  const bool failed = report.Regressed() || (flags.gate_time && report.Slower());
-  std::cout << (report.Regressed() ? "\nregression\n"
-                : failed           ? "\nslower\n"
-                                   : "\nno regression\n");
-  return failed ? kRegressed : 0;
+  const bool slower = flags.gate_time && report.Slower() && !report.Failed();
+  std::cout << '\n' << (slower ? "slower" : reports::GateVerdict(report)) << '\n';
+  return slower || report.Failed() ? kRegressed : 0;
 }
 
 }  // namespace
@@ -93,6 +92,10 @@ Command AddCheckCommand(CLI::App& program) {
       ->needs(write);
   add("--junit", flags->junit, "FILE", "also write JUnit XML")->needs(check);
   add("--markdown", flags->markdown, "FILE", "also write a summary in Markdown")->needs(check);
+  app->add_flag("--exact", flags->exact,
+                "also fail the check if any value differs from the baseline, better or worse; not "
+                "applied if compiler, libraries or level of the processor are not the baseline's")
+      ->needs(check);
   app->add_flag("--gate-time", flags->gate_time, "also fail the check if a variant is slower")
       ->needs(check);
   add("--in-place-of", flags->in_place_of, "VARIANT",

@@ -38,8 +38,9 @@ TEST(Regression, Ci) {
   const std::string output = Folder() + "/ci";
   const ProcessResult suite = RunSuite("ci", output);
   EXPECT_EQ(suite.exit_code, 0) << suite.out << suite.err;
-  const ProcessResult check = RunCached({"check", output, "--baseline", CVO_BASELINE, "--junit",
-                                         Folder() + "/ci.xml", "--markdown", Folder() + "/ci.md"});
+  const ProcessResult check =
+      RunCached({"check", output, "--baseline", CVO_BASELINE, "--exact", "--junit",
+                 Folder() + "/ci.xml", "--markdown", Folder() + "/ci.md"});
   std::cout << check.out << check.err;
   EXPECT_EQ(check.exit_code, 0) << "where the change is meant: make baseline";
 }

@@ -77,7 +77,7 @@ TEST_F(GateTest, TellsWhichOtherVariantsItWouldNoticeInPlaceOfOne) {
       << "both have the same errors";
   Scale("room", "static", 2.0);
   EXPECT_THAT(verdicts(), AllOf(HasSubstr("full     NOT NOTICED"),
-                                HasSubstr("static   noticed      camera_ate")));
+                                HasSubstr("static   noticed      2 of 6             ")));
   EXPECT_THAT(ErrorMessage([&] { CheckInPlaceOf("2d", now_.path(), MakeBaseline(then_.path())); }),
               HasSubstr("variant \"2d\": found no run of it in the baseline"));
 }
@@ -90,6 +90,40 @@ TEST_F(GateTest, LessThanTheNoiseOfSeedsIsTolerated) {
   // Each on its scene and over both.
   EXPECT_EQ(report.Count(Verdict::kWithin), 4U);
   EXPECT_EQ(MovedRows(report).size(), 3U) << "header, and the two over both scenes";
+}
+
+TEST_F(GateTest, ExactCheckFailsIfAnythingDiffersOnTheSamePlatform) {
+  const auto run_with = [](const GateFolder& folder, const char* compiler) {
+    folder.ForEachJob([&](const std::string& scene, const std::string& variant, int seed) {
+      folder.Edit(GateFolder::Id(scene, variant, seed), [&](Json& result) {
+        result["build"]["compiler"] = compiler;
+        result["build"]["cpu_level"] = "avx2";
+      });
+    });
+  };
+  const auto check = [&] { return CheckRuns(now_.path(), MakeBaseline(then_.path()), true); };
+  EXPECT_THAT(NoteLines(check()), Contains(HasSubstr("exactness is not checked")))
+      << "neither says what made it";
+  run_with(then_, "GNU 12");
+  run_with(now_, "GNU 12");
+  EXPECT_FALSE(check().Failed());
+  EXPECT_THAT(NoteLines(check()), IsEmpty());
+  Scale("room", "full", 0.999999);
+  EXPECT_FALSE(Check().Failed());
+  const GateReport changed = check();
+  EXPECT_TRUE(changed.Failed());
+  EXPECT_FALSE(changed.Regressed());
+  EXPECT_EQ(changed.changed, 2U) << "on its scene and over both";
+  EXPECT_THAT(GateText(changed), HasSubstr("2 of 12 values differ from the baseline"));
+  EXPECT_THAT(GateMarkdown(changed), testing::StartsWith("### Changed\n"));
+  EXPECT_THAT(GateJunit(changed), HasSubstr("failures=\"1\""));
+  const Baseline baseline = MakeBaseline(then_.path());
+  const auto parts = CheckInPlaceOf("full", now_.path(), baseline, true);
+  EXPECT_THAT(PowerText(parts), HasSubstr("full     noticed      2 of 6"));
+  run_with(now_, "GNU 14");
+  EXPECT_FALSE(check().Failed());
+  EXPECT_THAT(NoteLines(check()), Contains(AllOf(HasSubstr("exactness is not checked"),
+                                                 HasSubstr("GNU 14"), HasSubstr("GNU 12"))));
 }
 
 TEST_F(GateTest, LowerCoverageIsWorseAndHigherIsNot) {
