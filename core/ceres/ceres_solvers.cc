@@ -87,8 +87,8 @@ class CeresCluster {
     for (std::size_t i = 0; i < steps.power_densities.size(); ++i) {
       AddStep(steps.power_densities[i], i);
     }
-    for (std::size_t i = 0; steps.turn_rad2_s3 > 0.0 && i + 2 < problem.time_s.size(); ++i) {
-      AddTurn(steps.turn_rad2_s3, i);
+    for (std::size_t i = 0; i < steps.turn_densities.size(); ++i) {
+      AddTurn(steps.turn_densities[i], i);
     }
     if (steps.power_densities.empty()) return;
     for (Eigen::Vector3d& v : problem.velocity_m_s)

@@ -19,10 +19,14 @@ const Cluster& LostOne(const ClusterMap& map, ClusterId id) {
   return *cluster;
 }
 
+bool AreGiven(const Cluster& found, const Cluster& lost) {
+  return found.given_body.valid() && lost.given_body.valid();
+}
+
 // Whether their class and what is given of them let two clusters be one body.
 bool MayBeOne(const Cluster& found, const Cluster& lost) {
-  const bool is_given = found.given_body.valid() && lost.given_body.valid();
-  return found.category == lost.category && (!is_given || found.given_body == lost.given_body);
+  return found.category == lost.category &&
+         (!AreGiven(found, lost) || found.given_body == lost.given_body);
 }
 
 // Of two sizes; 0 where they may be the same, or one is unknown: a body that given labels
@@ -57,7 +61,7 @@ const LostCluster* FindPredecessor(const Cluster& found, const std::vector<LostC
   for (const LostCluster& candidate : lost) {
     const Cluster& cluster = LostOne(map, candidate.id);
     if (!MayBeOne(found, cluster)) continue;
-    if (found.given_body.valid()) return &candidate;
+    if (AreGiven(found, cluster)) return &candidate;
     const double energy = ExplanationEnergy(found, cluster, candidate.predicted, options);
     if (energy < least) {
       if (best) second = least;
@@ -180,8 +184,10 @@ struct BridgedPose {
 BridgedPose BridgeGap(const BodyMotion& before, const BodyMotion& found,
                       const MotionPriorOptions& motion) {
   const double dt = SecondsBetween(before.timestamp_ns, found.timestamp_ns);
-  const BridgedMotion turn = BridgeMotion(dt, motion.turn_q_rad2_s3, before.turn_variance_rad2_s2,
-                                          found.turn_variance_rad2_s2);
+  const double turn_density =
+      TurnDensity(motion, std::max(before.turn_rad_s.norm(), found.turn_rad_s.norm()));
+  const BridgedMotion turn =
+      BridgeMotion(dt, turn_density, before.turn_variance_rad2_s2, found.turn_variance_rad2_s2);
   const BridgedMotion way =
       BridgeMotion(dt, motion.q_m2_s3, before.speed_variance_m2_s2, found.speed_variance_m2_s2);
   const Eigen::Vector3d rate =

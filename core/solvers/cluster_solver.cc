@@ -33,7 +33,10 @@ void CheckSteps(const MotionPriorSteps& steps, const ClusterProblem& problem) {
   Require(densities.empty() || densities.size() + 1 == problem.time_s.size(),
           "SolveCluster: one power density per step");
   for (const double q : densities) Require(q > 0.0, "SolveCluster: q must be positive");
-  Require(steps.turn_rad2_s3 >= 0.0, "SolveCluster: turn_rad2_s3 must not be negative");
+  const std::vector<double>& turns = steps.turn_densities;
+  Require(turns.empty() || turns.size() + 2 == problem.time_s.size(),
+          "SolveCluster: one turn density per change of angular velocity");
+  for (const double q : turns) Require(q > 0.0, "SolveCluster: q of turns must be positive");
 }
 
 struct ClusterVariables {
@@ -50,7 +53,7 @@ class ClusterModel {
                const ClusterProblem& problem)
       : problem_(&problem),
         huber_(noise.huber),
-        turn_rad2_s3_(steps.turn_rad2_s3),
+        turn_densities_(steps.turn_densities),
         state_{problem.world_from_object, problem.velocity_m_s, problem.points},
         tried_(state_) {
     for (std::size_t i = 0; i < steps.power_densities.size(); ++i) {
@@ -68,7 +71,7 @@ class ClusterModel {
   double Linearize(SchurEquations& equations) const {
     equations.SetZero();
     for (std::size_t i = 0; i < steps_.size(); ++i) AddStep(i, equations);
-    for (std::size_t i = 0; i < Turns(); ++i) AddTurn(i, equations);
+    for (std::size_t i = 0; i < turn_densities_.size(); ++i) AddTurn(i, equations);
     AddPointPriors(equations);
     return PriorEnergy(state_) + LinearizeReprojections(problem_->camera, Views(state_),
                                                         state_.points, problem_->factors, huber_,
@@ -123,14 +126,9 @@ class ClusterModel {
 
   double StepTime(std::size_t i) const { return problem_->time_s[i + 1] - problem_->time_s[i]; }
 
-  // Changes of angular velocity that the prior sees: frames i, i + 1, i + 2.
-  std::size_t Turns() const {
-    return turn_rad2_s3_ > 0.0 && problem_->time_s.size() > 2 ? problem_->time_s.size() - 2 : 0;
-  }
-
   TurnPrior Turn(const ClusterVariables& state, std::size_t i) const {
     return EvaluateTurnPrior(
-        turn_rad2_s3_, {StepTime(i), StepTime(i + 1)},
+        turn_densities_[i], {StepTime(i), StepTime(i + 1)},
         {state.world_from_object[i].rotation(), state.world_from_object[i + 1].rotation(),
          state.world_from_object[i + 2].rotation()});
   }
@@ -182,7 +180,7 @@ class ClusterModel {
   double PriorEnergy(const ClusterVariables& state) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < steps_.size(); ++i) sum += StepResidual(state, i).squaredNorm();
-    for (std::size_t i = 0; i < Turns(); ++i) sum += Turn(state, i).r.squaredNorm();
+    for (std::size_t i = 0; i < turn_densities_.size(); ++i) sum += Turn(state, i).r.squaredNorm();
     for (std::size_t p = 0; p < state.points.size(); ++p) {
       const PointPrior& prior = problem_->point_priors[p];
       sum += (prior.sqrt_information * (state.points[p] - prior.mean_in_object)).squaredNorm();
@@ -192,7 +190,7 @@ class ClusterModel {
 
   const ClusterProblem* problem_;
   double huber_;
-  double turn_rad2_s3_;
+  std::vector<double> turn_densities_;
   std::vector<MotionPriorFactors> steps_;
   std::vector<int> pose_of_frame_;
   ClusterVariables state_;

@@ -14,7 +14,9 @@ struct MotionPriorSteps {
   // q in m^2/s^3 by step from frame to frame; empty: none, velocities become differences to the
   // frame before.
   std::vector<double> power_densities;
-  double turn_rad2_s3 = 0.0;  // q of the angular acceleration; 0: orientations are free
+  // q in rad^2/s^3 by change of the angular velocity, of frames i, i + 1 and i + 2; empty:
+  // orientations are free.
+  std::vector<double> turn_densities;
 };
 
 // Minimises a cluster's energy in place (section 3.3 of the paper, dynamic clusters): poses but the
@@ -37,7 +39,14 @@ MotionPriorSteps StepsOfPrior(const MotionPriorOptions& motion, const ClusterPro
       steps.power_densities.push_back(MotionPrior::PowerDensity(motion, dt_s));
     }
   }
-  if constexpr (MotionPrior::kLinksOrientations) steps.turn_rad2_s3 = motion.turn_q_rad2_s3;
+  if constexpr (MotionPrior::kLinksOrientations) {
+    for (std::size_t i = 2; i < problem.time_s.size(); ++i) {
+      const Eigen::Vector3d turn = LogSo3(problem.world_from_object[i].rotation() *
+                                          problem.world_from_object[i - 2].rotation().conjugate());
+      const double rate_rad_s = turn.norm() / (problem.time_s[i] - problem.time_s[i - 2]);
+      steps.turn_densities.push_back(TurnDensity(motion, rate_rad_s));
+    }
+  }
   return steps;
 }
 

@@ -12,6 +12,7 @@ struct MotionPriorOptions {
   double q_m2_s3 = 1.0;
   double q_m2_frame3 = 0.01;
   double turn_q_rad2_s3 = 0.03;
+  double turn_rate_rad_s = 0.5;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
@@ -30,8 +31,20 @@ struct MotionPriorOptions {
         {"rad^2/s^3", 1e-6, 1e6,
          "power density of a body's angular acceleration: smaller smooths rotation more",
          "chosen from 0.01 ... 0.3 on 10 Hz and 30 Hz data: little changes between 0.1 and 0.01"});
+    visit.Field("turn_rate_rad_s", self.turn_rate_rad_s,
+                {"rad/s", 1e-3, 1e6,
+                 "angular velocity at which that density is doubled: the axis of a body that rolls "
+                 "turns with its path; larger smooths fast turns more",
+                 "METHOD.md 8.3: chosen from 0.25 ... 2 on rooms with bodies at 1.6 m/s"});
   }
 };
+
+// Power density, in rad^2/s^3, of the angular acceleration of a body that turns at `rate_rad_s`
+// (METHOD.md 8.3).
+inline double TurnDensity(const MotionPriorOptions& options, double rate_rad_s) {
+  const double relative = rate_rad_s / options.turn_rate_rad_s;
+  return options.turn_q_rad2_s3 * (1.0 + relative * relative);
+}
 
 // What ties a body's states together in time. kLinksFrames: the solver sees the prior and estimates
 // velocities; kLinksOrientations: it sees one on the change of angular velocity; PowerDensity: q in

@@ -199,6 +199,20 @@ TEST(SolveCluster, TurnsAtOneRateWhereNothingElseIsAllowed) {
   }
 }
 
+// Frames 0.1 s apart; the body turns by 0.4 rad in the last step, so by 2 rad/s over two.
+TEST(StepsOfPrior, TakesTheRateOverBothSteps) {
+  ClusterProblem problem;
+  problem.time_s = {0.0, 0.1, 0.2, 0.3};
+  problem.world_from_object.resize(4);
+  problem.world_from_object[3] = {ExpSo3({0.0, 0.4, 0.0}), Eigen::Vector3d::Zero()};
+  const MotionPriorOptions options = {.turn_q_rad2_s3 = 0.1, .turn_rate_rad_s = 2.0};
+  const MotionPriorSteps steps = StepsOfPrior<WhiteNoiseOnAcceleration>(options, problem);
+  ASSERT_EQ(steps.turn_densities.size(), 2u);
+  EXPECT_DOUBLE_EQ(steps.turn_densities[0], 0.1);
+  EXPECT_NEAR(steps.turn_densities[1], 0.2, 1e-12);
+  EXPECT_TRUE(StepsOfPrior<WhiteNoiseOnTranslation>(options, problem).turn_densities.empty());
+}
+
 TEST(SolveCluster, WithoutPriorIsTheLimitOfLargeQ) {
   Rng rng(5, "cluster");
   ClusterProblem loose = MakeProblem({.noise_px = 0.3}, rng);

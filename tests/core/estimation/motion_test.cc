@@ -112,6 +112,13 @@ TEST(TurnPrior, HasTheValueWorkedOutByHand) {
   EXPECT_NEAR(prior.r.squaredNorm(), 0.04 * 3.0, 1e-12);
 }
 
+TEST(TurnPrior, IsLooserForABodyThatTurnsFast) {
+  const MotionPriorOptions options = {.turn_q_rad2_s3 = 0.1, .turn_rate_rad_s = 2.0};
+  EXPECT_DOUBLE_EQ(TurnDensity(options, 0.0), 0.1);
+  EXPECT_DOUBLE_EQ(TurnDensity(options, 2.0), 0.2);
+  EXPECT_DOUBLE_EQ(TurnDensity(options, 6.0), 1.0);
+}
+
 TEST(TurnPrior, JacobiansMatchDifferences) {
   Rng rng(5, "motion");
   for (const double size : {0.0, 0.01, 1.0}) {

@@ -208,12 +208,14 @@ TEST(SolveCluster, AgreesWithCeres) {
   for (const double q : {0.0, 0.05, 1.0, 300.0}) {
     const ClusterProblem problem = RandomCluster(8, 30, rng);
     const std::vector<double> q_by_step(q > 0.0 ? 7 : 0, q);
-    const double turn = q < 1.0 ? 0.0 : 0.1 * q;
+    std::vector<double> turns;
+    for (std::size_t i = 0; q >= 1.0 && i < 6; ++i) turns.push_back(0.1 * q * rng.Uniform(1, 9));
     ClusterProblem own = problem;
     ClusterProblem reference = problem;
-    const SolverSummary own_summary = SolveClusterSteps({}, kToConvergence, {q_by_step, turn}, own);
+    const SolverSummary own_summary =
+        SolveClusterSteps({}, kToConvergence, {q_by_step, turns}, own);
     const SolverSummary summary =
-        CeresSolver::Solve({}, kToConvergence, {q_by_step, turn}, reference);
+        CeresSolver::Solve({}, kToConvergence, {q_by_step, turns}, reference);
     EXPECT_NEAR(own_summary.initial_cost / summary.initial_cost, 1.0, 1e-9);
     EXPECT_NEAR(own_summary.final_cost / summary.final_cost, 1.0, 1e-6);
     for (std::size_t i = 0; i < own.time_s.size(); ++i) {
