@@ -13,6 +13,7 @@ namespace cvo {
 // What is known of a body's box, in world, at the time of a state of its cluster.
 struct BodyTrack {
   FrameId frame;
+  RigidTransform world_from_object;                    // then; the window may no longer hold it
   Eigen::Vector3d forward = Eigen::Vector3d::UnitZ();  // level
   BoxShape shape;
   CenterEstimate center;  // in the body's frame, by the views so far
@@ -39,11 +40,13 @@ void Follow(const BoxScene& scene, const Cluster& cluster, BodyTrack& track) {
   if (!track.frame.valid()) {
     track.forward =
         Levelled(scene.world_from_camera.rotation() * Eigen::Vector3d::UnitZ(), scene.down);
-  } else if (const ClusterState* before = FindState(cluster, track.frame)) {
-    const RigidTransform motion = latest.world_from_object * before->world_from_object.Inverse();
-    track.forward = TurnedBy(motion, scene.down, track.forward);
+  } else {
+    const ClusterState* before = FindState(cluster, track.frame);
+    const RigidTransform& then = before ? before->world_from_object : track.world_from_object;
+    track.forward = TurnedBy(latest.world_from_object * then.Inverse(), scene.down, track.forward);
   }
   track.frame = latest.frame;
+  track.world_from_object = latest.world_from_object;
 }
 
 void TurnToMotion(const BoxScene& scene, const Cluster& cluster, BodyTrack& track) {

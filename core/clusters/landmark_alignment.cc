@@ -29,6 +29,7 @@ void AlignToLandmarks(double scale_factor, const RigidTransform& camera_from_obj
   for (const Match& match : matches) {
     const Landmark& landmark = landmarks[match.landmark];
     StereoFeature& feature = features[match.feature];
+    feature.is_aligned = false;  // whatever it was aligned to before
     const double depth_m = (camera_from_object * landmark.p_in_object).z();
     const double scale = LevelScale(scale_factor, feature);
     const double zoom =

@@ -8,6 +8,9 @@
 namespace cvo {
 namespace {
 
+// The static scene may be at infinity, and by noise beyond it: features are put at least here.
+constexpr double kLeastDisparity_px = 0.1;
+
 // Frames before the current one, the farthest first; null where the window does not hold one.
 using PastFrames = std::vector<const WindowFrame*>;
 
@@ -26,8 +29,9 @@ CrfNode MakeNode(const FrameView& view, const FeatureNoise& noise, const FramePo
   const StereoFeature& feature = view.frame.features[point.feature];
   CrfNode node;
   node.z_px = feature.z_px;
-  if (const auto p = view.camera.BackProject(feature.z_px)) node.p_in_camera = *p;
-  node.covariance_m2 = view.camera.PointCovariance(feature.z_px, noise.Covariance(feature.octave));
+  node.z_px[2] -= std::max(0.0, kLeastDisparity_px - view.camera.Disparity(feature.z_px));
+  if (const auto p = view.camera.BackProject(node.z_px)) node.p_in_camera = *p;
+  node.covariance_m2 = view.camera.PointCovariance(node.z_px, noise.Covariance(feature.octave));
   for (int k = 0; landmark && k < static_cast<int>(past.size()); ++k) {
     const Observation* seen = past[k] ? FindObservation(*landmark, past[k]->id) : nullptr;
     if (!seen || !steps.takes_past(k)) continue;

@@ -169,6 +169,14 @@ TEST(BodyBoxes, HeadAlongTheMotionOnceItIsBeyondTheirUncertainty) {
   EXPECT_LT((Forward(turned) - Vector3d(std::cos(0.5), 0.0, -std::sin(0.5))).norm(), 0.02);
 }
 
+TEST(BodyBoxes, TurnTheHeadingOverAGapThatIsLongerThanTheWindow) {
+  SeenCar car;
+  for (int f = 0; f < 6; ++f) car.See(f, At(-2.0 + 0.5 * f, 1.0, 12.0));
+  car.cluster().states.clear();
+  const ClusterReport found = car.See(40, At(2.0, 1.0, 12.0, 0.5));
+  EXPECT_LT((Forward(found) - Vector3d(std::cos(0.5), 0.0, -std::sin(0.5))).norm(), 0.05);
+}
+
 TEST(BodyBoxes, KeepTheHeadingOfTheirBirthWhereTheMotionDoesNotCount) {
   SeenCar car;
   car.options.boxes.heading_deviations = 1e9;

@@ -298,6 +298,13 @@ TEST(InheritIdentities, NeverTheIdOfAnotherGivenBody) {
   EXPECT_EQ(r.Found(), 1);
 }
 
+TEST(InheritIdentities, AGivenBodyIsNotTheFirstLostOneOfWhichNothingIsGiven) {
+  Return r;
+  r.map.live[0].given_body = BodyId{2};
+  r.lost = {Return::Predicted(1, 3.0)};
+  EXPECT_EQ(r.Found(), 2) << "too far away";
+}
+
 TEST(IdentityPolicies, OneInheritsAndTheOtherDoesNot) {
   const ClusterPredictor predict = [](const Cluster& cluster) {
     return Return::Predicted(cluster.id.value, 1.0).predicted;

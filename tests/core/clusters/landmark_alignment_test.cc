@@ -71,6 +71,13 @@ TEST_F(LandmarkAlignmentTest, LeavesTheCornerWhereTheLandmarkLooksDifferent) {
   EXPECT_EQ(feature_.z_px[0], 100.0);
 }
 
+TEST_F(LandmarkAlignmentTest, ForgetsAnAlignmentToAnotherLandmark) {
+  feature_.is_aligned = true;
+  for (auto& pixel : landmark_.reference.patch.pixels) pixel = 255 - pixel;
+  Align();
+  EXPECT_FALSE(feature_.is_aligned);
+}
+
 TEST_F(LandmarkAlignmentTest, LeavesTheCornerWithoutTheOption) {
   const StereoCamera camera = test::CentredCamera(400, 0.5, 640, 240);
   StereoFrame frame;

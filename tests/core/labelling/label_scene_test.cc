@@ -52,6 +52,21 @@ TEST(BuildLabelScene, ALandmarksPlaceIsTriangulatedOrItsOwn) {
   EXPECT_TRUE(node.estimate->covariance_m2.isZero());
 }
 
+TEST(BuildLabelScene, WhatIsBeyondInfinityIsFarAwayAndNotAtTheCamera) {
+  for (const double disparity_px : {0.0, -0.3}) {
+    Moving m;
+    m.window.landmarks = {Moving::Seen(m.p_in_world, [&](std::int64_t) { return m.p_in_world; })};
+    m.Add(m.p_in_world, kSceneOwner, 0, kStaticScene);
+    m.frame.features[0].z_px[2] = m.frame.features[0].z_px[0] - disparity_px;
+    const LabelScene scene = m.With([&](const FrameView& view) {
+      return BuildLabelScene(view, {}, m.window, m.map, m.tracks, m.points, kOurSteps);
+    });
+    const CrfNode& node = scene.crf.nodes.at(0);
+    EXPECT_NEAR(node.p_in_camera.z(), 450.0 * 0.3 / 0.1, 1e-6);
+    EXPECT_TRUE(node.covariance_m2.allFinite());
+  }
+}
+
 TEST(NewBodyPolicies, TheNearestDepthsOrAllOfThem) {
   const std::vector<double> depths_m = {2.0, 2.01, 2.02, 2.0, 2.01, 9.0, 9.1};
   EXPECT_THAT(NearestDepths::Candidates(depths_m, 0.2, {}),
