@@ -3,8 +3,11 @@
 #include "experiments/cache/feature_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 
+#include <cerrno>
 #include <string_view>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/files/bytes.h"
@@ -59,18 +62,27 @@ Header DecodeHeader(const std::string& bytes, const std::string& name) {
   return header;
 }
 
-std::uint64_t SizeOf(const std::filesystem::path& file) {
-  std::error_code error;  // also of a pipe
-  const std::uint64_t size_bytes = std::filesystem::file_size(file, error);
-  if (error) ThrowError(file.string(), error.message(), "features of a sequence");
-  return size_bytes;
+std::uint64_t SizeOf(const FileDescriptor& file, const std::string& name) {
+  struct stat status {};
+  if (::fstat(file.get(), &status) != 0) ThrowErrno(name, "read", errno);
+  if (!S_ISREG(status.st_mode)) ThrowError(name, "no regular file", "features of a sequence");
+  return static_cast<std::uint64_t>(status.st_size);
 }
 
 }  // namespace
 
-FeatureFile::FeatureFile(const std::filesystem::path& file, const std::string& key,
+// Another process may remove the file at any time, and write it again: it is looked up once.
+std::optional<FeatureFile> FeatureFile::Open(const std::filesystem::path& file,
+                                             const std::string& key, std::size_t frames) {
+  FileDescriptor opened(file, O_RDONLY | O_NONBLOCK);  // a pipe would wait for its writer
+  if (opened.get() < 0 && errno == ENOENT) return std::nullopt;
+  if (opened.get() < 0) ThrowErrno(file, "read", errno);
+  return FeatureFile(std::move(opened), file.string(), key, frames);
+}
+
+FeatureFile::FeatureFile(FileDescriptor file, const std::string& name, const std::string& key,
                          std::size_t frames)
-    : name_(file.string()), size_bytes_(SizeOf(file)), file_(file, O_RDONLY) {
+    : name_(name), file_(std::move(file)), size_bytes_(SizeOf(file_, name_)) {
   const Header header = DecodeHeader(Read(0, kHeaderBytes), name_);
   if (header.key != key || header.frames != frames) {
     ThrowError(name_, StrCat(header.frames, " frames under the key ", header.key),
@@ -84,7 +96,8 @@ std::string FeatureFile::Read(std::uint64_t offset, std::uint64_t count) const {
   std::string bytes(there ? count : 0, '\0');
   if (!there ||
       ReadUpTo(file_, bytes.data(), count, offset) != static_cast<std::ptrdiff_t>(count)) {
-    ThrowError(name_, StrCat(SizeOf(name_), " bytes"), StrCat(count, " from the byte ", offset));
+    ThrowError(name_, StrCat(SizeOf(file_, name_), " bytes"),
+               StrCat(count, " from the byte ", offset));
   }
   return bytes;
 }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,13 +21,18 @@ inline constexpr std::uint32_t kFeatureFileVersion = 2;
 // index with the place and SHA-256 of each. Every byte is under one of the checksums.
 class FeatureFile {
  public:
-  // Throws Error for a file that is cut, damaged, of another version or of another key.
-  FeatureFile(const std::filesystem::path& file, const std::string& key, std::size_t frames);
+  // Empty where there is no such file. Throws Error for one that is cut, damaged, of another
+  // version or of another key.
+  static std::optional<FeatureFile> Open(const std::filesystem::path& file, const std::string& key,
+                                         std::size_t frames);
 
   // Throws Error where the frame's bytes are not those that were written.
   FrontEndFrame Frame(std::size_t index) const;
 
  private:
+  FeatureFile(FileDescriptor file, const std::string& name, const std::string& key,
+              std::size_t frames);
+
   struct Place {
     std::uint64_t offset;
     std::uint64_t size_bytes;
@@ -37,8 +43,8 @@ class FeatureFile {
   std::vector<Place> ReadIndex(std::uint64_t offset, std::size_t frames) const;
 
   std::string name_;
-  std::uint64_t size_bytes_;
   FileDescriptor file_;
+  std::uint64_t size_bytes_;
   std::vector<Place> places_;
 };
 

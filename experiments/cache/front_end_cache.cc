@@ -93,13 +93,13 @@ FrontEndCache::FrontEndCache(fs::path folder, std::uint64_t limit_bytes, Notice 
 
 std::optional<FeatureFile> FrontEndCache::Find(const std::string& key, std::size_t frames) const {
   const fs::path file = folder_ / FileName(key);
-  if (key.empty() || IsGone(file)) return std::nullopt;
+  if (key.empty()) return std::nullopt;
   try {
-    FeatureFile found(file, key, frames);
-    MarkUsed(file);
+    std::optional<FeatureFile> found = FeatureFile::Open(file, key, frames);
+    if (found) MarkUsed(file);
     return found;
   } catch (const std::exception& damage) {
-    if (!IsGone(file)) Remove(key, damage.what());  // else another process made room
+    Remove(key, damage.what());
     return std::nullopt;
   }
 }
