@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
+#include "core/files/text_file.h"
 #include "reports/tables/cells.h"
 #include "reports/tables/columns.h"
 #include "reports/tables/comparisons.h"
@@ -112,18 +113,23 @@ void NoteUnpaired(const std::vector<RowRuns>& before, const std::vector<RowRuns>
 }  // namespace
 
 Table MakeTable(const std::filesystem::path& folder, const Reference& reference,
-                const std::string& default_options) {
-  const SuitePlan plan = ReadPlan(folder / "plan.json");
-  const std::string compared_with = FullReference(plan);
+                const std::string& default_options, const std::string& compared_with) {
+  SuitePlan plan = ReadPlan(folder / "plan.json");
+  if (!compared_with.empty()) plan.reference = compared_with;
+  const std::string full_reference = FullReference(plan);
   const std::vector<std::string> metrics = MetricsOf(plan);
   const std::vector<SuiteRun> runs = ReadRuns(folder, plan, metrics);
   const std::vector<RowRuns> rows = GroupRuns(runs, plan.rows);
   Table table = DescribeTable(plan, runs, metrics, default_options);
   table.reference = plan.reference;
-  AddRows(
-      rows, folder,
-      [&](const RowRuns& row) { return FindReference(rows, row, plan.rows, compared_with); },
-      table);
+  const auto reference_of = [&](const RowRuns& row) {
+    return FindReference(rows, row, plan.rows, full_reference);
+  };
+  if (!compared_with.empty() && std::none_of(rows.begin(), rows.end(), reference_of)) {
+    ThrowError("reference " + Quoted(compared_with), "no such row in " + plan.file.string(),
+               "the variant or the key=value of a row");
+  }
+  AddRows(rows, folder, reference_of, table);
   AddReferenceRows(reference, table);
   return table;
 }

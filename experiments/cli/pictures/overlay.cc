@@ -113,7 +113,8 @@ int DrawOverlays(const OverlayFlags& flags) {
   job.quiet = flags.quiet;
   const RunImages images(job.runs.front(), images_folder);
   for (reports::OverlayRun& run : job.runs) {
-    if (AdoptDetections(images_folder, run) || run.sequence.detections == 0) continue;
+    if (AdoptDetections(FindDetections(images_folder, run), run)) continue;
+    if (run.sequence.detections == 0) continue;
     std::cerr << "clustervo: note: the run's detection file was not found or is of another camera, "
                  "so only detections that were assigned to a cluster are drawn\n";
   }

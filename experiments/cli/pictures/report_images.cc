@@ -58,7 +58,7 @@ reports::OverlayRun ReadDrawn(const fs::path& run_folder) {
     throw Error("the run has no landmarks.csv, so its images are not shown");
   }
   reports::OverlayRun run = reports::ReadOverlayRun(run_folder, reports::LandmarkLabel::kCluster);
-  AdoptDetections("", run);
+  AdoptDetections(FindDetections("", run), run);
   return run;
 }
 

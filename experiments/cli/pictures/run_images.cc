@@ -28,22 +28,22 @@ SequenceRequest RequestOf(const reports::OverlayRun& run, const std::string& fol
   return request;
 }
 
-std::string LabelsOf(const reports::OverlayRun& run, const std::string& given) {
-  return given.empty() ? run.detail.paths.labels.value_or("") : given;
+std::filesystem::path LabelsOf(const reports::OverlayRun& run, const std::filesystem::path& given) {
+  return given.empty() ? std::filesystem::path(run.detail.paths.labels.value_or("")) : given;
 }
 
 // What is given; else what the run read, as it says itself, then what its folder may have.
-std::vector<GivenDetections> SourcesOf(const reports::OverlayRun& run,
-                                       const GivenDetections& given) {
-  if (!given.file.empty()) return {given};
+std::vector<BoxSources> SourcesOf(const reports::OverlayRun& run, const BoxSources& given) {
+  if (!given.detections.empty()) return {given};
   const reports::RunPaths& paths = run.detail.paths;
-  std::vector<GivenDetections> sources;
+  std::vector<BoxSources> sources;
   if (paths.detections) {
-    sources.push_back({*paths.detections, paths.detections_camera.value_or(given.camera),
-                       paths.min_score.value_or(given.min_score), LabelsOf(run, given.labels)});
+    sources.push_back({LabelsOf(run, given.labels), *paths.detections,
+                       paths.detections_camera.value_or(given.detections_camera),
+                       paths.min_score.value_or(given.min_score)});
   }
   for (const char* name : kDetections) {
-    sources.push_back({name, given.camera, given.min_score, given.labels});
+    sources.push_back({given.labels, name, given.detections_camera, given.min_score});
   }
   return sources;
 }
@@ -97,29 +97,29 @@ cv::Mat RunImages::Left(int frame) const {
 }
 
 std::optional<Sequence> FindDetections(const std::string& folder, const reports::OverlayRun& run,
-                                       const GivenDetections& given) {
-  for (const GivenDetections& source : SourcesOf(run, given)) {
+                                       const BoxSources& given) {
+  for (const BoxSources& source : SourcesOf(run, given)) {
     SequenceRequest request = RequestOf(run, folder);
-    request.detections_file = source.file;
-    request.detections_camera = source.camera;
+    request.detections_file = source.detections;
+    request.detections_camera = source.detections_camera;
     request.min_score = source.min_score;
     request.labels_file = source.labels;
     std::optional<Sequence> sequence;
     try {
       sequence = OpenSequence(request);
     } catch (const Error&) {
-      if (!given.file.empty()) throw;
+      if (!given.detections.empty()) throw;
       continue;  // a folder without this level, or files that have moved
     }
     if (DetectionsHash(*sequence) == run.sequence.detections_hash) return sequence;
   }
-  if (given.file.empty()) return std::nullopt;
-  ThrowError("--detections " + given.file, "boxes other than those of the run",
+  if (given.detections.empty()) return std::nullopt;
+  ThrowError("--detections " + given.detections.string(), "boxes other than those of the run",
              "the run's boxes, with its --detections-camera and --min-score");
 }
 
 std::optional<Sequence> FindLabelled(const std::string& folder, const reports::OverlayRun& run,
-                                     const std::string& labels_file) {
+                                     const std::filesystem::path& labels_file) {
   SequenceRequest request = RequestOf(run, folder);
   if (request.folder.empty()) return std::nullopt;
   request.labels_file = LabelsOf(run, labels_file);
@@ -140,9 +140,7 @@ std::vector<std::vector<Detection>> DetectionsOf(const Sequence& sequence,
   return detections;
 }
 
-bool AdoptDetections(const std::string& folder, reports::OverlayRun& run,
-                     const GivenDetections& given) {
-  const std::optional<Sequence> sequence = FindDetections(folder, run, given);
+bool AdoptDetections(const std::optional<Sequence>& sequence, reports::OverlayRun& run) {
   // Boxes of another camera were moved by what the run saw in them.
   if (!sequence || sequence->detections_offset_m != 0.0) return false;
   const auto associated = std::exchange(run.detections, {});

@@ -28,31 +28,22 @@ class RunImages {
   Sequence sequence_;
 };
 
-// Where the boxes of a run were; empty: a level of the scene, or its labels.
-struct GivenDetections {
-  std::string file = {};
-  int camera = -1;  // as SequenceRequest::detections_camera
-  double min_score = -1e300;
-  std::string labels = {};  // file of the truth of bodies, where it is not in the folder
-};
-
-// The sequence of a run with the boxes that it was given; empty where they cannot be told. Throws
+// The sequence of a run with the boxes that it was given: those of the file `given`, else those
+// that the run read, a level of the scene, or its labels; empty where none are the run's. Throws
 // Error for a file that is given and holds others.
 std::optional<Sequence> FindDetections(const std::string& folder, const reports::OverlayRun& run,
-                                       const GivenDetections& given);
+                                       const BoxSources& given = {});
 
 // The sequence of a run with its truth, without detections; empty where it cannot be read.
 std::optional<Sequence> FindLabelled(const std::string& folder, const reports::OverlayRun& run,
-                                     const std::string& labels_file);
+                                     const std::filesystem::path& labels_file);
 
 // By frame, of the classes.
 std::vector<std::vector<Detection>> DetectionsOf(const Sequence& sequence,
                                                  const std::vector<std::string>& classes);
 
-// All boxes that the run was given in place of those alone that a cluster was associated with,
-// where they can be told: of the levels of a scene and of its labels, those with the same hash.
-// False where none are.
-bool AdoptDetections(const std::string& folder, reports::OverlayRun& run,
-                     const GivenDetections& given = {});
+// All boxes of FindDetections in place of those alone that a cluster was associated with. False
+// where they were not found, or are of another camera.
+bool AdoptDetections(const std::optional<Sequence>& sequence, reports::OverlayRun& run);
 
 }  // namespace cvo

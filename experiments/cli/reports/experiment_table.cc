@@ -13,6 +13,7 @@ namespace {
 struct TableFlags {
   std::string folder;
   std::string from;
+  std::string reference;
   TableFormat format;
 };
 
@@ -33,6 +34,11 @@ Command AddExperimentTableCommand(CLI::App& experiment) {
   app->add_option("--from", flags->from, "table.json to read instead of DIR, without the results")
       ->type_name("FILE")
       ->excludes(folder);
+  app->add_option("--reference", flags->reference,
+                  "row that the others are compared with, a variant or key=value; default: the "
+                  "suite's; with it, DIR is not written to")
+      ->type_name("ROW")
+      ->needs(folder);
   AddTableFormat(*app, flags->format);
   app->footer(
       "Every row states how many of its runs it is based on. With format terminal, "
@@ -45,8 +51,9 @@ Command AddExperimentTableCommand(CLI::App& experiment) {
     if (flags->folder.empty() && flags->from.empty()) throw CLI::RequiredError("DIR or --from");
   });
   return {app, [flags] {
-            return flags->from.empty() ? OutputSuiteTable(flags->folder, flags->format)
-                                       : OutputOldTable(*flags);
+            return flags->from.empty()
+                       ? OutputSuiteTable(flags->folder, flags->format, flags->reference)
+                       : OutputOldTable(*flags);
           }};
 }
 

@@ -30,7 +30,7 @@ struct ExplainFlags {
   std::string body;
   std::string output;
   std::string sequence;
-  GivenDetections detections;
+  BoxSources boxes;
   bool oracles = false;
   int threads = 1;
   bool quiet = false;
@@ -80,7 +80,7 @@ std::map<int, reports::Detected> DetectedBodies(const std::optional<Sequence>& s
 std::map<int, reports::PixelBox> TrueBoxesOf(const ExplainFlags& flags, const ExplainedRun& read,
                                              int body) {
   std::map<int, reports::PixelBox> found;
-  const auto sequence = FindLabelled(flags.sequence, read.run, flags.detections.labels);
+  const auto sequence = FindLabelled(flags.sequence, read.run, flags.boxes.labels);
   const auto truth = sequence ? ReadBodyTruth(*sequence) : nullptr;
   if (!truth) return found;
   const TrueBoxes boxes = BoxesOfBodies(*sequence, *truth);
@@ -109,10 +109,10 @@ ExplainedRun ReadExplained(const ExplainFlags& flags) {
   if (read.run.detail.bodies.empty()) {
     ThrowError(flags.run, "no ground truth of bodies", "a run on a sequence that has it");
   }
-  read.sequence = FindDetections(flags.sequence, read.run, flags.detections);
+  read.sequence = FindDetections(flags.sequence, read.run, flags.boxes);
   // Boxes of another camera are a few pixels off, which does not hide whose they are.
   read.detected = DetectedBodies(read.sequence, read.run.classes);
-  AdoptDetections(flags.sequence, read.run, flags.detections);
+  AdoptDetections(read.sequence, read.run);
   if (!read.sequence && read.run.sequence.detections > 0) {
     std::cerr << "clustervo: note: missed detections cannot be shown without the run's detection "
                  "file: give --detections, --detections-camera and --min-score as in the run\n";
@@ -243,13 +243,13 @@ Command AddExplainCommand(CLI::App& program) {
                 "report which of them repairs the body")
       ->needs(body);
   add("--sequence", flags->sequence, "FOLDER", "folder of the images, if they have moved since");
-  add("--detections", flags->detections.file, "FILE",
+  add("--detections", flags->boxes.detections, "FILE",
       "detection file of the run, if it is not in the sequence's folder");
-  add("--detections-camera", flags->detections.camera, "X",
+  add("--detections-camera", flags->boxes.detections_camera, "X",
       "camera (image_0X) in which these were detected");
-  add("--min-score", flags->detections.min_score, "SCORE", "--min-score of the run")
+  add("--min-score", flags->boxes.min_score, "SCORE", "--min-score of the run")
       ->check(FiniteProblem);
-  add("--labels", flags->detections.labels, "FILE",
+  add("--labels", flags->boxes.labels, "FILE",
       "label file of the run, if it is not in the sequence's folder");
   AddThreads(*app, flags->threads);
   AddQuiet(*app, flags->quiet);

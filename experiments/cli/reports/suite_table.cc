@@ -19,16 +19,18 @@ std::string DefaultOptions() {
   return DumpJson(OptionsToJson(OptionLeaves(options)));
 }
 
-int OutputSuiteTable(const std::filesystem::path& folder, const TableFormat& format) {
+int OutputSuiteTable(const std::filesystem::path& folder, const TableFormat& format,
+                     const std::string& compared_with) {
   CheckNoCollection(folder);
   const reports::Table table =
-      reports::MakeTable(folder, reports::ShippedReference(), DefaultOptions());
-  if (format.Terminal()) {
+      reports::MakeTable(folder, reports::ShippedReference(), DefaultOptions(), compared_with);
+  const bool is_kept = format.Terminal() && compared_with.empty();
+  if (is_kept) {
     WriteFilesAtomically(folder, {{"table.md", reports::TableMarkdown(table)},
                                   {"table.json", reports::TableJson(table)}});
   }
   OutputTable(table, format, {folder / "plan.json"});
-  if (format.Terminal()) {
+  if (is_kept) {
     std::cout << (format.output.empty() ? "\n" : "")
               << "written: " << (folder / "table.json").string()
               << " and table.md, with the definitions of the columns\n";

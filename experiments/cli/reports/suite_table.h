@@ -13,8 +13,10 @@ namespace cvo {
 std::string DefaultOptions();
 
 // Makes the table of the folder that a suite is run to and prints it; in a terminal also writes
-// table.json and table.md there. 0: all that can run has run; 1: some jobs failed or did not run
+// table.json and table.md there, unless rows are compared with another one (MakeTable) than the
+// suite says. 0: all that can run has run; 1: some jobs failed or did not run
 // yet. Throws Error without a plan.
-int OutputSuiteTable(const std::filesystem::path& folder, const TableFormat& format);
+int OutputSuiteTable(const std::filesystem::path& folder, const TableFormat& format,
+                     const std::string& compared_with = "");
 
 }  // namespace cvo

@@ -51,6 +51,19 @@ TEST(CliTables, AFinishedSuite) {
   EXPECT_EQ(test::ReadFile(suite.folder().path() / "table.json"), bytes);
 }
 
+TEST(CliTables, AnotherRowToCompareWith) {
+  SuiteResults suite;
+  suite.Add(Result());
+  suite.Add(Result(), "2d");
+  const std::string folder = suite.Written().string();
+  const ProcessResult table = RunProgram({"experiment", "table", folder, "--reference", "2d"});
+  EXPECT_EQ(table.exit_code, 0) << table.err;
+  EXPECT_THAT(table.out, HasSubstr("difference from 2d"));
+  EXPECT_FALSE(fs::exists(fs::path(folder) / "table.json"));
+  test::ExpectError(RunProgram({"experiment", "table", folder, "--reference", "3d"}),
+                    "reference \"3d\": found no such row");
+}
+
 TEST(CliTables, AnUnfinishedSuiteHasATable) {
   SuiteResults suite;
   suite.Add(Result());
