@@ -123,7 +123,7 @@ class Check {
   void CountChanges() {
     const std::string& platform = baseline_.build.platform;
     if (!platform.empty() && platforms_ == std::set<std::string>{platform}) {
-      report_.changed = report_.comparisons.size() - report_.Count(Verdict::kSame);
+      report_.changed = report_.Differing();
       return;
     }
     report_.notes.push_back(StrCat("exactness is not checked: the platform is not the baseline's (",

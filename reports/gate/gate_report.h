@@ -58,6 +58,7 @@ struct GateReport {
   std::vector<std::string> notes;
 
   std::size_t Count(Verdict verdict) const;
+  std::size_t Differing() const { return comparisons.size() - Count(Verdict::kSame); }
   bool Regressed() const { return !problems.empty() || Count(Verdict::kWorse) > 0; }
   bool Failed() const { return Regressed() || changed > 0; }
   bool Slower() const;

@@ -164,9 +164,8 @@ std::string PowerText(const std::vector<LostPart>& parts) {
     if (!part.report.problems.empty()) {
       why += StrCat(why.empty() ? "" : ", ", Counted(part.report.problems.size(), "problem"));
     }
-    const std::size_t values = part.report.comparisons.size();
     rows.push_back({part.variant, part.report.Failed() ? "noticed" : "NOT NOTICED",
-                    StrCat(values - part.report.Count(Verdict::kSame), " of ", values), why});
+                    StrCat(part.report.Differing(), " of ", part.report.comparisons.size()), why});
   }
   return AlignedText(rows);
 }
