@@ -66,6 +66,7 @@ void AddTimes(const StageTimes& from, StageTimes& to) {
 }  // namespace
 
 struct LookAhead::Slot {
+  std::vector<cv::Rect2d> boxes;
   std::array<Side, 2> sides;
   std::vector<StereoFeature> features;
   StageTimes match_times_s;
@@ -74,8 +75,7 @@ struct LookAhead::Slot {
   bool BothValid() const { return sides[0].problem.empty() && sides[1].problem.empty(); }
 
   // The pyramids are of no use once matched; frames wait here without them.
-  void Match(const Sequence& sequence, const Options& options,
-             const std::vector<cv::Rect2d>& boxes) {
+  void Match(const Sequence& sequence, const Options& options) {
     if (BothValid()) {
       const ScopedStage stage(match_times_s, "match_stereo");
       features = MatchStereo(sides[0].orb, sides[1].orb, sequence.camera, options.orb,
@@ -102,17 +102,18 @@ void LookAhead::SubmitNext() {
       LeftRegions(std::span(boxes_).first(index + 1), options_.orb);
   Submitted next;
   next.slot = std::make_shared<Slot>();
+  next.slot->boxes = boxes_[index];
   for (std::size_t side = 0; side < 2; ++side) {
-    // The slot is kept alive by its tasks: they may still run when an error has ended the run.
+    // Nothing of this object is used: an error may end the run, and it, while the tasks go on.
     next.tickets[side] = pool_.Submit([slot = next.slot, side, index, &sequence = sequence_,
-                                       &options = options_, &boxes = boxes_[index], regions] {
+                                       &options = options_, regions] {
       const SideOfFrame of{sequence, index, static_cast<int>(side)};
       slot->sides[side] = side == 0
                               ? PrepareSide(of, options.orb, regions)
                               : PrepareSide(of, RightOrb(options.orb, options.stereo),
                                             RightRegions(regions, options.stereo, sequence.camera));
       // Whichever image is ready last matches the pair; an error leaves the count above zero.
-      if (slot->unfinished.fetch_sub(1) == 1) slot->Match(sequence, options, boxes);
+      if (slot->unfinished.fetch_sub(1) == 1) slot->Match(sequence, options);
     });
   }
   ahead_.push_back(std::move(next));

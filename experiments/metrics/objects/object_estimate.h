@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "experiments/metrics/objects/object_truth.h"
@@ -27,6 +28,8 @@ struct LandmarkObservation {
   LandmarkTruth truth;
   std::int32_t count = 1;
 };
+// It is packed as it lies in memory: padding would be bytes of no value.
+static_assert(std::has_unique_object_representations_v<LandmarkObservation>);
 
 // A cluster in a frame. World is that of the estimated camera.
 struct ClusterFrame {

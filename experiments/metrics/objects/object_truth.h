@@ -61,7 +61,7 @@ void FinishTruth(ObjectTruth& truth);
                                                            const Eigen::Vector3d& p_in_object);
 
 // How a point of a body has moved up to a frame.
-enum class PointMotion : std::uint8_t {
+enum class PointMotion : std::int16_t {
   kStill,    // not yet
   kMoving,   // by more than kMovedPoint_m from where it was in one of the last kMovedFrames
   kStopped,  // earlier, and no longer
