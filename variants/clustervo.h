@@ -53,6 +53,7 @@ struct ClusterVo {
     options.unary.past_frames = 5;
     options.unary.box_foot = 0.0;
     options.unary.box_shrink = 0.0;
+    options.unary.undetected_reach = 0.0;
     options.unary.static_energy = 2.0;
     options.clusters.box_half_size = 0.0;
     options.clusters.confirm_detections = 1;

@@ -104,6 +104,10 @@ struct AddMissedDetections : Base {
   static constexpr std::string_view kRung = "missed_detections";
   static constexpr std::string_view kAdds = "a missed detection is no evidence against a cluster";
   using BoxTerm = Box2dTerm;
+  static void SetDefaults(Options& options) {
+    Base::SetDefaults(options);
+    options.unary.undetected_reach = Options().unary.undetected_reach;
+  }
 };
 
 template <typename Base>

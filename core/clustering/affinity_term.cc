@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/clustering/affinity_term.h"
 
+#include <algorithm>
+
 namespace cvo {
 namespace {
 
@@ -28,11 +30,13 @@ void AffinityTerm::Energies(const CrfScene& scene, const UnaryOptions& options,
       continue;
     }
     const Eigen::Matrix3d spread = SpreadOf(*extent, options.kappa);
+    const double free_reach = scene.labels[l].box ? 0.0 : options.undetected_reach;
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
       const CrfNode& node = scene.nodes[i];
+      const double distance_squared = MahalanobisSquared(
+          node.covariance_m2 + spread, node.p_in_camera - extent->center_in_camera);
       column[static_cast<Eigen::Index>(i)] =
-          0.5 * MahalanobisSquared(node.covariance_m2 + spread,
-                                   node.p_in_camera - extent->center_in_camera);
+          0.5 * std::max(0.0, distance_squared - free_reach * free_reach);
     }
   }
 }

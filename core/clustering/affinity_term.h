@@ -7,7 +7,8 @@
 namespace cvo {
 
 // p_3D as METHOD.md 5.4 has it: -log p = d^T (Sigma_Z + kappa^2 R diag(l^2) R^T)^-1 d / 2 with d
-// from the body's centre to the landmark, in the camera frame; no determinant. static_energy and
+// from the body's centre to the landmark, in the camera frame; no determinant. Less
+// undetected_reach^2 / 2, but not below 0, for a body without a detection. static_energy and
 // outlier_energy for those two classes; a body of unknown extent is no nearer than the static
 // scene.
 struct AffinityTerm {

@@ -12,6 +12,7 @@ struct UnaryOptions {
   double box_shrink = 0.05;
   double box_foot = 0.2;
   double kappa = 2.0;
+  double undetected_reach = 1.7;
   double static_energy = 1.0;
   double outlier_energy = 4.0;
   int past_frames = 0;
@@ -42,6 +43,11 @@ struct UnaryOptions {
                 {"half sizes", 0.1, 100.0,
                  "standard deviation of a body's points; 2 to 2.5 reaches the surface of a box",
                  "METHOD.md 5.4"});
+    visit.Field("undetected_reach", self.undetected_reach,
+                {"1", 0.0, 100.0,
+                 "standard deviations of a body's points up to which a landmark costs nothing in "
+                 "the affinity term of a cluster without a detection; 0 as in the paper",
+                 "METHOD.md 5.4; the root of 3, the mean square of a body's own points"});
     visit.Field("static_energy", self.static_energy,
                 {"nats", 0.0, 100.0,
                  "affinity energy of the static scene: a landmark within sqrt(2 * static_energy) "

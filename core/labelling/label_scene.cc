@@ -78,7 +78,8 @@ CrfLabel ClusterLabel(const FrameView& view, const ClusterOptions& options, int 
   }
   label.extent = CrfLabel::Extent{camera_from_object * cluster.center_in_object,
                                   camera_from_object.RotationMatrix(), cluster.half_size_m};
-  if (label.box) GrowToBox(view.camera, options.box_half_size, *label.box, *label.extent);
+  const auto& box = label.box ? label.box : label.predicted_box;
+  if (box) GrowToBox(view.camera, options.box_half_size, *box, *label.extent);
   label.past_from_now.resize(past.size());
   if (track.is_tracked) {
     label.past_from_now = PastFromNow(view, ClusterOwner(q), track.world_from_object, map, past);

@@ -174,7 +174,7 @@ TEST(Box2dTermLiteral, IsThePrintedFormula) {
   EXPECT_TRUE(RawEnergies<Box2dTermLiteral>(scene, NodeSeenAt(390, 290)).isZero(0.0));
 }
 
-// A body 10 m ahead whose long side, its first axis, points down, and one of unknown size.
+// A detected body 10 m ahead whose long side, its first axis, points down, and one of unknown size.
 CrfScene AffinityScene() {
   CrfScene scene;
   scene.camera = test::kSceneCamera;
@@ -185,6 +185,7 @@ CrfScene AffinityScene() {
   extent.camera_from_axes << 0, -1, 0, 1, 0, 0, 0, 0, 1;
   extent.half_size_m = {0.6, 0.1, 0.2};
   scene.labels[1].extent = extent;
+  scene.labels[1].box = kLeft;
   return scene;
 }
 
@@ -196,6 +197,19 @@ TEST(AffinityTerm, HasTheValueWorkedOutByHand) {
   node.p_in_camera = {1.1, 0.5, 10.0};
   // 0.1 m along a short side: 0.01 + 4 * 0.01 = 0.05.
   EXPECT_NEAR(RawEnergies<AffinityTerm>(AffinityScene(), node)[1], 0.1, 1e-12);
+}
+
+TEST(AffinityTerm, CostsNothingNearTheCentreOfABodyThatWasNotDetected) {
+  const CrfScene detected = AffinityScene();
+  CrfScene missed = detected;
+  missed.labels[1].box.reset();
+  const CrfNode inside = NodeAt({1.0, 1.1, 10.0});
+  EXPECT_GT(RawEnergies<AffinityTerm>(detected, inside)[1], 0.0);
+  EXPECT_EQ(RawEnergies<AffinityTerm>(missed, inside)[1], 0.0);
+  const CrfNode outside = NodeAt({1.0, 10.5, 10.0});
+  const double energy = RawEnergies<AffinityTerm>(detected, outside)[1];
+  EXPECT_NEAR(RawEnergies<AffinityTerm>(missed, outside)[1], energy - 0.5 * 1.7 * 1.7, 1e-12);
+  EXPECT_EQ(RawEnergies<AffinityTerm>(missed, outside, {.undetected_reach = 0.0})[1], energy);
 }
 
 TEST(AffinityTerm, HasConstantsForClassesWithoutACentre) {
