@@ -101,14 +101,16 @@ fuzz: clang build/fuzz/build.ninja ## give every parser RUNS=1000000 spoilt file
 	cmake --build --preset fuzz --target fuzz_target $(jobs)
 	node .ci/fuzz.mjs $(RUNS) $(or $(HOURS),0) $(SEED) $(or $(JOBS),0) $(PARSER)
 
-# Hours; the same SEED kills at the same moments.
+# An hour or two; the same SEED draws the same disturbances.
 POINTS ?= 1000000
 KILLS ?= 1000
-soak: $(release)/build.ninja ## let every call on files fail (POINTS=n: n of them), kill KILLS=1000 times
+SLURM_KILLS ?= 100
+soak: $(release)/build.ninja ## let every call on files fail (POINTS=n: n of them), disturb runs KILLS=1000 times
 	cmake --build --preset release --target fault_points suite_kills $(jobs)
 	cd $(release) && tests/faults/fault_points $(POINTS) drawn
 	cd $(release) && tests/faults/fault_points $(POINTS)
 	cd $(release) && tests/experiments/suite_kills $(KILLS) $(SEED)
+	cd $(release) && tests/experiments/suite_kills $(SLURM_KILLS) $(SEED) slurm
 
 # A sample of MUTANTS=50 changes, the same for the same SEED; FOLDER=reports/statistics: of that one.
 MUTANTS ?= 50
@@ -127,8 +129,8 @@ asan-variants: $(asan)/build.ninja ## the same for the tests that every variant 
 	cmake --build --preset asan $(jobs)
 	ctest --preset asan --tests-regex /EveryVariant
 
-# The pool of threads, what renders with it, and what reads and keeps files with it.
-threaded := base_test synth_dataset_test cache_test datasets_test
+# The pool of threads, what renders with it, what reads and keeps files with it, and runs that look ahead.
+threaded := base_test synth_dataset_test cache_test datasets_test features_test runner_test
 tsan: build/tsan/build.ninja ## build with the thread sanitizer, run the tests of what has threads
 	cmake --build --preset tsan --target $(threaded) $(jobs)
 	cd build/tsan && find tests -name '*_test' -type f | sort | while read -r t; do "$$t" || exit 1; done

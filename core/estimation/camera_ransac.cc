@@ -17,17 +17,6 @@ std::array<std::size_t, 3> DrawSample(std::size_t n, Rng& rng) {
   return sample;
 }
 
-int CountInliers(const StereoCamera& camera, std::span<const PointMeasurement> measurements,
-                 const RigidTransform& world_from_camera, double gate) {
-  const RigidTransform camera_from_world = world_from_camera.Inverse();
-  int inliers = 0;
-  for (const PointMeasurement& m : measurements) {
-    const auto error = WhitenedError(camera, m, camera_from_world);
-    inliers += error && error->squaredNorm() <= gate;
-  }
-  return inliers;
-}
-
 }  // namespace
 
 std::optional<CameraSolution> SolveCameraRansac(const StereoCamera& camera,
@@ -36,7 +25,7 @@ std::optional<CameraSolution> SolveCameraRansac(const StereoCamera& camera,
                                                 int min_inliers, Rng& rng) {
   if (measurements.size() < 3) return std::nullopt;
   RigidTransform best;
-  int best_inliers = 0;
+  int best_cells = 0;
   for (int iteration = 0; iteration < iterations; ++iteration) {
     Eigen::Matrix3Xd in_camera(3, 3);
     Eigen::Matrix3Xd in_world(3, 3);
@@ -50,14 +39,15 @@ std::optional<CameraSolution> SolveCameraRansac(const StereoCamera& camera,
     }
     if (!valid) continue;
     const RigidTransform world_from_camera = AlignPoints(in_camera, in_world);
-    const int inliers =
-        CountInliers(camera, measurements, world_from_camera, noise.hypothesis_gate * noise.gate);
-    if (inliers > best_inliers) {
-      best_inliers = inliers;
+    const CameraSolution agreeing = ClassifyMeasurements(camera, measurements, world_from_camera,
+                                                         noise.hypothesis_gate * noise.gate);
+    const int cells = CoveredCells(camera, measurements, agreeing.is_inlier);
+    if (agreeing.inliers >= 3 && cells > best_cells) {
+      best_cells = cells;
       best = world_from_camera;
     }
   }
-  if (best_inliers < 3) return std::nullopt;
+  if (best_cells == 0) return std::nullopt;
 
   // Refined on the hypothesis' own inliers only: SolveCamera starts by trusting all it is given.
   std::vector<PointMeasurement> close;

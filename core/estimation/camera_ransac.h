@@ -11,8 +11,9 @@
 namespace cvo {
 
 // Camera from measurements of which many may be wrong and of which no initial guess exists: three
-// triangulated points fix a hypothesis (3D-3D alignment), the one with the most measurements within
-// the gate wins and is refined by SolveCamera. Empty where no hypothesis has min_inliers.
+// triangulated points fix a hypothesis (3D-3D alignment), the one whose measurements within the
+// gate cover most of the image wins and is refined by SolveCamera. Empty where no hypothesis has
+// min_inliers.
 std::optional<CameraSolution> SolveCameraRansac(const StereoCamera& camera,
                                                 std::span<const PointMeasurement> measurements,
                                                 const NoiseOptions& noise, int iterations,

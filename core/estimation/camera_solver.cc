@@ -3,6 +3,8 @@
 #include "core/estimation/camera_solver.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
+#include <bitset>
 
 namespace cvo {
 namespace {
@@ -52,6 +54,22 @@ CameraSolution ClassifyMeasurements(const StereoCamera& camera,
     solution.inliers += solution.is_inlier[i];
   }
   return solution;
+}
+
+int CoveredCells(const StereoCamera& camera, std::span<const PointMeasurement> measurements,
+                 std::span<const char> is_inlier) {
+  constexpr int kSide = 12;
+  const auto cell = [](double z_px, int size_px) {
+    return std::clamp(static_cast<int>(z_px * kSide / size_px), 0, kSide - 1);
+  };
+  std::bitset<kSide * kSide> covered;
+  for (std::size_t i = 0; i < measurements.size(); ++i) {
+    if (!is_inlier[i]) continue;
+    const Eigen::Vector3d& z_px = measurements[i].z_px;
+    const int index = kSide * cell(z_px[1], camera.height_px) + cell(z_px[0], camera.width_px);
+    covered.set(static_cast<std::size_t>(index));
+  }
+  return static_cast<int>(covered.count());
 }
 
 CameraSolution SolveCamera(const StereoCamera& camera,

@@ -36,6 +36,11 @@ CameraSolution ClassifyMeasurements(const StereoCamera& camera,
                                     std::span<const PointMeasurement> measurements,
                                     const RigidTransform& world_from_camera, double gate);
 
+// How much of the image they cover: cells of a grid of 12 x 12 with an inlier. A body may have more
+// measurements than the scene, but it does not cover more of the image.
+int CoveredCells(const StereoCamera& camera, std::span<const PointMeasurement> measurements,
+                 std::span<const char> is_inlier);
+
 // Whitened residual of one measurement; empty where the point is behind the camera.
 std::optional<Eigen::Vector3d> WhitenedError(const StereoCamera& camera,
                                              const PointMeasurement& measurement,

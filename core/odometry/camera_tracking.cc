@@ -49,6 +49,55 @@ std::vector<Match> SearchAround(const CameraTrackingOptions& options, const Wind
   return matches;
 }
 
+// By how much matched landmarks lie elsewhere in the image of one camera than in that of another.
+double MedianShift_px(const Window& window, const std::vector<Match>& matches,
+                      const RigidTransform& world_from_a, const RigidTransform& world_from_b) {
+  const RigidTransform a_from_world = world_from_a.Inverse();
+  const RigidTransform b_from_world = world_from_b.Inverse();
+  std::vector<double> shifts_px;
+  for (const Match& match : matches) {
+    const Eigen::Vector3d& p_in_world = window.landmarks[match.landmark].p_in_object;
+    const auto a = window.camera.Project(a_from_world * p_in_world);
+    const auto b = window.camera.Project(b_from_world * p_in_world);
+    if (a && b) shifts_px.push_back((*a - *b).head<2>().norm());
+  }
+  if (shifts_px.empty()) return 0.0;
+  const auto middle = shifts_px.begin() + static_cast<std::ptrdiff_t>(shifts_px.size() / 2);
+  std::nth_element(shifts_px.begin(), middle, shifts_px.end());
+  return *middle;
+}
+
+// Half of the matches being wrong means that the search looked in the wrong places. A body that
+// moves with the camera also gives a solution, of which only the motion before can tell that it is
+// wrong.
+bool IsInDoubt(const CameraTrackingOptions& options, const Window& window,
+               const std::vector<Match>& matches, const CameraSolution& solution,
+               const ExpectedCamera& expected) {
+  return !expected.has_motion || solution.inliers < options.tracking.min_inliers ||
+         solution.inliers < static_cast<int>(matches.size()) / 2 ||
+         MedianShift_px(window, matches, solution.world_from_camera, expected.world_from_camera) >
+             options.matching.narrow_radius_px;
+}
+
+// Of cameras near which it may be, after a solve: the one whose landmarks cover most of the image.
+RigidTransform BestCovering(const CameraTrackingOptions& options, const Window& window,
+                            const FeatureGrid& grid, std::span<const RigidTransform> candidates) {
+  RigidTransform best = candidates.front();
+  int most_cells = 0;
+  for (const RigidTransform& candidate : candidates) {
+    const std::vector<PointMeasurement> measurements = MeasurementsOf(
+        options.noise, window.landmarks, grid.features(),
+        SearchAround(options, window, grid, candidate, options.matching.narrow_radius_px));
+    const CameraSolution solution =
+        SolveCamera(window.camera, measurements, candidate, options.noise.options);
+    const int cells = CoveredCells(window.camera, measurements, solution.is_inlier);
+    if (cells <= most_cells) continue;
+    most_cells = cells;
+    best = solution.world_from_camera;
+  }
+  return best;
+}
+
 std::optional<RigidTransform> FindWithoutPrediction(const CameraTrackingOptions& options,
                                                     const Window& window, const FeatureGrid& grid,
                                                     Rng& rng) {
@@ -96,26 +145,22 @@ CameraTrack MatchAround(const CameraTrackingOptions& options, const Window& wind
 
 std::optional<CameraTrack> TrackCamera(const CameraTrackingOptions& options, const Window& window,
                                        const FeatureGrid& grid, std::span<StereoFeature> features,
-                                       const RigidTransform& predicted_world_from_camera,
-                                       bool is_given, Rng& rng) {
-  if (is_given) return MatchAround(options, window, grid, predicted_world_from_camera);
+                                       const ExpectedCamera& expected, Rng& rng) {
+  if (expected.is_given) return MatchAround(options, window, grid, expected.world_from_camera);
   const auto solve = [&](const std::vector<Match>& matches, const RigidTransform& initial) {
     return SolveCamera(window.camera,
                        MeasurementsOf(options.noise, window.landmarks, grid.features(), matches),
                        initial, options.noise.options);
   };
-  const std::vector<Match> wide = SearchAround(options, window, grid, predicted_world_from_camera,
+  const std::vector<Match> wide = SearchAround(options, window, grid, expected.world_from_camera,
                                                options.matching.wide_radius_px);
-  const CameraSolution first = solve(wide, predicted_world_from_camera);
+  const CameraSolution first = solve(wide, expected.world_from_camera);
   RigidTransform around = first.world_from_camera;
-  // Half of the matches being wrong means that the search looked in the wrong places.
-  if (first.inliers < options.tracking.min_inliers ||
-      first.inliers < static_cast<int>(wide.size()) / 2) {
+  if (IsInDoubt(options, window, wide, first, expected)) {
+    std::vector<RigidTransform> candidates = {first.world_from_camera, expected.world_from_camera};
     const auto found = FindWithoutPrediction(options, window, grid, rng);
-    if (found)
-      around = *found;
-    else if (first.inliers < options.tracking.min_inliers)
-      return std::nullopt;
+    if (found) candidates.push_back(*found);
+    around = BestCovering(options, window, grid, candidates);
   }
   const std::vector<Match> narrow =
       SearchAround(options, window, grid, around, options.matching.narrow_radius_px);

@@ -32,14 +32,20 @@ struct CameraTrack {
   int matches = 0;             // before the geometric check
 };
 
-// The camera of a frame from the landmarks of the window: windowed search around the predicted
+// Where the camera is looked for.
+struct ExpectedCamera {
+  RigidTransform world_from_camera;
+  bool is_given = false;    // taken as it is
+  bool has_motion = false;  // continues the motion before; else it may have moved in any way
+};
+
+// The camera of a frame from the landmarks of the window: windowed search around the expected
 // camera, robust solve, a second, narrower search around the solution, alignment of the patches
-// that it finds (`features`, those of the grid, move), solve again. Where the first search finds
-// too little, all recent descriptors are compared instead and RANSAC finds the camera. Empty where
-// fewer than tracking.min_inliers landmarks agree. A given camera is taken as it is.
+// that it finds (`features`, those of the grid, move), solve again. Where the first solution is in
+// doubt, it competes with the expected camera and with one found from descriptors alone
+// (METHOD.md 3.3). Empty where fewer than tracking.min_inliers landmarks agree.
 std::optional<CameraTrack> TrackCamera(const CameraTrackingOptions& options, const Window& window,
                                        const FeatureGrid& grid, std::span<StereoFeature> features,
-                                       const RigidTransform& predicted_world_from_camera,
-                                       bool is_given, Rng& rng);
+                                       const ExpectedCamera& expected, Rng& rng);
 
 }  // namespace cvo

@@ -15,6 +15,7 @@ class MotionModel {
   void Update(std::int64_t timestamp_ns, const RigidTransform& world_from_camera);
   // Identity before the first update.
   RigidTransform Predict(std::int64_t timestamp_ns) const;
+  bool HasVelocity() const { return updates_ > 1; }
 
  private:
   int updates_ = 0;

@@ -60,7 +60,8 @@ class VisualOdometry final : public Odometry {
       const ScopedStage stage(times, "track");
       track = TrackCamera(
           {options_.NoiseOfFeatures(), options_.orb, options_.matching, options_.tracking}, window_,
-          scene_grid, frame.features, predicted, frame.given.world_from_camera.has_value(), rng_);
+          scene_grid, frame.features,
+          {predicted, frame.given.world_from_camera.has_value(), motion_.HasVelocity()}, rng_);
     }
     if (!track && !StartsMap(report.features)) return EndLost(predicted, report);
     if (!track) Restart();

@@ -27,6 +27,7 @@ struct Folder {
   std::vector<RigidTransform> left_from_world;
   ObjectTable objects;
   double focal_baseline_px_m = 0.0;
+  double image_px = 0.0;
 };
 
 RigidTransform ReadPose(const TextFile& file, std::size_t row) {
@@ -59,6 +60,7 @@ Folder ReadFolder(const fs::path& path) {
   const Json scene = ReadJson(path / "scene.json");
   const Json rig = scene.value("rig", Json::object());
   folder.focal_baseline_px_m = rig.value("focal_px", 0.0) * rig.value("baseline_m", 0.0);
+  folder.image_px = rig.value("width_px", 0.0) * rig.value("height_px", 0.0);
   return folder;
 }
 
@@ -115,6 +117,14 @@ void AddBody(const Folder& folder, std::size_t body, Diversity& diversity) {
   diversity.contrast.push_back(ContrastOf(folder, best_frame, static_cast<int>(body) + 1));
 }
 
+double MovingPart(const FrameTruth& frame, double image_px) {
+  double moving_px = 0.0;
+  for (const BodyTruth& body : frame.bodies) {
+    if (body.state.velocity_in_world.norm() > kMoving_mps) moving_px += body.visible_px;
+  }
+  return moving_px / image_px;
+}
+
 }  // namespace
 
 double Quantile(std::vector<double> values, double part) {
@@ -131,6 +141,9 @@ void AddSequence(const fs::path& folder, Diversity& diversity) {
   ++diversity.scenes;
   for (std::size_t body = 0; body < read.objects.names.size(); ++body) {
     AddBody(read, body, diversity);
+  }
+  for (const FrameTruth& frame : read.objects.frames) {
+    diversity.moving_part.push_back(MovingPart(frame, read.image_px));
   }
 }
 

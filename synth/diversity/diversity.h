@@ -8,7 +8,7 @@
 namespace cvo::synth {
 
 // How bodies of rendered sequences differ: one value for each body that is ever seen, but for
-// `hidden_s`, which has one for each time that a body is hidden.
+// `hidden_s`, which has one for each time that a body is hidden, and `moving_part`, of each frame.
 struct Diversity {
   int scenes = 0;
   std::vector<double> speed_mps;     // mean over the frames, of bodies that move
@@ -17,6 +17,7 @@ struct Diversity {
   std::vector<double> hidden_s;      // within the image with less than a tenth of it visible
   std::vector<double> contrast;      // standard deviation of grey levels on it, in one frame
   std::vector<double> disparity_px;  // median, of its middle
+  std::vector<double> moving_part;   // of the left image's pixels, those on bodies that move
 };
 
 // Reads the folder of a rendered sequence. Throws Error for what is missing in it.

@@ -17,9 +17,10 @@ using Eigen::Vector2d;
 
 constexpr double kMainWidth_m = 13.6;  // two lanes and two rows of parked cars
 constexpr double kSideWidth_m = 9.0;
-constexpr double kLane_m = 2.7;  // from the middle of the main road to a lane's
+constexpr double kLane_m = 2.7;
 constexpr double kSideLane_m = 2.25;
 constexpr double kParked_m = 5.65;
+constexpr Range kBodySpeed_mps = {0.1, 60.0};
 constexpr double kCorner_m = 16.1;
 constexpr double kMainStart_m = -80.0;
 constexpr double kEgoStart_m = 40.0;  // along the main road
@@ -49,7 +50,9 @@ class StreetLayout final : public Layout {
   std::optional<Json> Parked(BodyRequest& body) const;
 
   double duration_s_;
-  int turn_ = 0;  // 1 left, -1 right
+  double width_m_ = 0.0;  // of the main road
+  double lane_m_ = 0.0;   // from its middle to a lane's
+  int turn_ = 0;          // 1 left, -1 right
   double turn_at_m_ = 0.0;
   std::vector<double> crossings_m_;  // x of the roads across
   double main_end_m_ = 0.0;
@@ -63,7 +66,7 @@ class StreetLayout final : public Layout {
 StreetLayout::StreetLayout(double duration_s, ObjectReader& keys, Rng rng)
     : duration_s_(duration_s) {
   ObjectReader camera = keys.Object("camera");
-  ego_mps_ = camera.Number("speed_mps", {0.0, 30.0});
+  ego_mps_ = camera.Number("speed_mps", {0.0, 40.0});
   LayRoads(keys.Object("roads"), rng);
   PlaceCamera(camera, rng);
 }
@@ -74,6 +77,8 @@ void StreetLayout::LayRoads(ObjectReader keys, Rng& rng) {
   if (turn != "none" && turn != "left" && turn != "right") {
     ThrowError(keys.Where("turn"), Quoted(turn), "\"none\", \"left\" or \"right\"");
   }
+  width_m_ = keys.NumberOr("width_m", {4.0, 60.0}, kMainWidth_m);
+  lane_m_ = keys.NumberOr("lane_m", {1.0, 0.5 * width_m_ - 1.0}, kLane_m);
   const int crossings = std::max(keys.Integer("crossings", {0, 20}), turn == "none" ? 0 : 1);
   double x = kMainStart_m + kEgoStart_m;
   for (int i = 0; i < crossings; ++i) {
@@ -86,18 +91,19 @@ void StreetLayout::LayRoads(ObjectReader keys, Rng& rng) {
   if (turn_ != 0) turn_at_m_ = crossings_m_[0];
   turn_end_m_ = Millis(std::max(kSideHalf_m, way_m + kBeyond_m));
   Json roads =
-      Json::array({{{"points", {{kMainStart_m, 0}, {main_end_m_, 0}}}, {"width_m", kMainWidth_m}}});
+      Json::array({{{"points", {{kMainStart_m, 0}, {main_end_m_, 0}}}, {"width_m", width_m_}}});
   for (const double at : crossings_m_) {
     const bool turned_into = turn_ != 0 && at == turn_at_m_;
     const double end = turned_into ? turn_end_m_ : kSideHalf_m;
     const double low = turn_ < 0 && turned_into ? -end : -kSideHalf_m;
     const double high = turn_ > 0 && turned_into ? end : kSideHalf_m;
-    roads.push_back({{"points", {{at, low}, {at, high}}},
-                     {"width_m", turned_into ? kMainWidth_m : kSideWidth_m}});
+    roads.push_back(
+        {{"points", {{at, low}, {at, high}}}, {"width_m", turned_into ? width_m_ : kSideWidth_m}});
   }
   street_ = {{"roads", roads},
              {"building_height_m", keys.Number("building_height_m", {1.0, 200.0})},
              {"trees_per_100m", keys.Number("trees_per_100m", {0.0, 100.0})}};
+  if (keys.Has("pavement_m")) street_["pavement_m"] = keys.Number("pavement_m", {0.5, 50.0});
   keys.Finish();
 }
 
@@ -134,7 +140,7 @@ void StreetLayout::PlaceCamera(ObjectReader keys, Rng& rng) {
   Json route = {{"points", EgoPoints()},
                 {"corner_m", kCorner_m},
                 {"start_m", kEgoStart_m},
-                {"lateral_m", -kLane_m},
+                {"lateral_m", -lane_m_},
                 {"speed_mps", KnotsJson(ego_speed_, 0.0)}};
   camera_ = {{"route", route},
              {"height_m", Millis(keys.Number("height_m", {0.3, 5.0}))},
@@ -157,16 +163,17 @@ Json StreetLayout::Drive(BodyRequest& body, double speed_mps, double length_m) c
   return SpeedKnots({speed_mps, 0, duration_s_, length_m}, body.rng);
 }
 
-// The camera's way some metres ahead: the same speed at the same place.
+// The camera's way some metres ahead, in its lane or the next: the same speed at the same place.
 std::optional<Json> StreetLayout::Lead(BodyRequest& body) const {
   const double gap_m = body.keys.Number("gap_m", {3.0, 200.0});
+  const bool in_next_lane = body.keys.BoolOr("in_next_lane", false);
   if (ego_mps_ < 0.5) return std::nullopt;
-  return Route(EgoPoints(), -kLane_m, kEgoStart_m + gap_m, KnotsJson(ego_speed_, gap_m / ego_mps_));
+  return Route(EgoPoints(), in_next_lane ? lane_m_ : -lane_m_, kEgoStart_m + gap_m, KnotsJson(ego_speed_, gap_m / ego_mps_));
 }
 
 // Meets the camera at a random time, on the main road or on the one it turned into.
 std::optional<Json> StreetLayout::Oncoming(BodyRequest& body) const {
-  const double speed_mps = body.keys.Number("speed_mps", {0.1, 40.0});
+  const double speed_mps = body.keys.Number("speed_mps", kBodySpeed_mps);
   const auto& ego = body.placed.camera().world_from_body;
   const double part = body.rng.Uniform(0.15, 1.0);
   const auto i = static_cast<std::size_t>(part * static_cast<double>(ego.size() - 1));
@@ -179,32 +186,33 @@ std::optional<Json> StreetLayout::Oncoming(BodyRequest& body) const {
   const Json points = turned ? Json{{turn_at_m_, end}, {turn_at_m_, -turn_ * kSideHalf_m}}
                              : Json{{main_end_m_, 0}, {kMainStart_m, 0}};
   const double length_m = turned ? turn_end_m_ + kSideHalf_m : main_end_m_ - kMainStart_m;
-  return Route(points, -kLane_m, start_m, Drive(body, speed_mps, 0.98 * length_m - start_m));
+  return Route(points, -lane_m_, start_m, Drive(body, speed_mps, 0.98 * length_m - start_m));
 }
 
 // Crosses the main road at a random time.
 std::optional<Json> StreetLayout::Crossing(BodyRequest& body) const {
-  const double speed_mps = body.keys.Number("speed_mps", {0.1, 40.0});
+  const double speed_mps = body.keys.Number("speed_mps", kBodySpeed_mps);
   if (crossings_m_.empty()) return std::nullopt;
   const double x = crossings_m_[body.rng.UniformInt(crossings_m_.size())];
   const double up = body.rng.UniformInt(2) == 0 ? 1.0 : -1.0;
   const double start_m = kSideHalf_m - speed_mps * body.rng.Uniform(0.05, 1.0) * duration_s_;
   if (start_m < 0.0) return std::nullopt;
   const Json points = {{x, -up * kSideHalf_m}, {x, up * kSideHalf_m}};
-  return Route(points, x == turn_at_m_ && turn_ != 0 ? -kLane_m : -kSideLane_m, start_m,
+  return Route(points, x == turn_at_m_ && turn_ != 0 ? -lane_m_ : -kSideLane_m, start_m,
                Drive(body, speed_mps, 0.98 * 2.0 * kSideHalf_m - start_m));
 }
 
 // Passes the camera in the other lane.
 std::optional<Json> StreetLayout::Overtaking(BodyRequest& body) const {
   constexpr double kFaster = 1.25;
-  const double speed_mps = std::max(body.keys.Number("speed_mps", {0.1, 40.0}), kFaster * ego_mps_);
+  const double speed_mps =
+      std::max(body.keys.Number("speed_mps", kBodySpeed_mps), kFaster * ego_mps_);
   if (turn_ != 0) return std::nullopt;
   const double start_m =
       kEgoStart_m - body.rng.Uniform(0.0, 0.6) * duration_s_ * (speed_mps - ego_mps_);
   if (start_m < 0.0) return std::nullopt;
   const double length_m = main_end_m_ - kMainStart_m;
-  return Route(EgoPoints(), kLane_m, start_m, Drive(body, speed_mps, 0.98 * length_m - start_m));
+  return Route(EgoPoints(), lane_m_, start_m, Drive(body, speed_mps, 0.98 * length_m - start_m));
 }
 
 std::optional<Json> StreetLayout::Parked(BodyRequest& body) const {

@@ -28,6 +28,7 @@ constexpr const char* kSuite = R"({
 })";
 constexpr const char* kKinds[] = {"fail", "kill", "short"};
 constexpr int kKilled = 128 + 9;
+constexpr std::uint64_t kPointsOfALine = 100;
 
 struct Fault {
   std::string kind;
@@ -52,6 +53,7 @@ class FaultTest {
     for (std::uint64_t i = 0; i < points; ++i) {
       const std::uint64_t fault = i * faults / points;
       ++outcomes[Try({kKinds[fault / calls], 1 + fault % calls})];
+      if ((i + 1) % kPointsOfALine == 0) std::cout << i + 1 << " of " << points << std::endl;
     }
     for (const auto& [outcome, count] : outcomes) std::cout << count << " x " << outcome << '\n';
   }

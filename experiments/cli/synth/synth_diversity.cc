@@ -34,11 +34,12 @@ int PrintDiversity(const std::vector<std::string>& folders) {
   std::map<std::string, synth::Diversity> families;
   for (const std::string& folder : folders) synth::AddSequence(folder, families[FamilyOf(folder)]);
   TextTable table({"family", "scenes", "bodies", "speed [m/s]", "height [px]", "visible [s]",
-                   "hidden [s]", "contrast [grey]", "disparity [px]"});
+                   "hidden [s]", "contrast [grey]", "disparity [px]", "moving [1]"});
   for (const auto& [name, found] : families) {
     table.Add({name, std::to_string(found.scenes), std::to_string(found.size_px.size()),
                Spread(found.speed_mps), Spread(found.size_px), Spread(found.visible_s),
-               Spread(found.hidden_s), Spread(found.contrast), Spread(found.disparity_px)});
+               Spread(found.hidden_s), Spread(found.contrast), Spread(found.disparity_px),
+               Spread(found.moving_part)});
   }
   table.Print(std::cout);
   return 0;
@@ -47,9 +48,10 @@ int PrintDiversity(const std::vector<std::string>& folders) {
 }  // namespace
 
 Command AddSynthDiversityCommand(CLI::App& synth) {
-  CLI::App* app = synth.add_subcommand(
-      "diversity",
-      "Show how the bodies of rendered sequences vary: 10 % / median / 90 % quantiles by family");
+  CLI::App* app = synth.add_subcommand("diversity",
+                                       "Show how the bodies of rendered sequences vary: 10 % / "
+                                       "median / 90 % quantiles by family; moving: of the "
+                                       "pixels of a frame, those on bodies that move");
   const auto folders = std::make_shared<std::vector<std::string>>();
   app->add_option("DIR", *folders, "folders of rendered sequences")->type_name("")->required();
   app->footer("Example: clustervo synth diversity room_0 room_1 street_0");

@@ -76,6 +76,33 @@ TEST(SolveCameraRansac, FindsTheCameraAmongSixtyPercentOfOutliers) {
   EXPECT_GE(solution->inliers, 55);
 }
 
+// A vehicle ahead has twice as many points as the scene, in a small part of the image.
+TEST(SolveCameraRansac, PrefersWhatCoversMoreOfTheImage) {
+  Rng rng(6, "ransac");
+  std::vector<PointMeasurement> measurements = Measure(100, 0, 0.3, rng);
+  const RigidTransform other =
+      kTruth * RigidTransform(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.0, 0.0, -0.8));
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Vector3d p_in_camera(rng.Uniform(-1, 1), rng.Uniform(-1, 1), rng.Uniform(6, 7));
+    measurements.push_back(
+        {other * p_in_camera, *kCamera.Project(p_in_camera), Eigen::Matrix3d::Identity()});
+  }
+  const auto solution = SolveCameraRansac(kCamera, measurements, {}, 300, 20, rng);
+  ASSERT_TRUE(solution);
+  EXPECT_LT(kTruth.Minus(solution->world_from_camera).norm(), 0.02);
+}
+
+TEST(CoveredCells, AreThoseOfInliersAndOfTheNearestCellOutsideTheImage) {
+  const auto at = [](double u_px, double v_px) {
+    return PointMeasurement{{}, {u_px, v_px, u_px - 5.0}, Eigen::Matrix3d::Identity()};
+  };
+  const std::vector<PointMeasurement> measurements = {at(0, 0), at(103, 31), at(104, 31),
+                                                      at(-0.4, -0.4), at(1241.9, 374.9)};
+  EXPECT_EQ(CoveredCells(kCamera, measurements, std::vector<char>{1, 1, 1, 1, 1}), 3);
+  EXPECT_EQ(CoveredCells(kCamera, measurements, std::vector<char>{1, 1, 0, 1, 1}), 2);
+  EXPECT_EQ(CoveredCells(kCamera, measurements, std::vector<char>{0, 0, 0, 0, 0}), 0);
+}
+
 TEST(SolveCameraRansac, GivesNothingWhereNothingAgrees) {
   Rng rng(4, "ransac");
   EXPECT_FALSE(SolveCameraRansac(kCamera, Measure(60, 60, 0.3, rng), {}, 300, 20, rng));

@@ -190,6 +190,30 @@ TEST_P(EveryVariant, IgnoresABodyThatMovesOnItsOwn) {
   EXPECT_LT(PositionError(run.trajectory.back(), 19), 0.05);
 }
 
+TEST_P(EveryVariant, DoesNotTakeTheMotionOfAVehicleAheadForItsOwn) {
+  // It has as many features as the scene, fewer than a tenth of the image, and the camera's speed.
+  FeatureWorld world(7);
+  TaskPool pool(1);
+  const auto odometry = MakeOdometry(GetParam(), world, pool);
+  Rng rng(3, "vehicle");
+  std::vector<StereoFeature> vehicle(500);
+  for (StereoFeature& feature : vehicle) {
+    const double u_px = rng.Uniform(240.0, 400.0);
+    feature.z_px = {u_px, rng.Uniform(180.0, 330.0), u_px - 30.0};
+    feature.disagreement_px = testing::DisagreementOf(0.1);
+    for (std::uint64_t& word : feature.descriptor) word = rng.NextU64();
+  }
+  StageTimes times;
+  for (int i = 0; i < 10; ++i) {
+    const RigidTransform truth = FeatureWorld::CameraAt(i, 0.8);
+    StereoFrame frame = world.Observe(truth, i * kInterval_ns, 0.2);
+    frame.features.insert(frame.features.end(), vehicle.begin(), vehicle.end());
+    const FrameReport report = odometry->Process(frame, times);
+    EXPECT_LT((report.world_from_camera.translation() - truth.translation()).norm(), 0.1)
+        << "frame " << i;
+  }
+}
+
 TEST(MotionModel, ContinuesATurnAtAnyInterval) {
   const RigidTransform step(ExpSo3({0.0, 0.1, 0.0}), Eigen::Vector3d(0.0, 0.0, 1.0));
   MotionModel model;

@@ -1,12 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// suite_kills KILLS [SEED]: runs a suite undisturbed, then again and again with that many SIGKILLs
-// at random moments, of the runner, of a worker or of all of them, resuming after each. Every file
-// of every result, and the table, must be the same bytes.
+// suite_kills KILLS [SEED [slurm]]: runs a suite undisturbed, then again and again, by two runners
+// at once, each with a folder of its own and both with one cache. At random moments a runner, a
+// worker or all processes are killed, the disk is full for a while, or everything on it comes from
+// the future, as after a clock was set back. What ended is started again. Every file of every
+// result, and the tables, must be the same bytes. `slurm`: the jobs go to a Slurm of this program's
+// own, of which the controller and the node's daemon are killed too.
 #include <fcntl.h>
+#include <sched.h>
+#include <sys/mount.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -14,11 +20,13 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <thread>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
+#include "tests/experiments/jobs/slurm/slurm_cluster.h"
 #include "tests/experiments/jobs/wait_until.h"
 #include "tests/experiments/runner/tiny_sequence.h"
 #include "tests/support/temp_folder.h"
@@ -36,6 +44,7 @@ constexpr const char* kSuite = R"({
   "variants": ["full", "static"], "seeds": 2,
   "table": {"rows": ["variant"], "metrics": ["camera_ate"], "reference": "full"}
 })";
+constexpr int kRunners = 2;
 
 // The processes that a runner has at this moment.
 std::vector<pid_t> WorkersOf(pid_t runner) {
@@ -53,50 +62,91 @@ bool IsGone(pid_t process) {
   return !(in >> number >> name >> state) || state == "Z";
 }
 
+// A folder on a file system of its own, of a gigabyte of memory, that only this program and what it
+// starts sees; where the system grants none, any folder.
+class Disk {
+ public:
+  Disk() {
+    has_own_ = ::unshare(CLONE_NEWNS) == 0 &&
+               ::mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
+               ::mount("tmpfs", folder_.path().c_str(), "tmpfs", 0, "size=1g") == 0;
+  }
+  ~Disk() {
+    if (has_own_) ::umount2(folder_.path().c_str(), MNT_DETACH);
+  }
+  Disk(const Disk&) = delete;
+  Disk& operator=(const Disk&) = delete;
+
+  const TempFolder& folder() const { return folder_; }
+  bool CanBeFull() const { return has_own_; }
+  void Fill() const {
+    const int fd = ::open(filler().c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    const auto free = static_cast<off_t>(fs::space(folder_.path()).available);
+    Require(fd >= 0 && (::posix_fallocate(fd, 0, std::max<off_t>(free, 1)) == 0 || free == 0),
+            "filler");
+    ::close(fd);
+  }
+  void Empty() const { fs::remove(filler()); }
+
+ private:
+  fs::path filler() const { return folder_.path() / "filler"; }
+
+  TempFolder folder_;
+  bool has_own_ = false;
+};
+
+// The suite in folders of its own; what each of its runners makes is under the runner's number.
 class Suite {
  public:
-  explicit Suite(const TempFolder& folder) : folder_(folder.path()) {
-    suite_ = folder.Write("suite.json", kSuite).string();
+  Suite(const fs::path& folder, bool on_slurm) : folder_(folder), on_slurm_(on_slurm) {
+    std::ofstream(folder_ / "suite.json") << kSuite;
     WriteTinySequence(folder_ / "data" / "wall", 8);
-    ::setenv("CLUSTERVO_CACHE", (folder_ / "cache").c_str(), 1);
+    ::setenv("CLUSTERVO_CACHE", cache().c_str(), 1);
   }
 
-  fs::path out() const { return folder_ / "out"; }
+  fs::path out(int runner) const { return folder_ / StrCat("out", runner); }
   fs::path cache() const { return folder_ / "cache"; }
+  // Not on the disk that may be full.
+  std::string Log(int runner) const { return ReadFile(log(runner)); }
 
-  pid_t Start() const {
-    return Start(
-        {"run", suite_, "-o", out().string(), "--data", (folder_ / "data").string(), "-j", "2"});
+  pid_t Start(int runner) const {
+    std::vector<std::string> run = {
+        "run",    (folder_ / "suite.json").string(), "-o", out(runner).string(),
+        "--data", (folder_ / "data").string(),       "-j", "2"};
+    if (on_slurm_) run.insert(run.end(), {"--engine", "slurm"});
+    return Start(runner, std::move(run));
   }
-  pid_t StartTable() const { return Start({"table", out().string()}); }
-  std::string Log() const { return ReadFile(folder_ / "log"); }
+  pid_t StartTable(int runner) const { return Start(runner, {"table", out(runner).string()}); }
 
   // Everything that a result consists of; no leftovers are among it.
-  Files Results() const {
+  Files Results(int runner) const {
     Files files;
     for (const char* part : {"jobs", "failed"}) {
-      for (const auto& entry : fs::recursive_directory_iterator(out() / part)) {
-        const std::string name = entry.path().lexically_relative(out()).string();
+      for (const auto& entry : fs::recursive_directory_iterator(out(runner) / part)) {
+        const std::string name = entry.path().lexically_relative(out(runner)).string();
         if (!entry.is_regular_file() || name.ends_with("timing.json")) continue;
         files[name] = ReadFile(entry.path());
       }
     }
-    for (const char* name : {"plan.json", "table.json"}) files[name] = ReadFile(out() / name);
+    for (const char* name : {"plan.json", "table.json"}) {
+      files[name] = ReadFile(out(runner) / name);
+    }
     return files;
   }
 
  private:
+  fs::path log(int runner) const { return logs_.path() / StrCat("log", runner); }
+
   // `clustervo experiment ...`
-  pid_t Start(std::vector<std::string> arguments) const {
+  pid_t Start(int runner, std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), {CVO_PROGRAM, "experiment"});
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
-    const std::string log = (folder_ / "log").string();
-    const pid_t runner = ::fork();
-    Require(runner >= 0, "fork");
-    if (runner > 0) return runner;
-    const int fd = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    const pid_t started = ::fork();
+    Require(started >= 0, "fork");
+    if (started > 0) return started;
+    const int fd = ::open(log(runner).c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
     ::dup2(fd, STDOUT_FILENO);
     ::dup2(fd, STDERR_FILENO);
     ::execv(argv[0], argv.data());
@@ -104,7 +154,8 @@ class Suite {
   }
 
   fs::path folder_;
-  std::string suite_;
+  TempFolder logs_;
+  bool on_slurm_ = false;
 };
 
 // The exit code, 128 + signal where one ended it.
@@ -121,87 +172,185 @@ bool HasEnded(pid_t runner) {
          info.si_pid == runner;
 }
 
-enum class KillTarget { kRunner, kWorker, kAll };
+// A runner at work. What it may end with depends on what was done to it since it was started.
+struct Runner {
+  int number = 0;
+  pid_t process = 0;  // 0: not running
+  bool done = false;
+  bool killed = false;
+  bool may_fail = false;  // a worker was killed, or the disk was full
+};
 
 class KillTest {
  public:
-  KillTest(const TempFolder& folder, std::uint64_t seed) : suite_(folder), rng_(seed, "kills") {}
-
-  void Run(int kills) {
-    const auto start = Clock::now();
-    const int code = WaitFor(suite_.Start());
-    if (code != 0) throw Error(StrCat("exit code ", code, ": ", suite_.Log()));
-    const std::chrono::duration<double> undisturbed = Clock::now() - start;
-    MakeTable();
-    expected_ = suite_.Results();
-    std::cout << expected_.size() << " files in " << undisturbed.count() << " s undisturbed\n";
-    fs::remove_all(suite_.cache());  // the first round renders under fire
-    while (kills_ < kills) {
-      fs::remove_all(suite_.out());
-      fs::remove_all(suite_.cache() / "frontend");
-      Round(kills, 0.5 * undisturbed.count());
-      MakeTable();
-      Compare();
+  KillTest(std::uint64_t seed, bool on_slurm)
+      : suite_(disk_.folder().path(), on_slurm), rng_(seed, "kills") {
+    if (on_slurm) cluster_.emplace();
+    if (on_slurm && !cluster_->missing().empty()) throw Error(cluster_->missing());
+    disturbances_ = {{"a runner killed", &KillTest::KillRunner},
+                     {"a worker killed", &KillTest::KillWorker},
+                     {"all killed", &KillTest::KillAll},
+                     {"files from the future", &KillTest::SetClockBack}};
+    if (disk_.CanBeFull()) disturbances_.push_back({"disk full", &KillTest::FillDisk});
+    if (on_slurm) {
+      // Workers are Slurm's.
+      disturbances_.erase(disturbances_.begin() + 1, disturbances_.begin() + 3);
+      disturbances_.push_back({"Slurm's controller killed", &KillTest::KillController});
+      disturbances_.push_back({"Slurm's daemon killed", &KillTest::KillNode});
     }
-    std::cout << kills_ << " kills: " << counts_[KillTarget::kRunner] << " of the runner, "
-              << counts_[KillTarget::kWorker] << " of a worker, " << counts_[KillTarget::kAll]
-              << " of all; every result and the table the same bytes\n";
+  }
+
+  void Run(int count) {
+    const auto start = Clock::now();
+    Finish(suite_.Start(0));
+    const std::chrono::duration<double> undisturbed = Clock::now() - start;
+    Finish(suite_.StartTable(0));
+    expected_ = suite_.Results(0);
+    std::cout << expected_.size() << " files in " << undisturbed.count() << " s undisturbed"
+              << std::endl;
+    fs::remove_all(suite_.cache());  // the first round renders under fire
+    const auto first = Clock::now();
+    while (disturbed_ < count) {
+      for (int i = 0; i < kRunners; ++i) fs::remove_all(suite_.out(i));
+      fs::remove_all(suite_.cache() / "frontend");
+      if (++rounds_ % kRoundsOfADrawing == 0) fs::remove_all(suite_.cache());
+      Round(count, 0.5 * undisturbed.count());
+      for (int i = 0; i < kRunners; ++i) {
+        Finish(suite_.StartTable(i));
+        Compare(i);
+      }
+      const std::chrono::duration<double> took = Clock::now() - first;
+      std::cout << "round " << rounds_ << ": " << disturbed_ << " of " << count << ", "
+                << static_cast<int>(took.count()) << " s" << std::endl;
+    }
+    for (const auto& [what, times] : counts_) std::cout << times << " x " << what << '\n';
+    std::cout << rounds_ << " rounds of " << kRunners
+              << " runners: every result and table the same bytes\n";
   }
 
  private:
-  void MakeTable() const {
-    const int code = WaitFor(suite_.StartTable());
-    if (code != 0) throw Error(StrCat("table: exit code ", code, ": ", suite_.Log()));
-  }
+  static constexpr int kRoundsOfADrawing = 10;
+  struct Disturbance {
+    const char* what = "";
+    // False: there was nothing to disturb.
+    bool (KillTest::*act)(Runner&) = nullptr;
+  };
 
-  // Until the suite is done, or undisturbed once there were enough kills.
-  void Round(int kills, double longest_s) {
-    for (;;) {
-      const pid_t runner = suite_.Start();
-      bool worker_killed = false;
-      while (kills_ < kills && !WaitOrEnd(runner, rng_.Uniform(0.0, longest_s))) {
-        const KillTarget target = Kill(runner);
-        ++kills_;
-        ++counts_[target];
-        worker_killed = target == KillTarget::kWorker;
-        if (!worker_killed) break;
-      }
-      const int code = WaitFor(runner);
-      if (code == 0) return;
-      const bool expected = code == 128 + SIGKILL || (code == 1 && worker_killed);
-      if (!expected) throw Error(StrCat("exit code ", code, ": ", suite_.Log()));
+  void Finish(pid_t process) const {
+    if (const int code = WaitFor(process); code != 0) {
+      throw Error(StrCat("exit code ", code, ": ", suite_.Log(0)));
     }
   }
 
-  // Whether the runner ended before the time was over.
-  static bool WaitOrEnd(pid_t runner, double seconds) {
+  // Until the suites of all runners are done; undisturbed once there was enough.
+  void Round(int count, double longest_s) {
+    for (int i = 0; i < kRunners; ++i) runners_[static_cast<std::size_t>(i)] = Runner{.number = i};
+    for (;;) {
+      for (Runner& runner : runners_) {
+        if (!runner.done && runner.process == 0) {
+          runner.process = suite_.Start(runner.number);
+          runner.killed = runner.may_fail = false;
+        }
+      }
+      const bool disturb = disturbed_ < count;
+      WaitUntilAnyEnds(disturb ? rng_.Uniform(0.0, longest_s) : kPatience_s);
+      Runner* const victim = &runners_[rng_.UniformInt(kRunners)];
+      if (disturb && victim->process != 0 && !HasEnded(victim->process)) Disturb(*victim);
+      bool all_done = true;
+      for (Runner& runner : runners_) {
+        if (runner.process != 0 && (runner.killed || HasEnded(runner.process))) Judge(runner);
+        all_done = all_done && runner.done;
+      }
+      if (all_done) return;
+    }
+  }
+
+  void Disturb(Runner& runner) {
+    const Disturbance& drawn = disturbances_[rng_.UniformInt(disturbances_.size())];
+    if (!(this->*drawn.act)(runner)) return;
+    ++disturbed_;
+    ++counts_[drawn.what];
+  }
+
+  void WaitUntilAnyEnds(double seconds) const {
     const auto end = Clock::now() + std::chrono::duration<double>(seconds);
-    while (Clock::now() < end && !HasEnded(runner)) {
+    while (Clock::now() < end) {
+      for (const Runner& runner : runners_) {
+        if (runner.process != 0 && HasEnded(runner.process)) return;
+      }
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    return HasEnded(runner);
   }
 
-  KillTarget Kill(pid_t runner) {
-    auto target = static_cast<KillTarget>(rng_.UniformInt(3));
-    const std::vector<pid_t> workers = WorkersOf(runner);
-    if (workers.empty()) target = KillTarget::kRunner;
-    if (target == KillTarget::kWorker) {
-      ::kill(workers[rng_.UniformInt(workers.size())], SIGKILL);
-      return target;
+  void Judge(Runner& runner) const {
+    const int code = WaitFor(runner.process);
+    const std::string log = suite_.Log(runner.number);
+    const bool expected = code == 0 || (code == 128 + SIGKILL && runner.killed) ||
+                          ((code == 1 || code == 2) && runner.may_fail);
+    if (!expected || log.find("internal") != std::string::npos) {
+      throw Error(StrCat("runner ", runner.number, ": exit code ", code, ": ", log));
     }
-    ::kill(runner, SIGKILL);
-    if (target == KillTarget::kAll) {
-      for (const pid_t worker : workers) ::kill(worker, SIGKILL);
-    }
+    runner.done = code == 0;
+    runner.process = 0;
+  }
+
+  bool KillRunner(Runner& runner) {
+    const std::vector<pid_t> workers = WorkersOf(runner.process);
+    ::kill(runner.process, SIGKILL);
+    runner.killed = true;
     for (const pid_t worker : workers) {
       if (!WaitUntil([worker] { return IsGone(worker); })) throw Error("a worker lives on");
     }
-    return target;
+    return true;
+  }
+  bool KillWorker(Runner& runner) {
+    const std::vector<pid_t> workers = WorkersOf(runner.process);
+    if (workers.empty()) return false;
+    ::kill(workers[rng_.UniformInt(workers.size())], SIGKILL);
+    return runner.may_fail = true;
+  }
+  bool KillAll(Runner&) {
+    for (Runner& runner : runners_) {
+      if (runner.process == 0) continue;
+      for (const pid_t worker : WorkersOf(runner.process)) ::kill(worker, SIGKILL);
+      KillRunner(runner);
+    }
+    return true;
+  }
+  // As if all were written before the clock was set back by a day.
+  bool SetClockBack(Runner&) {
+    std::error_code gone;  // files go while this looks at them
+    fs::recursive_directory_iterator at(disk_.folder().path(), gone);
+    for (; !gone && at != fs::recursive_directory_iterator(); at.increment(gone)) {
+      std::error_code ignored;
+      fs::last_write_time(at->path(), fs::file_time_type::clock::now() + std::chrono::hours(24),
+                          ignored);
+    }
+    return true;
+  }
+  bool FillDisk(Runner&) {
+    disk_.Fill();
+    for (Runner& runner : runners_) runner.may_fail = true;
+    std::this_thread::sleep_for(std::chrono::duration<double>(rng_.Uniform(0.0, 1.0)));
+    disk_.Empty();
+    return true;
+  }
+  // After a crash it may not know what it had started: those tasks run again.
+  bool KillController(Runner& runner) {
+    cluster_->KillController();
+    std::this_thread::sleep_for(std::chrono::duration<double>(rng_.Uniform(0.0, 1.0)));
+    cluster_->StartController();
+    return runner.may_fail = true;
+  }
+  bool KillNode(Runner& runner) {
+    cluster_->KillNode();
+    std::this_thread::sleep_for(std::chrono::duration<double>(rng_.Uniform(0.0, 1.0)));
+    cluster_->StartNode();
+    return runner.may_fail = true;
   }
 
-  void Compare() const {
-    const Files files = suite_.Results();
+  void Compare(int runner) const {
+    const Files files = suite_.Results(runner);
     for (const auto& [name, content] : expected_) {
       const auto found = files.find(name);
       if (found == files.end()) throw Error(StrCat(name, " is not there"));
@@ -212,22 +361,28 @@ class KillTest {
     }
   }
 
+  static constexpr double kPatience_s = 0.2;
+  std::optional<SlurmCluster> cluster_;
+  Disk disk_;
   Suite suite_;
   Rng rng_;
+  std::vector<Disturbance> disturbances_;
+  std::array<Runner, kRunners> runners_;
   Files expected_;
-  int kills_ = 0;
-  std::map<KillTarget, int> counts_;
+  int disturbed_ = 0;
+  int rounds_ = 0;
+  std::map<std::string, int> counts_;
 };
 
 int Main(int argc, char** argv) {
-  const int kills = argc > 1 ? std::atoi(argv[1]) : 0;
-  if (kills <= 0) {
-    std::cerr << "suite_kills KILLS [SEED]\n";
+  const int count = argc > 1 ? std::atoi(argv[1]) : 0;
+  const bool on_slurm = argc > 3 && std::string(argv[3]) == "slurm";
+  if (count <= 0 || (argc > 3 && !on_slurm)) {
+    std::cerr << "suite_kills KILLS [SEED [slurm]]\n";
     return 2;
   }
-  const TempFolder folder;
   try {
-    KillTest(folder, argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1).Run(kills);
+    KillTest(argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1, on_slurm).Run(count);
     return 0;
   } catch (const std::exception& error) {
     std::cerr << "suite_kills: " << error.what() << '\n';

@@ -52,7 +52,9 @@ void WriteOneBox(const std::filesystem::path& folder) {
   WriteFileBytes(folder / "times.txt", times);
   WriteFileBytes(folder / "poses.txt", poses);
   WriteFileBytes(folder / "objects.csv", objects);
-  WriteFileBytes(folder / "scene.json", R"({"rig": {"focal_px": 100, "baseline_m": 0.2}})");
+  WriteFileBytes(
+      folder / "scene.json",
+      R"({"rig": {"focal_px": 100, "baseline_m": 0.2, "width_px": 100, "height_px": 80}})");
   cv::Mat image(80, 100, CV_8UC1, cv::Scalar(50));
   image.rowRange(20, 40).setTo(70);
   cv::Mat ids(80, 100, CV_16UC1, cv::Scalar(0));
@@ -73,6 +75,7 @@ TEST(Diversity, OfABodyThatIsHiddenOnce) {
   EXPECT_THAT(found.hidden_s, ElementsAre(DoubleNear(0.1, 1e-6)));
   EXPECT_THAT(found.contrast, ElementsAre(DoubleNear(10.0, 1e-6)));
   EXPECT_THAT(found.disparity_px, ElementsAre(DoubleNear(20.0 / 4.5, 1e-6)));
+  EXPECT_THAT(found.moving_part, ElementsAre(300.0 / 8000, 0.0, 298.0 / 8000));
 }
 
 TEST(Diversity, NamesMissingFiles) {

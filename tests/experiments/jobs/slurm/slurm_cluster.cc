@@ -157,7 +157,7 @@ SlurmCluster::SlurmCluster()
   WriteConfig();
   ::setenv("SLURM_CONF", (folder() / "slurm.conf").c_str(), 1);
   const std::string munge = (folder() / "munge").string();
-  others_.push_back(
+  munge_.push_back(
       Daemon({ProgramPath("munged"), "--foreground", "--force", "--key-file=" + munge + "/key",
               "--socket=" + munge + "/socket", "--pid-file=" + munge + "/pid",
               "--log-file=" + munge + "/log", "--seed-file=" + munge + "/seed"},
@@ -166,12 +166,12 @@ SlurmCluster::SlurmCluster()
     std::this_thread::sleep_for(milliseconds(100));
   }
   StartController();
-  others_.push_back(Daemon({ProgramPath("slurmd"), "-D"}, folder() / "slurmd.out"));
+  StartNode();
   if (!WaitUntilReady()) missing_ = "Slurm does not come up: " + ReadFile(folder() / "slurmd.out");
 }
 
 SlurmCluster::~SlurmCluster() {
-  if (controller_.empty() || others_.size() < 2) return;
+  if (controller_.empty() || daemon_.empty()) return;
   Run({"scancel", StrCat("--user=", ::geteuid())});
   for (int i = 0; i < kTries; ++i) {
     const Captured queue = Run({"squeue", "--noheader"});
@@ -189,6 +189,14 @@ void SlurmCluster::StopController() {
   for (Daemon& daemon : controller_) daemon.Await();
   controller_.clear();
 }
+
+void SlurmCluster::KillController() { controller_.clear(); }
+
+void SlurmCluster::StartNode() {
+  daemon_.push_back(Daemon({ProgramPath("slurmd"), "-D"}, folder() / "slurmd.out"));
+}
+
+void SlurmCluster::KillNode() { daemon_.clear(); }
 
 void SlurmCluster::WriteConfig() const {
   for (const char* name : {"munge", "state", "spool"}) {

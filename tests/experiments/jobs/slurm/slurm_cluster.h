@@ -56,6 +56,10 @@ class SlurmCluster {
   void StartController();
   // Slurm writes its state down first: after a crash it may not know what it had started.
   void StopController();
+  void KillController();
+  // The daemon of the node; tasks that it has started go on without it.
+  void StartNode();
+  void KillNode();
 
  private:
   void WriteConfig() const;
@@ -65,8 +69,9 @@ class SlurmCluster {
   SlurmGuard guard_;
   std::string node_;
   std::string missing_;
-  std::vector<Daemon> others_;      // munged, slurmd
+  std::vector<Daemon> munge_;       // munged
   std::vector<Daemon> controller_;  // slurmctld; empty: it is down
+  std::vector<Daemon> daemon_;      // slurmd; empty: it is down
 };
 
 // What a program printed. Throws Error where it fails.
