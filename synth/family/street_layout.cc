@@ -168,7 +168,8 @@ std::optional<Json> StreetLayout::Lead(BodyRequest& body) const {
   const double gap_m = body.keys.Number("gap_m", {3.0, 200.0});
   const bool in_next_lane = body.keys.BoolOr("in_next_lane", false);
   if (ego_mps_ < 0.5) return std::nullopt;
-  return Route(EgoPoints(), in_next_lane ? lane_m_ : -lane_m_, kEgoStart_m + gap_m, KnotsJson(ego_speed_, gap_m / ego_mps_));
+  return Route(EgoPoints(), in_next_lane ? lane_m_ : -lane_m_, kEgoStart_m + gap_m,
+               KnotsJson(ego_speed_, gap_m / ego_mps_));
 }
 
 // Meets the camera at a random time, on the main road or on the one it turned into.
