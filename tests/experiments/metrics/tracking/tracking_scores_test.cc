@@ -169,6 +169,16 @@ TEST(TrackingScores, IdentitiesOfMostBoxes) {
   EXPECT_DOUBLE_EQ(EvaluateIdentities(OneBody({0, 0}, 0.49)).idf1, 0.0);
 }
 
+TEST(TrackingScores, OfOneBox) {
+  const IdentityScores identities = EvaluateIdentities(OneBody({0}));
+  EXPECT_DOUBLE_EQ(identities.recall, 1.0);
+  EXPECT_DOUBLE_EQ(identities.precision, 1.0);
+  EXPECT_DOUBLE_EQ(identities.idf1, 1.0);
+  const HotaScores hota = EvaluateHota(OneBody({0}));
+  EXPECT_DOUBLE_EQ(hota.det_a, 1.0);
+  EXPECT_DOUBLE_EQ(hota.ass_a, 1.0);
+}
+
 TEST(TrackingScores, EachSwitchCounts) {
   const ClearScores clear = EvaluateClear(OneBody({0, 1, -1, 0, 0}));
   EXPECT_EQ(clear.switches, 2) << "also across a gap";
