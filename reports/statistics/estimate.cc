@@ -40,7 +40,7 @@ std::optional<double> EffectSize(const Differences& differences, double differen
   double variance = 0.0;
   for (const double d : all) variance += (d - mean) * (d - mean) / (n - 1.0);
   // All alike up to rounding: their spread says nothing.
-  if (std::sqrt(variance) <= 1e-12 * std::abs(mean) || variance == 0.0) return std::nullopt;
+  if (std::sqrt(variance) <= 1e-12 * std::abs(mean)) return std::nullopt;
   return difference / std::sqrt(variance);
 }
 

@@ -122,5 +122,77 @@ TEST(SolveCameraRansac, SameSeedSameCamera) {
   }
 }
 
+// Seen on the axis at 10 m: all that is off is in u.
+TEST(ClassifyMeasurements, GateIsInclusive) {
+  PointMeasurement m;
+  m.p_in_world = {0.0, 0.0, 10.0};
+  m.z_px = *kCamera.Project(m.p_in_world) + Eigen::Vector3d(2.0, 0.0, 0.0);
+  const std::vector<PointMeasurement> measurements = {m};
+  EXPECT_EQ(ClassifyMeasurements(kCamera, measurements, {}, 4.0).inliers, 1);
+  EXPECT_EQ(ClassifyMeasurements(kCamera, measurements, {}, 3.99).inliers, 0);
+  EXPECT_EQ(*WhitenedError(kCamera, m, {}), Eigen::Vector3d(-2.0, 0.0, 0.0));
+}
+
+TEST(SolveCamera, PointsBehindTheCameraAreLeftOut) {
+  Rng rng(6, "camera");
+  std::vector<PointMeasurement> measurements = Measure(30, 0, 0.0, rng);
+  PointMeasurement behind = measurements[0];
+  behind.p_in_world = kTruth * Eigen::Vector3d(1.0, 0.0, -5.0);
+  measurements.insert(measurements.begin(), behind);
+  const auto solution = SolveCamera(kCamera, measurements, RigidTransform(), {});
+  EXPECT_LT(kTruth.Minus(solution.world_from_camera).norm(), 1e-9);
+  EXPECT_EQ(solution.inliers, 30);
+  EXPECT_FALSE(solution.is_inlier[0]);
+}
+
+// A measurement that is a hundred times as sure decides.
+TEST(SolveCamera, MeasurementsWeighByTheirInformation) {
+  Rng rng(7, "camera");
+  std::vector<PointMeasurement> measurements = Measure(20, 0, 0.0, rng);
+  const std::vector<PointMeasurement> sure = measurements;
+  for (const PointMeasurement& m : sure) {
+    measurements.push_back(m);
+    measurements.back().z_px += Eigen::Vector3d(1.0, 0.0, 1.0);
+    measurements.back().sqrt_information *= 0.01;
+  }
+  const auto solution = SolveCamera(kCamera, measurements, kTruth, {});
+  EXPECT_LT(kTruth.Minus(solution.world_from_camera).norm(), 1e-4);
+  for (PointMeasurement& m : measurements) m.sqrt_information.setIdentity();
+  EXPECT_GT(kTruth.Minus(SolveCamera(kCamera, measurements, kTruth, {}).world_from_camera).norm(),
+            2e-4);
+}
+
+// Any draw of three measurements is of all three.
+TEST(SolveCameraRansac, ThreeMeasurementsAndOneTryAreEnough) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Rng rng(seed, "three");
+    const auto measurements = Measure(3, 0, 0.0, rng);
+    const auto solution = SolveCameraRansac(kCamera, measurements, {}, 1, 3, rng);
+    ASSERT_TRUE(solution) << seed;
+    EXPECT_EQ(solution->inliers, 3);
+    EXPECT_LT(kTruth.Minus(solution->world_from_camera).norm(), 1e-6);
+    EXPECT_FALSE(SolveCameraRansac(kCamera, measurements, {}, 1, 4, rng));
+    EXPECT_FALSE(SolveCameraRansac(kCamera, measurements, {}, 0, 3, rng)) << "nothing is tried";
+  }
+}
+
+TEST(SolveCameraRansac, LessThanThreeThatAgreeAreNoHypothesis) {
+  Rng rng(8, "ransac");
+  EXPECT_FALSE(SolveCameraRansac(kCamera, Measure(5, 5, 0.0, rng), {}, 100, 0, rng));
+}
+
+// A measurement without a disparity fixes no point.
+TEST(SolveCameraRansac, MeasurementsWithoutDisparityFixNoHypothesis) {
+  Rng rng(9, "ransac");
+  std::vector<PointMeasurement> measurements = Measure(40, 0, 0.0, rng);
+  for (std::size_t i = 0; i < 20; ++i) measurements[i].z_px[2] = measurements[i].z_px[0] + 1.0;
+  const auto solution = SolveCameraRansac(kCamera, measurements, {}, 100, 20, rng);
+  ASSERT_TRUE(solution);
+  EXPECT_EQ(solution->inliers, 20);
+  EXPECT_LT(kTruth.Minus(solution->world_from_camera).norm(), 1e-6);
+  for (PointMeasurement& m : measurements) m.z_px[2] = m.z_px[0] + 1.0;
+  EXPECT_FALSE(SolveCameraRansac(kCamera, measurements, {}, 100, 3, rng));
+}
+
 }  // namespace
 }  // namespace cvo

@@ -254,5 +254,31 @@ TEST(BridgeMotion, IsTheBestEstimateOfSimulatedMotions) {
   EXPECT_GT(squares[2], squares[1]);
 }
 
+TEST(Extrapolate, TwoStatesTellHowABodyTurns) {
+  const std::array<MotionState, 2> states = {TurningBody(0.2), TurningBody(0.3)};
+  const MotionState truth = TurningBody(0.5);
+  const PredictedMotion predicted = Extrapolate<WhiteNoiseOnAcceleration, ConstantAngularVelocity>(
+      {}, states, 0.5, Eigen::Matrix3d::Zero());
+  EXPECT_LT(predicted.world_from_object.Minus(truth.world_from_object).norm(), 1e-9);
+}
+
+// A motion without any noise has the mean of both velocities, and no doubt.
+TEST(BridgeMotion, OfAKnownMotionIsHalfWay) {
+  const BridgedMotion bridged = BridgeMotion(2.0, 0.0, 0.0, 0.0);
+  EXPECT_EQ(bridged.later_share, 0.5);
+  EXPECT_EQ(bridged.variance, 0.0);
+}
+
+// Little noise is noise: in other units of length, shares are the same and variances scale.
+TEST(BridgeMotion, DoesNotDependOnTheUnitOfLength) {
+  const BridgedMotion large = BridgeMotion(1.5, 0.7, 0.2, 0.5);
+  const BridgedMotion small = BridgeMotion(1.5, 0.7e-6, 0.2e-6, 0.5e-6);
+  EXPECT_NEAR(small.later_share, large.later_share, 1e-12);
+  EXPECT_NEAR(small.variance / large.variance, 1e-6, 1e-16);
+  // By hand: 1.05 + 0.2 + 0.5 changes, of which the mean velocity shares 0.525 + 0.2.
+  EXPECT_NEAR(large.later_share, 0.725 / 1.75, 1e-12);
+  EXPECT_NEAR(large.variance, 2.25 * (0.55 - 0.725 * 0.725 / 1.75), 1e-12);
+}
+
 }  // namespace
 }  // namespace cvo

@@ -110,5 +110,32 @@ TEST(TrajectoryAlignment, NamesAreRead) {
             "alignment: found se2, expected one of: none, se3, sim3, origin, yaw");
 }
 
+// A truth that stands is no scale of an estimate that moves; half its size is one.
+TEST(TrajectoryAlignment, AScaleIsAboveZero) {
+  CommonPoses poses = PosesMovedBy(Motion(0.4, {0.1, 0.2, 0.3}));
+  EXPECT_NEAR(AlignTrajectory(poses, TrajectoryAlignment::kSim3, kUp).scale, 0.4, 1e-9);
+  for (RigidTransform& pose : poses.truth) pose = {};
+  EXPECT_EQ(ErrorMessage([&] { AlignTrajectory(poses, TrajectoryAlignment::kSim3, kUp); }),
+            "alignment sim3: found positions that determine no scale, expected a trajectory that "
+            "moves");
+}
+
+TEST(TrajectoryAlignment, EachSaysWhatItIs) {
+  EXPECT_EQ(DescriptionOf(ParseTrajectoryAlignment("none")), "not aligned");
+  EXPECT_EQ(DescriptionOf(ParseTrajectoryAlignment("origin")), "aligned at the first common pose");
+}
+
+// The world that positions give turns the orientations where they do not align themselves.
+TEST(TrajectoryAlignment, OrientationsTurnWithTheWorldOfTheOrigin) {
+  CommonPoses poses = PosesMovedBy(Motion(1.0, {0.4, -0.3, 0.9}));
+  const auto origin = TrajectoryAlignment::kOrigin;
+  poses.truth[3] = poses.truth[3] * RigidTransform(ExpSo3({0.0, 0.2, 0.0}), {0, 0, 0});
+  const std::vector<double> errors =
+      OrientationErrors(poses, origin, AlignTrajectory(poses, origin, kUp));
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    EXPECT_NEAR(errors[i], i == 3 ? 0.2 : 0.0, 1e-9) << i;
+  }
+}
+
 }  // namespace
 }  // namespace cvo

@@ -85,5 +85,30 @@ TEST(Association, PosesLandOnTheirFrames) {
   EXPECT_EQ(poses[2]->translation().x(), 201.0);
 }
 
+TEST(Association, ToleranceIsInclusiveOnBothSides) {
+  EXPECT_THAT(AssociateByTime(At({20}), At({0})).pairs, ElementsAre(Pair(0, 0)));
+  EXPECT_THAT(AssociateByTime(At({21}), At({0})).pairs, IsEmpty());
+  EXPECT_THAT(AssociateByTime(At({100, 200}), At({0, 50, 81, 110, 300})).pairs,
+              ElementsAre(Pair(0, 3)));
+}
+
+TEST(Association, RefusesANegativeTolerance) {
+  EXPECT_THAT(ErrorMessage([] { AssociateByTime(At({0}), At({0}), -1); }), HasSubstr("tolerance"));
+  EXPECT_THAT(ErrorMessage([] {
+                AssociateByTime(At({0}), At({0, 3, 2}), 0);
+              }),
+              HasSubstr("timestamps must increase"));
+}
+
+TEST(Association, RefusesPairsOfOtherTrajectories) {
+  const Trajectory estimate = At({1, 2});
+  const auto refused = [&](std::size_t frame, std::size_t index) {
+    return ErrorMessage([&] { PosesAtFrames({{{frame, index}}, 0, 0}, 3, estimate); });
+  };
+  EXPECT_EQ(refused(2, 1), "");
+  EXPECT_THAT(refused(3, 1), HasSubstr("out of range"));
+  EXPECT_THAT(refused(2, 2), HasSubstr("out of range"));
+}
+
 }  // namespace
 }  // namespace cvo

@@ -293,5 +293,26 @@ TEST(KittiDrift, BridgesFramesWithoutTruth) {
   EXPECT_NEAR(drift->translation_percent, 1.02, 1e-9);
 }
 
+TEST(CameraMetrics, TwoCommonFramesAreEnough) {
+  const OptionalPoses truth = {At(0), At(1), std::nullopt};
+  const OptionalPoses estimate = {At(0), At(3), At(9)};
+  const auto metrics = EvaluateCamera(truth, estimate);
+  EXPECT_NEAR(Value(metrics, "camera_ate"), 1.0, 1e-12);
+  EXPECT_NEAR(Value(metrics, "camera_trpe_1_frame"), 2.0, 1e-12);
+  EXPECT_NEAR(Value(metrics, "camera_trpe_all_pairs"), 2.0, 1e-12);
+  EXPECT_EQ(FindMetric(metrics, "camera_coverage")->left_out, "1 of 3 frames without truth");
+  EXPECT_EQ(FindMetric(metrics, "camera_coverage")->contract.subject, reports::Subject::kCamera);
+}
+
+TEST(CameraMetrics, DriftSaysWhatItLeftOut) {
+  OptionalPoses estimate = Straight(121, 1.0);
+  estimate[10].reset();
+  const auto metrics = EvaluateCamera(Straight(121, 1.0), estimate);
+  EXPECT_EQ(Count(metrics, "camera_t_drift"), 1);
+  EXPECT_EQ(FindMetric(metrics, "camera_r_drift")->left_out,
+            "0 of 121 frames without truth, 1 with truth but without an estimate; 1 sub-sequences "
+            "without an estimate at an end");
+}
+
 }  // namespace
 }  // namespace cvo

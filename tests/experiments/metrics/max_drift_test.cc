@@ -150,5 +150,63 @@ TEST(MaxDrift, OfTheCameraIsSinceItsFirstPose) {
   EXPECT_EQ(FindMetric(metrics, "camera_max_drift_tool_yaw")->unit, reports::MetricUnit::kRadians);
 }
 
+TEST(MaxDrift, OfTwoPosesIsKnown) {
+  const CommonPoses poses = {{0, 1},
+                             {kSame, RigidTransform(ExpSo3(Vector3d::Zero()), {1, 0, 0})},
+                             {kSame, RigidTransform(ExpSo3(Vector3d::Zero()), {3, 0, 0})}};
+  const auto drifts = MeasureMaxDrift(poses, kSame);
+  ASSERT_TRUE(drifts);
+  EXPECT_NEAR(drifts->all_poses.translation_m, 1.0, 1e-9);  // 2 m, of which the frame takes half
+  EXPECT_NEAR(drifts->first_motions.translation_m, 2.0, 1e-9);
+  EXPECT_EQ(AlignAtFirst({}).Matrix(), Eigen::Matrix4d::Identity());
+}
+
+// The error is the inverse of what was put in: yaw after pitch after roll. Signs do not count.
+TEST(MaxDrift, AnglesAreRollPitchAndYaw) {
+  for (const double sign : {-1.0, 1.0}) {
+    CommonPoses poses = RightPoses();
+    poses.estimate[kWrong] = poses.estimate[kWrong] * Turn(-0.1 * sign, 0, 0) *
+                             Turn(0, 0.2 * sign, 0) * Turn(0, 0, -0.3 * sign);
+    const MaxDrift drift = MeasureMaxDrift(poses, kSame)->first_motions;
+    EXPECT_NEAR(drift.roll_rad, 0.1, 1e-9);
+    EXPECT_NEAR(drift.pitch_rad, 0.2, 1e-9);
+    EXPECT_NEAR(drift.yaw_rad, 0.3, 1e-9);
+  }
+}
+
+TEST(MaxDrift, RegistersByTheFirst25FramesAndNoMore) {
+  const auto found_m = [](std::size_t wrong) {
+    CommonPoses poses = RightPoses();
+    poses.estimate[wrong] =
+        poses.estimate[wrong] * RigidTransform(ExpSo3(Vector3d::Zero()), {0.3, 0.4, 0.0});
+    return MeasureMaxDrift(poses, kSame)->first_motions.translation_m;
+  };
+  EXPECT_NEAR(found_m(25), 0.5, 1e-9);
+  EXPECT_LT(found_m(24), 0.499) << "a frame that registers takes a part of its error";
+}
+
+// Much nearer to the least squares than a picture would show.
+TEST(MaxDrift, RegistrationConverges) {
+  for (const double noise_rad : {0.02, 0.1, 0.3}) {
+    const CommonPoses poses = Noisy(RightPoses(), noise_rad);
+    const RigidTransform found = AlignByMotions(poses, kFrames);
+    const auto cost = [&](const RigidTransform& X) {
+      double sum = 0.0;
+      for (std::size_t i = 1; i < kFrames; ++i) {
+        const RigidTransform error = X.Inverse() * poses.estimate[i].Inverse() * poses.estimate[0] *
+                                     X * poses.truth[0].Inverse() * poses.truth[i];
+        sum += std::pow(RotationAngle(Eigen::Quaterniond(error.rotation())), 2) +
+               error.translation().squaredNorm();
+      }
+      return sum;
+    };
+    for (int k = 0; k < 6; ++k) {
+      for (const double step : {-2e-5, 2e-5}) {
+        EXPECT_LT(cost(found), cost(found.Plus(step * Vector6d::Unit(k)))) << k;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cvo

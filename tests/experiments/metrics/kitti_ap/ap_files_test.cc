@@ -71,5 +71,38 @@ TEST_F(ApFiles, BadInput) {
   ExpectError("empty", "empty", "no <number>.txt");
 }
 
+TEST_F(ApFiles, OtherFilesOfAFolderAreLeftAlone) {
+  folder_.Write("labels/0.txt", std::string(kObject) + "\n");
+  folder_.Write("labels/-1.txt", "no label");
+  folder_.Write("labels/1.png", "no label");
+  folder_.Write("labels/notes.txt", "no label");
+  folder_.Write("rows/0.txt", std::string(kObject) + "\n" + kObject + "\n");
+  const auto frames = ReadApFrames(folder_.path() / "labels", folder_.path() / "rows", {});
+  ASSERT_EQ(frames.size(), 1U);
+  EXPECT_EQ(frames[0].labels.at(0).frame, 0);
+  EXPECT_EQ(frames[0].detections.size(), 2U) << "none has a score, which is all of them";
+}
+
+TEST_F(ApFiles, ImagesAreNumberedInTheirOrder) {
+  folder_.Write("labels/9.txt", std::string(kObject) + "\n");
+  folder_.Write("labels/10.txt", std::string(kObject) + "\n" + kObject + "\n");
+  folder_.Write("rows/10.txt", std::string(kObject) + " 1\n");
+  const auto frames = ReadApFrames(folder_.path() / "labels", folder_.path() / "rows", {});
+  ASSERT_EQ(frames.size(), 2U);
+  EXPECT_EQ(frames[1].labels.size(), 2U);
+  EXPECT_EQ(frames[1].labels[1].frame, 1);
+  EXPECT_EQ(frames[1].detections.at(0).frame, 1);
+}
+
+TEST_F(ApFiles, TrackingFilesEndWithTheLastRowOfEither) {
+  folder_.Write("none.txt", "");
+  folder_.Write("first.txt", std::string("0 1 ") + kObject + "\n");
+  const auto frames = ReadApFrames(folder_.path() / "none.txt", folder_.path() / "first.txt", {});
+  ASSERT_EQ(frames.size(), 1U);
+  EXPECT_TRUE(frames[0].labels.empty());
+  EXPECT_EQ(frames[0].detections.size(), 1U);
+  EXPECT_EQ(ReadApFrames(folder_.path() / "first.txt", folder_.path() / "none.txt", {}).size(), 1U);
+}
+
 }  // namespace
 }  // namespace cvo

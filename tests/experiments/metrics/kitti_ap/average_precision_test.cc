@@ -170,5 +170,93 @@ TEST(AveragePrecision, NothingAtAll) {
   EXPECT_EQ(Moderate({{{}, {Scored(Box("Car", 0), 1.0)}}}).ap11, 0.0);
 }
 
+TEST(AveragePrecision, LimitsOfTheLevels) {
+  const auto valid = [](int occlusion, double truncation, double height_px) {
+    ObjectBox label = Box("Car", 0, 50.0, height_px);
+    label.occlusion = occlusion;
+    label.truncation = truncation;
+    std::array<int, 3> labels{};
+    const auto levels = EvaluateAp({{{label}, {}}}, {});
+    for (std::size_t k = 0; k < 3; ++k) labels[k] = levels[k].valid_labels;
+    return labels;
+  };
+  using Levels = std::array<int, 3>;
+  EXPECT_EQ(valid(0, 0.15, 40.0), (Levels{1, 1, 1}));
+  EXPECT_EQ(valid(0, 0.16, 40.0), (Levels{0, 1, 1}));
+  EXPECT_EQ(valid(0, 0.30, 40.0), (Levels{0, 1, 1}));
+  EXPECT_EQ(valid(0, 0.31, 40.0), (Levels{0, 0, 1}));
+  EXPECT_EQ(valid(0, 0.50, 40.0), (Levels{0, 0, 1}));
+  EXPECT_EQ(valid(0, 0.51, 40.0), (Levels{0, 0, 0}));
+  EXPECT_EQ(valid(0, 0.0, 39.9), (Levels{0, 1, 1}));
+  EXPECT_EQ(valid(0, 0.0, 25.0), (Levels{0, 1, 1}));
+  EXPECT_EQ(valid(0, 0.0, 24.9), (Levels{0, 0, 0}));
+  EXPECT_EQ(valid(1, 0.0, 40.0), (Levels{0, 1, 1}));
+  EXPECT_EQ(valid(2, 0.0, 40.0), (Levels{0, 0, 1}));
+  EXPECT_EQ(valid(3, 0.0, 40.0), (Levels{0, 0, 0}));
+}
+
+// Two cars side by side, a box on the first and one between them that ranks higher. At the lower
+// threshold each car has a box; a car in another frame sets that threshold.
+TEST(AveragePrecision, ALabelTakesTheBoxOfLargestOverlap) {
+  const ApFrame both = {{Box("Car", 0), Box("Car", 10)},
+                        {Scored(Box("Car", 5), 0.9), Scored(Box("Car", 0), 0.5)}};
+  const ApFrame other = {{Box("Car", 0)}, {Scored(Box("Car", 0), 0.4)}};
+  const AveragePrecision ap = Moderate({both, other});
+  EXPECT_EQ(ap.precision[1], 1.0);
+  EXPECT_DOUBLE_EQ(ap.ap40, 1.0 / 40.0);
+}
+
+// Twenty of forty cars are found, and a false one ranks 16th: up to recall 1/2, each slot has the
+// precision at its own threshold or a later one.
+TEST(AveragePrecision, PrecisionFallsWithRecall) {
+  std::vector<ApFrame> frames(40, kMissed);
+  for (int i = 0; i < 20; ++i) {
+    frames[static_cast<std::size_t>(i)].detections = {Scored(Box("Car", 0), 1.0 - 0.01 * i)};
+  }
+  frames[30].detections = {Scored(Box("Car", 500), 0.855)};  // ranks 16th
+  const AveragePrecision ap = Moderate(frames);
+  EXPECT_DOUBLE_EQ(ap.precision[14], 1.0);
+  EXPECT_DOUBLE_EQ(ap.precision[15], 20.0 / 21.0);
+  EXPECT_DOUBLE_EQ(ap.precision[19], 20.0 / 21.0);
+  EXPECT_DOUBLE_EQ(ap.precision[20], 0.0);
+  EXPECT_NEAR(ap.ap40, (14.0 + 5.0 * 20.0 / 21.0) / 40.0, 1e-12);
+  EXPECT_NEAR(ap.ap11, (4.0 + 20.0 / 21.0) / 11.0, 1e-12);
+}
+
+// More true positives than slots: thresholds are those whose recall is nearest to the slot's.
+TEST(AveragePrecision, SlotsAreSpreadOverTheRecall) {
+  std::vector<ApFrame> frames(200, kMissed);
+  for (int i = 0; i < 100; ++i) {
+    frames[static_cast<std::size_t>(i)].detections = {Scored(Box("Car", 0), 1.0 - 0.001 * i)};
+  }
+  frames[150].detections = {Scored(Box("Car", 500), 0.9505)};  // after the first fifty
+  const AveragePrecision ap = Moderate(frames);
+  EXPECT_DOUBLE_EQ(ap.precision[0], 1.0);
+  EXPECT_DOUBLE_EQ(ap.precision[10], 1.0) << "recall 1/4: 50 of 200";
+  EXPECT_NEAR(ap.precision[11], 100.0 / 101.0, 1e-12);
+  EXPECT_NEAR(ap.precision[20], 100.0 / 101.0, 1e-12);
+  EXPECT_DOUBLE_EQ(ap.precision[21], 0.0);
+}
+
+// A small box is neither found nor false, and a car takes it where it has no other. The threshold
+// is that of the car in the other frame.
+TEST(AveragePrecision, IgnoredBoxesAreTakenLast) {
+  const ObjectBox small = Scored(Box("Car", 0, 50, 24.5), 0.95);
+  ApFrame frame = {{Box("Car", 0, 50, 26.0)}, {small, Scored(Box("Car", 0, 50, 26.0), 0.92)}};
+  EXPECT_EQ(Moderate({frame, kFound}).precision[0], 1.0);
+  frame.detections = {small};
+  EXPECT_EQ(Moderate({frame, kFound}).precision[0], 1.0);
+  EXPECT_EQ(Moderate({frame, kFound}).precision[1], 0.0);
+  frame.detections = {Scored(Box("Car", 500, 50, 26.0), 0.92)};
+  EXPECT_EQ(Moderate({frame, kFound}).precision[0], 0.5) << "false, and not small";
+}
+
+TEST(AveragePrecision, BoxesWithoutAScoreRankFirst) {
+  const ApFrame frame = {{Box("Car", 0)}, {Box("Car", 0), Scored(Box("Car", 500), 0.99)}};
+  EXPECT_EQ(Moderate({frame}).precision[0], 1.0);
+  const ApFrame equal = {{Box("Car", 0)}, {Box("Car", 0), Scored(Box("Car", 500), 1.0)}};
+  EXPECT_EQ(Moderate({equal}).precision[0], 0.5);
+}
+
 }  // namespace
 }  // namespace cvo

@@ -60,5 +60,17 @@ TEST(BoxMetrics, AreAbsentWhereNoLabelIsOfTheirLevel) {
   EXPECT_TRUE(BoxMetrics(Labelled({van}), {Scored(CarAt(0.0, 50.0), 1.0)}).empty());
 }
 
+TEST(BoxMetrics, AreOfCarsByTheirLabelsInAllFrames) {
+  ObjectBox last = CarAt(0.0, 50.0);
+  last.frame = 8;
+  const auto metrics =
+      BoxMetrics(Labelled({CarAt(0.0, 50.0), last}), {Scored(last, 0.5), Scored(last, 0.4)});
+  ASSERT_EQ(metrics.size(), 6U);
+  EXPECT_EQ(metrics[2].n, 2);
+  EXPECT_EQ(metrics[2].contract.truth, reports::TruthSource::kLabels);
+  EXPECT_EQ(metrics[2].left_out, "nothing");
+  EXPECT_DOUBLE_EQ(metrics[2].value, 1.0 / 11.0);
+}
+
 }  // namespace
 }  // namespace cvo

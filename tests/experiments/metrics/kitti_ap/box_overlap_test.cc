@@ -104,5 +104,31 @@ TEST(BoxOverlap, AsSampled) {
   }
 }
 
+// Sides that lie on each other cut nothing off.
+TEST(BoxOverlap, OfABoxWithItselfIsOne) {
+  const ObjectBox a = Solid(0, 0, 0, 0.0);
+  EXPECT_EQ(IntersectionOverUnion(BoxSpace::kBirdsEye, a, a), 1.0);
+  EXPECT_EQ(IntersectionOverUnion(BoxSpace::kVolume, a, a), 1.0);
+  const ObjectBox inside = Solid(0, 0, 0.5, 0.0, 4.0, 1.0);  // along one of its sides
+  EXPECT_DOUBLE_EQ(IntersectionOverUnion(BoxSpace::kBirdsEye, a, inside), 0.5);
+  EXPECT_EQ(IntersectionOverUnion(BoxSpace::kBirdsEye, a, Solid(4, 0, 0, 0.0)), 0.0);
+}
+
+TEST(BoxOverlap, OfATurnedBoxInsideIsItsShare) {
+  const ObjectBox large = Solid(1, 0, 2, 0.4, 8.0, 8.0);
+  EXPECT_NEAR(IntersectionOverUnion(BoxSpace::kBirdsEye, large, Solid(1.5, 0, 2.5, 1.1)),
+              8.0 / 64.0, 1e-12);
+}
+
+// A box whose sides are the wrong way round has no area.
+TEST(BoxOverlap, OfBoxesTheWrongWayRoundIsNone) {
+  const ObjectBox a = ImageBox(0, 0, 10, 10);
+  EXPECT_EQ(ShareInside(ImageBox(8, 2, 4, 6), a), 0.0);
+  EXPECT_EQ(ShareInside(ImageBox(8, 6, 4, 2), a), 0.0);
+  EXPECT_EQ(IntersectionOverUnion(BoxSpace::kImage, a, ImageBox(0, 20, 10, 30)), 0.0);
+  EXPECT_DOUBLE_EQ(IntersectionOverUnion(BoxSpace::kImage, a, ImageBox(2, 3, 6, 8)), 0.2);
+  EXPECT_NEAR(ShareInside(ImageBox(0.2, 0.2, 0.6, 0.6), ImageBox(0.4, 0, 9, 9)), 0.5, 1e-12);
+}
+
 }  // namespace
 }  // namespace cvo

@@ -93,5 +93,121 @@ TEST(TrackingScores, NothingAtAll) {
   EXPECT_EQ(EvaluateIdentities({}).idf1, 0.0);
 }
 
+// A frame with these true and reported identities.
+TrackedFrame Frame(const std::vector<int>& truth, const std::vector<int>& estimate,
+                   const Eigen::MatrixXd& similarity) {
+  return {truth, estimate, similarity};
+}
+
+// One body is missed in the first frame, and a box too many is reported in the second.
+TEST(TrackingScores, AMissAndAFalseBox) {
+  TrackedSequence sequence;
+  sequence.truth_count = 2;
+  sequence.estimate_count = 2;
+  sequence.frames = {Frame({0, 1}, {0}, Eigen::Vector2d(1.0, 0.0)),
+                     Frame({0}, {0, 1}, Eigen::RowVector2d(1.0, 0.0))};
+  const HotaScores hota = EvaluateHota(sequence);
+  EXPECT_DOUBLE_EQ(hota.det_a, 0.5);
+  EXPECT_DOUBLE_EQ(hota.ass_a, 1.0);
+  EXPECT_NEAR(hota.hota, std::sqrt(0.5), 1e-12);
+  const ClearScores clear = EvaluateClear(sequence);
+  EXPECT_EQ(clear.matches, 2);
+  EXPECT_EQ(clear.missed, 1);
+  EXPECT_EQ(clear.false_boxes, 1);
+  EXPECT_NEAR(clear.mota, 1.0 / 3.0, 1e-12);
+  EXPECT_DOUBLE_EQ(clear.motp, 1.0);
+  const IdentityScores identities = EvaluateIdentities(sequence);
+  EXPECT_NEAR(identities.recall, 2.0 / 3.0, 1e-12);
+  EXPECT_NEAR(identities.precision, 2.0 / 3.0, 1e-12);
+  EXPECT_NEAR(identities.idf1, 2.0 / 3.0, 1e-12);
+}
+
+// In the last frame identity 1 is more similar, but identity 0 is the one of the track. Three
+// matches at the limits up to 0.60 (12), two up to 0.80 (4) and none at the last three.
+TEST(TrackingScores, WholeTracksDecideWhoIsMatched) {
+  TrackedSequence sequence;
+  sequence.truth_count = 1;
+  sequence.estimate_count = 2;
+  sequence.frames = {Frame({0}, {0}, Eigen::MatrixXd::Constant(1, 1, 0.82)),
+                     Frame({0}, {0}, Eigen::MatrixXd::Constant(1, 1, 0.82)),
+                     Frame({0}, {0, 1}, Eigen::RowVector2d(0.62, 0.70))};
+  const HotaScores hota = EvaluateHota(sequence);
+  EXPECT_NEAR(hota.det_a, (12 * 0.75 + 4 * 0.4) / 19.0, 1e-12);
+  EXPECT_NEAR(hota.ass_a, (12 * 1.0 + 4 * 0.5) / 19.0, 1e-12);
+  EXPECT_NEAR(hota.hota, (12 * std::sqrt(0.75) + 4 * std::sqrt(0.2)) / 19.0, 1e-12);
+  EXPECT_NEAR(hota.loc_a, (12 * (0.82 + 0.82 + 0.62) / 3.0 + 4 * 0.82 + 3.0) / 19.0, 1e-12);
+}
+
+// Two bodies side by side, whose boxes overlap: what a pair shares is lessened by what its boxes
+// share with others.
+TEST(TrackingScores, CrowdedTracksStayApart) {
+  TrackedSequence sequence;
+  sequence.truth_count = 2;
+  sequence.estimate_count = 2;
+  for (int k = 0; k < 3; ++k) {
+    sequence.frames.push_back(Frame({1, 0}, {0, 1}, Eigen::MatrixXd{{0.4, 0.92}, {0.92, 0.3}}));
+  }
+  const HotaScores hota = EvaluateHota(sequence);
+  EXPECT_NEAR(hota.hota, 18.0 / 19.0, 1e-12);
+  EXPECT_NEAR(hota.ass_a, 18.0 / 19.0, 1e-12);
+  EXPECT_NEAR(hota.loc_a, (18 * 0.92 + 1.0) / 19.0, 1e-12);
+  const ClearScores clear = EvaluateClear(sequence);
+  EXPECT_EQ(clear.matches, 6);
+  EXPECT_EQ(clear.switches, 0);
+  EXPECT_EQ(clear.fragments, 0);
+  EXPECT_DOUBLE_EQ(EvaluateIdentities(sequence).idf1, 1.0);
+}
+
+// Where a track is reported twice in turn, the identity of most of its boxes counts.
+TEST(TrackingScores, IdentitiesOfMostBoxes) {
+  const TrackedSequence sequence = OneBody({0, 1, 1, 1, -1});
+  const IdentityScores identities = EvaluateIdentities(sequence);
+  EXPECT_DOUBLE_EQ(identities.recall, 3.0 / 5.0);
+  EXPECT_DOUBLE_EQ(identities.precision, 3.0 / 4.0);
+  EXPECT_DOUBLE_EQ(identities.idf1, 3.0 / 4.5);
+  EXPECT_DOUBLE_EQ(EvaluateIdentities(OneBody({0, 0}, 0.5)).idf1, 1.0) << "at the limit";
+  EXPECT_DOUBLE_EQ(EvaluateIdentities(OneBody({0, 0}, 0.49)).idf1, 0.0);
+}
+
+TEST(TrackingScores, OfOneBox) {
+  const IdentityScores identities = EvaluateIdentities(OneBody({0}));
+  EXPECT_DOUBLE_EQ(identities.recall, 1.0);
+  EXPECT_DOUBLE_EQ(identities.precision, 1.0);
+  EXPECT_DOUBLE_EQ(identities.idf1, 1.0);
+  const HotaScores hota = EvaluateHota(OneBody({0}));
+  EXPECT_DOUBLE_EQ(hota.det_a, 1.0);
+  EXPECT_DOUBLE_EQ(hota.ass_a, 1.0);
+}
+
+TEST(TrackingScores, EachSwitchCounts) {
+  const ClearScores clear = EvaluateClear(OneBody({0, 1, -1, 0, 0}));
+  EXPECT_EQ(clear.switches, 2) << "also across a gap";
+  EXPECT_EQ(clear.fragments, 0) << "a frame without any report ends no piece, as in TrackEval";
+  EXPECT_EQ(clear.missed, 1);
+  EXPECT_DOUBLE_EQ(clear.mota, 1.0 - 3.0 / 5.0);
+  EXPECT_DOUBLE_EQ(EvaluateHota(OneBody({0, 1, -1, 0, 0})).det_a, 0.8);
+}
+
+TEST(TrackingScores, AnEmptyFrameEndsNoPiece) {
+  TrackedSequence sequence = OneBody({0, 0, 0});
+  sequence.frames[1] = Frame({}, {}, Eigen::MatrixXd(0, 0));
+  EXPECT_EQ(EvaluateClear(sequence).fragments, 0);
+  EXPECT_DOUBLE_EQ(EvaluateClear(sequence).mota, 1.0);
+}
+
+TEST(TrackingScores, ReportsWithoutAnyTruth) {
+  TrackedSequence sequence;
+  sequence.estimate_count = 2;
+  sequence.frames = {Frame({}, {0, 1}, Eigen::MatrixXd(0, 2))};
+  const ClearScores clear = EvaluateClear(sequence);
+  EXPECT_EQ(clear.false_boxes, 2);
+  EXPECT_DOUBLE_EQ(clear.mota, -2.0) << "of one true box at least";
+  EXPECT_EQ(clear.motp, 0.0);
+  EXPECT_EQ(EvaluateIdentities(sequence).precision, 0.0);
+  const HotaScores hota = EvaluateHota(sequence);
+  EXPECT_EQ(hota.det_a, 0.0);
+  EXPECT_DOUBLE_EQ(hota.loc_a, 1.0) << "nothing is in the wrong place";
+}
+
 }  // namespace
 }  // namespace cvo

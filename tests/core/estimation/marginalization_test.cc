@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/estimation/marginalization.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <array>
+#include <cmath>
+
+#include "core/base/rng.h"
+#include "core/solvers/reprojection_cost.h"
+#include "tests/support/centred_camera.h"
+
+namespace cvo {
+namespace {
+
+const StereoCamera kCamera = test::CentredCamera(500, 0.5, 640, 480);
+constexpr int kFrames = 4;
+constexpr int kPoints = 12;
+constexpr int kRemoved = 1;
+
+RigidTransform RandomPose(Rng& rng, double size) {
+  const auto random = [&] {
+    return Eigen::Vector3d(size * Eigen::Vector3d(rng.Normal(), rng.Normal(), rng.Normal()));
+  };
+  return {ExpSo3(random()), random()};
+}
+
+// Frames, points and observations that do not agree: some are beyond Huber's threshold. The prior
+// is about other poses than the frames have now.
+WindowProblem MakeProblem(std::uint64_t seed) {
+  Rng rng(seed, "marginalization");
+  WindowProblem problem;
+  problem.camera = kCamera;
+  problem.camera.right_field_px << 0.3, -0.4, 0.2, 0.5, -0.1, 0.6;
+  for (int i = 0; i < kFrames; ++i) {
+    problem.frames.push_back(FrameId{10 + i});
+    problem.world_from_camera.push_back(RandomPose(rng, 0.05));
+  }
+  problem.is_fixed.assign(kFrames, 0);
+  for (int p = 0; p < kPoints; ++p) {
+    problem.points.emplace_back(rng.Uniform(-3, 3), rng.Uniform(-2, 2), rng.Uniform(6, 12));
+    for (int i = p % 3; i < kFrames; ++i) {
+      const Eigen::Vector3d z =
+          *problem.camera.Project(problem.world_from_camera[i].Inverse() * problem.points[p]);
+      const Eigen::Vector3d off(2.0 * rng.Normal(), 2.0 * rng.Normal(), 2.0 * rng.Normal());
+      problem.factors.push_back({i, p, z + off, Eigen::Vector3d(1.0, 0.8, 1.3).asDiagonal()});
+    }
+  }
+  WindowPrior& prior = problem.prior;
+  prior.frames = {problem.frames[0], problem.frames[1], problem.frames[3]};
+  for (const int i : {0, 1, 3}) {
+    prior.linearization_point.push_back(problem.world_from_camera[i] * RandomPose(rng, 0.3));
+  }
+  prior.right_field_point_px = Vector6d::Constant(0.1);
+  prior.J0 = Eigen::MatrixXd::NullaryExpr(30, 24, [&] { return 20.0 * rng.Normal(); });
+  prior.r0 = Eigen::VectorXd::NullaryExpr(30, [&] { return rng.Normal(); });
+  return problem;
+}
+
+// Unknowns in a row: six per frame, six of the field, three per point.
+constexpr int kField = 6 * kFrames;
+constexpr int kUnknowns = kField + 6 + 3 * kPoints;
+
+// H and b of all unknowns together.
+struct Dense {
+  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(kUnknowns, kUnknowns);
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(kUnknowns);
+
+  void Add(const Eigen::MatrixXd& J, const Eigen::VectorXd& r, double weight) {
+    H += weight * J.transpose() * J;
+    b += weight * J.transpose() * r;
+  }
+};
+
+Eigen::VectorXd PriorResidual(const WindowProblem& problem) {
+  const WindowPrior& prior = problem.prior;
+  Eigen::VectorXd dx(24);
+  for (int k = 0; k < 3; ++k) {
+    const int pose = std::array{0, 1, 3}[static_cast<std::size_t>(k)];
+    dx.segment<6>(6 * k) = problem.world_from_camera[pose].Minus(prior.linearization_point[k]);
+  }
+  dx.tail<6>() = problem.camera.right_field_px - prior.right_field_point_px;
+  return prior.r0 + prior.J0 * dx;
+}
+
+// The prior by differences in each unknown.
+void AddPrior(const WindowProblem& problem, Dense& dense) {
+  constexpr double kStep = 1e-6;
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(30, kUnknowns);
+  for (int k = 0; k < kField + 6; ++k) {
+    const auto moved = [&](double step) {
+      WindowProblem other = problem;
+      if (k < kField) {
+        RigidTransform& pose = other.world_from_camera[k / 6];
+        pose = pose.Plus(step * Vector6d::Unit(k % 6));
+      } else {
+        other.camera.right_field_px[k - kField] += step;
+      }
+      return PriorResidual(other);
+    };
+    J.col(k) = (moved(kStep) - moved(-kStep)) / (2.0 * kStep);
+  }
+  dense.Add(J, PriorResidual(problem), 1.0);
+}
+
+Dense AllTogether(const WindowProblem& problem, const NoiseOptions& noise) {
+  Dense dense;
+  for (const ReprojectionFactor& factor : problem.factors) {
+    const ReprojectionResidual value =
+        EvaluateReprojection(problem.camera, factor.z_px, factor.sqrt_information,
+                             problem.world_from_camera[factor.pose], problem.points[factor.point]);
+    Eigen::MatrixXd J = Eigen::MatrixXd::Zero(3, kUnknowns);
+    J.middleCols<6>(6 * factor.pose) = value.J_pose;
+    J.middleCols<6>(kField) = value.J_field;
+    J.middleCols<3>(kField + 6 + 3 * factor.point) = value.J_point;
+    dense.Add(J, value.r, HuberWeight(value.r.squaredNorm(), noise.huber));
+  }
+  AddPrior(problem, dense);
+  return dense;
+}
+
+// What is left is the Schur complement of everything at once.
+TEST(Marginalize, IsTheSchurComplementOfAllUnknownsTogether) {
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    const WindowProblem problem = MakeProblem(seed);
+    const Dense dense = AllTogether(problem, {});
+    std::vector<int> kept;
+    std::vector<int> gone;
+    for (int k = 0; k < kUnknowns; ++k) {
+      (k / 6 == kRemoved || k >= kField + 6 ? gone : kept).push_back(k);
+    }
+    const Eigen::MatrixXd left =
+        dense.H(kept, gone) * Eigen::MatrixXd(dense.H(gone, gone)).inverse();
+    const Eigen::MatrixXd H = dense.H(kept, kept) - left * dense.H(gone, kept);
+    const Eigen::VectorXd b = dense.b(kept) - left * dense.b(gone);
+    const WindowPrior prior = Marginalize({}, problem, problem.frames[kRemoved]);
+    ASSERT_EQ(prior.J0.cols(), H.cols());
+    EXPECT_LT((prior.J0.transpose() * prior.J0 - H).norm() / H.norm(), 1e-7);
+    EXPECT_LT((prior.J0.transpose() * prior.r0 - b).norm() / b.norm(), 1e-7);
+    EXPECT_EQ(prior.frames, (std::vector<FrameId>{FrameId{10}, FrameId{12}, FrameId{13}}));
+    EXPECT_EQ(prior.right_field_point_px, problem.camera.right_field_px);
+    for (int i = 0; i < 3; ++i) {
+      const RigidTransform& now = problem.world_from_camera[std::array{0, 2, 3}[i]];
+      EXPECT_EQ(prior.linearization_point[i].Minus(now).norm(), 0.0);
+    }
+  }
+}
+
+// However little its observations say, a frame that has some is in the prior.
+TEST(Marginalize, KnowsFramesThatSawLittle) {
+  WindowProblem problem = MakeProblem(1);
+  problem.prior = CalibrationPrior(kCamera, Vector6d::Ones());
+  for (ReprojectionFactor& factor : problem.factors) factor.sqrt_information *= 1e-4;
+  EXPECT_EQ(Marginalize({}, problem, FrameId{10}).frames.size(), 3U);
+}
+
+// Frames 10 and 11 and a prior whose rows are given.
+WindowProblem PriorAlone(const Eigen::MatrixXd& J0) {
+  WindowProblem problem;
+  problem.camera = kCamera;
+  problem.frames = {FrameId{10}, FrameId{11}};
+  problem.world_from_camera.resize(2);
+  problem.is_fixed.assign(2, 0);
+  problem.prior.frames = problem.frames;
+  problem.prior.linearization_point = problem.world_from_camera;
+  problem.prior.J0 = J0;
+  problem.prior.r0 = Eigen::VectorXd::Zero(J0.rows());
+  return problem;
+}
+
+TEST(Marginalize, DropsDirectionsBelowTenToTheMinusTenOfTheLargest) {
+  Eigen::VectorXd information = Eigen::VectorXd::Ones(18);
+  information[7] = 3e-11;
+  information[8] = 3e-10;
+  for (const double scale : {1.0, 100.0}) {
+    const Eigen::MatrixXd J0 = (scale * information).cwiseSqrt().asDiagonal();
+    const WindowPrior prior = Marginalize({}, PriorAlone(J0), FrameId{10});
+    EXPECT_EQ(prior.J0.rows(), 11);
+    EXPECT_NEAR(prior.J0.col(2).squaredNorm() / (3e-10 * scale), 1.0, 1e-3);
+    EXPECT_NEAR(prior.J0.col(0).squaredNorm() / scale, 1.0, 1e-12);
+  }
+}
+
+// Frames tied to each other by one coordinate, and frame 10 to the world by the next: a tie of less
+// than 1e-10 of that is none to eliminate by, and stays as if frame 10 were held.
+TEST(Marginalize, EliminatesByWhatIsKnownWell) {
+  for (const auto& [tie, expected] : {std::pair(3e-11, 3e-11), {3e-10, 0.0}}) {
+    Eigen::MatrixXd J0 = Eigen::MatrixXd::Zero(3, 18);
+    J0(0, 0) = std::sqrt(tie);
+    J0(0, 6) = -std::sqrt(tie);
+    J0(1, 1) = 1.0;
+    J0(2, 7) = 1e-5;
+    const WindowPrior prior = Marginalize({}, PriorAlone(J0), FrameId{10});
+    const Eigen::MatrixXd H = prior.J0.transpose() * prior.J0;
+    EXPECT_NEAR(H(0, 0), expected, 1e-13);
+    EXPECT_NEAR(H(1, 1), 1e-10, 1e-13);
+  }
+}
+
+}  // namespace
+}  // namespace cvo

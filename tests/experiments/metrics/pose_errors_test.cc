@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/metrics/pose_errors.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/base/rng.h"
+#include "tests/support/error_message.h"
+
+namespace cvo {
+namespace {
+
+using testing::HasSubstr;
+
+Eigen::Vector3d RandomVector(Rng& rng, double scale) {
+  return scale * Eigen::Vector3d(rng.Normal(), rng.Normal(), rng.Normal());
+}
+
+RigidTransform RandomPose(Rng& rng) {
+  return {ExpSo3(RandomVector(rng, 2.0)), RandomVector(rng, 5.0)};
+}
+
+// The same pose by the other quaternion of its rotation.
+RigidTransform WithOtherSign(RigidTransform pose) {
+  for (int k = 0; k < 4; ++k) pose.data()[k] = -pose.data()[k];
+  return pose;
+}
+
+void Add(const RigidTransform& truth, const RigidTransform& estimate, CommonPoses& poses) {
+  poses.frames.push_back(static_cast<int>(poses.frames.size()));
+  poses.truth.push_back(truth);
+  poses.estimate.push_back(estimate);
+}
+
+CommonPoses UnrelatedPoses(std::uint64_t seed, int frames) {
+  Rng rng(seed, "poses");
+  CommonPoses poses;
+  for (int i = 0; i < frames; ++i) {
+    const RigidTransform estimate = RandomPose(rng);
+    Add(RandomPose(rng), i % 3 == 0 ? WithOtherSign(estimate) : estimate, poses);
+  }
+  return poses;
+}
+
+RelativeErrors ByDefinition(const CommonPoses& poses) {
+  double rotation = 0.0;
+  double translation = 0.0;
+  std::int64_t pairs = 0;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    for (std::size_t j = 0; j < poses.size(); ++j) {
+      if (i == j) continue;
+      const RigidTransform E = (poses.truth[i].Inverse() * poses.truth[j]).Inverse() *
+                               (poses.estimate[i].Inverse() * poses.estimate[j]);
+      rotation += std::pow(RotationAngle(Eigen::Quaterniond(E.rotation())), 2);
+      translation += E.translation().squaredNorm();
+      ++pairs;
+    }
+  }
+  const auto n = static_cast<double>(pairs);
+  return {std::sqrt(rotation / n), std::sqrt(translation / n), pairs};
+}
+
+// Rotations up to half a turn apart, and more poses than are summed at a time.
+TEST(AllPairsErrors, AreTheirDefinitionHoweverWrongTheEstimateIs) {
+  for (const int frames : {2, 3, 9, 40, 530}) {
+    const CommonPoses poses = UnrelatedPoses(static_cast<std::uint64_t>(frames), frames);
+    const RelativeErrors expected = ByDefinition(poses);
+    const auto errors = AllPairsErrors(poses);
+    ASSERT_TRUE(errors && errors->rotation_rad);
+    EXPECT_NEAR(*errors->rotation_rad, *expected.rotation_rad, 1e-9) << frames;
+    EXPECT_NEAR(errors->translation_m, expected.translation_m, 1e-9) << frames;
+    EXPECT_EQ(errors->pairs, expected.pairs);
+  }
+}
+
+TEST(AllPairsErrors, OfOnePoseAreNotKnown) {
+  EXPECT_FALSE(AllPairsErrors(UnrelatedPoses(1, 1)));
+  EXPECT_FALSE(AllPairsErrors({}));
+}
+
+// A micrometre to either side along kilometres, in another world: half of the other poses are on
+// the other side, 2 um away.
+TEST(AllPairsErrors, KeepTheDigitsOfSmallErrorsOnLongPaths) {
+  constexpr int kPoses = 40;
+  constexpr double kOff_m = 1e-6;
+  const RigidTransform world(ExpSo3({1.0, -2.0, 0.5}), Eigen::Vector3d(10.0, -20.0, 30.0));
+  CommonPoses poses;
+  for (int i = 0; i < kPoses; ++i) {
+    const Eigen::Quaterniond turned = ExpSo3({0.0, 0.1 * i, 0.0});
+    const Eigen::Vector3d at(1000.0 * std::sin(0.1 * i), 100.0 * i, 1000.0 * std::cos(0.1 * i));
+    const Eigen::Vector3d off(i % 2 == 0 ? kOff_m : -kOff_m, 0.0, 0.0);
+    const RigidTransform estimate = world * RigidTransform(turned, Eigen::Vector3d(at + off));
+    Add({turned, at}, i % 3 == 0 ? WithOtherSign(estimate) : estimate, poses);
+  }
+  const double expected_m = 2.0 * kOff_m * std::sqrt(0.5 * kPoses / (kPoses - 1.0));
+  EXPECT_NEAR(AllPairsErrors(poses)->translation_m / expected_m, 1.0, 1e-4);
+}
+
+TEST(AllPairsErrors, HaveNoRotationsWhereThereAreTooManyPairs) {
+  CommonPoses poses;
+  for (std::size_t i = 0; i <= kMaxPairedRotations; ++i) {
+    const double off_m = i % 2 == 0 ? 1.0 : -1.0;
+    Add({}, {Eigen::Quaterniond::Identity(), Eigen::Vector3d(off_m, 0.0, 0.0)}, poses);
+  }
+  const auto errors = AllPairsErrors(poses);
+  EXPECT_FALSE(errors->rotation_rad);
+  EXPECT_NEAR(errors->translation_m, std::sqrt(2.0), 1e-4);
+}
+
+TEST(OneFrameErrors, AreThoseOfBothOfTwoFrames) {
+  CommonPoses poses = UnrelatedPoses(4, 2);
+  const RelativeErrors expected = ByDefinition(poses);  // E_ij and E_ji are as large
+  const auto errors = OneFrameErrors(poses);
+  EXPECT_NEAR(*errors->rotation_rad, *expected.rotation_rad, 1e-12);
+  EXPECT_EQ(errors->pairs, 1);
+  poses.frames[1] = 2;
+  EXPECT_FALSE(OneFrameErrors(poses)) << "not consecutive";
+  EXPECT_FALSE(MotionErrors(poses));
+  EXPECT_FALSE(OneFrameErrors(UnrelatedPoses(4, 1)));
+}
+
+TEST(AlignedPositionErrors, OfNoAndOfOnePose) {
+  EXPECT_TRUE(AlignedPositionErrors({}).empty());
+  const std::vector<double> one = AlignedPositionErrors(UnrelatedPoses(5, 1));
+  ASSERT_EQ(one.size(), 1U);
+  EXPECT_NEAR(one[0], 0.0, 1e-12);
+}
+
+TEST(FindCommonPoses, NamesTheSideThatIsNotFinite) {
+  const RigidTransform bad(Eigen::Quaterniond::Identity(),
+                           Eigen::Vector3d(std::numeric_limits<double>::infinity(), 0, 0));
+  EXPECT_THAT(ErrorMessage([&] {
+                FindCommonPoses({RigidTransform(), bad}, {std::nullopt, std::nullopt});
+              }),
+              HasSubstr("truth of frame 1: found a pose that is not finite"));
+  const RigidTransform good;
+  const CommonPoses common =
+      FindCommonPoses({std::nullopt, good, good, std::nullopt}, {good, std::nullopt, good, good});
+  EXPECT_EQ(common.frames, std::vector<int>{2});
+}
+
+}  // namespace
+}  // namespace cvo
