@@ -79,11 +79,12 @@ class Disk {
 
   const TempFolder& folder() const { return folder_; }
   bool CanBeFull() const { return has_own_; }
+  // Others write meanwhile: what is left may be less than what was free.
   void Fill() const {
     const int fd = ::open(filler().c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-    const auto free = static_cast<off_t>(fs::space(folder_.path()).available);
-    Require(fd >= 0 && (::posix_fallocate(fd, 0, std::max<off_t>(free, 1)) == 0 || free == 0),
-            "filler");
+    Require(fd >= 0, "filler");
+    auto size = static_cast<off_t>(fs::space(folder_.path()).available);
+    while (size > 0 && ::posix_fallocate(fd, 0, size) != 0) size -= 1 << 20;
     ::close(fd);
   }
   void Empty() const { fs::remove(filler()); }
