@@ -3,6 +3,7 @@
 #include "core/estimation/camera_ransac.h"
 
 #include <array>
+#include <utility>
 
 namespace cvo {
 namespace {
@@ -24,7 +25,7 @@ std::optional<CameraSolution> SolveCameraRansac(const StereoCamera& camera,
                                                 const NoiseOptions& noise, int iterations,
                                                 int min_inliers, Rng& rng) {
   if (measurements.size() < 3) return std::nullopt;
-  RigidTransform best;
+  CameraSolution best;
   int best_cells = 0;
   for (int iteration = 0; iteration < iterations; ++iteration) {
     Eigen::Matrix3Xd in_camera(3, 3);
@@ -39,24 +40,23 @@ std::optional<CameraSolution> SolveCameraRansac(const StereoCamera& camera,
     }
     if (!valid) continue;
     const RigidTransform world_from_camera = AlignPoints(in_camera, in_world);
-    const CameraSolution agreeing = ClassifyMeasurements(camera, measurements, world_from_camera,
-                                                         noise.hypothesis_gate * noise.gate);
+    CameraSolution agreeing = ClassifyMeasurements(camera, measurements, world_from_camera,
+                                                   noise.hypothesis_gate * noise.gate);
     const int cells = CoveredCells(camera, measurements, agreeing.is_inlier);
     if (agreeing.inliers >= 3 && cells > best_cells) {
       best_cells = cells;
-      best = world_from_camera;
+      best = std::move(agreeing);
     }
   }
   if (best_cells == 0) return std::nullopt;
 
   // Refined on the hypothesis' own inliers only: SolveCamera starts by trusting all it is given.
   std::vector<PointMeasurement> close;
-  const RigidTransform camera_from_world = best.Inverse();
-  for (const PointMeasurement& m : measurements) {
-    const auto error = WhitenedError(camera, m, camera_from_world);
-    if (error && error->squaredNorm() <= noise.hypothesis_gate * noise.gate) close.push_back(m);
+  for (std::size_t i = 0; i < measurements.size(); ++i) {
+    if (best.is_inlier[i]) close.push_back(measurements[i]);
   }
-  const RigidTransform refined = SolveCamera(camera, close, best, noise).world_from_camera;
+  const RigidTransform refined =
+      SolveCamera(camera, close, best.world_from_camera, noise).world_from_camera;
   CameraSolution solution = ClassifyMeasurements(camera, measurements, refined, noise.gate);
   if (solution.inliers < min_inliers) return std::nullopt;
   return solution;

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/association/descriptor_matching.h"
+#include "core/base/median.h"
 #include "core/clusters/landmark_alignment.h"
 #include "core/clusters/point_measurements.h"
 #include "core/estimation/camera_ransac.h"
@@ -61,10 +63,7 @@ double MedianShift_px(const Window& window, const std::vector<Match>& matches,
     const auto b = window.camera.Project(b_from_world * p_in_world);
     if (a && b) shifts_px.push_back((*a - *b).head<2>().norm());
   }
-  if (shifts_px.empty()) return 0.0;
-  const auto middle = shifts_px.begin() + static_cast<std::ptrdiff_t>(shifts_px.size() / 2);
-  std::nth_element(shifts_px.begin(), middle, shifts_px.end());
-  return *middle;
+  return shifts_px.empty() ? 0.0 : Median(std::move(shifts_px));
 }
 
 // Half of the matches being wrong means that the search looked in the wrong places. A body that

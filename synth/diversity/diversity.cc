@@ -61,6 +61,9 @@ Folder ReadFolder(const fs::path& path) {
   const Json rig = scene.value("rig", Json::object());
   folder.focal_baseline_px_m = rig.value("focal_px", 0.0) * rig.value("baseline_m", 0.0);
   folder.image_px = rig.value("width_px", 0.0) * rig.value("height_px", 0.0);
+  if (!(folder.image_px > 0.0)) {
+    ThrowError((path / "scene.json").string(), "no image size", "rig.width_px and rig.height_px");
+  }
   return folder;
 }
 

@@ -18,6 +18,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <map>
 #include <optional>
@@ -179,7 +180,7 @@ struct Runner {
   pid_t process = 0;  // 0: not running
   bool done = false;
   bool killed = false;
-  bool may_fail = false;  // a worker was killed, or the disk was full
+  bool may_fail = false;  // a worker was killed, or something was gone that it needs
 };
 
 class KillTest {
@@ -188,14 +189,14 @@ class KillTest {
       : suite_(disk_.folder().path(), on_slurm), rng_(seed, "kills") {
     if (on_slurm) cluster_.emplace();
     if (on_slurm && !cluster_->missing().empty()) throw Error(cluster_->missing());
-    disturbances_ = {{"a runner killed", &KillTest::KillRunner},
-                     {"a worker killed", &KillTest::KillWorker},
-                     {"all killed", &KillTest::KillAll},
-                     {"files from the future", &KillTest::SetClockBack}};
+    disturbances_ = {{"a runner killed", &KillTest::KillRunner}};
+    if (!on_slurm) {  // whose workers are Slurm's
+      disturbances_.push_back({"a worker killed", &KillTest::KillWorker});
+      disturbances_.push_back({"all killed", &KillTest::KillAll});
+    }
+    disturbances_.push_back({"files from the future", &KillTest::SetClockBack});
     if (disk_.CanBeFull()) disturbances_.push_back({"disk full", &KillTest::FillDisk});
     if (on_slurm) {
-      // Workers are Slurm's.
-      disturbances_.erase(disturbances_.begin() + 1, disturbances_.begin() + 3);
       disturbances_.push_back({"Slurm's controller killed", &KillTest::KillController});
       disturbances_.push_back({"Slurm's daemon killed", &KillTest::KillNode});
     }
@@ -329,25 +330,23 @@ class KillTest {
     }
     return true;
   }
-  bool FillDisk(Runner&) {
-    disk_.Fill();
+  // What all runners need is gone for up to a second.
+  bool Outage(const std::function<void()>& begin, const std::function<void()>& end) {
+    begin();
     for (Runner& runner : runners_) runner.may_fail = true;
     std::this_thread::sleep_for(std::chrono::duration<double>(rng_.Uniform(0.0, 1.0)));
-    disk_.Empty();
+    end();
     return true;
   }
-  // After a crash it may not know what it had started: those tasks run again.
-  bool KillController(Runner& runner) {
-    cluster_->KillController();
-    std::this_thread::sleep_for(std::chrono::duration<double>(rng_.Uniform(0.0, 1.0)));
-    cluster_->StartController();
-    return runner.may_fail = true;
+  bool FillDisk(Runner&) {
+    return Outage([this] { disk_.Fill(); }, [this] { disk_.Empty(); });
   }
-  bool KillNode(Runner& runner) {
-    cluster_->KillNode();
-    std::this_thread::sleep_for(std::chrono::duration<double>(rng_.Uniform(0.0, 1.0)));
-    cluster_->StartNode();
-    return runner.may_fail = true;
+  // After a crash it may not know what it had started: those tasks run again.
+  bool KillController(Runner&) {
+    return Outage([this] { cluster_->KillController(); }, [this] { cluster_->StartController(); });
+  }
+  bool KillNode(Runner&) {
+    return Outage([this] { cluster_->KillNode(); }, [this] { cluster_->StartNode(); });
   }
 
   void Compare(int runner) const {

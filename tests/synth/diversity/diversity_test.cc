@@ -78,10 +78,13 @@ TEST(Diversity, OfABodyThatIsHiddenOnce) {
   EXPECT_THAT(found.moving_part, ElementsAre(300.0 / 8000, 0.0, 298.0 / 8000));
 }
 
-TEST(Diversity, NamesMissingFiles) {
+TEST(Diversity, NamesWhatIsMissing) {
   const TempFolder temp;
   Diversity found;
   EXPECT_THAT(ErrorMessage([&] { AddSequence(temp.path(), found); }), HasSubstr("times.txt"));
+  WriteOneBox(temp.path());
+  WriteFileBytes(temp.path() / "scene.json", R"({"rig": {"focal_px": 100, "baseline_m": 0.2}})");
+  EXPECT_THAT(ErrorMessage([&] { AddSequence(temp.path(), found); }), HasSubstr("no image size"));
 }
 
 TEST(Quantile, IsLinearBetweenValues) {

@@ -93,19 +93,13 @@ TEST(TrackingScores, NothingAtAll) {
   EXPECT_EQ(EvaluateIdentities({}).idf1, 0.0);
 }
 
-// A frame with these true and reported identities.
-TrackedFrame Frame(const std::vector<int>& truth, const std::vector<int>& estimate,
-                   const Eigen::MatrixXd& similarity) {
-  return {truth, estimate, similarity};
-}
-
 // One body is missed in the first frame, and a box too many is reported in the second.
 TEST(TrackingScores, AMissAndAFalseBox) {
   TrackedSequence sequence;
   sequence.truth_count = 2;
   sequence.estimate_count = 2;
-  sequence.frames = {Frame({0, 1}, {0}, Eigen::Vector2d(1.0, 0.0)),
-                     Frame({0}, {0, 1}, Eigen::RowVector2d(1.0, 0.0))};
+  sequence.frames = {TrackedFrame{{0, 1}, {0}, Eigen::Vector2d(1.0, 0.0)},
+                     TrackedFrame{{0}, {0, 1}, Eigen::RowVector2d(1.0, 0.0)}};
   const HotaScores hota = EvaluateHota(sequence);
   EXPECT_DOUBLE_EQ(hota.det_a, 0.5);
   EXPECT_DOUBLE_EQ(hota.ass_a, 1.0);
@@ -128,9 +122,9 @@ TEST(TrackingScores, WholeTracksDecideWhoIsMatched) {
   TrackedSequence sequence;
   sequence.truth_count = 1;
   sequence.estimate_count = 2;
-  sequence.frames = {Frame({0}, {0}, Eigen::MatrixXd::Constant(1, 1, 0.82)),
-                     Frame({0}, {0}, Eigen::MatrixXd::Constant(1, 1, 0.82)),
-                     Frame({0}, {0, 1}, Eigen::RowVector2d(0.62, 0.70))};
+  sequence.frames = {TrackedFrame{{0}, {0}, Eigen::MatrixXd::Constant(1, 1, 0.82)},
+                     TrackedFrame{{0}, {0}, Eigen::MatrixXd::Constant(1, 1, 0.82)},
+                     TrackedFrame{{0}, {0, 1}, Eigen::RowVector2d(0.62, 0.70)}};
   const HotaScores hota = EvaluateHota(sequence);
   EXPECT_NEAR(hota.det_a, (12 * 0.75 + 4 * 0.4) / 19.0, 1e-12);
   EXPECT_NEAR(hota.ass_a, (12 * 1.0 + 4 * 0.5) / 19.0, 1e-12);
@@ -145,7 +139,8 @@ TEST(TrackingScores, CrowdedTracksStayApart) {
   sequence.truth_count = 2;
   sequence.estimate_count = 2;
   for (int k = 0; k < 3; ++k) {
-    sequence.frames.push_back(Frame({1, 0}, {0, 1}, Eigen::MatrixXd{{0.4, 0.92}, {0.92, 0.3}}));
+    sequence.frames.push_back(
+        TrackedFrame{{1, 0}, {0, 1}, Eigen::MatrixXd{{0.4, 0.92}, {0.92, 0.3}}});
   }
   const HotaScores hota = EvaluateHota(sequence);
   EXPECT_NEAR(hota.hota, 18.0 / 19.0, 1e-12);
@@ -190,7 +185,7 @@ TEST(TrackingScores, EachSwitchCounts) {
 
 TEST(TrackingScores, AnEmptyFrameEndsNoPiece) {
   TrackedSequence sequence = OneBody({0, 0, 0});
-  sequence.frames[1] = Frame({}, {}, Eigen::MatrixXd(0, 0));
+  sequence.frames[1] = TrackedFrame{{}, {}, Eigen::MatrixXd(0, 0)};
   EXPECT_EQ(EvaluateClear(sequence).fragments, 0);
   EXPECT_DOUBLE_EQ(EvaluateClear(sequence).mota, 1.0);
 }
@@ -198,7 +193,7 @@ TEST(TrackingScores, AnEmptyFrameEndsNoPiece) {
 TEST(TrackingScores, ReportsWithoutAnyTruth) {
   TrackedSequence sequence;
   sequence.estimate_count = 2;
-  sequence.frames = {Frame({}, {0, 1}, Eigen::MatrixXd(0, 2))};
+  sequence.frames = {TrackedFrame{{}, {0, 1}, Eigen::MatrixXd(0, 2)}};
   const ClearScores clear = EvaluateClear(sequence);
   EXPECT_EQ(clear.false_boxes, 2);
   EXPECT_DOUBLE_EQ(clear.mota, -2.0) << "of one true box at least";
