@@ -29,7 +29,7 @@ std::optional<CameraSolution> SolvePose(const ClusterSearch& search, const Clust
     if (solution.inliers >= min_inliers && 2 * solution.inliers >= static_cast<int>(matches.size()))
       return solution;
   }
-  return SolveCameraRansac(search.camera, measurements, search.options.noise.options,
+  return SolveCameraRansac(search.camera, measurements, search.options.noise.options, CountInliers,
                            search.options.association.ransac_iterations, min_inliers, rng);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/estimation/camera_ransac.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -20,13 +21,18 @@ std::array<std::size_t, 3> DrawSample(std::size_t n, Rng& rng) {
 
 }  // namespace
 
+int CountInliers(const StereoCamera&, std::span<const PointMeasurement>,
+                 std::span<const char> is_inlier) {
+  return static_cast<int>(std::ranges::count(is_inlier, 1));
+}
+
 std::optional<CameraSolution> SolveCameraRansac(const StereoCamera& camera,
                                                 std::span<const PointMeasurement> measurements,
-                                                const NoiseOptions& noise, int iterations,
-                                                int min_inliers, Rng& rng) {
+                                                const NoiseOptions& noise, Support& support,
+                                                int iterations, int min_inliers, Rng& rng) {
   if (measurements.size() < 3) return std::nullopt;
   CameraSolution best;
-  int best_cells = 0;
+  int best_support = 0;
   for (int iteration = 0; iteration < iterations; ++iteration) {
     Eigen::Matrix3Xd in_camera(3, 3);
     Eigen::Matrix3Xd in_world(3, 3);
@@ -42,13 +48,13 @@ std::optional<CameraSolution> SolveCameraRansac(const StereoCamera& camera,
     const RigidTransform world_from_camera = AlignPoints(in_camera, in_world);
     CameraSolution agreeing = ClassifyMeasurements(camera, measurements, world_from_camera,
                                                    noise.hypothesis_gate * noise.gate);
-    const int cells = CoveredCells(camera, measurements, agreeing.is_inlier);
-    if (agreeing.inliers >= 3 && cells > best_cells) {
-      best_cells = cells;
+    const int supported = support(camera, measurements, agreeing.is_inlier);
+    if (agreeing.inliers >= 3 && supported > best_support) {
+      best_support = supported;
       best = std::move(agreeing);
     }
   }
-  if (best_cells == 0) return std::nullopt;
+  if (best_support == 0) return std::nullopt;
 
   // Refined on the hypothesis' own inliers only: SolveCamera starts by trusting all it is given.
   std::vector<PointMeasurement> close;

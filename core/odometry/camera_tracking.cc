@@ -115,8 +115,8 @@ std::optional<RigidTransform> FindWithoutPrediction(const CameraTrackingOptions&
   for (Match& match : matches) match.landmark = landmark[match.landmark];
   const auto solution = SolveCameraRansac(
       window.camera, MeasurementsOf(options.noise, window.landmarks, grid.features(), matches),
-      options.noise.options, options.tracking.recovery_iterations, options.tracking.min_inliers,
-      rng);
+      options.noise.options, CoveredCells, options.tracking.recovery_iterations,
+      options.tracking.min_inliers, rng);
   if (!solution) return std::nullopt;
   return solution->world_from_camera;
 }

@@ -70,7 +70,7 @@ TEST(SolveCamera, KeepsTheInitialCameraWithoutMeasurements) {
 TEST(SolveCameraRansac, FindsTheCameraAmongSixtyPercentOfOutliers) {
   Rng rng(3, "ransac");
   const auto measurements = Measure(150, 90, 0.3, rng);
-  const auto solution = SolveCameraRansac(kCamera, measurements, {}, 300, 20, rng);
+  const auto solution = SolveCameraRansac(kCamera, measurements, {}, CoveredCells, 300, 20, rng);
   ASSERT_TRUE(solution);
   EXPECT_LT(kTruth.Minus(solution->world_from_camera).norm(), 0.02);
   EXPECT_GE(solution->inliers, 55);
@@ -87,9 +87,29 @@ TEST(SolveCameraRansac, PrefersWhatCoversMoreOfTheImage) {
     measurements.push_back(
         {other * p_in_camera, *kCamera.Project(p_in_camera), Eigen::Matrix3d::Identity()});
   }
-  const auto solution = SolveCameraRansac(kCamera, measurements, {}, 300, 20, rng);
+  const auto solution = SolveCameraRansac(kCamera, measurements, {}, CoveredCells, 300, 20, rng);
   ASSERT_TRUE(solution);
   EXPECT_LT(kTruth.Minus(solution->world_from_camera).norm(), 0.02);
+}
+
+// All of a distant body lies in one cell, as do wrong matches beside it.
+TEST(SolveCameraRansac, CountsInliersOfABodyInOneCell) {
+  Rng rng(8, "ransac");
+  std::vector<PointMeasurement> measurements;
+  for (int i = 0; i < 12; ++i) {
+    const Eigen::Vector3d p_in_camera(rng.Uniform(0.1, 0.3), rng.Uniform(0.1, 0.3),
+                                      rng.Uniform(6.0, 6.2));
+    // Four of them agree on another camera.
+    const RigidTransform world_from_camera =
+        i < 4 ? kTruth * RigidTransform(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.9, 0, 0))
+              : kTruth;
+    measurements.push_back({world_from_camera * p_in_camera, *kCamera.Project(p_in_camera),
+                            Eigen::Matrix3d::Identity()});
+  }
+  const auto solution = SolveCameraRansac(kCamera, measurements, {}, CountInliers, 100, 3, rng);
+  ASSERT_TRUE(solution);
+  EXPECT_EQ(solution->inliers, 8);
+  EXPECT_LT(kTruth.Minus(solution->world_from_camera).norm(), 1e-6);
 }
 
 TEST(CoveredCells, AreThoseOfInliersAndOfTheNearestCellOutsideTheImage) {
@@ -105,8 +125,9 @@ TEST(CoveredCells, AreThoseOfInliersAndOfTheNearestCellOutsideTheImage) {
 
 TEST(SolveCameraRansac, GivesNothingWhereNothingAgrees) {
   Rng rng(4, "ransac");
-  EXPECT_FALSE(SolveCameraRansac(kCamera, Measure(60, 60, 0.3, rng), {}, 300, 20, rng));
-  EXPECT_FALSE(SolveCameraRansac(kCamera, Measure(2, 0, 0.3, rng), {}, 300, 3, rng));
+  EXPECT_FALSE(
+      SolveCameraRansac(kCamera, Measure(60, 60, 0.3, rng), {}, CoveredCells, 300, 20, rng));
+  EXPECT_FALSE(SolveCameraRansac(kCamera, Measure(2, 0, 0.3, rng), {}, CoveredCells, 300, 3, rng));
 }
 
 TEST(SolveCameraRansac, SameSeedSameCamera) {
@@ -114,8 +135,8 @@ TEST(SolveCameraRansac, SameSeedSameCamera) {
   const auto measurements = Measure(100, 50, 0.3, data);
   Rng first(9, "draws");
   Rng second(9, "draws");
-  const auto a = SolveCameraRansac(kCamera, measurements, {}, 50, 20, first);
-  const auto b = SolveCameraRansac(kCamera, measurements, {}, 50, 20, second);
+  const auto a = SolveCameraRansac(kCamera, measurements, {}, CoveredCells, 50, 20, first);
+  const auto b = SolveCameraRansac(kCamera, measurements, {}, CoveredCells, 50, 20, second);
   ASSERT_TRUE(a && b);
   for (int k = 0; k < 7; ++k) {
     EXPECT_EQ(a->world_from_camera.data()[k], b->world_from_camera.data()[k]);
@@ -167,18 +188,19 @@ TEST(SolveCameraRansac, ThreeMeasurementsAndOneTryAreEnough) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Rng rng(seed, "three");
     const auto measurements = Measure(3, 0, 0.0, rng);
-    const auto solution = SolveCameraRansac(kCamera, measurements, {}, 1, 3, rng);
+    const auto solution = SolveCameraRansac(kCamera, measurements, {}, CoveredCells, 1, 3, rng);
     ASSERT_TRUE(solution) << seed;
     EXPECT_EQ(solution->inliers, 3);
     EXPECT_LT(kTruth.Minus(solution->world_from_camera).norm(), 1e-6);
-    EXPECT_FALSE(SolveCameraRansac(kCamera, measurements, {}, 1, 4, rng));
-    EXPECT_FALSE(SolveCameraRansac(kCamera, measurements, {}, 0, 3, rng)) << "nothing is tried";
+    EXPECT_FALSE(SolveCameraRansac(kCamera, measurements, {}, CoveredCells, 1, 4, rng));
+    EXPECT_FALSE(SolveCameraRansac(kCamera, measurements, {}, CoveredCells, 0, 3, rng))
+        << "nothing is tried";
   }
 }
 
 TEST(SolveCameraRansac, LessThanThreeThatAgreeAreNoHypothesis) {
   Rng rng(8, "ransac");
-  EXPECT_FALSE(SolveCameraRansac(kCamera, Measure(5, 5, 0.0, rng), {}, 100, 0, rng));
+  EXPECT_FALSE(SolveCameraRansac(kCamera, Measure(5, 5, 0.0, rng), {}, CoveredCells, 100, 0, rng));
 }
 
 // A measurement without a disparity fixes no point.
@@ -186,12 +208,12 @@ TEST(SolveCameraRansac, MeasurementsWithoutDisparityFixNoHypothesis) {
   Rng rng(9, "ransac");
   std::vector<PointMeasurement> measurements = Measure(40, 0, 0.0, rng);
   for (std::size_t i = 0; i < 20; ++i) measurements[i].z_px[2] = measurements[i].z_px[0] + 1.0;
-  const auto solution = SolveCameraRansac(kCamera, measurements, {}, 100, 20, rng);
+  const auto solution = SolveCameraRansac(kCamera, measurements, {}, CoveredCells, 100, 20, rng);
   ASSERT_TRUE(solution);
   EXPECT_EQ(solution->inliers, 20);
   EXPECT_LT(kTruth.Minus(solution->world_from_camera).norm(), 1e-6);
   for (PointMeasurement& m : measurements) m.z_px[2] = m.z_px[0] + 1.0;
-  EXPECT_FALSE(SolveCameraRansac(kCamera, measurements, {}, 100, 3, rng));
+  EXPECT_FALSE(SolveCameraRansac(kCamera, measurements, {}, CoveredCells, 100, 3, rng));
 }
 
 }  // namespace
