@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/association/descriptor_matching.h"
-#include "core/base/median.h"
 #include "core/clusters/landmark_alignment.h"
 #include "core/clusters/point_measurements.h"
 #include "core/estimation/camera_ransac.h"
@@ -51,31 +50,11 @@ std::vector<Match> SearchAround(const CameraTrackingOptions& options, const Wind
   return matches;
 }
 
-// By how much matched landmarks lie elsewhere in the image of one camera than in that of another.
-double MedianShift_px(const Window& window, const std::vector<Match>& matches,
-                      const RigidTransform& world_from_a, const RigidTransform& world_from_b) {
-  const RigidTransform a_from_world = world_from_a.Inverse();
-  const RigidTransform b_from_world = world_from_b.Inverse();
-  std::vector<double> shifts_px;
-  for (const Match& match : matches) {
-    const Eigen::Vector3d& p_in_world = window.landmarks[match.landmark].p_in_object;
-    const auto a = window.camera.Project(a_from_world * p_in_world);
-    const auto b = window.camera.Project(b_from_world * p_in_world);
-    if (a && b) shifts_px.push_back((*a - *b).head<2>().norm());
-  }
-  return shifts_px.empty() ? 0.0 : Median(std::move(shifts_px));
-}
-
-// Half of the matches being wrong means that the search looked in the wrong places. A body that
-// moves with the camera also gives a solution, of which only the motion before can tell that it is
-// wrong.
-bool IsInDoubt(const CameraTrackingOptions& options, const Window& window,
-               const std::vector<Match>& matches, const CameraSolution& solution,
-               const ExpectedCamera& expected) {
+// Half of the matches being wrong means that the search looked in the wrong places.
+bool IsInDoubt(const CameraTrackingOptions& options, const std::vector<Match>& matches,
+               const CameraSolution& solution, const ExpectedCamera& expected) {
   return !expected.has_motion || solution.inliers < options.tracking.min_inliers ||
-         solution.inliers < static_cast<int>(matches.size()) / 2 ||
-         MedianShift_px(window, matches, solution.world_from_camera, expected.world_from_camera) >
-             options.matching.narrow_radius_px;
+         solution.inliers < static_cast<int>(matches.size()) / 2;
 }
 
 // Of cameras near which it may be, after a solve: the one whose landmarks cover most of the image.
@@ -154,13 +133,12 @@ std::optional<CameraTrack> TrackCamera(const CameraTrackingOptions& options, con
   const std::vector<Match> wide = SearchAround(options, window, grid, expected.world_from_camera,
                                                options.matching.wide_radius_px);
   const CameraSolution first = solve(wide, expected.world_from_camera);
-  RigidTransform around = first.world_from_camera;
-  if (IsInDoubt(options, window, wide, first, expected)) {
-    std::vector<RigidTransform> candidates = {first.world_from_camera, expected.world_from_camera};
+  std::vector<RigidTransform> candidates = {first.world_from_camera, expected.world_from_camera};
+  if (IsInDoubt(options, wide, first, expected)) {
     const auto found = FindWithoutPrediction(options, window, grid, rng);
     if (found) candidates.push_back(*found);
-    around = BestCovering(options, window, grid, candidates);
   }
+  const RigidTransform around = BestCovering(options, window, grid, candidates);
   const std::vector<Match> narrow =
       SearchAround(options, window, grid, around, options.matching.narrow_radius_px);
   if (options.tracking.align_patches) {

@@ -135,6 +135,49 @@ TEST_P(EveryVariant, StartsAnewAtThePredictedCameraInAPlaceItDoesNotKnow) {
   EXPECT_LT(PositionError(run.trajectory[23], 23), 1.0);
 }
 
+// Everything else is far away, so a small rotation and no translation explain it nearly as well,
+// and most of the matches agree.
+TEST(CameraTracking, IsNotCarriedAwayByANearBodyThatStartsToMoveWithTheCamera) {
+  constexpr int kStart = 20;
+  constexpr double kSpeed_m = 0.05;
+  FeatureWorld world(7);
+  Rng rng(3, "near body");
+  std::vector<Eigen::Vector3d> body;  // in the camera of frame kStart
+  std::vector<Descriptor> descriptors(120);
+  for (Descriptor& descriptor : descriptors) {
+    body.emplace_back(rng.Uniform(0.2, 0.8), rng.Uniform(-0.3, 0.3), rng.Uniform(2.6, 2.9));
+    for (std::uint64_t& word : descriptor) word = rng.NextU64();
+  }
+  const auto camera = [](int i) {
+    return RigidTransform(Eigen::Quaterniond::Identity(), Eigen::Vector3d(kSpeed_m * i, 0, 0));
+  };
+  TaskPool pool(1);
+  const auto odometry = MakeOdometry("static", world, pool);
+  StageTimes times;
+  for (int i = 0; i < kStart + 5; ++i) {
+    StereoFrame frame = world.Observe(camera(i), i * kInterval_ns, 0.3);
+    std::erase_if(frame.features, [&](const StereoFeature& feature) {
+      return world.camera().fx * world.camera().baseline_m / (feature.z_px[0] - feature.z_px[2]) <
+             10;
+    });
+    const RigidTransform here_from_start = camera(std::min(i, kStart)).Inverse() * camera(kStart);
+    for (std::size_t k = 0; k < body.size(); ++k) {
+      const auto z = world.camera().Project(here_from_start * body[k]);
+      if (!z) continue;
+      StereoFeature feature;
+      feature.z_px = *z;
+      feature.disagreement_px = testing::DisagreementOf(0.15);
+      feature.descriptor = descriptors[k];
+      frame.features.push_back(feature);
+    }
+    odometry->Process(frame, times);
+  }
+  for (int i = 0; i < kStart + 5; ++i) {
+    EXPECT_LT((odometry->Trajectory()[i].translation() - camera(i).translation()).norm(), 0.02)
+        << "frame " << i;
+  }
+}
+
 TEST_P(EveryVariant, FindsItselfAfterAJumpThatNoPredictionCovers) {
   FeatureWorld world(7);
   TaskPool pool(1);
