@@ -5,7 +5,7 @@
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help deps build report table table-all table-kitti sweep regression gate-power baseline test fuzz soak mutate bench asan asan-variants tsan sbom format format-check lint clean
+.PHONY: help deps build report table table-all table-kitti sweep regression gate-power baseline test fuzz soak mutate bench asan asan-variants tsan valgrind sbom format format-check lint clean
 
 release := build/release
 asan := build/asan
@@ -134,6 +134,15 @@ threaded := base_test synth_dataset_test cache_test datasets_test features_test 
 tsan: build/tsan/build.ninja ## build with the thread sanitizer, run the tests of what has threads
 	cmake --build --preset tsan --target $(threaded) $(jobs)
 	cd build/tsan && find tests -name '*_test' -type f | sort | while read -r t; do "$$t" || exit 1; done
+
+# Values that were never set, which the sanitizers above do not see: in the programs that end in minutes.
+memchecked := base_test files_test geometry_test log_test association_test estimation_test clustering_test \
+  clustering_unary_test features_test odometry_parts_test metrics_test statistics_test tables_test record_test runs_test gate_test
+valgrind: $(release)/build.ninja ## run tests under valgrind, which finds values that were never set (minutes)
+	@.ci/install-packages valgrind
+	cmake --build --preset release --target $(memchecked) $(jobs)
+	cd $(release) && for t in $(memchecked); do \
+	  valgrind -q --error-exitcode=1 "$$(find tests -name $$t -type f)" --gtest_brief=1 || exit 1; done
 
 sbom: deps ## write the bill of materials, SPDX JSON: build/sbom.spdx.json
 	@mkdir -p build

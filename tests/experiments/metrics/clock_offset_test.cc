@@ -99,13 +99,16 @@ TEST(ClockOffset, ItsDeviationIsHonest) {
 TEST(ClockOffset, IsRefusedWhereMotionsDoNotDetermineIt) {
   EXPECT_THAT(Refused(
                   [](double t_s) {
-                    return RigidTransform(ExpSo3({0, 0.2 * t_s, 0}), {});
+                    return RigidTransform(ExpSo3({0, 0.2 * t_s, 0}), Vector3d::Zero());
                   },
                   1),
               HasSubstr("back and forth"));
-  EXPECT_THAT(
-      Refused([](double t_s) { return RigidTransform(ExpSo3({}), Vector3d(t_s, 0, 0)); }, 1),
-      HasSubstr("the truth explains"));
+  EXPECT_THAT(Refused(
+                  [](double t_s) {
+                    return RigidTransform(Eigen::Quaterniond::Identity(), Vector3d(t_s, 0, 0));
+                  },
+                  1),
+              HasSubstr("the truth explains"));
   const auto swinging = [](double t_s) {
     return RigidTransform(ExpSo3({0, 0.3 * std::sin(12.0 * t_s), 0}), Vector3d::Zero());
   };
