@@ -83,6 +83,8 @@ void TrimCluster(const Window& window, FrameId newest, const ClusterOptions& opt
   }
   for (Landmark& landmark : cluster.landmarks) {
     std::erase_if(landmark.observations, [&](const Observation& o) { return o.frame < oldest; });
+    // Most landmarks of a body that turns are out of sight: room for a window would double them.
+    if (landmark.observations.empty()) landmark.observations.shrink_to_fit();
   }
   std::erase_if(cluster.landmarks, [](const Landmark& landmark) {
     return landmark.observations.empty() && landmark.past_information.isZero();
@@ -110,7 +112,7 @@ void RetireClusters(FrameId newest, int live_frames, const ClusterOptions& optio
     if (!is_confirmed && (is_gone || undetected >= options.confirm_frames)) {
       map.trajectories.erase(cluster.id);
     } else if (is_gone) {
-      map.archived.push_back(std::move(cluster));
+      map.archived.push_back(cluster);  // a copy, which has no room to spare
     } else {
       live.push_back(std::move(cluster));
     }

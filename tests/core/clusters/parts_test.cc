@@ -45,6 +45,7 @@ TEST(TrimCluster, DropsWhatIsOlderThanTheWindowButTheLastState) {
   EXPECT_THAT(Ids(cluster.landmarks), ElementsAre(0, 1));
   EXPECT_THAT(cluster.landmarks[0].observations, SizeIs(1));
   EXPECT_THAT(cluster.landmarks[1].observations, IsEmpty());
+  EXPECT_EQ(cluster.landmarks[1].observations.capacity(), 0U);
   cluster.last_observed = FrameId{12};
   TrimCluster(WindowOf(8, 12), FrameId{12}, {}, cluster);
   ASSERT_THAT(cluster.states, SizeIs(1));
@@ -116,6 +117,21 @@ TEST(RetireClusters, LiveArchivedOrDropped) {
   std::vector<std::int64_t> told;
   for (const auto& cluster : ConfirmedTrajectories(map, options)) told.push_back(cluster.id.value);
   EXPECT_THAT(told, ElementsAre(1, 2, 6));
+}
+
+// A long run fills the archive one by one.
+TEST(RetireClusters, TheArchiveHasNoRoomToSpare) {
+  ClusterMap map;
+  map.live = {ClusterSeen(1, 0, 0, 5)};
+  map.live[0].landmarks.reserve(100);
+  map.live[0].landmarks.push_back(MakeLandmark(0, {0}));
+  map.live[0].landmarks[0].observations.reserve(10);
+  RetireClusters(FrameId{100}, Options().LiveFrames(), {}, map);
+  ASSERT_THAT(map.archived, SizeIs(1));
+  const std::vector<Landmark>& landmarks = map.archived[0].landmarks;
+  ASSERT_THAT(landmarks, SizeIs(1));
+  EXPECT_EQ(landmarks.capacity(), 1U);
+  EXPECT_EQ(landmarks[0].observations.capacity(), 1U);
 }
 
 TEST(RetireClusters, WhatWasNeverConfirmedIsNeverTold) {
