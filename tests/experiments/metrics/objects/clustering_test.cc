@@ -5,6 +5,7 @@
 
 #include <tuple>
 
+#include "core/base/error.h"
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/metrics/objects/clustering_metrics.h"
 #include "tests/experiments/metrics/objects/object_world.h"
@@ -197,6 +198,10 @@ TEST(AdjustedRandIndex, IsSymmetricAndNearZeroByChance) {
     sum += AdjustedRandIndex(a, b);
   }
   EXPECT_NEAR(sum / 50.0, 0.0, 0.01);
+}
+
+TEST(AdjustedRandIndex, RefusesLengthsThatDiffer) {
+  EXPECT_THROW(AdjustedRandIndex({1, 2}, {1}), Error);
 }
 
 }  // namespace
