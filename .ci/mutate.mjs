@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 // mutate.mjs MUTANTS SEED [FOLDER]: changes one token at a time in a copy of the sources
-// (build/mutation), builds the test programs of the folder and says which changes they do not find.
-// Every survivor is a missing test, or a change that changes nothing.
+// (build/mutation, kept for the next call), builds the test programs of the folder and says which changes
+// they do not find. Every survivor is a missing test, or a change that changes nothing.
 import { execFileSync, spawnSync } from 'node:child_process';
-import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 
 const testsOf = {
@@ -21,6 +21,13 @@ const built = join(tree, 'build', 'release');
 const kPatience = 10; // times as long as the tests of the unchanged sources take
 
 const files = (folder) => execFileSync('git', ['ls-files', folder], { encoding: 'utf8' }).split('\n').filter(Boolean);
+
+// What an earlier call copied.
+function filesOfTree() {
+  mkdirSync(tree, { recursive: true });
+  const all = ['.', '-path', './build', '-prune', '-o', '-type', 'f', '-printf', '%P\n'];
+  return execFileSync('find', all, { encoding: 'utf8', cwd: tree }).split('\n').filter(Boolean);
+}
 
 // Without what stands in quotes or after //, at the same columns.
 const codeOf = (line) => line.replace(/"(?:[^"\\]|\\.)*"|\/\/.*/g, (text) => '_'.repeat(text.length));
@@ -110,10 +117,14 @@ function main(count, seed, only) {
     console.error(`mutate.mjs MUTANTS SEED [${Object.keys(testsOf).join(' | ')}]`);
     return 2;
   }
-  rmSync(tree, { recursive: true, force: true });
-  for (const file of files('.')) {
-    mkdirSync(dirname(join(tree, file)), { recursive: true });
-    cpSync(file, join(tree, file));
+  const sources = new Set(files('.'));
+  for (const file of filesOfTree()) {
+    if (!sources.has(file)) rmSync(join(tree, file));
+  }
+  for (const file of sources) {
+    const copy = join(tree, file);
+    mkdirSync(dirname(copy), { recursive: true });
+    if (!existsSync(copy) || !readFileSync(copy).equals(readFileSync(file))) cpSync(file, copy);
   }
   execFileSync('cmake', ['--preset', 'release', '-DCMAKE_CXX_COMPILER_LAUNCHER=ccache'], { cwd: tree, stdio: 'ignore' });
   const targets = folders.flatMap((folder) => testsOf[folder]);

@@ -19,6 +19,22 @@ std::array<std::size_t, 3> DrawSample(std::size_t n, Rng& rng) {
   return sample;
 }
 
+// Empty where a measurement fixes no point.
+std::optional<RigidTransform> AlignSample(const StereoCamera& camera,
+                                          std::span<const PointMeasurement> measurements,
+                                          const std::array<std::size_t, 3>& sample) {
+  Eigen::Matrix3Xd in_camera(3, 3);
+  Eigen::Matrix3Xd in_world(3, 3);
+  for (int k = 0; k < 3; ++k) {
+    const PointMeasurement& measurement = measurements[sample[k]];
+    const auto point = camera.BackProject(measurement.z_px);
+    if (!point) return std::nullopt;
+    in_camera.col(k) = *point;
+    in_world.col(k) = measurement.p_in_world;
+  }
+  return AlignPoints(in_camera, in_world);
+}
+
 }  // namespace
 
 int CountInliers(const StereoCamera&, std::span<const PointMeasurement>,
@@ -34,19 +50,10 @@ std::optional<CameraSolution> SolveCameraRansac(const StereoCamera& camera,
   CameraSolution best;
   int best_support = 0;
   for (int iteration = 0; iteration < iterations; ++iteration) {
-    Eigen::Matrix3Xd in_camera(3, 3);
-    Eigen::Matrix3Xd in_world(3, 3);
-    const auto sample = DrawSample(measurements.size(), rng);
-    bool valid = true;
-    for (int k = 0; k < 3; ++k) {
-      const auto point = camera.BackProject(measurements[sample[k]].z_px);
-      valid = valid && point;
-      if (point) in_camera.col(k) = *point;
-      in_world.col(k) = measurements[sample[k]].p_in_world;
-    }
-    if (!valid) continue;
-    const RigidTransform world_from_camera = AlignPoints(in_camera, in_world);
-    CameraSolution agreeing = ClassifyMeasurements(camera, measurements, world_from_camera,
+    const auto world_from_camera =
+        AlignSample(camera, measurements, DrawSample(measurements.size(), rng));
+    if (!world_from_camera) continue;
+    CameraSolution agreeing = ClassifyMeasurements(camera, measurements, *world_from_camera,
                                                    noise.hypothesis_gate * noise.gate);
     const int supported = support(camera, measurements, agreeing.is_inlier);
     if (agreeing.inliers >= 3 && supported > best_support) {

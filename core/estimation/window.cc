@@ -15,7 +15,6 @@ const Observation* FindObservation(const Landmark& landmark, FrameId frame) {
 
 std::vector<const WindowFrame*> Window::Frames() const {
   std::vector<const WindowFrame*> frames;
-  frames.reserve(spatial.size() + temporal.size());
   for (const WindowFrame& frame : spatial) frames.push_back(&frame);
   for (const WindowFrame& frame : temporal) frames.push_back(&frame);
   return frames;

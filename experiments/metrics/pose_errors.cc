@@ -127,7 +127,6 @@ std::optional<RelativeErrors> ConsecutiveErrors(const CommonPoses& poses, const 
 // rotation A amid the Q_i, d = p - A g and M_i = Q_i A^-1 - I it is |(d_j - d_i) - M_i (g_j -
 // g_i)|^2 of small numbers only, and the sum over j follows from first and second moments.
 double SquaredTranslations(const CommonPoses& poses, const std::vector<Eigen::Quaterniond>& Q) {
-  if (poses.size() < 2) return 0.0;
   Eigen::Matrix4Xd q = Coefficients(Q);
   const Eigen::Quaterniond A(AlignSigns(q));
   Eigen::Matrix3Xd g = A.toRotationMatrix() * Positions(poses.truth);
@@ -195,18 +194,16 @@ std::vector<double> AlignedPositionErrors(const CommonPoses& poses) {
 // With Q_i = R(P_i) R(G_i)^-1: |trans E_ij| = |(p_j - p_i) - Q_i (g_j - g_i)|, and the angle of
 // E_ij is that of Q_j^-1 Q_i, which is the same for E_ji.
 std::optional<RelativeErrors> AllPairsErrors(const CommonPoses& poses) {
+  if (poses.size() < 2) return std::nullopt;
   std::vector<Eigen::Quaterniond> Q;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     Q.emplace_back(poses.estimate[i].rotation() * poses.truth[i].rotation().conjugate());
   }
-  const auto n = static_cast<std::int64_t>(poses.size());
-  const double translation_sum = SquaredTranslations(poses, Q);
-  std::optional<RelativeErrors> errors = RootMeanSquares(0.0, translation_sum, n * (n - 1));
-  if (!errors) return errors;
-  errors->rotation_rad.reset();
-  if (poses.size() <= kMaxPairedRotations) {
-    errors->rotation_rad = std::sqrt(SquaredAngles(Q) / static_cast<double>(errors->pairs));
-  }
+  RelativeErrors errors;
+  errors.pairs = static_cast<std::int64_t>(Q.size() * (Q.size() - 1));
+  const auto n = static_cast<double>(errors.pairs);
+  errors.translation_m = std::sqrt(SquaredTranslations(poses, Q) / n);
+  if (Q.size() <= kMaxPairedRotations) errors.rotation_rad = std::sqrt(SquaredAngles(Q) / n);
   return errors;
 }
 

@@ -27,7 +27,7 @@ Point MeanOfPoints(const std::vector<Point>& points) {
 void Rotate(std::size_t p, std::size_t q, Matrix4& a, Matrix4& v) {
   if (a[p][q] == 0.0) return;
   const double theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
-  const double t = (theta < 0.0 ? -1.0 : 1.0) / (std::abs(theta) + std::hypot(theta, 1.0));
+  const double t = std::copysign(1.0, theta) / (std::abs(theta) + std::hypot(theta, 1.0));
   const double c = 1.0 / std::hypot(t, 1.0);
   const double s = t * c;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -57,10 +57,9 @@ std::array<double, 4> LargestEigenvector(Matrix4 a) {
       for (std::size_t q = p + 1; q < 4; ++q) Rotate(p, q, a, v);
     }
   }
-  std::size_t largest = 0;
-  for (std::size_t i = 1; i < 4; ++i) {
-    if (a[i][i] > a[largest][largest]) largest = i;
-  }
+  const std::array<double, 4> values = {a[0][0], a[1][1], a[2][2], a[3][3]};
+  const auto largest =
+      static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
   return {v[0][largest], v[1][largest], v[2][largest], v[3][largest]};
 }
 

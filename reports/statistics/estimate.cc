@@ -92,7 +92,7 @@ void Resample(const std::vector<Unit>& units, Within within, Rng& rng, std::vect
 double Quantile(const std::vector<double>& sorted, double fraction) {
   const double at = fraction * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(std::floor(at));
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  const auto above = static_cast<std::size_t>(std::ceil(at));
   return sorted[below] + (at - std::floor(at)) * (sorted[above] - sorted[below]);
 }
 

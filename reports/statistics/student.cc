@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "core/base/error.h"
 
@@ -45,9 +46,10 @@ double StudentQuantile(double tail, int degrees) {
   degrees = std::min(degrees, kMaxDegrees);
   double low = 0.0;
   double high = std::numbers::pi / 2.0;
-  for (int step = 0; step < 60; ++step) {
-    const double middle = 0.5 * (low + high);
+  double middle = std::midpoint(low, high);
+  while (low < middle && middle < high) {
     (Tail(middle, degrees) > tail ? low : high) = middle;
+    middle = std::midpoint(low, high);
   }
   return std::sqrt(static_cast<double>(degrees)) * std::tan(low);
 }

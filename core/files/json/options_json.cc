@@ -17,8 +17,9 @@ namespace cvo {
 namespace {
 
 bool IsGroup(const std::string& path, const std::vector<OptionLeaf>& leaves) {
+  const std::string start = path + ".";
   return std::any_of(leaves.begin(), leaves.end(),
-                     [&path](const OptionLeaf& leaf) { return leaf.path.starts_with(path + "."); });
+                     [&start](const OptionLeaf& leaf) { return leaf.path.starts_with(start); });
 }
 
 [[noreturn]] void ThrowUnknown(const std::string& where, std::string_view path,
@@ -94,17 +95,17 @@ std::optional<bool> BoolFromText(std::string_view text) {
   return std::nullopt;
 }
 
-// Stores a value that was read, or throws: `found` is how the source wrote it.
-template <typename T>
+// Stores a value that was read, or throws: `found` says how the source wrote it.
+template <typename T, typename Found>
 void Store(const OptionLeaf& leaf, T* target, const std::optional<T>& read,
-           const std::string& where, const std::string& found) {
-  if (!read) ThrowError(StrCat(where, ", option ", leaf.path), found, Expected(leaf));
+           const std::string& where, const Found& found) {
+  if (!read) ThrowError(StrCat(where, ", option ", leaf.path), found(), Expected(leaf));
   CheckRange(leaf, static_cast<double>(*read), where);
   *target = *read;
 }
 
 void StoreJson(const OptionLeaf& leaf, const Json& value, const std::string& where) {
-  const std::string found = Shown(value);
+  const auto found = [&value] { return Shown(value); };
   if (bool* const* as_bool = std::get_if<bool*>(&leaf.value)) {
     Store(leaf, *as_bool, BoolFromJson(value), where, found);
   } else if (int* const* as_int = std::get_if<int*>(&leaf.value)) {
@@ -151,7 +152,7 @@ void SetOption(std::string_view assignment, const std::vector<OptionLeaf>& leave
   const std::string_view text = assignment.substr(equals + 1);
   const OptionLeaf* leaf = FindBy(leaves, &OptionLeaf::path, path);
   if (leaf == nullptr) ThrowUnknown(where, path, leaves);
-  const std::string found = StrCat("'", text, "'");
+  const auto found = [text] { return StrCat("'", text, "'"); };
   if (bool* const* as_bool = std::get_if<bool*>(&leaf->value)) {
     Store(*leaf, *as_bool, BoolFromText(text), where, found);
   } else if (int* const* as_int = std::get_if<int*>(&leaf->value)) {

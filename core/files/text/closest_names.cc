@@ -12,14 +12,17 @@ namespace cvo {
 namespace {
 
 // Insertions, deletions, substitutions and swaps of neighbours between two words (Levenshtein,
-// Damerau).
-std::size_t EditDistance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> before;
-  std::vector<std::size_t> above;
+// Damerau), or more than `most` where there are more than that.
+std::size_t EditDistance(std::string_view a, std::string_view b, std::size_t most) {
+  const std::size_t lengths_differ = std::max(a.size(), b.size()) - std::min(a.size(), b.size());
+  if (lengths_differ > most) return lengths_differ;
   std::vector<std::size_t> row(b.size() + 1);
+  std::vector<std::size_t> above(row.size());
+  std::vector<std::size_t> before(row.size());
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
-    before = std::exchange(above, row);
+    before.swap(above);
+    above.swap(row);
     row[0] = i + 1;
     for (std::size_t j = 0; j < b.size(); ++j) {
       const std::size_t substituted = above[j] + (a[i] == b[j] ? 0 : 1);
@@ -27,6 +30,10 @@ std::size_t EditDistance(std::string_view a, std::string_view b) {
       const bool swapped = i > 0 && j > 0 && a[i] == b[j - 1] && a[i - 1] == b[j];
       if (swapped) row[j + 1] = std::min(row[j + 1], before[j - 1] + 1);
     }
+    // Every later number grows out of one of these two rows.
+    const std::size_t least = std::min(*std::min_element(row.begin(), row.end()),
+                                       *std::min_element(above.begin(), above.end()));
+    if (least > most) return least;
   }
   return row.back();
 }
@@ -64,12 +71,13 @@ std::vector<std::string> ClosestNames(std::string_view name,
   constexpr std::size_t kLongest = 200;  // no name, and too long to compare with each
   if (name.size() > kLongest) return {};
   std::vector<std::pair<std::size_t, std::string>> near;
+  const std::size_t most = 1 + name.size() / 4;
   for (const std::string& candidate : known) {
-    if (DiffersInNumbersAlone(name, candidate)) continue;
-    const std::size_t whole = EditDistance(name, candidate);
-    const std::size_t last = EditDistance(LastPart(name), LastPart(candidate));
+    const std::size_t whole = EditDistance(name, candidate, most);
+    const std::size_t last = EditDistance(LastPart(name), LastPart(candidate), most);
     const std::size_t distance = std::min(whole, last + 1);
-    if (distance <= 1 + name.size() / 4) near.emplace_back(distance, candidate);
+    if (distance > most || DiffersInNumbersAlone(name, candidate)) continue;
+    near.emplace_back(distance, candidate);
   }
   std::sort(near.begin(), near.end());
   if (near.size() > 3) near.resize(3);

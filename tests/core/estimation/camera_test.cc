@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/base/rng.h"
 #include "core/estimation/camera_ransac.h"
 
@@ -181,6 +183,16 @@ TEST(SolveCamera, MeasurementsWeighByTheirInformation) {
   for (PointMeasurement& m : measurements) m.sqrt_information.setIdentity();
   EXPECT_GT(kTruth.Minus(SolveCamera(kCamera, measurements, kTruth, {}).world_from_camera).norm(),
             2e-4);
+}
+
+// No measurement is left out of the sums.
+TEST(SolveCamera, OrderDoesNotMatter) {
+  Rng rng(10, "camera");
+  std::vector<PointMeasurement> measurements = Measure(12, 0, 0.5, rng);
+  const auto there = SolveCamera(kCamera, measurements, kTruth, {});
+  std::reverse(measurements.begin(), measurements.end());
+  const auto back = SolveCamera(kCamera, measurements, kTruth, {});
+  EXPECT_LT(there.world_from_camera.Minus(back.world_from_camera).norm(), 1e-7);
 }
 
 // Any draw of three measurements is of all three.

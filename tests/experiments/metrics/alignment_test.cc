@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/metrics/alignment.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/base/rng.h"
@@ -135,6 +136,10 @@ TEST(TrajectoryAlignment, OrientationsTurnWithTheWorldOfTheOrigin) {
   for (std::size_t i = 0; i < errors.size(); ++i) {
     EXPECT_NEAR(errors[i], i == 3 ? 0.2 : 0.0, 1e-9) << i;
   }
+}
+
+TEST(AlignObject, RefusesNothing) {
+  EXPECT_THAT(ErrorMessage([] { AlignObject({}); }), testing::HasSubstr("needs a pair of poses"));
 }
 
 }  // namespace

@@ -76,6 +76,13 @@ TEST(ClockOffset, IsFoundFromFastAndSlowTruth) {
   }
 }
 
+// At the right offset both have the same poses, so nothing is interpolated.
+TEST(ClockOffset, IsExactWhereTheTruthHasThePosesOfTheEstimate) {
+  const Trajectory truth = Record(Shaken, 200.0, -1.0, 0.1337);
+  const Trajectory estimate = Record(Shaken, 20.0, 0.0, 0.0);
+  EXPECT_NEAR(EstimateClockOffset(truth, estimate, 0.2).offset_s, 0.1337, 1e-6);
+}
+
 // Normalised errors are those of a normal distribution: 95 % within two deviations.
 TEST(ClockOffset, ItsDeviationIsHonest) {
   constexpr int kRuns = 100;

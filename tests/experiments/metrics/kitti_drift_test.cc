@@ -6,6 +6,8 @@
 
 #include <numbers>
 
+#include "core/base/error.h"
+
 namespace cvo {
 namespace {
 
@@ -49,6 +51,10 @@ TEST(KittiDrift, IsAbsentWhereNoSubSequenceHasAnEstimate) {
   EXPECT_FALSE(ComputeKittiDrift(Path(111, 1.0), start));
   EXPECT_FALSE(ComputeKittiDrift(Path(111, 1.0), end));
   EXPECT_FALSE(ComputeKittiDrift(OptionalPoses(111), Path(111, 1.0)));
+}
+
+TEST(KittiDrift, RefusesLengthsThatDiffer) {
+  EXPECT_THROW((void)ComputeKittiDrift(Path(111, 1.0), Path(110, 1.0)), Error);
 }
 
 }  // namespace

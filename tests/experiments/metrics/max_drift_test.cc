@@ -189,6 +189,20 @@ TEST(MaxDrift, RegistersByTheFirst25FramesAndNoMore) {
   EXPECT_LT(found_m(24), 0.499) << "a frame that registers takes a part of its error";
 }
 
+// A body that does not turn at first: those frames leave the place of its frame open, and later
+// ones must not decide it.
+TEST(MaxDrift, WhatRegistersStartsFromTheSameFrames) {
+  CommonPoses poses = RightPoses();
+  for (std::size_t i = 0; i < kFrames; ++i) {
+    const double turned_rad = i < 25 ? 0.0 : 0.1 * (static_cast<double>(i) - 24.0);
+    poses.truth[i] = {ExpSo3({0.0, 0.0, turned_rad}), poses.truth[i].translation()};
+  }
+  poses.estimate = poses.truth;
+  poses.estimate.back() =
+      poses.estimate.back() * RigidTransform(ExpSo3(Vector3d::Zero()), {4.0, 0.0, 0.0});
+  EXPECT_NEAR(MeasureMaxDrift(poses, kSame)->first_motions.translation_m, 4.0, 1e-9);
+}
+
 // Much nearer to the least squares than a picture would show.
 TEST(MaxDrift, RegistrationConverges) {
   for (const double noise_rad : {0.02, 0.1, 0.3}) ExpectLeastSquares(noise_rad, 2e-5);

@@ -109,12 +109,14 @@ TEST(Difference, OfTwoPairsByHand) {
 // Everywhere a quarter more: no draw can say anything else.
 TEST(Difference, OfOneRatioHasThatRatioInAllDraws) {
   std::vector<Sample> pairs;
-  for (int scene = 1; scene <= 7; ++scene) pairs.push_back(InScene(scene, 1.25 * scene, scene));
+  for (int scene = 1; scene <= 7; ++scene) {
+    pairs.push_back(InScene(scene, 0.0125 * scene, 0.01 * scene));
+  }
   const auto estimate = EstimateDifference(pairs, Within::kMean);
-  EXPECT_DOUBLE_EQ(*estimate->percent, 25.0);
+  EXPECT_NEAR(*estimate->percent, 25.0, 1e-9);
   EXPECT_NEAR(estimate->percent_interval->low, 25.0, 1e-9);
   EXPECT_NEAR(estimate->percent_interval->high, 25.0, 1e-9);
-  EXPECT_DOUBLE_EQ(*estimate->reference_lower, 20.0);
+  EXPECT_NEAR(*estimate->reference_lower, 20.0, 1e-9);
   EXPECT_NEAR(estimate->reference_lower_interval->low, 20.0, 1e-9);
   EXPECT_NEAR(estimate->reference_lower_interval->high, 20.0, 1e-9);
 }

@@ -163,6 +163,19 @@ TEST(ClosestNames, NearestFirstAtMostThree) {
   EXPECT_EQ(DidYouMean("qqqq", known), "");
 }
 
+// Most of what is too far is not compared to its end; what is just near enough must be found.
+TEST(ClosestNames, AsFarAsAQuarterOfTheNameAndOne) {
+  const std::string name = "abcdefghijkl";  // 4 edits
+  for (const char* near : {"abcdefgh", "abcdefghijkl1234", "1234efghijkl", "abcdefgh1234",
+                           "badcfehgijkl", "x.abcdefghi23", "long_group.abcdefghi23"}) {
+    EXPECT_THAT(ClosestNames(name, {near}), ElementsAre(near));
+  }
+  for (const char* far : {"abcdefg", "abcdefghijkl12345", "12345fghijkl", "abcdefg12345",
+                          "badcfehgjikl", "x.1bcdefghi23", "long_group.1bcdefghi23"}) {
+    EXPECT_THAT(ClosestNames(name, {far}), IsEmpty()) << far;
+  }
+}
+
 // A sequence that is not there was answered with the names of others.
 TEST(ClosestNames, AnotherNumberIsNoMisspelling) {
   const std::vector<std::string> known = {"drive_0001_sync", "drive_0013_sync", "drive_001_syn"};

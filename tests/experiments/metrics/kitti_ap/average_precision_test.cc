@@ -230,12 +230,16 @@ TEST(AveragePrecision, SlotsAreSpreadOverTheRecall) {
     frames[static_cast<std::size_t>(i)].detections = {Scored(Box("Car", 0), 1.0 - 0.001 * i)};
   }
   frames[150].detections = {Scored(Box("Car", 500), 0.9505)};  // after the first fifty
-  const AveragePrecision ap = Moderate(frames);
+  AveragePrecision ap = Moderate(frames);
   EXPECT_DOUBLE_EQ(ap.precision[0], 1.0);
   EXPECT_DOUBLE_EQ(ap.precision[10], 1.0) << "recall 1/4: 50 of 200";
   EXPECT_NEAR(ap.precision[11], 100.0 / 101.0, 1e-12);
   EXPECT_NEAR(ap.precision[20], 100.0 / 101.0, 1e-12);
   EXPECT_DOUBLE_EQ(ap.precision[21], 0.0);
+  frames[150].detections = {Scored(Box("Car", 500), 0.9515)};  // after 49
+  ap = Moderate(frames);
+  EXPECT_DOUBLE_EQ(ap.precision[9], 1.0);
+  EXPECT_NEAR(ap.precision[10], 100.0 / 101.0, 1e-12) << "not one before the 50th";
 }
 
 // A small box is neither found nor false, and a car takes it where it has no other. The threshold

@@ -5,9 +5,11 @@
 
 #include <tuple>
 
+#include "core/base/error.h"
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/metrics/objects/clustering_metrics.h"
 #include "tests/experiments/metrics/objects/object_world.h"
+#include "tests/support/error_message.h"
 
 namespace cvo {
 namespace {
@@ -47,6 +49,13 @@ TEST(ClusteringMetrics, AreOneForTheTruthUnderAnyIds) {
        {"moving_precision", "moving_recall", "clustering_iou", "clustering_ari"}) {
     EXPECT_EQ(world(name), 1.0) << name;
   }
+}
+
+TEST(ClusteringMetrics, RefuseWhatIsNoEstimate) {
+  World world(1);
+  world.estimate.clusters[1].id = 1;
+  EXPECT_THAT(ErrorMessage([&] { ClusteringMetrics(world.truth, world.estimate, {}); }),
+              HasSubstr("found cluster 1 after cluster 1"));
 }
 
 TEST(ClusteringMetrics, HandComputed) {
@@ -197,6 +206,10 @@ TEST(AdjustedRandIndex, IsSymmetricAndNearZeroByChance) {
     sum += AdjustedRandIndex(a, b);
   }
   EXPECT_NEAR(sum / 50.0, 0.0, 0.01);
+}
+
+TEST(AdjustedRandIndex, RefusesLengthsThatDiffer) {
+  EXPECT_THROW(AdjustedRandIndex({1, 2}, {1}), Error);
 }
 
 }  // namespace
