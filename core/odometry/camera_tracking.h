@@ -41,9 +41,9 @@ struct ExpectedCamera {
 
 // The camera of a frame from the landmarks of the window: windowed search around the expected
 // camera, robust solve, a second, narrower search around the solution, alignment of the patches
-// that it finds (`features`, those of the grid, move), solve again. The first solution competes with
-// the expected camera and, where it is in doubt, with one found from descriptors alone (METHOD.md
-// 3.3). Empty where fewer than tracking.min_inliers landmarks agree.
+// that it finds (`features`, those of the grid, move), solve again. The first solution competes
+// with the expected camera and, where it is in doubt, with one found from descriptors alone
+// (METHOD.md 3.3). Empty where fewer than tracking.min_inliers landmarks agree.
 std::optional<CameraTrack> TrackCamera(const CameraTrackingOptions& options, const Window& window,
                                        const FeatureGrid& grid, std::span<StereoFeature> features,
                                        const ExpectedCamera& expected, Rng& rng);
