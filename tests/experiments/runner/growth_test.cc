@@ -71,7 +71,7 @@ const VariantInfo kCrowded{"crowded", "", &Defaults, &Make};
 void RunFrames(const VariantInfo& variant, std::size_t frames,
                const std::function<void(std::size_t)>& progress) {
   const test::TempFolder folder;
-  test::WriteTinySequence(folder.path() / "tiny", frames);
+  test::WriteTinySequence(folder.path() / "tiny", static_cast<int>(frames));
   std::string labels;
   for (std::size_t i = 0; i < frames; ++i) {
     labels += StrCat(i, " 0 Car 0 0 0 90 30 160 90 3 3 3 0 1.5 10 0\n");
