@@ -57,20 +57,22 @@ bool IsInDoubt(const CameraTrackingOptions& options, const std::vector<Match>& m
          solution.inliers < static_cast<int>(matches.size()) / 2;
 }
 
-// Of cameras near which it may be, after a solve: the one whose landmarks cover most of the image.
+// Of cameras near which it may be, after a solve: the one whose landmarks cover most of the image,
+// reduced by the share of those found near it that disagree.
 RigidTransform BestCovering(const CameraTrackingOptions& options, const Window& window,
                             const FeatureGrid& grid, std::span<const RigidTransform> candidates) {
   RigidTransform best = candidates.front();
-  int most_cells = 0;
+  double most = 0.0;
   for (const RigidTransform& candidate : candidates) {
     const std::vector<PointMeasurement> measurements = MeasurementsOf(
         options.noise, window.landmarks, grid.features(),
         SearchAround(options, window, grid, candidate, options.matching.narrow_radius_px));
     const CameraSolution solution =
         SolveCamera(window.camera, measurements, candidate, options.noise.options);
-    const int cells = CoveredCells(window.camera, measurements, solution.is_inlier);
-    if (cells <= most_cells) continue;
-    most_cells = cells;
+    const double share = solution.inliers / std::max(1.0, static_cast<double>(measurements.size()));
+    const double covered = share * CoveredCells(window.camera, measurements, solution.is_inlier);
+    if (covered <= most) continue;
+    most = covered;
     best = solution.world_from_camera;
   }
   return best;
