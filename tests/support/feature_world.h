@@ -8,6 +8,7 @@
 #include "core/geometry/stereo_camera.h"
 #include "core/interface/frame.h"
 #include "tests/support/disagreement.h"
+#include "tests/support/random_descriptor.h"
 
 namespace cvo::testing {
 
@@ -27,9 +28,7 @@ class FeatureWorld {
     for (int i = 0; i < points; ++i) {
       points_.emplace_back(rng_.Uniform(-8.0, 8.0), rng_.Uniform(-3.0, 3.0),
                            rng_.Uniform(3.0, 60.0));
-      Descriptor descriptor;
-      for (std::uint64_t& word : descriptor) word = rng_.NextU64();
-      descriptors_.push_back(descriptor);
+      descriptors_.push_back(test::RandomDescriptor(rng_));
     }
   }
 

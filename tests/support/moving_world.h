@@ -13,6 +13,7 @@
 #include "core/geometry/stereo_camera.h"
 #include "core/interface/frame.h"
 #include "tests/support/disagreement.h"
+#include "tests/support/random_descriptor.h"
 
 namespace cvo::testing {
 
@@ -44,12 +45,12 @@ class MovingWorld {
     for (int i = 0; i < 1500; ++i) {
       points_.push_back(
           {Eigen::Vector3d(rng.Uniform(-7.0, 7.0), rng.Uniform(-3.0, 3.0), rng.Uniform(3.0, 30.0)),
-           RandomDescriptor(rng)});
+           test::RandomDescriptor(rng)});
     }
     for (const MovingBody& body : bodies_) {
       on_body_.emplace_back();
       for (int i = 0; i < body.points; ++i) {
-        on_body_.back().push_back({OnSurface(body.half_size_m, rng), RandomDescriptor(rng)});
+        on_body_.back().push_back({OnSurface(body.half_size_m, rng), test::RandomDescriptor(rng)});
       }
     }
   }
@@ -102,10 +103,6 @@ class MovingWorld {
     Eigen::Vector3d p;
     Descriptor descriptor;
   };
-
-  static Descriptor RandomDescriptor(Rng& rng) {
-    return {rng.NextU64(), rng.NextU64(), rng.NextU64(), rng.NextU64()};
-  }
 
   static Eigen::Vector3d OnSurface(const Eigen::Vector3d& half_size, Rng& rng) {
     Eigen::Vector3d p;

@@ -9,22 +9,19 @@
 #include "core/association/projected_matching.h"
 #include "core/base/rng.h"
 #include "tests/support/centred_camera.h"
+#include "tests/support/random_descriptor.h"
 
 namespace cvo {
 namespace {
 
 const StereoCamera kCamera = test::CentredCamera(400, 0.5, 640, 240);
 
-Descriptor RandomDescriptor(Rng& rng) {
-  return {rng.NextU64(), rng.NextU64(), rng.NextU64(), rng.NextU64()};
-}
-
 std::vector<StereoFeature> RandomFeatures(int count, Rng& rng) {
   std::vector<StereoFeature> features(static_cast<std::size_t>(count));
   for (StereoFeature& feature : features) {
     const double u = rng.Uniform(0.0, 639.0);
     feature.z_px = {u, rng.Uniform(0.0, 239.0), u - rng.Uniform(1.0, 60.0)};
-    feature.descriptor = RandomDescriptor(rng);
+    feature.descriptor = test::RandomDescriptor(rng);
   }
   return features;
 }
@@ -123,7 +120,7 @@ TEST(MatchDescriptors, FindsTruePairsAmongStrangersAndNothingElse) {
     for (int k = 0; k < 20; ++k) noisy[rng.UniformInt(4)] ^= 1ull << rng.UniformInt(64);
     landmarks.push_back(noisy);
   }
-  for (int i = 0; i < 50; ++i) landmarks.push_back(RandomDescriptor(rng));
+  for (int i = 0; i < 50; ++i) landmarks.push_back(test::RandomDescriptor(rng));
   const auto matches = MatchDescriptors(landmarks, features, 60, 0.8);
   ASSERT_EQ(matches.size(), 50u);
   for (const Match& match : matches) EXPECT_EQ(match.feature, 2 * match.landmark);
@@ -133,7 +130,7 @@ TEST(MatchDescriptors, EmptySidesGiveNothing) {
   Rng rng(6, "empty");
   const std::vector<StereoFeature> features = RandomFeatures(3, rng);
   EXPECT_TRUE(MatchDescriptors({}, features, 60, 0.8).empty());
-  const std::vector<Descriptor> landmarks = {RandomDescriptor(rng)};
+  const std::vector<Descriptor> landmarks = {test::RandomDescriptor(rng)};
   EXPECT_TRUE(MatchDescriptors(landmarks, {}, 60, 0.8).empty());
 }
 

@@ -11,6 +11,7 @@
 #include "core/association/gated_matching.h"
 #include "core/base/rng.h"
 #include "tests/support/centred_camera.h"
+#include "tests/support/random_descriptor.h"
 
 namespace cvo {
 namespace {
@@ -19,10 +20,6 @@ using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 const StereoCamera kCamera = test::CentredCamera(400, 0.5, 640, 240);
-
-Descriptor RandomDescriptor(Rng& rng) {
-  return {rng.NextU64(), rng.NextU64(), rng.NextU64(), rng.NextU64()};
-}
 
 // P(chi^2 < x) with three degrees of freedom.
 double ChiSquare3(double x) {
@@ -50,7 +47,7 @@ struct Scene {
     landmark.position_px2 = position;
     landmark.measurement_px2 = measurement;
     landmark.innovation_px2 = position + measurement;
-    landmark.descriptor = RandomDescriptor(rng);
+    landmark.descriptor = test::RandomDescriptor(rng);
     StereoFeature feature;
     feature.z_px = landmark.zeta_px + innovation;
     feature.descriptor = landmark.descriptor;

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/odometry/motion_model.h"
 #include "tests/support/feature_world.h"
+#include "tests/support/random_descriptor.h"
 #include "variants/registry.h"
 
 namespace cvo {
@@ -146,7 +147,7 @@ TEST(CameraTracking, IsNotCarriedAwayByANearBodyThatStartsToMoveWithTheCamera) {
   std::vector<Descriptor> descriptors(120);
   for (Descriptor& descriptor : descriptors) {
     body.emplace_back(rng.Uniform(0.2, 0.8), rng.Uniform(-0.3, 0.3), rng.Uniform(2.6, 2.9));
-    for (std::uint64_t& word : descriptor) word = rng.NextU64();
+    descriptor = test::RandomDescriptor(rng);
   }
   const auto camera = [](int i) {
     return RigidTransform(Eigen::Quaterniond::Identity(), Eigen::Vector3d(kSpeed_m * i, 0, 0));
@@ -244,7 +245,7 @@ TEST_P(EveryVariant, DoesNotTakeTheMotionOfAVehicleAheadForItsOwn) {
     const double u_px = rng.Uniform(240.0, 400.0);
     feature.z_px = {u_px, rng.Uniform(180.0, 330.0), u_px - 30.0};
     feature.disagreement_px = testing::DisagreementOf(0.1);
-    for (std::uint64_t& word : feature.descriptor) word = rng.NextU64();
+    feature.descriptor = test::RandomDescriptor(rng);
   }
   StageTimes times;
   for (int i = 0; i < 10; ++i) {
