@@ -12,6 +12,8 @@ const program = resolve('build/fuzz/tests/faults/fuzz_target');
 const attack = resolve('build/fuzz/attack');
 const kLongest_s = 20; // for one file, on a loaded machine
 const kMost_mb = 2048;
+// A hundred times what most files need: freed memory that waits longer costs half of the time.
+const kQuarantine_mb = 4;
 const memory = mkdtempSync(existsSync('/dev/shm') ? '/dev/shm/fuzz_' : join(tmpdir(), 'fuzz_'));
 const columns = [14, 11, 9, 8, 10, 9];
 
@@ -25,10 +27,12 @@ async function attackOne(name, { runs, share_s, seed }) {
   const log = createWriteStream(join(folder, 'log'));
   const flags = [`-runs=${runs}`, `-max_total_time=${share_s}`, `-seed=${seed}`, `-timeout=${kLongest_s}`,
     `-rss_limit_mb=${kMost_mb}`, '-dict=dictionary', '-artifact_prefix=findings/', '-print_final_stats=1'];
+  const env = { ...process.env, TMPDIR: memory, UBSAN_OPTIONS: 'print_stacktrace=1',
+    ASAN_OPTIONS: `quarantine_size_mb=${kQuarantine_mb}` };
   const start = Date.now();
   const code = await new Promise((done) => {
     const child = spawn(program, [name, ...flags, 'corpus', 'seeds', 'findings'],
-      { cwd: folder, env: { ...process.env, TMPDIR: memory, UBSAN_OPTIONS: 'print_stacktrace=1' } });
+      { cwd: folder, env });
     child.stdout.pipe(log, { end: false });
     child.stderr.pipe(log, { end: false });
     child.on('close', (status) => log.end(() => done(status)));
