@@ -216,7 +216,7 @@ class KillTest {
       for (int i = 0; i < kRunners; ++i) fs::remove_all(suite_.out(i));
       fs::remove_all(suite_.cache() / "frontend");
       if (++rounds_ % kRoundsOfADrawing == 0) fs::remove_all(suite_.cache());
-      Round(count, 0.5 * undisturbed.count());
+      Round(count, kLongestCalm * undisturbed.count());
       for (int i = 0; i < kRunners; ++i) {
         Finish(suite_.StartTable(i));
         Compare(i);
@@ -232,6 +232,7 @@ class KillTest {
 
  private:
   static constexpr int kRoundsOfADrawing = 10;
+  static constexpr double kLongestCalm = 0.2;  // of the time that a suite takes undisturbed
   struct Disturbance {
     const char* what = "";
     // False: there was nothing to disturb.
