@@ -133,7 +133,8 @@ asan-variants: $(asan)/build.ninja ## the same for the tests that every variant 
 threaded := base_test synth_dataset_test cache_test datasets_test features_test runner_test
 tsan: build/tsan/build.ninja ## build with the thread sanitizer, run the tests of what has threads
 	cmake --build --preset tsan --target $(threaded) $(jobs)
-	cd build/tsan && find tests -name '*_test' -type f | sort | while read -r t; do "$$t" || exit 1; done
+	cd build/tsan && export TSAN_OPTIONS="suppressions=$(CURDIR)/tests/support/tsan.supp" && \
+	  find tests -name '*_test' -type f | sort | while read -r t; do "$$t" || exit 1; done
 
 # Values that were never set, which the sanitizers above do not see: in the programs that end in minutes.
 memchecked := base_test files_test geometry_test log_test association_test estimation_test clustering_test \
