@@ -11,8 +11,8 @@
 
 namespace cvo {
 
-// AddressSanitizer reserves terabytes of addresses, more than any limit on them would leave.
-#ifdef __SANITIZE_ADDRESS__
+// These sanitizers reserve terabytes of addresses, more than any limit on them would leave.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool kLimitsMemory = false;
 #else
 inline constexpr bool kLimitsMemory = true;
