@@ -6,7 +6,7 @@
 
 namespace cvo {
 
-// Each takes something out of Full; the registry counts the axes that differ.
+// Each variant removes something from Full; all.h asserts the number of axes that differ.
 struct Only2d : Full {
   static constexpr std::string_view kName = "2d";
   static constexpr std::string_view kChanges =

@@ -20,13 +20,13 @@ constexpr int CountDifferences(Axes<A...>, Axes<B...>) {
   return (!std::is_same_v<A, B> + ...);
 }
 
-// In how many axes two variants differ. An ablation that misspells its axis differs in none.
+// Number of axes in which two variants differ; 0 for an ablation that misspells its axis.
 template <EstimatorVariant A, EstimatorVariant B>
 constexpr int CountDifferences() {
   return CountDifferences(AxesOf<A>(), AxesOf<B>());
 }
 
-// A variant of the program that changes some axes of `Base`.
+// A variant of the program that differs from `Base` in kAxes axes.
 template <typename Base, typename V, int kAxes = 1>
 struct Listed {
   static_assert(CountDifferences<Base, V>() == kAxes);
@@ -39,7 +39,7 @@ template <typename Indices>
 struct LadderVariants;
 template <std::size_t... kRung>
 struct LadderVariants<std::index_sequence<kRung...>> {
-  // The last step is Full itself.
+  // The last rung gives Full itself, which AllVariants leaves out of the steps.
   using Steps = std::tuple<Listed<UpTo<kRung>, UpTo<kRung>, 0>...>;
   using LeftOut = std::tuple<Listed<Without<kRung>, Without<kRung>, 0>...>;
 };
@@ -55,7 +55,7 @@ struct ListedSolvers<std::tuple<V...>> {
 
 static_assert(CountDifferences<UpTo<kRungs - 1>, Full>() == 0);
 
-// Every variant in the program, in the order in which they are listed to users.
+// The variants with a definition of their own, except CeresVariants.
 using NamedVariants = std::tuple<Listed<Full, Full, 0>,                     //
                                  Listed<ClusterVo, ClusterVo, 0>,           //
                                  Listed<ClusterVo, PrintedGate>,            //
@@ -82,6 +82,8 @@ using NamedVariants = std::tuple<Listed<Full, Full, 0>,                     //
                                  Listed<Static, StaticCornersOnly, 0>,      //
                                  Listed<Static, StaticShiftOnly>,           //
                                  Listed<Static, StaticTrustCalibration>>;
+// Every variant in the program, in the order in which they are listed to users: NamedVariants,
+// CeresVariants, then those that the ladder makes.
 using AllVariants = decltype(std::tuple_cat(
     NamedVariants(), internal::ListedSolvers<CeresVariants>::Type(),
     internal::LadderVariants<std::make_index_sequence<kRungs>>::LeftOut(),

@@ -8,7 +8,7 @@
 
 namespace cvo {
 
-// Each solves its windows with the library Ceres, else as OwnSolver.
+// Each variant solves its windows with the Ceres library and is otherwise the same as OwnSolver.
 struct FullCeres : Full {
   using OwnSolver = Full;
   static constexpr std::string_view kName = "full_ceres";

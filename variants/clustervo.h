@@ -41,7 +41,8 @@ struct ClusterVo {
   using Calibration = TrustCalibration;
   using Solver = OwnSchur;
 
-  // What the paper prints; where it prints nothing, what switches an addition of ours off.
+  // Sets the values that the paper prints and, for options that it does not have, those that switch
+  // our additions off.
   static void SetDefaults(Options& options) {
     options.association.gamma = 4.0;
     options.association.max_entropy = 1.0;

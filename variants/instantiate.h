@@ -9,8 +9,8 @@
 
 namespace cvo {
 
-// Variants are compiled in so many source files, made of instantiate.cc.in, side by side; variant
-// `index` of AllVariants in number index % kInstantiations.
+// Number of source files, generated from instantiate.cc.in, in which variants are compiled in
+// parallel. Variant `index` of AllVariants is in file number index % kInstantiations.
 inline constexpr std::size_t kInstantiations = 4;
 
 template <std::size_t kInstantiation>

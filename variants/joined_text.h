@@ -23,7 +23,7 @@ inline constexpr auto kJoinedText = JoinText<kFirst, kSecond>();
 
 }  // namespace internal
 
-// Two texts as one, when the program is compiled.
+// Two texts concatenated at compile time.
 template <const std::string_view& kFirst, const std::string_view& kSecond>
 inline constexpr std::string_view kJoined(internal::kJoinedText<kFirst, kSecond>.data(),
                                           internal::kJoinedText<kFirst, kSecond>.size());

@@ -13,8 +13,8 @@
 
 namespace cvo {
 
-// The way from ClusterVo to Full, one addition at a time, in the order of the paper's sections.
-// All rungs together make Full: the registry checks the axes, a test the options.
+// The ladder from ClusterVo to Full, one addition at a time, in the order of the paper's sections.
+// All rungs together make Full: all.h asserts this for the axes, a test for the options.
 template <template <typename> class R>
 struct Rung {
   template <typename Base>
@@ -37,7 +37,7 @@ inline constexpr std::size_t kRungs = std::tuple_size_v<Rungs>;
 
 namespace internal {
 
-// ClusterVo with the first kCount rungs but for number kLeftOut.
+// ClusterVo with the first kCount rungs, except for rung kLeftOut.
 template <std::size_t kCount, std::size_t kLeftOut>
 struct Climbed {
   using Below = typename Climbed<kCount - 1, kLeftOut>::Type;
@@ -58,7 +58,7 @@ inline constexpr std::string_view kWithoutChanges = "full without this addition:
 
 }  // namespace internal
 
-// ClusterVo with all rungs up to number kRung.
+// ClusterVo with all rungs up to and including rung kRung.
 template <std::size_t kRung>
 struct UpTo : internal::Climbed<kRung + 1, kRungs>::Type {
   using Added = std::tuple_element_t<kRung, Rungs>;
@@ -66,7 +66,7 @@ struct UpTo : internal::Climbed<kRung + 1, kRungs>::Type {
   static constexpr std::string_view kChanges = kJoined<internal::kUpToChanges, Added::kAdds>;
 };
 
-// Full without rung number kRung.
+// Full without rung kRung.
 template <std::size_t kRung>
 struct Without : internal::Climbed<kRungs, kRung>::Type {
   using Left = std::tuple_element_t<kRung, Rungs>;

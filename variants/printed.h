@@ -6,7 +6,8 @@
 
 namespace cvo {
 
-// Each takes one correction of METHOD.md 9 back from ClusterVo: what an equation does as printed.
+// Each variant reverts one correction of METHOD.md 9 in ClusterVo, to show what the equation does
+// as printed.
 struct PrintedGate : ClusterVo {
   static constexpr std::string_view kName = "printed_gate";
   static constexpr std::string_view kChanges =

@@ -12,17 +12,17 @@ namespace cvo {
 
 struct VariantInfo {
   std::string_view name;
-  std::string_view changes;  // what it changes, one line
+  std::string_view changes;  // one line on what it changes
   Options (*defaults)();     // the options it starts from
   std::unique_ptr<Odometry> (*make)(const OdometrySetup& setup, TaskPool& pool);
 };
 
-// Every variant in the program, in the order in which they are listed to users: those with a
-// definition of their own, then those that the ladder makes (variants/ladder.h).
+// Returns every variant in the program, in the order in which they are listed to users: those with
+// a definition of their own, then those that the ladder makes (ladder.h).
 std::span<const VariantInfo> Variants();
 std::span<const VariantInfo> NamedVariantInfos();
 
-// Throws Error naming the first of these.
+// Throws Error if there is no such variant; the message lists those of NamedVariantInfos.
 const VariantInfo& FindVariant(std::string_view name);
 
 }  // namespace cvo

@@ -6,8 +6,8 @@
 
 namespace cvo {
 
-// Each adds one thing of ours to a variant between ClusterVo and Full: policies, or options that
-// get their default (ladder.h).
+// Each rung adds one of our additions to a variant between ClusterVo and Full: a policy, options
+// that get their defaults, or both (ladder.h).
 template <typename Base>
 struct AddBoxWeights : Base {
   static constexpr std::string_view kRung = "box_weights";

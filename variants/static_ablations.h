@@ -6,7 +6,7 @@
 
 namespace cvo {
 
-// Each changes one axis of Static; the registry counts.
+// Each variant changes one axis or option of Static; all.h asserts the number of axes.
 struct StaticNoMarginalization : Static {
   static constexpr std::string_view kName = "static_no_marginalization";
   static constexpr std::string_view kChanges =

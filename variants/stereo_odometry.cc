@@ -12,7 +12,7 @@
 namespace cvo {
 namespace {
 
-// False for NaN too.
+// Throws Error if the box is inverted or has a NaN.
 void CheckBox(const ImageBox& box, std::size_t index) {
   if (box.left_px <= box.right_px && box.top_px <= box.bottom_px) return;
   ThrowError(StrCat("box ", index),
@@ -21,7 +21,7 @@ void CheckBox(const ImageBox& box, std::size_t index) {
              "left <= right and top <= bottom");
 }
 
-// What the estimator is given of the boxes, and which box each of these is.
+// The boxes that the estimator is given, and the index of each in the caller's list.
 struct Shown {
   std::vector<Detection> detections;
   std::vector<int> index;

@@ -17,12 +17,12 @@ namespace cvo {
 struct StereoOdometrySetup {
   StereoCamera camera;  // rectified pair: intrinsics in px, baseline_m, image size
   std::string variant = "full";
-  std::optional<Options> options = {};  // of front end and estimator; default: the variant's own
-  std::uint64_t seed = 0;               // of the estimator's random draws
+  std::optional<Options> options = {};  // of front end and estimator; default: those of the variant
+  std::uint64_t seed = 0;               // of the estimator's random numbers
   int threads = 1;                      // results do not depend on it
 };
 
-// Stereo visual odometry that finds moving rigid bodies: front end and estimator in one object.
+// Stereo visual odometry with moving rigid bodies: front end and estimator in one object.
 //
 //   cvo::StereoOdometry odometry({.camera = camera});
 //   for (...) {
@@ -32,32 +32,34 @@ struct StereoOdometrySetup {
 //     frame.landmarks;          // points: p_in_world and the body that each belongs to
 //   }
 //
-// Metres, seconds, radians and pixels with centres at integers; x right, y down, z forward. Same
-// input, same output, to the last bit. Bad input throws cvo::Error. Objects are independent of each
-// other; one object is used by one thread at a time.
+// Units are metres, seconds, radians and pixels, with pixel centres at integers. Camera axes are
+// x right, y down, z forward. The same input gives the same output, to the last bit. Throws
+// cvo::Error on invalid input. Objects are independent of each other; each may be used by only one
+// thread at a time.
 class StereoOdometry {
  public:
-  // The options that a variant starts from.
+  // Returns the options that a variant starts from.
   static Options DefaultsOf(const std::string& variant);
 
   explicit StereoOdometry(const StereoOdometrySetup& setup);
 
-  // One rectified pair, CV_8UC1 and of the camera's size, at a time later than that of the frame
-  // before. Boxes are those of rigid bodies in the left image, from any detector; without boxes no
-  // body is found. They are clipped to the image; those outside of it are ignored.
+  // Processes one rectified pair, which must be CV_8UC1, of the camera's size, and later than the
+  // previous frame. `boxes` are detections of rigid bodies in the left image, from any detector;
+  // without them, no body is found. Boxes are clipped to the image; those outside it are ignored.
   FrameReport Process(const cv::Mat& left, const cv::Mat& right, std::int64_t timestamp_ns,
                       const std::vector<Detection>& boxes = {});
 
-  // A frame without images: camera and bodies are predicted.
+  // Processes a frame without images: camera and bodies are predicted.
   FrameReport Skip(std::int64_t timestamp_ns);
 
-  // Corners of the last processed pair; LandmarkReport::feature is an index into them.
+  // The corners of the last processed pair, into which LandmarkReport::feature is an index. Empty
+  // after Skip.
   const std::vector<StereoFeature>& features() const { return features_; }
 
-  // world_from_camera of all frames so far, refined by those that came after.
+  // Returns world_from_camera of all frames so far, refined by later frames.
   std::vector<RigidTransform> Trajectory() const { return odometry_->Trajectory(); }
 
-  // All bodies so far with a pose per frame, refined by the frames that came after.
+  // Returns all bodies so far with one pose per frame, refined by later frames.
   std::vector<ClusterTrajectory> ClusterTrajectories() const {
     return odometry_->ClusterTrajectories();
   }
@@ -69,7 +71,7 @@ class StereoOdometry {
   Options options_;
   std::unique_ptr<TaskPool> pool_;
   std::unique_ptr<Odometry> odometry_;
-  std::vector<std::vector<cv::Rect2d>> recent_boxes_;  // of the last orb.reserve_frames
+  std::vector<std::vector<cv::Rect2d>> recent_boxes_;  // of the last orb.reserve_frames frames
   std::vector<StereoFeature> features_;
 };
 

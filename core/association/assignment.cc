@@ -17,8 +17,8 @@ constexpr double kForbidden = std::numeric_limits<double>::infinity();
 constexpr double kTieFraction = 1e-12;
 constexpr int kNone = -1;
 
-// Pairs missed, then cost, in lexicographic order. Shortest paths need an order and sums only, so
-// no large number has to stand for a missed pair.
+// Number of missed pairs, then cost, in lexicographic order. Shortest paths need only an order and
+// sums, so no large constant has to stand for a missed pair.
 struct Length {
   double missed = 0.0;
   double cost = 0.0;
@@ -35,8 +35,8 @@ struct Length {
 constexpr Length kMissed{1.0, 0.0};
 constexpr Length kUnreached{kForbidden, 0.0};
 
-// Rows are added one by one, each along the shortest path of reassignments. A path may also end
-// with a row that gives up its column, as if each row had a column of its own for length kMissed.
+// Adds one row after the other, each along the shortest path of reassignments. A path may also end
+// with a row that gives up its column, as if each row had a column of its own at length kMissed.
 class Assigner {
  public:
   explicit Assigner(const Eigen::MatrixXd& cost)
@@ -69,13 +69,13 @@ class Assigner {
     return Length{0.0, cost_(row, column)} - row_potential_[row] - column_potential_[column];
   }
 
-  // The tree of shortest paths from a new row.
+  // Tree of the shortest paths from a new row.
   struct Tree {
-    std::vector<Length> distance;  // of a column
-    std::vector<int> from;         // row before a column
+    std::vector<Length> distance;  // by column
+    std::vector<int> from;         // by column: the row before it
     std::vector<int> settled;      // columns, in order of distance
     std::vector<bool> is_settled;
-    Length missed = kUnreached;  // the shortest path that leaves a row without a column
+    Length missed = kUnreached;  // of the shortest path that leaves a row without a column
     int missed_row = kNone;
   };
 
@@ -131,7 +131,7 @@ class Assigner {
     Reassign(end, tree);
   }
 
-  // Moves every row on the path to its end; the new row had no column.
+  // Reassigns all rows on the path to `end`. The new row had no column.
   void Reassign(int end, const Tree& tree) {
     int row = tree.missed_row;
     if (end == kNone) end = std::exchange(column_of_row_[row], kNone);
@@ -149,9 +149,10 @@ class Assigner {
     return cost_(row, column) != kForbidden && IsTie(Reduced(row, column));
   }
 
-  // Which columns `row` can have without a change of the total if rows after it move. Searched
-  // backwards from the column it gives up. kNone stands for all that is without a partner: a row
-  // may go there at length 0 where another, or the column given up, can be spared for it.
+  // The columns that `row` can take without changing the total, if rows after it may move. The
+  // search runs backwards from the column that `row` gives up. kNone stands for everything without
+  // a partner. A row may move there at length 0 if another row fills the gap (`filler`) or the
+  // column given up can stay without a row.
   struct Moves {
     std::vector<bool> is_available;  // by column
     std::vector<int> next;           // by row: the column it moves to
@@ -219,7 +220,8 @@ class Assigner {
     if (column != kNone) row_of_column_[column] = kNone;
   }
 
-  // Gives `row` the lowest column that costs no more, without a change to the rows before it.
+  // Moves `row` to the lowest column that does not increase the total, without changing the rows
+  // before it.
   void LowerColumn(int row) {
     const int old = column_of_row_[row];
     const Moves moves = FindMoves(row);

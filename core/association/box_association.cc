@@ -10,7 +10,7 @@
 namespace cvo {
 namespace {
 
-// Sums of weights by box, and of the members in none of them.
+// Weights and numbers of members in each box, and the weight of the members in no box.
 struct BoxSums {
   std::vector<double> by_box;
   std::vector<int> members;
@@ -37,7 +37,7 @@ BoxSums SumWeights(std::span<const BoxMember> cluster, std::span<const ImageBox>
 
 double Information(double p) { return p > 0.0 ? -p * std::log(p) : 0.0; }
 
-// Probabilities and their entropy; `in_none` is the weight of the null box.
+// Computes the probabilities and their entropy. `in_none` is the weight of the null box.
 BoxProbabilities Normalize(const BoxSums& sums, double in_none) {
   BoxProbabilities result{sums.by_box, sums.by_box, sums.members, 0.0};
   double total = in_none;

@@ -12,60 +12,63 @@
 
 namespace cvo {
 
-// A landmark of a cluster where it is, or is expected, in the left image.
+// A landmark of a cluster at its observed or predicted position in the left image.
 struct BoxMember {
   Eigen::Vector2d zeta_px = Eigen::Vector2d::Zero();
-  // Of the measurement, of the landmark's predicted position (Gamma), and of both (S), px^6.
+  // Determinants of the covariances of the measurement (Sigma_z), of the predicted position of the
+  // landmark (Gamma), and of the innovation (S), px^6.
   double measurement_determinant = 1.0;
   double position_determinant = 1.0;
   double innovation_determinant = 1.0;
 };
 
-// p_q(m) of Eq. 3 of the paper for one cluster, and its entropy.
+// p_q(m) of Eq. 3 of the paper for one cluster, and the entropy of this distribution.
 struct BoxProbabilities {
   std::vector<double> probability;  // by box
-  std::vector<double> weight;       // by box: of the landmarks inside
-  std::vector<int> members;         // by box: their number
+  std::vector<double> weight;       // by box: sum over the landmarks inside
+  std::vector<int> members;         // by box: number of landmarks inside
   double entropy = 0.0;             // bits
 };
 
-// How much a landmark says, and over what the probabilities are normalised (METHOD.md 4.5).
+// Defines the weight of a landmark and the normalisation of the probabilities (METHOD.md 4.5).
 template <typename Policy>
 concept BoxWeightsPolicy = requires(std::span<const BoxMember> cluster,
                                     std::span<const ImageBox> boxes) {
   { Policy::Compute(cluster, boxes) } -> std::same_as<BoxProbabilities>;
 };
 
-// Policy: weights sqrt(|Sigma_z| / |S|) in (0, 1]; a null box takes landmarks that are in no box.
+// Policy: weights sqrt(|Sigma_z| / |S|) in (0, 1]; landmarks that are in no box count for a null
+// box.
 struct BoundedBoxWeights {
   static BoxProbabilities Compute(std::span<const BoxMember> cluster,
                                   std::span<const ImageBox> boxes);
 };
-// Policy: as printed, weights 1 / |Gamma|, no null box.
+// Policy: as printed in the paper, with weights 1 / |Gamma| and no null box.
 struct BoxWeightsLiteral {
   static BoxProbabilities Compute(std::span<const BoxMember> cluster,
                                   std::span<const ImageBox> boxes);
 };
 
-// What it costs to give a box to a cluster that has the probability p = p_q(m) of it and `share`
-// of the weight that all clusters have in the box.
+// Cost of assigning a box to a cluster with probability p = p_q(m) for it and with `share` of the
+// weight that all clusters have in the box.
 template <typename Policy>
 concept BoxCostPolicy = requires(double p, double share) {
   { Policy::Cost(p, share) } -> std::same_as<double>;
 };
 
-// Policy: both count. p_q(m) alone does not say which of two clusters inside a box it shows.
+// Policy: uses both. p_q(m) alone does not tell which of two clusters inside a box the box shows.
 struct SharedBoxCost {
   static double Cost(double p, double share);
 };
-// Policy: p_q(m) alone (the paper's argmax).
+// Policy: uses p_q(m) alone (the argmax of the paper).
 struct UnsharedBoxCost {
   static double Cost(double p, double share);
 };
 
 using BoxCostFunction = double (*)(double p, double share);
 
-// The box of each cluster, or -1: one-to-one, as many pairs as can be, of least total cost.
+// Returns the box of each cluster, or -1. The assignment is one-to-one, with as many of the pairs
+// that `options` allow as possible and, among those assignments, the least total cost.
 std::vector<int> AssociateBoxes(std::span<const BoxProbabilities> clusters, int boxes,
                                 const ClusterAssociationOptions& options, BoxCostFunction cost);
 

@@ -9,7 +9,7 @@
 
 namespace cvo {
 
-// The part of the box within the left image. Empty where no pixel of the image is inside.
+// Returns the part of the box within the left image. Empty if the box is outside the image.
 [[nodiscard]] std::optional<ImageBox> ClipToImage(const ImageBox& box, const StereoCamera& camera);
 
 }  // namespace cvo

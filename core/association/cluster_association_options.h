@@ -6,7 +6,7 @@
 
 namespace cvo {
 
-// Association of features and boxes with moving bodies (section 3.1 of the paper).
+// Options for the association of features and boxes with clusters (section 3.1 of the paper).
 struct ClusterAssociationOptions {
   double gamma = 7.815;
   double max_radius_px = 60.0;

@@ -10,9 +10,9 @@
 
 namespace cvo {
 
-// Brute force over descriptors alone: mutually nearest pairs within max_hamming whose best distance
-// is at most `ratio` of the second best; features of the left image alone are left out. For a frame
-// about which no prediction can be trusted.
+// Matches by descriptors alone, by brute force: mutually nearest pairs within max_hamming whose
+// distance is less than `ratio` times the second best. Ignores left-only features. For frames for
+// which no prediction can be trusted.
 std::vector<Match> MatchDescriptors(std::span<const Descriptor> landmarks,
                                     std::span<const StereoFeature> features, int max_hamming,
                                     double ratio);

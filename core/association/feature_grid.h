@@ -10,11 +10,12 @@
 
 namespace cvo {
 
-// Features of one frame, bucketed by their left pixel. Keeps a view: the features must outlive it.
+// Features of one frame, bucketed by their left pixel. Holds a view of the features, which must
+// outlive it.
 class FeatureGrid {
  public:
   FeatureGrid(std::span<const StereoFeature> features, const StereoCamera& camera);
-  // Of the features with these indices alone.
+  // Contains only the features with the indices `which`.
   FeatureGrid(std::span<const StereoFeature> features, const StereoCamera& camera,
               std::span<const int> which);
 
@@ -48,7 +49,7 @@ class FeatureGrid {
   std::span<const StereoFeature> features_;
   int columns_;
   int rows_;
-  std::vector<int> cell_begin_;  // into sorted_, row by row, one past the end included
+  std::vector<int> cell_begin_;  // start of each cell in sorted_, row-major, and the end
   std::vector<int> sorted_;      // feature indices by cell
 };
 

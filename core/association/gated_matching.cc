@@ -12,9 +12,9 @@
 namespace cvo {
 namespace {
 
-// Within this distance of its border the right image shows few corners.
+// Within this distance of its border, few corners are found in the right image.
 constexpr double kRightBorder_px = 16.0;
-// Below this pivot, px^2, a covariance says nothing that could be tested.
+// A covariance with a smaller pivot is too close to singular for a test.
 constexpr double kMinPivot_px2 = 1e-9;
 
 double SearchRadius(const auto& innovation_px2, const ClusterAssociationOptions& options) {
@@ -24,7 +24,8 @@ double SearchRadius(const auto& innovation_px2, const ClusterAssociationOptions&
 
 constexpr Match kNoMatch{-1, -1, 257};
 
-// The unique most similar feature that is_wanted and is_inside accept, or kNoMatch.
+// Returns the feature with the most similar descriptor among those that is_wanted and is_inside
+// accept, or kNoMatch if it is not similar enough or not unique.
 template <typename IsWanted, typename IsInside>
 Match FindSimilar(const PredictedLandmark& landmark, const FeatureGrid& grid, double radius_px,
                   const ClusterAssociationOptions& options, IsWanted is_wanted,
@@ -48,7 +49,7 @@ Match FindSimilar(const PredictedLandmark& landmark, const FeatureGrid& grid, do
   return best.hamming <= options.max_hamming && is_unique ? best : kNoMatch;
 }
 
-// One-to-one matches of the landmarks with what `find` finds for each.
+// Matches the landmarks one-to-one to the features that `find` returns for them.
 template <typename Find>
 std::vector<Match> FindOneToOne(std::span<const PredictedLandmark> landmarks,
                                 const FeatureGrid& grid, Find find) {
@@ -62,7 +63,8 @@ std::vector<Match> FindOneToOne(std::span<const PredictedLandmark> landmarks,
                       static_cast<int>(grid.features().size()));
 }
 
-// Free features: those of the left image alone, or those that were found in the right one too.
+// Returns a predicate for free features: left-only ones, or those that were also found in the right
+// image.
 auto IsFree(const FeatureGrid& grid, const std::vector<char>& is_taken, bool left_only) {
   return [&grid, &is_taken, left_only](int index) {
     return !is_taken[index] && IsLeftOnly(grid.features()[index]) == left_only;

@@ -4,8 +4,8 @@
 
 namespace cvo {
 
-// An upright rectangle in the left image, px, pixel centres at integers; may reach out of the
-// image.
+// An axis-aligned rectangle in the left image, px, with pixel centres at integers. It may extend
+// beyond the image.
 struct ImageBox {
   double left_px = 0.0;
   double top_px = 0.0;
@@ -21,7 +21,7 @@ struct ImageBox {
   ImageBox Shrunk(double fraction) const;
 };
 
-// Area of the intersection over area of the union, in [0, 1]; 0 for two boxes without area.
+// Area of the intersection over area of the union, in [0, 1]; 0 if the boxes do not overlap.
 double IntersectionOverUnion(const ImageBox& a, const ImageBox& b);
 
 }  // namespace cvo

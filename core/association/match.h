@@ -6,15 +6,15 @@
 
 namespace cvo {
 
-// Landmark `landmark` of a list was observed as feature `feature` of a frame.
+// An observation of landmark `landmark` of a list as feature `feature` of a frame.
 struct Match {
   int landmark = 0;
   int feature = 0;
   int hamming = 0;  // bits
 };
 
-// The best pairs first, each landmark and each feature at most once; ties go to the lower landmark,
-// then to the lower feature. The result is sorted by landmark.
+// Keeps the best pairs, such that each landmark and each feature occurs at most once. Ties go to
+// the lower landmark, then to the lower feature. The result is sorted by landmark.
 std::vector<Match> KeepOneToOne(std::vector<Match> candidates, int landmarks, int features);
 
 }  // namespace cvo

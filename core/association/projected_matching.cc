@@ -10,7 +10,7 @@
 namespace cvo {
 namespace {
 
-// The nearest and the second nearest descriptor among the features around one projection.
+// The feature with the nearest descriptor around a projection, and the two smallest distances.
 struct Nearest {
   int feature = -1;
   int hamming = 257;

@@ -11,7 +11,7 @@
 
 namespace cvo {
 
-// A landmark where it is expected in the current frame.
+// A landmark at its predicted position in the current frame.
 struct ProjectedLandmark {
   Eigen::Vector3d zeta_px = Eigen::Vector3d::Zero();  // predicted (u_left, v, u_right)
   int octave = 0;                                     // predicted pyramid level
@@ -42,8 +42,9 @@ struct MatchingOptions {
   }
 };
 
-// Nearest descriptor within radius_px * scale_factor^octave of the projection, in all three
-// coordinates and within one pyramid level; unique and one-to-one.
+// Matches each landmark to the feature with the nearest descriptor within radius_px *
+// scale_factor^octave of its projection, in all three coordinates, and within one pyramid level.
+// Matches are unique and one-to-one.
 std::vector<Match> MatchProjected(std::span<const ProjectedLandmark> landmarks,
                                   const FeatureGrid& grid, double radius_px, double scale_factor,
                                   const MatchingOptions& options);

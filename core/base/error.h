@@ -8,15 +8,15 @@
 
 namespace cvo {
 
-// Bad input or a broken invariant. The message is one line: where (file, line or field),
-// what was found, what was expected.
+// Invalid input or a broken invariant. The message is one line: where (file, line or field), what
+// was found, and what was expected.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-// Concatenates its arguments as an output stream would print them, floating point with up to twelve
-// digits: a message must tell 1.0000001 from 1.
+// Concatenates its arguments as an output stream would print them. Floating-point numbers have up
+// to twelve digits, because a message must distinguish 1.0000001 from 1.
 template <typename... Args>
 std::string StrCat(const Args&... args) {
   std::ostringstream out;

@@ -7,7 +7,8 @@
 
 namespace cvo {
 
-// An integer that cannot be mixed up with another kind of id. Ordered, so that ties break by id.
+// An integer id that cannot be confused with ids of another kind. Ordered, so that ties can be
+// broken by id.
 template <typename Tag>
 struct StrongId {
   std::int64_t value = -1;
@@ -18,13 +19,14 @@ struct StrongId {
 
 using FrameId = StrongId<struct FrameTag>;
 using LandmarkId = StrongId<struct LandmarkTag>;
-using ClusterId = StrongId<struct ClusterTag>;  // moving bodies count from 1
+using ClusterId = StrongId<struct ClusterTag>;  // ids of moving clusters start at 1
 
-// A body of the world, by the number that a giver of labels has for it: 0 the static scene, invalid
-// where it is not known.
+// A body in the world, by its number in external labels. 0 is the static scene; invalid means
+// unknown.
 using BodyId = StrongId<struct BodyTag>;
 
-// The static scene, q = 0 of the paper. An invalid id is a landmark of no body (outlier class).
+// The static scene, q = 0 in the paper. A landmark with an invalid id belongs to no cluster
+// (outlier class).
 inline constexpr ClusterId kStaticScene{0};
 inline constexpr BodyId kStaticBody{0};
 

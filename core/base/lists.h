@@ -14,7 +14,8 @@
 
 namespace cvo {
 
-// The elements, or what a function or a member makes of each, with `separator` between them.
+// Concatenates the elements, or the projection `part` (a function or a member) of each, with
+// `separator` between them.
 template <typename List, typename Part = std::identity>
 std::string Joined(const List& list, std::string_view separator, const Part& part = {}) {
   std::string text;
@@ -31,7 +32,8 @@ void AddOnce(const T& value, std::vector<T>& values) {
   if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
 }
 
-// The first element of which `part`, a function or a member, is `value`; null: none.
+// Returns the first element whose projection `part` (a function or a member) equals `value`, or
+// null if there is none.
 template <typename List, typename Part, typename Value>
 auto* FindBy(List& list, const Part& part, const Value& value) {
   const auto found = std::find_if(list.begin(), list.end(), [&](const auto& element) {
@@ -40,14 +42,15 @@ auto* FindBy(List& list, const Part& part, const Value& value) {
   return found == list.end() ? nullptr : &*found;
 }
 
-// The first element that has its `part` in common with `fresh`; where there is none, that is added.
+// Returns the first element with the same projection `part` as `fresh`. If there is none, appends
+// `fresh` and returns it.
 template <typename T, typename Part>
 T& FindOrAdd(std::vector<T>& list, const Part& part, std::type_identity_t<T> fresh) {
   T* found = FindBy(list, part, std::invoke(part, fresh));
   return found != nullptr ? *found : list.emplace_back(std::move(fresh));
 }
 
-// "1 run", "2 runs"; `many` where it is not `one` with an "s".
+// "1 run", "2 runs". `many` is needed only if the plural is not `one` with an "s".
 inline std::string Counted(std::size_t count, const std::string& one,
                            const std::string& many = {}) {
   return StrCat(count, " ", count == 1 ? one : many.empty() ? one + "s" : many);

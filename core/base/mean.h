@@ -10,7 +10,7 @@
 
 namespace cvo {
 
-// Of at least one value.
+// Mean of at least one value.
 inline double MeanOf(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
@@ -23,7 +23,8 @@ inline double SquaresAroundMean(const std::vector<double>& values) {
   });
 }
 
-// Of the elements, or of what a function or a member makes of each; empty without elements.
+// Root mean square of the elements, or of the projection `part` (a function or a member) of each.
+// Empty if there are no elements.
 template <typename T, typename Part = std::identity>
 std::optional<double> RootMeanSquare(const std::vector<T>& list, const Part& part = {}) {
   if (list.empty()) return std::nullopt;

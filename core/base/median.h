@@ -7,7 +7,7 @@
 
 namespace cvo {
 
-// Of at least one value; the mean of the middle two of an even number.
+// Median of at least one value; the mean of the middle two if their number is even.
 inline double Median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t middle = values.size() / 2;

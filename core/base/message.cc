@@ -5,7 +5,7 @@
 namespace cvo {
 namespace {
 
-// The nearest place from `at` on where a character of UTF-8 starts.
+// Returns the first position from `at` on at which a UTF-8 character starts.
 std::size_t CharacterStart(const std::string& text, std::size_t at) {
   while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80) ++at;
   return at;
@@ -16,7 +16,7 @@ std::size_t CharacterStart(const std::string& text, std::size_t at) {
 std::string Shortened(const std::string& text) {
   if (text.size() <= kMaxMessage) return text;
   constexpr std::size_t kHead = kMaxMessage * 2 / 3;
-  constexpr std::size_t kTail = kMaxMessage - kHead - 8;  // room for the dots and a character
+  constexpr std::size_t kTail = kMaxMessage - kHead - 8;  // leaves room for dots and a character
   return text.substr(0, CharacterStart(text, kHead)) + "..." +
          text.substr(CharacterStart(text, text.size() - kTail));
 }

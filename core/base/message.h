@@ -9,8 +9,8 @@ namespace cvo {
 
 inline constexpr std::size_t kMaxMessage = 300;
 
-// A text that is longer than kMaxMessage bytes without its middle: what a file holds may be long,
-// and messages are for people.
+// Returns the text, without its middle if it is longer than kMaxMessage bytes: files may hold long
+// texts, and messages are for people.
 std::string Shortened(const std::string& text);
 
 }  // namespace cvo

@@ -10,12 +10,12 @@
 
 namespace cvo {
 
-// Description of one option for the user. Numbers are valid in [min, max].
+// User-facing description of one option. Numbers are valid in [min, max].
 struct FieldInfo {
   const char* unit;  // "px", "m", "1" for a pure number
   double min;
   double max;
-  const char* meaning;  // one line, with the trade-off where there is one
+  const char* meaning;  // one line, with the trade-off if there is one
   const char* source;   // paper section, estimator note, or how it was measured
 };
 

@@ -7,9 +7,9 @@
 
 namespace cvo {
 
-// Seeded generator (xoshiro256**, Blackman and Vigna 2018) with its own distributions: the standard
-// library's distributions differ between implementations. One stream per module: the same seed with
-// another stream name gives independent numbers.
+// Seeded random number generator (xoshiro256**, Blackman and Vigna 2018) with its own
+// distributions, because those of the standard library differ between implementations. Each module
+// has its own stream: the same seed with another stream name gives independent numbers.
 class Rng {
  public:
   Rng(std::uint64_t seed, std::string_view stream);

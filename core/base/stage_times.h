@@ -8,10 +8,10 @@
 
 namespace cvo {
 
-// Wall time by stage, seconds. Measured beside the results and never read by the estimator.
+// Wall time by stage, seconds. Measured alongside the results, and never read by the estimator.
 using StageTimes = std::map<std::string, double>;
 
-// Adds the time until its end of scope to times[stage].
+// Adds the time from its construction to its destruction to times[stage].
 class ScopedStage {
  public:
   ScopedStage(StageTimes& times, const char* stage)

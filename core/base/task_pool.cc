@@ -27,7 +27,7 @@ TaskPool::TaskPool(int threads) {
   workers_.reserve(static_cast<std::size_t>(threads) - 1);
   try {
     for (int i = 1; i < threads; ++i) workers_.emplace_back([this] { RunWorker(); });
-  } catch (const std::exception&) {  // the system has no room for more
+  } catch (const std::exception&) {  // the system cannot start any more threads
     const std::size_t started = workers_.size() + 1;
     JoinAll(workers_, mutex_, stopping_, changed_);
     ThrowError("threads", StrCat(threads), StrCat("at most ", started, ", as many as could start"));
@@ -56,7 +56,7 @@ TaskPool::Ticket TaskPool::Submit(std::function<void()> work) {
 void TaskPool::Wait(const Ticket& ticket) {
   std::unique_lock lock(mutex_);
   while (!ticket->done) {
-    // The awaited task first: everything queued before it may be of no use to the caller yet.
+    // Run the awaited task first: the caller may have no use yet for those queued before it.
     const auto own = std::find(waiting_.begin(), waiting_.end(), ticket);
     if (own != waiting_.end()) {
       waiting_.erase(own);

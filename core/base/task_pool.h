@@ -14,13 +14,14 @@
 
 namespace cvo {
 
-// Runs tasks on `threads` threads in all: threads - 1 workers and whoever waits. With one thread a
-// task runs when it is waited for, so results must not depend on the order in which tasks run.
+// Runs tasks on `threads` threads in total: threads - 1 workers and the thread that waits. With one
+// thread, a task runs when it is waited for, so results must not depend on the order in which tasks
+// run.
 class TaskPool {
   struct Task;
 
  public:
-  // A task that was submitted; Wait on it exactly once.
+  // Handle of a submitted task. Call Wait on it exactly once.
   using Ticket = std::shared_ptr<Task>;
 
   explicit TaskPool(int threads);
@@ -30,11 +31,11 @@ class TaskPool {
   TaskPool& operator=(const TaskPool&) = delete;
 
   Ticket Submit(std::function<void()> work);
-  // Returns when the task has ended; runs it, or others meanwhile, on the calling thread if no
-  // worker has taken it. Rethrows what the task threw.
+  // Returns when the task has ended. If no worker has taken it yet, runs it on the calling thread;
+  // otherwise runs other tasks in the meantime. Rethrows the exception of the task.
   void Wait(const Ticket& ticket);
-  // work(0) ... work(count - 1), in any order; returns when all have ended. Rethrows the first
-  // error by index.
+  // Runs work(0) ... work(count - 1) in any order and returns when all have ended. Rethrows the
+  // exception with the lowest index.
   void ParallelFor(int count, const std::function<void(int)>& work);
 
  private:

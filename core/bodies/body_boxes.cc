@@ -10,20 +10,21 @@
 
 namespace cvo {
 
-// What is known of a body's box, in world, at the time of a state of its cluster.
+// What is known of a body's box at the time of one state of its cluster, in world.
 struct BodyTrack {
   FrameId frame;
-  RigidTransform world_from_object;                    // then; the window may no longer hold it
+  RigidTransform world_from_object;                    // at `frame`, which may have left the window
   Eigen::Vector3d forward = Eigen::Vector3d::UnitZ();  // level
   BoxShape shape;
-  CenterEstimate center;  // in the body's frame, by the views so far
+  CenterEstimate center;  // in the object frame, averaged over the views
   Eigen::Vector3d landmark_center = Eigen::Vector3d::Zero();
-  ViewedSides viewed;  // as far as pictures told
+  ViewedSides viewed;
 };
 
 namespace {
 
-// In world, at the time of the cluster's latest state; the origin of a cluster that has none.
+// Returns the cluster's landmarks in world, at the time of its latest state; its origin if it has
+// no landmarks.
 Eigen::Matrix3Xd PointsOf(const Cluster& cluster) {
   const RigidTransform& world_from_object = cluster.Latest().world_from_object;
   if (cluster.landmarks.empty()) return world_from_object.translation();
@@ -34,7 +35,7 @@ Eigen::Matrix3Xd PointsOf(const Cluster& cluster) {
   return points;
 }
 
-// Takes the track from the state it is of to the latest one.
+// Advances the track to the cluster's latest state.
 void Follow(const BoxScene& scene, const Cluster& cluster, BodyTrack& track) {
   const ClusterState& latest = cluster.Latest();
   if (!track.frame.valid()) {
@@ -58,7 +59,7 @@ void TurnToMotion(const BoxScene& scene, const Cluster& cluster, BodyTrack& trac
   if (direction) track.forward = *direction;
 }
 
-// Axes and sides; `known_m` is 0 where the landmarks and the pictures have to tell.
+// Sets axes and sides. `known_m` is 0 for sides that are estimated from landmarks and images.
 void ShapeBox(const BoxScene& scene, const Cluster& cluster, const Eigen::Vector3d& known_m,
               BodyTrack& track) {
   const BodyBoxOptions& options = scene.options.boxes;
@@ -76,7 +77,7 @@ void ShapeBox(const BoxScene& scene, const Cluster& cluster, const Eigen::Vector
   track.landmark_center = CenterBehindNearSides(sides, track.shape, camera);
 }
 
-// What the frame's picture of the body tells of its place, and of its sides for later frames.
+// Updates the body's place, and for later frames its sides, from its view in this frame.
 void LookAt(const BoxScene& scene, const Cluster& cluster, bool is_known, BodyTrack& track) {
   const BoxSceneOptions& options = scene.options;
   const std::optional<BoxPlace> place =
@@ -95,7 +96,7 @@ void LookAt(const BoxScene& scene, const Cluster& cluster, bool is_known, BodyTr
   }
 }
 
-// Where the body is reported to be, which is where it is predicted if it was not found.
+// Returns the box at the reported pose of the body, which is predicted if the body was not found.
 BodyBox BoxAt(const BoxScene& scene, const Cluster& cluster, const BodyTrack& track,
               const RigidTransform& world_from_object) {
   const RigidTransform& latest = cluster.Latest().world_from_object;

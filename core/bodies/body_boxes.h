@@ -13,7 +13,7 @@
 
 namespace cvo {
 
-// What boxes are made with.
+// Options for the boxes of bodies.
 struct BoxSceneOptions {
   FeatureNoise noise;
   ClusterOptions clusters;
@@ -22,11 +22,11 @@ struct BoxSceneOptions {
   BodyBoxOptions boxes;
 };
 
-// What boxes are made from in a frame, once the estimator has finished it.
+// Inputs for the boxes of a frame that the estimator has finished.
 struct BoxScene {
   BoxSceneOptions options;
   const ClusterMap& clusters;
-  const FrameView* view = nullptr;  // with the camera as it is now; null: a frame without images
+  const FrameView* view = nullptr;  // with the optimised camera; null: frame without images
   FrameId newest;
   RigidTransform world_from_camera;
   Eigen::Vector3d down = Eigen::Vector3d::UnitY();  // in world
@@ -34,14 +34,14 @@ struct BoxScene {
 
 struct BodyTrack;
 
-// The upright boxes of bodies (METHOD.md 10.4): what the estimator reports, and never uses.
+// The upright boxes of bodies (METHOD.md 10.4), which the estimator reports but never uses.
 class BodyBoxes {
  public:
-  // Sets box and score of every report, one per live cluster and in their order.
+  // Sets box and score of every report. There is one report per live cluster, in the same order.
   void Describe(const BoxScene& scene, std::vector<ClusterReport>& reports);
 
  private:
-  // Tracks of clusters that cannot come back.
+  // Removes the tracks of clusters that cannot come back.
   void ForgetGone(const ClusterMap& clusters);
 
   std::map<ClusterId, std::shared_ptr<BodyTrack>> tracks_;

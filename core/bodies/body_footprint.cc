@@ -14,14 +14,14 @@ namespace cvo {
 namespace {
 
 constexpr Eigen::Index kFewPoints = 20;
-constexpr int kAngles = 15;  // to a right angle: 6 degrees from one to the next
+constexpr int kAngles = 15;  // per right angle, in steps of 6 degrees
 
 struct Interval {
   double low = 0.0;
   double high = 0.0;
 };
 
-// From the quantile to one minus it.
+// Returns the range from `quantile` to one minus it.
 Interval OuterRange(Eigen::VectorXd values, double quantile) {
   const Eigen::Index last = values.size() - 1;
   const auto rank = static_cast<Eigen::Index>(std::lround(quantile * static_cast<double>(last)));
@@ -46,7 +46,8 @@ Eigen::Matrix3d FootprintAxes(const Eigen::Matrix3Xd& points, const Eigen::Vecto
   };
   Eigen::Vector3d best = forward;
   double least_m2 = std::numeric_limits<double>::infinity();
-  // From minus to plus 45 degrees, so that the best one is the nearest of its four to `forward`.
+  // From -45 to 45 degrees, so that the best axis is the nearest to `forward` of its four
+  // directions.
   for (int i = 0; i < kAngles; ++i) {
     const double angle_rad = std::numbers::pi / 2.0 * ((i + 0.5) / kAngles - 0.5);
     const Eigen::Vector3d axis = Eigen::AngleAxisd(angle_rad, down) * forward;
@@ -94,7 +95,7 @@ Eigen::Vector3d CenterBehindNearSides(const LandmarkSides& sides, const BoxShape
   Eigen::Vector3d center = 0.5 * (sides.low + sides.high);
   for (int k = 0; k < 3; ++k) {
     const double unseen_m = 0.5 * (shape.size_m[k] - (sides.high[k] - sides.low[k]));
-    // Between the planes of the two sides the camera sees neither better than the other.
+    // From between the planes of the two sides, the camera sees neither better than the other.
     if (camera[k] < sides.low[k]) center[k] += unseen_m;
     if (camera[k] > sides.high[k]) center[k] -= unseen_m;
   }

@@ -8,14 +8,15 @@
 
 namespace cvo {
 
-// What a body's landmarks tell of its sides, for bodies whose class has no size.
+// The sides of bodies as estimated from landmarks, for classes without a known size.
 
-// Level axes (BoxAxes) along which the points (columns, in world) have the smallest footprint, of
-// its four directions the one nearest to `forward`; along `forward` where the points are few.
+// Returns the level axes (BoxAxes) along which the points (columns, in world) have the smallest
+// footprint; of its four directions, the one nearest to `forward` is the first axis. With fewer
+// than 20 points, that axis is `forward` itself.
 Eigen::Matrix3d FootprintAxes(const Eigen::Matrix3Xd& points, const Eigen::Vector3d& forward,
                               const Eigen::Vector3d& down, const BodyBoxOptions& options);
 
-// Between outer quantiles of the points along the axes.
+// Range between outer quantiles of the points along the axes.
 struct LandmarkSides {
   Eigen::Vector3d low = Eigen::Vector3d::Zero();  // coordinates along the axes
   Eigen::Vector3d high = Eigen::Vector3d::Zero();
@@ -24,17 +25,17 @@ struct LandmarkSides {
 LandmarkSides SidesAlong(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points,
                          const BodyBoxOptions& options, const ExtentOptions& extent);
 
-// The sides, held against what pictures told: height from them, and a footprint that differs from
-// the square that is as wide as they are by at most boxes.footprint_ratio a side.
+// Corrects the sides by those seen in images: the height is that in the images, and each side of
+// the footprint is kept within the factor boxes.footprint_ratio of the square that looks as wide.
 Eigen::Vector3d WithPictures(const Eigen::Vector3d& size_m, const ViewedSides& viewed,
                              const BodyBoxOptions& options);
 
-// Of a ball: all sides are its diameter, the largest of what pictures, or without them landmarks,
-// told.
+// Returns the sides of a ball: all are its diameter, which is the larger of height and width in the
+// images or, without these, the largest side of the landmarks.
 Eigen::Vector3d SidesOfBall(const Eigen::Vector3d& size_m, const ViewedSides& viewed);
 
-// In world: where a side is longer than its landmarks reach, they are on its half towards the
-// camera.
+// Returns the centre of the box in world. Where a side is longer than its landmarks reach, the part
+// without landmarks is on the side away from the camera.
 Eigen::Vector3d CenterBehindNearSides(const LandmarkSides& sides, const BoxShape& shape,
                                       const Eigen::Vector3d& camera_in_world);
 

@@ -13,9 +13,9 @@
 namespace cvo {
 namespace {
 
-constexpr double kNear_m = 0.5;  // a box that reaches behind the camera ends here
+constexpr double kNear_m = 0.5;  // least depth: where a box that reaches behind the camera ends
 
-// The landmarks that the frame shows, in the camera.
+// Returns the landmarks seen in frame `newest`, in the camera frame.
 std::vector<Eigen::Vector3d> SeenPoints(const FrameView& view, FrameId newest,
                                         const Cluster& cluster) {
   const RigidTransform camera_from_object =
@@ -29,7 +29,7 @@ std::vector<Eigen::Vector3d> SeenPoints(const FrameView& view, FrameId newest,
   return points;
 }
 
-// Around the box's picture.
+// Returns the rectangle around the projection of the box; `center` is in the camera frame.
 ImageBox PictureOf(const StereoCamera& camera, const BoxShape& shape,
                    const Eigen::Vector3d& center) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -47,14 +47,15 @@ ImageBox PictureOf(const StereoCamera& camera, const BoxShape& shape,
   return picture;
 }
 
-// How far a picture has to move between those of its two edges that are not cut.
+// How far a projection has to move to be centred, judged by those of two edges that are not cut.
+// `at_low_px` and `at_high_px` are the shifts that would align each of these edges.
 double EdgeShift(double at_low_px, double at_high_px, bool cuts_low, bool cuts_high) {
   if (cuts_low && cuts_high) return 0.0;
   if (cuts_low) return at_high_px;
   return cuts_high ? at_low_px : 0.5 * (at_low_px + at_high_px);
 }
 
-// The centre moved so that the box's picture is in the middle of the detection's box.
+// Returns the centre moved such that the projection of the box is centred in the detection's box.
 Eigen::Vector3d Centred(const StereoCamera& camera, double border_px, const ImageBox& box,
                         const BoxShape& seen, const Eigen::Vector3d& center) {
   const ImageBox picture = PictureOf(camera, seen, center);
@@ -67,8 +68,8 @@ Eigen::Vector3d Centred(const StereoCamera& camera, double border_px, const Imag
   return center + depth_m * Eigen::Vector3d(du_px / camera.fx, dv_px / camera.fy, 0.0);
 }
 
-// How far the point lies behind the face of the box that its ray meets first; empty where it meets
-// none.
+// How far the point lies behind the face of the box that its ray meets first; empty if the ray
+// misses the box.
 std::optional<double> BehindSurface(const Eigen::Vector3d& p, const BoxShape& shape,
                                     const Eigen::Vector3d& center) {
   const Eigen::Vector3d ray = shape.axes.transpose() * p.normalized();
@@ -90,8 +91,8 @@ std::optional<double> BehindSurface(const Eigen::Vector3d& p, const BoxShape& sh
   return p.norm() - enter_m;
 }
 
-// How far the foremost points lie behind the faces, but for the noise of their depths: a body is
-// within its box, so that most points are behind its faces, and noise spreads them to both sides.
+// How far the foremost points lie behind the faces, corrected for the noise of their depths: a body
+// is within its box, so most points are behind its faces, and noise spreads them to both sides.
 double SurfaceShift(const std::vector<Eigen::Vector3d>& points, const BoxShape& shape,
                     const Eigen::Vector3d& center, double deviation_m) {
   std::vector<double> behind_m;
@@ -100,7 +101,7 @@ double SurfaceShift(const std::vector<Eigen::Vector3d>& points, const BoxShape& 
   }
   constexpr std::size_t kLeast = 3;
   if (behind_m.size() < kLeast) return 0.0;
-  // The quantile of a normal distribution that lies so far below its mean.
+  // This quantile of a normal distribution lies kDeviations standard deviations below the mean.
   constexpr double kForemost = 0.2;
   constexpr double kDeviations = 0.84;
   const auto rank = static_cast<std::ptrdiff_t>(kForemost * static_cast<double>(behind_m.size()));
@@ -138,8 +139,8 @@ BoxPlace PlaceAt(const FrameView& view, const BodyPlaceOptions& options, int det
           InformationAlong(view.world_from_camera, center, deviations)};
 }
 
-// Of a body that looks so tall along `down` (in its axes): between that of a box, which is seen
-// from corner to corner, and of an ellipsoid of these sides.
+// Height of a body that looks `tall_m` tall along `down` (in its own axes): midway between that of
+// a box, which is seen from corner to corner, and that of an ellipsoid with the same sides.
 double HeightOf(double tall_m, const Eigen::Vector3d& down, const Eigen::Vector3d& size_m) {
   const double x_m = size_m.x() * std::abs(down.x());
   const double z_m = size_m.z() * std::abs(down.z());

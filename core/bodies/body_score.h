@@ -7,8 +7,8 @@
 
 namespace cvo {
 
-// How sure it is that a body is where the cluster says in frame `newest`, in (0, 1), to rank
-// estimates (METHOD.md 10.1). `view` is null in a frame without images.
+// Confidence, in (0, 1), that a body is where the cluster is estimated in frame `newest`, for
+// ranking estimates (METHOD.md 10.1). `view` is null in a frame without images.
 double ScoreOf(const FeatureNoise& noise, const ClusterOptions& options, const FrameView* view,
                FrameId newest, const Cluster& cluster);
 

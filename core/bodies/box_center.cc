@@ -8,7 +8,7 @@
 namespace cvo {
 namespace {
 
-constexpr double kLeastSize_m = 0.01;  // no box is so small: keeps the information finite
+constexpr double kLeastSize_m = 0.01;  // below any real box; keeps the information finite
 
 bool MayBeHidden(const FrameView& view, double max_overlap, int detection) {
   const ImageBox& box = view.shown.detections[detection].box;
@@ -24,7 +24,7 @@ bool MayBeHidden(const FrameView& view, double max_overlap, int detection) {
   return false;
 }
 
-// Whether an edge of a detection's box may not be its body's own.
+// Directions in which an edge of a detection's box may not be the body's own.
 struct UnseenEdges {
   bool across = false;  // left or right
   bool down = false;    // top or bottom
@@ -63,7 +63,7 @@ Eigen::Vector3d CenterDeviations(const FrameView& view, const BoxCenterOptions& 
 
 Eigen::Matrix3d InformationAlong(const RigidTransform& world_from_camera,
                                  const Eigen::Vector3d& ray, const Eigen::Vector3d& deviations_m) {
-  // Of the axes of a camera that looks along the ray.
+  // Axes of a camera that looks along the ray.
   const Eigen::Matrix3d R =
       world_from_camera.RotationMatrix() *
       Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), ray).toRotationMatrix();

@@ -13,15 +13,15 @@ namespace {
 constexpr int kHypotheses = 100;
 constexpr std::size_t kLeastPoints = 20;
 constexpr double kMostTilt_cos = 0.766;  // 40 degrees from the camera's y axis
-// Of a point's distance: what triangulation and an uneven ground leave.
+// As a fraction of a point's distance; allows for triangulation errors and uneven ground.
 constexpr double kTolerance = 0.01;
-constexpr double kBelow = 3.0;  // tolerances
-// What lies below the ground is an outlier, unless there is more of it than that.
+constexpr double kBelow = 3.0;  // in tolerances
+// Points below the ground are outliers unless they exceed this fraction of the points on it.
 constexpr double kMostBelow = 0.1;
-constexpr double kKept = 0.95;  // of the sum of normals, from frame to frame
+constexpr double kKept = 0.95;  // decay factor of the sum of normals, per frame
 
 struct Plane {
-  Eigen::Vector3d down;     // unit
+  Eigen::Vector3d down;     // unit vector
   double distance_m = 0.0;  // down . p of its points
 };
 
@@ -52,7 +52,7 @@ Support SupportOf(const Plane& plane, const std::vector<Eigen::Vector3d>& points
   return support;
 }
 
-// Least squares.
+// Returns the least-squares normal of the plane through the chosen points.
 Eigen::Vector3d NormalOf(const std::vector<Eigen::Vector3d>& points,
                          const std::vector<std::size_t>& chosen) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -89,7 +89,7 @@ void GroundDirection::Update(std::span<const Eigen::Vector3d> points_in_world,
 }
 
 Eigen::Vector3d GroundDirection::Down(const RigidTransform& world_from_camera) const {
-  constexpr double kForgotten = 1.0;  // point
+  constexpr double kForgotten = 1.0;  // in points
   if (sum_.norm() > kForgotten) return sum_.normalized();
   return world_from_camera.rotation() * Eigen::Vector3d::UnitY();
 }

@@ -184,7 +184,8 @@ bool TurnPriorCost::Evaluate(double const* const* blocks, double* residuals,
     if (!jacobians[i]) continue;
     Eigen::Map<Eigen::Matrix<double, 3, 7, Eigen::RowMajor>> J(jacobians[i]);
     J.setZero();
-    // Theirs is by turns about world axes, the manifold's about the body's.
+    // value.J is with respect to rotations about world axes, the manifold's tangent about body
+    // axes.
     J.leftCols<3>() = value.J[i] * world_from_object[i].toRotationMatrix();
   }
   return true;

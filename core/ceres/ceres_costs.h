@@ -14,10 +14,10 @@
 
 namespace cvo::ceres_costs {
 
-// RigidTransform::Plus and Minus for Ceres. The costs below write their Jacobians with
+// RigidTransform::Plus and Minus as a Ceres manifold. The costs below write their Jacobians with
 // respect to the tangent into the first six of the block's seven columns, so PlusJacobian is
-// [I6; 0] (METHOD.md 7.5): on these blocks, tools that differentiate with respect to the ambient
-// space see nothing sensible.
+// [I6; 0] (METHOD.md 7.5). Tools that differentiate these blocks with respect to the ambient space
+// therefore give wrong results.
 class PoseManifold final : public ceres::Manifold {
  public:
   int AmbientSize() const override { return 7; }
@@ -30,8 +30,8 @@ class PoseManifold final : public ceres::Manifold {
 
 RigidTransform PoseFromBlock(const double* block);  // [qx qy qz qw tx ty tz]
 
-// EvaluateReprojection; blocks: world_from_camera (7, PoseManifold), p_in_world (3),
-// right_field_px (6), which takes the place of the camera's own.
+// Cost of EvaluateReprojection. Blocks: world_from_camera (7, PoseManifold), p_in_world (3),
+// right_field_px (6), which replaces that of the camera.
 class ReprojectionCost final : public ceres::SizedCostFunction<3, 7, 3, 6> {
  public:
   ReprojectionCost(const StereoCamera& camera, const Eigen::Vector3d& z_px,
@@ -46,9 +46,9 @@ class ReprojectionCost final : public ceres::SizedCostFunction<3, 7, 3, 6> {
   Eigen::Matrix3d sqrt_information_;
 };
 
-// r = r0 + J0 dx of a WindowPrior; one 7-block per frame, in the prior's order, then
-// right_field_px. The tangent's rotation part is differentiated exactly (inverse right Jacobian).
-// `prior` must outlive it.
+// Cost of a WindowPrior, r = r0 + J0 dx. Blocks: one pose (7, PoseManifold) per frame, in the
+// prior's order, then right_field_px (6). The rotational part of the tangent is differentiated
+// exactly (inverse right Jacobian). `prior` must outlive this object.
 class PriorCost final : public ceres::CostFunction {
  public:
   explicit PriorCost(const WindowPrior& prior);
@@ -58,9 +58,9 @@ class PriorCost final : public ceres::CostFunction {
   const WindowPrior* prior_;
 };
 
-// r = W (pi(camera_from_world world_from_object p_in_object) - z), the camera held: the
-// reprojection term of the paper's energy of a cluster, corrected (METHOD.md 9). J_pose
-// in the tangent of world_from_object. Near points as in EvaluateReprojection.
+// r = W (pi(camera_from_world world_from_object p_in_object) - z) with the camera held fixed: the
+// reprojection term of the paper's energy of a cluster, corrected (METHOD.md 9). J_pose is in the
+// tangent of world_from_object. Near points are treated as in EvaluateReprojection.
 struct ObjectReprojectionResidual {
   Eigen::Vector3d r;
   Eigen::Matrix<double, 3, 6> J_pose;
@@ -73,7 +73,7 @@ ObjectReprojectionResidual EvaluateObjectReprojection(const StereoCamera& camera
                                                       const RigidTransform& world_from_object,
                                                       const Eigen::Vector3d& p_in_object);
 
-// The same for Ceres; blocks: world_from_object (7, PoseManifold), p_in_object (3).
+// Cost of EvaluateObjectReprojection. Blocks: world_from_object (7, PoseManifold), p_in_object (3).
 class ObjectReprojectionCost final : public ceres::SizedCostFunction<3, 7, 3> {
  public:
   ObjectReprojectionCost(const StereoCamera& camera, const RigidTransform& world_from_camera,
@@ -92,7 +92,8 @@ class ObjectReprojectionCost final : public ceres::SizedCostFunction<3, 7, 3> {
   Eigen::Matrix3d sqrt_information_;
 };
 
-// r = sqrt_information (p - mean) of a PointPrior; block: p_in_object (3). `prior` must outlive it.
+// Cost of a PointPrior, r = sqrt_information (p - mean). Block: p_in_object (3). `prior` must
+// outlive this object.
 class PointPriorCost final : public ceres::SizedCostFunction<3, 3> {
  public:
   explicit PointPriorCost(const PointPrior& prior) : prior_(&prior) {}
@@ -112,8 +113,8 @@ class PointPriorCost final : public ceres::SizedCostFunction<3, 3> {
   const PointPrior* prior_;
 };
 
-// EvaluateMotionPrior; blocks: world_from_object (7, PoseManifold), velocity (3), and both of the
-// next state.
+// Cost of EvaluateMotionPrior. Blocks: world_from_object (7, PoseManifold) and velocity (3) of a
+// state, then both of the next state.
 class MotionPriorCost final : public ceres::SizedCostFunction<6, 7, 3, 7, 3> {
  public:
   explicit MotionPriorCost(const MotionPriorFactors& factors) : factors_(factors) {}
@@ -124,7 +125,8 @@ class MotionPriorCost final : public ceres::SizedCostFunction<6, 7, 3, 7, 3> {
   MotionPriorFactors factors_;
 };
 
-// EvaluateTurnPrior; blocks: world_from_object (7, PoseManifold) of three frames in a row.
+// Cost of EvaluateTurnPrior. Blocks: world_from_object (7, PoseManifold) of three consecutive
+// frames.
 class TurnPriorCost final : public ceres::SizedCostFunction<3, 7, 7, 7> {
  public:
   TurnPriorCost(double power_density_rad2_s3, const std::array<double, 2>& dt_s)

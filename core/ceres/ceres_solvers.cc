@@ -63,8 +63,8 @@ void AddPrior(WindowProblem& problem, PriorCost& cost, ceres::Problem& ceres_pro
   ceres_problem.AddResidualBlock(&cost, nullptr, blocks);
 }
 
-// Within a group Ceres goes by addresses, which are not the same twice: each kind of unknown,
-// stored in one piece, has a group of its own. Points are eliminated first.
+// Within a group, Ceres orders blocks by their addresses, which differ from run to run. Each kind
+// of variable, stored contiguously, therefore has a group of its own. Points are eliminated first.
 enum OrderingGroup { kPoints, kPoses, kVelocities, kField };
 
 Ordering OrderingOf(WindowProblem& problem) {
@@ -77,7 +77,7 @@ Ordering OrderingOf(WindowProblem& problem) {
   return ordering;
 }
 
-// A cluster's problem as Ceres has it; keeps what the problem points to.
+// A cluster's problem in Ceres; owns the cost functions that the Ceres problem points to.
 class CeresCluster {
  public:
   CeresCluster(const NoiseOptions& noise, const MotionPriorSteps& steps, ClusterProblem& problem)
@@ -144,7 +144,7 @@ class CeresCluster {
   ClusterProblem& problem_;
   PoseManifold manifold_;
   ceres::HuberLoss loss_;
-  std::deque<ObjectReprojectionCost> reprojections_;  // deques never move their elements
+  std::deque<ObjectReprojectionCost> reprojections_;  // a deque never moves its elements
   std::deque<PointPriorCost> points_;
   std::deque<MotionPriorCost> steps_;
   std::deque<TurnPriorCost> turns_;

@@ -7,8 +7,8 @@
 
 namespace cvo {
 
-// Policy (SolverPolicy): the same energies by the library Ceres: dense Schur complement, one
-// thread, the same limits.
+// Policy (SolverPolicy): minimises the same energies with the Ceres library: dense Schur
+// complement, one thread, the same limits.
 struct CeresSolver {
   static SolverSummary Solve(const NoiseOptions& noise, const SolverOptions& options,
                              WindowProblem& problem);

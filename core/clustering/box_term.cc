@@ -41,7 +41,7 @@ bool AnyContains(const Boxes& boxes, const Eigen::Vector3d& z_px) {
                      [&](const auto& box) { return box && box->Contains(z_px[0], z_px[1]); });
 }
 
-// C of one landmark.
+// The set C of one landmark.
 class Candidates {
  public:
   explicit Candidates(std::size_t labels) : holds_(labels, false) {}
@@ -80,7 +80,7 @@ class Candidates {
   double count_ = 0.0;
 };
 
-// `predicted`: boxes that count where there is no detection.
+// `predicted` holds the boxes to be used where there is no detection.
 void BoxEnergies(const CrfScene& scene, const UnaryOptions& options, const Boxes& predicted,
                  EnergyMatrix& energies) {
   const Boxes detected = DetectedBoxes(scene, options.box_shrink);

@@ -7,22 +7,22 @@
 namespace cvo {
 
 // p_2D of section 3.2 of the paper: eta / |C| for the labels in C, (1 - eta) / (M - |C|) for the
-// others, C the labels whose detection, shrunk by box_shrink, contains the landmark, and the static
-// scene if it is in the lowest box_foot of all of these. Where there are none: the labels whose
-// predicted box does (as it is) and the static scene, for the detector's silence neither confirms
-// nor denies them; or else the static scene alone (METHOD.md 5.3).
+// others. C consists of the labels whose detection, shrunk by box_shrink, contains the landmark,
+// and of the static scene if the landmark is in the lowest box_foot of all these detections. If no
+// detection contains it, C consists of the static scene and the labels whose predicted box, not
+// shrunk, contains it: a missed detection is no evidence for or against them (METHOD.md 5.3).
 struct Box2dTerm {
   static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
 };
 
-// The same without predictions: outside of all detections the static scene alone, as if a body that
-// the detector missed were not there.
+// The same without predicted boxes: outside all detections, C is the static scene alone, as if a
+// body that the detector missed were not there.
 struct DetectedBox2dTerm {
   static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
 };
 
-// As printed: detections in full size, predictions unknown, and where C is empty all labels are
-// equally likely.
+// As printed: detections are not shrunk, predicted boxes are not used, and all labels are equally
+// likely if C is empty.
 struct Box2dTermLiteral {
   static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
 };

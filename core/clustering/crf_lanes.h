@@ -7,17 +7,17 @@
 
 namespace cvo {
 
-inline constexpr int kCrfLanes = 8;  // labels that are worked on at a time
-inline constexpr int kCrfTile = 48;  // nodes in a side of a piece of the kernel matrix
+inline constexpr int kCrfLanes = 8;  // labels processed at a time
+inline constexpr int kCrfTile = 48;  // nodes per side of a tile of the kernel matrix
 
-// Eight labels of a node. A matrix of nodes by labels is a sequence of blocks of eight labels, each
-// with all nodes.
+// Values of eight labels of one node. A matrix of nodes by labels is stored as a sequence of blocks
+// of eight labels, each of which holds all nodes.
 struct alignas(32) CrfLanes {
   float label[kCrfLanes];
 };
 
 struct alignas(32) CrfTilePoints {
-  float x[kCrfTile];  // m, from an origin near by
+  float x[kCrfTile];  // m, relative to a nearby origin
   float y[kCrfTile];
   float z[kCrfTile];
 };
@@ -26,39 +26,39 @@ struct alignas(32) CrfTile {
   float k[kCrfTile][kCrfTile];
 };
 
-// What a matrix leaves to the next one: the system takes longer to give so much than the kernel to
-// fill it.
+// Tiles that one kernel matrix leaves to the next for reuse: allocating so much memory takes longer
+// than filling it.
 using CrfMemory = std::vector<CrfTile>;
 
 // next = softmax over all labels of (weight * message - energy).
 struct CrfUpdate {
   int nodes;
   int blocks;
-  std::ptrdiff_t stride;  // from block to block
+  std::ptrdiff_t stride;  // between blocks
   const CrfLanes* energy;
   const CrfLanes* message;
-  const float* weight;  // by node
+  const float* weight;  // per node
   const CrfLanes* q;
   CrfLanes* next;
 };
 
-inline constexpr float kLowestCrfExponent = -18.0F;  // of the kernel: 6 bandwidths
-inline constexpr float kLowestCrfLogit = -80.0F;     // less than the best of a node by more: Q = 0
+inline constexpr float kLowestCrfExponent = -18.0F;  // of the kernel, at 6 bandwidths
+inline constexpr float kLowestCrfLogit = -80.0F;     // relative to a node's best label; Q = 0 below
 
-// The inner loops of inference, for one kind of processor. Single precision; the exponentials of
-// the two kinds differ by at most 3e-7 of their value.
+// The inner loops of inference for one kind of processor, in single precision. The exponentials of
+// the two implementations differ by at most 3e-7 of their value.
 struct CrfLoops {
   // k[i][j] = exp(-|rows_i - columns_j|^2 * scale), 0 where the exponent is below -18.
   void (*fill)(const CrfTilePoints& rows, const CrfTilePoints& columns, float scale, CrfTile& tile);
-  // message_rows += k * q_columns and message_columns += k^T * q_rows; a tile's nodes each.
+  // message_rows += k * q_columns and message_columns += k^T * q_rows, over the nodes of a tile.
   void (*multiply)(const CrfTile& tile, const CrfLanes* q_rows, const CrfLanes* q_columns,
                    CrfLanes* message_rows, CrfLanes* message_columns);
-  // Largest |next - q|.
+  // Returns the largest |next - q|.
   float (*update)(const CrfUpdate& update);
 };
 
 CrfLoops PlainCrfLoops();
-// With AVX2 and FMA where the processor has them, else the plain ones.
+// Returns the loops for AVX2 and FMA if the processor has both, otherwise the plain ones.
 CrfLoops FastCrfLoops();
 
 }  // namespace cvo

@@ -15,20 +15,20 @@ namespace cvo {
 #if defined(CVO_WITH_AVX2)
 namespace {
 
-// The kernel matrix is multiplied this many rows at a time: each of its elements that is loaded
-// serves two products, and what they need just fits the 16 registers.
+// Rows of the kernel matrix that are multiplied at a time. Each element is loaded once for two
+// products, and the operands for this many rows just fit into the 16 registers.
 constexpr int kRows = 6;
 static_assert(kCrfTile % kRows == 0 && kCrfTile % kCrfLanes == 0);
 
-// exp(x) for x in [-87, 0], relative error 2e-7; 0 below `lowest`. 2^n times the Taylor series of
-// the rest, which is at most ln(2) / 2.
+// exp(x) for x in [-87, 0] with a relative error of 2e-7; 0 below `lowest`. Computed as 2^n times
+// the Taylor series of the remainder, whose magnitude is at most ln(2) / 2.
 __attribute__((target("avx2,fma"), always_inline)) inline __m256 ExpOrZero(__m256 x,
                                                                            __m256 lowest) {
   const __m256 is_kept = _mm256_cmp_ps(x, lowest, _CMP_GE_OQ);
   const __m256 kept = _mm256_max_ps(x, lowest);
   const __m256 n = _mm256_round_ps(_mm256_mul_ps(kept, _mm256_set1_ps(1.44269504F)),
                                    _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
-  // ln 2 in two parts, of which n times the first is exact.
+  // ln 2 is split into two parts, such that n times the first one is exact.
   __m256 r = _mm256_fnmadd_ps(n, _mm256_set1_ps(0.693359375F), kept);
   r = _mm256_fmadd_ps(n, _mm256_set1_ps(2.12194440e-4F), r);
   __m256 sum = _mm256_set1_ps(1.0F / 5040.0F);
@@ -96,7 +96,7 @@ __attribute__((target("avx2,fma"), always_inline)) inline float Sum(__m256 value
   return _mm_cvtss_f32(_mm_add_ss(half, _mm_movehdup_ps(half)));
 }
 
-// Returns `change`, raised to |next - q| where that is more.
+// Updates one node. Returns the elementwise maximum of `change` and |next - q|.
 __attribute__((target("avx2,fma"), always_inline)) inline __m256 UpdateNode(const CrfUpdate& u,
                                                                             int node,
                                                                             __m256 change) {

@@ -12,10 +12,12 @@
 namespace cvo {
 namespace {
 
-constexpr double kLargestEnergy = 1e30;  // above the least of a node; of labels there are not
+// Cap on energies relative to the lowest one of the node, and the value for padding labels.
+constexpr double kLargestEnergy = 1e30;
 constexpr double kLargestCoordinate_m = 1e15;
-// All nodes at once can swap their labels back and forth for ever. Where a change turns back and is
-// not smaller than this part of the last one, all further ones are halved, down to a sixteenth.
+// Nodes that are all updated at once can swap their labels back and forth for ever. If a change
+// reverses direction and is not smaller than this fraction of the last one, all further changes are
+// halved, again and again down to a sixteenth.
 constexpr float kShrinking = 0.99F;
 constexpr float kSmallestStep = 1.0F / 16.0F;
 
@@ -45,7 +47,7 @@ CrfMatrix Softmax(const CrfMatrix& energies) {
   return q;
 }
 
-// The iteration, in blocks of labels and in the order of the tiles.
+// The mean-field iteration, on blocks of kCrfLanes labels and nodes in the order of the tiles.
 class MeanField {
  public:
   MeanField(const CrfMatrix& energies, const PairwiseTiles& tiles,
@@ -129,7 +131,7 @@ class MeanField {
                           weight_.data(), q_.data(), next_.data()});
   }
 
-  // Whether the way from Q to the next one leads back to where Q came from.
+  // Whether the step from Q to the next Q points back towards the previous one.
   bool TurnsBack() const {
     double product = 0.0;
     for (std::size_t i = 0; i < q_.size(); ++i) {

@@ -17,7 +17,7 @@ struct Range {
   bool Contains(double value) const { return value >= low && value <= high; }
 };
 
-// NaN, which is in no range, where the depth is none.
+// NaN, which lies in no range, if the depth is not positive and finite.
 double LogDepth(double depth_m) {
   return depth_m > 0.0 && std::isfinite(depth_m) ? std::log(depth_m) : std::nan("");
 }
@@ -38,7 +38,7 @@ double CountIn(const Range& range, const std::vector<double>& log_depths) {
                     [&](double log_depth) { return range.Contains(log_depth); }));
 }
 
-// Density of the logarithms of depths on a grid, zero at both ends.
+// Density of the logarithms of depths on a grid; zero at both ends.
 struct DepthDensity {
   double first = 0.0;  // log depth of values[0]
   double step = 0.0;
@@ -47,7 +47,7 @@ struct DepthDensity {
   double At(std::size_t bin) const { return first + step * static_cast<double>(bin); }
 };
 
-// The sum of triangles of height 1 that reach `width` to both sides of each depth.
+// Sums a triangular kernel of height 1 that extends `width` to both sides of each log depth.
 DepthDensity MakeDensity(const std::vector<double>& log_depths, double width) {
   constexpr double kBinsPerWidth = 6.0;
   const Range range = RangeOf(log_depths);
@@ -66,8 +66,8 @@ DepthDensity MakeDensity(const std::vector<double>& log_depths, double width) {
   return density;
 }
 
-// From the peak to where the density has fallen below `floor`, down the bins or up. Empty where it
-// rises above the peak before: the peak is the shoulder of a larger one.
+// Returns the first bin beside the peak, upwards or downwards, where the density is below `floor`.
+// Empty if the density first rises above the peak, which then is the shoulder of a larger one.
 std::optional<std::size_t> ValleyBeside(const std::vector<double>& values, std::size_t peak,
                                         bool up, double floor) {
   const std::size_t last = up ? values.size() - 1 : 0;
@@ -79,7 +79,7 @@ std::optional<std::size_t> ValleyBeside(const std::vector<double>& values, std::
   return bin;
 }
 
-// The range of the mode whose peak this bin is, if it is one.
+// Returns the range of the mode that peaks at this bin; empty if the bin is no peak.
 std::optional<Range> ModeAt(const DepthDensity& density, std::size_t bin, double valley) {
   const std::vector<double>& values = density.values;
   if (values[bin] <= 0.0 || values[bin] < values[bin - 1] || values[bin] < values[bin + 1]) {

@@ -8,9 +8,9 @@
 
 namespace cvo {
 
-// Of the points in a box of angular_size (larger side over focal length), those that make a dense
-// range of depths, for each such range, the nearest first; ascending indices. `depths_m` that are
-// not positive are left out.
+// Finds the dense ranges of depths among the points in a box. Returns the points of each range as
+// ascending indices into depths_m, the nearest range first. `angular_size` is the larger side of
+// the box over the focal length. Depths that are not positive and finite are ignored.
 std::vector<std::vector<int>> DepthModes(const std::vector<double>& depths_m, double angular_size,
                                          const ExtentOptions& options);
 

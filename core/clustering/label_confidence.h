@@ -8,7 +8,7 @@
 
 namespace cvo {
 
-// The cluster of a landmark and how sure that is, w of section 3.2 of the paper.
+// The cluster of a landmark and the confidence w in it (section 3.2 of the paper).
 struct LabelState {
   ClusterId cluster;  // invalid: none yet
   int confidence = 1;
@@ -16,16 +16,16 @@ struct LabelState {
 
 enum class LabelOutcome { kKept, kChanged, kRemove };
 
-// How a landmark that is seen in the current frame takes the cluster inferred for it, after labels
-// were matched with clusters; an invalid id is the outlier class. Outliers cost confidence but are
-// nothing that a landmark can be: it is to be removed instead, and the state is as before.
+// How a landmark seen in the current frame adopts the cluster inferred for it, after labels were
+// matched with clusters; an invalid id is the outlier class. An outlier label lowers the confidence
+// but is never adopted: instead, kRemove is returned and the state stays as it was.
 template <typename Policy>
 concept ConfidencePolicy = requires(ClusterId inferred, LabelState& state) {
   { Policy::Update(inferred, state) } -> std::same_as<LabelOutcome>;
 };
 
-// Policy: w + 1 for the same label, w - 1 for another, which is accepted with w = 1 when w reaches
-// 0.
+// Policy: w + 1 for the same label, w - 1 for another one, which is adopted with w = 1 when w
+// reaches 0.
 struct CountLabels {
   [[nodiscard]] static LabelOutcome Update(ClusterId inferred, LabelState& state) {
     if (inferred.valid() && inferred == state.cluster) {
@@ -42,7 +42,7 @@ struct CountLabels {
   }
 };
 
-// Policy: no memory, what was inferred last.
+// Policy: the label inferred last is adopted, without memory.
 struct TakeLabelsAtOnce {
   [[nodiscard]] static LabelOutcome Update(ClusterId inferred, LabelState& state) {
     if (!inferred.valid()) return LabelOutcome::kRemove;

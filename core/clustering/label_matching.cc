@@ -28,7 +28,7 @@ std::vector<int> LabelsOfBodies(std::span<const LabelIdentity> labels) {
   return chosen;
 }
 
-// Moving clusters that nodes were in, by id.
+// Clusters other than the static scene that nodes belonged to, sorted by id.
 std::vector<ClusterId> PreviousClusters(std::span<const ClusterId> previous_of_node) {
   std::vector<ClusterId> clusters(previous_of_node.begin(), previous_of_node.end());
   std::erase_if(clusters, [](ClusterId id) { return !id.valid() || id == kStaticScene; });
@@ -37,7 +37,7 @@ std::vector<ClusterId> PreviousClusters(std::span<const ClusterId> previous_of_n
   return clusters;
 }
 
-// Nodes in both over nodes in either.
+// Intersection over union of the nodes of each chosen label (row) and each cluster (column).
 Eigen::MatrixXd Overlaps(std::span<const int> chosen, std::span<const ClusterId> clusters,
                          const LabeledNodes& nodes) {
   Eigen::MatrixXd shared = Eigen::MatrixXd::Zero(chosen.size(), clusters.size());
@@ -59,7 +59,7 @@ Eigen::MatrixXd Overlaps(std::span<const int> chosen, std::span<const ClusterId>
   return shared.cwiseQuotient(either.cwiseMax(1.0));
 }
 
-// Gives the chosen labels the clusters that they overlap most in all.
+// Assigns clusters to the chosen labels such that the total overlap is largest.
 void MatchByOverlap(std::span<const int> chosen, std::span<const ClusterId> clusters,
                     const LabeledNodes& nodes, const LabelMatchingOptions& options,
                     std::vector<ClusterId>& matched) {

@@ -27,19 +27,21 @@ struct LabelMatchingOptions {
 // What a label of the CRF represents.
 struct LabelIdentity {
   LabelKind kind = LabelKind::kStatic;
-  ClusterId cluster;  // of kStatic and kCluster
+  ClusterId cluster;  // for kStatic and kCluster
 };
 
-// The result of the CRF for landmarks that there were before. By node, all alike in length.
+// Result of the CRF for landmarks that existed before this frame. Both spans have one entry per
+// node.
 struct LabeledNodes {
   std::span<const int> label;
   std::span<const ClusterId> previous;  // invalid for a landmark without a cluster
 };
 
-// By label, the cluster it continues (section 3.2 of the paper, Kuhn-Munkres over intersection over
-// union): all labels of clusters and new boxes compete for all clusters, and the label of a cluster
-// that matches none keeps it if no other label took it. An invalid id for the outliers, and where a
-// new cluster begins.
+// Returns for each label the cluster that it continues (section 3.2 of the paper, Kuhn-Munkres over
+// intersection over union). All labels of clusters and new boxes compete for all clusters; the
+// label of a cluster that matches none keeps its cluster if no other label took it. The id is
+// invalid for the outlier class and for labels that start a new cluster. Throws Error on a label
+// out of range.
 std::vector<ClusterId> MatchLabels(std::span<const LabelIdentity> labels, const LabeledNodes& nodes,
                                    const LabelMatchingOptions& options);
 

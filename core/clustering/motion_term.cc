@@ -10,7 +10,7 @@
 namespace cvo {
 namespace {
 
-// How the label says a landmark got from the past frame to now; null where it cannot say.
+// The label's transform to the past camera frame; null if its motion since then is unknown.
 const RigidTransform* PastFromNow(const CrfLabel& label, int frame) {
   if (label.kind == LabelKind::kNewBox || label.kind == LabelKind::kOutlier) return nullptr;
   if (frame < 0 || static_cast<std::size_t>(frame) >= label.past_from_now.size()) return nullptr;
@@ -24,7 +24,7 @@ bool AnyLabelHasPose(const CrfScene& scene, int frame) {
   });
 }
 
-// Writes a row for each landmark that has a past which some label speaks of, else zeros.
+// Writes the rows of nodes with a past frame in which some label has a pose; all others are zero.
 template <typename LabelEnergy>
 void EnergiesOfNodesWithPast(const CrfScene& scene, const LabelEnergy& label_energy,
                              EnergyMatrix& energies) {

@@ -10,8 +10,8 @@
 namespace cvo {
 namespace {
 
-constexpr double kCutoffBandwidths = 6.0;  // bandwidths
-constexpr float kFarAway_m = 1e18F;        // where the last tile has no node: the kernel is 0
+constexpr double kCutoffBandwidths = 6.0;  // beyond, the kernel is 0
+constexpr float kFarAway_m = 1e18F;        // padding of the last tile, where the kernel is 0
 
 Eigen::AlignedBox3d BoxAround(const Eigen::Matrix3Xd& points, std::span<const int> nodes) {
   Eigen::AlignedBox3d box;
@@ -19,8 +19,8 @@ Eigen::AlignedBox3d BoxAround(const Eigen::Matrix3Xd& points, std::span<const in
   return box;
 }
 
-// Halves the nodes across their longest extent until they fit a tile; all tiles but the last are
-// full.
+// Orders nodes by location: splits them across their longest extent until each part fits into a
+// tile. All tiles but the last are full.
 void OrderByPlace(const Eigen::Matrix3Xd& points, std::span<int> nodes) {
   if (nodes.size() <= kCrfTile) {
     std::sort(nodes.begin(), nodes.end());
@@ -58,7 +58,7 @@ std::span<const int> NodesOfTile(const std::vector<int>& order, int first) {
   return std::span(order).subspan(first, count);
 }
 
-// Each pair once, a node with itself never.
+// Keeps each pair of nodes once and clears the diagonal.
 void KeepUpperTriangle(CrfTile& tile) {
   for (int i = 0; i < kCrfTile; ++i) std::fill_n(tile.k[i], i + 1, 0.0F);
 }
@@ -104,7 +104,7 @@ void PairwiseTiles::FillTiles(const Eigen::Matrix3Xd& points, double bandwidth_m
   for (std::size_t t = 0; t < places_.size(); ++t) {
     const Place& place = places_[t];
     const auto row_nodes = NodesOfTile(order_, place.row);
-    // Near the nodes, where single precision is fine enough wherever in the world they are.
+    // With an origin near the nodes, single precision suffices wherever in the world they are.
     if (place.row == place.column) {
       origin = BoxAround(points, row_nodes).center();
       rows = FromOrigin(points, row_nodes, origin);
@@ -146,7 +146,8 @@ void PairwiseTiles::Multiply(const CrfLanes* q, int blocks, CrfLanes* message) c
                         message + first + place.column);
         continue;
       }
-      // Rows and columns are the same nodes: what is for the columns must not be overwritten.
+      // Rows and columns are the same nodes: messages to the columns need a buffer of their own, or
+      // they would be overwritten.
       CrfLanes apart[kCrfTile] = {};
       loops_.multiply(tiles_[t], q_rows, q_rows, message_rows, apart);
       for (int i = 0; i < kCrfTile; ++i) {

@@ -10,27 +10,28 @@
 namespace cvo {
 
 // The Gaussian kernel between all nodes, exp(-d^2 / (2 b^2)), 0 on the diagonal and beyond 6 b.
-// Nodes are ordered so that neighbours are together; of the upper triangle, cut into squares of
-// kCrfTile nodes, those are stored that are not all zero: at most 2 N^2 bytes.
+// Nodes are reordered so that neighbours are close to each other. The upper triangle is divided
+// into square tiles of kCrfTile nodes, of which only those within reach of the kernel are stored:
+// at most 2 N^2 bytes.
 class PairwiseTiles {
  public:
-  // points: 3 x N, m, finite. `memory` is written to and must outlive it.
+  // points: 3 x N, m, finite. `memory` holds the tiles and must outlive this object.
   PairwiseTiles(const Eigen::Matrix3Xd& points, double bandwidth_m, const CrfLoops& loops,
                 CrfMemory& memory);
 
-  // order()[i] is the column of `points` that is node i here.
+  // order()[i] is the column of `points` that is node i of this class.
   const std::vector<int>& order() const { return order_; }
-  // Sums of the rows, in that order.
+  // Row sums of the kernel, in that order.
   const std::vector<double>& degrees() const { return degrees_; }
-  // Nodes with those that fill the last tile, which must have q = 0.
+  // Number of nodes including those that pad the last tile, whose q must be 0.
   int padded() const { return padded_; }
 
-  // message += K q, each of blocks x padded() elements.
+  // message += K q; both have blocks x padded() elements.
   void Multiply(const CrfLanes* q, int blocks, CrfLanes* message) const;
 
  private:
   struct Place {
-    int row;  // first nodes
+    int row;  // index of the first node
     int column;
   };
 
@@ -43,7 +44,7 @@ class PairwiseTiles {
   std::vector<double> degrees_;
   int padded_;
   std::vector<Place> places_;
-  CrfMemory& tiles_;  // by place; there may be more
+  CrfMemory& tiles_;  // one per place; may hold more
 };
 
 }  // namespace cvo

@@ -11,7 +11,7 @@
 namespace cvo {
 namespace {
 
-// The value below which a share of the sorted values lies, linear between them.
+// The value below which the fraction `share` of the sorted values lies, linearly interpolated.
 double Quantile(const std::vector<double>& sorted, double share) {
   const double position = share * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(position);
@@ -38,16 +38,17 @@ Eigen::Vector3d MedianPoint(const Eigen::Matrix3Xd& points) {
   return median;
 }
 
-// The points' standard deviations, if the median absolute deviations are those of a normal
+// Standard deviation along each axis, estimated from the median absolute deviation as for a normal
 // distribution.
 Eigen::Vector3d RobustDeviation(const Eigen::Matrix3Xd& offsets) {
   constexpr double kDeviationPerMad = 1.4826;
   return kDeviationPerMad * MedianPoint(offsets.cwiseAbs());
 }
 
-// Second moment of the offsets that are inliers along every axis.
+// Covariance of the offsets that are inliers along every axis.
 Eigen::Matrix3d InlierCovariance(const Eigen::Matrix3Xd& offsets, const ExtentOptions& options) {
-  // The least half size keeps the thickness of a flat body, which is noise, from ruling points out.
+  // The minimum half size prevents points of a flat body, whose thickness is noise, from being
+  // rejected.
   const Eigen::Array3d reach =
       (options.inlier_mads * RobustDeviation(offsets)).array().max(options.min_half_size_m);
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
@@ -65,7 +66,8 @@ Eigen::Matrix3d InlierCovariance(const Eigen::Matrix3Xd& offsets, const ExtentOp
   return sum / count - mean * mean.transpose();
 }
 
-// Each variance is well above the next one; a thousandth of the length is no thickness.
+// Whether each variance exceeds the next by `ratio`. A thickness below a thousandth of the length
+// counts as that much.
 bool AreDistinct(const Eigen::Vector3d& descending, double ratio) {
   const Eigen::Vector3d variances = descending.cwiseMax(1e-6 * descending[0]);
   return variances[0] > ratio * variances[1] && variances[1] > ratio * variances[2];

@@ -80,14 +80,16 @@ struct PointExtent {
   Eigen::Vector3d half_size_m = Eigen::Vector3d::Ones();
 };
 
-// (p70 + p30) / 2 and (p70 - p30) / 2 of the points (columns, at least one) along the columns of
-// the rotation `axes` (METHOD.md 6.2); half sizes are at least min_half_size_m.
+// Returns the centre (p70 + p30) / 2 and the half sides (p70 - p30) / 2, at least min_half_size_m,
+// of the points (columns) along the columns of the rotation `axes` (METHOD.md 6.2). Throws Error if
+// there are no points.
 PointExtent ExtentAlong(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points,
                         const ExtentOptions& options);
 
-// points_from_axes: from the median of the points, the axes of their inliers, the longest first,
-// with the largest component positive but for the last axis (METHOD.md 6.1). No rotation where
-// two variances are alike. At least one point.
+// Returns points_from_axes: the origin is the median of the points, the axes are the principal axes
+// of their inliers, longest first (METHOD.md 6.1). The largest component of the first and second
+// axis is positive. The rotation is the identity if two variances are similar. Throws Error if
+// there are no points.
 RigidTransform PrincipalAxes(const Eigen::Matrix3Xd& points, const ExtentOptions& options);
 
 }  // namespace cvo

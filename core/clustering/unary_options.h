@@ -6,7 +6,7 @@
 
 namespace cvo {
 
-// The unary terms of the CRF. Energies are in nats: minus the logarithm of a probability.
+// Options of the unary terms of the CRF. Energies are negative log probabilities in nats.
 struct UnaryOptions {
   double eta = 0.95;
   double box_shrink = 0.05;

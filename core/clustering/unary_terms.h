@@ -10,28 +10,28 @@
 
 namespace cvo {
 
-// Nodes by labels, nats.
+// Nodes (rows) by labels (columns), nats.
 using EnergyMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// A unary term is a policy that writes -log p(label) for every node, up to a constant per node, as
-// large as it comes (infinity: impossible). `energies` has the scene's nodes by labels already.
+// A unary term is a policy that writes -log p(label) for every node, up to a constant per node and
+// not capped (infinity: impossible). `energies` already has the size nodes by labels.
 template <typename T>
 concept UnaryTerm = requires(const CrfScene& scene, const UnaryOptions& options,
                              EnergyMatrix& energies) {
   T::Energies(scene, options, energies);
 };
 
-// Makes each row -log of probabilities that add up to 1, then cuts it off at max_energy
-// (METHOD.md 5.2). A row that prefers no label becomes zero, also where all is impossible.
-// Throws Error on a row that is no number: a covariance that is none.
+// Normalises each row to -log of probabilities that sum to 1, then caps it at max_energy
+// (METHOD.md 5.2). A row that prefers no label becomes zero, even if all labels are impossible.
+// Throws Error if a row contains NaN, the sign of an invalid covariance.
 void NormalizeEnergies(double max_energy, EnergyMatrix& energies);
 
-// d^T covariance^-1 d; the covariance is positive definite.
+// Returns d^T covariance^-1 d. The covariance must be positive definite.
 inline double MahalanobisSquared(const Eigen::Matrix3d& covariance, const Eigen::Vector3d& d) {
   return covariance.llt().matrixL().solve(d).squaredNorm();
 }
 
-// The terms one by one, each normalised and cut off, and their sum.
+// The three terms, each normalised and capped, and their sum.
 struct UnaryEnergies {
   EnergyMatrix total;
   EnergyMatrix box;

@@ -10,8 +10,8 @@
 namespace cvo {
 namespace {
 
-// Free features inside the box whose descriptor is that of one of the cluster's unmatched
-// landmarks.
+// Matches free features inside the box with landmarks of the cluster that are not in `matched`, by
+// their descriptors.
 std::vector<Match> MatchInBox(const ClusterSearch& search, const Cluster& cluster,
                               const std::vector<Match>& matched, const ImageBox& box,
                               const TakenFeatures& taken) {
@@ -43,8 +43,8 @@ std::vector<Match> MatchInBox(const ClusterSearch& search, const Cluster& cluste
   return matches;
 }
 
-// More correspondences inside the box of a cluster; they must agree with its pose, or with each
-// other where it has none.
+// Adds matches inside the cluster's box. They must agree with its pose or, if it has none, with
+// each other.
 void RematchAssociated(const ClusterSearch& search, const Cluster& cluster, Rng& rng,
                        TakenFeatures& taken, ClusterTrack& track) {
   const ImageBox& box = search.shown.detections[track.detection].box;
@@ -62,20 +62,20 @@ void RematchAssociated(const ClusterSearch& search, const Cluster& cluster, Rng&
   }
 }
 
-// The body that the detection is given to show; invalid: unknown.
+// The body that the detection shows according to GivenKnowledge; invalid if unknown.
 BodyId GivenBody(const FrameView& view, int detection) {
   const std::span<const BodyId> given = view.shown.detection_body;
   return given.empty() ? BodyId() : given[detection];
 }
 
-// Whether the detection may show the cluster, by its class and by whose it is given to be.
+// Whether the detection may show the cluster, judged by its class and its given body.
 bool MayShow(const FrameView& view, int detection, const Cluster& cluster) {
   const BodyId given = GivenBody(view, detection);
   return view.shown.detections[detection].category == cluster.category &&
          (!given.valid() || given == cluster.given_body);
 }
 
-// Whether the cluster is what the detection shows; the track becomes that of the cluster there.
+// Looks for the cluster in the detection's box. If it is found, updates the track and returns true.
 bool Reacquire(const ClusterSearch& search, const Cluster& cluster, int detection, Rng& rng,
                TakenFeatures& taken, ClusterTrack& track) {
   const Detection& seen = search.shown.detections[detection];
@@ -89,7 +89,7 @@ bool Reacquire(const ClusterSearch& search, const Cluster& cluster, int detectio
   return true;
 }
 
-// Puts an archived cluster back among the live ones, which stay sorted by id.
+// Moves an archived cluster back to the live ones, which stay sorted by id, and inserts its track.
 void Revive(std::size_t archived, const ClusterTrack& track, ClusterMap& map,
             std::vector<ClusterTrack>& tracks) {
   Cluster cluster = std::move(map.archived[archived]);
@@ -101,7 +101,7 @@ void Revive(std::size_t archived, const ClusterTrack& track, ClusterMap& map,
   map.live.insert(place, std::move(cluster));
 }
 
-// A cluster that is missing: live ones come first, then archived ones, the latest first.
+// A cluster that was not found. Live ones are tried first, then archived ones, latest first.
 struct Missing {
   bool is_live = true;
   std::size_t index = 0;  // into map.live or map.archived
@@ -116,7 +116,7 @@ std::vector<Missing> FindMissing(const ClusterMap& map, const std::vector<Cluste
   return missing;
 }
 
-// Detections that belong to no cluster, tried on the landmarks of those that are missing.
+// Matches detections that belong to no cluster with the landmarks of missing clusters.
 class Reacquisition {
  public:
   Reacquisition(const ClusterSearch& search, const std::vector<PredictedCluster>& archived,

@@ -10,8 +10,8 @@
 namespace cvo {
 
 // How clusters are matched by descriptors alone, without a prediction (paper, end of section 3.1).
-// Rematch: inside the box that a cluster was given. Reacquire: inside the boxes left over, where
-// clusters that were not found may be, archived ones included (`archived`: their predictions).
+// Rematch searches the boxes that were assigned to clusters. Reacquire searches the remaining boxes
+// for clusters that were not found, archived ones included (`archived` holds their predictions).
 template <typename Policy>
 concept BoxRematchPolicy = requires(const ClusterSearch& search,
                                     const std::vector<PredictedCluster>& archived, ClusterMap& map,
@@ -21,8 +21,8 @@ concept BoxRematchPolicy = requires(const ClusterSearch& search,
   Policy::Reacquire(search, archived, map, rng, taken, tracks);
 };
 
-// Policy: descriptors in the box are compared with all of the cluster's landmarks and checked by
-// the pose.
+// Policy: compares the descriptors in the box with those of the cluster's unmatched landmarks and
+// keeps the matches that agree on a pose.
 struct RematchInBox {
   static void Rematch(const ClusterSearch& search, const ClusterMap& map, Rng& rng,
                       TakenFeatures& taken, std::vector<ClusterTrack>& tracks);
@@ -30,12 +30,12 @@ struct RematchInBox {
                         ClusterMap& map, Rng& rng, TakenFeatures& taken,
                         std::vector<ClusterTrack>& tracks);
 };
-// Policy: inside the boxes that clusters were given alone, as the paper.
+// Policy: searches only the boxes that were assigned to clusters, as in the paper.
 struct RematchInOwnBox : RematchInBox {
   static void Reacquire(const ClusterSearch&, const std::vector<PredictedCluster>&, ClusterMap&,
                         Rng&, TakenFeatures&, std::vector<ClusterTrack>&) {}
 };
-// Policy: nothing.
+// Policy: no matching without a prediction.
 struct NoBoxRematch {
   static void Rematch(const ClusterSearch&, const ClusterMap&, Rng&, TakenFeatures&,
                       std::vector<ClusterTrack>&) {}

@@ -14,10 +14,11 @@ namespace cvo {
 
 namespace internal {
 
-// Landmarks that were found; where the cluster was not found, those that should be seen.
+// Returns the matched landmarks of a tracked cluster; of any other cluster, those predicted to be
+// visible.
 std::vector<BoxMember> MembersOf(const ClusterSearch& search, const Cluster& cluster,
                                  const ClusterTrack& track);
-// Landmarks of all clusters that should be seen, flattened, with where they came from.
+// Landmarks of all clusters predicted to be visible, in one list, each with its cluster and index.
 struct PredictedLandmarks {
   struct Source {
     int cluster = 0;   // index into map.live
@@ -26,12 +27,12 @@ struct PredictedLandmarks {
   std::vector<PredictedLandmark> predicted;
   std::vector<Source> source;
 };
-// Appends those of one cluster, index q.
+// Appends the landmarks of cluster q.
 void PredictLandmarksOf(const ClusterSearch& search, const Cluster& cluster, int q,
                         const PredictedCluster& at, PredictedLandmarks& landmarks);
 PredictedLandmarks PredictLandmarks(const ClusterSearch& search, const ClusterMap& map,
                                     const std::vector<ClusterTrack>& tracks);
-// By index into landmarks.predicted.
+// Returns matches whose `landmark` is an index into landmarks.predicted.
 template <LandmarkAssociationPolicy LandmarkAssociation>
 std::vector<Match> FindLandmarks(const ClusterSearch& search, const PredictedLandmarks& landmarks,
                                  const TakenFeatures& taken) {
@@ -43,46 +44,46 @@ std::vector<Match> FindLandmarks(const ClusterSearch& search, const PredictedLan
   }
   return matches;
 }
-// Splits matches by cluster, drops those that given labels forbid, solves each provisional pose and
-// keeps what agrees with it; marks the features taken.
+// Splits the matches by cluster, drops those that contradict given labels, estimates each
+// provisional pose, keeps its inliers and marks their features as taken.
 void TrackClusters(const ClusterSearch& search, const ClusterMap& map,
                    const std::vector<PredictedLandmarks::Source>& source,
                    const std::vector<Match>& matches, Rng& rng, TakenFeatures& taken,
                    std::vector<ClusterTrack>& tracks);
 void AssociateGivenDetections(const FrameView& view, const ClusterMap& map,
                               std::vector<ClusterTrack>& tracks);
-// Takes the boxes of another class from the cluster.
+// Removes boxes of other classes from the cluster's candidates.
 void ForgetOtherCategories(const FrameView& view, const Cluster& cluster,
                            BoxProbabilities& probabilities);
-// Of an expected cluster nothing was found: its box may show another body.
+// Releases the boxes of clusters that are only predicted: such a box may show another body.
 void ReleaseUnseen(std::vector<ClusterTrack>& tracks);
 std::vector<ImageBox> BoxesOf(std::span<const Detection> detections);
 void FindBoxOfTrack(const ClusterSearch& search, const Cluster& cluster, ClusterTrack& track);
 
 }  // namespace internal
 
-// Whether a box of another class may be the cluster's.
+// Whether a cluster may take a box of another class.
 template <typename Policy>
 concept ClassGatePolicy = requires(const FrameView& view, const Cluster& cluster,
                                    BoxProbabilities& probabilities) {
   Policy::Apply(view, cluster, probabilities);
 };
 
-// Policy: it may not.
+// Policy: a cluster never takes a box of another class.
 struct RefuseOtherClasses {
   static void Apply(const FrameView& view, const Cluster& cluster,
                     BoxProbabilities& probabilities) {
     internal::ForgetOtherCategories(view, cluster, probabilities);
   }
 };
-// Policy: it may; the paper does not compare classes.
+// Policy: a cluster may take a box of any class; the paper does not compare classes.
 struct AcceptAnyClass {
   static void Apply(const FrameView&, const Cluster&, BoxProbabilities&) {}
 };
 
 // Multi-level association (section 3.1 of the paper): features with landmarks of the live clusters,
-// detections with clusters. One track per cluster of map.live, which may grow by clusters that are
-// found again.
+// then detections with clusters. Archived clusters that are found again move to map.live. Returns
+// one track per cluster in map.live.
 template <LandmarkAssociationPolicy LandmarkAssociation, BoxWeightsPolicy BoxWeights,
           BoxCostPolicy BoxCost, ClassGatePolicy ClassGate, BoxRematchPolicy BoxRematch>
 std::vector<ClusterTrack> AssociateClusters(const ClusterSearch& search,

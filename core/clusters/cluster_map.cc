@@ -10,14 +10,15 @@
 namespace cvo {
 namespace {
 
-// What observations say of a landmark's position: 1/2 (x - mean)^T information (x - mean).
+// Information from observations on a landmark's position x; its energy is
+// 1/2 (x - mean)^T information (x - mean).
 struct PointKnowledge {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   Eigen::Vector3d weighted_mean = Eigen::Vector3d::Zero();  // information * mean
 };
 
-// What one observation says, linearised at the present position after the robust loss, its body's
-// pose taken as exact.
+// The information from one observation, linearised at the landmark's current position after the
+// robust loss, with the pose of the body taken as exact.
 PointKnowledge KnowledgeOf(const Window& window, const FeatureNoise& noise,
                            const RigidTransform& world_from_camera,
                            const RigidTransform& world_from_object, const Landmark& landmark,
@@ -35,13 +36,13 @@ PointKnowledge KnowledgeOf(const Window& window, const FeatureNoise& noise,
   return {information, information * landmark.p_in_object + weight * WJ.transpose() * r};
 }
 
-// Past knowledge, weakened to `keep`, and new.
+// Scales the landmark's past information by `keep`, then adds the new information to it.
 void AddKnowledge(const PointKnowledge& knowledge, double keep, Landmark& landmark) {
   const Eigen::Vector3d weighted =
       keep * landmark.past_information * landmark.past_mean_in_object + knowledge.weighted_mean;
   landmark.past_information = keep * landmark.past_information + knowledge.information;
   if (landmark.past_information.isZero()) return;
-  // Far points have information along the line of sight that is poor, but never none.
+  // Invertible: the information along the line of sight is small for far points, but never zero.
   landmark.past_mean_in_object = landmark.past_information.ldlt().solve(weighted);
 }
 
@@ -58,8 +59,8 @@ void AbsorbObservations(const Window& window, const WindowFrame& leaving, const 
   if (!state) return;
   for (Landmark& landmark : cluster.landmarks) {
     const Observation* seen = FindObservation(landmark, leaving.id);
-    // A point seen once has no position of its own to defend.
     if (!seen) continue;
+    // A landmark observed in this frame alone has no estimated position to preserve.
     const bool is_estimated =
         landmark.observations.size() > 1 || !landmark.past_information.isZero();
     if (is_estimated) {
@@ -83,7 +84,8 @@ void TrimCluster(const Window& window, FrameId newest, const ClusterOptions& opt
   }
   for (Landmark& landmark : cluster.landmarks) {
     std::erase_if(landmark.observations, [&](const Observation& o) { return o.frame < oldest; });
-    // Most landmarks of a body that turns are out of sight: room for a window would double them.
+    // Most landmarks of a turning body are out of sight. Keeping the capacity for a window of
+    // observations would double their memory.
     if (landmark.observations.empty()) landmark.observations.shrink_to_fit();
   }
   std::erase_if(cluster.landmarks, [](const Landmark& landmark) {
@@ -112,7 +114,7 @@ void RetireClusters(FrameId newest, int live_frames, const ClusterOptions& optio
     if (!is_confirmed && (is_gone || undetected >= options.confirm_frames)) {
       map.trajectories.erase(cluster.id);
     } else if (is_gone) {
-      map.archived.push_back(cluster);  // a copy, which has no room to spare
+      map.archived.push_back(cluster);  // a copy, without spare capacity
     } else {
       live.push_back(std::move(cluster));
     }

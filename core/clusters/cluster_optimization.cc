@@ -10,7 +10,7 @@
 namespace cvo {
 namespace {
 
-// The upper factor U with U^T U = information.
+// Returns the upper Cholesky factor U with U^T U = information.
 Eigen::Matrix3d SquareRoot(const Eigen::Matrix3d& information) {
   return Eigen::LLT<Eigen::Matrix3d>(information).matrixU();
 }
@@ -30,8 +30,8 @@ void AddFrames(const Window& window, const Cluster& cluster, ClusterSelection& s
   }
 }
 
-// Adds the factors of a landmark's observations in the problem's frames, as those of its next
-// point. Both are in the order of time.
+// Adds the landmark's observations in the problem's frames as factors of the point that is added
+// next. Observations and states are both in temporal order.
 void AddFactors(const FeatureNoise& noise, const Cluster& cluster, const std::vector<int>& states,
                 const Landmark& landmark, ClusterProblem& problem) {
   const int point = static_cast<int>(problem.points.size());

@@ -9,31 +9,33 @@
 
 namespace cvo {
 
-// A cluster's problem and which of its parts are in it.
+// The optimisation problem of a cluster, and the states and landmarks that take part in it.
 struct ClusterSelection {
   ClusterProblem problem;
-  std::vector<int> states;     // indices of cluster.states, by frame of the problem
-  std::vector<int> landmarks;  // indices of cluster.landmarks, by point
+  std::vector<int> states;     // indices into cluster.states, one per frame of the problem
+  std::vector<int> landmarks;  // indices into cluster.landmarks, one per point
 };
 ClusterSelection SelectCluster(const FeatureNoise& noise, const Window& window,
                                const Cluster& cluster);
 
-// Writes a solved problem back and removes observations whose squared whitened error is above
-// `gate`; how many.
+// Writes the solution back and removes observations whose squared whitened error exceeds `gate`.
+// Returns their number.
 int ApplyClusterSolution(double gate, const ClusterSelection& selection, Cluster& cluster);
 
-// What the windows of the clusters are solved with.
+// Options for solving the windows of the clusters.
 struct ClusterSolverOptions {
   FeatureNoise noise;
   SolverOptions solver;
   MotionPriorOptions motion_prior;
 };
 
-// Sliding-window estimation of every cluster in sight, the camera held (section 3.3 of the paper,
-// dynamic clusters). They are independent: in parallel, with the same result for any pool. One that
-// is hidden keeps what it was last seen with: nothing new is known of it, while what held its last
-// states leaves the window. So its outliers are found here and now: a body that leaves the image
-// has its worst matches in its last frame. Returns how the solves ended.
+// Sliding-window estimation of every cluster observed in the newest frame, with the camera held
+// fixed (section 3.3 of the paper, dynamic clusters). Clusters are independent and are solved in
+// parallel; the result is the same for any pool. A hidden cluster keeps its last estimate: there is
+// no new information on it, while the frames that constrain its last states leave the window.
+// Outliers must therefore be removed in the frame in which they occur, by solving again without
+// them: a body that leaves the image has its worst matches in its last frame. Returns how the
+// solves ended.
 template <MotionPriorPolicy MotionPrior, OutlierPolicy Outliers, SolverPolicy Solver>
 SolverEndings OptimizeClusters(const ClusterSolverOptions& options, const Window& window,
                                TaskPool& pool, ClusterMap& map) {

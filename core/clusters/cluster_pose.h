@@ -12,20 +12,22 @@
 
 namespace cvo {
 
-// What the cluster and the feature are given to be does not forbid that one belongs to the other.
+// False if the given labels (GivenKnowledge) assign the feature to a body other than the cluster's.
 bool IsAllowed(const FrameView& view, const Cluster& cluster, int feature);
-// object_from_camera from matches, as a CameraSolution whose world is the object: from the
-// predicted pose where it can be trusted (is_predicted) and explains most of them, else by RANSAC.
-// Empty where fewer than min_inliers agree.
+// Estimates object_from_camera from matches, as a CameraSolution whose world is the object frame.
+// If world_from_object can be trusted (is_predicted), the solution that starts from it is taken,
+// provided that at least half of the matches agree with it; otherwise RANSAC is used. Empty if
+// fewer than min_inliers matches agree.
 std::optional<CameraSolution> SolvePose(const ClusterSearch& search, const Cluster& cluster,
                                         const RigidTransform& world_from_object,
                                         const std::vector<Match>& matches, int min_inliers,
                                         bool is_predicted, Rng& rng);
-// The track takes the solution's pose and inliers.
+// Sets the track's pose and matches to the solution and its inliers, and marks the features of the
+// inliers as taken.
 void AcceptPose(const FrameView& view, const std::vector<Match>& matches,
                 const CameraSolution& solution, TakenFeatures& taken, ClusterTrack& track);
-// The features of the frame that were matched move to where they show their landmarks:
-// AlignToLandmarks (with align_patches), PlaceLeftOnly.
+// Moves the matched features to where they show their landmarks: AlignToLandmarks (if align_patches
+// is set), then PlaceLeftOnly.
 void PlaceFeatures(const ClusterSearch& search, const Cluster& cluster, const ClusterTrack& track,
                    std::span<StereoFeature> features);
 

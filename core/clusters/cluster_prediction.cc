@@ -8,13 +8,15 @@
 namespace cvo {
 namespace {
 
-// A new cluster's motion is unknown; each further state constrains it.
+// Standard deviation of a velocity: large for a new cluster, whose motion is unknown, and falling
+// with the square of the number of frames.
 double FallingDeviation(double first, double settled, int frames) {
   const double n = frames;
   return std::max(first / (n * n), settled);
 }
 
-// The covariance of a point that rides on the predicted body, in world.
+// World covariance that the uncertain motion gives to a point of the predicted body at distance
+// lever_m from its origin.
 Eigen::Matrix3d RideCovariance(const PredictedCluster& predicted, double lever_m) {
   const double variance =
       predicted.translation_variance_m2 + lever_m * lever_m * predicted.rotation_variance_rad2;

@@ -14,20 +14,20 @@
 
 namespace cvo {
 
-// A cluster moved to the current frame by its velocity (section 3.1 of the paper).
+// A cluster extrapolated to the current frame (section 3.1 of the paper).
 struct PredictedCluster {
   RigidTransform world_from_object;
   Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();
-  double translation_variance_m2 = 0.0;  // of its origin, each axis
+  double translation_variance_m2 = 0.0;  // of its origin, per axis
   double rotation_variance_rad2 = 0.0;
 };
 
-// The cluster's last two states, or its only one.
+// Returns the cluster's last two states, or its only one, with times relative to origin_ns.
 std::vector<MotionState> LastStates(const Cluster& cluster, std::int64_t origin_ns);
-// How well the next pose can be predicted, `extrapolated` being its mean.
+// Returns the prediction with mean `extrapolated`, dt_s after the latest state, and its variances.
 PredictedCluster WithUncertainty(const Cluster& cluster, const PredictedMotion& extrapolated,
                                  double dt_s, const ClusterOptions& options);
-// Variance of the cluster's velocity, m^2/s^2, and of its angular velocity, rad^2/s^2.
+// Variances of the cluster's velocity (m^2/s^2) and angular velocity (rad^2/s^2), per axis.
 double SpeedVariance(const Cluster& cluster, const ClusterOptions& options);
 double TurnVariance(const Cluster& cluster, const ClusterOptions& options);
 
@@ -43,10 +43,10 @@ PredictedCluster PredictCluster(const Cluster& cluster, std::int64_t timestamp_n
       options);
 }
 
-// Any cluster, as it is predicted at one time.
+// Predicts any cluster at one fixed time.
 using ClusterPredictor = std::function<PredictedCluster(const Cluster&)>;
 
-// The options must outlive the predictor.
+// Returns a predictor for timestamp_ns. `motion` and `options` must outlive it.
 template <MotionPriorPolicy MotionPrior, RotationPolicy Rotation>
 ClusterPredictor PredictorAt(std::int64_t timestamp_ns, const MotionPriorOptions& motion,
                              const ClusterOptions& options) {
@@ -55,8 +55,8 @@ ClusterPredictor PredictorAt(std::int64_t timestamp_ns, const MotionPriorOptions
   };
 }
 
-// A landmark of the cluster as the current camera should see it; empty where it is behind the
-// camera, out of the image or on the body's far side.
+// Predicts how the current camera sees a landmark of the cluster. Empty if the landmark is behind
+// the camera, outside the image or on the far side of the body.
 std::optional<PredictedLandmark> PredictLandmark(const ClusterSearch& search,
                                                  const PredictedCluster& predicted,
                                                  const Landmark& landmark);

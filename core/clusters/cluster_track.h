@@ -11,14 +11,14 @@
 
 namespace cvo {
 
-// What association finds out about one live cluster in the current frame.
+// Result of the association for one live cluster in the current frame.
 struct ClusterTrack {
   PredictedCluster predicted;
-  RigidTransform world_from_object;  // provisional P_t^q if is_tracked, else predicted
-  bool is_tracked = false;           // at least min_tracked consistent landmarks
-  std::vector<Match> matches;        // consistent ones: index into cluster.landmarks, feature
+  RigidTransform world_from_object;  // provisional P_t^q if is_tracked, otherwise predicted
+  bool is_tracked = false;           // has a pose from at least min_tracked inliers
+  std::vector<Match> matches;        // inliers: index into cluster.landmarks, feature
   int detection = -1;                // index into the frame's detections; -1: none
-  ImageBox box;                      // around its landmarks, matched or predicted
+  ImageBox box;                      // around its matched or predicted landmarks; unset if detected
 };
 
 }  // namespace cvo

@@ -14,7 +14,7 @@
 
 namespace cvo {
 
-// The current frame, as far as it is known when clusters are associated.
+// What is known of the current frame when clusters are associated.
 struct FrameView {
   const StereoFrame& frame;
   ShownBodies shown;
@@ -23,7 +23,7 @@ struct FrameView {
   RigidTransform world_from_camera;
 };
 
-// What clusters are looked for with.
+// Options of the search for clusters.
 struct ClusterSearchOptions {
   FeatureNoise noise;
   OrbOptions orb;
@@ -32,12 +32,12 @@ struct ClusterSearchOptions {
   bool align_patches = true;  // tracking.align_patches
 };
 
-// A frame in which clusters are looked for.
+// A frame to be searched for clusters.
 struct ClusterSearch : FrameView {
   ClusterSearchOptions options;
 };
 
-// Features that are matched already, by index.
+// By feature: nonzero if it is already matched.
 using TakenFeatures = std::vector<char>;
 
 }  // namespace cvo

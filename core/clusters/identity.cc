@@ -23,14 +23,14 @@ bool AreGiven(const Cluster& found, const Cluster& lost) {
   return found.given_body.valid() && lost.given_body.valid();
 }
 
-// Whether their class and what is given of them let two clusters be one body.
+// Whether two clusters may be the same body, judged by class and given body.
 bool MayBeOne(const Cluster& found, const Cluster& lost) {
   return found.category == lost.category &&
          (!AreGiven(found, lost) || found.given_body == lost.given_body);
 }
 
-// Of two sizes; 0 where they may be the same, or one is unknown: a body that given labels
-// alone told of has none.
+// Log ratio of two sizes; 0 if they may be equal, because the smaller one is of a part only, or if
+// one is unknown: a body known from given labels alone has no size.
 double LogRatio(const BodySize& a, const BodySize& b) {
   if (a.side_m == 0.0 || b.side_m == 0.0) return 0.0;
   const double ratio = std::log(a.side_m / b.side_m);
@@ -38,8 +38,9 @@ double LogRatio(const BodySize& a, const BodySize& b) {
   return may_be_same ? 0.0 : ratio;
 }
 
-// How badly a lost cluster explains where the found one's centre is, and its size: minus the
-// logarithm of the probability density, 1/m^3. What may be anywhere is a poor explanation.
+// How poorly a lost cluster explains the centre and size of the found one: the negative logarithm
+// of the probability density (1/m^3), up to a constant. A cluster that may be anywhere explains
+// every place poorly.
 double ExplanationEnergy(const Cluster& found, const Cluster& lost,
                          const PredictedCluster& predicted, const IdentityOptions& options) {
   const double spread =
@@ -52,7 +53,8 @@ double ExplanationEnergy(const Cluster& found, const Cluster& lost,
          3.0 * std::log(deviation);
 }
 
-// The one lost cluster that the found one must be; null where there is none or a doubt.
+// Returns the lost cluster that the found one continues; null if there is none or the choice is
+// ambiguous.
 const LostCluster* FindPredecessor(const Cluster& found, const std::vector<LostCluster>& lost,
                                    const ClusterMap& map, const IdentityOptions& options) {
   const LostCluster* best = nullptr;
@@ -74,7 +76,7 @@ const LostCluster* FindPredecessor(const Cluster& found, const std::vector<LostC
   return second - least > options.min_lead ? best : nullptr;
 }
 
-// How fast the body turns, in world, at the i-th of its poses, rad/s.
+// Angular velocity of the body at its i-th pose, in world, rad/s.
 template <typename Pose>
 Eigen::Vector3d TurnRate(std::span<const Pose> poses, std::size_t i) {
   const Pose& before = poses[i > 0 ? i - 1 : i];
@@ -85,10 +87,10 @@ Eigen::Vector3d TurnRate(std::span<const Pose> poses, std::size_t i) {
          SecondsBetween(before.timestamp_ns, after.timestamp_ns);
 }
 
-// Poses of a body and velocities of its origin, in another frame of it.
+// Expresses a body's poses, and the velocities of its origin, in another frame of the same body.
 template <typename Pose>
 void ChangeFrameOfPoses(const RigidTransform& old_from_new, std::span<Pose> poses) {
-  std::vector<Eigen::Vector3d> rates;  // of the poses as they were
+  std::vector<Eigen::Vector3d> rates;  // before the poses change
   for (std::size_t i = 0; i < poses.size(); ++i) {
     rates.push_back(TurnRate(std::span<const Pose>(poses), i));
   }
@@ -100,13 +102,14 @@ void ChangeFrameOfPoses(const RigidTransform& old_from_new, std::span<Pose> pose
   }
 }
 
-// Expresses a cluster and its landmarks in another frame of the same body.
+// Expresses a cluster and its landmarks in another frame of the same body, and gives its poses and
+// landmarks the id `id`.
 void ChangeFrame(const RigidTransform& old_from_new, ClusterId id, Cluster& cluster,
                  ClusterTrajectory& trajectory) {
   const RigidTransform new_from_old = old_from_new.Inverse();
   const Eigen::Matrix3d R = new_from_old.RotationMatrix();
   ChangeFrameOfPoses(old_from_new, std::span(cluster.states));
-  // Poses before the cluster was lost stay.
+  // Poses from before the loss are not affected.
   const auto first = FirstPoseFrom(cluster.former.since.value, trajectory);
   ChangeFrameOfPoses(old_from_new, std::span(first, trajectory.poses.end()));
   std::for_each(first, trajectory.poses.end(), [&](ClusterPose& pose) {
@@ -126,7 +129,8 @@ void ChangeFrame(const RigidTransform& old_from_new, ClusterId id, Cluster& clus
   cluster.box_center = cluster.box_center.In(new_from_old);
 }
 
-// former_from_now from landmarks that look alike: points of both frames, three of which fix it.
+// Estimates former_from_now from landmarks with similar descriptors, which are points in both
+// frames; three of them determine it.
 std::optional<RigidTransform> AlignLandmarks(const IdentityOptions& identity,
                                              const ClusterAssociationOptions& association,
                                              const Cluster& cluster, Rng& rng) {
@@ -161,7 +165,8 @@ BodyMotion MotionAtLoss(const Cluster& cluster, const ClusterOptions& options) {
           TurnVariance(cluster, options)};
 }
 
-// At the first of a found cluster's poses, at least one, after it had been lost.
+// Motion at the first of a found cluster's poses that is after its loss at lost_ns, or at the last
+// pose if none is. Needs at least one pose.
 template <typename Pose>
 BodyMotion MotionWhenFound(const Cluster& cluster, const ClusterOptions& options,
                            std::span<const Pose> poses, std::int64_t lost_ns) {
@@ -175,10 +180,11 @@ BodyMotion MotionWhenFound(const Cluster& cluster, const ClusterOptions& options
           TurnVariance(cluster, options)};
 }
 
-// A body's frame when it is found, as its motions before and after tell.
+// The former frame of a body at the time when the body was found, as estimated from its motions
+// before and after the gap.
 struct BridgedPose {
   RigidTransform world_from_object;
-  double variance_m2 = 0.0;  // of its origin, each axis
+  double variance_m2 = 0.0;  // of its origin, per axis
 };
 
 BridgedPose BridgeGap(const BodyMotion& before, const BodyMotion& found,
@@ -192,7 +198,8 @@ BridgedPose BridgeGap(const BodyMotion& before, const BodyMotion& found,
       BridgeMotion(dt, motion.q_m2_s3, before.speed_variance_m2_s2, found.speed_variance_m2_s2);
   const Eigen::Vector3d rate =
       before.turn_rad_s + turn.later_share * (found.turn_rad_s - before.turn_rad_s);
-  // Its origin x, which moves with the found body: v(x) = v + w x (x - t), linear in x.
+  // The origin x moves with the found body, at the velocity v(x) = v + w x (x - t). This is linear
+  // in x, which therefore solves A x = b.
   const double share_s = way.later_share * dt;
   const Eigen::Vector3d t = found.world_from_object.translation();
   const Eigen::Matrix3d A = Eigen::Matrix3d::Identity() - share_s * Skew(found.turn_rad_s);
@@ -204,8 +211,8 @@ BridgedPose BridgeGap(const BodyMotion& before, const BodyMotion& found,
           way.variance};
 }
 
-// The former frame of a found body: by its motions before and after, and by the centres of its
-// boxes; each counts as far as it is certain.
+// Estimates world_from_former of a found body from its motions before and after the gap and from
+// the centres that its boxes show, each weighted by its certainty.
 RigidTransform PlaceFormer(const IdentityStep& step, const Lineage& former, const BodyMotion& found,
                            const CenterEstimate& now) {
   const BridgedPose bridged = BridgeGap(former.last, found, step.motion);
@@ -238,14 +245,15 @@ void Inherit(const IdentityStep& step, ClusterId lost, ClusterMap& map, Cluster&
   found.former.since =
       later.poses.empty() ? found.Latest().frame : FrameId{later.poses.front().frame};
   std::vector<ClusterPose>& poses = map.trajectories[lost].poses;
-  // While both were live, the lost one was only predicted.
+  // While both clusters were live, the lost one was only predicted; drop those poses.
   std::erase_if(poses, [&](const ClusterPose& pose) {
     return !later.poses.empty() && pose.frame >= later.poses.front().frame;
   });
   poses.insert(poses.end(), later.poses.begin(), later.poses.end());
 }
 
-// The landmarks from before are in the cluster's frame again.
+// Gives the former landmarks that have past information back to the cluster, whose frame is the
+// former one again.
 void MergeFormerLandmarks(Cluster& cluster) {
   for (Landmark& landmark : cluster.former.landmarks) {
     landmark.observations.clear();

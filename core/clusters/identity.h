@@ -11,7 +11,8 @@
 
 namespace cvo {
 
-// A confirmed cluster that is out of sight, live or archived, as predicted for now.
+// A confirmed cluster, live or archived, that is not observed in the current frame, and its
+// prediction for that frame.
 struct LostCluster {
   ClusterId id;
   PredictedCluster predicted;
@@ -20,25 +21,27 @@ struct LostCluster {
 std::vector<LostCluster> FindLostClusters(const ClusterOptions& options, FrameId newest,
                                           const ClusterPredictor& predict, const ClusterMap& map);
 
-// What updates of cluster identities at the end of a frame read.
+// Inputs of the identity update at the end of a frame.
 struct IdentityStep {
   const IdentityOptions& identity;
   const ClusterAssociationOptions& association;
   const ClusterOptions& clusters;
   const MotionPriorOptions& motion;
   FrameId newest;
-  const ClusterPredictor& predict;  // for the frame's time
+  const ClusterPredictor& predict;  // at the time of the frame
 };
 
-// Clusters confirmed in this frame whose place and size one lost cluster of their class explains,
-// and no other nearly as well, go on under its id: a body that turned while it was hidden shows
-// none of its old landmarks. Their frame becomes the lost one's, where the motions before and after
-// the loss and the boxes place it.
+// Lets a cluster confirmed in this frame continue under the id of a lost cluster of its class that
+// explains its position and size, if no other explains them nearly as well: a body that turned
+// while it was hidden shows none of its old landmarks. The cluster is then expressed in the object
+// frame of the lost one, placed by the motions before and after the loss and by the boxes
+// (METHOD.md 6.5).
 void InheritIdentities(const IdentityStep& step, const std::vector<LostCluster>& lost,
                        ClusterMap& map);
 
-// Clusters that go on under an earlier id: their frame is aligned with what it was, by landmarks
-// that look alike, until then, after enough boxes, by the motions and the centres that they show.
+// Aligns the object frames of clusters that continue under an earlier id with their former frames,
+// by landmarks with similar descriptors. Until that succeeds, and up to identity.align_boxes boxes,
+// every frame places them anew by the motions and the centres that the boxes show.
 void AlignInheritedFrames(const IdentityStep& step, ClusterMap& map, Rng& rng);
 
 template <typename Policy>
@@ -46,15 +49,15 @@ concept IdentityPolicy = requires(const IdentityStep& step, ClusterMap& map, Rng
   Policy::Update(step, map, rng);
 };
 
-// Policy: a found cluster may go on as a lost one (InheritIdentities).
+// Policy: a newly confirmed cluster may continue a lost one (InheritIdentities).
 struct InheritLostIdentity {
   static void Update(const IdentityStep& step, ClusterMap& map, Rng& rng);
 };
-// Policy: a found cluster is always a new one.
+// Policy: a newly confirmed cluster never continues a lost one.
 struct AlwaysNewIdentity {
   static void Update(const IdentityStep&, ClusterMap&, Rng&) {}
 };
-// Policy: another one, and the frame of what goes on as a lost cluster is aligned with what it was
+// Policy: applies `Identity`, then aligns the object frames of clusters that continue lost ones
 // (AlignInheritedFrames).
 template <IdentityPolicy Identity>
 struct WithAlignedFrames {

@@ -10,9 +10,9 @@
 namespace cvo {
 namespace {
 
-// Beyond this ratio of sizes the reference is renewed.
+// The reference is renewed if the scales differ by more than this factor.
 constexpr double kMaxZoom = 1.25;
-// Beyond this one the patches are not compared: the samples would leave them.
+// Patches whose scales differ by more than this factor are not compared: samples would leave them.
 constexpr double kMaxComparedZoom = 1.5;
 
 double LevelScale(double scale_factor, const StereoFeature& feature) {
@@ -29,7 +29,7 @@ void AlignToLandmarks(double scale_factor, const RigidTransform& camera_from_obj
   for (const Match& match : matches) {
     const Landmark& landmark = landmarks[match.landmark];
     StereoFeature& feature = features[match.feature];
-    feature.is_aligned = false;  // whatever it was aligned to before
+    feature.is_aligned = false;  // it may have been aligned with another landmark
     const double depth_m = (camera_from_object * landmark.p_in_object).z();
     const double scale = LevelScale(scale_factor, feature);
     const double zoom =

@@ -13,14 +13,16 @@
 namespace cvo {
 
 // Moves features that were matched with landmarks of one body to where they show the same points
-// as when these were first seen, and marks them as aligned (METHOD.md 3.4). Those that do not look
-// alike stay where their corners are. `scale_factor`: from a level of the pyramid to the next.
+// as the landmarks' reference patches, and marks them as aligned (METHOD.md 3.4). Features whose
+// patches differ too much from the reference stay at their corners. `scale_factor` is the ratio of
+// the scales of successive pyramid levels.
 void AlignToLandmarks(double scale_factor, const RigidTransform& camera_from_object,
                       const std::vector<Landmark>& landmarks, const std::vector<Match>& matches,
                       std::span<StereoFeature> features);
 
-// The landmark's reference after it was seen as the feature, at the depth landmark.depth_m: a new
-// one where there is none, the feature is not aligned, or its size has changed much.
+// Updates the landmark's reference after an observation as `feature` at depth landmark.depth_m. The
+// patch of the feature becomes the reference if there is none yet, if the feature is not aligned
+// with it, or if the scale has changed by more than a factor of 1.25.
 void UpdateReference(double scale_factor, const StereoFeature& feature, Landmark& landmark);
 
 }  // namespace cvo

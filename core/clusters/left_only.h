@@ -12,8 +12,8 @@
 
 namespace cvo {
 
-// Features of the left image alone that were matched with landmarks of a body get the disparity
-// that the body's pose gives these (METHOD.md 4.7).
+// Gives features found in the left image only, and matched with landmarks of a body, the disparity
+// that the body's pose predicts for these landmarks (METHOD.md 4.7).
 void PlaceLeftOnly(const StereoCamera& camera, const RigidTransform& camera_from_object,
                    const std::vector<Landmark>& landmarks, const std::vector<Match>& matches,
                    std::span<StereoFeature> features);

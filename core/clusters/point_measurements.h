@@ -11,7 +11,8 @@
 
 namespace cvo {
 
-// What a body's matched landmarks and features say of the camera's pose in its frame.
+// Converts matches of a body's landmarks with features to measurements of the camera pose in the
+// body's frame.
 std::vector<PointMeasurement> MeasurementsOf(const FeatureNoise& noise,
                                              const std::vector<Landmark>& landmarks,
                                              std::span<const StereoFeature> features,

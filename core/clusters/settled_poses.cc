@@ -8,12 +8,13 @@
 namespace cvo {
 namespace {
 
-// It may still go on as a lost cluster (IdentityPolicy), also where what is given confirms it.
+// Whether the cluster may still be identified as a lost one (IdentityPolicy). This also holds for a
+// cluster that is confirmed only by its given body.
 bool MayBeAnother(const Cluster& cluster, const ClusterOptions& options) {
   return cluster.detections < options.confirm_detections;
 }
 
-// The frame from which poses may change, whatever cluster they are of.
+// The first frame from which poses of every cluster may still change.
 FrameId FirstOpen(const Window& window, const ClusterOptions& options, const ClusterMap& map) {
   FrameId first = window.temporal.front().id;
   for (const Cluster& cluster : map.live) {
@@ -25,7 +26,7 @@ FrameId FirstOpen(const Window& window, const ClusterOptions& options, const Clu
   return first;
 }
 
-// The frame from which those of this cluster may.
+// The first frame from which poses of this cluster may still change.
 FrameId FirstOpen(const Cluster& cluster, FrameId of_all) {
   const FrameId first = std::min(of_all, cluster.states.front().frame);
   return cluster.former.since.valid() ? std::min(first, cluster.former.since) : first;

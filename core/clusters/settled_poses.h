@@ -8,10 +8,11 @@
 
 namespace cvo {
 
-// Takes the poses out of the trajectories that no later frame changes, by id, so that what is kept
-// of a run does not grow with its length. Frames of T_t are still estimated and traced back into;
-// so are those of a cluster's states. What a cluster did since it was found again changes until its
-// frame is aligned, and one that is yet to be confirmed may turn out to be any lost one.
+// Removes from the trajectories all poses that no later frame can change and returns them, sorted
+// by id, so that memory does not grow with the length of a run. Poses may still change
+//  - in frames of T_t and of the cluster's states, which are still estimated or traced back into,
+//  - since the cluster was found again, until its object frame is aligned,
+//  - since the first pose of any unconfirmed cluster, which may still turn out to be a lost one.
 std::vector<ClusterTrajectory> TakeSettledPoses(const Window& window, const ClusterOptions& options,
                                                 ClusterMap& map);
 

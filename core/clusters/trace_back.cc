@@ -18,14 +18,14 @@ auto FirstStateAfter(FrameId frame, auto& states) {
                       [frame](const ClusterState& state) { return frame < state.frame; });
 }
 
-// Where observations are by frame, oldest first.
+// Keeps the observations sorted by frame, oldest first.
 void InsertObservation(const Observation& seen, Landmark& landmark) {
   const auto later = std::find_if(landmark.observations.begin(), landmark.observations.end(),
                                   [&](const Observation& o) { return seen.frame < o.frame; });
   landmark.observations.insert(later, seen);
 }
 
-// As the next pose, but for what the frame itself says.
+// Inserts a copy of the next pose with the values that the kept frame determines.
 void InsertPose(const KeptFrame& kept, const ClusterTrack& track, double score_decay,
                 ClusterTrajectory& trajectory) {
   auto at = FirstPoseFrom(kept.id.value, trajectory);
@@ -58,7 +58,7 @@ std::vector<FrameId> FramesToTrace(const ClusterOptions& options, const Window& 
                                    const ClusterTrajectory& trajectory, const Cluster& cluster) {
   const FrameId newest = window.temporal.back().id;
   const FrameId first = FirstTracked(window, cluster);
-  // What is confirmed in this frame may yet turn out to be another cluster (IdentityPolicy).
+  // A cluster confirmed in this frame may still be identified as a lost one (IdentityPolicy).
   const bool is_settled =
       IsConfirmed(cluster, options) && !IsJustConfirmed(cluster, options, newest);
   if (options.trace_states == 0 || !first.valid() || !is_settled) return {};

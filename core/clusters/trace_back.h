@@ -12,45 +12,46 @@
 
 namespace cvo {
 
-// A frame of T_t as it was seen: a body that is found later may be in it.
+// A frame of T_t with its features, kept because a body found later may be visible in it.
 struct KeptFrame {
   FrameId id;
   StereoFrame frame;
-  TakenFeatures taken;  // by clusters
+  TakenFeatures taken;  // features taken by clusters
 };
 
-// Any cluster as it is predicted at any time after its latest state.
+// Predicts any cluster at any time after its latest state.
 using PredictorAnytime =
     std::function<PredictedCluster(const Cluster& cluster, std::int64_t timestamp_ns)>;
 
 namespace internal {
 
-// The first of the frames of T_t in which the cluster has been tracked without a gap until now;
-// invalid where it is not tracked now.
+// Returns the first frame of T_t since which the cluster has been tracked without a gap; invalid if
+// it is not tracked in the newest frame.
 FrameId FirstTracked(const Window& window, const Cluster& cluster);
-// The frames of T_t before that one, the latest first, up to one in which the cluster was tracked.
-// Empty unless it is time to search them.
+// Returns the frames of T_t before FirstTracked, latest first, back to the last one in which the
+// cluster was tracked, which is excluded. Empty unless the search is due.
 std::vector<FrameId> FramesToTrace(const ClusterOptions& options, const Window& window,
                                    const ClusterTrajectory& trajectory, const Cluster& cluster);
-// The cluster in an earlier frame from its next two states: they are the last two where time runs
-// back.
+// Predicts the cluster in an earlier frame from the next two states after it, which are the last
+// two when time is reversed.
 PredictedCluster PredictBack(const PredictorAnytime& predict, const Cluster& cluster,
                              const KeptFrame& kept);
-// The cluster in an earlier frame; empty where too few of the matches agree. The features that
-// show it are placed and taken as in the newest frame.
+// Tracks the cluster in an earlier frame. Empty if too few matches agree or if their pose
+// contradicts the prediction. Otherwise the inliers' features are placed (PlaceFeatures) and marked
+// as taken in `kept`, as in the newest frame.
 std::optional<ClusterTrack> TrackInPast(const ClusterSearch& search, const Cluster& cluster,
                                         const PredictedCluster& predicted,
                                         const PredictedLandmarks& landmarks,
                                         const std::vector<Match>& matches, Rng& rng,
                                         KeptFrame& kept);
-// The state, the observations and the reported pose of an earlier frame.
+// Adds the state, the observations and the reported pose of an earlier frame.
 void AddPast(const ClusterOptions& options, const KeptFrame& kept, const ClusterTrack& track,
              Cluster& cluster, ClusterTrajectory& trajectory);
 
 }  // namespace internal
 
-// Follows clusters that were found, for the first time or again, back through T_t until they are
-// lost (METHOD.md 6.6). `show` says what the estimator is shown of a frame's bodies.
+// Tracks clusters that were found, for the first time or again, backwards through T_t until they
+// are lost (METHOD.md 6.6). `show` returns what the estimator is shown of a frame's bodies.
 template <LandmarkAssociationPolicy LandmarkAssociation>
 void TraceBack(const ClusterSearchOptions& options, const Window& window,
                const PredictorAnytime& predict, ShownBodies (*show)(const StereoFrame&),

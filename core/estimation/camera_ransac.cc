@@ -19,7 +19,7 @@ std::array<std::size_t, 3> DrawSample(std::size_t n, Rng& rng) {
   return sample;
 }
 
-// Empty where a measurement fixes no point.
+// Empty if one of the measurements cannot be triangulated.
 std::optional<RigidTransform> AlignSample(const StereoCamera& camera,
                                           std::span<const PointMeasurement> measurements,
                                           const std::array<std::size_t, 3>& sample) {
@@ -63,7 +63,8 @@ std::optional<CameraSolution> SolveCameraRansac(const StereoCamera& camera,
   }
   if (best_support == 0) return std::nullopt;
 
-  // Refined on the hypothesis' own inliers only: SolveCamera starts by trusting all it is given.
+  // Refines only on the inliers of the hypothesis, because SolveCamera starts by trusting all its
+  // measurements.
   std::vector<PointMeasurement> close;
   for (std::size_t i = 0; i < measurements.size(); ++i) {
     if (best.is_inlier[i]) close.push_back(measurements[i]);

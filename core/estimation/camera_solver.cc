@@ -18,7 +18,8 @@ struct NormalEquations {
   Vector6d b = Vector6d::Zero();  // J^T r
 };
 
-// Adds one measurement's J^T J and J^T r (tangent of world_from_camera), weighted by Huber's loss.
+// Adds the J^T J and J^T r of one measurement (tangent of world_from_camera), weighted by the Huber
+// loss.
 void Accumulate(const StereoCamera& camera, const PointMeasurement& m,
                 const Eigen::Matrix3d& camera_from_world_rotation, const Eigen::Vector3d& position,
                 double huber, NormalEquations& normal) {

@@ -11,7 +11,7 @@
 
 namespace cvo {
 
-// x_t^q of the paper: a cluster in one frame.
+// State of a cluster in one frame: x_t^q of the paper.
 struct ClusterState {
   FrameId frame;
   std::int64_t timestamp_ns = 0;
@@ -19,64 +19,67 @@ struct ClusterState {
   Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  // of its origin, in world
 };
 
-// Where a body's centre is, from the boxes that show it, in the body's frame. A box tells well
-// across the line of sight and badly along it: seen from several sides, the centre is fixed.
+// Estimate of a body's centre, in the body frame, from the detection boxes that show it. A box
+// constrains the centre well across the line of sight but poorly along it. Boxes from several sides
+// determine it fully.
 struct CenterEstimate {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   Eigen::Vector3d weighted = Eigen::Vector3d::Zero();  // information * centre
   int boxes = 0;
 
   void Add(const Eigen::Vector3d& center, const Eigen::Matrix3d& information_of_box);
-  // Both of a frame that `object_from_there` leads out of.
+  // The same for a centre and information given in another frame, `there`.
   void Add(const RigidTransform& object_from_there, const Eigen::Vector3d& center_there,
            const Eigen::Matrix3d& information_there);
-  void Add(const CenterEstimate& other);  // of the same frame
-  // The origin without a box.
+  void Add(const CenterEstimate& other);  // in the same body frame
+  // The estimated centre; the origin if there is no box yet.
   Eigen::Vector3d InObject() const;
-  // Of the centre, m^2: that of a single box, because boxes that show the same side of a body are
-  // wrong by the same amount. Needs a box.
+  // Covariance of the centre, m^2. It is that of a single box, because boxes that show the same
+  // side of a body share the same error. Requires at least one box.
   Eigen::Matrix3d Covariance() const;
-  // The same in another frame of the body.
+  // Returns the estimate expressed in another body frame.
   CenterEstimate In(const RigidTransform& new_from_old) const;
 };
 
-// Smaller side of the last box that showed a whole body, m; until then its size is at least that of
-// the largest part of it.
+// Size of a body: the smaller side, in m, of the last box that showed the whole body. Until there
+// is such a box, it is a lower bound: the largest value from the partial boxes.
 struct BodySize {
-  double side_m = 0.0;  // 0: no box told
+  double side_m = 0.0;  // 0: no box yet
   bool is_whole = false;
 
   void Add(double side_of_box_m, bool box_is_whole);
 };
 
-// How a body moves at one time, and how well that is known.
+// Motion of a body at one time, with its uncertainty.
 struct BodyMotion {
   std::int64_t timestamp_ns = 0;
   RigidTransform world_from_object;
   Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  // of its origin, in world
   Eigen::Vector3d turn_rad_s = Eigen::Vector3d::Zero();    // in world
-  double speed_variance_m2_s2 = 0.0;                       // each axis
+  double speed_variance_m2_s2 = 0.0;                       // per axis
   double turn_variance_rad2_s2 = 0.0;
 };
 
-// What a cluster knows of itself from before it was lost, until it is aligned with that: its frame
-// since `since` is a guess.
+// What a cluster has inherited from the time before it was lost, kept until its present body frame
+// is aligned with the former one. From frame `since` on, its poses are in a provisional body frame.
 struct Lineage {
   FrameId since;
-  std::vector<Landmark> landmarks;  // in its frame as it was
+  std::vector<Landmark> landmarks;  // in the former body frame
   CenterEstimate box_center;
-  BodyMotion last;         // in its frame as it was
-  bool is_placed = false;  // by enough boxes: landmarks alone move it still
+  BodyMotion last;         // in the former body frame
+  bool is_placed = false;  // by enough boxes; from then on only landmarks move it
 };
 
-// A rigid body that moves or may move. Its frame is arbitrary and stays what it was at birth.
+// Estimate of a rigid body that moves or may move. Its body frame is arbitrary: it is chosen at
+// birth and kept, except while `former` is being aligned (METHOD.md 6.5).
 struct Cluster {
   ClusterId id;
   std::string category;
-  BodyId given_body;                 // as GivenKnowledge says; invalid: unknown
-  std::vector<ClusterState> states;  // in frames of T_t that see it, oldest first; never empty
-  std::vector<Landmark> landmarks;   // by id
-  // Box around its landmarks along the axes of its frame: the p30/p70 centre and half sides.
+  BodyId given_body;                 // from GivenKnowledge; invalid: unknown
+  std::vector<ClusterState> states;  // for the frames of T_t that see it, oldest first; never empty
+  std::vector<Landmark> landmarks;   // sorted by id
+  // Box around the landmarks along the axes of the body frame: centre and half sides of the range
+  // between the 30th and 70th percentiles.
   Eigen::Vector3d center_in_object = Eigen::Vector3d::Zero();
   Eigen::Vector3d half_size_m = Eigen::Vector3d::Zero();
   BodySize size;
@@ -84,19 +87,20 @@ struct Cluster {
   Lineage former;
   FrameId last_observed;
   FrameId last_detected;
-  FrameId lost_before;  // where it was looked for back in time: it is not in the frame before
-  int frames = 1;       // that saw it, ever
-  int detection = -1;   // index of the last frame's associated one; -1: none
-  int detections = 0;   // frames with an associated one
-  double score = 0.0;   // of the last one
+  // First tracked frame of the last failed trace back, which is not repeated from there.
+  FrameId lost_before;
+  int frames = 1;      // number that ever saw it
+  int detection = -1;  // index of the detection associated in the last frame; -1: none
+  int detections = 0;  // number of frames with an associated detection
+  double score = 0.0;  // of the last associated detection
 
   const ClusterState& Latest() const { return states.back(); }
 };
 
-// The cluster's state in the frame; null where there is none.
+// Returns the cluster's state in the frame; null if it has none.
 const ClusterState* FindState(const Cluster& cluster, FrameId frame);
 
-// Seconds from one timestamp to another.
+// Returns the time from one timestamp to the other, s.
 inline double SecondsBetween(std::int64_t from_ns, std::int64_t to_ns) {
   return 1e-9 * static_cast<double>(to_ns - from_ns);
 }

@@ -10,13 +10,14 @@
 
 namespace cvo {
 
-// Sums the frame out of the window's prior, together with the named landmarks (ascending) and all
-// their observations. Frame and landmarks stay in the window.
+// Marginalises the frame, together with the given landmarks (ascending) and all their observations,
+// into the window's prior. Neither the frame nor the landmarks are removed from the window.
 void MarginalizeFrame(FrameId frame, const std::vector<LandmarkId>& landmarks,
                       const FeatureNoise& noise, Window& window);
 
-// Appends `frame` to T_t and makes room: the oldest frame of T_t is promoted or discarded, the
-// oldest of T_s is marginalised (section 3.3 of the paper, "Double-Track Frame Management").
+// Appends `frame` to T_t. If T_t is then too long, its oldest frame is promoted to T_s or
+// discarded; if T_s is then too long, its oldest frame leaves the window as MarginalizationRule
+// says (section 3.3 of the paper, "Double-Track Frame Management").
 template <MarginalizationPolicy MarginalizationRule, PromotionPolicy SpatialTrack>
 class DoubleTrack {
  public:
@@ -40,7 +41,8 @@ class DoubleTrack {
   }
 
  private:
-  // A discarded frame's observations are lost; what the prior says of it is summed out.
+  // The observations of a discarded frame are lost. If the prior involves the frame, it is
+  // marginalised out of it.
   void Discard(FrameId frame, Window& window) const {
     if (std::binary_search(window.prior.frames.begin(), window.prior.frames.end(), frame)) {
       MarginalizeFrame(frame, {}, noise_, window);

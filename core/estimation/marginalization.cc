@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kRelativeRank = 1e-10;
 
-// H dx = -b around the problem's state: six rows per frame, then six for right_field_px.
+// H dx = -b, linearised at the problem's state: six rows per frame, then six for right_field_px.
 struct LinearSystem {
   Eigen::MatrixXd H;
   Eigen::VectorXd b;
@@ -25,7 +25,7 @@ void AppendRows(Eigen::Index block, std::vector<Eigen::Index>& rows) {
   for (Eigen::Index k = 0; k < 6; ++k) rows.push_back(6 * block + k);
 }
 
-// M^+ of a symmetric positive semi-definite matrix.
+// Pseudo-inverse M^+ of a symmetric positive semi-definite matrix.
 Eigen::MatrixXd PseudoInverse(const Eigen::MatrixXd& M) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(M);
   const Eigen::VectorXd& values = eigen.eigenvalues();
@@ -37,14 +37,14 @@ Eigen::MatrixXd PseudoInverse(const Eigen::MatrixXd& M) {
   return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
-// Adds the factors [begin, end) of one point, the point eliminated.
+// Adds the factors [begin, end), all of one point, with the point eliminated.
 void AddPoint(const NoiseOptions& noise, const WindowProblem& problem, std::size_t begin,
               std::size_t end, LinearSystem& system) {
   const int n = static_cast<int>(end - begin);
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(3 * n, 6 * n + 6);
   Eigen::MatrixXd J_point(3 * n, 3);
   Eigen::VectorXd r(3 * n);
-  std::vector<Eigen::Index> rows;  // of the system, by column of J
+  std::vector<Eigen::Index> rows;  // row of the system for each column of J
   for (int i = 0; i < n; ++i) {
     const ReprojectionFactor& factor = problem.factors[begin + i];
     const ReprojectionResidual value =
@@ -64,7 +64,7 @@ void AddPoint(const NoiseOptions& noise, const WindowProblem& problem, std::size
   system.b(rows) += J.transpose() * r - left * (J_point.transpose() * r);
 }
 
-// Adds the prior, linearised anew at the problem's state.
+// Adds the prior, relinearised at the problem's state.
 void AddPrior(const WindowProblem& problem, LinearSystem& system) {
   const WindowPrior& prior = problem.prior;
   const int n = static_cast<int>(prior.frames.size());
@@ -85,7 +85,7 @@ void AddPrior(const WindowProblem& problem, LinearSystem& system) {
   system.b(rows) += J.transpose() * r;
 }
 
-// Frames that the system says something about, the removed one not among them.
+// Indices of the frames that the system constrains, except the removed one.
 std::vector<int> KeptPoses(const WindowProblem& problem, FrameId removed,
                            const LinearSystem& system) {
   std::vector<int> kept;
@@ -96,7 +96,7 @@ std::vector<int> KeptPoses(const WindowProblem& problem, FrameId removed,
   return kept;
 }
 
-// The system over the poses `kept` and right_field_px, the pose `removed` eliminated.
+// Reduces the system to the poses `kept` and right_field_px by eliminating the pose `removed`.
 LinearSystem Reduce(const LinearSystem& system, const std::vector<int>& kept, int removed) {
   std::vector<Eigen::Index> rows;
   for (const int pose : kept) AppendRows(pose, rows);
@@ -108,7 +108,8 @@ LinearSystem Reduce(const LinearSystem& system, const std::vector<int>& kept, in
           system.b(rows) - left * system.b(six)};
 }
 
-// H = J0^T J0 and b = J0^T r0: H is singular, so its square root comes from its eigenvectors.
+// Sets J0 and r0 such that H = J0^T J0 and b = J0^T r0. H is singular, so its square root is formed
+// from its eigenvectors.
 void TakeSquareRoot(const LinearSystem& system, WindowPrior& prior) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 *
                                                              (system.H + system.H.transpose()));

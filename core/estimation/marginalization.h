@@ -6,11 +6,11 @@
 
 namespace cvo {
 
-// Removes all points of the problem and the pose of `removed` from its energy by Schur complement
-// and returns what is left as a prior over the other frames and right_field_px (METHOD.md 7.3):
-// factors and the old prior are linearised at the problem's state, factors after the robust loss.
-// The problem holds just the factors to be marginalised: points with all their remaining
-// observations. Directions with less than 1e-10 of the largest eigenvalue carry no information.
+// Eliminates all points of the problem and the pose of `removed` by Schur complement, and returns
+// the result as a prior over the other frames and right_field_px (METHOD.md 7.3). Factors and the
+// old prior are linearised at the problem's state, factors after the robust loss. The problem must
+// hold only the factors to be marginalised: points with all their remaining observations.
+// Directions whose eigenvalue is below 1e-10 of the largest are taken to carry no information.
 WindowPrior Marginalize(const NoiseOptions& noise, const WindowProblem& problem, FrameId removed);
 
 }  // namespace cvo

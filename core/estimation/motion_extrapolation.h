@@ -21,30 +21,32 @@ struct PredictedMotion {
   Eigen::Matrix3d translation_covariance_m2 = Eigen::Matrix3d::Zero();  // in world
 };
 
-// How a body turns on.
+// Predicts the orientation of a body.
 template <typename Policy>
 concept RotationPolicy = requires(std::span<const MotionState> states, double time_s) {
   { Policy::Rotation(states, time_s) } -> std::same_as<Eigen::Quaterniond>;
 };
 
-// Policy: as it did between its last two states.
+// Policy: the body keeps the angular velocity between its last two states.
 struct ConstantAngularVelocity {
   static Eigen::Quaterniond Rotation(std::span<const MotionState> states, double time_s);
 };
-// Policy: not at all (the paper's prediction moves points by their cluster's velocity only).
+// Policy: the body does not turn (the paper's prediction moves points only by their cluster's
+// velocity).
 struct HeldRotation {
   static Eigen::Quaterniond Rotation(std::span<const MotionState> states, double time_s);
 };
 
-// t + v dt and its covariance q dt^3 / 3 I + dt^2 Sigma_v: what dt seconds add to the uncertainty
-// of the last state's position. Throws Error where time_s is not after the last state.
+// Predicts the position as t + v dt, with the covariance q dt^3 / 3 I + dt^2 Sigma_v: the
+// uncertainty added over dt seconds to that of the last state's position. Throws Error if time_s is
+// not after the last state.
 PredictedMotion ExtrapolateTranslation(const MotionState& last, double time_s,
                                        double power_density_m2_s3,
                                        const Eigen::Matrix3d& velocity_covariance_m2_s2);
 
-// A motion with white noise on its acceleration, dt_s long, whose velocity is measured at both ends
-// (METHOD.md 6.5): its mean velocity is before + later_share (after - before); `variance` is that
-// of the way, dt_s times it.
+// Motion over a gap of dt_s between two measured velocities, with white noise on the acceleration
+// (METHOD.md 6.5). The mean velocity is before + later_share (after - before). `variance` is that
+// of the displacement, dt_s times the mean velocity.
 struct BridgedMotion {
   double later_share = 0.0;
   double variance = 0.0;  // m^2 or rad^2
@@ -52,7 +54,8 @@ struct BridgedMotion {
 BridgedMotion BridgeMotion(double dt_s, double power_density, double variance_before,
                            double variance_after);
 
-// The body at time_s, after the last of its states (at least one; oldest first, times increasing).
+// Predicts the body's motion at time_s, which must be after the last of its states (at least one;
+// oldest first, times increasing).
 template <MotionPriorPolicy MotionPrior, RotationPolicy RotationModel>
 PredictedMotion Extrapolate(const MotionPriorOptions& options, std::span<const MotionState> states,
                             double time_s, const Eigen::Matrix3d& velocity_covariance_m2_s2) {

@@ -9,9 +9,9 @@
 
 namespace cvo {
 
-// to_from_from of pairs of points (columns) of which many may be wrong: three pairs fix a
-// hypothesis, the one with the most pairs within max_distance_m wins and is fitted to those. Empty
-// where no hypothesis has min_inliers.
+// Estimates to_from_from from pairs of points (columns) that may contain many outliers. Each
+// hypothesis is fixed by three pairs. The one with the most pairs within max_distance_m is refitted
+// to these pairs. Empty if no hypothesis has min_inliers of them.
 std::optional<RigidTransform> AlignPointsRansac(const Eigen::Matrix3Xd& from,
                                                 const Eigen::Matrix3Xd& to, double max_distance_m,
                                                 int min_inliers, int iterations, Rng& rng);

@@ -48,9 +48,9 @@ struct WindowOptions {
   }
 };
 
-// What becomes of a landmark seen by the frame that leaves T_s: marginalised with all its
-// observations, or only that observation deleted (METHOD.md 7.3). kKeepsPrior: what is
-// marginalised becomes a prior of the window.
+// Decides for each landmark seen by the frame that leaves T_s whether it is marginalised with all
+// its observations; otherwise only that one observation is deleted (METHOD.md 7.3). kKeepsPrior:
+// what is marginalised becomes a prior of the window.
 template <typename Policy>
 concept MarginalizationPolicy = requires(const Landmark& landmark, FrameId newest,
                                          const WindowOptions& options) {
@@ -58,37 +58,38 @@ concept MarginalizationPolicy = requires(const Landmark& landmark, FrameId newes
   { Policy::Marginalizes(landmark, newest, options) } -> std::same_as<bool>;
 };
 
-// Policy: unseen in the last lost_frames frames -> marginalised.
+// Policy: marginalise landmarks that were not seen in the last lost_frames frames.
 struct MarginalizeLost {
   static constexpr bool kKeepsPrior = true;
   static bool Marginalizes(const Landmark& landmark, FrameId newest, const WindowOptions& options) {
     return landmark.last_seen.value <= newest.value - options.lost_frames;
   }
 };
-// Policy: unseen by the newest frame -> marginalised, the paper's rule.
+// Policy: marginalise landmarks that the newest frame does not see; the paper's rule.
 struct MarginalizeUnseenByNewest {
   static constexpr bool kKeepsPrior = true;
   static bool Marginalizes(const Landmark& landmark, FrameId newest, const WindowOptions&) {
     return landmark.last_seen < newest;
   }
 };
-// Policy: nothing is marginalised, there is no prior.
+// Policy: marginalise nothing and form no prior from what leaves.
 struct MarginalizeNothing {
   static constexpr bool kKeepsPrior = false;
   static bool Marginalizes(const Landmark&, FrameId, const WindowOptions&) { return false; }
 };
 
-// What holds the window in the world: whether frame `index` of the window is held constant.
+// Fixes the gauge of the window: whether the pose of its frame `index` is held constant.
 template <typename Policy>
 concept GaugePolicy = requires(int index, const WindowPrior& prior) {
   { Policy::Fixes(index, prior) } -> std::same_as<bool>;
 };
 
-// Policy: its oldest frame.
+// Policy: the oldest frame is held constant.
 struct FixOldestFrame {
   static bool Fixes(int index, const WindowPrior&) { return index == 0; }
 };
-// Policy: the prior alone, once there is one (the paper's).
+// Policy: once there is a prior, it alone fixes the gauge; until then the oldest frame is held (the
+// paper's).
 struct PriorHoldsGauge {
   static bool Fixes(int index, const WindowPrior& prior) {
     return index == 0 && prior.frames.empty();
@@ -102,7 +103,7 @@ concept PromotionPolicy = requires(const Window& window, const WindowFrame& fram
   { Policy::Promotes(window, frame, options) } -> std::same_as<bool>;
 };
 
-// Policy: far from the newest frame in T_s.
+// Policy: if it is far from the newest frame in T_s (METHOD.md 7.1).
 struct PromoteDistant {
   static bool Promotes(const Window& window, const WindowFrame& frame,
                        const WindowOptions& options);
@@ -112,41 +113,40 @@ struct PromoteNever {
   static bool Promotes(const Window&, const WindowFrame&, const WindowOptions&) { return false; }
 };
 
-// How far the rig's calibration is believed: the standard deviation of each coefficient of
-// right_field_px before anything is seen, where kFixesRightField does not hold it at zero.
+// How far the calibration of the stereo rig is trusted: the prior standard deviation of each
+// coefficient of right_field_px, unless kFixesRightField holds them constant.
 template <typename Policy>
 concept CalibrationPolicy = requires(const NoiseOptions& noise) {
   { Policy::kFixesRightField } -> std::convertible_to<bool>;
   { Policy::Deviation(noise) } -> std::same_as<Vector6d>;
 };
 
-// Policy: the error varies smoothly over the image.
+// Policy: the calibration error varies smoothly over the image.
 struct EstimateRightField {
   static constexpr bool kFixesRightField = false;
   static Vector6d Deviation(const NoiseOptions& noise);
 };
-// Policy: it is the same everywhere.
+// Policy: the calibration error is constant over the image.
 struct EstimateRightShift {
   static constexpr bool kFixesRightField = false;
   static Vector6d Deviation(const NoiseOptions& noise);
 };
-// Policy: the calibration is taken as it is.
+// Policy: the calibration is taken as exact.
 struct TrustCalibration : EstimateRightShift {
   static constexpr bool kFixesRightField = true;
 };
 
-// How large the squared whitened error of an observation may be for it to stay in a window after
-// the solution.
+// Maximum squared whitened error with which an observation stays in the window after a solve.
 template <typename Policy>
 concept OutlierPolicy = requires(const NoiseOptions& options) {
   { Policy::Gate(options) } -> std::same_as<double>;
 };
 
-// Policy: what is beyond noise.gate is removed for good.
+// Policy: observations beyond noise.gate are removed permanently.
 struct RemoveOutliers {
   static double Gate(const NoiseOptions& options) { return options.gate; }
 };
-// Policy: everything stays, the robust loss alone weakens it (the paper's).
+// Policy: all observations stay, down-weighted only by the robust loss (the paper's).
 struct KeepOutliers {
   static double Gate(const NoiseOptions&) { return std::numeric_limits<double>::infinity(); }
 };

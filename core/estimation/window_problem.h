@@ -7,14 +7,14 @@
 
 namespace cvo {
 
-// The window's camera, prior and frames, none of these fixed; no points.
+// Makes a problem from the window's camera, prior and frames, with no frame fixed and no points.
 WindowProblem MakeFrames(const Window& window);
 
-// Adds the landmark as the problem's next point, with all its observations.
+// Appends the landmark as the problem's next point, with all its observations.
 void AddLandmark(const Landmark& landmark, const FeatureNoise& noise, WindowProblem& problem);
 
-// Indices of the landmarks worth optimising: seen at least twice, the longest seen first, at most
-// max_points of them; ascending.
+// Returns the indices, ascending, of the landmarks to optimise: those observed at least twice and,
+// if there are more than max_points, those with the most observations.
 std::vector<int> SelectLandmarks(const Window& window, int max_points);
 
 }  // namespace cvo

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Code for AVX2 and FMA is compiled where this is defined; all of it has a plain twin.
+// If defined, code for AVX2 and FMA is compiled. All such code has a plain counterpart.
 #if defined(__x86_64__)
 #define CVO_WITH_AVX2
 #endif
@@ -11,7 +11,7 @@ namespace cvo {
 
 enum class CpuLevel { kPlain, kAvx2 };
 
-// As OpenCV sees the processor, so that ours and its code take the same paths;
+// Detects the processor as OpenCV sees it, so that our code and that of OpenCV take the same paths.
 // OPENCV_CPU_DISABLE=AVX2 forces the plain ones.
 CpuLevel DetectCpuLevel();
 
@@ -20,7 +20,7 @@ inline bool UsesAvx2() {
   return uses;
 }
 
-// "avx2", "plain x86-64", "plain aarch64" or "plain": results of different levels differ by
+// Returns "avx2", "plain x86-64", "plain aarch64" or "plain". Results of different levels differ by
 // rounding.
 const char* CpuLevelName();
 

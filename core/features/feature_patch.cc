@@ -14,28 +14,28 @@
 namespace cvo {
 namespace {
 
-constexpr int kReach_px = 5;  // of the part of the reference that is compared
+constexpr int kReach_px = 5;  // radius of the part of the reference that is compared
 constexpr int kSide = 2 * kReach_px + 1;
-constexpr int kLanes = 12;  // floats; rows are processed in whole registers
+constexpr int kLanes = 12;  // floats; rows are processed in multiples of a register
 constexpr double kWindowSigma_px = 3.5;
 constexpr int kMaxSteps = 8;
-constexpr double kSmallStep_px = 0.02;  // the next one would be far smaller
+constexpr double kSmallStep_px = 0.02;  // converged: the next step would be far smaller
 constexpr double kMaxShift_px = 2.0;
-constexpr double kMaxResidual = 0.5;  // of the variance of the reference
-// Information on each entry of the deformation before the patch is seen: noise of 5 grey levels
-// over 0.16.
+constexpr double kMaxResidual = 0.5;  // fraction of the variance of the reference
+// Prior information on each entry of the deformation: about (5 / 0.16)^2, the noise in grey levels
+// over the standard deviation of the entry.
 constexpr double kDeformationInformation = 1000.0;
 
-// The unknowns: shift, deformation by rows, brightness.
+// The unknowns: shift, deformation (row-major), brightness.
 constexpr int kUnknowns = 7;
 using Vector = Eigen::Matrix<double, kUnknowns, 1>;
 using Matrix = Eigen::Matrix<double, kUnknowns, kUnknowns>;
 using Lanes = float[kLanes];
 
-// Lanes beyond the patch are finite and have no weight.
+// The compared part of the reference patch. Lanes beyond it hold finite values and have no weight.
 struct Reference {
-  float x[kLanes];  // of the columns, from the corner
-  float y[kSide];   // of the rows
+  float x[kLanes];  // of the columns, relative to the corner
+  float y[kSide];   // of the rows, relative to the corner
   Lanes weight[kSide];
   Lanes value[kSide];
   Lanes slope_u[kSide];  // d value / dx
@@ -72,7 +72,7 @@ double Sum(const Lanes& lanes) {
   return sum;
 }
 
-// Sum over the lanes of values times x^power.
+// Sum over the lanes of lanes[i] * x[i]^power.
 double Sum(const Lanes& lanes, const Lanes& x, int power) {
   double sum = 0.0;
   for (int i = 0; i < kLanes; ++i) {
@@ -83,7 +83,8 @@ double Sum(const Lanes& lanes, const Lanes& x, int power) {
   return sum;
 }
 
-// Weighted sums over the rows, by lane, of products of slopes, times y^k.
+// Weighted sums over the rows, by lane: products of gradients times y^k, where k is the index, and
+// the moments of the values.
 struct SlopeSums {
   Lanes uu[3] = {}, uv[3] = {}, vv[3] = {};
   Lanes u[2] = {}, v[2] = {};
@@ -114,9 +115,9 @@ struct SlopeSums {
   return s;
 }
 
-// J = (gu, gv, gu x, gu y, gv x, gv y, 1): J^T J summed over the patch.
+// Returns J^T J summed over the patch, plus the prior. J = (gu, gv, gu x, gu y, gv x, gv y, 1).
 Matrix Information(const Reference& r, const SlopeSums& s) {
-  // Which slope an unknown has, and the powers of x and y at it.
+  // By unknown: whether its gradient is gv (else gu), and the powers of x and y multiplying it.
   constexpr int kOfV[] = {0, 1, 0, 0, 1, 1};
   constexpr int kOfX[] = {0, 0, 1, 0, 1, 0};
   constexpr int kOfY[] = {0, 0, 0, 1, 0, 1};
@@ -133,12 +134,13 @@ Matrix Information(const Reference& r, const SlopeSums& s) {
   return H.selfadjointView<Eigen::Upper>();
 }
 
-// How a point of the reference, from its corner, is seen: middle + A (x, y).
+// Maps a point (x, y) of the reference, relative to its corner, into the seen patch: middle + A (x,
+// y).
 struct Warp {
   Eigen::Vector2f middle;  // px from the centre of the first pixel of the patch
   Eigen::Matrix2f A;
 
-  // All samples are inside the patch if those at its corners are.
+  // Whether all samples are inside the patch, which is so if those at the corners of the grid are.
   bool StaysInside(const Reference& r) const {
     for (const int column : {0, kSide - 1}) {
       for (const int row : {0, kSide - 1}) {
@@ -165,7 +167,7 @@ float Sample(const FeaturePatch& patch, float u, float v) {
   return top + fv * (bottom - top);
 }
 
-// What `seen` shows at the reference's pixels; 0 beyond them.
+// Samples of `seen` at the warped pixels of the reference; 0 in the lanes beyond them.
 using Samples = Lanes[kSide];
 
 void SamplePlain(const Reference& r, const FeaturePatch& seen, const Warp& warp, Samples& samples) {
@@ -180,7 +182,7 @@ void SamplePlain(const Reference& r, const FeaturePatch& seen, const Warp& warp,
 }
 
 struct Residuals {
-  Vector gradient;  // of half the weighted sum of squares, the prior on the deformation left out
+  Vector gradient;  // of half the weighted sum of squares, without the deformation prior
   double squares;
 };
 
@@ -205,7 +207,7 @@ struct Residuals {
   return {gradient, Sum(ee)};
 }
 
-// The inner loops for one kind of processor; all kinds give the same numbers.
+// The inner loops, compiled for one instruction set. All sets give the same numbers.
 struct PatchLoops {
   SlopeSums (*sum_slopes)(const Reference&);
   Residuals (*evaluate)(const Reference&, const FeaturePatch& seen, const Warp&, float brightness);
@@ -223,7 +225,7 @@ Residuals EvaluatePlain(const Reference& r, const FeaturePatch& seen, const Warp
 constexpr PatchLoops kPlainLoops{SumSlopesPlain, EvaluatePlain};
 
 #if defined(CVO_WITH_AVX2)
-// Bytes `first` and `first` + 1 of each lane, bilinear with the fraction of a column.
+// Interpolates bytes kFirst and kFirst + 1 of each lane linearly, with the column fraction fu.
 template <int kFirst>
 __attribute__((target("avx2"), always_inline)) inline __m256 Between(__m256i bytes, __m256 fu) {
   const __m256i mask = _mm256_set1_epi32(255);
@@ -234,7 +236,7 @@ __attribute__((target("avx2"), always_inline)) inline __m256 Between(__m256i byt
   return _mm256_add_ps(left, _mm256_mul_ps(fu, _mm256_sub_ps(right, left)));
 }
 
-// Eight columns of a row; those that are not `wanted` are not read.
+// Samples eight columns of a row. Lanes that are not `wanted` are not read.
 __attribute__((target("avx2"), always_inline)) inline __m256 SampleEight(const std::uint8_t* pixels,
                                                                          __m256 u, __m256 v,
                                                                          __m256i wanted) {
@@ -249,8 +251,8 @@ __attribute__((target("avx2"), always_inline)) inline __m256 SampleEight(const s
         _mm256_setzero_si256(), reinterpret_cast<const int*>(pixels + offset), at, wanted, 1);
   };
   const __m256 top = Between<0>(four_at(0), fu);
-  // The four bytes that end with the two of the next row: those that begin there may leave the
-  // patch.
+  // Reads the four bytes that end with the two of the next row: the four that start with them may
+  // lie beyond the patch.
   const __m256 bottom = Between<2>(four_at(kStride - 2), fu);
   return _mm256_add_ps(top, _mm256_mul_ps(fv, _mm256_sub_ps(bottom, top)));
 }
@@ -301,7 +303,7 @@ std::optional<Eigen::Vector2d> Align(const FeaturePatch& reference, const Featur
   if (information.info() != Eigen::Success) return std::nullopt;
   const Eigen::Vector2d corner(seen.corner_u + FeaturePatch::kRadius_px,
                                seen.corner_v + FeaturePatch::kRadius_px);
-  // Gauss-Newton with the reference's slopes, which do not change from step to step.
+  // Gauss-Newton with the gradients of the reference, which do not change from step to step.
   Vector at = Vector::Zero();
   for (int step = 0; step < kMaxSteps; ++step) {
     Eigen::Matrix2d deformation;
@@ -311,7 +313,7 @@ std::optional<Eigen::Vector2d> Align(const FeaturePatch& reference, const Featur
     Residuals residuals = loops.evaluate(r, seen, warp, static_cast<float>(at[6]));
     residuals.gradient.segment<4>(2) += kDeformationInformation * at.segment<4>(2);
     const Vector change = information.solve(residuals.gradient);
-    at.head<2>() -= zoom * change.head<2>();  // `seen` changes by so much less per pixel
+    at.head<2>() -= zoom * change.head<2>();  // the gradients of `seen` are smaller by this factor
     at.tail<5>() -= change.tail<5>();
     if (at.head<2>().norm() > kMaxShift_px) return std::nullopt;
     if (change.head<2>().norm() < kSmallStep_px) {

@@ -9,26 +9,27 @@
 
 namespace cvo {
 
-// The left image around a corner, at the corner's pyramid level.
+// Patch of the left image around a corner, at the pyramid level of the corner.
 struct FeaturePatch {
   static constexpr int kRadius_px = 9;
   static constexpr int kSide_px = 2 * kRadius_px + 1;
 
-  std::array<std::uint8_t, kSide_px * kSide_px> pixels{};  // row by row
-  // Of the corner from the centre of the middle pixel, px of the level.
+  std::array<std::uint8_t, kSide_px * kSide_px> pixels{};  // row-major
+  // Sub-pixel offset of the corner from the centre of the middle pixel, px of the level.
   float corner_u = 0.0F;
   float corner_v = 0.0F;
 };
 
-// Where `seen` shows the point that is the corner of `reference`, as a shift from seen's own
-// corner, px of its level (METHOD.md 3.4). `zoom`: how much larger, in pixels of the levels, the
-// point's surroundings are in `seen`. Empty where the patches do not look alike, or the shift is
-// too large. Uses AVX2 where there is.
+// Aligns `reference` with `seen` (METHOD.md 3.4). Returns the shift from the corner of `seen` to
+// the point that is the corner of `reference`, in px of the level of `seen`. `zoom` is the
+// magnification of the surroundings of that point from `reference` to `seen`, each measured in
+// pixels of its level. Empty if the alignment does not converge, the patches differ too much, or
+// the shift is too large. Uses AVX2 if available.
 [[nodiscard]] std::optional<Eigen::Vector2d> AlignFeaturePatch(const FeaturePatch& reference,
                                                                const FeaturePatch& seen,
                                                                double zoom);
 
-// The same without AVX2: what the fast path is tested against.
+// The same without AVX2, as the reference in tests of the fast path.
 [[nodiscard]] std::optional<Eigen::Vector2d> AlignFeaturePatchPlain(const FeaturePatch& reference,
                                                                     const FeaturePatch& seen,
                                                                     double zoom);

@@ -13,14 +13,14 @@
 
 namespace cvo {
 
-// What is extracted of the right image: more corners than of the left one, so that each of these
-// finds its partner.
+// Returns the options for the right image, in which more corners are extracted so that each left
+// corner finds its partner.
 OrbOptions RightOrb(const OrbOptions& orb, const StereoMatchOptions& stereo);
 
-// Corners of the left image with their columns in the right one, sorted by (v, u, octave). Images
-// are CV_8UC1 and of the camera's size: throws Error otherwise. Uses two threads of the pool; the
-// result does not depend on their number. In the present frame's boxes there are also corners that
-// the right image does not show.
+// Extracts the corners of the left image and their columns in the right one, sorted by (v, u,
+// octave). Throws Error unless the images are CV_8UC1 and have the size of the camera. Uses two
+// threads of the pool; the result does not depend on the number of threads. In the boxes of the
+// current frame, corners without a match in the right image are kept as well (IsLeftOnly).
 std::vector<StereoFeature> ExtractStereoFeatures(const cv::Mat& left, const cv::Mat& right,
                                                  const StereoCamera& camera, const OrbOptions& orb,
                                                  const StereoMatchOptions& stereo, TaskPool& pool,

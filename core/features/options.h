@@ -9,17 +9,17 @@ namespace cvo {
 struct OrbOptions {
   static constexpr int kMaxFeatures = 100000;
 
-  int features = 2000;         // per image
-  double reserve = 1.0;        // as many more, over features, were they all over the image
-  int reserve_frames = 3;      // for which a box keeps those around it
-  int box_features = 100;      // of these, in each region where a body may be
-  int levels = 8;              // of the pyramid
+  int features = 2000;         // corners per image
+  double reserve = 1.0;        // density of the reserve, relative to that of `features`
+  int reserve_frames = 3;      // frames for which a box keeps a reserve around it
+  int box_features = 100;      // corners up to which the reserve fills each box
+  int levels = 8;              // pyramid levels
   double scale_factor = 1.2;   // between levels
-  int cell_px = 30;            // side of a detection cell
-  int fast_threshold = 20;     // grey levels
-  int fast_threshold_min = 7;  // where a cell has no corner above fast_threshold
+  int cell_px = 30;            // side of a FAST cell
+  int fast_threshold = 20;     // FAST threshold, grey levels
+  int fast_threshold_min = 7;  // the same in cells without a corner above fast_threshold
 
-  // Throws Error naming the field that cannot be.
+  // Throws Error naming an invalid field.
   void Check() const;
 
   template <typename Self, typename Visitor>
@@ -59,21 +59,21 @@ struct OrbOptions {
 };
 
 struct StereoMatchOptions {
-  double right_features = 1.5;           // corners of the right image per corner of the left
-  int max_hamming = 90;                  // of 256 bits
-  double uniqueness = 0.9;               // best / second best distance
-  int min_margin_bits = 16;              // second best - best distance
-  double left_right_tolerance_px = 1.0;  // at level scale
-  double row_tolerance_px = 2.0;         // between the rows of a pair, at level scale
-  double max_row_error_px = 1.5;         // after correction, at level scale
-  double max_row_correction_px = 0.0;    // of the rows in which patches are compared
-  double min_depth_baselines = 3.0;      // nearest point
-  double min_disparity_px = 0.1;         // farthest point
-  int patch_radius_px = 6;               // patch that is aligned
-  int search_radius_px = 3;              // columns searched for it
-  double max_sigma_medians = 2.1;        // of the disparity's standard deviation
+  double right_features = 1.5;           // right corners per left corner
+  int max_hamming = 90;                  // maximum descriptor distance, of 256 bits
+  double uniqueness = 0.9;               // maximum best / second-best distance
+  int min_margin_bits = 16;              // minimum second-best - best distance
+  double left_right_tolerance_px = 1.0;  // px of the level
+  double row_tolerance_px = 2.0;         // row difference of a pair, px of the level
+  double max_row_error_px = 1.5;         // the same after subtracting the fitted row offset
+  double max_row_correction_px = 0.0;    // maximum row shift of the compared patches
+  double min_depth_baselines = 3.0;      // depth of the nearest point
+  double min_disparity_px = 0.1;         // disparity of the farthest point
+  int patch_radius_px = 6;               // radius of the aligned patch
+  int search_radius_px = 3;              // columns searched on either side
+  double max_sigma_medians = 2.1;        // maximum sigma of a disparity, in medians of all
 
-  // Throws Error naming the field that cannot be.
+  // Throws Error naming an invalid field.
   void Check() const;
 
   template <typename Self, typename Visitor>

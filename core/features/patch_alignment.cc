@@ -16,19 +16,20 @@ namespace cvo {
 namespace {
 
 constexpr int kMaxSteps = 3;
-constexpr double kSmallStep_px = 0.02;  // the next one would be far smaller
-constexpr double kMaxMove_px = 1.0;     // from the best whole column
+constexpr double kSmallStep_px = 0.02;  // converged: the next step would be far smaller
+constexpr double kMaxMove_px = 1.0;     // from the result of the column search
 constexpr double kMaxShear = 0.6;  // px per row; the ground has baseline / height, 0.33 on KITTI
-// Information on the shear before the patch is seen: noise of 5 grey levels over 0.5 px per row.
+// Prior information on the shear: (5 / 0.5)^2, the noise in grey levels over the standard deviation
+// of the shear in px per row.
 constexpr double kShearInformation = 100.0;
-// Information on the shift of a quarter of the patch before it is seen, for those without texture.
+// Prior information on the shift of a quarter of the patch, for quarters without texture.
 constexpr double kQuarterInformation = 100.0;
-constexpr double kWindowSigma = 0.7;  // of the patch radius
+constexpr double kWindowSigma = 0.7;  // fraction of the patch radius
 
-constexpr int kRegister = 8;  // floats; rows are processed in whole registers
+constexpr int kRegister = 8;  // floats; rows are processed in multiples of a register
 constexpr int kMaxSide = 2 * kMaxPatchRadius_px + 1;
 constexpr int kMaxLanes = 32;
-constexpr int kMargin = 3;  // columns of the strip beyond the search, for shear and interpolation
+constexpr int kMargin = 3;  // extra columns at each end of the strip, for shear and interpolation
 constexpr int kMaxStrip = kMaxSide + 2 * (kMaxSearchRadius_px + kMargin) + kMaxLanes;
 
 using Lanes = float[kMaxLanes];
@@ -38,20 +39,20 @@ using Register = float[kRegister];
   for (int x = 0; x < kRegister; ++x) to[x] = from[x];
 }
 
-// Both images around the corner, sampled with the same fraction of a column so that interpolation
-// smooths them alike. Lanes beyond the patch are finite and have no weight.
+// Samples of both images around the corner, taken at the same fraction of a column so that
+// interpolation smooths them alike. Lanes beyond the patch hold finite values and have no weight.
 struct Patches {
   int radius;
   int side;
   int lanes;
   int shifts;
-  const float* weight;  // of a column or row; that of a pixel is the product
+  const float* weight;  // of a column or row; the weight of a pixel is their product
   float left[kMaxSide][kMaxLanes];
   float slope[kMaxSide][kMaxLanes];  // d left / du
   float right[kMaxSide][kMaxStrip];  // shift s compares left[y][x] with right[y][x + s + kMargin]
 };
 
-// The weights for a radius; 0 beyond the patch.
+// Returns the window weights for a radius, 0 beyond the patch.
 const float* WindowOf(int radius) {
   static const auto windows = [] {
     std::array<std::array<float, kMaxLanes>, kMaxPatchRadius_px + 1> all{};
@@ -66,7 +67,7 @@ const float* WindowOf(int radius) {
   return windows[radius].data();
 }
 
-// Bilinear samples on a grid of step 1 from (u, v) on.
+// Samples an image bilinearly on a grid with a spacing of 1 px that starts at (u, v).
 class Sampler {
  public:
   Sampler(const cv::Mat& image, double u, double v)
@@ -133,7 +134,7 @@ double WeightedSum(const Patches& p, const Lanes& values) {
   return sum;
 }
 
-// Weighted sums of e and e^2 over a patch.
+// Weighted sums of 1, e and e^2 over a patch.
 struct Moments {
   double weight;
   double first;
@@ -174,7 +175,8 @@ double SumOfWeights(const Patches& p) {
 using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix3d;
 
-// Weighted sums over the quarters of the patch, from those of columns in its upper and lower half.
+// Weighted sums over the quarters of the patch, computed from column sums over its upper and lower
+// halves.
 using Halves = Lanes[2];
 using Quarters = Eigen::Array4d;
 
@@ -220,11 +222,12 @@ struct Slopes {
 
 struct Residuals {
   Vector gradient;      // of half the weighted sum of squares
-  Quarters by_quarter;  // its first component
+  Quarters by_quarter;  // its first component, by quarter of the patch
   Moments moments;
 };
 
-// Right patch, warped with cubic convolution, minus left patch. Empty beyond the strip.
+// Residuals: the right patch, warped with cubic convolution, minus the left patch. Empty if the
+// warp leaves the strip.
 [[gnu::always_inline]] inline std::optional<Residuals> Evaluate(const Patches& p,
                                                                 const Vector& warp) {
   Lanes e1 = {}, ee = {}, gey = {};
@@ -261,7 +264,7 @@ struct Residuals {
                    {SumOfWeights(p), first, WeightedSum(p, ee)}};
 }
 
-// The inner loops for one kind of processor; all kinds give the same numbers.
+// The inner loops, compiled for one instruction set. All sets give the same numbers.
 struct PatchLoops {
   Moments (*difference)(const Patches&, int shift);
   Slopes (*sum_slopes)(const Patches&);
@@ -287,7 +290,8 @@ __attribute__((target("avx2"))) std::optional<Residuals> EvaluateAvx2(const Patc
 constexpr PatchLoops kAvx2Loops{DifferenceAvx2, SumSlopesAvx2, EvaluateAvx2};
 #endif
 
-// Shift of the smallest difference with the vertex of the parabola through it and its neighbours.
+// Returns the shift with the smallest difference, refined to the vertex of the parabola through it
+// and its neighbours. Empty at the ends of the search range.
 std::optional<double> SearchShift(const Patches& p, const PatchLoops& loops) {
   double costs[2 * kMaxSearchRadius_px + 1];
   int best = 0;
@@ -319,7 +323,7 @@ std::optional<PatchMatch> Align(const cv::Mat& left, const cv::Mat& right, const
   const Slopes slopes = loops.sum_slopes(p);
   if (!(slopes.information.determinant() > 0.0)) return std::nullopt;
   const Matrix covariance = slopes.information.inverse();
-  // Gauss-Newton with the left patch's slopes, which do not change from step to step.
+  // Gauss-Newton with the gradients of the left patch, which do not change from step to step.
   Vector warp(*start, 0.0, 0.0);
   std::optional<Residuals> residuals = loops.evaluate(p, warp);
   for (int step = 0; step < kMaxSteps && residuals; ++step) {

@@ -7,7 +7,8 @@
 
 namespace cvo {
 
-// A corner and where to look for it in the other image, pixels of one pyramid level.
+// A corner of the left image and the position at which to search for it in the right one, in pixels
+// of one pyramid level.
 struct PatchQuery {
   double u_left = 0.0;
   double v_left = 0.0;
@@ -22,20 +23,20 @@ inline constexpr int kMaxSearchRadius_px = 20;
 
 struct PatchMatch {
   double u_right = 0.0;
-  double sigma = 0.0;  // of u_right, from how much the patches differ and from their slopes
-  // RMS of the further shifts that the patch's quarters would take each for itself: what a step of
-  // depth within the patch, or noise, leaves.
+  double sigma = 0.0;  // of u_right, from the residuals and the image gradients
+  // Weighted RMS of the additional shifts that the four quarters of the patch would each make on
+  // their own. It shows noise and depth discontinuities within the patch.
   double disagreement = 0.0;
 };
 
-// The column at which the right image looks like the patch of the left one: whole columns first,
-// then Gauss-Newton steps over the disparity, its change from row to row (the ground) and the
-// brightness. Empty where a patch leaves its image, the best column lies at the end of the search,
-// or the steps lead away from it. Uses AVX2 where there is.
+// Finds the column at which the right image matches the patch of the left one: a search over whole
+// columns, then Gauss-Newton steps over the disparity, its change from row to row (as on the
+// ground) and the brightness. Empty if a patch leaves its image, the best column is at the end of
+// the search range, or the steps lead too far away from it. Uses AVX2 if available.
 [[nodiscard]] std::optional<PatchMatch> AlignPatch(const cv::Mat& left, const cv::Mat& right,
                                                    const PatchQuery& query);
 
-// The same without AVX2: what the fast path is tested against.
+// The same without AVX2, as the reference in tests of the fast path.
 [[nodiscard]] std::optional<PatchMatch> AlignPatchPlain(const cv::Mat& left, const cv::Mat& right,
                                                         const PatchQuery& query);
 

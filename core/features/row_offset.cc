@@ -17,8 +17,8 @@ constexpr double kPriorSigma_px = 1.0;  // of each coefficient
 RowOffset::RowOffset(const std::vector<RowOffsetSample>& samples, double width_px, double height_px)
     : width_px_(width_px), height_px_(height_px) {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
-  // Iteratively reweighted least squares with Geman and McClure's weights, at first wide ones so
-  // that samples far from zero have a say.
+  // Iteratively reweighted least squares with Geman-McClure weights. The first iterations use a
+  // wider kernel, so that samples far from zero have an influence.
   for (int i = 0; i < kIterations; ++i) {
     const double width = i < kWideIterations ? kWideFactor : 1.0;
     Matrix6 H = Matrix6::Identity() / (kPriorSigma_px * kPriorSigma_px);

@@ -7,9 +7,9 @@
 
 namespace cvo {
 
-// v_right - v_left of one scene point seen at (u, v) of the left image. Zero after a perfect
-// rectification; real ones leave up to 1.5 px that vary smoothly over the image (measured on
-// KITTI), and a patch sought in the wrong row gives a wrong disparity.
+// Row offset v_right - v_left of one scene point seen at (u, v) in the left image. It is zero after
+// a perfect rectification. Real rectifications leave up to 1.5 px that vary smoothly over the image
+// (measured on KITTI), and a patch searched for in the wrong row gives a wrong disparity.
 struct RowOffsetSample {
   double u_px = 0.0;  // left image
   double v_px = 0.0;
@@ -17,12 +17,12 @@ struct RowOffsetSample {
   double sigma_px = 1.0;  // of the offset
 };
 
-// A quadratic polynomial over the image.
+// Row offset over the image, as a quadratic polynomial.
 class RowOffset {
  public:
   // Zero everywhere.
   RowOffset() = default;
-  // Robust fit, drawn to zero where samples are few.
+  // Robust fit, with a prior that draws it to zero where there are few samples.
   RowOffset(const std::vector<RowOffsetSample>& samples, double width_px, double height_px);
 
   double At(double u_px, double v_px) const { return coefficients_.dot(Basis(u_px, v_px)); }

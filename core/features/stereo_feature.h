@@ -9,30 +9,31 @@
 
 namespace cvo {
 
-// The disagreement of a corner that was not found in the right image: the column there says
-// nothing.
+// Disagreement of a corner that was not found in the right image, so that its right column carries
+// no information.
 inline constexpr float kNoDisparity_px = 1e3F;
 constexpr bool HasNoDisparity(double disagreement_px) { return disagreement_px >= kNoDisparity_px; }
 
-// A corner of the left image that was found in the right one: z of the paper's section 3. In boxes
-// there are also those that were not: u_right is u_left until the body that they lie on is known.
+// A corner of the left image that was matched in the right one: z in section 3 of the paper.
+// Unmatched corners are kept in boxes only; their u_right equals u_left until it is known which
+// body they lie on.
 struct StereoFeature {
-  Eigen::Vector3d z_px = Eigen::Vector3d::Zero();  // (u_left, v, u_right), u_left > u_right
+  Eigen::Vector3d z_px = Eigen::Vector3d::Zero();  // (u_left, v, u_right), u_left >= u_right
   int octave = 0;                                  // pyramid level, scale = scale_factor^octave
   float angle_rad = 0.0F;                          // orientation of the patch
   float response = 0.0F;                           // corner strength, comparable within an image
-  // One of those beyond OrbOptions::features: for where much is wanted of a small part of the
-  // image.
+  // Whether it was kept in addition to OrbOptions::features, to have more corners in small parts of
+  // the image.
   bool is_reserve = false;
-  // How far the quarters of the patch disagree on the disparity: RMS, px of the level.
+  // RMS disagreement of the quarters of the patch on the disparity, px of the level.
   float disagreement_px = 0.0F;
   Descriptor descriptor{};  // of the left patch
   FeaturePatch patch;
-  // z_px is where the landmark's reference was found, not where the corner is.
+  // Whether z_px is where the reference patch of the landmark was found, instead of the corner.
   bool is_aligned = false;
 };
 
-// Of a feature or an observation of one.
+// Whether a feature, or an observation of one, has no match in the right image.
 bool IsLeftOnly(const auto& seen) { return HasNoDisparity(seen.disagreement_px); }
 
 }  // namespace cvo

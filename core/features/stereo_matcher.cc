@@ -16,10 +16,10 @@ namespace cvo {
 namespace {
 
 constexpr int kNone = -1;
-constexpr double kSurelyGoodSigma_px = 0.02;  // kept where nearly all are perfect
-constexpr double kRowSigma_px = 0.4;          // of the rows of a pair, at level scale
+constexpr double kSurelyGoodSigma_px = 0.02;  // always accepted, even if the median is near zero
+constexpr double kRowSigma_px = 0.4;          // of the row difference of a pair, px of the level
 
-// The corners of one octave by image row. Corners come sorted by v.
+// Table of the corners of one octave by image row. Requires corners sorted by v.
 class RowTable {
  public:
   struct Entry {
@@ -38,7 +38,7 @@ class RowTable {
     for (std::size_t row = 1; row < first_.size(); ++row) first_[row] += first_[row - 1];
   }
 
-  // The corners in the rows from v_from to v_to.
+  // Returns the corners in the rows from v_from to v_to.
   std::span<const Entry> Between(double v_from, double v_to) const {
     const int begin = first_[Row(v_from)];
     return std::span(corners_).subspan(begin, first_[Row(v_to) + 1] - begin);
@@ -52,7 +52,8 @@ class RowTable {
   std::vector<int> first_;
 };
 
-// The pair that looks best to the left corner, and how good the next best place is.
+// The right corner with the most similar descriptor to a left corner, and the distance at the next
+// best place.
 struct Choice {
   int right = kNone;
   int distance = 0;
@@ -81,7 +82,8 @@ class PairFinder {
     for (std::size_t i = 0; i < left_.size(); ++i) choices_.push_back(Choose(static_cast<int>(i)));
   }
 
-  // The right corner of a left one, if both choose each other and there is no second like it.
+  // Returns the right corner of a left one, if each is the best match of the other and the match is
+  // unique.
   std::optional<int> Find(int left) const {
     const Choice& choice = choices_[left];
     if (choice.right == kNone || choice.distance > options_.max_hamming) return std::nullopt;
@@ -104,7 +106,7 @@ class PairFinder {
       }
     }
     if (choice.right == kNone) return choice;
-    // The same corner found at another octave is not a rival.
+    // The same corner detected at another octave is not a competing match.
     const double same_place = kSamePlace_px * scales_[left_[left].octave];
     choice.second_distance = 256;
     for (const Candidate& candidate : candidates_) {
@@ -129,7 +131,8 @@ class PairFinder {
     const double farthest_u = corner.u_px + options_.row_tolerance_px * scales_[corner.octave];
     const double nearest_u = corner.u_px - max_disparity_;
     const auto band = rows_[octave].Between(corner.v_px - tolerance, corner.v_px + tolerance);
-    // Most are too far away in the row, which a branch per corner could not foresee.
+    // Branch-free: most corners of the band are too far away along the row, which a branch per
+    // corner would often mispredict.
     near_.resize(band.size());
     std::size_t count = 0;
     for (const RowTable::Entry& other : band) {
@@ -153,13 +156,13 @@ class PairFinder {
   const std::vector<OrbKeypoint>& right_;
   const StereoMatchOptions& options_;
   const double max_disparity_;
-  std::vector<double> scales_;  // of the octaves
-  std::vector<RowTable> rows_;  // of the right corners, by octave
-  std::vector<int> best_left_;  // of each right corner
+  std::vector<double> scales_;  // by octave
+  std::vector<RowTable> rows_;  // right corners, by octave
+  std::vector<int> best_left_;  // by right corner
   std::vector<int> best_left_distance_;
-  std::vector<int> near_;              // right corners that the left one at hand may be
-  std::vector<Candidate> candidates_;  // of the left corner at hand
-  std::vector<Choice> choices_;        // of each left corner
+  std::vector<int> near_;              // candidate right corners of the current left corner
+  std::vector<Candidate> candidates_;  // of the current left corner
+  std::vector<Choice> choices_;        // by left corner
 };
 
 struct Pair {
@@ -191,12 +194,12 @@ StereoFeature FeatureOf(const OrbImage& image, const OrbKeypoint& corner, double
   return feature;
 }
 
-// A corner whose partner was found.
+// A left corner that was aligned with its partner in the right image.
 struct AlignedCorner {
   const OrbKeypoint* left;
   double u_right;
-  double sigma;            // of the column in the right image, px of the level
-  double disagreement_px;  // of the level
+  double sigma;            // of u_right, px of the level
+  double disagreement_px;  // px of the level
 };
 
 std::optional<AlignedCorner> Align(const OrbImage& left, const OrbImage& right, const Pair& pair,
@@ -218,8 +221,8 @@ std::optional<AlignedCorner> Align(const OrbImage& left, const OrbImage& right, 
   return AlignedCorner{&corner, u_right, match->sigma, match->disagreement};
 }
 
-// Corners whose disparity is far less certain than the median of all are dropped: patches that
-// differ, as on the edge of an object, or that have little structure along the row.
+// Drops corners whose disparity is far less certain than the median of all: their patches differ,
+// as at the edge of an object, or have little structure along the row.
 void DropUncertain(std::vector<AlignedCorner>& aligned, double max_sigma_medians) {
   if (aligned.empty()) return;
   std::vector<double> sigmas;
@@ -230,7 +233,8 @@ void DropUncertain(std::vector<AlignedCorner>& aligned, double max_sigma_medians
   std::erase_if(aligned, [&](const AlignedCorner& corner) { return !(corner.sigma <= max_sigma); });
 }
 
-// Features of the aligned corners and of the others in boxes, in the order of the image's corners.
+// Returns the features of the aligned corners and of all others in boxes, in the order of the
+// corners of the image.
 std::vector<StereoFeature> MakeFeatures(const OrbImage& left,
                                         const std::vector<AlignedCorner>& aligned,
                                         const std::vector<cv::Rect2d>& boxes) {

@@ -12,9 +12,9 @@
 
 namespace cvo {
 
-// Left corners with their column in the right image: search along rows, mutual and unique best
-// descriptor, sub-pixel alignment of patches (METHOD.md 2.2). Corners in `boxes` without one are
-// kept as features of the left image alone. Order of the left corners is kept.
+// Matches left corners to the right image: a search along rows for the mutually best and unique
+// descriptor, then sub-pixel patch alignment (METHOD.md 2.2). Unmatched corners in `boxes` are kept
+// as left-only features. Preserves the order of the left corners.
 std::vector<StereoFeature> MatchStereo(const OrbImage& left, const OrbImage& right,
                                        const StereoCamera& camera, const OrbOptions& orb,
                                        const StereoMatchOptions& options,

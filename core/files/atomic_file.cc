@@ -18,7 +18,7 @@ namespace cvo {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t kPendingBytes = std::size_t{1} << 18U;  // small parts are written together
+constexpr std::size_t kPendingBytes = std::size_t{1} << 18U;  // small parts are combined
 
 StagedFile Staged(const fs::path& target, const std::function<void(const TextSink&)>& write) {
   StagedFile file(target);
@@ -37,7 +37,7 @@ void SyncFolder(const fs::path& folder) {
   if (SyncFile(opened) != 0 && errno != EINVAL) ThrowErrno(folder, "write", errno);
 }
 
-// And the folder in `folder` that it is in, once that is empty.
+// Removes a file, and its subfolder of `folder` if that is then empty.
 void RemoveFile(const fs::path& folder, const fs::path& name) {
   const fs::path file = folder / name;
   if (::unlink(file.c_str()) != 0 && errno != ENOENT) ThrowErrno(file, "remove", errno);
@@ -48,7 +48,7 @@ void RemoveFile(const fs::path& folder, const fs::path& name) {
 }  // namespace
 
 StagedFile::StagedFile(fs::path target) : target_(std::move(target)) {
-  // A killed process of the same number may have left some behind.
+  // A killed process with the same id may have left such files behind.
   for (int attempt = 0;; ++attempt) {
     temporary_ = TemporaryName(target_, std::to_string(attempt));
     file_ = FileDescriptor(temporary_, O_WRONLY | O_CREAT | O_EXCL);
@@ -96,9 +96,9 @@ void StagedFile::Publish() {
 }
 
 StagedFiles::~StagedFiles() {
-  files_.clear();  // takes away what was not published
+  files_.clear();  // removes what was not published
   std::error_code ignored;
-  for (const fs::path& path : subfolders_) fs::remove(path, ignored);  // refuses where it is full
+  for (const fs::path& path : subfolders_) fs::remove(path, ignored);  // fails if it is not empty
 }
 
 void StagedFiles::Add(const std::string& name, std::string_view content) {
@@ -153,7 +153,7 @@ OutputFolder::OutputFolder(fs::path folder, const std::vector<std::string>& name
     const fs::path path = folder_ / name.substr(0, name.size() - (wanted ? 1 : 0));
     const fs::file_status status = fs::symlink_status(path, error);
     if (fs::is_directory(status) != wanted && fs::exists(status)) {
-      // Old files of a folder are removed, and behind a link they are somebody else's.
+      // Old files in the folder will be removed; behind a link, they would belong to someone else.
       const bool link = wanted && fs::is_symlink(status);
       ThrowError(path.string(),
                  link     ? "a link"
@@ -171,7 +171,7 @@ OutputFolder::OutputFolder(fs::path folder, const std::vector<std::string>& name
 
 OutputFolder::~OutputFolder() {
   std::error_code ignored;
-  if (created_) fs::remove(folder_, ignored);  // refuses where it is not empty
+  if (created_) fs::remove(folder_, ignored);  // fails if it is not empty
 }
 
 }  // namespace cvo

@@ -17,12 +17,13 @@
 namespace cvo {
 
 struct NamedContent {
-  std::string name;  // within the folder; "a/b": in a folder in it, made where there is none
+  // Relative to the folder. "a/b" is in a subfolder, which is created if it does not exist.
+  std::string name;
   std::string content;
 };
 
-// A file that is written as its content comes, under a temporary name beside its own; it goes away
-// unless it is published. All throw Error naming the file and why.
+// A file that is written piece by piece under a temporary name beside its target, and removed
+// unless it is published. All functions throw Error naming the file and the reason.
 class StagedFile {
  public:
   explicit StagedFile(std::filesystem::path target);
@@ -33,7 +34,8 @@ class StagedFile {
   const std::filesystem::path& target() const { return target_; }
 
   void Append(std::string_view bytes);
-  // Checked and synced to the disk: no more to come.
+  // Writes the remaining bytes, checks for errors and syncs the file to disk. Nothing may be
+  // appended afterwards.
   void Complete();
   void Publish();
 
@@ -43,30 +45,31 @@ class StagedFile {
   std::filesystem::path target_;
   std::filesystem::path temporary_;
   FileDescriptor file_;
-  std::uint64_t size_bytes_ = 0;  // of the file
-  std::string pending_;           // behind them
+  std::uint64_t size_bytes_ = 0;  // written to the file so far
+  std::string pending_;           // bytes to be written after them
 };
 
-// Files of a folder that belong together: each is written under a temporary name beside its own,
-// checked and synced to the disk as it is added, so that only one need be in memory. Throws Error
-// naming the file and why; what was not published goes away.
+// Files of a folder that belong together. As it is added, each is written under a temporary name
+// beside its target, checked and synced to disk, so that only one needs to be in memory. Throws
+// Error naming the file and the reason. Files that are not published are removed.
 class StagedFiles {
  public:
   explicit StagedFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
-  ~StagedFiles();  // folders in it that are still empty go away
+  ~StagedFiles();  // removes subfolders that are still empty
   StagedFiles(const StagedFiles&) = delete;
   StagedFiles& operator=(const StagedFiles&) = delete;
 
-  // `name` as of a NamedContent.
+  // `name` is like that of a NamedContent.
   void Add(const std::string& name, std::string_view content);
-  // What `write` gives the sink: a part of it at a time is in memory.
+  // Adds what `write` passes to the sink. Only part of it is in memory at a time.
   void Add(const std::string& name, const std::function<void(const TextSink&)>& write);
-  // One that was begun before, in the same folder.
+  // Adds a file of the same folder that was begun earlier.
   void Add(StagedFile begun);
   bool Has(const std::string& name) const;
 
-  // Renames them in the order in which they were added, the last one after the files of `stale` are
-  // gone: a final name holds what it held before or the complete new content.
+  // Renames the files to their targets in the order in which they were added. The last one is
+  // renamed after the files of `stale` have been removed. At any time, a target name holds what it
+  // held before or the complete new content.
   void Publish(const std::vector<std::string>& stale = {});
 
  private:
@@ -75,14 +78,14 @@ class StagedFiles {
   std::vector<StagedFile> files_;
 };
 
-// All of them, as StagedFiles.
+// Writes all of the files, with StagedFiles.
 void WriteFilesAtomically(const std::filesystem::path& folder,
                           const std::vector<NamedContent>& files,
                           const std::vector<std::string>& stale = {});
 
-// A folder that results will be written to. Creates it where there is none, and proves that files
-// of these names can be written ("a/": a folder): throws Error naming what is in the way. A folder
-// that it created and that is still empty at the end goes away again.
+// A folder for results. Creates it if it does not exist, and verifies that files of these names can
+// be written in it ("a/" is a subfolder): throws Error naming what is in the way. If it created the
+// folder and the folder is still empty at the end, removes it.
 class OutputFolder {
  public:
   OutputFolder(std::filesystem::path folder, const std::vector<std::string>& names);

@@ -15,7 +15,7 @@ namespace cvo {
 static_assert(std::endian::native == std::endian::little,
               "numbers are written as they are in memory");
 
-// Numbers one after the other, without padding.
+// Appends the bytes of a number as they are in memory, without padding.
 template <typename T>
 void AppendNumber(T value, std::string& bytes) {
   static_assert(std::is_arithmetic_v<T>);
@@ -24,7 +24,7 @@ void AppendNumber(T value, std::string& bytes) {
   std::memcpy(bytes.data() + at, &value, sizeof(T));
 }
 
-// Takes bytes from the front of what is left. Throws Error where there are too few.
+// Takes bytes from the front of the remaining ones. Throws Error if there are too few.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}

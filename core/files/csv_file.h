@@ -11,10 +11,10 @@
 
 namespace cvo {
 
-// A table of comma-separated values without quotes, whose first line names its columns. Every call
-// throws Error with file, line and column for what is not as it must be; the first one for a last
-// line without a line end, which a file that is half-written has, a line with more or fewer cells
-// than the first, and text that is not UTF-8.
+// A table of comma-separated values without quotes, whose first line names its columns. All
+// functions throw Error with file, line and column if the content is invalid. The constructors also
+// do so for text that is not UTF-8, a line with more or fewer cells than the first, and a last line
+// without a line end, as in a partially written file.
 class CsvFile {
  public:
   explicit CsvFile(std::filesystem::path path);
@@ -22,9 +22,9 @@ class CsvFile {
   CsvFile(std::filesystem::path path, std::string_view header);
 
   std::size_t rows() const { return lines_.size(); }
-  bool Has(std::string_view name) const;  // a column of this name
+  bool Has(std::string_view name) const;  // whether there is such a column
   std::size_t Column(std::string_view name) const;
-  // The first of columns that stand side by side.
+  // Returns the index of the first of these columns, which must be adjacent and in this order.
   std::size_t Columns(const std::vector<std::string_view>& names) const;
 
   std::string_view Text(std::size_t row, std::size_t column) const;
@@ -32,8 +32,8 @@ class CsvFile {
   std::string Name(std::size_t row, std::size_t column) const;  // not empty
   double Number(std::size_t row, std::size_t column) const;     // finite
   int Integer(std::size_t row, std::size_t column) const;
-  std::int64_t Id(std::size_t row, std::size_t column) const;  // of 64 bits
-  // Of the columns from `first` on.
+  std::int64_t Id(std::size_t row, std::size_t column) const;  // 64-bit integer
+  // Returns the numbers in kSize columns, starting with `first`.
   template <std::size_t kSize>
   std::array<double, kSize> Numbers(std::size_t row, std::size_t first) const {
     std::array<double, kSize> numbers;
@@ -48,9 +48,9 @@ class CsvFile {
   [[noreturn]] void FailCell(std::size_t row, std::size_t column, const char* expected) const;
 
   std::filesystem::path path_;
-  std::vector<char> text_;  // stays where it is when the table is moved
+  std::vector<char> text_;  // a vector, whose bytes stay in place when the table is moved
   std::vector<std::string_view> columns_;
-  std::vector<std::string_view> lines_;  // without the first
+  std::vector<std::string_view> lines_;  // without the header
 };
 
 }  // namespace cvo

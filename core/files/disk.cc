@@ -25,7 +25,7 @@ enum class FaultKind { kNone, kFail, kShort, kKill };
 struct FaultPoint {
   FaultKind kind = FaultKind::kNone;
   std::uint64_t call = 0;
-  std::uint64_t* calls = nullptr;  // of all processes so far
+  std::uint64_t* calls = nullptr;  // counter of the calls of all processes so far
 };
 
 FaultPoint FaultFromEnvironment() {
@@ -47,7 +47,7 @@ FaultPoint FaultFromEnvironment() {
           std::strtoull(text.c_str() + number, nullptr, 10), static_cast<std::uint64_t*>(calls)};
 }
 
-// Of the call that is about to be made.
+// Returns the fault for the call that is about to be made.
 FaultKind NextFault() {
   static const FaultPoint point = FaultFromEnvironment();
   if (point.kind == FaultKind::kNone) return FaultKind::kNone;
@@ -56,14 +56,14 @@ FaultKind NextFault() {
   return point.kind;
 }
 
-// Whether the call is to fail, with this reason.
+// Whether the call is to fail. If so, sets errno to `error`.
 bool Fails(int error) {
   if (NextFault() != FaultKind::kFail) return false;
   errno = error;
   return true;
 }
 
-// Transfers once, all or half of the bytes; `error` where it is to fail.
+// Transfers once: all bytes or, for a short transfer, half of them. To fail, sets errno to `error`.
 template <typename Transfer>
 ssize_t TransferOnce(const Transfer& transfer, std::size_t count, int error) {
   const FaultKind fault = NextFault();

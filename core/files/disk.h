@@ -7,17 +7,17 @@
 #include <filesystem>
 #include <string_view>
 
-// The calls of the operating system that results and caches rest on, in one place so that a test
-// can make each fail. With CLUSTERVO_FAULT=<kind>,<n>,<file> in the environment, the n-th call
-// (from 1) of all processes that count in that file of 8 bytes does: "fail" (no space; of a read:
-// an I/O error), "short" (half of the bytes are written or read) or "kill" (the process ends before
-// it).
+// The system calls that results and caches depend on, in one place so that a test can make each of
+// them fail. With CLUSTERVO_FAULT=<kind>,<n>,<file> in the environment, the n-th call (from 1) has
+// a fault. Calls are counted over all processes that share <file>, a counter of 8 bytes. The kinds
+// of fault are "fail" (no space; an I/O error for a read), "short" (only half of the bytes are
+// written or read) and "kill" (the process is killed before the call).
 namespace cvo {
 
 // Throws Error "<file>: cannot <action>: <the system's reason>".
 [[noreturn]] void ThrowErrno(const std::filesystem::path& file, const char* action, int error);
 
-// An open file. get() is negative where it could not be opened; errno then says why.
+// An open file. get() is negative if it could not be opened; errno then gives the reason.
 class FileDescriptor {
  public:
   FileDescriptor() = default;
@@ -27,21 +27,22 @@ class FileDescriptor {
   FileDescriptor& operator=(FileDescriptor&& other) noexcept;
 
   int get() const { return fd_; }
-  // Some file systems report a failed write only here: zero, or negative with errno.
+  // Returns zero, or a negative value with errno set. Some file systems report a failed write only
+  // here.
   int Close();
 
  private:
   int fd_ = -1;
 };
 
-// Writes all bytes from an offset on. Throws Error naming `file`.
+// Writes all bytes at an offset. Throws Error naming `file`.
 void WriteAll(const FileDescriptor& to, std::string_view bytes, std::uint64_t offset,
               const std::filesystem::path& file);
-// At most `count` bytes from an offset on: fewer only where the file ends. Negative with errno
-// where it cannot be read.
+// Reads at most `count` bytes at an offset, fewer only at the end of the file. Returns their
+// number, or a negative value with errno set if it cannot be read.
 std::ptrdiff_t ReadUpTo(const FileDescriptor& from, char* bytes, std::size_t count,
                         std::uint64_t offset);
-// Zero, or negative with errno.
+// Each returns zero, or a negative value with errno set.
 int SyncFile(const FileDescriptor& file);
 int RenameFile(const std::filesystem::path& from, const std::filesystem::path& to);
 int LinkFile(const std::filesystem::path& from, const std::filesystem::path& to);

@@ -6,7 +6,7 @@
 
 namespace cvo {
 
-// Of this machine; "unknown" where it does not tell.
+// Name of this machine; "unknown" if it cannot be determined.
 std::string HostName();
 
 }  // namespace cvo

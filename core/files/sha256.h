@@ -9,12 +9,12 @@
 
 namespace cvo {
 
-// Hexadecimal digits of a SHA-256.
+// Number of hexadecimal digits of a SHA-256.
 inline constexpr std::size_t kHashBytes = 64;
-// Of the file beside another that has its SHA-256, as the program sha256sum prints it.
+// Suffix of the file that holds the SHA-256 of the file beside it, in the format of sha256sum.
 inline constexpr const char* kChecksumSuffix = ".sha256";
 
-// SHA-256 of everything that was added, as 64 lower-case hexadecimal digits.
+// SHA-256 of all bytes added, as 64 lower-case hexadecimal digits.
 class Sha256 {
  public:
   Sha256();
@@ -23,7 +23,7 @@ class Sha256 {
   Sha256& operator=(Sha256&&) noexcept;
 
   void Add(std::string_view bytes);
-  // Ends the hash: call it once, last.
+  // Finishes the hash: must be called once, last.
   std::string Hex();
 
  private:

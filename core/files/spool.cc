@@ -36,7 +36,7 @@ std::string Spool::Read(std::uint64_t begin, std::size_t size) const {
 }
 
 void Spool::Open() {
-  // A killed process of the same number may have left some behind.
+  // A killed process with the same id may have left such files behind.
   for (int attempt = 0;; ++attempt) {
     name_ = TemporaryName(folder_ / "spool", std::to_string(attempt));
     file_ = FileDescriptor(name_, O_RDWR | O_CREAT | O_EXCL);

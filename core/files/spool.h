@@ -11,30 +11,30 @@
 
 namespace cvo {
 
-// Bytes that are needed again at the end of a long job: a few of them in memory, all before in a
-// file without a name, which goes away with the process. All throw Error where it cannot be written
-// or read.
+// An append-only buffer for a long job. The most recent bytes are in memory, all earlier ones in an
+// unlinked temporary file that disappears with the process. All functions throw Error if the file
+// cannot be written or read.
 class Spool {
  public:
   static constexpr std::size_t kInMemory = std::size_t{1} << 14U;
 
-  // `folder`: where the file is, once there are more than kInMemory bytes; empty: all of them stay
-  // in memory.
+  // `folder` is for the file, which is created once there are kInMemory bytes. If `folder` is
+  // empty, all bytes stay in memory.
   explicit Spool(std::filesystem::path folder = {}) : folder_(std::move(folder)) {}
 
   std::uint64_t size() const { return in_file_ + tail_.size(); }
   void Append(std::string_view bytes);
-  // `size` bytes from one on that was appended.
+  // Reads `size` bytes from `begin` on. Throws Error if they were never appended.
   std::string Read(std::uint64_t begin, std::size_t size) const;
 
  private:
   void Open();
 
   std::filesystem::path folder_;
-  std::filesystem::path name_;  // in messages
+  std::filesystem::path name_;  // for messages
   FileDescriptor file_;
   std::uint64_t in_file_ = 0;
-  std::string tail_;  // of the bytes: those that are not in the file
+  std::string tail_;  // bytes that are not in the file yet
 };
 
 }  // namespace cvo

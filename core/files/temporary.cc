@@ -22,14 +22,14 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kMark = ".tmp-";
-constexpr std::chrono::hours kMaxAge(24);  // nothing takes so long
+constexpr std::chrono::hours kMaxAge(24);  // no write takes that long
 
 struct Owner {
   std::string host;
   std::int64_t process = 0;
 };
 
-// Of ".name.tmp-<host>.<process>-<end>"; empty where the name is another.
+// Parses ".name.tmp-<host>.<process>-<end>". Empty if the name has another form.
 std::optional<Owner> OwnerOf(const std::string& name) {
   const std::size_t mark = name.rfind(kMark);
   if (mark == std::string::npos || !name.starts_with('.')) return std::nullopt;
@@ -48,7 +48,7 @@ bool IsOld(const fs::path& path) {
   return !gone && fs::file_time_type::clock::now() - written > kMaxAge;
 }
 
-// Of a process of another computer nothing is known but how long it has been silent.
+// For a process on another computer, only the time since its last write is known.
 bool IsStale(const Owner& owner, const fs::path& temporary) {
   if (owner.host == HostName()) {
     return ::kill(static_cast<pid_t>(owner.process), 0) != 0 && errno == ESRCH;
@@ -91,7 +91,7 @@ void RemoveEmptyFolders(const fs::path& folder) {
       old.push_back(it->path());
     }
   }
-  for (const fs::path& path : old) ::rmdir(path.c_str());  // refuses where it is not empty
+  for (const fs::path& path : old) ::rmdir(path.c_str());  // fails if it is not empty
 }
 
 }  // namespace cvo

@@ -7,22 +7,22 @@
 
 namespace cvo {
 
-// What is written is complete under its own name or not there: until it is complete it lies beside
-// its target, and its name says which process writes it:
-// "<folder>/.<name>.tmp-<host>.<process>-<end>".
+// Returns a temporary name for a file or folder that must be either complete under its own name or
+// absent. Until it is complete, it has this name beside its target, which identifies the writing
+// process: "<folder>/.<name>.tmp-<host>.<process>-<end>".
 std::filesystem::path TemporaryName(const std::filesystem::path& target, const std::string& end);
 
 bool IsTemporary(const std::filesystem::path& file);
 
-// Removes what processes that ended left in a folder: those of this computer; those of others once
-// a day has passed since the last sign of life. Never throws.
+// Removes temporaries that terminated processes left in a folder. Those from other computers are
+// removed when they have not been modified for a day. Never throws.
 void RemoveLeftovers(const std::filesystem::path& folder);
 
-// Removes all of them: for whoever alone may write to the folder.
+// Removes all temporaries in a folder. Only for a caller with exclusive write access to the folder.
 void RemoveTemporaries(const std::filesystem::path& folder);
 
-// Removes the empty folders in a folder that nothing was done with for a day, as those of tasks
-// that were killed. Never throws.
+// Removes empty subfolders that have not been modified for a day, such as those of killed tasks.
+// Never throws.
 void RemoveEmptyFolders(const std::filesystem::path& folder);
 
 }  // namespace cvo

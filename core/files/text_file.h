@@ -11,17 +11,17 @@
 
 namespace cvo {
 
-// A file read whole, or its first bytes. Throws Error where it cannot be read: a folder, a pipe or
-// a device cannot.
+// Reads a whole file, or its first `max_bytes` bytes. Throws Error if it cannot be read, which
+// includes folders, pipes and devices.
 std::string ReadFileBytes(const std::filesystem::path& path, std::size_t max_bytes = SIZE_MAX);
-// Replaces the file. Throws Error where it cannot be written whole.
+// Replaces the content of the file. Throws Error if it cannot be written completely.
 void WriteFileBytes(const std::filesystem::path& path, std::string_view bytes);
 
-// Text from a file for a message: in quotes, at most 60 characters, on one line whatever it holds.
+// Formats text from a file for a message: in quotes, at most 60 characters, always on one line.
 std::string Quoted(std::string_view text);
 
-// A text file as lines without their ends ("\n" or "\r\n"; the last may have none). Blank lines at
-// the end are dropped.
+// A text file as lines without their line ends ("\n" or "\r\n"; the last line may have none). Drops
+// blank lines at the end.
 class TextFile {
  public:
   explicit TextFile(std::filesystem::path path);
@@ -31,7 +31,7 @@ class TextFile {
   const std::string& line(std::size_t index) const { return lines_[index]; }
   // "<path>:<line number from 1>"
   std::string Where(std::size_t index) const;
-  // Whether the line is the last one and has no line end, as in a file that is half-written.
+  // Whether the line is the last one and has no line end, as in a partially written file.
   bool Unterminated(std::size_t index) const;
 
  private:
@@ -40,8 +40,8 @@ class TextFile {
   bool ends_with_newline_ = true;
 };
 
-// One line of a TextFile in columns separated by blanks. What it cannot read it throws as Error
-// with file, line, column, what was found and what was expected. The file must outlive it.
+// One line of a TextFile, split into columns at blanks. The functions throw Error with file, line,
+// column, what was found and what was expected if they cannot parse it. The file must outlive it.
 class TextRow {
  public:
   TextRow(const TextFile& file, std::size_t index);
@@ -51,7 +51,7 @@ class TextRow {
   std::string_view Text(std::size_t column) const { return columns_[column]; }
   double Number(std::size_t column) const;  // finite
   int Integer(std::size_t column) const;
-  std::int64_t Id(std::size_t column) const;  // a whole number of 64 bits
+  std::int64_t Id(std::size_t column) const;  // 64-bit integer
   std::int64_t SecondsNs(std::size_t column) const;
   [[noreturn]] void Fail(const std::string& found, const std::string& expected) const;
 

@@ -7,7 +7,7 @@
 
 namespace cvo {
 
-// Takes a text part by part.
+// Receives a text part by part.
 using TextSink = std::function<void(std::string_view part)>;
 
 }  // namespace cvo

@@ -46,7 +46,7 @@ Vector6d RigidTransform::Minus(const RigidTransform& x) const {
 
 Eigen::Quaterniond ExpSo3(const Eigen::Vector3d& rotation_vector) {
   const double angle = rotation_vector.norm();
-  // sin(angle / 2) / angle, by its series near zero.
+  // sin(angle / 2) / angle, from its series near zero.
   const double s = angle < 1e-4 ? 0.5 - angle * angle / 48.0 : std::sin(0.5 * angle) / angle;
   Eigen::Quaterniond q;
   q.w() = std::cos(0.5 * angle);
@@ -60,7 +60,7 @@ Eigen::Vector3d LogSo3(const Eigen::Quaterniond& rotation) {
   const Eigen::Vector3d v = sign * rotation.vec();
   const double w = sign * rotation.w();
   const double sine = v.norm();
-  // angle / sin(angle / 2), by its series near zero.
+  // angle / sin(angle / 2), from its series near zero.
   const double scale = sine < 1e-6 ? 2.0 / w * (1.0 - sine * sine / (3.0 * w * w))
                                    : 2.0 * std::atan2(sine, w) / sine;
   return scale * v;

@@ -10,9 +10,9 @@ namespace cvo {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-// a_from_b: p_in_a = a_from_b * p_in_b. Stored as the block [qx qy qz qw tx ty tz] that the solvers
-// see. Tangent [rotation, translation] (METHOD.md 1.1): R <- R Exp(rotation), t <- t +
-// translation in frame a.
+// Rigid transform a_from_b: p_in_a = a_from_b * p_in_b. Stored as the parameter block [qx qy qz qw
+// tx ty tz] of the solvers. The tangent is [rotation, translation] (METHOD.md 1.1): R <- R
+// Exp(rotation), t <- t + translation, with the translation in frame a.
 class RigidTransform {
  public:
   RigidTransform() { block_ << 0, 0, 0, 1, 0, 0, 0; }
@@ -34,7 +34,7 @@ class RigidTransform {
   }
   RigidTransform operator*(const RigidTransform& b_from_c) const;
 
-  // x [+] tangent and the tangent y [-] x with x [+] (y [-] x) = y.
+  // x.Plus(tangent) is x [+] tangent; y.Minus(x) is the tangent y [-] x, x [+] (y [-] x) = y.
   RigidTransform Plus(const Vector6d& tangent) const;
   Vector6d Minus(const RigidTransform& x) const;
 
@@ -45,7 +45,8 @@ class RigidTransform {
   Eigen::Matrix<double, 7, 1> block_;
 };
 
-// Rotation vector (axis times angle in [0, pi], rad) <-> unit quaternion with w >= 0.
+// Conversion between a rotation vector (axis times angle in [0, pi], rad) and a unit quaternion
+// with w >= 0.
 Eigen::Quaterniond ExpSo3(const Eigen::Vector3d& rotation_vector);
 Eigen::Vector3d LogSo3(const Eigen::Quaterniond& rotation);
 
@@ -55,15 +56,16 @@ double RotationAngle(const Eigen::Quaterniond& rotation);
 // The matrix with Skew(a) * b = a x b.
 Eigen::Matrix3d Skew(const Eigen::Vector3d& a);
 
-// Right Jacobian of SO(3): Exp(v + dv) ~ Exp(v) Exp(J dv); and its inverse.
+// Right Jacobian of SO(3), Exp(v + dv) ~ Exp(v) Exp(J dv), and its inverse.
 Eigen::Matrix3d RightJacobianSo3(const Eigen::Vector3d& rotation_vector);
 Eigen::Matrix3d InverseRightJacobianSo3(const Eigen::Vector3d& rotation_vector);
 
 // The rotation nearest to M in the Frobenius norm.
 Eigen::Matrix3d NearestRotation(const Eigen::Matrix3d& M);
 
-// R, t minimising sum ||to_i - (R from_i + t)||^2 (Umeyama 1991 without scale). Columns are points;
-// at least one column. Where the points do not determine R, one of the minimisers.
+// Returns R, t that minimise sum ||to_i - (R from_i + t)||^2 (Umeyama 1991, without scale). Each
+// column is a point; there must be at least one. If the points do not determine R, returns one of
+// the minimisers.
 RigidTransform AlignPoints(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to);
 
 }  // namespace cvo

@@ -10,12 +10,13 @@
 
 namespace cvo {
 
-// A quadratic polynomial over the left image, by the image's half sides from its middle: 1, x, y,
-// x^2 - 1/3, xy, y^2 - 1/3; the first coefficient is its mean over the image.
+// Basis of the quadratic polynomials over the left image: 1, x, y, x^2 - 1/3, xy, y^2 - 1/3, with x
+// and y relative to the image centre in units of half the image sides. The first coefficient of a
+// polynomial is its mean over the image.
 struct FieldBasis {
   Vector6d value;
-  Vector6d by_u;  // per px
-  Vector6d by_v;
+  Vector6d by_u;  // d value / du, per px
+  Vector6d by_v;  // d value / dv, per px
 };
 
 // Rectified stereo pair (METHOD.md 1.2). The camera frame is the left camera's: x right, y
@@ -29,40 +30,40 @@ struct StereoCamera {
   double baseline_m = 0.0;  // > 0
   int width_px = 0;
   int height_px = 0;
-  // Error of the rectification: u_right is seen this much further right than a perfect pair would
-  // see it. A hundredth of a degree of vergence is 0.13 px at KITTI's focal length.
+  // Rectification error: u_right lies this much further right than in a perfect pair. A hundredth
+  // of a degree of vergence is 0.13 px at the focal length of KITTI.
   double right_shift_px = 0.0;
-  // What an estimate adds to it, as coefficients of FieldBasis: real rectifications leave an error
-  // that varies over the image.
+  // Estimated correction that is added to right_shift_px, as coefficients of FieldBasis: real
+  // rectifications leave an error that varies over the image.
   Vector6d right_field_px = Vector6d::Zero();
 
-  // Throws Error naming the field that cannot be.
+  // Throws Error naming an invalid field.
   void Check() const;
 
   FieldBasis BasisAt(double u_px, double v_px) const;
-  // How much further right than a perfect pair this one sees u_right.
+  // Returns how much further right u_right lies than in a perfect pair, px.
   double RightShift(double u_px, double v_px) const {
     return right_shift_px + right_field_px.dot(BasisAt(u_px, v_px).value);
   }
 
-  // u_left - u_right of a perfect pair, px: fx baseline / depth.
+  // u_left - u_right as a perfect pair would measure it, px: fx * baseline / depth.
   double Disparity(const Eigen::Vector3d& z_px) const {
     return z_px[0] - z_px[2] + RightShift(z_px[0], z_px[1]);
   }
 
-  // pi(p): empty where the point is nearer than kMinDepth_m or behind the camera.
+  // pi(p). Empty if the point is nearer than kMinDepth_m or behind the camera.
   [[nodiscard]] std::optional<Eigen::Vector3d> Project(const Eigen::Vector3d& p_in_camera) const;
   // d pi / d p, 3x3, for a point with positive depth.
   Eigen::Matrix3d ProjectionJacobian(const Eigen::Vector3d& p_in_camera) const;
-  // pi^-1(z): empty where the disparity is not positive.
+  // pi^-1(z). Empty if the disparity is not positive.
   [[nodiscard]] std::optional<Eigen::Vector3d> BackProject(const Eigen::Vector3d& z_px) const;
   // d pi^-1 / d z for a positive disparity.
   Eigen::Matrix3d BackProjectionJacobian(const Eigen::Vector3d& z_px) const;
-  // Covariance of pi^-1(z) for a measurement covariance in px^2 (section 3 of the paper), m^2.
+  // Covariance of pi^-1(z), m^2, for a measurement covariance in px^2 (section 3 of the paper).
   Eigen::Matrix3d PointCovariance(const Eigen::Vector3d& z_px,
                                   const Eigen::Matrix3d& measurement_covariance_px2) const;
 
-  // Left pixel within the image.
+  // Whether a left pixel is within the image.
   bool InImage(double u_px, double v_px) const {
     return u_px >= 0.0 && v_px >= 0.0 && u_px <= width_px - 1 && v_px <= height_px - 1;
   }
@@ -70,7 +71,7 @@ struct StereoCamera {
   static constexpr double kMinDepth_m = 0.05;
 };
 
-// Inline: the solvers' inner loops.
+// Inline, because the inner loops of the solvers call them.
 inline FieldBasis StereoCamera::BasisAt(double u_px, double v_px) const {
   const double by_u = 2.0 / std::max(width_px, 1);
   const double by_v = 2.0 / std::max(height_px, 1);

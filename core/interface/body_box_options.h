@@ -9,7 +9,7 @@
 
 namespace cvo {
 
-// The size of bodies of a class; 0 where their landmarks have to tell.
+// Size of the bodies of a class. A size of 0 is estimated from their landmarks.
 struct ClassSize {
   double length_m = 0.0;
   double width_m = 0.0;
@@ -35,7 +35,8 @@ struct ClassSize {
 // Whether bodies of the class are balls.
 inline bool IsRound(std::string_view category) { return category == "Ball"; }
 
-// The boxes that are reported of bodies (METHOD.md 10.4); the estimator itself does not use them.
+// Options of the boxes reported for bodies (METHOD.md 10.4). The estimator itself does not use
+// these boxes.
 struct BodyBoxOptions {
   double quantile = 0.02;
   double footprint_ratio = 1.2;
@@ -50,8 +51,8 @@ struct BodyBoxOptions {
   ClassSize person_sitting = {0.801, 0.598, 1.275};
   ClassSize cyclist = {1.763, 0.597, 1.737};
 
-  // Length, height and width of bodies of the class, by KITTI's names; 0 where their landmarks have
-  // to tell.
+  // Returns the length, height and width of the bodies of a class, m, by its name in KITTI. A size
+  // of 0 is estimated from their landmarks.
   Eigen::Vector3d SizeOf(std::string_view category) const {
     const ClassSize size = category == "Car"              ? car
                            : category == "Van"            ? van

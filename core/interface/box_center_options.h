@@ -6,7 +6,7 @@
 
 namespace cvo {
 
-// How accurately a box determines the centre of the body in it.
+// Options for how accurately a box determines the centre of the body in it.
 struct BoxCenterOptions {
   double edge_deviation = 0.05;
   double unseen_deviation = 0.3;

@@ -6,7 +6,7 @@
 
 namespace cvo {
 
-// Life of the clusters: birth, what keeps them alive, how far they are predicted.
+// Options for the life cycle of clusters: birth, survival and prediction.
 struct ClusterOptions {
   int min_landmarks = 8;
   double birth_depth = 0.33;

@@ -16,23 +16,24 @@
 
 namespace cvo {
 
-// A body that a detector found in the left image (B_t^m of the paper).
+// A detection: the 2D box that a detector found around a body in the left image (B_t^m of the
+// paper).
 struct Detection {
   ImageBox box;
-  std::string category;  // "Car", "chair": what an object of it is reported as
+  std::string category;  // class under which the body is reported, such as "Car" or "chair"
   double score = 1.0;
 };
 
-// What is known of a frame from elsewhere and taken as it is in place of an estimate: a camera from
-// another odometry, instance segmentation, a tracker of boxes. All of it is optional. A body has
-// the same id in all frames.
+// External knowledge about a frame that replaces estimates and is taken as true: a camera pose from
+// another odometry, an instance segmentation, a box tracker. All of it is optional. A body has the
+// same id in all frames.
 struct GivenKnowledge {
   std::optional<RigidTransform> world_from_camera;  // world = left camera of the first frame
-  std::vector<BodyId> feature_body;                 // by feature; empty: nothing is given
-  std::vector<BodyId> detection_body;               // by detection; empty: nothing is given
+  std::vector<BodyId> feature_body;                 // by feature; empty if not given
+  std::vector<BodyId> detection_body;               // by detection; empty if not given
 };
 
-// What the front end makes of one stereo pair; what the estimator is given.
+// The output of the front end for one stereo pair, which is the input of the estimator.
 struct StereoFrame {
   std::int64_t timestamp_ns = 0;  // strictly increasing from frame to frame
   std::vector<StereoFeature> features;
@@ -40,14 +41,16 @@ struct StereoFrame {
   GivenKnowledge given;
 };
 
-// What the estimator is shown of a frame's bodies: views into the frame, which must outlive them.
+// The information on bodies in a frame that the estimator may use. Holds views into the frame,
+// which must outlive them.
 struct ShownBodies {
   std::span<const Detection> detections;
-  std::span<const BodyId> feature_body;    // as GivenKnowledge
-  std::span<const BodyId> detection_body;  // as GivenKnowledge
+  std::span<const BodyId> feature_body;    // as in GivenKnowledge
+  std::span<const BodyId> detection_body;  // as in GivenKnowledge
 };
 
-// Throws Error where what is given of features or detections is not as long as they are.
+// Throws Error if a list of bodies in `frame.given` is neither empty nor as long as the list of
+// features or detections that it labels.
 void CheckGiven(const StereoFrame& frame);
 
 enum class FrameStatus {
@@ -65,52 +68,52 @@ enum class ClusterStatus {
 };
 const char* ToString(ClusterStatus status);
 
-// The box that a person would draw around a body (METHOD.md 10.4), in the body's frame: upright, x
-// forward, y down. Its centre and sides.
+// Upright box around a body as a person would draw it (METHOD.md 10.4), in the object frame. The
+// box frame has its origin at the centre of the box, x forward and y down.
 struct BodyBox {
   RigidTransform object_from_box;
   Eigen::Vector3d size_m = Eigen::Vector3d::Zero();  // length, height, width: along x, y, z
 };
 
-// A moving or movable rigid body in one frame. Its frame is arbitrary (METHOD.md 6.1) and the
-// same at all times.
+// Report on a cluster, a moving or movable rigid body, in one frame. The object frame is arbitrary
+// (METHOD.md 6.1) but the same in all frames.
 struct ClusterReport {
   ClusterId id;
-  std::string category;  // of the detections it was found in
+  std::string category;  // class of its detections
   ClusterStatus status = ClusterStatus::kTracked;
   RigidTransform world_from_object;
-  Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  // of its origin, in world
-  // What the estimator uses of its extent: the inner 30 to 70 percentiles of its landmarks along
-  // the axes of its frame, centre and half sides.
+  Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  // of its origin, in the world frame
+  // Extent used by the estimator: centre and half sides of the range between the 30 and 70 %
+  // quantiles of its landmarks, along the axes of the object frame.
   Eigen::Vector3d center_in_object = Eigen::Vector3d::Zero();
   Eigen::Vector3d half_size_m = Eigen::Vector3d::Zero();
   BodyBox box;
   int observed_landmarks = 0;
-  int detection = -1;  // index of the detection it was associated with; -1: none
-  double score = 0.0;  // to rank estimates, in (0, 1): METHOD.md 10.1
+  int detection = -1;  // index of the associated detection; -1 if there is none
+  double score = 0.0;  // for ranking, in (0, 1) (METHOD.md 10.1)
 };
 
-// A landmark seen in the frame, static or not.
+// Report on a landmark observed in the frame, static or not.
 struct LandmarkReport {
   LandmarkId id;
   int feature = 0;     // index into StereoFrame::features
-  ClusterId cluster;   // assigned, q^i; invalid: none
-  ClusterId inferred;  // by the CRF in this frame; invalid: outlier
-  int confidence = 0;  // w^i
+  ClusterId cluster;   // assigned cluster q^i; invalid if there is none
+  ClusterId inferred;  // cluster inferred by the CRF in this frame; invalid for an outlier
+  int confidence = 0;  // confidence w^i in the assignment
   Eigen::Vector3d p_in_world = Eigen::Vector3d::Zero();
   // Unary energies of the inferred label, nats: 2D box, 3D affinity, motion.
   double energy_2d = 0.0;
   double energy_3d = 0.0;
   double energy_motion = 0.0;
-  // The best of the other labels by these energies; invalid: outlier.
+  // The best of the other labels by these energies; invalid for the outlier label.
   ClusterId second;
   double second_2d = 0.0;
   double second_3d = 0.0;
   double second_motion = 0.0;
 };
 
-// The rig as estimated so far: StereoCamera::right_field_px and what is known of it, 1/px^2; no
-// information: it was not estimated.
+// Current estimate of the stereo calibration: StereoCamera::right_field_px and its information in
+// 1/px^2, which is zero if it was not estimated.
 struct CalibrationReport {
   Vector6d right_field_px = Vector6d::Zero();
   Matrix6d information = Matrix6d::Zero();
@@ -119,24 +122,26 @@ struct CalibrationReport {
   Matrix6d Covariance_px2() const { return information.inverse(); }
 };
 
-// What the estimator says of one frame.
+// Report of the estimator on one frame.
 struct FrameReport {
   FrameStatus status = FrameStatus::kFirst;
   RigidTransform world_from_camera;  // world = left camera of the first frame
   int features = 0;                  // stereo features in the frame
-  int matches = 0;                   // landmarks found in the frame
-  int inliers = 0;                   // of these, consistent with the camera pose
+  int matches = 0;                   // landmarks matched in the frame
+  int inliers = 0;                   // matches that are consistent with the camera pose
   int new_landmarks = 0;
-  int window_frames = 0;          // spatial and temporal track together, this frame included
-  std::vector<int> spatial_ages;  // of the spatial track, in frames before this one; oldest first
-  int window_landmarks = 0;       // optimised with the window
+  int window_frames = 0;          // frames of the spatial and temporal track, including this one
+  std::vector<int> spatial_ages;  // age of each frame of the spatial track, in frames; oldest first
+  int window_landmarks = 0;       // landmarks optimised in the window
   int window_iterations = 0;      // of the bundle adjustment
   SolverEndings window_endings;   // of the bundle adjustment
-  SolverEndings cluster_endings;  // of the clusters' windows, one per solve
+  SolverEndings cluster_endings;  // of the windows of the clusters, one per solve
   CalibrationReport calibration;
-  double mean_error_px = 0.0;             // RMS whitened reprojection error of the inliers after it
-  std::vector<ClusterReport> clusters;    // live ones, by id
-  std::vector<LandmarkReport> landmarks;  // seen in the frame, static ones included, by feature
+  // RMS whitened reprojection error, dimensionless, of the inlier observations in the window after
+  // bundle adjustment.
+  double mean_error_px = 0.0;
+  std::vector<ClusterReport> clusters;    // live clusters, sorted by id
+  std::vector<LandmarkReport> landmarks;  // observed in the frame, static ones included, by feature
 };
 
 }  // namespace cvo

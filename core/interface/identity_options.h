@@ -6,7 +6,8 @@
 
 namespace cvo {
 
-// As who a found cluster goes on, and how its frame is aligned with the former one.
+// Options for re-identification: whether a new cluster continues a lost one, and how its object
+// frame is aligned with that of the lost cluster.
 struct IdentityOptions {
   double gate = 2.0;
   double center_deviation = 0.3;

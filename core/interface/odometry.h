@@ -17,44 +17,46 @@ namespace cvo {
 struct OdometrySetup {
   StereoCamera camera;
   Options options;
-  std::uint64_t seed = 0;  // of the estimator's own draws (RANSAC)
+  std::uint64_t seed = 0;  // of the estimator's random draws (RANSAC)
 };
 
-// A cluster in one frame: pose and velocity as last estimated, all else as when the frame came, in
-// the body's frame as it is now.
+// A cluster in one frame. Pose and velocity are the latest estimates, everything else is as
+// reported when the frame arrived. All of it is relative to the current object frame.
 struct ClusterPose : ClusterReport {
-  std::int64_t frame = 0;  // counted from the first one processed, skipped ones included
+  std::int64_t frame = 0;  // index from the first processed frame, counting skipped ones
   std::int64_t timestamp_ns = 0;
 };
 
 struct ClusterTrajectory {
   ClusterId id;
   std::string category;
-  // By frame, one per frame in which the cluster was live, those before it was confirmed included,
-  // and those before it was found in which it was traced back (METHOD.md 6.6).
+  // Sorted by frame: one pose per frame in which the cluster was live, including frames before it
+  // was confirmed and earlier frames to which it was traced back (METHOD.md 6.6).
   std::vector<ClusterPose> poses;
 };
 
-// The estimator seen from outside; the only virtual call, once per frame.
+// Interface of the estimator. Virtual dispatch occurs only here, once per frame.
 class Odometry {
  public:
   virtual ~Odometry() = default;
 
-  // One stereo frame in, its report out. Timestamps must increase strictly: throws Error otherwise.
+  // Processes one stereo frame and returns its report. Timestamps must increase strictly: throws
+  // Error otherwise.
   virtual FrameReport Process(const StereoFrame& frame, StageTimes& times) = 0;
 
-  // A frame whose images are missing: the camera is predicted, the map is left alone.
+  // Processes a frame whose images are missing: predicts the camera and leaves the map unchanged.
   virtual FrameReport Skip(std::int64_t timestamp_ns) = 0;
 
-  // world_from_camera of every frame so far, skipped ones included: a frame keeps the
-  // pose it had when it left the temporal track, |T_t| frames after it came.
+  // Returns world_from_camera of every frame so far, including skipped ones. A frame keeps the pose
+  // it had when it left the temporal track, |T_t| frames after it arrived.
   virtual std::vector<RigidTransform> Trajectory() const = 0;
 
-  // Every cluster that was ever reported, archived ones included, by id.
+  // Returns every cluster that was ever reported, including archived ones, sorted by id.
   virtual std::vector<ClusterTrajectory> ClusterTrajectories() const = 0;
 
-  // Poses of reported clusters that no later frame changes, by id. They leave the estimator:
-  // ClusterTrajectories() is without them from then on. For runs of any length.
+  // Returns the poses of reported clusters that no later frame changes, sorted by id, and removes
+  // them from the estimator: ClusterTrajectories() no longer contains them. This bounds memory in
+  // long runs.
   virtual std::vector<ClusterTrajectory> TakeSettledPoses() { return {}; }
 };
 

@@ -22,7 +22,8 @@
 
 namespace cvo {
 
-// Every option of the estimator, front end included; steps take the groups that they read.
+// All options of the estimator, including the front end. Each step takes only the groups that it
+// reads.
 struct Options {
   OrbOptions orb;
   StereoMatchOptions stereo;
@@ -43,13 +44,13 @@ struct Options {
   BodyBoxOptions boxes;
 
   FeatureNoise NoiseOfFeatures() const { return {noise, orb.scale_factor}; }
-  // Lengths that are 0 are those of T_t.
+  // A length of 0 in the options stands for the length of T_t.
   int PastFrames() const { return unary.past_frames > 0 ? unary.past_frames : window.temporal - 1; }
   int LiveFrames() const {
     return clusters.live_frames > 0 ? clusters.live_frames : window.temporal;
   }
 
-  // Throws Error naming the first option that cannot be.
+  // Throws Error naming the first invalid option.
   void Check() const {
     CheckRanges(*this);
     orb.Check();

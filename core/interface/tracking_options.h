@@ -6,7 +6,7 @@
 
 namespace cvo {
 
-// The camera against the static scene, and when it is lost.
+// Options for tracking the camera against the static scene, and for recovery when it is lost.
 struct TrackingOptions {
   int min_inliers = 15;
   int recovery_hamming = 60;

@@ -9,7 +9,7 @@
 namespace cvo {
 namespace {
 
-// What a body found by given labels alone, without a detection, is called.
+// Category of a body that is known from given labels alone, without a detection.
 constexpr const char* kUnknownCategory = "object";
 
 Eigen::Matrix3Xd PointsOf(ClusterId id, const FrameView& view,

@@ -31,7 +31,7 @@ DecidedLabels DescribeDecision(const Window& window, const ClusterMap& map,
     if (label.kind == LabelKind::kCluster) identity.cluster = map.live[l - 1].id;
     result.identities.push_back(identity);
   }
-  // New points tell nothing of who was there before.
+  // New points have no previous cluster.
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Landmark* landmark = FindLandmark(points[i], window, map);
     if (!landmark) continue;
@@ -60,7 +60,7 @@ void DropWeakBirths(int min_landmarks, const Window& window, const ClusterMap& m
                     const std::vector<FramePoint>& points, FrameLabels& labels) {
   std::map<ClusterId, int> members;
   for (const PointLabel& label : labels.points) ++members[label.assigned.cluster];
-  std::map<ClusterId, ClusterId> renamed;  // births in a row, without the dropped ones
+  std::map<ClusterId, ClusterId> renamed;  // to consecutive ids, without dropped births
   std::vector<FrameLabels::Birth> kept;
   for (FrameLabels::Birth birth : labels.births) {
     const bool is_weak = members[birth.id] < min_landmarks;
@@ -72,13 +72,15 @@ void DropWeakBirths(int min_landmarks, const Window& window, const ClusterMap& m
   labels.births = kept;
   for (std::size_t i = 0; i < points.size(); ++i) {
     PointLabel& label = labels.points[i];
-    const auto inferred = renamed.find(label.inferred);
-    if (inferred != renamed.end()) label.inferred = inferred->second;
+    for (ClusterId* id : {&label.inferred, &label.second}) {
+      const auto found = renamed.find(*id);
+      if (found != renamed.end()) *id = found->second;
+    }
     const auto assigned = renamed.find(label.assigned.cluster);
     if (assigned == renamed.end()) continue;
     label.assigned.cluster = assigned->second;
     if (assigned->second.valid()) continue;
-    // Nothing came of the box: the point stays what it was, a new one is taken for static.
+    // The birth is dropped: a landmark stays with its previous owner, a new point becomes static.
     const Landmark* landmark = FindLandmark(points[i], window, map);
     label.assigned =
         landmark ? LabelState{landmark->label.cluster, 1} : LabelState{kStaticScene, 1};
@@ -116,7 +118,7 @@ void AdoptDetections(const FrameLabels& labels, const ClusterMap& map,
       if (map.live[q].id == adoption.id) tracks[q].detection = adoption.detection;
     }
   }
-  // A box of a cluster that is no longer its label's shows a new one.
+  // A detection whose label became a new cluster no longer belongs to its previous cluster.
   for (const FrameLabels::Birth& birth : labels.births) {
     for (ClusterTrack& track : tracks) {
       if (birth.detection >= 0 && track.detection == birth.detection) track.detection = -1;

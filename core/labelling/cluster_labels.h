@@ -12,21 +12,21 @@
 
 namespace cvo {
 
-// What the current frame says of one point.
+// Labels of one point of the current frame.
 struct PointLabel {
   ClusterId inferred;      // by the CRF; invalid: outlier
-  LabelState assigned;     // q^i and w^i after the confidence rule; invalid: no body's
-  LandmarkId landmark;     // what it is an observation of (UpdateLandmarks); invalid: nothing
+  LabelState assigned;     // q^i and w^i after the confidence rule; invalid: of no body
+  LandmarkId landmark;     // that it observes (set by UpdateLandmarks); invalid: none
   double energy_2d = 0.0;  // of the inferred label, nats
   double energy_3d = 0.0;
   double energy_motion = 0.0;
-  ClusterId second;  // the best of the other labels by its unary energies; invalid: outlier
+  ClusterId second;  // the other label with the lowest unary energy; invalid: outlier
   double second_2d = 0.0;
   double second_3d = 0.0;
   double second_motion = 0.0;
 };
 
-// Labels of all points of a frame, and the detections that became clusters.
+// Labels of all points of a frame, and the detections that became clusters or join existing ones.
 struct FrameLabels {
   std::vector<PointLabel> points;
   struct Birth {
@@ -34,8 +34,8 @@ struct FrameLabels {
     int detection = -1;  // index; -1: from given labels alone
     BodyId given_body;
   };
-  std::vector<Birth> births;  // by id, following map.next
-  // Detections that Kuhn-Munkres gave to a live cluster.
+  std::vector<Birth> births;  // sorted by id, consecutive from map.next
+  // A detection that label matching (Kuhn-Munkres) assigned to a live cluster.
   struct Adoption {
     ClusterId id;
     int detection = -1;
@@ -45,10 +45,11 @@ struct FrameLabels {
 
 namespace internal {
 
-// By node: the most probable label, or the one that the given labels demand.
+// Returns for each node the most probable label, or that of its given body if there is one.
 std::vector<int> DecideLabels(const FrameView& view, const std::vector<FramePoint>& points,
                               const LabelScene& scene, const CrfResult& crf);
-// What labels represent, and the result of the CRF for the points that have a landmark.
+// Inputs of MatchLabels: what the labels represent, and the decided labels and previous clusters of
+// the points that have a landmark.
 struct DecidedLabels {
   std::vector<LabelIdentity> identities;
   std::vector<int> label_of_old;
@@ -57,33 +58,35 @@ struct DecidedLabels {
 DecidedLabels DescribeDecision(const Window& window, const ClusterMap& map,
                                const std::vector<FramePoint>& points, const LabelScene& scene,
                                const std::vector<int>& decided);
-// From the clusters that labels were matched with: those that continue another cluster than their
-// own are its `adoptions`, those without one `births`, with ids from map.next on, which they get.
+// Turns the clusters that labels were matched with into adoptions and births: a label that
+// continues a cluster other than its own is an adoption; a label without a cluster is a birth and
+// gets the next id, from map.next on, which is also written to cluster_of.
 void NameLabels(const ClusterMap& map, const LabelScene& scene, std::vector<ClusterId>& cluster_of,
                 FrameLabels& labels);
-// Takes back births of which fewer points than `min_landmarks` were accepted.
+// Removes births with fewer than `min_landmarks` accepted points and renumbers the others.
 void DropWeakBirths(int min_landmarks, const Window& window, const ClusterMap& map,
                     const std::vector<FramePoint>& points, FrameLabels& labels);
-// The label with the least energy but for `decided`; of the two labels that there are at least.
+// Returns the label with the lowest energy other than `decided`. There must be at least two labels.
 int SecondLabel(const EnergyMatrix& total, Eigen::Index node, int decided);
-// Everything static: what a frame without detections and clusters is.
+// Returns the labels of a frame without detections and clusters: everything is inferred static.
 FrameLabels AllStatic(const Window& window, const ClusterMap& map,
                       const std::vector<FramePoint>& points);
 
 }  // namespace internal
 
-// The tracks take the detections that their clusters adopted.
+// Gives the tracks the detections that their clusters adopted. A detection that went to another or
+// a new cluster is removed from its previous track.
 void AdoptDetections(const FrameLabels& labels, const ClusterMap& map,
                      std::vector<ClusterTrack>& tracks);
 
-// What LabelPoints reads.
+// Options of LabelPoints.
 struct LabelOptions {
   LabelSceneOptions scene;
   PairwiseOptions pairwise;
   LabelMatchingOptions matching;
 };
 
-// Which body every point of the frame belongs to (section 3.2 of the paper).
+// Infers which body every point of the frame belongs to (section 3.2 of the paper).
 template <UnaryTerm Box, UnaryTerm Affinity, UnaryTerm Motion, PairwisePolicy Pairwise,
           ConfidencePolicy Confidence>
 FrameLabels LabelPoints(const FrameView& view, const LabelOptions& options, const Window& window,

@@ -12,8 +12,8 @@
 
 namespace cvo {
 
-// Whose landmark a point is: nobody's yet, the static scene's (window.landmarks) or a live
-// cluster's (map.live[cluster].landmarks).
+// Owner of a point's landmark: none yet, the static scene (window.landmarks) or a live cluster
+// (map.live[cluster].landmarks).
 struct PointOwner {
   enum class Kind { kUnassigned, kScene, kCluster };
   Kind kind = Kind::kUnassigned;
@@ -25,30 +25,32 @@ inline constexpr PointOwner kNoOwner{};
 inline constexpr PointOwner kSceneOwner{PointOwner::Kind::kScene, -1};
 constexpr PointOwner ClusterOwner(int cluster) { return {PointOwner::Kind::kCluster, cluster}; }
 
-// A feature of the current frame and the landmark it shows.
+// A feature of the current frame and the landmark that it observes.
 struct FramePoint {
   int feature = 0;
   PointOwner owner;
-  int landmark = -1;  // index among the owner's
+  int landmark = -1;  // index into the owner's landmarks
 };
 
-// Features that may show the static scene: all but those of the reserve that are in no detection,
-// for more of a scene that has enough costs time and brings it nothing.
+// Returns the indices of features that may show the static scene: all except those found in the
+// left image only and reserve features outside all detections, which would cost time without
+// improving a scene that has enough features.
 std::vector<int> SceneFeatures(const std::vector<StereoFeature>& features,
                                std::span<const Detection> detections);
 
-// Every feature that has the disparity for a landmark, by feature: those matched with the static
-// scene, those matched with clusters, and those that are new; of the reserve only new ones where a
-// detection or a cluster is.
+// Returns, in the order of the features, all that are matched with the static scene or with
+// clusters, and all new ones that may become landmarks: those found in the right image with a
+// disparity of at least min_disparity_px; of the reserve, only those inside a detection or the
+// expected box of a cluster.
 std::vector<FramePoint> CollectPoints(const FrameView& view, double min_disparity_px,
                                       const std::vector<Match>& static_matches,
                                       const std::vector<ClusterTrack>& tracks);
 
-// The landmark of a point; null where it has none.
+// Returns the landmark of a point; null if it has none.
 const Landmark* FindLandmark(const FramePoint& point, const Window& window, const ClusterMap& map);
 
-// world_from_object of the owner in a frame of the window: the identity for the static scene, empty
-// where a cluster has no state.
+// Returns world_from_object of the owner in a frame of the window: the identity for the static
+// scene, empty for a cluster without a state in that frame.
 std::optional<RigidTransform> OwnerPose(PointOwner owner, FrameId frame, const ClusterMap& map);
 
 }  // namespace cvo

@@ -8,10 +8,11 @@
 namespace cvo {
 namespace {
 
-// The static scene may be at infinity, and by noise beyond it: features are put at least here.
+// Points of the static scene may be at infinity or, by noise, beyond it. Smaller disparities are
+// raised to this value.
 constexpr double kLeastDisparity_px = 0.1;
 
-// Frames before the current one, the farthest first; null where the window does not hold one.
+// Frames before the current one, oldest first; null if the window does not contain the frame.
 using PastFrames = std::vector<const WindowFrame*>;
 
 PastFrames FindPastFrames(const Window& window, int frames) {
@@ -41,7 +42,7 @@ CrfNode MakeNode(const FrameView& view, const FeatureNoise& noise, const FramePo
   return node;
 }
 
-// past_camera_from_object(then) * object_from_camera(now), by past frame.
+// Returns past_camera_from_object(then) * object_from_camera(now) for each past frame.
 std::vector<std::optional<RigidTransform>> PastFromNow(const FrameView& view, PointOwner owner,
                                                        const RigidTransform& world_from_object,
                                                        const ClusterMap& map,
@@ -56,7 +57,8 @@ std::vector<std::optional<RigidTransform>> PastFromNow(const FrameView& view, Po
   return transforms;
 }
 
-// A body fills its box, also where its landmarks so far are all on one part of it.
+// Raises the half sides to at least `box_half_size` of the mean side of the box: a body fills its
+// box even if all its landmarks so far are on one part of it.
 void GrowToBox(const StereoCamera& camera, double box_half_size, const ImageBox& box,
                CrfLabel::Extent& extent) {
   const double side_px = 0.5 * (box.Width() + box.Height());
@@ -87,7 +89,7 @@ CrfLabel ClusterLabel(const FrameView& view, const ClusterOptions& options, int 
   return label;
 }
 
-// Bodies that occur in the given labels and have no label yet.
+// Adds a label for each body that occurs in the given labels of features and has no label yet.
 void AddGivenBodies(const FrameView& view, const PastFrames& past, LabelScene& scene) {
   const std::span<const BodyId> bodies = view.shown.feature_body;
   for (const BodyId body : std::set<BodyId>(bodies.begin(), bodies.end())) {
@@ -102,7 +104,7 @@ void AddGivenBodies(const FrameView& view, const PastFrames& past, LabelScene& s
   }
 }
 
-// camera_from_object of the body that has the point's landmark.
+// Returns camera_from_object of the body that owns the point's landmark.
 RigidTransform OwnerInCamera(const FrameView& view, const FramePoint& point,
                              const std::vector<ClusterTrack>& tracks) {
   const RigidTransform camera_from_world = view.world_from_camera.Inverse();

@@ -13,30 +13,33 @@
 
 namespace cvo {
 
-// The classes of the CRF in one frame, M = N1 + N2 + 1: the static scene and the live clusters,
-// detections that belong to none of them, and the outlier class last.
+// The nodes and classes of the CRF in one frame. The M = N1 + N2 + 1 classes are, in this order,
+// the static scene and the live clusters, the detections that belong to none of them, and the
+// outlier class.
 struct LabelScene {
-  CrfScene crf;                    // nodes by point
-  std::vector<int> detection;      // by label: a cluster's or new box's detection; -1: none
-  std::vector<BodyId> given_body;  // by label, as GivenKnowledge says; invalid: unknown
+  CrfScene crf;                    // one node per point
+  std::vector<int> detection;      // per label: that of the cluster or new box; -1: none
+  std::vector<BodyId> given_body;  // per label, see GivenKnowledge; invalid: unknown
   int clusters = 0;                // labels 1 ... clusters are map.live[0], ...
 
   int Outlier() const { return static_cast<int>(crf.labels.size()) - 1; }
   bool IsNewBox(int label) const { return label > clusters && label < Outlier(); }
 };
 
-// Where the motion and the pairwise term take a landmark to be now; empty: Z_t^i.
+// Where the motion and pairwise terms assume a landmark to be in the current camera frame; empty:
+// Z_t^i.
 template <typename Policy>
 concept PointPlacePolicy = requires(const RigidTransform& camera_from_object,
                                     const Landmark& landmark) {
   { Policy::Place(camera_from_object, landmark) } -> std::same_as<std::optional<CrfNode::Place>>;
 };
 
-// Policy: Z_t^i, where the current frame alone sees it, with the noise of that.
+// Policy: Z_t^i, triangulated from the current frame alone, with the noise of that triangulation.
 struct TriangulatedPlace {
   static std::optional<CrfNode::Place> Place(const RigidTransform&, const Landmark&) { return {}; }
 };
-// Policy: p_t^i, where the body's pose puts it, taken as exact: the paper's. New points have none.
+// Policy: p_t^i, where the pose of the body places the landmark, taken as exact, as in the paper.
+// New points have no p_t^i.
 struct EstimatedPlace {
   static std::optional<CrfNode::Place> Place(const RigidTransform& camera_from_object,
                                              const Landmark& landmark) {
@@ -44,30 +47,30 @@ struct EstimatedPlace {
   }
 };
 
-// Which earlier observation of a landmark the motion term takes, of those within
-// unary.past_frames frames: the oldest one `Takes` accepts, by the number of frames after the
-// first of these.
+// Which earlier observation of a landmark the motion term uses: within the last unary.past_frames
+// frames, the oldest one that `Takes` accepts. `later` is the number of frames by which it comes
+// after the first of these frames.
 template <typename Policy>
 concept PastFramePolicy = requires(int later) {
   { Policy::Takes(later) } -> std::same_as<bool>;
 };
 
-// Policy: the oldest one there is.
+// Policy: the oldest observation.
 struct OldestPastFrame {
   static bool Takes(int) { return true; }
 };
-// Policy: that of exactly unary.past_frames frames ago, the paper's t - 5.
+// Policy: the observation exactly unary.past_frames frames ago, the paper's t - 5.
 struct ExactPastFrame {
   static bool Takes(int later) { return later == 0; }
 };
 
-// What BuildLabelScene reads.
+// Options of BuildLabelScene.
 struct LabelSceneOptions {
   FeatureNoise noise;
   UnaryOptions unary;
   ExtentOptions extent;
   ClusterOptions clusters;
-  int past_frames = 0;  // that the motion term looks back
+  int past_frames = 0;  // how far the motion term looks back
 };
 
 // The policies of BuildLabelScene.
@@ -82,8 +85,8 @@ constexpr LabelSceneSteps StepsOf() {
   return {&PointPlace::Place, &PastFrame::Takes, RuleOf<NewBody>()};
 }
 
-// What is known of every point and every class (section 3.2 of the paper). The current frame is
-// the one after the window's newest.
+// Collects what is known of every point and every class (section 3.2 of the paper). The current
+// frame is the one after the newest frame of the window.
 LabelScene BuildLabelScene(const FrameView& view, const LabelSceneOptions& options,
                            const Window& window, const ClusterMap& map,
                            const std::vector<ClusterTrack>& tracks,

@@ -11,8 +11,8 @@
 namespace cvo {
 namespace {
 
-// The static scene or a cluster, where it can take landmarks in: its pose in the entering frame and
-// where its landmarks are.
+// The static scene, or a cluster that has a pose in the entering frame and can therefore receive
+// landmarks.
 struct ReassignmentTarget {
   PointOwner owner;
   RigidTransform world_from_object;
@@ -27,7 +27,7 @@ class ReassignmentTargets {
     Add(kStaticScene, kSceneOwner, RigidTransform(), window.landmarks);
     for (int q = 0; q < static_cast<int>(map.live.size()); ++q) {
       Cluster& cluster = map.live[q];
-      // Those born in this frame come after the tracks; their pose is their only state's.
+      // Clusters born in this frame have no track; their pose is that of their only state.
       const bool is_new = q >= static_cast<int>(tracks.size());
       if (!is_new && !tracks[q].is_tracked) continue;
       Add(cluster.id, ClusterOwner(q),
@@ -66,11 +66,11 @@ class ReassignmentTargets {
   std::map<ClusterId, ReassignmentTarget> targets_;
 };
 
-// Adds the feature as the landmark's observation of the frame.
+// Adds the feature as the landmark's observation in the frame.
 void Observe(const FrameView& view, const LandmarkUpdateOptions& options, const WindowFrame& frame,
              const ReassignmentTarget& target, const StereoFeature& feature, double depth_m,
              Landmark& landmark) {
-  // The first one is where its reference is, which makes it as exact as those aligned with it.
+  // The first observation is the reference itself, hence as accurate as those aligned with it.
   const bool is_aligned =
       feature.is_aligned || (options.align_patches && landmark.observations.empty());
   landmark.observations.push_back(
@@ -101,7 +101,7 @@ double DepthIn(const WindowFrame& frame, const ReassignmentTarget& target,
       .z();
 }
 
-// Those of the observations of the landmark that the target's motion explains.
+// Returns those of the landmark's observations that the target's motion explains.
 std::vector<Observation> Agreeing(const FrameView& view, const FeatureNoise& noise,
                                   const Window& window, const ClusterMap& map,
                                   const ReassignmentTarget& target, const Landmark& landmark,
@@ -118,7 +118,8 @@ std::vector<Observation> Agreeing(const FrameView& view, const FeatureNoise& noi
   return agreeing;
 }
 
-// The point of the feature as a landmark of the target, not yet observed; empty where it has none.
+// Returns the triangulated feature as a landmark of the target, without observations; empty if it
+// cannot be triangulated.
 std::optional<Landmark> MakeLandmark(const FrameView& view, const WindowFrame& frame,
                                      const ReassignmentTarget& target,
                                      const StereoFeature& feature) {
@@ -130,7 +131,7 @@ std::optional<Landmark> MakeLandmark(const FrameView& view, const WindowFrame& f
   return landmark;
 }
 
-// The frame's points, one by one, into the takers' landmarks.
+// Enters the frame's points into the landmarks of their bodies, one at a time.
 class Updater {
  public:
   Updater(const FrameView& view, const LandmarkUpdateOptions& options, const WindowFrame& entering,
@@ -142,7 +143,8 @@ class Updater {
         map_(map),
         targets_(tracks, window, map) {}
 
-  // A feature without landmark becomes one. False where its label's owner cannot take it in.
+  // Creates a landmark for a feature without one. False if the body of its label cannot receive it
+  // or the feature cannot be triangulated.
   bool Create(const StereoFeature& feature, const LabelState& label, LandmarkId id) {
     ReassignmentTarget* to = targets_.Find(label.cluster);
     std::optional<Landmark> landmark;
@@ -163,10 +165,11 @@ class Updater {
     if (label.cluster == owner) {
       landmark.label = label;
     } else {
-      // Where it is on another body is not known.
+      // The position of a left-only feature on another body is unknown.
       if (IsLeftOnly(feature)) return;
       ReassignmentTarget* to = targets_.Find(label.cluster);
-      // One that cannot take it in leaves it where it is; what is no body's is removed.
+      // If the new body cannot receive it, the landmark stays; if it belongs to no body, it is
+      // removed.
       if (to || !label.cluster.valid()) {
         from->is_leaving[point.landmark] = 1;
         if (to) Move(landmark, feature, label, *to);

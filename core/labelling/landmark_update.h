@@ -6,22 +6,24 @@
 
 namespace cvo {
 
-// What UpdateLandmarks reads.
+// Options of UpdateLandmarks.
 struct LandmarkUpdateOptions {
   FeatureNoise noise;
   bool align_patches = true;  // tracking.align_patches
 };
 
-// Every landmark that the frame `entering` sees gets its observation and its label. A landmark
-// whose label changes goes to its new body with the observations that agree with that body's
-// motion; a feature without landmark becomes one (ids from next_id on). A cluster that has no pose
-// in the frame takes nothing in. The labels get the landmarks' ids. Returns the number of new ones.
+// Adds the observation and label of every landmark seen in the frame `entering`. A landmark whose
+// label changes moves to its new body, together with the observations that agree with that body's
+// motion; one that is assigned to no body is removed. Features without a landmark become landmarks,
+// with ids from next_id on. A cluster without a pose in the frame receives no landmarks. Writes the
+// ids of the landmarks to `labels` and returns the number of new landmarks.
 int UpdateLandmarks(const FrameView& view, const LandmarkUpdateOptions& options,
                     const WindowFrame& entering, const std::vector<ClusterTrack>& tracks,
                     const std::vector<FramePoint>& points, FrameLabels& labels, LandmarkId& next_id,
                     Window& window, ClusterMap& map);
 
-// Removes landmarks that were seen once and then not in the latest `frames` frames.
+// Removes landmarks that have one observation, no past information, and were not seen in the latest
+// `frames` frames.
 void RemoveUnconfirmed(FrameId newest, int frames, std::vector<Landmark>& landmarks);
 
 }  // namespace cvo

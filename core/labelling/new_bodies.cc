@@ -9,16 +9,17 @@
 namespace cvo {
 namespace {
 
-// A detection that no cluster claims, and its body's points as far as known.
+// A detection that no cluster claims, and the points chosen as its body so far.
 struct OpenBox {
   int detection = 0;
   ImageBox inner;
   double angular_size = 0.0;
-  std::vector<int> body;  // into the points
-  double fill = 0.0;      // how much of the box they are spread over, in [0, 1]
+  std::vector<int> body;  // indices into the points
+  double fill = 0.0;      // Fill of these points, in [0, 1]
 };
 
-// How much of the box the points, at least one, are spread over, in [0, 1].
+// How much of the box the points (at least one) are spread over: intersection over union of the
+// rectangle around them and the box, in [0, 1].
 double Fill(const ImageBox& box, const std::vector<int>& body, const std::vector<CrfNode>& nodes) {
   const Eigen::Vector3d& first = nodes[body.front()].z_px;
   ImageBox spread{first[0], first[1], first[0], first[1]};
@@ -68,8 +69,8 @@ void ChooseBody(const NewBodyStep& step, const std::vector<CrfNode>& nodes,
   box.fill = *chosen;
 }
 
-// The boxes one after the other, the one that its points fill best first; the others do without
-// these points.
+// Resolves shared points: processes the boxes in the order of how well their points fill them, and
+// lets each later box that shares points with an earlier one choose anew without them.
 void ShareOut(const NewBodyStep& step, const std::vector<CrfNode>& nodes,
               std::vector<char> is_taken, std::vector<OpenBox>& open) {
   for (auto next = open.begin(); next != open.end(); ++next) {

@@ -13,8 +13,8 @@
 
 namespace cvo {
 
-// What may be the body in a box that no cluster has: sets of its points, by their depths, the first
-// choice first; and whether a point may be that of two boxes.
+// Which of the points in a box that no cluster claims may be the body: candidate sets of points by
+// depth, in order of preference. kSharesPoints: whether the bodies of two boxes may share points.
 template <typename Policy>
 concept NewBodyPolicy = requires(const std::vector<double>& depths_m, double angular_size,
                                  const ExtentOptions& options) {
@@ -24,7 +24,7 @@ concept NewBodyPolicy = requires(const std::vector<double>& depths_m, double ang
   { Policy::kSharesPoints } -> std::convertible_to<bool>;
 };
 
-// Policy: dense ranges of depths, the nearest first.
+// Policy: the dense ranges of depths, nearest first.
 struct NearestDepths {
   static constexpr bool kSharesPoints = false;
   static std::vector<std::vector<int>> Candidates(const std::vector<double>& depths_m,
@@ -33,14 +33,14 @@ struct NearestDepths {
     return DepthModes(depths_m, angular_size, options);
   }
 };
-// Policy: all of them, if there are extent.mode_min_points.
+// Policy: all points, if there are at least extent.mode_min_points.
 struct AllDepths {
   static constexpr bool kSharesPoints = true;
   static std::vector<std::vector<int>> Candidates(const std::vector<double>& depths_m, double,
                                                   const ExtentOptions& options);
 };
 
-// A policy as FindNewBodies takes it.
+// A NewBodyPolicy as an argument of FindNewBodies.
 struct NewBodyRule {
   std::vector<std::vector<int>> (*candidates)(const std::vector<double>&, double,
                                               const ExtentOptions&);
@@ -57,10 +57,10 @@ struct NewBodyStep {
   double box_shrink = 0.0;  // unary.box_shrink
 };
 
-// By detection: where the body in it is, as far as its points tell, those of no cluster
-// (METHOD.md 6.2). Of its candidates the first one that is spread over enough of the box
-// (extent.mode_min_fill); of boxes with the same points the one that they fill best has them. Empty
-// for detections that a cluster claims. `nodes` by point.
+// Returns for each detection the extent of the body in it, from those of its points that belong to
+// no cluster (METHOD.md 6.2). The body is the first candidate that is spread over enough of the box
+// (extent.mode_min_fill). If boxes share points, the box that they fill best gets them. Empty for
+// detections that a cluster claims or that have no candidate. `nodes` has one entry per point.
 std::vector<std::optional<CrfLabel::Extent>> FindNewBodies(const FrameView& view,
                                                            const NewBodyStep& step,
                                                            const std::vector<char>& is_claimed,

@@ -21,8 +21,8 @@
 
 namespace cvo {
 
-// In what variants differ, and what each axis asks of its policies. Two variants with the same
-// axes are one type of estimator, whatever their options.
+// The axes along which variants differ, with the concept that each one requires of its policy. Two
+// variants with the same axes are the same type of estimator, whatever their options.
 template <DetectionPolicy D, LandmarkAssociationPolicy LA, BoxWeightsPolicy BW, BoxCostPolicy BC,
           ClassGatePolicy CG, BoxRematchPolicy BR, RotationPolicy R, IdentityPolicy I, UnaryTerm BT,
           UnaryTerm AT, UnaryTerm MT, PointPlacePolicy PP, PastFramePolicy PF, NewBodyPolicy NB,
@@ -57,8 +57,8 @@ struct Axes {
   using Solver = S;
 };
 
-// A variant names its policies; one that lacks an axis or a policy that does not fit its axis does
-// not compile.
+// Collects the policies that a variant names. A variant that lacks an axis, or names a policy that
+// does not satisfy the concept of its axis, does not compile.
 template <typename V>
 using AxesOf =
     Axes<typename V::Detections, typename V::LandmarkAssociation, typename V::BoxWeights,

@@ -16,7 +16,7 @@ namespace {
 
 struct Visible {
   std::vector<ProjectedLandmark> projected;
-  std::vector<int> landmark;  // index into window.landmarks, by projected
+  std::vector<int> landmark;  // index into window.landmarks, per projected landmark
 };
 
 Visible ProjectLandmarks(const OrbOptions& options, const Window& window,
@@ -39,7 +39,8 @@ Visible ProjectLandmarks(const OrbOptions& options, const Window& window,
   return visible;
 }
 
-// Matches of landmarks (indices into window.landmarks) around a camera.
+// Projects the landmarks with this camera pose and matches them with features nearby. Landmark
+// indices of the matches are into window.landmarks.
 std::vector<Match> SearchAround(const CameraTrackingOptions& options, const Window& window,
                                 const FeatureGrid& grid, const RigidTransform& world_from_camera,
                                 double radius_px) {
@@ -50,15 +51,15 @@ std::vector<Match> SearchAround(const CameraTrackingOptions& options, const Wind
   return matches;
 }
 
-// Half of the matches being wrong means that the search looked in the wrong places.
+// If more than half of the matches are outliers, the search was in the wrong place.
 bool IsInDoubt(const CameraTrackingOptions& options, const std::vector<Match>& matches,
                const CameraSolution& solution, const ExpectedCamera& expected) {
   return !expected.has_motion || solution.inliers < options.tracking.min_inliers ||
          solution.inliers < static_cast<int>(matches.size()) / 2;
 }
 
-// Of cameras near which it may be, after a solve: the one whose landmarks cover most of the image,
-// reduced by the share of those found near it that disagree.
+// Solves for the camera around each candidate pose, and returns the solution whose inliers cover
+// most of the image, weighted by the share of inliers among the landmarks matched there.
 RigidTransform BestCovering(const CameraTrackingOptions& options, const Window& window,
                             const FeatureGrid& grid, std::span<const RigidTransform> candidates) {
   RigidTransform best = candidates.front();
@@ -110,7 +111,7 @@ std::vector<Match> Inliers(const std::vector<Match>& matches, const CameraSoluti
   return inliers;
 }
 
-// The camera is known: the landmarks that agree with it.
+// For a given camera pose: matches the landmarks that agree with it.
 CameraTrack MatchAround(const CameraTrackingOptions& options, const Window& window,
                         const FeatureGrid& grid, const RigidTransform& world_from_camera) {
   const std::vector<Match> matches =

@@ -18,7 +18,7 @@
 
 namespace cvo {
 
-// What the camera is tracked with.
+// Options that camera tracking reads.
 struct CameraTrackingOptions {
   FeatureNoise noise;
   OrbOptions orb;
@@ -29,21 +29,23 @@ struct CameraTrackingOptions {
 struct CameraTrack {
   RigidTransform world_from_camera;
   std::vector<Match> inliers;  // indices into window.landmarks and the frame's features
-  int matches = 0;             // before the geometric check
+  int matches = 0;             // number before the geometric check
 };
 
-// Where the camera is looked for.
+// Expected camera pose, around which the search starts.
 struct ExpectedCamera {
   RigidTransform world_from_camera;
-  bool is_given = false;    // taken as it is
-  bool has_motion = false;  // continues the motion before; else it may have moved in any way
+  bool is_given = false;  // the pose is given and not estimated
+  // Predicted from the preceding motion; otherwise the camera may have moved arbitrarily.
+  bool has_motion = false;
 };
 
-// The camera of a frame from the landmarks of the window: windowed search around the expected
-// camera, robust solve, a second, narrower search around the solution, alignment of the patches
-// that it finds (`features`, those of the grid, move), solve again. The first solution competes
-// with the expected camera and, where it is in doubt, with one found from descriptors alone
-// (METHOD.md 3.3). Empty where fewer than tracking.min_inliers landmarks agree.
+// Estimates the camera pose of a frame from the landmarks of the window: a windowed search around
+// the expected camera, a robust solve, a second, narrower search around the solution, alignment of
+// the matched patches (which moves `features`, those of the grid), and a second solve. Before the
+// second search, the first solution competes with the expected camera and, if it is in doubt, with
+// one found from descriptors alone (METHOD.md 3.3). Empty if fewer than tracking.min_inliers
+// landmarks agree.
 std::optional<CameraTrack> TrackCamera(const CameraTrackingOptions& options, const Window& window,
                                        const FeatureGrid& grid, std::span<StereoFeature> features,
                                        const ExpectedCamera& expected, Rng& rng);

@@ -10,7 +10,7 @@
 namespace cvo {
 namespace {
 
-// Where the box puts the body's centre.
+// Adds the estimate of the body's centre and size from its detection box.
 void AddBoxCenter(const FrameView& view, const BodyCenterOptions& options,
                   const ClusterTrack& track, Cluster& cluster) {
   if (track.matches.empty()) return;
@@ -45,7 +45,8 @@ ClusterReport DescribeCluster(const ClusterOptions& options, FrameId newest,
   return report;
 }
 
-// Overwrites the poses of the cluster's states and appends the frame's.
+// Appends the report's pose, and overwrites the poses of all frames in which the cluster has a
+// state.
 void RecordTrajectory(const Cluster& cluster, const ClusterReport& report, FrameId newest,
                       std::int64_t timestamp_ns, ClusterTrajectory& trajectory) {
   trajectory.id = cluster.id;

@@ -7,17 +7,18 @@
 
 namespace cvo {
 
-// Clusters whose pose the frame shows get a state of it; detections are counted.
+// Updates the clusters from their tracks in the frame: a tracked cluster gets a state for it, and
+// associated detections are counted.
 void AddStates(const FrameView& view, const BodyCenterOptions& options, FrameId newest,
                const std::vector<ClusterTrack>& tracks, ClusterMap& map);
 
-// After the optimisation: every live cluster in the newest frame, boxes and scores left out; one
-// without a state in the frame is predicted there.
+// Describes every live cluster in the newest frame, after the optimisation and without boxes and
+// scores. A cluster without a state in the frame is predicted.
 std::vector<ClusterReport> DescribeClusters(const ClusterOptions& options, FrameId newest,
                                             const ClusterPredictor& predict, const ClusterMap& map);
 
-// The reports of all live clusters, and the poses of T_t as they are now, go into the trajectories.
-// Returns those of the confirmed ones.
+// Appends the reports of all live clusters to their trajectories, and updates the poses of T_t
+// there. Returns the reports of the confirmed clusters.
 std::vector<ClusterReport> RecordClusters(const ClusterOptions& options, FrameId newest,
                                           std::int64_t timestamp_ns,
                                           std::vector<ClusterReport> reports, ClusterMap& map);

@@ -8,20 +8,20 @@
 
 namespace cvo {
 
-// Which detections, and what given knowledge of bodies, the estimator is shown.
+// Selects the detections, and the given knowledge of bodies, that the estimator is shown.
 template <typename Policy>
 concept DetectionPolicy = requires(const StereoFrame& frame) {
   { Policy::Show(frame) } -> std::same_as<ShownBodies>;
 };
 
-// Policy: all of the frame's.
+// Policy: all those of the frame.
 struct UseDetections {
   static ShownBodies Show(const StereoFrame& frame) {
     return {frame.detections, frame.given.feature_body, frame.given.detection_body};
   }
   static ShownBodies Show(StereoFrame&&) = delete;  // the views would outlive the frame
 };
-// Policy: none; no cluster is ever found, the world is taken for static.
+// Policy: none. No cluster is ever found, and the world is assumed to be static.
 struct IgnoreDetections {
   static ShownBodies Show(const StereoFrame&) { return {}; }
 };

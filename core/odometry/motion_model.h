@@ -8,12 +8,12 @@
 
 namespace cvo {
 
-// The camera at constant velocity in its own frame: rad/s and m/s from the last two poses.
+// Constant-velocity model of the camera in its own frame, rad/s and m/s, from the last two poses.
 class MotionModel {
  public:
-  // The camera was at `world_from_camera`; timestamps must increase.
+  // Sets the pose of the camera at a time; timestamps must increase.
   void Update(std::int64_t timestamp_ns, const RigidTransform& world_from_camera);
-  // Identity before the first update.
+  // Predicts the pose of the camera; the identity before the first update.
   RigidTransform Predict(std::int64_t timestamp_ns) const;
   bool HasVelocity() const { return updates_ > 1; }
 
@@ -21,8 +21,8 @@ class MotionModel {
   int updates_ = 0;
   std::int64_t timestamp_ns_ = 0;
   RigidTransform world_from_camera_;
-  Vector6d velocity_ =
-      Vector6d::Zero();  // [rotation, translation] of camera_from_camera per second
+  // [rotation, translation] of previous_camera_from_camera, per second.
+  Vector6d velocity_ = Vector6d::Zero();
 };
 
 }  // namespace cvo

@@ -24,7 +24,7 @@
 
 namespace cvo {
 
-// The per-frame loop; the policies of `Variant` are its steps (variants/).
+// The per-frame loop of the estimator. The policies of `Variant` are its steps (variants/).
 template <EstimatorVariant Variant>
 class VisualOdometry final : public Odometry {
  public:
@@ -42,7 +42,7 @@ class VisualOdometry final : public Odometry {
 
   FrameReport Process(const StereoFrame& input, StageTimes& times) override {
     CheckGiven(input);
-    StereoFrame frame = input;  // features that are matched move
+    StereoFrame frame = input;  // a copy, because alignment moves matched features
     FrameReport report = Begin(frame.timestamp_ns);
     report.features = static_cast<int>(
         std::count_if(frame.features.begin(), frame.features.end(),
@@ -54,7 +54,7 @@ class VisualOdometry final : public Odometry {
     const RigidTransform predicted =
         frame.given.world_from_camera.value_or(motion_.Predict(frame.timestamp_ns));
 
-    // Camera against the static landmarks (3.1, first paragraph).
+    // Track the camera against the static landmarks (3.1, first paragraph).
     std::optional<CameraTrack> track;
     if (!window_.temporal.empty()) {
       const ScopedStage stage(times, "track");
@@ -73,7 +73,7 @@ class VisualOdometry final : public Odometry {
                                {options_.NoiseOfFeatures(), options_.orb, options_.association,
                                 options_.clusters, options_.tracking.align_patches}};
 
-    // Features and boxes against the clusters (3.1, multi-level probabilistic association).
+    // Associate features and boxes with the clusters (3.1, multi-level probabilistic association).
     std::vector<ClusterTrack> cluster_tracks;
     {
       const ScopedStage stage(times, "associate");
@@ -88,7 +88,7 @@ class VisualOdometry final : public Odometry {
       }
     }
 
-    // Which body every point belongs to (3.2, heterogeneous CRF).
+    // Infer the body that each point belongs to (3.2, heterogeneous CRF).
     const std::vector<FramePoint> points =
         CollectPoints(view, options_.tracking.min_disparity_px, static_matches, cluster_tracks);
     FrameLabels labels;
@@ -107,7 +107,7 @@ class VisualOdometry final : public Odometry {
       AdoptDetections(labels, clusters_, cluster_tracks);
     }
 
-    // Frame and landmarks enter the windows (3.3, double-track frame management).
+    // Add the frame and its landmarks to the windows (3.3, double-track frame management).
     {
       const ScopedStage stage(times, "window");
       const BodyCenterOptions center{options_.box_center, options_.extent,
@@ -122,7 +122,7 @@ class VisualOdometry final : public Odometry {
       AdvanceWindow(entering);
     }
 
-    // Bundle adjustment with the prior (3.3, static scene and camera pose).
+    // Bundle adjustment of the static window, with its prior (3.3, static scene and camera pose).
     {
       const ScopedStage stage(times, "optimize");
       const WindowReport window =
@@ -136,7 +136,7 @@ class VisualOdometry final : public Odometry {
       report.calibration = {window_.camera.right_field_px, window.right_field_information};
     }
 
-    // Clusters that were found are looked for in the frames before (METHOD.md 6.6).
+    // Search the preceding frames for clusters that were found late (METHOD.md 6.6).
     {
       const ScopedStage stage(times, "trace");
       TraceBack<typename Variant::LandmarkAssociation>(
@@ -144,7 +144,8 @@ class VisualOdometry final : public Odometry {
           clusters_, cluster_rng_);
     }
 
-    // Every cluster against the camera as it is now (3.3, dynamic clusters).
+    // Optimise every cluster with the camera poses held fixed as they are now (3.3, dynamic
+    // clusters).
     {
       const ScopedStage stage(times, "optimize_clusters");
       report.cluster_endings =
@@ -189,13 +190,14 @@ class VisualOdometry final : public Odometry {
     return {};
   }
 
-  // Of the frame's time.
+  // Predicts clusters at the time of the current frame.
   ClusterPredictor PredictorOfClusters() const {
     return PredictorAt<typename Variant::MotionPrior, typename Variant::Rotation>(
         timestamp_ns_, options_.motion_prior, options_.clusters);
   }
 
-  // The first frame starts the map; so does a frame after tracking.restart_after lost ones.
+  // A frame with enough features starts the map if it is the first one or follows at least
+  // tracking.restart_after lost ones.
   bool StartsMap(int features) const {
     const bool wanted = window_.temporal.empty() || lost_ >= options_.tracking.restart_after;
     return wanted && features >= options_.tracking.min_inliers;
@@ -230,7 +232,8 @@ class VisualOdometry final : public Odometry {
     while (kept_.front().id < window_.temporal.front().id) kept_.pop_front();
   }
 
-  // The frame joins T_t; what the clusters saw in the frame that leaves it is kept by their points.
+  // Adds the frame to T_t. What the clusters saw in the frame that leaves T_t is handed to Past,
+  // which may keep it with their landmarks.
   void AdvanceWindow(const WindowFrame& entering) {
     const std::optional<WindowFrame> oldest =
         window_.temporal.empty() ? std::nullopt : std::optional(window_.temporal.front());
@@ -258,7 +261,7 @@ class VisualOdometry final : public Odometry {
     return report;
   }
 
-  // The frame as it was seen; null where it was not.
+  // `view` is null for a frame without a tracked camera.
   void EndClusters(const FrameView* view, FrameReport& report) {
     RetireClusters(newest_, options_.LiveFrames(), options_.clusters, clusters_);
     const ClusterPredictor predict = PredictorOfClusters();
@@ -314,7 +317,7 @@ class VisualOdometry final : public Odometry {
   DoubleTrack<typename Variant::MarginalizationRule, typename Variant::SpatialTrack> double_track_;
 
   Window window_;
-  std::deque<KeptFrame> kept_;  // of T_t
+  std::deque<KeptFrame> kept_;  // of T_t, for TraceBack
   ClusterMap clusters_;
   BodyBoxes boxes_;
   MotionModel motion_;
@@ -323,7 +326,7 @@ class VisualOdometry final : public Odometry {
   FrameId newest_;
   LandmarkId next_landmark_{0};
   std::int64_t timestamp_ns_ = 0;
-  int lost_ = 0;  // frames since the last tracked one
+  int lost_ = 0;  // number of frames since the last tracked one
 };
 
 }  // namespace cvo

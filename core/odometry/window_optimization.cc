@@ -29,7 +29,7 @@ double ApplySolution(double gate, const WindowProblem& problem, const std::vecto
   }
   double sum = 0.0;
   int count = 0;
-  std::size_t next = 0;  // factors are in the order of landmarks and their observations
+  std::size_t next = 0;  // factors are in the order of the landmarks and their observations
   for (std::size_t k = 0; k < landmarks.size(); ++k) {
     Landmark& landmark = window.landmarks[landmarks[k]];
     landmark.p_in_object = problem.points[k];

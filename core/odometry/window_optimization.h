@@ -13,18 +13,19 @@ struct WindowReport {
   int landmarks = 0;
   int iterations = 0;
   SolverEndings endings;
-  double mean_error_px = 0.0;
+  double mean_error_px = 0.0;                           // RMS whitened error (ApplySolution)
   Matrix6d right_field_information = Matrix6d::Zero();  // 1/px^2
 };
 
-// Writes a solved problem back: camera, frames, and the positions of the landmarks it was made
-// from. Removes observations whose squared whitened error is above `gate`, and returns the RMS
-// whitened error of those that stay.
+// Writes the solution back to the window: camera, frames, and the positions of `landmarks`, from
+// which the problem was made. Removes observations whose squared whitened error exceeds `gate`,
+// then landmarks without observations. Returns the RMS whitened error of the remaining
+// observations.
 double ApplySolution(double gate, const WindowProblem& problem, const std::vector<int>& landmarks,
                      Window& window);
 
-// Bundle adjustment of the window (static energy of the paper's section 3.3). `Gauge` says which
-// frames are held, `Calibration` whether camera.right_field_px is.
+// Bundle adjustment of the window (static energy of section 3.3 of the paper). `Gauge` decides
+// which frames are held fixed, `Calibration` whether camera.right_field_px is.
 template <GaugePolicy Gauge, CalibrationPolicy Calibration, OutlierPolicy Outliers,
           SolverPolicy Solver>
 WindowReport OptimizeWindow(const FeatureNoise& noise, const SolverOptions& options,

@@ -45,8 +45,9 @@ struct ClusterVariables {
   std::vector<Eigen::Vector3d> points;
 };
 
-// The energy of a cluster for MinimizeEnergy: the poses of frames 1, 2, ... are the equations'
-// poses 0, 1, ...; where there is a motion prior, the frames' velocities are its other variables.
+// The energy of a cluster as a model for MinimizeEnergy. The poses of frames 1, 2, ... are poses
+// 0, 1, ... of the equations. With a motion prior, the velocities of all frames are the other
+// variables.
 class ClusterModel {
  public:
   ClusterModel(const NoiseOptions& noise, const MotionPriorSteps& steps,
@@ -147,12 +148,12 @@ class ClusterModel {
     }
   }
 
-  // The step from frame i to the next. Its three axes have the same 2x4 Jacobian.
+  // Adds the motion prior from frame i to the next. All three axes have the same 2x4 Jacobian.
   void AddStep(std::size_t i, SchurEquations& equations) const {
     const Vector6d r = StepResidual(state_, i);
     const Eigen::Matrix<double, 2, 4> J = MotionPriorAxisJacobian(steps_[i]);
     const Eigen::Matrix4d H = J.transpose() * J;
-    const Eigen::Index position = 6 * static_cast<Eigen::Index>(i) - 3;  // frame 0 has none
+    const Eigen::Index position = 6 * static_cast<Eigen::Index>(i) - 3;  // < 0: frame 0 is held
     const std::array<Eigen::Index, 4> columns = {position, VelocityColumn(i), position + 6,
                                                  VelocityColumn(i + 1)};
     for (Eigen::Index axis = 0; axis < 3; ++axis) {

@@ -9,27 +9,28 @@
 
 namespace cvo {
 
-// The motion prior of a problem's frames.
+// Motion prior over the frames of a problem.
 struct MotionPriorSteps {
-  // q in m^2/s^3 by step from frame to frame; empty: none, velocities become differences to the
-  // frame before.
+  // Power density q in m^2/s^3, one per step from frame to frame. Empty: no prior; each velocity is
+  // then the difference to the preceding frame's position.
   std::vector<double> power_densities;
-  // q in rad^2/s^3 by change of the angular velocity, of frames i, i + 1 and i + 2; empty:
-  // orientations are free.
+  // Power density q in rad^2/s^3, one per change of the angular velocity over frames i, i + 1 and
+  // i + 2. Empty: no prior on orientations.
   std::vector<double> turn_densities;
 };
 
-// Minimises a cluster's energy in place (section 3.3 of the paper, dynamic clusters): poses but the
-// oldest, velocities, points. With a single frame only points move. Throws Error where arrays do
-// not fit each other or time does not increase.
+// Minimises a cluster's energy in place (section 3.3 of the paper, dynamic clusters) over all poses
+// but the oldest, the velocities and the points. With a single frame, only the points move. Throws
+// Error if array sizes are inconsistent, factors are not sorted, times do not increase, or a
+// density is not positive.
 SolverSummary SolveClusterSteps(const NoiseOptions& noise, const SolverOptions& options,
                                 const MotionPriorSteps& steps, ClusterProblem& problem);
 
-// What a solver does after a solution without a prior: the velocity of each frame is that from the
-// frame before, the first one's is the second one's.
+// Sets the velocities after a solve without a motion prior: that of each frame is the mean velocity
+// since the preceding frame; the first frame takes that of the second.
 void DifferentiatePositions(ClusterProblem& problem);
 
-// The motion prior of a policy (motion_prior.h) for the problem's frames.
+// Evaluates a motion prior policy (motion_prior.h) for the problem's frames.
 template <MotionPriorPolicy MotionPrior>
 MotionPriorSteps StepsOfPrior(const MotionPriorOptions& motion, const ClusterProblem& problem) {
   MotionPriorSteps steps;

@@ -8,7 +8,7 @@ namespace cvo {
 
 namespace {
 
-// Of deviations in px.
+// Whitening matrix for these standard deviations.
 Eigen::Matrix3d Whitening(double corner_px, double disparity_px) {
   const double corner = 1.0 / corner_px;
   const double disparity = 1.0 / disparity_px;

@@ -9,9 +9,9 @@
 
 namespace cvo {
 
-// Noise of z = (u_left, v, u_right). The corner's own error moves u_left and u_right together,
-// because u_right is found by aligning the patch around that same corner; the disparity has a
-// smaller error of its own. Both grow with the pyramid level.
+// Noise of z = (u_left, v, u_right). The error of the corner shifts u_left and u_right together,
+// because u_right is found by aligning the patch around that same corner. The disparity has a
+// smaller error of its own. Both grow with the scale of the pyramid level.
 struct NoiseOptions {
   double corner_px = 0.5;
   double aligned_px = 0.2;
@@ -67,32 +67,32 @@ struct NoiseOptions {
   }
 };
 
-// W with W^T W = inverse covariance of z; `scale` = scale_factor^octave.
+// Returns W such that W^T W is the inverse covariance of z; `scale` = scale_factor^octave.
 Eigen::Matrix3d SqrtInformation(const NoiseOptions& noise, double scale);
 
-// The covariance itself, px^2.
+// Returns the covariance of z, px^2.
 Eigen::Matrix3d MeasurementCovariance(const NoiseOptions& noise, double scale);
 
-// The noise of features, by the level of the pyramid that they were found in.
+// Noise of features, depending on the pyramid level at which they were found.
 struct FeatureNoise {
   NoiseOptions options;
-  double scale_factor = 1.0;  // from a level to the next
+  double scale_factor = 1.0;  // ratio between adjacent levels
 
-  // Of a feature or an observation of one.
+  // For a feature, or an observation of one.
   Eigen::Matrix3d SqrtInformation(const auto& seen) const {
     return SqrtInformation(seen.octave, seen.is_aligned, seen.disagreement_px);
   }
   // `disagreement_px` in px of the level.
   Eigen::Matrix3d SqrtInformation(int octave, bool is_aligned, double disagreement_px) const;
-  Eigen::Matrix3d Covariance(int octave) const;  // of one that is not aligned
+  Eigen::Matrix3d Covariance(int octave) const;  // of a feature that is not aligned
 };
 
-// Weight of a residual with this squared whitened norm under Huber's loss: rho'(s).
+// Weight rho'(s) of the Huber loss for a residual with this squared whitened norm.
 inline double HuberWeight(double squared_norm, double huber) {
   return squared_norm <= huber * huber ? 1.0 : huber / std::sqrt(squared_norm);
 }
 
-// Huber's loss itself, rho(s): the squared norm, and linear in the norm beyond `huber`.
+// The Huber loss rho(s): the squared norm up to `huber`, linear in the norm beyond.
 inline double HuberLoss(double squared_norm, double huber) {
   return squared_norm <= huber * huber ? squared_norm
                                        : huber * (2.0 * std::sqrt(squared_norm) - huber);

@@ -39,16 +39,16 @@ struct MotionPriorOptions {
   }
 };
 
-// Power density, in rad^2/s^3, of the angular acceleration of a body that turns at `rate_rad_s`
-// (METHOD.md 8.3).
+// Returns the power density, in rad^2/s^3, of the angular acceleration of a body that turns at
+// `rate_rad_s` (METHOD.md 8.3).
 inline double TurnDensity(const MotionPriorOptions& options, double rate_rad_s) {
   const double relative = rate_rad_s / options.turn_rate_rad_s;
   return options.turn_q_rad2_s3 * (1.0 + relative * relative);
 }
 
-// What ties a body's states together in time. kLinksFrames: the solver sees the prior and estimates
-// velocities; kLinksOrientations: it sees one on the change of angular velocity; PowerDensity: q in
-// m^2/s^3 of a step of dt_s, also that of predictions.
+// Ties the states of a body together in time. kLinksFrames: the solver applies a motion prior on
+// positions and estimates velocities. kLinksOrientations: it applies one on the change of angular
+// velocity. PowerDensity: q in m^2/s^3 for a step of dt_s, also used for predictions.
 template <typename Policy>
 concept MotionPriorPolicy = requires(const MotionPriorOptions& options, double dt_s) {
   { Policy::kLinksFrames } -> std::convertible_to<bool>;
@@ -56,13 +56,15 @@ concept MotionPriorPolicy = requires(const MotionPriorOptions& options, double d
   { Policy::PowerDensity(options, dt_s) } -> std::same_as<double>;
 };
 
-// Policy: white noise on the acceleration of the origin (section 3.3 of the paper), q in seconds.
+// Policy: white noise on the acceleration of the origin (section 3.3 of the paper), with q in
+// seconds.
 struct WhiteNoiseOnTranslation {
   static constexpr bool kLinksFrames = true;
   static constexpr bool kLinksOrientations = false;
   static double PowerDensity(const MotionPriorOptions& options, double) { return options.q_m2_s3; }
 };
-// Policy: the same, q in frames as the paper's 0.01 without a unit reads (METHOD.md 8.2).
+// Policy: the same, with q per frame, as the paper's 0.01, which has no unit, can be read
+// (METHOD.md 8.2).
 struct WhiteNoiseOnAccelerationFrameUnits {
   static constexpr bool kLinksFrames = true;
   static constexpr bool kLinksOrientations = false;
@@ -70,13 +72,13 @@ struct WhiteNoiseOnAccelerationFrameUnits {
     return options.q_m2_frame3 / (dt_s * dt_s * dt_s);
   }
 };
-// Policy: every frame for itself; velocities are differences of the solved positions.
+// Policy: no prior, frames are independent; velocities are differences of the solved positions.
 struct NoMotionPrior {
   static constexpr bool kLinksFrames = false;
   static constexpr bool kLinksOrientations = false;
   static double PowerDensity(const MotionPriorOptions& options, double) { return options.q_m2_s3; }
 };
-// Policy: another one, and white noise on the acceleration of the orientation (METHOD.md 8.3).
+// Policy: `Prior`, with white noise on the angular acceleration in addition (METHOD.md 8.3).
 template <MotionPriorPolicy Prior>
 struct WithTurnPrior : Prior {
   static constexpr bool kLinksOrientations = true;

@@ -8,10 +8,10 @@
 
 namespace cvo {
 
-// The white-noise-on-acceleration prior between two states dt_s apart (section 3.3 of the paper;
+// White-noise-on-acceleration prior between two states dt_s apart (section 3.3 of the paper;
 // METHOD.md 8.2): e = (t+ - t - dt v, v+ - v), ||r||^2 = e^T Qhat^-1 e with
 //   r = (displacement (t+ - t) - velocity (v+ + v), change (v+ - v)),
-// so that the Jacobian by each of t, v, t+, v+ is made of these factors.
+// so that these factors make up the Jacobians with respect to t, v, t+ and v+.
 struct MotionPriorFactors {
   double displacement = 0.0;  // 1/m
   double velocity = 0.0;      // s/m
@@ -22,13 +22,13 @@ MotionPriorFactors WhitenMotionPrior(double power_density_m2_s3, double dt_s);
 Vector6d EvaluateMotionPrior(const MotionPriorFactors& factors, const Eigen::Vector3d& t,
                              const Eigen::Vector3d& v, const Eigen::Vector3d& next_t,
                              const Eigen::Vector3d& next_v);
-// Of one axis: (r_k, r_{3+k}) by (t_k, v_k, t+_k, v+_k).
+// Jacobian for one axis: of (r_k, r_{3+k}) with respect to (t_k, v_k, t+_k, v+_k).
 Eigen::Matrix<double, 2, 4> MotionPriorAxisJacobian(const MotionPriorFactors& factors);
 
-// White noise on the angular acceleration, for three orientations world_from_object in a row:
-//   r = (w_b - w_a) / sqrt(q (dt_a + dt_b) / 3),  w = Log(R+ R^-1) / dt in world,
-// the variance being that of the change of a mean rate from one step to the next. Jacobians are by
-// rotations in world axes applied from the left.
+// White noise on the angular acceleration, for three consecutive orientations world_from_object:
+//   r = (w_b - w_a) / sqrt(q (dt_a + dt_b) / 3),  w = Log(R+ R^-1) / dt in world.
+// The variance is that of the change of the mean rate from one step to the next. Jacobians are with
+// respect to rotations about world axes, applied from the left.
 struct TurnPrior {
   Eigen::Vector3d r;
   std::array<Eigen::Matrix3d, 3> J;

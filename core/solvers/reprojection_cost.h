@@ -9,21 +9,21 @@
 
 namespace cvo {
 
-// A point nearer than StereoCamera::kMinDepth_m is projected from that depth instead, so that its
-// residual stays finite.
+// Moves a point that is nearer than StereoCamera::kMinDepth_m to just beyond that depth, so that
+// its residual stays finite.
 inline Eigen::Vector3d InFront(const Eigen::Vector3d& p_in_camera) {
   return {p_in_camera.x(), p_in_camera.y(),
           std::max(p_in_camera.z(), 1.001 * StereoCamera::kMinDepth_m)};
 }
 
-// r = W (pi(p_in_camera) - z), near points as above.
+// r = W (pi(p_in_camera) - z), with near points moved by InFront.
 inline Eigen::Vector3d EvaluateResidual(const StereoCamera& camera, const Eigen::Vector3d& z_px,
                                         const Eigen::Matrix3d& sqrt_information,
                                         const Eigen::Vector3d& p_in_camera) {
   return sqrt_information * (*camera.Project(InFront(p_in_camera)) - z_px);
 }
 
-// The same r and its 3x3 Jacobian by p_in_camera.
+// The same r, and its 3x3 Jacobian with respect to p_in_camera.
 struct ProjectionResidual {
   Eigen::Vector3d r;
   Eigen::Matrix3d J;
@@ -40,9 +40,8 @@ inline ProjectionResidual EvaluateProjection(const StereoCamera& camera,
 }
 
 // r = W (pi(camera_from_world p) - z), the reprojection term of the paper's static energy. J_pose
-// is 3x6 in the tangent of world_from_camera, J_point 3x3, J_field by
-// camera.right_field_px.
-// Near points as above.
+// (3x6) is in the tangent of world_from_camera, J_point (3x3) is with respect to p_in_world, and
+// J_field (3x6) with respect to camera.right_field_px. Near points are moved by InFront.
 struct ReprojectionResidual {
   Eigen::Vector3d r;
   Eigen::Matrix<double, 3, 6> J_pose;

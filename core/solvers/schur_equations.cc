@@ -30,7 +30,7 @@ SchurEquations::SchurEquations(const std::vector<int>& pose_of_frame, int others
     last_pose = factor.pose;
     if (pose_of_frame[factor.pose] >= 0) couplings_begin[factor.point + 1] = ++count;
   }
-  // Points without couplings begin where the next ones do.
+  // A point without couplings has an empty range.
   for (std::size_t p = 1; p <= point_count; ++p) {
     couplings_begin[p] = std::max(couplings_begin[p], couplings_begin[p - 1]);
   }

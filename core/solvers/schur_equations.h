@@ -13,15 +13,16 @@ namespace cvo {
 using Matrix63d = Eigen::Matrix<double, 6, 3>;
 using Matrix36d = Eigen::Matrix<double, 3, 6>;
 
-// How a point's observation ties it to a free pose: d^2 E / (d pose d point) = G^T M with
-// G = [[lever]_x, -I], lever = from the pose's origin to the point, in world axes.
+// Coupling of a point to a free pose by an observation: d^2 E / (d pose d point) = G^T M with
+// G = [[lever]_x, -I], where `lever` is the vector from the pose's origin to the point, in world
+// axes.
 struct PoseCoupling {
   int pose = 0;
   Eigen::Vector3d lever = Eigen::Vector3d::Zero();
   Eigen::Matrix3d M = Eigen::Matrix3d::Zero();
 };
 
-// G^T A of such a G.
+// Returns G^T A for the G of PoseCoupling.
 inline Matrix63d LeverTransposeTimes(const Eigen::Vector3d& lever, const Eigen::Matrix3d& A) {
   Matrix63d product;
   for (int k = 0; k < 3; ++k) {
@@ -41,25 +42,26 @@ struct PointEquations {
   Matrix36d by_shared = Matrix36d::Zero();  // d^2 E / (d point d shared variables)
 };
 
-// H dx = -g of an energy over poses (tangent: rotation in world axes applied from the left, then
-// translation), a few other variables and many points that only poses and, if
-// `points_see_shared`, the first kShared of the others are tied to.
+// Normal equations H dx = -g of an energy over poses (tangent: rotation about world axes applied
+// from the left, then translation), a few other variables, and many points. A point is coupled only
+// to poses and, if `points_see_shared`, to the first kShared of the other variables.
 struct SchurEquations {
   static constexpr int kShared = 6;
 
-  // Observations: by point, then by ascending pose; `pose_of_frame` is -1 where a pose is held.
+  // Observations must be sorted by point, then by ascending pose. `pose_of_frame` is -1 for a pose
+  // that is held fixed.
   SchurEquations(const std::vector<int>& pose_of_frame, int others, std::size_t point_count,
                  const std::vector<ReprojectionFactor>& factors);
   void SetZero();
   double LargestGradient() const;
   int others_begin() const { return 6 * static_cast<int>(pose_H.size()); }
 
-  std::vector<Matrix6d> pose_H;  // by pose: what observations say of it
-  Eigen::MatrixXd H;             // all else about poses and others; lower triangle
+  std::vector<Matrix6d> pose_H;  // per pose: block from the observations
+  Eigen::MatrixXd H;             // all other terms in poses and others; lower triangle
   Eigen::VectorXd g;
   std::vector<PointEquations> points;
-  std::vector<PoseCoupling> couplings;  // by point; ascending poses
-  std::vector<int> couplings_begin;     // by point, and one more: the end
+  std::vector<PoseCoupling> couplings;  // sorted by point, then by ascending pose
+  std::vector<int> couplings_begin;     // per point, plus the end of the last
   bool points_see_shared = false;
 };
 

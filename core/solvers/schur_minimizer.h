@@ -10,13 +10,13 @@
 
 namespace cvo {
 
-// The constants of Levenberg-Marquardt's method as Ceres sets them.
+// Trust region of Levenberg-Marquardt, with the constants and update rules of Ceres.
 struct TrustRegion {
   static constexpr double kSmallestRadius = 1e-32;
   static constexpr double kLargestRadius = 1e16;
-  static constexpr double kSmallestGain = 1e-3;  // of the energy against the model's expectation
+  static constexpr double kSmallestGain = 1e-3;  // actual over expected decrease
   static constexpr double kSmallGradient = 1e-10;
-  static constexpr double kSmallStep = 1e-8;  // relative to the variables
+  static constexpr double kSmallStep = 1e-8;  // relative to the norm of the variables
 
   double radius = 1e4;
   double shrink = 2.0;
@@ -32,7 +32,8 @@ struct TrustRegion {
   }
 };
 
-// A pose moved by a step of the equations: rotation in world axes from the left, then translation.
+// Moves a pose by a step of the equations: rotation about world axes from the left, then
+// translation.
 inline RigidTransform MovePose(const RigidTransform& pose, const Vector6d& step) {
   Vector6d tangent = step;
   tangent.head<3>() = pose.rotation().conjugate() * Eigen::Vector3d(step.head<3>());
@@ -51,11 +52,13 @@ inline double SquaredNorm(const std::vector<Eigen::Vector3d>& vectors) {
   return sum;
 }
 
-// Minimises an energy by Levenberg-Marquardt's method. The model:
-//   double Linearize(SchurEquations&): the energy at the state, equations filled;
-//   double TryStep(const SchurStep&): the energy at the state moved by a step;
-//   void AcceptStep(): the state becomes the one last tried; double Norm(): of the variables.
-// It stops as Ceres does, but keeps the step that turns out to be the last one.
+// Minimises an energy by Levenberg-Marquardt. The model provides
+//   double Linearize(SchurEquations&): fills the equations, returns the energy at the state;
+//   double TryStep(const SchurStep&): returns the energy at the state moved by the step;
+//   void AcceptStep(): makes the state tried last the current one;
+//   double Norm(): returns the norm of the variables.
+// The stopping criteria are those of Ceres, but a successful step that meets the function tolerance
+// is kept.
 template <typename Model>
 SolverSummary MinimizeEnergy(const SolverOptions& options, SchurEquations& equations,
                              Model& model) {
@@ -63,6 +66,7 @@ SolverSummary MinimizeEnergy(const SolverOptions& options, SchurEquations& equat
   SchurSolver solver(equations);
   SchurStep step;
   TrustRegion trust;
+  bool solved = false;  // the last equations; otherwise they are only partly factored
   bool converged = false;
   bool descended = false;
   double energy = summary.initial_cost = model.Linearize(equations);
@@ -70,7 +74,8 @@ SolverSummary MinimizeEnergy(const SolverOptions& options, SchurEquations& equat
     converged = equations.LargestGradient() <= TrustRegion::kSmallGradient;
     if (converged) break;
     ++summary.iterations;
-    if (!solver.Solve(equations, trust.radius, step)) {
+    solved = solver.Solve(equations, trust.radius, step);
+    if (!solved) {
       trust.Reject();
       continue;
     }
@@ -93,7 +98,7 @@ SolverSummary MinimizeEnergy(const SolverOptions& options, SchurEquations& equat
     if (accepted) model.Linearize(equations);
   }
   summary.final_cost = energy;
-  if (equations.points_see_shared && summary.iterations > 0) {
+  if (equations.points_see_shared && solved) {
     summary.shared_information = solver.SharedInformation();
   }
   summary.ending = converged   ? SolverEnding::kConverged

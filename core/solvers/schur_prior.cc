@@ -5,7 +5,8 @@
 namespace cvo {
 namespace {
 
-// d (tangent of the prior's frame) / d (tangent of the equations: rotation in world axes).
+// Jacobian of the prior's tangent of a frame with respect to that of the equations (rotation about
+// world axes).
 Matrix6d TangentJacobian(const Vector6d& difference, const RigidTransform& world_from_camera) {
   Matrix6d D = Matrix6d::Identity();
   D.topLeftCorner<3, 3>() = InverseRightJacobianSo3(difference.head<3>()) *

@@ -9,15 +9,17 @@
 
 namespace cvo {
 
-// 1/2 ||r0 + J0 dx||^2 of a WindowPrior for the Schur solver, whose first six other variables are
-// right_field_px. `prior` must outlive it; `frame_index`: of the prior's frames in the window.
+// Adds the energy 1/2 ||r0 + J0 dx||^2 of a WindowPrior to SchurEquations whose first six other
+// variables are right_field_px. `prior` must outlive this object. `frame_index` holds the window
+// index of each frame of the prior.
 class SchurPrior {
  public:
   SchurPrior(const WindowPrior& prior, std::vector<int> frame_index);
 
   double Energy(const std::vector<RigidTransform>& world_from_camera,
                 const Vector6d& right_field_px) const;
-  // `pose_of_frame`: column of a frame's pose, -1 where it is held; by frame of the window.
+  // `pose_of_frame` holds, per frame of the window, the index of its pose in the equations; -1 if
+  // the pose is held fixed.
   void AddTo(const std::vector<RigidTransform>& world_from_camera, const Vector6d& right_field_px,
              bool is_right_field_fixed, const std::vector<int>& pose_of_frame,
              SchurEquations& equations) const;

@@ -10,11 +10,12 @@
 
 namespace cvo {
 
-// A frame of the static window, as the inner loops want it: points are in the world and move
-// against the camera. With B = d r / d (point in world axes), J_pose = kSign B [[lever]_x, -I].
+// A frame of the static window in the form that the inner loops need. Points are in the world and
+// move against the camera. With B = d r / d (point in world axes),
+// J_pose = kSign B [[lever]_x, -I].
 struct CameraView {
   static constexpr double kSign = 1.0;
-  int pose = -1;  // column of the equations; -1: held
+  int pose = -1;  // index in the equations; -1: held fixed
   Eigen::Matrix3d camera_from_world;
   Eigen::Vector3d position;
 
@@ -29,13 +30,14 @@ struct CameraView {
   const Eigen::Vector3d& PointAxesTimes(const Eigen::Vector3d& g) const { return g; }
 };
 
-// A frame of a cluster: points are in the object and move with it, the camera is held.
+// A frame of a cluster: points are in the body frame and move with the body; the camera is held
+// fixed.
 struct ObjectView {
   static constexpr double kSign = -1.0;
   int pose = -1;
   Eigen::Matrix3d camera_from_world;
   Eigen::Matrix3d world_from_object;
-  Eigen::Vector3d offset;  // from the camera to the object's origin, in world
+  Eigen::Vector3d offset;  // from the camera to the body's origin, in world
 
   ObjectView(int pose_column, const RigidTransform& world_from_camera, const RigidTransform& object)
       : pose(pose_column),
@@ -57,7 +59,7 @@ struct ObjectView {
   }
 };
 
-// 1/2 sum rho(||W (pi(p_in_camera) - z)||^2) over the factors; views by frame.
+// Returns 1/2 sum rho(||W (pi(p_in_camera) - z)||^2) over the factors; `views` holds one per frame.
 template <typename View>
 double ReprojectionEnergy(const StereoCamera& camera, const std::vector<View>& views,
                           const std::vector<Eigen::Vector3d>& points,
@@ -72,8 +74,8 @@ double ReprojectionEnergy(const StereoCamera& camera, const std::vector<View>& v
   return 0.5 * energy;
 }
 
-// One factor after the robust loss: N = B^T B, g = B^T r, in world axes. J by the shared variables
-// is W e_3 basis^T; u = B^T W e_3.
+// One factor after the robust loss: N = B^T B and g = B^T r, in world axes. The Jacobian with
+// respect to the shared variables is W e_3 basis^T, and u = B^T W e_3.
 struct WeightedFactor {
   Eigen::Vector3d lever;
   Eigen::Matrix3d N;
@@ -100,7 +102,7 @@ inline void AddToPose(int pose, double sign, const WeightedFactor& factor,
       factor.basis * by_pose.transpose();
 }
 
-// What a factor says of the shared variables, right_field_px.
+// Adds a factor's terms in the shared variables, right_field_px.
 inline void AddToShared(const Eigen::Vector3d& J_shift, double weight, const Eigen::Vector3d& r,
                         const Vector6d& basis, SchurEquations& equations) {
   const int shared = equations.others_begin();
@@ -109,14 +111,14 @@ inline void AddToShared(const Eigen::Vector3d& J_shift, double weight, const Eig
   equations.g.segment<6>(shared) += weight * J_shift.dot(r) * basis;
 }
 
-// Adds the factors' equations and lists their couplings; returns ReprojectionEnergy.
+// Adds the factors to the equations and sets the couplings; returns ReprojectionEnergy.
 template <typename View>
 double LinearizeReprojections(const StereoCamera& camera, const std::vector<View>& views,
                               const std::vector<Eigen::Vector3d>& points,
                               const std::vector<ReprojectionFactor>& factors, double huber,
                               SchurEquations& equations) {
   double energy = 0.0;
-  std::size_t next = 0;  // coupling
+  std::size_t next = 0;  // index of the next coupling
   WeightedFactor weighted;
   for (const ReprojectionFactor& factor : factors) {
     const View& view = views[factor.pose];

@@ -9,14 +9,15 @@
 namespace cvo {
 namespace {
 
-// A variable that nothing is known of keeps its value: its row of H + D must not be zero.
+// Lower bound of the diagonal that is damped: an unconstrained variable keeps its value, and its
+// row of H + D must not be zero.
 constexpr double kSmallestDiagonal = 1e-6;
 
 Eigen::Vector3d PointDamping(const Eigen::Matrix3d& H, double radius) {
   return H.diagonal().cwiseMax(kSmallestDiagonal) / radius;
 }
 
-// L^-1 of the symmetric A = L L^T; false where A is not positive definite.
+// Computes L^-1 of the symmetric A = L L^T; returns false if A is not positive definite.
 bool InvertRoot(const Eigen::Matrix3d& A, Eigen::Matrix3d& inverse) {
   const double d0 = A(0, 0);
   if (!(d0 > 0.0)) return false;
@@ -36,7 +37,7 @@ bool InvertRoot(const Eigen::Matrix3d& A, Eigen::Matrix3d& inverse) {
   return true;
 }
 
-// sum += a b^T, column by column: Eigen's product would load each element of b three times.
+// sum += a b^T, column by column; Eigen's product would load each element of b three times.
 void AddProduct(const Matrix63d& a, const Matrix63d& b, Matrix6d& sum) {
   for (int j = 0; j < 6; ++j) {
     sum.col(j) += a.col(0) * b(j, 0) + a.col(1) * b(j, 1) + a.col(2) * b(j, 2);

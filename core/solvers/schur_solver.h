@@ -6,17 +6,18 @@
 
 namespace cvo {
 
-// Solves (H + D) dx = -g, D = diag(H) / radius (Levenberg-Marquardt), by eliminating the points.
-// Holds the memory that this takes, so that solving again for the same sizes allocates nothing.
+// Solves (H + D) dx = -g with D = diag(H) / radius (Levenberg-Marquardt; the diagonal has a lower
+// bound) by eliminating the points. Owns its workspace, so that further solves of the same size
+// allocate nothing.
 class SchurSolver {
  public:
   explicit SchurSolver(const SchurEquations& equations);
 
-  // False where H + D is not positive definite.
+  // Returns false if H + D is not positive definite or the step is not finite.
   bool Solve(const SchurEquations& equations, double radius, SchurStep& step);
 
-  // Of the shared variables, where they are the last ones, all others summed out: as damped and
-  // linearised at the last Solve.
+  // Information of the shared variables with all others marginalised out, damped and linearised as
+  // in the last Solve. The shared variables must be the last ones.
   Matrix6d SharedInformation() const;
 
  private:
@@ -26,9 +27,9 @@ class SchurSolver {
   void AssembleReduced(const SchurEquations& equations, double radius);
   void SubstitutePoints(const SchurEquations& equations, double radius, SchurStep& step) const;
 
-  std::vector<Matrix6d> pairs_;              // by row pose, then column pose up to it: W V^-1 W^T
-  std::vector<Eigen::Matrix3d> point_root_;  // by point: L^-1 of H + D = L L^T
-  std::vector<Matrix63d> E_;                 // of one point, by coupling: W L^-T
+  std::vector<Matrix6d> pairs_;  // sum of W V^-1 W^T, by row pose, then column pose up to it
+  std::vector<Eigen::Matrix3d> point_root_;  // per point: L^-1 of H + D = L L^T
+  std::vector<Matrix63d> E_;                 // W L^-T, per coupling of one point
   Eigen::VectorXd damping_;
   Eigen::VectorXd rhs_;
   Eigen::Matrix<double, Eigen::Dynamic, SchurEquations::kShared> shared_columns_;

@@ -9,7 +9,7 @@
 
 namespace cvo {
 
-// What minimises the energies of windows, in place.
+// Minimises the energies of windows in place.
 template <typename Policy>
 concept SolverPolicy = requires(const NoiseOptions& noise, const SolverOptions& options,
                                 const MotionPriorSteps& steps, WindowProblem& window,
@@ -18,7 +18,7 @@ concept SolverPolicy = requires(const NoiseOptions& noise, const SolverOptions& 
   { Policy::Solve(noise, options, steps, cluster) } -> std::same_as<SolverSummary>;
 };
 
-// Policy: our own (METHOD.md 7.5).
+// Policy: our own Schur complement solver (METHOD.md 7.5).
 struct OwnSchur {
   static SolverSummary Solve(const NoiseOptions& noise, const SolverOptions& options,
                              WindowProblem& problem) {

@@ -11,10 +11,10 @@
 
 namespace cvo {
 
-// What is known of the window apart from the observations in it: what marginalised variables said
-// of the frames they were connected to, and how far the calibration is trusted. The energy 1/2 ||r0
-// + J0 dx||^2, dx = stacked world_from_camera [-] linearization_point of the frames, then
-// right_field_px - right_field_point_px (the last term of the paper's static energy; one joint
+// Prior knowledge of the window, apart from its observations: what marginalised variables said of
+// the frames they were connected to, and how far the calibration is trusted. Its energy is
+// 1/2 ||r0 + J0 dx||^2, where dx stacks world_from_camera [-] linearization_point of all frames,
+// then right_field_px - right_field_point_px (the last term of the paper's static energy; one joint
 // term, METHOD.md 7.3).
 struct WindowPrior {
   std::vector<FrameId> frames;  // ascending
@@ -24,7 +24,8 @@ struct WindowPrior {
   Eigen::VectorXd r0;
 };
 
-// The calibration alone: right_field_px ~ N(camera.right_field_px, diag(deviation_px)^2).
+// Makes a prior on the calibration alone:
+// right_field_px ~ N(camera.right_field_px, diag(deviation_px)^2).
 WindowPrior CalibrationPrior(const StereoCamera& camera, const Vector6d& deviation_px);
 
 }  // namespace cvo

@@ -24,7 +24,7 @@ std::vector<int> PriorFrames(const WindowProblem& problem) {
   return indices;
 }
 
-// Columns of the free poses, in the frames' order; -1 for the fixed ones.
+// Indices of the free poses in the equations, in the order of the frames; -1 for fixed ones.
 std::vector<int> PoseColumns(const std::vector<char>& is_fixed) {
   std::vector<int> columns;
   int next = 0;
@@ -32,7 +32,7 @@ std::vector<int> PoseColumns(const std::vector<char>& is_fixed) {
   return columns;
 }
 
-// The static energy for MinimizeEnergy.
+// The static energy as a model for MinimizeEnergy.
 class WindowModel {
  public:
   WindowModel(const NoiseOptions& noise, const WindowProblem& problem)

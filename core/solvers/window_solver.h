@@ -10,7 +10,7 @@
 
 namespace cvo {
 
-// One observation: point `point` seen in pose `pose` of a problem.
+// Observation of point `point` from pose `pose` of a problem.
 struct ReprojectionFactor {
   int pose = 0;
   int point = 0;
@@ -18,16 +18,16 @@ struct ReprojectionFactor {
   Eigen::Matrix3d sqrt_information = Eigen::Matrix3d::Identity();
 };
 
-// The static energy of the paper's section 3.3 over the frames and points of the window, as plain
-// arrays. The prior's frames are all among `frames`.
+// The static energy of section 3.3 of the paper over the frames and points of the window, as plain
+// arrays. `frames` must contain all frames of the prior.
 struct WindowProblem {
   StereoCamera camera;  // its right_field_px is a variable
   bool is_right_field_fixed = false;
   std::vector<FrameId> frames;  // ascending
   std::vector<RigidTransform> world_from_camera;
-  std::vector<char> is_fixed;               // by frame: held constant
+  std::vector<char> is_fixed;               // per frame: pose held constant
   std::vector<Eigen::Vector3d> points;      // p_in_world
-  std::vector<ReprojectionFactor> factors;  // by point, then by pose
+  std::vector<ReprojectionFactor> factors;  // sorted by point, then by pose
   WindowPrior prior;
 };
 
@@ -59,12 +59,12 @@ struct SolverOptions {
 
 // How a minimisation ended.
 enum class SolverEnding {
-  kConverged,       // gradient, step or decrease of the energy below its tolerance
-  kIterationLimit,  // iterations used up while the energy still fell
+  kConverged,       // gradient, step or change of the energy below its tolerance
+  kIterationLimit,  // no iterations left, but the energy was still decreasing
   kNoUsableStep,    // no step lowered the energy
 };
 
-// How many minimisations ended how.
+// Number of minimisations per ending.
 struct SolverEndings {
   int converged = 0;
   int iteration_limit = 0;
@@ -79,16 +79,16 @@ struct SolverSummary {
   int iterations = 0;
   double initial_cost = 0.0;
   double final_cost = 0.0;
-  // Of the variables that the points share, all others summed out; zero where there are none, or
-  // where the solver does not compute it (Ceres).
+  // Information of the variables shared by the points, with all others marginalised out. Zero if
+  // there are none, or if the solver does not compute it (Ceres).
   Matrix6d shared_information = Matrix6d::Zero();
 };
 
-// Index of a frame of the problem; throws Error where it has no such frame.
+// Returns the index of a frame; throws Error if the problem does not contain it.
 int FrameIndex(const WindowProblem& problem, FrameId frame);
 
-// Minimises the energy in place: Levenberg-Marquardt, points eliminated, one thread. Throws Error
-// where factors are not in their order or name what is not there.
+// Minimises the energy in place: Levenberg-Marquardt with the points eliminated, on one thread.
+// Throws Error if the factors are not sorted or refer to a point or pose that does not exist.
 SolverSummary SolveWindow(const NoiseOptions& noise, const SolverOptions& options,
                           WindowProblem& problem);
 

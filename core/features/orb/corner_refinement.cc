@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kMaxMove_px = 1.0;
 
-// The scores in three lines side by side, smoothed by (1 2 1) / 4 along the lines: least squares
-// with weights that fall off to the corners.
+// Scores of three adjacent lines (columns or rows), each smoothed along the line by (1 2 1) / 4.
+// This amounts to a least-squares fit with weights that fall off towards the corners.
 struct Profile {
   double before, middle, after;
 

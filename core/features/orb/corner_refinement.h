@@ -7,8 +7,9 @@
 
 namespace cvo {
 
-// Where the score has its maximum, relative to the pixel (x, y) with the largest: that of a
-// paraboloid through the 3 x 3 scores around it. Zero where this is no maximum within 1 px.
+// Refines a corner to sub-pixel accuracy. Returns the maximum of a paraboloid fitted to the 3 x 3
+// scores around the pixel (x, y), which has the largest score, relative to that pixel. Zero if the
+// paraboloid has no maximum within 1 px.
 Eigen::Vector2d RefineCorner(const cv::Mat& scores, int x, int y);
 
 }  // namespace cvo

@@ -9,7 +9,7 @@ namespace cvo {
 
 namespace {
 
-constexpr double kGrowth = 0.1;  // of a box on each side and frame
+constexpr double kGrowth = 0.1;  // of the size of a box, on each side and per frame
 
 cv::Rect2d Grown(const cv::Rect2d& box, int frames) {
   const double x = kGrowth * frames * box.width;

@@ -11,22 +11,23 @@
 
 namespace cvo {
 
-// A part of an image that has a reserve of corners, at least so many of them as far as there are
-// any.
+// A region of an image in which a reserve of corners is kept: at least `corners` of them, if the
+// region has that many.
 struct CornerRegion {
   cv::Rect2d box;
   int corners = 0;
 };
 
-// Boxes in the left image where bodies may be, of frames in a row, the present one last.
+// Boxes in the left image that may contain bodies, for consecutive frames, the current frame last.
 using RecentBoxes = std::span<const std::vector<cv::Rect2d>>;
 
-// Boxes of the present frame, with orb.box_features corners in each, and those of the last
-// orb.reserve_frames in which no newer one has its centre, grown by how far their bodies may have
-// moved.
+// Returns the regions of the left image: the boxes of the current frame, with orb.box_features
+// corners in each, and those of the last orb.reserve_frames frames unless a newer region contains
+// their centre. Older boxes are grown by how far their bodies may have moved.
 std::vector<CornerRegion> LeftRegions(RecentBoxes boxes, const OrbOptions& orb);
-// Where what is in these regions may be seen in the right image, with as many corners per pixel as
-// on the left, times stereo.right_features: the partners are among them.
+// Returns the regions of the right image that may show the content of these left regions. They get
+// stereo.right_features times as many corners per pixel as on the left, so that the stereo partners
+// are among them.
 std::vector<CornerRegion> RightRegions(std::vector<CornerRegion> regions,
                                        const StereoMatchOptions& stereo,
                                        const StereoCamera& camera);

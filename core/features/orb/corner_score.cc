@@ -18,12 +18,13 @@ constexpr int kRingY[kRing] = {3, 3, 2, 1, 0, -1, -2, -3, -3, -3, -2, -1, 0, 1, 
 
 using Byte = std::uint8_t;
 
-// Written so that the compiler turns it into byte-wise minima and maxima of whole registers.
+// Written so that the compiler vectorises them as byte-wise minima, maxima and differences.
 [[gnu::always_inline]] inline Byte Min(Byte a, Byte b) { return a < b ? a : b; }
 [[gnu::always_inline]] inline Byte Max(Byte a, Byte b) { return a > b ? a : b; }
 [[gnu::always_inline]] inline Byte Less(Byte a, Byte b) { return static_cast<Byte>(a - b); }
 
-// Largest over the 16 arcs of 9 of the smallest d in the arc. Two arcs share their 8 middle pixels.
+// Returns the maximum over the 16 arcs of 9 pixels of the smallest d in the arc. Arcs are evaluated
+// in pairs that share 8 pixels.
 [[gnu::always_inline]] inline Byte BestArc(const Byte (&d)[kRing]) {
   Byte pairs[8];
   Byte fours[8];
@@ -87,7 +88,7 @@ void ScoreImage(const cv::Mat& image, cv::Mat& scores, RowKernel score_row) {
   }
 }
 
-// marks[x] = the score at x if it is a maximum and above the threshold, else 0.
+// Sets marks[x] to the score at x if it is a maximum above the threshold, else to 0.
 void MarkMaxima(const cv::Mat& scores, int y, int threshold, int first, int last,
                 std::vector<Byte>& marks) {
   const Byte* above = scores.ptr<Byte>(y - 1);

@@ -9,12 +9,12 @@
 
 namespace cvo {
 
-// FAST-9 score of every pixel (Rosten and Drummond 2006): the largest t for which 9 contiguous
-// pixels of the 16 around it are all brighter, or all darker, by at least t. 0 on the 3 px border.
-// `scores` has the image's size. Uses AVX2 where there is one.
+// Computes the FAST-9 score of every pixel (Rosten and Drummond 2006): the largest t for which 9
+// contiguous pixels of the 16 around it are all brighter, or all darker, by at least t. The score
+// is 0 on the 3 px border. `scores` must have the size of the image. Uses AVX2 if available.
 void ComputeFastScores(const cv::Mat& image, cv::Mat& scores);
 
-// The same without it: what the fast path is tested against.
+// The same without AVX2, as the reference in tests of the fast path.
 void ComputeFastScoresPlain(const cv::Mat& image, cv::Mat& scores);
 
 struct Corner {
@@ -27,18 +27,20 @@ inline bool InReadingOrder(const Corner& a, const Corner& b) {
   return a.y != b.y ? a.y < b.y : a.x < b.x;
 }
 
-// Maxima of the scores among their 8 neighbours (of equal ones, the first in reading order) that
-// score more than `threshold`, in reading order. None is nearer to the edge than `border_px` >= 4.
+// Returns, in reading order, the pixels whose score exceeds `threshold` and is the maximum among
+// their 8 neighbours. Of equal neighbours, the first in reading order is the maximum. None is
+// nearer to the edge than `border_px` >= 4.
 std::vector<Corner> FindMaxima(const cv::Mat& scores, int border_px, int threshold);
 
 struct CornerRule {
-  int border_px = 0;  // distance from the edge
-  int cell_px = 0;    // side of the cells, which begin at the border
+  int border_px = 0;  // minimum distance from the image edge
+  int cell_px = 0;    // side of a cell; the grid of cells starts at the border
   int threshold = 0;
 };
 
-// Which corners of an image of this size follow the rule: not nearer to the edge than the border,
-// and with a score above the threshold unless none in their cell has one.
+// Returns, for each corner of an image of this size, whether it satisfies the rule: it is not
+// nearer to the edge than the border, and its score exceeds the threshold, unless no corner in its
+// cell exceeds it.
 std::vector<bool> FollowRule(std::span<const Corner> corners, const cv::Size& size,
                              const CornerRule& rule);
 

@@ -10,12 +10,12 @@
 namespace cvo {
 namespace {
 
-constexpr double kExcess = 1.05;  // that many times the quota is near enough; the weakest are cut
+constexpr double kExcess = 1.05;  // accepted count over quota; the weakest are then dropped
 constexpr int kMaxTrials = 12;
 
-// Strongest first; equally strong ones stay in their order. Scores are 0 ... 255.
+// Sorts the corners, strongest first. Equally strong ones keep their order. Scores are 0 ... 255.
 std::vector<Corner> SortByScore(const std::vector<Corner>& corners) {
-  std::array<int, 257> begin{};  // of the corners with score 255 - i
+  std::array<int, 257> begin{};  // where the corners with score 255 - i begin
   for (const Corner& corner : corners) ++begin[256 - corner.score];
   for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
   std::vector<Corner> sorted(corners.size());
@@ -26,7 +26,7 @@ std::vector<Corner> SortByScore(const std::vector<Corner>& corners) {
 using Word = std::uint64_t;
 constexpr int kWordBits = 64;
 
-// The pixels nearer to the middle one than `distance`, one bit each; rows of whole words.
+// Mask of the pixels nearer to the centre than `distance`, one bit each, in rows of whole words.
 struct Disc {
   explicit Disc(double distance) : reach(static_cast<int>(std::ceil(distance)) - 1) {
     words = (2 * reach) / kWordBits + 1;
@@ -41,12 +41,12 @@ struct Disc {
   }
 
   int reach;
-  int words;  // of a row
+  int words;  // per row
   std::vector<Word> rows;
 };
 
-// Corners at least a distance apart, strongest first. Keeps a picture, a bit for each pixel, of
-// what the discs around those already chosen cover.
+// Selects corners that are at least a distance apart, strongest first. A bitmap marks the pixels
+// covered by the discs around the corners selected so far.
 class EvenSelector {
  public:
   explicit EvenSelector(const std::vector<Corner>& strongest_first) : corners_(strongest_first) {
@@ -68,7 +68,8 @@ class EvenSelector {
   // Stops at `limit` corners.
   std::vector<Corner> Spread(double distance, int limit) {
     const Disc disc(distance);
-    // As large as the discs reach, so that none is cut, and a word more for their last bits.
+    // Large enough that no disc is clipped, plus one word per row for the bits shifted out of its
+    // last word.
     stride_ = (width_ + 2 * disc.reach) / kWordBits + 2;
     covered_.assign(static_cast<std::size_t>(stride_) * (height_ + 2 * disc.reach), 0);
     std::vector<Corner> chosen;
@@ -86,7 +87,7 @@ class EvenSelector {
  private:
   Word* Row(int y) { return &covered_[static_cast<std::size_t>(y) * stride_]; }
 
-  // x, y: of the disc's first column and row.
+  // (x, y) is the position of the first column and row of the disc.
   void Cover(int x, int y, const Disc& disc) {
     const int shift = x % kWordBits;
     const Word* part = disc.rows.data();
@@ -101,7 +102,7 @@ class EvenSelector {
 
   const std::vector<Corner>& corners_;
   int x0_, y0_, width_, height_;
-  int stride_ = 0;  // words of a row
+  int stride_ = 0;  // words per row
   std::vector<Word> covered_;
 };
 
@@ -113,16 +114,16 @@ std::vector<Corner> SelectEvenly(const std::vector<Corner>& corners, int quota) 
   const std::vector<Corner> sorted = SortByScore(corners);
   EvenSelector selector(sorted);
   const int enough = static_cast<int>(quota * kExcess) + 1;
-  double low = 1.0;  // leaves all of them, as no two share a pixel
+  double low = 1.0;  // keeps all corners, as no two share a pixel
   double high = std::hypot(selector.width(), selector.height());
   double distance = std::sqrt(static_cast<double>(selector.width()) * selector.height() / quota);
   std::vector<Corner> selected = sorted;
   for (int trial = 0; trial < kMaxTrials; ++trial) {
-    // Counts fall with the square of the distance.
     if (!(distance > low && distance < high)) distance = std::sqrt(low * high);
     std::vector<Corner> spread = selector.Spread(distance, 2 * quota);
     const int count = static_cast<int>(spread.size());
     (count < quota ? high : low) = distance;
+    // The number of corners falls with the square of the distance.
     distance *= std::sqrt(count / (0.5 * (quota + enough)));
     if (count < quota) continue;
     selected = std::move(spread);

@@ -8,10 +8,11 @@
 
 namespace cvo {
 
-// At most `quota` corners, spread evenly: strongest first, none nearer to another than a distance
-// that is chosen so that about `quota` remain (adaptive non-maximal suppression, Brown et al.
-// 2005). In reading order. Unlike a grid or a quadtree it moves with the image, so that the same
-// corners are chosen again in the other image and in the next one.
+// Selects at most `quota` corners that are evenly spread, and returns them in reading order. The
+// strongest are taken first, and none is nearer to another than a distance chosen so that about
+// `quota` remain (adaptive non-maximal suppression, Brown et al. 2005). Unlike a grid or a
+// quadtree, the selection moves with the image content, so that the same corners are selected in
+// the other image and in the next one.
 std::vector<Corner> SelectEvenly(const std::vector<Corner>& corners, int quota);
 
 }  // namespace cvo

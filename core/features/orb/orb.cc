@@ -17,9 +17,10 @@
 namespace cvo {
 namespace {
 
-constexpr int kBorder_px = kOrbPatchRadius + 1;  // one more for the padding of rows of 32
-// In regions corners may be nearer to the edge, as near as the stereo matcher's patches: otherwise
-// bodies that enter or leave the image have none for long, above all at the coarse levels.
+constexpr int kBorder_px = kOrbPatchRadius + 1;  // PatchAngle reads rows of 32 pixels
+// In regions, corners may be nearer to the edge, as near as the patches of the stereo matcher
+// allow. Otherwise, bodies that enter or leave the image have no corners for a long time,
+// especially at the coarse levels.
 constexpr int kRegionBorder_px = 8;
 constexpr int kPadding_px = kBorder_px - kRegionBorder_px;  // mirrored pixels, for their patches
 constexpr int kBlurSide_px = 7;
@@ -27,7 +28,7 @@ constexpr double kBlurSigma_px = 2.0;
 constexpr int kScoreBlurSide_px = 3;
 constexpr double kScoreBlurSigma_px = 0.8;
 
-// Scratch of one level after another; the blurred images are padded like the pyramid's levels.
+// Scratch memory that all levels reuse. The blurred image is padded like the levels of the pyramid.
 struct Work {
   cv::Mat blurred;
   cv::Mat scores;
@@ -39,23 +40,25 @@ void Blur(const cv::Mat& image, cv::Mat& blurred, int side_px, double sigma_px) 
                    cv::BORDER_REFLECT_101 | cv::BORDER_ISOLATED);
 }
 
-// Corners of a level: its share of a geometric series that falls by scale_factor from level to
-// level (METHOD.md 2.1), of what is left for it and the finer ones.
+// Returns the number of corners of a level: its share of the `left` corners that remain for it and
+// the finer levels. The shares form a geometric series that falls by scale_factor from level to
+// level (METHOD.md 2.1).
 int LevelQuota(int left, int level, double scale_factor) {
   const double f = 1.0 / scale_factor;
   const double share = std::pow(f, level) * (1.0 - f) / (1.0 - std::pow(f, level + 1));
   return cvRound(left * share);
 }
 
-// Pixel scores of a level. A slight blur first: noise decides less over which corner is found, so
-// the same one is found in the other image (measured on KITTI: 8 % more stereo features, 15 % more
-// of them seen again in the next frame).
+// Computes the pixel scores of a level. A slight blur first makes noise less decisive for which
+// corner is found, so that the same one is found in the other image (measured on KITTI: 8 % more
+// stereo features, 15 % more of them seen again in the next frame).
 void ScoreLevel(const cv::Mat& image, cv::Mat& blurred, cv::Mat& scores) {
   Blur(image, blurred, kScoreBlurSide_px, kScoreBlurSigma_px);
   ComputeFastScores(blurred, scores);
 }
 
-// How many corners are still wanted: first ones, of the reserve, and in each region.
+// Number of corners still to be selected: the regular ones (OrbOptions::features), those of the
+// reserve, and those of each region.
 struct Wanted {
   int first = 0;
   int reserve = 0;
@@ -64,12 +67,12 @@ struct Wanted {
 
 enum class Use : char {
   kFree,
-  kForRegions,  // nearer to the edge, or weak beside strong ones: for regions alone
+  kForRegions,  // near the edge, or weak beside strong ones: only for regions
   kFirst,
   kReserve,
 };
 
-// Corners of a level, in reading order, and what each is used for.
+// The corners of a level, in reading order, and what each is used for.
 struct LevelCorners {
   std::vector<Corner> corners;
   std::vector<Use> uses;
@@ -82,7 +85,7 @@ struct LevelCorners {
     return selected;
   }
 
-  // `used` is in reading order, a part of the corners.
+  // `used` is a subset of the corners, in reading order.
   void Mark(const std::vector<Corner>& used, Use use) {
     auto at = corners.begin();
     for (const Corner& corner : used) {
@@ -103,7 +106,7 @@ LevelCorners FindLevelCorners(const cv::Mat& scores, const OrbOptions& options, 
   return level;
 }
 
-// The corners of a level in a box of the image, by index.
+// Visits the index of each corner of a level that lies in `box`, a box in the full image.
 void VisitInside(const LevelCoordinates& coordinates, const cv::Rect2d& box,
                  const std::vector<Corner>& corners, auto&& visit) {
   const auto row = [&](double v_px) {
@@ -119,7 +122,7 @@ void VisitInside(const LevelCoordinates& coordinates, const cv::Rect2d& box,
   }
 }
 
-// The part of a level's reserve that a region lacks.
+// Selects those reserve corners of a level that a region lacks to reach its quota.
 void SelectInRegion(const LevelCoordinates& coordinates, int quota, Wanted& wanted,
                     CornerRegion& region, LevelCorners& level) {
   int found = 0;
@@ -138,7 +141,8 @@ void SelectInRegion(const LevelCoordinates& coordinates, int quota, Wanted& want
   level.Mark(selected, Use::kReserve);
 }
 
-// The rest of a level's reserve: so many as the regions would have of `quota` over the image.
+// Selects the rest of the reserve of a level: as many corners as would lie in the regions if
+// `quota` corners were spread over the image.
 void SelectNear(const LevelCoordinates& coordinates, int quota, Wanted& wanted,
                 LevelCorners& level) {
   if (quota <= 0 || wanted.regions.empty()) return;
@@ -155,8 +159,8 @@ void SelectNear(const LevelCoordinates& coordinates, int quota, Wanted& wanted,
   level.Mark(SelectEvenly(near, cvRound(quota * share)), Use::kReserve);
 }
 
-// The level's share of the first corners, then of the reserve: what the regions lack, then evenly
-// in them.
+// Selects the regular corners of the level, then its reserve: first what the regions lack, then
+// corners spread evenly over the regions.
 void SelectCorners(const LevelCoordinates& coordinates, int level, double scale_factor,
                    Wanted& wanted, LevelCorners& corners) {
   const std::vector<Corner> first =
@@ -222,7 +226,7 @@ OrbImage ExtractOrb(const cv::Mat& image, const OrbOptions& options,
   const std::size_t stride = result.pyramid[0].step;
   Work work{AllocatePadded(image.size(), stride, kPadding_px),
             AllocatePadded(image.size(), stride, 0), BriefDescriber(stride)};
-  // Coarse to fine: what a level cannot fill is left for the finer ones, which have more to offer.
+  // Coarse to fine: what a level cannot fill is left to the finer ones, which have more corners.
   Wanted wanted{options.features,
                 cvRound(options.features * options.reserve),
                 {regions.begin(), regions.end()}};

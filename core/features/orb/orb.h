@@ -14,13 +14,13 @@
 namespace cvo {
 
 struct OrbKeypoint {
-  float u_px = 0.0F;  // in the full image
+  float u_px = 0.0F;  // in the full-resolution image
   float v_px = 0.0F;
   int octave = 0;
   float angle_rad = 0.0F;
   float response = 0.0F;
-  bool is_reserve = false;  // beyond OrbOptions::features
-  // Of its level: the pixel, and the corner from that pixel's centre.
+  bool is_reserve = false;  // kept in addition to OrbOptions::features
+  // Pixel of the corner at its level, and sub-pixel offset of the corner from the pixel centre.
   int x = 0;
   int y = 0;
   float move_x = 0.0F;
@@ -28,19 +28,20 @@ struct OrbKeypoint {
   Descriptor descriptor{};
 };
 
-// Corners of one image and of its reserve, sorted by (v, u, octave), and the pyramid they were
-// found in.
+// Corners of one image, including its reserve, sorted by (v, u, octave), and the pyramid in which
+// they were detected.
 struct OrbImage {
   std::vector<OrbKeypoint> keypoints;
-  std::vector<cv::Mat> pyramid;  // CV_8UC1, level 0 first, with mirrored edges around each level
+  std::vector<cv::Mat> pyramid;  // CV_8UC1, level 0 first, each padded with its mirrored edges
 };
 
-// ORB corners spread over the image (METHOD.md 2.1), with a reserve in `regions`. `image` is
-// CV_8UC1. Pure: the same image and regions give the same corners on any thread.
+// Extracts ORB corners spread over the image (METHOD.md 2.1), with a reserve in `regions`. Throws
+// Error if the image is empty or not CV_8UC1, or if an option is invalid. Pure function: the same
+// image and regions give the same corners on any thread.
 OrbImage ExtractOrb(const cv::Mat& image, const OrbOptions& options,
                     std::span<const CornerRegion> regions = {});
 
-// The pixels around one of the image's corners.
+// Returns the patch around one of the corners of `image`.
 FeaturePatch PatchAround(const OrbImage& image, const OrbKeypoint& keypoint);
 
 }  // namespace cvo

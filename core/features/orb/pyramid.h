@@ -7,26 +7,29 @@
 
 namespace cvo {
 
-// Levels of CV_8UC1, each scale_factor smaller than the one before, at most `levels`: it ends
-// before a side would fall under min_side_px. All levels share one row stride, so that an offset in
-// bytes means the same displacement at each. Level 0 is a copy of the image. `padding_px` pixels
-// around each are its mirrored edges (Padded).
+// Builds a pyramid of at most `levels` CV_8UC1 images, each smaller than the one before by
+// scale_factor. The pyramid ends before a side would become shorter than min_side_px. All levels
+// share one row stride, so that a byte offset means the same displacement at every level. Level 0
+// is a copy of the image. Each level is surrounded by `padding_px` pixels of its mirrored edges
+// (see Padded).
 std::vector<cv::Mat> BuildPyramid(const cv::Mat& image, int levels, double scale_factor,
                                   int min_side_px, int padding_px = 0);
 
-// An image of this size with undefined content, a view into one that is `padding_px` larger on
-// every side and has rows of `stride` bytes.
+// Allocates an image of this size with undefined content. It is a view into a buffer with
+// `padding_px` more pixels on every side and rows of `stride` bytes.
 cv::Mat AllocatePadded(const cv::Size& size, std::size_t stride, int padding_px);
 
-// A level, or what AllocatePadded gave, with the pixels around it.
+// Returns the image together with its padding. The image must be a pyramid level or come from
+// AllocatePadded.
 cv::Mat Padded(const cv::Mat& image, int padding_px);
 
-// Sets the pixels around it to its mirrored edges, the outermost row and column left out.
+// Fills the padding of the image with its mirrored edges, without repeating the outermost row and
+// column.
 void MirrorEdges(const cv::Mat& image, int padding_px);
 
-// Pixel coordinates at a level and in the full image. Centres of pixels are at integers, so
-// u_full + 1/2 = (u_level + 1/2) scale, with the scale that the rounded sizes really have: leaving
-// out the halves would move corners by up to 1.3 px when their octave changes.
+// Converts pixel coordinates between a pyramid level and the full image. Pixel centres are at
+// integers, so u_full + 1/2 = (u_level + 1/2) scale, where scale is the exact ratio of the rounded
+// sizes. Without the halves, corners would move by up to 1.3 px when their octave changes.
 class LevelCoordinates {
  public:
   LevelCoordinates(const std::vector<cv::Mat>& pyramid, int level)

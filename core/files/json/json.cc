@@ -16,7 +16,7 @@
 namespace cvo {
 namespace {
 
-// "line 3, column 7" of a byte of the text.
+// Returns the position of a byte of the text as "line 3, column 7".
 std::string Position(std::string_view text, std::size_t byte) {
   const std::string_view before = text.substr(0, std::min(byte, text.size()));
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
@@ -24,16 +24,16 @@ std::string Position(std::string_view text, std::size_t byte) {
   return StrCat("line ", line, ", column ", std::max<std::size_t>(1, before.size() - line_start));
 }
 
-constexpr int kMaxNesting = 100;  // values within each other: deeper ones could exhaust the stack
+constexpr int kMaxNesting = 100;  // deeper nesting could exhaust the stack
 
-// What the parser itself would accept: keys that an object has twice, of which it keeps the last,
-// keys that disturb the messages they are named in, and any depth.
+// Rejects what the parser itself would accept: duplicate keys in an object, of which it keeps the
+// last; keys that would garble the messages that name them; and nesting of any depth.
 class StrictEvents {
  public:
   StrictEvents(const std::string& where, const std::vector<std::string>& skipped)
       : where_(where), skipped_(skipped) {}
 
-  // False: the value is not kept.
+  // Returns false if the value is not to be kept.
   bool operator()(int depth, Json::parse_event_t event, Json& parsed) {
     const auto level = static_cast<std::size_t>(depth);
     if (event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start) {
@@ -62,7 +62,7 @@ class StrictEvents {
 
   const std::string& where_;
   const std::vector<std::string>& skipped_;
-  std::vector<std::set<std::string>> keys_;  // of the object that is open at each depth
+  std::vector<std::set<std::string>> keys_;  // of the open object, by depth
 };
 
 [[noreturn]] void FailParse(std::string_view text, const std::string& where,
@@ -82,12 +82,12 @@ class StrictEvents {
 
 bool IsScalar(const Json& value) { return !value.is_structured(); }
 
-// Bytes that are not UTF-8 (a folder's name can hold any) become U+FFFD.
+// Replaces bytes that are not UTF-8, which the name of a folder may contain, by U+FFFD.
 std::string DumpScalar(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-// A container whose elements are scalars or arrays of scalars.
+// Whether all elements of a container are scalars or arrays of scalars.
 bool FitsOneRow(const Json& value) {
   return std::all_of(value.begin(), value.end(), [](const Json& element) {
     return IsScalar(element) ||
@@ -117,7 +117,7 @@ class Writer {
     if (!std::isfinite(number)) ThrowError(path, StrCat(number), "a finite number");
     const std::string digits = FormatDouble(number);
     text_ += digits;
-    // Stays a floating-point number for readers that tell 1 from 1.0.
+    // Keeps it a floating-point number for readers that distinguish 1 from 1.0.
     if (digits.find_first_of(".e") == std::string::npos) text_ += ".0";
   }
 

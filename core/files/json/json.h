@@ -11,22 +11,24 @@
 
 namespace cvo {
 
-// Keys keep the order in which they were written.
+// Keys keep the order in which they were inserted.
 using Json = nlohmann::ordered_json;
 
-// Strict: throws Error, one line with line and column, for text that is not one JSON value in
-// UTF-8, a number that is not finite, a key that an object has twice or that holds control
-// characters, and more than 100 values within each other. `where` names the text in errors.
-// Members of the outermost object that are named in `skipped` are checked but not kept.
+// Parses JSON strictly. Throws Error with a one-line message, which has line and column for syntax
+// errors, if the text is not one JSON value in UTF-8, a number is not finite, an object has a key
+// twice or a key with control characters, or values are nested more than 100 levels deep. `where`
+// names the text in errors. Members of the outermost object that are named in `skipped` are checked
+// but not kept.
 Json ParseJson(std::string_view text, const std::string& where,
                const std::vector<std::string>& skipped = {});
 Json ReadJson(const std::filesystem::path& file, const std::vector<std::string>& skipped = {});
 
-// The values within nested objects as JSON text, by dotted path.
+// Returns the values in nested objects as JSON text, by dotted path.
 std::map<std::string, std::string> FlatJson(const Json& value);
 
-// Numbers as the shortest text that reads back as the same number; rows of a table (objects in an
-// array, arrays of numbers) on one line each. Throws Error naming a field that is not finite.
+// Formats JSON with numbers as the shortest text that parses back to the same number, and with each
+// table row (an object in an array, an array of numbers) on one line. Throws Error naming a field
+// that is not finite.
 std::string DumpJson(const Json& value);
 
 }  // namespace cvo

@@ -30,8 +30,8 @@ std::int64_t ReadJsonInteger(const Json& json, const std::string& where, std::in
   if (!json.is_number_integer()) FailType(json, where, "an integer");
   const bool too_large =
       json.is_number_unsigned() && json.get<std::uint64_t>() > static_cast<std::uint64_t>(most);
-  if (too_large || (!json.is_number_unsigned() && json.get<std::int64_t>() < least)) {
-    FailType(json, where, "an integer that is not as large");
+  if (too_large || json.get<std::int64_t>() < least || json.get<std::int64_t>() > most) {
+    FailType(json, where, StrCat("an integer from ", least, " to ", most).c_str());
   }
   return json.get<std::int64_t>();
 }

@@ -17,22 +17,22 @@
 #include "core/base/error.h"
 #include "core/files/json/json.h"
 
-// A record lists its fields once, for writing and for reading:
+// A record lists its fields once, for both writing and reading:
 //   template <typename Self, typename Archive>
 //   static void VisitFields(Self& self, Archive& archive) {
 //     archive.Field("name", self.name);
-//     archive.Optional("log", self.log);  // left out where it is as by default, or null
-//     archive.Added("pair", self.pair);   // always written, but older files may lack it
+//     archive.Optional("log", self.log);  // not written if it has its default value; may be null
+//     archive.Added("pair", self.pair);   // always written, but missing in older files
 //   }
-// A record that is understood by another one takes that one as context: Field("row", row, table)
-// calls Row::VisitFields(row, archive, table).
-// Fields are numbers, bools, texts, enums with names, records, and optionals, vectors, arrays of
-// numbers and maps by text of these. An enum E is written by its names, in the order of its
-// enumerators: constexpr std::array<const char*, n> EnumNames(E).
+// A record that can be interpreted only with another one takes that one as context:
+// Field("row", row, table) calls Row::VisitFields(row, archive, table).
+// Fields are numbers, bools, strings, named enums, records, and optionals, vectors, arrays of
+// numbers and string-keyed maps of these. An enum E is written as the name of its value. Its names,
+// in the order of its enumerators: constexpr std::array<const char*, n> EnumNames(E).
 namespace cvo {
 
 namespace internal {
-struct AnyArchive {};  // a VisitFields is never instantiated with it
+struct AnyArchive {};  // VisitFields is never instantiated with it
 }  // namespace internal
 
 template <typename T, typename... Context>
@@ -50,7 +50,7 @@ const char* NameOf(E value) {
   return EnumNames(value)[static_cast<std::size_t>(value)];
 }
 
-// Empty for a text that is no name.
+// Empty if no enumerator has this name.
 template <NamedEnum E>
 std::optional<E> EnumOf(std::string_view name) {
   const auto names = EnumNames(E());
@@ -80,7 +80,8 @@ inline constexpr bool kIsArray = false;
 template <typename T, std::size_t kSize>
 inline constexpr bool kIsArray<std::array<T, kSize>> = true;
 
-// What its elements are named in errors: "<where>, metrics" and not "<where>, field metrics".
+// Whether T has named or numbered parts. Its place in errors is then "<where>, metrics" and not
+// "<where>, field metrics".
 template <typename T>
 inline constexpr bool kHasParts =
     std::is_class_v<T> && !kIsArray<T> && !std::same_as<T, std::string> && !std::same_as<T, Json>;
@@ -88,7 +89,7 @@ template <typename T>
 inline constexpr bool kHasParts<std::optional<T>> = kHasParts<T>;
 
 [[noreturn]] void FailType(const Json& json, const std::string& where, const char* expected);
-// Throw Error where `json` is of another type.
+// Each throws Error if `json` has another type.
 std::string ReadJsonText(const Json& json, const std::string& where);
 double ReadJsonNumber(const Json& json, const std::string& where);
 bool ReadJsonBool(const Json& json, const std::string& where);
@@ -97,10 +98,10 @@ std::int64_t ReadJsonInteger(const Json& json, const std::string& where, std::in
 std::uint64_t ReadJsonCount(const Json& json, const std::string& where);
 void ReadJsonNumbers(const Json& json, const std::string& where, double* numbers,
                      std::size_t count);
-// Throws Error unless the file says so of itself.
+// Throws Error unless the file declares this schema version and kind.
 void CheckFile(const Json& json, const std::string& where, int schema_version,
                const std::string& kind);
-// nullptr where there is none. Throws Error where `object` is no object.
+// Returns nullptr if there is no such field. Throws Error if `object` is not an object.
 const Json* FindField(const Json& object, const char* key, const std::string& where);
 [[noreturn]] void FailMissing(const char* key, const std::string& where);
 [[noreturn]] void FailName(const Json& json, const std::string& where, const char* const* names,
@@ -134,13 +135,15 @@ class JsonWriter {
   void Added(const char* key, const T& value) {
     Field(key, value);
   }
-  // Follows from other fields: written for readers, and checked on reading.
+  // A value that follows from other fields: written for the convenience of readers, and verified on
+  // reading.
   void Constant(const char* key, const std::string& text) { json_[key] = text; }
-  // A bool by one of two names.
+  // A bool, written as one of two names.
   void Flag(const char* key, bool value, const char* if_false, const char* if_true) {
     json_[key] = value ? if_true : if_false;
   }
-  // Whether the fields that go with this one are there.
+  // Whether the fields that belong to `key` are present: `has` when writing, the presence of `key`
+  // when reading.
   bool Has(const char* /*key*/, bool has) const { return has; }
   // A list with one element per context.
   template <typename T, typename Context>
@@ -160,7 +163,7 @@ class JsonWriter {
   Json json_ = Json::object();
 };
 
-// Throws Error naming `where` and the field, which is missing or of another type.
+// Throws Error naming `where` and the field if the field is missing or has another type.
 template <typename T, typename... Context>
 T FromJson(const Json& json, const std::string& where, const Context&... context);
 
@@ -252,7 +255,7 @@ Json ToJson(const T& value, const Context&... context) {
   }
 }
 
-// A whole file, which says its schema version and kind first: T::kSchemaVersion and T::kKind.
+// A whole file, which starts with its schema version and kind: T::kSchemaVersion and T::kKind.
 template <JsonRecord T>
 Json FileJson(const T& record) {
   JsonWriter writer;

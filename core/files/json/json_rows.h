@@ -10,9 +10,9 @@
 
 namespace cvo {
 
-// As DumpJson of the object, not empty, with one member more behind its own and before those of
-// `behind`: an array of what `next` sets its row to until it returns false. One row at a time is in
-// memory.
+// Writes `object`, which must not be empty, to `sink` in the format of DumpJson, with one
+// additional member `key` after its own members and before those of `behind`. This member is an
+// array: `next` sets each row in turn until it returns false. Only one row at a time is in memory.
 void DumpJsonWithRows(const Json& object, const std::string& key,
                       const std::function<bool(Json& row)>& next, const TextSink& sink,
                       const Json& behind = Json::object());

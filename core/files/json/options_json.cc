@@ -26,7 +26,7 @@ bool IsGroup(const std::string& path, const std::vector<OptionLeaf>& leaves) {
                                const std::vector<OptionLeaf>& leaves) {
   std::vector<std::string> known;
   for (const OptionLeaf& leaf : leaves) known.push_back(leaf.path);
-  // A short list says more than where to find it.
+  // A short list of names is more helpful than a reference to where they are listed.
   constexpr std::size_t kShort = 20;
   std::string expected = "one of those that `clustervo options` lists";
   if (known.size() <= kShort) {
@@ -37,7 +37,7 @@ bool IsGroup(const std::string& path, const std::vector<OptionLeaf>& leaves) {
   ThrowError(where, StrCat("unknown option ", path), expected);
 }
 
-// As the source wrote it, cut to fit a line.
+// Formats a value as the source wrote it, truncated to fit a line.
 std::string Shown(const Json& value) {
   std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
   constexpr std::size_t kLongest = 60;
@@ -95,7 +95,8 @@ std::optional<bool> BoolFromText(std::string_view text) {
   return std::nullopt;
 }
 
-// Stores a value that was read, or throws: `found` says how the source wrote it.
+// Stores the value read. Throws Error if it is empty or out of range; `found` returns the text that
+// the source has.
 template <typename T, typename Found>
 void Store(const OptionLeaf& leaf, T* target, const std::optional<T>& read,
            const std::string& where, const Found& found) {

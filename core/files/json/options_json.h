@@ -13,14 +13,14 @@
 
 namespace cvo {
 
-// One option of a struct that lives elsewhere, by its dotted path.
+// Reference to one option of an options struct, which must outlive it, with its dotted path.
 struct OptionLeaf {
   std::string path;
   std::variant<bool*, int*, double*> value;
   FieldInfo info;
 };
 
-// Every option of `options`, in the order of its visitor.
+// Returns all options of `options`, in the order of their visitor.
 template <OptionsStruct Options>
 std::vector<OptionLeaf> OptionLeaves(Options& options) {
   std::vector<OptionLeaf> leaves;
@@ -30,23 +30,25 @@ std::vector<OptionLeaf> OptionLeaves(Options& options) {
   return leaves;
 }
 
-// Nested objects over the present values: {"window": {"spatial": 5}}. Throws Error with the dotted
-// path for a key that is no option, a value of another type or outside its range. `where` names
-// the source in errors.
+// Overwrites current values with those in nested objects: {"window": {"spatial": 5}}. Throws Error
+// with the dotted path if a key is not an option, or a value has the wrong type or is outside its
+// range. `where` names the source in errors.
 void MergeOptions(const Json& config, const std::string& where,
                   const std::vector<OptionLeaf>& leaves);
 
-// "window.spatial=5" with a value that is a bool, int or double as a whole, within its range.
+// Applies an assignment such as "window.spatial=5". Throws Error unless the whole value is a bool,
+// int or double, as the option requires, and within its range.
 void SetOption(std::string_view assignment, const std::vector<OptionLeaf>& leaves);
 
-// The present values as nested objects.
+// Returns the current values as nested objects.
 Json OptionsToJson(const std::vector<OptionLeaf>& leaves);
 
 // "bool", "int" or "double".
 const char* TypeName(const OptionLeaf& leaf);
 Json ValueToJson(const OptionLeaf& leaf);
 
-// Defaults, then the file (where not empty), then the assignments in their order.
+// Returns `options` (the defaults) overridden by the file, unless its name is empty, and then by
+// the assignments in their order. Throws Error if an option is invalid.
 template <OptionsStruct Options>
 Options ResolveOptions(const std::filesystem::path& config_file,
                        const std::vector<std::string>& assignments, Options options = {}) {

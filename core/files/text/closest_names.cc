@@ -11,8 +11,8 @@
 namespace cvo {
 namespace {
 
-// Insertions, deletions, substitutions and swaps of neighbours between two words (Levenshtein,
-// Damerau), or more than `most` where there are more than that.
+// Returns the number of insertions, deletions, substitutions and swaps of neighbours between two
+// words (Damerau-Levenshtein), or any number above `most` if there are more than `most`.
 std::size_t EditDistance(std::string_view a, std::string_view b, std::size_t most) {
   const std::size_t lengths_differ = std::max(a.size(), b.size()) - std::min(a.size(), b.size());
   if (lengths_differ > most) return lengths_differ;
@@ -30,7 +30,7 @@ std::size_t EditDistance(std::string_view a, std::string_view b, std::size_t mos
       const bool swapped = i > 0 && j > 0 && a[i] == b[j - 1] && a[i - 1] == b[j];
       if (swapped) row[j + 1] = std::min(row[j + 1], before[j - 1] + 1);
     }
-    // Every later number grows out of one of these two rows.
+    // All later numbers derive from one of these two rows.
     const std::size_t least = std::min(*std::min_element(row.begin(), row.end()),
                                        *std::min_element(above.begin(), above.end()));
     if (least > most) return least;
@@ -42,7 +42,8 @@ std::string_view LastPart(std::string_view path) {
   return path.substr(path.rfind('.') + 1);  // npos + 1 = 0
 }
 
-// A text with 0 in place of each number, or with the number without leading zeros.
+// Returns the text with each number replaced by 0 or, if `numbers`, by itself without leading
+// zeros.
 std::string Reduced(std::string_view text, bool numbers) {
   constexpr std::string_view kDigits = "0123456789";
   std::string reduced;
@@ -59,7 +60,7 @@ std::string Reduced(std::string_view text, bool numbers) {
   return reduced;
 }
 
-// One of another number is there, but it is not what was meant.
+// A known name that differs only in its numbers is not what was meant.
 bool DiffersInNumbersAlone(std::string_view a, std::string_view b) {
   return Reduced(a, false) == Reduced(b, false) && Reduced(a, true) != Reduced(b, true);
 }
@@ -68,7 +69,7 @@ bool DiffersInNumbersAlone(std::string_view a, std::string_view b) {
 
 std::vector<std::string> ClosestNames(std::string_view name,
                                       const std::vector<std::string>& known) {
-  constexpr std::size_t kLongest = 200;  // no name, and too long to compare with each
+  constexpr std::size_t kLongest = 200;  // longer text is not a name, and slow to compare
   if (name.size() > kLongest) return {};
   std::vector<std::pair<std::size_t, std::string>> near;
   const std::size_t most = 1 + name.size() / 4;

@@ -8,15 +8,15 @@
 
 namespace cvo {
 
-// The known names that a misspelt one may mean, nearest first, at most three: by edit distance, or
-// because the last part of a dotted path is the same. Empty where nothing is near. A name with
-// other numbers alone is none: drive_0047 is not meant by drive_0001.
+// Returns at most three known names that a misspelt one may mean, nearest first, by the edit
+// distance of the whole name or of the last part of a dotted path. Empty if nothing is near. A name
+// that differs only in its numbers does not count: drive_0001 is not suggested for drive_0047.
 std::vector<std::string> ClosestNames(std::string_view name, const std::vector<std::string>& known);
 
-// " (did you mean a, b?)", or nothing where nothing is near.
+// " (did you mean a, b?)", or an empty string if nothing is near.
 std::string DidYouMean(std::string_view name, const std::vector<std::string>& known);
 
-// "one of a, b, c", then what DidYouMean says.
+// "one of a, b, c", followed by the result of DidYouMean.
 std::string OneOfKnown(std::string_view name, const std::vector<std::string>& known);
 
 }  // namespace cvo

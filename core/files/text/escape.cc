@@ -13,7 +13,7 @@ bool NeedsBackslash(std::string_view text, std::size_t at) {
   constexpr std::string_view kSpecial = "|*_<>`\\~$&#";
   const char c = text[at];
   if (kSpecial.find(c) != std::string_view::npos) return true;
-  // GitHub makes links of addresses, too.
+  // GitHub also turns bare URLs into links.
   if (c == ':' && text.substr(at + 1).starts_with("//")) return true;
   if (c == '.' && text.substr(0, at).ends_with("www")) return true;
   const bool behind_bracket = at > 0 && text[at - 1] == ']';
@@ -60,7 +60,7 @@ std::string MarkdownEscaped(std::string_view text) {
 std::string Base64(std::string_view bytes) {
   constexpr std::size_t kMaxBytes = 1'000'000'000;  // EVP_EncodeBlock counts in int
   Require(bytes.size() <= kMaxBytes, "Base64: at most 10^9 bytes");
-  std::string text((bytes.size() + 2) / 3 * 4 + 1, '\0');  // it ends the text with a zero
+  std::string text((bytes.size() + 2) / 3 * 4 + 1, '\0');  // EVP_EncodeBlock appends a zero
   const int size = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
                                    reinterpret_cast<const unsigned char*>(bytes.data()),
                                    static_cast<int>(bytes.size()));

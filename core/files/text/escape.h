@@ -7,10 +7,11 @@
 
 namespace cvo {
 
-// A text that stays that text between tags and in a quoted attribute, of HTML and of XML.
+// Escapes text for use between tags and in quoted attributes of HTML and XML.
 std::string HtmlEscaped(std::string_view text);
 
-// A text that stays that text in Markdown: no emphasis, code, link, mathematics, cell or HTML.
+// Escapes text so that Markdown shows it literally, without emphasis, code, links, mathematics,
+// table cells or HTML.
 std::string MarkdownEscaped(std::string_view text);
 
 std::string Base64(std::string_view bytes);

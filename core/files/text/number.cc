@@ -15,7 +15,7 @@
 namespace cvo {
 namespace {
 
-// Half of the range of int64 (146 years), so that differences of times do not overflow.
+// Half of the range of int64 (146 years), so that time differences do not overflow.
 constexpr std::int64_t kMaxNs = std::numeric_limits<std::int64_t>::max() / 2;
 
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
@@ -31,7 +31,7 @@ std::optional<T> ParseWhole(std::string_view text) {
   return value;
 }
 
-// value = digits * 10^exponent, sign apart.
+// |value| = digits * 10^exponent.
 struct Decimal {
   bool negative = false;
   std::string digits;
@@ -87,7 +87,7 @@ std::optional<std::int64_t> ParseSecondsNs(std::string_view text) {
   const std::optional<Decimal> decimal = ParseDecimal(text);
   if (!decimal) return std::nullopt;
   const std::string& digits = decimal->digits;
-  // How many digits stand before the point once the unit is 1 ns.
+  // Number of digits before the decimal point in units of 1 ns.
   const std::ptrdiff_t whole = std::ssize(digits) + decimal->exponent + 9;
   std::int64_t magnitude = 0;
   for (std::ptrdiff_t i = 0; i < whole; ++i) {
@@ -117,7 +117,8 @@ std::string FormatDouble(double value) {
   return std::string(buffer.data(), result.ptr);
 }
 
-// From 10^15 on as FormatGeneral: further digits before the point say nothing, and may be 309.
+// From 10^15 on, the same as FormatGeneral: further digits before the point are meaningless, and
+// there may be 309.
 std::string FormatFixed(double value, int decimals) {
   constexpr double kExact = 1e15;
   if (std::abs(value) >= kExact) return FormatGeneral(value, 6);

@@ -8,7 +8,8 @@
 
 namespace cvo {
 
-// Each name, or in place of one that there is several times what it stands for, as a path.
+// Returns the names, except that each name that occurs several times is replaced by its element of
+// `otherwise`, such as a path.
 inline std::vector<std::string> UniqueNames(const std::vector<std::string>& names,
                                             const std::vector<std::string>& otherwise) {
   std::vector<std::string> unique = names;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr char32_t kNoCharacter = 0xFFFD;
 
-// Continuation bytes that a first byte asks for; -1: not the first byte of a character.
+// Number of continuation bytes that must follow a first byte; -1 if no character starts with it.
 int Continuations(unsigned char first) {
   if (first < 0x80) return 0;
   if (first >= 0xC2 && first < 0xE0) return 1;
@@ -18,7 +18,7 @@ int Continuations(unsigned char first) {
   return -1;
 }
 
-// Shorter ways to write a character than the bytes used, surrogates, beyond Unicode.
+// Whether a decoded character is an overlong encoding, a surrogate, or beyond Unicode.
 bool IsMalformed(char32_t character, int continuations) {
   if (character >= 0xD800 && character < 0xE000) return true;
   if (continuations == 2) return character < 0x800;
@@ -71,7 +71,7 @@ std::vector<char32_t> Characters(std::string_view text) {
 bool IsUtf8(std::string_view text) {
   const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
   if (std::all_of(text.begin(), text.end(), is_ascii)) return true;
-  // U+FFFD itself is a character, too: only its three bytes give it back.
+  // U+FFFD itself is a valid character, but only its own three bytes are restored by encoding it.
   std::string again;
   for (const char32_t character : Characters(text)) AppendUtf8(character, again);
   return again == text;

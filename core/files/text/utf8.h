@@ -9,25 +9,25 @@
 
 namespace cvo {
 
-// The characters of a UTF-8 text; what is none is U+FFFD.
+// Decodes a UTF-8 text. Malformed sequences become U+FFFD.
 std::vector<char32_t> Characters(std::string_view text);
 
-// Whether a text is UTF-8 throughout.
+// Whether the whole text is valid UTF-8.
 bool IsUtf8(std::string_view text);
 
-// Whether it holds ASCII control characters, line ends among them.
+// Whether the text contains ASCII control characters, which include line ends.
 bool HasControl(std::string_view text);
 
 void AppendUtf8(char32_t character, std::string& text);
 
-// A text of a file as one line that cannot disturb what it is printed in: line ends and tabs are
-// blanks, other control characters and those that turn the direction of writing are U+FFFD.
+// Converts text from a file to one line that is safe to print: line ends and tabs become blanks;
+// other control characters and those that change the writing direction become U+FFFD.
 std::string Printable(std::string_view text);
 
-// The same of a text of several lines, whose line ends ("\n" and "\r\n") it keeps.
+// The same for a text of several lines. Keeps its line ends ("\n" and "\r\n").
 std::string PrintableLines(std::string_view text);
 
-// Characters as seen in a terminal, each counted as one.
+// Width in a terminal, with each character counted as one column.
 std::size_t Width(std::string_view text);
 
 }  // namespace cvo
