@@ -47,7 +47,8 @@ void NewCacheFile::Publish(const std::string& name) {
   const fs::path target = folder_ / name;
   if (SyncFile(file_) != 0) ThrowErrno(target, "write", errno);
   if (LinkFile(temporary_, target) == 0 || errno == EEXIST) return;
-  // File systems without hard links; whichever comes last stays then, and both hold the same.
+  // For file systems without hard links. The file of the last writer stays; all have the same
+  // bytes.
   if (RenameFile(temporary_, target) != 0) ThrowErrno(target, "write", errno);
 }
 

@@ -11,9 +11,9 @@
 
 namespace cvo {
 
-// A new file of a cache folder: it appears complete or not at all. Makes the folder where there is
-// none and removes what dead writers left in it. All functions throw Error with the system's
-// reason; the temporary goes away with the object.
+// A new file of a cache folder, which appears either complete or not at all. Creates the folder if
+// necessary and removes temporaries of writers that have ended. All functions throw Error with the
+// system's reason. The temporary is deleted with the object.
 class NewCacheFile {
  public:
   explicit NewCacheFile(const std::filesystem::path& folder);
@@ -25,7 +25,7 @@ class NewCacheFile {
   void ReplaceStart(std::string_view bytes);
   std::uint64_t size_bytes() const { return size_bytes_; }
 
-  // Synced to the disk, then under its name; a file that is there already stays.
+  // Syncs the file to disk, then gives it its name. A file that already has this name stays.
   void Publish(const std::string& name);
 
  private:
@@ -35,14 +35,15 @@ class NewCacheFile {
   std::uint64_t size_bytes_ = 0;
 };
 
-// Whether there is no such file, as once another process has removed it.
+// Whether the file does not exist, for example because another process has removed it.
 bool IsGone(const std::filesystem::path& file);
 
-// Last in the order in which TrimFolder removes. Fails silently, as in a folder of somebody else.
+// Makes the file the most recently used, which TrimFolder removes last. Fails silently, for example
+// in a folder of another user.
 void MarkUsed(const std::filesystem::path& file);
 
-// Removes files, those used longest ago first, until the rest is within the limit. Temporaries do
-// not count. Files that cannot be removed stay.
+// Removes files, least recently used first, until the rest is within the limit. Temporaries do not
+// count. Files that cannot be removed stay.
 void TrimFolder(const std::filesystem::path& folder, std::uint64_t limit_bytes);
 
 }  // namespace cvo

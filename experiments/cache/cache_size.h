@@ -8,11 +8,12 @@
 
 namespace cvo {
 
-// One line for the user about something that a run goes on without.
+// Takes a line for the user about a problem that does not end the run.
 using Notice = std::function<void(const std::string& line)>;
 
-// Largest size of the front-end cache, bytes: `option` if not empty ("20G"; K, M, G, T are powers
-// of 1000), else CLUSTERVO_CACHE_SIZE, else 20 GB. Throws Error for another text.
+// Returns the maximum size of the front-end cache in bytes: `option` if not empty ("20G"; K, M, G,
+// T are powers of 1000), else CLUSTERVO_CACHE_SIZE, else 20 GB. Throws Error for text that is not a
+// size.
 std::uint64_t CacheLimit(const std::string& option);
 
 }  // namespace cvo

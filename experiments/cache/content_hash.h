@@ -12,27 +12,29 @@
 
 namespace cvo {
 
-// SHA-256 of the two files of a stereo pair; empty where a file cannot be read.
+// SHA-256 of the two files of a stereo pair; empty for a file that cannot be read.
 struct ImageHashes {
   std::string left;
   std::string right;
 };
 
-// Identity of what a run reads: the bytes of the images and text files and the parameters of the
-// sequence, but not where they lie. One entry per frame of the sequence.
+// Returns the identity of what a run reads: the bytes of the images and text files and the
+// parameters of the sequence, but not their location. `images` has one element per frame of the
+// sequence.
 std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>& images);
-// The same from the hashes of each frame: one at a time is in memory.
+// The same, with the hashes taken frame by frame so that only those of one frame are in memory.
 std::string ContentHash(const Sequence& sequence,
                         const std::function<ImageHashes(std::size_t frame)>& images);
 
-// Every number of the camera, in the order of its declaration.
+// Returns the parameters of the camera in the order of their declaration, without right_field_px,
+// which is an estimate and not an input.
 Json CameraNumbers(const StereoCamera& camera);
 
-// SHA-256 of a file's bytes; empty where there is none, or a folder or a pipe. Throws Error where
-// it cannot be read: what is planned with another hash would be another job.
+// Returns the SHA-256 of a file's bytes; empty if there is no such regular file. Throws Error if it
+// cannot be read, as a plan made with another hash would be for another job.
 std::string HashFile(const std::filesystem::path& file);
 ImageHashes HashPair(const StereoPaths& pair);
-// Of every frame; reads all images.
+// Hashes the images of every frame; reads all of them.
 std::vector<ImageHashes> HashImages(const Sequence& sequence);
 
 }  // namespace cvo

@@ -36,7 +36,7 @@ std::string Encode(const Header& header) {
   return bytes + Sha256Hex(bytes);
 }
 
-// The bytes without the checksum after them.
+// Returns the bytes without the checksum after them, which it verifies.
 std::string_view Checked(std::string_view bytes, const std::string& name, const char* part) {
   const std::string_view content = bytes.substr(0, bytes.size() - kHashBytes);
   if (Sha256Hex(content) != bytes.substr(content.size())) {
@@ -71,10 +71,10 @@ std::uint64_t SizeOf(const FileDescriptor& file, const std::string& name) {
 
 }  // namespace
 
-// Another process may remove the file at any time, and write it again: it is looked up once.
+// Opens the file only once, as another process may remove it and write it again at any time.
 std::optional<FeatureFile> FeatureFile::Open(const std::filesystem::path& file,
                                              const std::string& key, std::size_t frames) {
-  FileDescriptor opened(file, O_RDONLY | O_NONBLOCK);  // a pipe would wait for its writer
+  FileDescriptor opened(file, O_RDONLY | O_NONBLOCK);  // opening a pipe would wait for its writer
   if (opened.get() < 0 && errno == ENOENT) return std::nullopt;
   if (opened.get() < 0) ThrowErrno(file, "read", errno);
   return FeatureFile(std::move(opened), file.string(), key, frames);

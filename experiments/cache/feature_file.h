@@ -14,19 +14,20 @@
 
 namespace cvo {
 
-// To be raised with any change to what the bytes mean: it is in the file and in its key.
+// Must be incremented with any change to the meaning of the bytes. It is part of the file and of
+// its key.
 inline constexpr std::uint32_t kFeatureFileVersion = 2;
 
-// Front-end frames of a whole sequence: a header with the version and the key, the frames, and an
-// index with the place and SHA-256 of each. Every byte is under one of the checksums.
+// Front-end output of all frames of a sequence: a header with version and key, the frames, and an
+// index with the position and SHA-256 of each. Every byte is covered by a checksum.
 class FeatureFile {
  public:
-  // Empty where there is no such file. Throws Error for one that is cut, damaged, of another
-  // version or of another key.
+  // Returns nothing if there is no such file. Throws Error for a file that is truncated, damaged,
+  // of another version or of another key.
   static std::optional<FeatureFile> Open(const std::filesystem::path& file, const std::string& key,
                                          std::size_t frames);
 
-  // Throws Error where the frame's bytes are not those that were written.
+  // Reads a frame. Throws Error if its bytes are not those that were written.
   FrontEndFrame Frame(std::size_t index) const;
 
  private:
@@ -48,13 +49,13 @@ class FeatureFile {
   std::vector<Place> places_;
 };
 
-// Writes one, frame by frame as they come. Throws Error as NewCacheFile does.
+// Writes a FeatureFile frame by frame. Throws Error as NewCacheFile does.
 class FeatureFileWriter {
  public:
   explicit FeatureFileWriter(const std::filesystem::path& folder);
 
   void Add(const FrontEndFrame& frame);
-  // Completes the file, all but its name; its size.
+  // Completes the file except for its name. Returns its size in bytes.
   std::uint64_t Complete(const std::string& key);
   void Publish(const std::string& name) { file_.Publish(name); }
 

@@ -18,7 +18,7 @@ namespace cvo {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::int64_t kRacy_ns = 2'000'000'000;  // the coarsest time stamps in use
+constexpr std::int64_t kRacy_ns = 2'000'000'000;  // the coarsest resolution of timestamps in use
 
 struct UnknownFile {
   const fs::path* file;

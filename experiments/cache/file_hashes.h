@@ -17,22 +17,23 @@ namespace cvo {
 
 struct FileHashHooks {
   Notice notice = [](const std::string&) {};
-  // Files whose bytes were read so far, of those that have to be.
+  // Called with the number of files read so far, of those that have to be read.
   std::function<void(std::size_t done, std::size_t total)> hashed = [](std::size_t, std::size_t) {};
-  // Time of day, as files are stamped with.
+  // Wall-clock time, as in the timestamps of files.
   std::function<std::int64_t()> now_ns = [] {
     return std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
   };
 };
 
-// SHA-256 of each file, empty where it cannot be read, without reading one whose hash is known from
-// the index in `index_folder` (empty: there is none). What had to be read is added to the index,
-// but for files that changed within the last two seconds, whose stamp may not tell another change.
-// An index that cannot be used costs time only.
+// Returns the SHA-256 of each file; empty if there is no such regular file. Does not read files
+// whose hash is known from the index in `index_folder` (empty: no index). Adds the hashes of the
+// others to the index, except for files changed within the last two seconds, whose timestamp may
+// not reveal another change. An unusable index only costs time. Throws Error for a file that cannot
+// be read.
 std::vector<std::string> FindFileHashes(const std::vector<std::filesystem::path>& files,
                                         const std::filesystem::path& index_folder, TaskPool& pool,
                                         const FileHashHooks& hooks = {});
-// Those of a sequence's images, for ContentHash.
+// Returns the hashes of a sequence's images, for ContentHash.
 std::vector<ImageHashes> FindImageHashes(const Sequence& sequence,
                                          const std::filesystem::path& index_folder, TaskPool& pool,
                                          const FileHashHooks& hooks = {});

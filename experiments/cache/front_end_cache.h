@@ -18,30 +18,30 @@
 
 namespace cvo {
 
-// What decides the front end's output beside the images.
+// What determines the output of the front end, besides the images.
 struct FrontEndSettings {
   std::string build;  // BuildInfo::identity
   StereoCamera camera;
   OrbOptions orb;
   StereoMatchOptions stereo;
-  std::vector<std::vector<cv::Rect2d>> boxes = {};  // where bodies may be, by frame
+  std::vector<std::vector<cv::Rect2d>> boxes = {};  // [frame], where bodies may be
   Perturbation perturbation = {};
   std::shared_ptr<const Rectification> rectification = {};
-  int first_frame = 0;  // decides what is drawn for it
+  int first_frame = 0;  // determines the random choices of the perturbation
 };
 
-// The name of a sequence's front-end output; empty where an image could not be read, since what
-// that gives is not decided by bytes.
+// Returns the cache key of a sequence's front-end output. Empty if an image could not be read, as
+// file contents do not determine the output then.
 std::string FrontEndKey(const FrontEndSettings& settings, const std::vector<ImageHashes>& images);
 
-// A sequence's frames on their way to the cache. What goes wrong ends the recording with a notice
-// and nothing else.
+// Records the frames of a sequence for the cache. An error ends the recording with a notice, and
+// has no other effect.
 class FrontEndRecording {
  public:
   FrontEndRecording(std::filesystem::path folder, std::uint64_t limit_bytes, Notice notice);
 
   void Add(const FrontEndFrame& frame);
-  // The entry appears. Without this call, or with an empty key, there is none.
+  // Publishes the entry. Without this call, or with an empty key, there is no entry.
   void Finish(const std::string& key);
 
  private:
@@ -50,19 +50,19 @@ class FrontEndRecording {
   std::filesystem::path folder_;
   std::uint64_t limit_bytes_;
   Notice notice_;
-  std::unique_ptr<FeatureFileWriter> writer_;  // null: given up
+  std::unique_ptr<FeatureFileWriter> writer_;  // null: not recording
 };
 
-// Front-end output of whole sequences in a folder that any number of processes use at once. Its
-// troubles never fail a run: an entry that cannot be read counts as absent, is removed, and
-// `notice` is told.
+// Front-end output of whole sequences, in a folder that any number of processes may use at once.
+// Errors of the cache never fail a run: an entry that cannot be read counts as absent and is
+// removed, and `notice` is told.
 class FrontEndCache {
  public:
-  // Files beyond `limit_bytes` go, those used longest ago first. 0: nothing is kept.
+  // Removes the least recently used files beyond `limit_bytes`. 0: nothing is kept.
   FrontEndCache(std::filesystem::path folder, std::uint64_t limit_bytes, Notice notice);
 
   std::optional<FeatureFile> Find(const std::string& key, std::size_t frames) const;
-  // Found damaged when it was read.
+  // Removes an entry that was found damaged on reading.
   void Remove(const std::string& key, const std::string& reason) const;
   FrontEndRecording Record() const { return {folder_, limit_bytes_, notice_}; }
 

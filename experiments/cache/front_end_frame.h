@@ -16,13 +16,13 @@ struct SideProblem {
   std::string reason;  // what was found and what was expected, without the path
 };
 
-// What the front end makes of the pixels of one stereo pair.
+// The output of the front end for the pixels of one stereo pair.
 struct FrontEndFrame {
   std::vector<StereoFeature> features;
-  std::vector<SideProblem> problems;  // not empty: there are no features
+  std::vector<SideProblem> problems;  // if not empty, there are no features
 };
 
-// The frame as bytes, every number exactly. Decoding throws Error for any other bytes.
+// Encodes the frame with every number exact. DecodeFrame throws Error for any other bytes.
 std::string EncodeFrame(const FrontEndFrame& frame);
 FrontEndFrame DecodeFrame(std::string_view bytes);
 

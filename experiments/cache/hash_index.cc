@@ -28,7 +28,7 @@ std::int64_t Nanoseconds(const timespec& time) {
   return static_cast<std::int64_t>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
 }
 
-// A line with the checksum, then the index.
+// Parses an index file: a line with the checksum, then the index.
 Json ParseIndex(const std::string& bytes, const std::string& where) {
   const std::string_view content =
       std::string_view(bytes).substr(std::min(bytes.size(), kHashBytes + 1));
@@ -57,8 +57,8 @@ HashIndex::HashIndex(const fs::path& index_folder, const fs::path& folder, const
       name_(Sha256Hex(folder_) + ".json") {
   try {
     entries_ = Read();
-  } catch (const std::exception& error) {       // of the JSON library too
-    if (IsGone(index_folder_ / name_)) return;  // another process found it damaged
+  } catch (const std::exception& error) {       // including those of the JSON library
+    if (IsGone(index_folder_ / name_)) return;  // another process has removed it
     notice(StrCat("file hashes are computed again: ", error.what()));
     std::error_code ignored;
     fs::remove(index_folder_ / name_, ignored);
@@ -98,7 +98,7 @@ void HashIndex::Save() const {
   Entries merged;
   try {
     merged = Read();
-  } catch (const std::exception&) {  // damaged since: replaced
+  } catch (const std::exception&) {  // damaged in the meantime: replaced
   }
   for (const auto& [name, entry] : entries_) merged[name] = entry;
   Json files = Json::array();

@@ -12,33 +12,33 @@
 
 namespace cvo {
 
-// What the file system says of a file: with the same stamp it has the same bytes.
+// What the file system states about a file: with the same stamp it has the same bytes.
 struct FileStamp {
   std::int64_t size_bytes = 0;
-  std::int64_t modified_ns = 0;  // content
+  std::int64_t modified_ns = 0;  // last change of content
   std::int64_t changed_ns = 0;   // of content, name or permissions; cannot be set back
   std::uint64_t inode = 0;
 
   bool operator==(const FileStamp&) const = default;
 };
 
-// Empty where there is no file. Follows links.
+// Returns nothing if there is no such file. Follows symbolic links.
 [[nodiscard]] std::optional<FileStamp> StampOf(const std::filesystem::path& file);
 
-// SHA-256 of the files of one folder from earlier runs, kept in a file of its own.
+// Hashes (SHA-256) of the files of one folder from earlier runs, kept in an index file.
 class HashIndex {
  public:
-  // Reads what is known of `folder`. A damaged file counts as empty: it is removed, with a notice.
-  // Without an index folder nothing is known and nothing kept.
+  // Reads the index of `folder`. A damaged index file counts as empty and is removed, with a
+  // notice. If `index_folder` is empty, nothing is known and nothing is kept.
   HashIndex(const std::filesystem::path& index_folder, const std::filesystem::path& folder,
             const Notice& notice);
 
-  // The hash that the file had with this stamp; empty where it is not known.
+  // Returns the hash that the file had with this stamp; empty if unknown.
   std::string Find(const std::string& name, const FileStamp& stamp) const;
   void Add(const std::string& name, const FileStamp& stamp, const std::string& sha256);
 
-  // Together with what others have added meanwhile, without files that are gone. Throws Error where
-  // it cannot be written.
+  // Writes the index, merged with what others have added in the meantime and without files that no
+  // longer exist. Throws Error if it cannot be written.
   void Save() const;
 
  private:

@@ -8,11 +8,12 @@
 
 namespace cvo {
 
-// Throws Error, naming `where`, where one focal length is more than twice the other, or the centre
-// is outside the images.
+// Throws Error, naming `where`, if one focal length is more than twice the other or the principal
+// point is outside the images.
 void CheckCamera(const StereoCamera& camera, const std::string& where);
 
-// The same of both cameras of a rig, whose images must have the size that it states (CheckSize).
+// Checks both cameras of a rig in the same way, and that the images have the size that the rig
+// states (CheckSize).
 void CheckCameras(const StereoRig& rig, int width_px, int height_px, const std::string& where);
 
 }  // namespace cvo

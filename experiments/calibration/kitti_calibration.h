@@ -17,22 +17,23 @@
 
 namespace cvo {
 
-// Lines "key: v v v" or "key v v v" (both occur in KITTI); each key once.
+// A file of lines "key: v v v" or "key v v v" (KITTI has both). No key may occur twice.
 class CalibrationFile {
  public:
   explicit CalibrationFile(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return file_.path(); }
   bool Has(const std::string& key) const { return line_of_key_.contains(key); }
-  // "<file>:<line>: <key>" for messages.
+  // Returns "<file>:<line>: <key>", for messages.
   std::string Where(const std::string& key) const;
-  // Exactly `count` finite numbers. Throws Error where the key is absent or its line is not that.
+  // Returns exactly `count` finite numbers. Throws Error if the key is missing or its line contains
+  // anything else.
   std::vector<double> Numbers(const std::string& key, std::size_t count) const;
   Eigen::Matrix3d Rotation(const std::string& key) const;
-  // Twelve numbers of a 3x4 matrix [R t], row by row.
+  // Reads twelve numbers, a 3x4 matrix [R t] row by row.
   RigidTransform Transform(const std::string& key) const;
-  // The first of these keys that the file has: dialects name the same matrix differently. Throws
-  // Error where it has none.
+  // Returns the first of these keys that the file has; variants of the format name the same matrix
+  // differently. Throws Error if it has none of them.
   std::string FirstOf(std::initializer_list<const char*> keys) const;
 
  private:
@@ -40,17 +41,16 @@ class CalibrationFile {
   std::map<std::string, std::size_t> line_of_key_;
 };
 
-// The rectified cameras 0-3 of a KITTI vehicle. A point seen from camera k is the point seen from
-// camera 0 moved by (offset, 0, 0): the devkit's reading of P_k, which leaves out P_k(1,3) and
-// P_k(2,3) (3 mm).
+// The rectified cameras 0-3 of a KITTI vehicle. p_in_camera_k = p_in_camera_0 + (offset, 0, 0):
+// this is how the devkit reads P_k, ignoring P_k(1,3) and P_k(2,3) (3 mm).
 class CameraRig {
  public:
-  // Keys "<prefix>0" ... "<prefix>3", as many as the file has.
+  // Reads those of the keys "<prefix>0" ... "<prefix>3" that the file has.
   CameraRig(const CalibrationFile& file, const std::string& prefix);
 
-  // P_k(0,3) / fx, metres. Throws Error where the file has no such camera.
+  // P_k(0,3) / fx, in metres. Throws Error if the file has no such camera.
   double Offset_m(int camera) const;
-  // Throws Error where the two cameras differ in more than a positive baseline.
+  // Throws Error unless the two cameras differ only by a positive baseline.
   StereoCamera Stereo(int left, int right, int width_px, int height_px) const;
 
  private:
@@ -64,11 +64,11 @@ class CameraRig {
   std::array<std::optional<Projection>, 4> projections_;
 };
 
-// The rotation nearest to R, which must be one to within 1e-3 per entry of R R^T and not a
-// reflection. Throws Error(where, ...).
+// Returns the rotation nearest to R. Throws Error(where, ...) unless R is a rotation to within 1e-3
+// per entry of R R^T and not a reflection.
 Eigen::Matrix3d CheckedRotation(const Eigen::Matrix3d& R, const std::string& where);
 
-// [R t] row by row, twelve numbers. Throws Error(where, ...).
+// Makes a transform from [R t], twelve numbers row by row. Throws Error(where, ...).
 RigidTransform TransformFromRow(const std::vector<double>& row, const std::string& where);
 
 }  // namespace cvo

@@ -19,14 +19,14 @@ cv::Mat MatrixOf(double fx, double fy, double cx, double cy) {
   return (cv::Mat_<double>(3, 3) << fx, 0.0, cx, 0.0, fy, cy, 0.0, 0.0, 1.0);
 }
 
-// Of a LensCamera or a StereoCamera.
+// The camera matrix of a LensCamera or a StereoCamera.
 template <typename Camera>
 cv::Mat MatrixOf(const Camera& camera) {
   return MatrixOf(camera.fx, camera.fy, camera.cx, camera.cy);
 }
 
 cv::Mat CoefficientsOf(const LensCamera& camera) {
-  // Without any, OpenCV takes four zeros.
+  // OpenCV takes four zeros for a lens without distortion.
   const std::vector<double> zeros(4, 0.0);
   return cv::Mat(camera.coefficients.empty() ? zeros : camera.coefficients, true);
 }
@@ -37,17 +37,17 @@ Eigen::Matrix3d ToEigen(const cv::Mat& matrix) {
   return result;
 }
 
-// One camera of a pair on its way to be rectified.
+// One camera of a pair, with the rotation that rectifies it.
 struct TurnedCamera {
   cv::Mat matrix;
   cv::Mat lens;
-  cv::Mat turn;  // rectified from the camera
+  cv::Mat turn;  // rectified_from_camera
 
-  // Where pixels come to lie for a focal length and centre.
+  // Maps pixels to the rectified image with this focal length and principal point.
   std::vector<cv::Point2d> Move(const std::vector<cv::Point2d>& pixels, double f_px,
                                 const cv::Point2d& center) const {
-    // As many steps as were usual when the known rectifications were made; with all that it takes
-    // the focal length of EuRoC's cameras is 0.01 px larger.
+    // The number of iterations that was usual when the known rectifications were made. Iterating to
+    // convergence makes the focal length of EuRoC's cameras 0.01 px larger.
     constexpr int kSteps = 5;
     const cv::Mat projection = MatrixOf(f_px, f_px, center.x, center.y);
     std::vector<cv::Point2d> moved;
@@ -56,7 +56,7 @@ struct TurnedCamera {
     return moved;
   }
 
-  // A focal length at which radial distortion leaves the corners in the image.
+  // A focal length at which radial distortion keeps the corners inside the image.
   double FocalLength(const cv::Size& size) const {
     const double f_px = matrix.at<double>(1, 1);
     const double k1 = lens.at<double>(0);
@@ -65,7 +65,7 @@ struct TurnedCamera {
     return k1 < 0.0 ? f_px * (1.0 + k1 * diagonal2 / (4.0 * f_px * f_px)) : f_px;
   }
 
-  // The centre that puts the middle of the four corners into the middle of the image.
+  // The principal point that places the mean of the four corners at the middle of the image.
   cv::Point2d Center(const cv::Size& size, double f_px) const {
     const double right = size.width - 1.0;
     const double bottom = size.height - 1.0;
@@ -77,7 +77,8 @@ struct TurnedCamera {
     return {0.5 * right - 0.25 * sum.x, 0.5 * bottom - 0.25 * sum.y};
   }
 
-  // How much the focal length must grow until no pixel is taken from outside the image.
+  // The factor by which the focal length must grow so that no pixel is taken from outside the
+  // image.
   double Enlargement(const cv::Size& size, double f_px, const cv::Point2d& center) const {
     constexpr int kSteps = 8;  // along each side
     double growth = 0.0;
@@ -98,7 +99,8 @@ struct TurnedCamera {
   }
 };
 
-// One focal length and centre for both, by which every pixel has been seen by its camera.
+// Chooses one focal length and principal point for both cameras such that every pixel of the
+// rectified images was seen by its camera.
 void ChooseProjection(const TurnedCamera& left, const TurnedCamera& right, const cv::Size& size,
                       StereoCamera& camera) {
   const double f_px = std::min(left.FocalLength(size), right.FocalLength(size));

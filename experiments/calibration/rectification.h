@@ -11,20 +11,21 @@
 
 namespace cvo {
 
-// Both cameras turned by half of their relative rotation and then so that the baseline lies along x
-// (Bouguet), with one focal length and centre, by which every pixel of the result has been seen.
-// Images keep their size. Turns are OpenCV's; focal length and centre are those of its
-// stereoRectify (alpha 0) up to version 3, by which public data sets were rectified: 4.6 gives
-// others.
+// Rectifies a stereo pair (Bouguet): rotates each camera by half of their relative rotation, then
+// both so that the baseline lies along x. Both get the same focal length and principal point,
+// chosen so that every pixel of a rectified image was seen by its camera. The image size is kept.
+// The rotations are OpenCV's. Focal length and principal point are those of OpenCV's stereoRectify
+// (alpha 0) up to version 3, with which public data sets were rectified; version 4.6 yields others.
+// For fisheye lenses they are those of the installed version.
 class Rectification {
  public:
-  // Throws Error where OpenCV finds none.
+  // Throws Error if OpenCV finds no rectification.
   Rectification(const StereoRig& rig, const cv::Size& size);
 
   const StereoCamera& camera() const { return camera_; }
-  // A hash of the rig: another one makes other images of the same files.
+  // Hash of the rig: another rig makes other images from the same files.
   const std::string& identity() const { return identity_; }
-  // p_in_rectified = R p_in_left, and of the right camera.
+  // p_in_rectified = R p_in_left, and likewise for the right camera.
   const Eigen::Matrix3d& rectified_from_left() const { return rectified_from_left_; }
   const Eigen::Matrix3d& rectified_from_right() const { return rectified_from_right_; }
 
@@ -32,7 +33,7 @@ class Rectification {
   cv::Mat Right(const cv::Mat& image) const { return Remap(image, right_); }
 
  private:
-  // Where each pixel is taken from.
+  // Source coordinates of each pixel of the rectified image.
   struct Maps {
     cv::Mat u, v;
   };

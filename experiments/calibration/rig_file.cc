@@ -42,7 +42,7 @@ void SetIntrinsics(double fx, double fy, double cx, double cy, LensCamera& camer
   camera.cy = cy;
 }
 
-// Ours.
+// Our own format.
 
 LensCamera OurCamera(const YamlMap& map) {
   map.AllowOnly({"fx", "fy", "cx", "cy", "lens", "coefficients"});
@@ -75,7 +75,7 @@ StereoRig ReadOurs(const YamlMap& map) {
   return rig;
 }
 
-// Kalibr.
+// Kalibr's format.
 
 LensCamera KalibrCamera(const YamlMap& map) {
   LensCamera camera;
@@ -122,7 +122,7 @@ StereoRig ReadKalibr(const YamlMap& map, const std::string& left_key,
   return rig;
 }
 
-// EuRoC.
+// EuRoC's format.
 
 LensCamera SensorCamera(const YamlMap& map) {
   LensCamera camera;
@@ -139,7 +139,7 @@ LensCamera SensorCamera(const YamlMap& map) {
   return camera;
 }
 
-// OpenCV.
+// OpenCV's format.
 
 struct OpenCvKeys {
   const char* matrix;
@@ -168,7 +168,7 @@ StereoRig ReadOpenCv(const YamlMap& map, const OpenCvKeys& keys) {
   return rig;
 }
 
-// KITTI.
+// KITTI's format.
 
 bool IsKittiText(const fs::path& path) {
   const TextFile file(path);
@@ -228,8 +228,8 @@ StereoRig Checked(const StereoRig& rig, const fs::path& path) {
 
 }  // namespace
 
-// Rotation and translation of 12 or 16 numbers, row by row. Calibrations are written with few
-// digits, so the nearest rotation is taken.
+// Reads a rigid transform from 12 or 16 numbers, row by row. Takes the nearest rotation, because
+// calibrations are written with few digits.
 RigidTransform ReadTransform(const YamlMap& map, const std::string& key) {
   const std::vector<double> numbers = map.Numbers(key);
   if (numbers.size() != 12 && numbers.size() != 16) {

@@ -9,7 +9,7 @@ namespace cvo {
 bool IsRectified(const StereoRig& rig) {
   const LensCamera& a = rig.left;
   const LensCamera& b = rig.right;
-  // Far below what a pixel shows: products of written poses are never exact.
+  // Far below what is visible in pixels. Products of poses read from text are never exact.
   constexpr double kRounding = 1e-9;
   const Eigen::Vector3d t = rig.right_from_left.translation();
   return a.lens == LensModel::kPinhole && b.lens == LensModel::kPinhole && a.fx == b.fx &&

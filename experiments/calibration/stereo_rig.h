@@ -11,8 +11,8 @@
 
 namespace cvo {
 
-// How a lens departs from a pinhole. Coefficients: none; k1 k2 p1 p2 [k3] of radial and tangential
-// distortion ("radtan"); k1 k2 k3 k4 of an equidistant (fisheye) lens.
+// Deviation of a lens from the pinhole model. Coefficients: none; k1 k2 p1 p2 [k3 [k4 k5 k6]] of
+// radial and tangential distortion ("radtan"); k1 k2 k3 k4 of an equidistant (fisheye) lens.
 enum class LensModel { kPinhole, kPlumbBob, kEquidistant };
 constexpr std::array<const char*, 3> EnumNames(LensModel) {
   return {"none", "plumb_bob", "equidistant"};
@@ -27,22 +27,22 @@ struct LensCamera {
   std::vector<double> coefficients;
 };
 
-// A stereo pair as it was calibrated.
+// A calibrated stereo pair, before rectification.
 struct StereoRig {
   LensCamera left;
   LensCamera right;
   RigidTransform right_from_left;  // p_right = R p_left + t, metres
-  int width_px = 0;                // of the calibration's images; 0: not stated
+  int width_px = 0;                // of the images it was calibrated with; 0: not stated
   int height_px = 0;
 };
 
-// One focal length and centre for both cameras, no distortion, and a baseline along x: images can
-// be used as they are.
+// Whether both cameras have the same focal lengths and principal point, no distortion, and a
+// baseline along x, so that their images can be used as they are.
 bool IsRectified(const StereoRig& rig);
 
-// The camera of images of a rig that is rectified.
+// Returns the camera of a rectified rig, for images of this size.
 StereoCamera CameraOf(const StereoRig& rig, int width_px, int height_px);
-// Throws Error, naming `where`, if the calibration states that its images have another size.
+// Throws Error, naming `where`, if the calibration states another image size.
 void CheckSize(const StereoRig& rig, int width_px, int height_px, const std::string& where);
 
 }  // namespace cvo

@@ -14,7 +14,7 @@ namespace cvo {
 namespace {
 
 constexpr std::size_t kMostBytes = 1 << 20;
-constexpr std::size_t kMostValues = 1000;  // in one list; aliases can make it endless
+constexpr std::size_t kMostValues = 1000;  // in one list, which aliases could make endless
 
 YAML::Node Parse(const std::filesystem::path& path) {
   std::string text = ReadFileBytes(path);
@@ -29,7 +29,7 @@ YAML::Node Parse(const std::filesystem::path& path) {
   }
 }
 
-// False where there are too many values.
+// Appends the scalars of a node. Returns false if there are too many values.
 bool Collect(const YAML::Node& node, std::size_t& values, std::vector<std::string>& scalars) {
   if (++values > kMostValues) return false;
   if (node.IsScalar()) scalars.push_back(node.Scalar());

@@ -10,22 +10,23 @@
 
 namespace cvo {
 
-// A YAML (or JSON) file as calibrations use it. What is missing or of another kind is an Error that
-// names file and key.
+// A calibration file in YAML (or JSON). A value that is missing or has the wrong type is an Error
+// that names the file and the key.
 class YamlMap {
  public:
-  // Throws Error unless the file is one map. OpenCV's first line is no YAML of today and is
-  // skipped.
+  // Throws Error unless the file is a single map. Skips the first line of OpenCV's files, which is
+  // not valid YAML.
   static YamlMap Read(const std::filesystem::path& path);
 
   bool Has(const std::string& key) const { return static_cast<bool>(node_[key]); }
   YamlMap Map(const std::string& key) const;
-  double Number(const std::string& key) const;  // finite
+  double Number(const std::string& key) const;  // must be finite
   std::string Text(const std::string& key) const;
-  // All numbers of a list, of a list of lists row by row, or of OpenCV's matrices.
+  // Returns all numbers of a list, of a list of lists row by row, or of a matrix as OpenCV writes
+  // it.
   std::vector<double> Numbers(const std::string& key) const;
   std::vector<double> Numbers(const std::string& key, std::size_t count) const;
-  // Throws Error for a key that is not among them.
+  // Throws Error for a key of the map that is not among `keys`.
   void AllowOnly(const std::vector<std::string>& keys) const;
   [[noreturn]] void Fail(const std::string& key, const std::string& found,
                          const std::string& expected) const;

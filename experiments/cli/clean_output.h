@@ -9,9 +9,10 @@
 
 namespace cvo {
 
-// While it lives, what a stream prints is text and nothing else: characters that a terminal would
-// obey (escape sequences, line erasure, changes of direction), which names of files, keys and
-// suites may hold, become U+FFFD. It passes on whole lines, and what there is when flushed.
+// Makes everything that is printed to a stream plain text for as long as this object exists.
+// Characters that a terminal would interpret (escape sequences, line erasure, changes of writing
+// direction), which names of files, keys and suites may contain, become U+FFFD. Text is passed on
+// in whole lines; an incomplete line is passed on when the stream is flushed.
 class CleanOutput : public std::streambuf {
  public:
   explicit CleanOutput(std::ostream& stream) : stream_(stream), target_(stream.rdbuf(this)) {}
@@ -25,13 +26,14 @@ class CleanOutput : public std::streambuf {
   int sync() override;
 
  private:
-  // Whether all of the first `size` bytes could be written.
+  // Cleans and passes on the first `size` waiting bytes. Returns whether all of them could be
+  // written.
   bool Pass(std::size_t size);
 
   std::ostream& stream_;
   std::streambuf* target_;
-  std::mutex mutex_;     // notices come from several threads
-  std::string waiting_;  // no whole line yet
+  std::mutex mutex_;     // several threads print notices
+  std::string waiting_;  // the incomplete last line
 };
 
 }  // namespace cvo

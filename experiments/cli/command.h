@@ -9,7 +9,8 @@
 
 namespace cvo {
 
-// A subcommand: its flags are parsed into what `run` holds, and `run` returns the exit code.
+// A subcommand. Its flags are parsed into variables that `run` captures; `run` returns the exit
+// code.
 struct Command {
   CLI::App* app = nullptr;
   std::function<int()> run;
@@ -33,24 +34,25 @@ Command AddInfoCommand(CLI::App& program);
 Command AddVariantsCommand(CLI::App& program);
 Command AddOptionsCommand(CLI::App& program);
 
-// Exit codes: results are missing or failed, and wrong usage.
+// Exit codes for missing or failed results, and for wrong usage.
 inline constexpr int kIncomplete = 1;
 inline constexpr int kUsage = 2;
 
-// A command of others, of which one is called.
+// A command with subcommands, of which the parsed one is run.
 Command Group(CLI::App& app, std::vector<Command> commands);
 
-// A check for numbers, which the parser lets be NaN and infinite: what is wrong, or empty.
+// Checks a flag's number, which the parser allows to be NaN or infinite. Returns what is wrong, or
+// an empty string.
 std::string FiniteProblem(const std::string& text);
 
-// A check for one of some names, which the flag's help lists: the nearest is named where it is
-// none.
+// Checks that a flag's value is one of these names, which the flag's help lists. The message for an
+// unknown name suggests the nearest one.
 CLI::Validator OneOf(std::vector<std::string> names);
 
 // What `clustervo --version` prints.
 std::string VersionText();
 
-// What `clustervo synth` offers, one command each.
+// The subcommands of `clustervo synth`.
 Command AddSynthListCommand(CLI::App& synth);
 Command AddSynthGenerateCommand(CLI::App& synth);
 Command AddSynthDiversityCommand(CLI::App& synth);
@@ -58,7 +60,7 @@ Command AddSynthRenderCommand(CLI::App& synth);
 Command AddSynthPreviewCommand(CLI::App& synth);
 Command AddSynthCheckCommand(CLI::App& synth);
 
-// What `clustervo experiment` offers, one command each.
+// The subcommands of `clustervo experiment`.
 Command AddExperimentListCommand(CLI::App& experiment);
 Command AddExperimentPlanCommand(CLI::App& experiment);
 Command AddExperimentTableCommand(CLI::App& experiment);

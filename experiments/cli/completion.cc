@@ -10,7 +10,7 @@
 namespace cvo {
 namespace {
 
-// Names of commands below, and flags.
+// Names of the subcommands and flags of a command, separated by spaces.
 std::string WordsAfter(const CLI::App& app) {
   std::vector<std::string> words;
   for (const CLI::App* below : CommandsBelow(app)) words.push_back(below->get_name());
@@ -20,7 +20,7 @@ std::string WordsAfter(const CLI::App& app) {
   return Joined(words, " ");
 }
 
-// All commands in quotes, but the program itself.
+// All commands except the program itself, in quotes.
 std::string QuotedCommands(const CLI::App& program, const char* separator) {
   std::vector<std::string> paths;
   ForEachCommand("clustervo", program, [&](const std::string& path, const CLI::App&) {
@@ -29,7 +29,7 @@ std::string QuotedCommands(const CLI::App& program, const char* separator) {
   return Joined(paths, separator);
 }
 
-// Lines of bash and zsh that leave in `offered` what may follow the words `before`.
+// Bash and zsh code that sets `offered` to the words that may follow the words `before`.
 std::string FindOffered(const CLI::App& program, const std::string& before) {
   std::string cases;
   ForEachCommand("clustervo", program, [&](const std::string& path, const CLI::App& app) {
@@ -41,7 +41,7 @@ std::string FindOffered(const CLI::App& program, const std::string& before) {
                 cases, "  esac\n");
 }
 
-// Inside a text of fish.
+// Escapes text for a quoted string of fish.
 std::string Escaped(const std::string& text) {
   std::string escaped;
   for (const char c : text) {

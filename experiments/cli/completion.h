@@ -13,11 +13,12 @@ std::vector<const CLI::App*> CommandsBelow(const CLI::App& app);
 
 using VisitApp = std::function<void(const std::string& path, const CLI::App& app)>;
 
-// Every command with the words that lead to it, "clustervo experiment run".
+// Visits `app` and every command below it, with the words that lead to it, such as "clustervo
+// experiment run".
 void ForEachCommand(const std::string& path, const CLI::App& app, const VisitApp& visit);
 
-// Made of what --help is made of, so that none of them lacks a command or a flag: to be read with
-// eval, or installed where the shell looks for completions.
+// Completion scripts, generated from the same data as --help so that no command or flag is missing.
+// They are read with eval, or installed where the shell looks for completions.
 std::string BashCompletion(const CLI::App& program);
 std::string ZshCompletion(const CLI::App& program);
 std::string FishCompletion(const CLI::App& program);

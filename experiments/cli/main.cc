@@ -31,7 +31,8 @@ namespace {
 constexpr int kBadInput = 1;
 constexpr int kInternal = 3;
 
-// As where a limit was set for a job: a failure of its input, and no error of the program.
+// Message for memory exhaustion, with the memory limit if one was set, as for jobs. It counts as a
+// failure of the input, not as an internal error.
 std::string OutOfMemory() {
   rlimit limit{};
   const bool limited = ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
@@ -40,7 +41,7 @@ std::string OutOfMemory() {
                 " MB");
 }
 
-// One line on stderr, whatever the message holds.
+// Prints the message as one line on stderr, whatever it contains. Returns the exit code.
 int Fail(const std::string& message, int exit_code) {
   std::cerr << "clustervo: error: " << Shortened(Printable(message)) << '\n';
   return exit_code;
@@ -51,7 +52,8 @@ std::string CommandName(const CLI::App& app) {
   return above == nullptr ? app.get_name() : CommandName(*above) + " " + app.get_name();
 }
 
-// A word that is no subcommand where one must be, which the parser would only call unexpected.
+// Throws UsageError for a word that is not a subcommand where one must be. The parser would only
+// call it unexpected.
 void CheckSubcommand(int argc, char** argv, const CLI::App& program) {
   const CLI::App* app = &program;
   for (int i = 1; i < argc; ++i) {
@@ -73,7 +75,8 @@ void CheckSubcommand(int argc, char** argv, const CLI::App& program) {
   }
 }
 
-// A flag that the command does not have, with what may have been meant.
+// Throws UsageError for a flag that the command does not have, suggesting the one that was probably
+// meant.
 void CheckFlags(int argc, char** argv, const CLI::App& program) {
   const CLI::App* app = &program;
   for (int i = 1; i < argc; ++i) {
@@ -92,20 +95,20 @@ void CheckFlags(int argc, char** argv, const CLI::App& program) {
     }
     if (std::find(names.begin(), names.end(), flag) != names.end()) continue;
     const std::string meant = DidYouMean(flag, names);
-    if (meant.empty()) continue;  // a flag's value, or ExplainUsage says what it is
+    if (meant.empty()) continue;  // the value of a flag, or left to ExplainUsage
     const std::string command = CommandName(*app);
     throw UsageError(StrCat(command, " has no flag ", flag, meant, " (see ", command, " --help)"));
   }
 }
 
-// What is read is asked for before where results go.
+// Whether the input sequence is missing. This is reported before a missing output folder.
 bool LacksSequence(const CLI::App& app) {
   const CLI::Option* folder = app.get_option_no_throw("SEQUENCE");
   const CLI::Option* left = app.get_option_no_throw("--left");
   return folder != nullptr && left != nullptr && folder->count() + left->count() == 0;
 }
 
-// Shells make an empty name of a variable that is not set.
+// Throws UsageError for an empty output name, which is what shells make of an unset variable.
 void CheckOutputName(const CLI::App& program) {
   const CLI::App* app = &program;
   while (!app->get_subcommands().empty()) app = app->get_subcommands().front();
@@ -135,20 +138,20 @@ int ExplainUsage(const CLI::App& program, const CLI::ParseError& error) {
               kUsage);
 }
 
-// What is wrong with a flag's value is wrong usage; what is wrong with a file is bad input.
+// A wrong value of a flag is a usage error; anything wrong with a file is bad input.
 int ExitCodeOf(std::string_view message) {
   return message.starts_with("--") || message.starts_with("option --") ? kUsage : kBadInput;
 }
 
-// In place of streams that are closed, which the next files to be opened would become. Writing to
-// these fails, too.
+// Opens /dev/null in place of closed standard streams, because the next opened files would take
+// their descriptors. It is opened read-only, so writing to such a stream still fails.
 void ReplaceClosedStreams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) < 0) (void)::open("/dev/null", O_RDONLY);
   }
 }
 
-// A full disk or a closed stream shows now at the latest.
+// Reports output that could not be written, because of a full disk or a closed stream.
 int CheckPrinted(int exit_code) {
   std::cout.flush();
   if (std::cout) return exit_code;
@@ -157,15 +160,16 @@ int CheckPrinted(int exit_code) {
 }
 
 int Main(int argc, char** argv) {
-  // Otherwise the C library returns blocks only above the largest that was ever freed, and a run of
-  // a thousand frames, of which 35 MB are in use, holds gigabytes of holes between small blocks. A
-  // quarter of this frees no more and costs twice the time (page faults), twice as much frees
-  // nothing. What is free at the end of the heap may be several frames' images: returned after each
-  // of them, it costs a frame two milliseconds.
+  // By default, the C library returns a freed block to the system only if it is larger than all
+  // blocks freed before: a run of a thousand frames, of which 35 MB are in use, then holds
+  // gigabytes of gaps between small blocks. A quarter of this threshold returns no more memory and
+  // takes twice the time (page faults); twice the threshold returns nothing. The trim threshold is
+  // larger because the free memory at the end of the heap may be the images of several frames:
+  // returning it after each frame would cost two milliseconds per frame.
   constexpr int kReturned_bytes = 1 << 22;
   ::mallopt(M_MMAP_THRESHOLD, kReturned_bytes);
   ::mallopt(M_TRIM_THRESHOLD, 4 * kReturned_bytes);
-  cv::setNumThreads(1);  // the program's own threads are enough, and OpenCV's cost determinism
+  cv::setNumThreads(1);  // the program has its own threads; OpenCV's break determinism
 
   CLI::App program(
       "Stereo visual odometry that also tracks moving rigid bodies, on recorded and rendered "
@@ -190,7 +194,7 @@ int Main(int argc, char** argv) {
     program.parse(argc, argv);
     CheckOutputName(program);
   } catch (const CLI::ParseError& error) {
-    // Help and version are thrown too.
+    // --help and --version arrive as exceptions, too.
     return error.get_exit_code() == 0 ? program.exit(error) : ExplainUsage(program, error);
   }
   for (const Command& command : commands) {

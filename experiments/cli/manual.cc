@@ -11,7 +11,7 @@
 namespace cvo {
 namespace {
 
-// Text of a line of troff.
+// Escapes text for troff.
 std::string Troff(const std::string& text) {
   std::string escaped;
   bool begins = true;

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 }
 
 bool IsSame(const fs::path& a, const fs::path& b) {
-  std::error_code none;  // one of them is not there
+  std::error_code none;  // set if one of them does not exist
   return fs::equivalent(a, b, none);
 }
 
@@ -29,7 +29,7 @@ bool IsSequence(const fs::path& folder) {
   return !DetectSequenceType(folder).empty() || IsTrackingSet(folder);
 }
 
-// `resolved` and the folders above it.
+// Refuses `output` if `resolved` or a folder above it is a sequence.
 void RefuseBelowSequence(const fs::path& output, const fs::path& resolved) {
   for (fs::path folder = resolved; folder != folder.parent_path(); folder = folder.parent_path()) {
     if (IsSequence(folder)) Refuse(output, "the sequence " + folder.string());

@@ -43,11 +43,11 @@ bool IsRun(const fs::path& folder) {
          (Exists(folder / "truth.json") || Exists(folder / "objects.csv"));
 }
 
-// Empty if there is none, or none that can be read.
+// Name of the suite planned in a folder. Empty if there is none, or if its plan cannot be read.
 std::string SuiteIn(const fs::path& folder) try {
   const fs::path plan = folder / "plan.json";
   return Exists(plan) ? ReadJson(plan).at("suite").at("name") : "";
-} catch (const std::exception&) {  // of the JSON library too
+} catch (const std::exception&) {  // also those of the JSON library
   return "";
 }
 

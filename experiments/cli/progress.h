@@ -8,7 +8,7 @@
 
 namespace cvo {
 
-// What is counted, and the time that its rate is over.
+// What is counted, and the unit of its rate: `per_s` converts to it from 1/s.
 struct ProgressUnit {
   const char* name;
   const char* rate;
@@ -20,21 +20,21 @@ inline constexpr ProgressUnit kScenes{"scenes", "scenes/min", 60.0};
 inline constexpr ProgressUnit kSequences{"sequences", "sequences/min", 60.0};
 inline constexpr ProgressUnit kPlanned{"jobs planned", "jobs/s", 1.0};
 
-// How far a run has come, on stderr: a bar with its rate and the time left on a terminal, otherwise
-// a line every tenth of the way.
+// Shows progress on stderr: on a terminal, a bar with the rate and the time left; otherwise a line
+// after every tenth of the work.
 class Progress {
  public:
   using Clock = std::chrono::steady_clock;
 
-  // `start`: when the work began, where that was before its amount was known.
+  // `start`: when the work began, if that was before its amount was known.
   Progress(std::size_t total, bool quiet, Clock::time_point start = Clock::now(),
            const ProgressUnit& unit = kFrames);
-  ~Progress();  // takes the bar off the terminal
+  ~Progress();  // erases the bar
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   void Report(std::size_t done);
-  // One line, whatever is shown: the bar comes back with the next report.
+  // Prints one line, even if quiet. The bar reappears with the next report.
   void Note(const std::string& line) const;
 
  private:

@@ -6,8 +6,9 @@
 
 namespace cvo {
 
-// A folder of its own below the system's one for temporary files, gone at the end. Those of killed
-// processes go away, too. Throws Error where none can be made.
+// A new folder in the system's folder for temporary files, removed by the destructor. The
+// constructor also removes the folders of killed processes. Throws Error if the folder cannot be
+// created.
 class ScratchFolder {
  public:
   ScratchFolder();

@@ -7,7 +7,7 @@
 namespace cvo {
 namespace {
 
-// A signal handler can reach nothing else.
+// A global, because a signal handler can access nothing else.
 volatile std::sig_atomic_t stop_requested = 0;
 
 void NoteSignal(int) { stop_requested = 1; }

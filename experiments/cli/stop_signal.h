@@ -4,10 +4,11 @@
 
 namespace cvo {
 
-// The exit code of what such a signal stopped.
+// Exit code of a command that was stopped by SIGINT or SIGTERM.
 inline constexpr int kStopped = 130;
 
-// While one exists, the first SIGINT or SIGTERM is only noted; the next one ends the program.
+// While an instance exists, the first SIGINT and the first SIGTERM are only recorded; a second
+// signal of the same kind ends the program.
 class StopSignal {
  public:
   StopSignal();

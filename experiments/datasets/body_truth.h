@@ -10,27 +10,30 @@
 
 namespace cvo {
 
-// The bodies of a sequence: where they are, and which of them a pixel shows.
+// Ground truth of the bodies of a sequence: their poses, and which body a pixel shows.
 class BodyTruthReader {
  public:
   virtual ~BodyTruthReader() = default;
 
   virtual const ObjectTruth& objects() const = 0;
 
-  // The body with this track id in labels and detections; -1: none.
+  // Returns the id of the body with this track id in labels and detections, or -1 if there is none.
   virtual int BodyOfTrack(int track) const = 0;
 
-  // What is at a pixel of the left image and at the point (left camera, m) that stereo puts there.
-  // Frames in increasing order are fast: one mask is in memory. Throws Error for a frame outside
-  // the sequence or a mask that cannot be read.
+  // Returns the truth of what is visible at a pixel of the left image, given the point (left
+  // camera, m) that stereo triangulates there. `frame` counts from Sequence::first_frame. Frames in
+  // increasing order are fast, as one mask is kept in memory. Throws Error for a frame outside the
+  // sequence or a mask that cannot be read.
   virtual LandmarkTruth Find(int frame, const Eigen::Vector2d& left_px,
                              const Eigen::Vector3d& p_in_camera) = 0;
 };
 
-// From objects.csv and the instance masks of a rendered scene, else from Sequence::bodies, else
-// from labels with tracks and 3D boxes and the camera's truth; nullptr where the sequence has
-// neither. Outdoors, where a mover travels 2 m: KITTI's sequences, and scenes with a body of one of
-// KITTI's categories of traffic. Throws Error for files that contradict each other.
+// Reads the ground truth of the bodies from objects.csv and the instance masks of a rendered scene,
+// else from Sequence::bodies, else from labels with tracks and 3D boxes together with the camera's
+// ground truth. Returns nullptr if the sequence has none of these. The distance beyond which a body
+// is a mover is 2 m outdoors (for labels, and for scenes with a body of one of KITTI's traffic
+// categories), 0.2 m in other scenes, and that of Sequence::bodies if they are used. Throws Error
+// for files that contradict each other.
 std::unique_ptr<BodyTruthReader> ReadBodyTruth(const Sequence& sequence);
 
 }  // namespace cvo

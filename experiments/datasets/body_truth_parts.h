@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What the readers of true bodies share: between them and ReadBodyTruth, not for others.
+// Shared by the readers of true bodies and ReadBodyTruth; not for use elsewhere.
 
 #include <memory>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace cvo {
 
-// Of a rendered scene.
+// Reads the bodies of a rendered scene.
 BodyTracks ReadSceneBodyTracks(const Sequence& sequence);
 std::unique_ptr<BodyTruthReader> MakeTrackBodyTruth(const Sequence& sequence, BodyTracks tracks);
 std::unique_ptr<BodyTruthReader> ReadLabelBodyTruth(const Sequence& sequence);
@@ -19,18 +19,18 @@ std::unique_ptr<BodyTruthReader> ReadLabelBodyTruth(const Sequence& sequence);
 constexpr double kIndoorTravel_m = 0.2;
 constexpr double kOutdoorTravel_m = 2.0;
 
-// Whether it is one of KITTI's categories of traffic.
+// Whether `category` is one of KITTI's traffic categories.
 bool IsTraffic(const std::string& category);
 
-// Times and camera of the sequence; no bodies yet.
+// Returns the timestamps and camera poses of the sequence, without any bodies.
 ObjectTruth TruthWithoutBodies(const Sequence& sequence);
 
-// What is true of a landmark on a body, its point within the body's box in the body's frame: not
-// known where the frame has no pose of the body.
+// Returns the truth of a landmark on body `id`, given its point in the body's frame, clamped to the
+// body's box. Unknown if the frame has no pose of the body.
 LandmarkTruth TruthOnBody(const ObjectTruth& truth, int id, int frame,
                           const Eigen::Vector3d& p_in_object);
 
-// The frame as an index. Throws Error unless the truth has it.
+// Returns the frame as an index. Throws Error if the truth does not have this frame.
 std::size_t CheckedFrame(const ObjectTruth& truth, int frame);
 
 }  // namespace cvo

@@ -8,7 +8,7 @@
 
 namespace cvo {
 
-// A file of EuRoC with poses of the body. Throws Error.
+// Reads the poses of the body (world_from_body) from a EuRoC file. Throws Error.
 Trajectory ReadEurocPoses(const std::filesystem::path& path);
 
 }  // namespace cvo

@@ -17,7 +17,7 @@ bool IsNumber(const std::string& name) {
   return !name.empty() && name.find_first_not_of("0123456789") == std::string::npos;
 }
 
-// Folders in `folder`, sorted; none where it cannot be read.
+// Returns the folders in `folder`, sorted; none if it cannot be read.
 std::vector<fs::path> SubFolders(const fs::path& folder) {
   std::vector<fs::path> folders;
   std::error_code error;
@@ -35,7 +35,7 @@ const SequenceLayout* LayoutOf(const fs::path& folder) {
   return nullptr;
 }
 
-// Each folder once, so that circles of symbolic links end.
+// Visits each folder once, so that cycles of symbolic links end.
 void Collect(const fs::path& folder, std::set<fs::path>& visited,
              std::vector<FoundSequence>& found) {
   std::error_code error;

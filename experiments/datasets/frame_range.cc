@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kWhere = "--frames";
 
-// `if_empty` for "".
+// Returns `if_empty` for an empty text.
 int ParseFrame(std::string_view text, int if_empty, const std::string& whole) {
   if (text.empty()) return if_empty;
   const std::optional<std::int64_t> value = ParseInteger(text);

@@ -6,17 +6,17 @@
 
 namespace cvo {
 
-// Frames begin, ..., end - 1 counted from zero; end -1: to the last.
+// Frames begin, ..., end - 1, counted from zero. An end of -1 means up to the last frame.
 struct FrameRange {
   int begin = 0;
   int end = -1;
 };
 
-// "A:B", "A:", ":B" or ":". Throws Error for anything else and for ranges that are empty.
+// Parses "A:B", "A:", ":B" or ":". Throws Error for anything else and for empty ranges.
 FrameRange ParseFrameRange(std::string_view text);
 
-// The range within a sequence of `total` frames, its end filled in. Throws Error where it is empty
-// or reaches outside.
+// Returns the range within a sequence of `total` frames, with its end filled in. Throws Error if
+// the range is empty or exceeds the sequence.
 FrameRange ResolveFrameRange(const FrameRange& range, int total);
 
 }  // namespace cvo

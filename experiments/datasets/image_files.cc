@@ -38,10 +38,10 @@ std::map<std::int64_t, fs::path> NumberedFiles(const fs::path& folder, const Num
   return files;
 }
 
-// The name that a file of another number has in the same folder: equally many digits.
+// Returns the name that the file with another number has in the same folder, with as many digits.
 std::string SiblingName(const fs::path& sibling, std::int64_t number) {
   const std::string stem = sibling.stem().string();
-  const std::size_t prefix = stem.find_last_not_of("0123456789") + 1;  // 0 without one
+  const std::size_t prefix = stem.find_last_not_of("0123456789") + 1;  // 0 if there is no prefix
   std::string digits = std::to_string(number);
   const std::size_t width = stem.size() - prefix;
   if (digits.size() < width) digits.insert(0, width - digits.size(), '0');

@@ -9,30 +9,32 @@
 
 namespace cvo {
 
-// The images of both cameras of a pair, in order.
+// The image files of both cameras of a pair, in frame order, and their common size.
 struct StereoImages {
   std::vector<StereoPaths> paths;
   int width_px = 0;
   int height_px = 0;
 };
 
-// What stands around the number in the names of files.
+// What precedes and follows the number in the names of numbered files.
 struct NumberedName {
   std::string prefix = {};
   std::string extension = ".png";
 };
 
-// Lists numbered images in both folders and checks that they are numbered 0, 1, ... without a gap,
-// as many on either side, and of one size. Throws Error.
+// Lists the numbered images of both folders and checks that they are numbered 0, 1, ... without
+// gaps, that there are equally many on both sides, and that all have the same size. Throws Error
+// otherwise.
 StereoImages ListStereoImages(const std::filesystem::path& left_folder,
                               const std::filesystem::path& right_folder,
                               const NumberedName& name = {});
 
-// Checks, from their headers, that there are images, of 8 bits and of one size. Throws Error.
+// Checks from the headers that the images exist, have 8 bits per channel and are all of the same
+// size. Throws Error otherwise.
 StereoImages CheckedImages(std::vector<StereoPaths> paths);
 
-// The files <prefix><number><extension> of a folder in order of their numbers, which must be 0, 1,
-// ... without a gap. Throws Error that lists what is missing.
+// Returns the files <prefix><number><extension> of a folder, sorted by number. The numbers must be
+// 0, 1, ... without gaps. Throws Error that lists the missing files.
 std::vector<std::filesystem::path> ListNumberedFiles(const std::filesystem::path& folder,
                                                      const NumberedName& name);
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The bodies that KITTI tracking labels describe. A body's frame has its origin in the middle of
-// its box, x along its length, y down, z along its width.
+// Bodies from KITTI tracking labels. A body's frame has its origin at the centre of its box, x
+// along its length, y down, z along its width.
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 constexpr int kMaxOcclusion = 1;
 constexpr double kMinHeight_px = 25.0;
 
-// Tracks count from 0, bodies from 1.
+// Track ids start at 0, body ids at 1.
 int BodyOf(int track) { return track + 1; }
 
 // The box of a body in one frame.
@@ -40,7 +40,7 @@ LabelBox MakeBox(const ObjectBox& label, double left_offset_m) {
 
 bool IsBody(const ObjectBox& label) { return label.track >= 0 && label.box3d.has_value(); }
 
-// Whether the part of the ray from `from` to `to` meets the box.
+// Whether the line segment from `from` to `to` intersects the box.
 bool Meets(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& low,
            const Eigen::Vector3d& high) {
   double enter = 0.0;
@@ -59,19 +59,20 @@ bool Meets(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::
   return enter <= leave;
 }
 
-// How far a point may lie from a box: its disparity may be wrong, which moves it along its ray, and
-// the sides of the box may be.
+// Tolerances for a point on a box. The point's disparity may be wrong, which moves it along its
+// ray, and so may be the sides of the box.
 struct Slack {
   double disparity_px;
   double side_m;
-  double bottom_m;  // below zero: what lies just above the road is the road
+  double bottom_m;  // negative: points just above the road belong to the road
 };
 constexpr Slack kOnBody = {0.5, 0.1, -0.15};
 constexpr Slack kNearBody = {1.5, 0.4, 0.1};
 
 bool IsAt(const LabelBox& box, const StereoCamera& camera, const Eigen::Vector3d& p_in_camera,
           const Slack& slack) {
-  // A point at infinity may be this many times further away than it seems.
+  // Limits how many times farther away than measured a point may be, as an error of its disparity
+  // may move it to infinity.
   constexpr double kFarthest = 10.0;
   const double disparity_px = camera.fx * camera.baseline_m / p_in_camera.z();
   const double nearer = disparity_px / (disparity_px + slack.disparity_px);
@@ -105,7 +106,7 @@ class LabelBodyTruth final : public BodyTruthReader {
 
   StereoCamera camera_;
   ObjectTruth truth_;
-  std::map<int, TruthBody> bodies_;                 // while reading
+  std::map<int, TruthBody> bodies_;                 // only used while reading
   std::vector<std::vector<LabelBox>> boxes_;        // [frame]
   std::vector<std::vector<ObjectBox>> dont_cares_;  // [frame]
 };
@@ -180,7 +181,8 @@ LandmarkTruth LabelBodyTruth::Find(int frame, const Eigen::Vector2d& left_px,
 }
 
 bool LabelBodyTruth::IsInDontCare(std::size_t frame, const Eigen::Vector2d& left_px) const {
-  // These boxes are in pixels of image_02, at most this far from those of image_00 beyond 10 m.
+  // These boxes are in pixels of image_02, which beyond 10 m differ by at most this much from those
+  // of image_00.
   constexpr double kShift_px = 5.0;
   const auto& boxes = dont_cares_[frame];
   return std::any_of(boxes.begin(), boxes.end(), [&](const ObjectBox& box) {

@@ -16,7 +16,8 @@
 namespace cvo {
 namespace {
 
-// Grey is converted here and not by the PNG library, whose arithmetic depends on its version.
+// Colour is converted to grey here and not by the PNG library, whose arithmetic depends on its
+// version.
 cv::Mat DecodeGrey(const std::string& bytes, bool is_png) {
   if (is_png) {
     cv::Mat grey = DecodeGreyPng(bytes);

@@ -27,15 +27,16 @@ struct Projection {
   double focal_px, cx_px, cy_px;
 };
 
-// The rectified cameras of KITTI's five days (2011_09_26, 28, 29, 30 and 10_03). Odometry,
-// tracking, object and stereo benchmarks are parts of these recordings and repeat their numbers.
+// The rectified cameras of KITTI's five recording days (2011_09_26, 28, 29, 30 and 10_03). The
+// odometry, tracking, object and stereo benchmarks are parts of these recordings and have the same
+// intrinsics.
 constexpr std::array<Projection, 5> kKittiDays = {{{721.5377, 609.5593, 172.8540},
                                                    {707.0493, 604.0814, 180.5066},
                                                    {718.3351, 600.3891, 181.5122},
                                                    {707.0912, 601.8873, 183.1104},
                                                    {718.8560, 607.1928, 185.2157}}};
 
-// Grey and colour pairs alike are 0.53 to 0.54 m apart.
+// The baselines of the grey and the colour pair are both 0.53 to 0.54 m.
 bool IsKittiRig(const StereoCamera& camera) {
   const auto near = [](double a, double b, double tolerance) {
     return std::abs(a - b) <= tolerance;
@@ -49,8 +50,8 @@ bool IsKittiRig(const StereoCamera& camera) {
          });
 }
 
-// Sequence::dataset: the one that was named, else the one whose calibration the sequence has. Names
-// of folders do not count. Throws Error for a name that is none.
+// Returns Sequence::dataset: the one that was named, else the one whose calibration the sequence
+// has. Folder names do not count. Throws Error for an unknown name.
 std::string DataSetOf(const Sequence& sequence, const std::string& named) {
   if (named == kKittiDataSet || named == kOtherDataSet) return named;
   if (!named.empty()) {
@@ -58,7 +59,7 @@ std::string DataSetOf(const Sequence& sequence, const std::string& named) {
                Quoted(named) + DidYouMean(named, {kKittiDataSet, kOtherDataSet}),
                StrCat(kKittiDataSet, " or ", kOtherDataSet));
   }
-  // A rendered scene or somebody's own images may have been given KITTI's camera.
+  // A rendered scene, or images of the user's own, may have been given KITTI's camera.
   const bool made =
       fs::exists(sequence.folder / "scene.json") || fs::exists(sequence.folder / "import.json");
   return !made && IsKittiRig(sequence.camera) ? kKittiDataSet : kOtherDataSet;
@@ -134,7 +135,7 @@ Sequence OpenSequence(const SequenceRequest& request) try {
   sequence.box_sources = {resolved.labels_file, resolved.detections_file,
                           resolved.detections_camera, resolved.min_score};
   sequence.dataset = DataSetOf(sequence, resolved.dataset);
-  // KITTI numbers its odometry sequences.
+  // KITTI names its odometry sequences by number only.
   if (sequence.type == kKittiOdometry && sequence.dataset == kKittiDataSet) {
     sequence.name.insert(0, "odometry_");
   }

@@ -19,7 +19,7 @@ int NumberOf(const Sequence& sequence, std::size_t index) {
   return sequence.first_frame + static_cast<int>(index);
 }
 
-// Whether this happens to a frame that it happens to a part `rate` of.
+// Whether `what`, which happens to a fraction `rate` of the frames, happens to this one.
 bool Happens(const char* what, double rate, std::uint64_t seed, int frame) {
   return rate > 0.0 && Rng(seed, StrCat("perturb ", what, " ", frame)).Uniform() < rate;
 }
@@ -43,7 +43,7 @@ void AddNoise(double deviation, Rng rng, cv::Mat& grey) {
   }
 }
 
-// Rows that come into view repeat the one at the border.
+// Rows that come into view repeat the border row.
 void ShiftDown(int rows, cv::Mat& grey) {
   cv::Mat shifted(grey.size(), grey.type());
   for (int v = 0; v < grey.rows; ++v) {
@@ -64,7 +64,7 @@ Json PerturbationToJson(const Perturbation& perturbation) {
   Perturbation changed = perturbation;
   Perturbation defaults;
   const Json plain = OptionsToJson(OptionLeaves(defaults));
-  const Json all = OptionsToJson(OptionLeaves(changed));  // outlives the loop
+  const Json all = OptionsToJson(OptionLeaves(changed));  // must outlive the loop over items()
   Json json = Json::object();
   for (const auto& [key, value] : all.items()) {
     if (value != plain[key]) json[key] = value;

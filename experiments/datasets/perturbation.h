@@ -14,9 +14,9 @@ namespace cvo {
 
 struct Sequence;
 
-// What is done to the images and the calibration of a sequence before a run, so that its error can
-// be measured against it. What is drawn at random is decided by `seed` and the number of the frame
-// in its folder: a larger rate drops the same frames and more. The first frame that is read is
+// Degradations of the images and the calibration of a sequence, applied before a run to measure how
+// its error depends on them. Random choices are determined by `seed` and the frame's number in its
+// folder, so a larger rate drops the same frames and additional ones. The first frame read is
 // neither dropped nor replaced.
 struct Perturbation {
   double blur_px = 0.0;
@@ -31,7 +31,7 @@ struct Perturbation {
   double focal_error = 0.0;
   double baseline_error = 0.0;
   double disparity_error_px = 0.0;
-  std::uint64_t seed = 0;  // no option: that of the job
+  std::uint64_t seed = 0;  // not an option: the seed of the job
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
@@ -62,16 +62,18 @@ struct Perturbation {
   }
 };
 
-// The keys that differ from the default, and the seed where there are any: {} of no perturbation.
+// Returns the options that differ from their defaults, and the seed if there are any. Returns {}
+// for no perturbation.
 Json PerturbationToJson(const Perturbation& perturbation);
-// {"blur_px": 1.5}. Throws Error with the key for one that is unknown or out of range.
+// Parses an object such as {"blur_px": 1.5}. Throws Error naming a key that is unknown or out of
+// range.
 Perturbation ParsePerturbation(const Json& json, const std::string& where);
 
-// The camera, and which image files frames are read from.
+// Perturbs the camera and the choice of the image files that frames are read from.
 void PerturbSequence(const Perturbation& perturbation, Sequence& sequence);
-// The images of this frame are taken away.
+// Whether the images of this frame are withheld.
 bool IsDropped(const Sequence& sequence, std::size_t index);
-// The pixels of its left (0) or right (1) image.
+// Perturbs the pixels of the frame's left (0) or right (1) image.
 void PerturbImage(const Sequence& sequence, std::size_t index, int side, cv::Mat& grey);
 
 }  // namespace cvo

@@ -14,7 +14,8 @@
 namespace cvo {
 namespace {
 
-// Steps from one frame to the next that are too large: the first is told, the others are counted.
+// Collects the steps between consecutive frames that are too large. Describes the first one and
+// counts the others.
 class LargeSteps {
  public:
   void Add(const std::string& about, int frame, const std::string& what) {
@@ -31,7 +32,7 @@ class LargeSteps {
   std::string first_;
 };
 
-// Of another unit than metres, most likely.
+// Finds a baseline that is most likely in another unit than metres.
 void FindBaseline(double baseline_m, std::vector<std::string>& lines) {
   constexpr double kShortest_m = 1e-3;
   constexpr double kLongest_m = 10.0;
@@ -55,7 +56,7 @@ void FindGaps(const Sequence& sequence, const std::vector<double>& steps_s,
 void FindJumps(const Sequence& sequence, const std::vector<double>& steps_s,
                std::vector<std::string>& lines) {
   constexpr double kFastest_m_s = 100.0;
-  constexpr double kNoise_m = 1.0;  // of a truth that was measured
+  constexpr double kNoise_m = 1.0;  // of a measured ground truth
   const auto& truth = sequence.groundtruth_world_from_camera;
   LargeSteps jumps;
   for (std::size_t i = 0; i < steps_s.size(); ++i) {
@@ -68,27 +69,27 @@ void FindJumps(const Sequence& sequence, const std::vector<double>& steps_s,
   jumps.Tell(lines);
 }
 
-// How a camera moves from one frame to the next.
+// The motion of a camera from one frame to the next.
 struct CameraStep {
   double length_m = 0.0;
-  double sideways_m = 0.0;  // to the right, in the camera before
+  double sideways_m = 0.0;  // to the right, in the frame of the earlier camera
   double turn_rad = 0.0;
 };
 
-// A stretch of the way of a camera on a car.
+// A stretch of the path of a camera on a car.
 struct Stretch {
   int first = 0;  // frame
   int last = 0;
-  double sideways_rad = 0.0;    // from where the camera looks to where it goes
-  double by_turning_rad = 0.0;  // what of it the car's turning may make
+  double sideways_rad = 0.0;    // angle from the optical axis to the direction of travel
+  double by_turning_rad = 0.0;  // how much of it the turning of the car can explain
 };
 
-// All of 10 m, each from another frame on.
+// Returns the stretches of 10 m that start at each of the frames.
 std::vector<Stretch> StretchesOf(int first_frame, const std::vector<CameraStep>& steps) {
   constexpr double kLength_m = 10.0;
   constexpr double kLever_m = 3.0;  // from a car's rear axle to its camera, at most
   std::vector<Stretch> stretches;
-  CameraStep sum;  // from begin to end: a car may stand for thousands of frames
+  CameraStep sum;  // running sum from begin to end, as a car may stand for thousands of frames
   const auto add = [&sum](const CameraStep& step, double sign) {
     sum.length_m += sign * step.length_m;
     sum.sideways_m += sign * step.sideways_m;
@@ -104,10 +105,10 @@ std::vector<Stretch> StretchesOf(int first_frame, const std::vector<CameraStep>&
   return stretches;
 }
 
-// A car goes where it heads. Where its positions go sideways, they are wrong: those of OxTS drift
-// by a metre on KITTI drive 0013.
+// A car moves where it heads. Positions that move sideways are wrong: those of OxTS drift by a
+// metre on KITTI drive 0013.
 void FindSideslip(const Sequence& sequence, std::vector<std::string>& lines) {
-  constexpr double kLeast_rad = 0.02;  // our cameras differ from their median by 0.004
+  constexpr double kLeast_rad = 0.02;  // our sequences stay within 0.004 of their median
   const auto& truth = sequence.groundtruth_world_from_camera;
   std::vector<CameraStep> steps;
   for (std::size_t i = 0; i + 1 < truth.size(); ++i) {
@@ -134,7 +135,7 @@ void FindSideslip(const Sequence& sequence, std::vector<std::string>& lines) {
                          " m in 10 m: its positions do not fit its orientations"));
 }
 
-// Velocity from each frame to the next, m/s; empty where one of the two has no truth.
+// Returns the velocity from each frame to the next, m/s; empty if one of the two has no truth.
 std::vector<std::optional<Eigen::Vector3d>> Velocities(const TruthBody& body,
                                                        const std::vector<double>& steps_s) {
   std::vector<std::optional<Eigen::Vector3d>> velocities(steps_s.size());
@@ -148,7 +149,8 @@ std::vector<std::optional<Eigen::Vector3d>> Velocities(const TruthBody& body,
   return velocities;
 }
 
-// The two steps beside a step, at an end or a gap the next two; empty where there are fewer.
+// Returns the two steps next to step i: one on either side, or two on the same side at an end or a
+// gap. Empty if there are fewer.
 std::vector<std::size_t> Beside(std::size_t i,
                                 const std::vector<std::optional<Eigen::Vector3d>>& velocities) {
   const auto known = [&](std::size_t k) { return k < velocities.size() && velocities[k]; };
@@ -159,7 +161,8 @@ std::vector<std::size_t> Beside(std::size_t i,
   return {};
 }
 
-// A jump is a step unlike those beside it: what bounces or brakes goes on with its new velocity.
+// A jump is a step that differs from those next to it: a body that bounces or brakes continues with
+// its new velocity.
 void FindBodyJumps(const ObjectTruth& truth, const std::vector<double>& steps_s,
                    std::vector<std::string>& lines) {
   constexpr double kHardest_m_s2 = 100.0;
@@ -168,7 +171,8 @@ void FindBodyJumps(const ObjectTruth& truth, const std::vector<double>& steps_s,
   for (const TruthBody& body : truth.bodies) {
     const auto velocities = Velocities(body, steps_s);
     for (std::size_t i = 0; i < steps_s.size(); ++i) {
-      double least_m_s = std::numeric_limits<double>::infinity();  // change, 0: a possible one
+      // The smallest impossible change of velocity, or 0 if one of the changes is possible.
+      double least_m_s = std::numeric_limits<double>::infinity();
       for (const std::size_t other : Beside(i, velocities)) {
         const double change_m_s = (*velocities[i] - *velocities[other]).norm();
         const double possible_m_s = kHardest_m_s2 * 0.5 * (steps_s[i] + steps_s[other]) +

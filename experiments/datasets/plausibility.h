@@ -9,9 +9,10 @@
 
 namespace cvo {
 
-// What is well-formed in the times and the true poses of a sequence and yet implausible, one line
-// each: a gap between frames, a camera or a body that jumps, a car that slips sideways. Empty for a
-// good one. `bodies`: null where nothing is known of them.
+// Describes what is well-formed but implausible in the calibration, the timestamps and the true
+// poses of a sequence, one line per finding: a baseline not in metres, a gap between frames, a
+// camera or a body that jumps, a car that slips sideways. Empty if nothing is. `bodies` is null if
+// there is no ground truth of bodies.
 std::vector<std::string> FindImplausible(const Sequence& sequence, const ObjectTruth* bodies);
 
 }  // namespace cvo

@@ -27,34 +27,35 @@ struct StereoPaths {
   std::filesystem::path right;
 };
 
-// A body whose poses a data set states.
+// A body whose poses are stated by the data set.
 struct BodyTrack {
   int id = 0;      // 1, 2, ...
-  int track = -1;  // its number in the labels; -1: none
+  int track = -1;  // its id in the labels; -1: none
   std::string name;
   std::string category;
-  Eigen::Vector3d size_m = Eigen::Vector3d::Zero();  // of a box around its origin, along its axes
-  std::vector<std::optional<BodyFrame>> frames;      // of the folder
+  Eigen::Vector3d size_m = Eigen::Vector3d::Zero();  // of its box, centred at its origin
+  std::vector<std::optional<BodyFrame>> frames;      // [frame of the folder]
 };
 
-// A pixel of the left image that is known to show a body, or 0, the static scene.
+// A pixel of the left image that is known to show a body, or the static scene (body 0).
 struct LabelledPixel {
   Eigen::Vector2d at_px;
   int body = 0;
 };
 
-// All bodies of a sequence, in the world of the camera's truth, and what tells which of them a
-// pixel shows: a mask, labelled pixels, or nothing. Frames are those of the folder.
+// All bodies of a sequence, in the world of the camera's ground truth, and what tells which of them
+// a pixel shows: a mask, labelled pixels, or nothing. Frames are counted from the start of the
+// folder.
 struct BodyTracks {
   reports::TruthSource truth = reports::TruthSource::kOfficial;
   reports::Visibility visible;
   double mover_travel_m = 0.2;
-  std::vector<BodyTrack> bodies;           // by id
-  std::function<cv::Mat(int frame)> mask;  // CV_16UC1 of ids, 0 the static scene; may be empty
+  std::vector<BodyTrack> bodies;           // sorted by id
+  std::function<cv::Mat(int frame)> mask;  // CV_16UC1 of body ids, 0: static scene; may be empty
   std::vector<std::vector<LabelledPixel>> pixels;  // [frame]; may be empty
 };
 
-// Where labels and detections were asked for from (SequenceRequest).
+// The requested sources of labels and detections (see SequenceRequest).
 struct BoxSources {
   std::filesystem::path labels;
   std::filesystem::path detections;
@@ -62,83 +63,84 @@ struct BoxSources {
   double min_score = -1e300;
 };
 
-// A stereo sequence on disk, its images still undecoded. All vectors over frames have the same
-// length and start at `first_frame` of the folder.
+// A stereo sequence on disk, whose images are not yet decoded. All vectors with one element per
+// frame have the same length and start at `first_frame` of the folder.
 struct Sequence {
   std::string name;     // "2011_09_26_drive_0001", "odometry_06", "tracking_0005"
-  std::string type;     // "kitti-raw", "euroc", ...: the layout
-  std::string dataset;  // whose recording it is: "kitti" or "other"
+  std::string type;     // the layout: "kitti-raw", "euroc", ...
+  std::string dataset;  // the origin of the recording: "kitti" or "other"
   std::filesystem::path folder;
   std::string pair;  // "grey" or "colour"
   int first_frame = 0;
-  int total_frames = 0;  // in the folder, before --frames
+  int total_frames = 0;  // of the folder, before --frames is applied
   StereoCamera camera;   // left camera of the pair that is read
-  // Makes the images of `camera` from those in the files; null: they are that already.
+  // Transforms the images in the files to those of `camera`; null if they are rectified already.
   std::shared_ptr<const Rectification> rectification;
   std::vector<StereoPaths> images;
   std::vector<std::int64_t> timestamps_ns;  // strictly increasing
-  bool is_rate_assumed = false;             // no times are stated
+  bool is_rate_assumed = false;             // the data set states no timestamps
 
-  // Ground truth of the left camera of the pair; empty where a frame has none.
+  // Ground truth of the left camera of the pair; empty for frames without ground truth.
   std::string groundtruth;  // "devkit", "interpolated", "official" or "none"
   std::vector<std::optional<RigidTransform>> groundtruth_world_from_camera;
-  // The same at times of its own in the images' clock, of the whole recording and in another world;
-  // empty where the data set states it frame by frame.
+  // The same ground truth at its own timestamps, in the clock of the images, over the whole
+  // recording and in another world. Empty if the data set states it frame by frame.
   Trajectory truth_track;
 
-  // A point seen from the left camera read is p_in_camera0 + (left_offset_m, 0, 0).
+  // In the frame of the left camera read, a point is at p_in_camera0 + (left_offset_m, 0, 0).
   double left_offset_m = 0.0;
-  // In pixels of the left image read: labels with a 3D box were moved there by their own depth;
-  // those without (DontCare) stay in pixels of the image they were drawn in.
+  // In pixels of the left image read. Labels with a 3D box were moved there by the depth of their
+  // box; those without (DontCare) stay in pixels of the image they were drawn in.
   std::vector<ObjectBox> labels;
-  // In pixels of the image they were detected in, where a point seen from the left camera read is
-  // at p_in_camera + (detections_offset_m, 0, 0): see ShiftBox.
+  // In pixels of the image they were detected in. In the frame of that image's camera, a point is
+  // at p_in_camera + (detections_offset_m, 0, 0), with p_in_camera in the left camera read: see
+  // ShiftBox.
   std::vector<ObjectBox> detections;
   double detections_offset_m = 0.0;
   BoxSources box_sources;
-  int low_scores = 0;  // boxes left out: below BoxSources::min_score
-  // Where the data set states poses of bodies itself (not in labels, nor as a rendered scene).
+  int low_scores = 0;  // number of boxes dropped: below BoxSources::min_score
+  // Set if the data set states poses of bodies itself (neither in labels nor as a rendered scene).
   std::optional<BodyTracks> bodies;
   Json layout = Json::object();  // settings of its layout that were given
-  // Text files that determine what was read besides the images (calibration, times, OxTS, labels,
-  // detections), in a fixed order: they are part of the sequence's identity.
+  // Text files, besides the images, that determine what was read (calibration, times, OxTS, labels,
+  // detections), in a fixed order. They are part of the sequence's identity.
   std::vector<std::filesystem::path> text_files;
-  Perturbation perturbation;         // done to camera and images; pixels as they are decoded
-  std::vector<std::string> missing;  // what a complete folder would also hold, one line each
+  Perturbation perturbation;         // applied to the camera and file choice; to pixels on decoding
+  std::vector<std::string> missing;  // what a complete folder would also contain, one line each
 };
 
-// In place of a detections file: the 2D boxes of the labels, without anything else; with
-// "labels:FIRST-LAST" those of the tracks with these ids alone.
+// Given in place of a detections file, uses the 2D boxes and classes of the labels as detections;
+// "labels:FIRST-LAST" uses only those of the tracks with these ids.
 inline constexpr const char* kDetectionsFromLabels = "labels";
 bool AreFromLabels(const std::string& detections);
 
-// What a user asks for; empty means: decide from the folder.
+// What a user requests. An empty field means that it is decided from the folder.
 struct SequenceRequest {
   std::filesystem::path folder = {};
-  std::string type = {};               // of a SequenceLayout
+  std::string type = {};               // SequenceLayout::type
   std::string dataset = {};            // "", "kitti", "other"
   std::string pair = {};               // "", "grey", "colour"
   std::string groundtruth = "devkit";  // KITTI raw: "devkit" or "interpolated"; others: "devkit"
-  int begin_frame = 0;                 // half-open range; end -1: to the last
+  int begin_frame = 0;                 // half-open range; end -1: to the last frame
   int end_frame = -1;
-  std::filesystem::path labels_file = {};  // instead of the folder's own
-  int labels_camera = -1;                  // -1: image_02; in KITTI odometry the left image read
-  std::filesystem::path detections_file = {};  // or a scene's level, "good"; or AreFromLabels
+  std::filesystem::path labels_file = {};  // replaces the folder's own file
+  int labels_camera = -1;                  // -1: image_02, or in KITTI odometry the left image read
+  std::filesystem::path detections_file = {};  // or a level of a scene ("good"), or AreFromLabels
   int detections_camera = -1;  // image_0X the boxes were detected in; -1: the left image read
-  double min_score = -1e300;   // detections below are left out
-  // Of the camera (StereoCamera); empty: 0, the calibration as published.
+  double min_score = -1e300;   // detections with a lower score are dropped
+  // StereoCamera::right_shift_px. Empty: 0, the calibration as published.
   std::optional<double> right_shift_px = {};
   Perturbation perturbation = {};
-  Json layout = Json::object();  // SequenceLayout::settings that differ from the default
+  Json layout = Json::object();  // SequenceLayout::settings that differ from their defaults
 };
 
-// Reads everything but the images, and checks all of it: image files exist on both sides, in equal
-// numbers and with equal sizes (from their headers). Throws Error.
+// Reads everything but the images, and checks all of it. The image files must exist on both sides,
+// in equal numbers and with equal sizes (from their headers). Throws Error.
 Sequence OpenSequence(const SequenceRequest& request);
 
-// Folders below `root` (or `root` itself) that hold the images of a sequence, sorted by path, with
-// their type. KITTI tracking keeps several sequences in one folder: these are named <training
-// folder>/<number>.
+// FindSequences returns the folders below `root` (or `root` itself) that contain the images of a
+// sequence, sorted by path, with their type. KITTI tracking keeps several sequences in one folder;
+// these are returned as <training folder>/<number>. Throws Error if `root` does not exist.
 struct FoundSequence {
   std::filesystem::path folder;
   std::string type;

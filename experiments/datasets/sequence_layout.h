@@ -11,24 +11,24 @@
 
 namespace cvo {
 
-// How a data set lays out the files of a sequence. layouts/my_set.cc defines
-// `SequenceLayout MySetLayout()` and needs no other entry anywhere.
+// How a data set lays out the files of a sequence. layouts/my_set.cc defines `SequenceLayout
+// MySetLayout()`; a new layout needs no other registration.
 struct SequenceLayout {
-  std::string type;   // what --type names
-  std::string shape;  // the files it is known by, for messages
-  // Whether a folder is one of it, complete or not. No two layouts know the same folder.
+  std::string type;   // value of --type
+  std::string shape;  // its characteristic files, for messages
+  // Whether a folder has this layout, complete or not. No two layouts recognise the same folder.
   bool (*knows)(const std::filesystem::path& folder);
-  // Whether it has images of both cameras: FindSequences leaves out others.
+  // Whether the folder has images of both cameras; FindSequences omits those that do not.
   bool (*has_images)(const std::filesystem::path& folder);
   Sequence (*read)(const SequenceRequest& request);
-  // Every key of SequenceRequest::layout that it takes, with its default.
+  // Every key that SequenceRequest::layout may have, with its default.
   Json settings = Json::object();
 };
 
-// All of them, by type.
+// Returns all layouts, sorted by type.
 const std::vector<SequenceLayout>& SequenceLayouts();
 
-// SequenceRequest::layout, whose keys have been checked, as a layout's record of settings.
+// Returns SequenceRequest::layout, whose keys have been checked, as a layout's record of settings.
 template <JsonRecord Settings>
 Settings LayoutSettings(const SequenceRequest& request) {
   return FromJson<Settings>(request.layout, "layout settings");

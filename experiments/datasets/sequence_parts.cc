@@ -42,7 +42,7 @@ void CheckCamera(const char* option, int camera) {
 }
 
 void MoveLabels(double offset_m, double fx, std::vector<ObjectBox>& labels) {
-  // Centres nearer than this are those of boxes around the camera's own place.
+  // Boxes with a nearer centre surround the camera itself.
   constexpr double kMinDepth_m = 1.0;
   for (ObjectBox& box : labels) {
     if (!box.box3d) continue;
@@ -51,11 +51,12 @@ void MoveLabels(double offset_m, double fx, std::vector<ObjectBox>& labels) {
 }
 
 struct TrackRange {
-  int first = std::numeric_limits<int>::min();  // what has no track is below 0
+  // By default also includes boxes without a track, whose id is negative.
+  int first = std::numeric_limits<int>::min();
   int last = std::numeric_limits<int>::max();
 };
 
-// Of "labels" and "labels:FIRST-LAST".
+// Parses "labels" and "labels:FIRST-LAST".
 TrackRange TracksOf(const std::string& detections) {
   TrackRange range;
   if (detections == kDetectionsFromLabels) return range;
@@ -70,7 +71,7 @@ TrackRange TracksOf(const std::string& detections) {
              "labels, or labels:FIRST-LAST with the ids of tracks, as labels:0-5");
 }
 
-// Without what a detector could not know, and where the labels are already: in the left image read.
+// Copies only what a detector could know. The labels are in pixels of the left image read already.
 void UseLabelsAsDetections(const std::string& detections, double min_score, Sequence& sequence) {
   const TrackRange tracks = TracksOf(detections);
   if (sequence.labels.empty()) {
@@ -253,7 +254,7 @@ void AddCameraTruth(std::vector<std::optional<RigidTransform>> world_from_left,
   }
   sequence.groundtruth_world_from_camera = std::move(world_from_left);
   if (!first_from_world) {
-    sequence.bodies.reset();  // nothing says where they are seen from
+    sequence.bodies.reset();  // it is unknown from where they are seen
     return;
   }
   sequence.groundtruth = "official";

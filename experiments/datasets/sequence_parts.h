@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What the layouts share: between them and OpenSequence, not for others.
+// Shared by the layouts and OpenSequence; not for use elsewhere.
 
 #include <filesystem>
 #include <string>
@@ -24,49 +24,50 @@ struct CameraPair {
   std::filesystem::path right_folder;
 };
 
-// The pair that was asked for; else the first of which both folders exist; else the first of which
-// one exists. Throws Error for a pair that the data set does not have.
+// Returns the requested pair; without a request, the first pair with both folders, else the first
+// with one of them, else the first. Throws Error for a pair that the data set does not have.
 CameraPair ChoosePair(const SequenceRequest& request, const std::vector<CameraPair>& pairs);
 
-// Images and camera of the pair, and one time per image, over all frames.
+// Set the images and the camera of the pair, and one timestamp per image, for all frames.
 void AddImages(const CameraPair& pair, const CameraRig& rig, Sequence& sequence);
 void AddTimes(const std::filesystem::path& file, std::vector<std::int64_t> times_ns,
               Sequence& sequence);
 
-// Ground truth from OxTS: pose i, empty or imu_0_from_imu_i, belongs to frame i.
+// Sets the ground truth from OxTS. Pose i, empty or imu_0_from_imu_i, belongs to frame i.
 void AddOxtsTruth(const std::vector<std::optional<RigidTransform>>& imu_poses,
                   const RigidTransform& camera0_from_imu, Sequence& sequence);
 
 // Throws Error unless `groundtruth` is "devkit"; `reason` says why the data set has no other.
 void RequireDevkitTruth(const SequenceRequest& request, const std::string& reason);
 
-// Reads the boxes that were asked for; then cuts everything to the frames that were asked for.
+// AddBoxes reads the requested boxes. CutFrames then cuts everything to the requested frames.
 struct LabelSource {
   std::filesystem::path file;  // empty: none
   int camera = 0;
 };
 void AddBoxes(const SequenceRequest& request, const LabelSource& own_labels, const CameraRig& rig,
               int left_camera, Sequence& sequence);
-// Where there is one pair of cameras: boxes of files are in pixels of its left image.
+// For data sets with a single pair of cameras: boxes in files are in pixels of its left image.
 void AddBoxes(const SequenceRequest& request, Sequence& sequence);
 void CutFrames(const SequenceRequest& request, Sequence& sequence);
 
-// Of data sets with one pair, "grey" or "colour", that is calibrated as a rig: with a rectification
-// where the images in the files are not rectified. Throws Error if another pair is asked for.
+// For data sets with a single pair, "grey" or "colour", that is calibrated as a rig. AddPair throws
+// Error if another pair is requested. AddRig adds a rectification if the images in the files are
+// not rectified.
 void AddPair(const SequenceRequest& request, const std::string& pair, StereoImages images,
              Sequence& sequence);
 void AddRig(const StereoRig& rig, const std::filesystem::path& calibration, Sequence& sequence);
 
-// Poses of the left camera as it is in the files. The first of them becomes the world, also that of
-// Sequence::bodies, whose frames are made visible if Visibility says kCentre and it is in the
-// image.
+// Sets the ground truth from poses of the left camera as it is in the files, before rectification.
+// The first of them becomes the world, also of Sequence::bodies. If Visibility says kCentre, a body
+// is visible in the frames where its centre is in the image.
 void AddCameraTruth(std::vector<std::optional<RigidTransform>> world_from_left, Sequence& sequence);
 
-// Adds to Sequence::missing how many of the frames have no truth, and why.
+// Appends to Sequence::missing how many frames have no ground truth, and why.
 void StateFramesWithoutTruth(const std::string& reason, Sequence& sequence);
 
-// Both, from poses of what carries the camera, at times of their own in the images' clock: they are
-// interpolated to the images.
+// Does both, from poses of what carries the camera, interpolated from their own timestamps (in the
+// clock of the images) to those of the images. Also sets Sequence::truth_track.
 void AddCameraTruth(const Trajectory& world_from_carrier, const RigidTransform& carrier_from_left,
                     const std::string& reason, Sequence& sequence);
 

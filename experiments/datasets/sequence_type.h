@@ -12,22 +12,23 @@ namespace cvo {
 
 constexpr const char* kKittiOdometry = "kitti-odometry";
 
-// The type of the sequence that a folder is, complete or not; "" where it is none.
+// Returns the type of the sequence in a folder, complete or not; "" if there is none.
 std::string DetectSequenceType(const std::filesystem::path& folder);
 
-// Whether it is a sequence with images of both cameras.
+// Whether the folder is a sequence with images of both cameras.
 bool HasImages(const std::filesystem::path& folder);
 
-// Quiet where a folder cannot be read: then there is none.
+// Does not throw: a folder that cannot be read counts as absent.
 bool IsFolder(const std::filesystem::path& path);
-// Both sides of a pair.
+// Whether both folders of a pair exist.
 bool AreFolders(const std::filesystem::path& left, const std::filesystem::path& right);
 
-// A folder with several KITTI tracking sequences, and these as <folder>/<number>, sorted.
+// IsTrackingSet tells whether a folder contains several KITTI tracking sequences; TrackingSequences
+// returns them as <folder>/<number>, sorted.
 bool IsTrackingSet(const std::filesystem::path& folder);
 std::vector<std::filesystem::path> TrackingSequences(const std::filesystem::path& set_folder);
 
-// Without "." and "..", and without a slash at the end, so that it has a name and a parent.
+// Removes ".", ".." and a trailing slash, so that the folder has a name and a parent.
 std::filesystem::path NormalFolder(const std::filesystem::path& folder);
 
 }  // namespace cvo

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Bodies whose poses are known, with a mask or labelled pixels or neither.
+// Bodies with known poses, and with a mask, labelled pixels or neither.
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +15,9 @@
 namespace cvo {
 namespace {
 
-// Corners lie up to this far from the edge they stem from, on either side of it.
+// Corners lie up to this far from the edge that causes them, on either side of it.
 constexpr int kEdge_px = 2;
-// A pixel shows what those labelled within this distance show, if they agree.
+// A pixel shows what the labelled pixels within this distance show, if they agree.
 constexpr double kNearLabel_px = 3.0;
 
 ObjectTruth TruthOf(const Sequence& sequence, const BodyTracks& tracks) {
@@ -44,7 +44,7 @@ ObjectTruth TruthOf(const Sequence& sequence, const BodyTracks& tracks) {
   return truth;
 }
 
-// -1 outside the image and near the edge of a mask.
+// Returns -1 outside the image and near the edge of a mask.
 int BodyAt(const cv::Mat& mask, const Eigen::Vector2d& left_px) {
   if (!left_px.allFinite() || left_px.cwiseAbs().maxCoeff() > 1e6) return -1;
   const int u = static_cast<int>(std::lround(left_px.x()));
@@ -59,7 +59,7 @@ int BodyAt(const cv::Mat& mask, const Eigen::Vector2d& left_px) {
   return id;
 }
 
-// -1 where none is near, or two of different bodies.
+// Returns -1 if no labelled pixel is near, or if two are of different bodies.
 int BodyAt(const std::vector<LabelledPixel>& pixels, const Eigen::Vector2d& left_px) {
   int body = -1;
   for (const LabelledPixel& pixel : pixels) {
@@ -93,7 +93,8 @@ class TrackBodyTruth final : public BodyTruthReader {
     if (body == nullptr || !body->frames[k] || !truth_.world_from_camera[k]) return {};
     const RigidTransform object_from_camera =
         body->frames[k]->world_from_object.Inverse() * *truth_.world_from_camera[k];
-    // A wrong match puts the point far from the body, where a turn would move it far.
+    // A wrong match puts the point far from the body, where a rotation would move it by a large
+    // distance.
     const Eigen::Vector3d half_m = HalfSize_m(id);
     const Eigen::Vector3d p_in_object =
         (object_from_camera * p_in_camera).cwiseMax(-half_m).cwiseMin(half_m);

@@ -25,7 +25,8 @@ std::string_view WithoutLeadingZeros(std::string_view digits) {
   return digits.substr(std::min(digits.find_first_not_of('0'), digits.size() - 1));
 }
 
-// Takes the digits, or else one character, that a text begins with; numbers without leading zeros.
+// Removes and returns the first part of a text: its leading digits, or else one character. Leading
+// zeros of a number are dropped.
 std::string_view TakePart(std::string_view& text) {
   const std::size_t digits = std::min(text.find_first_not_of(kDecimalDigits), text.size());
   const std::string_view part = text.substr(0, std::max<std::size_t>(digits, 1));
@@ -42,7 +43,7 @@ bool IsBefore(const fs::path& a, const fs::path& b) {
     const std::string_view a_part = TakePart(a_rest);
     const std::string_view b_part = TakePart(b_rest);
     if (a_part == b_part) continue;
-    // A number with more digits is larger; it may be longer than any integer.
+    // Numbers are compared by their number of digits first, as they may exceed any integer type.
     const bool numbers = StartsWithDigit(a_part) && StartsWithDigit(b_part);
     if (!numbers || a_part.size() == b_part.size()) return a_part < b_part;
     return a_part.size() < b_part.size();
@@ -51,7 +52,8 @@ bool IsBefore(const fs::path& a, const fs::path& b) {
   return a_name < b_name;
 }
 
-// Empty unless all names are numbers and no two are the same: 0.1 and 0.10 are no times.
+// Files by the numeric value of their names. Empty unless all names are numbers and no two are
+// equal: 0.1 and 0.10 are not times.
 std::map<double, fs::path> ByValue(const Files& files) {
   std::map<double, fs::path> by_value;
   for (const fs::path& file : files) {
@@ -65,7 +67,8 @@ bool IsNumber(const fs::path& file) {
   return file.stem().string().find_first_not_of("0123456789.") == std::string::npos;
 }
 
-// A name that is a number throughout, else its last run of digits; empty if it has none.
+// Returns the name if it is a number as a whole, otherwise its last run of digits. Empty if it has
+// none.
 std::string NumberOf(const fs::path& file) {
   const std::string stem = file.stem().string();
   if (IsNumber(file)) return std::string(WithoutLeadingZeros(stem));
@@ -75,7 +78,7 @@ std::string NumberOf(const fs::path& file) {
   return std::string(WithoutLeadingZeros(std::string_view(stem).substr(before + 1, last - before)));
 }
 
-// Empty unless every name has a number of its own.
+// Files by their number (NumberOf). Empty unless every name has a number and all are distinct.
 std::map<std::string, fs::path> ByNumber(const Files& files) {
   std::map<std::string, fs::path> by_number;
   for (const fs::path& file : files) {
@@ -108,7 +111,7 @@ void SortByNumber(Files& files) {
 }
 
 void CheckPartners(const Files& left, const Files& right) {
-  if (left.size() < 2 && right.size() < 2) return;  // left_0 and right_1: of the cameras
+  if (left.size() < 2 && right.size() < 2) return;  // left_0 and right_1: numbers of the cameras
   const std::map<std::string, fs::path> of_left = ByNumber(left);
   const std::map<std::string, fs::path> of_right = ByNumber(right);
   if (of_left.empty() || of_right.empty()) return;

@@ -26,7 +26,7 @@ void AddImages(const fs::path& path, Sha256& hash) {
   }
 }
 
-// "kitchen" of kitchen/left.
+// Returns "kitchen" for kitchen/left.
 std::string NameOf(const fs::path& left) {
   const std::string name = fs::absolute(left).lexically_normal().parent_path().filename().string();
   return name.empty() ? "stereo" : name;
@@ -38,7 +38,7 @@ bool IsWhole(const fs::path& folder) try {
     if (HashFile(folder / name) != sha256) return false;
   }
   return true;
-} catch (const std::exception&) {  // of the JSON library too
+} catch (const std::exception&) {  // also those of the JSON library
   return false;
 }
 
@@ -47,7 +47,7 @@ bool IsWhole(const fs::path& folder) try {
 fs::path ImportIntoCache(const StereoImport& request, const fs::path& cache,
                          const std::function<void(std::size_t done, std::size_t total)>& progress) {
   constexpr const char* kMadeBy =
-      "import 2\n";  // changes if the same input gives other images or none
+      "import 2\n";  // to be changed if the same input yields other images or an error
   constexpr std::size_t kShortHash = 16;
   Sha256 hash;
   hash.Add(kMadeBy);

@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder under a temporary name, which goes away unless it is kept.
+// A folder under a temporary name, which is removed unless it is kept.
 class NewFolder {
  public:
   explicit NewFolder(const fs::path& target)
@@ -47,7 +47,7 @@ class NewFolder {
     WriteFileBytes(temporary_ / name, bytes);
     files_[name] = Sha256Hex(bytes);
   }
-  // A damaged image becomes one that cannot be decoded: the header alone.
+  // Writes an image. A damaged one becomes a file that cannot be decoded: the header alone.
   void Write(const std::string& name, const SourceImage& image) {
     constexpr std::size_t kHeader = 33;  // signature and first chunk of a PNG file
     const cv::Mat grey =
@@ -57,7 +57,7 @@ class NewFolder {
     Write(name,
           {reinterpret_cast<const char*>(png.data()), image.damage.empty() ? png.size() : kHeader});
   }
-  // The SHA-256 of each that was written.
+  // The SHA-256 of each written file, by name.
   const Json& files() const { return files_; }
   void Keep() {
     if (RenameFile(temporary_, target_) != 0) ThrowErrno(target_, "write", errno);
@@ -75,7 +75,7 @@ std::string FrameName(std::size_t frame) {
   return StrCat(std::string(kDigits - std::min(kDigits, digits.size()), '0'), digits, ".png");
 }
 
-// Pairs of images, of one size.
+// Reads pairs of images, all of the same size.
 class PairReader {
  public:
   explicit PairReader(const StereoImport& request)
@@ -91,7 +91,7 @@ class PairReader {
   const ImageSource& left() const { return *left_; }
   const ImageSource& right() const { return *right_; }
 
-  // False at the end.
+  // Returns false at the end.
   bool Next(SourceImage& left, SourceImage& right) {
     left = left_->Next();
     right = right_->Next();
@@ -165,7 +165,7 @@ Json RowsOf(const Eigen::Matrix3d& matrix) {
   return rows;
 }
 
-// Of an image of the frame that is being made.
+// Records damage to an image of the current frame.
 void NoteDamage(const SourceImage& image, ImportOutcome& outcome) {
   if (image.damage.empty()) return;
   outcome.damaged.push_back(StrCat("frame ", outcome.frames, ": ", image.damage));
@@ -200,7 +200,8 @@ ImportOutcome ImportStereo(
     const std::function<void(std::size_t done, std::size_t total)>& progress) {
   const StereoRig rig = ReadStereoRig(request.calibration);
   PairReader pairs(request);
-  // A folder has as many images as it says, a video may not.
+  // Detects errors in the times early. For a video this is not possible, as it may not have as many
+  // frames as it states.
   if (!pairs.left().files().empty()) (void)TimesOf(request, pairs.left(), pairs.size());
   NewFolder target(folder);
   std::optional<Rectification> rectification;
@@ -228,7 +229,7 @@ ImportOutcome ImportStereo(
   target.Write("times.txt", TimesText(times));
   target.Write("calib.txt", CalibrationText(outcome.camera));
   Json record = Record(request, outcome, rectification);
-  // Each in the order of the frames; empty of a video.
+  // Both are in the order of the frames, and empty for a video.
   record["left_images"] = NamesOf(pairs.left());
   record["right_images"] = NamesOf(pairs.right());
   record["files"] = target.files();

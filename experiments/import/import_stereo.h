@@ -12,7 +12,7 @@
 
 namespace cvo {
 
-// Stereo images of anybody, with a calibration (rig_file.h).
+// A user's own stereo images, with a calibration (rig_file.h).
 struct StereoImport {
   std::filesystem::path left;  // a folder of images, or a video
   std::filesystem::path right;
@@ -23,21 +23,21 @@ struct StereoImport {
 
 struct ImportOutcome {
   std::size_t frames = 0;
-  bool rectified = false;  // by us; else the images were used as they are
-  const char* times = "";  // where they come from: "file", "names", "rate", "video" or "nominal"
-  StereoCamera camera;     // of the images written
+  bool rectified = false;  // by the import; false: images were used as they are
+  const char* times = "";  // their source: "file", "names", "rate", "video" or "nominal"
+  StereoCamera camera;     // of the written images
   std::vector<std::string> damaged = {};  // "frame 3: <file>: found ..., expected ..."
 };
 
-// What was made of what, and the SHA-256 of every other file.
+// File that records the inputs of the import and the SHA-256 of every other file.
 inline constexpr const char* kImportRecord = "import.json";
 
 // Writes a sequence in the layout of KITTI odometry: image_0, image_1 (8-bit grey PNG), calib.txt,
-// times.txt and kImportRecord. Images that are not rectified are. An image with a header but
-// damaged pixels becomes one that cannot be decoded either: readers lose its frame. The folder
-// appears whole or not at all. Throws Error where it exists, where the cameras have different
-// numbers or sizes of images or one has an image that the other lacks, for files that cannot be
-// read, and for a rate where the times are known.
+// times.txt and kImportRecord. Images are rectified if they are not yet. An image with a readable
+// header but damaged pixels is written as an image that cannot be decoded either, so that readers
+// lose its frame. The folder appears complete or not at all. Throws Error if it exists, if the
+// cameras have different numbers or sizes of images or one has an image that the other lacks, for
+// files that cannot be read, and for a rate if the times are known.
 ImportOutcome ImportStereo(
     const StereoImport& request, const std::filesystem::path& folder,
     const std::function<void(std::size_t done, std::size_t total)>& progress);

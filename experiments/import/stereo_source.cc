@@ -35,8 +35,8 @@ bool IsImage(const fs::path& file) {
 bool IsPng(std::string_view bytes) { return bytes.starts_with("\x89PNG"); }
 bool IsJpegFile(std::string_view bytes) { return bytes.starts_with("\xff\xd8"); }
 
-// Of the formats that say where they end, whatever the file's name: decoders may return half an
-// image. Some cameras fill JPEG files up with zeros.
+// Checks files in the formats that mark their end, whatever the file's name, because decoders may
+// return half an image. Some cameras pad JPEG files with zeros.
 std::optional<std::string> FindDamage(std::string_view bytes) {
   if (IsPng(bytes)) return FindPngDamage(bytes);
   if (!IsJpegFile(bytes)) return std::nullopt;

@@ -12,35 +12,35 @@
 namespace cvo {
 
 struct SourceImage {
-  cv::Mat grey;        // 8 bits; empty if it is damaged
-  cv::Size size;       // also of a damaged one, from its header; empty: at the end
-  std::string damage;  // "<file>: found ..., expected ..."; empty: whole
+  cv::Mat grey;        // 8 bits; empty if damaged
+  cv::Size size;       // from the header if damaged; empty at the end of the source
+  std::string damage;  // "<file>: found ..., expected ..."; empty if intact
 };
 
-// Images of one camera in order of time: a folder of image files (SortByNumber), or a video.
+// Images of one camera in temporal order: a folder of image files (SortByNumber), or a video.
 class ImageSource {
  public:
   virtual ~ImageSource() = default;
 
-  // Number of images; of a video as its header states it.
+  // Number of images; for a video, as stated in its header.
   virtual std::size_t size() const = 0;
-  // The next image. Throws Error for one whose header cannot be read either.
+  // Returns the next image. Throws Error if not even its header can be read.
   virtual SourceImage Next() = 0;
-  // The files, where the source is a folder.
+  // The image files if the source is a folder, otherwise empty.
   virtual std::vector<std::filesystem::path> files() const { return {}; }
-  // Of a video, where its header states it; else 0.
+  // Frame rate of a video if its header states one, otherwise 0.
   virtual double rate_hz() const { return 0.0; }
 };
 
-// Throws Error where there is no image.
+// Throws Error if there is no image.
 std::unique_ptr<ImageSource> OpenImages(const std::filesystem::path& path);
 
-// One time per image: from a file with one per line, in seconds, or in nanoseconds where they are
-// whole numbers above 1e12; strictly increasing. Throws Error unless there are `count`.
+// Reads one time per image from a file with one per line, in seconds, or in nanoseconds if it is an
+// integer above 1e12. Throws Error unless there are `count` times in strictly increasing order.
 std::vector<std::int64_t> ReadTimes(const std::filesystem::path& path, std::size_t count);
 
-// Times that stand in the names of files, in nanoseconds (whole numbers above 1e12); empty where
-// they do not.
+// Returns the times in the names of files, in nanoseconds. Empty unless all names are integers
+// above 1e12 in strictly increasing order.
 std::vector<std::int64_t> TimesOfNames(const std::vector<std::filesystem::path>& files);
 
 }  // namespace cvo

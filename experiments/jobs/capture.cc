@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kPollIntervalMs = 100;
 
-// A pipe whose two ends are not inherited unless they are duplicated on purpose.
+// A pipe whose ends are not inherited by child processes unless duplicated explicitly.
 struct Pipe {
   Pipe() {
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
@@ -43,7 +43,8 @@ struct Pipe {
   std::array<int, 2> ends = {-1, -1};
 };
 
-// In a process group of its own: Ctrl-C reaches this program only, which then decides.
+// The child gets its own process group, so that Ctrl-C reaches only this program, which then
+// decides.
 pid_t Spawn(const std::vector<std::string>& argv, const Pipe& out, const Pipe& err) {
   std::vector<char*> words;
   for (const std::string& word : argv) words.push_back(const_cast<char*>(word.c_str()));
@@ -66,7 +67,7 @@ pid_t Spawn(const std::vector<std::string>& argv, const Pipe& out, const Pipe& e
   return pid;
 }
 
-// False at the end of the stream.
+// Appends what can be read. Returns false at the end of the stream.
 bool ReadSome(int fd, std::string& text) {
   std::array<char, 65536> buffer;
   const ssize_t count = ::read(fd, buffer.data(), buffer.size());

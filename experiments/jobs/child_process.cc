@@ -21,13 +21,13 @@ namespace cvo {
 namespace {
 
 constexpr int kCannotExecute = 126;
-constexpr int kCannotLoad = 127;  // of the dynamic loader, without room for its libraries
+constexpr int kCannotLoad = 127;  // from the dynamic loader, if its libraries do not fit
 
 [[noreturn]] void ThrowErrno(const std::string& what, const char* action, int error) {
   throw Error(StrCat(what, ": cannot ", action, ": ", std::strerror(error)));
 }
 
-// Everything that the child needs, made before it exists: between fork and exec it may not
+// Everything that the child needs, prepared before the fork: between fork and exec it must not
 // allocate.
 struct Launch {
   std::vector<std::string> argv;
@@ -57,7 +57,7 @@ struct Launch {
   [[noreturn]] void Execute() const {
     ::setpgid(0, 0);
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (::getppid() != parent) ::_exit(kCannotExecute);  // it ended before the line above
+    if (::getppid() != parent) ::_exit(kCannotExecute);  // the parent died before prctl
     ::dup2(null, STDIN_FILENO);
     ::dup2(log, STDOUT_FILENO);
     ::dup2(log, STDERR_FILENO);
@@ -86,8 +86,8 @@ ChildProcess::ChildProcess(const Task& task)
   process_ = ::fork();
   if (process_ < 0) ThrowErrno(task.name, "start a process", errno);
   if (process_ == 0) launch.Execute();
-  ::setpgid(process_, process_);  // as the child does: whoever is first
-  // By its number: the C library's own header has no C linkage in 2.36.
+  ::setpgid(process_, process_);  // also done by the child, to avoid a race
+  // Called by its system call number: the header of glibc 2.36 declares it without C linkage.
   poll_fd_ = static_cast<int>(::syscall(SYS_pidfd_open, process_, 0));
   if (poll_fd_ >= 0) return;
   const int error = errno;
@@ -112,7 +112,7 @@ std::optional<TaskEnd> ChildProcess::Poll() {
     timed_out_ = true;
     KillGroup();
   }
-  // The process stays, unreaped, so that its group's number cannot become another's.
+  // WNOWAIT leaves the process unreaped, so that its group id cannot be reused before KillGroup.
   siginfo_t info{};
   if (::waitid(P_PIDFD, static_cast<id_t>(poll_fd_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
       info.si_pid == 0) {
@@ -143,7 +143,7 @@ std::string ChildProcess::MessageOf(int status) const {
   }
   if (timed_out_) return StrCat("stopped after ", limit_s_, " s");
   const std::string killed = SignalText(WTERMSIG(status));
-  // A stack that cannot grow, or a program that does not fit at all.
+  // The stack could not grow, or the program does not fit at all.
   if (WTERMSIG(status) != SIGSEGV || limit_memory_mb_ == 0.0) return killed;
   return StrCat(killed, " under a memory limit of ", limit_memory_mb_, " MB");
 }

@@ -11,27 +11,27 @@
 
 namespace cvo {
 
-// These sanitizers reserve terabytes of addresses, more than any limit on them would leave.
+// These sanitizers reserve terabytes of address space, more than any memory limit would leave.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool kLimitsMemory = false;
 #else
 inline constexpr bool kLimitsMemory = true;
 #endif
 
-// A task as a process in a group of its own. It does not outlive the thread that started it: the
-// system kills it, even where that thread's process was killed itself.
+// A task running as a process in its own process group. It does not outlive the thread that started
+// it: the kernel kills it, even if that thread's process was itself killed.
 class ChildProcess {
  public:
-  // Throws Error where the log cannot be written or no process can be made.
+  // Throws Error if the log cannot be written or the process cannot be created.
   explicit ChildProcess(const Task& task);
   ~ChildProcess();  // kills its whole group
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  // Readable, as poll has it, once the process ended.
+  // A descriptor that poll() reports as readable once the process has ended.
   int poll_fd() const { return poll_fd_; }
-  // How it ended; empty while it runs. At the time limit it is killed. What is left of its group
-  // ends with it.
+  // Returns how the process ended, or nothing while it runs. Kills it at the time limit. Whatever
+  // is left of its group is killed with it.
   [[nodiscard]] std::optional<TaskEnd> Poll();
 
  private:

@@ -11,11 +11,11 @@
 
 namespace cvo {
 
-// One process to run. What it did is judged by the files it leaves, not by the engine.
+// One process to run. Its success is judged by the files that it leaves, not by the engine.
 struct Task {
-  std::string name;               // unique among its siblings: the job's identity, or "render ..."
+  std::string name;               // unique within one Run: the job's identity, or "render ..."
   std::vector<std::string> argv;  // argv[0] is the program's absolute path
-  std::filesystem::path log;      // takes standard output and error; replaced
+  std::filesystem::path log;      // receives standard output and error; overwritten
   double limit_s = 0.0;           // wall time; 0: none
   double limit_memory_mb = 0.0;   // address space, 10^6 bytes; 0: none
 };
@@ -28,27 +28,29 @@ struct TaskEnd {
 };
 
 struct EngineHooks {
-  // From the thread that called Run, once per task that ended, in any order.
+  // Called from the thread that called Run, once per task that ended, in any order.
   std::function<void(std::size_t task, const TaskEnd& end)> ended;
-  // Asked at least once a second: true ends what runs and starts nothing more.
+  // Called at least once a second. If it returns true, running tasks are ended and no more are
+  // started.
   std::function<bool()> stop = [] { return false; };
-  // One line for the user, such as the id of an array that was submitted.
+  // Receives one line for the user, such as the id of a submitted array.
   std::function<void(const std::string& line)> notice = [](const std::string&) {};
 };
 
-// Where tasks run. Order of starting is the order given; a task's bytes never depend on it.
+// Runs tasks. They start in the order given; the bytes that a task writes never depend on it.
 class Engine {
  public:
   virtual ~Engine() = default;
 
-  // Returns when all tasks ended or `stop` did. Throws Error where nothing can be started at all.
+  // Returns when all tasks have ended, or after `stop` returned true. Throws Error if nothing can
+  // be started at all.
   virtual void Run(std::span<const Task> tasks, const EngineHooks& hooks) = 0;
 
-  // Cancels tasks of an earlier process that have none of these names. Tasks with one of them are
-  // resumed by Run, which starts none of them a second time.
+  // Cancels tasks of an earlier process whose names are not among these. Tasks whose names are
+  // among them are resumed by Run, which does not start them again.
   virtual void KeepOnly(const std::set<std::string>& /*names*/, const EngineHooks& /*hooks*/) {}
 
-  // How long a file that a task wrote may take to be seen here.
+  // How long a file written by a task may take to become visible here.
   virtual double latency_s() const { return 0.0; }
 };
 

@@ -40,7 +40,7 @@ FolderLock::FolderLock(const std::filesystem::path& file)
     ThrowError(file.parent_path().string(), StrCat("in use by ", holder),
                "a folder not in use by another run");
   }
-  // Only for the message above, so that a disk without room for it is no reason to give up.
+  // Used only in the message above, so a full disk is no reason to fail.
   const std::string me = StrCat("process ", ::getpid(), " on ", HostName(), '\n');
   if (::ftruncate(fd_, 0) == 0) {
     [[maybe_unused]] const ssize_t written = ::pwrite(fd_, me.data(), me.size(), 0);

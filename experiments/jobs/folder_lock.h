@@ -6,11 +6,12 @@
 
 namespace cvo {
 
-// The right to write to a suite's folder, for as long as it exists and this process lives. Others
-// may read meanwhile.
+// The exclusive right to write to a suite's folder, held while this object exists and the process
+// lives. Others may read meanwhile.
 class FolderLock {
  public:
-  // Throws Error saying which process on which host holds it, or why the file cannot be made.
+  // Throws Error saying which process on which host holds the lock, or why the file cannot be
+  // created.
   explicit FolderLock(const std::filesystem::path& file);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kErrorPrefix = "clustervo: error: ";
 
-// Throws Error where tables and the gate would refuse the result, or it is another job's.
+// Throws Error if tables and the gate would reject the result, or if it is that of another job.
 void CheckResult(const fs::path& file, const PlannedJob& job) {
   const reports::RunSummary run = reports::ReadRun(file, {});
   const Cell& cell = job.cell;
@@ -46,7 +46,7 @@ std::string FailureMessage(const fs::path& file) {
   }
 }
 
-// A limited part of a file's end, from the start of a line.
+// Returns a limited part of the end of a file, starting at the beginning of a line.
 std::string Tail(const fs::path& file) {
   constexpr std::streamoff kBytes = 4000;
   std::ifstream in(file, std::ios::binary | std::ios::ate);
@@ -60,8 +60,9 @@ std::string Tail(const fs::path& file) {
   return size > kBytes && line != std::string::npos ? text.substr(line + 1) : text;
 }
 
-// A scene can always be had, and a folder that was found was meant: that is no user without data.
-// A stale trajectory cannot be had, nor a file of boxes that is not there.
+// A scene can always be rendered, and a folder that was found was meant to be used, so a problem
+// with either is a failure and not missing data. A stale trajectory and a missing file of boxes,
+// labels or a network cannot be obtained, and count as missing data.
 JobStatus::State StateWithoutInput(const PlannedJob& job) {
   if (IsPending(job.missing)) return JobStatus::State::kMissing;
   const bool absent = (job.cell.sequence.scene.empty() && job.folder.empty()) ||
@@ -103,7 +104,7 @@ std::string ProblemOfResult(const SuiteFolder& folder, const PlannedJob& job) {
 
 JobStatus StatusOf(const SuiteFolder& folder, const PlannedJob& job) {
   if (job.job.empty()) return {StateWithoutInput(job), job.missing};
-  // A damaged result is made anew.
+  // A damaged result does not count: its job runs again.
   if (ProblemOfResult(folder, job).empty()) return {JobStatus::State::kDone, ""};
   const fs::path failure = folder.failure(job.job);
   if (!fs::exists(failure)) return {JobStatus::State::kMissing, ""};

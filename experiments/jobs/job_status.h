@@ -13,35 +13,36 @@ namespace cvo {
 struct JobStatus {
   enum class State {
     kDone,
-    kFailed,      // the last try did, or its sequence cannot be made or read
-    kMissing,     // not run yet, or stopped
-    kNoSequence,  // the user does not have it
+    kFailed,      // the last try failed, or the sequence cannot be made or read
+    kMissing,     // not run yet, or stopped before it ended
+    kNoSequence,  // the user does not have the sequence
   };
   State state = State::kMissing;
-  std::string message;  // why; empty where done
+  std::string message;  // the reason; empty if done
 };
 const char* ToString(JobStatus::State state);
 
-// What the files say of a job, whatever wrote them. Only a complete result of this very job counts:
-// anything else in its place is as none.
+// Returns the status of a job according to its files, whatever wrote them. Only a complete result
+// of exactly this job counts; anything else in its place is ignored.
 JobStatus StatusOf(const SuiteFolder& folder, const PlannedJob& job);
 
-// Whether the files that make the job done are there, whatever is in them.
+// Whether the files of a finished job exist, regardless of their content.
 bool HasFiles(const SuiteFolder& folder, const PlannedJob& job);
 
-// Why the job is not done; empty: it is.
+// Returns why the job is not done; empty if it is.
 std::string ProblemOfResult(const SuiteFolder& folder, const PlannedJob& job);
 
-// In the order of the plan; cells with the same identity share their status.
+// Returns one status per job, in the order of the plan. Cells with the same identity share theirs.
 std::vector<JobStatus> StatusOfAll(const SuiteFolder& folder, const Plan& plan);
 
-// "indoor_1 full, seed 3, pairwise.alpha=5".
+// Describes a cell to the user, as in "indoor_1 full, seed 3, pairwise.alpha=5".
 std::string Describe(const Cell& cell);
 
-// Writes failed/<id>.json: the message, and the end of what the job printed. Throws Error.
+// Writes failed/<id>.json with the message and the end of the job's log. Throws Error.
 void WriteFailure(const SuiteFolder& folder, const std::string& id, const std::string& message);
 
-// The last line of a log that is the program's own error, without its prefix; empty: there is none.
+// Returns the last error line that the program itself wrote to a log, without its prefix; empty if
+// there is none.
 std::string ErrorInLog(const std::filesystem::path& log);
 
 }  // namespace cvo

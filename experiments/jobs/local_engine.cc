@@ -13,9 +13,9 @@
 namespace cvo {
 namespace {
 
-constexpr int kPoll_ms = 100;  // between looks at time limits and at `stop`
+constexpr int kPoll_ms = 100;  // interval for checking time limits and `stop`
 
-using Running = std::map<std::size_t, ChildProcess>;  // by task
+using Running = std::map<std::size_t, ChildProcess>;  // by task index
 
 void Start(std::span<const Task> tasks, std::size_t task, const EngineHooks& hooks,
            Running& running) {
@@ -26,7 +26,7 @@ void Start(std::span<const Task> tasks, std::size_t task, const EngineHooks& hoo
   }
 }
 
-// Until a process ended, a signal arrived, or it is time to look.
+// Waits until a process ends, a signal arrives, or the poll interval has passed.
 void WaitForEvent(const Running& running) {
   std::vector<pollfd> fds;
   for (const auto& [task, process] : running) fds.push_back({process.poll_fd(), POLLIN, 0});

@@ -6,14 +6,15 @@
 
 namespace cvo {
 
-// Runs tasks as processes of this machine, at most so many at once. No process is left when Run
-// returns or throws, nor when this process is killed.
+// Runs tasks as processes on this machine, at most `processes` at once. No process is left when Run
+// returns or throws, or when this process is killed.
 class LocalEngine : public Engine {
  public:
   explicit LocalEngine(int processes);
 
-  // A task whose log cannot be written, or that cannot be started, ended with that message. A task
-  // that is stopped did not end: no hook is called. Throws Error for a program that is none.
+  // A task that cannot be started, or whose log cannot be written, is reported as ended with that
+  // message. For a stopped task no hook is called. Throws Error if a task's program is not an
+  // executable file.
   void Run(std::span<const Task> tasks, const EngineHooks& hooks) override;
 
  private:

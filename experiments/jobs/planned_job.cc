@@ -34,7 +34,7 @@ const PlannedJob& FindJob(const Plan& plan, const std::string& id, const SuiteFo
   return *found;
 }
 
-// A folder for the job's files, without what killed tries left in it.
+// The folder for the job's files, cleared of temporary files from killed tries.
 class JobFolder {
  public:
   JobFolder(const SuiteFolder& folder, const std::string& id)
@@ -45,7 +45,7 @@ class JobFolder {
 
   const fs::path& path() const { return output_.path(); }
 
-  // Throws Error where the job that is made is not the one that was planned.
+  // Throws Error if the identity of the job as run differs from the planned one.
   void CheckIdentity(const std::string& made, const Sequence& sequence) const {
     if (made == id_) return;
     RemoveResult();
@@ -55,7 +55,7 @@ class JobFolder {
                "no change since planning; clustervo experiment run makes a new plan");
   }
   void RemoveResult() const {
-    std::error_code ignored;  // one of another identity does not count in any case
+    std::error_code ignored;  // a result of another identity does not count anyway
     fs::remove(path() / "result.json", ignored);
   }
 
@@ -75,13 +75,14 @@ void RunVariant(const Plan& plan, const Cell& cell, const Sequence& sequence, co
                      .oracle = OracleOf(cell.oracle),
                      .landmarks = cell.landmarks};
   if (plan.suite.timed_threads > 0) {
-    request.images = cache.ImagesOf(sequence, request.threads);  // features count in its time
+    // A timed job extracts its features itself, so that they count in its time.
+    request.images = cache.ImagesOf(sequence, request.threads);
   } else {
     cache.Serve(request);
   }
   folder.CheckIdentity(IdentifyJob(request), sequence);
   const std::optional<JobOutcome> outcome = RunJob(request, folder.path());
-  // Of the bytes that were run on, which may have changed since they were looked at.
+  // The identity of the bytes that were processed, which may have changed since the first check.
   folder.CheckIdentity(outcome->context.job, sequence);
   if (outcome->run.status != RunStatus::kFailed) return;
   folder.RemoveResult();

@@ -10,9 +10,9 @@
 
 namespace cvo {
 
-// Runs one job of the plan on one thread and writes its files, result.json last. Throws Error where
-// there is no such job, where the program or the sequence's files are no longer those of the plan,
-// and where the estimator failed: then there is no result.
+// Runs one job of the plan, on one thread unless the suite sets timed_threads, and writes its
+// files, result.json last. Throws Error if there is no such job, if the program or the sequence's
+// files differ from those planned, or if the estimator failed; then there is no result.
 void RunPlannedJob(const Plan& plan, const std::string& id, const SuiteFolder& folder,
                    const JobCache& cache);
 

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-// Below this a disk counts as full: what jobs in flight may still write.
+// Free space below which a disk counts as full: what running jobs may still write.
 constexpr std::uintmax_t kReserve_bytes = 16'000'000;
 constexpr std::chrono::milliseconds kRecheckInterval(200);
 
@@ -45,7 +45,8 @@ std::string MessageOf(const TaskEnd& end, const fs::path& log) {
   return error.empty() ? end.message : error;
 }
 
-// The jobs of the plan that are not done, each once; first one of each input.
+// The jobs of the plan that are not done, each once, with the first job of each input listed
+// separately.
 struct Pending {
   std::vector<const PlannedJob*> first;
   std::vector<const PlannedJob*> rest;
@@ -73,13 +74,13 @@ void CancelUnplannedTasks(const Plan& plan, const PlanRun& run, Engine& engine) 
   engine.KeepOnly(names, hooks);
 }
 
-// A failure file beside a result is of an earlier try.
+// A failure file beside a result stems from an earlier try.
 void RemoveFailure(const SuiteFolder& folder, const std::string& id) {
   std::error_code ignored;
   fs::remove(folder.failure(id), ignored);
 }
 
-// Jobs in batches, with what went wrong with the folder itself.
+// Runs jobs in batches and records a problem with the folder itself.
 class JobRunner {
  public:
   JobRunner(const PlanRun& run, Engine& engine, std::size_t total)
@@ -87,7 +88,7 @@ class JobRunner {
     run_.progress(0, total_);
   }
 
-  // Throws Error where the folder cannot take results any more.
+  // Throws Error if the folder can no longer take results.
   void Run(const std::vector<const PlannedJob*>& jobs) {
     if (jobs.empty() || Stopped()) return;
     std::vector<Task> tasks;
@@ -100,7 +101,7 @@ class JobRunner {
     if (problem_) throw Error(*problem_);
   }
 
-  // Once asked to, it stays so.
+  // Once `stop` has returned true, this stays true.
   bool Stopped() { return stopped_ = stopped_ || run_.stop(); }
 
  private:
@@ -113,7 +114,7 @@ class JobRunner {
             .limit_memory_mb = run_.limit_memory_mb};
   }
 
-  // The result of a task that ran elsewhere may be late.
+  // The result of a task that ran on another machine may become visible late.
   bool IsDone(const PlannedJob& job, const TaskEnd& end) {
     const auto start = Clock::now();
     const std::chrono::duration<double> late(end.ok ? engine_.latency_s() : 0.0);
@@ -124,7 +125,7 @@ class JobRunner {
     return true;
   }
 
-  // An engine is not to be left by an exception: what goes wrong here stops it.
+  // An exception must not propagate through the engine: an error here is stored and stops it.
   void Judge(const PlannedJob& job, const TaskEnd& end) {
     if (problem_) return;
     try {

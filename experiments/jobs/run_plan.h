@@ -15,38 +15,39 @@
 
 namespace cvo {
 
-// What RunPlan is asked to do, and what it says meanwhile.
+// Parameters and callbacks of RunPlan.
 struct PlanRun {
-  SuiteFolder folder;    // locked by the caller (FolderLock), with DIR/plan.json of this plan
+  SuiteFolder folder;    // locked by the caller (FolderLock), has the plan.json of this plan
   std::string program;   // absolute path of clustervo, for `experiment job`
-  double limit_s = 0.0;  // of one job, wall time; 0: none
-  double limit_memory_mb = 0.0;  // of one job, address space; 0: none
+  double limit_s = 0.0;  // wall time of one job; 0: no limit
+  // Address space of one job, 10^6 bytes; 0: no limit.
+  double limit_memory_mb = 0.0;
   std::function<bool()> stop = [] { return false; };
-  // Once at the start, then after each job that ended: of those that had to run.
+  // Called once at the start, then after each job that ended. Counts only jobs that had to run.
   std::function<void(std::size_t ended, std::size_t total)> progress = [](std::size_t,
                                                                           std::size_t) {};
-  // One line for the user: of the engine, or of a job that failed.
+  // Receives one line for the user, from the engine or about a failed job.
   std::function<void(const std::string& line)> notice = [](const std::string&) {};
 };
 
-// Cells of the plan by what became of them.
+// Number of cells of the plan by outcome.
 struct PlanOutcome {
   std::size_t done = 0;
   std::size_t failed = 0;
-  std::size_t missing = 0;  // not run: stopped before
+  std::size_t missing = 0;  // not run, because the run was stopped
   std::size_t no_sequence = 0;
   bool stopped = false;
 };
 
 PlanOutcome CountJobs(const std::vector<JobStatus>& jobs);
 
-// Runs the jobs that are not done: first one per distinct input, so that what they share is there
-// for the others. A job that fails is recorded in failed/ and fails nothing else. Throws Error
-// where the folder cannot take results any more; what is done stays.
+// Runs the jobs that are not done, first one per distinct input, so that what they share is ready
+// for the others. A failed job is recorded in failed/ and affects no other job. Throws Error if the
+// folder can no longer take results; finished jobs are kept.
 PlanOutcome RunPlan(const Plan& plan, const PlanRun& run, Engine& engine);
 
-// Runs what must be there before a plan can be made, such as scenes to render. Messages of the
-// tasks that failed, by task; empty ones for the others. Empty where `stop` ended it.
+// Runs what a plan needs beforehand, such as scenes to render. Returns one message per task, empty
+// for a task that succeeded, or nothing if `stop` ended the run.
 [[nodiscard]] std::optional<std::vector<std::string>> RunPreparations(
     const std::vector<Task>& tasks, const PlanRun& run, Engine& engine);
 

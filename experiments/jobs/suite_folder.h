@@ -7,12 +7,12 @@
 
 namespace cvo {
 
-// What lies where in the folder that a suite is run to.
+// Layout of the folder that a suite is run to.
 struct SuiteFolder {
   std::filesystem::path root;
 
   std::filesystem::path plan() const { return root / "plan.json"; }
-  // Run files (RunFileNames); result.json is there exactly where the job is done.
+  // Files of a run (RunFileNames). result.json marks a finished job.
   std::filesystem::path job(const std::string& id) const { return root / "jobs" / id; }
   // {"schema_version": 1, "kind": "failure", "job", "message", "log"}: the last try failed.
   std::filesystem::path failure(const std::string& id) const {

@@ -61,7 +61,8 @@ std::optional<ImageBox> ProjectedBox(const ClusterRow& row, const StereoCamera& 
     box = {std::min(box.left_px, u_px), std::min(box.top_px, v_px), std::max(box.right_px, u_px),
            std::max(box.bottom_px, v_px)};
   };
-  // Edges join corners that differ in one bit; those through the near plane end there.
+  // Edges connect corners whose indices differ in one bit. An edge through the near plane is cut
+  // there.
   for (unsigned i = 0; i < 8; ++i) {
     if (corners[i].z() >= kNear_m) add(corners[i]);
     for (const unsigned bit : {1U, 2U, 4U}) {

@@ -10,23 +10,23 @@
 
 namespace cvo {
 
-// A live cluster in a frame, as reported when the frame came and as last estimated; at least one of
-// the two.
+// A live cluster in a frame, as reported when the frame was processed and as last estimated. At
+// least one of the two is set.
 struct ClusterRow {
   const FrameRecord& frame;
   ClusterId id;
-  const ClusterReport* causal = nullptr;   // null: not yet confirmed when the frame came
+  const ClusterReport* causal = nullptr;   // null: not yet confirmed when the frame was processed
   const ClusterReport* refined = nullptr;  // null: the run failed
 
   const ClusterReport& Last() const { return refined ? *refined : *causal; }
   RigidTransform CameraFromBox() const;
 };
 
-// Of a run, by frame, then by id. A row lasts for the call.
+// Calls `take` for all rows of a run, by frame, then by id. A row is valid only during the call.
 void ForEachClusterRow(const RunResult& run, const std::function<void(const ClusterRow&)>& take);
 
-// The rectangle around the part of the cluster's 3D box that is in front of the camera, within the
-// image. Empty where none of it is.
+// Returns the bounding rectangle of the part of the cluster's 3D box that is in front of the
+// camera, clipped to the image. Empty if nothing of it is visible.
 [[nodiscard]] std::optional<ImageBox> ProjectedBox(const ClusterRow& row,
                                                    const StereoCamera& camera);
 

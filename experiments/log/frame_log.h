@@ -23,33 +23,34 @@ struct ImageProblem {
 
 // One frame of a run.
 struct FrameRecord {
-  int frame = 0;  // counted in the folder
+  int frame = 0;  // as numbered in the sequence's folder
   std::int64_t timestamp_ns = 0;
-  // With the poses as estimated when the frame came; without its landmarks, which are many.
+  // With the poses as estimated when the frame was processed, and without its landmarks, which are
+  // many.
   FrameReport report;
   RigidTransform refined_world_from_camera;    // as last estimated, at the end of the run
-  std::vector<Detection> detections;           // as the estimator was given them
-  std::vector<LandmarkObservation> landmarks;  // of the report, counted; where bodies have a truth
+  std::vector<Detection> detections;           // as given to the estimator
+  std::vector<LandmarkObservation> landmarks;  // counts; only where bodies have a ground truth
   std::vector<ImageProblem> problems;          // why the frame was skipped
 };
 
-// The frames of a run, in order. They lie in a Spool: what a run keeps of a frame in memory is
-// where it is. Whoever asks for one is given a copy.
+// The frames of a run, in order. They are stored in a Spool; only their positions in it are kept in
+// memory. Reading a frame returns a copy.
 class FrameLog {
  public:
-  // `folder`: of the spool.
+  // `folder`: of the Spool.
   explicit FrameLog(std::filesystem::path folder = {}) : spool_(std::move(folder)) {}
   FrameLog(const std::vector<FrameRecord>& frames);  // NOLINT(google-explicit-constructor)
 
   void Append(const FrameRecord& frame);
-  // The refined poses of all frames, in place of those that came with them.
+  // Sets the refined poses of all frames, which replace those appended with the frames.
   void Refine(std::vector<RigidTransform> world_from_camera);
 
   std::size_t size() const { return begins_.size(); }
   bool empty() const { return begins_.empty(); }
   FrameRecord operator[](std::size_t index) const;
 
-  // Has one frame in memory: a reference to it is good until the next step.
+  // Holds one frame in memory. A reference to it is valid until the next increment.
   class Iterator {
    public:
     using iterator_category = std::input_iterator_tag;
@@ -83,7 +84,7 @@ class FrameLog {
  private:
   Spool spool_;
   std::vector<std::uint64_t> begins_;
-  std::vector<RigidTransform> refined_world_from_camera_;  // empty: as they came
+  std::vector<RigidTransform> refined_world_from_camera_;  // empty: as appended
 };
 
 }  // namespace cvo

@@ -10,7 +10,8 @@
 
 namespace cvo {
 
-// What a Packer packs of a frame and of a pose: all but FrameReport::landmarks, which nobody keeps.
+// The fields of a frame and of a pose that a Packer packs: all except FrameReport::landmarks, which
+// are not kept.
 
 template <typename T, typename Record>
 concept Packs = std::same_as<std::remove_const_t<T>, Record>;

@@ -16,9 +16,9 @@
 
 namespace cvo {
 
-// A record is packed as the fields that its Visit(record, archive) gives to an archive, one after
-// the other: archive(record.a, record.b, ...). The bytes are for the process that packed them.
-// Numbers, texts, poses, fixed matrices, vectors and records are fields.
+// Packs a record as the fields that its Visit(record, archive) passes to the archive, in this
+// order: archive(record.a, record.b, ...). Fields are numbers, strings, poses, matrices of fixed
+// size, vectors and records. The bytes are meant only for the process that packed them.
 class Packer {
  public:
   explicit Packer(std::string& bytes) : bytes_(bytes) {}
@@ -58,7 +58,7 @@ class Packer {
   std::string& bytes_;
 };
 
-// Takes the same fields out again.
+// Reads the same fields back.
 class Unpacker {
  public:
   explicit Unpacker(std::string_view bytes) : bytes_(bytes) {}

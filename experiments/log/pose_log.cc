@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 #include <tuple>
+#include <type_traits>
 
 #include "experiments/log/pack_frames.h"
 #include "experiments/log/packed.h"
@@ -29,24 +30,35 @@ void PoseLog::Add(const std::vector<ClusterTrajectory>& clusters) {
     for (const ClusterPose& pose : cluster.poses) {
       std::string bytes;
       Packer{bytes}(pose);
-      entries_.push_back({static_cast<std::int32_t>(pose.frame),
-                          static_cast<std::int32_t>(cluster.id.value), spool_.size(),
-                          static_cast<std::uint32_t>(bytes.size())});
-      spool_.Append(bytes);
+      const Entry entry{static_cast<std::int32_t>(pose.frame),
+                        static_cast<std::int32_t>(cluster.id.value), poses_.size(), bytes.size()};
+      std::string packed;
+      Packer{packed}(entry);
+      entries_.Append(packed);
+      poses_.Append(bytes);
     }
   }
 }
 
+std::vector<PoseLog::Entry> PoseLog::Entries() const {
+  static_assert(std::has_unique_object_representations_v<Entry>, "no padding, which is never set");
+  std::vector<Entry> entries(entries_.size() / sizeof(Entry));
+  const std::string bytes = entries_.Read(0, entries_.size());
+  Unpacker unpack{bytes};
+  for (Entry& entry : entries) unpack(entry);
+  return entries;
+}
+
 std::vector<PoseLog::Entry> PoseLog::ByFrame() const {
-  return SortedBy(entries_, [](const Entry& e) { return std::tie(e.frame, e.cluster); });
+  return SortedBy(Entries(), [](const Entry& e) { return std::tie(e.frame, e.cluster); });
 }
 
 std::vector<PoseLog::Entry> PoseLog::ByCluster() const {
-  return SortedBy(entries_, [](const Entry& e) { return std::tie(e.cluster, e.frame); });
+  return SortedBy(Entries(), [](const Entry& e) { return std::tie(e.cluster, e.frame); });
 }
 
 ClusterPose PoseLog::Read(const Entry& entry) const {
-  const std::string bytes = spool_.Read(entry.begin, entry.size);
+  const std::string bytes = poses_.Read(entry.begin, entry.size);
   ClusterPose pose;
   Unpacker{bytes}(pose);
   return pose;

@@ -24,7 +24,7 @@ constexpr std::array<AlignmentText, 5> kTexts = {
      {TrajectoryAlignment::kOrigin, "origin", "aligned at the first common pose"},
      {TrajectoryAlignment::kYaw, "yaw", "aligned by yaw and translation over positions"}}};
 
-// The rotation is the same with and without a scale, which then has a closed form.
+// The rotation does not depend on the scale, which then has a closed form.
 Similarity AlignWithScale(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
   const Eigen::Matrix3d R = AlignPoints(from, to).RotationMatrix();
   const Eigen::Vector3d from_mean = from.rowwise().mean();

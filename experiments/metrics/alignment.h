@@ -9,7 +9,7 @@
 
 namespace cvo {
 
-// How an estimated trajectory is brought to its reference.
+// How an estimated trajectory is aligned with its reference.
 enum class TrajectoryAlignment {
   kNone,
   kSe3,     // rotation and translation, least squares over positions
@@ -17,12 +17,12 @@ enum class TrajectoryAlignment {
   kOrigin,  // the first common pose coincides
   kYaw,     // rotation about the vertical and translation, least squares over positions
 };
-// "none", "se3", ...; throws Error for another text.
+// Parses "none", "se3", ...; throws Error for any other text.
 TrajectoryAlignment ParseTrajectoryAlignment(const std::string& text);
-// "aligned by SE(3) over positions".
+// Returns a description such as "aligned by SE(3) over positions".
 std::string DescriptionOf(TrajectoryAlignment alignment);
 
-// p -> scale R p + t.
+// Similarity transform p -> scale R p + t.
 struct Similarity {
   double scale = 1.0;
   RigidTransform rigid;
@@ -33,18 +33,19 @@ struct Similarity {
   }
 };
 
-// Truth from estimate; `up` is the direction, of length 1, about which kYaw rotates. Throws Error
-// without poses, and where they do not determine a scale.
+// Computes truth_from_estimate. `up` is the unit vector about which kYaw rotates. Throws Error if
+// there are no poses, or if they do not determine a scale.
 Similarity AlignTrajectory(const CommonPoses& poses, TrajectoryAlignment alignment,
                            const Eigen::Vector3d& up);
 
 // Angles (rad) between true and aligned orientations. Positions alone hardly determine the rotation
-// about a straight path: after kSe3 and kSim3 orientations are aligned by their own chordal mean.
+// about a straight path; with kSe3 and kSim3, orientations are therefore aligned by their own
+// chordal mean.
 std::vector<double> OrientationErrors(const CommonPoses& poses, TrajectoryAlignment alignment,
                                       const Similarity& truth_from_estimate);
 
-// object_from_gtobject that brings the estimated poses nearest to the true ones of the same world
-// (METHOD.md 10.2). At least one pair.
+// Returns the object_from_gtobject that best aligns the estimated poses with the true ones, both in
+// the same world (METHOD.md 10.2). Requires at least one pair.
 RigidTransform AlignObject(const CommonPoses& poses);
 
 }  // namespace cvo

@@ -18,7 +18,7 @@ namespace {
 using reports::MetricId;
 using enum reports::MetricId;
 
-// How many frames enter, and what all camera metrics share.
+// Numbers of frames, and what the contracts of all camera metrics share.
 struct Frames {
   std::int64_t all = 0;
   std::int64_t with_truth = 0;

@@ -12,15 +12,15 @@
 namespace cvo {
 namespace {
 
-// Of the search: hand-held cameras shake at less than 10 Hz.
+// Step of the search. Hand-held cameras shake at less than 10 Hz.
 constexpr double kStep_s = 0.01;
 constexpr std::size_t kLeastPairs = 20;
 constexpr double kLeastExplained = 0.5;
-// A second offset is as good if its squares are less than this times those of the best.
+// A second offset is as good if its mean squared residual is less than this times that of the best.
 constexpr double kAsGood = 1.5;
 constexpr const char* kWhat = "the clock of the ground truth";
 
-// A turn rate between consecutive poses, in axes of the first.
+// Turn rate between consecutive poses, in the axes of the first one.
 struct TurnRate {
   std::int64_t from_ns;
   std::int64_t to_ns;
@@ -56,12 +56,12 @@ std::optional<Eigen::Vector3d> TrueRate(const Trajectory& truth, const TurnRate&
 
 struct Agreement {
   std::size_t pairs = 0;
-  double squares = 0.0;  // of residuals, (rad/s)^2
-  double spread = 0.0;   // of the estimate's rates about their mean, (rad/s)^2
+  double squares = 0.0;  // sum over residuals, (rad/s)^2
+  double spread = 0.0;   // sum over the estimate's rates about their mean, (rad/s)^2
   double MeanSquare() const { return squares / static_cast<double>(3 * pairs); }
 };
 
-// Empty where fewer than half of the estimate's rates have a true one.
+// Empty if fewer than half of the estimate's rates, or fewer than kLeastPairs, have a true one.
 std::optional<Agreement> Agree(const Trajectory& truth, const std::vector<TurnRate>& rates,
                                double offset_s) {
   Agreement agreement;
@@ -80,7 +80,7 @@ std::optional<Agreement> Agree(const Trajectory& truth, const std::vector<TurnRa
   return agreement;
 }
 
-// Gauss-Newton in one unknown. The sum of squared derivatives of the true rates is left in
+// Gauss-Newton in one unknown. Returns the sum of the squared derivatives of the true rates in
 // `information`.
 double Refine(const Trajectory& truth, const std::vector<TurnRate>& rates, double start_s,
               double& information) {
@@ -108,7 +108,7 @@ double Refine(const Trajectory& truth, const std::vector<TurnRate>& rates, doubl
   return offset_s;
 }
 
-// Agreement at -steps ... steps of the search.
+// Agreement at each step of the search, from -steps to steps.
 std::vector<std::optional<Agreement>> Search(const Trajectory& truth,
                                              const std::vector<TurnRate>& rates, int steps) {
   std::vector<std::optional<Agreement>> found;
@@ -120,7 +120,7 @@ double SquareOr(const std::optional<Agreement>& agreement) {
   return agreement ? agreement->MeanSquare() : std::numeric_limits<double>::infinity();
 }
 
-// The offset that is refined from one step of the search, and what it rests on.
+// The offset refined from one step of the search, with its information and agreement.
 struct Minimum {
   double offset_s = 0.0;
   double information = 0.0;
@@ -135,8 +135,9 @@ Minimum RefineFrom(const Trajectory& truth, const std::vector<TurnRate>& rates, 
   return minimum;
 }
 
-// Other minima are refined, too: between two steps of the search a sharp one looks worse than it
-// is.
+// Throws Error unless the minimum lies within the search range and is unique. The other minima are
+// refined before they are compared, because a sharp one between two steps of the search looks worse
+// there than it is.
 void RequireOneMinimum(const Trajectory& truth, const std::vector<TurnRate>& rates,
                        const std::vector<std::optional<Agreement>>& found, std::size_t best,
                        const Minimum& minimum) {

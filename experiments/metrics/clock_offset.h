@@ -8,15 +8,16 @@
 
 namespace cvo {
 
-// By how much the clock of the ground truth is ahead of the estimate's: offset_s added to a time of
-// the estimate is the time of the truth (METHOD.md 10.6).
+// Offset of the clock of the ground truth from that of the estimate: adding offset_s to a time of
+// the estimate gives the time of the truth (METHOD.md 10.6).
 struct ClockOffset {
   double offset_s = 0.0;
-  double deviation_s = 0.0;         // standard deviation, by the residuals
-  double residual_rad_per_s = 0.0;  // root mean square over axes
-  // Part of the variance of the estimate's turn rates that the truth's at the offset explain.
+  double deviation_s = 0.0;         // standard deviation, from the residuals
+  double residual_rad_per_s = 0.0;  // root mean square over all axes
+  // Fraction of the variance of the estimate's turn rates that the truth's rates explain at the
+  // offset.
   double explained = 0.0;
-  std::size_t pairs = 0;  // of consecutive poses
+  std::size_t pairs = 0;  // number of pairs of consecutive poses
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -30,10 +31,10 @@ struct ClockOffset {
 
 inline constexpr double kMostClockOffset_s = 10.0;
 
-// The offset within `most_s` either way (above 0, up to kMostClockOffset_s) at which the turn rates
-// of the two agree best. Both are world_from_camera of the same camera, each in a world of its own.
-// Throws Error where their motions do not determine it: they share too little time, hardly turn, or
-// agree as well at another offset.
+// Finds the offset within +/- `most_s` (above 0, up to kMostClockOffset_s) at which the turn rates
+// of the two trajectories agree best. Both are world_from_camera of the same camera, each in its
+// own world. Throws Error if their motions do not determine the offset: they overlap too little in
+// time, hardly turn, or agree as well at another offset.
 ClockOffset EstimateClockOffset(const Trajectory& truth, const Trajectory& estimate, double most_s);
 
 }  // namespace cvo

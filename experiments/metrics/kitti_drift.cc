@@ -13,7 +13,7 @@ namespace {
 constexpr std::array<double, 8> kLengths_m = {100, 200, 300, 400, 500, 600, 700, 800};
 constexpr std::size_t kStep = 10;
 
-// Length of the true path up to each frame; that of the frame before where a frame has no truth.
+// Length of the true path up to each frame; a frame without truth has that of the preceding frame.
 std::vector<double> PathLengths(const OptionalPoses& truth) {
   std::vector<double> lengths(truth.size());
   std::optional<Eigen::Vector3d> last;
@@ -28,7 +28,7 @@ std::vector<double> PathLengths(const OptionalPoses& truth) {
   return lengths;
 }
 
-// The first frame more than `length_m` after frame `first` along the path.
+// Finds the first frame whose distance from frame `first` along the path exceeds `length_m`.
 std::optional<std::size_t> FindEnd(const std::vector<double>& path, std::size_t first,
                                    double length_m) {
   for (std::size_t i = first; i < path.size(); ++i) {

@@ -15,7 +15,7 @@ using reports::MaxDrift;
 
 constexpr std::size_t kFirstFrames = 25;
 
-// Absolute angles about x, y and z, in this order.
+// Absolute values of the angles about x, y and z, in this order.
 Eigen::Vector3d RollPitchYaw(const RigidTransform& pose) {
   const Eigen::Matrix3d r = pose.RotationMatrix();
   return Eigen::Vector3d(std::atan2(r(2, 1), r(2, 2)),
@@ -28,14 +28,14 @@ MaxDrift DriftOf(double translation_m, const Eigen::Vector3d& roll_pitch_yaw) {
   return {translation_m, roll_pitch_yaw.x(), roll_pitch_yaw.y(), roll_pitch_yaw.z()};
 }
 
-// What takes coordinates in the body's frame at the first pose to those at each pose.
+// Transforms from the body frame at the first pose to the body frame at each pose.
 std::vector<RigidTransform> Motions(const std::vector<RigidTransform>& poses) {
   std::vector<RigidTransform> motions;
   for (const RigidTransform& pose : poses) motions.push_back(pose.Inverse() * poses.front());
   return motions;
 }
 
-// Motions since the first frame, and what is left of them.
+// Motions since the first frame, and their error for a given alignment.
 struct MotionPairs {
   std::vector<RigidTransform> truth;
   std::vector<RigidTransform> estimate;
@@ -51,8 +51,9 @@ struct NormalEquations {
   double cost = 0.0;
 };
 
-// Of the errors by X Exp(d), in the frame of the true body: there they do not depend on the frame
-// of the estimate. The rotation's Jacobian leaves out J_r^-1, which changes no gradient.
+// Linearises the errors in d for X Exp(d), in the frame of the true body, where they do not depend
+// on the body frame of the estimate. The Jacobian of the rotation omits J_r^-1, which does not
+// change the gradient.
 NormalEquations Linearise(const MotionPairs& motions, std::size_t frames, const RigidTransform& X) {
   NormalEquations equations;
   for (std::size_t i = 1; i < frames; ++i) {
@@ -75,8 +76,8 @@ NormalEquations Linearise(const MotionPairs& motions, std::size_t frames, const 
 
 }  // namespace
 
-// Levenberg-Marquardt from the closed form over poses. A body that hardly turns leaves the
-// translation undetermined: damped, it stays that of the start.
+// Levenberg-Marquardt, started from the closed-form alignment of the poses. A body that hardly
+// turns leaves the translation undetermined; because of the damping, it stays at its start value.
 RigidTransform AlignByMotions(const CommonPoses& poses, std::size_t frames) {
   constexpr int kSteps = 100;
   constexpr double kLeastDamping = 1e-9;
@@ -120,7 +121,7 @@ MaxDrift DriftOfPoses(const CommonPoses& poses) {
   return DriftOf(translation_m, angles);
 }
 
-// Registered by the first `frames`, over all of them.
+// Largest errors over all frames, after an alignment by the motions of the first `frames` poses.
 MaxDrift DriftOfMotions(const CommonPoses& poses, std::size_t frames) {
   const MotionPairs motions = {Motions(poses.truth), Motions(poses.estimate)};
   const RigidTransform object_from_gtobject = AlignByMotions(poses, frames);

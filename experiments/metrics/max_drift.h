@@ -9,16 +9,18 @@
 
 namespace cvo {
 
-// The largest errors over a run, by the three contracts of reports::Alignment (METHOD.md 10.5);
-// `truth_from_estimate` are the worlds of kAllPoses. Another constant frame of the body in the
-// estimate, P_t B for P_t, gives the same. Empty with fewer than two poses.
+// Computes the largest errors over a run under the three contracts of reports::Alignment
+// (METHOD.md 10.5). `truth_from_estimate` aligns the worlds for kAllPoses. The result does not
+// depend on the body frame of the estimate: P_t B in place of P_t, with B constant, gives the same.
+// Empty for fewer than two poses.
 [[nodiscard]] std::optional<reports::MaxDrifts> MeasureMaxDrift(
     const CommonPoses& poses, const RigidTransform& truth_from_estimate);
 
-// X of the contracts by motions, from the first `frames` poses.
+// Returns X (object_from_gtobject) of the contracts by motions, from the first `frames` poses.
 RigidTransform AlignByMotions(const CommonPoses& poses, std::size_t frames);
 
-// The worlds in which the first common poses are the same; the identity without one.
+// Returns truth_from_estimate such that the first common poses coincide; the identity if there is
+// none.
 RigidTransform AlignAtFirst(const CommonPoses& poses);
 
 }  // namespace cvo

@@ -12,13 +12,15 @@ namespace cvo {
 
 using Metric = reports::MetricValue;
 
-// With the name and unit of the catalogue, and the part of the contract that it knows.
+// Makes a metric with the name and unit of the catalogue, and the part of the contract that the
+// catalogue determines.
 inline Metric MakeMetric(const reports::MetricForm& form, double value, std::int64_t n) {
   return {reports::MetricName(form), value, reports::EntryOf(form.id).unit, n,
           reports::RelationOf(form), ""};
 }
 
-// Says of poses whose they are, and what of the published calibration was changed for them.
+// Enters into the contracts which poses were evaluated (causal, refined or from a file), and by how
+// much the published calibration was changed for them.
 inline void StatePoses(reports::PoseTime poses, double right_shift_px,
                        std::vector<Metric>& metrics) {
   for (Metric& metric : metrics) {

@@ -13,7 +13,8 @@ namespace {
 
 double Square(double x) { return x * x; }
 
-// A unit quaternion in the middle of these, all of which have its sign afterwards.
+// Flips the signs of the quaternions to that of a unit quaternion in their middle, which is
+// returned.
 Eigen::Vector4d AlignSigns(Eigen::Matrix4Xd& q) {
   Eigen::Vector4d sum = Eigen::Vector4d::Zero();
   for (Eigen::Index i = 0; i < q.cols(); ++i) {
@@ -33,10 +34,10 @@ Eigen::Matrix4Xd Coefficients(const std::vector<Eigen::Quaterniond>& Q) {
   return q;
 }
 
-constexpr Eigen::Index kBlock = 512;  // numbers that stay in the processor's first cache
+constexpr Eigen::Index kBlock = 512;  // numbers that fit in the L1 cache of the processor
 using Block = Eigen::Array<double, Eigen::Dynamic, 1, Eigen::ColMajor, kBlock, 1>;
 
-// Of 16 asin^2(c / 2) as a series in c^2: 8 / (k^2 binomial(2k, k)), k from 1.
+// Coefficients of 16 asin^2(c / 2) as a series in c^2: 8 / (k^2 binomial(2k, k)) for k from 1.
 constexpr auto kSquaredAngle = [] {
   std::array<double, 64> coefficients{};
   double binomial = 1.0;
@@ -48,7 +49,7 @@ constexpr auto kSquaredAngle = [] {
 }();
 
 // Sum of the squared angles between unit quaternions at these squared distances, which are at most
-// 2; the series goes as far as the largest needs it.
+// 2. The series has as many terms as the largest distance requires.
 double SquaredAnglesOf(const Block& distances2) {
   constexpr double kPrecision = 1e-17;
   const double ratio = 0.25 * distances2.maxCoeff();
@@ -57,7 +58,7 @@ double SquaredAnglesOf(const Block& distances2) {
     ++terms;
   }
   Block sum(distances2.size());
-  // As many at a time as stay in registers over all terms.
+  // Processes as many at a time as fit in registers over all terms.
   const auto add = [&]<Eigen::Index kSize>(Eigen::Index at) {
     const Eigen::Array<double, kSize, 1> x = distances2.template segment<kSize>(at);
     Eigen::Array<double, kSize, 1> angles2 = Eigen::Array<double, kSize, 1>::Zero();
@@ -71,7 +72,7 @@ double SquaredAnglesOf(const Block& distances2) {
   return sum.sum();
 }
 
-// Over all ordered pairs: the squared angle between each two.
+// Sum of the squared angles over all ordered pairs.
 double SquaredAngles(const std::vector<Eigen::Quaterniond>& Q) {
   Eigen::Matrix4Xd q = Coefficients(Q);
   AlignSigns(q);
@@ -83,7 +84,7 @@ double SquaredAngles(const std::vector<Eigen::Quaterniond>& Q) {
       const auto row = [&](Eigen::Index k) { return rows.col(k).segment(first, size).array(); };
       Block distances2 = (row(0) - q(0, i)).square() + (row(1) - q(1, i)).square() +
                          (row(2) - q(2, i)).square() + (row(3) - q(3, i)).square();
-      // q and -q are one rotation; the squares of both distances add up to 4.
+      // q and -q are the same rotation; the squares of the two distances add up to 4.
       if (distances2.maxCoeff() > 1.99) {
         distances2 = distances2.min((row(0) + q(0, i)).square() + (row(1) + q(1, i)).square() +
                                     (row(2) + q(2, i)).square() + (row(3) + q(3, i)).square());
@@ -94,7 +95,7 @@ double SquaredAngles(const std::vector<Eigen::Quaterniond>& Q) {
   return sum;
 }
 
-// R - I without the cancellation: 2 (w [v] + [v]^2).
+// R - I without cancellation: 2 (w [v] + [v]^2).
 Eigen::Matrix3d TurnedBy(const Eigen::Quaterniond& rotation) {
   const Eigen::Matrix3d v = Skew(rotation.vec());
   return 2.0 * (rotation.w() * v + v * v);
@@ -107,7 +108,8 @@ std::optional<RelativeErrors> RootMeanSquares(double rotation_sum, double transl
   return RelativeErrors{std::sqrt(rotation_sum / n), std::sqrt(translation_sum / n), pairs};
 }
 
-// Of error(i), which says how frame i + 1 is off from frame i, over consecutive frames.
+// Root mean squares of error(i), the error of the motion from frame i to i + 1, over consecutive
+// frames.
 template <typename Error>
 std::optional<RelativeErrors> ConsecutiveErrors(const CommonPoses& poses, const Error& error) {
   double rotation_sum = 0.0;
@@ -123,9 +125,10 @@ std::optional<RelativeErrors> ConsecutiveErrors(const CommonPoses& poses, const 
   return RootMeanSquares(rotation_sum, translation_sum, pairs);
 }
 
-// Over all ordered pairs: |(p_j - p_i) - Q_i (g_j - g_i)|^2. With the true positions turned by a
-// rotation A amid the Q_i, d = p - A g and M_i = Q_i A^-1 - I it is |(d_j - d_i) - M_i (g_j -
-// g_i)|^2 of small numbers only, and the sum over j follows from first and second moments.
+// Sum over all ordered pairs of |(p_j - p_i) - Q_i (g_j - g_i)|^2. Let A be a rotation in the
+// middle of the Q_i. With the true positions rotated by A, d = p - A g and M_i = Q_i A^-1 - I, each
+// term is |(d_j - d_i) - M_i A (g_j - g_i)|^2, in which d and M_i are small, so that nothing
+// cancels. The sum over j follows from first and second moments.
 double SquaredTranslations(const CommonPoses& poses, const std::vector<Eigen::Quaterniond>& Q) {
   Eigen::Matrix4Xd q = Coefficients(Q);
   const Eigen::Quaterniond A(AlignSigns(q));
@@ -191,7 +194,7 @@ std::vector<double> AlignedPositionErrors(const CommonPoses& poses) {
   return errors;
 }
 
-// With Q_i = R(P_i) R(G_i)^-1: |trans E_ij| = |(p_j - p_i) - Q_i (g_j - g_i)|, and the angle of
+// With Q_i = R(P_i) R(G_i)^-1, |trans E_ij| = |(p_j - p_i) - Q_i (g_j - g_i)|, and the angle of
 // E_ij is that of Q_j^-1 Q_i, which is the same for E_ji.
 std::optional<RelativeErrors> AllPairsErrors(const CommonPoses& poses) {
   if (poses.size() < 2) return std::nullopt;

@@ -20,30 +20,31 @@ struct CommonPoses {
 
   std::size_t size() const { return frames.size(); }
 };
-// Throws Error where the lengths differ or a pose is not finite.
+// Throws Error if the lengths differ or a pose is not finite.
 CommonPoses FindCommonPoses(const OptionalPoses& truth, const OptionalPoses& estimate);
 
-// By column.
+// Positions of the poses, one per column.
 Eigen::Matrix3Xd Positions(const std::vector<RigidTransform>& poses);
 
-// Position errors (m) after the SE(3) alignment of the estimate's positions to the truth's.
+// Position errors (m) after the SE(3) alignment of the estimated positions to the true ones.
 std::vector<double> AlignedPositionErrors(const CommonPoses& poses);
 
-// Root mean squares over pairs of frames of E = (G_i^-1 G_j)^-1 (P_i^-1 P_j).
+// Root mean squares of E = (G_i^-1 G_j)^-1 (P_i^-1 P_j) over pairs of frames.
 struct RelativeErrors {
   std::optional<double> rotation_rad;
   double translation_m = 0.0;
   std::int64_t pairs = 0;
 };
-// Poses from which on the rotations of all pairs take too long: they have no closed sum as the
-// translations have.
+// Largest number of poses for which the rotations of all pairs are computed. Unlike the
+// translations, they have no closed-form sum, so beyond this it takes too long.
 inline constexpr std::size_t kMaxPairedRotations = 100'000;
-// Every ordered pair i != j; empty with fewer than two poses. Without rotations beyond the limit.
+// Over all ordered pairs i != j; empty for fewer than two poses. Beyond kMaxPairedRotations poses,
+// rotation_rad is empty.
 [[nodiscard]] std::optional<RelativeErrors> AllPairsErrors(const CommonPoses& poses);
-// Pairs (i, i + 1) of consecutive frames alone; empty where there are none.
+// Over the pairs (i, i + 1) of consecutive frames; empty if there are none.
 [[nodiscard]] std::optional<RelativeErrors> OneFrameErrors(const CommonPoses& poses);
-// The same of the motions in the world, which do not depend on the frame that a body is given:
-// E = G_i^-1 (G_j G_i^-1)^-1 (P_j P_i^-1) G_i.
+// The same for motions in the world, which do not depend on the choice of the body frame:
+//   E = G_i^-1 (G_j G_i^-1)^-1 (P_j P_i^-1) G_i.
 [[nodiscard]] std::optional<RelativeErrors> MotionErrors(const CommonPoses& poses);
 
 }  // namespace cvo

@@ -15,7 +15,7 @@
 namespace cvo {
 namespace {
 
-constexpr std::size_t kRowNumbers = 12;  // of a KITTI pose
+constexpr std::size_t kRowNumbers = 12;  // numbers of a KITTI pose
 
 RigidTransform ReadPose(const TextRow& row) {
   const Eigen::Vector3d translation(row.Number(1), row.Number(2), row.Number(3));
@@ -26,14 +26,14 @@ RigidTransform ReadPose(const TextRow& row) {
              StrCat("length 1 to within ", kTolerance));
   }
   RigidTransform pose(q, translation);
-  // Normalising again would move the last bit of a quaternion that was written normalised.
+  // Normalising a quaternion again that was written normalised would change its last bit.
   if (std::abs(q.squaredNorm() - 1.0) <= 4.0 * std::numeric_limits<double>::epsilon()) {
     std::copy(q.coeffs().data(), q.coeffs().data() + 4, pose.data());
   }
   return pose;
 }
 
-// Before the first word that starts a comment.
+// Counts the words before the first one that starts a comment.
 int CountColumns(const std::string& line) {
   std::istringstream words(line);
   std::string word;

@@ -12,20 +12,20 @@
 
 namespace cvo {
 
-// uint8, row by row: other types are refused, other layouts are copied.
+// uint8, row-major: other types are rejected, other layouts are copied.
 using GreyArray = pybind11::array_t<std::uint8_t, pybind11::array::c_style>;
 
-// Tells NumPy of the rows below, once per process.
+// Registers the row types of the arrays below with NumPy. Call it once per process.
 void RegisterRows();
 
-// The pixels of the array, not copied. Throws Error unless it has two dimensions.
+// Wraps the pixels of the array without copying them. Throws Error unless it has two dimensions.
 cv::Mat GreyImage(const char* name, const GreyArray& array);
 
-// 3 numbers.
+// Shape (3,).
 pybind11::array_t<double> ToArray(const Eigen::Vector3d& vector);
-// 4 x 4.
+// Shape (4, 4).
 pybind11::array_t<double> ToArray(const RigidTransform& pose);
-// N x 4 x 4.
+// Shape (N, 4, 4).
 pybind11::array_t<double> ToArray(const std::vector<RigidTransform>& poses);
 
 // One row per landmark with the columns of landmarks.csv that are known in a frame: id, u_px, v_px,

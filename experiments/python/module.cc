@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// The compiled half of the package clustervo: cvo::StereoOdometry and what goes in and out of it.
+// The compiled half of the package clustervo: cvo::StereoOdometry with its inputs and outputs.
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -15,7 +15,7 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
-// A frame as the estimator reported it; landmarks are an array already.
+// A frame as reported by the estimator, with its landmarks already converted to an array.
 struct Frame {
   FrameReport report;
   py::array landmarks;

@@ -6,14 +6,14 @@
 
 namespace cvo {
 
-// What decides the bytes of a result beside its input. Two builds with the same identity give the
-// same results; the commit is for people and takes no part in it.
+// What determines the bytes of a result besides its input. Two builds with the same identity give
+// the same results. The commit is informative and not part of the identity.
 using BuildIdentity = reports::BuildInfo;
 
-// Hash of its fields without the commit.
+// Hash of all fields except the commit.
 std::string IdentityOf(const BuildIdentity& build);
 
-// Of the running program on this CPU.
+// The running program on this CPU.
 const BuildIdentity& ThisBuild();
 
 }  // namespace cvo

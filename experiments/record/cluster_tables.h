@@ -11,25 +11,27 @@
 
 namespace cvo {
 
-// objects.csv: a header, then a row for each live cluster in each frame. Poses and velocities are
-// in the world of the first left camera, as when the frame came and, with refined_, as last
-// estimated (cells empty where the run kept none). center_ and half_: inner extent, which the
-// estimator uses; box_ to width_m: the body's upright box, x forward, in the body's frame
-// (METHOD.md 10.4). The 2D box is the last estimate's 3D box in the
-// left image read, empty out of view; detection: index among the frame's, empty: none.
+// Writes objects.csv: a header, then a row for each live cluster in each frame. Poses and
+// velocities are in the world of the first left camera, as estimated when the frame was processed
+// and, with the prefix refined_, as last estimated (cells are empty if the run has no such
+// estimate). center_ and half_ are the inner extent, which the estimator uses; box_ to width_m are
+// the cluster's upright box, x forward, in the frame of the object (METHOD.md 10.4). The 2D box is
+// the projection of the last estimated 3D box into the left image read, empty out of view.
+// detection is the index among the frame's detections, empty if there is none.
 void WriteObjectTable(const Sequence& sequence, const RunResult& run, const TextSink& sink);
 
-// Clusters in view as rows of KITTI tracking with a score. 2D box: of the associated detection,
-// else of the projected 3D box, in the left image read. 3D box: that of objects.csv, in rectified
-// camera 0, as last estimated. Predicted ones are among them: see objects.csv.
+// Calls `take` with the clusters in view, as rows of KITTI tracking with a score. The 2D box is
+// that of the associated detection, otherwise the projected 3D box, in the left image read. The 3D
+// box is that of objects.csv, in rectified camera 0, as last estimated. Clusters with a predicted
+// pose are included; objects.csv states which ones they are.
 void ForEachTrackBox(const Sequence& sequence, const RunResult& run,
                      const std::function<void(const ObjectBox&)>& take);
 
-// tracks.kitti: these rows.
+// Writes these rows as tracks.kitti.
 void WriteKittiTracks(const Sequence& sequence, const RunResult& run, const TextSink& sink);
 
-// The text of each cluster's clusters/<id>.tum, by id: where it was tracked, world_from_object as
-// last estimated.
+// Calls `take` with the text of clusters/<id>.tum of each cluster, by id: world_from_object as last
+// estimated, in the frames in which the cluster was tracked.
 void ForEachClusterTum(const PoseLog& clusters,
                        const std::function<void(ClusterId, const std::string& text)>& take);
 

@@ -12,7 +12,7 @@ std::string IdentityHead(const std::string& build, const std::string& variant,
   return text.substr(0, text.rfind("\n}")) + ",";
 }
 
-// The hash of one object whose first members are those of the head.
+// The hash of a JSON object whose first members are those of the head.
 std::string JobIdentity(const std::string& head, const JobInput& input) {
   const std::string text = DumpJson({{"content", input.content},
                                      {"detections", input.detections},

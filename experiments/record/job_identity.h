@@ -11,12 +11,12 @@
 
 namespace cvo {
 
-// Everything that decides the bytes of a result.
+// Everything that determines the bytes of a result.
 struct Job {
   std::string build;  // BuildInfo::identity
   std::string variant;
   Json options;            // resolved
-  std::string content;     // of the sequence
+  std::string content;     // hash of the sequence
   std::string detections;  // DetectionsHash
   Json given;              // GivenToJson
   std::uint64_t seed = 0;
@@ -25,7 +25,8 @@ struct Job {
 // Jobs with the same identity have the same result.
 std::string JobIdentity(const Job& job);
 
-// The same in two steps, for many jobs: the first is shared by all jobs of a variant with options.
+// The same in two steps, for many jobs that share the first: all jobs of a build with the same
+// variant and options.
 struct JobInput {
   std::string content;
   std::string detections;
@@ -35,10 +36,11 @@ struct JobInput {
 std::string IdentityHead(const std::string& build, const std::string& variant, const Json& options);
 std::string JobIdentity(const std::string& head, const JobInput& input);
 
-// Hash of the boxes that the estimator is given, whatever file they came from.
+// Hash of the boxes that the estimator is given, whichever file they came from.
 std::string DetectionsHash(const Sequence& sequence);
 
-// What else decides what the estimator is given: classes of detections, oracle switches by name.
+// What else determines the input of the estimator: classes of detections, and oracle switches by
+// name.
 Json GivenToJson(const std::vector<std::string>& classes, const std::vector<std::string>& oracle);
 
 }  // namespace cvo

@@ -11,8 +11,8 @@
 namespace cvo {
 namespace {
 
-// Upright in the camera, whose y axis KITTI takes for the vertical: what its box is tilted by is
-// left out.
+// The cluster's 3D box, upright in the camera frame: its tilt is ignored, because KITTI takes the
+// camera's y axis as the vertical.
 ObjectBox::Box3d UprightBox(const ClusterRow& cluster, double left_offset_m) {
   const RigidTransform camera_from_box = cluster.CameraFromBox();
   const Eigen::Vector3d forward = camera_from_box.rotation() * Eigen::Vector3d::UnitX();
@@ -27,7 +27,7 @@ ObjectBox::Box3d UprightBox(const ClusterRow& cluster, double left_offset_m) {
   return box;
 }
 
-// Of the associated detection, else of the 3D box; empty out of view.
+// The box of the associated detection, otherwise the projected 3D box; empty if out of view.
 std::optional<ImageBox> Box2d(const ClusterRow& cluster, const StereoCamera& camera) {
   const int detection = cluster.Last().detection;
   if (detection < 0) return ProjectedBox(cluster, camera);

@@ -8,7 +8,8 @@
 namespace cvo {
 namespace {
 
-// Finer than anything that is made of it, and half the bytes of what would read back the same.
+// Finer than anything that is computed from these values, and half the bytes of an exact
+// representation.
 constexpr int kDecimalsPixels = 2;
 constexpr int kDecimals = 3;  // m, nats
 

@@ -33,7 +33,7 @@ Json EndingsToJson(const SolverEndings& endings) {
           {"no_usable_step", endings.no_usable_step}};
 }
 
-// How the minimisations of all frames ended.
+// Counts, over all frames, how the solver ended.
 Json SolverEndingsToJson(const RunResult& run) {
   SolverEndings camera;
   SolverEndings clusters;
@@ -55,7 +55,7 @@ Json UndecodableToJson(const RunResult& run) {
   return images;
 }
 
-// What the trajectory files beside the result hold.
+// Describes the trajectory files beside the result.
 Json TrajectoriesToJson(const RunResult& run) {
   Json predicted = Json::array();
   Json omitted = Json::array();
@@ -71,14 +71,14 @@ Json TrajectoriesToJson(const RunResult& run) {
 
 std::vector<double> ToList(const Vector6d& v) { return {v.data(), v.data() + v.size()}; }
 
-// The coefficients of StereoCamera::right_field_px; null where they were not estimated.
+// The coefficients of StereoCamera::right_field_px; null if they were not estimated.
 Json CalibrationToJson(const CalibrationReport& calibration) {
   if (!calibration.IsEstimated()) return nullptr;
   const Vector6d sigma_px = calibration.Covariance_px2().diagonal().cwiseSqrt();
   return {{"right_field_px", ToList(calibration.right_field_px)}, {"sigma_px", ToList(sigma_px)}};
 }
 
-// What the run ended with.
+// The calibration at the end of the run, with its covariance.
 Json LastCalibrationToJson(const RunResult& run) {
   const std::optional<CalibrationReport> last = LastCalibration(run);
   if (!last) return nullptr;
@@ -119,7 +119,7 @@ Json DetectionsToJson(const DetectionCounts& counts) {
           {"other_classes", counts.other_classes}};
 }
 
-// One row per cluster that was live in some frame; its poses are in objects.csv and clusters/.
+// One row per cluster that was live in some frame. Its poses are in objects.csv and clusters/.
 Json ClustersToJson(const RunResult& run) {
   struct Life {
     std::string category;

@@ -18,40 +18,40 @@
 
 namespace cvo {
 
-// A run with everything that decided it.
+// A run with everything that determined it.
 struct RunRecord {
   const Sequence& sequence;
   BuildIdentity build;
   std::string variant;
   Json options = {};  // resolved
-  Json given = {};    // as GivenToJson gives it
+  Json given = {};    // from GivenToJson
   std::uint64_t seed = 0;
   std::vector<Metric> metrics = {};
-  std::optional<reports::RunBodies> bodies = {};  // empty without truth
+  std::optional<reports::RunBodies> bodies = {};  // empty without ground truth
   const RunResult& run;
   TruthRecord truth = {};
   std::vector<std::string> warnings = {};  // FindImplausible
 };
 
-// tx ty tz qx qy qz qw.
+// Returns [tx, ty, tz, qx, qy, qz, qw].
 Json PoseToJson(const RigidTransform& pose);
 
-// What was read, with its hash and what FindImplausible says of it.
+// Describes the sequence that was read, with its hash and the warnings of FindImplausible.
 reports::RunSequence SequenceOf(const Sequence& sequence, const std::string& content,
                                 const std::vector<std::string>& warnings);
 
 reports::CameraInfo CameraOf(const StereoCamera& camera);
 
-// A result.json: the summary and, behind it, what only some readers need.
+// Content of a result.json: the summary, followed by details that only some readers need.
 Json ResultJson(const reports::RunSummary& summary, const Json& details);
 
-// Of the last frame that has an estimate of it; empty where there is none.
+// Calibration of the last frame that has an estimate of it. Empty if there is none.
 std::optional<CalibrationReport> LastCalibration(const RunResult& run);
 
 std::string RecordedJob(const RunRecord& record);
 
-// The content of result.json: the same bytes for the same job, whatever the time, host, paths and
-// number of threads. Throws Error naming a field that is not finite.
+// Writes result.json. The same job gives the same bytes, whatever the time, host, paths and number
+// of threads. Throws Error naming a field that is not finite.
 void WriteResultFile(const RunRecord& record, const TextSink& sink);
 
 }  // namespace cvo

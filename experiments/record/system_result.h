@@ -16,36 +16,36 @@
 
 namespace cvo {
 
-// The files that another system wrote, by their bytes.
+// Hashes of the bytes of the files that another system wrote.
 struct SystemHashes {
   std::string camera;
-  std::string objects;  // empty: none
+  std::string objects;  // empty: no file
 };
 
-// What a result says of another system's trajectories on a sequence.
+// Another system's trajectories on a sequence, and their scores.
 struct SystemRecord {
   const Sequence& sequence;
   BuildIdentity build;
   std::string system;
   SystemHashes hashes;
   std::string content;          // ContentHash of the sequence
-  double right_shift_px = 0.0;  // correction that the system was given, not the sequence's
+  double right_shift_px = 0.0;  // correction applied to the system's input, not the sequence's
   std::uint64_t seed = 0;
   std::vector<Metric> metrics = {};
-  std::optional<reports::RunBodies> bodies = {};  // empty without truth or objects
+  std::optional<reports::RunBodies> bodies = {};  // empty without ground truth or objects
   const ObjectTruth* truth = nullptr;             // may be null
   const ObjectEstimate& estimate;
   int object_frames = 0;
   int object_frames_left_out = 0;
 };
 
-// Of a run of no variant. The whole build takes part: the readers of the truth and the geometry
-// that scoring needs are among the estimator's sources.
+// Identity of the job of another system. The whole build is part of it: the readers of the ground
+// truth and the geometry needed for scoring are among the estimator's sources.
 std::string SystemJob(const BuildIdentity& build, const std::string& system,
                       const SystemHashes& hashes, const std::string& content, std::uint64_t seed);
 
-// The content of result.json, kind "run" as of an own run; poses are the system's own, those of
-// frames without one null. Throws Error naming a field that is not finite.
+// Returns the content of result.json, of kind "run" like that of an own run. Poses are the system's
+// own, null in frames without one. Throws Error naming a field that is not finite.
 std::string SystemResultFile(const SystemRecord& record);
 
 }  // namespace cvo

@@ -13,8 +13,8 @@
 
 namespace cvo {
 
-// One row of a table, its cells parted by `separator`. Numbers are the shortest text that reads
-// back as the same number; one that is not finite throws Error.
+// One row of a table, with cells separated by `separator`. Numbers are written as the shortest text
+// that reads back as the same number; a number that is not finite throws Error.
 class TableRow {
  public:
   explicit TableRow(char separator) : separator_(separator) {}
@@ -22,14 +22,14 @@ class TableRow {
   void Text(std::string_view text);
   void Integer(std::int64_t value);
   void Number(double value);
-  // To a multiple of 10^-decimals.
+  // Appends the value rounded to a multiple of 10^-decimals.
   void Rounded(double value, int decimals);
   void Vector(const Eigen::Vector3d& vector);
   void Pose(const RigidTransform& pose);         // x y z qx qy qz qw
   void Box(const std::optional<ImageBox>& box);  // left top right bottom, px
   void Empty(int cells);
 
-  // With the line end.
+  // Returns the row with a newline.
   std::string Line() const { return line_ + '\n'; }
 
  private:

@@ -20,7 +20,7 @@
 namespace cvo {
 namespace {
 
-// The text after "name" and a colon in a file like /proc/cpuinfo; empty where there is none.
+// The text after `name` and a colon in a file such as /proc/cpuinfo; empty if there is none.
 std::string ProcValue(const char* file, std::string_view name) {
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);) {
@@ -48,14 +48,15 @@ std::string UtcNow() {
   return text.data();
 }
 
-// The value that the fraction q of the samples do not exceed (nearest rank).
+// The nearest-rank quantile: the smallest sample that at least a fraction q of the samples do not
+// exceed.
 double Quantile(std::vector<double> samples, double q) {
   std::sort(samples.begin(), samples.end());
   const double rank = std::ceil(q * static_cast<double>(samples.size()));
   return samples[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
 }
 
-// Whole microseconds: more digits are noise.
+// Rounds to whole microseconds, because further digits are noise.
 double Milliseconds(double seconds) { return std::round(1e6 * seconds) / 1e3; }
 
 reports::StageSummary Summary(const std::vector<double>& samples_ms) {
@@ -65,9 +66,9 @@ reports::StageSummary Summary(const std::vector<double>& samples_ms) {
 }
 
 // A frame without the stage counts as zero.
-std::vector<double> Samples_ms(const std::vector<double>& times_s) {
+std::vector<double> Samples_ms(const std::vector<float>& times_s) {
   std::vector<double> samples_ms;
-  for (const double time_s : times_s) {
+  for (const float time_s : times_s) {
     samples_ms.push_back(std::isnan(time_s) ? 0.0 : Milliseconds(time_s));
   }
   return samples_ms;

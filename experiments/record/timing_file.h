@@ -10,7 +10,7 @@
 
 namespace cvo {
 
-// Where and when a run was made; nothing of it is in a result.
+// Where and when a run was made. None of this is in a result.
 struct RunContext {
   std::string job;
   std::string date;  // UTC, ISO 8601
@@ -21,10 +21,10 @@ struct RunContext {
   double peak_memory_mb = 0.0;  // 10^6 bytes, of the whole process
 };
 
-// The date, host, CPU and peak memory of the running process; the rest is left empty.
+// Returns date, host, CPU and peak memory of the running process. The other fields are left empty.
 RunContext ThisProcess();
 
-// The content of timing.json: wall ms per frame by stage, frames per second, and the context.
+// Writes timing.json: wall time per frame by stage in ms, frames per second, and the context.
 void WriteTimingFile(const RunResult& run, const RunContext& context, const TextSink& sink);
 
 }  // namespace cvo

@@ -10,17 +10,17 @@
 
 namespace cvo {
 
-// What a run was held against; nullptr: there is none.
+// The ground truth that a run was compared to; nullptr: there is none.
 struct TruthRecord {
-  const OptionalPoses* camera = nullptr;  // by frame run
+  const OptionalPoses* camera = nullptr;  // by processed frame
   const ObjectTruth* objects = nullptr;
-  RigidTransform truth_from_estimate;  // of the worlds
+  RigidTransform truth_from_estimate;  // between the worlds
   const std::vector<BodyScore>* bodies = nullptr;
 };
 
-// The content of truth.json, for pictures: the truth in the world of the run, which is the first
-// left camera as estimated, and of each body the positions that its ATE is made of. Frames count
-// from the first one run, poses are as in result.json.
+// Returns the content of truth.json, for drawing: the ground truth in the world of the run, which
+// is the first left camera as estimated, and for each body the positions from which its ATE is
+// computed. Frames count from the first one processed; poses are as in result.json.
 std::string TruthFile(const std::string& job, const TruthRecord& truth);
 
 }  // namespace cvo

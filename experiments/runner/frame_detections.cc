@@ -26,9 +26,9 @@ bool Contains(const std::vector<std::string>& classes, const std::string& type) 
                      [&](const std::string& name) { return Lower(name) == Lower(type); });
 }
 
-// Moved by the disparity of what it shows; boxes on nothing stay, as of something far away. An edge
-// at the border of its image is the border's, not the body's: it stays, so that it still counts as
-// cut.
+// Moves a box by the disparity of what it shows. A box without depth stays where it is, like that
+// of something far away. An edge at the image border is not an edge of the body, and stays too, so
+// that the box still counts as truncated.
 ImageBox MoveBox(const ObjectBox& box, const BoxCamera& camera,
                  const std::vector<StereoFeature>& features, DetectionCounts& counts) {
   const ImageBox drawn = {box.left_px, box.top_px, box.right_px, box.bottom_px};
@@ -39,7 +39,7 @@ ImageBox MoveBox(const ObjectBox& box, const BoxCamera& camera,
     return drawn;
   }
   const ObjectBox moved = ShiftBox(box, camera.offset_m, camera.left.fx, depth_m);
-  constexpr double kAtBorder_px = 2.0;  // detectors end boxes a pixel or two before it
+  constexpr double kAtBorder_px = 2.0;  // detectors end boxes a pixel or two before the border
   const double last_u_px = camera.left.width_px - 1;
   return {drawn.left_px <= kAtBorder_px ? drawn.left_px : moved.left_px, moved.top_px,
           drawn.right_px >= last_u_px - kAtBorder_px ? drawn.right_px : moved.right_px,
@@ -88,8 +88,8 @@ void CheckClasses(const std::vector<std::string>& classes, const std::vector<Obj
 double DepthInBox(const ObjectBox& box, const BoxCamera& camera,
                   const std::vector<StereoFeature>& features) {
   constexpr std::size_t kMinDepths = 3;
-  constexpr double kModeWidth = 1.15;     // farthest over nearest depth: a car 5 m long at 30 m
-  constexpr double kDenseFraction = 0.5;  // of the densest mode; less is clutter in front
+  constexpr double kModeWidth = 1.15;     // farthest to nearest depth: a car 5 m long at 30 m
+  constexpr double kDenseFraction = 0.5;  // fraction of the densest mode; less is clutter in front
   std::vector<double> depths_m;
   for (const StereoFeature& feature : features) {
     const double disparity_px = camera.left.Disparity(feature.z_px);

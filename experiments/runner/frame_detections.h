@@ -16,44 +16,48 @@
 
 namespace cvo {
 
-// Classes whose boxes count as rigid bodies unless a run lists others: KITTI's and COCO's vehicles
-// (people and cyclists deform; DontCare is no class), and what moves in the shipped scenes.
+// Classes whose boxes count as rigid bodies unless a run lists others: the vehicles of KITTI and
+// COCO (people and cyclists deform; DontCare is not a class), and what moves in the shipped scenes.
 inline constexpr std::array<std::string_view, 10> kRigidClasses = {
     "Car", "Van", "Truck", "Tram", "Bus", "Ball", "Block", "Chair", "Crate", "Tower"};
 std::vector<std::string> RigidClasses();
 
-// The same and the others of KITTI and of detectors of road users.
+// Returns the rigid classes, and the other classes of KITTI and of detectors of road users.
 std::vector<std::string> KnownClasses();
 
-// "A,B,..." as a list. Throws Error for an empty name.
+// Parses a list "A,B,...". Throws Error for a name that is empty or contains characters other than
+// letters, digits, "_", "-" and ".".
 std::vector<std::string> ParseClasses(const std::string& text);
 
-// Throws Error for a class that no box has and that is a known one misspelt.
+// Throws Error for a class that no box has and that looks like a misspelt known one.
 void CheckClasses(const std::vector<std::string>& classes, const std::vector<ObjectBox>& boxes);
 
-// Where boxes were drawn: the left camera read and Sequence::detections_offset_m from it.
+// The camera in whose image boxes were drawn, relative to the left camera read: `offset_m` is
+// Sequence::detections_offset_m.
 struct BoxCamera {
   StereoCamera left;
   double offset_m = 0.0;
 };
 
-// What the estimator is given of a frame's boxes, in file order: those of `classes` (letter case
-// aside), moved to the left image read (MoveBox) and clipped to it. Counts the rest.
+// Returns the detections that the estimator is given for a frame, in file order: the boxes of
+// `classes` (ignoring case), moved to the left image read (MoveBox) and clipped to it. Adds to
+// `counts` what became of the boxes.
 std::vector<Detection> DetectionsOfFrame(const std::vector<ObjectBox>& boxes,
                                          const BoxCamera& camera,
                                          const std::vector<StereoFeature>& features,
                                          const std::vector<std::string>& classes,
                                          DetectionCounts& counts);
 
-// Depth (m) of what a box shows: the median within the nearest dense mode of the features that are
-// inside it where it was drawn. 0 where fewer than three are.
+// Returns the depth (m) of what a box shows: the median of the nearest dense mode of the features
+// that were inside the box where it was drawn. 0 if there are fewer than three of them.
 double DepthInBox(const ObjectBox& box, const BoxCamera& camera,
                   const std::vector<StereoFeature>& features);
 
-// Boxes frame by frame of the sequence, in file order.
+// Returns the detections of each frame of the sequence, in file order.
 std::vector<std::vector<ObjectBox>> DetectionsByFrame(const Sequence& sequence);
 
-// The same as drawn, whatever they show: where the front end looks for corners of bodies.
+// Returns the same boxes as they were drawn, whatever their class: regions where the front end
+// looks for corners on bodies.
 std::vector<std::vector<cv::Rect2d>> BoxesByFrame(const Sequence& sequence);
 
 }  // namespace cvo

@@ -27,7 +27,7 @@ FrontEndSettings Settings(const FrameInput& input) {
           .first_frame = sequence.first_frame};
 }
 
-// Extracts, and keeps what it gives for later runs under the hashes of the bytes it read.
+// Extracts the frames and records them for later runs, under the hashes of the bytes that it read.
 class RecordedFrames final : public FrameSource {
  public:
   RecordedFrames(const FrameInput& input, TaskPool& pool)
@@ -54,7 +54,7 @@ class RecordedFrames final : public FrameSource {
   std::vector<ImageHashes> images_;
 };
 
-// Reads from the cache; from a frame on that proves damaged it extracts.
+// Reads frames from the cache. If one is damaged, extracts this one and all after it.
 class CachedFrames final : public FrameSource {
  public:
   CachedFrames(const FrameInput& input, std::vector<ImageHashes> images, std::string key,

@@ -16,26 +16,27 @@
 
 namespace cvo {
 
-// One frame as the estimator is given it.
+// A frame as it is given to the estimator.
 struct PreparedFrame {
   StereoFrame frame;
   ImageHashes hashes;
-  std::vector<ImageProblem> problems;  // not empty: there are no features, skip the frame
+  std::vector<ImageProblem> problems;  // if not empty: no features, skip the frame
   StageTimes times_s;                  // decode and extract: the sum over both images
 };
 
-// Gives the frames of a sequence in order.
+// Supplies the frames of a sequence in order.
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
 
-  // Throws what the extraction threw. Call it once per frame at most.
+  // Returns the next frame. Rethrows what the extraction threw. Must be called at most once per
+  // frame.
   virtual PreparedFrame Next() = 0;
-  // Says that the run took every frame and is complete.
+  // Tells the source that the run has taken every frame and is complete.
   virtual void Finish() {}
 };
 
-// What frames are made of. All of it must outlive the source.
+// What frames are made from. All of it must outlive the source.
 struct FrameInput {
   const Sequence& sequence;
   const Options& options;
@@ -43,8 +44,8 @@ struct FrameInput {
   const FrontEndCache* cache = nullptr;    // may be null
 };
 
-// Frames from the cache, where it has them: no image is read then. Else extracted, and for the
-// cache if there is one. The frames are the same in every case.
+// Reads frames from the cache if it has them; no image is decoded in this case. Otherwise extracts
+// them, and records them if there is a cache. The frames are the same in every case.
 std::unique_ptr<FrameSource> OpenFrames(const FrameInput& input, TaskPool& pool);
 
 }  // namespace cvo

@@ -11,10 +11,11 @@
 
 namespace cvo {
 
-// What runs share below the cache folder: features (frontend/) and hashes of files (hashes/).
+// The caches that runs share, below the cache folder: features (frontend/) and hashes of files
+// (hashes/).
 class JobCache {
  public:
-  // `limit_bytes`: of the features, see CacheLimit.
+  // `limit_bytes` is that of the features; see CacheLimit.
   JobCache(const std::filesystem::path& cache_folder, std::uint64_t limit_bytes,
            const FileHashHooks& hooks);
 
@@ -23,9 +24,10 @@ class JobCache {
   // See FindFileHashes.
   std::vector<std::string> HashesOf(const std::vector<std::filesystem::path>& files,
                                     int threads) const;
-  // Hashes of the sequence's images, for ContentHash and IdentifyJob.
+  // Returns the hashes of the sequence's images, for ContentHash and IdentifyJob.
   std::vector<ImageHashes> ImagesOf(const Sequence& sequence, int threads) const;
-  // Fills in the request's image hashes and lets it use the features. The cache must outlive it.
+  // Fills in the image hashes of the request and lets it use the cached features. The cache must
+  // outlive the request.
   void Serve(RunRequest& request) const;
 
  private:

@@ -15,7 +15,7 @@
 namespace cvo {
 namespace {
 
-// One image of a pair, worked on by one task.
+// One image of a pair, processed by one task.
 struct Side {
   OrbImage orb;
   std::string sha256;
@@ -23,13 +23,13 @@ struct Side {
   StageTimes times_s;
 };
 
-// The problem without the path before it.
+// Removes the path at the beginning of a problem's description.
 std::string WithoutPath(const std::string& problem, const std::filesystem::path& path) {
   const std::string prefix = path.string() + ": ";
   return problem.starts_with(prefix) ? problem.substr(prefix.size()) : problem;
 }
 
-// One image of a sequence: its left (0) or right (1) one of a frame.
+// One image of a sequence: the left (0) or right (1) one of a frame.
 struct SideOfFrame {
   const Sequence& sequence;
   std::size_t index;
@@ -74,7 +74,7 @@ struct LookAhead::Slot {
 
   bool BothValid() const { return sides[0].problem.empty() && sides[1].problem.empty(); }
 
-  // The pyramids are of no use once matched; frames wait here without them.
+  // Matches the pair and frees the pyramids, which are not needed afterwards while the frame waits.
   void Match(const Sequence& sequence, const Options& options) {
     if (BothValid()) {
       const ScopedStage stage(match_times_s, "match_stereo");
@@ -104,7 +104,8 @@ void LookAhead::SubmitNext() {
   next.slot = std::make_shared<Slot>();
   next.slot->boxes = boxes_[index];
   for (std::size_t side = 0; side < 2; ++side) {
-    // Nothing of this object is used: an error may end the run, and it, while the tasks go on.
+    // The task uses no member of this object: an error may end the run, and the object's lifetime,
+    // while tasks are still running.
     next.tickets[side] = pool_.Submit([slot = next.slot, side, index, &sequence = sequence_,
                                        &options = options_, regions] {
       const SideOfFrame of{sequence, index, static_cast<int>(side)};
@@ -112,7 +113,7 @@ void LookAhead::SubmitNext() {
                               ? PrepareSide(of, options.orb, regions)
                               : PrepareSide(of, RightOrb(options.orb, options.stereo),
                                             RightRegions(regions, options.stereo, sequence.camera));
-      // Whichever image is ready last matches the pair; an error leaves the count above zero.
+      // The task that finishes last matches the pair. After an error the count stays above zero.
       if (slot->unfinished.fetch_sub(1) == 1) slot->Match(sequence, options);
     });
   }

@@ -19,19 +19,20 @@
 
 namespace cvo {
 
-// What the front end made of a pair of image files.
+// The output of the front end for a pair of image files.
 struct ExtractedFrame {
   FrontEndFrame front_end;
   ImageHashes hashes;
   StageTimes times_s;
 };
 
-// The frame with its time and with problems named by the files of the sequence.
+// Returns the frame with its timestamp, and with each problem naming the image file in the
+// sequence.
 PreparedFrame Prepare(const Sequence& sequence, std::size_t index, ExtractedFrame extracted);
 
-// Decodes images and extracts features on the pool, a few frames ahead of whoever takes them. The
-// frames do not depend on the number of threads; images of no more than kFrames frames are in
-// memory. The sequence, options and pool must outlive it.
+// Decodes images and extracts features on the pool, a few frames ahead of the consumer. The frames
+// do not depend on the number of threads. Images of at most kFrames frames are in memory. The
+// sequence, options and pool must outlive it.
 class LookAhead final : public FrameSource {
  public:
   static constexpr std::size_t kFrames = 3;
@@ -39,7 +40,8 @@ class LookAhead final : public FrameSource {
   LookAhead(const Sequence& sequence, const Options& options, TaskPool& pool,
             std::size_t first_frame = 0);
 
-  // The next frame of the sequence; works on it meanwhile if no thread has taken it.
+  // Returns the next frame of the sequence. Works on it in the calling thread if no other has taken
+  // it.
   ExtractedFrame Extract();
   PreparedFrame Next() override;
 

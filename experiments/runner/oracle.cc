@@ -15,7 +15,7 @@
 namespace cvo {
 namespace {
 
-// Detectors draw boxes around what they see: the visible part.
+// Returns boxes around the visible parts of bodies, as detectors draw them.
 TrueBoxes SceneBoxes(const Sequence& sequence, const std::filesystem::path& table) {
   TrueBoxes boxes(sequence.images.size());
   const auto bodies = ReadSceneBodies(table, sequence.total_frames);

@@ -12,15 +12,17 @@
 
 namespace cvo {
 
-// By frame from the first one run: ids of bodies and what is seen of them in the left image.
+// [frame, from the first one run]: ids of bodies, each with the box of what is visible of it in the
+// left image.
 using TrueBoxes = std::vector<std::vector<std::pair<int, ImageBox>>>;
 
-// Around the visible part of bodies of a rendered scene, else those of the labels; those of other
-// bodies are not there. Throws Error for a file that cannot be read.
+// Returns the boxes around the visible parts of the bodies of a rendered scene, else those of the
+// labels; labels of anything but a body of `truth` are omitted. Throws Error for a file that cannot
+// be read.
 TrueBoxes BoxesOfBodies(const Sequence& sequence, const BodyTruthReader& truth);
 
-// What the estimator is given from the ground truth in place of what it would find out: whose box
-// each detection is, which body each feature is on, where the camera is.
+// What the estimator is given from the ground truth instead of estimating it: the body of each
+// detection (boxes), the body of each feature (labels), and the camera pose.
 struct OracleSwitches {
   bool boxes = false;
   bool labels = false;
@@ -30,24 +32,26 @@ struct OracleSwitches {
   std::vector<std::string> Names() const;
 };
 
-// Any of "boxes,labels,camera" with commas between, or "none". Throws Error for another name.
+// Parses "none" or any of "boxes", "labels" and "camera", separated by commas. Throws Error for
+// another name.
 OracleSwitches ParseOracle(const std::string& text);
 
-// Which body each detection shows: pairs of an intersection over union of at least 0.5, one-to-one,
-// as many as can be and then of the largest sum. Invalid: none.
+// Returns the body that each detection shows; invalid if none. Matches one-to-one the pairs with an
+// intersection over union of at least 0.5: as many as possible, then with the largest sum.
 std::vector<BodyId> BodiesOfDetections(const std::vector<Detection>& detections,
                                        const std::vector<std::pair<int, ImageBox>>& true_boxes);
 
-// The true body at each feature, -1 where it is not known. Frames count from the first one run.
+// Returns the true body at each feature, -1 if it is unknown. Frames are counted from the first one
+// run.
 std::vector<LandmarkTruth> TruthOfFeatures(int frame, const std::vector<StereoFeature>& features,
                                            const StereoCamera& camera, BodyTruthReader& truth);
 
 class Oracle {
  public:
-  // Throws Error where the sequence lacks the truth that is asked for. `truth` may be null.
+  // Throws Error if the sequence lacks the ground truth that is requested. `truth` may be null.
   Oracle(const Sequence& sequence, const OracleSwitches& switches, const BodyTruthReader* truth);
 
-  // Fills frame.given. `feature_truth`: TruthOfFeatures, needed for labels alone.
+  // Fills frame.given. `feature_truth` is the result of TruthOfFeatures, needed only for labels.
   void Give(int frame_index, const std::vector<LandmarkTruth>& feature_truth,
             StereoFrame& frame) const;
 

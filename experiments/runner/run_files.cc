@@ -19,7 +19,7 @@ constexpr const char* kClusters = "clusters";
 constexpr const char* kLandmarks = "landmarks.csv";
 constexpr const char* kTruth = "truth.json";
 
-// <number>.tum in clusters/, unless they are written now.
+// Returns the <number>.tum files in clusters/ that this run does not write.
 std::vector<std::string> StaleFiles(const fs::path& folder, const StagedFiles& written) {
   std::vector<std::string> stale;
   std::error_code none;
@@ -79,7 +79,7 @@ void WriteRunFiles(const fs::path& folder, const RunRecord& record, const RunCon
   files.Add("tracks.kitti",
             [&](const TextSink& sink) { WriteKittiTracks(record.sequence, run, sink); });
   files.Add(kTruth, TruthFile(RecordedJob(record), record.truth));
-  // The result last: where it is complete, so is all else.
+  // The result comes last: if it is complete, so is everything else.
   files.Add("timing.json", [&](const TextSink& sink) { WriteTimingFile(run, context, sink); });
   files.Add("result.json", [&](const TextSink& sink) { WriteResultFile(record, sink); });
   std::vector<std::string> stale = StaleFiles(folder, files);

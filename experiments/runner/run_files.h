@@ -13,16 +13,17 @@
 
 namespace cvo {
 
-// What a run may write to its folder: result.json, timing.json, camera.tum, camera.kitti,
-// objects.csv, tracks.kitti, on request landmarks.csv, and clusters/<id>.tum.
+// Returns the names of what a run may write to its folder: result.json, timing.json, truth.json,
+// camera.tum, camera.kitti, objects.csv, tracks.kitti, clusters/ with <id>.tum and, on request,
+// landmarks.csv.
 std::vector<std::string> RunFileNames();
 
-// landmarks.csv in the folder with its header: rows are added while the run goes on, since all of
-// them are many times the memory of a run.
+// Starts landmarks.csv in the folder with its header. Rows are appended during the run, since all
+// of them take many times the memory of a run.
 StagedFile BeginLandmarks(const std::filesystem::path& folder);
 
-// Writes them to a folder that exists: all complete, or none (see StagedFiles). Files of
-// an earlier run that this one does not have are removed.
+// Writes these files to an existing folder: either all of them complete, or none (see StagedFiles).
+// Removes files of an earlier run that this one does not have.
 void WriteRunFiles(const std::filesystem::path& folder, const RunRecord& record,
                    const RunContext& context, std::optional<StagedFile> landmarks = {});
 

@@ -33,7 +33,8 @@ Json GivenOf(const RunRequest& request) {
   return Given(request.sequence, request.classes, request.oracle);
 }
 
-// Levels of a scene and "labels" are no files.
+// Returns the absolute path of a file. Levels of a scene and "labels" are not files and are
+// returned unchanged.
 std::optional<std::string> PathOf(const std::filesystem::path& source) {
   if (source.empty()) return std::nullopt;
   std::error_code ignored;

@@ -18,22 +18,21 @@ struct JobOutcome {
   RunResult run;
   RunScores scores;
   RunContext context;
-  std::vector<std::string> warnings = {};  // FindImplausible
+  std::vector<std::string> warnings = {};  // of FindImplausible
 };
 
-// GivenToJson of a job; classes count where there are boxes alone.
+// Returns GivenToJson of a job. Classes only count if there are boxes.
 Json Given(const Sequence& sequence, const std::vector<std::string>& classes,
            const OracleSwitches& oracle);
 
-// JobIdentity of what RunJob would do, from the bytes of the sequence's files; nothing is decoded.
-// Images whose hashes the request has are not read.
+// Returns the JobIdentity of what RunJob would do, from the bytes of the sequence's files; nothing
+// is decoded. Does not read images whose hashes are in the request.
 std::string IdentifyJob(const RunRequest& request);
-// The same where the ContentHash of the sequence is known.
+// The same, if the ContentHash of the sequence is known.
 std::string IdentifyJob(const RunRequest& request, const std::string& content);
 
-// Runs, scores, and writes the files to a folder that exists (WriteRunFiles). Empty where the
-// request's `stop` ended the run: nothing is written then. Throws Error on a CPU below the level of
-// recorded runs.
+// Runs the job, scores it and writes its files to an existing folder (WriteRunFiles). Returns
+// nothing if the request's `stop` ended the run; no file is written then.
 [[nodiscard]] std::optional<JobOutcome> RunJob(const RunRequest& request,
                                                const std::filesystem::path& folder);
 

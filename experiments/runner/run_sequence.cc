@@ -42,7 +42,7 @@ void RefuseProblems(const Sequence& sequence, const PreparedFrame& prepared) {
 struct TruthOfFrame {
   BodyTruthReader* reader = nullptr;  // may be null
   Oracle oracle;
-  double seconds = 0.0;  // that the last frame took here
+  double seconds = 0.0;  // spent here on the last frame
 };
 
 // Adds the boxes of the frame to the estimator's input.
@@ -58,7 +58,8 @@ void AddDetections(const RunRequest& request, const std::vector<ObjectBox>& boxe
                         frame.features, request.classes, counts);
 }
 
-// The truth at the frame's features, and what the oracle gives of it. Empty without a truth.
+// Returns the ground truth at the frame's features, and adds to the frame what the oracle gives.
+// Empty without ground truth.
 std::vector<LandmarkTruth> AddTruth(const RunRequest& request, int index, TruthOfFrame& truth,
                                     PreparedFrame& prepared) {
   const auto start = std::chrono::steady_clock::now();
@@ -74,7 +75,7 @@ std::vector<LandmarkTruth> AddTruth(const RunRequest& request, int index, TruthO
   return feature_truth;
 }
 
-// Counts them: a frame has a thousand landmarks and a dozen kinds of them.
+// Counts landmarks that are alike: a frame has a thousand landmarks of a dozen kinds.
 std::vector<LandmarkObservation> Observe(const std::vector<LandmarkReport>& landmarks,
                                          const std::vector<LandmarkTruth>& feature_truth) {
   std::vector<LandmarkObservation> kinds;
@@ -95,28 +96,28 @@ std::vector<LandmarkObservation> Observe(const std::vector<LandmarkReport>& land
   return kinds;
 }
 
-// The times of the last frame.
+// Appends the stage times of the last frame.
 void KeepTimes(const StageTimes& times_s, std::size_t all_frames, RunResult& result) {
   for (const auto& [stage, time_s] : times_s) {
     const auto [of_frames, added] = result.times_s.try_emplace(stage);
-    // At once: what grows in steps leaves holes between what is needed for a frame alone.
+    // Allocated at once: a vector that grows in steps leaves holes between short-lived blocks.
     if (added) of_frames->second.reserve(all_frames);
   }
   for (auto& [stage, of_frames] : result.times_s) {
-    of_frames.resize(result.frames.size(), std::numeric_limits<double>::quiet_NaN());
+    of_frames.resize(result.frames.size(), std::numeric_limits<float>::quiet_NaN());
     const auto time_s = times_s.find(stage);
-    if (time_s != times_s.end()) of_frames.back() = time_s->second;
+    if (time_s != times_s.end()) of_frames.back() = static_cast<float>(time_s->second);
   }
 }
 
-// Every frame leaves tens of megabytes free between blocks that stay, and not always in the same
-// places: what is held would wander by as much.
+// Returns free memory to the system. Every frame leaves tens of megabytes free between blocks that
+// stay, and not always in the same places, so that the memory in use would vary by as much.
 void ReturnFreeMemory(std::size_t frames) {
   constexpr std::size_t kEvery_frames = 20;
   if (frames % kEvery_frames == 0) ::malloc_trim(0);
 }
 
-// The hashes of the images so far, which would otherwise be a third of what is kept of a frame.
+// The hashes of the images so far. In memory they would take a third of what is kept of a frame.
 class HashLog {
  public:
   explicit HashLog(const std::filesystem::path& folder) : spool_(folder) {}
@@ -124,7 +125,7 @@ class HashLog {
   std::size_t size() const { return spool_.size() / (2 * kHashBytes); }
   void Append(const ImageHashes& hashes) {
     for (std::string hash : {hashes.left, hashes.right}) {
-      hash.resize(kHashBytes, ' ');  // that of a file that cannot be read is empty
+      hash.resize(kHashBytes, ' ');  // the hash of an unreadable file is empty
       spool_.Append(hash);
     }
   }
@@ -139,8 +140,8 @@ class HashLog {
   Spool spool_;
 };
 
-// Lets the estimator work on one frame. An Error of the estimator makes the result a failed one
-// without the frame: empty.
+// Processes one frame with the estimator. If that throws Error, marks the result as failed and
+// returns nothing.
 std::optional<FrameRecord> Estimate(const RunRequest& request, Odometry& odometry,
                                     PreparedFrame& prepared, RunResult& result) {
   FrameRecord record;
@@ -161,16 +162,17 @@ std::optional<FrameRecord> Estimate(const RunRequest& request, Odometry& odometr
   return record;
 }
 
-// Gives the landmarks of a frame away and keeps their counts.
+// Passes the landmarks of a frame to `sink` and keeps only their counts.
 void GiveLandmarks(const StereoFrame& given, const std::vector<LandmarkTruth>& feature_truth,
                    const LandmarkSink& sink, FrameRecord& record) {
   std::vector<LandmarkReport>& landmarks = record.report.landmarks;
   if (sink) sink(LandmarkRows(record.frame, given, landmarks, feature_truth));
   record.landmarks = Observe(landmarks, feature_truth);
-  landmarks = std::vector<LandmarkReport>();  // frees its memory, "= {}" does not
+  landmarks = std::vector<LandmarkReport>();  // frees its memory, which "= {}" does not
 }
 
-// The final poses; those of a failed run stay unchanged.
+// Takes the final poses from the estimator. A failed run keeps its camera poses as they are, and no
+// trajectories of clusters.
 void Refine(const Odometry& odometry, RunResult& result) {
   if (result.status == RunStatus::kFailed) {
     result.clusters = PoseLog();
@@ -194,7 +196,7 @@ void JudgeStatus(RunResult& result) {
       StrCat(lost, " of ", result.frames.size(), " frames lost, the first is frame ", first_lost);
 }
 
-// The identity of the input does not depend on how far the run came.
+// Returns the identity of the input, which does not depend on how far the run got.
 std::string ContentOf(const RunRequest& request, const HashLog& hashes) {
   return ContentHash(request.sequence, [&](std::size_t i) {
     if (i < hashes.size()) return hashes[i];
@@ -247,7 +249,7 @@ std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader*
   Refine(*odometry, result);
   JudgeStatus(result);
   if (result.status != RunStatus::kFailed) source->Finish();
-  // What follows has the memory that they need.
+  // Frees the memory of both for what follows.
   source.reset();
   odometry.reset();
   result.content = ContentOf(request, hashes);

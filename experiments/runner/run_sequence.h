@@ -28,23 +28,24 @@ struct RunRequest {
   Options options;
   std::uint64_t seed = 0;
   int threads = 1;                                    // results do not depend on it
-  std::vector<std::string> classes = RigidClasses();  // of detections that count, see there
+  std::vector<std::string> classes = RigidClasses();  // of the detections that are used
   OracleSwitches oracle = {};
   bool landmarks = false;  // RunJob writes landmarks.csv
-  bool strict = false;  // an image that cannot be decoded is an error in place of a skipped frame
-  std::vector<ImageHashes> images = {};  // of every frame, as FindImageHashes; empty: not known
+  bool strict = false;     // an image that cannot be decoded is an error, not a skipped frame
+  std::vector<ImageHashes> images = {};  // of every frame, from FindImageHashes; empty: unknown
   const FrontEndCache* cache = nullptr;  // may be null; results do not depend on it
   std::function<void(std::size_t done)> progress = [](std::size_t) {};
-  std::function<bool()> stop = [] { return false; };  // asked after every frame
+  std::function<bool()> stop = [] { return false; };  // called after every frame
 };
 
-// Takes the LandmarkRows of each frame.
+// Receives the LandmarkRows of each frame.
 using LandmarkSink = std::function<void(const std::string& rows)>;
 
-// Runs the variant over every frame of the sequence. Empty where `stop` ended it. An Error of the
-// estimator itself is a result too (status failed, frames so far); all others are thrown. With
-// `truth`, landmarks are noted with what they are; the time for that is no part of the run's. What
-// is kept of a long run is in a file in `spool_folder`; empty: in memory.
+// Runs the variant over every frame of the sequence. Returns nothing if `stop` ended the run. An
+// Error of the estimator itself is a result too (status failed, with the frames so far); all others
+// are thrown. With `truth`, the ground truth of landmarks is recorded; the time for that does not
+// count as the run's. What is kept of a long run is in a file in `spool_folder`, or in memory if
+// that is empty.
 [[nodiscard]] std::optional<RunResult> RunSequence(const RunRequest& request,
                                                    BodyTruthReader* truth = nullptr,
                                                    const LandmarkSink& landmarks = {},

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of a file, or of the names and bytes of a folder's trajectories.
+// Hashes a file, or the names and bytes of the trajectories in a folder.
 std::string HashObjects(const fs::path& objects) {
   if (objects.empty()) return "";
   if (!fs::is_directory(objects)) return Sha256Hex(ReadFileBytes(objects));

@@ -18,14 +18,14 @@ struct SystemRequest {
   const Sequence& sequence;
   std::string content;  // ContentHash of the sequence
   SystemFiles files;
-  std::uint64_t seed = 0;       // of the rendered scene: to stand beside the runs on it
-  double right_shift_px = 0.0;  // correction that the system was given, not the sequence's
+  std::uint64_t seed = 0;       // of the rendered scene, to compare with runs on it
+  double right_shift_px = 0.0;  // correction given to the system, not the sequence's own
 };
 
 struct SystemOutcome {
   std::string job;              // IdentifySystem
   std::string result;           // content of result.json
-  std::vector<Metric> metrics;  // camera_*, object_*; none of landmarks
+  std::vector<Metric> metrics;  // camera_*, object_*; none that need landmarks
   std::vector<BodyScore> bodies;
   int frames = 0;
   int frames_without_camera = 0;
@@ -33,15 +33,15 @@ struct SystemOutcome {
   int object_frames_left_out = 0;
 };
 
-// Identity of what ScoreSystem would do, from the bytes of the files. Throws Error for one that
-// cannot be read.
+// Returns the identity of what ScoreSystem would do, from the bytes of the files. Throws Error for
+// a file that cannot be read.
 std::string IdentifySystem(const SystemRequest& request);
 
-// Scores the files against the sequence's truth, as runs are. Bodies are matched by nearness, which
-// the pairing of each contract says. Throws Error as ReadSystem.
+// Scores the files against the sequence's ground truth in the same way as runs. Bodies are matched
+// by nearness, as the contract of each metric states. Throws Error as ReadSystem does.
 SystemOutcome ScoreSystem(const SystemRequest& request);
 
-// The same, and writes result.json to a folder that exists.
+// Does the same and writes result.json to an existing folder.
 SystemOutcome ScoreSystem(const SystemRequest& request, const std::filesystem::path& folder);
 
 }  // namespace cvo

@@ -21,7 +21,8 @@ void Append(std::vector<Metric> from, std::vector<Metric>& to) {
   for (Metric& metric : from) to.push_back(std::move(metric));
 }
 
-// "camera_ate" is "camera_causal_ate"; without what has no such form.
+// Renames metrics to their causal form, for example "camera_ate" to "camera_causal_ate". Removes
+// those that have no such form.
 void NameCausal(std::vector<Metric>& metrics) {
   std::erase_if(metrics, [](const Metric& metric) {
     return reports::MaxDriftIndex(reports::FindForm(metric.name).value().id).has_value();
@@ -37,14 +38,14 @@ ClusterFrame FrameOf(const ClusterReport& report, std::size_t frame) {
   ClusterFrame cluster;
   cluster.frame = static_cast<int>(frame);
   cluster.world_from_object = report.world_from_object;
-  // Of the cluster's origin, as point_in_object is.
+  // The velocity is that of the cluster's origin, as is point_in_object.
   cluster.velocity_m_s = report.velocity_m_s;
   cluster.observed_landmarks = report.observed_landmarks;
   cluster.predicted = report.status == ClusterStatus::kPredicted;
   return cluster;
 }
 
-// Whether landmarks tell which body a cluster is; nearness does otherwise.
+// Returns whether clusters are matched to bodies by landmarks; otherwise selects nearness.
 bool MatchByTruth(const ObjectTruth* objects, ObjectEstimate& estimate) {
   const bool by_landmarks = objects != nullptr && objects->tells_pixels;
   if (!by_landmarks) estimate.match_by = MatchBy::kNearness;
@@ -86,7 +87,7 @@ void ScoreCausal(const Sequence& sequence, ObjectEstimate causal, const ObjectTr
 RunScores ScoreRun(const Sequence& sequence, const RunResult& run, const ObjectTruth* objects) {
   if (run.status == RunStatus::kFailed) return {};
   RunScores scores;
-  // One after the other: an estimate is all poses of a run.
+  // The estimates are made one after the other, as each holds all poses of a run.
   ScoreRefined(sequence, ObjectEstimateOf(run, PoseTime::kRefined), objects, scores);
   ScoreCausal(sequence, ObjectEstimateOf(run, PoseTime::kCausal), objects, scores);
   if (TellsBoxes(sequence)) {

@@ -13,22 +13,23 @@
 namespace cvo {
 
 // The metrics of a run against the sequence's ground truth. A skipped frame has no estimate; a lost
-// frame counts with its predicted pose. Empty where there is no truth or the run failed.
+// frame counts with its predicted pose. Empty if there is no ground truth or the run failed.
 struct RunScores {
   std::vector<Metric> refined;         // camera_*, object_*: poses as last estimated
-  std::vector<Metric> causal;          // camera_causal_*, object_causal_*: as when their frame came
-  std::vector<Metric> clustering;      // moving_*, clustering_*: labels as when their frame came
+  std::vector<Metric> causal;          // camera_causal_*, object_causal_*: poses as first estimated
+  std::vector<Metric> clustering;      // moving_*, clustering_*: labels as first estimated
   std::vector<Metric> boxes;           // box_ap_*
-  RigidTransform truth_from_estimate;  // of the worlds, refined
+  RigidTransform truth_from_estimate;  // between the worlds, from refined poses
   std::vector<BodyScore> refined_bodies;
   std::vector<BodyScore> causal_bodies;
 };
-// `objects`: nullptr where the bodies of the sequence have no truth.
+// `objects` is null if there is no ground truth for the bodies of the sequence.
 RunScores ScoreRun(const Sequence& sequence, const RunResult& run,
                    const ObjectTruth* objects = nullptr);
 
-// What a run says of the bodies, with poses as when their frame came or as last estimated. Skipped
-// frames have no camera. One entry per frame of the run.
+// Returns what a run states about the bodies, with poses as first estimated (causal) or as last
+// estimated (refined). Skipped frames have no camera pose. There is one element per frame of the
+// run.
 enum class PoseTime { kCausal, kRefined };
 ObjectEstimate ObjectEstimateOf(const RunResult& run, PoseTime time);
 

@@ -39,9 +39,9 @@ OptionalPoses ReadKittiAtFrames(const std::filesystem::path& path, const Sequenc
   return {poses.begin() + skip, poses.begin() + skip + static_cast<std::ptrdiff_t>(frames)};
 }
 
-// The poses of a TUM file at the frames of the sequence, by their times to within 20 ms; empty
-// where the file has none. Those before and after the part of a folder that is read are passed
-// over; any other that is of no frame throws Error with file and line.
+// Reads the poses of a TUM file at the frames of the sequence, matched by timestamp to within 20
+// ms; empty for frames without a pose. Ignores poses before and after the part of a folder that is
+// read. Throws Error with file and line for any other pose that belongs to no frame.
 OptionalPoses ReadTumAtFrames(const std::filesystem::path& path, const Sequence& sequence) {
   const Trajectory trajectory = ReadTumTrajectory(path);
   Trajectory frames;
@@ -63,8 +63,8 @@ OptionalPoses ReadTumAtFrames(const std::filesystem::path& path, const Sequence&
   return PosesAtFrames(association, frames.size(), trajectory);
 }
 
-// The same, or of a KITTI file with one line per frame of the folder or of the part that is read.
-// Throws Error also where fewer than two frames have a pose.
+// Reads camera poses from such a TUM file, or from a KITTI file with one line per frame of the
+// folder or of the part that is read. Also throws Error if fewer than two frames have a pose.
 OptionalPoses ReadCameraAtFrames(const std::filesystem::path& path, const Sequence& sequence) {
   OptionalPoses poses = DetectPoseFormat(path) == "tum" ? ReadTumAtFrames(path, sequence)
                                                         : ReadKittiAtFrames(path, sequence);
@@ -76,7 +76,7 @@ OptionalPoses ReadCameraAtFrames(const std::filesystem::path& path, const Sequen
   return poses;
 }
 
-// Where objects are, by id and frame of those read.
+// Object poses by id and by frame, counted from the first one read.
 using ObjectPoses = std::map<std::int64_t, std::map<int, RigidTransform>>;
 
 struct Objects {
@@ -95,7 +95,7 @@ void CheckRow(const ObjectBox& row, const std::string& where) {
 }
 
 Objects ReadRows(const fs::path& path, const Sequence& sequence, SystemEstimate& system) {
-  // Row by row, as a file has neither comments nor blank lines between.
+  // Row i is on line i + 1, as such a file has neither comments nor blank lines.
   const std::vector<ObjectBox> rows = ReadDetections(path, sequence.total_frames);
   if (rows.empty()) {
     ThrowError(path.string() + ":1", "no row",
@@ -129,7 +129,7 @@ Objects ReadRows(const fs::path& path, const Sequence& sequence, SystemEstimate&
   return objects;
 }
 
-// The number that the file is named by; -1: none.
+// Returns the number that the file is named by, or -1 if its name is not a number.
 std::int64_t IdOf(const fs::path& file) {
   const auto id = ParseInteger(file.stem().string());
   return id && *id >= 0 && std::to_string(*id) == file.stem().string() ? *id : -1;
@@ -156,7 +156,8 @@ Objects ReadFolder(const fs::path& folder, const Sequence& sequence, SystemEstim
   return objects;
 }
 
-// Of the origin: central where both neighbours are there, else one-sided.
+// Returns the velocity of the origin: the central difference if both neighbouring frames have a
+// pose, else a one-sided one. Empty if neither has.
 std::optional<Eigen::Vector3d> Velocity(const std::map<int, RigidTransform>& poses, int frame,
                                         const Sequence& sequence) {
   const int before = poses.contains(frame - 1) ? frame - 1 : frame;

@@ -13,7 +13,7 @@
 namespace cvo {
 namespace {
 
-// The visible boxes of the bodies in view, as [frame].
+// The bodies in view, which are those with a visible box: [frame].
 using VisibleBoxes = std::vector<std::vector<const SceneBody*>>;
 
 VisibleBoxes FindVisible(const SceneFolder& scene) {
@@ -33,7 +33,7 @@ std::vector<std::vector<ObjectBox>> ByFrame(const std::vector<ObjectBox>& boxes,
   return by_frame;
 }
 
-// Areas of pixels: a box around one pixel covers one.
+// Intersection over union in pixels: a box around one pixel has an area of 1.
 double Overlap(const TruthBox& a, const ObjectBox& b) {
   const auto area = [](double left, double top, double right, double bottom) {
     return std::max(0.0, right - left + 1.0) * std::max(0.0, bottom - top + 1.0);
@@ -54,7 +54,8 @@ bool IsSameBox(const SceneBody& body, const ObjectBox& box) {
          std::abs(visible.bottom_px - box.bottom_px) <= limits::kBoxText_px;
 }
 
-// Rows that are no body's visible box, and bodies in view without a row.
+// Counts rows that are no body's visible box, and bodies in view without a row. A wrong row in
+// place of a right one counts once.
 SceneCheck CheckOracle(const VisibleBoxes& visible,
                        const std::vector<std::vector<ObjectBox>>& boxes) {
   int wrong = 0;
@@ -78,10 +79,11 @@ SceneCheck CheckOracle(const VisibleBoxes& visible,
   return {"oracle_boxes_wrong", static_cast<double>(wrong), "boxes", Bound::kAtMost, 0.0, first};
 }
 
-// Bodies of at least this many pixels count for recall: smaller ones no detector finds.
+// Bodies with fewer visible pixels do not count for recall: no detector finds them.
 constexpr int kMinPixels = 400;
 
-// Greedy by overlap within each frame, of at least one half, whatever the class.
+// Matches boxes to bodies greedily within each frame, by an overlap of at least one half, whatever
+// their class.
 std::vector<SceneCheck> Describe(const std::string& level, const VisibleBoxes& visible,
                                  const std::vector<std::vector<ObjectBox>>& boxes) {
   constexpr double kFound = 0.5;
@@ -116,7 +118,7 @@ std::vector<SceneCheck> Describe(const std::string& level, const VisibleBoxes& v
 
 std::vector<SceneCheck> CheckDetections(const SceneFolder& scene, TaskPool&) {
   const VisibleBoxes visible = FindVisible(scene);
-  std::set<std::filesystem::path> files;  // as many levels as the scene was written with
+  std::set<std::filesystem::path> files;  // one per level that the scene was written with
   for (const auto& entry : std::filesystem::directory_iterator(scene.path / "detections")) {
     files.insert(entry.path());
   }

@@ -18,15 +18,15 @@ namespace {
 
 struct FrameFeatures {
   int matches = 0;
-  std::vector<int> on_body;                // [id - 1], where FindMatchable says
+  std::vector<int> on_body;                // [id - 1], on matchable pixels
   std::vector<int> matchable_px;           // [id - 1]
   std::vector<float> disparity_errors_px;  // signed, matched - true
-  std::vector<double> foreign;  // of each visible box with enough matches, the part not on its body
+  std::vector<double> foreign;  // [visible box with enough matches]: fraction not on its body
 };
 
-// Where a match can be: both cameras see the pixel, not nearer to their images' edges than a
-// descriptor reaches, and what is around it is of the same body, for a corner that holds two depths
-// has no partner. 255 there, else 0.
+// Returns 255 where a stereo match is possible, else 0: both cameras see the pixel, it is no nearer
+// to the edges of their images than a descriptor reaches, and what surrounds it is of the same
+// body, as a corner that spans two depths has no match.
 cv::Mat FindMatchable(const StereoCamera& camera, const cv::Mat& depth, const cv::Mat& instances) {
   const int border = limits::kDescriptorBorder_px;
   const int side = 2 * limits::kCornerRadius_px + 1;
@@ -55,7 +55,8 @@ std::vector<int> CountBodies(const cv::Mat& instances, const cv::Mat& mask, std:
   return counts;
 }
 
-// Of the matches in the body's visible box, the part that is not on the body.
+// Returns the fraction of the matches in the body's visible box that are not on the body. Empty if
+// there are too few of them, or no visible box.
 std::optional<double> ForeignPart(const std::vector<StereoFeature>& features,
                                   const cv::Mat& instances, const SceneBody& body) {
   if (!body.visible_box) return std::nullopt;
@@ -140,9 +141,10 @@ struct MoverMatches {
   std::string name;
 };
 
-// Matches per pixel of the mover that has the fewest over all its frames, and of the worst single
-// frame. Only frames that show enough of it, next to nothing hidden: what is left of a body beside
-// another one is edges, where patches hold both.
+// Reports the matches per pixel of the mover that has the fewest over all its frames, and those of
+// the worst single frame. Uses only frames in which enough of the mover is visible and next to
+// nothing of it is occluded: the visible part of an occluded body is mostly edges, where patches
+// contain both surfaces.
 std::vector<SceneCheck> CheckMovers(const SceneFolder& scene,
                                     const std::vector<FrameFeatures>& results) {
   constexpr double kNone = std::numeric_limits<double>::infinity();

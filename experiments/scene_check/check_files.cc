@@ -34,7 +34,7 @@ std::vector<ListedFile> ReadManifest(const fs::path& path) {
   return files;
 }
 
-// What is wrong with a listed file; empty where nothing is.
+// Describes what is wrong with a listed file; empty if nothing is.
 std::string FindFault(const fs::path& folder, const ListedFile& file) {
   std::error_code error;
   const std::uint64_t size = fs::file_size(folder / file.name, error);
@@ -51,7 +51,7 @@ std::set<std::string> FilesIn(const fs::path& folder) {
   return files;
 }
 
-// How many, and the first of them.
+// Returns the check that `count` is zero, with the first of the files counted.
 SceneCheck CountOf(const std::string& name, int count, const std::string& first) {
   return {name, static_cast<double>(count), "files", Bound::kAtMost, 0.0, first};
 }

@@ -12,7 +12,7 @@
 namespace cvo {
 namespace {
 
-// KITTI's classes of occlusion by the visible share of a body.
+// Returns KITTI's class of occlusion for the visible fraction of a body.
 int OcclusionOf(const SceneBody& body) {
   if (body.visible_px == 0) return 3;
   if (body.visible_fraction >= 0.8) return 0;
@@ -50,7 +50,7 @@ struct LabelWorst {
   }
 };
 
-// Counts rows that no body in view accounts for, and bodies in view without a row.
+// Counts rows that belong to no body in view, and bodies in view without exactly one row.
 struct Unmatched {
   int count = 0;
   std::string first;
@@ -101,7 +101,7 @@ std::vector<SceneCheck> CheckLabels(const SceneFolder& scene, TaskPool&) {
           worst.size.AtMost("label_size", "m", limits::kLabelText_m),
           worst.position.AtMost("label_position", "m", limits::kLabelText_m),
           worst.heading.AtMost("label_heading", "rad", limits::kLabelText_rad),
-          worst.truncation.AtMost("label_truncation", "1", limits::kLabelText_rad),
+          worst.truncation.AtMost("label_truncation", "1", limits::kLabelText_fraction),
           worst.occlusion.AtMost("label_occlusion", "classes", 0.0)};
 }
 

@@ -14,16 +14,16 @@
 namespace cvo {
 namespace {
 
-// A body's pixels in one frame.
+// The pixels of a body in one frame.
 struct Mask {
   int pixels = 0;
   TruthBox box = {1e9, 1e9, -1e9, -1e9};
-  double outside_box_m = 0.0;    // of the 3D box, over the tolerance at its depth
-  double outside_hull_px = 0.0;  // of the projected 3D box
+  double outside_box_m = 0.0;    // largest distance outside the 3D box, less that allowed by depth
+  double outside_hull_px = 0.0;  // largest distance outside the hull of the projected 3D box
 };
 
-// The convex outline of a projected box as inward lines n . p + c >= 0; none where a corner is
-// behind the camera.
+// Returns the convex hull of a projected box as lines with inward normals, n . p + c >= 0. Empty if
+// a corner is behind the camera.
 std::optional<std::vector<Eigen::Vector3d>> ProjectHull(const StereoCamera& camera,
                                                         const RigidTransform& camera_from_object,
                                                         const Eigen::Vector3d& size_m) {
@@ -52,7 +52,7 @@ std::optional<std::vector<Eigen::Vector3d>> ProjectHull(const StereoCamera& came
   return lines;
 }
 
-// How a pixel of a body is checked.
+// What the pixels of a body are checked against.
 struct Shape {
   RigidTransform object_from_camera;
   Eigen::Vector3d half_size_m;
@@ -61,7 +61,7 @@ struct Shape {
 
 struct FrameMasks {
   std::vector<Mask> masks;  // [id - 1]
-  int strangers = 0;        // pixels of ids that no body has
+  int strangers = 0;        // pixels whose id is that of no body
 };
 
 void AddPixel(const StereoCamera& camera, const cv::Mat& depth, int u, int v, const Shape& shape,
@@ -122,7 +122,7 @@ double BoxDifference_px(const TruthBox& a, const TruthBox& b) {
                    std::abs(a.right_px - b.right_px), std::abs(a.bottom_px - b.bottom_px)});
 }
 
-// How far the visible box reaches out of the amodal one.
+// Returns how far the visible box extends beyond the amodal one, px.
 double OutOfAmodal_px(const SceneBody& body) {
   if (!body.visible_box || !body.amodal_box) return body.visible_box ? 1e9 : 0.0;
   return std::max({body.amodal_box->left_px - body.visible_box->left_px,

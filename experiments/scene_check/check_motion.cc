@@ -13,14 +13,14 @@
 namespace cvo {
 namespace {
 
-// One body (0: background) from a frame to the next one.
+// The motion of one body (0: background) from a frame to the next one.
 struct BodyMotion {
   int body = 0;
   int frame = 0;
   ImageShift shift;
   double median_depth_error_px = 0.0;
   double median_residual = 0.0;  // grey levels
-  double noise = 0.0;            // of the difference of both images
+  double noise = 0.0;            // grey levels, of the difference of both images
 };
 
 RigidTransform RelativeMotion(const SceneFolder& scene, int frame, int body) {
@@ -114,8 +114,8 @@ std::vector<SceneCheck> CheckMotion(const SceneFolder& scene, TaskPool& pool) {
 
 namespace {
 
-// Largest difference of the flow from the reprojection, over the frame's valid pixels; negative
-// where it has none.
+// Returns the largest difference between flow and reprojection over the valid pixels of the frame;
+// negative if there are none.
 double CompareFlow(const SceneFolder& scene, int frame) {
   const StereoCamera& camera = scene.sequence.camera;
   const TruthFlow flow = ReadFlow(scene.FileOf("flow_0", frame, ".png"), scene.size());

@@ -15,7 +15,7 @@ double Time_s(const SceneFolder& scene, std::size_t frame) {
   return 1e-9 * static_cast<double>(scene.sequence.timestamps_ns[frame]);
 }
 
-// Differences beyond what is allowed for a speed, as a share of the limit.
+// Returns the difference as a fraction of what is allowed at this speed.
 double ShareOfLimit(double difference, double speed, double limit) {
   return difference / (limit + limits::kVelocityShare * speed);
 }

@@ -15,7 +15,8 @@ namespace {
 
 using Checks = std::vector<SceneCheck>;
 
-// A group whose files cannot be read is one failed check, so that the others are still made.
+// Adds the checks of a group. A group whose files cannot be read counts as one failed check, so
+// that the other groups still run.
 void AddGroup(const char* name, const std::function<Checks()>& group, Checks& checks) {
   try {
     Checks added = group();

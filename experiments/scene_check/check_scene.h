@@ -8,9 +8,9 @@
 
 namespace cvo {
 
-// Compares the files of a rendered scene with each other: nothing but what is in the folder. The
-// report does not depend on the number of threads. A file that cannot be read is a failed check;
-// throws Error only where the folder is not one of a rendered scene.
+// Checks the files of a rendered scene against each other, using nothing but the contents of the
+// folder. The report does not depend on the number of threads. A file that cannot be read is a
+// failed check; throws Error only if the folder is not that of a rendered scene.
 SceneCheckReport CheckScene(const std::filesystem::path& folder, int threads);
 
 }  // namespace cvo

@@ -55,7 +55,7 @@ std::vector<SceneCheck> CheckStereo(const SceneFolder& scene, TaskPool& pool) {
     const std::string place = StrCat("frame ", frames[i]);
     shifts.push_back(result.shift);
     noise.Add(result.noise, place);
-    // As shares of what is allowed, which the noise decides.
+    // As fractions of the allowed residuals, which depend on the noise.
     median.Add(result.median /
                    (limits::kMedianResidual_sigmas * result.noise + limits::kInterpolation_grey),
                StrCat(place, ": ", Short(result.median), " grey levels"));

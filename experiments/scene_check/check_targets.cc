@@ -18,7 +18,8 @@ struct CornerErrors {
   double worst_px = 0.0;
 };
 
-// Searched from whole pixels, so that the start cannot lend its fraction to the result.
+// Starts the search at whole pixels, so that the fractional part of the projection cannot leak into
+// the result.
 std::vector<Eigen::Vector2d> FindErrors(const cv::Mat& image,
                                         const std::vector<Eigen::Vector2d>& projected) {
   constexpr int kRadius_px = 7;  // squares must be twice as large
@@ -35,8 +36,9 @@ std::vector<Eigen::Vector2d> FindErrors(const cv::Mat& image,
                        static_cast<float>(std::round(p.y())));
   }
   if (found.empty()) return {};
-  // On exact images of 64 rays per pixel, cornerSubPix alone errs by up to 0.1 px (bilinear samples
-  // bend sharp edges), and by 0.034 px after this blur, which moves no corner between four squares.
+  // On exact images with 64 rays per pixel, cornerSubPix alone has errors of up to 0.1 px (bilinear
+  // samples distort sharp edges), and of up to 0.034 px after this blur, which does not move a
+  // corner between four squares.
   cv::Mat smooth;
   cv::GaussianBlur(image, smooth, {}, 1.5);
   cv::cornerSubPix(smooth, found, {kRadius_px, kRadius_px}, {-1, -1},

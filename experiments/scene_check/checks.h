@@ -13,22 +13,22 @@
 
 namespace cvo {
 
-// Every file of the folder against the manifest.
+// Compares every file of the folder with the manifest.
 std::vector<SceneCheck> CheckFiles(const std::filesystem::path& folder, TaskPool& pool);
-// The right images predicted from the left ones and depth.
+// Compares the right images with those predicted from the left images and depth.
 std::vector<SceneCheck> CheckStereo(const SceneFolder& scene, TaskPool& pool);
-// Poses of cameras and bodies, among each other and against images, depth and flow.
+// Check the poses of cameras and bodies against each other and against images, depth and flow.
 std::vector<SceneCheck> CheckPoses(const SceneFolder& scene, TaskPool& pool);
 std::vector<SceneCheck> CheckMotion(const SceneFolder& scene, TaskPool& pool);
 std::vector<SceneCheck> CheckFlow(const SceneFolder& scene, TaskPool& pool);
-// Masks against 3D boxes, depth, visible boxes and pixel counts, in all frames.
+// Compares masks with 3D boxes, depth, visible boxes and pixel counts, in all frames.
 std::vector<SceneCheck> CheckMasks(const SceneFolder& scene, TaskPool& pool);
-// labels.txt and detections/*.txt against objects.csv.
+// Compare labels.txt and detections/*.txt with objects.csv.
 std::vector<SceneCheck> CheckLabels(const SceneFolder& scene, TaskPool& pool);
 std::vector<SceneCheck> CheckDetections(const SceneFolder& scene, TaskPool& pool);
-// Corners of the calibration targets against their projection through calib.txt.
+// Compares the corners found on the calibration targets with their projection through calib.txt.
 std::vector<SceneCheck> CheckTargets(const SceneFolder& scene, TaskPool& pool);
-// What our own front end finds.
+// Checks what our own front end finds in the images.
 std::vector<SceneCheck> CheckFeatures(const SceneFolder& scene, TaskPool& pool);
 
 }  // namespace cvo

@@ -65,15 +65,15 @@ float MedianOf(std::vector<float>& values) {
   return *middle;
 }
 
-// Unknowns: shift in u and v, gain - 1, offset.
+// The unknowns x are the shift in u and v, gain - 1, and offset.
 struct Fit {
   Eigen::Vector4d x = Eigen::Vector4d::Zero();
   Eigen::Matrix4d H = Eigen::Matrix4d::Zero();
   double sigma = 0.0;
-  std::vector<float> residuals;  // signed, at x
+  std::vector<float> residuals;  // signed, at x before the last step
 };
 
-// One Gauss-Newton step from `fit.x` over residuals within `cut`.
+// Performs one Gauss-Newton step from `fit.x`, using the residuals within `cut`.
 void Step(const cv::Mat& source, const cv::Mat& target,
           const std::vector<PixelPrediction>& predictions, double cut, Fit& fit) {
   fit.H.setZero();
@@ -87,7 +87,7 @@ void Step(const cv::Mat& source, const cv::Mat& target,
     const double residual = sample.value - (1.0 + fit.x[2]) * value - fit.x[3];
     fit.residuals.push_back(static_cast<float>(residual));
     if (std::abs(residual) > cut) continue;
-    // The mean gradient of both images: noise of the one alone would bias the shift.
+    // The mean gradient of both images: the noise in the gradient of only one would bias the shift.
     const Eigen::Vector2d gradient =
         0.5 * (sample.gradient + (1.0 + fit.x[2]) * CentralGradient(source, p.u, p.v));
     const Eigen::Vector4d J(gradient[0], gradient[1], -value, -1.0);
@@ -133,7 +133,7 @@ ImageShift EstimateShift(const cv::Mat& source, const cv::Mat& target,
   ImageShift result;
   result.pixels = static_cast<int>(usable.size());
   Fit fit;
-  // The first step only finds how large residuals are.
+  // The first step only determines gain, offset and the size of the residuals.
   Step(source, target, usable, 255.0, fit);
   fit.x.head<2>().setZero();
   for (int i = 0; i < kIterations; ++i) {
@@ -172,8 +172,8 @@ ImageShift PoolShifts(const std::vector<ImageShift>& shifts) {
 }
 
 double EstimateNoise(const cv::Mat& image) {
-  // The difference of two Laplacians does not see planes; the flattest tenth of blocks has the
-  // least texture (Immerkaer 1996, by blocks).
+  // The difference of two Laplacians does not respond to planes, and the flattest tenth of the
+  // blocks has the least texture (Immerkaer 1996, applied to blocks).
   constexpr int kBlock_px = 16;
   std::vector<float> blocks;
   for (int v0 = 1; v0 + kBlock_px < image.rows; v0 += kBlock_px) {

@@ -8,7 +8,7 @@
 
 namespace cvo {
 
-// A pixel of one image and where its point should be in another one.
+// A pixel of one image and the predicted position of its point in another image.
 struct PixelPrediction {
   int u = 0;
   int v = 0;
@@ -16,27 +16,29 @@ struct PixelPrediction {
   double target_v = 0.0;
 };
 
-// How far off the predictions are as a whole: target(predicted + shift) = gain source + offset.
+// The common offset of all predictions: target(predicted + shift) = gain source + offset.
 struct ImageShift {
   Eigen::Vector2d shift_px = Eigen::Vector2d::Zero();
-  // Inverse covariance of the shift for residuals of one grey level, gain and offset taken out.
+  // Inverse covariance of the shift for residuals of one grey level, with gain and offset
+  // marginalised.
   Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
-  double residual_sigma = 0.0;   // grey levels, robust
-  int pixels = 0;                // that were compared
+  double residual_sigma = 0.0;   // grey levels, robust estimate
+  int pixels = 0;                // number of pixels compared
   std::vector<float> residuals;  // |target(predicted) - gain source - offset|, ascending
 
   double MaxSigma_px() const;  // of the shift in its worst direction; infinite without texture
 };
 
-// Gauss-Newton on intensities of CV_8UC1 images, residuals beyond three sigmas left out.
-// Predictions nearer than three pixels to the border of either image are left out.
+// Estimates the shift by Gauss-Newton on the intensities of CV_8UC1 images. Leaves out residuals
+// beyond three sigmas (or three grey levels, if that is more) and predictions nearer than three
+// pixels to the border of either image.
 ImageShift EstimateShift(const cv::Mat& source, const cv::Mat& target,
                          const std::vector<PixelPrediction>& predictions);
 
-// The shift that many images together say, weighted by what each knows.
+// Combines the shifts of many images, weighted by their information.
 ImageShift PoolShifts(const std::vector<ImageShift>& shifts);
 
-// Standard deviation of an image's noise in grey levels, from its flattest parts.
+// Estimates the standard deviation of an image's noise in grey levels, from its flattest parts.
 double EstimateNoise(const cv::Mat& image);
 
 }  // namespace cvo

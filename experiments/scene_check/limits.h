@@ -2,47 +2,51 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What `clustervo synth check` lets pass, each with its reason.
+// The limits of `clustervo synth check`, each with its reason.
 
 namespace cvo::limits {
 
-// Images against depth and poses. A half-pixel slip is 0.5 px, one per cent of depth at 20 px of
-// disparity 0.2 px; interpolation and noise stay below 0.02 px.
+// Images against depth and poses. A slip of half a pixel in the pixel-centre convention shows as
+// 0.5 px, an error of one per cent of depth as 0.2 px at 20 px of disparity; interpolation and
+// noise stay below 0.02 px.
 constexpr double kShift_px = 0.05;
-// Of one frame to the next, where shadows that move over the background count too. All frames
-// together would not see one faulty pose, whose two steps cancel.
+// For a single pair of consecutive frames, where shadows that move over the background count too.
+// All frames together would hide a single wrong pose, as the errors of its two steps cancel.
 constexpr double kFrameShift_px = 0.1;
-// Fewer pixels cannot tell such a shift from noise.
+// Fewer pixels cannot distinguish such a shift from noise.
 constexpr int kMinShiftPixels = 2000;
-// Standard deviation above which the shift of a small or plain body says nothing.
+// A shift with a larger standard deviation, as that of a small or plain body, is not evaluated.
 constexpr double kMaxShiftSigma_px = 0.01;
-// Residuals over the noise of a difference of two images: interpolated edges add to the noise. The
-// grey levels added are those of interpolation, without which a scene free of noise would fail.
+// Residuals relative to the noise of the difference of two images; interpolated edges add to the
+// noise. The grey levels are an allowance for interpolation, without which a scene free of noise
+// would fail.
 constexpr double kMedianResidual_sigmas = 2.0;
 constexpr double kTailResidual_sigmas = 6.0;
 constexpr double kInterpolation_grey = 1.5;
 constexpr double kTailInterpolation_grey = 9.0;
-// The light stays where it is while a body turns: a ball that rolls at 0.8 m/s changes its shade by
-// some grey levels from frame to frame. A rotation that is wrong leaves 20 and more.
+// The light does not turn with a body: the shade of a ball that rolls at 0.8 m/s changes by some
+// grey levels from frame to frame. A wrong rotation leaves residuals of 20 and more.
 constexpr double kShading_grey = 6.0;
-// Depth moved from a frame to the next one against that one's depth, as disparity. Exact on planes
-// but for 32-bit rounding.
+// Depth moved to the next frame, compared with that frame's depth, as disparity. Exact on planes
+// except for 32-bit rounding.
 constexpr double kDepthMotion_px = 0.01;
-// Quantisation of KITTI's flow is 1/128 px either way; depth is rounded to 32 bits.
+// KITTI's quantisation of flow causes errors of up to 1/128 px; depth is rounded to 32 bits.
 constexpr double kFlow_px = 1.0 / 64.0;
 
-// Points of a mask against the body's box: tessellation stays inside; depth buffers quantise.
+// Points of a mask against the body's box: tessellated surfaces stay inside it, but depth buffers
+// are quantised.
 constexpr double kBoxTolerance_m = 0.02;
 constexpr double kBoxTolerancePerDepth = 5e-4;
 constexpr double kHull_px = 1.0;
 
-// Text files repeat each other with at least this many decimals.
+// Values repeated in several text files agree to at least this precision.
 constexpr double kBoxText_px = 0.01;
 constexpr double kLabelText_m = 1e-3;
 constexpr double kLabelText_rad = 1e-3;
+constexpr double kLabelText_fraction = 1e-3;
 constexpr double kFractionText = 1e-6;
-// KITTI's labels allow a rotation about the camera's y axis only; bodies beyond this tilt have
-// labels that can only be near.
+// KITTI's labels only allow a rotation about the camera's y axis. The label of a body tilted by
+// more than this can only be approximate.
 constexpr double kMaxTilt_rad = 0.1;
 
 constexpr double kBaseline_m = 1e-6;
@@ -53,26 +57,26 @@ constexpr double kVelocity_mps = 0.05;
 constexpr double kAngularVelocity_radps = 0.1;
 constexpr double kVelocityShare = 0.02;
 
-// The half-pixel error is 0.5 px; the corner finder itself is good to 0.034 px, 0.002 px on
-// average.
+// A slip of half a pixel in the pixel-centre convention would show as 0.5 px. The corner finder
+// itself is accurate to 0.034 px, and to 0.002 px on average.
 constexpr double kTargetCorner_px = 0.05;
 constexpr double kMinTargetCorners = 50;
 
-// What the front end must find: the estimators are tuned for such numbers. Of 2000 corners spread
-// evenly over 640x480 about 1200 find a partner, one per 260 px: a mover needs more texture than
-// its surroundings.
+// What the front end must find, as the estimators are tuned for such numbers. Of 2000 corners
+// spread evenly over 640x480 pixels about 1200 find a stereo match, one per 260 px. A mover needs
+// more texture than its surroundings.
 constexpr double kMatches = 600;
 constexpr double kFramesWithMatches = 0.95;
 constexpr int kMinMoverPixels = 2400;
 constexpr double kPixelsPerMatch = 200;
 constexpr double kMinUnoccludedFraction = 0.9;
-// Of the descriptors, at the finest level.
+// Reach of the descriptors at the finest pyramid level.
 constexpr int kDescriptorBorder_px = 16;
-// The ring of the corner detector and one pixel more.
+// Radius of the corner detector's ring, plus one pixel.
 constexpr int kCornerRadius_px = 4;
-// Fewer matches in a box say nothing about what they are on.
+// Boxes with fewer matches are not evaluated.
 constexpr int kMinBoxMatches = 10;
-// Median over all matches; the spread of single matches is 0.1 to 0.3 px.
+// For medians over all matches; single matches scatter by 0.1 to 0.3 px.
 constexpr double kMatchDisparityBias_px = 0.1;
 constexpr double kMatchDisparity_px = 0.3;
 

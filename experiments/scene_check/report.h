@@ -11,15 +11,15 @@ namespace cvo {
 
 enum class Bound { kAtMost, kAtLeast, kNone };  // kNone: for information, always passes
 
-// One figure of a rendered scene against its limit. A figure without data (no targets, no flow)
-// is not in the list at all, or fails where the data must be there.
+// A measured figure of a rendered scene and its limit. A figure without data (no targets, no flow)
+// is omitted, or fails if the data is mandatory.
 struct SceneCheck {
   std::string name;   // "disparity_offset_x"
-  double figure = 0;  // NaN, where nothing could be measured, fails
+  double figure = 0;  // NaN, which fails, if nothing could be measured
   std::string unit;
   Bound bound = Bound::kAtMost;
   double limit = 0.0;
-  std::string where;  // the worst place; empty where there is none
+  std::string where;  // where the figure is worst; may be empty
 
   bool Passed() const;
 };
@@ -27,13 +27,13 @@ struct SceneCheck {
 struct SceneCheckReport {
   std::string folder;
   int frames = 0;        // of the sequence
-  int image_frames = 0;  // whose images were compared: an even choice of them
+  int image_frames = 0;  // evenly chosen frames whose images were compared
   std::vector<SceneCheck> checks;
 
   bool Passed() const;
 };
 
-// Figures that are not finite become null.
+// Returns the report as JSON. Figures that are not finite become null.
 Json SceneCheckJson(const SceneCheckReport& report);
 
 }  // namespace cvo

@@ -8,14 +8,15 @@
 namespace cvo {
 namespace {
 
-// Neighbours on one surface differ by less in disparity, unless it is seen at a grazing angle.
+// Neighbouring pixels on one surface differ by less than this in disparity, unless the surface is
+// seen at a grazing angle.
 constexpr double kSmooth_px = 0.3;
 
 double DisparityAt(const StereoCamera& camera, const cv::Mat& depth, int u, int v) {
   return camera.fx * camera.baseline_m / depth.at<float>(v, u);
 }
 
-// The largest disparity that lands on each column of the right image's row.
+// Returns the largest disparity that lands on each column of the right image's row.
 std::vector<double> NearestInRow(const StereoCamera& camera, const cv::Mat& depth, int v) {
   std::vector<double> nearest(static_cast<std::size_t>(depth.cols), 0.0);
   for (int u = 0; u < depth.cols; ++u) {
@@ -105,7 +106,7 @@ std::vector<PixelPrediction> PredictNext(const StereoCamera& camera, const Surfa
       };
       const double found_px =
           (1 - b) * ((1 - a) * at(0, 0) + a * at(1, 0)) + b * ((1 - a) * at(0, 1) + a * at(1, 1));
-      // Beyond this it is another surface that has come in front.
+      // A larger difference means that another surface has come in front.
       constexpr double kSameSurface_px = 1.0;
       if (std::abs(found_px - disparity_px) > kSameSurface_px) continue;
       depth_errors_px.push_back(static_cast<float>(std::abs(found_px - disparity_px)));

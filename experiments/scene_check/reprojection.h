@@ -11,26 +11,26 @@
 
 namespace cvo {
 
-// What a left image's pixels show: depth in m (CV_32FC1) and body (CV_16UC1).
+// What the pixels of a left image show: depth in m (CV_32FC1) and body id (CV_16UC1).
 struct Surface {
   cv::Mat depth;
   cv::Mat instances;
 };
 
-// A pixel's point in the left camera; its depth must be positive.
+// Returns the point at a pixel, in the left camera. The pixel's depth must be positive.
 Eigen::Vector3d PointAt(const StereoCamera& camera, const cv::Mat& depth, int u, int v);
 
-// Whether all pixels around (u, v) show one smooth piece of one body.
+// Whether (u, v) and its eight neighbours show one smooth surface of one body.
 bool IsSmooth(const StereoCamera& camera, const Surface& surface, int u, int v);
 
-// Where pixels of the left image, every `step`-th of every `step`-th row, are in the right one.
-// Pixels at edges of depth and those hidden from the right camera are left out.
+// Predicts the positions in the right image of pixels of the left one, taking every `step`-th pixel
+// of every `step`-th row. Leaves out pixels at depth edges and those hidden from the right camera.
 std::vector<PixelPrediction> PredictRight(const StereoCamera& camera, const Surface& surface,
                                           int step);
 
-// The same from one frame to another for the pixels of one body (0: background), which moved by
-// next_from_this from the one left camera to the other. `depth_errors_px` gets, per prediction, how
-// far the depth there is from the moved one, as a disparity.
+// Predicts the positions in the next frame of the pixels of one body (0: background), which moves
+// by next_from_this from the one left camera to the other. Appends to `depth_errors_px`, for each
+// prediction, the absolute difference between predicted and actual depth, as a disparity.
 std::vector<PixelPrediction> PredictNext(const StereoCamera& camera, const Surface& surface,
                                          const Surface& next, int body,
                                          const RigidTransform& next_from_this, int step,

@@ -14,7 +14,7 @@
 namespace cvo {
 namespace {
 
-// Comparing images costs 0.2 s per frame, which 250 frames would make a minute of.
+// Comparing images takes 0.2 s per frame, which would add up to almost a minute for 250 frames.
 constexpr int kMaxImageFrames = 40;
 
 std::vector<int> ChooseImageFrames(int frames) {

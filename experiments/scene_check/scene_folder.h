@@ -14,17 +14,17 @@
 
 namespace cvo {
 
-// The folder of a rendered scene with everything read but its images.
+// The folder of a rendered scene, with everything read except its images.
 struct SceneFolder {
   std::filesystem::path path;
   Sequence sequence;
   std::vector<RigidTransform> world_from_left;  // [frame]
   std::vector<std::vector<SceneBody>> bodies;   // [frame][id - 1]
-  std::vector<int> image_frames;                // those whose images are compared, ascending
+  std::vector<int> image_frames;                // frames whose images are compared, ascending
 
   int frame_count() const { return static_cast<int>(sequence.images.size()); }
   cv::Size size() const { return {sequence.camera.width_px, sequence.camera.height_px}; }
-  // <path>/<folder>/<frame as %06d><extension>
+  // Returns <path>/<folder>/<frame as %06d><extension>.
   std::filesystem::path FileOf(const char* folder, int frame, const char* extension) const;
   cv::Mat Depth(int frame) const { return ReadDepth(FileOf("depth_0", frame, ".tiff"), size()); }
   cv::Mat Instances(int frame) const {
@@ -32,26 +32,26 @@ struct SceneFolder {
   }
 };
 
-// Throws Error where a file that every scene has is missing or malformed.
+// Throws Error if a file that every scene has is missing or malformed.
 SceneFolder OpenSceneFolder(const std::filesystem::path& path);
 
-// An 8-bit image. Throws Error where it cannot be decoded.
+// Reads an 8-bit image as grey. Throws Error if it cannot be decoded.
 cv::Mat ReadGrey(const std::filesystem::path& path);
 
-// The largest of figures seen, and where.
+// The largest figure seen so far, and where it was seen. NaN is larger than any number.
 struct Worst {
   double figure = 0.0;
   std::string where;
 
   void Add(double candidate, const std::string& place);
-  // NaN is worse than any number.
+  // Returns the check that the largest figure is at most `limit`.
   SceneCheck AtMost(const std::string& name, const std::string& unit, double limit) const;
 };
 
-// Three significant digits, for places where a figure is one word of several.
+// Formats a figure with three significant digits, for use within a longer text.
 std::string Short(double value);
 
-// results[i] = work(i) on all threads of the pool.
+// Returns results[i] = work(i), computed on all threads of the pool.
 template <typename Result, typename Work>
 std::vector<Result> ForAll(int count, TaskPool& pool, const Work& work) {
   std::vector<Result> results(static_cast<std::size_t>(count));

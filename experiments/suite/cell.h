@@ -12,21 +12,21 @@
 
 namespace cvo {
 
-// One run that a suite asks for, before anything is known of its input.
+// One run requested by a suite, before its input has been located.
 struct Cell {
   SuiteSequence sequence;
-  std::string variant;  // of a system: empty
-  std::string system;   // name of another system whose files are scored; empty: a variant
+  std::string variant;  // empty for another system
+  std::string system;   // name of another system whose files are scored; empty for a variant
   std::uint64_t seed = 0;
-  std::vector<std::pair<std::string, Json>> parameters;  // path and value, of the grid
+  std::vector<std::pair<std::string, Json>> parameters;  // (path, value) of each grid axis
   std::vector<std::string> oracle;
-  bool landmarks = false;  // keeps every landmark; no part of what is computed
+  bool landmarks = false;  // record every landmark; does not affect what is computed
 };
 
-// Value by path.
+// Returns the cell's grid parameters as a JSON object, value by path.
 Json ParametersOf(const Cell& cell);
 
-// All cells, sequence by sequence, then seed, parameters, oracle, variant.
+// Returns all cells, ordered by sequence, then seed, parameters, oracle and variant.
 std::vector<Cell> ExpandSuite(const Suite& suite);
 
 }  // namespace cvo

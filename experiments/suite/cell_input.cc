@@ -24,14 +24,15 @@ bool ChangesDetector(const GridPoint& parameters) {
                      [](const auto& parameter) { return parameter.first.starts_with(kDetector); });
 }
 
-// {"a": {"b": value}} of "a.b".
+// Returns {"a": {"b": value}} for the path "a.b".
 Json Nested(const std::string& path, const Json& value) {
   const std::size_t dot = path.find('.');
   if (dot == std::string::npos) return {{path, value}};
   return {{path.substr(0, dot), Nested(path.substr(dot + 1), value)}};
 }
 
-// The file of a scene's boxes; a point that changes the detector has one of its own.
+// Returns the file of a scene's boxes. A grid point that changes the detector has a file of its
+// own.
 fs::path SceneDetections(const Cell& cell, const fs::path& folder) {
   const std::string level = DetectorLevel(cell.sequence);
   if (level.empty()) return cell.sequence.detections;
@@ -94,7 +95,7 @@ SequenceRequest RequestOf(const Cell& cell, const fs::path& folder, const fs::pa
   if (by_detector) request.detections_file = boxes;
   if (!sequence.scene.empty()) {
     if (!by_detector) request.detections_file = SceneDetections(cell, folder);
-    return request;  // its frames were chosen when it was rendered
+    return request;  // frames were selected at rendering
   }
   if (!sequence.frames.empty()) {
     const FrameRange range = ParseFrameRange(sequence.frames);

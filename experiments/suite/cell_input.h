@@ -15,32 +15,35 @@
 
 namespace cvo {
 
-// The options of a grid's point over the suite's, over those that the variant starts from (empty:
-// another system, the defaults). Throws Error for what cannot be together.
+// Returns the estimator's options at a grid point: the variant's defaults (the general ones if
+// `variant` is empty, for another system), overridden by the suite's options and then by those of
+// the point. Throws Error for unknown or inconsistent options.
 Options OptionsOf(const Suite& suite, const std::string& variant, const GridPoint& parameters);
 
-// The sequence's, with the point's "perturb." values over it. Throws Error naming the key.
+// Returns the sequence's perturbation with the "perturb." values of the grid point applied over it.
+// Throws Error naming the key.
 Perturbation PerturbationOf(const SuiteSequence& sequence, const GridPoint& parameters,
                             std::uint64_t seed);
 
-// "sensor.read_noise=0": what a point assigns to the scene. Where it touches the detector, its
-// values go over the level that the sequence names.
+// Returns what a grid point assigns to the scene, as in "sensor.read_noise=0". If the point changes
+// the detector, its values apply on top of the level that the sequence names.
 std::vector<std::string> SceneAssignments(const SuiteSequence& sequence,
                                           const GridPoint& parameters);
 
-// What to open for a cell whose sequence is in `folder`; files of boxes and labels are below
-// `data`, but for `boxes` of a detector (empty: open it without).
+// Returns the request that opens a cell's sequence, which is in `folder`. Files of boxes and labels
+// are below `data`, except `boxes`, which a detector wrote (empty: open the sequence without them).
 SequenceRequest RequestOf(const Cell& cell, const std::filesystem::path& folder,
                           const std::filesystem::path& data, const std::string& boxes);
 
-// The level of the scene's own detector that a sequence names; empty: none.
+// Returns the level of the scene's own detector that the sequence names, or an empty string if
+// there is none.
 std::string DetectorLevel(const SuiteSequence& sequence);
 
-// Classes of detections that count: the sequence's, else RigidClasses().
+// Returns the classes of detections to use: the sequence's own, or RigidClasses() if it has none.
 std::vector<std::string> ClassesOf(const SuiteSequence& sequence);
 
-// The files of a cell of another system, below `data`; those that come with the program are put
-// below the cache folder.
+// Returns the files of a cell of another system, below `data`. Trajectories shipped with the
+// program are written below the cache folder.
 SystemFiles SystemFilesOf(const Suite& suite, const Cell& cell, const std::filesystem::path& data,
                           const std::filesystem::path& cache);
 

@@ -33,7 +33,7 @@ bool Among(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// Each of `names` must be known, and there once.
+// Each of `names` must be known and occur only once.
 void CheckNames(const Names& names, const Names& known, const std::string& where,
                 const std::string& expected) {
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -48,7 +48,8 @@ void CheckNames(const Names& names, const Names& known, const std::string& where
   }
 }
 
-// Errors of what was written elsewhere, with the key that led there.
+// Runs a check of something that was written elsewhere, and prefixes its errors with the key
+// `where` that led there.
 void At(const std::string& where, const std::function<void()>& check) {
   try {
     check();
@@ -82,8 +83,9 @@ void CheckScene(const SuiteSequence& sequence, const GridPoint& point) {
   }
 }
 
-// Scenes that are checked, each once. Draws of one distribution are checked by their first: each
-// takes time to make, and one that cannot be made is listed with the jobs that lack it.
+// The scenes already checked, so that each is checked once. Of the scenes drawn from one
+// distribution only one, with seed 0, is checked: each takes time to make, and one that cannot be
+// made is listed with the jobs that lack it.
 class CheckedScenes {
  public:
   bool Add(const SuiteSequence& sequence) {
@@ -136,7 +138,7 @@ void CheckSequences(const Suite& suite, const std::string& where) {
   }
 }
 
-// Before anything is made of each, which would take all memory.
+// Must run before anything is created for each run, which would exhaust the memory.
 void CheckCount(const Suite& suite, const std::string& where) {
   double points = 1.0;
   for (const GridAxis& axis : suite.grid) {
@@ -153,12 +155,12 @@ void CheckCount(const Suite& suite, const std::string& where) {
   }
 }
 
-// Its variants; an empty name where it has other systems alone.
+// Returns the suite's variants, or one empty name if the suite has only other systems.
 Names AnyVariants(const Suite& suite) {
   return suite.variants.empty() ? Names{""} : suite.variants;
 }
 
-// Each value of each axis alone, then the axes together.
+// Checks each value of each axis by itself, then the axes together.
 void CheckGrid(const Suite& suite, const std::string& where) {
   for (const GridAxis& axis : suite.grid) {
     const bool of_scene = IsScenePath(axis.path);
@@ -189,7 +191,7 @@ void CheckGrid(const Suite& suite, const std::string& where) {
         }
       }
     });
-    if (!scenes) break;  // the same for all of them
+    if (!scenes) break;  // the points are the same for all sequences
   }
 }
 
@@ -212,11 +214,12 @@ void CheckSystems(const Suite& suite, const std::string& where) {
   }
 }
 
-// Scenes that options were chosen on and those that results are reported on never share a row.
+// Scenes on which options were chosen and scenes on which results are reported must not share a
+// row.
 void CheckSplits(const Suite& suite, const std::string& where) {
   if (Among(suite.table.rows, "sequence")) return;
   const bool by_family = Among(suite.table.rows, "family");
-  std::map<std::string, std::string> splits;  // of each family, or of all
+  std::map<std::string, std::string> splits;  // by family, or one for all
   for (std::size_t i = 0; i < suite.sequences.size(); ++i) {
     const SuiteSequence& sequence = suite.sequences[i];
     const std::string split = SplitOf(sequence);
@@ -230,7 +233,7 @@ void CheckSplits(const Suite& suite, const std::string& where) {
   }
 }
 
-// Rows must tell apart whatever differs between cells, but for the sequence and the seed.
+// Rows must distinguish everything that differs between cells, except the sequence and the seed.
 void CheckRows(const Suite& suite, const std::string& where) {
   Names keys = {"sequence", "family", "detections", "variant", "oracle"};
   Names needed;
@@ -255,7 +258,7 @@ void CheckRows(const Suite& suite, const std::string& where) {
   }
 }
 
-// A variant of the suite, or a value of one of the rows' keys.
+// The reference must be a variant of the suite, KEY=VALUE with one of the row keys, or kRowAbove.
 void CheckReference(const Suite& suite, const std::string& where) {
   const std::string& reference = suite.table.reference;
   if (reference.empty() || reference == reports::kRowAbove) return;

@@ -53,7 +53,7 @@ void ReadRows(ObjectReader& object, CollectionSection& section) {
   }
 }
 
-// A suite's file is meant relative to the collection's folder.
+// Resolves a suite file relative to the collection's folder; other names stay as they are.
 std::string SuitePath(const std::string& suite, const fs::path& folder) {
   std::error_code ignored;
   return fs::is_regular_file(folder / suite, ignored) ? (folder / suite).string() : suite;

@@ -9,45 +9,46 @@
 
 namespace cvo {
 
-// A picture of a page: frames of runs of one sequence, side by side where there are several
-// variants.
+// An image on a collection's page: frames from runs of one sequence, side by side if there are
+// several variants.
 struct CollectionFigure {
-  std::string suite;  // of the collection
+  std::string suite;  // one of the collection's suites
   std::string sequence;
   std::string variants;  // "2d,full"
   std::vector<int> frames;
 };
 
-// A table or figure of a page: text, then the table of a suite, or figures of others with our speed
-// beside, then pictures.
+// A section of the page, for one table or figure of the paper: text, then the table of a suite or
+// the published results of other systems with our measured speed, then images.
 struct CollectionSection {
   std::string title;
-  std::string suite;              // shipped, or a file; empty: none
-  std::vector<std::string> text;  // what the paper has, what ours is, what differs
-  std::string data;               // where to get what is missing
+  std::string suite;              // shipped name or suite file; empty: none
+  std::vector<std::string> text;  // what the paper shows, what ours shows, how they differ
+  std::string data;               // where to get missing data
   std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;  // of others, as published
-  // Variants whose measured frames per second go below, with the cells before it.
+  std::vector<std::vector<std::string>> rows;  // results of other systems, as published
+  // Rows for our variants, below `rows`: each variant, whose measured frames per second fill the
+  // last column, with the cells before that.
   std::vector<std::pair<std::string, std::vector<std::string>>> measured;
   std::vector<CollectionFigure> figures;
-  bool times = false;  // the suite's times in place of its table
+  bool times = false;  // show the suite's times instead of its table
 };
 
-// Suites that are run one after the other and shown on one page.
+// Suites that are run one after another and shown on one page.
 struct Collection {
   std::string name;
   std::string about;
   std::vector<CollectionSection> sections;
 };
 
-// Names of those that come with the program.
+// Names of the collections shipped with the program.
 std::vector<std::string> CollectionNames();
 
-// A shipped collection, or a JSON file with "sections"; empty for any other name or file. Throws
-// Error where it is wrong.
+// Returns a shipped collection, or one read from a JSON file with "sections". Empty for any other
+// name or file. Throws Error if the collection is invalid.
 std::optional<Collection> FindCollection(const std::string& name);
 
-// The folder of a section's results below that of the collection.
+// Returns the name of the folder for a suite's results, below the collection's folder.
 std::string SuiteFolderName(const std::string& suite);
 
 }  // namespace cvo

@@ -10,7 +10,7 @@ namespace cvo {
 namespace {
 
 void AddVariants(const Suite& suite, const SuiteSequence& sequence, std::vector<Cell>& cells) {
-  std::vector<std::vector<GridPoint>> points;  // by variant, alike in number
+  std::vector<std::vector<GridPoint>> points;  // by variant, equal in number
   for (const std::string& variant : suite.variants) {
     points.push_back(GridPoints(suite, sequence, variant));
   }
@@ -27,7 +27,7 @@ void AddVariants(const Suite& suite, const SuiteSequence& sequence, std::vector<
   }
 }
 
-// Their files are of one run: the truth is the same for every seed.
+// Adds one cell per file, with the first seed only: the truth is the same for every seed.
 void AddSystems(const Suite& suite, const SuiteSequence& sequence, std::vector<Cell>& cells) {
   for (const SuiteSystem& system : suite.systems) {
     for (const SuiteSystem::Files& files : system.files) {

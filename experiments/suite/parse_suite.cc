@@ -36,7 +36,7 @@ std::vector<std::string> TextsOr(ObjectReader& object, const std::string& key,
   return value.get<std::vector<std::string>>();
 }
 
-// Empty where the key is not there.
+// Empty if the key is absent.
 std::string OneOfOr(ObjectReader& object, const std::string& key,
                     const std::vector<std::string>& known) {
   std::string text = object.TextOr(key, "");
@@ -46,11 +46,11 @@ std::string OneOfOr(ObjectReader& object, const std::string& key,
 
 Json ObjectOr(ObjectReader& object, const std::string& key) {
   if (!object.Has(key)) return Json::object();
-  object.Object(key);  // throws for what is no object
+  object.Object(key);  // throws if it is not an object
   return object.Value(key);
 }
 
-// A file is meant relative to the suite's folder.
+// Resolves a scene file relative to the suite's folder.
 std::string ResolveScene(const std::string& scene, const fs::path& folder) {
   for (const synth::ShippedScene& shipped : synth::ShippedScenes()) {
     if (shipped.name == scene) return scene;
@@ -82,7 +82,7 @@ std::string DefaultName(const SuiteSequence& sequence) {
 constexpr std::uint64_t kMaxFamilySeeds = 10000;
 constexpr int kMaxTimedThreads = 256;
 
-// "1000:1040" (its end not included), or one number.
+// Parses "1000:1040" (end exclusive), or a single number.
 std::pair<std::uint32_t, std::uint64_t> ReadSeedRange(ObjectReader& object) {
   const std::string where = object.Where("seeds");
   try {
@@ -102,7 +102,8 @@ std::pair<std::uint32_t, std::uint64_t> ReadSeedRange(ObjectReader& object) {
              "\"FIRST:END\" with seeds from 0 to 4294967295, END not included, or one seed");
 }
 
-// A text, or an object for a network that finds the boxes, named after its model.
+// Reads a string, or an object that describes a network that detects the boxes, named after its
+// model by default.
 void ReadDetections(ObjectReader& object, SuiteSequence& sequence) {
   if (!object.Has("detections") || !object.Value("detections").is_object()) {
     sequence.detections = object.TextOr("detections", "");
@@ -123,7 +124,7 @@ void ReadDetections(ObjectReader& object, SuiteSequence& sequence) {
   }
 }
 
-// A sequence for each seed.
+// Appends one sequence for each seed.
 void ReadFamily(ObjectReader object, const fs::path& folder, std::vector<SuiteSequence>& out) {
   SuiteSequence sequence;
   const std::string family = object.Text("family");
@@ -219,7 +220,7 @@ std::vector<std::uint64_t> ReadSeeds(ObjectReader& object) {
 std::vector<GridAxis> ReadGrid(ObjectReader& object) {
   std::vector<GridAxis> grid;
   if (!object.Has("grid")) return grid;
-  object.Object("grid");  // throws for what is no object
+  object.Object("grid");  // throws if it is not an object
   for (const auto& [path, values] : object.Value("grid").items()) {
     grid.push_back({path, ParseAxisValues(values, object.Where("grid." + path))});
   }
@@ -244,7 +245,7 @@ std::vector<std::vector<std::string>> ReadOracles(ObjectReader& object) {
 SuiteTable ReadTable(ObjectReader table) {
   SuiteTable read;
   read.rows = TextsOr(table, "rows", read.rows);
-  table.Value("metrics");  // throws where it is missing
+  table.Value("metrics");  // throws if it is missing
   read.metrics = TextsOr(table, "metrics", {});
   read.reference = table.TextOr("reference", "");
   table.Finish();

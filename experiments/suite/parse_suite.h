@@ -10,23 +10,25 @@
 
 namespace cvo {
 
-// A shipped suite's name or a suite file (experiments/configs/README.md), read strictly: throws
-// Error that names the file and the key of what is unknown, missing, of another type or out of
-// range.
+// Loads a shipped suite by name, or a suite file (experiments/configs/README.md). Parsing is
+// strict: throws Error naming the file and the key of anything unknown, missing, of the wrong type
+// or out of range.
 Suite LoadSuite(const std::string& suite);
 
-// Scene files are meant relative to `folder`; `where` names the text in errors.
+// Parses and checks a suite. Paths of scene files are relative to `folder`; `where` names the
+// source in errors.
 Suite ParseSuite(const Json& json, const std::string& where,
                  const std::filesystem::path& folder = {});
-// The same without CheckSuite: keys and types alone, for a suite that was checked once.
+// The same without CheckSuite: validates keys and types only, for a suite that has been checked
+// before.
 Suite ReadCheckedSuite(const Json& json, const std::string& where,
                        const std::filesystem::path& folder = {});
 
-// The suite as a file that ParseSuite reads back, everything in it resolved.
+// Returns the suite as a file that ParseSuite reads back, with everything resolved.
 Json SuiteToJson(const Suite& suite);
 
-// Throws Error naming `where` and the key for a suite that cannot be run: a name that is not known,
-// an option that cannot be, points of a grid that its table would mix.
+// Throws Error naming `where` and the key if the suite cannot be run: an unknown name, an invalid
+// option, or grid points that its table would mix.
 void CheckSuite(const Suite& suite, const std::string& where);
 
 }  // namespace cvo

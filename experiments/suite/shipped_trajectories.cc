@@ -34,7 +34,7 @@ std::string SceneText(const std::string& scene) {
   return ReadFileBytes(scene);
 }
 
-// Why it is of other images than the sequence has; empty: it is not.
+// Returns why the trajectory was made from other images than the sequence has; empty if it was not.
 std::string Difference(const ShippedTrajectory& trajectory, const SuiteSequence& sequence) {
   if (!sequence.frames.empty()) return "ran on all frames, not " + sequence.frames;
   if (!sequence.perturb.empty()) return "ran on images without the perturbation";

@@ -12,16 +12,18 @@
 
 namespace cvo {
 
-// The sequences of which there is one; throws Error at `where` if there is none.
+// Returns an entry for each of the sequences on which the program ships a trajectory of `system`.
+// Throws Error at `where` if there is none.
 std::vector<SuiteSystem::Files> ShippedFilesOf(const std::string& system,
                                                const std::vector<SuiteSequence>& sequences,
                                                const std::string& where);
 
-// PlannedJob::missing of a trajectory that is of other images starts with it.
+// PlannedJob::missing starts with this if a shipped trajectory was made from other images.
 inline constexpr std::string_view kStale = "stale: ";
 
-// The trajectory of a sequence of ShippedFilesOf, as a file below the cache folder. Throws Error,
-// with kStale, where the scene file has changed since, or other images are made of it.
+// Writes the trajectory of a sequence from ShippedFilesOf below the cache folder and returns the
+// file. Throws Error, with kStale, if the scene file has changed since the trajectory was made, or
+// if the sequence uses other frames or perturbed images.
 SystemFiles ShippedSystemFiles(const std::string& system, const SuiteSequence& sequence,
                                const std::filesystem::path& cache);
 

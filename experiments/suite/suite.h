@@ -11,7 +11,8 @@
 
 namespace cvo {
 
-// A network that finds a sequence's boxes (clustervo detect). Files are below the data folder.
+// A neural network that detects a sequence's boxes (clustervo detect). Its files are below the data
+// folder.
 struct SuiteDetector {
   std::string model;  // empty: none
   std::string weights;
@@ -21,77 +22,80 @@ struct SuiteDetector {
   std::optional<double> max_overlap;
 };
 
-// One sequence of a suite, as written: a scene that is rendered, or a folder of images.
+// One sequence of a suite, as written in the suite file: a scene to render, or a folder of images.
 struct SuiteSequence {
   std::string scene;    // shipped name or scene file; empty: a folder
   std::string folder;   // below the suite's data folder; empty: a scene
-  std::string name;     // for rows; default: the scene's or the folder's last part
+  std::string name;     // for rows; default: the last component of the scene's or folder's path
   std::string frames;   // "A:B"; empty: all
-  std::string dataset;  // as SequenceRequest, empty: decide from the folder
-  std::string pair;     // the same
+  std::string dataset;  // as in SequenceRequest; empty: determined from the folder
+  std::string pair;     // as in SequenceRequest; empty: determined from the folder
   std::string groundtruth = "devkit";
-  // Level, "labels", a file below the data folder, or empty: none. Of a detector: its name.
+  // Level of the scene's detector, "labels", a file below the data folder, or empty for none. With
+  // `detector`: the name of that detector.
   std::string detections;
   SuiteDetector detector;
   int detections_camera = -1;
   std::optional<double> min_score;
-  std::vector<std::string> classes;  // of detections that count; empty: RigidClasses()
-  std::string labels;                // file below the data folder; empty: the folder's own
+  std::vector<std::string> classes;  // of detections to use; empty: RigidClasses()
+  std::string labels;                // file below the data folder; empty: the labels in the folder
   Json layout = Json::object();      // settings of the folder's layout (SequenceRequest)
-  Json perturb = Json::object();     // done to its images and calibration (Perturbation)
+  Json perturb = Json::object();     // applied to its images and calibration (Perturbation)
 };
 
-// "development" or "test" for scenes (synth/family/family.h), "none" for other seeds of a family,
-// "given" for a folder of images. Shipped scenes are for development.
+// Returns "development" or "test" for a scene (synth/family/family.h), "none" for a family scene
+// whose seed is in neither split, and "given" for a folder of images. Shipped scenes are
+// development scenes.
 std::string SplitOf(const SuiteSequence& sequence);
 
-// Name of the family that a scene is drawn from; empty: none.
+// Name of the family that the scene is drawn from; empty if there is none.
 std::string FamilyOf(const SuiteSequence& sequence);
 
-// Values that one option takes, in order: of the estimator ("pairwise.alpha") or, with "scene."
-// before it, of the scene file ("scene.detector.miss_rate": over the level that a sequence names),
-// with "perturb." of SuiteSequence::perturb.
+// Values that one option takes, in order. The path is that of an estimator option
+// ("pairwise.alpha"), of a key in the scene file with the prefix "scene."
+// ("scene.detector.miss_rate", applied on top of the level that a sequence names), or of a key in
+// SuiteSequence::perturb with the prefix "perturb.".
 struct GridAxis {
   std::string path;
   std::vector<Json> values;
 };
 
-// Trajectories that another system made: scored as they are.
+// Trajectories estimated by another system, scored as they are.
 struct SuiteSystem {
   struct Files {
     std::string sequence;  // SuiteSequence::name
-    std::string camera;    // TUM or KITTI poses; below the data folder
+    std::string camera;    // file of TUM or KITTI poses, below the data folder
     std::string objects;   // KITTI tracking rows with 3D boxes; empty: none
   };
   std::string name;
   std::vector<Files> files;
-  bool shipped = false;  // they come with the program (shipped_trajectories.h); paths are empty
+  bool shipped = false;  // shipped with the program (shipped_trajectories.h); paths are empty
 };
 
-// What experiment table makes of the results.
+// How `experiment table` tabulates the results.
 using SuiteTable = reports::PlanTable;
 
-// Of one suite, which is planned as a whole.
+// Maximum number of runs of one suite. A suite is planned as a whole.
 inline constexpr std::size_t kMaxRuns = 100'000;
 
-// A suite file: what is run on what, and how it is tabulated.
+// A suite file: what runs on which sequences, and how the results are tabulated.
 struct Suite {
   std::string name;
   std::string about;
   std::vector<SuiteSequence> sequences;
   std::vector<std::string> variants;
-  std::vector<std::uint64_t> seeds;  // of sensor, detector and the estimator's draws
-  Json options = Json::object();     // nested, over the defaults; the same for all
-  std::vector<GridAxis> grid;        // every combination
-  bool grid_one_at_a_time = false;   // instead: each axis alone, the others at their defaults
+  std::vector<std::uint64_t> seeds;  // of the sensor, the detector and the estimator's random draws
+  Json options = Json::object();     // nested, override the defaults; the same for all runs
+  std::vector<GridAxis> grid;        // all combinations of their values are run
+  bool grid_one_at_a_time = false;   // instead, vary one axis at a time from the defaults
   std::vector<std::vector<std::string>> oracles = {{}};  // sets of switches (runner/oracle.h)
   std::vector<SuiteSystem> systems;
-  int timed_threads = 0;   // jobs run one at a time, each with so many threads; 0: not timed
-  bool landmarks = false;  // jobs of the first seed keep every landmark: what overlays draw
+  int timed_threads = 0;   // threads per job, jobs run one at a time; 0: not timed
+  bool landmarks = false;  // jobs of the first seed record every landmark, for overlays
   SuiteTable table;
 };
 
-// Of all its sequences: one of the above, or "mixed".
+// Returns the common split of all sequences, as above, or "mixed".
 std::string SplitOf(const Suite& suite);
 
 }  // namespace cvo

@@ -21,9 +21,9 @@ constexpr std::string_view kPerturb = "perturb.";
 constexpr double kLargest = 1e15;
 constexpr int kMaxAxisValues = 1000;
 
-// An integer where the ends are integers, so that options that count can be swept.
+// Returns an integer if both ends of the range are integers, so that count options can be swept.
 Json AxisValue(double value, bool integers) {
-  const double rounded = RoundedTo(value, 6);  // what a person would have written
+  const double rounded = RoundedTo(value, 6);  // as a person would write it
   if (integers && rounded == std::round(rounded)) return static_cast<std::int64_t>(rounded);
   return rounded;
 }
@@ -53,7 +53,7 @@ std::vector<Json> RangeValues(synth::ObjectReader range) {
   return values;
 }
 
-// The value behind a dotted path; null where there is none.
+// Returns the value at a dotted path, or null if there is none.
 Json AtPath(const Json& whole, const std::string& path) {
   const Json* value = &whole;
   for (std::size_t start = 0; start <= path.size();) {
@@ -73,7 +73,8 @@ Json AtPath(const Json& whole, const std::string& path) {
   return *value;
 }
 
-// What the scene says and, of sensor and detector, what it leaves at the defaults.
+// Returns the values in the scene file, with those of the sensor and the detector completed by
+// their defaults.
 Json SceneDefaults(const SuiteSequence& sequence) {
   const auto scene = synth::LoadScene(sequence.scene, {});
   Json values = scene.json();
@@ -81,7 +82,7 @@ Json SceneDefaults(const SuiteSequence& sequence) {
   values["sensor"] = OptionsToJson(OptionLeaves(sensor));
   Json section = scene.detector();
   if (!sequence.detections.empty()) section["level"] = sequence.detections;
-  // The last is "custom" where the scene changes values of its level.
+  // The last detector is "custom" if the scene changes values of its level.
   std::vector<synth::NamedDetector> detectors = synth::ReadDetectors(section, scene.where(), {});
   for (synth::NamedDetector& detector : detectors) {
     if (detector.name != sequence.detections && detector.name != "custom") continue;
@@ -90,7 +91,7 @@ Json SceneDefaults(const SuiteSequence& sequence) {
   return values;
 }
 
-// Every axis at its default.
+// Returns the point with every axis at its default.
 GridPoint DefaultPoint(const Suite& suite, const SuiteSequence& sequence,
                        const std::string& variant) {
   Options options = OptionsOf(suite, variant, {});

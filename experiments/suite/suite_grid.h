@@ -10,26 +10,28 @@
 
 namespace cvo {
 
-// One point of a grid: path and value of every axis.
+// One point of a grid: the path and value of every axis.
 using GridPoint = std::vector<std::pair<std::string, Json>>;
 
-// Values of an axis as a suite file has them: a list, or {"from", "to", "steps"} with a "scale"
-// ("linear", "log"); six significant digits between the ends. Throws Error naming `where`.
+// Parses the values of an axis as written in a suite file: a list, or {"from", "to", "steps"} with
+// an optional "scale" ("linear" or "log"). Values between the ends are rounded to six significant
+// digits. Throws Error naming `where`.
 std::vector<Json> ParseAxisValues(const Json& json, const std::string& where);
 
-// All points, the last axis fastest. One at a time: first the point with every axis at its default,
-// then each axis through its other values. Defaults are the variant's (empty: of any), those of
-// "scene." axes the sequence's.
+// Returns all points, with the last axis varying fastest. One at a time: first the point with every
+// axis at its default, then each axis in turn through its other values. The default of an option is
+// its value for the variant (empty: for none in particular) under the suite's options; "scene." and
+// "perturb." axes take theirs from the sequence.
 std::vector<GridPoint> GridPoints(const Suite& suite, const SuiteSequence& sequence,
                                   const std::string& variant);
 
-// Whether the path is of a scene file; and its key there.
+// Whether the path refers to a scene file ("scene."), and its key there.
 bool IsScenePath(const std::string& path);
 std::string SceneKey(const std::string& path);
-// The same of a sequence's perturbation.
+// The same for a sequence's perturbation ("perturb.").
 bool IsPerturbPath(const std::string& path);
 std::string PerturbKey(const std::string& path);
-// Of the estimator.
+// Whether the path refers to an estimator option.
 bool IsOptionPath(const std::string& path);
 
 }  // namespace cvo

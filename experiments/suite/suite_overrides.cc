@@ -15,7 +15,7 @@
 namespace cvo {
 namespace {
 
-// A word needs no quotes.
+// Parses JSON; any other text is taken as a string, so that a word needs no quotes.
 Json ParseValue(const std::string& text) {
   try {
     return ParseJson(text, "value");

@@ -9,13 +9,14 @@
 
 namespace cvo {
 
-// What a command line changes of a suite: --seeds N (1 to N; 0: as the suite says), --frames and
-// --set PATH=VALUE. A path of the suite's grid takes that one value; "scene.PATH" is of every
-// scene; others are options. Throws Error for what the suite cannot have.
+// Changes made to a suite on the command line: --seeds N (seeds 1 to N; 0: the suite's own),
+// --frames and --set PATH=VALUE. A path in the suite's grid takes only the given value;
+// "scene.PATH" and "perturb.PATH" apply to every sequence; any other path is an estimator option.
+// Override throws Error for changes that the suite does not allow.
 struct SuiteOverrides {
   int seeds = 0;
   std::vector<std::string> set;
-  std::string frames = {};  // "A:B", of every sequence; empty: as the suite says
+  std::string frames = {};  // "A:B", for every sequence; empty: the suite's own
 };
 Suite Override(Suite suite, const SuiteOverrides& overrides);
 

@@ -26,7 +26,7 @@ std::vector<std::string> ReadNames(const fs::path& path) {
   return names;
 }
 
-// "width=960" of the section [net].
+// Reads a size such as "width=960" of the section [net].
 int NetSize(const fs::path& cfg, const std::string& key) {
   const TextFile file(cfg);
   for (std::size_t i = 0; i < file.size(); ++i) {
@@ -40,7 +40,8 @@ int NetSize(const fs::path& cfg, const std::string& key) {
   ThrowError(cfg.string(), "no " + key, key + "=<pixels> in section [net]");
 }
 
-// OpenCV's errors hold its own source paths and lines.
+// Returns call(). Replaces OpenCV's exceptions, whose messages contain its own source paths and
+// lines.
 template <typename Call>
 auto OrError(const fs::path& file, const char* expected, const Call& call) {
   try {
@@ -94,7 +95,7 @@ struct DetectorModel::Network {
   OutputLayout layout = OutputLayout::kDarknet;
 
   bool IsDarknet() const { return files.model.extension() == ".cfg"; }
-  // YOLOX was trained on grey levels of 0 to 255, blue first.
+  // YOLOX was trained on values of 0 to 255 in BGR order.
   bool IsYolox() const { return layout == OutputLayout::kYolox; }
 
   std::vector<cv::Mat> Forward(const cv::Mat& input) {
@@ -108,7 +109,7 @@ struct DetectorModel::Network {
     return results;
   }
 
-  // One run on an empty image tells what the outputs are.
+  // Determines the layout of the outputs by running the network once on an empty image.
   void FindLayout() {
     const std::vector<cv::Mat> results = Forward(cv::Mat(size, CV_8UC3, cv::Scalar::all(0)));
     for (const cv::Mat& result : results) {
@@ -127,7 +128,7 @@ struct DetectorModel::Network {
 };
 
 DetectorModel::DetectorModel(const DetectorFiles& files) : network_(new Network) {
-  // What goes wrong is said once, by the error.
+  // Problems are reported once, by the exception.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   Network& network = *network_;
   network.files = files;

@@ -13,32 +13,34 @@
 
 namespace cvo {
 
-// A detection network as a user gives it.
+// A detection network as the user specifies it.
 struct DetectorFiles {
-  std::filesystem::path model;    // Darknet's .cfg, or .onnx
-  std::filesystem::path weights;  // Darknet's; empty: beside the model, of the same name
+  std::filesystem::path model;    // Darknet .cfg, or .onnx
+  std::filesystem::path weights;  // for Darknet; empty: beside the model, with the same name
   std::filesystem::path names;    // of the classes, one per line
-  cv::Size input = {0, 0};        // width, height in pixels; 0: of the .cfg, or 640 x 640
+  cv::Size input = {0, 0};        // width, height in pixels; 0: from the .cfg, or 640 x 640
 };
 
 struct DetectorOptions {
   double min_score = 0.2;
-  double max_overlap = 0.45;  // of two boxes of one class
+  double max_overlap = 0.45;  // largest IoU of two boxes of one class that are both kept
 };
 
-// The class of KITTI that a class of COCO is; another class is itself.
+// Maps the name of a COCO class to the corresponding KITTI class. Other names are returned
+// unchanged.
 std::string KittiClass(const std::string& name);
 
-// Boxes of a YOLO network in Darknet's format (v3, v4 and their like) or in ONNX as YOLOX, YOLOv5
-// and YOLOv8 are exported. OpenCV's DNN module runs it on the processor.
+// A YOLO detector, in Darknet's format (v3, v4 and similar) or in ONNX as exported by YOLOX, YOLOv5
+// and YOLOv8. It runs on the CPU, with OpenCV's DNN module.
 class DetectorModel {
  public:
-  // Throws Error for files that are missing, damaged or without boxes, and for a list of names of
-  // another length than the network has classes.
+  // Throws Error for missing or damaged files, for a network whose outputs are not boxes, and if
+  // the number of names is not the network's number of classes.
   explicit DetectorModel(const DetectorFiles& files);
   ~DetectorModel();
 
-  // Of an 8-bit image, grey or colour (BGR): best first, inside the image, in its pixels.
+  // Returns the detections in an 8-bit image, grey or colour (BGR), by decreasing score, in pixels
+  // of the image and clipped to it.
   std::vector<Detection> Detect(const cv::Mat& image, const DetectorOptions& options);
 
   OutputLayout layout() const;

@@ -18,7 +18,7 @@ int CellCount(const cv::Size& size) {
   return count;
 }
 
-// One box per row, in rows of floats.
+// The output as a matrix of floats with one box per row.
 cv::Mat RowsOf(const cv::Mat& output, OutputLayout layout) {
   if (layout == OutputLayout::kDarknet) return output;
   const cv::Mat plane(output.size[1], output.size[2], CV_32F, const_cast<uchar*>(output.data));
@@ -29,7 +29,8 @@ struct CenteredBox {
   double x, y, width, height;
 };
 
-// Cells row by row, the smallest first.
+// Decodes a box relative to its cell. The cells are ordered by size, the smallest first, then row
+// by row.
 CenteredBox FromCell(const CenteredBox& box, int row, const cv::Size& size) {
   for (const int cell : kCells_px) {
     const int columns = size.width / cell;
@@ -83,7 +84,7 @@ std::vector<RawBox> DecodeOutput(const cv::Mat& output, OutputLayout layout, con
   for (int i = 0; i < rows.rows; ++i) {
     const float* row = rows.ptr<float>(i);
     const float* best = std::max_element(row + first, row + rows.cols);
-    // Darknet's class scores hold that of an object.
+    // Darknet's class scores already include objectness.
     const bool times_objectness = has_objectness && layout != OutputLayout::kDarknet;
     const double score = *best * (times_objectness ? static_cast<double>(row[4]) : 1.0);
     if (!(score >= min_score)) continue;

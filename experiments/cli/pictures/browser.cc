@@ -17,11 +17,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kLimit_s = 120.0;
-// How long, in its own time, a page may take until its text is taken: it passes as fast as the
-// page has nothing to do.
+// Virtual time that a page may take before its content is read. It passes as fast as the page
+// allows, without waiting while the page is idle.
 constexpr int kPageTime_ms = 100'000;
 
-// The last line that the browser printed, for a message.
+// The last line that the browser printed, for error messages.
 std::string LastLine(const fs::path& log) {
   std::string text = fs::exists(log) ? ReadFileBytes(log) : "";
   while (!text.empty() && text.back() == '\n') text.pop_back();
@@ -65,7 +65,7 @@ std::string Browser::Start(const std::string& page, const std::string& flag,
   const fs::path log = scratch_ / "browser.log";
   fs::remove_all(profile);
   WriteFileBytes(file, page);
-  // A shell keeps what the browser prints apart from its messages.
+  // The shell separates the browser's standard output from its messages, which go to the log.
   Task task{"browser",
             {"/bin/sh",
              "-c",

@@ -7,21 +7,22 @@
 
 namespace cvo {
 
-// A headless Chromium with an empty profile of its own that has no network to use.
+// A headless Chromium with an empty profile of its own and no network access.
 class Browser {
  public:
-  // CLUSTERVO_BROWSER, else /usr/bin/chromium. Throws Error where it is not there. What a page
-  // needs is written below `scratch`, which must exist.
+  // Uses the program CLUSTERVO_BROWSER, or /usr/bin/chromium by default. Throws Error if it cannot
+  // be run. Files that a page needs are written to `scratch`, which must exist.
   explicit Browser(std::filesystem::path scratch);
 
-  // The page's text once it has run. Throws Error with why the browser ended.
+  // Returns the DOM of the page, as HTML, after its scripts have run. Throws Error with the reason
+  // if the browser fails.
   std::string Run(const std::string& page) const;
 
-  // The page as PDF.
+  // Returns the page as PDF. Throws Error as Run.
   std::string Print(const std::string& page) const;
 
  private:
-  // Starts it with these flags and the page, its output to a file whose bytes are returned.
+  // Runs the browser on the page with this flag. Returns the content of the output file `out`.
   std::string Start(const std::string& page, const std::string& flag,
                     const std::filesystem::path& out) const;
 

@@ -25,7 +25,7 @@ bool HasFrame(const reports::OverlayRun& run, int frame) {
                      [frame](const reports::CameraFrame& entry) { return entry.frame == frame; });
 }
 
-// Frames of the first run that all others have, too.
+// The selected frames of the first run that all other runs have, too.
 std::vector<int> SelectFrames(const OverlayFlags& flags,
                               const std::vector<reports::OverlayRun>& runs) {
   const FrameRange range = flags.frames.empty() ? FrameRange{} : ParseFrameRange(flags.frames);
@@ -58,7 +58,8 @@ void CheckSameSequence(const std::vector<reports::OverlayRun>& runs,
   }
 }
 
-// ": labels from ..."; empty for a variant that this program does not have.
+// What distinguishes the variant, as ": labels from ...". Empty for a variant unknown to this
+// program.
 std::string VariantChanges(const std::string& variant) {
   for (const VariantInfo& info : Variants()) {
     if (info.name == variant) return StrCat(": ", info.changes);
@@ -66,7 +67,8 @@ std::string VariantChanges(const std::string& variant) {
   return "";
 }
 
-// The variant and what it is; of two runs of one variant the folder.
+// Titles of the runs: the variant with its description, or with its folder if several runs are of
+// this variant.
 std::vector<std::string> Titles(const std::vector<reports::OverlayRun>& runs,
                                 const std::vector<std::string>& folders) {
   std::vector<std::string> titles;

@@ -29,7 +29,7 @@ struct OverlayFlags {
   bool quiet = false;
 };
 
-// Draws runs on their images; the exit code. Throws Error.
+// Draws runs on their images. Returns the exit code. Throws Error.
 int DrawOverlays(const OverlayFlags& flags);
 
 }  // namespace cvo

@@ -35,10 +35,11 @@ std::string ImageName(int frame) {
          ".png";
 }
 
-// How a contact sheet is filled: by wide images in two columns, by others in four.
+// Layout of a contact sheet. Wide images have two columns, others four, or one if there are several
+// runs.
 struct SheetLayout {
   int columns;
-  int width_px;  // of one run's drawing
+  int width_px;  // of the drawing of one run
   std::size_t most;
 };
 
@@ -49,7 +50,7 @@ SheetLayout LayoutOf(const OverlayJob& job) {
   return wide ? SheetLayout{2, 800, 8} : SheetLayout{1, 480, 8};
 }
 
-// Of all runs beside each other, each drawing `width_px` wide.
+// Draws all runs side by side, each `width_px` wide.
 cv::Mat DrawFrame(const OverlayJob& job, const cv::Mat& image, int frame, int width_px,
                   bool on_sheet = false) {
   const reports::CameraInfo& camera = job.runs.front().sequence.camera;

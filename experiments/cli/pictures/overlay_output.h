@@ -12,25 +12,26 @@
 
 namespace cvo {
 
-// What is drawn: the same frames of one run, or of several beside each other.
+// What to draw: the same frames of one run, or of several runs side by side.
 struct OverlayJob {
   std::vector<reports::OverlayRun> runs;
-  std::vector<std::string> titles;  // one per run; empty for one run
-  bool boxes = true;                // of clusters, with their motion
-  bool inset = true;                // bodies from above, where there are boxes
+  std::vector<std::string> titles;  // one per run; not drawn for a single run
+  bool boxes = true;                // draw the clusters' boxes and motion
+  bool inset = true;                // draw a bird's-eye view; needs `boxes`
   reports::Corner inset_corner = reports::Corner::kTopLeft;
-  bool panels = false;      // of the one run and frame, in place of its image
-  std::vector<int> frames;  // counted in the folder of the sequence
+  bool panels = false;      // draw four views of the only run and frame
+  std::vector<int> frames;  // as numbered in the sequence's folder
   double scale = 1.0;
   std::string output;
-  std::vector<std::filesystem::path> read;  // folders that the runs are in
+  std::vector<std::filesystem::path> read;  // folders of the runs
   bool images = true;
   bool sheet = false;
   bool video = false;
   bool quiet = false;
 };
 
-// Draws, writes and prints what was written. 0, or 130 where it was stopped.
+// Draws and writes the pictures and prints the names of the files. Returns 0, or 130 if it was
+// stopped.
 int WriteOverlays(const OverlayJob& job, const RunImages& images);
 
 }  // namespace cvo

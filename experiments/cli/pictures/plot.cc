@@ -32,12 +32,12 @@ struct PlotFlags {
   std::string output;
 };
 
-// What is plotted, read and compared.
+// The trajectories to plot and how they compare.
 struct PlotContent {
   std::vector<PlotInput> inputs;
   std::optional<PlotReference> reference;
   PlotMatching matching;
-  std::vector<MatchedTrack> tracks;  // of each input
+  std::vector<MatchedTrack> tracks;  // one per input
 };
 
 double ExtentAlong(Eigen::Index axis, const Trajectory& poses) {
@@ -50,7 +50,8 @@ double ExtentAlong(Eigen::Index axis, const Trajectory& poses) {
   return high - low;
 }
 
-// Runs and KITTI's files have y down; of others the axis along which they extend less.
+// Runs and KITTI files have y down. For others, the vertical is the axis, y or z, along which they
+// extend less.
 Vertical VerticalOf(const std::string& up, const PlotContent& content) {
   if (!up.empty()) return up == "z" ? Vertical::kZUp : Vertical::kYDown;
   const bool cameras = std::any_of(content.inputs.begin(), content.inputs.end(),
@@ -94,7 +95,7 @@ PlotContent ReadContent(const PlotFlags& flags) {
   return content;
 }
 
-// All times from the earliest on.
+// Shifts all times so that the earliest is zero.
 void StartAtZero(reports::TrajectoryPlot& plot) {
   double first = std::numeric_limits<double>::infinity();
   const auto each = [&](const auto& act) {

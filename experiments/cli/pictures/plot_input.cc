@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t kStep_ns = 1'000'000'000;  // between poses without times
+constexpr std::int64_t kStep_ns = 1'000'000'000;  // between poses without timestamps
 
 bool HasCommas(const fs::path& path) {
   const TextFile file(path);

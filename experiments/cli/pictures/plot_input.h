@@ -10,24 +10,25 @@
 
 namespace cvo {
 
-// A trajectory file, or the camera of a run.
+// A trajectory file, or the camera trajectory of a run.
 struct PlotInput {
   std::string path;
-  std::string name;                         // of the file, or the variant of the run
-  std::string sequence;                     // of a run
-  Trajectory poses;                         // row i of a KITTI file: at i s
-  bool timed = true;                        // false: a KITTI file
-  bool camera_axes = false;                 // known to have y down: runs and KITTI files
-  Trajectory truth;                         // of a run, in its world; may be empty
-  std::vector<reports::BodyDetail> bodies;  // of a run
+  std::string name;                         // stem of the file's name, or variant of the run
+  std::string sequence;                     // runs only
+  Trajectory poses;                         // row i of a KITTI file is at time i s
+  bool timed = true;                        // false for a KITTI file
+  bool camera_axes = false;                 // y is known to point down: runs and KITTI files
+  Trajectory truth;                         // runs only, in the world of the run; may be empty
+  std::vector<reports::BodyDetail> bodies;  // runs only
 };
 
-// The kind follows from what is there: a folder is a run, rows with commas are EuRoC's, 8 columns
-// TUM's and 12 KITTI's. Throws Error naming the file, the line and what was expected.
+// Reads a trajectory. A folder is a run; a file with commas is in EuRoC's format, one with 8
+// columns in TUM's and one with 12 in KITTI's. Throws Error naming the file, the line and what was
+// expected.
 PlotInput ReadPlotInput(const std::string& path);
 
-// Names that tell them apart, and times that can be compared: where one is a KITTI file, all are
-// counted. Throws Error where lengths differ then.
+// Makes the names unique and the times comparable: if one of the inputs is a KITTI file, all poses
+// are matched by their position in the file, and Error is thrown if the numbers of poses differ.
 void MakeComparable(std::vector<PlotInput>& inputs);
 
 }  // namespace cvo

@@ -20,7 +20,7 @@ reports::Position PositionOf(const Eigen::Vector3d& point) {
   return {point.x(), point.y(), point.z()};
 }
 
-// y points down.
+// The upward direction of a world with this vertical axis: -y if y points down.
 Eigen::Vector3d UpOf(reports::Vertical vertical) {
   if (vertical == reports::Vertical::kZUp) return Eigen::Vector3d::UnitZ();
   return -Eigen::Vector3d::UnitY();

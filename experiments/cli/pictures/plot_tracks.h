@@ -13,16 +13,16 @@
 
 namespace cvo {
 
-// What trajectories are aligned with and held against.
+// The trajectory that others are aligned with and compared to.
 struct PlotReference {
   std::string name;
   Trajectory poses;
-  bool is_truth = true;  // else the first trajectory
-  bool of_run = false;   // in whose world it is
+  bool is_truth = true;  // false: it is the first trajectory
+  bool of_run = false;   // it is the truth of a run, in the world of that run
 };
 
-// The truth of the first run that has one, else the first trajectory of several; empty where there
-// is none of these.
+// Returns the truth of the first run that has one, otherwise the first of several trajectories,
+// otherwise nothing.
 std::optional<PlotReference> ReferenceAmong(const std::vector<PlotInput>& inputs);
 
 struct PlotMatching {
@@ -31,10 +31,10 @@ struct PlotMatching {
   std::int64_t tolerance_ns = 0;
 };
 
-// A trajectory and, held against a reference, its errors.
+// A trajectory and, if it was compared to a reference, its errors.
 struct MatchedTrack {
   reports::PlottedTrack track;
-  std::size_t matched = 0;  // poses; 0: not held against anything
+  std::size_t matched = 0;  // number of matched poses; 0: not compared
   double scale = 1.0;
   double rms_m = 0.0;
   double mean_m = 0.0;
@@ -42,14 +42,15 @@ struct MatchedTrack {
   double rms_deg = 0.0;
 };
 
-// As it is.
+// Returns a trajectory as it is, without alignment and errors.
 MatchedTrack TrackOf(const std::string& name, const Trajectory& poses);
-// Aligned. Throws Error where less than two poses match.
+// Aligns a trajectory with the reference and computes its errors. Throws Error if fewer than two
+// poses match.
 MatchedTrack MatchTrack(const PlotReference& reference, const PlotInput& input,
                         const PlotMatching& matching);
 
-// The moving bodies of a run, each from the first frame in which it is visible to the last, in the
-// world of the run.
+// Returns the moving bodies of a run, each from the first to the last frame in which it is visible,
+// in the world of the run.
 std::vector<reports::PlottedBody> MovingBodies(const PlotInput& run);
 
 }  // namespace cvo

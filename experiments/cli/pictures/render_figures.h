@@ -10,8 +10,8 @@
 
 namespace cvo {
 
-// "<id>.svg" or "<id>.pdf" of each, by the browser; `format` is "svg" or "pdf". Throws Error as
-// Browser.
+// Renders each figure in the browser, as "<id>.svg" or "<id>.pdf"; `format` is "svg" or "pdf".
+// Throws Error as Browser.
 std::vector<NamedContent> RenderFigures(const std::vector<reports::Figure>& figures,
                                         const std::string& format);
 

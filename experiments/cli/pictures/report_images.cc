@@ -21,16 +21,15 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxPageBytes = 14'500'000;
-constexpr std::size_t kMaxImageBytes =
-    4'500'000;                                // of all images of a page, which base64 makes 6 MB
-constexpr std::size_t kMinBytes = 1'000'000;  // what is left for them where runs are long
-constexpr std::size_t kTypicalImageBytes = 12'000;  // of one
-constexpr int kAllWidth = 640;                      // of the images beside the page, pixels
+constexpr std::size_t kMaxImageBytes = 4'500'000;   // all images of a page, 6 MB in base64
+constexpr std::size_t kMinBytes = 1'000'000;        // left for images even if runs are long
+constexpr std::size_t kTypicalImageBytes = 12'000;  // one image
+constexpr int kAllWidth = 640;                      // pixels, of the images stored beside the page
 constexpr int kAllQuality = 80;
 constexpr int kMinFrames = 8;
 constexpr int kMaxFrames = 150;
 
-// Leaves out scenes, the last first, until there is room for images; how many bytes of images.
+// Drops scenes from the end until there is room for images. Returns the number of bytes for images.
 std::size_t MakeRoom(reports::PageContent& content) {
   constexpr std::size_t kMinBase64 = kMinBytes / 3 * 4;
   std::size_t size = reports::PageHtml(content).size();
@@ -52,7 +51,7 @@ reports::ThumbnailOptions OptionsFor(std::size_t most_bytes, int every, std::siz
   return options;
 }
 
-// Throws Error where there is nothing to draw.
+// Throws Error if there is nothing to draw.
 reports::OverlayRun ReadDrawn(const fs::path& run_folder) {
   if (!fs::exists(run_folder / "landmarks.csv")) {
     throw Error("the run has no landmarks.csv, so its images are not shown");
@@ -102,7 +101,7 @@ std::vector<NamedContent> DrawAll(const fs::path& run_folder) {
   return files;
 }
 
-// Names of a suite need not be valid file names: the number keeps similar ones distinct.
+// Names in a suite need not be valid file names; the number keeps similar ones distinct.
 std::string FolderName(std::size_t index, const reports::PlannedRun& run) {
   return StrCat(index, "-", reports::Slug(reports::KeyOf(run, "sequence")), "-",
                 reports::Slug(reports::KeyOf(run, "variant")));

@@ -8,12 +8,13 @@
 
 namespace cvo {
 
-// Gives the scenes of a page that want them the drawn left images of every `every`-th frame; 0: as
-// many as fit into the page. A scene whose images are not there says why. `folder`: of the suite.
+// Adds to each scene of a page that wants images the drawn left images of every `every`-th frame;
+// 0: of as many as fit into the page. Removes scenes from the end of a page that leaves no room for
+// images. A scene whose images are missing states the reason. `folder`: of the suite.
 void AddSceneImages(const std::filesystem::path& folder, int every, reports::PageContent& content);
 
-// Writes every drawn left image of every scene to `out`/images/<run>/, 640 pixels wide at most, and
-// tells the scenes so. A scene whose images are not there is left as it is.
+// Writes every drawn left image of every scene to `out`/images/<run>/, at most 640 pixels wide, and
+// enters this folder in the scene. A scene whose images are missing states the reason.
 void WriteAllImages(const std::filesystem::path& folder, const std::filesystem::path& out,
                     reports::PageContent& content);
 

@@ -32,7 +32,8 @@ std::filesystem::path LabelsOf(const reports::OverlayRun& run, const std::filesy
   return given.empty() ? std::filesystem::path(run.detail.paths.labels.value_or("")) : given;
 }
 
-// What is given; else what the run read, as it says itself, then what its folder may have.
+// Candidate sources of the run's boxes: `given` if it names a file, otherwise the file that the run
+// says it read, then whatever its folder may contain.
 std::vector<BoxSources> SourcesOf(const reports::OverlayRun& run, const BoxSources& given) {
   if (!given.detections.empty()) return {given};
   const reports::RunPaths& paths = run.detail.paths;
@@ -48,7 +49,7 @@ std::vector<BoxSources> SourcesOf(const reports::OverlayRun& run, const BoxSourc
   return sources;
 }
 
-// The box of a detection, with the cluster that it was associated with.
+// Returns the box of a detection, with the cluster that it was associated with, if any.
 reports::PixelBox WithCluster(const ImageBox& box,
                               const std::map<int, std::vector<reports::PixelBox>>& associated,
                               int frame) {
@@ -109,7 +110,7 @@ std::optional<Sequence> FindDetections(const std::string& folder, const reports:
       sequence = OpenSequence(request);
     } catch (const Error&) {
       if (!given.detections.empty()) throw;
-      continue;  // a folder without this level, or files that have moved
+      continue;  // the folder lacks this level, or files have moved
     }
     if (DetectionsHash(*sequence) == run.sequence.detections_hash) return sequence;
   }
@@ -126,7 +127,7 @@ std::optional<Sequence> FindLabelled(const std::string& folder, const reports::O
   try {
     return OpenSequence(request);
   } catch (const Error&) {
-    return std::nullopt;  // what needs it says so itself
+    return std::nullopt;  // callers that need it report this themselves
   }
 }
 
@@ -141,7 +142,8 @@ std::vector<std::vector<Detection>> DetectionsOf(const Sequence& sequence,
 }
 
 bool AdoptDetections(const std::optional<Sequence>& sequence, reports::OverlayRun& run) {
-  // Boxes of another camera were moved by what the run saw in them.
+  // The run moved boxes of another camera by the depth of the features in them, which is not known
+  // here.
   if (!sequence || sequence->detections_offset_m != 0.0) return false;
   const auto associated = std::exchange(run.detections, {});
   const auto frames = DetectionsOf(*sequence, run.classes);

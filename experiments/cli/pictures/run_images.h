@@ -14,36 +14,39 @@
 
 namespace cvo {
 
-// The left images that a run was made of.
+// The left images of a run.
 class RunImages {
  public:
-  // `folder`: of the sequence; empty: where the run found it. Throws Error where it is not there
-  // any more, or has other frames or another camera.
+  // `folder`: of the sequence; empty: where the run found it. Throws Error if the folder no longer
+  // exists, lacks frames of the run or has images of another size.
   RunImages(const reports::OverlayRun& run, const std::string& folder);
 
-  // Grey, counted in the folder. Empty where the image cannot be decoded.
+  // Returns the grey image of a frame, as numbered in the sequence's folder. Empty if the image
+  // cannot be decoded.
   cv::Mat Left(int frame) const;
 
  private:
   Sequence sequence_;
 };
 
-// The sequence of a run with the boxes that it was given: those of the file `given`, else those
-// that the run read, a level of the scene, or its labels; empty where none are the run's. Throws
-// Error for a file that is given and holds others.
+// Opens the sequence of a run with the detections that the run was given: those of the file
+// `given`, otherwise those of the file that the run read, of a detector level of the scene or of
+// the labels, whichever has the hash in the result. Empty if none of them has. Throws Error if a
+// file is given and has other detections.
 std::optional<Sequence> FindDetections(const std::string& folder, const reports::OverlayRun& run,
                                        const BoxSources& given = {});
 
-// The sequence of a run with its truth, without detections; empty where it cannot be read.
+// Opens the sequence of a run with its ground truth, without detections. Empty if it cannot be
+// read.
 std::optional<Sequence> FindLabelled(const std::string& folder, const reports::OverlayRun& run,
                                      const std::filesystem::path& labels_file);
 
-// By frame, of the classes.
+// Returns the detections of these classes, by frame.
 std::vector<std::vector<Detection>> DetectionsOf(const Sequence& sequence,
                                                  const std::vector<std::string>& classes);
 
-// All boxes of FindDetections in place of those alone that a cluster was associated with. False
-// where they were not found, or are of another camera.
+// Replaces the detections of the run, which are only those associated with a cluster, by all that
+// FindDetections found. Returns false if there are none or if they are of another camera.
 bool AdoptDetections(const std::optional<Sequence>& sequence, reports::OverlayRun& run);
 
 }  // namespace cvo

@@ -44,7 +44,8 @@ int WriteBaseline(const CheckFlags& flags) {
   return 0;
 }
 
-// How much of an estimator the gate would miss: each variant of the folder in place of another.
+// Checks which losses the gate would miss: each variant of the folder takes the place of the given
+// variant of the baseline.
 int CheckPower(const CheckFlags& flags) {
   const std::vector<reports::LostPart> parts = reports::CheckInPlaceOf(
       flags.in_place_of, flags.folder, reports::ReadBaseline(flags.baseline), flags.exact);

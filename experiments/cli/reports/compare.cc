@@ -42,7 +42,7 @@ void PrintRuns(const RunComparison& comparison) {
   if (builds.size() > 1) std::cout << "the runs are of different builds of the program\n";
 }
 
-// As many as have room; --json has none of them left out.
+// Prints at most kMost options; --json contains all of them.
 void PrintOptions(const RunComparison& comparison) {
   constexpr std::size_t kMost = 12;
   std::set<std::string> paths;

@@ -36,7 +36,7 @@ struct ExplainFlags {
   bool quiet = false;
 };
 
-// What is read of the run.
+// Everything that is read from the run.
 struct ExplainedRun {
   reports::OverlayRun run;
   reports::LandmarksByFrame landmarks;
@@ -50,8 +50,8 @@ struct ExplainedRun {
   }
 };
 
-// Frames in which a detection shows each body, by body. Empty where the boxes or the true ones are
-// not known.
+// For each body, whether a detection shows it, by frame. Empty if the run's boxes or the true boxes
+// are not known.
 std::map<int, reports::Detected> DetectedBodies(const std::optional<Sequence>& sequence,
                                                 const std::vector<std::string>& classes) {
   std::map<int, reports::Detected> detected;
@@ -76,7 +76,7 @@ std::map<int, reports::Detected> DetectedBodies(const std::optional<Sequence>& s
   return detected;
 }
 
-// The true boxes of a body, by frame; empty where its sequence or its boxes are not there.
+// The true boxes of a body, by frame. Empty if its sequence or the true boxes are missing.
 std::map<int, reports::PixelBox> TrueBoxesOf(const ExplainFlags& flags, const ExplainedRun& read,
                                              int body) {
   std::map<int, reports::PixelBox> found;
@@ -110,7 +110,8 @@ ExplainedRun ReadExplained(const ExplainFlags& flags) {
     ThrowError(flags.run, "no ground truth of bodies", "a run on a sequence that has it");
   }
   read.sequence = FindDetections(flags.sequence, read.run, flags.boxes);
-  // Boxes of another camera are a few pixels off, which does not hide whose they are.
+  // Boxes of another camera are a few pixels off, which does not change the body they are assigned
+  // to.
   read.detected = DetectedBodies(read.sequence, read.run.classes);
   AdoptDetections(read.sequence, read.run);
   if (!read.sequence && read.run.sequence.detections > 0) {
@@ -130,7 +131,7 @@ const reports::BodyDetail& FindBodyNamed(const std::string& name,
   ThrowError("BODY", Quoted(name) + DidYouMean(name, names), "one of " + Joined(names, ", "));
 }
 
-// One line per body, those with most that is wrong first.
+// Prints one line per body, those with the most wrong frames first.
 void PrintBodies(const ExplainedRun& read) {
   std::vector<reports::BodyStory> stories;
   for (const reports::BodyDetail& body : read.run.detail.bodies) {

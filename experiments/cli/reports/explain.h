@@ -11,19 +11,20 @@
 
 namespace cvo {
 
-// A body in a run with a part of the truth given.
+// Result for one body of a run that was given a part of the ground truth.
 struct OracleResult {
   std::string oracle;  // "true boxes"
   int judged = 0;
   int estimated = 0;
-  int good = 0;  // within reports::kGoodError_m
+  int good = 0;  // error of at most reports::kGoodError_m
   std::optional<double> ate_m;
 };
 
 OracleResult ResultOf(const std::string& oracle, const reports::BodyDetail& body);
 
-// Runs the sequence again as `run_folder` says, with each of boxes, labels and camera given. Empty
-// where it was stopped. Throws Error for a run that cannot be repeated.
+// Repeats the run in `run_folder` with true boxes, with true labels and with the true camera.
+// Returns the results for the body, one per repetition, or nothing if stopped. Throws Error for a
+// run that cannot be repeated.
 std::optional<std::vector<OracleResult>> TryOracles(const std::string& run_folder,
                                                     const Sequence& sequence, int body, int threads,
                                                     bool quiet);

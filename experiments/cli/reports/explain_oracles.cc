@@ -26,7 +26,7 @@ Options OptionsOf(const reports::RunSummary& run, const VariantInfo& variant) {
   return options;
 }
 
-// With what the run was given already.
+// The switch `name`, in addition to those that the run already had.
 OracleSwitches With(const char* name, const reports::RunSummary& run) {
   OracleSwitches switches = ParseOracle(name);
   for (const Json& given : run.given.value("oracle", Json::array())) {
@@ -48,7 +48,7 @@ OracleResult ResultOf(const std::string& oracle, const reports::BodyDetail& body
   for (const reports::BodyPosition& position : body.estimated) {
     result.good += position.error_m <= reports::kGoodError_m ? 1 : 0;
   }
-  // One pose is aligned without an error.
+  // The ATE of a single pose is zero by alignment.
   if (body.estimated.size() > 1) {
     result.ate_m = RootMeanSquare(body.estimated, &reports::BodyPosition::error_m);
   }

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The folder's own name, also of "results/ci/" and ".".
+// Absolute path that ends in the folder's own name, also for "results/ci/" and ".".
 fs::path Named(const std::string& folder) {
   fs::path path = fs::absolute(folder).lexically_normal();
   return path.has_filename() ? path : path.parent_path();

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of the table, where a run has them.
+// Metrics of the table, if any of the runs has them.
 constexpr std::array<const char*, 8> kTableMetrics = {
     "camera_ate",      "camera_trpe_1_frame", "object_ate",       "object_success_10cm",
     "object_coverage", "object_id_switches",  "moving_precision", "moving_recall"};

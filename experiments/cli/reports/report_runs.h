@@ -8,8 +8,9 @@
 
 namespace cvo {
 
-// Makes `folder` look as if a suite of these runs, of one sequence, had been run to it. Throws
-// Error for a folder without a run, runs of different sequences and the same run twice.
+// Makes `folder` look like the output folder of a suite of these runs, which must be on one
+// sequence. Throws Error for a folder without a run, for runs on different sequences and for a run
+// given twice.
 void MakeSuiteOfRuns(const std::vector<std::string>& runs, const std::filesystem::path& folder);
 
 }  // namespace cvo

@@ -9,13 +9,13 @@
 
 namespace cvo {
 
-// The estimator's options at their defaults, as nested JSON.
+// The default values of the estimator's options, as nested JSON.
 std::string DefaultOptions();
 
-// Makes the table of the folder that a suite is run to and prints it; in a terminal also writes
-// table.json and table.md there, unless rows are compared with another one (MakeTable) than the
-// suite says. 0: all that can run has run; 1: some jobs failed or did not run
-// yet. Throws Error without a plan.
+// Makes and prints the table of a suite's output folder. In the terminal format, also writes
+// table.json and table.md there, unless `compared_with` names another reference row than the
+// suite's (see MakeTable). Returns 0 if all jobs that can run have run, 1 if some failed or have
+// not run yet. Throws Error if there is no plan.
 int OutputSuiteTable(const std::filesystem::path& folder, const TableFormat& format,
                      const std::string& compared_with = "");
 

@@ -18,7 +18,7 @@
 namespace cvo {
 namespace {
 
-// Characters per line of the terminal; 0 where it does not say.
+// Characters per line of the terminal; 0 if unknown.
 std::size_t TerminalWidth() {
   winsize size{};
   return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
@@ -71,7 +71,7 @@ void OutputTable(const reports::Table& table, const TableFormat& format,
   if (!format.Terminal()) after.clear();
   if (format.output.empty()) {
     std::cout.flush();
-    std::fputs(text.c_str(), stdout);  // with its own terminal codes, which CleanOutput takes away
+    std::fputs(text.c_str(), stdout);  // not std::cout: CleanOutput removes terminal codes
     std::cout << after;
     return;
   }

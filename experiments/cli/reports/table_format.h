@@ -15,19 +15,19 @@ namespace cvo {
 struct TableFormat {
   std::string format = "terminal";
   std::string output;   // a file; empty: standard output
-  bool bare = false;    // of LaTeX and HTML the table alone, to be put into a document
-  bool longer = false;  // of CSV one record per cell
+  bool bare = false;    // LaTeX, HTML: only the table, for embedding in a document
+  bool longer = false;  // CSV: one record per cell
 
   bool Terminal() const { return format == "terminal"; }
 };
 
 void AddTableFormat(CLI::App& app, TableFormat& format);
 
-// Throws an error of the command line where flags do not go together.
+// Throws a command-line error if the flags do not go together.
 void CheckTableFormat(const TableFormat& format);
 
-// Prints the table or writes it to its file, which must not be one of `read`, and says so. `after`:
-// what follows it in a terminal.
+// Prints the table, or writes it to its file, which must not be one of `read`, and reports the
+// file's name. `after`: text that follows the table in the terminal format.
 void OutputTable(const reports::Table& table, const TableFormat& format,
                  const std::vector<std::filesystem::path>& read, std::string after = "");
 

@@ -32,7 +32,8 @@ struct DetectFlags {
   int threads = 1;
 };
 
-// "960x320"; a network's layers halve it up to five times.
+// Parses an input size such as "960x320". The network's layers halve it up to five times, so both
+// must be multiples of 32.
 cv::Size ParseInput(const std::string& text) {
   constexpr int kStep_px = 32;
   constexpr std::int64_t kMost_px = 4096;
@@ -51,7 +52,7 @@ cv::Size ParseInput(const std::string& text) {
   return {static_cast<int>(*width), static_cast<int>(*height)};
 }
 
-// A row of KITTI tracking results without track, 3D box and angles.
+// A row in the format of KITTI tracking results, without track, 3D box and angles.
 std::string Row(int frame, const Detection& detection) {
   std::string category = detection.category;
   std::replace(category.begin(), category.end(), ' ', '_');
@@ -75,7 +76,7 @@ Outcome DetectAll(const Sequence& sequence, DetectorModel& model, const Detector
   Outcome outcome;
   Progress progress(sequence.images.size(), false);
   for (std::size_t i = 0; i < sequence.images.size(); ++i) {
-    // Throws where the file cannot be read: that is no image without boxes.
+    // Throws if the file cannot be read: this must not look like an image without boxes.
     const std::string bytes = ReadFileBytes(sequence.images[i].left);
     cv::Mat image = cv::imdecode(std::vector<char>(bytes.begin(), bytes.end()), cv::IMREAD_COLOR);
     if (image.empty()) {

@@ -25,12 +25,12 @@ struct EvalFlags {
   std::string format;
   double max_time_difference_s = 1e-9 * static_cast<double>(kDefaultAssociation_ns);
   bool json = false;
-  EvalSequence sequence;  // whose own truth is used; without a folder: two files
-  EvalBoxes boxes;        // if wanted
-  EvalClock clock;        // if wanted
+  EvalSequence sequence;  // scored against its own truth; without a folder: two files
+  EvalBoxes boxes;        // scored instead, if wanted
+  EvalClock clock;        // estimated instead, if wanted
 };
 
-// Poses frame by frame of the truth.
+// True and estimated poses, one each per pose of the ground truth.
 struct PairedPoses {
   std::vector<std::optional<RigidTransform>> truth;
   std::vector<std::optional<RigidTransform>> estimate;
@@ -109,7 +109,7 @@ int EvaluateFiles(const EvalFlags& flags) {
   return 0;
 }
 
-// Two files, a sequence and its estimate, or boxes: each has flags of its own.
+// Checks that all flags belong to the same mode: two files, a sequence and an estimate, or boxes.
 void CheckUsage(const CLI::App& app, const EvalFlags& flags) {
   const auto refuse = [&](const std::string& flag, const char* why) {
     if (app.count(flag) > 0) throw CLI::ValidationError(flag, why);

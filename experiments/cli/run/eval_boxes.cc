@@ -31,7 +31,7 @@ struct ApOfSpace {
   }
 };
 
-// What `eval --tracking --json` prints; the overlap is the similarity.
+// What `eval --tracking --json` prints. The overlap is used as the similarity.
 struct TrackingOfSpace {
   BoxSpace overlap = BoxSpace::kImage;
   HotaScores hota;
@@ -47,7 +47,7 @@ struct TrackingOfSpace {
   }
 };
 
-// Boxes without any 3D box are of a detector in the image.
+// If there is no 3D box at all, the boxes come from a 2D detector and are only scored in the image.
 std::vector<BoxSpace> SpacesOf(const std::vector<ApFrame>& frames) {
   const bool has_3d = std::any_of(frames.begin(), frames.end(), [](const ApFrame& frame) {
     return std::any_of(frame.detections.begin(), frame.detections.end(),
@@ -148,7 +148,7 @@ void Print(const char* kind, const char* key, const std::vector<ApFrame>& frames
   Print(scores, std::cout);
 }
 
-// Flags that apply to average precision alone.
+// Flags that only apply to average precision.
 constexpr std::array<const char*, 3> kOfAp = {"--iou", "--truncation", "--dontcare"};
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace cvo {
 
-// clustervo eval --clock-offset: how far the clock of the ground truth is ahead.
+// clustervo eval --clock-offset: estimates how far the clock of the ground truth is ahead.
 struct EvalClock {
   std::optional<double> most_s;
 
@@ -18,8 +18,8 @@ struct EvalClock {
   void AddTo(CLI::App& app);
 };
 
-// Print the offset, or JSON with `json`: of two TUM files, and of a sequence and an estimate of its
-// camera.
+// Print the offset, as JSON if `json`. The first compares two TUM files, the second a sequence and
+// an estimate of its camera trajectory.
 int EvaluateClock(const EvalClock& eval, const std::string& groundtruth,
                   const std::string& estimate, bool json);
 int EvaluateClock(const EvalClock& eval, const SequenceRequest& request,

@@ -34,7 +34,8 @@ std::string HashSequence(const Sequence& sequence) {
   return ContentHash(sequence, images);
 }
 
-// The result of a run would be lost, and the files beside it be taken for the system's.
+// Throws Error for the folder of a run: its result would be lost, and its other files would be
+// taken for those of the system.
 void RefuseRunFolder(const fs::path& folder) {
   for (const std::string& name : RunFileNames()) {
     if (name == kResult || !fs::exists(folder / name)) continue;
@@ -107,7 +108,7 @@ int EvaluateSequence(const EvalSequence& eval, const std::string& estimate, bool
   const std::string name = eval.name.empty() ? fs::path(estimate).stem().string() : eval.name;
   SystemRequest request{sequence, "", {name, estimate, eval.objects}, 0, eval.right_shift_px};
   if (json || output) {
-    ReadSystem(sequence, request.files);  // bad files show before the images are hashed
+    ReadSystem(sequence, request.files);  // reports bad files before the images are hashed
     request.content = HashSequence(sequence);
   }
   const SystemOutcome outcome =

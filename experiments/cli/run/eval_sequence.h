@@ -10,7 +10,8 @@
 
 namespace cvo {
 
-// clustervo eval --sequence: what another system made of a sequence, against its truth.
+// clustervo eval --sequence: scores the results of another system on a sequence against its ground
+// truth.
 struct EvalSequence {
   SequenceFlags flags;
   std::string objects;
@@ -19,11 +20,11 @@ struct EvalSequence {
   double right_shift_px = 0.0;
 
   void AddTo(CLI::App& app);
-  // Of the flags that mean nothing without --sequence.
+  // Names of the flags that have no meaning without --sequence.
   static std::vector<std::string> FlagNames();
 };
 
-// Prints the scores, or result.json with `json`; writes it where there is an output folder.
+// Prints the scores, or result.json if `json`. Writes result.json if an output folder is given.
 int EvaluateSequence(const EvalSequence& eval, const std::string& estimate, bool json);
 
 }  // namespace cvo

@@ -8,9 +8,10 @@
 
 namespace cvo {
 
-// Throws UsageError where the folder holds the result of another run than the request's, whatever
-// build made it, or a landmarks.csv that the request does not ask for: a run would replace them.
-// Reads the sequence's images where nothing else tells the two apart.
+// Throws UsageError if the folder contains the result of a run other than the requested one,
+// whichever build made it, or a landmarks.csv that the request does not ask for, because the new
+// run would replace them. Reads the images of the sequence only if nothing else distinguishes the
+// two runs.
 void CheckFormerRun(const RunRequest& request, const std::filesystem::path& folder);
 
 }  // namespace cvo

@@ -62,7 +62,7 @@ std::vector<std::string> Warnings(const Sequence& sequence, const std::optional<
   return lines;
 }
 
-// The detectors of a rendered scene, of which --detections names one.
+// The detector levels of a rendered scene, one of which --detections may name.
 std::vector<std::string> LevelsOf(const Sequence& sequence) {
   std::vector<std::string> levels;
   std::error_code none;
@@ -79,7 +79,8 @@ std::string DetectionsText(const Sequence& sequence) {
                 levels.empty() ? "" : "; --detections has " + Joined(levels, ", "));
 }
 
-// These data sets state no times, nor do images whose import says so.
+// Whether the frame rate is assumed: the data set states no times, or the record of the import says
+// so.
 bool HasAssumedRate(const Sequence& sequence) {
   if (sequence.is_rate_assumed) return true;
   const fs::path import = sequence.folder / kImportRecord;
@@ -94,7 +95,7 @@ std::string RateText(const Sequence& sequence) {
                 ReadableNumber(rate.longest_gap_s), " s");
 }
 
-// Rectified images have what they both show in the same row.
+// In rectified images, corresponding points lie in the same row.
 std::string RowsText(const PairCheck& pair) {
   return StrCat(ReadableNumber(pair.row_error_px), " px (median of ", pair.matches.size(),
                 " matches in frame ", pair.frame, "); median disparity ",
@@ -163,7 +164,7 @@ void PrintInfo(const Sequence& sequence, const std::optional<PairCheck>& pair) {
   table.Print(std::cout);
 }
 
-// Several sequences below the folder: their list.
+// Lists the sequences found below a folder.
 int ListSequences(const std::vector<FoundSequence>& found, bool json) {
   if (json) {
     Json list = Json::array();

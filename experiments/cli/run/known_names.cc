@@ -24,7 +24,7 @@ bool IsFamilySeed(const std::string& name) {
   });
 }
 
-// Names of folders, or of files without their ends.
+// Sorted names of the folders in a folder, or of its files without their extensions.
 std::vector<std::string> NamesIn(const fs::path& folder, bool folders) {
   std::vector<std::string> names;
   std::error_code none;

@@ -10,7 +10,7 @@
 
 namespace cvo {
 
-// What `load` returns. Where `name` is no file, an Error of it is wrong usage: UsageError.
+// Returns load(). If `name` is not a file, an Error thrown by load() is wrong usage: UsageError.
 template <typename Load>
 auto LoadNamed(const std::string& name, const Load& load) {
   try {
@@ -22,14 +22,15 @@ auto LoadNamed(const std::string& name, const Load& load) {
   }
 }
 
-// As FindVariant; UsageError with the nearest names where there is none.
+// Like FindVariant, but throws UsageError with the nearest names if there is no such variant.
 const VariantInfo& VariantNamed(const std::string& name);
 
-// Throws UsageError for a folder that is not there: with the command that renders it, where it has
-// the name of a scene or of a seed of a family, else with names near it.
+// Throws UsageError if the folder does not exist. The message gives the command that renders it if
+// it has the name of a scene or of a seed of a family, otherwise similar names.
 void CheckSequenceFolder(const std::filesystem::path& folder);
 
-// Throws Error for what is neither a file nor a level of the sequence's scene, "labels" or "none".
+// Throws Error unless `detections` is empty, a file, a detector level of the sequence's scene,
+// "labels" (see AreFromLabels) or "none".
 void CheckDetections(const std::string& detections, const std::filesystem::path& folder);
 
 }  // namespace cvo

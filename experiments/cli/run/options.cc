@@ -20,7 +20,7 @@ std::string Range(const OptionLeaf& leaf) {
 
 std::string DefaultText(const OptionLeaf& leaf) {
   std::string text = DumpJson(ValueToJson(leaf));
-  text.pop_back();  // the line end
+  text.pop_back();  // the newline
   return text;
 }
 

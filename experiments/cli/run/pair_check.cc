@@ -13,10 +13,11 @@
 namespace cvo {
 namespace {
 
-// The keypoint that looks most like this one; nullptr where another is about as near.
+// Returns the keypoint that looks most like this one; nullptr if none is similar enough or another
+// is about as similar.
 const OrbKeypoint* MostAlike(const OrbKeypoint& keypoint, const std::vector<OrbKeypoint>& others) {
   constexpr int kFarthest = 64;        // of 256 bits
-  constexpr double kUniqueness = 0.8;  // best / second best distance
+  constexpr double kUniqueness = 0.8;  // best / second-best distance
   int best = 257;
   int second = 257;
   const OrbKeypoint* alike = nullptr;
@@ -70,7 +71,7 @@ cv::Mat PairCheck::Picture() const {
   cv::Mat picture;
   cv::hconcat(left, right, picture);
   cv::cvtColor(picture, picture, cv::COLOR_GRAY2BGR);
-  constexpr int kShift = 3;  // of a pixel's parts in OpenCV's coordinates
+  constexpr int kShift = 3;  // fractional bits of OpenCV's coordinates
   const auto at = [&](double u_px, double v_px) {
     return cv::Point(static_cast<int>(std::lround(u_px * (1 << kShift))),
                      static_cast<int>(std::lround(v_px * (1 << kShift))));

@@ -57,7 +57,7 @@ void PrintProblems(const RunResult& run) {
   }
 }
 
-// By how much u_right is off, as the mean over the image and from where to where.
+// Prints by how much u_right is too large: the mean over the image, and the range.
 void PrintCalibration(const Sequence& sequence, const RunResult& run) {
   const std::optional<CalibrationReport> calibration = LastCalibration(run);
   if (!calibration) return;
@@ -98,7 +98,7 @@ void PrintSummary(const Sequence& sequence, const JobOutcome& outcome, bool all)
   PrintScores(outcome.scores, all, std::cout);
 }
 
-// A trajectory of predicted poses is none, whatever its files look like.
+// Throws Error if most poses are predicted: this is not a trajectory, whatever its files look like.
 void RefuseLost(const Sequence& sequence, const RunResult& run) {
   const auto lost = std::count_if(run.frames.begin(), run.frames.end(), [](const auto& frame) {
     return frame.report.status == FrameStatus::kLost;
@@ -109,10 +109,10 @@ void RefuseLost(const Sequence& sequence, const RunResult& run) {
   throw Error(run.message + (problem.empty() ? "" : ": " + problem));
 }
 
-// What earlier runs left for this one, and how it says what it goes on without.
+// Opens the cache of earlier runs. Its notices report what it has to do without.
 JobCache OpenCache(const Flags& flags, std::size_t frames) {
   FileHashHooks hooks;
-  // Over the progress bar, where there is one.
+  // Overwrites the progress bar, if there is one.
   const char* start = ::isatty(STDERR_FILENO) ? "\r\033[K" : "";
   hooks.notice = [start](const std::string& line) {
     std::fputs(start, stderr);
@@ -128,7 +128,7 @@ JobCache OpenCache(const Flags& flags, std::size_t frames) {
 }
 
 int Run(const Flags& flags) {
-  if (!flags.cache_size.empty()) (void)CacheLimit(flags.cache_size);  // without --cache, too
+  if (!flags.cache_size.empty()) (void)CacheLimit(flags.cache_size);  // even without --cache
   const VariantInfo& variant = VariantNamed(flags.variant);
   const Options options = flags.run.Resolve(variant.defaults());
   const std::vector<std::string> classes =

@@ -11,7 +11,7 @@
 
 namespace cvo {
 
-// The flags that say how an estimator runs, whatever it runs on.
+// Flags that control how an estimator runs, independent of its input.
 struct RunFlags {
   std::string config;
   std::vector<std::string> set;
@@ -19,20 +19,21 @@ struct RunFlags {
   bool quiet = false;
 
   void AddTo(CLI::App& app);
-  // The defaults, --config, then --set. Throws Error for an option that cannot be.
+  // Returns the defaults, overridden by --config and then by --set. Throws Error for an invalid
+  // option.
   Options Resolve(const Options& defaults) const;
 };
 
-// Throws UsageError for a folder where the flag means a file.
+// Throws UsageError if a folder was given to a flag that takes a file.
 void CheckNoFolder(const char* flag, const std::string& file);
 
-// -q, and --threads with the number of CPUs as its default: what every long command has.
+// Add -q, and --threads with the number of CPUs as its default. Every long command has them.
 void AddQuiet(CLI::App& app, bool& quiet);
 void AddThreads(CLI::App& app, int& threads);
 // The number of CPUs.
 int DefaultThreads();
 
-// "--seed N" exactly as written: the parser itself would wrap, saturate or read octal.
+// Parses the value of --seed exactly: the flag parser itself would wrap, saturate or read octal.
 std::uint64_t ParseSeed(const std::string& text);
 
 }  // namespace cvo

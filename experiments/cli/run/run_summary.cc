@@ -17,14 +17,14 @@ namespace {
 
 const std::string kNone = "-";
 
-// "camera_causal_ate" is "camera_ate".
+// Returns "camera_ate" for "camera_causal_ate".
 std::string WithoutCausal(const std::string& name) {
   reports::MetricForm form = reports::FindForm(name).value();
   form.causal = false;
   return reports::MetricName(form);
 }
 
-// What is said of a run first.
+// Whether the metric is printed by default.
 bool IsKeyMetric(const std::string& name) {
   constexpr std::array<std::string_view, 8> kKey = {
       "camera_ate",          "camera_trpe_1_frame", "camera_rrpe_1_frame", "object_ate",

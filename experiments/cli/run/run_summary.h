@@ -12,19 +12,20 @@
 
 namespace cvo {
 
-// One line: how many boxes the estimator was given, and why others were left out. Nothing if
-// none were asked for. A second one where scores are 0 or negative, as margins are.
+// Prints in one line how many boxes the estimator was given and why others were left out, or
+// nothing if no boxes were requested. A second line warns if some scores are negative, as margins
+// are.
 void PrintDetections(const Sequence& sequence, const DetectionCounts& counts, std::ostream& out);
 
-// Metrics side by side with refined and with causal poses, the eight that matter most or all, then
-// a line per body.
+// Prints the metrics of refined and causal poses side by side, either all or the eight most
+// important, then a line per body.
 void PrintScores(const RunScores& scores, bool all, std::ostream& out);
 
-// A line per body that is visible in some frame; the metrics are theirs.
+// Prints a line per body that is visible in some frame. `metrics`: those of these bodies.
 void PrintBodies(const std::vector<BodyScore>& bodies, const std::vector<Metric>& metrics,
                  std::ostream& out);
 
-// Name, value, unit and number of errors, one metric per line.
+// Prints one metric per line: name, value, unit and number of errors.
 void PrintMetrics(const std::vector<Metric>& metrics, std::ostream& out);
 
 }  // namespace cvo

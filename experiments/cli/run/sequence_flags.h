@@ -16,7 +16,7 @@ namespace cvo {
 inline constexpr const char* kSequenceMissing =
     "no sequence: give a folder, or --left, --right and --calib";
 
-// The flags that say which sequence to read, and which part of it.
+// Flags that select the sequence to read, and the part of it.
 struct SequenceFlags {
   std::string folder;
   std::string type;
@@ -31,27 +31,27 @@ struct SequenceFlags {
   int detections_camera = -1;
   double min_score = -1e300;
   std::optional<double> right_shift_px;
-  StereoImport stereo;  // in place of the folder, where --left is given
+  StereoImport stereo;  // instead of the folder, if --left is given
 
   void AddTo(CLI::App& app);
-  // --type and --layout.
+  // Adds --type and --layout.
   void AddLayoutTo(CLI::App& app);
-  // Those alone that say which part is read and what is true of it; the folder and --groundtruth
-  // are left to the caller.
+  // Adds only the flags that select the part to read and its ground truth. The caller provides the
+  // folder and --groundtruth.
   void AddTruthTo(CLI::App& app);
-  // Images of --left and --right become a sequence in the cache first, unless `quiet` with progress
-  // on stderr.
-  // Throws Error for a range of frames that is none, UsageError where there is no sequence or two.
+  // Images given by --left and --right are first imported into the cache, with progress on stderr
+  // unless `quiet`. Throws Error for an invalid range of frames, UsageError if no sequence or both
+  // kinds of sequence are given.
   SequenceRequest Request(bool quiet = false) const;
-  // Files and folders that were named and are no part of a sequence.
+  // Files and folders that the user named and that are not part of a sequence.
   std::vector<std::filesystem::path> OwnInputs() const;
 };
 
-// --left, --right, --calib, --times and --rate.
+// Adds --left, --right, --calib, --times and --rate.
 void AddStereo(CLI::App& app, StereoImport& stereo);
-// Throws UsageError where one of the first three is missing.
+// Throws UsageError if --left, --right or --calib is missing.
 void CheckStereo(const StereoImport& stereo);
-// Its files and folders, some empty.
+// The files and folders of an import. Some paths may be empty.
 std::vector<std::filesystem::path> InputsOf(const StereoImport& stereo);
 
 void AddRightShift(CLI::App& app, std::optional<double>& right_shift_px);

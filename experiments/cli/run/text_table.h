@@ -8,14 +8,14 @@
 
 namespace cvo {
 
-// Columns of text, aligned with blanks.
+// A table of text, with columns aligned by spaces.
 class TextTable {
  public:
   explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
 
-  // As many cells as the header has.
+  // Appends a row, which must have as many cells as the header.
   void Add(std::vector<std::string> row);
-  // One line per row, the header first.
+  // Returns one line per row, the header first.
   std::vector<std::string> Lines() const;
   void Print(std::ostream& out) const;
 

@@ -16,7 +16,7 @@ namespace {
 int List() {
   TextTable table({"suite", "split", "sequences", "variants", "points", "seeds", "jobs", "about"});
   for (const ShippedSuite& shipped : ShippedSuites()) {
-    // Without its checks, for which every scene is made.
+    // Skips the checks of suites, which would build every scene.
     const Suite suite = ReadCheckedSuite(ParseJson(shipped.text, shipped.name), shipped.name);
     const std::size_t points =
         GridPoints(suite, suite.sequences.front(), suite.variants.front()).size() *

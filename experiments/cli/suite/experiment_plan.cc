@@ -30,11 +30,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A plan and what of it the output folder already has.
+// A plan, and how much of it is already done in the output folder.
 struct PlanState {
   BuiltPlan built;
   std::vector<PredictedState> outlook;
-  std::map<std::string, double> frame_times_s;  // MeasuredFrameTimes
+  std::map<std::string, double> frame_times_s;  // see MeasuredFrameTimes
 };
 
 std::optional<Plan> EarlierPlan(const SuiteFolder& folder) {
@@ -54,7 +54,7 @@ std::string FailureOf(const fs::path& file) {
   return "";
 }
 
-// A plan.json that cannot be read counts as none.
+// An earlier plan.json that cannot be read counts as none.
 PlanState FindPlanState(const Suite& suite, const PlanRequest& request, const SuiteFolder& folder) {
   PlanState state;
   state.built = BuildPlan(suite, request);
@@ -85,7 +85,7 @@ std::size_t Count(const std::vector<PredictedState>& outlook, JobState state) {
                     [state](const PredictedState& job) { return job.state == state; }));
 }
 
-// "  12 x <reason>", the reasons in the order in which they occur.
+// Prints "  12 x <reason>" for each reason, in order of first occurrence.
 void PrintReasons(const std::vector<PredictedState>& outlook, JobState state, std::ostream& out) {
   using Reason = std::pair<std::string, int>;
   std::vector<Reason> reasons;
@@ -159,7 +159,7 @@ Suite LoadSuiteOf(const Flags& flags) {
 PlanState PlanOf(const Flags& flags) {
   const Suite suite = LoadSuiteOf(flags);
   PlanRequest request = flags.suite.Request();
-  // Only worth showing where images have to be read, which is felt on a terminal.
+  // Progress is only of interest if images have to be read, and is only shown on a terminal.
   const bool quiet = flags.quiet || ::isatty(STDERR_FILENO) == 0;
   std::optional<Progress> progress;
   request.progress = [&progress, quiet](std::size_t done, std::size_t total) {
@@ -172,9 +172,10 @@ PlanState PlanOf(const Flags& flags) {
   return state;
 }
 
-// Section by section, a suite that several show once.
+// Prints the plan section by section. A suite that belongs to several sections is planned only
+// once.
 void PrintCollection(const Collection& collection, const Flags& flags) {
-  std::map<std::string, bool> planned;  // whether something of the suite is missing
+  std::map<std::string, bool> planned;  // whether input of the suite is missing
   double seconds = 0.0;
   for (const CollectionSection& section : collection.sections) {
     std::cout << section.title << '\n';

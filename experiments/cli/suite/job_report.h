@@ -9,8 +9,8 @@
 
 namespace cvo {
 
-// "80 jobs: 76 done, 2 failed, 2 with missing input", then a line for each that failed, with its
-// message and log, and for each sequence of which something is not there.
+// Prints "80 jobs: 76 done, 2 failed, 2 with missing input", then a line for each failed job, with
+// its message and log, and for each sequence with missing input.
 void PrintJobs(const SuiteFolder& folder, const Plan& plan, const std::vector<JobStatus>& status,
                std::ostream& out);
 

@@ -29,8 +29,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Frames per second of the runs of a variant, in the suites with timed_threads: others share the
-// machine and may read features from the cache.
+// Frames per second of the runs of a variant, in suites with timed_threads only: runs of other
+// suites share the machine and may read features from the cache.
 struct Speed {
   std::vector<double> frames_per_s;
   int threads = 1;
@@ -85,8 +85,8 @@ class CollectionRun {
   }
 
  private:
-  // Before the first runs. A name that is wrong is the file's fault, a value to override with is
-  // wrong usage.
+  // Checks all suites before the first one runs. A wrong name is an error in the collection's file,
+  // a wrong value of an override is a usage error.
   void CheckSuites() const {
     for (const CollectionSection& section : collection_.sections) {
       if (section.suite.empty()) continue;
@@ -104,7 +104,7 @@ class CollectionRun {
     return flags;
   }
 
-  // A suite of which nothing is on this disk has a plan, which says so, and no runs.
+  // A suite without any sequence on this disk has a plan, which says so, and no runs.
   int RunOne(const std::string& suite) {
     const SuiteRunFlags flags = FlagsOf(suite);
     if (!flags.quiet) std::cerr << "suite " << SuiteFolderName(suite) << '\n';
@@ -184,7 +184,7 @@ class CollectionRun {
   const Collection& collection_;
   const SuiteRunFlags& flags_;
   fs::path root_;
-  std::map<std::string, std::string> ran_;  // why a suite has no runs, empty where it has
+  std::map<std::string, std::string> ran_;  // why a suite has no runs; empty if it has
   std::map<std::string, Speed> speeds_;     // by variant
 };
 

@@ -7,9 +7,9 @@
 
 namespace cvo {
 
-// Runs the suites of a collection, each to a folder of its name below the output folder, and writes
-// index.html there. The exit code is 0 where all that can run has run: a suite without any sequence
-// on this disk is no failure. Throws Error as RunSuite.
+// Runs the suites of a collection, each to a folder with its name below the output folder, and
+// writes index.html there. Returns 0 if all jobs that can run have run; a suite without any
+// sequence on this disk is not a failure. Throws Error as RunSuite.
 int RunCollection(const Collection& collection, const SuiteRunFlags& flags);
 
 }  // namespace cvo

@@ -36,7 +36,7 @@ struct Stopped {};
 std::vector<fs::path> ReadBy(const SuiteFlags& suite) {
   const PlanRequest request = suite.Request();
   std::vector<fs::path> read = {request.data, request.cache};
-  if (fs::is_regular_file(suite.suite)) read.emplace_back(suite.suite);  // else a shipped one
+  if (fs::is_regular_file(suite.suite)) read.emplace_back(suite.suite);  // else a shipped suite
   return read;
 }
 
@@ -45,7 +45,7 @@ OutputFolder OpenSuiteOutput(const SuiteFlags& flags, const std::string& suite) 
   return OpenOutput(flags.output, {"plan.json", "jobs/", "failed/", "logs/"}, ReadBy(flags));
 }
 
-// One after the other, each stage with a bar of its own.
+// Progress of one stage, with a bar that appears with the first report.
 class StageProgress {
  public:
   StageProgress(bool quiet, const ProgressUnit& unit) : quiet_(quiet), unit_(unit) {}
@@ -65,7 +65,7 @@ class StageProgress {
   std::optional<Progress> progress_;
 };
 
-// Jobs whose time counts must not run beside others.
+// Jobs whose times are measured must not run in parallel.
 EngineFlags EngineOf(EngineFlags flags, const Suite& suite) {
   if (suite.timed_threads == 0) return flags;
   if (flags.jobs > 1)
@@ -90,12 +90,12 @@ class SuiteRun {
   int Run() {
     BuiltPlan built = MakePlan();
     Messages messages;
-    // Boxes are found in scenes that were rendered before.
+    // This repeats because boxes can only be detected in scenes that were rendered before.
     for (std::set<std::string> tried; AddNew(built.preparations, tried);) {
       WritePlan(built.plan);
       Prepare(built.preparations, messages);
       built = MakePlan();
-      // What was made elsewhere may be late.
+      // Files made on other machines may become visible late.
       for (double late_s = 0.0;
            messages.empty() && HasTried(built.preparations, tried) && late_s < engine_->latency_s();
            late_s += 1.0) {
@@ -115,7 +115,7 @@ class SuiteRun {
   }
 
  private:
-  // Of what could not be made, by sequence.
+  // Why the input of a sequence could not be made, by sequence.
   using Messages = std::map<std::string, std::string>;
 
   static bool HasTried(const std::vector<Preparation>& preparations,
@@ -123,7 +123,7 @@ class SuiteRun {
     return std::any_of(preparations.begin(), preparations.end(),
                        [&](const Preparation& one) { return tried.contains(one.name); });
   }
-  // Whether there is one that was not tried yet.
+  // Adds the names to `tried`. Returns whether one of them is new.
   static bool AddNew(const std::vector<Preparation>& preparations, std::set<std::string>& tried) {
     const std::size_t before = tried.size();
     for (const Preparation& one : preparations) tried.insert(one.name);
@@ -131,7 +131,7 @@ class SuiteRun {
   }
 
   BuiltPlan MakePlan() const {
-    // Only worth showing where images have to be read, which is felt on a terminal.
+    // Progress is only of interest if images have to be read, and is only shown on a terminal.
     StageProgress stage(flags_.quiet || ::isatty(STDERR_FILENO) == 0, kPlanned);
     PlanRequest request = flags_.suite.Request();
     request.notice = [](const std::string& line) { std::cerr << "clustervo: " << line << '\n'; };

@@ -7,23 +7,23 @@
 
 namespace cvo {
 
-// What experiment run is asked for.
+// Flags of clustervo experiment run.
 struct SuiteRunFlags {
   SuiteFlags suite;
   EngineFlags engine;
-  double limit_s = 3600.0;          // of one job; 0: none
-  double limit_memory_mb = 8000.0;  // of one job; 0: none
+  double limit_s = 3600.0;          // wall time of one job; 0: unlimited
+  double limit_memory_mb = 8000.0;  // address space of one job; 0: unlimited
   bool quiet = false;
 };
 
-// Nothing of a suite is below --data. Its plan is written.
+// None of the suite's sequences is below --data. The plan has been written.
 class NoSequence : public Error {
  public:
   using Error::Error;
 };
 
-// Renders, plans and runs a suite; the exit code. Throws Error for a suite that cannot be run and a
-// folder that cannot be written, NoSequence.
+// Renders, plans and runs a suite. Returns the exit code. Throws Error for an invalid suite or a
+// folder that cannot be written, and NoSequence.
 int RunSuite(const SuiteRunFlags& flags);
 
 }  // namespace cvo

@@ -14,7 +14,7 @@
 
 namespace cvo {
 
-// The flags that say which suite is meant, where its data are and where its results go.
+// Flags that select a suite, its data and its output folder.
 struct SuiteFlags {
   std::string suite;
   std::string output;
@@ -22,20 +22,20 @@ struct SuiteFlags {
   SuiteOverrides overrides;
 
   void AddTo(CLI::App& app);
-  // Throws Error for a suite that cannot be.
+  // Throws Error for an invalid suite.
   Suite Load() const;
-  // --data, else CLUSTERVO_DATA, else empty; and the cache.
+  // Sets the data folder, which is --data, else CLUSTERVO_DATA, else empty, and the cache folder.
   PlanRequest Request() const;
 };
 
-// The flags that say where jobs run.
+// Flags that select where jobs run.
 struct EngineFlags {
   std::string name = "local";
-  int jobs = 0;  // at once; 0: not said
+  int jobs = 0;  // in parallel; 0: not specified
   std::vector<std::string> sbatch;
 
   void AddTo(CLI::App& app);
-  // Throws Error for flags that do not fit the engine.
+  // Throws Error for flags that do not apply to the engine.
   std::unique_ptr<Engine> Make(const SuiteFolder& folder) const;
 };
 

@@ -9,16 +9,17 @@
 
 namespace cvo {
 
-// Which runs of a suite are meant.
+// Selects runs of a suite.
 struct SuiteRunChoice {
-  std::string folder;                      // that the suite was run to
+  std::string folder;                      // output folder of the suite
   std::string sequence;                    // as the suite names it
-  std::string variants;                    // with commas between
-  std::optional<std::uint64_t> seed = {};  // empty: the first
+  std::string variants;                    // separated by commas
+  std::optional<std::uint64_t> seed = {};  // empty: the first in the plan
 };
 
-// Their folders, in the order of the variants. Throws Error for a variant of which there is no such
-// run, or whose run is not done; of several (a grid) the first of the plan is taken.
+// Returns the folders of the selected runs, in the order of the variants. Throws Error for a
+// variant that has no such run or whose run is not done. If several runs match (a grid), the first
+// in the plan is taken.
 std::vector<std::string> SuiteRunFolders(const SuiteRunChoice& choice);
 
 }  // namespace cvo

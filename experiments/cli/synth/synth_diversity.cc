@@ -15,7 +15,7 @@
 namespace cvo {
 namespace {
 
-// "room" of "room_17"; another scene is a family of its own.
+// Returns "room" for "room_17". Any other scene is a family of its own.
 std::string FamilyOf(const std::filesystem::path& folder) {
   const std::string name = ReadJson(folder / "scene.json").value("name", "");
   const std::size_t mark = name.find_last_not_of("0123456789");

@@ -14,7 +14,7 @@
 namespace cvo {
 namespace {
 
-// Parked cars stand on a route with speed 0.
+// Whether a body moves. Parked cars are on a route with speed 0.
 bool Moves(const synth::PathDescription& path) {
   if (const auto* route = std::get_if<synth::RouteDescription>(&path)) {
     return std::any_of(route->speed.begin(), route->speed.end(),

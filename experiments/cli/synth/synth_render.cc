@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What render and preview share.
+// Flags of both render and preview.
 struct SceneFlags {
   std::string scene;
   std::vector<std::string> set;
@@ -71,7 +71,7 @@ class StageProgress {
     progress_->Report(static_cast<std::size_t>(done));
     last_ = Progress::Clock::now();
   }
-  // One line between the bars.
+  // Prints one line between the bars.
   void Note(const std::string& line) {
     stage_.clear();
     progress_.reset();
@@ -81,7 +81,7 @@ class StageProgress {
  private:
   bool quiet_;
   std::string stage_;
-  Progress::Clock::time_point last_ = Progress::Clock::now();  // of a report; else the start
+  Progress::Clock::time_point last_ = Progress::Clock::now();  // last report, or the start
   std::optional<Progress> progress_;
 };
 
@@ -92,7 +92,7 @@ struct RenderFlags {
   bool flow = false;
 };
 
-// Calls work(hooks); 130 where the user stopped it.
+// Calls work(hooks). Returns 130 if the user stopped it, otherwise 0.
 template <typename Work>
 int RunStoppable(bool quiet, const Work& work) {
   const StopSignal stop;

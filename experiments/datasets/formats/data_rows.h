@@ -14,13 +14,14 @@
 
 namespace cvo {
 
-// Rows of numbers and names as public data sets have them, known by their columns: separated by
-// commas or blanks, each with as many columns as the first. A first line whose first column is not
-// a number, lines that begin with #, and blank lines are skipped. Throws Error with file and line.
+// Rows of numbers and names as found in public data sets, addressed by column. Columns are
+// separated by commas or blanks, and every row has as many as the first. A first line whose first
+// column is not a number, lines that begin with #, and blank lines are skipped. Throws Error with
+// file and line.
 class DataRows {
  public:
   DataRows(const std::filesystem::path& path, std::size_t least_columns, const std::string& what);
-  DataRows(const DataRows&) = delete;  // cells are views of its lines
+  DataRows(const DataRows&) = delete;  // cells are views into file_
   DataRows& operator=(const DataRows&) = delete;
 
   std::size_t size() const { return rows_.size(); }
@@ -28,10 +29,10 @@ class DataRows {
   std::string_view Text(std::size_t row, std::size_t column) const;
   double Number(std::size_t row, std::size_t column) const;  // finite
   std::int64_t Integer(std::size_t row, std::size_t column) const;
-  // Of seconds and of nanoseconds, each a column of integers.
+  // Time in ns from a column of integer seconds and the following one of integer nanoseconds.
   std::int64_t SecondsAndNs(std::size_t row, std::size_t column) const;
   Eigen::Vector3d Vector(std::size_t row, std::size_t column) const;
-  // x y z w, or w x y z; of length 1 to within a hundredth.
+  // In the order x y z w, or w x y z if `w_first`. The norm must be within 0.01 of 1.
   Eigen::Quaterniond Quaternion(std::size_t row, std::size_t column, bool w_first) const;
   RigidTransform Matrix(std::size_t row, std::size_t column) const;  // 12 numbers of [R t]
   [[noreturn]] void Fail(std::size_t row, const std::string& found,
@@ -49,8 +50,8 @@ class DataRows {
   std::size_t columns_ = 0;
 };
 
-// Times of rows must increase. Throws Error naming the row if its time is not after `before_ns`,
-// which the first row does not have.
+// Checks that the times of rows increase. Throws Error naming the row if its time is not after
+// `before_ns`, the time of the row before (empty for the first row).
 void CheckLater(const DataRows& rows, std::size_t row, std::int64_t time_ns,
                 std::optional<std::int64_t> before_ns, const std::string& of);
 

@@ -20,11 +20,11 @@ namespace {
 using Row = std::span<std::uint8_t>;
 using ConstRow = std::span<const std::uint8_t>;
 
-// Filters of a row, PNG specification (W3C), section 9: from the pixel to the left, the one above
-// or both.
+// Filters of a row (PNG specification, W3C, section 9), which predict a pixel from the one to the
+// left, the one above, or both.
 enum Filter : std::uint8_t { kNone, kSub, kUp, kAverage, kPaeth };
 
-// Of left, above and above-left the one nearest to left + above - above-left.
+// Returns the one of left, above and above-left that is nearest to left + above - above-left.
 int Paeth(int left, int above, int above_left) {
   const int to_left = std::abs(above - above_left);
   const int to_above = std::abs(left - above_left);
@@ -33,7 +33,7 @@ int Paeth(int left, int above, int above_left) {
   return to_above <= to_above_left ? above : above_left;
 }
 
-// Calls predict(left, above, above_left) for each pixel of the row in turn.
+// Adds predict(left, above, above_left) to each filtered pixel of the row in turn.
 void AddPredicted(ConstRow filtered, ConstRow above, Row row, auto&& predict) {
   int left = 0;
   int above_left = 0;
@@ -66,10 +66,10 @@ bool Unfilter(int filter, ConstRow filtered, ConstRow above, Row row) {
   }
 }
 
-// The rows of an image, each after the byte that names its filter. A size that so few bytes cannot
-// hold is refused before memory is taken for it.
+// Returns the rows of an image, each preceded by the byte that selects its filter. Refuses a size
+// that so few bytes cannot hold before allocating memory for it.
 std::optional<std::vector<std::uint8_t>> Inflate(const std::string& compressed, std::size_t size) {
-  constexpr std::size_t kMaxRatio = 1032;  // of deflate
+  constexpr std::size_t kMaxRatio = 1032;  // largest compression ratio of deflate
   if (size / kMaxRatio > compressed.size()) return std::nullopt;
   const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)>
       decompressor(libdeflate_alloc_decompressor(), libdeflate_free_decompressor);

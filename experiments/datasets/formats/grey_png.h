@@ -7,10 +7,10 @@
 
 namespace cvo {
 
-// CV_8UC1: what a PNG file of 8 bits of grey shows that is not interlaced and has no transparency,
-// as stereo pairs are. Empty for any other bytes, other kinds of PNG file included, and where the
-// pixels do not inflate to the image's size; checksums are FindPngDamage's. Takes half as long as
-// OpenCV, whose decoding was a seventh of a run.
+// Decodes a PNG file of 8-bit grey without interlacing or transparency, as stereo pairs are, to
+// CV_8UC1. Returns an empty image for anything else, including other kinds of PNG file, and if the
+// pixels do not inflate to the image's size. Checksums are verified by FindPngDamage, not here.
+// Takes half as long as OpenCV, whose decoding took a seventh of a run.
 cv::Mat DecodeGreyPng(std::string_view bytes);
 
 }  // namespace cvo

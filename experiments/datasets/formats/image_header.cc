@@ -18,7 +18,8 @@ int ReadTwoBytes(std::istream& in) {
   return high << 8 | in.get();
 }
 
-// Segments are a marker, their length and their bytes; that of a frame has the size.
+// A segment consists of a marker, its length and its bytes. The segment of a frame header contains
+// the size.
 std::optional<cv::Size> FindJpegSize(std::istream& in) {
   if (ReadTwoBytes(in) != 0xffd8) return std::nullopt;
   while (in) {

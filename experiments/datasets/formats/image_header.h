@@ -10,14 +10,15 @@
 
 namespace cvo {
 
-// By its ending: data sets that come as JPEG are read as they are.
+// Decides by the file extension. Data sets that come as JPEG are read as they are.
 bool IsJpeg(const std::filesystem::path& path);
 
-// Width and height in px from the header of a PNG file with 8 bits per channel, or of a JPEG file
-// that is named as one. Throws Error naming `path` for anything else.
+// Reads the width and height in px from the header of a PNG file with 8 bits per channel, or of a
+// JPEG file that is named as one. Throws Error naming `path` for anything else.
 cv::Size ReadImageSize(const std::filesystem::path& path);
 
-// What is wrong with the bytes of a JPEG file: no start, no end. Empty where it is whole.
+// Describes what is wrong with the bytes of a JPEG file: no start or no end marker. Empty if the
+// file is complete.
 [[nodiscard]] std::optional<std::string> FindJpegDamage(std::string_view bytes);
 
 }  // namespace cvo

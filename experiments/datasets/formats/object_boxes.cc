@@ -15,8 +15,8 @@ constexpr std::size_t kLabelColumns = 17;
 constexpr std::size_t kObjectColumns = 15;
 constexpr std::size_t kMaxDetectionColumns = 19;
 
-// type truncation occlusion alpha left top right bottom height width length x y z ry [score], from
-// column `first`.
+// Columns from `first` on: type truncation occlusion alpha left top right bottom height width
+// length x y z ry [score].
 ObjectBox ReadObject(const TextRow& row, std::size_t first) {
   ObjectBox box;
   box.type = std::string(row.Text(first));
@@ -43,7 +43,7 @@ ObjectBox ReadObject(const TextRow& row, std::size_t first) {
   return box;
 }
 
-// frame track, then an object.
+// Columns: frame, track, then those of an object.
 ObjectBox ReadBox(const TextRow& row, int frame_count) {
   const int frame = row.Integer(0);
   if (frame < 0 || frame >= frame_count) {
@@ -55,7 +55,7 @@ ObjectBox ReadBox(const TextRow& row, int frame_count) {
   return box;
 }
 
-// Rows of between `least` and `most` columns, as many in each.
+// Reads rows of between `least` and `most` columns, the same number in each row.
 template <typename Read>
 std::vector<ObjectBox> ReadRows(const std::filesystem::path& path, std::size_t least,
                                 std::size_t most, const char* what, const Read& read) {
@@ -85,7 +85,7 @@ std::vector<ObjectBox> ReadLabels(const std::filesystem::path& path, int frame_c
     row.ExpectColumns(kLabelColumns, "a KITTI tracking label");
     boxes.push_back(ReadBox(row, frame_count));
     const auto [frame, track] = std::pair(boxes.back().frame, boxes.back().track);
-    if (track >= 0 && !seen.emplace(frame, track).second) {  // a negative one is no object
+    if (track >= 0 && !seen.emplace(frame, track).second) {  // a negative track is not an object
       row.Fail(StrCat("track ", track, " of frame ", frame, " a second time"), "each once");
     }
   }

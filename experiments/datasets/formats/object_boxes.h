@@ -14,7 +14,7 @@ namespace cvo {
 // sequence.
 struct ObjectBox {
   int frame = 0;
-  int track = -1;  // -1 where the file has none; never shown to the estimator
+  int track = -1;  // -1 if the file has none; never shown to the estimator
   std::string type;
   double truncation = -1.0;
   int occlusion = -1;
@@ -22,7 +22,7 @@ struct ObjectBox {
   double top_px = 0.0;
   double right_px = 0.0;
   double bottom_px = 0.0;
-  // 3D box in rectified camera 0 (see Sequence::left_offset_m) where the file has one (labels):
+  // 3D box in rectified camera 0 (see Sequence::left_offset_m) if the file has one (labels):
   // height, width, length (m), centre of the bottom face (m), heading about the y axis (rad).
   struct Box3d {
     double height_m, width_m, length_m;
@@ -33,21 +33,22 @@ struct ObjectBox {
   std::optional<double> score;
 };
 
-// KITTI tracking label files: 17 columns per row, frames below `frame_count`. Throws Error with
-// file and line.
+// Reads a KITTI tracking label file: 17 columns per row, frames below `frame_count`. Throws Error
+// with file and line.
 std::vector<ObjectBox> ReadLabels(const std::filesystem::path& path, int frame_count);
 
-// KITTI tracking result files: the same with a score as the 18th column, or as the last of 19
-// (files that carry one value more before it); every row of a file has the same number. Label files
-// pass too, without scores.
+// Reads a KITTI tracking result file: like a label file, with the score in the 18th column or in
+// the last of 19 (files with one more value before it). Every row of a file has the same number of
+// columns. Label files are accepted too, without scores.
 std::vector<ObjectBox> ReadDetections(const std::filesystem::path& path, int frame_count);
 
-// KITTI object files, of one image: 15 columns per row, or 16 with a score; the same number in
-// every row.
+// Reads a KITTI object file, which belongs to one image: 15 columns per row, or 16 with a score,
+// the same number in every row.
 std::vector<ObjectBox> ReadObjectFile(const std::filesystem::path& path, int frame);
 
-// The box as seen from a camera `offset_m` to the left: p_in_given = p_in_result + (offset_m, 0,
-// 0). A point at depth z moves by -fx offset / z pixels in u. Throws Error unless depth_m > 0.
+// Returns the box as seen from a camera `offset_m` to the right of the given one: p_in_given =
+// p_in_result + (offset_m, 0, 0). A point at depth z moves by -fx offset / z pixels in u. Throws
+// Error unless depth_m > 0.
 ObjectBox ShiftBox(const ObjectBox& box, double offset_m, double fx, double depth_m);
 
 }  // namespace cvo

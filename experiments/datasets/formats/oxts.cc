@@ -19,7 +19,7 @@ OxtsPacket ReadPacket(const TextRow& row) {
   for (std::size_t i = 0; i < kColumns; ++i) row.Number(i);
   const OxtsPacket packet = {row.Number(0), row.Number(1), row.Number(2),
                              row.Number(3), row.Number(4), row.Number(5)};
-  constexpr double kMaxLatitude_deg = 85.0;  // the Mercator projection ends before the poles
+  constexpr double kMaxLatitude_deg = 85.0;  // the Mercator projection diverges at the poles
   if (std::abs(packet.latitude_deg) > kMaxLatitude_deg || std::abs(packet.longitude_deg) > 180.0) {
     row.Fail(StrCat("latitude ", packet.latitude_deg, " and longitude ", packet.longitude_deg),
              "degrees within 85 and 180");
@@ -60,7 +60,8 @@ std::vector<RigidTransform> ImuPoses(const std::vector<OxtsPacket>& packets) {
         Eigen::AngleAxisd(packet.yaw_rad, Eigen::Vector3d::UnitZ()) *
         Eigen::AngleAxisd(packet.pitch_rad, Eigen::Vector3d::UnitY()) *
         Eigen::AngleAxisd(packet.roll_rad, Eigen::Vector3d::UnitX());
-    // Relative to the first position before any product, where the digits are.
+    // The first position is subtracted before any product, so that its large coordinates cost no
+    // digits.
     poses.emplace_back(rotation, MercatorPosition(packet, scale) - origin);
   }
   const RigidTransform first_from_world = poses[0].Inverse();

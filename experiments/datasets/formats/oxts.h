@@ -9,8 +9,8 @@
 
 namespace cvo {
 
-// What the devkit reads of one GPS/IMU packet. Angles as in the file: latitude and longitude in
-// degrees, roll, pitch and yaw in radians.
+// The part of a GPS/IMU packet that the devkit uses. Angles are as in the file: latitude and
+// longitude in degrees; roll, pitch and yaw in radians.
 struct OxtsPacket {
   double latitude_deg = 0.0;
   double longitude_deg = 0.0;
@@ -20,12 +20,13 @@ struct OxtsPacket {
   double yaw_rad = 0.0;
 };
 
-// KITTI raw: one packet per file; KITTI tracking: one per line. Each has 30 finite numbers.
+// Read one packet per file (KITTI raw) or one per line (KITTI tracking). Each must have 30 finite
+// numbers; throw Error otherwise.
 OxtsPacket ReadOxtsPacket(const std::filesystem::path& path);
 std::vector<OxtsPacket> ReadOxtsPackets(const std::filesystem::path& path);
 
-// The devkit's convertOxtsToPose: imu_0_from_imu_i with a Mercator projection whose scale is that
-// of the first packet's latitude.
+// Returns imu_0_from_imu_i, computed as by the devkit's convertOxtsToPose, with a Mercator
+// projection whose scale is that of the first packet's latitude.
 std::vector<RigidTransform> ImuPoses(const std::vector<OxtsPacket>& packets);
 
 }  // namespace cvo

@@ -48,7 +48,8 @@ std::string DescribeNonPng(std::string_view bytes) {
 
 using Colour = std::tuple<int, int, int>;  // blue, green, red
 
-// Decoders give colours: what stands for them in the palette. The file is known to be whole.
+// Decoders return colours; this maps each colour to its index in the palette. The file must be
+// complete.
 std::map<Colour, int> IndexOfColour(const std::filesystem::path& path, std::string_view bytes) {
   const std::size_t at = bytes.find("PLTE");
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };

@@ -59,7 +59,7 @@ cv::Mat ReadInstances(const fs::path& path, cv::Size size) { return Decode(path,
 TruthFlow ReadFlow(const fs::path& path, cv::Size size) {
   constexpr float kUnits_per_px = 64.0F;
   constexpr float kZero = 32768.0F;
-  const cv::Mat coded = Decode(path, CV_16UC3, size);  // valid, v, u
+  const cv::Mat coded = Decode(path, CV_16UC3, size);  // in OpenCV's order: valid, v, u
   TruthFlow flow{cv::Mat(size, CV_32FC2, cv::Scalar::all(0.0)), cv::Mat::zeros(size, CV_8UC1)};
   for (int v = 0; v < size.height; ++v) {
     for (int u = 0; u < size.width; ++u) {

@@ -32,7 +32,7 @@ Eigen::Quaterniond ReadRotation(const CsvFile& file, std::size_t row, std::size_
   return rotation;
 }
 
-// Four numbers, or four empty cells.
+// Reads a box of four numbers; empty for four empty cells.
 std::optional<TruthBox> ReadBox(const CsvFile& file, std::size_t row, std::size_t column) {
   int empty = 0;
   for (std::size_t i = 0; i < 4; ++i) empty += file.Empty(row, column + i) ? 1 : 0;

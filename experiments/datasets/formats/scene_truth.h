@@ -14,7 +14,7 @@
 
 namespace cvo {
 
-// Pixel centres at integers: a box around the one pixel (u, v) has all four sides on it.
+// Pixel centres are at integers: a box around the single pixel (u, v) has all four sides on it.
 struct TruthBox {
   double left_px = 0.0;
   double top_px = 0.0;
@@ -22,8 +22,8 @@ struct TruthBox {
   double bottom_px = 0.0;
 };
 
-// One body in one frame of a synthetic scene, a row of objects.csv. World is the first left camera;
-// the object's frame is x forward, y left, z up with its origin in the middle of its box.
+// One body in one frame of a synthetic scene: a row of objects.csv. The world is the first left
+// camera. The object's frame is x forward, y left, z up, with its origin at the centre of its box.
 struct SceneBody {
   int id = 0;  // 1, 2, ...: the value in instance masks
   std::string name;
@@ -33,29 +33,29 @@ struct SceneBody {
   Eigen::Vector3d angular_velocity_in_world;  // rad/s
   Eigen::Vector3d size_m;                     // of its box along x, y, z
   int visible_px = 0;                         // in the mask of the left image
-  int alone_px = 0;                           // if nothing hid it
-  double visible_fraction = 0.0;              // visible_px / alone_px; 0 out of view
-  double truncation = 0.0;                    // part of its projected box outside the image
-  std::optional<TruthBox> visible_box;        // around the mask; empty where it is
-  std::optional<TruthBox> amodal_box;         // around the whole body, within the image
+  int alone_px = 0;                           // if nothing occluded it
+  double visible_fraction = 0.0;              // visible_px / alone_px; 0 if out of view
+  double truncation = 0.0;                    // fraction of its projected box outside the image
+  std::optional<TruthBox> visible_box;        // around the mask; empty if the mask is
+  std::optional<TruthBox> amodal_box;         // around the whole body, clipped to the image
 };
 
 extern const std::string_view kObjectsHeader;
 extern const std::string_view kTargetsHeader;
 
-// objects.csv: [frame][id - 1], every body in every frame, in this order; names, categories and
-// sizes are the same in all frames. Throws Error with file and line.
+// Reads objects.csv as [frame][id - 1]: every body in every frame, in this order. Names, categories
+// and sizes must be the same in all frames. Throws Error with file and line.
 std::vector<std::vector<SceneBody>> ReadSceneBodies(const std::filesystem::path& path,
                                                     int frame_count);
 
 // Whether the body moves in any frame: more than 1 mm/s or 1 mrad/s.
 bool IsMover(const std::vector<std::vector<SceneBody>>& bodies, int id);
 
-// Throw Error unless the file is whole, of this kind and of this size.
+// Throw Error unless the file is complete and of the expected kind and size.
 cv::Mat ReadDepth(const std::filesystem::path& path, cv::Size size);      // CV_32FC1, m; 0: nothing
 cv::Mat ReadInstances(const std::filesystem::path& path, cv::Size size);  // CV_16UC1; 0: background
 
-// KITTI's optical flow from a pixel to where its point is in the next frame.
+// Optical flow in KITTI's format, from a pixel to the position of its point in the next frame.
 struct TruthFlow {
   cv::Mat flow_px;  // CV_32FC2: (u, v)
   cv::Mat valid;    // CV_8UC1: 255 where there is flow, else 0

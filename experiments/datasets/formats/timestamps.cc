@@ -48,7 +48,7 @@ std::optional<std::int64_t> ParseDateTimeNs(std::string_view text) {
                                          std::chrono::month(static_cast<unsigned>(number(5, 2))),
                                          std::chrono::day(static_cast<unsigned>(number(8, 2))));
   const std::int64_t hour = number(11, 2), minute = number(14, 2), second = number(17, 2);
-  // int64 ns reach from 1678 to 2261.
+  // An int64 in ns covers the years 1678 to 2261.
   if (!date.ok() || hour > 23 || minute > 59 || second > 59 || number(0, 4) < 1678 ||
       number(0, 4) > 2261) {
     return std::nullopt;

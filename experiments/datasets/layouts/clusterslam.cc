@@ -27,8 +27,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Settings {
-  std::string quaternion = "auto";  // "xyzw", "wxyz", or the order by which landmarks stay in place
-  double rate_hz = 10.0;            // images have no times
+  std::string quaternion = "auto";  // "xyzw", "wxyz", or "auto": the landmarks decide
+  double rate_hz = 10.0;            // images have no timestamps
   double mover_travel_m = 0.0;      // 0: indoors for SUNCG-*, outdoors for CARLA-*
 
   template <typename Self, typename Archive>
@@ -39,7 +39,7 @@ struct Settings {
   }
 };
 
-constexpr int kMinLandmarks = 5;  // for a body to be judged
+constexpr int kMinLandmarks = 5;  // that a body needs to be judged
 
 bool KnowsClusterSlam(const fs::path& folder) {
   return fs::exists(folder / "landmark_mapping.txt") ||
@@ -56,7 +56,7 @@ std::string FileOf(std::size_t frame) {
   return name.data();
 }
 
-// The page of the data set spells it in two ways.
+// The data set's web page spells the name in two ways.
 fs::path IntrinsicFile(const fs::path& folder) {
   const fs::path other = folder / "instrinsic.txt";
   return fs::exists(other) ? other : folder / "intrinsic.txt";
@@ -128,7 +128,7 @@ std::map<std::int64_t, int> ReadMapping(const fs::path& path, std::size_t cluste
   return cluster_of;
 }
 
-// [0] the camera, [k] cluster k; by frame.
+// [frame][0] is the camera, [frame][k] is cluster k.
 using Poses = std::vector<std::vector<RigidTransform>>;
 
 Poses ReadPoses(const std::vector<fs::path>& files, bool w_first) {
@@ -147,15 +147,15 @@ Poses ReadPoses(const std::vector<fs::path>& files, bool w_first) {
   return poses;
 }
 
-// A landmark of the static scene seen in a frame, in the camera.
+// An observation of a landmark of the static scene, with its point in the camera.
 struct Seen {
   std::size_t frame;
   std::int64_t id;
   Eigen::Vector3d p_in_camera;
 };
 
-// How far landmarks of the static scene move in the world from one frame to the next, relative to
-// their depth: the median. Zero for true poses.
+// Returns how far landmarks of the static scene move in the world between consecutive observations,
+// relative to their depth (median). Zero for true poses.
 double Drift(const std::vector<Seen>& all, const Poses& poses) {
   std::map<std::int64_t, const Seen*> last;
   std::vector<double> drifts;
@@ -174,11 +174,11 @@ double Drift(const std::vector<Seen>& all, const Poses& poses) {
   return *middle;
 }
 
-// Both orders give unit quaternions, and sources disagree: landmarks decide.
+// Either order gives unit quaternions, and sources disagree. The landmarks decide.
 Poses ChoosePoses(const std::vector<fs::path>& files, const std::vector<Seen>& seen,
                   const Settings& settings, Sequence& sequence) {
-  constexpr double kStill = 0.02;  // of the depth
-  constexpr double kClear = 0.5;   // of the drift by the other order
+  constexpr double kStill = 0.02;  // fraction of the depth
+  constexpr double kClear = 0.5;   // fraction of the drift with the other order
   if (settings.quaternion != "auto") {
     if (settings.quaternion != "xyzw" && settings.quaternion != "wxyz") {
       ThrowError("layout settings, quaternion", Quoted(settings.quaternion), "auto, xyzw or wxyz");
@@ -236,7 +236,8 @@ Observations ReadObservations(const std::map<std::int64_t, int>& cluster_of, std
   return all;
 }
 
-// Boxes around the landmarks of each cluster: an oracle's, as the data has none.
+// Adds boxes around the landmarks of each cluster as labels. These are boxes of an oracle, as the
+// data has none.
 void AddBoxesOfLandmarks(const Observations& observed, const std::string& category,
                          Sequence& sequence) {
   for (std::size_t frame = 0; frame < observed.pixels.size(); ++frame) {

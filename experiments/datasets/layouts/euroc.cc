@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 
-// EuRoC in ASL's format: mav0/cam0 and cam1 with data/<ns>.png, data.csv and sensor.yaml, and the
-// truth of the body in mav0/state_groundtruth_estimate0/data.csv. Images are not rectified.
+// EuRoC in the ASL format: mav0/cam0 and cam1 with data/<ns>.png, data.csv and sensor.yaml, and the
+// ground truth of the body in mav0/state_groundtruth_estimate0/data.csv. Images are not rectified.
 
 #include <map>
 
@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The folder with the cameras: mav0, or the one that contains it.
+// Returns the folder with the cameras: mav0 in `folder` if there is one, else `folder` itself.
 fs::path MavFolder(const fs::path& folder) {
   return IsFolder(folder / "mav0") ? folder / "mav0" : folder;
 }
@@ -35,7 +35,7 @@ bool EurocHasImages(const fs::path& folder) {
   return AreFolders(MavFolder(folder) / "cam0/data", MavFolder(folder) / "cam1/data");
 }
 
-// The files of a camera by time.
+// Returns the image files of a camera by timestamp in ns.
 std::map<std::int64_t, fs::path> ReadCamera(const fs::path& camera, Sequence& sequence) {
   const fs::path list = camera / "data.csv";
   const DataRows rows(list, 2, "time in ns, file name");
@@ -55,7 +55,7 @@ std::map<std::int64_t, fs::path> ReadCamera(const fs::path& camera, Sequence& se
   return files;
 }
 
-// Cameras are paired by time: some sequences lack an image of one of them.
+// Pairs the images of the cameras by timestamp, as some sequences lack an image of one of them.
 std::vector<StereoPaths> PairImages(const fs::path& mav, Sequence& sequence) {
   const auto left = ReadCamera(mav / "cam0", sequence);
   const auto right = ReadCamera(mav / "cam1", sequence);

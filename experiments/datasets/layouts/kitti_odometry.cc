@@ -3,7 +3,7 @@
 
 // KITTI odometry: <sequences>/<number>/{image_0..3/,times.txt,calib.txt}, poses in
 // <sequences>/../poses/<number>.txt or <sequences>/poses/<number>.txt. Our synthetic scenes have
-// them in poses.txt beside the images, with labels.txt and detections/<level>.txt.
+// their poses in poses.txt beside the images, with labels.txt and detections/<level>.txt.
 
 #include "core/base/error.h"
 #include "experiments/datasets/formats/timestamps.h"
@@ -27,7 +27,7 @@ fs::path FindPoses(const fs::path& folder) {
   return {};
 }
 
-// The file has poses of camera 0, relative to its first frame.
+// The file contains the poses of camera 0, relative to its first frame.
 void AddTruth(Sequence& sequence) {
   const fs::path path = FindPoses(sequence.folder);
   if (path.empty()) {
@@ -51,7 +51,7 @@ void AddTruth(Sequence& sequence) {
   sequence.groundtruth = "official";
 }
 
-// The name of a level selects the folder's own file of it.
+// Replaces the name of a level of detections by the folder's own file of this level.
 SequenceRequest WithLevel(const SequenceRequest& request) {
   SequenceRequest resolved = request;
   const fs::path own = request.folder / "detections" / (request.detections_file.string() + ".txt");
@@ -63,7 +63,7 @@ SequenceRequest WithLevel(const SequenceRequest& request) {
 }
 
 bool KnowsOdometry(const fs::path& folder) {
-  if (fs::exists(folder / "pose_gt.txt")) return false;  // prepared_multimotion.cc
+  if (fs::exists(folder / "pose_gt.txt")) return false;  // see prepared_multimotion.cc
   return IsFolder(folder / "image_0") || IsFolder(folder / "image_1") ||
          IsFolder(folder / "image_2") || IsFolder(folder / "image_3");
 }

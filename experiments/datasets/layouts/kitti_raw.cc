@@ -58,7 +58,7 @@ RigidTransform ReadCamera0FromImu(const fs::path& date_folder, const Calibration
   return rectification * ReadSplitTransform(velo_to_cam) * ReadSplitTransform(imu_to_velo);
 }
 
-// Packet i is the truth of image i.
+// Takes packet i as the ground truth of image i.
 ImuTruth DevkitTruth(const std::vector<RigidTransform>& poses, const fs::path& oxts_data,
                      const Sequence& sequence) {
   if (poses.size() != sequence.images.size()) {

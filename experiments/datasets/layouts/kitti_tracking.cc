@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// "tracking_0005"; the test set has the same numbers: "tracking_testing_0005".
+// Returns "tracking_0005", or "tracking_testing_0005" for the test set, which uses the same
+// numbers.
 std::string SequenceName(const fs::path& set_folder, const std::string& number) {
   return (set_folder.filename() == "testing" ? "tracking_testing_" : "tracking_") + number;
 }
@@ -44,7 +45,7 @@ void AddTruth(const fs::path& oxts_file, const CalibrationFile& calibration, Seq
   sequence.groundtruth = "devkit";
 }
 
-// The set, of <training>/<number> as of <training>/image_02/<number>.
+// Returns the folder of the set, for <training>/<number> as well as <training>/image_02/<number>.
 fs::path SetFolder(const fs::path& folder) {
   const fs::path parent = folder.parent_path();
   return parent.filename().string().starts_with("image_0") ? parent.parent_path() : parent;

@@ -26,9 +26,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A body as vicon.csv names it.
+// Settings of a body, found by its name in vicon.csv.
 struct BodySettings {
-  std::string name;  // shown; empty: that of vicon.csv
+  std::string name;  // displayed name; empty: that of vicon.csv
   std::array<double, 3> size_m = {0.3, 0.3, 0.3};
 
   template <typename Self, typename Archive>
@@ -40,12 +40,12 @@ struct BodySettings {
 
 struct Settings {
   std::string calibration;    // file name; empty: kalibr*.yaml
-  std::string left = "cam0";  // its key of the left camera
+  std::string left = "cam0";  // key of the left camera in this file
   std::string right = "cam1";
   std::string vicon_calibration;  // file name; empty: vicon*.yaml
   std::string apparatus = "sensor_payload";
-  std::map<std::string, BodySettings> bodies;  // empty: all others of vicon.csv
-  double clock_offset_s = 0.0;  // added to the time of an image it is the time of Vicon
+  std::map<std::string, BodySettings> bodies;  // by name in vicon.csv; empty: all others
+  double clock_offset_s = 0.0;                 // time of Vicon minus time of an image
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -66,7 +66,7 @@ bool KnowsMultimotion(const fs::path& folder) {
 
 bool MultimotionHasImages(const fs::path& folder) { return IsFolder(folder / "stereo"); }
 
-// In the segment or one of the two folders above it, as archives are unpacked.
+// Looks in the segment and the two folders above it, as archives may be unpacked.
 fs::path FindCalibration(const fs::path& segment, const std::string& name, const char* begin) {
   fs::path folder = segment;
   for (int i = 0; i < 3; ++i, folder = folder.parent_path()) {
@@ -120,8 +120,8 @@ std::vector<StereoPaths> ReadImages(const fs::path& stereo, Sequence& sequence) 
   return pairs;
 }
 
-// world_from_object of all objects, whose rows are interleaved. Their quaternion and matrix say the
-// same, which settles the order of the former.
+// Reads world_from_object of all objects, whose rows are interleaved. Checks the quaternion against
+// the matrix in the same row, if there is one, which verifies the quaternion's order.
 std::map<std::string, Trajectory> ReadVicon(const fs::path& path) {
   constexpr std::size_t kWithMatrix = 26;
   constexpr double kSame_rad = 0.05;

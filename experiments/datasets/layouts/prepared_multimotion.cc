@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Oxford Multimotion as DynoSAM and VDO-SLAM prepared it: image_0/%06d.png, times.txt, a YAML file
-// with Camera.*, pose_gt.txt (frame, camera in the world as 4 x 4), object_pose.txt (frame, object,
-// place, axis times angle, in the same world) and semantic/*.txt with the object of every pixel.
-// They use depth in place of right images, which must be added from the original release as
-// image_1.
+// Oxford Multimotion as prepared by DynoSAM and VDO-SLAM: image_0/%06d.png, times.txt, a YAML file
+// with Camera.*, pose_gt.txt (frame, world_from_camera as a 4 x 4 matrix), object_pose.txt (frame,
+// object, position, axis times angle, in the same world) and semantic/*.txt with the object of
+// every pixel. These systems use depth in place of right images, which must be added from the
+// original release as image_1.
 
 #include <algorithm>
 #include <array>
@@ -29,9 +29,9 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Settings {
-  std::string calibration;                         // file name; empty: the one *.yaml
+  std::string calibration;                         // file name; empty: the only *.yaml
   std::array<double, 3> size_m = {0.3, 0.3, 0.3};  // of every object
-  std::map<std::string, std::string> names;        // of objects, by number
+  std::map<std::string, std::string> names;        // of the objects, by number
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Virtual KITTI 2: <..._rgb>/SceneXX/<variation>/frames/rgb/Camera_{0,1}/rgb_%05d.jpg, and in the
-// same place below <..._textgt> the tables extrinsic, intrinsic, pose, bbox and info, and below
-// <..._instanceSegmentation> the masks. All may be unpacked into one folder.
+// Virtual KITTI 2: images in <..._rgb>/SceneXX/<variation>/frames/rgb/Camera_{0,1}/rgb_%05d.jpg.
+// <..._textgt>/SceneXX/<variation> contains the tables extrinsic, intrinsic, pose, bbox and info;
+// <..._instanceSegmentation>/SceneXX/<variation>/frames contains the masks. All archives may be
+// unpacked into one folder.
 
 #include <array>
 #include <cstdio>
@@ -42,7 +43,8 @@ bool VirtualKittiHasImages(const fs::path& folder) {
   return AreFolders(folder / "frames/rgb/Camera_0", folder / "frames/rgb/Camera_1");
 }
 
-// The folder of another archive: this one, where it has `below`, or ..._textgt/SceneXX/<variation>.
+// Returns the folder of the sequence in another archive: `folder` itself if it contains `below`,
+// else the one in which "_rgb" is replaced, such as ..._textgt/SceneXX/<variation>.
 fs::path FolderOf(const fs::path& folder, const std::string& archive, const fs::path& below) {
   if (fs::exists(folder / below)) return folder;
   fs::path other;
@@ -54,7 +56,7 @@ fs::path FolderOf(const fs::path& folder, const std::string& archive, const fs::
   return other;
 }
 
-// Frame and camera of the first two columns.
+// Frame and camera of a row, from its first two columns.
 struct Place {
   int frame;
   int camera;
@@ -69,7 +71,7 @@ Place PlaceOf(const DataRows& rows, std::size_t row, std::size_t frames) {
   return {static_cast<int>(frame), static_cast<int>(camera)};
 }
 
-// One row for each frame and camera, in any order.
+// Returns the rows as [camera][frame]. The file must have one row for each, in any order.
 std::array<std::vector<std::size_t>, 2> RowsByPlace(const DataRows& rows, const fs::path& path,
                                                     std::size_t frames) {
   std::array<std::vector<std::size_t>, 2> found;
@@ -113,7 +115,7 @@ void ReadCamera(const fs::path& text, Sequence& sequence) {
   sequence.text_files.push_back(path);
 }
 
-// Poses of camera 0, and the baseline by those of camera 1.
+// Reads left_from_world of camera 0, and the baseline from the poses of camera 1.
 std::vector<RigidTransform> ReadPoses(const fs::path& text, Sequence& sequence) {
   constexpr double kRounding = 1e-3;
   const fs::path path = text / "extrinsic.txt";
@@ -148,8 +150,8 @@ Eigen::Quaterniond Turn(const Eigen::Vector3d& yxz_rad, bool y_first) {
   return y_first ? y * x * z : z * y * x;
 }
 
-// Sources disagree on the order of turns: it is the one in which the pose in the world is that in
-// the camera.
+// Reads world_from_object. Sources disagree on the order of the rotations; the right one is that in
+// which the pose in the world agrees with the one in the camera.
 RigidTransform ReadPose(const DataRows& rows, std::size_t row,
                         const RigidTransform& left_from_world) {
   constexpr double kSame_m = 0.05;
@@ -186,7 +188,7 @@ std::map<int, std::string> ReadCategories(const fs::path& path) {
   return categories;
 }
 
-// Boxes of camera 0 and the pixels of each body, by frame and track.
+// Number of pixels of each body, by frame and track. ReadBoxes also adds the boxes of camera 0.
 using Pixels = std::map<std::pair<int, int>, int>;
 Pixels ReadBoxes(const fs::path& text, const std::map<int, std::string>& categories,
                  Sequence& sequence) {
@@ -255,7 +257,7 @@ void ReadBodies(const fs::path& text, const std::vector<RigidTransform>& left_fr
     if (body.frames[frame]) {
       rows.Fail(i, StrCat("frame ", place.frame, ", track ", track, " a second time"), "one row");
     }
-    // From the middle of the bottom to that of the box: y is down.
+    // Moves the origin from the centre of the bottom face to that of the box: y is down.
     const RigidTransform bottom_from_centre(Eigen::Quaterniond::Identity(),
                                             Eigen::Vector3d(0.0, -0.5 * body.size_m.y(), 0.0));
     const auto seen = pixels.find({place.frame, track});

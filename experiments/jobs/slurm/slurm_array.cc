@@ -73,7 +73,7 @@ std::string TaskKey(const Task& task, const std::vector<std::string>& sbatch_fla
                      {"limit_s", task.limit_s},
                      {"limit_memory_mb", task.limit_memory_mb},
                      {"sbatch_flags", sbatch_flags}};
-  // Names of files may be bytes that are not UTF-8; a key needs none of their meaning.
+  // File names may contain bytes that are not UTF-8; for a key, replacing them is fine.
   return Sha256Hex(what.dump(-1, ' ', true, Json::error_handler_t::replace));
 }
 

@@ -12,41 +12,42 @@
 
 namespace cvo {
 
-// One job array. Its folder holds all that it needs and all that it leaves: array.json, tasks.sh,
-// end/<number>, out/<number> (what Slurm itself has to say). Whoever finds the folder can follow
-// it.
+// One job array. Its folder holds everything that it needs and writes: array.json, tasks.sh,
+// end/<number>, and out/<number> (the output of Slurm itself). Any process that finds the folder
+// can follow the array.
 struct SlurmArray {
   struct Entry {
     std::string name;  // Task::name
     std::string key;   // TaskKey
   };
   std::filesystem::path folder;
-  std::string name;            // Slurm's name of the job, of this array alone
-  std::vector<Entry> entries;  // by number
+  std::string name;            // Slurm's job name, unique to this array
+  std::vector<Entry> entries;  // by task number
 };
 
-// How a task's program ended.
+// How the program of a task ended.
 struct SlurmEnd {
   int code = 0;
   double seconds = 0.0;
 };
 
-// Equal where the same thing would be run in the same way.
+// Returns a key that is equal for tasks that would run the same program in the same way.
 std::string TaskKey(const Task& task, const std::vector<std::string>& sbatch_flags);
 
-// A new folder in `root`, which is created. Throws Error where it cannot be written.
+// Writes the array to a new folder in `root`, which is created if necessary. Throws Error if it
+// cannot be written.
 SlurmArray WriteSlurmArray(const std::filesystem::path& root, std::span<const Task> tasks,
                            const std::vector<std::string>& sbatch_flags);
-// All that earlier runs left in `root`, by folder. One that was not written to its end was never
-// submitted: it is removed.
+// Returns all arrays that earlier runs left in `root`, ordered by folder. A folder that was not
+// completely written was never submitted and is removed.
 std::vector<SlurmArray> ReadSlurmArrays(const std::filesystem::path& root);
 
-// By number, of the tasks that have ended. A file that is not complete counts as none.
+// Returns how the ended tasks ended, by task number. An incomplete file counts as none.
 std::map<std::size_t, SlurmEnd> ReadSlurmEnds(const SlurmArray& array);
-// A file that a node still holds open may keep the folder; then it stays.
+// Removes the array's folder, which may stay if a node still holds a file in it open.
 void RemoveSlurmArray(const SlurmArray& array);
 
-// The last line that Slurm wrote about a task; empty where there is none.
+// Returns the last line that Slurm wrote about a task; empty if there is none.
 std::string SlurmWords(const SlurmArray& array, std::size_t number);
 
 }  // namespace cvo

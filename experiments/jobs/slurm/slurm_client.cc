@@ -18,8 +18,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kFirstContactS = 60.0;   // short, since there may be no Slurm at all
-constexpr double kMaxDelayS = 60.0;       // between two tries
+constexpr double kFirstContactS = 60.0;   // short, because Slurm may not be installed at all
+constexpr double kMaxDelayS = 60.0;       // between two retries
 constexpr double kCommandLimitS = 120.0;  // a command that hangs longer is killed
 constexpr double kStopCheckIntervalS = 0.2;
 
@@ -45,7 +45,7 @@ bool IsUnreachable(const Captured& captured) {
 
 bool IsFailure(const Captured& captured) { return captured.exit_code != 0; }
 
-// From the messages of sbatch.
+// Classifies a refusal by the message of sbatch.
 SlurmRefusal ClassifyRefusal(const std::string& words) {
   static constexpr std::array<const char*, 3> kQueueFull = {
       "temporarily unable to accept job", "Resource temporarily unavailable", "MaxSubmitJob"};
@@ -63,7 +63,7 @@ std::string LastLine(const std::string& text) {
   return last.empty() ? "no answer" : last;
 }
 
-// "Name   = value" of `scontrol show config`; empty: not there.
+// Returns the value from a line "Name   = value" of `scontrol show config`; empty if there is none.
 std::string ConfigValue(const std::string& config, const std::string& name) {
   std::istringstream lines(config);
   for (std::string line; std::getline(lines, line);) {
@@ -188,7 +188,7 @@ SlurmSubmitted SlurmClient::Submit(const SlurmArray& array,
   const Clock::time_point start = Clock::now();
   for (double delay_s = 1.0;; delay_s = std::min(2.0 * delay_s, kMaxDelayS)) {
     const Clock::time_point asked = Clock::now();
-    // Where there is no room, sbatch itself would wait for minutes.
+    // If the queue is full, sbatch itself would retry for minutes.
     const Captured answer = Capture(argv, [&](const Captured& so_far) {
       return ClassifyRefusal(so_far.err) == SlurmRefusal::kQueueFull ||
              Since(asked) > kCommandLimitS;
@@ -199,7 +199,7 @@ SlurmSubmitted SlurmClient::Submit(const SlurmArray& array,
     const bool refused = refusal != SlurmRefusal::kPermanent || !IsUnreachable(answer);
     const std::string words = LastLine(answer.err);  // "sbatch: error: ..."
     if (refused && refusal != SlurmRefusal::kQueueFull) return {"", words, refusal};
-    // It may have been accepted all the same, where only the answer was lost.
+    // The array may have been accepted even so, if only the answer was lost.
     if (const std::optional<std::string> job = Find(array.name)) return {*job, "", {}};
     if (refused) return {"", words, refusal};
     if (Since(start) > patience_s_ || !Pause(delay_s)) {

@@ -16,59 +16,61 @@
 
 namespace cvo {
 
-// What Slurm is set up for.
+// Relevant configuration of the Slurm installation.
 struct SlurmSetup {
-  std::size_t array_size = 0;  // most tasks of one array
-  bool accounting = false;     // sacct knows about tasks that left the queue
+  std::size_t array_size = 0;  // maximum number of tasks in one array
+  bool accounting = false;     // sacct knows tasks that have left the queue
 };
 
-// One task that the queue knows about: waiting, running, or ended not long ago.
+// One task known to the queue: waiting, running or recently ended.
 struct SlurmTask {
-  std::string job;     // of the array: "123"
+  std::string job;     // job id of the array: "123"
   std::string state;   // "PENDING", "RUNNING", "COMPLETED", ...
-  std::string reason;  // why it waits
+  std::string reason;  // why it is waiting
 };
-// By name of the array and number.
+// Tasks by (name of the array, task number).
 using SlurmQueue = std::map<std::pair<std::string, std::size_t>, SlurmTask>;
 
-// Whether a task in this state is over and does not come back by itself.
+// Whether a task in this state has ended for good: Slurm will not requeue it by itself.
 bool IsTaskFinished(const std::string& state);
 
 enum class SlurmRefusal {
   kPermanent,  // an unknown partition, too much memory, ...
-  kLimit,      // too many tasks, or another limit of this user: Slurm does not tell
-  kQueueFull,  // too many tasks in the queue at present
+  kLimit,      // too many tasks, or another limit of this user; Slurm does not say which
+  kQueueFull,  // too many tasks in the queue at the moment
 };
 
-// What became of an array that was to be submitted.
+// Outcome of submitting an array.
 struct SlurmSubmitted {
-  std::string job;      // empty: refused
-  std::string refused;  // Slurm's words
+  std::string job;      // job id; empty if refused
+  std::string refused;  // Slurm's message
   SlurmRefusal refusal = SlurmRefusal::kPermanent;
 };
 
-// Slurm does not answer; what was submitted goes on without us.
+// Thrown when Slurm does not respond. Tasks already submitted continue without us.
 class SlurmUnreachable : public Error {
  public:
   using Error::Error;
 };
 
-// Slurm's commands. While Slurm does not answer they are tried again, less and less often, and the
-// user is told once; after `patience_s`, or when `stop` says so, SlurmUnreachable is thrown.
+// Runs Slurm's commands. While Slurm does not respond, they are retried at increasing intervals,
+// and the user is told once. Throws SlurmUnreachable after `patience_s`, or when `stop` returns
+// true.
 class SlurmClient {
  public:
   SlurmClient(double patience_s, EngineHooks hooks);
 
-  // Throws Error where there is no Slurm, or none that has arrays.
+  // Throws Error if Slurm is not installed or does not allow arrays.
   SlurmSetup Setup() const;
   SlurmQueue Queue(const std::vector<std::string>& names) const;
   SlurmSubmitted Submit(const SlurmArray& array, const std::vector<std::string>& flags) const;
-  // Jobs or tasks ("123", "123_4"). Those that are over are passed by.
+  // Cancels jobs or tasks ("123", "123_4"). Those that have ended are ignored.
   void Cancel(const std::vector<std::string>& jobs) const;
-  // "TIMEOUT", "CANCELLED by 0", ... of a task that left the queue; empty: not known.
+  // Returns the final state of a task that left the queue, such as "TIMEOUT" or "CANCELLED by 0";
+  // empty if unknown.
   std::string AccountedState(const std::string& job, std::size_t number) const;
 
-  // Waits, asking `stop` often. False as soon as that says so.
+  // Waits, polling `stop`. Returns false as soon as that returns true.
   bool Pause(double seconds) const;
 
  private:

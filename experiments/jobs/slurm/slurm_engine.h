@@ -13,22 +13,22 @@
 namespace cvo {
 
 struct SlurmOptions {
-  std::filesystem::path folder;           // of its own, absolute, seen by all machines
-  std::vector<std::string> sbatch_flags;  // for every task: "--partition=short", one word each
-  int at_once = 0;                        // tasks that run at a time; 0: as many as Slurm starts
-  double poll_s = 10.0;                   // between two looks at the queue, less at the start
-  double patience_s = 1800.0;             // Slurm may be silent for so long before Run gives up
-  double full_s = 30.0;                   // until an array that found no room is submitted again
-  double latency_s = 30.0;                // until a file that one machine wrote is seen by another
+  std::filesystem::path folder;           // for the engine alone; absolute, visible to all machines
+  std::vector<std::string> sbatch_flags;  // for every task, one word each: "--partition=short"
+  int at_once = 0;                        // maximum number of running tasks; 0: decided by Slurm
+  double poll_s = 10.0;                   // between queries of the queue; shorter at the start
+  double patience_s = 1800.0;             // how long Run waits for an unresponsive Slurm
+  double full_s = 30.0;                   // until a refused array is submitted again
+  double latency_s = 30.0;  // until a file written by one machine is visible to another
 
-  // Throws Error naming the field that makes no sense.
+  // Throws Error naming an invalid field.
   void Check() const;
 };
 
-// Tasks as job arrays of Slurm. What was submitted is on record in the folder: where Run is killed
-// and comes again, a task that still waits or runs is followed, and one that succeeded meanwhile
-// has ended; nothing is submitted twice. Where Slurm stays silent Run throws and its tasks go on.
-// `stop` cancels all that the folder has on record.
+// Runs tasks as job arrays of Slurm. Every submission is recorded in the folder. If Run is killed
+// and called again, tasks that still wait or run are followed, and tasks that succeeded meanwhile
+// are reported as ended; nothing is submitted twice. If Slurm stays unresponsive, Run throws and
+// its tasks continue. `stop` cancels everything recorded in the folder.
 class SlurmEngine : public Engine {
  public:
   explicit SlurmEngine(SlurmOptions options);

@@ -18,12 +18,12 @@ namespace {
 constexpr double kBytesPerMb = 1e6;
 constexpr double kBytesPerSlurmMb = 1048576.0;
 constexpr double kSecondsPerMinute = 60.0;
-constexpr double kStopTimeoutS = 15.0;  // for Slurm to end what was cancelled
+constexpr double kStopTimeoutS = 15.0;  // for Slurm to end cancelled tasks
 constexpr double kStopPollS = 0.5;
 constexpr double kShortestPollS = 0.5;
-constexpr double kPollFraction = 0.05;  // of the time that has passed: short suites need not wait
+constexpr double kPollFraction = 0.05;  // of the elapsed time, so that short suites need not wait
 
-// Reasons that a user need not hear of: every task has one before it starts.
+// Reasons not worth reporting: every task has one of them before it starts.
 bool IsOrdinary(const std::string& reason) {
   static const std::set<std::string> kReasons = {"None", "Priority", "Resources", "Dependency",
                                                  "JobArrayTaskLimit"};
@@ -66,7 +66,8 @@ void SlurmRun::RunToCompletion() {
   }
 }
 
-// What of an earlier array is ours: followed where it is alive, taken as it is where it succeeded.
+// Takes over our tasks of an earlier array: those that are alive are followed, those that succeeded
+// are reported as ended.
 void SlurmRun::Claim(Followed& followed, const SlurmQueue& queue, Wanted& wanted) {
   const SlurmArray& array = followed.array;
   const std::map<std::size_t, SlurmEnd> ends = ReadSlurmEnds(array);
@@ -117,7 +118,7 @@ void SlurmRun::SubmitWaiting() {
   const std::chrono::duration<double> since = Clock::now() - room_.refused;
   if (room_.tasks == 0 && since.count() > options_.full_s) room_.limited = false;
   while (!waiting_.empty() && !hooks_.stop()) {
-    if (options_.at_once > 0 && Open() > 0) return;  // Slurm knows that limit per array only
+    if (options_.at_once > 0 && Open() > 0) return;  // Slurm applies this limit per array only
     std::size_t count = std::min(waiting_.size(), setup_.array_size);
     if (room_.limited) count = std::min(count, room_.tasks);
     if (count == 0) return;
@@ -176,7 +177,7 @@ void SlurmRun::Follow(const SlurmQueue& queue) {
   ReportPendingReasons(queue);
 }
 
-// Empty while the task is in the queue, and while its result file may still arrive.
+// Returns nothing while the task is in the queue or its end file may still arrive.
 std::optional<TaskEnd> SlurmRun::Judge(const Followed& followed, std::size_t number,
                                        const SlurmTask* entry,
                                        const std::map<std::size_t, SlurmEnd>& ends) {
@@ -216,7 +217,7 @@ void SlurmRun::ReportPendingReasons(const SlurmQueue& queue) {
   }
 }
 
-// Cancels everything, also what was submitted without our knowing it, and waits for it to be over.
+// Cancels everything, including arrays submitted without our knowledge, and waits for it to end.
 void SlurmRun::Stop() {
   EngineHooks hooks = hooks_;
   hooks.stop = [] { return false; };
@@ -250,7 +251,8 @@ std::vector<std::string> SlurmRun::Names() const {
   return names;
 }
 
-// An array has one limit of time and of memory: the largest. Its script knows each task's own.
+// An array has one time limit and one memory limit: the largest of its tasks. Its script applies
+// the limit of each task.
 std::vector<std::string> SlurmRun::Flags(std::span<const Task> tasks) const {
   double limit_s = 0.0;
   double limit_mb = 0.0;
@@ -263,7 +265,8 @@ std::vector<std::string> SlurmRun::Flags(std::span<const Task> tasks) const {
     all_limit_mb = all_limit_mb && task.limit_memory_mb > 0.0;
   }
   std::vector<std::string> flags;
-  // A minute more: Slurm counts whole minutes, and the script is the one to stop it.
+  // One minute more, because Slurm counts whole minutes and the script is meant to stop the task
+  // first.
   const auto minutes = static_cast<std::int64_t>(std::ceil(limit_s / kSecondsPerMinute)) + 1;
   if (all_limit_s) flags.push_back(StrCat("--time=", minutes));
   const auto mb = static_cast<std::int64_t>(std::ceil(limit_mb * kBytesPerMb / kBytesPerSlurmMb));

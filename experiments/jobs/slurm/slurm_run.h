@@ -15,7 +15,7 @@
 
 namespace cvo {
 
-// One SlurmEngine::Run.
+// The state of one call of SlurmEngine::Run.
 class SlurmRun {
  public:
   SlurmRun(const SlurmOptions& options, std::span<const Task> tasks, const EngineHooks& hooks);
@@ -26,21 +26,21 @@ class SlurmRun {
   using Clock = std::chrono::steady_clock;
   struct Followed {
     SlurmArray array;
-    std::string job;  // empty: not known to be submitted
-    // By number: which of our tasks, while it is not known to have ended.
+    std::string job;  // job id; empty: not known to be submitted
+    // Our tasks that are not known to have ended: index into tasks_, by task number.
     std::map<std::size_t, std::size_t> open;
-    bool others = false;  // has tasks of other runs
+    bool others = false;  // contains tasks of other runs
   };
 
-  // Our tasks that are not submitted yet, and outdated tasks that prevent it.
+  // Our tasks that are not submitted yet, and outdated tasks that stand in their way.
   struct Wanted {
     std::map<std::string, std::size_t> tasks;  // by name
-    std::vector<std::string> outdated;         // job_number of tasks with another command
+    std::vector<std::string> outdated;         // "<job>_<number>" of tasks with another command
   };
   // Number of tasks that Slurm accepts, known only from its refusals.
   struct Room {
     bool limited = false;
-    std::size_t tasks = 0;        // where limited
+    std::size_t tasks = 0;        // meaningful only if limited
     bool reported = false;        // to the user
     Clock::time_point refused{};  // time of the last refusal
   };
@@ -67,7 +67,7 @@ class SlurmRun {
   std::vector<Followed> followed_;
   std::deque<std::size_t> waiting_;  // tasks not submitted yet
   std::map<std::size_t, Clock::time_point>
-      missed_;  // finished tasks without a recorded end: since when
+      missed_;  // tasks that left the queue without a recorded end: since when
   Room room_;
   std::string reported_reason_;  // why tasks are pending, as last reported
 };

@@ -14,8 +14,9 @@ namespace {
 constexpr double kBytesPerLimitMb = 1e6;
 constexpr double kBytesPerKib = 1024.0;
 
-// `timeout` is in a shell of its own, so that the limit of memory is the task's alone. A second try
-// may start while the first still runs on a node that was given up: each has its own files.
+// `timeout` runs in its own subshell, so that the memory limit applies to the task alone. A second
+// try may start while the first still runs on a node that Slurm gave up: each writes its own
+// temporary file.
 constexpr const char* kRunCommand = R"sh(
 rm -f -- "$end/$index" "$log" || exit
 start=$(date +%s.%N)

@@ -10,12 +10,13 @@
 
 namespace cvo {
 
-// One word of a POSIX shell, whatever bytes it holds.
+// Quotes a text as one word of a POSIX shell, whatever bytes it contains.
 std::string ShellQuoted(const std::string& text);
 
-// A script for sh that runs task number $1, else $SLURM_ARRAY_TASK_ID, of these: within its limits,
-// output to its log. When the task has ended, and not before, `folder`/end/<number> holds "<exit
-// code> <start> <end>" (seconds); a task that starts again removes it first.
+// Returns an sh script that runs the task with number $1, or $SLURM_ARRAY_TASK_ID if there is none,
+// within its limits and with its output in its log. Once the task has ended, and not before,
+// `folder`/end/<number> contains "<exit code> <start> <end>" (times in seconds). A task that is
+// started again removes that file first.
 std::string SlurmScript(std::span<const Task> tasks, const std::filesystem::path& folder);
 
 }  // namespace cvo

@@ -10,7 +10,7 @@
 namespace cvo {
 namespace {
 
-constexpr int kSignalBase = 128;  // what sh adds to the number of a signal
+constexpr int kSignalBase = 128;  // what sh adds to a signal number
 
 std::string CodeText(int code) {
   const int signal = code - kSignalBase;
@@ -19,7 +19,7 @@ std::string CodeText(int code) {
   return StrCat("killed by signal ", signal, " (SIG", name, ")");
 }
 
-// Slurm adds who did it: "CANCELLED by 1000".
+// Slurm appends who cancelled the task: "CANCELLED by 1000".
 std::string StateText(const std::string& state) {
   if (state.starts_with("CANCELLED")) return "cancelled in Slurm";
   if (state == "TIMEOUT") return "stopped by Slurm at its time limit";

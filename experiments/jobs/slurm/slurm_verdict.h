@@ -9,11 +9,12 @@
 
 namespace cvo {
 
-// How a task ended whose program came to its end.
+// Returns how a task ended whose script recorded its end.
 TaskEnd EndByCode(const Task& task, const SlurmEnd& end);
 
-// How a task ended that Slurm ended ("CANCELLED", "TIMEOUT", ...), or that left the queue without a
-// word (state is empty). `words`: the last line that Slurm wrote about it, may be empty.
+// Returns how a task ended that was ended by Slurm ("CANCELLED", "TIMEOUT", ...), or that left the
+// queue without a state (`state` is empty). `words` is the last line that Slurm wrote about it, and
+// may be empty.
 TaskEnd EndByState(const std::string& state, const std::string& words);
 
 }  // namespace cvo

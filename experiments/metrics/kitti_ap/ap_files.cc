@@ -32,7 +32,7 @@ std::vector<ApFrame> ReadTracking(const fs::path& label_file, const fs::path& de
   return frames;
 }
 
-// Of <number>.txt; other files are left alone.
+// Finds the files <number>.txt by number; other files are ignored.
 std::map<std::int64_t, fs::path> NumberedFiles(const fs::path& folder) {
   std::map<std::int64_t, fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
@@ -66,8 +66,8 @@ std::vector<ApFrame> ReadObjects(const fs::path& label_folder, const fs::path& d
   return frames;
 }
 
-// Without scores, all thresholds are one; with scores in some files alone, the ranking means
-// nothing.
+// Throws Error if only some detections have scores. Without any, all score thresholds are equal;
+// with some, the ranking would be meaningless.
 void CheckScores(const std::vector<ApFrame>& frames, const fs::path& detections) {
   std::size_t with = 0;
   std::size_t all = 0;

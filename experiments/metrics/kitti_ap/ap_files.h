@@ -10,10 +10,10 @@
 
 namespace cvo {
 
-// Labels and detections of the frames of `range`: of KITTI tracking, two files, whose frames are 0
-// to the last of either; of KITTI object, two folders of <number>.txt, whose frames are those of
-// the label files. Throws Error for a file that cannot be read, for a detection file of an image
-// without labels, and where a detection lacks the score that others have.
+// Reads labels and detections of the frames of `range`. For KITTI tracking, these are two files;
+// their frames are 0 to the last one in either. For KITTI object, they are two folders of
+// <number>.txt; the frames are those of the label files. Throws Error if a file cannot be read, if
+// an image has a detection file but no label file, or if only some of the detections have a score.
 std::vector<ApFrame> ReadApFrames(const std::filesystem::path& labels,
                                   const std::filesystem::path& detections, const FrameRange& range);
 

@@ -19,17 +19,17 @@ struct ApCounts {
   int false_positives = 0;
 };
 
-// Labels and detections of a frame that take part at a level, and the overlaps between them. What
-// is ignored may be matched, and counts neither as found nor as missed.
+// The labels and detections of a frame that take part at a level, and the overlaps between them.
+// Ignored ones may be matched, but count neither as found nor as missed nor as false.
 class MatchedFrame {
  public:
-  // `frame` must outlive it.
   MatchedFrame(const ApFrame& frame, const ApProtocol& protocol, ApLevel level);
 
   int valid_labels() const;
-  // Each label takes the detection of highest score.
+  // Each label is matched with the detection of highest score.
   std::vector<double> ScoresOfTruePositives() const;
-  // Of detections with at least this score, each label takes that of largest overlap.
+  // Each label is matched with the detection of largest overlap among those with at least this
+  // score.
   void AddCounts(double least_score, ApCounts& counts) const;
 
  private:
@@ -51,7 +51,7 @@ class MatchedFrame {
   std::vector<Detection> detections_;
 };
 
-// Beyond any of them, a label is ignored at the level.
+// A label beyond any of these limits is ignored at the level.
 struct LevelLimits {
   double least_height_px;
   int most_occlusion;
@@ -76,7 +76,8 @@ MatchedFrame::MatchedFrame(const ApFrame& frame, const ApProtocol& protocol, ApL
       protocol.space == BoxSpace::kImage || protocol.dont_care == DontCareRule::kAll;
   std::vector<const ObjectBox*> boxes;
   for (const ObjectBox& box : frame.detections) {
-    // Small boxes of any class are ignored; the devkit cuts their height to whole pixels.
+    // Small boxes of any class are ignored; like the devkit, this truncates their height to whole
+    // pixels.
     const bool small = std::trunc(std::abs(box.bottom_px - box.top_px)) < limits.least_height_px;
     if (!small && !IsOfClass(box, protocol.category)) continue;
     const bool in_dont_care =
@@ -119,7 +120,8 @@ std::vector<double> MatchedFrame::ScoresOfTruePositives() const {
   return scores;
 }
 
-// The largest overlap of a detection that is not ignored; without one, the first that is.
+// Returns the detection of largest overlap that is not ignored; if there is none, the first ignored
+// one.
 std::optional<std::size_t> MatchedFrame::Largest(const Label& label, const std::vector<bool>& taken,
                                                  double least_score) const {
   std::optional<std::size_t> best;
@@ -149,7 +151,7 @@ void MatchedFrame::AddCounts(double least_score, ApCounts& counts) const {
   }
 }
 
-// At most 41 scores of true positives whose recalls are nearest to 0, 1/40, ..., 1.
+// Returns at most 41 scores of true positives, those whose recalls are nearest to 0, 1/40, ..., 1.
 std::vector<double> ScoreThresholds(std::vector<double> scores, int valid_labels) {
   std::sort(scores.begin(), scores.end(), std::greater<>());
   std::vector<double> thresholds;
@@ -189,7 +191,7 @@ AveragePrecision EvaluateLevel(const std::vector<ApFrame>& frames, const ApProto
   for (std::size_t i = kRecallSlots - 1; i-- > 0;) {
     result.precision[i] = std::max(result.precision[i], result.precision[i + 1]);
   }
-  // Divided once: eleven times 1/11 is more than 1.
+  // The sum is divided once, because eleven times 1/11 is more than 1 in doubles.
   for (std::size_t i = 0; i < kRecallSlots; i += 4) result.ap11 += result.precision[i];
   result.ap11 /= 11.0;
   result.ap40 = std::accumulate(result.precision.begin() + 1, result.precision.end(), 0.0) /

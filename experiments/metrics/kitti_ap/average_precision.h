@@ -14,24 +14,25 @@ namespace cvo {
 enum class ApLevel { kEasy, kModerate, kHard };
 constexpr std::array<const char*, 3> EnumNames(ApLevel) { return {"easy", "moderate", "hard"}; }
 
-// Truncation of a label is a fraction in object files and 0, 1 or 2 in tracking files. By the
-// devkit's limits (0.15, 0.30, 0.50), each truncated box of a tracking file is ignored.
+// Whether the devkit's limits on truncation (0.15, 0.30, 0.50) are applied. The truncation of a
+// label is a fraction in object files, but 0, 1 or 2 in tracking files, where the limits therefore
+// ignore every truncated box.
 enum class TruncationRule { kApplied, kIgnored };
 constexpr std::array<const char*, 2> EnumNames(TruncationRule) { return {"applied", "ignored"}; }
 
-// What detections within DontCare regions are spared from being false positives: those of the 2D
-// benchmark alone, as with the devkit on object files, whose regions have no 3D box; or those of
-// all three, by their box in the image.
+// Which detections within DontCare regions do not count as false positives: only those of the 2D
+// benchmark, as in the devkit on object files, whose regions have no 3D box; or those of all three
+// benchmarks, according to their box in the image.
 enum class DontCareRule { kImageOnly, kAll };
 constexpr std::array<const char*, 2> EnumNames(DontCareRule) { return {"2d", "all"}; }
 
-// What two figures of average precision must have in common to be compared. The rules are those of
-// KITTI's object devkit (cpp/evaluate_object.cpp); fields are the choices that differ between
-// published figures.
+// What two values of average precision must have in common to be comparable. The rules are those of
+// the KITTI object devkit (cpp/evaluate_object.cpp). The fields are the choices in which published
+// values differ.
 struct ApProtocol {
   std::string category = "Car";
   BoxSpace space = BoxSpace::kImage;
-  double least_overlap = 0.7;  // to be exceeded
+  double least_overlap = 0.7;  // must be exceeded
   TruncationRule truncation = TruncationRule::kApplied;
   DontCareRule dont_care = DontCareRule::kImageOnly;
 
@@ -46,7 +47,7 @@ struct ApProtocol {
   }
 };
 
-// Labels and detections of one image. A detection without a score ranks as one of score 1.
+// Labels and detections of one image. A detection without a score is ranked as if its score were 1.
 struct ApFrame {
   std::vector<ObjectBox> labels;
   std::vector<ObjectBox> detections;
@@ -59,7 +60,7 @@ struct AveragePrecision {
   double ap11 = 0.0;  // mean over recall 0, 0.1, ..., 1; in [0, 1]
   double ap40 = 0.0;  // mean over recall 1/40, 2/40, ..., 1: the benchmark's since October 2019
   int valid_labels = 0;
-  // At recall i/40: the highest precision there or at higher recall, 0 beyond the highest recall.
+  // [i]: the highest precision at recall i/40 or above; 0 beyond the highest recall reached.
   std::array<double, kRecallSlots> precision = {};
 
   template <typename Self, typename Archive>
@@ -72,7 +73,7 @@ struct AveragePrecision {
   }
 };
 
-// Of each level. Frames without detections count: their labels are missed.
+// Evaluates all three levels. Frames without detections count: their labels are missed.
 std::array<AveragePrecision, 3> EvaluateAp(const std::vector<ApFrame>& frames,
                                            const ApProtocol& protocol);
 

@@ -8,14 +8,14 @@
 
 namespace cvo {
 
-// Classes of KITTI, whatever the case of their letters.
+// Whether the box is of this KITTI class, ignoring case.
 bool IsOfClass(const ObjectBox& box, const std::string& category);
 
-// Of a class so close that a detection of either may lie on the other at no cost: vans for cars,
-// sitting persons for pedestrians (tracking files call them "Person").
+// Whether the box is of a class so similar to `category` that matching a detection to it is not
+// penalised: vans for cars, sitting persons for pedestrians (tracking files call them "Person").
 bool IsNeighbour(const ObjectBox& box, const std::string& category);
 
-// A region in which nothing was labelled.
+// Whether the label marks a region in which objects were not labelled.
 bool IsDontCare(const ObjectBox& label);
 
 }  // namespace cvo

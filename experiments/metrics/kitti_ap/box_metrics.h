@@ -9,12 +9,12 @@
 
 namespace cvo {
 
-// Whether a label of the sequence is a car with a 3D box: there are no BoxMetrics otherwise.
+// Whether the sequence has a label of a car with a 3D box, without which there are no BoxMetrics.
 bool TellsBoxes(const Sequence& sequence);
 
-// box_ap_*: average precision of the cars among a run's boxes, at an overlap of 0.25 as in the
-// paper and with the devkit's own reading of labels. Empty where no label is a car with a 3D box,
-// and of a level that no label is of.
+// Computes box_ap_*: the average precision of the cars among a run's boxes, at an overlap of 0.25
+// as in the paper and with labels interpreted as the devkit does. Empty if no label is a car with a
+// 3D box; a level without labels is left out.
 std::vector<Metric> BoxMetrics(const Sequence& sequence, const std::vector<ObjectBox>& boxes);
 
 }  // namespace cvo

@@ -32,7 +32,8 @@ double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-// Corners in x-z, with the inside to the left of each side. At heading 0 the length is along x.
+// Corners in x-z, ordered so that the inside is to the left of each side. At heading 0 the length
+// is along x.
 Polygon Footprint(const Box3d& box) {
   const Eigen::Vector2d center(box.bottom_in_camera.x(), box.bottom_in_camera.z());
   const double c = std::cos(box.heading_rad);
@@ -43,7 +44,7 @@ Polygon Footprint(const Box3d& box) {
           center + along - across};
 }
 
-// The part of a convex polygon to the left of the line from `from` to `to`.
+// Returns the part of a convex polygon to the left of the line from `from` to `to`.
 Polygon Clip(const Polygon& polygon, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
   Polygon kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -14,7 +14,8 @@ namespace {
 using reports::MetricId;
 using enum reports::MetricId;
 
-// Observed landmarks that are judged: the static scene is 0, and a body one of its own.
+// Observed landmarks that are judged. Body 0 is the static scene, which is treated as a body of its
+// own.
 struct Judged {
   int body = 0;
   int cluster = 0;  // -1: none
@@ -61,8 +62,8 @@ Decisions Count(const std::vector<std::vector<Judged>>& frames) {
   return decisions;
 }
 
-// Landmarks in clusters, of standing bodies too, and those of them that lie on the body that most
-// of their cluster's landmarks, in all frames, lie on.
+// Counts the landmarks in clusters, including those on stationary bodies, and as `right` those on
+// the body that holds most of their cluster's landmarks over all frames.
 struct Purity {
   std::int64_t right = 0, in_clusters = 0;
 };
@@ -74,7 +75,7 @@ Purity CountPurity(const ObjectEstimate& estimate) {
     for (const LandmarkObservation& landmark : observed) {
       if (landmark.truth.body < 0 || landmark.cluster <= 0) continue;
       purity.in_clusters += landmark.count;
-      // The static scene is no cluster's body.
+      // The static scene is not the body of any cluster.
       if (landmark.truth.body == 0) continue;
       bodies_of_cluster[landmark.cluster][landmark.truth.body] += landmark.count;
     }
@@ -87,7 +88,7 @@ Purity CountPurity(const ObjectEstimate& estimate) {
   return purity;
 }
 
-// The cluster of a body; -2, which no landmark has, for one that is matched to none.
+// Cluster of each body; -2, which no landmark has, for a body without a match.
 using ClusterOf = std::map<int, std::int64_t>;
 
 ClusterOf MatchedClusters(const ObjectTruth& truth, const ObjectEstimate& estimate,
@@ -100,7 +101,7 @@ ClusterOf MatchedClusters(const ObjectTruth& truth, const ObjectEstimate& estima
   return cluster_of;
 }
 
-// Mean over the static scene and the bodies that are seen in the frame, which is not empty.
+// Mean over the static scene and the bodies seen in the frame, which must not be empty.
 double FrameIou(const std::vector<Judged>& frame, const ClusterOf& cluster_of) {
   std::map<int, std::int64_t> size_of_body;
   std::map<int, std::int64_t> size_of_cluster;
@@ -147,7 +148,7 @@ double FrameAri(const std::vector<Judged>& frame) {
   return AdjustedRandIndex(bodies, clusters);
 }
 
-// What all of them share.
+// What all clustering metrics share.
 struct Base {
   reports::Contract contract;
   std::string left_out;
@@ -194,7 +195,7 @@ double AdjustedRandIndex(const std::vector<int>& a, const std::vector<int>& b) {
   const double together = SumOfPairs(sizes_both);
   const double in_a = SumOfPairs(sizes_a);
   const double in_b = SumOfPairs(sizes_b);
-  // Equal where the labellings say the same of every pair; only then can the quotient be 0 / 0.
+  // Equal if the labellings agree on every pair; only then can the quotient be 0 / 0.
   if (together == in_a && together == in_b) return 1.0;
   const double by_chance = in_a * in_b / Pairs(static_cast<std::int64_t>(a.size()));
   return (together - by_chance) / (0.5 * (in_a + in_b) - by_chance);

@@ -24,14 +24,14 @@ std::size_t IndexOf(const std::vector<Item>& items, std::int64_t id) {
                                                : static_cast<std::size_t>(item - items.begin());
 }
 
-// Landmarks of a cluster seen on a body.
+// Number of landmarks of a cluster observed on a body.
 struct Overlap {
   int body = 0;
   std::int64_t cluster = 0;
   int landmarks = 0;
 };
 
-// By body, then by cluster.
+// Sorted by body, then by cluster.
 std::vector<Overlap> FrameOverlaps(const std::vector<LandmarkObservation>& landmarks) {
   std::map<std::pair<int, std::int64_t>, int> counts;
   for (const LandmarkObservation& landmark : landmarks) {
@@ -43,7 +43,7 @@ std::vector<Overlap> FrameOverlaps(const std::vector<LandmarkObservation>& landm
   return overlaps;
 }
 
-// Landmarks that each body and each cluster of the lists share in a frame.
+// Number of landmarks in a frame shared by each body and each cluster, as indexed in the lists.
 Eigen::MatrixXd LandmarksInFrame(const ObjectTruth& truth, const ObjectEstimate& estimate,
                                  std::size_t frame) {
   Eigen::MatrixXd shared =
@@ -58,8 +58,8 @@ Eigen::MatrixXd LandmarksInFrame(const ObjectTruth& truth, const ObjectEstimate&
   return shared;
 }
 
-// [body]: the index of its cluster or -1. A pair that shares nothing costs nothing; were it
-// forbidden, the assignment would give away landmarks for a pair more.
+// Returns [body]: the index of its cluster, or -1. A pair that shares nothing has zero cost. If
+// such pairs were forbidden, the assignment would sacrifice shared landmarks to form more pairs.
 std::vector<int> AssignMostShared(const Eigen::MatrixXd& shared) {
   std::vector<int> clusters = Assign(-shared);
   for (std::size_t body = 0; body < clusters.size(); ++body) {
@@ -69,7 +69,7 @@ std::vector<int> AssignMostShared(const Eigen::MatrixXd& shared) {
   return clusters;
 }
 
-// -1: none with enough landmarks.
+// Returns -1 if no cluster has enough landmarks.
 std::int64_t BestCluster(const std::vector<Overlap>& overlaps, int body, std::int64_t last) {
   const Overlap* best = nullptr;
   for (const Overlap& overlap : overlaps) {
@@ -81,10 +81,10 @@ std::int64_t BestCluster(const std::vector<Overlap>& overlaps, int body, std::in
   return best == nullptr ? -1 : best->cluster;
 }
 
-// A body up to now.
+// State of a body up to the current frame.
 struct Track {
-  std::int64_t cluster = -1;  // the last one
-  bool interrupted = false;   // since then, in a visible frame
+  std::int64_t cluster = -1;  // its last cluster
+  bool interrupted = false;   // without a cluster since then, in a visible frame
 
   void Add(std::int64_t best, Continuity& continuity) {
     if (best == -1) {
@@ -98,7 +98,7 @@ struct Track {
   }
 };
 
-// [body]: the id of its cluster in the frame, -1: none.
+// Returns [body]: the id of its cluster in the frame, -1 if it has none.
 std::vector<std::int64_t> ClustersInFrame(const ObjectTruth& truth, const ObjectEstimate& estimate,
                                           std::size_t frame, const std::vector<Track>& tracks) {
   std::vector<std::int64_t> clusters(truth.bodies.size(), -1);
@@ -117,7 +117,7 @@ std::vector<std::int64_t> ClustersInFrame(const ObjectTruth& truth, const Object
   return clusters;
 }
 
-// nullptr where the cluster is not in the frame.
+// Returns nullptr if the cluster is not in the frame.
 const ClusterFrame* FindFrame(const ClusterEstimate& cluster, std::size_t frame) {
   const auto found = std::lower_bound(
       cluster.frames.begin(), cluster.frames.end(), static_cast<int>(frame),
@@ -126,7 +126,8 @@ const ClusterFrame* FindFrame(const ClusterEstimate& cluster, std::size_t frame)
                                                                                   : &*found;
 }
 
-// Where the bodies of a frame are, in the camera; those without a box or a pose are not there.
+// Positions of the bodies in the camera frame; empty for a body without a box or a pose in the
+// frame.
 std::vector<std::optional<Eigen::Vector3d>> BodiesInCamera(const ObjectTruth& truth,
                                                            std::size_t frame) {
   const RigidTransform camera_from_world = truth.world_from_camera[frame]->Inverse();

@@ -10,31 +10,34 @@
 
 namespace cvo {
 
-// A body and the cluster it is scored with.
+// A body and the cluster that it is scored with.
 struct ObjectMatch {
   std::size_t body = 0;     // index into ObjectTruth::bodies
   std::size_t cluster = 0;  // index into ObjectEstimate::clusters
-  double shared = 0.0;      // landmarks of the cluster on the body, or nearness, over all frames
+  double shared = 0.0;  // sum over frames of the cluster's landmarks on the body, or of nearness
 };
 
-// One-to-one, such that what matched pairs share (ObjectEstimate::match_by: landmarks or nearness)
-// is as much as possible; pairs that share nothing stay apart. By body.
+// Matches bodies and clusters one-to-one so as to maximise the total that the pairs share,
+// landmarks or nearness (ObjectEstimate::match_by). Pairs that share nothing are not matched.
+// Sorted by body.
 std::vector<ObjectMatch> MatchObjects(const ObjectTruth& truth, const ObjectEstimate& estimate);
 
-// How steadily a body is followed, over its visible frames. Its cluster in a frame is the one with
-// the most landmarks on it, at least kMinObservedLandmarks; ties: the one before, then the lowest
-// id. By nearness: the one of the one-to-one pairs that share the most in the frame.
+// How continuously a body is tracked over its visible frames. Its cluster in a frame is the one
+// with the most landmarks on it, at least kMinObservedLandmarks; ties are broken in favour of its
+// last cluster, then of the lowest id. With matching by nearness, it is the body's cluster in the
+// one-to-one matching that maximises total nearness in the frame.
 struct Continuity {
-  int id_switches = 0;  // another cluster than the last time it had one, also across occlusions
-  int fragments = 0;    // has a cluster again after visible frames without
+  int id_switches = 0;  // a cluster other than its last one, also across occlusions
+  int fragments = 0;    // a cluster again after visible frames without one
 };
 std::vector<Continuity> MeasureContinuity(const ObjectTruth& truth,
                                           const ObjectEstimate& estimate);  // [body]
 
-// How near each cluster is to each body in a frame, [body, cluster]: 1 - d / r with the distance d
-// between their centres and the diagonal r of the body's box, wide enough for an object's frame at
-// its edge; 0 beyond it and where one of the two or a camera is not there. Either centre is seen
-// from its own camera, so that drift is no matter.
+// Nearness [body, cluster] of each cluster to each body in a frame: 1 - d / r, where d is the
+// distance between their centres and r the diagonal of the body's box. r is large enough for
+// estimates whose body frame is at the edge of the body. 0 if d exceeds r, or if the body, its box,
+// the cluster or a camera pose is missing. Each centre is expressed in its own camera frame, so
+// that drift has no effect.
 Eigen::MatrixXd NearnessInFrame(const ObjectTruth& truth, const ObjectEstimate& estimate,
                                 std::size_t frame);
 

@@ -20,7 +20,7 @@ using enum reports::MetricId;
 
 constexpr std::array kSuccesses = {kObjectSuccess5cm, kObjectSuccess10cm, kObjectSuccess20cm};
 
-// The bodies that share a row, and what their metrics have in common.
+// The bodies of one group of metrics, and what these metrics have in common.
 struct Group {
   BodyGroup form = BodyGroup::kMovers;
   std::vector<const BodyScore*> bodies;
@@ -30,14 +30,14 @@ struct Group {
   std::int64_t visible = 0;     // object-frames
   std::int64_t estimated = 0;   // of these
 
-  // Of errors: what has no estimate is left out.
+  // Makes a metric of errors, which leaves out what has no estimate.
   Metric Error(MetricId id, double value, std::int64_t n) const {
     Metric metric = MakeMetric({id, form}, value, n);
     StateTruth(contract, metric);
     metric.left_out = left_out;
     return metric;
   }
-  // Of fractions and counts, which leave nothing out.
+  // Makes a metric of fractions or counts, which leave nothing out.
   Metric Whole(MetricId id, double value, std::int64_t n) const {
     Metric metric = Error(id, value, n);
     metric.left_out = "nothing";
@@ -63,7 +63,7 @@ std::string UnmatchedBodiesText(const Group& group) {
                 " visible object-frames without one");
 }
 
-// How clusters are matched to bodies.
+// The contract of the truth, with how clusters are matched to bodies.
 reports::Contract MatchingOf(const ObjectTruth& truth, const ObjectScores& scores) {
   reports::Contract contract = truth.contract;
   contract.matching = scores.match_by;
@@ -109,7 +109,7 @@ void AddFractions(const Group& group, std::vector<Metric>& metrics) {
   }
 }
 
-// The mean over the bodies that determine the value; absent where none does.
+// Adds the mean over the bodies that determine the value; absent if none does.
 template <typename Value>
 void AddMean(const Group& group, MetricId id, Value value, std::vector<Metric>& metrics) {
   double sum = 0.0;

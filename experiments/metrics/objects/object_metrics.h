@@ -9,9 +9,10 @@
 
 namespace cvo {
 
-// The object rows in a fixed order: object_* over movers, object_predicted_* where
-// their pose is a prediction, object_standing_* over bodies that stay put, and clusters without a
-// body. A metric that the bodies do not determine is absent.
+// Computes the object metrics, in a fixed order: object_* over moving bodies, object_predicted_*
+// over the frames in which their estimate does not count (Counts), object_standing_* over
+// stationary bodies, and the number of clusters without a body. A metric that the bodies do not
+// determine is absent.
 std::vector<Metric> ObjectMetrics(const ObjectTruth& truth, const ObjectScores& scores);
 
 }  // namespace cvo

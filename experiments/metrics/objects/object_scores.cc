@@ -13,7 +13,7 @@
 namespace cvo {
 namespace {
 
-// The frames of a body and of its cluster, the estimate in the world of the truth.
+// Common frames of a body and its cluster, with the estimate in the world of the truth.
 struct BodyPoses {
   CommonPoses counted;
   std::vector<const ClusterFrame*> counted_frames;
@@ -44,9 +44,9 @@ BodyPoses CollectPoses(const TruthBody& body, const ClusterEstimate& cluster,
   return poses;
 }
 
-// The true poses as the camera of their frame sees them, from where that camera was estimated: what
-// is left is the body's own error, whatever that of the camera and of its truth. Frames that lack
-// either camera are left out.
+// Returns the true poses as seen by the true camera of their frame, placed at the estimated camera.
+// The remaining error is that of the body alone, whatever the errors of the camera and its truth.
+// Frames that lack either camera pose are left out.
 CommonPoses AsSeen(const ObjectTruth& truth, const ObjectEstimate& estimate,
                    const RigidTransform& truth_from_estimate, const CommonPoses& poses) {
   CommonPoses seen;
@@ -82,7 +82,7 @@ void SetRelative(const std::optional<RelativeErrors>& errors, std::optional<doub
   translation_m = errors->translation_m;
 }
 
-// Of the point of the body whose velocity the run gives, so that turning bodies are judged too.
+// Velocity error at the point whose velocity the run gives, so that turning bodies are judged too.
 std::optional<double> VelocityError(const ObjectTruth& truth, const TruthBody& body,
                                     const std::vector<const ClusterFrame*>& frames,
                                     const RigidTransform& gtobject_from_object,
@@ -100,7 +100,7 @@ std::optional<double> VelocityError(const ObjectTruth& truth, const TruthBody& b
   return std::sqrt(sum / static_cast<double>(n));
 }
 
-// Of the estimate, to that of the truth.
+// Alignments of the world of the estimate to that of the truth.
 struct Worlds {
   RigidTransform by_camera;
   RigidTransform by_first_pose;  // of the camera

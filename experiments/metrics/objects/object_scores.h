@@ -9,29 +9,31 @@
 
 namespace cvo {
 
-// What a run reaches on one body. Position errors are after the alignment of the camera and with
-// the one object_from_gtobject of its cluster; motion errors are of E = G_k^-1 H_gt^-1 H_est G_k
-// with H = P_k+1 P_k^-1.
+// Scores of a run on one body. Position errors are measured after the alignment of the worlds by
+// the camera and with the single object_from_gtobject of its cluster. Motion errors are those of
+// E = G_k^-1 H_gt^-1 H_est G_k with H = P_k+1 P_k^-1.
 struct BodyScore : reports::BodyRow {
-  // Of the body's origin in the world of the truth, by frame of `errors` and of `predicted`.
+  // Positions of the body's origin in the world of the truth, per frame of `errors` and of
+  // `predicted`.
   std::vector<Eigen::Vector3d> estimated_positions;
   std::vector<Eigen::Vector3d> predicted_positions;
 };
 
 struct ObjectScores {
   MatchBy match_by = MatchBy::kLandmarks;
-  bool differentiated = false;         // velocities: ObjectEstimate::differentiated
-  RigidTransform truth_from_estimate;  // of the worlds
-  std::vector<BodyScore> bodies;       // that are visible in some frame, by id
-  int clusters = 0;                    // whose pose counts in some frame
-  int unmatched_clusters = 0;          // of these, scored with no body
+  bool differentiated = false;         // of velocities: ObjectEstimate::differentiated
+  RigidTransform truth_from_estimate;  // between the worlds
+  std::vector<BodyScore> bodies;       // those visible in some frame, by id
+  int clusters = 0;                    // number of clusters whose pose counts in some frame
+  int unmatched_clusters = 0;          // of these, not matched to a body
 };
 
-// The world of the truth from that of the estimate by the camera: rotation the chordal mean over
-// its orientations, translation over its positions. The identity without a common frame.
+// Aligns the world of the estimate to that of the truth by the camera: the rotation is the chordal
+// mean over the camera's orientations, the translation the mean over its positions. Returns
+// truth_from_estimate; the identity if no frame has both poses.
 RigidTransform AlignByCamera(const OptionalPoses& truth, const OptionalPoses& estimate);
 
-// Throws Error as CheckEstimate.
+// Throws Error as CheckEstimate does.
 ObjectScores ScoreObjects(const ObjectTruth& truth, const ObjectEstimate& estimate);
 
 }  // namespace cvo

@@ -21,7 +21,8 @@ void CheckBody(const ObjectTruth& truth, const TruthBody& body) {
   }
 }
 
-// Whether the point lies more than kMovedPoint_m from p in one of the frames [begin, end).
+// Whether the point was more than kMovedPoint_m away from p_in_world in one of the frames [begin,
+// end).
 bool HasMoved(const TruthBody& body, int begin, int end, const Eigen::Vector3d& p_in_object,
               const Eigen::Vector3d& p_in_world) {
   for (int k = end - 1; k >= begin; --k) {

@@ -13,7 +13,7 @@ constexpr int kNone = -1;
 
 struct ClearTrack {
   int last = kNone;      // reported identity of its last match
-  int previous = kNone;  // and of that in the frame before, if any
+  int previous = kNone;  // its match in the preceding frame; kNone: none
 };
 
 class ClearCounter {
@@ -31,7 +31,7 @@ class ClearCounter {
   double similarity_ = 0.0;
 };
 
-// A pair of the frame before is kept before any other.
+// Assignment costs that keep a pair of the preceding frame in preference to any other.
 Eigen::MatrixXd Costs(const TrackedFrame& frame, const std::vector<ClearTrack>& tracks) {
   constexpr double kKept = 1000.0;
   Eigen::MatrixXd cost = Eigen::MatrixXd::Zero(frame.similarity.rows(), frame.similarity.cols());
@@ -55,7 +55,7 @@ void ClearCounter::Match(ClearTrack& track, int estimate, double similarity) {
 
 void ClearCounter::Add(const TrackedFrame& frame) {
   const int before = scores_.matches;
-  // A frame without any box, true or reported, leaves what was matched before as it is.
+  // A frame without true or without reported boxes leaves the previous matches as they are.
   if (!frame.truth.empty() && !frame.estimate.empty()) {
     const Eigen::MatrixXd cost = Costs(frame, tracks_);
     const std::vector<int> columns = Assign(cost);
@@ -78,7 +78,7 @@ void ClearCounter::Add(const TrackedFrame& frame) {
 
 ClearScores ClearCounter::Scores() const {
   ClearScores scores = scores_;
-  // The first match of a body is no fragment.
+  // The first match of a body is not a fragment.
   scores.fragments -= static_cast<int>(std::count_if(
       tracks_.begin(), tracks_.end(), [](const ClearTrack& track) { return track.last != kNone; }));
   const double wrong = scores.missed + scores.false_boxes + scores.switches;

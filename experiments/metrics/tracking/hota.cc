@@ -14,7 +14,7 @@ constexpr std::size_t kLimits = 19;
 double Limit(std::size_t index) { return 0.05 + 0.05 * static_cast<double>(index); }
 
 struct IdentityCounts {
-  Eigen::VectorXd truth;  // frames that have it
+  Eigen::VectorXd truth;  // number of frames that have the identity
   Eigen::VectorXd estimate;
 };
 
@@ -28,8 +28,8 @@ IdentityCounts CountIdentities(const TrackedSequence& sequence) {
   return counts;
 }
 
-// How well whole tracks agree: shares of similarity within each frame, summed over frames, over
-// the frames that have either.
+// Agreement of whole tracks, a soft Jaccard index: the pair's share of the similarity in each
+// frame, summed over frames, divided by the lengths of both tracks minus that sum.
 Eigen::MatrixXd TrackAlignment(const TrackedSequence& sequence, const IdentityCounts& counts) {
   Eigen::MatrixXd shared = Eigen::MatrixXd::Zero(sequence.truth_count, sequence.estimate_count);
   for (const TrackedFrame& frame : sequence.frames) {
@@ -51,13 +51,13 @@ Eigen::MatrixXd TrackAlignment(const TrackedSequence& sequence, const IdentityCo
   return shared;
 }
 
-// At one similarity limit.
+// Counts at one similarity threshold.
 struct LimitCounts {
   double matches = 0.0;
   double missed = 0.0;
   double false_boxes = 0.0;
   double similarity = 0.0;   // sum over matches
-  Eigen::MatrixXd together;  // matches by true and reported identity
+  Eigen::MatrixXd together;  // number of matches per true and reported identity
 };
 
 void AddFrame(const TrackedFrame& frame, const Eigen::MatrixXd& alignment,
@@ -108,7 +108,7 @@ HotaScores EvaluateHota(const TrackedSequence& sequence) {
   for (const TrackedFrame& frame : sequence.frames) AddFrame(frame, alignment, limits);
   HotaScores scores;
   for (const LimitCounts& limit : limits) {
-    constexpr double kNothing = 1e-10;  // perfect localisation where nothing is matched
+    constexpr double kNothing = 1e-10;  // localisation is perfect if nothing is matched
     const double det_a =
         limit.matches / std::max(1.0, limit.matches + limit.missed + limit.false_boxes);
     const double ass_a = AssociationAccuracy(limit, counts);

@@ -21,7 +21,7 @@ IdentityScores EvaluateIdentities(const TrackedSequence& sequence) {
       }
     }
   }
-  // Each pair of tracks saves its common boxes twice, as missed and as false.
+  // Each common box of a pair of tracks saves two errors: one missed and one false box.
   const std::vector<int> columns = Assign(-together);
   double matches = 0.0;
   for (std::size_t i = 0; i < columns.size(); ++i) {

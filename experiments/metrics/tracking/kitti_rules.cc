@@ -24,7 +24,7 @@ bool Counts(const ObjectBox& label, const std::string& category) {
          label.truncation <= kMostTruncation;
 }
 
-// Reported boxes matched in the image, by index: the true box, or nullptr.
+// Matches reported boxes in the image. Returns, per reported box, the true box or nullptr.
 Boxes MatchInImage(const Boxes& labels, const Boxes& detections) {
   Eigen::MatrixXd cost(labels.size(), detections.size());
   for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -69,7 +69,7 @@ Boxes CountedDetections(const ApFrame& frame, const std::string& category) {
   return counted;
 }
 
-// Track ids of a file as identities without gaps.
+// Maps the track ids of a file to identities without gaps.
 class Identities {
  public:
   std::vector<int> Of(const Boxes& boxes, const char* where) {

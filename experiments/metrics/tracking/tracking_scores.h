@@ -7,8 +7,9 @@
 
 namespace cvo {
 
-// Boxes of one frame: identities of true and reported ones, each once, and how similar they are in
-// [0, 1] (rows: true). Identities count from 0 without gaps over the sequence.
+// The boxes of one frame: identities of true and reported boxes, each at most once, and the
+// similarity of each pair in [0, 1] (rows: true). Identities are numbered from 0 without gaps over
+// the sequence.
 struct TrackedFrame {
   std::vector<int> truth;
   std::vector<int> estimate;
@@ -16,16 +17,18 @@ struct TrackedFrame {
 };
 
 struct TrackedSequence {
-  int truth_count = 0;  // identities
+  int truth_count = 0;  // number of identities
   int estimate_count = 0;
   std::vector<TrackedFrame> frames;
 };
 
-// Limits are compared with this much slack, as TrackEval does: the spacing of doubles at 1.
+// Slack with which HOTA, CLEAR and the KITTI rules compare similarities, as in TrackEval: the
+// spacing of doubles at 1.
 inline constexpr double kSimilaritySlack = 2.220446049250313e-16;
 
-// Higher order tracking accuracy (Luiten et al., IJCV 2021): means over the similarity limits 0.05,
-// 0.10, ..., 0.95. HOTA is the mean of sqrt(DetA AssA), not the root of the means.
+// Higher order tracking accuracy (Luiten et al., IJCV 2021): means over the similarity thresholds
+// 0.05, 0.10, ..., 0.95. HOTA is the mean of sqrt(DetA AssA), not the square root of the product of
+// the means.
 struct HotaScores {
   double hota = 0.0;
   double det_a = 0.0;
@@ -42,7 +45,7 @@ struct HotaScores {
 };
 HotaScores EvaluateHota(const TrackedSequence& sequence);
 
-// CLEAR (Bernardin and Stiefelhagen 2008), at similarity 0.5.
+// CLEAR metrics (Bernardin and Stiefelhagen 2008), at similarity 0.5.
 struct ClearScores {
   double mota = 0.0;  // 1 - (missed + false + switches) / true boxes
   double motp = 0.0;  // mean similarity of matches
@@ -50,7 +53,7 @@ struct ClearScores {
   int missed = 0;
   int false_boxes = 0;
   int switches = 0;
-  int fragments = 0;  // times that a true body is matched again after a frame without
+  int fragments = 0;  // number of times a true body is matched again after a frame without a match
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -65,8 +68,8 @@ struct ClearScores {
 };
 ClearScores EvaluateClear(const TrackedSequence& sequence);
 
-// Identity scores (Ristani et al. 2016), at similarity 0.5: over the whole sequence, each true body
-// has at most one reported one, such that most boxes match.
+// Identity metrics (Ristani et al. 2016), at similarity 0.5: over the whole sequence, each true
+// body is assigned at most one reported identity, such that as many boxes as possible match.
 struct IdentityScores {
   double idf1 = 0.0;
   double precision = 0.0;

@@ -29,24 +29,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What cells that differ in variant, options or oracle share.
+// The input shared by cells that differ only in variant, options or oracle.
 struct Input {
   std::string folder;
   std::string missing;
   int frames = 0;
   Sequence sequence;
   std::string content;
-  std::string boxes;       // of a detector
+  std::string boxes;       // written by a detector
   std::string detections;  // DetectionsHash
   std::vector<ImageHashes> images;
-  std::map<std::string, std::string> front_end_keys;  // by the options of the front end
+  std::map<std::string, std::string> front_end_keys;  // by front-end options
 };
 
-// What cells of one variant with one point of the grid share.
+// What cells of one variant at one grid point share.
 struct Resolved {
   Options options;
   std::string identity_head;
-  std::string front_end;  // its options, as text
+  std::string front_end;  // front-end options, as text
 };
 constexpr std::size_t kNameDigits = 8;
 constexpr std::size_t kMaxResolved = 10'000;  // 7 kB each
@@ -93,7 +93,7 @@ class Planner {
   BuildIdentity build_ = ThisBuild();
   std::map<std::string, Input> inputs_;
   std::map<std::string, Resolved> resolved_;
-  std::vector<std::pair<std::string, Preparation>> wanted_;  // with the key of the drawing
+  std::vector<std::pair<std::string, Preparation>> wanted_;  // each with the key of its drawing
   std::set<fs::path> wanted_outputs_;
 };
 
@@ -106,7 +106,7 @@ void Planner::AddRender(const RenderedScene& scene, const Cell& cell) {
                       scene.drawn ? Stage::kNoise : Stage::kDrawing}});
 }
 
-// The file of boxes of a detector; one that is not there has to be made.
+// Locates the file of a detector's boxes; adds a preparation if it does not exist or is damaged.
 void Planner::FindBoxes(const Cell& cell, Input& input) {
   const Sequence sequence = OpenSequence(RequestOf(cell, input.folder, data_.root(), ""));
   input.frames = static_cast<int>(sequence.images.size());
@@ -133,7 +133,7 @@ std::vector<std::string> Planner::Hashes(const std::vector<fs::path>& files) {
   return FindFileHashes(files, hash_index_, pool_, hooks_);
 }
 
-// What is damaged is drawn again: the cache shares files with it.
+// A damaged scene is drawn again too, because it shares files with the cached drawing.
 bool Planner::IsRendered(RenderedScene& scene) {
   std::error_code ignored;
   if (!fs::exists(scene.folder / synth::kManifestName, ignored)) return false;
@@ -145,7 +145,7 @@ bool Planner::IsRendered(RenderedScene& scene) {
   return false;
 }
 
-// One of each drawing draws, unless the cache has it.
+// Of the scenes that share a drawing one draws it, unless the cache has it.
 void Planner::OrderPreparations() {
   std::set<std::string> drawing;
   for (auto& [key, wanted] : wanted_) {

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Whether the last parts of a path are those of another one.
+// Whether the last components of `path` are those of `end`.
 bool EndsWith(const fs::path& path, const fs::path& end) {
   auto a = path.end();
   auto b = end.end();
@@ -21,7 +21,7 @@ bool EndsWith(const fs::path& path, const fs::path& end) {
   return true;
 }
 
-// As many of the last parts of a path as the other one has.
+// Returns as many of the last components of `path` as `other` has.
 std::string LastParts(const fs::path& path, const fs::path& other) {
   fs::path last;
   auto part = path.end();

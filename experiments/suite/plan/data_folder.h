@@ -11,17 +11,17 @@
 
 namespace cvo {
 
-// The user's data: sequences are found by path below it, or by the end of their path.
+// The user's data folder. Sequences are found by their path below it, or by the end of their path.
 class DataFolder {
  public:
-  // Empty: there is none. It is searched when it is first asked for.
+  // An empty `root` means that there is no data folder. The folder is searched on first need.
   explicit DataFolder(std::filesystem::path root) : root_(std::move(root)) {}
 
   const std::filesystem::path& root() const { return root_; }
 
   struct Found {
     std::filesystem::path folder;  // absolute; empty: missing
-    std::string missing;           // then: why, for the user
+    std::string missing;           // why it is missing, for the user
   };
   Found Find(const std::string& folder);
 

@@ -73,7 +73,7 @@ std::vector<std::string> DetectArguments(const DetectorInput& input, const fs::p
   if (detector.min_score) add("--min-score", Number(*detector.min_score));
   if (detector.max_overlap) add("--max-overlap", Number(*detector.max_overlap));
   add("--pair", written.pair);
-  // Those of a scene were chosen when it was rendered.
+  // The frames of a scene were selected at rendering.
   if (written.scene.empty()) add("--frames", written.frames);
   if (!written.layout.empty()) add("--layout", written.layout.dump());
   arguments.insert(arguments.end(), {"-o", boxes.string(), "--checksum"});

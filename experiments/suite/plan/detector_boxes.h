@@ -13,26 +13,26 @@
 
 namespace cvo {
 
-// A sequence whose boxes a network finds.
+// A sequence whose boxes are detected by a network.
 struct DetectorInput {
   const SuiteSequence& written;
   const Sequence& sequence;  // opened without boxes
   std::filesystem::path data;
 };
 
-// The first file of boxes, of labels or of a detector that is not below `data`, as the suite writes
-// it; else empty.
+// Returns the first file of boxes, labels or a detector that does not exist below `data`, as
+// written in the suite; empty if all exist.
 std::string FindMissingFile(const SuiteSequence& sequence, const std::filesystem::path& data);
 
-// Where its boxes are: <cache>/detections/<hash>.txt, of the bytes of the network's files and of
-// the left images, of its flags and of the program.
+// Returns the path of the sequence's boxes: <cache>/detections/<hash>.txt, where the hash covers
+// the bytes of the network's files and of the left images, the detector's flags and the program.
 std::filesystem::path BoxesFile(const DetectorInput& input, const std::vector<ImageHashes>& images,
                                 const std::filesystem::path& cache, const HashFiles& hash);
 
-// Whether the file and the checksum beside it (`detect --checksum`) are there and agree.
+// Whether the file and the checksum beside it (`detect --checksum`) both exist and agree.
 bool AreBoxesWhole(const std::filesystem::path& boxes, const HashFiles& hash);
 
-// Arguments of the program that write them there.
+// Returns the arguments with which the program writes the boxes to `boxes`.
 std::vector<std::string> DetectArguments(const DetectorInput& input,
                                          const std::filesystem::path& boxes);
 

@@ -11,38 +11,39 @@
 
 namespace cvo {
 
-// PlannedJob::missing of what only has to be made first.
+// Values of PlannedJob::missing for input that only has to be made first.
 inline constexpr char kNotRendered[] = "not rendered yet";
 inline constexpr char kNotDetected[] = "boxes not found yet";
 inline bool IsPending(const std::string& missing) {
   return missing == kNotRendered || missing == kNotDetected;
 }
 
-// It starts with this where a file of boxes, labels or a network is not there, which is no failure.
+// PlannedJob::missing starts with this if a file of boxes, labels or a network does not exist,
+// which is not a failure.
 inline constexpr std::string_view kNoFile = "no file ";
 
-// A cell with its input found.
+// A cell with its input located.
 struct PlannedJob {
   Cell cell;
-  // Absolute, of the sequence; empty where it is missing, but not where it cannot be read.
+  // Absolute path of the sequence. Empty if the sequence is missing, but not if it cannot be read.
   std::string folder;
-  std::string missing;     // why there is no sequence, or IsPending
-  int frames = 0;          // 0: not known
+  std::string missing;     // why there is no sequence, or a reason for which IsPending holds
+  int frames = 0;          // 0: unknown
   std::string content;     // ContentHash; empty where the sequence is missing
-  std::string input;       // key of what the front end makes of it: equal for jobs that share it
+  std::string input;       // key of the front end's output, equal for jobs that share it
   std::string job;         // JobIdentity; empty where the sequence is missing
-  std::string boxes = {};  // file that a detector wrote; empty: there is none
+  std::string boxes = {};  // file written by a detector; empty: none
 };
 
-// Everything that a suite runs, as plan.json in its output folder keeps it.
+// Everything that a suite runs, as stored in plan.json in its output folder.
 struct Plan {
   Suite suite;
   std::string build;  // BuildInfo::identity
-  std::string data;   // absolute: files of boxes, labels and systems are below it; empty: none
+  std::string data;   // absolute path to the files of boxes, labels and systems; empty: none
   std::vector<PlannedJob> jobs;
 };
 
-// The content of plan.json, a reports::PlanFile.
+// Returns the content of plan.json, a reports::PlanFile.
 std::string PlanText(const Plan& plan);
 Plan ParsePlan(const Json& json, const std::string& where);
 

@@ -7,7 +7,7 @@
 namespace cvo {
 namespace {
 
-// Which of the suite's sequences it is.
+// Returns the index of the sequence in the suite.
 std::size_t EntryOf(const SuiteSequence& sequence, const Suite& suite) {
   for (std::size_t i = 0; i < suite.sequences.size(); ++i) {
     const SuiteSequence& other = suite.sequences[i];

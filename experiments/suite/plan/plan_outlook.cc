@@ -12,7 +12,7 @@
 namespace cvo {
 namespace {
 
-constexpr int kFilesRead = 5;  // of each variant
+constexpr int kFilesRead = 5;  // per variant
 
 struct Mean {
   double sum_s = 0.0;
@@ -24,7 +24,7 @@ struct Mean {
   }
 };
 
-// What a user calls the same cell, whatever it is computed from.
+// Identifies a cell as the user sees it, regardless of what it is computed from.
 std::string NameOf(const Cell& cell) {
   return DumpJson({{"sequence", cell.sequence.name},
                    {"detections", cell.sequence.detections},
@@ -63,12 +63,12 @@ std::string ReasonToRun(const Plan& plan, const PlannedJob& job, const EarlierRu
   const auto found = before.find(NameOf(job.cell));
   if (found == before.end()) return earlier.plan ? "not in the previous plan" : "new";
   if (found->second->job == job.job || found->second->job.empty()) return "not run yet";
-  // Only what was computed once is computed again.
+  // A job that was never computed cannot be outdated.
   if (!earlier.done(*found->second)) return "not run yet";
   return Differences(plan, job, *earlier.plan, *found->second);
 }
 
-// Empty where it cannot be read: an estimate can do without.
+// Empty if the file cannot be read: the estimate can do without it.
 std::optional<double> FrameTimeOf(const std::filesystem::path& file) {
   try {
     const auto timing = ReadRecord<reports::TimingData>(file);

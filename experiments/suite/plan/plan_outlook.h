@@ -29,29 +29,29 @@ struct PredictedState {
 // Contents of an existing output folder.
 struct EarlierRuns {
   std::optional<Plan> plan;                         // of the previous run
-  std::function<bool(const PlannedJob& job)> done;  // its files exist
+  std::function<bool(const PlannedJob& job)> done;  // whether its files exist
   std::function<std::string(const std::string& job)>
       failed;  // message of its last failure, or empty
 };
 
-// One per job of the plan. For a job that the earlier plan had under another identity, the reason
-// names what differs: the build, the options, the sequence.
+// Returns one state per job of the plan. If a job had another identity in the earlier plan, the
+// reason names what differs: the build, the sequence, the options, or else boxes or files.
 std::vector<PredictedState> PredictStates(const Plan& plan, const EarlierRuns& earlier);
 
-// Seconds per frame and process, by variant ("": the mean over those measured), of timing.json of
-// the finished jobs of both plans; a few files of each variant are read, unreadable ones are
-// ignored.
+// Seconds per frame of one process, by variant ("": the mean over all files read), from timing.json
+// of the finished jobs of both plans. Reads only a few files per variant and ignores unreadable
+// ones.
 std::map<std::string, double> MeasuredFrameTimes(
     const Plan& plan, const EarlierRuns& earlier,
     const std::function<std::filesystem::path(const std::string& job)>& folder_of);
 
-// Assumed where nothing was measured.
+// Seconds per frame to assume if nothing was measured.
 inline constexpr double kAssumedFrame_s = 1.0 / 35.0;
 inline constexpr double kAssumedDrawnFrame_s = 0.25;
 inline constexpr double kAssumedNoisyFrame_s = 0.03;
 inline constexpr double kAssumedBoxesFrame_s = 0.2;
 
-// Seconds that one process takes to render and run everything, each job once.
+// Estimates the seconds that one process takes to prepare and run everything, each job once.
 double EstimatedSeconds(const BuiltPlan& built, const std::vector<PredictedState>& outlook,
                         const std::map<std::string, double>& frame_times_s);
 

@@ -31,7 +31,7 @@ synth::RenderRequest RenderOf(const SuiteSequence& sequence, std::uint64_t seed)
   return request;
 }
 
-// Whether a file of a rendered folder is of one of the frames, or of the sequence as a whole.
+// Whether a file in a rendered folder belongs to one of the frames, or to the sequence as a whole.
 bool IsOf(const FrameRange& frames, const std::string& name) {
   const fs::path path = name;
   if (!path.has_parent_path()) return true;

@@ -18,22 +18,22 @@
 
 namespace cvo {
 
-// A scene as one seed and one point of a grid see it.
+// A scene as rendered for one seed and one grid point.
 struct RenderedScene {
   std::filesystem::path folder;  // <cache>/scenes/<name>-<key>/<name>, rendered or not
-  std::string drawing;           // key of what is drawn: the same for all seeds
-  bool drawn = false;            // and that is in the cache: only the noise is missing
+  std::string drawing;           // key of the drawing, which all seeds share
+  bool drawn = false;            // the drawing is in the cache: only the noise is missing
   int frames = 0;
-  std::vector<std::string> arguments;  // of the program, that render it there
+  std::vector<std::string> arguments;  // of the program, to render it into `folder`
 };
 
-// Finds scenes below <cache>/scenes by what would be in them: scene, values assigned to it, seed,
-// frames and the program that draws.
+// Finds scenes below <cache>/scenes by a key of what determines their content: the scene, the
+// values assigned to it, the seed, the frames and the program that draws.
 class SceneFolders {
  public:
   explicit SceneFolders(std::filesystem::path cache) : cache_(std::move(cache)) {}
 
-  // Throws Error for a scene that cannot be, and where nothing can draw.
+  // Throws Error for an invalid scene, and if no renderer is available.
   RenderedScene Find(const SuiteSequence& sequence, const GridPoint& parameters,
                      std::uint64_t seed);
 
@@ -49,19 +49,20 @@ class SceneFolders {
   std::map<std::string, Source> sources_;  // by scene and assignments
 };
 
-// SHA-256 of files, empty where one cannot be read: FindFileHashes.
+// Returns the SHA-256 of each file, or an empty string for a file that cannot be read, as
+// FindFileHashes does.
 using HashFiles =
     std::function<std::vector<std::string>(const std::vector<std::filesystem::path>&)>;
 
 std::vector<std::string> HashesByReading(const std::vector<std::filesystem::path>& files);
 
-// What is wrong with a rendered folder: a manifest that cannot be read, or the first file that is
-// gone or has other content than the manifest says. Frame by frame only `frames` are looked at.
+// Returns what is wrong with a rendered folder: an unreadable manifest, or the first file that is
+// missing or differs from the manifest. Of per-frame files, only those of `frames` are checked.
 std::optional<std::string> FindSceneDamage(const std::filesystem::path& folder,
                                            const HashFiles& hash, const FrameRange& frames = {});
 
-// Throws Error where the sequence is a rendered folder and a file that a run on it may read is not
-// the one that was rendered.
+// Throws Error if the sequence is a rendered folder and a file that a run on it may read is not the
+// one that was rendered.
 void RequireAsRendered(const Sequence& sequence, const HashFiles& hash);
 
 }  // namespace cvo

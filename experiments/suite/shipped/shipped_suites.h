@@ -8,11 +8,11 @@
 namespace cvo {
 
 struct ShippedSuite {
-  std::string name;  // as in its text
+  std::string name;  // as stated in `text`
   std::string text;  // JSON
 };
 
-// The suite files of experiments/configs, compiled in, in the order in which they are listed.
+// The suite files of experiments/configs, compiled in, in their order of listing.
 std::vector<ShippedSuite> ShippedSuites();
 
 // The collections of suites (experiments/suite/collection.h).

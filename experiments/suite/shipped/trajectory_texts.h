@@ -7,11 +7,11 @@
 
 namespace cvo {
 
-// What another system made of a shipped scene: a file of reports/reference/trajectories.
+// Another system's trajectory on a shipped scene, from a file of reports/reference/trajectories.
 struct ShippedTrajectory {
   std::string_view system;
   std::string_view scene;
-  std::string_view text;  // TUM, behind a line with the hash of the scene file
+  std::string_view text;  // TUM poses after a line with the hash of the scene file
 };
 const std::vector<ShippedTrajectory>& ShippedTrajectories();
 
