@@ -26,7 +26,8 @@ details { margin-top: 16px; color: var(--quiet); }
 pre { white-space: pre-wrap; }
 )";
 
-// Colours follow the page's, and where there is little room the panels stand one below the other.
+// The colours follow those of the page. If there is little room, the panels are placed one below
+// the other.
 constexpr char kDrawPlot[] = R"(
 const plot = document.getElementById('plot');
 const named = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();

@@ -8,7 +8,7 @@
 
 namespace cvo::reports {
 
-// One figure as a page of its own: values are shown under the pointer, parts can be enlarged. It
+// One figure as a separate page: it shows values under the pointer and allows zooming. The page
 // opens from disk and needs no network.
 std::string InteractivePage(const Figure& figure);
 

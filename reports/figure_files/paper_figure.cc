@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kTitleSize_px = 13;
 constexpr int kCaptionSize_px = 11;
-constexpr double kLine = 1.32;         // of the size of its letters, from line to line
-constexpr double kLetterWidth = 0.53;  // of its size, on average
+constexpr double kLine = 1.32;         // line spacing as a multiple of the font size
+constexpr double kLetterWidth = 0.53;  // average letter width as a multiple of the font size
 constexpr int kMargin_px = 12;
 constexpr char kInk[] = "#222222";
 constexpr char kFontFamily[] = "Liberation Sans, Arial, Helvetica, sans-serif";
@@ -27,7 +27,7 @@ int HeightOf(std::size_t lines, int size_px) {
   return static_cast<int>(kLine * size_px * static_cast<double>(lines));
 }
 
-// Lines of SVG, the first one's letters on the height given.
+// Lines of text as SVG. The baseline of the first one is at `first_px`.
 std::string LinesSvg(const std::vector<std::string>& lines, int size_px, int first_px,
                      const char* weight) {
   std::string svg = StrCat("<text font-family=\"", kFontFamily, "\" font-size=\"", size_px,
@@ -39,7 +39,7 @@ std::string LinesSvg(const std::vector<std::string>& lines, int size_px, int fir
   return svg + "</text>";
 }
 
-// The first sentence of a title is what it is, the rest how it is measured.
+// The first sentence of a title says what is shown, the rest how it is measured.
 struct Title {
   std::vector<std::string> what;
   std::vector<std::string> how;

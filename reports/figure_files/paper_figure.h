@@ -9,17 +9,17 @@
 
 namespace cvo::reports {
 
-// A figure that stands alone, black on white, its title above and its caption below it.
+// A stand-alone figure, black on white, with its title above and its caption below it.
 struct PaperFigure {
   std::string plotly;     // JSON text {"data":[...],"layout":{...}}, with room for the texts
-  std::string texts_svg;  // title and caption, to go before the end of the SVG that Plotly makes
-  std::string title;      // plain
+  std::string texts_svg;  // title and caption, to be inserted at the end of the SVG from Plotly
+  std::string title;      // plain text
   int width_px = 0;
   int height_px = 0;
 };
 PaperFigure ToPaperFigure(const Figure& figure);
 
-// All there is of a figure, as JSON for other programs.
+// Everything in a figure, as JSON for other programs.
 std::string FigureJson(const Figure& figure);
 
 // Breaks a text into lines of limited length; a longer word gets its own line.

@@ -18,7 +18,7 @@ constexpr std::string_view kBegin = "[[figure ";
 constexpr std::string_view kFailed = "[[failed ";
 constexpr std::string_view kEnd = "]]";
 
-// Plotly names parts of a drawing at random: the same numbers each time make the same bytes.
+// Plotly gives parts of a drawing random names. A fixed seed makes the output deterministic.
 constexpr char kSeeded[] = R"(
 let state = 1;
 Math.random = () => {
@@ -27,8 +27,9 @@ Math.random = () => {
 };
 )";
 
-// Texts come out as base64 of UTF-8, which no markup and no message of the browser disturbs. The
-// script itself does not hold the marks, so that a page that did not finish is not taken for one.
+// Texts are output as base64 of UTF-8, which neither markup nor messages of the browser can
+// corrupt. The script itself does not contain the complete marks, so that a page that did not
+// finish is not taken for one that did.
 constexpr char kDraw[] = R"(
 const coded = (text) => {
   let bytes = '';
@@ -74,7 +75,8 @@ std::string Decoded(std::string_view base64) {
   return text;
 }
 
-// What stands between a mark and its end from `at` on; `at` moves behind it.
+// The decoded text between the first `mark` from `at` on and the end mark. Moves `at` to that end
+// mark.
 std::optional<std::string> Between(std::string_view page, std::string_view mark, std::size_t& at) {
   const std::size_t begin = page.find(mark, at);
   if (begin == std::string_view::npos) return std::nullopt;
@@ -90,7 +92,8 @@ std::string WithTexts(std::string svg, const PaperFigure& figure) {
   return svg.insert(end, figure.texts_svg) + "\n";
 }
 
-// Replaces the digits that follow each mark, up to `stop`.
+// Replaces the hexadecimal digits that follow each mark, up to `stop`, by `digits` and then by
+// zeros.
 void Blank(const std::string& mark, char stop, std::string_view digits, std::string& text) {
   for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1)) {
     std::size_t used = 0;

@@ -10,19 +10,20 @@
 
 namespace cvo::reports {
 
-// A page that draws the figures with Plotly and leaves them as SVG in its own text; nothing in it
-// is random. No network.
+// A page that draws the figures with Plotly and leaves them as SVG in its own text. It is
+// deterministic and needs no network.
 std::string RenderPage(const std::vector<PaperFigure>& figures);
 
-// The SVG texts, in order and with their captions, from the text of that page once it has run.
-// Throws Error with what the page says where it failed.
+// Extracts the SVG texts, in order and with titles and captions inserted, from the dumped text of
+// that page after its script has run. Throws Error with the message of the page if it failed.
 std::vector<std::string> ReadRendered(std::string_view dumped_page,
                                       const std::vector<PaperFigure>& figures);
 
-// A page of the size of one figure, to be printed.
+// A page of the size of one figure, for printing.
 std::string PrintPage(const std::string& svg, const PaperFigure& figure);
 
-// A PDF without when it was made: dates become one fixed day of the same length, identifiers zeros.
+// Removes from a PDF what depends on the time of its creation: dates become one fixed day of the
+// same length, identifiers become zeros.
 std::string WithoutDates(std::string pdf);
 
 }  // namespace cvo::reports

@@ -12,14 +12,15 @@
 namespace cvo::reports {
 namespace {
 
-// Places by number: names may be the same, and categories of one name are one.
+// Positions on a category axis as numbers: names may repeat, and Plotly merges categories of the
+// same name.
 Json Places(std::size_t count) {
   Json places = Json::array();
   for (std::size_t i = 0; i < count; ++i) places.push_back(i);
   return places;
 }
 
-// Names at the places from `first` on.
+// The settings of an axis that shows the names at consecutive integer positions from `first` on.
 Json NamedPlaces(const Json& names, int first) {
   Json places = Places(names.size());
   for (Json& place : places) place = place.get<int>() + first;
@@ -105,7 +106,8 @@ double LargestChange(const std::vector<HeatBlock>& blocks) {
   return largest;
 }
 
-// The block's name is above its rows: turned beside them it covers that of the next block.
+// The name of the block is above its rows: rotated beside them, it would cover that of the next
+// block.
 Panel BlockPanel(const HeatBlock& block) {
   constexpr int kRow_px = 24;
   Json names = {"<b>" + PlotText(block.label) + "</b>"};
@@ -126,7 +128,7 @@ std::string HeatText(double reduction_percent) {
 
 namespace {
 
-// Of headings turned by 45 degrees, of one line or several.
+// The height of the headings, which are rotated by 45 degrees and have one or more lines.
 int HeadingHeight(const std::vector<HeatColumn>& columns) {
   constexpr double kLetter_px = 6.5;
   constexpr double kLine_px = 14.0;
@@ -160,7 +162,7 @@ Plot DrawHeatMap(const std::vector<HeatBlock>& blocks, const std::vector<HeatCol
     rows_px += panels.back().height_px;
   }
   const int top_px = std::max(kLeastTop_px, HeadingHeight(columns) + 16);
-  // Plotly takes room for the bar from the headings where it is longer than the map.
+  // If the colour bar is longer than the map, Plotly takes the missing space from the headings.
   const int bottom_px = kLeastBottom_px + std::max(0, kLeastBar_px - rows_px);
   Json headings = Json::array();
   for (const HeatColumn& column : columns) headings.push_back(column.heading);

@@ -11,10 +11,10 @@
 namespace cvo::reports {
 
 struct HeatCell {
-  std::optional<double> reduction_percent;  // of an error; negative: more of it
+  std::optional<double> reduction_percent;  // of an error; negative: an increase
   bool distinguishable = false;
-  std::string text;   // as Plotly reads it
-  std::string hover;  // after the names of row, block and column
+  std::string text;   // with the markup of Plotly
+  std::string hover;  // shown after the names of row, block and column
 };
 
 struct HeatRow {
@@ -29,16 +29,17 @@ struct HeatBlock {
 
 struct HeatColumn {
   std::string label;
-  std::string heading;  // as Plotly reads it
+  std::string heading;  // with the markup of Plotly
 };
 
-// "−31" of less error, "+31" of more, "×12" from eleven times as much on.
+// The change in error in percent: "−31" for less error, "+31" for more, and a factor such as "×12"
+// from an increase of 1000 % on.
 std::string HeatText(double reduction_percent);
 
-// Blocks above each other: blue is less error, orange more.
+// Draws the blocks one above the other. Blue is less error, orange more.
 Plot DrawHeatMap(const std::vector<HeatBlock>& blocks, const std::vector<HeatColumn>& columns);
 
-// With room for the longest name of a row.
+// The width of the heat map, with room for the longest name of a row (up to 60 bytes).
 int HeatMapWidth(const std::vector<HeatBlock>& blocks, std::size_t columns, int column_px);
 
 }  // namespace cvo::reports

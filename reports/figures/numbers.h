@@ -12,14 +12,14 @@
 
 namespace cvo::reports {
 
-// Rounded to significant digits, to keep pages with many points small.
+// Rounds to significant digits, to keep pages with many points small.
 inline double Rounded(double value, int digits = 4) { return RoundedTo(value, digits); }
 Json RoundedList(const std::vector<double>& values, int digits = 4);
 
-// For sentences: three significant digits, without exponents.
+// A number for sentences: `digits` significant digits, no exponent.
 std::string NumberText(double value, int digits = 3);
 
-// How figures show a metric: shares in percent, the rest in its own unit.
+// How figures show a metric: shares in percent, everything else in its own unit.
 struct Shown {
   double scale = 1.0;
   std::string unit;  // empty: a count
@@ -29,21 +29,21 @@ struct Shown {
 };
 Shown ShownAs(const std::string& metric, const std::string& unit);
 
-// "object ATE", its contract in words where it has any: "object ATE (m)".
+// The label of a metric with its unit: "object ATE (m)".
 std::string AxisTitle(const Column& column);
 
-// "0.0213 m (0.018 to 0.025)".
+// The value of a cell with its interval: "0.0213 m (0.018 to 0.025)".
 std::string CellValueText(const Cell& cell, const Column& column);
 
-// First letter large.
+// Makes the first letter upper case.
 std::string Capitalised(std::string text);
-// "a", "a and b", "a, b and c".
+// Joins texts to a list: "a", "a and b", "a, b and c".
 std::string Listed(const std::vector<std::string>& texts);
 
-// Letters, digits and "-", for ids.
+// Reduces a text to lower-case letters, digits and "-", for ids. At most 80 characters.
 std::string Slug(const std::string& text);
 
-// For texts that Plotly draws, which reads some tags of HTML in them.
+// Escapes a text that Plotly draws, since Plotly interprets some HTML tags.
 std::string PlotText(const std::string& text);
 
 }  // namespace cvo::reports

@@ -10,8 +10,8 @@
 namespace cvo::reports {
 namespace {
 
-// So that a variant looks the same in every suite. The most used come first: they never share a
-// colour.
+// Variants with a fixed style, so that they look the same in every suite. The most used come first,
+// since the first ones never share a colour.
 constexpr std::array kKnown = {"full",
                                "2d",
                                "2d3d",

@@ -9,21 +9,22 @@
 
 namespace cvo::reports {
 
-// How a variant looks in every figure. Colours are those of Okabe and Ito, which the colour-blind
-// tell apart; marks differ too, and lines of a second round of colours are dashed.
+// The look of a variant, which is the same in every figure. Colours are those of Okabe and Ito,
+// which colour-blind people can tell apart. Symbols differ as well, and lines are dashed once the
+// colours repeat.
 struct Style {
   std::string colour;  // "#rrggbb"
-  std::string symbol;  // of Plotly's markers
-  std::string dash;    // of Plotly's lines
+  std::string symbol;  // name of a Plotly marker
+  std::string dash;    // name of a Plotly line style
 };
 
-// The truth, in every figure.
+// The colour of the truth in every figure.
 inline constexpr const char* kTruthColour = "#8a8a8a";
-// What lies behind the data: seen on white and on black.
+// The colour of shading behind the data. It is visible on white and on black.
 inline constexpr const char* kShade = "rgba(128,128,128,0.18)";
 
-// Variants that come with the program have their own place; what else there is follows in the order
-// given.
+// Assigns a style to each name. Variants that ship with the program have a fixed style; all other
+// names get the remaining styles in the order given.
 class Palette {
  public:
   explicit Palette(const std::vector<std::string>& names);
@@ -35,10 +36,10 @@ class Palette {
   std::vector<Style> styles_;
 };
 
-// The palette of a suite's variants and, after them, of other names.
+// The palette of the variants of a suite, followed by other names.
 Palette PaletteOf(const SuitePlan& plan, const std::vector<std::string>& others = {});
 
-// "rgba(r,g,b,opacity)" of "#rrggbb".
+// Converts "#rrggbb" to "rgba(r,g,b,opacity)".
 std::string Faded(const std::string& colour, double opacity);
 
 }  // namespace cvo::reports

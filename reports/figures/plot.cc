@@ -32,7 +32,7 @@ Panel PanelOf(const Column& column, int height_px) {
   Panel panel{AxisOf(""), height_px};
   panel.y_axis["title"]["text"] = StrCat(PlotText(column.label), "<br>(",
                                          shown.unit.empty() ? "count" : PlotText(shown.unit), ")");
-  panel.y_axis["title"]["font"] = {{"size", 11}};  // larger ones reach into the next panel
+  panel.y_axis["title"]["font"] = {{"size", 11}};  // larger titles reach into the next panel
   return panel;
 }
 

@@ -10,7 +10,7 @@
 
 namespace cvo::reports {
 
-// An axis of Plotly with a title that is text of ours.
+// A Plotly axis. The title is plain text, which is escaped here.
 Json AxisOf(const std::string& title);
 
 struct Panel {
@@ -18,23 +18,23 @@ struct Panel {
   int height_px = 130;
 };
 
-// Its axis is titled with the metric and its unit.
+// A panel for a metric. The title of its axis is the metric with its unit.
 Panel PanelOf(const Column& column, int height_px);
 
-// Panels above each other that share the x axis, as Plotly's data and layout.
+// Panels one above the other that share the x axis, as the data and layout of Plotly.
 class Plot {
  public:
   Plot(Json x_axis, const std::vector<Panel>& panels, int top_px = 44, int bottom_px = 58);
 
-  // Each to a panel, counted from the top. Shapes and annotations may be in "paper" of it: y from 0
-  // at its bottom to 1.
+  // Add something to a panel, counted from the top. Unless they say otherwise, the y coordinates of
+  // shapes and annotations are fractions of the panel, from 0 at its bottom to 1 at its top.
   void AddTrace(std::size_t panel, Json trace);
   void AddShape(std::size_t panel, Json shape);
   void AddAnnotation(std::size_t panel, Json annotation);
 
   Json& layout() { return layout_; }
   int height_px() const { return layout_.at("height").get<int>(); }
-  // Text in which no "<" is left, so that it may stand within a page's script.
+  // JSON text without "<", so that it can stand inside a <script> element.
   std::string Text() const;
 
  private:
@@ -42,15 +42,16 @@ class Plot {
   Json layout_;
 };
 
-// What a legend of these entries takes above a figure of that width, with a title below it.
+// The height (px) of a legend with these entries above a figure of this width, with room for a
+// title below it.
 int LegendHeight(const std::vector<std::string>& entries, int width_px);
 
-// Text of JSON in which no "<" is left, so that it may stand within a page's script.
+// JSON text without "<", so that it can stand inside a <script> element.
 std::string ScriptJson(const Json& json);
-// The same of data and layout.
+// The same for the data and layout of a plot.
 std::string PlotJson(const Json& data, const Json& layout);
 
-// The layout that all figures start from.
+// The layout that all figures start from, with the given height and margins.
 Json BaseLayout(int height_px, int top_px, int bottom_px);
 
 }  // namespace cvo::reports

@@ -9,12 +9,12 @@
 
 namespace cvo::reports {
 
-// What a title says of how metrics are measured, those alike together: "object ATE: aligned
-// in the world frame by the camera; camera T.RPE: delta all, not aligned". Empty for shares and
-// counts.
+// Describes for a title how metrics are measured. Metrics that are measured alike are listed
+// together: "object ATE: aligned in the world frame by the camera; camera T.RPE: delta all, not
+// aligned". Empty for shares and counts.
 std::string RelationText(const std::vector<const Column*>& columns);
 
-// What the intervals of these columns mean, each wording once.
+// Describes the intervals of these columns, each wording once.
 std::string IntervalText(const Table& table, const std::vector<std::size_t>& columns);
 
 }  // namespace cvo::reports

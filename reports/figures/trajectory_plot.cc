@@ -16,14 +16,14 @@ namespace cvo::reports {
 namespace {
 
 constexpr int kPlotWidth_px = 980;
-constexpr int kMap_px = 400;       // its height
-constexpr int kErrors_px = 160;    // height of the panels below it
-constexpr int kBetween_px = 64;    // for the axis of the upper panels
-constexpr int kInner_px = 10;      // between coordinates
-constexpr double kLeftEnd = 0.47;  // of the map and of the left error panel
+constexpr int kMap_px = 400;       // height of the map
+constexpr int kErrors_px = 160;    // height of the error panels below it
+constexpr int kBetween_px = 64;    // for the x axis of the upper panels
+constexpr int kInner_px = 10;      // gap between the coordinate panels
+constexpr double kLeftEnd = 0.47;  // right edge of the map and of the left error panel
 constexpr double kRightBegin = 0.57;
-constexpr std::size_t kMaxLinePoints = 2000;  // of a line
-constexpr double kGap = 5.5;  // longer than so many usual intervals: nothing in between
+constexpr std::size_t kMaxLinePoints = 2000;  // per line
+constexpr double kGap = 5.5;  // intervals longer than this many median intervals break a line
 
 constexpr std::array kAxisNames = {"x", "y", "z"};
 
@@ -42,7 +42,8 @@ double UsualInterval(const std::vector<double>& time) {
   return *middle;
 }
 
-// The line through (x(i), y(i)), not across gaps in time; of very long ones every k-th point.
+// The line through (x(i), y(i)), broken at gaps in time. Very long lines are reduced to every k-th
+// point.
 template <typename X, typename Y>
 Json LineThrough(const std::vector<double>& time, const X& x, const Y& y) {
   const double longest = kGap * UsualInterval(time);
@@ -63,7 +64,8 @@ Json LineThrough(const std::vector<double>& time, const X& x, const Y& y) {
   return trace;
 }
 
-// Of all that is on the map, widened; one side is at least a part of the other.
+// The extent of everything on the map, widened. The shorter side is at least kLeastPart of the
+// longer one.
 struct MapExtent {
   double low[2] = {std::numeric_limits<double>::infinity(),
                    std::numeric_limits<double>::infinity()};
@@ -98,7 +100,7 @@ MapExtent ExtentOf(const TrajectoryPlot& plot, std::size_t ahead) {
   return extent;
 }
 
-// The axes, from left to right and from top to bottom, and what is drawn in them.
+// The axes, from left to right and from top to bottom, with the data that are drawn in them.
 class TrajectoryPanels {
  public:
   TrajectoryPanels(const TrajectoryPlot& plot, bool errors, int legend_px)
@@ -158,7 +160,7 @@ class TrajectoryPanels {
                      {"hoverinfo", "skip"},
                      {"line", LineJson(style)}});
   }
-  // At the first position: a disc, with a name beside it where there is one.
+  // Marks the first position by a disc, with the name beside it unless it is empty.
   void AddStart(const std::vector<Position>& positions_m, const std::string& name,
                 const TrackLine& style) {
     if (positions_m.empty()) return;
@@ -226,7 +228,7 @@ class TrajectoryPanels {
   Json layout_;
 };
 
-// "; position error 0.043 m root mean square, at most 0.1"
+// Such as "full: 200 poses, position error 0.043 m root mean square, at most 0.1 m".
 std::string TrackText(const PlottedTrack& track) {
   std::string text = StrCat(track.name, ": ", track.time.size(), " poses");
   const std::vector<double>& errors = track.position_error_m.values;

@@ -10,7 +10,7 @@
 
 namespace cvo::reports {
 
-// Numbers over time, times ascending.
+// Values over time, in ascending order of time.
 struct TimedValues {
   std::vector<double> time;
   std::vector<double> values;
@@ -18,15 +18,15 @@ struct TimedValues {
 
 struct PlottedTrack {
   std::string name;
-  std::string legend;  // the name and its main numbers
+  std::string legend;  // the name with the main numbers of the track
   std::vector<double> time;
   std::vector<Position> position_m;
-  // Against the reference; empty where there is none.
+  // Errors with respect to the reference; empty if there is none.
   TimedValues position_error_m;
   TimedValues rotation_error_deg;
 };
 
-// A body, drawn on the map alone.
+// A body. It is drawn on the map only.
 struct PlottedBody {
   std::string name;
   std::vector<double> truth_time;
@@ -35,14 +35,14 @@ struct PlottedBody {
   std::vector<Position> position_m;
 };
 
-// What the vertical is: cameras have y down, most other systems z up.
+// The direction of the vertical axis: cameras have y down, most other systems z up.
 enum class Vertical { kYDown, kZUp };
 
 struct TrajectoryPlot {
-  std::string title;  // first sentence: what; the rest: how it is aligned and paired
+  std::string title;  // first sentence: what is shown; the rest: how it is aligned and paired
   std::string caption;
   std::string time_title;   // "time (s)"
-  std::string error_title;  // "position error"; "distance" from what is no truth
+  std::string error_title;  // "position error", or "distance" if the reference is no ground truth
   std::string rotation_title;
   Vertical vertical = Vertical::kYDown;
   std::vector<PlottedTrack> truth;  // at most one
@@ -50,7 +50,7 @@ struct TrajectoryPlot {
   std::vector<PlottedBody> bodies;  // of the first track
 };
 
-// A map from above, coordinates over time and, where there are any, errors over time.
+// Draws a map from above, the coordinates over time and, if there are any, the errors over time.
 Figure DrawTrajectoryPlot(const TrajectoryPlot& plot);
 
 }  // namespace cvo::reports

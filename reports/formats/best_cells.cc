@@ -15,7 +15,7 @@ bool IdentifiesData(const std::string& key) {
   return key == "sequence" || key == "family" || key == "detections" || key.starts_with("scene.");
 }
 
-// Values of the keys that identify the data of a row, and its correction.
+// Returns the values of the keys that identify the data of a row, and its calibration correction.
 std::vector<std::string> DataOf(const Row& row, const std::vector<std::string>& keys) {
   std::vector<std::string> data;
   for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -37,7 +37,7 @@ struct Candidate {
   CellText* text = nullptr;
 };
 
-// What competes in one column.
+// The candidates for the best cell of one column.
 class Contest {
  public:
   void AddResult(const Row& row, const Cell& cell, CellText& text) {
@@ -72,7 +72,7 @@ class Contest {
   bool same_scenes_ = true;
 };
 
-// Where nothing is covered nothing is best, such as no switch of an identity.
+// A row with zero coverage cannot be best, for example for having no identity switches.
 bool HasZeroCoverage(const Table& table, const Row& row, std::size_t column) {
   const std::string coverage = CoverageOf(table.columns[column].metric);
   for (std::size_t i = 0; i < table.columns.size(); ++i) {

@@ -7,7 +7,8 @@
 namespace cvo::reports {
 namespace {
 
-// What one more column brings beside those that are there: its coverage comes along.
+// Returns the columns that adding `column` brings, its coverage included, without those already
+// there.
 std::vector<std::size_t> Missing(const std::vector<ColumnText>& columns,
                                  const std::vector<std::size_t>& there, std::size_t column) {
   std::vector<std::size_t> missing;

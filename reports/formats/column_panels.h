@@ -9,12 +9,12 @@
 
 namespace cvo::reports {
 
-// Indices of the columns that stand side by side in each part of a table that is too wide: from
-// left to right as many as fit, at least one, never an accuracy without its coverage.
+// Splits a table that is too wide into parts. Returns the indices of the columns of each part: from
+// left to right as many as fit, at least one, and never an accuracy without its coverage.
 std::vector<std::vector<std::size_t>> SplitColumns(const std::vector<ColumnText>& columns,
                                                    const std::vector<double>& widths, double room);
 
-// Whether a line has a value, or lacks one that it should have, in one of these columns.
+// Whether the line has a value, or lacks one that it should have, in any of these columns.
 bool HasValue(const TextLine& line, const std::vector<std::size_t>& columns);
 
 }  // namespace cvo::reports

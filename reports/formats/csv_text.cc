@@ -17,7 +17,8 @@ bool IsNumber(const std::string& text) {
   return std::from_chars(text.data(), end, value).ptr == end;
 }
 
-// What spreadsheets take for a formula begins with one of these, some in full width.
+// Spreadsheets take a text for a formula if it begins with one of these characters, some of which
+// are full-width.
 bool LooksLikeFormula(const std::string& text) {
   const std::vector<char32_t> characters = Characters(text);
   return !characters.empty() &&

@@ -7,10 +7,10 @@
 
 namespace cvo::reports {
 
-// A text as a field: harmless in a terminal and a spreadsheet, quoted where it must be.
+// Returns a text as a CSV field: harmless in a terminal and a spreadsheet, quoted if necessary.
 std::string CsvField(const std::string& text);
 
-// Joins fields that are written as they are.
+// Joins fields, which are written as they are, into a record.
 std::string CsvRecord(const std::vector<std::string>& fields);
 
 }  // namespace cvo::reports

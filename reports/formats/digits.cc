@@ -11,9 +11,10 @@ namespace cvo::reports {
 namespace {
 
 constexpr int kMaxDecimals = 9;
-constexpr double kNoWidth = 1e-9;  // of the figure: an interval of equal values, but for rounding
+// Relative to the figure: a narrower interval is one of equal values up to rounding.
+constexpr double kNoWidth = 1e-9;
 
-// Number of decimals that shows the given significant digits of a nonzero value.
+// Returns the number of decimals that shows the given significant digits of a nonzero value.
 int Significant(double value, int digits) {
   return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0,
                     kMaxDecimals);
@@ -27,13 +28,14 @@ int ByUnit(double value, const std::string& unit) {
   return Significant(value, 4);
 }
 
-// What counts as large for the number of digits: the value, or where it is 0, its interval.
+// Returns the magnitude that determines the number of digits: that of the value or, if it is 0, of
+// its interval.
 double Magnitude(const Measured& figure) {
   if (figure.value != 0.0 || !figure.interval) return figure.value;
   return std::max(std::abs(figure.interval->low), std::abs(figure.interval->high));
 }
 
-// Empty where the interval does not decide.
+// Returns the decimals that follow from the interval; empty if it does not determine them.
 std::optional<int> ByInterval(const Measured& figure) {
   if (!figure.interval) return std::nullopt;
   const double half = 0.5 * (figure.interval->high - figure.interval->low);

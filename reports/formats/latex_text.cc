@@ -12,7 +12,7 @@
 namespace cvo::reports {
 namespace {
 
-// Characters that mean something in LaTeX or look different in its fonts.
+// Characters that are special in LaTeX or look different in its fonts.
 constexpr std::array<std::pair<char32_t, const char*>, 30> kSpecials = {{
     {'\\', "\\textbackslash{}"},
     {'{', "\\{"},
@@ -46,7 +46,7 @@ constexpr std::array<std::pair<char32_t, const char*>, 30> kSpecials = {{
     {0x2212, "$-$"},
 }};
 
-// Letters of Western Europe that pdfTeX makes from those of its oldest fonts.
+// Western European letters that pdfTeX composes from its original fonts.
 bool IsAccentedLetter(char32_t character) {
   return character >= 0xC0 && character <= 0xFF && character != 0xD0 && character != 0xD7 &&
          character != 0xDE && character != 0xF0 && character != 0xF7 && character != 0xFE;
@@ -64,10 +64,10 @@ const char* FindSpecial(char32_t character) {
   return found == kSpecials.end() ? nullptr : found->second;
 }
 
-// Two of them join into one.
+// Two of these in a row form a ligature.
 bool Joins(char32_t character) { return character == '-' || character == ',' || character == '\''; }
 
-// The end of a row takes these for its own where they stand behind it.
+// Directly after the end of a table row, LaTeX would take these for its arguments.
 bool BelongsToRowEnd(char32_t character) { return character == '[' || character == '*'; }
 
 bool AllowsBreakAfter(char32_t character) {

@@ -8,11 +8,12 @@
 
 namespace cvo::reports {
 
-// A text that stays text in LaTeX, whatever its engine and font encoding; characters that Computer
-// Modern lacks are their number, such as U+4E2D. Words may be broken after so many characters.
+// Escapes a text so that LaTeX prints it verbatim, with any engine and font encoding. Characters
+// that Computer Modern lacks are printed as code points, such as U+4E2D. Words may be broken after
+// `longest_word` characters.
 std::string LatexEscaped(std::string_view text, std::size_t longest_word);
 
-// A number or a range of two, with signs that are signs.
+// Formats a number or a range of two, with proper minus signs.
 std::string LatexNumber(std::string_view text);
 
 }  // namespace cvo::reports

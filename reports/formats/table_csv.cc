@@ -37,7 +37,7 @@ const ReferenceRow& FindReferenceRow(const Table& table, const TextLine& line) {
                   : table.others[*line.reference];
 }
 
-// A line with the fields that begin each record of it: whose figures, of which frames.
+// Appends the fields that begin each record of a line: whose figures they are, and of which frames.
 void AddHead(const Table& table, const TextLine& line, Record& record) {
   if (line.row) {
     for (const std::string& key : table.rows[*line.row].keys) AddText(key, record);
@@ -88,7 +88,7 @@ std::string Marks(const CellText& cell) {
   return marks;
 }
 
-// Value, low, high, n, marks and note of one cell.
+// Appends value, low, high, n, marks and note of one cell.
 void AddWideCell(const Table& table, const TextLine& line, std::size_t column, Record& record) {
   if (line.reference) {
     const auto& cell = FindReferenceRow(table, line).cells[column];
@@ -132,7 +132,7 @@ void AddDifference(const std::optional<Difference>& difference, Record& record) 
   record.emplace_back(difference->distinguishable ? "true" : "false");
 }
 
-// The coverage that the cell must be read with.
+// Appends the coverage that the cell must be read with.
 void AddCoverage(const Table& table, const TableTexts& texts, const TextLine& line,
                  std::size_t column, Record& record) {
   const auto coverage = texts.columns[column].coverage;

@@ -8,12 +8,13 @@
 
 namespace cvo::reports {
 
-// CSV by RFC 4180 with all digits. Texts that a spreadsheet would take for a formula begin with an
-// apostrophe; control characters but line ends are replaced. One record per row of the table and
-// per line of others' figures: value, interval and marks of each column side by side.
+// Returns the table as CSV (RFC 4180) with all digits. Texts that a spreadsheet would take for a
+// formula are prefixed with an apostrophe; control characters other than line ends are replaced.
+// There is one record per row of the table and per line of published figures, with value, interval
+// and marks of each column side by side.
 std::string TableCsv(const Table& table);
 
-// One record per cell: all that the table knows of it.
+// Returns one record per cell, with everything that the table knows about it.
 std::string TableLongCsv(const Table& table);
 
 }  // namespace cvo::reports

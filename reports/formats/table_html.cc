@@ -27,7 +27,7 @@ std::string Span(const char* kind, const std::string& text) {
 struct Numbers {
   std::optional<double> value;
   std::optional<Interval> interval;
-  std::string match;  // of a figure of others
+  std::string match;  // of a published figure
 };
 
 Numbers NumbersOf(const Table& table, const TextLine& line, std::size_t column, bool differences) {
@@ -59,7 +59,7 @@ std::string ClassesOf(const CellText& cell) {
                 cell.grey ? " grey" : "", cell.value == "-" ? " missing" : "");
 }
 
-// Digits end at the right edge: "best" stands before them, and the star hangs over.
+// Keeps the digits aligned at the right edge: "best" precedes them, and the star overhangs.
 std::string ValueHtml(const CellText& cell) {
   std::string html = Span("value", cell.Shown());
   if (cell.best) html = "<span class=\"mark\">best</span> <strong>" + html + "</strong>";
@@ -90,7 +90,7 @@ std::string CellHtml(const Table& table, const TextLine& line, std::size_t colum
          Span("reason", cell.note) + "</td>";
 }
 
-// Names of rows are headers; what else stands at the left is not.
+// The keys of a row are header cells; the other texts at the left are not.
 std::string LineHtml(const Table& table, const TextLine& line, bool differences) {
   std::string html = "<tr" + Place(line);
   html +=

@@ -8,16 +8,18 @@
 
 namespace cvo::reports {
 
-// A <section> with the values as <table>, the differences as another, and their notes. Cells of
-// columns carry data-row and data-column, indices in the Table, and data-value where there is a
-// number; a line of others' figures has data-reference, its index in the row or, without data-row,
-// in Table::others. `id` begins the ids of elements: one per table of a page.
+// Returns a <section> with the values as a <table>, the differences as another, and their notes.
+// Cells of metric columns carry data-row and data-column, which are indices into the Table, and
+// data-value if there is a number. A line of published figures carries data-reference: its index in
+// the row or, without data-row, in Table::others. `id` begins the ids of elements and must be
+// unique within a page.
 std::string TableHtml(const Table& table, const std::string& id = "table");
 
-// The same as a page of its own: no scripts, nothing from the network, light and dark.
+// Returns the same as a standalone page: no scripts, nothing from the network, light and dark
+// style.
 std::string TableHtmlPage(const Table& table);
 
-// A page of that kind with any body.
+// Returns a page of that kind with the given body.
 std::string HtmlPage(const std::string& title, const std::string& body);
 
 }  // namespace cvo::reports

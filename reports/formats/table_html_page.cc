@@ -8,7 +8,7 @@
 namespace cvo::reports {
 namespace {
 
-// Greys keep a contrast of 4.5 to 1 against their background, in light and in dark.
+// Greys have a contrast of at least 4.5 to 1 with their background, in light and in dark style.
 constexpr char kStyle[] = R"(
 :root { color-scheme: light dark; --text: #1b1f24; --page: #ffffff; --line: #d0d7de;
         --quiet: #59636e; --stripe: #f6f8fa; --best: #0a5c2b; }

@@ -16,18 +16,18 @@ namespace {
 constexpr std::size_t kWordInColumn = 8;
 constexpr std::size_t kWordInProse = 40;
 constexpr std::size_t kHeadingCharacters = 12;
-constexpr std::size_t kLongText = 24;        // a column of texts wraps from here
-constexpr std::size_t kTextCharacters = 12;  // of a wrapped line, at least
-constexpr double kNumberColumns = 6.0;       // side by side
+constexpr std::size_t kLongText = 24;        // a column of texts wraps above this width
+constexpr std::size_t kTextCharacters = 12;  // minimum per wrapped line
+constexpr double kNumberColumns = 6.0;       // maximum side by side
 constexpr std::size_t kPageLines = 50;
 
 // A part of a block that fits on a page.
 struct LatexPanel {
   std::vector<std::size_t> columns;  // indices, never an accuracy without its coverage
-  std::vector<std::size_t> lines;    // indices, those with a value in these columns
+  std::vector<std::size_t> lines;    // indices of lines with a value in these columns
 };
 
-// Which columns of texts wrap, in all blocks alike.
+// Returns which columns of texts wrap, in all blocks alike.
 std::vector<bool> WrappedTexts(const TableTexts& texts) {
   std::vector<bool> wrapped(texts.text_header.size(), false);
   for (const TextBlock& block : texts.blocks) {
@@ -55,7 +55,8 @@ std::size_t PrintedLines(const TextLine& line, const std::vector<bool>& wrapped)
   return lines;
 }
 
-// Columns from left to right and lines from top to bottom, as many as fit.
+// Splits a block into panels with as many columns, from left to right, and lines, from top to
+// bottom, as fit.
 std::vector<LatexPanel> SplitBlock(const TableTexts& texts, const TextBlock& block,
                                    const std::vector<bool>& wrapped) {
   const auto parts =
@@ -84,7 +85,8 @@ std::string Grey(const std::string& latex) { return StrCat("\\textcolor{black!55
 
 std::string Prose(const std::string& text) { return LatexEscaped(text, kWordInProse); }
 
-// Lines of one cell, right below each other however many lines the texts of their row take.
+// Stacks the lines of one cell directly below each other, however many lines the texts of their row
+// take.
 std::string Stack(const std::vector<std::string>& lines, const char* position) {
   if (lines.size() == 1) return lines[0];
   std::string latex;
@@ -92,7 +94,7 @@ std::string Stack(const std::vector<std::string>& lines, const char* position) {
   return StrCat("\\begin{tabular}[", position, "]{@{}r@{}}", latex, "\\end{tabular}");
 }
 
-// Marks hang over: digits stay below digits.
+// Marks overhang, so that digits stay aligned.
 std::string CellLatex(const CellText& cell) {
   std::string value = LatexNumber(cell.Shown());
   if (cell.best) value = StrCat("\\textbf{", value, "}");
@@ -105,7 +107,7 @@ std::string CellLatex(const CellText& cell) {
   return cell.grey ? Grey(latex) : latex;
 }
 
-// Short lines of a heading: words, then the unit.
+// Breaks a heading into short lines: words, then the unit.
 std::vector<std::string> HeadingLines(const ColumnText& column) {
   std::vector<std::string> lines;
   std::string rest = column.label;
@@ -129,7 +131,7 @@ std::string HeadingLatex(const ColumnText& column) {
   return lines.empty() ? "" : Stack(lines, "b");
 }
 
-// A line of a table: texts at the left, then numbers.
+// Returns one line of a table: texts at the left, then numbers.
 std::string RowLatex(const std::vector<std::string>& cells) {
   std::string latex;
   for (std::size_t i = 0; i < cells.size(); ++i) latex += (i > 0 ? " & " : "") + cells[i];

@@ -8,12 +8,13 @@
 
 namespace cvo::reports {
 
-// A document that pdflatex compiles as it is, with booktabs: values, differences, their notes and
-// the definitions of the columns. What is too wide or long for a page is several tables, each
-// accuracy beside its coverage.
+// Returns a document that pdflatex compiles as it is, with booktabs: values, differences, their
+// notes and the definitions of the columns. A table that is too wide or too long for a page is
+// split into several, each accuracy beside its coverage.
 std::string TableLatex(const Table& table);
 
-// The same without title and preamble, for \input; needs the packages array, booktabs and xcolor.
+// Returns the same without title and preamble, for \input. Requires the packages array, booktabs,
+// graphicx and xcolor.
 std::string TableLatexBare(const Table& table);
 
 }  // namespace cvo::reports

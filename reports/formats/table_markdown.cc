@@ -8,7 +8,7 @@
 namespace cvo::reports {
 namespace {
 
-// A line of its own must not become a list, a heading or a rule.
+// Escapes a standalone line so that it does not become a list, a heading or a rule.
 std::string Paragraph(const std::string& text) {
   return (std::string("-+=").find(text[0]) != std::string::npos ? "\\" : "") +
          MarkdownEscaped(text);

@@ -18,7 +18,7 @@ constexpr char kDim[] = "\033[2m";
 constexpr char kPlain[] = "\033[0m";
 constexpr std::size_t kGap = 2;
 
-// A number as printed, with its marks behind it so that digits stand below digits.
+// A text as printed, with its marks separate so that digits align.
 struct Entry {
   std::string text;
   std::string marks;
@@ -26,7 +26,7 @@ struct Entry {
 };
 using Entries = std::vector<Entry>;
 
-// Of all columns, texts at the left first.
+// Widths of all columns, texts at the left first.
 struct Layout {
   std::size_t text_columns = 0;
   std::vector<std::size_t> widths;  // without the marks
@@ -37,7 +37,8 @@ std::string MarksOf(const CellText& cell) {
   return StrCat(cell.distinguishable ? "*" : "", cell.best ? "^" : "");
 }
 
-// A value above its interval, percent and its interval, each only where any cell has one.
+// Returns the printed rows of a line: values, intervals, percentages and intervals of these, each
+// only if some cell has one.
 std::vector<Entries> EntriesOf(const TextLine& line, const std::vector<std::size_t>& columns) {
   Entries values;
   for (const std::string& text : line.texts) values.push_back({text, "", line.grey});

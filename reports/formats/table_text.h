@@ -9,9 +9,9 @@
 
 namespace cvo::reports {
 
-// Aligned columns with their units, then footnotes but no definitions. `dim`: figures that do not
-// compare are faint as well as in brackets, by terminal codes. What is wider than `width` is
-// several tables, each accuracy beside its coverage; 0: as wide as it is.
+// Returns aligned columns with their units, then footnotes but no definitions. With `dim`, figures
+// that are not comparable are dimmed by terminal codes in addition to their brackets. A table wider
+// than `width` is split into several, each accuracy beside its coverage; 0: no limit.
 std::string TableText(const Table& table, bool dim, std::size_t width = 0);
 
 // The same as Markdown, with the definitions of the columns.

@@ -26,7 +26,7 @@ bool ShowsSequences(const Table& table) {
   return std::find(table.keys.begin(), table.keys.end(), "sequence") != table.keys.end();
 }
 
-// Older results do not know it.
+// Older results do not state the split.
 bool ShowsSplits(const Table& table) {
   return std::any_of(table.rows.begin(), table.rows.end(),
                      [](const Row& row) { return !row.split.empty(); });
@@ -75,7 +75,7 @@ CellText ValueText(const Cell& cell, int decimals) {
   return text;
 }
 
-// Their figures as they print them.
+// Formats a published figure as it was printed.
 CellText ReferenceText(const std::optional<ReferenceCell>& cell) {
   CellText text;
   if (!cell) return text;
@@ -116,7 +116,7 @@ std::string PercentRangeText(const Interval& interval) {
   return StrCat(Fixed(interval.low, 0), "..", Fixed(interval.high, 0), "%");
 }
 
-// Both with the sign of the row's value minus the reference's.
+// The difference and its percentage have the sign of the row's value minus the reference's.
 CellText DifferenceText(const Difference& difference, int decimals) {
   CellText text;
   text.value = Fixed(difference.difference, decimals);
@@ -137,7 +137,7 @@ std::string UnitForDigits(const Column& column) {
   return rule && rule->kind == MetricKind::kCount ? kCountUnit : column.unit;
 }
 
-// Decimals of a column's cells that do or do not compare with each other.
+// Returns the decimals for those cells of a column that are comparable, or for those that are not.
 std::vector<int> DecimalsOf(const Table& table, std::size_t column, bool comparable) {
   std::vector<Measured> figures;
   for (const Row& row : table.rows) {
@@ -149,7 +149,7 @@ std::vector<int> DecimalsOf(const Table& table, std::size_t column, bool compara
   return ColumnDecimals(figures, UnitForDigits(table.columns[column]));
 }
 
-// Fills one column of all our lines.
+// Appends the cell of one column to each of our lines.
 void AddValueColumn(const Table& table, std::size_t column, std::vector<TextLine>& lines) {
   const std::vector<int> comparable = DecimalsOf(table, column, true);
   const std::vector<int> others = DecimalsOf(table, column, false);
@@ -165,8 +165,8 @@ void AddValueColumn(const Table& table, std::size_t column, std::vector<TextLine
   }
 }
 
-// Differences have the decimals of the values, and one more where their interval bears it: those of
-// a difference that is nearly 0 would be noise.
+// Differences have as many decimals as the values, and one more if their interval supports it. The
+// decimals that a difference close to 0 would get by itself would be noise.
 void AddDifferenceColumn(const Table& table, std::size_t column, std::vector<TextLine>& lines) {
   std::vector<Measured> figures;
   for (const Row& row : table.rows) {
@@ -184,7 +184,7 @@ void AddDifferenceColumn(const Table& table, std::size_t column, std::vector<Tex
   }
 }
 
-// Our rows without their cells.
+// Returns a line for each of our rows, without cells.
 std::vector<TextLine> ResultLines(const Table& table) {
   std::vector<TextLine> lines;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
@@ -214,7 +214,7 @@ TextBlock ValueBlock(const Table& table) {
   return block;
 }
 
-// Without rows that have no difference, such as the reference itself.
+// Omits rows that have no difference, such as the reference itself.
 TextBlock DifferenceBlock(const Table& table) {
   std::vector<TextLine> lines = ResultLines(table);
   for (std::size_t i = 0; i < table.columns.size(); ++i) AddDifferenceColumn(table, i, lines);

@@ -11,29 +11,29 @@
 namespace cvo::reports {
 
 struct CellText {
-  std::string value;             // "-": there should be one; empty: nothing to say
+  std::string value;             // "-": a value is missing; empty: none is expected
   std::string interval;          // "low..high"
   std::string percent;           // of a difference
   std::string percent_interval;  // of a difference
   std::string n;                 // "11 bodies, 4 scenes, 5 seeds, 20 runs"
-  std::string units;             // of these, what the interval resamples: "4 scenes"
-  std::string note;              // why there is no value, or why it does not compare
-  bool best = false;             // of its column, among rows on the same data
-  bool distinguishable = false;  // from the reference
-  bool grey = false;             // does not compare with the others of its column
+  std::string units;             // the units that the interval resamples: "4 scenes"
+  std::string note;              // why there is no value, or why it is not comparable
+  bool best = false;             // best of its column among rows on the same data
+  bool distinguishable = false;  // distinguishable from the reference
+  bool grey = false;             // not comparable with the rest of its column
 
-  // The value, in brackets where it does not compare.
+  // Returns the value, in brackets if it is not comparable.
   std::string Shown() const;
   bool operator==(const CellText&) const = default;
 };
 
-// One line of a table: a row of ours, or a figure of others below it.
+// One line of a table: a row of ours, or a row of published figures below it.
 struct TextLine {
-  std::optional<std::size_t> row;        // in Table::rows; empty: of Table::others
-  std::optional<std::size_t> reference;  // in Row::reference or Table::others; empty: a row of ours
-  std::vector<std::string> texts;        // as many as the text header
+  std::optional<std::size_t> row;        // index in Table::rows; empty: a row of Table::others
+  std::optional<std::size_t> reference;  // index in Row::reference or Table::others; empty: ours
+  std::vector<std::string> texts;        // one per entry of the text header
   std::vector<CellText> cells;           // one per column
-  bool grey = false;                     // nothing in it compares
+  bool grey = false;                     // nothing in it is comparable
 };
 
 struct TextBlock {
@@ -44,27 +44,27 @@ struct TextBlock {
 struct ColumnText {
   std::string label;
   std::string unit;                     // empty: a plain number
-  std::optional<std::size_t> coverage;  // the column that it must be read with, where it is another
+  std::optional<std::size_t> coverage;  // the column that it must be read with, if it is another
 
   // "object ATE [m]"
   std::string Heading() const;
 };
 
-// A table in words, each on one line, before any layout or escaping: what every rendering shows.
+// The texts of a table, each on one line, before any layout or escaping. All formats show these.
 struct TableTexts {
   std::string title;
   std::string about;
   std::vector<std::string> text_header;  // keys of rows, then frames and truth, split, runs
   std::vector<ColumnText> columns;
-  std::vector<TextBlock> blocks;  // values, then differences where there are any
+  std::vector<TextBlock> blocks;  // values, then differences if there are any
   bool any_best = false;
   std::vector<std::string> footnotes;
-  std::vector<std::string> definitions;  // of the columns, by their contracts
+  std::vector<std::string> definitions;  // of the columns, from their contracts
 };
 
 TableTexts MakeTexts(const Table& table);
 
-// What a mark of best cells means, such as "^: best value of the column ...".
+// Returns the meaning of the mark of best cells, such as "^: best value of the column ...".
 std::string BestNote(const std::string& mark);
 
 }  // namespace cvo::reports

@@ -14,11 +14,11 @@
 namespace cvo::reports {
 
 struct BaselineMetric {
-  std::string name;  // FindEntry knows it
+  std::string name;  // a name that FindEntry knows
   MetricUnit unit = MetricUnit::kOne;
-  std::map<std::string, Contract> contracts;  // by type of dataset
+  std::map<std::string, Contract> contracts;  // by dataset type
 
-  // "higher" or "lower"; empty for a metric that the gate does not know.
+  // Returns "higher" or "lower". Throws Error for a metric that the gate does not know.
   static const char* Better(const std::string& name);
 
   template <typename Self, typename Archive>
@@ -30,17 +30,17 @@ struct BaselineMetric {
   }
 };
 
-// What a run reached when the baseline was written.
+// The results of one run when the baseline was written.
 struct BaselineJob {
   std::map<std::string, std::string> keys;  // PlannedRun::keys
   std::uint64_t seed = 0;
-  std::string type;  // of dataset
-  std::string
-      content;  // of its images; distinguishes a different rendering from a different estimate
-  std::optional<int> frames;             // of the run; older files lack it
+  std::string type;  // dataset type
+  // Hash of its images; distinguishes a different rendering from a different estimate.
+  std::string content;
+  std::optional<int> frames;             // of the run; absent from older files
   std::string status;                    // "ok" or "lost"
-  std::map<std::string, double> values;  // by metric; those that the run does not have lack
-  std::optional<double> time_ratio;      // time of the estimate over that of kTimeReference
+  std::map<std::string, double> values;  // by metric, without those that the run lacks
+  std::optional<double> time_ratio;      // estimate time divided by that of kTimeReference
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -57,9 +57,9 @@ struct BaselineJob {
 
 struct BaselineBuild {
   std::string identity;
-  std::string cpu_level = "avx2";  // of the processor; older files lack it, and needed this one
-  std::string commit;              // for people
-  std::string platform;            // BuildInfo::Platform; older files lack it
+  std::string cpu_level = "avx2";  // of the build; absent from older files, which needed this one
+  std::string commit;              // for human readers
+  std::string platform;            // BuildInfo::Platform; absent from older files
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -70,14 +70,15 @@ struct BaselineBuild {
   }
 };
 
-// What later runs of a suite are held against.
+// The reference with which later runs of a suite are compared.
 struct Baseline {
   static constexpr int kSchemaVersion = 2;
   static constexpr const char* kKind = "baseline";
 
   std::string suite;
   BaselineBuild build;
-  // Seeds that a checked run must have; the others only tell how far seeds are apart.
+  // Seeds that must be among the checked runs. The others only serve to estimate the spread between
+  // seeds.
   std::vector<std::uint64_t> seeds;
   std::vector<BaselineMetric> metrics;
   std::vector<BaselineJob> jobs;
@@ -92,11 +93,12 @@ struct Baseline {
   }
 };
 
-// Throws Error naming the file and the field: another schema, half-written, a metric without rule,
-// a job twice, nothing to compare.
+// Throws Error naming the file and the field for another schema, an incomplete file, an unknown
+// metric, a duplicate job, or no values to compare.
 Baseline ReadBaseline(const std::filesystem::path& file);
 
-// Its file with a line per metric and per run, so that a renewed one differs where runs do.
+// Returns the text of its file with one line per metric and per run, so that an updated file
+// differs only where runs do.
 std::string BaselineText(const Baseline& baseline);
 
 }  // namespace cvo::reports

@@ -50,7 +50,7 @@ class Check {
     report_.problems.push_back({where, message});
   }
 
-  // Those of the baseline and others alike: what did not finish was not measured.
+  // Reports unfinished runs, whether or not the baseline has them: they were not measured.
   void CheckUnfinished() {
     for (const SuiteRun& run : runs_.runs) {
       if (run.run) continue;
@@ -97,7 +97,7 @@ class Check {
     if (HasSameMeaning(metric, *run.run, *value)) pair.values[metric.name] = value->value;
   }
 
-  // Reports what differs in one line per metric and type of dataset.
+  // Reports a difference in contracts once per metric and dataset type.
   bool HasSameMeaning(const BaselineMetric& metric, const RunSummary& run,
                       const MetricValue& value) {
     const auto known = metric.contracts.find(run.sequence.type);
@@ -119,7 +119,7 @@ class Check {
     return false;
   }
 
-  // The same estimator gives the same values, but another platform may round otherwise.
+  // The same estimator gives the same values, but another platform may round differently.
   void CountChanges() {
     const std::string& platform = baseline_.build.platform;
     if (!platform.empty() && platforms_ == std::set<std::string>{platform}) {

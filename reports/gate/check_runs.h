@@ -11,23 +11,23 @@
 
 namespace cvo::reports {
 
-// Holds the runs of a folder that a suite was run to against a baseline. Throws Error only where
-// the folder has no plan that can be read; all else is in the report: jobs that are missing, failed
-// or lost, metrics that are missing or mean something else, and nothing to compare. Exact: counts
-// what differs at all, too, if the baseline is of the same platform; else a note says that it is
+// Compares the runs in a suite's output folder with a baseline. Throws Error only if the folder has
+// no readable plan; everything else is in the report: jobs that are missing, failed or lost,
+// metrics that are missing or have another contract, and nothing to compare. With `exact`, any
+// difference also counts if the baseline is of the same platform; otherwise a note says that it is
 // not.
 GateReport CheckRuns(const std::filesystem::path& folder, const Baseline& baseline,
                      bool exact = false);
 
-// How the gate sees a variant that is not the baseline's.
+// The gate's report on a variant that was checked in place of the baseline's.
 struct LostPart {
   std::string variant;
   GateReport report;
 };
 
-// Holds each variant of the folder against the baseline's runs of `variant`: what the gate would
-// say if the estimator lost what they lack. Throws Error as CheckRuns, and where the baseline has
-// no such runs.
+// Compares each variant of the folder with the baseline's runs of `variant`: what the gate would
+// report if the estimator lost the parts that those variants lack. Throws Error as CheckRuns does,
+// and if the baseline has no runs of `variant`.
 std::vector<LostPart> CheckInPlaceOf(const std::string& variant,
                                      const std::filesystem::path& folder, const Baseline& baseline,
                                      bool exact = false);

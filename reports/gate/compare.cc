@@ -13,21 +13,21 @@ namespace {
 
 using Keys = std::map<std::string, std::string>;
 
-// What pairs of one variant on one scene say of a metric.
+// One metric over the pairs of one variant on one scene.
 struct ScenePairs {
   Keys keys;
-  SceneDifferences differences;  // in the direction that is worse
+  SceneDifferences differences;  // positive is worse
   double baseline = 0.0;         // means over the pairs
   double now = 0.0;
 };
 
-// A comparison whose tolerance is not known before all are counted.
+// A comparison whose tolerance is not known until all comparisons have been counted.
 struct Candidate {
   Comparison comparison;
   std::vector<ScenePairs> scenes;
 };
 
-// Keys that tell scenes of this baseline apart.
+// Returns the keys that distinguish the scenes of this baseline.
 std::vector<std::string> SceneKeys(const Baseline& baseline) {
   std::vector<std::string> names = {"sequence"};
   const Keys& first = baseline.jobs.front().keys;

@@ -11,17 +11,18 @@
 
 namespace cvo::reports {
 
-// A run of now, and the baseline's of the same keys and seed.
+// A run to check and the baseline's run with the same keys and seed.
 struct RunPair {
   const BaselineJob* baseline = nullptr;
-  std::map<std::string, double> values;  // by metric; only those that compare
+  std::map<std::string, double> values;  // of the run to check, by metric; only comparable ones
   std::optional<double> time_ratio;
 };
 
-// How far seeds are apart, of one variant on one scene. From its own runs; or, because few seeds
-// tell little, from those of all variants of the scene (errors relative to the variant's own) where
-// its own are no further apart and this bounds the noise closer. Never less than one step of
-// MetricEntry::Resolution in one of its runs. Empty where no variant has two seeds.
+// The spread between seeds of one variant on one scene. It is estimated from the variant's own runs
+// or, because few seeds tell little, from the runs of all variants on the scene (with errors scaled
+// to the variant's own mean), if its own variance is no larger and pooling gives a tighter bound on
+// the noise. It is never less than one step of MetricEntry::Resolution in one of its runs. Empty if
+// no variant has two seeds.
 struct SeedSpread {
   double variance = 0.0;
   std::size_t degrees = 0;
@@ -29,11 +30,13 @@ struct SeedSpread {
 std::optional<SeedSpread> SpreadOfSeeds(const Baseline& baseline, const BaselineMetric& metric,
                                         const std::map<std::string, std::string>& keys);
 
-// Per variant and metric over all scenes, then, where there are several, scene by scene.
+// Returns one comparison per variant and metric over all scenes and, if there are several, one for
+// each scene.
 std::vector<Comparison> CompareValues(const Baseline& baseline, const std::vector<RunPair>& pairs);
 
-// Per variant, from the ratios that both have. Slower or faster: by more than a quarter and by more
-// than kStandardErrors standard errors of the paired differences of their logarithms.
+// Returns one comparison per variant, from the runs for which both sides have a time ratio. Slower
+// or faster means by more than a quarter and by more than kStandardErrors standard errors of the
+// paired differences of the logarithms.
 std::vector<TimeComparison> CompareTimes(const std::vector<RunPair>& pairs);
 
 }  // namespace cvo::reports

@@ -12,7 +12,7 @@ namespace {
 constexpr double kMinFactor = 1.25;
 
 struct Logarithms {
-  double baseline = 0.0;  // sum
+  double baseline = 0.0;  // sum over runs
   std::vector<double> differences;
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 std::string Escaped(const std::string& text) { return HtmlEscaped(Printable(text)); }
 
-// `failure`: empty where the case passes.
+// `failure` is empty if the case passes.
 std::string TestCase(const std::string& group, const std::string& name,
                      const std::string& failure) {
   const std::string start = StrCat("  <testcase classname=\"", Escaped(group), "\" name=\"",

@@ -10,11 +10,11 @@ namespace cvo::reports {
 
 enum class Verdict { kSame, kWithin, kWorse, kBetter };
 
-// Runs of one variant against the baseline's, paired by scene and seed. Means over scenes of the
-// mean over their seeds, in the metric's unit.
+// Runs of one variant compared with the baseline's, paired by scene and seed. Values are means over
+// scenes of the mean over their seeds, in the metric's unit.
 struct Comparison {
   std::string variant;
-  std::string scene;  // empty: all of them
+  std::string scene;  // empty: all scenes
   std::string metric;
   std::string unit;
   double baseline = 0.0;
@@ -26,17 +26,18 @@ struct Comparison {
   double difference() const { return now - baseline; }
 };
 
-// Time of a variant's estimate, as a ratio to kTimeReference in the same runs.
+// Estimate time of a variant, as a ratio to that of kTimeReference in the same runs.
 struct TimeComparison {
   std::string variant;
-  double baseline = 0.0;  // ratio, geometric mean
+  double baseline = 0.0;  // geometric mean of the ratios
   double now = 0.0;
-  double limit = 1.0;  // now / baseline above which it is slower, below 1 / limit faster
+  double limit = 1.0;  // slower if now / baseline exceeds it, faster if below 1 / limit
   std::size_t pairs = 0;
   Verdict verdict = Verdict::kSame;
 };
 
-// Why a check fails apart from its numbers: a run or a metric that is not there or not comparable.
+// A reason other than its numbers for which a check fails: a run or a metric that is missing or not
+// comparable.
 struct GateProblem {
   std::string where;
   std::string message;
@@ -46,11 +47,11 @@ struct GateReport {
   std::string suite;
   std::string baseline_commit;
   std::string baseline_build;
-  std::string build;     // of the runs that were checked
-  std::size_t runs = 0;  // compared with the baseline's
+  std::string build;     // of the checked runs
+  std::size_t runs = 0;  // number compared with the baseline's
   std::vector<GateProblem> problems;
-  // Comparisons that are not the same, in an exact check on the baseline's platform: what a program
-  // with the baseline's estimator would not show.
+  // Number of comparisons that are not the same, in an exact check on the baseline's platform. A
+  // program with the baseline's estimator has none.
   std::size_t changed = 0;
   std::vector<Comparison> comparisons;
   std::vector<TimeComparison> times;

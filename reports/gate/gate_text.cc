@@ -110,12 +110,12 @@ std::string ChangeLine(const GateReport& report) {
 std::vector<std::string> ProblemLines(const GateReport& report) {
   std::vector<std::string> lines;
   if (report.changed > 0) lines.push_back(ChangeLine(report));
-  for (const GateProblem& problem : report.problems) {
-    if (lines.size() == kMaxProblems) {
-      lines.push_back(StrCat("and ", report.problems.size() - lines.size(), " more"));
-      break;
-    }
-    lines.push_back(StrCat(problem.where, ": ", problem.message));
+  const std::size_t shown = std::min(report.problems.size(), kMaxProblems);
+  for (std::size_t i = 0; i < shown; ++i) {
+    lines.push_back(StrCat(report.problems[i].where, ": ", report.problems[i].message));
+  }
+  if (shown < report.problems.size()) {
+    lines.push_back(StrCat("and ", report.problems.size() - shown, " more"));
   }
   return lines;
 }

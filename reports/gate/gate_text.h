@@ -11,34 +11,35 @@ namespace cvo::reports {
 
 using TextRows = std::vector<std::vector<std::string>>;  // the first is the header
 
-// What moved beyond its tolerance, then, of the rest, the comparisons over all scenes that came
-// nearest to it. Empty where nothing moved.
+// Returns the comparisons that moved beyond their tolerance and then, of the rest, those over all
+// scenes that came nearest to it. Empty if nothing moved.
 TextRows MovedRows(const GateReport& report);
-// Empty where there is no time to compare.
+// Returns the comparisons of times; empty if there are none.
 TextRows TimeRows(const GateReport& report);
 
-// One line: how many runs, how many comparisons of each verdict.
+// Returns one line with the number of runs and the number of comparisons by verdict.
 std::string Headline(const GateReport& report);
 
-// "no regression", "changed" or "regression".
+// Returns "no regression", "changed" or "regression".
 std::string GateVerdict(const GateReport& report);
 
-// How many values changed, in an exact check; empty where none did.
+// Returns how many values changed in an exact check; empty if none did.
 std::string ChangeLine(const GateReport& report);
 
-// One line each: what fails the check apart from its numbers, then what else is worth knowing, such
-// as a baseline to renew.
+// One line each for whatever fails the check apart from worse values, and for whatever else is
+// worth knowing, such as a baseline to update.
 std::vector<std::string> ProblemLines(const GateReport& report);
 std::vector<std::string> NoteLines(const GateReport& report);
 
-// Columns aligned with blanks, one line per row.
+// Aligns columns with spaces, one line per row.
 std::string AlignedText(const TextRows& rows);
 
-// A line for each variant that was checked in place of another: what noticed it.
+// Returns a line for each variant that was checked in place of another: whether the gate noticed,
+// and in which metrics.
 std::string PowerText(const std::vector<LostPart>& parts);
 
-// The whole report for a terminal, as Markdown, and as JUnit XML: a test case per comparison and
-// per problem or change.
+// Returns the whole report for a terminal, as Markdown, or as JUnit XML with a test case per
+// comparison and per problem or change.
 std::string GateText(const GateReport& report);
 std::string GateMarkdown(const GateReport& report);
 std::string GateJunit(const GateReport& report);

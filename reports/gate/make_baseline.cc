@@ -62,7 +62,7 @@ std::vector<BaselineMetric> CollectMetrics(const GateRuns& runs) {
   return metrics;
 }
 
-// Enough digits to compare with, few enough to read.
+// Keeps enough digits to compare with, few enough to read.
 double Rounded(double ratio) { return std::round(1e4 * ratio) / 1e4; }
 
 BaselineJob MakeJob(const SuiteRun& run, const std::map<std::string, double>& ratios) {

@@ -8,9 +8,10 @@
 
 namespace cvo::reports {
 
-// From a folder that a suite was run to. `gate_seeds`: how many of its seeds, the lowest first, a
-// checked run must have (0: all); the rest tell how far seeds are apart. Throws Error naming what
-// is in the way: a job that is not done, contracts that differ, fewer than two seeds, no metric.
+// Makes a baseline from a folder that a suite was run to. `gate_seeds` is how many of its seeds,
+// the lowest first, must be among checked runs (0: all); the rest only serve to estimate the spread
+// between seeds. Throws Error naming the obstacle: a job that is not done, contracts that differ,
+// fewer than two seeds, or no metric.
 Baseline MakeBaseline(const std::filesystem::path& folder, std::size_t gate_seeds = 0);
 
 }  // namespace cvo::reports

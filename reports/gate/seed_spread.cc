@@ -13,7 +13,7 @@ namespace {
 
 using Keys = std::map<std::string, std::string>;
 
-// Values of one metric on one scene, by variant.
+// Returns the values of one metric on one scene, by variant.
 std::map<std::string, std::vector<double>> ValuesByVariant(const Baseline& baseline,
                                                            const std::string& metric, Keys keys) {
   std::map<std::string, std::vector<double>> values;
@@ -27,7 +27,7 @@ std::map<std::string, std::vector<double>> ValuesByVariant(const Baseline& basel
   return values;
 }
 
-// The same of all variants, scaled to errors of mean `own_mean`.
+// Returns the spread pooled over all variants, with errors scaled to a mean of `own_mean`.
 SeedSpread Pooled(const std::map<std::string, std::vector<double>>& values, const MetricEntry& rule,
                   double own_mean) {
   SeedSpread pooled;
@@ -43,7 +43,8 @@ SeedSpread Pooled(const std::map<std::string, std::vector<double>>& values, cons
   return pooled;
 }
 
-// How far noise of this spread reaches about as rarely as a check may fail for it.
+// Returns a bound that noise of this spread exceeds about as rarely as a check may fail because of
+// it.
 double Reach(const SeedSpread& spread) {
   return std::sqrt(spread.variance) * StudentQuantile(1e-4, static_cast<int>(spread.degrees));
 }

@@ -13,7 +13,7 @@
 namespace cvo::reports {
 namespace {
 
-// Of the mean of the differences, from the deviation that half of them do not exceed.
+// Returns the standard error of the mean difference, from the median absolute deviation.
 double RobustStandardError(std::vector<double> differences) {
   constexpr double kSigmaOfDeviation = 1.4826;  // for a normal distribution
   const double median = Median(differences);
@@ -22,8 +22,8 @@ double RobustStandardError(std::vector<double> differences) {
   return kSigmaOfDeviation * Median(std::move(differences)) / std::sqrt(count);
 }
 
-// The standard error of a mean over scenes, with the degrees of freedom of what it is made of
-// (Welch and Satterthwaite).
+// The standard error of a mean over scenes, with its effective degrees of freedom (Welch and
+// Satterthwaite).
 struct SeedError {
   double standard_error = 0.0;
   int degrees = 1;
@@ -35,7 +35,7 @@ SeedError ErrorOfSeeds(const std::vector<const SceneDifferences*>& scenes) {
   double spread = 0.0;
   for (const SceneDifferences* scene : scenes) {
     Require(scene->seed_degrees >= 1, "Tolerance: a scene without a spread over seeds");
-    // Both sides are draws, hence twice.
+    // Twice, because both the baseline and the checked runs are random draws.
     const double variance =
         2.0 * scene->seed_variance / static_cast<double>(scene->worse_by.size()) / (count * count);
     sum += variance;

@@ -22,9 +22,10 @@ constexpr int kSheetGap_px = 8;
 constexpr int kSheetText_px = 9;
 constexpr Rgb kSheetGround{16, 18, 24};
 constexpr Rgb kSheetInk{215, 217, 222};
-constexpr std::int64_t kOtherBodies = 1'000'000;  // labels of bodies without a cluster
+// Added to the id of a body without a cluster to make its label.
+constexpr std::int64_t kOtherBodies = 1'000'000;
 
-// Lines of text on the sheet's ground, the first brighter.
+// Renders lines of text on the background of the sheet, the first one brighter.
 cv::Mat TextBlock(const std::vector<std::string>& lines, int width_px) {
   constexpr std::size_t kLongest = 200;
   const int step = PlateSize("Xg", kSheetText_px).height + 2;
@@ -36,7 +37,8 @@ cv::Mat TextBlock(const std::vector<std::string>& lines, int width_px) {
   return block;
 }
 
-// Landmarks with their true body as label: the id of its cluster, whose colour it has.
+// Relabels the landmarks by their true body, with the id of its cluster, so that they have its
+// colour.
 OverlayFrame ByTrueBody(const OverlayRun& run, OverlayFrame frame) {
   std::map<int, std::int64_t> labels;
   for (const BodyDetail& body : run.detail.bodies) {
@@ -52,11 +54,11 @@ OverlayFrame ByTrueBody(const OverlayRun& run, OverlayFrame frame) {
   return frame;
 }
 
-// What is known of where the body is in a frame.
+// What is known of the true place of the body in a frame.
 struct TruthMark {
   std::string name;
   std::optional<PixelBox> box;
-  std::optional<cv::Point2d> position_px;  // of its origin, where it is in front of the camera
+  std::optional<cv::Point2d> position_px;  // of its origin, if that is in front of the camera
 };
 
 TruthMark TruthOf(const OverlayRun& run, const BodyDetail& body, int frame,
@@ -78,8 +80,8 @@ void Include(const cv::Point2d& point, cv::Rect2d& area) {
   area = area.empty() ? spot : area | spot;
 }
 
-// What shows the body where it is and where it is thought to be, with as much again around it, in
-// the panels' shape and within the image.
+// The part of the image that shows the body at both its true and its estimated place, 60 % larger
+// than needed, in the aspect ratio of the panels and within the image.
 cv::Rect PartToShow(const OverlayRun& run, const BodyDetail& body, const OverlayFrame& frame,
                     const TruthMark& truth) {
   const CameraInfo& camera = run.sequence.camera;
@@ -110,7 +112,7 @@ cv::Rect PartToShow(const OverlayRun& run, const BodyDetail& body, const Overlay
           static_cast<int>(size.height)};
 }
 
-// The frame as a camera sees it whose image is this part alone: names then stay within it.
+// The frame as seen by a camera whose image is this part alone, so that names stay within it.
 OverlayFrame InPart(OverlayFrame frame, const cv::Rect& part) {
   const auto u = [&](double u_px) { return u_px - part.x; };
   const auto v = [&](double v_px) { return v_px - part.y; };
@@ -135,7 +137,8 @@ CameraInfo CameraOfPart(CameraInfo camera, const cv::Rect& part) {
   return camera;
 }
 
-// Where the body truly is: its box with heavy dashes, or a cross where it alone is known.
+// Marks the true place of the body: its box with heavy dashes, or a cross if only its position is
+// known.
 void DrawTruth(const TruthMark& truth, const cv::Rect& part, double scale, cv::Mat& panel) {
   const auto at = [&](double u_px, double v_px) {
     return cv::Point2d((u_px - part.x + 0.5) * scale - 0.5, (v_px - part.y + 0.5) * scale - 0.5);
@@ -174,7 +177,7 @@ void DrawTruth(const TruthMark& truth, const cv::Rect& part, double scale, cv::M
   DrawPlate(truth.name, name, {kSheetText_px, {20, 20, 20}, kTruth, 0.8, kTruth}, panel);
 }
 
-// The part of a drawing at panel size.
+// Draws a part of a frame at panel size.
 cv::Mat DrawPart(const cv::Mat& image, const OverlayFrame& frame, const CameraInfo& camera,
                  const cv::Rect& part, const TruthMark& truth, bool estimated) {
   OverlayStyle style = StyleFor(camera, 640);

@@ -14,15 +14,17 @@
 
 namespace cvo::reports {
 
-// What happened to a body in one picture: `lines` of text, its frames by stage with detections,
-// landmarks and error, and for every event its surroundings twice, with landmarks in the colour of
-// their true body and as estimated. `true_boxes`: of the body, by frame; where there is none, its
-// true position is marked. `image` gives the left image of a frame; empty: not there.
+// Draws what happened to a body as one picture: `lines` of text, the timeline (BodyTimeline), and
+// for every event two crops of the frame around the body, with landmarks in the colour of their
+// true body on the left and as estimated on the right. `true_boxes` holds the true 2D box of the
+// body by frame; where there is none, its projected true position is marked. `image` returns the
+// left image of a frame, empty if there is none.
 cv::Mat BodySheet(const OverlayRun& run, const BodyStory& story,
                   const std::vector<std::string>& lines, const std::map<int, PixelBox>& true_boxes,
                   const std::function<cv::Mat(int frame)>& image);
 
-// The frames as bands: stage, detections, landmarks, error; events are numbered.
+// Draws the frames of the story as horizontal bands: stage, detections, landmarks and position
+// error. Events are numbered.
 cv::Mat BodyTimeline(const BodyStory& story, int width_px, int text_px);
 
 Rgb ColorOf(BodyStage stage);

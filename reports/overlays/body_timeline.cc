@@ -19,7 +19,7 @@ constexpr Rgb kLandmarkBar{120, 124, 134};
 constexpr Rgb kOwnBar{86, 180, 233};
 constexpr double kMostError_m = 0.3;
 
-// Rows of the bands, from above.
+// The rectangles of the bands, from top to bottom.
 struct Bands {
   cv::Rect stage;
   cv::Rect detections;
@@ -39,7 +39,7 @@ Bands Layout(int width_px, int text_px) {
   return bands;
 }
 
-// Where a frame is in a band.
+// The part of a band that belongs to a frame.
 cv::Rect Slot(const BodyStory& story, int frame, const cv::Rect& band) {
   const int first = story.frames.front().frame;
   const double count = story.frames.back().frame - first + 1;
@@ -52,7 +52,7 @@ void Fill(const cv::Rect& area, Rgb color, cv::Mat& picture) {
   picture(area & cv::Rect({0, 0}, picture.size())).setTo(Bgr(color));
 }
 
-// The lower part of a slot.
+// The lower part of a slot, `share` of its height.
 cv::Rect Bar(cv::Rect slot, double share) {
   const int height = static_cast<int>(std::clamp(share, 0.0, 1.0) * slot.height);
   return {slot.x, slot.br().y - height, slot.width, height};
@@ -100,7 +100,7 @@ void DrawLabels(const BodyStory& story, const Bands& bands, int text_px, cv::Mat
                        1});
   }
   DrawStrokes(strokes, 0.0, picture);
-  int right = 0;  // of the last number, which the next must not cover
+  int right = 0;  // end of the last number, which the next one must not cover
   for (std::size_t i = 0; i < story.events.size(); ++i) {
     const std::string number = StrCat("(", i + 1, ")");
     const int x = std::max(right, Slot(story, story.events[i].frame, bands.stage).x);
@@ -111,7 +111,7 @@ void DrawLabels(const BodyStory& story, const Bands& bands, int text_px, cv::Mat
   }
 }
 
-// The stages that there are, in their colours.
+// Draws the names of the stages that occur, in their colours.
 void DrawKey(const BodyStory& story, int text_px, cv::Mat& picture) {
   int x = 0;
   for (int i = 0; i <= static_cast<int>(BodyStage::kMotion); ++i) {

@@ -11,16 +11,16 @@
 namespace cvo::reports {
 namespace {
 
-using Counts = std::map<std::int64_t, std::int64_t>;  // by what is counted
+using Counts = std::map<std::int64_t, std::int64_t>;  // number of occurrences by id
 
-// What was counted most often; of equals the smallest.
+// The most frequent id, the smallest one if several are. `counts` must not be empty.
 std::int64_t MostOften(const Counts& counts) {
   return std::max_element(counts.begin(), counts.end(),
                           [](const auto& a, const auto& b) { return a.second < b.second; })
       ->first;
 }
 
-// By cluster: the body that most of its landmarks are on, the static scene left aside.
+// By cluster: the body that holds most of its landmarks, not counting the static scene.
 std::map<std::int64_t, std::int64_t> BodiesOfClusters(const OverlayRun& run) {
   std::map<std::int64_t, Counts> seen;
   for (const auto& [frame, dots] : run.landmarks) {
@@ -35,7 +35,7 @@ std::map<std::int64_t, std::int64_t> BodiesOfClusters(const OverlayRun& run) {
 
 using Pixel = std::pair<float, float>;
 
-// The labels of a frame's landmarks by where they are.
+// The labels of a frame's landmarks on clusters, by pixel.
 std::map<Pixel, std::int64_t> LabelsByPixel(const std::vector<LandmarkDot>& dots) {
   std::map<Pixel, std::int64_t> labels;
   for (const LandmarkDot& dot : dots) {
@@ -44,7 +44,7 @@ std::map<Pixel, std::int64_t> LabelsByPixel(const std::vector<LandmarkDot>& dots
   return labels;
 }
 
-// How many landmarks each cluster shares with each of the other run.
+// The number of landmarks that each cluster shares with each cluster of the other run.
 std::map<std::int64_t, Counts> SharedLandmarks(const OverlayRun& run, const OverlayRun& other) {
   std::map<std::int64_t, Counts> shared;
   for (const auto& [frame, dots] : run.landmarks) {
@@ -61,13 +61,14 @@ std::map<std::int64_t, Counts> SharedLandmarks(const OverlayRun& run, const Over
 }
 
 using FramesById = std::map<std::int64_t, std::set<int>>;
-using UsedColors = std::array<std::set<int>, kClusterColors>;  // frames by colour
+using UsedColors = std::array<std::set<int>, kClusterColors>;  // the frames that use it, by colour
 
 std::size_t ColorIndex(std::int64_t id) {
   return (static_cast<std::uint64_t>(id) - 1U) % kClusterColors;
 }
 
-// The first colour from `wanted` on that others have in the fewest of the frames; takes it there.
+// Returns the first colour, starting at `wanted`, that is in use in the fewest of `frames`, and
+// marks it as in use in them.
 std::size_t TakeColor(std::size_t wanted, const std::set<int>& frames, UsedColors& used) {
   std::size_t best = wanted;
   std::size_t least = frames.size() + 1;
@@ -83,7 +84,7 @@ std::size_t TakeColor(std::size_t wanted, const std::set<int>& frames, UsedColor
   return best;
 }
 
-// The frames in which something is drawn in a cluster's colour.
+// By cluster: the frames in which something is drawn in its colour.
 FramesById FramesOfClusters(const OverlayRun& run) {
   FramesById frames;
   for (const ClusterRow& row : run.detail.clusters) frames[row.id].insert(row.frame);
@@ -95,7 +96,7 @@ FramesById FramesOfClusters(const OverlayRun& run) {
   return frames;
 }
 
-// The colour that a cluster should have, and how many landmarks speak for it.
+// The colour that a cluster should have, and how many shared landmarks support it.
 struct Wish {
   std::int64_t id = 0;
   std::set<int> frames;
@@ -142,7 +143,8 @@ void AgreeOnColors(std::vector<OverlayRun>& runs) {
   const std::map<std::int64_t, std::int64_t>& last = runs.back().color_ids;
   for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
     const std::map<std::int64_t, Counts> shared = SharedLandmarks(runs[i], runs.back());
-    // Several clusters may share most with the same one: it is the colour of whichever shares more.
+    // Several clusters may share most landmarks with the same cluster. The one that shares the most
+    // gets its colour.
     std::vector<Wish> wishes;
     for (const auto& [id, frames] : FramesOfClusters(runs[i])) {
       Wish wish{id, frames, ColorIndex(id), 0};

@@ -8,8 +8,9 @@
 namespace cvo::reports {
 namespace {
 
-// How much of bodies there is in a part of the image: their landmarks, and the share of the part
-// that detections cover, which counts as much as so many landmarks.
+// How much of the bodies there is in a part of the image, over all frames: the number of their
+// landmarks, plus kCovered for each frame in which a detection covers the whole part, and
+// proportionally less for a fraction of it.
 double BodiesIn(const cv::Rect& part, const OverlayRun& run) {
   constexpr double kCovered = 50.0;
   double sum = 0.0;

@@ -7,7 +7,8 @@
 
 namespace cvo::reports {
 
-// The bytes of an image file; the same for the same image. Throws Error where it cannot be made.
+// Encode an image as the bytes of a PNG or JPEG file. Equal images give equal bytes. Throw Error if
+// OpenCV cannot encode the image.
 std::string PngBytes(const cv::Mat& image);
 // `quality`: 0 to 100.
 std::string JpegBytes(const cv::Mat& image, int quality);

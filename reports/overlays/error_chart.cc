@@ -19,7 +19,7 @@ constexpr Rgb kFaint{52, 55, 62};
 constexpr Rgb kNow{235, 235, 235};
 constexpr Rgb kText{190, 192, 198};
 
-// The field of the chart, its frames and the error at its upper edge.
+// The plotting area, its range of frames, and the error at its upper edge.
 struct ChartArea {
   cv::Rect field;
   int first_frame = 0;
@@ -33,7 +33,8 @@ struct ChartArea {
   }
 };
 
-// 1, 2 or 5 times a power of ten that 98 of 100 errors are not above.
+// The smallest of 1, 2 or 5 times a power of ten, at least 1 mm, that 98 % of the errors do not
+// exceed. 0 if there are no errors.
 double NiceLimit(const OverlayRun& run) {
   std::vector<double> errors_m;
   for (const BodyDetail& body : run.detail.bodies) {
@@ -71,7 +72,7 @@ void DrawAxes(const ChartArea& area, int text_px, cv::Mat& chart) {
   DrawPlate(last, {area.field.br().x - PlateSize(last, text_px).width, below}, text, chart);
 }
 
-// Not across frames without an estimate.
+// Appends the error of a body over time as a line, broken at frames without an estimate.
 void AddBody(const BodyDetail& body, Rgb color, const ChartArea& area,
              std::vector<Stroke>& strokes) {
   for (std::size_t i = 1; i < body.estimated.size(); ++i) {

@@ -14,7 +14,7 @@ namespace {
 
 using Rows = std::span<const ClusterRow>;
 
-// Half of the time that a velocity is taken over.
+// Half the time span over which a velocity is computed.
 constexpr double kVelocityHalf_s = 0.12;
 
 Rows RowsOfFrame(const std::vector<ClusterRow>& rows, int frame) {
@@ -32,14 +32,14 @@ double Seconds(const CameraFrame& from, const CameraFrame& to) {
   return 1e-9 * static_cast<double>(to.timestamp_ns - from.timestamp_ns);
 }
 
-// Follows one cluster through the frames beside one.
+// Follows one cluster through the frames before and after a given one.
 class ClusterPath {
  public:
   ClusterPath(const OverlayRun& run, std::size_t index, const ClusterRow& row)
       : run_(run), index_(index), row_(row) {}
 
-  // Where the point that is its centre now was or will be, `steps` frames away; empty where the
-  // cluster is not there.
+  // Position in world, `steps` frames away, of the point that is the centre of the cluster in the
+  // given frame. Empty if the cluster is absent there.
   std::optional<Position> Center(std::ptrdiff_t steps) const {
     const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(index_) + steps;
     const auto& camera = run_.detail.camera;
@@ -50,7 +50,8 @@ class ClusterPath {
     if (row == nullptr) return std::nullopt;
     return Transform(row->world_from_object, CenterInObject(row_));
   }
-  // How many frames in a row, up to `limit_s` away, the cluster is there.
+  // Number of consecutive frames in which the cluster is present, up to `limit_s` away. It has the
+  // sign of `step`, which is 1 or -1.
   std::ptrdiff_t Reach(std::ptrdiff_t step, double limit_s) const {
     const auto& camera = run_.detail.camera;
     std::ptrdiff_t steps = 0;
@@ -61,8 +62,8 @@ class ClusterPath {
     }
     return steps;
   }
-  // Of its centre, in world, from where it is a little before and after; of a predicted one as the
-  // motion model says.
+  // Velocity of its centre in world, from its positions shortly before and after the given frame. A
+  // predicted cluster, or one without such neighbours, has the velocity of the motion model.
   Position Velocity() const {
     if (row_.predicted) return row_.velocity_m_s;
     const std::ptrdiff_t before = Reach(-1, kVelocityHalf_s);

@@ -50,7 +50,8 @@ OverlayRun ReadOverlayRun(const fs::path& folder, LandmarkLabel label) {
     }
     return false;
   };
-  // The detail lists what is wrong with it, too, but not of which file.
+  // Reads objects.csv a second time, since run.detail.missing does not say which file an error is
+  // in.
   run.has_clusters =
       read("clusters", "objects.csv", [&] { ReadClusterTable(folder / "objects.csv"); });
   run.has_landmarks = read("landmarks", "landmarks.csv",

@@ -12,60 +12,67 @@
 
 namespace cvo::reports {
 
-// Which label of a landmark is drawn.
+// Which of the two labels of a landmark is drawn.
 enum class LandmarkLabel {
-  kCluster,   // what it belongs to after the frame
-  kInferred,  // what the unary and pairwise terms made of it in the frame alone
+  kCluster,   // its cluster after the frame was processed
+  kInferred,  // inferred by the unary and pairwise terms from this frame alone
 };
 
-// A run's folder, as far as it can be drawn.
+// What can be drawn of a run, read from its folder.
 struct OverlayRun {
   std::string variant;
   std::uint64_t seed = 0;
-  RunSequence sequence;              // its detections are of all classes
-  std::vector<std::string> classes;  // of detections that the run made use of
+  RunSequence sequence;              // its detection count includes all classes
+  std::vector<std::string> classes;  // detection classes that the run used
   RunDetail detail;
   bool has_clusters = false;
   bool has_landmarks = false;
-  bool has_truth = false;                             // of landmarks and of what moves
+  bool has_truth = false;                             // the true bodies of landmarks are known
   std::map<int, std::vector<LandmarkDot>> landmarks;  // by frame
-  std::map<std::int64_t, std::int64_t> color_ids;     // as OverlayFrame has them
-  // By frame. Of the run's folder: those that a cluster was associated with.
+  std::map<std::int64_t, std::int64_t> color_ids;     // see OverlayFrame::color_ids
+  // By frame. ReadOverlayRun fills in only those that were associated with a cluster.
   std::map<int, std::vector<PixelBox>> detections;
-  std::vector<std::string> missing;  // what is drawn without, one line each
+  std::vector<std::string> missing;  // what the drawing lacks, one line each
 };
 
-// Throws Error where the folder holds no run, or one of another schema. An objects.csv or
-// landmarks.csv that is not there, or damaged or cut off (with file and line), is listed.
+// Reads the folder of a run. Throws Error if it holds no run, or one of another schema version. If
+// objects.csv, landmarks.csv or tracks.kitti is missing, damaged or truncated, the run is drawn
+// without it and OverlayRun::missing names the file, and the line of the damage.
 OverlayRun ReadOverlayRun(const std::filesystem::path& folder, LandmarkLabel label);
 
-// landmarks.csv. Throws Error.
+// Reads landmarks.csv, by frame. Throws Error if it cannot be parsed.
 std::map<int, std::vector<LandmarkDot>> ReadLandmarks(const std::filesystem::path& file,
                                                       LandmarkLabel label);
 
-// 2D boxes of tracks.kitti in rows of objects.csv that have a detection. Throws Error.
+// Reads the 2D boxes of tracks.kitti, by frame, whose row in objects.csv has an associated
+// detection. Throws Error if one of the files cannot be parsed.
 std::map<int, std::vector<PixelBox>> ReadAssociatedBoxes(const std::filesystem::path& folder);
 
-// Marks the labels that are wrong: on a cluster, though not of the body that most of its landmarks
-// are on; static, though of a body that moves. An outlier is never wrong. Needs truth.json.
+// Marks the landmarks with a wrong label: on a cluster, but not on the body that holds most of its
+// landmarks; or static, but on a moving body. Outliers are never wrong. Needs truth.json.
 void MarkWrongLabels(OverlayRun& run);
 
-// The id whose colour a cluster takes, where its own is that of another that is there in the same
-// frames, by id: the first colour that it shares fewest frames with.
+// Resolves colour clashes: if another cluster in the same frames already has the colour of a
+// cluster, maps its id to the id whose colour it takes instead. That colour is the first, counting
+// from the cluster's own, that is in use in the fewest of the cluster's frames.
 std::map<std::int64_t, std::int64_t> ApartColors(const std::vector<ClusterRow>& rows);
 
-// Gives the clusters of all runs the colours of the last run's: each that of the cluster with which
-// it shares most landmarks, over all frames, unless one that shares more with it is there at the
-// same time: within a run colours stay apart. Runs of one sequence have the same pixels.
+// Gives the clusters of all runs the colours of the last run: each cluster takes the colour of the
+// cluster of the last run with which it shares most landmarks over all frames, unless a cluster of
+// its own run that shares more has that colour in the same frames, so that colours stay distinct
+// within a run. Landmarks are matched by their pixel, which is the same in all runs of one
+// sequence.
 void AgreeOnColors(std::vector<OverlayRun>& runs);
 
-// The corner that bodies are in least, over all frames: the same in all pictures of the run.
+// The corner of the image with the fewest bodies over all frames. It is the same in all pictures of
+// the run.
 Corner EmptiestCorner(const OverlayRun& run);
 
-// Leaves of inset and legend what some of the runs have anything for.
+// Removes from the inset and the legend whatever none of the runs has data for.
 void LimitTo(const std::vector<OverlayRun>& runs, OverlayStyle& style);
 
-// What is drawn on a frame of the run. Throws Error naming the frames that there are.
+// Assembles what is drawn on a frame of the run. Throws Error, naming the first and last frame of
+// the run, if it has no such frame.
 OverlayFrame FrameOf(const OverlayRun& run, int frame);
 
 }  // namespace cvo::reports

@@ -8,13 +8,14 @@
 
 namespace cvo::reports {
 
-// One frame of a run in four panels with their titles, each `width_px` wide: landmarks by cluster,
-// boxes with tracks, bodies from above, errors of bodies over time; below them the legend. `image`
-// is the left one. Throws Error as DrawOverlay and FrameOf.
+// Draws one frame of a run as four titled panels, each `width_px` wide: landmarks by cluster, boxes
+// with tracks, bodies from above, and position errors of the bodies over time. The legend is below
+// them. `image` is the left image. Throws Error for the same reasons as DrawOverlay and FrameOf.
 cv::Mat FourPanels(const cv::Mat& image, const OverlayRun& run, int frame, int width_px);
 
-// Position errors of the bodies of a run, each in the colour of its cluster, on a canvas of this
-// size; a line marks the frame. Says so where there is no truth.
+// Draws the position errors of the bodies of a run over time, each in the colour of its cluster, on
+// a canvas of the given size. A vertical line marks `frame`. Without ground truth, a text says so
+// instead.
 cv::Mat ErrorChart(const OverlayRun& run, int frame, int text_px, cv::Size size);
 
 }  // namespace cvo::reports

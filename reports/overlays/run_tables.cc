@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 using ClusterKey = std::pair<int, std::int64_t>;  // frame, id
 
-// The rows of objects.csv that say which detection the cluster was associated with.
+// The rows of objects.csv that name the detection that the cluster was associated with.
 std::set<ClusterKey> AssociatedClusters(const fs::path& file) {
   const CsvFile csv(file);
   const std::size_t frame = csv.Column("frame");
@@ -26,8 +26,8 @@ std::set<ClusterKey> AssociatedClusters(const fs::path& file) {
   return associated;
 }
 
-// The 2D box of one row of KITTI tracking results. A category may hold blanks, so what follows it
-// is counted from the end.
+// The 2D box of one row of KITTI tracking results. The category may contain spaces, so the columns
+// after it are counted from the end.
 PixelBox BoxOf(const TextRow& row) {
   const std::size_t first = row.size() - 12;  // box, size, position, heading, score
   return {row.Number(first), row.Number(first + 1), row.Number(first + 2), row.Number(first + 3),

@@ -14,9 +14,9 @@ namespace {
 
 constexpr int kGap_px = 4;
 constexpr Rgb kGapColor{255, 255, 255};
-constexpr Rgb kEmptyColor{24, 24, 28};  // as the bars below the pictures
+constexpr Rgb kEmptyColor{24, 24, 28};  // as in the bars below the pictures
 
-// Images of one size in rows.
+// Arranges images of one size in rows. Throws Error if their sizes differ.
 cv::Mat Grid(const std::vector<cv::Mat>& images, int columns) {
   const cv::Size size = images.front().size();
   const int count = static_cast<int>(images.size());

@@ -13,14 +13,16 @@ struct TitledImage {
   cv::Mat image;
 };
 
-// Images of one size under their titles, in so many columns; 0: beside each other, or below each
-// other where they are more than twice as wide as high. Throws Error for images of different sizes.
+// Arranges images of one size, each below its title, in `columns` columns. 0 places them side by
+// side, or one below the other if they are more than twice as wide as high. Throws Error for images
+// of different sizes.
 cv::Mat Panels(const std::vector<TitledImage>& images, int text_px, int columns = 0);
 
-// Images of one size in rows, the first at the top left.
+// Arranges images of one size in rows, starting at the top left. Throws Error for images of
+// different sizes.
 cv::Mat ContactSheet(const std::vector<cv::Mat>& images, int columns);
 
-// At most `most` of `count` indices, evenly spaced from the first to the last.
+// Returns at most `most` of `count` indices, evenly spaced from the first to the last.
 std::vector<std::size_t> EvenlySpaced(std::size_t count, std::size_t most);
 
 }  // namespace cvo::reports

@@ -25,7 +25,7 @@ constexpr std::array<Format, 4> kFormats = {
      {"WebM (VP8)", ".webm", {'V', 'P', '8', '0'}, cv::CAP_FFMPEG},
      {"AVI (Motion JPEG)", ".avi", {'M', 'J', 'P', 'G'}, cv::CAP_OPENCV_MJPEG}}};
 
-// Unavailable formats are tried as well: OpenCV's messages about them are suppressed.
+// Suppresses OpenCV's messages about unavailable formats, which are tried as well.
 class QuietOpenCv {
  public:
   QuietOpenCv() : level_(cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT)) {}

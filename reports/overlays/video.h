@@ -9,12 +9,12 @@
 
 namespace cvo::reports {
 
-// A video in the first of these that OpenCV can write here: MP4 (H.264), WebM (VP9, VP8), AVI
-// (Motion JPEG). The file is complete once Close has returned.
+// A video file in the first of these formats that OpenCV can write on this machine: MP4 (H.264),
+// WebM (VP9, VP8), AVI (Motion JPEG). The file is complete once Close has returned.
 class VideoFile {
  public:
-  // Writes <stem>.mp4, .webm or .avi. Throws Error where it can write none of them. An odd width or
-  // height loses its last column or row, which H.264 cannot hold.
+  // Writes <stem>.mp4, .webm or .avi. Throws Error if no format can be written. An odd width or
+  // height loses its last column or row, since H.264 requires even sizes.
   VideoFile(const std::filesystem::path& stem, cv::Size size, double frames_per_second);
   ~VideoFile();
   VideoFile(const VideoFile&) = delete;

@@ -11,7 +11,7 @@
 namespace cvo::reports {
 namespace {
 
-// Everything that identifies a run except the seed.
+// Everything that identifies a run, except the seed.
 using Keys = std::map<std::string, std::string>;
 
 std::vector<std::size_t> FirstSeeds(const std::vector<PageRun>& runs) {
@@ -28,14 +28,15 @@ std::vector<std::size_t> FirstSeeds(const std::vector<PageRun>& runs) {
   return chosen;
 }
 
-// Lower is better: whose images tell most.
+// The priority of showing the images of a run; lower comes first.
 int Rank(const PageRun& run, const std::string& reference) {
   const std::string variant = KeyOf(run.run.planned, "variant");
   if (variant == "full") return 0;
   return variant == reference || "variant=" + variant == reference ? 1 : 2;
 }
 
-// How much of its moving bodies the run gets right; 1 where it has none.
+// The share of frames of moving bodies that the run estimates within 10 cm; 1 if it has no moving
+// body.
 double SuccessOf(const PageRun& run) {
   const BodyMetric success = *FindBodyMetric("object_success_10cm");
   Part total = {0.0, 0.0};

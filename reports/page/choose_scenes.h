@@ -11,14 +11,14 @@
 namespace cvo::reports {
 
 struct SceneChoice {
-  std::vector<std::pair<std::size_t, bool>> scenes;  // run, and whether its images are wanted
+  std::vector<std::pair<std::size_t, bool>> scenes;  // index of the run, images wanted
   std::size_t left_out = 0;
 };
 
-// The runs to be looked at, at most `most`: per sequence the lowest seed of each estimator, those
-// with images first. Images are of one estimator: `full`, else the table's reference, else the
-// first one of the sequence. Where there are more runs than that, failures first: those that keep
-// the smallest part of their moving bodies within 10 cm.
+// Chooses at most `most` runs to be shown frame by frame: per sequence the lowest seed of each
+// estimator, those with images first. Images are shown for one estimator per sequence: `full`, else
+// the reference of the table, else the first one of the sequence. If there are more than `most`
+// runs, failures come first: those with the smallest share of frames of moving bodies within 10 cm.
 SceneChoice ChooseScenes(const std::vector<PageRun>& runs, const std::string& reference,
                          std::size_t most);
 

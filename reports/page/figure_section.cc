@@ -15,7 +15,8 @@ std::vector<std::string> Groups(const std::vector<Figure>& figures) {
   return groups;
 }
 
-// What it shows stands out from how it was measured.
+// Emphasises the first sentence of a title, which says what is shown, over the rest, which says how
+// it was measured.
 std::string TitleHtml(const std::string& title) {
   const auto end = title.find(". ");
   if (end == std::string::npos) return Element("strong", title);

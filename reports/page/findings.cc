@@ -14,9 +14,9 @@ namespace cvo::reports {
 namespace {
 
 struct RowFindings {
-  std::vector<std::string> better, worse, other;        // real differences, as HTML
+  std::vector<std::string> better, worse, other;        // significant differences, as HTML
   std::vector<std::string> noise, same;                 // labels of columns
-  std::map<std::size_t, std::vector<std::string>> few;  // the same, by the number of pairs
+  std::map<std::size_t, std::vector<std::string>> few;  // undecided, by the number of pairs
 };
 
 std::string Verdict(const std::optional<bool>& better) {
@@ -24,7 +24,7 @@ std::string Verdict(const std::optional<bool>& better) {
   return *better ? "better" : "worse";
 }
 
-// Its label, and its unit where another column is called the same.
+// The label of a column, with its unit if another column has the same label.
 std::string NameOf(const Column& column, const Table& table) {
   const auto count =
       std::count_if(table.columns.begin(), table.columns.end(),

@@ -17,7 +17,7 @@ struct Term {
   std::string meaning;
 };
 
-// Terms of the page for estimators, statistics and runs.
+// The terms that the page uses for estimators, statistics and runs.
 std::vector<Term> Terms() {
   return {
       {"variant",

@@ -7,13 +7,13 @@
 
 namespace cvo::reports {
 
-// Any text on one line, as it stands between tags or in a quoted attribute.
+// Escapes arbitrary text, on one line, for use between tags or in a quoted attribute.
 std::string Escaped(std::string_view text);
 
-// <tag>text</tag>, the text escaped.
+// Returns <tag>text</tag>, with the text escaped.
 std::string Element(const std::string& tag, std::string_view text);
 
-// A block of data that the page's script reads by its id.
+// A block of data, which the script of the page reads by its id.
 std::string DataBlock(const std::string& id, const std::string& script_json);
 
 }  // namespace cvo::reports

@@ -20,7 +20,7 @@ std::string FactsHtml(const std::vector<Fact>& facts) {
   return html + "</dl>\n";
 }
 
-// Each set of facts once, with the number of runs that it holds for.
+// Lists each distinct set of facts once, with the number of runs it applies to.
 std::string FactsWithRunCounts(const std::vector<PageRun>& runs,
                                std::vector<Fact> RunOrigin::*facts, const char* heading) {
   using Count = std::pair<std::vector<Fact>, std::size_t>;

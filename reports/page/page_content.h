@@ -15,39 +15,39 @@
 
 namespace cvo::reports {
 
-// A job of the suite and what made its result.
+// A job of the suite, and what produced its result.
 struct PageRun {
   SuiteRun run;
-  std::string result;  // relative to the suite's folder; empty where there is none
+  std::string result;  // relative to the folder of the suite; empty: none
   RunOrigin origin;
-  std::vector<ChangedOption> options;  // that are not at their default
+  std::vector<ChangedOption> options;  // those that are not at their default
 };
 
 struct PageImage {
-  int frame = 0;  // counted in the folder of the sequence
+  int frame = 0;  // index within the folder of the sequence
   std::string jpeg;
-  std::string alt;  // what it shows
+  std::string alt;  // text alternative: what it shows
 };
 
-// A run that can be looked at frame by frame.
+// A run that is shown frame by frame.
 struct PageScene {
   std::size_t run = 0;  // index in PageContent::runs
   bool wants_images = false;
   RunDetail detail;
   std::vector<PageImage> images;
   std::string no_images;      // why there are none
-  std::string images_folder;  // of all its frames, beside the page; empty: none
+  std::string images_folder;  // folder beside the page with images of all frames; empty: none
 };
 
-// All that a page shows. A part that could not be made is empty, and `problems` says why.
+// Everything that a page shows. A part that could not be made is empty, and `problems` says why.
 struct PageContent {
   std::string title;
   std::string about;
   std::optional<Table> table;
   std::optional<Table> comparison;
-  std::string compared_with;   // name of the other folder
+  std::string compared_with;   // name of the folder compared with
   std::vector<PageRun> runs;   // in the order of the plan
-  std::vector<Fact> variants;  // of the suite: what each is
+  std::vector<Fact> variants;  // variants of the suite, each with its meaning
   SuiteDrawing drawing;
   std::vector<PageScene> scenes;
   std::size_t scenes_left_out = 0;
@@ -55,15 +55,15 @@ struct PageContent {
 };
 
 struct PageRequest {
-  std::filesystem::path folder;   // that a suite was run to
-  std::filesystem::path against;  // another one; empty: none
-  std::string default_options;    // nested JSON; empty where not known
-  std::vector<Fact> variants;     // that there are, and what each is
+  std::filesystem::path folder;   // output folder of a suite
+  std::filesystem::path against;  // output folder to compare with; empty: none
+  std::string default_options;    // nested JSON; empty: unknown
+  std::vector<Fact> variants;     // all variants, each with its meaning
   std::size_t most_scenes = 24;
-  bool images_of_all = false;  // not of one run per sequence alone
+  bool images_of_all = false;  // for all runs shown, not only for one per sequence
 };
 
-// Reads whatever of the folder can be read. Throws Error only where it holds no plan.json.
+// Reads whatever can be read from the folder. Throws Error only if it holds no plan.json.
 PageContent ReadPage(const PageRequest& request);
 
 }  // namespace cvo::reports

@@ -14,7 +14,7 @@
 namespace cvo::reports {
 namespace {
 
-// Things that many runs share, each written once.
+// A list of values that many runs share. Each value is written once.
 class SharedList {
  public:
   std::size_t IndexOf(const Json& value) {

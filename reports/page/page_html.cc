@@ -54,7 +54,7 @@ std::string Body(const PageContent& content) {
 
 std::string Script(std::string_view text) { return StrCat("<script>", text, "</script>\n"); }
 
-// A figure that is no JSON becomes one that is empty.
+// The JSON of a figure. A figure that is not valid JSON becomes an empty one.
 std::string FigureJson(const Figure& figure) {
   try {
     return ScriptJson(ParseJson(figure.plotly, figure.id));
@@ -65,7 +65,7 @@ std::string FigureJson(const Figure& figure) {
 
 }  // namespace
 
-// The page's own script runs before the large parts are read: it can be used at once.
+// The script of the page comes before the large parts, so that the page can be used at once.
 std::string PageHtml(const PageContent& content) {
   std::string html = Head(content) + Body(content);
   html += DataBlock("page-data", PageDataJson(content));

@@ -8,8 +8,8 @@
 
 namespace cvo::reports {
 
-// One self-contained page that needs no network: the same bytes for the same content. What it says
-// stands in it as HTML; its script sorts, filters, draws and moves.
+// One self-contained page, which needs no network. The same content gives the same bytes. All
+// statements are in its HTML; its script sorts, filters, draws and animates.
 std::string PageHtml(const PageContent& content);
 
 }  // namespace cvo::reports

@@ -9,33 +9,34 @@
 
 namespace cvo::reports {
 
-// Sections of the page as HTML; each is there, also where it has nothing but that to say.
+// The sections of the page as HTML. Each is always present, even if it only says that there is
+// nothing to show.
 
-// What was compared, on what, what is missing, and which differences are real.
+// What was compared, on which sequences, what is missing, and which differences are significant.
 std::string SummarySection(const PageContent& content);
-// The same of two folders; empty where there is no other.
+// The same for the comparison of two folders. Empty if there is no other folder.
 std::string ComparisonSection(const PageContent& content);
 std::string TableSection(const PageContent& content);
 std::string FigureSection(const PageContent& content);
 std::string SceneSection(const PageContent& content);
 std::string MissingSection(const PageContent& content);
 std::string GlossarySection(const PageContent& content);
-// Builds, machines, options and seeds of all runs.
+// Builds, machines and options of the runs.
 std::string OriginSection(const PageContent& content);
 std::string LicenceSection();
 
-// A table that the page's script sorts, filters and opens cells of: `name` is "table" or
-// "comparison", whose cells are in the page's data under that name.
+// A table that the script of the page makes sortable, with cells that open. `name` is "table" or
+// "comparison"; the page's data holds its cells under that name.
 std::string TableFrame(const Table& table, const std::string& name);
 
-// What the page's script needs of tables and runs, as JSON without '<'.
+// The data about tables and runs that the script of the page needs, as JSON without '<'.
 std::string PageDataJson(const PageContent& content);
 
-// What the 3D view draws of a run. Positions are whole millimetres, three numbers after each other;
-// frames of clusters and bodies are indices into "frames"; images are data URLs.
+// What the 3D view draws of a run. Positions are in whole millimetres, three consecutive numbers
+// each. The frames of clusters and bodies are indices into "frames". Images are data URLs.
 Json SceneJson(const PageScene& scene);
 
-// The list of what can be told of each row against its reference.
+// The list of findings for each row with respect to its reference.
 std::string FindingsHtml(const Table& table, const std::string& reference);
 
 }  // namespace cvo::reports

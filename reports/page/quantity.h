@@ -8,14 +8,14 @@
 
 namespace cvo::reports {
 
-// A number with its unit as a reader sees it: "0.0625 m", "93.1 %" of a share, "3" of a count.
+// A number with its unit for readers: "0.0625 m", "93.1 %" for a share, "3" for a count.
 std::string QuantityText(double value, const Column& column);
-// With its sign.
+// The same for a difference, with its sign.
 std::string ChangeText(double value, const Column& column);
-// "0.05 to 0.07 m".
+// An interval with its unit: "0.05 to 0.07 m".
 std::string RangeText(const Interval& interval, const Column& column);
 
-// "lower", "higher", or empty if neither is defined as better.
+// "lower" or "higher", whichever is better; empty if the metric is unknown.
 std::string BetterDirection(const std::string& metric);
 
 }  // namespace cvo::reports

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Runs a step; where it cannot be done the page goes on without it and says so.
+// Runs a step. If it fails, the page is made without it and says so.
 void Try(const std::string& what, const std::function<void()>& step, PageContent& content) {
   try {
     step();
@@ -72,7 +72,7 @@ void ReadScenes(const PageRequest& request, PageContent& content) {
   }
 }
 
-// Folders by their names alone.
+// Compares the two folders. The texts name them without their paths.
 Table Compare(const PageRequest& request) {
   Table table = CompareFolders(request.against, request.folder);
   table.reference = request.against.filename().string();
@@ -85,7 +85,8 @@ Table Compare(const PageRequest& request) {
   return table;
 }
 
-// Messages name files; the path of the folder is private and differs between machines.
+// Removes the path of the folder from messages that name files, since it is private and differs
+// between machines.
 void ForgetFolder(const std::string& folder, std::string& text) {
   for (auto at = text.find(folder); at != std::string::npos; at = text.find(folder)) {
     text.erase(at, folder.size());

@@ -20,7 +20,7 @@ std::string Words(std::string name) {
   return name;
 }
 
-// One fact per member of an object.
+// Adds a fact, or one fact per member of an object.
 void AddFact(const std::string& name, const Json& value, std::vector<Fact>& facts) {
   if (!value.is_object()) {
     facts.emplace_back(Words(name), TextOf(value));

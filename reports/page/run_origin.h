@@ -12,24 +12,25 @@
 
 namespace cvo::reports {
 
-// A name and a value, both for people.
+// A name and a value, both for readers.
 using Fact = std::pair<std::string, std::string>;
 
-// What made a result: the program (result.json) and the machine (timing.json). What a file lacks is
-// left out; a file that cannot be read is named in `missing`.
+// What produced a result: the program (result.json) and the machine (timing.json). Facts that a
+// file lacks are omitted; a file that cannot be read is named in `missing`.
 struct RunOrigin {
   std::vector<Fact> build;    // commit, compiler, versions
   std::vector<Fact> machine;  // host, processor
-  std::vector<Fact> time;     // when, how long
+  std::vector<Fact> time;     // date and duration
   std::vector<std::string> missing;
 };
 
 RunOrigin ReadRunOrigin(const std::filesystem::path& run_folder);
 
-// Which options of a run are not at their default. Runs with the same options are compared once.
+// Finds the options of a run that are not at their default. The result is cached for runs with the
+// same options.
 class OptionDefaults {
  public:
-  // Nested JSON; empty: not known, then no option is reported as changed.
+  // Nested JSON. If it is empty, the defaults are unknown, and no option is reported as changed.
   explicit OptionDefaults(const std::string& json);
 
   std::vector<ChangedOption> ChangedIn(const Json& options);

@@ -14,11 +14,11 @@
 namespace cvo::reports {
 namespace {
 
-using Indices = std::map<int, std::size_t>;  // of frames
+using Indices = std::map<int, std::size_t>;  // index of each frame
 
 double Millimetres(double metres) { return std::round(1e3 * metres); }
 
-// Errors are smaller than what is drawn.
+// Errors are stored at a finer resolution than positions.
 Json Micrometres(double metres) {
   return std::isfinite(metres) ? Json(static_cast<std::int64_t>(std::round(1e6 * metres)))
                                : Json(nullptr);
@@ -46,7 +46,7 @@ void AddRotation(const Pose& pose, Json& list) {
   }
 }
 
-// As on the images.
+// The colour as text; the same colours as on the images.
 std::string Hex(const Rgb& colour) {
   std::array<char, 8> text{};
   std::snprintf(text.data(), text.size(), "#%02x%02x%02x", colour.red, colour.green, colour.blue);

@@ -13,7 +13,7 @@
 namespace cvo::reports {
 namespace {
 
-constexpr std::size_t kNamed = 12;  // more are counted
+constexpr std::size_t kNamed = 12;  // any more are only counted
 
 // The values of a key, in the order of the plan.
 std::vector<std::string> ValuesOf(const std::vector<PageRun>& runs, const std::string& key) {

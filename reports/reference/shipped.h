@@ -7,13 +7,13 @@
 
 namespace cvo::reports {
 
-// A file of reference figures: where it lies in the sources, and its JSON.
+// A file of reference figures: its path in the source tree, and its JSON.
 struct ReferenceFile {
   std::string name;
   std::string content;
 };
 
-// What others publish, and what we measured of them.
+// The results that others publish, and those that we measured of their systems.
 std::vector<ReferenceFile> ShippedReferenceFiles();
 
 }  // namespace cvo::reports

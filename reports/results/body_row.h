@@ -28,13 +28,14 @@ struct MaxDrift {
   }
 };
 
-// By the contracts of Alignment with these names (contract.h).
+// Maximum drifts under the alignments of the same names (Alignment in contract.h).
 struct MaxDrifts {
   MaxDrift all_poses;
   MaxDrift all_motions;
   MaxDrift first_motions;
 
-  // In the order of the metrics from kCameraMaxDrift and from kObjectMaxDrift on.
+  // Returns the values in the order of the metrics that start at kCameraMaxDrift and at
+  // kObjectMaxDrift.
   std::array<double, 12> Values() const {
     std::array<double, 12> values{};
     std::size_t at = 0;
@@ -55,17 +56,17 @@ struct MaxDrifts {
   }
 };
 
-// What a run reaches on one body, as result files hold it. Root mean squares over its frames; empty
-// where these do not determine one. Frames count from the first one run.
+// The accuracy of a run on one body, as stored in result files. Errors are root mean squares over
+// its frames, empty if the frames do not determine one. Frames count from the first one run.
 struct BodyRow {
   int id = 0;
   std::string name;
   std::string category;
   bool mover = false;
   double travel_m = 0.0;
-  std::int64_t cluster = -1;  // its id; -1: none
+  std::int64_t cluster = -1;  // id of the matched cluster; -1: none
   int visible_frames = 0;
-  int estimated_frames = 0;  // of these
+  int estimated_frames = 0;  // of the visible frames
   int id_switches = 0;
   int fragments = 0;
   std::optional<double> ate_m;

@@ -20,7 +20,7 @@ struct LibraryVersions {
   }
 };
 
-// The program that made a run.
+// The build of the program that made a run.
 struct BuildInfo {
   std::string version;
   std::string estimator_sources;   // SHA-256 over core, variants and the readers
@@ -31,7 +31,7 @@ struct BuildInfo {
   LibraryVersions libraries;
   std::string cpu_level;  // CpuLevelName
   std::string identity;   // hash of the fields above
-  std::string commit;     // for people; with "+changes" where the sources differ from it
+  std::string commit;     // for human readers; with "+changes" if the sources differ from it
 
   template <typename Self, typename Archive>
   static void VisitIdentity(Self& self, Archive& archive) {
@@ -52,8 +52,8 @@ struct BuildInfo {
     archive.Added("commit", self.commit);
   }
 
-  // What a program of the same sources needs to give the same bytes: compiler, flags, libraries and
-  // level of the processor. Empty where the run does not say.
+  // Returns what a program of the same sources must match to give the same bytes: compiler, flags,
+  // libraries and CPU level. Empty if the run does not state them.
   std::string Platform() const {
     if (compiler.empty() || cpu_level.empty()) return "";
     return StrCat(compiler, ", ", build_type, ", ", flags, ", OpenCV ", libraries.opencv,

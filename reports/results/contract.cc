@@ -7,7 +7,7 @@
 namespace cvo::reports {
 namespace {
 
-// Pairs of the fields of two contracts, in their order: visit(name, in a, in b).
+// Visits the fields of two contracts pairwise, in their order: visit(name, value in a, value in b).
 template <typename Visit>
 class PairVisitor {
  public:

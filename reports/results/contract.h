@@ -10,8 +10,9 @@
 
 #include "core/files/json/json_record.h"
 
-// What a number means. Two numbers compare where their contracts are equal; texts are made of them
-// for readers alone (contract_text.h). Files hold the names below.
+// A contract states what a number means. Two numbers are comparable if their contracts are equal;
+// the texts made from contracts (contract_text.h) are for readers only. Files store the names
+// below.
 namespace cvo::reports {
 
 enum class MetricUnit { kOne, kMetres, kRadians, kMetresPerSecond, kPercent, kDegreesPer100m, kMs };
@@ -35,9 +36,9 @@ constexpr std::array<const char*, 7> EnumNames(TruthSource) {
           "file", "rendered scene", "labels with 3D boxes"};
 }
 
-// Which body is seen well enough to be judged: by its mask, in pixels and percent of it without
-// what hides it; by its label, in pixels of height and degrees of occlusion; by its centre being in
-// the image; or by the number of its labelled landmarks in the image.
+// How a body is judged to be visible well enough: by the pixels of its mask and the unoccluded
+// percentage of it; by the height in pixels and the occlusion level of its label; by its centre
+// being in the image; or by the number of its labelled landmarks in the image.
 enum class VisibleBy { kMask, kLabel, kCentre, kLandmarks };
 constexpr std::array<const char*, 4> EnumNames(VisibleBy) {
   return {"mask", "label", "centre", "landmarks"};
@@ -45,7 +46,7 @@ constexpr std::array<const char*, 4> EnumNames(VisibleBy) {
 struct Visibility {
   VisibleBy by = VisibleBy::kMask;
   int least_px = 0;
-  int limit = 0;  // least percent, most occlusion, or least landmarks
+  int limit = 0;  // minimum percentage, maximum occlusion, or minimum landmarks
 
   bool operator==(const Visibility&) const = default;
   template <typename Self, typename Archive>
@@ -85,8 +86,8 @@ constexpr std::array<const char*, 9> EnumNames(Alignment) {
       "up to the 25th, as MVO 2018; ours: squared errors in the frame of the truth"};
 }
 
-// Which frames or pairs of frames are compared. Frames of bodies are those in which the body is
-// visible and its estimate counts.
+// Which frames or pairs of frames are compared. Frames of a body are those in which it is visible
+// and its estimate counts.
 enum class Pairing {
   kFramesWithTruth,
   kFramesWithBoth,
@@ -215,7 +216,8 @@ constexpr std::array<const char*, 27> EnumNames(Aggregation) {
       "average precision at 11 recall points, level hard; labels of any truncation are left out"};
 }
 
-// Of the sequence, the last one included. One that a whole column shares is that of each run.
+// A range of frames of the sequence, including the last one. kFramesOfRun stands for the range of
+// each run, if a whole column shares the contract.
 struct FrameSpan {
   int first = 0;
   int last = 0;
@@ -229,20 +231,20 @@ struct FrameSpan {
 };
 inline constexpr FrameSpan kFramesOfRun = {0, -1};
 
-// A field without a value is one that a source does not state, or that the metric has no use for.
+// A field has no value if the source does not state it or the metric has no use for it.
 struct Contract {
   std::optional<Subject> subject;
-  std::optional<double> travel_m;    // that bodies or landmarks must exceed to be moving
-  std::optional<int> travel_frames;  // within which landmarks must
+  std::optional<double> travel_m;    // distance above which bodies or landmarks are moving
+  std::optional<int> travel_frames;  // frames within which landmarks must travel it
   std::optional<PoseTime> poses;
   std::optional<TruthSource> truth;
-  std::optional<TruthSource> camera_truth;  // where labels have their place by the camera
+  std::optional<TruthSource> camera_truth;  // if labels are placed by the poses of the camera
   std::optional<Visibility> visible;
   std::optional<double> right_shift_px;  // correction of the published calibration; 0: none
   std::optional<Alignment> alignment;
   std::optional<Pairing> pairing;
   std::optional<Matching> matching;
-  std::optional<int> least_landmarks;  // observed, for an estimate to count
+  std::optional<int> least_landmarks;  // minimum observed for an estimate to count
   std::optional<FrameSpan> frames;
   std::optional<Delta> delta;
   std::optional<Aggregation> aggregation;
@@ -270,20 +272,21 @@ struct Contract {
   }
 };
 
-// What makes numbers of different runs one column. Truth and correction belong to a row (each
-// dataset has its own), and frames that are those of the run are kFramesOfRun.
+// Returns what must be equal for numbers of different runs to form one column. Truth and correction
+// belong to a row, because each dataset has its own, and are removed. Frames that are those of the
+// run become kFramesOfRun.
 Contract ColumnContract(const Contract& contract, const FrameSpan& run);
-// With the truth and correction of another.
+// Returns the contract with the truth and correction of another.
 Contract WithTruthOf(Contract contract, const Contract& other);
 
-// The first field in which the two are not the same; a field that one lacks is another than one
-// with a value. Empty where there is none.
+// Returns the first field in which the two differ; empty if there is none. A field with a value
+// differs from one without.
 std::string FirstDifference(const Contract& a, const Contract& b);
-// The first field that both state, and not the same; empty where there is none.
+// Returns the first field that both state, with different values; empty if there is none.
 std::string ContradictingField(const Contract& a, const Contract& b);
-// Fields that `wanted` states and `contract` does not.
+// Returns the fields that `wanted` states and `contract` does not.
 std::vector<std::string> UnstatedFields(const Contract& contract, const Contract& wanted);
-// A field as files hold it, a text without its quotes; empty where it is not stated.
+// Returns a field as stored in files, a string without its quotes; empty if it is not stated.
 std::string FieldText(const Contract& contract, const std::string& field);
 
 }  // namespace cvo::reports

@@ -10,17 +10,19 @@
 
 namespace cvo::reports {
 
-// A contract in words, by what it is about: aggregation, pairing, delta, alignment, poses, frame,
-// truth. What is not stated, and "none", lacks.
+// Returns a contract in words, by topic: aggregation, pairing, delta, alignment, poses, frame,
+// truth, correction. Topics that are not stated, or "none", are omitted.
 std::vector<std::pair<std::string, std::string>> ContractTexts(const Contract& contract);
 
-// "devkit"; "rendered scene; visible: at least 400 px of its mask and 30 % unoccluded".
+// Returns the truth in words, such as "devkit" or "rendered scene; visible: at least 400 px of its
+// mask and 30 % unoccluded".
 std::string TruthText(const Contract& contract);
 
-// "u_right shifted by 0.16 px"; empty where a calibration is as published.
+// Returns the correction in words, such as "u_right shifted by 0.16 px"; empty if the calibration
+// is as published.
 std::string CorrectionText(const Contract& contract);
 
-// For the titles of figures: "delta all, not aligned".
+// Returns delta and alignment for the titles of figures, such as "delta all, not aligned".
 std::string RelationText(const Contract& contract);
 
 }  // namespace cvo::reports

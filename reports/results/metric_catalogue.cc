@@ -80,7 +80,7 @@ constexpr MetricEntry Other(MetricId id, MetricFamily family, const char* name, 
           error, nullptr, 0.0,  of_predictions, label,    meaning};
 }
 
-// One of MaxDrifts::Values.
+// The entry of one of MaxDrifts::Values.
 constexpr MetricEntry Drift(MetricId first, std::size_t index, const char* name,
                             const char* label) {
   constexpr std::array kAlignments = {A::kAllPoses, A::kAllMotions, A::kFirstMotions};
@@ -263,7 +263,7 @@ constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
 
 constexpr bool IsGiven(const char* text) { return text != nullptr && *text != '\0'; }
 
-// An entry that lacks a part, or that stands in another's place, does not compile.
+// An incomplete or misplaced entry does not compile.
 constexpr bool IsComplete() {
   for (std::size_t i = 0; i < kMetrics.size(); ++i) {
     const MetricEntry& entry = kMetrics[i];
@@ -360,7 +360,7 @@ void CheckPossible(const std::string& name, double value, const std::string& whe
   constexpr double kLargest = 1e12;
   const MetricEntry* entry = FindEntry(name);
   const bool fraction = entry != nullptr && entry->kind == kFraction;
-  const double least = entry == nullptr ? -kLargest : fraction ? -1.0 : 0.0;  // ARI is below 0, too
+  const double least = entry == nullptr ? -kLargest : fraction ? -1.0 : 0.0;  // ARI can be below 0
   const double most = fraction ? 1.0 : kLargest;
   if (value >= least && value <= most) return;
   ThrowError(StrCat(where, ", ", name), StrCat(value),

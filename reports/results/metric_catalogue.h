@@ -11,9 +11,9 @@
 
 namespace cvo::reports {
 
-// What is measured, in the order of results. Each has one entry in metric_catalogue.cc, which holds
-// all that programs and readers are told about it; the function in experiments/metrics that
-// computes it names the enumerator.
+// The metrics, in the order of results. Each has one entry in metric_catalogue.cc, which holds
+// everything that programs and readers are told about it. The function in experiments/metrics that
+// computes it refers to the enumerator.
 enum class MetricId {
   kCameraCoverage,
   kCameraAte,
@@ -26,7 +26,7 @@ enum class MetricId {
   kCameraTrpe1Frame,
   kCameraTDrift,
   kCameraRDrift,
-  kCameraMaxDrift,  // twelve, see MaxDrifts::Values
+  kCameraMaxDrift,  // first of twelve, see MaxDrifts::Values
   kCameraMaxDriftEnd = kCameraMaxDrift + 11,
   kObjectCoverage,
   kObjectSuccess5cm,
@@ -42,7 +42,7 @@ enum class MetricId {
   kObjectAteInCamera,
   kObjectMotionTInCamera,
   kObjectVelocity,
-  kObjectMaxDrift,  // twelve
+  kObjectMaxDrift,  // first of twelve
   kObjectMaxDriftEnd = kObjectMaxDrift + 11,
   kObjectIdSwitches,
   kObjectFragments,
@@ -62,7 +62,7 @@ enum class MetricId {
 };
 inline constexpr std::size_t kMetricCount = static_cast<std::size_t>(MetricId::kBoxAp3dHard) + 1;
 
-// Whose metric it is, which says what computes it and which forms it has.
+// The subject of a metric, which determines what computes it and which forms it has.
 enum class MetricFamily {
   kCamera,     // camera_metrics: refined and causal
   kBodies,     // object_metrics: refined and causal, of movers and of bodies that stay put
@@ -71,21 +71,21 @@ enum class MetricFamily {
   kBoxes,      // box_metrics: one form
 };
 
-// What kind of figure it is. Fractions are better where they are higher, the others where lower.
+// Kind of value. For fractions higher is better, for the others lower.
 enum class MetricKind { kError, kFraction, kCount };
 
-// How the figure of a run is made of its bodies, for means over the bodies of several runs.
+// How the value of a run is computed from its bodies, for means over the bodies of several runs.
 enum class FromBody {
-  kNothing,    // not of bodies
+  kNothing,    // not computed from bodies
   kField,      // mean of a field of the body's row in the result
-  kCoverage,   // visible frames that are estimated
-  kSuccess,    // visible frames within a limit
+  kCoverage,   // fraction of visible frames that are estimated
+  kSuccess,    // fraction of visible frames within a limit
   kSum,        // sum of a field
   kMaxDrift,   // mean of one of MaxDrifts
   kUnmatched,  // number of bodies without a cluster
 };
 
-// What its function computes, which its contract says.
+// What the function of a metric computes, as its contract states it.
 struct Relation {
   Alignment alignment;
   Pairing pairing;
@@ -96,28 +96,28 @@ struct Relation {
 struct MetricEntry {
   MetricId id;
   MetricFamily family;
-  const char* name;  // of refined poses, and of bodies that move
+  const char* name;  // of its form for refined poses and moving bodies
   MetricUnit unit;
   Relation relation;
   MetricKind kind;
   FromBody from_body;
-  std::optional<double> BodyRow::*body_error;  // of kField
-  int BodyRow::*body_count;                    // of kSum
-  double limit_m;                              // of kSuccess
-  bool of_predictions;                         // also of bodies whose pose is predicted
-  const char* label;                           // heads a column
-  const char* meaning;                         // for readers who do not know it
+  std::optional<double> BodyRow::*body_error;  // for kField
+  int BodyRow::*body_count;                    // for kSum
+  double limit_m;                              // for kSuccess
+  bool of_predictions;                         // also has a form for bodies whose pose is predicted
+  const char* label;                           // heads its column
+  const char* meaning;                         // explains it to readers who do not know it
 
   bool higher_is_better() const { return kind == MetricKind::kFraction; }
-  // The least step worth telling, of a figure that is `value`: a hundredth of an error, 0.01 of a
+  // Returns the smallest difference worth reporting at a value: a hundredth of an error, 0.01 of a
   // fraction, one event.
   double Resolution(double value) const;
 };
 
 const MetricEntry& EntryOf(MetricId id);
 
-// The metric of value `index` of MaxDrifts::Values, for kCameraMaxDrift or kObjectMaxDrift; and the
-// index of one, empty for other metrics.
+// Convert between a max-drift metric and its index in MaxDrifts::Values. `first` is kCameraMaxDrift
+// or kObjectMaxDrift; the index is empty for other metrics.
 constexpr MetricId MaxDriftMetric(MetricId first, std::size_t index) {
   return static_cast<MetricId>(static_cast<std::size_t>(first) + index);
 }
@@ -132,34 +132,35 @@ constexpr std::optional<std::size_t> MaxDriftIndex(MetricId id) {
 
 enum class BodyGroup { kMovers, kStanding, kPredicted };
 
-// One form of a metric, and its name: "object_causal_standing_ate".
+// One form of a metric, named like "object_causal_standing_ate".
 struct MetricForm {
   MetricId id = MetricId::kCameraAte;
   BodyGroup bodies = BodyGroup::kMovers;
-  bool causal = false;  // poses as estimated when their frame came
+  bool causal = false;  // poses as estimated when their frame arrived
 };
 std::string MetricName(const MetricForm& form);
-// Empty for a name that is none.
+// Empty if no form has this name.
 std::optional<MetricForm> FindForm(const std::string& name);
 
-// The part of its contract that is the same for every run.
+// Returns the part of its contract that is the same for every run.
 Contract RelationOf(const MetricForm& form);
 
-// The names of all forms.
+// Returns the names of all forms.
 std::vector<std::string> AllMetricNames();
 
-// The entry of any form; nullptr for a name that is none.
+// Returns the entry of any form; nullptr if no form has this name.
 const MetricEntry* FindEntry(const std::string& name);
 
-// Throws Error naming `where` and the metric for a value that no run can have; that of a name that
-// is none need only be of a size that can be.
+// Throws Error naming `where` and the metric for a value that no run can have. For an unknown name
+// only the magnitude is checked.
 void CheckPossible(const std::string& name, double value, const std::string& where);
 
-// What heads its column, as "object ATE" or "causal object ATE"; a name that is none as it is.
+// Returns the heading of its column, such as "object ATE" or "causal object ATE", or an unknown
+// name as it is.
 std::string MetricLabel(const std::string& name);
 
-// The coverage that a metric must be read with, such as "object_coverage" for "object_ate"; empty
-// for those of landmarks.
+// Returns the coverage that a metric must be read with, such as "object_coverage" for "object_ate";
+// empty for metrics of landmarks and of KITTI boxes, and for unknown names.
 std::string CoverageOf(const std::string& name);
 
 }  // namespace cvo::reports

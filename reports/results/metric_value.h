@@ -9,14 +9,14 @@
 
 namespace cvo::reports {
 
-// A number of a run, as result files hold it.
+// One value of a run, as stored in result files.
 struct MetricValue {
-  std::string name;    // of a form in the catalogue
+  std::string name;    // name of a form in the catalogue
   double value = 0.0;  // finite
   MetricUnit unit = MetricUnit::kOne;
-  std::int64_t n = 0;  // how many errors were aggregated
+  std::int64_t n = 0;  // number of errors aggregated
   Contract contract;
-  std::string left_out;  // what does not enter, with counts; no part of the contract
+  std::string left_out;  // what was left out, with counts; not part of the contract
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {

@@ -24,12 +24,13 @@ struct PlanSuite {
   }
 };
 
-// How the results become a table.
+// How the results are tabulated.
 struct PlanTable {
   // Keys that distinguish rows: sequence, detections, variant, oracle, or an option's path.
   std::vector<std::string> rows = {"variant"};
   std::vector<std::string> metrics;
-  // Row that the others are compared with: a variant, or key=value as "oracle=none"; empty: none.
+  // Row with which the others are compared: a variant, key=value such as "oracle=none", or
+  // kRowAbove (suite_runs.h); empty: none.
   std::string reference;
 
   template <typename Self, typename Archive>
@@ -40,17 +41,17 @@ struct PlanTable {
   }
 };
 
-// One run.
+// One planned run.
 struct PlanJob {
   std::string sequence;
-  std::string family;  // that the scene is drawn from; empty: none
-  std::string split;   // of the scene, "given" of recorded images
+  std::string family;  // family that the scene is drawn from; empty: none
+  std::string split;   // of the scene; "given" for recorded images
   std::string detections;
-  std::string variant;  // of another system: empty
-  std::string system;   // name of another system whose files are scored; empty: a variant
+  std::string variant;  // empty for another system
+  std::string system;   // name of another system whose files are scored; empty for a variant
   std::uint64_t seed = 0;
   std::vector<std::string> oracle;
-  Json parameters = Json::object();  // value by path, of the options that the suite varies
+  Json parameters = Json::object();  // value by path of each option that the suite varies
   bool landmarks = false;
   std::string folder;
   std::string missing;  // why there is no sequence
@@ -58,7 +59,7 @@ struct PlanJob {
   std::string content;
   std::string input;
   std::string job;          // empty where the sequence is missing
-  std::string boxes;        // file that a detector wrote; empty: none
+  std::string boxes;        // file written by a detector; empty: none
   std::uint64_t entry = 0;  // index of the sequence in the definition
 
   template <typename Self, typename Archive>
@@ -92,7 +93,8 @@ struct PlanJob {
   }
 };
 
-// plan.json: everything that a suite runs. What it means is in experiments/suite/plan.h.
+// plan.json: everything that a suite runs. The fields are explained in
+// experiments/suite/plan/plan.h.
 struct PlanFile {
   static constexpr int kSchemaVersion = 1;
   static constexpr const char* kKind = "plan";
@@ -122,7 +124,7 @@ struct JobFailure {
 
   std::string job;
   std::string message;
-  std::string log;  // its end
+  std::string log;  // end of the log
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {

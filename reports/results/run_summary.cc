@@ -75,7 +75,7 @@ void CheckRunOf(const ExpectedRun& expected, const RunSummary& run) {
   const std::map<std::string, std::string> options = FlatJson(run.options);
   for (const auto& [path, value] : expected.parameters.items()) {
     const auto found = options.find(path);
-    if (found == options.end()) continue;  // of the scene
+    if (found == options.end()) continue;  // a parameter of the scene
     const Json is = ParseJson(found->second, run.file.string());
     if (is != value) CheckSame(run, path, is.dump(), value.dump());
   }
@@ -86,7 +86,7 @@ void CheckRunOf(const ExpectedRun& expected, const RunSummary& run) {
 
 RunSummary ReadRun(const std::filesystem::path& result_file,
                    const std::vector<std::string>& metrics) {
-  // Most of a result is poses, which are for others to read.
+  // Skips the poses, which make up most of a result and are read elsewhere.
   auto run = ReadRecord<RunSummary>(result_file, {"clusters", "frames", "trajectories"});
   run.file = result_file;
   CheckCounts({{"first_frame", run.sequence.first_frame},

@@ -20,7 +20,7 @@ struct SequenceInfo {
   std::string pair;  // "grey" or "colour"
   int first_frame = 0;
   int frames = 0;
-  int total_frames = 0;  // in the folder
+  int total_frames = 0;  // number in the folder
 
   FrameSpan range() const { return {first_frame, first_frame + frames - 1}; }
 
@@ -58,7 +58,7 @@ struct CameraInfo {
   }
 };
 
-// What was read.
+// The sequence as it was read.
 struct RunSequence : SequenceInfo {
   std::string dataset;
   std::string groundtruth;
@@ -68,8 +68,8 @@ struct RunSequence : SequenceInfo {
   std::string content;  // hash
   CameraInfo camera;
   std::optional<Json> perturbation;   // of images and calibration
-  std::vector<std::string> warnings;  // what of times and truth is implausible
-  std::optional<Json> layout;         // settings by which its folder was read
+  std::vector<std::string> warnings;  // about implausible timestamps and truth
+  std::optional<Json> layout;         // settings with which its folder was read
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -103,17 +103,17 @@ struct RunBodies {
   }
 };
 
-// result.json without what it says of single frames and clusters.
+// result.json without its data on single frames and clusters.
 struct RunSummary {
   static constexpr int kSchemaVersion = 3;
   static constexpr const char* kKind = "run";
 
-  std::filesystem::path file;  // where it was read
+  std::filesystem::path file;  // result.json
   std::string job;
   std::string status;  // "ok", "lost", "failed"
   std::string message;
   std::string variant;
-  std::optional<Json> system;  // files of another system, where it is a run of one
+  std::optional<Json> system;  // files of another system, if the run scores these
   std::uint64_t seed = 0;
   RunSequence sequence;
   Json options = Json::object();  // resolved
@@ -141,28 +141,28 @@ struct RunSummary {
   }
 };
 
-// The variant of a run that is files of another system.
+// Returns the variant name of a run that scores another system's files.
 inline std::string SystemVariant(const std::string& system) { return "system:" + system; }
 
-// What a plan says that a result is of; what it leaves empty it does not say.
+// What a plan states about the result of a job. `content` is empty if it is not stated.
 struct ExpectedRun {
   std::string job;
   std::string variant;
   std::uint64_t seed = 0;
   std::string content;
   std::vector<std::string> oracle;
-  Json parameters = Json::object();  // value by dotted path; options are compared
+  Json parameters = Json::object();  // value by dotted path; only options are compared
 };
 
-// Throws Error naming the first thing that the result says otherwise of itself.
+// Throws Error naming the first thing that the result states differently.
 void CheckRunOf(const ExpectedRun& expected, const RunSummary& run);
 
-// With the metrics of these names. Throws Error naming the file and the field, wherever in it:
-// another schema version, half-written, not a run, a number that is none.
+// Reads a result, keeping only the metrics of these names. Throws Error naming the file and the
+// field, however deep: another schema version, an incomplete file, not a run, an invalid number.
 RunSummary ReadRun(const std::filesystem::path& result_file,
                    const std::vector<std::string>& metrics);
 
-// nullptr where the run has no such metric.
+// Returns nullptr if the run has no such metric.
 const MetricValue* FindMetric(const RunSummary& run, const std::string& name);
 
 }  // namespace cvo::reports

@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// PlannedJob::missing of what is made first.
+// Values of PlannedJob::missing for input that has to be made first.
 constexpr char kNotRendered[] = "not rendered yet";
 constexpr char kNotDetected[] = "boxes not found yet";
 

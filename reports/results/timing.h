@@ -25,11 +25,12 @@ struct StageSummary {
   }
 };
 
-// What a run read and wrote, where it was made.
+// Paths of a run's input and output on the machine where it was made, with the settings of the
+// input.
 struct RunPaths {
   std::string sequence;
   std::string output;
-  std::optional<std::string> labels;      // file; empty: the folder's own
+  std::optional<std::string> labels;      // file; empty: those in the folder
   std::optional<std::string> detections;  // file, level of a scene or "labels"
   std::optional<int> detections_camera;   // image_0X; empty: the left image that was read
   std::optional<double> min_score;

@@ -45,9 +45,9 @@ struct TruthOfBody {
   std::string category;
   bool mover = false;
   double diagonal_m = 0.0;    // of its box
-  std::int64_t cluster = -1;  // whose poses are scored; -1: none
+  std::int64_t cluster = -1;  // cluster whose poses are scored; -1: none
   TruthPoses truth;
-  FramePositions estimated;  // that its ATE is made of
+  FramePositions estimated;  // positions from which its ATE is computed
   FramePositions predicted;
 
   template <typename Self, typename Archive>
@@ -64,14 +64,14 @@ struct TruthOfBody {
   }
 };
 
-// truth.json: the truth of a run in its world, which is the first left camera as estimated. Frames
-// are indices into those run.
+// truth.json: the truth of a run in the world frame of the run, which is that of the first left
+// camera as estimated. Frames are indices into the frames run.
 struct TruthData {
   static constexpr int kSchemaVersion = 1;
   static constexpr const char* kKind = "truth";
 
   std::string job;
-  std::vector<std::optional<Pose>> camera;  // by frame; empty: of bodies alone
+  std::vector<std::optional<Pose>> camera;  // by frame; empty: only bodies have truth
   std::vector<TruthOfBody> bodies;
 
   template <typename Self, typename Archive>

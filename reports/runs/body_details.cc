@@ -28,7 +28,7 @@ class Reader {
   }
 
  private:
-  // The number in the folder of a frame given by its index.
+  // Returns the number in the folder of the frame with this index.
   int Frame(int index, const char* list) const {
     if (index < 0 || index >= static_cast<int>(frames_.size())) {
       ThrowError(StrCat(where_, ", bodies, ", list, ", frames"), StrCat(index),
@@ -88,7 +88,7 @@ RunTruth ReadTruthFile(const std::filesystem::path& file, const std::vector<Came
   const auto data = ReadRecord<TruthData>(file);
   RunTruth truth;
   truth.camera = data.camera;
-  if (truth.camera.empty()) truth.camera.resize(frames.size());  // of bodies alone
+  if (truth.camera.empty()) truth.camera.resize(frames.size());  // only bodies have truth
   if (truth.camera.size() != frames.size()) {
     ThrowError(file.string() + ", field camera", StrCat(truth.camera.size(), " poses"),
                StrCat(frames.size(), ", one per frame of result.json"));

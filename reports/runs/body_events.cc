@@ -17,7 +17,7 @@ State StateOf(const BodyFrame& frame) {
   return frame.stage == BodyStage::kGood ? State::kGood : State::kWrong;
 }
 
-// Judged frames in a row in one state.
+// Consecutive judged frames in the same state.
 struct Stretch {
   State state = State::kGood;
   std::vector<const BodyFrame*> frames;
@@ -34,14 +34,14 @@ std::vector<Stretch> StretchesOf(const BodyStory& story) {
   return stretches;
 }
 
-// What is so in most of its frames.
+// Returns the wrong stage that most of its frames are in.
 BodyStage CauseOf(const Stretch& stretch) {
   BodyStory part;
   for (const BodyFrame* frame : stretch.frames) part.frames.push_back(*frame);
   return part.Cause();
 }
 
-// The `most` longest that are not good, by where they begin.
+// Returns the indices of the `most` longest stretches that are not good, longest first.
 std::vector<std::size_t> Longest(const std::vector<Stretch>& stretches, std::size_t most) {
   std::vector<std::size_t> bad;
   for (std::size_t i = 0; i < stretches.size(); ++i) {

@@ -15,7 +15,7 @@ namespace {
 
 using LabelCounts = std::map<std::int64_t, int>;
 
-// What the clusters of a frame are on: landmarks by body.
+// Returns for each cluster of a frame the number of its landmarks by body.
 std::map<std::int64_t, LabelCounts> BodiesOfClusters(
     const std::vector<LabelledLandmark>& landmarks) {
   std::map<std::int64_t, LabelCounts> bodies;
@@ -27,7 +27,7 @@ std::map<std::int64_t, LabelCounts> BodiesOfClusters(
   return bodies;
 }
 
-// The first of those with most; -1: none.
+// Returns the first label with the highest count; -1 if there is none.
 std::int64_t MostOf(const LabelCounts& counts) {
   const auto most =
       std::max_element(counts.begin(), counts.end(),
@@ -68,13 +68,13 @@ LabelContest ContestOf(const std::vector<LabelledLandmark>& landmarks, int body,
   return contest;
 }
 
-// Of a frame in which the body is judged.
+// Returns the stage in a frame in which the body is judged.
 BodyStage StageOf(const BodyFrame& frame, const BodyDetail& body) {
   if (frame.error_m) {
     if (*frame.error_m <= kGoodError_m) return BodyStage::kGood;
     if (frame.other_body >= 0) return BodyStage::kJoined;
     if (frame.Labelled(body.cluster) < kLeastLandmarks) return BodyStage::kNoLandmarks;
-    constexpr int kManyStrangers = 4;  // one in so many
+    constexpr int kManyStrangers = 4;  // one in this many
     const int all = frame.strangers + frame.Labelled(body.cluster);
     return frame.strangers * kManyStrangers > all ? BodyStage::kLabel : BodyStage::kMotion;
   }
@@ -106,7 +106,8 @@ void CountLandmarks(const std::vector<LabelledLandmark>& landmarks, const BodyDe
   if (scored != clusters.end()) {
     frame.strangers = Total(scored->second) - frame.Labelled(body.cluster);
   }
-  // The cluster that counts: the scored one where it is estimated, else that with most of it.
+  // The holder is the scored cluster if it is estimated, else the cluster with most of the body's
+  // landmarks.
   LabelCounts of_clusters = frame.landmarks;
   std::erase_if(of_clusters, [](const auto& count) { return count.first <= 0; });
   const std::int64_t holder = frame.error_m ? body.cluster : MostOf(of_clusters);

@@ -65,7 +65,8 @@ std::string SumText(const std::array<double, 3>& energies) {
                 text(Sum(energies)));
 }
 
-// What made the label that won better, or the neighbours where its energies are the larger ones.
+// Returns the term that favours the winning label most, or the neighbours if that label has the
+// higher energy.
 std::string DecidedBy(const LabelContest& contest) {
   constexpr std::array kTerms = {"the 2D boxes decide", "the 3D positions decide",
                                  "the motion decides"};

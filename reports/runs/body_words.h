@@ -9,11 +9,11 @@
 
 namespace cvo::reports {
 
-// What happened to the body as a whole: its count of frames by stage, and the cause.
+// Describes what happened to the body as a whole: the number of frames by stage, and the cause.
 std::vector<std::string> StoryLines(const BodyStory& story);
 
-// What is known of a frame: landmarks, detection, error, energies of the labels. `bodies` gives
-// other bodies their names.
+// Describes what is known about a frame: landmarks, detection, error, energies of the labels.
+// `bodies` provides the names of other bodies.
 std::vector<std::string> FrameLines(const BodyStory& story, const BodyFrame& frame,
                                     const std::vector<BodyDetail>& bodies);
 

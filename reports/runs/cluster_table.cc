@@ -21,7 +21,8 @@ class ClusterTable {
     row.id = csv_.Id(i, id_);
     row.category = csv_.Text(i, category_);
     row.predicted = csv_.Text(i, status_) == "predicted";
-    // Empty where the run never went back to the frame: then as it was when the frame came.
+    // Refined values are empty if the run never returned to the frame; then those from when the
+    // frame arrived are used.
     const bool refined = !csv_.Empty(i, refined_pose_);
     row.world_from_object = csv_.Numbers<7>(i, refined ? refined_pose_ : pose_);
     row.velocity_m_s = csv_.Numbers<3>(i, refined ? refined_velocity_ : velocity_);
@@ -31,7 +32,7 @@ class ClusterTable {
   }
 
  private:
-  // Older tables have the extent along the body's axes alone.
+  // Older tables only have the extent along the axes of the object frame.
   void AddBox(std::size_t i, ClusterRow& row) const {
     if (box_) {
       row.object_from_box = csv_.Numbers<7>(i, *box_);
@@ -44,7 +45,7 @@ class ClusterTable {
   }
 
   CsvFile csv_;
-  // The first of what belongs together.
+  // The first column of each group.
   std::size_t frame_ = csv_.Column("frame");
   std::size_t id_ = csv_.Column("id");
   std::size_t category_ = csv_.Column("category");

@@ -7,13 +7,14 @@
 
 namespace cvo::reports {
 
-// What truth.json holds, for frames as result.json lists them. Its frames are indices into these.
+// The content of truth.json, for the frames that result.json lists. Frames in the file are indices
+// into these.
 struct RunTruth {
   std::vector<std::optional<Pose>> camera;  // one per frame
   std::vector<BodyDetail> bodies;
 };
 
-// Each throws Error naming the file, and the field or line, for what is damaged.
+// Each throws Error naming the file, and the field or line, if the file is damaged.
 RunTruth ReadTruthFile(const std::filesystem::path& file, const std::vector<CameraFrame>& frames);
 std::vector<ClusterRow> ReadClusterTable(const std::filesystem::path& file);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMinObservedLandmarks = 3;
 
-// Landmarks by frame, body and cluster.
+// Number of landmarks by frame, body and cluster.
 using LandmarkCounts = std::map<int, std::map<int, std::map<std::int64_t, int>>>;
 
 LandmarkCounts ReadCounts(const std::filesystem::path& file) {
@@ -30,7 +30,8 @@ LandmarkCounts ReadCounts(const std::filesystem::path& file) {
   return counts;
 }
 
-// -1: none with enough landmarks. Of two with as many, the last one, else the lower id.
+// Returns the cluster with most landmarks; -1 if none has enough. On a tie, the last one wins, else
+// the lower id.
 std::int64_t BestCluster(const std::map<std::int64_t, int>& landmarks, std::int64_t last) {
   std::int64_t best = -1;
   int most = kMinObservedLandmarks - 1;

@@ -6,7 +6,8 @@
 
 namespace cvo::reports {
 
-// A body's landmarks are of another cluster than the last time they were of one.
+// A frame in which a body's landmarks belong to another cluster than the last time they belonged to
+// one.
 struct IdentitySwitch {
   int frame = 0;
   int body = 0;
@@ -14,8 +15,8 @@ struct IdentitySwitch {
   std::int64_t to = 0;
 };
 
-// As the metric object_id_switches counts them, over visible frames, from a run's landmarks.csv;
-// empty optional where there is no such file. Throws Error for one that is damaged.
+// Returns the switches as the metric object_id_switches counts them, over visible frames, from a
+// run's landmarks.csv. Empty optional if there is no such file. Throws Error if it is damaged.
 [[nodiscard]] std::optional<std::vector<IdentitySwitch>> ReadIdentitySwitches(
     const std::filesystem::path& run_folder, const std::vector<BodyDetail>& bodies);
 

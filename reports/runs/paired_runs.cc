@@ -17,14 +17,14 @@
 namespace cvo::reports {
 namespace {
 
-// Errors of the frames that both have.
+// Errors in the frames that both runs have.
 struct CommonErrors {
   std::vector<double> errors_m;
   std::vector<double> reference_m;
 };
 
-// Calls `act` with the indices of each frame that both have. `shift` and `reference_shift` bring
-// their frames to one count.
+// Calls `act` with the indices of each frame that both have. `shift` and `reference_shift` convert
+// their frames to a common numbering.
 template <typename Act>
 void ForCommonFrames(const std::vector<int>& frames, int shift, const std::vector<int>& reference,
                      int reference_shift, const Act& act) {
@@ -48,8 +48,8 @@ CommonErrors CommonBodyErrors(const FrameErrors& errors, int shift, const FrameE
   return common;
 }
 
-// Each run is aligned to the truth over the same frames: otherwise what one of them did elsewhere
-// would be in its errors here.
+// Aligns each run to the truth over the same frames: otherwise what one of them did in other frames
+// would affect its errors in these.
 CommonErrors CommonCameraErrors(const CameraPositions& run, const CameraPositions& reference) {
   CameraPositions here;
   CameraPositions there;
@@ -65,7 +65,7 @@ CommonErrors CommonCameraErrors(const CameraPositions& run, const CameraPosition
           AlignedErrors(there.estimated_m, there.truth_m)};
 }
 
-// Blocks take the place of bodies: there is one scene, in which they are resampled.
+// Blocks take the place of bodies in the samples, because resampling happens within a single scene.
 std::vector<Sample> BlocksOf(const CommonErrors& common) {
   const std::size_t length = BlockLength(common.errors_m.size());
   std::vector<Sample> blocks;
@@ -102,8 +102,8 @@ void AddPair(const std::string& what, const std::string& metric, const CommonErr
        DifferenceOf(*estimate, reference.name, meaning, "frames that both estimate"), ""});
 }
 
-// Those of tables, of bodies that move and of those that stay put. More of them would take from
-// each other's significance.
+// Only metrics of tables are paired, of bodies that move and of bodies that stay put. Any more of
+// them would reduce each other's significance.
 bool IsPaired(const BodyMetric& metric) {
   const std::vector<std::string> usual = ObjectMetrics();
   return !metric.form.causal && !metric.predicted() &&

@@ -10,14 +10,14 @@
 
 namespace cvo::reports {
 
-// Where the camera was estimated and where it was, in frames that have both.
+// Estimated and true positions of the camera, in frames that have both.
 struct CameraPositions {
   std::vector<int> frames;  // ascending
   std::vector<Position> estimated_m;
   std::vector<Position> truth_m;
 };
 
-// A run as it is compared.
+// A run to be compared.
 struct RunToCompare {
   std::string name;
   RunSummary summary;
@@ -26,12 +26,12 @@ struct RunToCompare {
 
 CameraPositions CameraPositionsOf(const RunDetail& detail);
 
-// The camera and each body that both estimate, over the frames of both. The camera's positions are
-// aligned to the truth over these frames, as camera ATE aligns them over all of a run's; those of
-// bodies are in the world that their metrics are taken in.
+// Compares the camera and each body that both runs estimate, over the frames of both. The camera's
+// positions are aligned to the truth over these frames, as camera ATE aligns them over all frames
+// of a run; those of bodies are in the world frame in which their metrics are computed.
 std::vector<PairedComparison> PairByFrame(const RunToCompare& run, const RunToCompare& reference);
 
-// Metrics of bodies, over the bodies of both.
+// Compares metrics of bodies, over the bodies that both runs have.
 std::vector<PairedComparison> PairByBody(const RunToCompare& run, const RunToCompare& reference,
                                          const std::vector<ComparedMetric>& metrics);
 

@@ -37,7 +37,7 @@ void CheckSameSequence(const std::vector<RunToCompare>& runs) {
   }
 }
 
-// Those whose values are not the same in all runs, each as the run has it.
+// Returns, for each run, the options that differ between the runs, with the run's values.
 std::vector<std::map<std::string, std::string>> DifferingOptions(
     const std::vector<RunToCompare>& runs) {
   std::vector<std::map<std::string, std::string>> all;
@@ -67,7 +67,7 @@ std::vector<ComparedRun> DescribeRuns(const std::vector<RunToCompare>& runs,
   return described;
 }
 
-// Every metric that some run has, in the order of the catalogue.
+// Returns every metric that some run has, in the order of the catalogue.
 std::vector<ComparedMetric> SideBySide(const std::vector<RunToCompare>& runs) {
   std::vector<ComparedMetric> metrics;
   for (const std::string& name : AllMetricNames()) {

@@ -22,7 +22,7 @@ struct ComparedRun {
   int first_frame = 0;
   int frames = 0;
   std::string build;
-  std::map<std::string, std::string> options;  // those that are not the same in all runs
+  std::map<std::string, std::string> options;  // those that differ between the runs
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -38,12 +38,12 @@ struct ComparedRun {
   }
 };
 
-// A metric as each run has it.
+// A metric with its value in each run.
 struct ComparedMetric {
   std::string name;
   std::string unit;
   std::vector<std::optional<double>> values;  // by run
-  std::string differing;  // the field of its contract that is not the same in all; empty: none
+  std::string differing;  // first field of its contract that differs between runs; empty: none
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -54,13 +54,15 @@ struct ComparedMetric {
   }
 };
 
-// A run against the first on what both have: one body's or the camera's frames, or all bodies.
+// A run compared with the first one on what both have: frames of one body or of the camera, or all
+// bodies.
 struct PairedComparison {
   std::string run;
-  std::string what;    // "camera position", the name of a body, or of a metric
-  std::string metric;  // of its kind; of the camera the same over these frames: camera_ate_mean
+  std::string what;  // "camera", or the name of a body or of a metric
+  // Metric of the same kind in the catalogue. For the camera, camera_ate_mean, over these frames.
+  std::string metric;
   std::string unit;
-  std::size_t frames = 0;  // that both have; 0: a pairing of bodies
+  std::size_t frames = 0;  // number that both have; 0: bodies are paired
   Difference difference;
   std::string verdict;
 
@@ -76,7 +78,7 @@ struct PairedComparison {
   }
 };
 
-// Runs of one sequence beside each other. Differences are each run's value minus the first one's.
+// Runs on one sequence, side by side. Differences are each run's value minus the first one's.
 struct RunComparison {
   static constexpr int kSchemaVersion = 1;
   static constexpr const char* kKind = "comparison of runs";
@@ -99,12 +101,12 @@ struct RunComparison {
   }
 };
 
-// The folders of at least two runs; the first is what the others are held against. Throws Error for
-// a folder that holds no run, and for runs of different sequences.
+// Compares the runs in at least two folders; the first is the reference for the others. Throws
+// Error for a folder that holds no run, and for runs on different sequences.
 RunComparison CompareRuns(const std::vector<std::filesystem::path>& folders);
 
-// Consecutive frames that are resampled together, because errors of neighbouring frames are alike:
-// about as many blocks as each has frames.
+// Returns how many consecutive frames to resample as one block, because errors of neighbouring
+// frames are correlated. There are about as many blocks as frames in each.
 std::size_t BlockLength(std::size_t frames);
 
 }  // namespace cvo::reports

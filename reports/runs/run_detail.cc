@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Nothing but the frames: what else a result holds is large and for others.
+// Only the frames of a result: everything else in it is large and read elsewhere.
 struct FramesOfRun {
   static constexpr int kSchemaVersion = RunSummary::kSchemaVersion;
   static constexpr const char* kKind = RunSummary::kKind;

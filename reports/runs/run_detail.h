@@ -15,14 +15,14 @@
 namespace cvo::reports {
 
 struct CameraFrame {
-  int frame = 0;  // counted in the folder of the sequence
+  int frame = 0;  // number in the folder of the sequence
   std::int64_t timestamp_ns = 0;
   std::string status;  // "first", "tracked", "recovered", "lost", "skipped"
   Pose world_from_camera{};
-  int window_frames = 0;  // in both tracks, this one included
-  // Of the spatial track, in frames before this one; oldest first.
+  int window_frames = 0;  // in the temporal and spatial tracks, including this one
+  // Ages of the frames of the spatial track, in frames before this one; oldest first.
   std::vector<int> spatial_ages = {};
-  std::optional<Pose> truth = {};  // in truth.json
+  std::optional<Pose> truth = {};  // from truth.json
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -40,31 +40,31 @@ struct ClusterRow {
   int frame = 0;
   std::int64_t id = 0;
   std::string category;
-  bool predicted = false;  // by the motion model alone: hidden, or lost
+  bool predicted = false;  // by the motion model alone: hidden or lost
   Pose world_from_object{};
   Pose object_from_box{};   // upright, x forward, y down
   Position size_m{};        // of the box: length, height, width
-  Position velocity_m_s{};  // in world
+  Position velocity_m_s{};  // in the world frame
   int observed_landmarks = 0;
 };
 
 struct BodyPosition {
-  int frame = 0;  // counted in the folder, as everywhere here
+  int frame = 0;  // number in the folder, as everywhere here
   Position position_m{};
-  double error_m = 0.0;  // as object ATE takes it
+  double error_m = 0.0;  // as object ATE defines it
 };
 
-// A body of the truth, and what of the estimate it is held against.
+// A body of the truth, with the estimates that are compared with it.
 struct BodyDetail {
   int id = 0;
   std::string name;
   std::string category;
   bool mover = false;
   double diagonal_m = 0.0;                  // of its box
-  std::int64_t cluster = -1;                // whose poses are scored; -1: none
+  std::int64_t cluster = -1;                // cluster whose poses are scored; -1: none
   std::vector<std::pair<int, Pose>> truth;  // by frame
   std::vector<int> visible;                 // frames in which it is judged
-  std::vector<BodyPosition> estimated;      // in these, where the estimate counts
+  std::vector<BodyPosition> estimated;      // in visible frames, where the estimate counts
   std::vector<BodyPosition> predicted;
 };
 
@@ -75,23 +75,23 @@ struct StageTime {
   double p95_ms = 0.0;
 };
 
-// What a run's folder tells of it frame by frame. Everything is in one world: the first left camera
-// as estimated, to which the truth is brought by the alignment that the object metrics use.
+// Per-frame data from a run's folder. Everything is in one world frame, that of the first left
+// camera as estimated, into which the truth is transformed by the alignment of the object metrics.
 struct RunDetail {
   std::vector<CameraFrame> camera;
   std::vector<ClusterRow> clusters;  // by frame, then id
-  std::vector<BodyDetail> bodies;    // empty where bodies have no truth
+  std::vector<BodyDetail> bodies;    // empty if bodies have no truth
   std::vector<StageTime> stages;
-  double frames_per_second = 0.0;  // 0: not known
+  double frames_per_second = 0.0;  // 0: unknown
   std::string host;
   std::string cpu;
   std::string date;                  // of the run, UTC
-  RunPaths paths;                    // what it read, and where
-  std::vector<std::string> missing;  // files that are not there or cannot be read, and why
+  RunPaths paths;                    // of its input and output
+  std::vector<std::string> missing;  // files that do not exist or cannot be read, and why
 };
 
-// Reads result.json, truth.json, objects.csv and timing.json of a run. Throws Error for result.json
-// alone; what else is missing or damaged is listed and left empty.
+// Reads result.json, truth.json, objects.csv and timing.json of a run. Throws Error only for
+// result.json; any other missing or damaged file is listed and its data left empty.
 RunDetail ReadRunDetail(const std::filesystem::path& run_folder);
 
 }  // namespace cvo::reports

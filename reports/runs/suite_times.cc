@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// In the order of the work, with the stages that a column sums.
+// A column of the table, in processing order, with the stages that it sums.
 struct StageColumn {
   std::string_view name;
   std::vector<std::string_view> stages;

@@ -23,7 +23,8 @@ Point MeanOfPoints(const std::vector<Point>& points) {
   return mean;
 }
 
-// One Jacobi rotation, which makes a[p][q] zero and turns the columns of v along.
+// Applies one Jacobi rotation, which makes a[p][q] zero, and rotates the columns of v along with
+// it.
 void Rotate(std::size_t p, std::size_t q, Matrix4& a, Matrix4& v) {
   if (a[p][q] == 0.0) return;
   const double theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
@@ -47,11 +48,11 @@ void Rotate(std::size_t p, std::size_t q, Matrix4& a, Matrix4& v) {
   }
 }
 
-// Of a symmetric matrix, the eigenvector of the largest eigenvalue.
+// The eigenvector of the largest eigenvalue of a symmetric matrix.
 std::array<double, 4> LargestEigenvector(Matrix4 a) {
   Matrix4 v{};
   for (std::size_t i = 0; i < 4; ++i) v[i][i] = 1.0;
-  constexpr int kSweeps = 30;  // converges quadratically: in fewer than ten
+  constexpr int kSweeps = 30;  // quadratic convergence needs fewer than ten
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (std::size_t p = 0; p < 3; ++p) {
       for (std::size_t q = p + 1; q < 4; ++q) Rotate(p, q, a, v);
@@ -63,7 +64,7 @@ std::array<double, 4> LargestEigenvector(Matrix4 a) {
   return {v[0][largest], v[1][largest], v[2][largest], v[3][largest]};
 }
 
-// Of the quaternion w, x, y, z.
+// The rotation matrix of the quaternion w, x, y, z.
 Matrix3 RotationOf(const std::array<double, 4>& quaternion) {
   const auto& [w, x, y, z] = quaternion;
   return {{{w * w + x * x - y * y - z * z, 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)},
@@ -71,7 +72,8 @@ Matrix3 RotationOf(const std::array<double, 4>& quaternion) {
            {2.0 * (x * z - w * y), 2.0 * (y * z + w * x), w * w - x * x - y * y + z * z}}};
 }
 
-// From centred estimate to centred truth.
+// The rotation from the centred estimate to the centred truth that minimises the squared distances.
+// `s` is the sum of products of their coordinates.
 Matrix3 BestRotation(const Matrix3& s) {
   Matrix4 n{};
   n[0] = {s[0][0] + s[1][1] + s[2][2], s[1][2] - s[2][1], s[2][0] - s[0][2], s[0][1] - s[1][0]};
@@ -88,7 +90,7 @@ std::vector<double> AlignedErrors(const std::vector<Point>& estimate,
   Require(estimate.size() == truth.size(), "AlignedErrors: as many estimated as true positions");
   const Point from_mean = MeanOfPoints(estimate);
   const Point to_mean = MeanOfPoints(truth);
-  Matrix3 products{};  // of estimate and truth
+  Matrix3 products{};  // sums of products of estimate and truth
   for (std::size_t i = 0; i < estimate.size(); ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       for (std::size_t k = 0; k < 3; ++k) {

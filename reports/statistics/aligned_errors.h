@@ -7,9 +7,9 @@
 
 namespace cvo::reports {
 
-// Distances (m) of estimated positions to the true ones of the same index, after the rotation and
-// translation of the estimate that make the sum of their squares least (Horn 1987): as camera ATE
-// has them. Both have the same size.
+// Distances (m) between estimated and true positions of the same index, after applying to the
+// estimate the rotation and translation that minimise the sum of their squares (Horn 1987), as for
+// camera ATE. Both lists must have the same size.
 std::vector<double> AlignedErrors(const std::vector<std::array<double, 3>>& estimate,
                                   const std::vector<std::array<double, 3>>& truth);
 

@@ -8,7 +8,7 @@
 
 namespace cvo::reports {
 
-// Errors of a body, frame by frame.
+// Position errors of a body, frame by frame.
 struct FrameErrors {
   std::vector<int> frames;  // ascending
   std::vector<double> position_m;
@@ -20,7 +20,8 @@ struct FrameErrors {
   }
 };
 
-// Root mean squares of both over the frames that both have. Empty where there are none.
+// Root mean square errors of both over the frames that both have. Empty if they have no frame in
+// common.
 std::optional<std::pair<double, double>> CommonRootMeanSquares(const FrameErrors& a,
                                                                const FrameErrors& b);
 

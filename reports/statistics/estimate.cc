@@ -39,13 +39,13 @@ std::optional<double> EffectSize(const Differences& differences, double differen
   for (const double d : all) mean += d / n;
   double variance = 0.0;
   for (const double d : all) variance += (d - mean) * (d - mean) / (n - 1.0);
-  // All alike up to rounding: their spread says nothing.
+  // They are all equal up to rounding, so their spread is meaningless.
   if (std::sqrt(variance) <= 1e-12 * std::abs(mean)) return std::nullopt;
   return difference / std::sqrt(variance);
 }
 
-// In percent of `whole` of each pair (0: the value, 1: the reference); empty where one is not
-// above 0.
+// The interval of the differences in percent of element `whole` of each pair (0: the value, 1: the
+// reference). Empty if such an element is not positive.
 std::optional<Range> PercentRange(const std::vector<std::array<double, 2>>& pairs,
                                   std::size_t whole) {
   std::vector<double> percents;
@@ -56,7 +56,7 @@ std::optional<Range> PercentRange(const std::vector<std::array<double, 2>>& pair
   return MiddleRange(std::move(percents));
 }
 
-// What does not need resampling.
+// Fills in everything that needs no resampling.
 PairedEstimate Compare(const Strata& strata, const std::array<double, 2>& mean) {
   PairedEstimate estimate;
   estimate.value = mean[0];
@@ -77,7 +77,7 @@ PairedEstimate Compare(const Strata& strata, const std::array<double, 2>& mean) 
 
 constexpr std::uint64_t kSeed = 1;
 
-// Sums keep their scale: the drawn units represent all.
+// Draws units.size() - 1 units. Sums are scaled up, since the drawn units stand for all.
 void Resample(const std::vector<Unit>& units, Within within, Rng& rng, std::vector<Unit>& drawn) {
   const std::size_t draws = units.size() - 1;
   const double scale =

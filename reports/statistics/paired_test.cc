@@ -16,8 +16,8 @@ constexpr double kMissTail = 0.2;  // 80 % power
 
 struct Moments {
   double mean = 0.0;      // over strata
-  double variance = 0.0;  // of that mean
-  double spread = 0.0;    // variance of a difference, mean over strata that have several
+  double variance = 0.0;  // variance of that mean
+  double spread = 0.0;    // variance of a difference, averaged over strata with several
   int degrees = 0;
 };
 

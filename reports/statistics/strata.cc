@@ -9,7 +9,7 @@
 namespace cvo::reports {
 namespace {
 
-// Ordered, because a sum depends on the order of its terms.
+// Ordered containers, since a floating-point sum depends on the order of its terms.
 using Repetitions = std::map<std::string, const Sample*>;
 using Bodies = std::map<std::string, Repetitions>;
 using Families = std::map<std::string, std::map<std::string, Bodies>>;

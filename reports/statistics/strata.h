@@ -9,49 +9,52 @@
 
 namespace cvo::reports {
 
-// A mean is sum over weight: errors have weight 1, fractions that of what they are a fraction of.
+// The contribution to a mean, which is the sum divided by the weight. Errors have weight 1;
+// fractions have the weight of what they are a fraction of.
 struct Part {
   double sum = 0.0;
   double weight = 1.0;
 };
 
-// One number of one body, or of a whole scene, in one repetition, and its counterpart where two
+// One number of one body, or of a whole scene, in one repetition, with its counterpart if two
 // variants are compared.
 struct Sample {
-  std::string family;      // of scenes; empty: none
-  std::string scene;       // one draw of the family
+  std::string family;      // family of scenes; empty: none
+  std::string scene;       // one draw from the family
   std::string body;        // empty: the scene as a whole
-  std::string repetition;  // seed and whatever else is averaged over
+  std::string repetition;  // seed and everything else that is averaged over
   Part value;
   Part reference = {};
 };
 
-// How bodies make the figure of their scene; that of the table is the mean over scenes.
+// How the figure of a scene is computed from its bodies. The figure of the table is the mean over
+// scenes.
 enum class Within { kMean, kSum };
 
-// What remains of a body or a scene when its repetitions are averaged.
+// A body or a scene after averaging over its repetitions.
 struct Unit {
   std::array<Part, 2> parts;  // value, reference
 };
 
-// What is resampled: scenes within their families, each with the figure of all its bodies. Where
-// all samples are of one scene there is only its bodies to resample, which says nothing of others.
+// What is resampled: scenes within their families, each with the figure of all its bodies. If all
+// samples are of one scene, its bodies are resampled instead, which says nothing about other
+// scenes.
 struct Strata {
   std::vector<std::vector<Unit>> units;
-  Within within = Within::kMean;  // how units make the figure of their stratum
+  Within within = Within::kMean;  // how the figure of a stratum is computed from its units
   std::size_t scenes = 0;
   std::size_t bodies = 0;
 
   bool of_scenes() const { return scenes > 1; }
 };
 
-// Families by name, their scenes by name: the order of the samples does not matter. Empty where
-// the weights of a scene add up to nothing. Throws Error for two samples of the same scene, body
-// and repetition.
+// Groups samples into strata. Families, and scenes within a family, are ordered by name, so the
+// order of the samples does not matter. Empty if there are no samples, or the weights of a scene
+// sum to 0. Throws Error if there are two samples of the same scene, body and repetition.
 std::optional<Strata> GroupSamples(const std::vector<Sample>& samples, Within within);
 
-// Value and reference: the mean over strata. Empty where there is none, or a stratum's weights add
-// up to nothing.
+// The mean over strata, of the value and of the reference. Empty if there are no strata, or the
+// weights of a stratum sum to 0.
 std::optional<std::array<double, 2>> MeanOverStrata(const std::vector<std::vector<Unit>>& strata,
                                                     Within within);
 

@@ -12,10 +12,10 @@
 namespace cvo::reports {
 namespace {
 
-// Beyond this many the distribution is the normal one to four digits.
+// Above this number, the distribution equals the normal one to about four digits.
 constexpr int kMaxDegrees = 1000;
 
-// Probability of exceeding sqrt(degrees) * tan(theta), theta >= 0.
+// The probability of exceeding sqrt(degrees) * tan(theta), theta >= 0.
 double Tail(double theta, int degrees) {
   const double cosine = std::cos(theta);
   const double squared = cosine * cosine;

@@ -12,34 +12,36 @@
 
 namespace cvo::reports {
 
-// How a metric of a run follows from its bodies.
+// How a metric of a run is computed from its bodies.
 struct BodyMetric {
   MetricForm form;
 
   const MetricEntry& entry() const { return EntryOf(form.id); }
   bool predicted() const { return form.bodies == BodyGroup::kPredicted; }
   bool movers() const { return form.bodies != BodyGroup::kStanding; }
-  // Its errors are listed frame by frame.
+  // Whether the errors of the metric are listed frame by frame.
   bool by_frames() const { return form.id == MetricId::kObjectAte; }
   Within within() const {
     return entry().kind == MetricKind::kCount ? Within::kSum : Within::kMean;
   }
 };
 
-// Empty for a metric that is not about bodies.
+// Empty if the metric is not about bodies.
 std::optional<BodyMetric> FindBodyMetric(const std::string& metric);
 
-// The bodies that it is about.
+// The bodies of a run from which the metric is computed.
 const std::vector<BodyRow>& BodiesOf(const BodyMetric& metric, const RunSummary& run);
 
-// What a body adds; empty where the run does not tell.
+// The contribution of a body to the metric. Empty if the metric does not apply to the body or the
+// run has no value for it.
 std::optional<Part> PartOf(const BodyMetric& metric, const BodyRow& body);
 
-// The same of one body in two runs: errors that are listed by frames over the frames of both.
+// The contributions of the same body in two runs. Errors that are listed by frame are taken over
+// the frames that both runs have.
 std::optional<std::pair<Part, Part>> PairOf(const BodyMetric& metric, const BodyRow& body,
                                             const BodyRow& reference);
 
-// In words what PairOf compares.
+// Describes in words what PairOf compares.
 const char* PairingText(const BodyMetric& metric);
 
 }  // namespace cvo::reports

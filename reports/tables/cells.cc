@@ -15,13 +15,13 @@
 namespace cvo::reports {
 namespace {
 
-// Bodies of a run that the metric is about but that have no value.
+// The samples of a cell, and what is missing from them.
 struct Gathered {
   std::vector<Sample> samples;
   std::set<std::string> scenes;
   std::set<std::uint64_t> seeds;
-  std::size_t bodies = 0;          // over runs
-  std::size_t bodies_without = 0;  // of these
+  std::size_t bodies = 0;          // summed over runs
+  std::size_t bodies_without = 0;  // of these, bodies without a value
   std::size_t runs_without = 0;
 };
 
@@ -78,7 +78,7 @@ std::string LeftOutText(const Gathered& gathered, std::size_t runs) {
   return left_out;
 }
 
-// Runs of several seeds of a scene count as one.
+// Describes what an interval resamples. Runs of several seeds of a scene count as one.
 std::string Resampled(std::size_t scenes, std::size_t bodies, bool families, std::size_t seeds) {
   const std::string what =
       scenes == 1 ? StrCat(bodies, " bodies of one scene: says nothing about other scenes")
@@ -96,7 +96,8 @@ std::optional<Interval> ToInterval(const std::optional<Range>& range, const std:
   return Interval{range->low, range->high, meaning};
 }
 
-// One scene leaves nothing to resample but shows how far its seeds are apart.
+// The range over the runs of a single scene: there is nothing to resample, but it shows how much
+// the seeds differ.
 std::optional<Interval> SpreadOfSeeds(const Gathered& gathered) {
   if (gathered.scenes.size() != 1 || gathered.samples.size() < 2) return std::nullopt;
   const auto [low, high] = std::minmax_element(

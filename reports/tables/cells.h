@@ -11,7 +11,7 @@
 
 namespace cvo::reports {
 
-// Runs and reference of a row, with the keys that tell rows apart.
+// The runs of a row and of its reference, with the keys that identify rows.
 struct PairedRows {
   const std::vector<std::string>& keys;
   const RowRuns& row;
@@ -19,11 +19,11 @@ struct PairedRows {
   std::string reference_label;
 };
 
-// The mean of a metric over the runs of a row: seeds, then bodies, then scenes.
+// The mean of a metric over the runs of a row: over seeds, then bodies, then scenes.
 Cell MakeCell(const RowRuns& row, const std::vector<std::string>& keys, const Column& column);
 
-// Empty where the rows have nothing in common. Throws Error naming both files where two runs of one
-// scene mean different things by the metric.
+// The paired difference of a row to its reference. Empty if the two have nothing in common. Throws
+// Error naming both files if two runs of one scene define the metric differently.
 std::optional<Difference> MakeDifference(const PairedRows& rows, const Column& column);
 
 }  // namespace cvo::reports

@@ -45,7 +45,7 @@ Meaning WithTruth(Meaning meaning) {
 
 std::optional<Column> MakeColumn(const std::string& name, const std::vector<SuiteRun>& runs,
                                  bool systems) {
-  std::vector<Meaning> kinds;  // the first of all, then the first of each other type of dataset
+  std::vector<Meaning> kinds;  // the first run, then the first of each other type of dataset
   for (const SuiteRun& run : runs) {
     const MetricValue* metric = run.run ? FindMetric(*run.run, name) : nullptr;
     if (metric == nullptr || run.planned.system != systems) continue;

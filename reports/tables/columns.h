@@ -10,29 +10,30 @@
 
 namespace cvo::reports {
 
-// The columns for the trajectory of the camera, and those for moving bodies: the paper's ablation
-// (its table 4), what was covered, and who is who.
+// The columns for the trajectory of the camera, and those for moving bodies: the ablation of the
+// paper (its table 4), coverage, and identity.
 std::vector<std::string> CameraMetrics();
 std::vector<std::string> ObjectMetrics();
 
-// With the coverage before each group of metrics that lacks it: accuracy without it favours who
-// loses what is hard.
+// Inserts the coverage before each group of metrics that lacks it, since accuracy without coverage
+// favours whoever loses the hard parts.
 std::vector<std::string> WithCoverage(const std::vector<std::string>& metrics);
 
-// The columns that at least one run has, in the order of `metrics`. Throws Error naming both files
-// where two of our own runs mean different things by a metric: anywhere in its definition, or in
-// the truth within one type of dataset. Runs of other systems may (DifferingMeaning).
+// The columns that at least one run has a value for, in the order of `metrics`. Throws Error naming
+// both files if two of our own runs define a metric differently: in any field of its definition, or
+// in the truth within one type of dataset. Runs of other systems may differ (DifferingMeaning).
 std::vector<Column> MakeColumns(const std::vector<std::string>& metrics,
                                 const std::vector<SuiteRun>& runs);
 
-// Why the first run of a row that has the metric means something else by it; empty where none does.
+// How the first run of a row that has the metric defines it differently from the column. Empty if
+// it does not.
 std::string DifferingMeaning(const RowRuns& row, const Column& column);
 
-// Whether a difference between two rows says something: both mean what the column does, and another
-// system's row stands on the same corrections of calibrations as the other.
+// Whether a difference between two rows is meaningful: both define the metric as the column does
+// and, if one is of another system, both use the same correction of the calibration.
 bool AreComparable(const RowRuns& row, const RowRuns& reference, const Column& column);
 
-// Throws Error naming both files unless two runs of one scene mean the same by a metric.
+// Throws Error naming both files unless two runs of one scene define a metric in the same way.
 void CheckSameMetric(const RunSummary& a, const MetricValue& in_a, const RunSummary& b,
                      const MetricValue& in_b);
 

@@ -19,7 +19,7 @@ constexpr std::size_t kShownProblems = 12;
 
 using Lines = std::vector<std::string>;
 
-// Columns of one label differ in their unit.
+// The label of a column, with its unit if several columns share the label.
 std::string ColumnName(const Table& table, std::size_t index) {
   const Column& column = table.columns[index];
   const auto same = std::count_if(table.columns.begin(), table.columns.end(),
@@ -27,7 +27,7 @@ std::string ColumnName(const Table& table, std::size_t index) {
   return same == 1 ? column.label : StrCat(column.label, " [", column.unit, "]");
 }
 
-// Remarks that apply to several columns or rows, each listed once, in order of first appearance.
+// Remarks that apply to several columns or rows. Each is listed once, in order of first appearance.
 class NamesByText {
  public:
   void Add(const std::string& text, const std::string& name) {
@@ -63,7 +63,7 @@ void AddProblems(const Table& table, Lines& lines) {
   Lines problems;
   for (const Problem& problem : table.problems) {
     if (problem.state == "not run") continue;
-    // A sequence that is not there is listed once, not once per variant and seed.
+    // A sequence that is missing is listed once, not once per variant and seed.
     const std::string whose =
         problem.state == "no data"
             ? problem.sequence
@@ -80,7 +80,7 @@ void AddProblems(const Table& table, Lines& lines) {
   }
 }
 
-// What each split of the rows is.
+// Explains each split that occurs in the rows.
 void AddSplits(const Table& table, Lines& lines) {
   constexpr std::array<std::pair<const char*, const char*>, 4> kSplits = {
       {{"development", "options were chosen on these scenes, so the values are in-sample"},
@@ -96,7 +96,8 @@ void AddSplits(const Table& table, Lines& lines) {
   }
 }
 
-// How many scenes would tell a small difference of any row: how much the table can say at all.
+// States how many scenes are needed to detect a small difference in any row: the statistical power
+// of the table.
 void AddPower(const Table& table, Lines& lines) {
   Lines needs;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
@@ -140,7 +141,7 @@ void AddIntervals(const Table& table, Lines& lines) {
   AddPower(table, lines);
 }
 
-// Remarks that are the same for several rows are listed once.
+// Adds the remarks about cells. Those that are the same for several rows are listed once.
 void AddCells(const Table& table, Lines& lines) {
   NamesByText rows;
   for (const Row& row : table.rows) {
@@ -161,7 +162,7 @@ void AddCells(const Table& table, Lines& lines) {
   rows.Print("", lines, "; ");
 }
 
-// The rows behind one text of a column, where the column has several.
+// The counts of a column. If they differ between rows, each is followed by the rows it applies to.
 std::string CountsOfColumn(const Table& table, std::size_t column) {
   Lines texts;
   std::map<std::string, Lines> rows;
@@ -185,7 +186,8 @@ void AddCounts(const Table& table, Lines& lines) {
   counts.Print("n, ", lines);
 }
 
-// Accuracy without its coverage favours who loses what is hard.
+// Names metrics without coverage in the table, since accuracy alone favours whoever loses the hard
+// parts.
 void AddMissingCoverage(const Table& table, Lines& lines) {
   NamesByText missing;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
@@ -201,7 +203,8 @@ void AddMissingCoverage(const Table& table, Lines& lines) {
   missing.Print("", lines);
 }
 
-// Each different reason why figures of a source do not compare, or what was inferred of them.
+// The distinct reasons why figures of a source are not comparable, and what was inferred about
+// them.
 Lines Reasons(const Table& table, std::size_t source) {
   Lines reasons;
   for (const Row& row : table.rows) {

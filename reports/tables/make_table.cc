@@ -26,7 +26,7 @@ std::vector<std::string> MetricsOf(const SuitePlan& plan) {
   return metrics;
 }
 
-// Which row another is compared with; nullptr: none.
+// Returns the row that a row is compared with, or nullptr if there is none.
 using ReferenceOf = std::function<const RowRuns*(const RowRuns& row)>;
 
 void AddRows(const std::vector<RowRuns>& rows, const std::filesystem::path& folder,
@@ -47,7 +47,7 @@ void AddRows(const std::vector<RowRuns>& rows, const std::filesystem::path& fold
   CorrectForMany(table);
 }
 
-// Everything but rows and their references.
+// Fills in everything but the rows and the reference.
 Table DescribeTable(const SuitePlan& plan, const std::vector<SuiteRun>& runs,
                     const std::vector<std::string>& metrics, const std::string& default_options) {
   Table table;
@@ -64,7 +64,7 @@ Table DescribeTable(const SuitePlan& plan, const std::vector<SuiteRun>& runs,
   return table;
 }
 
-// Runs of one scene and seed that were not of the same images.
+// Notes about runs of the same scene and seed that used different images in the two folders.
 std::vector<std::string> OtherImages(const std::vector<SuiteRun>& before,
                                      const std::vector<SuiteRun>& after) {
   std::map<std::string, const SuiteRun*> first;
@@ -91,7 +91,7 @@ void CheckSameRows(const SuitePlan& before, const SuitePlan& after) {
              "the same rows");
 }
 
-// Rows that only one side has or that have no run in common.
+// Adds notes about rows that only one side has or that have no run in common.
 void NoteUnpaired(const std::vector<RowRuns>& before, const std::vector<RowRuns>& after,
                   Table& table) {
   for (const RowRuns& row : before) {
@@ -143,7 +143,7 @@ Table CompareFolders(const std::filesystem::path& before, const std::filesystem:
   const std::vector<SuiteRun> runs_before = ReadRuns(before, plan_before, metrics);
   std::vector<SuiteRun> both = runs_before;
   both.insert(both.end(), runs.begin(), runs.end());
-  MakeColumns(metrics, both);  // refuses other contracts, naming a file of each
+  MakeColumns(metrics, both);  // throws if contracts differ, naming a file of each
   const std::vector<RowRuns> rows = GroupRuns(runs, plan.rows);
   const std::vector<RowRuns> rows_before = GroupRuns(runs_before, plan.rows);
   Table table = DescribeTable(plan, runs, metrics, "");

@@ -10,20 +10,22 @@
 
 namespace cvo::reports {
 
-// The table of the folder that a suite is run to, whatever part of it has run. A row stands on the
-// runs that are there and says on how many; the others are listed. Throws Error for a plan that
-// cannot be read and, naming both files, where two of our own results mean different things by the
-// same metric. `default_options`: nested JSON, empty where not known. `compared_with`: in place of
-// the plan's reference, as it is written there; throws Error where no row is it. Empty: the plan's.
+// Makes the table of the output folder of a suite, however much of the suite has run. Rows are
+// based on the runs that exist and state how many these are; the other runs are listed. Throws
+// Error for a plan that cannot be read and, naming both files, if two of our own results define the
+// same metric differently. `default_options`: nested JSON, empty if unknown. `compared_with`:
+// replaces the reference of the plan and is written as it is there; throws Error if it matches no
+// row. Empty: the reference of the plan.
 Table MakeTable(const std::filesystem::path& folder, const Reference& reference,
                 const std::string& default_options, const std::string& compared_with = "");
 
-// The runs of `folder` against those of `before`, paired per row, scene, seed and body: values are
-// those of `folder`, differences are against the same row of `before`. Throws Error as MakeTable,
-// and where the two have no run in common.
+// Compares the runs of `folder` with those of `before`, paired by row, scene, seed and body. Values
+// are those of `folder`; differences are with respect to the same row of `before`. Throws Error as
+// MakeTable does, and if the two have no run in common.
 Table CompareFolders(const std::filesystem::path& before, const std::filesystem::path& folder);
 
-// No job failed or is yet to run, and some job ran: sequences that are not there do not count.
+// Whether no job failed or has yet to run, and at least one was completed. Jobs whose sequence is
+// not on this machine do not count.
 bool IsComplete(const Table& table);
 
 }  // namespace cvo::reports

@@ -13,7 +13,7 @@ namespace {
 struct MetricMeaning {
   MetricUnit unit = MetricUnit::kOne;
   Contract contract;
-  Json stated;  // the contract as written
+  Json stated;  // the contract as written in the file
   std::vector<std::string> inferred;
 
   template <typename Self, typename Archive>
@@ -25,7 +25,7 @@ struct MetricMeaning {
   }
 };
 
-// What one system reaches on some frames.
+// What one system reaches on some frames, or for a suite.
 struct SystemFigures {
   std::string suite;
   std::string sequence;
@@ -77,7 +77,7 @@ struct ReferenceInFile {
   }
 };
 
-// A misspelt field would be one that is not stated.
+// Rejects unknown fields: a misspelt field would otherwise count as not stated.
 void CheckMeaning(const MetricMeaning& meaning, const std::string& where) {
   for (const auto& [field, value] : meaning.stated.items()) {
     if (value.is_null() || !FieldText(meaning.contract, field).empty()) continue;
@@ -105,7 +105,7 @@ void AddFigures(const SystemFigures& figures, const SourceInFile& source, const 
                            .contract = meaning->second.contract,
                            .inferred = meaning->second.inferred};
     if (figures.truth) figure.contract.truth = figures.truth;
-    // Who corrects a calibration says so.
+    // Authors who correct a calibration say so; if they say nothing, there is no correction.
     if (!figure.contract.right_shift_px) figure.contract.right_shift_px = 0.0;
     reference.figures.push_back(std::move(figure));
   }

@@ -12,10 +12,10 @@ namespace cvo::reports {
 
 struct ReferenceSource {
   std::string id;
-  std::string source;  // as a reader would cite it
+  std::string source;  // citation for readers
   std::string kind;    // "published" or "measured"
   std::string caveat;
-  std::string pair;  // images that were used; empty: not known
+  std::string pair;  // images that were used; empty: unknown
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -26,21 +26,21 @@ struct ReferenceSource {
   }
 };
 
-// One number that others reach on some frames of a sequence, or on scenes of their own that a suite
-// of ours stands in for.
+// One number that another system reached on some frames of a sequence, or on other scenes, for
+// which one of our suites is a substitute.
 struct ReferenceFigure {
-  std::size_t source = 0;  // index
+  std::size_t source = 0;  // index in Reference::sources
   std::string sequence;
-  std::string body;   // empty: the camera, or all bodies; tables leave out single bodies
-  std::string suite;  // whose name starts so; then without sequence and frames
+  std::string body;   // empty: the camera, or all bodies; tables omit single bodies
+  std::string suite;  // prefix of its name; sequence and frames are then unset
   int first_frame = 0;
   int frames = 0;
   std::string system;
   std::string metric;
   double value = 0.0;
   MetricUnit unit = MetricUnit::kOne;
-  Contract contract;                  // without what the source does not state
-  std::vector<std::string> inferred;  // fields that follow from its figures, not from its text
+  Contract contract;                  // empty fields: the source does not state them
+  std::vector<std::string> inferred;  // fields inferred from its figures, not stated in its text
 };
 
 struct Reference {
@@ -48,7 +48,7 @@ struct Reference {
   std::vector<ReferenceFigure> figures;
 };
 
-// Adds what a file of reference figures holds. Throws Error naming `where` and the field.
+// Adds the contents of a file of reference figures. Throws Error naming `where` and the field.
 void AddReference(std::string_view json, const std::string& where, Reference& reference);
 
 // All figures that ship with the program.

@@ -67,7 +67,8 @@ void AddToRow(const Reference& reference, const std::vector<Column>& columns, Ro
   std::stable_partition(row.reference.begin(), row.reference.end(), HasMatch);
 }
 
-// Figures for a whole suite of other scenes: they never compare, only their order does.
+// Adds the figures for a whole suite of other scenes. Their values are never comparable, only their
+// order is.
 void AddToTable(const Reference& reference, Table& table) {
   for (const ReferenceFigure& figure : reference.figures) {
     if (figure.suite.empty() || !table.title.starts_with(figure.suite)) continue;
@@ -79,7 +80,7 @@ void AddToTable(const Reference& reference, Table& table) {
   }
 }
 
-// Keeps the sources that a row refers to, in the order of their first use.
+// Keeps only the sources that a row refers to, in the order of their first use.
 void KeepUsedSources(const Reference& reference, Table& table) {
   std::vector<std::size_t> used;
   const auto keep = [&](std::vector<ReferenceRow>& lines) {
@@ -100,7 +101,7 @@ void KeepUsedSources(const Reference& reference, Table& table) {
 }  // namespace
 
 void AddReferenceRows(const Reference& reference, Table& table) {
-  std::vector<std::string> seen;  // a sequence with several variants shows its references once
+  std::vector<std::string> seen;  // references of a sequence are shown once, below its last row
   for (auto row = table.rows.rbegin(); row != table.rows.rend(); ++row) {
     if (!row->sequence) continue;
     const SequenceInfo& sequence = *row->sequence;

@@ -7,8 +7,9 @@
 
 namespace cvo::reports {
 
-// What others reach on the sequences of the table, below our rows: first figures that compare, then
-// the rest, each cell with why it does not. Figures for a suite come below all rows.
+// Adds what other systems reach on the sequences of the table, below our rows: first the rows with
+// a comparable figure, then the rest, with the reason in each cell that is not comparable. Figures
+// for a whole suite come below all rows.
 void AddReferenceRows(const Reference& reference, Table& table);
 
 }  // namespace cvo::reports

@@ -45,7 +45,7 @@ std::string RepetitionOf(const SuiteRun& run, const std::vector<std::string>& ke
 
 namespace {
 
-// The last row before this one, of the same sequence where rows have one.
+// The last row before this one, of the same sequence if the rows have that key.
 const RowRuns* FindRowAbove(const std::vector<RowRuns>& rows, const RowRuns& row,
                             const std::vector<std::string>& keys) {
   const RowRuns* above = nullptr;

@@ -19,7 +19,7 @@ struct Column {
   std::string metric;
   std::string label;
   std::string unit;
-  Contract contract;  // what all its cells share
+  Contract contract;  // the fields that all its cells share
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -33,7 +33,7 @@ struct Column {
 struct Interval {
   double low = 0.0;
   double high = 0.0;
-  std::string meaning;  // what was resampled
+  std::string meaning;  // what was resampled, in words
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -43,7 +43,7 @@ struct Interval {
   }
 };
 
-// What a value is made of.
+// What a value is a mean over.
 struct Counts {
   std::size_t runs = 0;
   std::size_t scenes = 0;
@@ -59,25 +59,25 @@ struct Counts {
   }
 };
 
-// A cell against the same cell of the reference row, both on what the two have in common.
+// A cell compared with the same cell of the reference row, both over what the two have in common.
 struct Difference {
   std::string reference;  // label of the row
-  double value = 0.0;     // here, on what is common
+  double value = 0.0;     // of this cell, over what is common
   double reference_value = 0.0;
   double difference = 0.0;
   std::optional<Interval> interval;
-  std::optional<double> percent;  // the difference, of the reference
+  std::optional<double> percent;  // the difference in percent of the reference
   std::optional<Interval> percent_interval;
   std::optional<double> reference_lower;  // by how many percent the reference is lower
   std::optional<Interval> reference_lower_interval;
-  std::optional<double> effect;  // difference over the standard deviation of the pairs' own ones
+  std::optional<double> effect;  // difference / standard deviation of the pairs' differences
   // The interval excludes 0, adjusted_p_value is below 5 %, and there are enough pairs.
   bool distinguishable = false;
-  std::size_t pairs = 0;                        // scenes, or bodies of one scene
-  std::string pairing;                          // what is common
-  std::optional<double> p_value = {};           // of this comparison by itself
-  std::optional<double> adjusted_p_value = {};  // among all comparisons of the table (Holm)
-  std::optional<std::size_t> scenes_for_10_percent = {};  // that would tell such a difference
+  std::size_t pairs = 0;                        // scenes, or bodies of the only scene
+  std::string pairing;                          // what the two have in common
+  std::optional<double> p_value = {};           // of this comparison, uncorrected
+  std::optional<double> adjusted_p_value = {};  // corrected for all comparisons of the table (Holm)
+  std::optional<std::size_t> scenes_for_10_percent = {};  // needed to detect kPowerDifference
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -108,14 +108,14 @@ struct Cell {
   std::optional<Difference> difference;
   std::string left_out;
   std::string message;            // why there is no value
-  std::string not_comparable;     // why the value does not compare with the others of its column
+  std::string not_comparable;     // why the value is not comparable with the others of its column
   std::vector<std::size_t> runs;  // indices into Row::runs
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive, const Column& column);
 };
 
-// How a figure of others relates to ours in the same row and column.
+// Whether a reference figure is comparable with ours in the same row and column, and if not, why.
 enum class Match {
   kMatches,
   kOtherScenes,
@@ -132,25 +132,25 @@ constexpr std::array<const char*, 6> EnumNames(Match) {
 struct ReferenceCell {
   double value = 0.0;
   Match match = Match::kMatches;
-  std::string reason;  // what differs or is not stated
+  std::string reason;  // what differs, is not stated or was inferred
 };
 
 struct ReferenceRow {
   std::size_t source = 0;  // index in Table::sources
   std::string system;
   int first_frame = 0;
-  int frames = 0;                                   // 0: not known
+  int frames = 0;                                   // 0: unknown
   std::vector<std::optional<ReferenceCell>> cells;  // one per column
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive, const Table& table);
 };
 
-// What became of the jobs that a row or table is made of.
+// The number of jobs of a row or table by outcome.
 struct JobCounts {
   std::size_t planned = 0;
   std::size_t done = 0;
-  std::size_t lost = 0;  // of these: the estimator lost the camera
+  std::size_t lost = 0;  // of those done: the estimator lost the camera
   std::size_t failed = 0;
   std::size_t not_run = 0;
   std::size_t no_data = 0;  // the sequence is not on this machine
@@ -183,10 +183,10 @@ struct RunLink {
 
 struct Row {
   std::vector<std::string> keys;         // values of Table::keys
-  std::optional<SequenceInfo> sequence;  // where all its runs are of one
-  Contract truth;                        // then: truth, visibility and correction alone
-  std::string corrections;               // of its runs' calibrations; empty: none
-  std::string split;                     // of its scenes: "development", "test"; "given": images
+  std::optional<SequenceInfo> sequence;  // if all its runs are of the same sequence and frames
+  Contract truth;                        // in that case; only truth, visibility and correction
+  std::string corrections;               // of the calibrations of its runs; empty: none
+  std::string split;  // of its scenes: "development", "test"; "given" for recorded images
   JobCounts jobs;
   std::vector<RunLink> runs;
   std::vector<Cell> cells;  // one per column
@@ -196,14 +196,14 @@ struct Row {
   static void VisitFields(Self& self, Archive& archive, const Table& table);
 };
 
-// A job without a value, or with one to be read with care.
+// A job without a result, or with one to be read with care.
 struct Problem {
   std::string row;
   std::string sequence;
   std::uint64_t seed = 0;
   std::string state;  // "failed", "lost", "not run", "no data"
   std::string message;
-  std::string log;  // of a failed one
+  std::string log;  // of a failed job
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -216,7 +216,7 @@ struct Problem {
   }
 };
 
-// An option that some run does not leave at its default; values as JSON texts.
+// An option that at least one run does not leave at its default. Values are JSON texts.
 struct ChangedOption {
   std::string path;
   std::string default_value;
@@ -239,19 +239,19 @@ struct Provenance {
   }
 };
 
-// table.json
+// The contents of table.json.
 struct Table {
   static constexpr int kSchemaVersion = 3;
   static constexpr const char* kKind = "table";
 
   std::string title;
   std::string about;
-  std::string reference;          // what differences are against; empty: none
-  bool change = false;            // the reference is how it was before, not a row of this table
-  std::vector<std::string> keys;  // keys that identify a row
+  std::string reference;          // what differences are relative to; empty: no reference
+  bool change = false;            // the reference is an earlier result, not a row of this table
+  std::vector<std::string> keys;  // the keys that identify a row
   std::vector<Column> columns;
   std::vector<Row> rows;
-  std::vector<ReferenceRow> others;      // figures of others that belong to no row
+  std::vector<ReferenceRow> others;      // reference figures that belong to no row
   std::vector<ReferenceSource> sources;  // of all reference rows
   JobCounts jobs;
   std::vector<Problem> problems;
@@ -262,7 +262,7 @@ struct Table {
   static void VisitFields(Self& self, Archive& archive);
 };
 
-// The values of its keys, such as "indoor_1 full".
+// The values of the keys of a row, such as "indoor_1 full".
 std::string RowLabel(const Row& row);
 
 }  // namespace cvo::reports

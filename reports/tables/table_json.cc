@@ -11,7 +11,7 @@
 namespace cvo::reports {
 namespace {
 
-// A figure of others in the column of its metric.
+// A reference figure in the column of its metric.
 struct FigureInFile {
   std::string metric;
   double value = 0.0;
@@ -39,7 +39,8 @@ std::vector<FigureInFile> FiguresOf(const ReferenceRow& line, const Table& table
   return figures;
 }
 
-// The first element with this text; `expected` says what there should be.
+// The index of the first element whose `member` is this text. Throws Error if there is none;
+// `expected` says what the text should be.
 template <typename T>
 std::size_t IndexOf(const std::string& text, const std::vector<T>& values, std::string T::*member,
                     const std::string& where, const char* expected) {
@@ -52,7 +53,7 @@ std::size_t IndexOf(const std::string& text, const std::vector<T>& values, std::
 void CheckCell(const Cell& cell, const Row& row, const std::string& metric,
                const std::string& where) {
   if (cell.present) CheckPossible(metric, cell.value, where);
-  if (cell.interval) {  // that of a mean may reach beyond what a run can have
+  if (cell.interval) {  // the interval of a mean may exceed the range of possible values
     const auto [low, high] = std::pair(cell.interval->low, cell.interval->high);
     for (const double end : {low, high}) CheckPossible("interval", end, where + ", " + metric);
     if (!(low <= high)) {
@@ -161,7 +162,7 @@ void Table::VisitFields(Self& self, Archive& archive) {
   archive.Field("reference", self.reference);
   archive.Field("keys", self.keys);
   archive.Field("columns", self.columns);
-  if constexpr (Archive::kReads) archive.Field("sources", self.sources);  // which rows name
+  if constexpr (Archive::kReads) archive.Field("sources", self.sources);  // rows refer to them
   archive.Field("rows", self.rows, self);
   archive.Field("others", self.others, self);
   archive.Field("sources", self.sources);

@@ -9,12 +9,13 @@
 
 namespace cvo::reports {
 
-// table.json: the same bytes for the same results. Throws Error naming a value that is not finite.
+// The text of table.json. The same results give the same bytes. Throws Error naming the value if
+// one is not finite.
 std::string TableJson(const Table& table);
 
-// A table.json read back: TableJson gives the same bytes again. What only results know is left at
-// its default: the pair of a source. Throws Error naming `where` and the field: half-written, of
-// another schema version, no table.
+// Reads a table.json; TableJson returns the same bytes for it. The pair of a source, which is not
+// in the file, is left at its default. Throws Error naming `where` and the field if the text is
+// truncated, of another schema version, or no table.
 Table ReadTable(std::string_view json, const std::string& where);
 
 }  // namespace cvo::reports

@@ -17,7 +17,8 @@ std::string Link(const std::filesystem::path& file, const std::filesystem::path&
       .generic_string();
 }
 
-// The truth of a run's metrics; one that knows none (coverage of a run without truth) says nothing.
+// The contract of the truth of a run. Empty if none of its metrics uses a truth (such as coverage
+// of a run without truth).
 Contract TruthOfRun(const RunSummary& run) {
   for (const MetricValue& metric : run.metrics) {
     if (metric.contract.truth) return WithTruthOf(Contract(), metric.contract);
@@ -25,7 +26,8 @@ Contract TruthOfRun(const RunSummary& run) {
   return {};
 }
 
-// A scene's folder is named after its seed too, the suite's name for it is not.
+// The sequence under its name in the suite, since the name of the folder of a synthetic scene
+// includes its seed.
 SequenceInfo NamedByPlan(const SuiteRun& run) {
   SequenceInfo sequence = run.run->sequence;
   sequence.name = KeyOf(run.planned, "sequence");
@@ -50,7 +52,8 @@ void AddChanges(const std::map<std::string, std::string>& defaults,
   }
 }
 
-// Scenes that options were chosen on and scenes that results are reported on are never averaged.
+// The split of the scenes of a row. Throws Error if a row averages over scenes on which options
+// were chosen and scenes on which results are reported.
 std::string SplitOf(const RowRuns& row) {
   std::set<std::string> splits;
   for (const SuiteRun* run : row.runs) splits.insert(run->planned.split);
@@ -144,7 +147,7 @@ Provenance DescribeRuns(const std::vector<SuiteRun>& runs, const std::string& de
 
 namespace {
 
-// The scenes and repetitions that a row stands on.
+// The scenes and repetitions that a row is based on.
 std::set<std::string> RunsOf(const RowRuns& row, const std::vector<std::string>& keys) {
   std::set<std::string> names;
   for (const SuiteRun* run : row.runs) {
@@ -153,7 +156,7 @@ std::set<std::string> RunsOf(const RowRuns& row, const std::vector<std::string>&
   return names;
 }
 
-// Then its rows say what was done.
+// Whether the rows vary the perturbation. Then they say themselves what was done.
 bool VariesPerturbation(const Table& table) {
   return std::any_of(table.keys.begin(), table.keys.end(),
                      [](const std::string& key) { return key.starts_with("perturb."); });

@@ -16,7 +16,7 @@ namespace {
 using Values = std::set<std::string>;
 using OptionValues = std::map<std::string, Values>;  // by path
 
-// What the runs of one folder were made with.
+// The variants, builds and options of the runs of one folder.
 struct Made {
   Values variants;
   Values builds;
@@ -29,7 +29,7 @@ Made MadeWith(const std::vector<SuiteRun>& runs) {
     const std::string variant = KeyOf(run.planned, "variant");
     made.variants.insert(variant);
     if (!run.run) continue;
-    constexpr std::size_t kTold = 12;  // of a hash
+    constexpr std::size_t kTold = 12;  // characters of a hash
     if (!run.run->build.identity.empty()) {
       made.builds.insert(run.run->build.identity.substr(0, kTold));
     }
@@ -51,7 +51,8 @@ std::string ChangeOf(const Values& before, const Values& after) {
   return StrCat(ValuesText(before), " -> ", ValuesText(after));
 }
 
-// Options that a variant of both has other values of, each with those of the first such variant.
+// The options that differ in a variant that both folders have, with the values of the first such
+// variant.
 std::vector<std::string> OptionChanges(const Made& before, const Made& after) {
   std::map<std::string, std::string> changes;
   for (const auto& [variant, options] : after.options) {

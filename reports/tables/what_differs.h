@@ -9,8 +9,8 @@
 
 namespace cvo::reports {
 
-// In what the runs of two folders differ besides their results, in one line: variants that only one
-// has, options of those that both have, builds of the program.
+// Describes in one line how the runs of two folders differ apart from their results: variants that
+// only one folder has, options of the variants that both have, builds of the program.
 std::string WhatDiffers(const std::vector<SuiteRun>& before, const std::vector<SuiteRun>& after);
 
 }  // namespace cvo::reports

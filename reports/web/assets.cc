@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/web/assets.h"
 
-// Files as the assembler takes them in (assets.s.in): first and one past the last byte.
+// Files that the assembler embeds (assets.s.in): their first byte, and one past their last.
 extern "C" {
 extern const char cvo_plotly_begin[], cvo_plotly_end[];
 extern const char cvo_plotly_licence_begin[], cvo_plotly_licence_end[];

@@ -6,13 +6,14 @@
 
 namespace cvo::reports {
 
-// What the program carries for its pages. Each can stand between its tags as it is.
+// Files that the program embeds in its pages. Each can be put between its tags as it is.
 std::string_view PlotlyScript();
 std::string_view PlotlyLicence();  // plain text
 std::string_view AppScript();
 std::string_view AppStyle();
 
-// A Content-Security-Policy: these two scripts run, nothing else does, and there is no network.
+// A Content-Security-Policy that allows these two scripts to run and nothing else, not even access
+// to the network.
 std::string_view ContentPolicy();
 
 }  // namespace cvo::reports

@@ -18,7 +18,7 @@
 namespace cvo::synth {
 namespace {
 
-// 0 at `half` = 0; 1/2 at `half`; small well above it.
+// 0 if `half` = 0; otherwise 1/2 at `value` = `half` and small well above it.
 double MissProbability(double value, double half) {
   return half > 0.0 ? 1.0 / (1.0 + std::pow(value / half, 4)) : 0.0;
 }
@@ -32,7 +32,7 @@ double Score(double mean, double spread, double normal) {
   return std::clamp(mean + spread * normal, 0.01, 1.0);
 }
 
-// One body as the detector follows it through time, seen or not.
+// Random state of one body over time, whether it is visible or not.
 struct BodyProcess {
   Rng rng;
   EdgeJitter jitter;
@@ -68,7 +68,7 @@ class Detector {
       dt_s_ = i == 0 ? 0.0 : frame.time_s - input_.frames[i - 1].time_s;
       std::vector<Detection> found = FindBodies(frame);
       Merge(found);
-      AddFalseBoxs(i == 0, found);
+      AddFalseBoxes(i == 0, found);
       for (Detection& detection : found) {
         detection.frame = static_cast<int>(i);
         all.push_back(std::move(detection));
@@ -84,7 +84,7 @@ class Detector {
       const auto index = static_cast<std::size_t>(body.id - 1);
       BodyProcess& process = bodies_.at(index);
       const PixelBox visible = body.visible_box.value_or(PixelBox{});
-      // All draws of every frame, seen or not, so that one outcome does not shift the next.
+      // Make all draws in every frame, visible or not, so that one outcome does not shift the next.
       const PixelBox box = process.jitter.Step(process.rng, dt_s_, visible, options_);
       const bool lost =
           process.burst.Step(process.rng, dt_s_, options_.burst_rate_hz, options_.burst_s);
@@ -107,7 +107,7 @@ class Detector {
                      (1.0 - MissProbability(body.visible_fraction, options_.miss_visible));
   }
 
-  // Whether the detector merges two neighbours into one box now.
+  // Whether the detector merges two neighbours into one box in this frame.
   bool AreMerged(int a, int b) {
     const auto key = std::minmax(a, b);
     auto [pair, added] = pairs_.try_emplace(
@@ -134,7 +134,7 @@ class Detector {
     }
   }
 
-  void AddFalseBoxs(bool first, std::vector<Detection>& found) {
+  void AddFalseBoxes(bool first, std::vector<Detection>& found) {
     if (real_boxes_.empty()) return;
     const double stays =
         options_.false_positive_s > 0.0 ? std::exp(-dt_s_ / options_.false_positive_s) : 0.0;
@@ -150,7 +150,7 @@ class Detector {
     }
   }
 
-  // Of a real object's size, anywhere.
+  // Makes a box of about the size of a real one at a random position.
   FalseBox MakeFalseBox() {
     const auto& [body, like] = real_boxes_[false_box_rng_.UniformInt(real_boxes_.size())];
     const double scale = false_box_rng_.Uniform(0.6, 1.2);

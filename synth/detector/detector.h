@@ -12,12 +12,13 @@
 
 namespace cvo::synth {
 
-// Input of a detector. Of the truth it uses times, visible boxes, pixels and fractions.
+// Input of the simulated detector. It uses the times, visible boxes, visible pixels and visible
+// fractions of the ground truth.
 struct DetectorInput {
   int width_px = 0;
   int height_px = 0;
   std::vector<std::string> categories;  // [id - 1]
-  std::span<const FrameTruth> frames;   // in the order of time
+  std::span<const FrameTruth> frames;   // in temporal order
 };
 
 struct Detection {
@@ -28,12 +29,13 @@ struct Detection {
   double score = 0.0;
 };
 
-// Every body has a random stream of its own, so that changing one option leaves the rest as it is.
-// Jitter follows a first-order autoregressive process, bursts of misses a Markov chain.
+// Simulates a detector. Every body has its own random stream, so that changing one option leaves
+// all other errors unchanged. Jitter follows a first-order autoregressive process, bursts of misses
+// a Markov chain.
 std::vector<Detection> Detect(const DetectorInput& input, const DetectorOptions& options,
                               std::uint64_t seed);
 
-// KITTI tracking detections, 18 columns, without track ids.
+// Formats detections in the KITTI tracking format: 18 columns, without track ids.
 std::string FormatDetections(const std::vector<Detection>& detections);
 
 }  // namespace cvo::synth

@@ -9,7 +9,8 @@
 
 namespace cvo::synth {
 
-// Errors of a detector. Defaults: level "good", fitted to two real detectors (synth/README.md).
+// Error model of a detector. The defaults are level "good", which is fitted to two real detectors
+// (synth/README.md).
 struct DetectorOptions {
   double jitter_width = 0.07;
   double jitter_height = 0.055;
@@ -76,9 +77,9 @@ struct DetectorOptions {
   }
 };
 
-// "oracle" (every visible box as it is), "good", "poor".
+// Names of the levels: "oracle" (every visible box without error), "good", "poor".
 const std::vector<std::string>& DetectorLevels();
-// Throws Error for another name.
+// Throws Error for an unknown level.
 DetectorOptions DetectorLevel(const std::string& level);
 
 }  // namespace cvo::synth

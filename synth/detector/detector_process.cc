@@ -9,7 +9,7 @@
 namespace cvo::synth {
 namespace {
 
-// Part of a process that is left after dt.
+// Fraction of a process with time constant `time_s` that remains after `dt_s`.
 double Decay(double dt_s, double time_s) { return time_s > 0.0 ? std::exp(-dt_s / time_s) : 0.0; }
 
 }  // namespace

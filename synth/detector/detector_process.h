@@ -11,10 +11,12 @@
 
 namespace cvo::synth {
 
-// A stationary Gaussian process of unit variance, correlated over `time_s` (Ornstein-Uhlenbeck).
+// A stationary Gaussian process of unit variance with correlation time `time_s`
+// (Ornstein-Uhlenbeck).
 class SlowNormal {
  public:
-  // `dt_s` since the last step; the first step draws from the stationary distribution.
+  // `dt_s` is the time since the previous step. The first step draws from the stationary
+  // distribution.
   double Step(Rng& rng, double dt_s, double time_s);
 
  private:
@@ -22,7 +24,7 @@ class SlowNormal {
   bool started_ = false;
 };
 
-// Errors of a box's four edges.
+// Jitter of the four edges of a box.
 class EdgeJitter {
  public:
   PixelBox Step(Rng& rng, double dt_s, const PixelBox& box, const DetectorOptions& options);
@@ -31,7 +33,8 @@ class EdgeJitter {
   std::array<SlowNormal, 4> slow_;
 };
 
-// On and off: switched on `rate_hz` times a second, for `duration_s` on average.
+// An on-off process: while off, it switches on at the rate `rate_hz`, and it then stays on for
+// `duration_s` on average.
 class Burst {
  public:
   bool Step(Rng& rng, double dt_s, double rate_hz, double duration_s);
@@ -41,10 +44,10 @@ class Burst {
   bool started_ = false;
 };
 
-// Number of events where `mean` are expected (Knuth's method: small means).
+// Draws from the Poisson distribution with this mean (Knuth's method, for small means).
 int Poisson(Rng& rng, double mean);
 
-// Sides in order and within the image.
+// Puts the sides of a box in order and clamps them to the image.
 PixelBox Tidy(PixelBox box, int width_px, int height_px);
 
 }  // namespace cvo::synth

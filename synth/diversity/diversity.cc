@@ -67,7 +67,8 @@ Folder ReadFolder(const fs::path& path) {
   return folder;
 }
 
-// Where the largest part of the body is seen; no value where its files cannot tell.
+// Standard deviation of the grey levels on a body in one frame. Throws Error if the image or the
+// mask is missing.
 double ContrastOf(const Folder& folder, int frame, int body) {
   const std::string name = SixDigits(frame) + ".png";
   const cv::Mat image = cv::imread((folder.path / "image_0" / name).string(), cv::IMREAD_GRAYSCALE);

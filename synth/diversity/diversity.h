@@ -7,23 +7,25 @@
 
 namespace cvo::synth {
 
-// How bodies of rendered sequences differ: one value for each body that is ever seen, but for
-// `hidden_s`, which has one for each time that a body is hidden, and `moving_part`, of each frame.
+// Statistics of the bodies in rendered sequences. There is one value per body that is ever visible,
+// except in `hidden_s`, which has one per interval in which a body is hidden, and in `moving_part`,
+// which has one per frame.
 struct Diversity {
   int scenes = 0;
-  std::vector<double> speed_mps;     // mean over the frames, of bodies that move
+  std::vector<double> speed_mps;     // mean over the frames, of moving bodies
   std::vector<double> size_px;       // median height of the visible box
-  std::vector<double> visible_s;     // time with at least a tenth of it visible
-  std::vector<double> hidden_s;      // within the image with less than a tenth of it visible
-  std::vector<double> contrast;      // standard deviation of grey levels on it, in one frame
-  std::vector<double> disparity_px;  // median, of its middle
-  std::vector<double> moving_part;   // of the left image's pixels, those on bodies that move
+  std::vector<double> visible_s;     // time with at least a tenth of the body visible
+  std::vector<double> hidden_s;      // time within the image with less than a tenth visible
+  std::vector<double> contrast;      // standard deviation of its grey levels, in one frame
+  std::vector<double> disparity_px;  // median, of its centre
+  std::vector<double> moving_part;   // fraction of left image pixels on moving bodies
 };
 
-// Reads the folder of a rendered sequence. Throws Error for what is missing in it.
+// Adds the rendered sequence in `folder`. Throws Error if files or values are missing.
 void AddSequence(const std::filesystem::path& folder, Diversity& diversity);
 
-// Of values in any order, linear between them; `part` from 0 to 1. Throws Error for none.
+// Returns the quantile `part` (0 to 1) of unsorted values, with linear interpolation. Throws Error
+// if there are no values.
 double Quantile(std::vector<double> values, double part);
 
 }  // namespace cvo::synth

@@ -12,26 +12,27 @@
 
 namespace cvo::synth {
 
-// A number or choice of a family that a user may fix.
+// A parameter of a family that the user may fix.
 struct Knob {
   std::string name;
   std::string about;
   std::string unit;
-  Json draw;              // what it is drawn from
-  std::vector<Json> may;  // two numbers: the range of a fixed value; else the values it may have
-  bool per_body = false;  // drawn for each body; else once for a scene
+  Json draw;              // distribution of its values, see CheckDraws
+  std::vector<Json> may;  // values the user may fix: a range if two numbers, otherwise a list
+  bool per_body = false;  // drawn for each body; otherwise once per scene
 };
 
-// In place of a value a family file may have a draw: {"uniform": [a, b]}, {"integer": [a, b]} (both
-// ends included), {"choose": [value, ...]} or {"knob": name}. Throws Error naming the key of an
-// empty range or list and of a knob that does not exist, anywhere in `value`.
+// Any value in a family file can be replaced by a draw: {"uniform": [a, b]}, {"integer": [a, b]}
+// (both ends included), {"choose": [value, ...]} or {"knob": name}. Checks all draws within
+// `value`. Throws Error naming the key for an empty range or list and for an unknown knob.
 void CheckDraws(const Json& value, const std::string& where, const std::vector<Knob>& knobs);
 
-// Replaces draws by values. Each place has a random stream of its own, so that fixing one knob
-// leaves all other draws as they are. Numbers are rounded to 0.0001.
+// Replaces draws by values. Every draw has its own random stream, so that fixing one knob leaves
+// all other draws unchanged. Uniform draws are rounded to 0.0001.
 class Draws {
  public:
-  // `set`: "NAME=VALUE". Throws Error for a knob that does not exist and a value it cannot have.
+  // `set` holds assignments "NAME=VALUE". Throws Error for an unknown knob and for a value that it
+  // does not allow.
   Draws(std::string family, std::uint32_t seed, const std::vector<Knob>& knobs,
         const std::vector<std::string>& set);
 
@@ -51,7 +52,8 @@ class Draws {
   std::map<std::string, Json> fixed_;
 };
 
-// To 0.001, the last digit that a generated scene has: libraries' sines may differ beyond it.
+// Rounds to 0.001, as all computed values of a generated scene are: beyond that, the sine and
+// cosine of different libraries may differ.
 double Millis(double value);
 
 }  // namespace cvo::synth

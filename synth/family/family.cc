@@ -40,13 +40,13 @@ Family ParseFamily(const Json& json, const std::string& where) {
   for (const auto& [name, knob] : reader.Value("knobs").items()) {
     family.knobs.push_back(ParseKnob(name, knobs.Object(name)));
   }
-  reader.Object("scene");  // throws for what is no object
+  reader.Object("scene");  // throws if it is not an object
   family.scene = reader.Value("scene");
   reader.Object("layout");
   family.layout = reader.Value("layout");
   reader.Finish();
   for (const Knob& knob : family.knobs) {
-    // A knob drawn from another knob could be drawn from itself.
+    // No knobs are allowed here: a knob drawn from another could be drawn from itself.
     CheckDraws(knob.draw, StrCat(where, ", knobs.", knob.name, ".draw"), {});
   }
   CheckDraws(family.scene, where + ", scene", family.knobs);

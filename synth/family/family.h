@@ -11,25 +11,25 @@
 
 namespace cvo::synth {
 
-// A distribution over scene files, as a file of synth/families describes it (synth/README.md).
+// A distribution over scene files, described by a file of synth/families (synth/README.md).
 struct Family {
-  std::string where;  // names it in errors
+  std::string where;  // names the family in errors
   std::string name;
   std::string about;
   std::vector<Knob> knobs;
-  Json scene;   // a scene file with draws in it, without name, seeds, camera and objects
-  Json layout;  // how camera and bodies are placed, with draws in it
+  Json scene;   // a scene file with draws, without name, seeds, camera and objects
+  Json layout;  // how camera and bodies are placed, with draws
 };
 
-// A shipped family's name or the path of a JSON file. Throws Error naming file and key.
+// Loads a shipped family by name or a JSON file by path. Throws Error naming file and key.
 Family LoadFamily(const std::string& family);
 Family ParseFamily(const Json& json, const std::string& where);
 
 struct ShippedFamily {
-  std::string name;  // as in its text
+  std::string name;  // the `name` in `text`
   std::string text;  // JSON
 };
-// The files of synth/families, compiled in.
+// Returns the files of synth/families, which are compiled in.
 std::vector<ShippedFamily> ShippedFamilies();
 
 // What a seed may be used for: options are chosen on development seeds (0 to 999), results are

@@ -20,7 +20,7 @@ namespace {
 constexpr int kLayoutTries = 20;
 constexpr int kBodyTries = 60;
 
-// A group of bodies as the layout of a family lists it.
+// A group of bodies, as listed in the layout of a family.
 struct Group {
   std::string where;
   int count = 0;
@@ -38,7 +38,7 @@ class Generator {
   void TakeScene();
   std::vector<Group> TakeGroups();
   std::unique_ptr<Layout> MakeLayout(const std::string& stream);
-  // Nothing where a body found no place: `failure_` says which.
+  // Returns nothing if a layout or a body does not fit; `failure_` says which.
   std::optional<Json> TryLayout(const std::vector<Group>& groups, int attempt);
   bool PlaceBody(const Group& group, const std::string& stream, const Layout& layout,
                  Placement& placed, Json& objects);
@@ -52,7 +52,7 @@ class Generator {
   Json scene_;
   double duration_s_ = 0.0;
   double focal_px_ = 0.0;
-  std::map<std::string, int> count_of_;  // of a model, for names
+  std::map<std::string, int> count_of_;  // bodies per model, for names
   std::string failure_;
 };
 
@@ -84,7 +84,7 @@ void Generator::TakeScene() {
 std::vector<Group> Generator::TakeGroups() {
   std::vector<Group> groups;
   ObjectReader layout(family_.layout, family_.where, "layout");
-  layout.Value("bodies");  // throws where it is missing
+  layout.Value("bodies");  // throws if it is missing
   for (ObjectReader& keys : layout.ObjectsOr("bodies")) {
     Group group;
     group.where = keys.Where("");
@@ -92,7 +92,7 @@ std::vector<Group> Generator::TakeGroups() {
         draws_.Take({{"count", keys.Value("count")}}, StrCat("group ", groups.size()));
     group.count = ObjectReader(taken, group.where, "").Integer("count", {0, 1000});
     group.in_view = keys.Number("in_view", {0.0, 1.0});
-    keys.Object("body");  // throws for what is no object
+    keys.Object("body");  // throws if it is not an object
     group.body = keys.Value("body");
     keys.Finish();
     groups.push_back(std::move(group));
@@ -124,8 +124,8 @@ Eigen::Vector3d SizeOf(ObjectReader& keys) {
   return Eigen::Vector3d::Constant(keys.Number("size_m", kSize));
 }
 
-// So large that its largest side has `size_px` at its mean distance; for a body that stays about
-// where it is.
+// Mean distance of a body from the camera. The size of a body with `size_px` is chosen so that its
+// largest side has that many pixels at this distance, which suits a body that hardly moves.
 double MeanDistance_m(const Placement& placed, const Motion& motion) {
   double sum = 0.0;
   const auto& camera = placed.camera().world_from_body;
@@ -144,7 +144,7 @@ CollisionShape ShapeOf(const std::string& model, const Eigen::Vector3d& size_m) 
   return shape;
 }
 
-// Nothing where the drawn points make no smooth curve.
+// Returns null if the drawn points give no smooth curve.
 std::shared_ptr<const Motion> MotionOf(const Json& path, const CollisionShape& shape,
                                        double duration_s, const std::string& where) {
   const BodyShape body = {shape.half_size_m.z(), shape.radius_m};

@@ -13,37 +13,38 @@
 
 namespace cvo::synth {
 
-// A body that needs a path. A path maker may change its size.
+// A body that needs a path. MakePath may change its size.
 struct BodyRequest {
-  ObjectReader& keys;  // the rest of what the family file says of it
+  ObjectReader& keys;  // the remaining keys of the body in the family file
   Eigen::Vector3d size_m;
-  const Placement& placed;  // the camera and the bodies before it
+  const Placement& placed;  // the camera and the bodies placed so far
   Rng& rng;
 };
 
-// Where the camera goes and which paths bodies can take.
+// Determines the path of the camera and the paths that bodies can take.
 class Layout {
  public:
   virtual ~Layout() = default;
 
   virtual Json Camera() const = 0;            // as in a scene file
-  virtual Json Street() const { return {}; }  // as in a scene file; null: the family says it
+  virtual Json Street() const { return {}; }  // as in a scene file; null: the family file has it
   virtual PlacementLimits Limits() const = 0;
-  // A random path of the kind `motion`, as in a scene file; nothing where the draw fits nowhere.
-  // Throws Error for an unknown kind and for keys that it does not have.
+  // Returns a random path of the kind `motion`, as in a scene file, or nothing if the drawn path
+  // does not fit. Throws Error for an unknown kind and for missing or invalid keys.
   virtual std::optional<Json> MakePath(const std::string& motion, BodyRequest& body) const = 0;
 };
 
-// `scene`: a scene file without camera and objects. `keys`: of the layout, without the bodies.
+// `scene` is a scene file without camera and objects. `keys` are those of the layout, without the
+// bodies.
 std::unique_ptr<Layout> MakeRoomLayout(const Json& scene, double duration_s, ObjectReader& keys,
                                        Rng rng);
 std::unique_ptr<Layout> MakeStreetLayout(double duration_s, ObjectReader& keys, Rng rng);
 
-// A point [x, y] of a scene file.
+// A point [x, y] as in a scene file.
 Json PointJson(const Eigen::Vector2d& point);
 
-// Knots of a speed: `speed_mps` with `stops` halts on the way, and at rest before `length_m` is
-// travelled.
+// A speed profile to make: `speed_mps` with up to `stops` stops on the way, and at rest before a
+// distance of `length_m`.
 struct SpeedRequest {
   double speed_mps = 0.0;
   int stops = 0;

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kTrackStep_s = 1.0 / 30.0;
 constexpr double kCameraRadius_m = 0.15;
-constexpr double kRounding_m = 1e-6;  // bodies stand on the floor
+constexpr double kRounding_m = 1e-6;  // tolerance for bodies that stand on the floor
 constexpr double kLeastDepth_m = 0.4;
-constexpr double kVisiblePart = 0.6;  // of the least part in view
+constexpr double kVisiblePart = 0.6;  // fraction of Track::in_view that must stay visible
 
 bool IsInView(const StereoCamera& rig, double view_m, const Eigen::Vector3d& p_in_left) {
   if (p_in_left.z() < kLeastDepth_m || p_in_left.z() > view_m) return false;
@@ -24,7 +24,7 @@ bool IsInView(const StereoCamera& rig, double view_m, const Eigen::Vector3d& p_i
   return u >= 0.0 && v >= 0.0 && u < rig.width_px && v < rig.height_px;
 }
 
-// Whether the straight line between two points goes through a box around the origin.
+// Whether the line segment between two points intersects an axis-aligned box around the origin.
 bool Crosses(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& half) {
   double first = 0.0;
   double last = 1.0;
@@ -111,7 +111,7 @@ std::vector<bool> Placement::VisibleBehind(const Track& track, const Track& othe
   return visible;
 }
 
-// Also of those before it: none may be hidden most of the time.
+// Also updates the bodies placed before: none may be hidden most of the time.
 bool Placement::TryVisibility(Track& track) {
   std::vector<std::vector<bool>> visible;
   for (const Track& other : bodies_) {

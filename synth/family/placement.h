@@ -12,33 +12,33 @@
 
 namespace cvo::synth {
 
-// Where things are over a whole scene, in steps of 1/30 s.
+// Poses of a body or of the camera over a whole scene, in equal steps of at most 1/30 s.
 struct Track {
   CollisionShape shape;  // around the body's origin
   std::vector<RigidTransform> world_from_body;
-  double in_view = 0.0;       // least part of the time in view
-  std::vector<bool> visible;  // in view, and nothing between its middle and the camera
+  double in_view = 0.0;       // minimum fraction of the time in view
+  std::vector<bool> visible;  // in view, and no body between its centre and the camera
 
-  // Between the first and the last step.
+  // Distance between the positions at the first and the last step.
   double Moved_m() const;
 };
 
 struct PlacementLimits {
-  double clearance_m = 0.1;            // between bodies, at the steps
+  double clearance_m = 0.1;            // between bodies, checked at the steps
   double camera_clearance_m = 0.6;     // between bodies and the camera
   double view_m = 1e6;                 // bodies further away do not count as in view
-  std::vector<Eigen::Vector4d> walls;  // inward planes that bodies stay behind
+  std::vector<Eigen::Vector4d> walls;  // planes with inward normals that bodies must not cross
 };
 
-// Bodies placed one after the other, none of which comes near another, a wall or the camera.
+// Places bodies one after the other so that none comes near another body, a wall or the camera.
 class Placement {
  public:
   Placement(const StereoCamera& rig, const Motion& camera, double duration_s,
             PlacementLimits limits);
 
-  // Adds a body whose middle is in the left image, not too far away, for at least the part
-  // `in_view` of the time. It comes near nothing and hides no other body most of the time, nor is
-  // it hidden. Otherwise changes nothing and returns false.
+  // Adds a body if its centre is in the left image, within view_m, for at least the fraction
+  // `in_view` of the time, if it keeps all clearances, and if neither it nor any other body is then
+  // hidden most of the time. Otherwise changes nothing and returns false.
   bool TryAdd(const CollisionShape& shape, const Motion& motion, double in_view);
 
   const std::vector<Track>& bodies() const { return bodies_; }
@@ -50,7 +50,7 @@ class Placement {
   bool StaysInside(const Track& track) const;
   bool HasClearance(const Track& a, const Track& b, double clearance_m) const;
   std::vector<bool> InView(const Track& track) const;
-  // The track's `visible`, less where the other body hides its middle.
+  // Returns `track.visible` without the steps in which `other` hides the centre of the body.
   std::vector<bool> VisibleBehind(const Track& track, const Track& other) const;
   bool TryVisibility(Track& track);
 

@@ -33,7 +33,7 @@ struct Area {
   }
 };
 
-// A closed curve around an ellipse, uneven by `roughness` of its radii.
+// A closed curve around an ellipse, with radii reduced by up to the fraction `roughness`.
 struct Ring {
   Vector2d middle;
   Vector2d half;
@@ -74,8 +74,8 @@ class RoomLayout final : public Layout {
 
   double duration_s_;
   double camera_clearance_m_;
-  Area free_;   // of furniture
-  Area stage_;  // where bodies are
+  Area free_;   // free of furniture
+  Area stage_;  // where bodies are placed
   double height_m_ = 0.0;
   Json camera_;
 };
@@ -94,8 +94,8 @@ RoomLayout::RoomLayout(const Json& scene, double duration_s, ObjectReader& keys,
   PlaceCamera(keys.Object("camera"), rng);
 }
 
-// "beside": to and fro in a strip along one wall, the bodies on the other side; "around": around
-// the bodies.
+// "beside": back and forth in a strip along one wall, with the bodies on the other side; "around":
+// around the bodies.
 void RoomLayout::PlaceCamera(ObjectReader keys, Rng& rng) {
   const double along = keys.Number("along", {0.1, 1.0});
   const double across_m = keys.Number("across_m", {0.05, 10.0});
@@ -127,12 +127,12 @@ void RoomLayout::PlaceCamera(ObjectReader keys, Rng& rng) {
 }
 
 Json RoomLayout::LookAt(ObjectReader& keys, Rng& rng) const {
-  const double spread = keys.Number("gaze_spread", {0.05, 1.0});  // of the stage
+  const double spread = keys.Number("gaze_spread", {0.05, 1.0});  // fraction of the stage
   const double height_m = keys.Number("gaze_height_m", {0.0, 10.0});
   Json points = Json::array();
   const double turn = rng.UniformInt(2) == 0 ? 1.0 : -1.0;
   for (int i = -1; i <= 1; ++i) {
-    // From one side to the other: a curve that turns back has a cusp.
+    // From one side to the other, because a curve that turns back has a cusp.
     const Vector2d offset(turn * i + rng.Uniform(-0.3, 0.3), rng.Uniform(-0.5, 0.5));
     const Vector2d at = stage_.Middle() + spread * stage_.Half().cwiseProduct(offset);
     points.push_back({Millis(at.x()), Millis(at.y()),
@@ -171,7 +171,7 @@ std::optional<Json> RoomLayout::Turn(BodyRequest& body) const {
                 {"heading", heading}}}};
 }
 
-// From one place to another on a bent way.
+// Moves from one place to another on a bent path.
 std::optional<Json> RoomLayout::Cross(BodyRequest& body) const {
   constexpr double kLeastWay_m = 0.6;
   const Vector2d from = stage_.Point(body.rng);
@@ -191,7 +191,7 @@ std::optional<Json> RoomLayout::Cross(BodyRequest& body) const {
   return Json{{"route", route}};
 }
 
-// Straight, without turning.
+// Moves straight, without turning.
 std::optional<Json> RoomLayout::Slide(BodyRequest& body) const {
   constexpr double kLeastWay_m = 0.6;
   const Vector2d from = stage_.Point(body.rng);
@@ -223,7 +223,7 @@ std::optional<Json> RoomLayout::Loop(BodyRequest& body) const {
   return Json{{"route", route}};
 }
 
-// Hangs from the ceiling, its middle at `middle_m`.
+// Hangs from the ceiling with its centre at height `middle_m`.
 std::optional<Json> RoomLayout::Swing(BodyRequest& body) const {
   const Vector2d at = stage_.Point(body.rng);
   const double pivot_m = height_m_ - 0.1;
@@ -242,7 +242,7 @@ std::optional<Json> RoomLayout::Swing(BodyRequest& body) const {
   return Json{{"swing", swing}};
 }
 
-// Stands between the camera and a moving body and is as wide as hides it for `hidden_s`.
+// Stands between the camera and a moving body, wide enough to hide it for `hidden_s`.
 std::optional<Json> RoomLayout::Screen(BodyRequest& body) const {
   constexpr double kLeastMoved_m = 0.3;
   constexpr double kThickness_m = 0.16;
@@ -258,7 +258,7 @@ std::optional<Json> RoomLayout::Screen(BodyRequest& body) const {
   const std::size_t last = mover.world_from_body.size() - 2;
   const auto i = static_cast<std::size_t>(body.rng.Uniform(0.25, 0.75) * static_cast<double>(last));
   const double step_s = duration_s_ / static_cast<double>(last + 1);
-  const double part = body.rng.Uniform(0.45, 0.7);  // of the way from the camera to the body
+  const double part = body.rng.Uniform(0.45, 0.7);  // of the distance from the camera to the body
   const auto sight = [&](std::size_t k) -> Vector3d {
     const Vector3d eye = body.placed.camera().world_from_body[k].translation();
     return eye + part * (mover.world_from_body[k].translation() - eye);

@@ -12,7 +12,7 @@ namespace {
 
 using Knots = std::vector<SpeedProfile::Knot>;
 
-// One halt in each of equal parts of the time.
+// Places one stop in each of several equal parts of the time.
 Knots WithStops(const SpeedRequest& request, Rng& rng) {
   constexpr double kRamp_s = 0.5;
   constexpr double kShortestPart_s = 2.4;
@@ -31,7 +31,7 @@ Knots WithStops(const SpeedRequest& request, Rng& rng) {
   return knots;
 }
 
-// Comes to rest before the way is longer than allowed.
+// Adds a final stop if the distance would exceed `length_m`.
 void StopWithin(double length_m, double duration_s, Knots& knots) {
   constexpr double kStop_s = 0.8;
   constexpr double kStopStep_s = 0.05;

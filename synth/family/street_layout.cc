@@ -26,7 +26,7 @@ constexpr double kMainStart_m = -80.0;
 constexpr double kEgoStart_m = 40.0;  // along the main road
 constexpr double kSideHalf_m = 90.0;
 
-// A main road along x, roads across it, and the way of the camera's car.
+// A main road along x, roads across it, and the path of the car that carries the camera.
 class StreetLayout final : public Layout {
  public:
   StreetLayout(double duration_s, ObjectReader& keys, Rng rng);
@@ -51,10 +51,10 @@ class StreetLayout final : public Layout {
 
   double duration_s_;
   double width_m_ = 0.0;  // of the main road
-  double lane_m_ = 0.0;   // from its middle to a lane's
-  int turn_ = 0;          // 1 left, -1 right
+  double lane_m_ = 0.0;   // from the middle of the road to that of a lane
+  int turn_ = 0;          // 1 left, -1 right, 0 none
   double turn_at_m_ = 0.0;
-  std::vector<double> crossings_m_;  // x of the roads across
+  std::vector<double> crossings_m_;  // x of the crossing roads
   double main_end_m_ = 0.0;
   double turn_end_m_ = 0.0;
   double ego_mps_ = 0.0;
@@ -127,7 +127,7 @@ void StreetLayout::PlaceCamera(ObjectReader keys, Rng& rng) {
                   {0.5 * duration_s_, v * rng.Uniform(0.75, 1.0)},
                   {duration_s_, v * rng.Uniform(0.75, 1.0)}};
   } else {
-    // Slower before the bend, faster behind it.
+    // Slower before the bend, faster after it.
     const double slow = std::min(v, rng.Uniform(5.0, 7.5));
     const double brake_s = std::max(0.1, (WayToTurn_m() - 32.0) / std::max(v, 0.1));
     const double bend_s = 44.0 / std::max(slow, 0.1);
@@ -163,7 +163,8 @@ Json StreetLayout::Drive(BodyRequest& body, double speed_mps, double length_m) c
   return SpeedKnots({speed_mps, 0, duration_s_, length_m}, body.rng);
 }
 
-// The camera's way some metres ahead, in its lane or the next: the same speed at the same place.
+// Follows the path of the camera some metres ahead, in its lane or the next, with the same speed at
+// the same place.
 std::optional<Json> StreetLayout::Lead(BodyRequest& body) const {
   const double gap_m = body.keys.Number("gap_m", {3.0, 200.0});
   const bool in_next_lane = body.keys.BoolOr("in_next_lane", false);
@@ -172,7 +173,7 @@ std::optional<Json> StreetLayout::Lead(BodyRequest& body) const {
                KnotsJson(ego_speed_, gap_m / ego_mps_));
 }
 
-// Meets the camera at a random time, on the main road or on the one it turned into.
+// Meets the camera at a random time, on the main road or on the one that the camera turned into.
 std::optional<Json> StreetLayout::Oncoming(BodyRequest& body) const {
   const double speed_mps = body.keys.Number("speed_mps", kBodySpeed_mps);
   const auto& ego = body.placed.camera().world_from_body;

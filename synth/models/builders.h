@@ -9,8 +9,9 @@
 
 namespace cvo::synth {
 
-// Each makes one kind of model, z from 0 and roughly in its size; MakeModel fits it exactly. An
-// empty material is the one that suits.
+// Arguments of the builders. Each builder makes one kind of model, with z from 0 and about the
+// requested size, which MakeModel then fits exactly. An empty material stands for the usual one of
+// the model.
 struct BuildRequest {
   Eigen::Vector3d size_m;
   std::string material;
@@ -29,7 +30,8 @@ Model BuildTree(const BuildRequest& request, Rng& look);
 Model BuildBuilding(const BuildRequest& request, Rng& look);
 Model BuildFromFile(const BuildRequest& request, Rng& look);
 
-// The same with textures that several share; they have `size_m` exactly, the origin in the middle.
+// These models take textures that several of them share. They have exactly the given size, and the
+// origin at their centre.
 Model MakeTree(const Eigen::Vector3d& size_m, const Texture& leaves, const Texture& bark,
                Rng& look);
 Model MakeBuilding(const Eigen::Vector3d& size_m, const Texture& facade, const Texture& roof,
@@ -38,7 +40,7 @@ Model MakeHedge(const Eigen::Vector3d& size_m, const Texture& leaves, Rng& look)
 Model MakeLampPost(double height_m, const Texture& metal, const Texture& lamp);
 Model MakeSign(const Texture& picture, const Texture& metal, Rng& look);
 
-// The material's name where the request has none.
+// Makes the requested material, or `usual` if the request has none.
 Texture MaterialOr(const BuildRequest& request, const std::string& usual, Rng& look);
 
 }  // namespace cvo::synth

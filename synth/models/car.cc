@@ -34,7 +34,7 @@ constexpr std::array<Station, 13> kStations = {{{-0.5, 0.52, 0.86},
                                                 {0.5, 0.4, 0.84}}};
 constexpr int kColumns = 9;
 
-// From the right sill over the roof to the left sill.
+// Outline of a cross-section, from the right sill over the roof to the left sill.
 std::vector<Vector3d> CutAt(const Station& station, const Vector3d& size) {
   const double x = station.x * size.x();
   const double half = 0.5 * size.y() * station.width;
@@ -68,7 +68,7 @@ void AddShell(Part& paint, Part& glass, const Pen& paint_pen, const Pen& glass_p
   }
   Mesh whole;
   AddLattice(whole, paint_pen, body);
-  // Glass faces become a part of their own.
+  // Glass faces form a part of their own.
   const auto at = [&](std::size_t r, int c) { return body.points[r * kColumns + c]; };
   paint.mesh.vertices = whole.vertices;
   for (std::size_t r = 0; r + 1 < kStations.size(); ++r) {
@@ -84,7 +84,7 @@ void AddShell(Part& paint, Part& glass, const Pen& paint_pen, const Pen& glass_p
   }
 }
 
-// Nose, tail and floor close the shell.
+// Closes the shell at the nose, tail and floor.
 void AddClosings(Part& paint, Part& dark, const Pen& pen, const Vector3d& size) {
   for (const std::size_t row : {std::size_t{0}, kStations.size() - 1}) {
     const std::vector<Vector3d> cut = CutAt(kStations[row], size);
@@ -113,7 +113,7 @@ void AddWheels(Part& tyre, Part& hub, const Vector3d& size) {
       const Cylinder wheel{radius, radius, width, 20};
       AddCylinder(tyre.mesh, pen, wheel);
       AddCylinderEnds(hub.mesh, pen, wheel);
-      // The dark of the wheel arch, just outside of the painted side.
+      // The dark inside of the wheel arch, just outside the painted side.
       const Cylinder arch{1.12 * radius, 1.12 * radius, 0.92 * width, 20};
       pen.model_from_piece =
           RigidTransform(ExpSo3(Vector3d(turn, 0, 0)), Vector3d(x, inner, 1.08 * radius));

@@ -7,8 +7,8 @@
 
 namespace cvo::synth {
 
-// Direction of a point of a cube's face (0 ... 5: +x, -x, +y, -y, +z, -z) with a, b in [-1, 1];
-// stretched so that equal steps of a and b are nearly equal angles.
+// Direction of the point (a, b) in [-1, 1]^2 on a face of a cube (0 ... 5: +x, -x, +y, -y, +z, -z),
+// warped so that equal steps of a and b are nearly equal angles.
 inline Eigen::Vector3d CubeDirection(int face, double a, double b) {
   const double u = a * (0.7 + 0.3 * a * a);
   const double v = b * (0.7 + 0.3 * b * b);

@@ -26,7 +26,7 @@ void AddLegs(Part& part, Model& model, const Pen& pen, const Vector3d& size, dou
   }
 }
 
-// Each side shows one book's back.
+// Adds a book. All its faces show the same spine.
 void AddBook(Mesh& mesh, const Vector3d& low, const Vector3d& high, Rng& look) {
   const auto cell = static_cast<int>(look.UniformInt(kBookColumns * kBookRows));
   for (int face = 0; face < 6; ++face) {
@@ -39,13 +39,14 @@ void AddBook(Mesh& mesh, const Vector3d& low, const Vector3d& high, Rng& look) {
   }
 }
 
-// Books and boxes side by side from y0 to y1 on a board at `height`, fronts near x = depth.
+// A board on which books and boxes stand side by side from y0 to y1, at `height` and with their
+// fronts near x = depth.
 struct Board {
   double depth;
   double y0;
   double y1;
   double height;
-  double room;  // above it
+  double room;  // free height above it
 };
 
 void AddBooks(Mesh& mesh, const Board& board, Rng& look) {
@@ -91,8 +92,8 @@ Model BuildCrate(const BuildRequest& request, Rng& look) {
   return model;
 }
 
-// Upholstered: thin bars alone are hardly visible in a stereo pair. Between the legs and above the
-// seat its box shows background.
+// Upholstered, because thin bars alone are hardly visible in a stereo pair. Background is visible
+// through its box, between the legs and above the seat.
 Model BuildChair(const BuildRequest& request, Rng& look) {
   const Texture wood = MaterialOr(request, "wood", look);
   const Texture cloth = MakeTexture("fabric", look);
@@ -121,7 +122,7 @@ Model BuildChair(const BuildRequest& request, Rng& look) {
   return model;
 }
 
-// Its height includes what lies on it.
+// The height of a table includes what lies on it.
 Model BuildTable(const BuildRequest& request, Rng& look) {
   const Texture wood = MaterialOr(request, "wood", look);
   const Vector3d& size = request.size_m;

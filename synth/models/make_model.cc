@@ -13,7 +13,7 @@ namespace {
 
 struct Kind {
   const char* name;
-  Eigen::Vector3d usual_size_m;  // zero: as it comes
+  Eigen::Vector3d usual_size_m;  // zero: the size in the file
   Model (*build)(const BuildRequest&, Rng&);
 };
 
@@ -86,7 +86,7 @@ Model MakeModel(const ModelDescription& description, Rng& look) {
   const Eigen::Vector3d size_m = FindSize(description, kind);
   Rng own(look.NextU64(), description.kind);
   Model model = kind.build({size_m, description.material, description.file}, own);
-  const bool ours = description.kind != "mesh";  // closed, with normals that point outward
+  const bool ours = description.kind != "mesh";  // closed, with outward normals
   for (Part& part : model.parts) part.mesh.two_sided = !ours;
   FitTo(model, size_m.isZero(0.0) ? BoundsOf(model) : size_m);
   return model;

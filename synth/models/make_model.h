@@ -13,10 +13,10 @@ namespace cvo::synth {
 
 struct ModelDescription {
   std::string kind;  // one of ModelKinds()
-  // Of its box along x, y, z; zero where the model has a usual size. Balls: the diameter three
-  // times.
+  // Size of its box along x, y, z; zero for the usual size of the model. For a ball, all three are
+  // the diameter.
   Eigen::Vector3d size_m = Eigen::Vector3d::Zero();
-  std::string material;        // one of MaterialNames(); empty: what suits the model
+  std::string material;        // one of MaterialNames(); empty: the usual one of the model
   std::filesystem::path file;  // kind "mesh": OBJ, PLY or glTF in metres, z up, scaled to size_m
 };
 
@@ -24,9 +24,9 @@ struct ModelDescription {
 const std::vector<std::string>& ModelKinds();
 const std::vector<std::string>& MaterialNames();
 
-// `look` varies textures and small parts: another stream gives another thing of the same kind and
-// size. Throws Error for an unknown kind or material, a size that is not positive or a file that
-// cannot be read.
+// Makes a model. `look` varies textures and small parts: a different stream gives a different model
+// of the same kind and size. Throws Error for an unknown kind or material, a size that is not
+// positive or a file that cannot be read.
 Model MakeModel(const ModelDescription& description, Rng& look);
 
 }  // namespace cvo::synth

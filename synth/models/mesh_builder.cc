@@ -39,7 +39,8 @@ void AddGridIndices(Mesh& mesh, std::uint32_t first, int rows, int columns) {
   }
 }
 
-// uv(s, t) for s along the right edge and t along the lower one, in [0, 1].
+// Adds a rectangle as a grid of quads. uv(s, t) is called with s along `right` and t along `down`,
+// both in [0, 1].
 template <typename Uv>
 void AddCells(Mesh& mesh, const Pen& pen, const Rectangle& rectangle, Uv uv) {
   const Vector3d normal = rectangle.down.cross(rectangle.right).normalized();
@@ -114,7 +115,7 @@ void AddBox(Mesh& mesh, const Pen& pen, const Vector3d& low, const Vector3d& hig
 }
 
 void AddCylinder(Mesh& mesh, const Pen& pen, const Cylinder& cylinder) {
-  // Whole repetitions around, or the seam would show.
+  // A whole number of repetitions around, or the seam would show.
   const double around = 2.0 * 3.14159265358979 * cylinder.radius_m;
   const double repetitions = std::max(1.0, std::round(around / pen.texture_size_m.x()));
   const double slope = (cylinder.radius_m - cylinder.top_radius_m) / cylinder.height_m;
@@ -193,7 +194,7 @@ void AddBall(Mesh& mesh, const Pen& pen, double radius_m, int cells) {
 }
 
 void AddBlob(Mesh& mesh, const Pen& pen, const Vector3d& radii_m, double roughness, Rng& rng) {
-  // Bumps along fixed directions keep the cube's faces joined.
+  // Bumps along fixed directions keep the faces of the cube joined.
   std::vector<Vector3d> bumps;
   for (int i = 0; i < 14; ++i) {
     const double x = rng.Normal();

@@ -39,7 +39,8 @@ cv::Mat Decode(const aiTexture& texture) {
   return image;
 }
 
-// The diffuse texture, empty where the file has none that can be read.
+// Returns the diffuse texture as RGB with sides that are powers of two; empty if the material has
+// none. Throws Error if the texture cannot be read.
 cv::Mat ReadDiffuse(const aiScene& scene, const aiMaterial& material, const fs::path& file) {
   aiString name;
   if (material.GetTexture(aiTextureType_DIFFUSE, 0, &name) != aiReturn_SUCCESS &&
@@ -102,7 +103,7 @@ void AppendMesh(const aiMesh& from, const aiMatrix4x4& model_from_mesh, Mesh& to
   }
 }
 
-// The file's parts, one per material; a part without a texture has an empty image.
+// Reads the parts of a file, one per material. A part without a texture has an empty image.
 std::vector<Part> ReadParts(const fs::path& file) {
   std::error_code ignored;
   if (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored)) {

@@ -17,11 +17,11 @@ struct Vertex {
   Eigen::Vector2f uv;        // texture coordinates; textures repeat
 };
 
-// Triangles as triples of vertex indices, in any order around them.
+// Triangles as triples of vertex indices, in either winding order.
 struct Mesh {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
-  bool two_sided = true;  // false: not drawn where its normals point away from the viewer
+  bool two_sided = true;  // false: faces whose normals point away from the viewer are not drawn
 };
 
 // A mesh with its texture.
@@ -32,21 +32,22 @@ struct Part {
   bool casts_shadow = true;
 };
 
-// A convex part of the collision shape: a ball where radius_m > 0, else a box.
+// A convex part of the collision shape: a sphere if radius_m > 0, otherwise a box.
 struct CollisionShape {
   RigidTransform model_from_shape;
   Eigen::Vector3d half_size_m = Eigen::Vector3d::Zero();
   double radius_m = 0.0;
 };
 
-// x forward, y left, z up, the origin in the middle of the box that holds all parts.
+// The model frame has x forward, y left, z up and its origin at the centre of the box that contains
+// all parts.
 struct Model {
   std::vector<Part> parts;
   std::vector<CollisionShape> shapes;
   Eigen::Vector3d size_m = Eigen::Vector3d::Zero();  // of that box
 };
 
-// A model that stays where it is.
+// A static model.
 struct PlacedModel {
   Model model;
   RigidTransform world_from_model;

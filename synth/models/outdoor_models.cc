@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 
 Model MakeTree(const Vector3d& size_m, const Texture& leaves, const Texture& bark, Rng& look) {
   const double trunk = 0.05 * size_m.head<2>().minCoeff() + 0.02 * size_m.z();
-  const double crown = 0.36 * size_m.z();  // its lower end
+  const double crown = 0.36 * size_m.z();  // height of its lower end
   Model model;
   Part stem = MakePart(bark);
   Part foliage = MakePart(leaves);
@@ -47,7 +47,7 @@ Model MakeBuilding(const Vector3d& size_m, const Texture& facade, const Texture&
   const Vector3d high(size_m.x() - eaves, size_m.y() - eaves, height);
   for (int face = 0; face < 4; ++face) {
     const Rectangle side = BoxFace(low, high, face);
-    // Whole bays, whole floors below the roof's edge, and the ground floor at the bottom.
+    // Whole bays, and whole floors up to the edge of the roof with the ground floor at the bottom.
     const double bays = std::max(1.0, std::round(side.right.norm() / kBay_m));
     const double floors = std::max(1.0, std::round(height / kFloor_m));
     Pen pen;

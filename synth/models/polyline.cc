@@ -27,7 +27,7 @@ struct Corner {
   Vector2d before;  // unit direction of the leg that ends here
   Vector2d after;
   Vector2d at;
-  double reach_m;  // what each leg can give
+  double reach_m;  // length that each leg can spare
 };
 
 void AppendArc(std::vector<Vector2d>& line, const Corner& corner, double radius_m, double step_m) {

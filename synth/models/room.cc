@@ -54,11 +54,12 @@ struct RoomState {
   const RoomDescription& room;
   std::vector<Wall> walls;
   std::vector<Area> floor_taken;              // in x and y
-  std::vector<std::vector<Area>> wall_taken;  // per wall: along it and height
+  std::vector<std::vector<Area>> wall_taken;  // per wall: position along it, and height
   Surroundings out;
 };
 
-// A rectangle on a wall, `off` before it; `low` and `high` along the wall and in height.
+// A rectangle on a wall, `off` in front of it. `area` is the position along the wall and the
+// height.
 Rectangle OnWall(const Wall& wall, const Area& area, double off) {
   const Vector3d corner =
       wall.start + area.low.x() * wall.right + Vector3d(0, 0, area.high.y()) + off * wall.inward;
@@ -66,7 +67,7 @@ Rectangle OnWall(const Wall& wall, const Area& area, double off) {
           Vector3d(0, 0, area.low.y() - area.high.y())};
 }
 
-// A flat board on a wall.
+// Adds a flat board on a wall.
 void AddBoard(Mesh& mesh, const Pen& pen, const Wall& wall, const Area& area, double thickness) {
   const Rectangle front = OnWall(wall, area, thickness);
   const Vector3d a = front.corner;
@@ -97,12 +98,13 @@ void AddShell(RoomState& state, Rng& look) {
   Part skirting = MakeShellPart(trim);
   const Vector3d low(-0.5 * size.x(), -0.5 * size.y(), 0.0);
   const Vector3d high(0.5 * size.x(), 0.5 * size.y(), size.z());
-  // The floor is the top of a box below, the ceiling the bottom of one above.
+  // The floor is the top face of a box below it, the ceiling the bottom face of a box above it.
   AddRectangle(ground.mesh, {floor.size_m, {0, 0}, {}, kCell_m},
                BoxFace(low, {high.x(), high.y(), 0.0}, 4));
   AddRectangle(above.mesh, {ceiling.size_m, {0, 0}, {}, kCell_m},
                BoxFace({low.x(), low.y(), high.z()}, high, 5));
-  // Textured wallpaper behind the bodies, a plain wall above: corners are spread over the image.
+  // Textured wallpaper behind the bodies and a plain wall above it, so that corners are spread over
+  // the image.
   const Texture paper = MakeTexture("wallpaper", look);
   const Texture calm = MakeTexture("embossed", look);
   const double rail = std::min(kRail_m, size.z());
@@ -137,7 +139,7 @@ void AddCarpet(RoomState& state, Rng& look) {
   state.out.shell.push_back(std::move(part));
 }
 
-// A door in one wall, windows in the others; furniture does not stand before the door.
+// Adds a door in one wall and windows in two others. No furniture stands in front of the door.
 void AddOpenings(RoomState& state, Rng& look) {
   const double height = state.room.size_m.z();
   Part frames = MakeShellPart(MakeSolidTexture({104, 74, 52}, look));
@@ -171,7 +173,7 @@ void AddOpenings(RoomState& state, Rng& look) {
   state.out.shell.push_back(std::move(frames));
 }
 
-// Along x (from the wall), y (along the wall) and z.
+// A piece of furniture, with x away from the wall, y along it and z up.
 struct Piece {
   std::string kind;
   Vector3d size_m;
@@ -214,7 +216,7 @@ bool Place(RoomState& state, const Piece& piece, Rng& look) {
   return false;
 }
 
-// False if a piece does not fit.
+// Returns false if a piece does not fit.
 bool AddFurniture(RoomState& state, Rng& look) {
   const RoomDescription& room = state.room;
   const double depth = room.furniture_depth_m - 0.03;
@@ -240,7 +242,7 @@ bool AddFurniture(RoomState& state, Rng& look) {
   return true;
 }
 
-// On free parts of the walls; a poster that does not fit is left out.
+// Puts posters on free parts of the walls. A poster that does not fit is left out.
 void AddPosters(RoomState& state, Rng& look) {
   const double height = state.room.size_m.z();
   for (int i = 0; i < state.room.posters; ++i) {
@@ -285,7 +287,7 @@ void CheckRoom(const RoomDescription& room) {
 Surroundings MakeRoom(const RoomDescription& room, Rng& look) {
   CheckRoom(room);
   Rng own(look.NextU64(), "room");
-  // Doors and windows may leave too little of the walls: drawn again then.
+  // Doors and windows may leave too little wall for the furniture. If so, try again.
   const double least_m = 0.8 * room.shelves + 0.9 * room.tables + 0.35 * room.crates;
   const int attempts = least_m < 2.0 * (room.size_m.x() + room.size_m.y()) ? 12 : 0;
   for (int attempt = 0; attempt < attempts; ++attempt) {

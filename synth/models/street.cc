@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// Shared by many models.
+// Textures that many models share.
 struct StreetTextures {
   std::vector<Texture> facades;
   std::vector<Texture> roofs;
@@ -57,14 +57,14 @@ struct StreetState {
 // One side of one road.
 struct Side {
   int road;
-  double sign;  // 1: to the left of the road's direction
+  double sign;  // 1: to the left of the road's direction, -1: to the right
 };
 
-// A place beside the road, x along it and y away from it.
+// A place beside a road, with x along the road and y away from it.
 struct Place {
-  Vector2d kerb;     // point on the carriageway's edge
+  Vector2d kerb;     // point on the edge of the carriageway
   Vector2d forward;  // along the road
-  Vector2d away;     // from the road
+  Vector2d away;     // away from the road
 };
 
 Place PlaceAt(const StreetState& state, const Side& side, std::size_t index) {
@@ -74,7 +74,7 @@ Place PlaceAt(const StreetState& state, const Side& side, std::size_t index) {
   return {road.line[index] + road.half_width_m * away, forward, away};
 }
 
-// Puts the model on the ground with its front (x) to the road.
+// Puts the model on the ground with its x axis along `front`.
 void PutOnGround(StreetState& state, Model model, const Vector2d& at, const Vector2d& front) {
   Eigen::Matrix3d turn;
   turn << front.x(), -front.y(), 0, front.y(), front.x(), 0, 0, 0, 1;
@@ -82,7 +82,7 @@ void PutOnGround(StreetState& state, Model model, const Vector2d& at, const Vect
   state.out.placed.push_back({std::move(model), RigidTransform(turn, middle)});
 }
 
-// Depth (x) away from the road, width along it.
+// Tries to add a building with depth `size.x()` away from the road and width `size.y()` along it.
 bool TryBuilding(StreetState& state, const Place& place, const Vector3d& size, Rng& look) {
   const double setback = state.map.pavement_m + look.Uniform(0.4, 2.2);
   const Vector2d middle = place.kerb + (setback + 0.5 * size.x()) * place.away;
@@ -115,7 +115,7 @@ void AddBuildings(StreetState& state, const Side& side, Rng& look) {
   }
 }
 
-// Things on the pavement take `half_m` around `out_m` from the kerb.
+// A thing on the pavement takes `half_m` around a point `out_m` from the kerb.
 struct Furniture {
   double out_m;
   double half_m;
@@ -171,7 +171,7 @@ void AddPosts(StreetState& state, const Side& side, Rng& look) {
   }
 }
 
-// Where there is no building.
+// Adds hedges where there is no building.
 void AddHedges(StreetState& state, const Side& side, Rng& look) {
   const auto points = state.map.roads[side.road].line.size();
   for (std::size_t index = 2; index < points; index += 4) {

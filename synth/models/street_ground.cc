@@ -24,7 +24,7 @@ Vector2d Beside(const Road& road, std::size_t index, double left_m) {
 
 Vector3d At(const Vector2d& p, double z) { return {p.x(), p.y(), z}; }
 
-// The cell between two points of the centre line and two distances to the left of it.
+// The cell between two points of the centre line and two offsets to the left of it.
 std::vector<Vector3d> Cell(const Road& road, std::size_t index, std::size_t end, double from_m,
                            double to_m, double z) {
   return {At(Beside(road, index, from_m), z), At(Beside(road, end, from_m), z),
@@ -36,7 +36,7 @@ std::vector<Vector3d> Cell(const Road& road, std::size_t index, double from_m, d
   return Cell(road, index, index + 1, from_m, to_m, z);
 }
 
-// Where a straight stretch of the road that begins at `index` ends, within a few metres.
+// Returns the end of the straight stretch of road that begins at `index`, within a few metres.
 std::size_t EndOfStretch(const Road& road, std::size_t index) {
   constexpr std::size_t kLongest = 8;
   std::size_t end = index + 1;
@@ -56,7 +56,7 @@ Vector2d MiddleOf(const std::vector<Vector3d>& corners) {
 
 Pen PenFor(const Texture& texture) { return {texture.size_m, {0, 0}, {}}; }
 
-// Wider than what is driven on: it shows where pavements leave gaps at crossings.
+// Wider than the road itself, so that it shows where pavements leave gaps at crossings.
 Part MakeCarriageways(const StreetMap& map, const Texture& asphalt) {
   Part part = MakeShellPart(asphalt);
   for (const Road& road : map.roads) {
@@ -84,7 +84,7 @@ Part MakePavements(const StreetMap& map, const Texture& slabs) {
     const double far = road.half_width_m + map.pavement_m;
     for (std::size_t i = 0, end = 0; i + 1 < road.line.size(); i = end) {
       end = EndOfStretch(road, i);
-      // As a whole, unless another road's carriageway may be cut out.
+      // In one piece, unless the carriageway of another road may have to be cut out.
       if (!map.IsOnRoad(MiddleOf(Cell(road, i, end, -1.0, 1.0, 0.0)), far + 5.0, r)) {
         AddGround(part.mesh, PenFor(slabs),
                   Cell(road, i, end, road.half_width_m, far, kPavement_m));
@@ -103,7 +103,7 @@ Part MakePavements(const StreetMap& map, const Texture& slabs) {
   return part;
 }
 
-// Upright stones between carriageway and pavement, and a lip on top.
+// Upright stones between carriageway and pavement, with a lip on top.
 Part MakeKerbs(const StreetMap& map, const Texture& stone) {
   Part part = MakeShellPart(stone);
   for (int r = 0; r < static_cast<int>(map.roads.size()); ++r) {
@@ -133,7 +133,7 @@ Part MakeKerbs(const StreetMap& map, const Texture& stone) {
   return part;
 }
 
-// Dashes in the middle, lines along the sides.
+// Dashes in the middle and lines along the sides.
 Part MakeMarkings(const StreetMap& map, const Texture& paint) {
   Part part = MakeShellPart(paint);
   const Pen pen = PenFor(paint);

@@ -8,7 +8,8 @@
 
 namespace cvo::synth {
 
-// Grass, carriageways at z = 0 with markings, kerbs and raised pavements: in world, no shadows.
+// Returns grass, carriageways at z = 0 with markings, kerbs and raised pavements, in world. They
+// cast no shadows.
 std::vector<Part> MakeStreetGround(const StreetMap& map, Rng& look);
 
 }  // namespace cvo::synth

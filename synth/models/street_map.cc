@@ -15,7 +15,7 @@ using Eigen::Vector2d;
 
 Vector2d LeftOf(const Vector2d& v) { return {-v.y(), v.x()}; }
 
-// Half the length of a plot's projection on a line.
+// Half the length of the projection of a plot onto an axis.
 double Reach(const Plot& plot, const Vector2d& axis) {
   return std::abs(axis.dot(plot.forward)) * plot.half_m.x() +
          std::abs(axis.dot(LeftOf(plot.forward))) * plot.half_m.y();
@@ -71,7 +71,7 @@ bool StreetMap::IsOnRoad(const Vector2d& point, double margin_m, int own) const 
 
 bool StreetMap::IsFree(const Plot& plot, double margin_m) const {
   for (const Road& road : roads) {
-    // Half a step of the centre line may lie between two of its points.
+    // The centre line has points about 1 m apart, so its closest point may be half a step off.
     const double least = road.half_width_m + margin_m;
     for (const Vector2d& point : road.line) {
       if (DistanceToPlot(plot, point) < std::hypot(least, 0.6)) return false;

@@ -25,10 +25,10 @@ struct RoomDescription {
 struct RoadDescription {
   std::vector<Eigen::Vector2d> points;
   double width_m = 8.0;
-  double corner_radius_m = 15.0;  // of its centre line; less where the legs are short
+  double corner_radius_m = 15.0;  // of its centre line; less if the legs are short
 };
 
-// Roads with pavements, buildings and trees on both sides, none of them on any road.
+// Roads with pavements, buildings and trees on both sides, none of which stands on a road.
 struct StreetDescription {
   std::vector<RoadDescription> roads;
   double pavement_m = 3.0;
@@ -37,12 +37,13 @@ struct StreetDescription {
 };
 
 struct Surroundings {
-  std::vector<Part> shell;             // in world; nothing collides with it (see walls)
+  std::vector<Part> shell;             // in world; not part of collision checks (see walls)
   std::vector<PlacedModel> placed;     // furniture, buildings, trees: bodies must not enter them
-  std::vector<Eigen::Vector4d> walls;  // inward planes: n . p + d >= 0 for all that is inside
+  std::vector<Eigen::Vector4d> walls;  // planes with inward normals: n . p + d >= 0 inside
 };
 
-// `look` decides where things stand and how they look. Throws Error for what cannot be built.
+// `look` determines where things stand and how they look. Throws Error for a description that
+// cannot be built.
 Surroundings MakeRoom(const RoomDescription& room, Rng& look);
 Surroundings MakeStreet(const StreetDescription& street, Rng& look);
 

@@ -20,7 +20,7 @@ Model BuildBall(const BuildRequest& request, Rng& look) {
   return model;
 }
 
-// Six pictures, unless a material is asked for.
+// Shows six pictures unless a material is requested.
 Model BuildBlock(const BuildRequest& request, Rng& look) {
   Model model;
   const Vector3d low = Vector3d::Zero();

@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Direction of view as angles, with their rates.
+// Viewing direction as angles, with their rates.
 struct ViewAngles {
   double yaw_rad = 0.0;
   double yaw_rate_radps = 0.0;
@@ -24,7 +24,7 @@ struct ViewAngles {
   double pitch_rate_radps = 0.0;
 };
 
-// An offset per axis, at most 1 in size: three sines each whose frequencies do not repeat together.
+// An offset of at most 1 per axis: the sum of three sines whose frequencies have no common period.
 class Shaking {
  public:
   Shaking(double frequency_hz, Rng& rng) {
@@ -60,7 +60,7 @@ class Shaking {
   std::array<std::array<Oscillation, kSines>, 3> sines_;
 };
 
-// Where the camera looks: at a target that moves, or along its route.
+// Viewing direction of the camera: at a moving target, or along its route.
 class Gaze {
  public:
   Gaze(const LookAt& look, double duration_s)
@@ -68,7 +68,7 @@ class Gaze {
         target_mps_(target_->length_m() / duration_s) {}
   explicit Gaze(const LookAlong& look) : along_(look) {}
 
-  // `position` and `velocity` of the camera, `route` where it is on its route.
+  // `position` and `velocity` are those of the camera, `route` is its state on the route.
   ViewAngles At(double time_s, const Vector3d& position, const Vector3d& velocity,
                 const RouteTravel::State& route, double speed_mps) const {
     if (target_) return Towards(time_s, position, velocity);
@@ -95,7 +95,7 @@ class Gaze {
   LookAlong along_;
 };
 
-// x right, y down, z forward, without roll.
+// Returns world_from_camera without roll; the camera axes are x right, y down, z forward.
 Eigen::Matrix3d LevelRotation(double yaw_rad, double pitch_rad) {
   const double cy = std::cos(yaw_rad), sy = std::sin(yaw_rad);
   const double cp = std::cos(pitch_rad), sp = std::sin(pitch_rad);
@@ -124,7 +124,7 @@ class CameraMotion final : public Motion {
     const Shaking::Offset moved = translation_.At(time_s);
     const Shaking::Offset turned = rotation_.At(time_s);
     const Vector3d turn = shake_.rotation_rad * turned.value;
-    // The left Jacobian of SO(3) is the right one of the inverse rotation.
+    // The left Jacobian of SO(3) is the right Jacobian of the inverse rotation.
     const Vector3d turn_rate = RightJacobianSo3(-turn) * (shake_.rotation_rad * turned.rate);
     return {RigidTransform(Eigen::Quaterniond(level) * ExpSo3(turn),
                            Vector3d(position + shake_.translation_m * moved.value)),

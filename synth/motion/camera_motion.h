@@ -9,8 +9,8 @@
 
 namespace cvo::synth {
 
-// world_from_left along the camera's route, level but for its shake, which `look_seed` decides.
-// Throws Error for a route shorter than the way travelled.
+// Returns world_from_left along the camera's route, without roll except for the shake, which
+// `look_seed` determines. Throws Error if the route is shorter than the distance travelled.
 std::shared_ptr<const Motion> MakeCameraMotion(const CameraDescription& camera, double duration_s,
                                                std::uint64_t look_seed);
 

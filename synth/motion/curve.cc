@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kCells = 16;  // per piece, each integrated by one Gauss rule
+constexpr int kCells = 16;  // per piece, each integrated by one Gauss-Legendre rule
 constexpr double kLeastGap_m = 1e-3;
 
 struct Derivatives {
@@ -37,7 +37,7 @@ Derivatives Evaluate(const Piece& piece, double u) {
   return at;
 }
 
-// Length from u0 to u1 by Gauss and Legendre's rule of five points.
+// Arc length from u0 to u1 by the five-point Gauss-Legendre rule.
 template <typename Piece>
 double ArcLength(const Piece& piece, double u0, double u1) {
   constexpr std::array<double, 3> kNodes = {0.0, 0.5384693101056831, 0.9061798459386640};
@@ -64,21 +64,21 @@ void CheckPoints(const std::vector<Vector3d>& points, bool closed, const std::st
   }
 }
 
-// A linear condition on first and second derivatives at the knots: [knot] and [knots + knot].
+// A linear condition on the first ([knot]) and second ([knots + knot]) derivatives at the knots.
 struct Condition {
   Eigen::RowVectorXd lhs;
   Eigen::RowVector3d rhs;
 };
 
-// sign times the third (order 3) or fourth derivative of the quintic over one interval at its
-// start or end joins the condition: a quintic is given by value, first and second derivative at
-// both ends.
+// An interval between two knots. Its quintic is given by the value and the first and second
+// derivatives at both ends.
 struct Interval {
   Eigen::Index from, to, knots;
   double h;
   Vector3d step;
 };
 
+// Adds `sign` times the third derivative at the start or end of the interval to the condition.
 void AddThird(const Interval& i, bool at_end, double sign, Condition& condition) {
   const double near1 = -36.0 / (i.h * i.h), far1 = -24.0 / (i.h * i.h);
   const double near2 = (at_end ? 9.0 : -9.0) / i.h, far2 = (at_end ? -3.0 : 3.0) / i.h;
@@ -90,6 +90,7 @@ void AddThird(const Interval& i, bool at_end, double sign, Condition& condition)
   condition.rhs -= sign * 60.0 / (i.h * i.h * i.h) * i.step.transpose();
 }
 
+// The same for the fourth derivative.
 void AddFourth(const Interval& i, bool at_end, double sign, Condition& condition) {
   const double side = at_end ? -1.0 : 1.0;
   const double h2 = i.h * i.h, h3 = h2 * i.h;
@@ -112,7 +113,7 @@ std::vector<Interval> MakeIntervals(const std::vector<Vector3d>& points, bool cl
   return intervals;
 }
 
-// Rows: first derivatives at the knots, then second ones.
+// Returns the first derivatives at all knots, then the second derivatives, one per row.
 Eigen::MatrixX3d SolveDerivatives(const std::vector<Interval>& intervals, Eigen::Index knots,
                                   bool closed) {
   Eigen::MatrixXd lhs(2 * knots, 2 * knots);
@@ -120,7 +121,7 @@ Eigen::MatrixX3d SolveDerivatives(const std::vector<Interval>& intervals, Eigen:
   for (Eigen::Index knot = 0; knot < knots; ++knot) {
     Condition third{Eigen::RowVectorXd::Zero(2 * knots), Eigen::RowVector3d::Zero()};
     Condition fourth = third;
-    // Equal from both sides; zero at an open end.
+    // Both derivatives are equal on both sides of a knot, and zero at an open end.
     if (closed || knot > 0) {
       const Interval& before = intervals[(knot + intervals.size() - 1) % intervals.size()];
       AddThird(before, true, 1.0, third);
@@ -168,10 +169,10 @@ Curve::Piece Curve::Line(const Vector3d& from, const Vector3d& to) {
   return piece;
 }
 
-// A Bezier curve of degree seven: four control points on each leg make curvature and its derivative
-// vanish at both ends.
+// A Bezier curve of degree seven. Four control points on each leg make the curvature and its
+// derivative vanish at both ends.
 Curve::Piece Curve::Bend(const Vector3d& corner, const Vector3d& from, const Vector3d& to) {
-  constexpr double kReach = 0.62;  // of the legs that control points cover: nearest to an arc
+  constexpr double kReach = 0.62;  // fraction of a leg that its control points span: like an arc
   std::array<Vector3d, 8> controls;
   for (std::size_t i = 0; i < 4; ++i) {
     const double part = kReach * static_cast<double>(i) / 3.0;
@@ -234,7 +235,7 @@ Curve Curve::Rounded(const std::vector<Vector3d>& points, bool closed, double co
     const Vector3d behind = points[(i + 1) % n] - points[i];
     const double cosine = before.normalized().dot(behind.normalized());
     if (cosine > 0.9) ThrowError(where, StrCat("a turn back at point ", i), "no such turn");
-    if (cosine < -1.0 + 1e-12) continue;  // straight on
+    if (cosine < -1.0 + 1e-12) continue;  // no turn
     const double cut = std::min({corner_m, 0.5 * before.norm(), 0.5 * behind.norm()});
     line_to(points[i] + cut * before.normalized());
     const Vector3d to = points[i] + cut * behind.normalized();
@@ -256,7 +257,7 @@ CurvePoint Curve::At(double s_m) const {
   const double u0 = static_cast<double>(cell % kCells) / kCells;
   double u = u0 + (s - arc_m_[cell]) / (arc_m_[cell + 1] - arc_m_[cell]) / kCells;
   constexpr int kMaxSteps = 10;
-  for (int step = 0; step < kMaxSteps; ++step) {  // Newton's
+  for (int step = 0; step < kMaxSteps; ++step) {  // Newton's method
     const double error = arc_m_[cell] + ArcLength(piece, u0, u) - s;
     u -= error / Evaluate(piece, u).first.norm();
     if (std::abs(error) < 1e-13 * (1.0 + length)) break;

@@ -8,23 +8,24 @@
 
 namespace cvo::synth {
 
-// A curve at one place, by its arc length s.
+// A point of a curve, with derivatives by its arc length s.
 struct CurvePoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector3d tangent = Eigen::Vector3d::UnitX();   // d position / ds, unit length
   Eigen::Vector3d curvature = Eigen::Vector3d::Zero();  // d tangent / ds, 1/m
 };
 
-// A curve in space, smooth enough that its curvature is differentiable, by arc length. Beyond the
-// ends of an open curve it goes straight on; a closed one repeats.
+// A space curve parametrised by arc length, smooth enough for a differentiable curvature. An open
+// curve continues straight beyond its ends; a closed one repeats.
 class Curve {
  public:
-  // The quintic spline through the points (chord-length parameter), four times differentiable. One
-  // point: a curve of length zero. Throws Error for points that coincide or for a cusp.
+  // The quintic spline through the points (chord-length parametrisation), four times
+  // differentiable. One point gives a curve of length zero. Throws Error for coincident points and
+  // for a cusp.
   static Curve Through(const std::vector<Eigen::Vector3d>& points, bool closed,
                        const std::string& where);
-  // Straight lines between the points, each corner cut from `corner_m` before it to as far behind
-  // it (less where a leg is short) by a bend within the corner's triangle.
+  // Straight legs between the points. A bend within the triangle of each corner replaces it from
+  // `corner_m` before to `corner_m` after the corner (less if a leg is short).
   static Curve Rounded(const std::vector<Eigen::Vector3d>& points, bool closed, double corner_m,
                        const std::string& where);
 
@@ -43,7 +44,7 @@ class Curve {
                     const Eigen::Vector3d& to);
 
   std::vector<Piece> pieces_;
-  std::vector<double> arc_m_;  // up to the start of each cell of each piece, and to the end
+  std::vector<double> arc_m_;  // at the start of each cell of each piece, and at the end
   bool closed_ = false;
 };
 

@@ -9,14 +9,14 @@
 
 namespace cvo::synth {
 
-// Where something is at one instant, and how it moves. The scene's world has z up, metres.
+// Pose and velocity of something at one instant. In the scene's world, z is up; lengths in metres.
 struct MotionState {
   RigidTransform world_from_body;
   Eigen::Vector3d velocity_in_world = Eigen::Vector3d::Zero();          // of the body's origin, m/s
   Eigen::Vector3d angular_velocity_in_world = Eigen::Vector3d::Zero();  // rad/s
 };
 
-// A twice-differentiable path: the same state for the same time, whatever was asked before.
+// A twice-differentiable path. The state depends only on the time, not on earlier calls.
 class Motion {
  public:
   virtual ~Motion() = default;

@@ -12,11 +12,11 @@
 
 namespace cvo::synth {
 
-// Paths as a scene file describes them, checked key by key; units and meaning as in
-// synth/README.md. `where` names file and key for errors found only when a path is built.
+// Paths as described in a scene file, with every key checked. synth/README.md gives units and
+// meaning. `where` names file and key, for errors that are detected only when a path is built.
 
 struct HeadingDescription {
-  bool along = true;  // the route; else from the x axis of the world
+  bool along = true;  // relative to the route; otherwise to the x axis of the world
   double offset_rad = 0.0;
   double spin_radps = 0.0;
 };
@@ -25,17 +25,17 @@ struct RouteDescription {
   std::string where;
   std::vector<Eigen::Vector2d> points;
   bool closed = false;
-  std::optional<double> corner_m;  // polyline with rounded corners; else a spline
+  std::optional<double> corner_m;  // polyline with rounded corners; otherwise a spline
   std::vector<SpeedProfile::Knot> speed;
   double start_m = 0.0;
-  double lateral_m = 0.0;  // to the left
+  double lateral_m = 0.0;  // offset to the left
   double bottom_m = 0.0;   // height of the body's lowest point
   HeadingDescription heading;
 };
 
 struct StillDescription {
   Eigen::Vector2d at = Eigen::Vector2d::Zero();
-  std::optional<double> centre_m;  // height of the body's origin; else it stands on the ground
+  std::optional<double> centre_m;  // height of the body's origin; otherwise it stands on the ground
   double heading_rad = 0.0;
 };
 
@@ -58,7 +58,7 @@ using PathDescription = std::variant<StillDescription, RouteDescription, SwingDe
 
 struct LookAt {
   std::string where;
-  std::vector<Eigen::Vector3d> points;  // traversed at one speed from first to last frame
+  std::vector<Eigen::Vector3d> points;  // traversed at constant speed over the whole sequence
 };
 
 struct LookAlong {

@@ -59,7 +59,7 @@ class SwingMotion final : public Motion {
   MotionState At(double time_s) const override {
     const Swinging out = synth::At(swing_.swing, time_s);
     const Swinging twist = synth::At(swing_.twist, time_s);
-    // A positive angle lifts the body towards the plane's direction.
+    // A positive angle lifts the body towards the direction `plane_rad`.
     const Vector3d axis(std::sin(swing_.plane_rad), -std::cos(swing_.plane_rad), 0.0);
     const Eigen::Quaterniond tilt(Eigen::AngleAxisd(out.angle_rad, axis));
     const Vector3d arm = tilt * Vector3d(0.0, 0.0, -swing_.length_m);

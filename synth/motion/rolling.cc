@@ -27,7 +27,7 @@ Vector3d RollingMotion::TurnPerMetre(double way_m) const {
   return Vector3d::UnitZ().cross(travel_.At(way_m).per_metre) / radius_m_;
 }
 
-// Magnus' expansion of fourth order, at the two nodes of Gauss and Legendre.
+// Fourth-order Magnus expansion at the two Gauss-Legendre nodes.
 Eigen::Quaterniond RollingMotion::Turn(double from_m, double to_m) const {
   const double h = to_m - from_m;
   const double middle = 0.5 * (from_m + to_m);
@@ -41,7 +41,7 @@ Eigen::Quaterniond RollingMotion::Orientation(double way_m) const {
   const double last = static_cast<double>(table_.size() - 1);
   const double nearest = std::clamp(std::round(way_m / step_m_), 0.0, last);
   Eigen::Quaterniond orientation = table_[static_cast<std::size_t>(nearest)];
-  // One step within the table, more before time zero and after the end.
+  // One step within the table, more steps before time zero and after the end.
   double at = nearest * step_m_;
   while (at != way_m) {
     const double next = at + std::clamp(way_m - at, -step_m_, step_m_);

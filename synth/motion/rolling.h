@@ -9,16 +9,17 @@
 namespace cvo::synth {
 
 // A ball that rolls on a plane along a route without slipping: omega = n x v / r. Its orientation
-// depends on the way alone; it is tabulated every few millimetres of it and integrated from there.
+// depends only on the distance travelled. It is tabulated in steps of at most 1 cm and integrated
+// from the nearest one.
 class RollingMotion final : public Motion {
  public:
   RollingMotion(RouteTravel travel, double radius_m, double height_m, double duration_s);
   MotionState At(double time_s) const override;
 
  private:
-  // Turning per metre of way, rad/m, in world.
+  // Rotation per distance, rad/m, in world.
   Eigen::Vector3d TurnPerMetre(double way_m) const;
-  // Rotation from one place of the way to another that is at most a step away.
+  // Rotation between two distances that are at most one step apart.
   Eigen::Quaterniond Turn(double from_m, double to_m) const;
   Eigen::Quaterniond Orientation(double way_m) const;
 
@@ -26,7 +27,7 @@ class RollingMotion final : public Motion {
   double radius_m_;
   double height_m_;
   double step_m_;
-  std::vector<Eigen::Quaterniond> table_;  // world_from_body at way index * step
+  std::vector<Eigen::Quaterniond> table_;  // world_from_body at distance index * step_m_
 };
 
 }  // namespace cvo::synth

@@ -10,7 +10,7 @@
 namespace cvo::synth {
 namespace {
 
-// From 0 to 1 with two derivatives zero at both ends, and its integral from 0.
+// A step from 0 to 1 whose first two derivatives vanish at both ends, and its integral from 0.
 double Ease(double x) { return x * x * x * (10.0 + x * (-15.0 + 6.0 * x)); }
 double EaseIntegral(double x) { return x * x * x * x * (2.5 + x * (-3.0 + x)); }
 

@@ -6,7 +6,7 @@
 
 namespace cvo::synth {
 
-// Speed over time: constant before the first knot and behind the last, eased between knots so that
+// Speed over time: constant before the first knot and after the last, eased between knots so that
 // it is twice differentiable.
 class SpeedProfile {
  public:
@@ -15,11 +15,11 @@ class SpeedProfile {
     double speed_mps = 0.0;
   };
 
-  // At least one knot, times increasing.
+  // Throws Error unless there is at least one knot and times increase.
   explicit SpeedProfile(std::vector<Knot> knots);
 
   double Speed_mps(double time_s) const;
-  // Way since time zero, m.
+  // Distance travelled since time zero, m.
   double Way_m(double time_s) const { return WaySinceFirst_m(time_s) - way_of_zero_m_; }
 
  private:
@@ -27,7 +27,7 @@ class SpeedProfile {
   double WaySinceFirst_m(double time_s) const;
 
   std::vector<Knot> knots_;
-  std::vector<double> way_m_;  // from the first knot to each
+  std::vector<double> way_m_;  // distance from the first knot to each
   double way_of_zero_m_ = 0.0;
 };
 

@@ -17,7 +17,8 @@ constexpr int kSteps = 200;  // along each path
 
 using Path = std::vector<Eigen::Vector2d>;
 
-// From metres to the canvas; drawing takes sixteenths of a pixel.
+// Maps metres to the canvas. Coordinates are in sixteenths of a pixel, as drawing with 4 fractional
+// bits needs.
 class Chart {
  public:
   Chart(const std::vector<Path>& paths, const cv::Mat& canvas) : canvas_(canvas) {
@@ -93,7 +94,7 @@ Path ViewWedge(const World& world, double time_s, double length_m) {
   return wedge;
 }
 
-// The longest of 1, 2, 5, 10, ... metres that takes a third of the width at most.
+// Draws the longest of 0.1, 0.2, 0.5, 1, ... 100 m that takes at most a third of the width.
 void DrawScaleBar(double pixels_per_m, cv::Mat& canvas) {
   double length_m = 0.1;
   for (const double step : {2.0, 2.5, 2.0, 2.0, 2.5, 2.0, 2.0, 2.5, 2.0}) {
@@ -113,7 +114,7 @@ void DrawScaleBar(double pixels_per_m, cv::Mat& canvas) {
 }  // namespace
 
 std::vector<cv::Scalar> BodyColours(std::size_t bodies) {
-  // Tableau's ten colours, easy to distinguish; later ones are darker.
+  // Tableau's ten colours, which are easy to distinguish. They repeat in darker shades.
   constexpr std::array<std::array<int, 3>, 10> kRgb = {{{31, 119, 180},
                                                         {255, 127, 14},
                                                         {44, 160, 44},

@@ -13,13 +13,13 @@
 namespace cvo::synth {
 namespace {
 
-constexpr int kCells = 12;  // the last one has the map
+constexpr int kCells = 12;  // the last one shows the map
 constexpr int kGap_px = 8;
 constexpr int kTitle_px = 54;
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 const cv::Scalar kPaper(250, 248, 246);
 
-// How a frame's pixels become the cell's.
+// A cell of the sheet and the scale from frame pixels to cell pixels.
 struct Cell {
   cv::Mat canvas;
   double scale = 1.0;
@@ -30,7 +30,7 @@ struct Cell {
   }
 };
 
-// A quarter of the body's colour: more would hide the texture.
+// Blends in about a quarter of the body's colour: more would hide the texture.
 void Tint(const cv::Mat& instances, const std::vector<cv::Scalar>& colours, cv::Mat& image) {
   for (int v = 0; v < image.rows; ++v) {
     const auto* ids = instances.ptr<std::uint16_t>(v);
@@ -65,7 +65,7 @@ void DrawAmodalBox(const PixelBox& box, const cv::Scalar& colour, Cell& cell) {
   for (int i = 0; i < 4; ++i) DrawDashes(corners[i], corners[(i + 1) % 4], colour, cell.canvas);
 }
 
-// On a patch of the body's colour, within the image.
+// Draws a name on a patch of the given colour, within the image.
 void DrawName(const std::string& name, cv::Point corner, const cv::Scalar& colour,
               cv::Mat& canvas) {
   int below_px = 0;
@@ -109,7 +109,7 @@ void DrawFrame(const World& world, int frame, const DrawingTools& tools,
   DrawName(caption, {cell.canvas.cols, cell.canvas.rows}, kPaper, cell.canvas);
 }
 
-// Columns that make the sheet about 3 : 2.
+// Number of columns for a sheet of about 3 : 2.
 int Columns(const World& world) { return world.rig.width_px > 2 * world.rig.height_px ? 2 : 4; }
 
 }  // namespace

@@ -9,9 +9,9 @@
 
 namespace cvo::synth {
 
-// A contact sheet, CV_8UC3 (BGR): eleven frames spread over the scene's frames [first, end), left
-// images in colour with tinted masks, visible boxes (solid), amodal boxes (dashed) and names, and
-// a map of the camera's and the bodies' paths from above. Throws Stopped.
+// Returns a contact sheet, CV_8UC3 (BGR): eleven frames spread over the scene's frames [first,
+// end), as left images in colour with tinted masks, visible boxes (solid), amodal boxes (dashed)
+// and names, and a map of the paths of the camera and the bodies from above. Throws Stopped.
 cv::Mat MakeContactSheet(const World& world, int first, int end, const DrawingTools& tools,
                          const WorkHooks& hooks);
 

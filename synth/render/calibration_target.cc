@@ -9,21 +9,21 @@
 namespace cvo::synth {
 namespace {
 
-constexpr int kColumns = 7;  // of squares
+constexpr int kColumns = 7;  // number of squares
 constexpr int kRows = 5;
 constexpr double kSquare_m = 0.1;
-constexpr int kSquare_px = 64;  // of the texture
+constexpr int kSquare_px = 64;  // in the texture
 constexpr double kRamp_px = 5.0;
-constexpr double kSmallestSquare_px = 24.0;  // in the image: windows must not touch
+constexpr double kSmallestSquare_px = 24.0;  // in the image, so that corner windows do not touch
 constexpr int kTextureSide_px = 1024;
-// Grey levels with room for noise and interpolation on both sides.
+// Grey levels that leave room for noise and interpolation on both sides.
 constexpr int kDark = 40;
 constexpr int kBright = 215;
 
 double CornerX(int column) { return (column - 0.5 * kColumns) * kSquare_m; }
 double CornerY(int row) { return (row - 0.5 * kRows) * kSquare_m; }
 
-// One at the middle of even squares, minus one at that of odd ones, 0 where they meet.
+// 1 in the middle of even squares, -1 in the middle of odd ones, 0 on the edge between them.
 double Wave(double texel) {
   const double square = std::floor(texel / kSquare_px);
   const double in_square = texel - square * kSquare_px;
@@ -32,8 +32,9 @@ double Wave(double texel) {
   return static_cast<int>(square) % 2 == 0 ? height : -height;
 }
 
-// A texture's filter places an edge more finely than four samples per pixel can place the edge of a
-// triangle, and a ramp over some pixels more finely than a step.
+// Draws the edges as ramps in a texture. Texture filtering places an edge more precisely than four
+// samples per pixel place the edge of a triangle, and a ramp over some pixels more precisely than a
+// step.
 cv::Mat PatternTexture() {
   cv::Mat texture(kTextureSide_px, kTextureSide_px, CV_8UC3);
   for (int row = 0; row < kTextureSide_px; ++row) {
@@ -61,12 +62,13 @@ Mesh BoardMesh() {
   return mesh;
 }
 
-// Where the board is in the picture: its middle in the left image as a part of the image's size,
-// the side of a square seen from the front, and how the board is turned, degrees.
+// Pose of the board relative to the midpoint between the cameras: where its centre appears, as a
+// fraction of the image size; the side of a square seen from the front; and the rotation of the
+// board, degrees.
 struct Placement {
   double u;
   double v;
-  double square;  // as a part of the image's height
+  double square;  // as a fraction of the image height
   double tilt_x_deg;
   double tilt_y_deg;
   double roll_deg;
@@ -88,8 +90,8 @@ View Place(const StereoCamera& rig, const Placement& placement) {
                                       (placement.v * rig.height_px - rig.cy) / rig.fy * depth,
                                       depth);
   const double rad = std::acos(-1.0) / 180.0;
-  // Half the baseline aside, so that the board is as far off the middle in the left camera as in
-  // the right.
+  // Shift by half the baseline, so that the board is as far off-centre in the left image as in the
+  // right.
   const Eigen::Vector3d aside(0.5 * rig.baseline_m, 0.0, 0.0);
   const Eigen::Quaterniond left_from_board =
       ExpSo3(Eigen::Vector3d(placement.tilt_x_deg * rad, 0.0, 0.0)) *

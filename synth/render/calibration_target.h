@@ -9,14 +9,14 @@
 
 namespace cvo::synth {
 
-// Half the side of the window for cv::cornerSubPix in which no second corner is, px.
+// Half the side of the cv::cornerSubPix window, px: a window contains only one corner.
 inline constexpr int kCornerWindow_px = 7;
 
-// A checkerboard whose corners tell how exactly a rig's renders follow its projection.
+// A checkerboard whose corners measure how exactly the renders follow the projection of a rig.
 struct CalibrationTarget {
-  World world;                             // the board's frame is the world; the board is at z = 0
+  World world;                             // its frame is the board's; the board is at z = 0
   std::vector<Eigen::Vector3d> corners_m;  // inner corners, in the board's frame
-  std::vector<View> views;                 // tilted and turned, all corners in both images
+  std::vector<View> views;                 // board tilted and rotated, all corners in both images
 };
 
 CalibrationTarget MakeCalibrationTarget(const StereoCamera& rig);

@@ -9,10 +9,10 @@
 namespace cvo::synth {
 namespace {
 
-// More than the rounding of 32-bit depth leaves outside of a box, less than matters.
+// Greater than the error of rounding depth to 32 bits, but small enough not to matter.
 constexpr double kTolerance_m = 0.003;
 
-// The box of a body as this camera sees it.
+// The box of a body relative to the left camera.
 struct BodyBox {
   RigidTransform body_from_left;
   Eigen::Vector3d half_size_m;
@@ -35,7 +35,7 @@ bool IsInside(const StereoCamera& rig, const BodyBox& box, int u, int v, double 
   return (p_in_body.cwiseAbs() - bound).maxCoeff() <= 0.0;
 }
 
-// As drawn, not as corrected meanwhile, so that the order of pixels does not matter.
+// Uses the depth as drawn, not as corrected so far, so that the order of pixels does not matter.
 float DepthOfNeighbour(const cv::Mat& drawn, const cv::Mat& instances, int u, int v,
                        double middle_z_m) {
   float best = drawn.at<float>(v, u);

@@ -6,10 +6,11 @@
 
 namespace cvo::synth {
 
-// A triangle seen edge-on may cover a pixel's centre only because the rasteriser rounds its corners
-// to 1/256 px; its depth there is extrapolated, by decimetres at worst. Such pixels of bodies show
-// as points outside of the body's box: they take the depth of the neighbour of the same body that
-// is nearest to the box's middle. Bodies without a size are left alone.
+// Corrects the depth of triangles seen edge-on. Such a triangle may cover the centre of a pixel
+// only because the rasteriser rounds vertices to 1/256 px. Its depth there is extrapolated, with
+// errors of up to some decimetres. On a body, these pixels give points outside the body's box. They
+// take the depth of the neighbour on the same body that is closest in depth to the centre of the
+// box. Bodies without a size are left unchanged.
 void CorrectEdgeDepth(const StereoCamera& rig, const std::vector<Body>& bodies, const View& view,
                       Rendering& rendering);
 

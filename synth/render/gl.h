@@ -6,7 +6,8 @@
 
 namespace cvo::synth {
 
-// The OpenGL 4.5 functions that are used, without their prefix. Valid in every context.
+// The OpenGL 4.5 functions in use, named without their prefix. The pointers are valid in every
+// context.
 struct Gl {
   // objects
   PFNGLCREATEBUFFERSPROC CreateBuffers;
@@ -81,10 +82,10 @@ struct Gl {
   PFNGLREADPIXELSPROC ReadPixels;
 };
 
-// Throws Error naming a function that OSMesa does not offer.
+// Loads all functions. Throws Error naming the first one that OSMesa does not provide.
 Gl LoadGl();
 
-// Throws Error if an OpenGL call since the last check failed; `where` says what was done.
+// Throws Error if an OpenGL call has failed since the last check. `where` names the operation.
 void CheckGl(const Gl& gl, const char* where);
 
 }  // namespace cvo::synth

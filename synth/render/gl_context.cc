@@ -13,7 +13,7 @@
 namespace cvo::synth {
 namespace {
 
-// Drawing goes to frame buffer objects: what OSMesa itself wants to draw to is never used.
+// Drawing goes to framebuffer objects. OSMesa's own buffer is never used.
 constexpr int kUnusedSide_px = 4;
 
 void SetVariable(const char* name, const std::string& value) {
@@ -21,8 +21,9 @@ void SetVariable(const char* name, const std::string& value) {
   if (old == nullptr || old != value) setenv(name, value.c_str(), 1);
 }
 
-// What Mesa reads when the first context of the process is made. AVX and 256 bits are what gives
-// the same bytes on most processors; compiled shaders must not go to the user's home folder.
+// Sets the variables that Mesa reads when the process makes its first context. AVX and 256 bits
+// give the same bytes on most processors. Compiled shaders must not be cached in the user's home
+// folder.
 void ConfigureMesa(int threads) {
   SetVariable("LP_NATIVE_VECTOR_WIDTH", "256");
   SetVariable("GALLIUM_OVERRIDE_CPU_CAPS", "avx");

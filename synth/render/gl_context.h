@@ -7,17 +7,17 @@
 
 namespace cvo::synth {
 
-// An OpenGL 4.5 core context drawn by llvmpipe with vectors of 256 bits. Whatever OpenGL objects it
-// holds end with it. Current in the calling thread once constructed.
+// An OpenGL 4.5 core context of llvmpipe with 256-bit vectors. Its OpenGL objects are freed with
+// it. The constructor makes it current in the calling thread.
 class GlContext {
  public:
-  // Throws Error where there is no such context. `threads` as in Renderer.
+  // Throws Error if such a context cannot be created. `threads` as in Renderer.
   explicit GlContext(int threads);
   ~GlContext();
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
 
-  // Other contexts may have been current meanwhile.
+  // To be called where another context may have become current.
   void MakeCurrent();
   const Gl& gl() const { return gl_; }
   RendererVersion Version() const;

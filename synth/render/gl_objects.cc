@@ -91,7 +91,7 @@ void CheckComplete(const Gl& gl, GLuint framebuffer, const char* name) {
   }
 }
 
-// Counter-clockwise seen from the side that the normals point to.
+// Returns the indices with every triangle counter-clockwise as seen from the side of its normals.
 std::vector<std::uint32_t> OrientedIndices(const Mesh& mesh) {
   std::vector<std::uint32_t> indices = mesh.indices;
   for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {

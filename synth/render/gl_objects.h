@@ -10,31 +10,31 @@
 
 namespace cvo::synth {
 
-// Meshes and textures in OpenGL objects, which end with the context.
+// A mesh in OpenGL objects. Like all OpenGL objects below, they are freed with the context.
 struct GlMesh {
   GLuint vertex_array = 0;
   GLsizei indices = 0;
-  Sphere sphere;  // in the body's frame
+  Sphere sphere;  // bounding sphere in the body's frame
   bool two_sided = true;
 };
 
-// Throws Error for indices outside the vertices.
+// Throws Error unless the indices are triples of valid vertex indices.
 GlMesh UploadMesh(const Gl& gl, const Mesh& mesh);
-// Throws Error if it is not CV_8UC3 with sides that are powers of two.
+// Throws Error unless the texture is CV_8UC3 and its sides are powers of two.
 GLuint UploadTexture(const Gl& gl, const cv::Mat& texture);
 
-// Throws Error with the compiler's words.
+// Throws Error with the compiler's message.
 GLuint CompileProgram(const Gl& gl, const char* vertex_shader, const char* fragment_shader);
 
-// What is drawn to. Colour is multi-sampled and then resolved; ground truth has one sample in the
-// middle of each pixel.
+// The framebuffers to draw to, and the texture `shadow_map`. Colour is multisampled and then
+// resolved; ground truth has one sample per pixel, at its centre.
 struct Targets {
   GLuint shadow = 0;
   GLuint shadow_map = 0;
-  GLuint samples[2] = {};  // colour, left and right
+  GLuint samples[2] = {};  // multisampled colour, left and right
   GLuint colour[2] = {};
-  GLuint ground_truth = 0;  // depth in metres and instances
-  GLuint silhouette = 0;    // stencil alone
+  GLuint ground_truth = 0;  // depth in metres, and instances
+  GLuint silhouette = 0;    // stencil only
 };
 
 Targets MakeTargets(const Gl& gl, int width_px, int height_px, int shadow_side_px);

@@ -97,22 +97,22 @@ void Passes::SetVector(int location, const Eigen::Vector3d& vector) {
   gl_.Uniform3fv(location, 1, values.data());
 }
 
-// The back of what has no inside to be seen costs as much as its front: the rasteriser shades
-// hidden pixels too where there are several samples in each.
+// Culls back faces that cannot be seen. They would cost as much as front faces, because with
+// multisampling the rasteriser also shades hidden pixels.
 void Passes::DrawMesh(const GlMesh& mesh) {
   mesh.two_sided ? gl_.Disable(GL_CULL_FACE) : gl_.Enable(GL_CULL_FACE);
   gl_.BindVertexArray(mesh.vertex_array);
   gl_.DrawElements(GL_TRIANGLES, mesh.indices, GL_UNSIGNED_INT, nullptr);
 }
 
-// Clears depth, where there is some, to infinitely far.
+// Clears depth, if the framebuffer has any, to infinity.
 void Passes::UseTarget(GLuint framebuffer, int width_px, int height_px) {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   gl_.Viewport(0, 0, width_px, height_px);
   gl_.Disable(GL_STENCIL_TEST);
   gl_.Enable(GL_DEPTH_TEST);
   gl_.DepthFunc(GL_GREATER);
-  gl_.CullFace(GL_FRONT);  // counter-clockwise triangles are clockwise where rows go down
+  gl_.CullFace(GL_FRONT);  // rows go down, so counter-clockwise triangles become clockwise
   const float far = 0.0F;
   gl_.ClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far);
 }
@@ -199,8 +199,8 @@ void Passes::DrawGroundTruth() {
   }
 }
 
-// Each body marks its pixels with a value of its own in the stencil, so that a pixel counts once
-// however many of its triangles cover it.
+// Each body marks its pixels in the stencil buffer with its own value, so that a pixel counts once
+// however many triangles of the body cover it.
 void Passes::DrawSilhouettes() {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, targets_.silhouette);
   gl_.Viewport(0, 0, rig_.width_px, rig_.height_px);

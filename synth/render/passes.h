@@ -13,15 +13,15 @@ namespace cvo::synth {
 
 enum Eye { kLeft, kRight };
 
-// The passes over a world that make up a rendering. All that is read comes after all that is drawn:
-// the rasteriser works on one pass while the next is prepared.
+// The passes over a world that make up a rendering. Results are best read after all passes have
+// been drawn: the rasteriser works on one pass while the next is prepared.
 class Passes {
  public:
   Passes(const World& world, int threads);
 
   void Begin(const View& view);
   void DrawShadows();
-  void DrawColour(Eye eye);  // needs the shadows
+  void DrawColour(Eye eye);  // after DrawShadows
   void DrawGroundTruth();
   void DrawSilhouettes();
 
@@ -29,15 +29,15 @@ class Passes {
   cv::Mat ReadDepth();
   cv::Mat ReadInstances();
   std::vector<int> ReadAlone();
-  void Check();  // throws Error if anything failed
+  void Check();  // throws Error if an OpenGL call has failed
 
  private:
-  // Where a drawable is in the view that is being drawn.
+  // A drawable with its pose in the current view.
   struct Placed {
     const Drawable* drawable;
     const GlMesh* mesh;
     Eigen::Matrix4d world_from_body;
-    double farthest_m;  // the greatest distance from the camera it may have
+    double farthest_m;  // upper bound of its distance from the camera
   };
 
   void SetMatrix(int location, const Eigen::Matrix4d& matrix);
@@ -57,7 +57,7 @@ class Passes {
   std::vector<GlMesh> meshes_;
   std::vector<GLuint> textures_;
   std::vector<GLuint> queries_;     // [id - 1]
-  std::vector<bool> query_is_set_;  // [id - 1], in this view
+  std::vector<bool> query_is_set_;  // [id - 1], in the current view
   GLuint sky_vertices_ = 0;
   GLuint colour_program_ = 0;
   GLuint sky_program_ = 0;
@@ -69,7 +69,7 @@ class Passes {
   Eigen::Matrix4d clip_from_world_[2];
   Eigen::Matrix4d shadow_clip_from_world_;
   Eigen::Matrix4d shadow_map_from_world_;
-  std::vector<Placed> placed_;  // near before far
+  std::vector<Placed> placed_;  // sorted from near to far
 };
 
 }  // namespace cvo::synth

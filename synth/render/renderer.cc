@@ -6,12 +6,12 @@
 #include "synth/render/gl_context.h"
 #include "synth/render/passes.h"
 
-// What is guaranteed, and tested: the same bytes from run to run and for any number of threads of
-// the rasteriser, with the same Mesa and LLVM on the same processor. Mesa is held to AVX and to
-// vectors of 256 bits so that other processors with AVX should give these bytes as well; that has
-// not been tried. Not guaranteed: another version of Mesa or LLVM, another architecture. Without
-// AVX there is an error. GL_RENDERER shows the width but not the instruction set: a process that
-// made a context of its own before, with other settings, is not noticed.
+// Guaranteed and tested: the same bytes from run to run and for any number of rasteriser threads,
+// with the same Mesa and LLVM on the same processor. Mesa is restricted to AVX and 256-bit vectors
+// so that other processors with AVX should give these bytes as well, which has not been tested. Not
+// guaranteed: another version of Mesa or LLVM, or another architecture. Without AVX, Error is
+// thrown. GL_RENDERER shows the vector width but not the instruction set, so it goes unnoticed if
+// the process has already made a context with other settings.
 namespace cvo::synth {
 
 struct Renderer::State {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// In place of renderer.cc where there is no OSMesa: everything else builds and works.
+// Replaces renderer.cc in a build without OSMesa. Everything else builds and works.
 #include "core/base/error.h"
 #include "synth/render/renderer.h"
 

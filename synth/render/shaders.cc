@@ -25,9 +25,10 @@ void main() {
 }
 )glsl";
 
-// Surfaces have two sides: the normal is turned to the side that is seen, found from the triangle
-// itself, because a smooth normal near a silhouette may point away. Shadows are looked up a little
-// off the surface (more at grazing light) and fade out at the end of the map.
+// Surfaces are two-sided: the normal is turned to the visible side. That side is found from the
+// triangle itself, because a smooth normal near a silhouette may point away from the viewer.
+// Shadows are looked up slightly off the surface (further at grazing light) and fade out at the
+// border of the map.
 const char* const kColourFragmentShader = R"glsl(#version 450 core
 in vec3 normal;
 in vec3 to_eye;
@@ -77,7 +78,7 @@ void main() {
 }
 )glsl";
 
-// Depth 0 is infinitely far.
+// Draws at depth 0, which is at infinity.
 const char* const kSkyVertexShader = R"glsl(#version 450 core
 layout(location = 11) uniform mat4 world_from_ndc;
 out vec3 direction;

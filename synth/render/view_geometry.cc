@@ -10,7 +10,7 @@
 namespace cvo::synth {
 namespace {
 
-// How much further along the light than sideways a thing may be and still cast its shadow.
+// How far beyond the shadow range, along the light, an object still casts its shadow.
 constexpr double kShadowDepth_m = 60.0;
 
 Eigen::Matrix4d ClipFromCamera(const StereoCamera& rig, double cx) {

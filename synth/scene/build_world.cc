@@ -28,7 +28,8 @@ Surroundings MakeSurroundings(const SceneParts& scene, Rng look) {
   return MakeStreet(std::get<StreetDescription>(scene.surroundings), look);
 }
 
-// Each from a stream of its own, so that one thing more changes no other. `where` names the scene.
+// Makes every model from its own random stream, so that an additional object changes no other.
+// `where` names the scene.
 Models MakeModels(const SceneParts& scene, const std::string& where, TaskPool& pool) {
   Models models;
   models.objects.resize(scene.objects.size());
@@ -81,7 +82,7 @@ std::vector<Eigen::Vector4d> WallsAndFloor(const Surroundings& surroundings) {
   return walls;
 }
 
-// Towards the mean colour of each texture (below 1) or away from it.
+// Scales all colours about the mean colour of their texture.
 void ScaleContrast(double contrast, World& world) {
   if (contrast == 1.0) return;
   for (cv::Mat& texture : world.textures) {

@@ -18,17 +18,17 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kTolerance_m = 1e-3;
-constexpr double kLongestStep_m = 0.02;  // of what nearly touches
-constexpr double kWallStep_m = 0.05;     // nothing comes out on the other side of a wall
+constexpr double kLongestStep_m = 0.02;  // of solids that nearly touch
+constexpr double kWallStep_m = 0.05;     // longer: a wall has no other side to come out of
 constexpr double kNever_s = std::numeric_limits<double>::infinity();
 
 // A solid with bounds that make most checks cheap.
 struct Moving {
   const Solid* solid = nullptr;
-  double radius_m = 0.0;      // around the origin
-  double fastest_mps = 0.0;   // of any of its points
-  double least_half_m = 0.0;  // of its pieces
-  Eigen::AlignedBox3d swept;  // everywhere it comes
+  double radius_m = 0.0;      // around the model's origin
+  double fastest_mps = 0.0;   // bound for all of its points
+  double least_half_m = 0.0;  // smallest half side or radius of its shapes
+  Eigen::AlignedBox3d swept;  // bounds of the solid at all times
 
   RigidTransform At(double time_s) const {
     return solid->motion ? solid->motion->At(time_s).world_from_body : solid->world_from_model;
@@ -56,7 +56,7 @@ Moving MakeMoving(const Solid& solid, double duration_s) {
       moving.fastest_mps = std::max(moving.fastest_mps, state.velocity_in_world.norm() + turning);
       moving.swept.extend(Vector3d(state.world_from_body.translation()));
     }
-    // Between samples the speed may be somewhat higher.
+    // The speed may be slightly higher between samples.
     if (moving.fastest_mps > 0.0) moving.fastest_mps = 1.1 * moving.fastest_mps + 0.01;
   }
   const double margin = moving.radius_m + moving.fastest_mps * kSample_s + kTolerance_m;
@@ -65,7 +65,8 @@ Moving MakeMoving(const Solid& solid, double duration_s) {
   return moving;
 }
 
-// Exact where the bounding balls are close.
+// Evaluates the shapes only if the bounding spheres are close; otherwise returns the distance of
+// the spheres.
 double SeparationOf(const Moving& a, const Moving& b, double time_s) {
   constexpr double kFar_m = 0.5;
   const RigidTransform at_a = a.At(time_s);
@@ -97,8 +98,8 @@ struct Collision {
   double worst_depth_m = 0.0;
 };
 
-// Steps through time by what the present separation allows at the greatest closing speed, so that
-// nothing is missed but what moves less than the shortest step within another.
+// Steps through time by the present separation divided by the greatest closing speed. This can only
+// miss an overlap during which the solids move by less than the shortest step.
 template <typename SeparationAt>
 Collision FindCollision(const SeparationAt& separation_at, double closing_mps,
                         double shortest_step_m, double duration_s) {
@@ -191,7 +192,7 @@ std::string Fixed(double value, int digits) {
   ThrowError(where, found, "no collisions");
 }
 
-// Whether a ball may touch the left camera's field of view.
+// Whether a sphere in the left camera's frame may intersect its field of view.
 bool MayShow(const StereoCamera& rig, const Vector3d& centre, double radius_m) {
   if (centre.z() + radius_m <= StereoCamera::kMinDepth_m) return false;
   const double left = (-0.5 - rig.cx) / rig.fx, right = (rig.width_px - 0.5 - rig.cx) / rig.fx;

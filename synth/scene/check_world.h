@@ -12,21 +12,22 @@
 
 namespace cvo::synth {
 
-// A thing that others must not enter.
+// A solid object that other solids must not penetrate.
 struct Solid {
   std::string name;
   std::vector<CollisionShape> shapes;
-  std::shared_ptr<const Motion> motion;  // none: stays where it is, with others of its kind
-  RigidTransform world_from_model;       // without motion
+  std::shared_ptr<const Motion> motion;  // null: static; static solids may overlap each other
+  RigidTransform world_from_model;       // pose if `motion` is null
 };
 
-// From time zero to `duration_s`: no solid in another, none but those without motion beyond a wall
-// (inward planes). Touching is allowed. Throws Error at `where` naming the first collision and when
-// it is deepest. The same for every number of threads.
+// Checks from time zero to `duration_s` that no solid penetrates another and that no moving solid
+// crosses a wall (planes with inward normals). Touching is allowed. Throws Error at `where` that
+// names the first collision and the time at which it is deepest. The result does not depend on the
+// number of threads.
 void CheckCollisions(const std::vector<Solid>& solids, const std::vector<Eigen::Vector4d>& walls,
                      double duration_s, int threads, const std::string& where);
 
-// Throws Error for a body of which no frame can show anything.
+// Throws Error for a body whose bounding sphere is outside the left camera's view in every frame.
 void CheckInView(const World& world, const std::string& where);
 
 }  // namespace cvo::synth

@@ -38,8 +38,8 @@ SceneText FindScene(const std::string& scene) {
              "a JSON file or " + OneOfKnown(scene, names));
 }
 
-// The value behind one key of a path: made in an object where it is missing, so that strict
-// reading judges it.
+// Returns the value of one key of a path. A key that is missing in an object is created, so that
+// strict parsing reports it if it is unknown.
 Json& Child(Json& parent, const std::string& key, const std::string& where) {
   if (parent.is_object()) return parent[key];
   if (!parent.is_array())
@@ -73,7 +73,7 @@ void Assign(Json& scene, const std::string& assignment) {
   }
 }
 
-// Keys in order, numbers in one form: text that is the same for the same meaning.
+// Sorts keys and gives numbers a unique form, so that equal meaning gives equal text.
 nlohmann::json Canonical(const Json& value) {
   if (value.is_object()) {
     nlohmann::json object = nlohmann::json::object();
@@ -85,7 +85,7 @@ nlohmann::json Canonical(const Json& value) {
     for (const Json& element : value) array.push_back(Canonical(element));
     return array;
   }
-  // Integers beyond 2^53 are seeds, which doubles cannot tell apart.
+  // Keep integers: doubles cannot represent all seeds beyond 2^53.
   if (value.is_number_unsigned()) return value.get<std::uint64_t>();
   if (value.is_number_integer()) return value.get<std::int64_t>();
   if (value.is_number()) {
@@ -99,7 +99,8 @@ nlohmann::json Canonical(const Json& value) {
   return nullptr;
 }
 
-// Of a mesh with the files that belong to it by their name: materials, buffers, pictures.
+// Hashes a mesh file and the files that belong to it because they share its stem: materials,
+// buffers, images.
 std::string MeshHash(const std::filesystem::path& file) {
   std::vector<std::filesystem::path> files;
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
@@ -143,7 +144,7 @@ std::string RenderKeyText(const SceneDescription& scene) {
   const nlohmann::json blur = Canonical(scene.sensor()).value("motion_blur", nlohmann::json());
   for (const char* other : {"name", "about", "seed", "detector", "sensor"}) key.erase(other);
   if (!blur.is_null()) key["sensor"]["motion_blur"] = blur;
-  // Not by their paths: the same file may lie elsewhere.
+  // Meshes are identified by content instead of path: the same file may be elsewhere.
   for (nlohmann::json& object : key["objects"]) object.erase("file");
   for (const ObjectDescription& object : scene.parts().objects) {
     if (!object.model.file.empty()) key["meshes"][object.name] = MeshHash(object.model.file);

@@ -12,7 +12,7 @@
 namespace cvo::synth {
 namespace {
 
-// As the source wrote it, cut to fit a line.
+// Formats a value as JSON, truncated to fit a line.
 std::string Shown(const Json& value) {
   std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
   constexpr std::size_t kLongest = 60;
@@ -43,7 +43,7 @@ bool ObjectReader::Has(const std::string& key) {
 
 const Json& ObjectReader::Value(const std::string& key) {
   if (Has(key)) return (*object_)[key];
-  // A misspelt key says more than a missing one.
+  // Report a misspelt key rather than a missing one, which is more helpful.
   for (const auto& [other, value] : object_->items()) {
     const bool is_known = std::find(known_.begin(), known_.end(), other) != known_.end();
     if (!is_known && !ClosestNames(other, {key}).empty()) FailUnknown(other);
@@ -136,7 +136,7 @@ std::vector<std::vector<double>> ObjectReader::Rows(const std::string& key, Rang
   }
   std::vector<std::vector<double>> rows;
   for (const Json& element : value) {
-    // The row is read as if it were a key of its own.
+    // Read the row as if it were the value of a key.
     const std::string index = std::to_string(rows.size());
     const Json holder = Json::object({{index, element}});
     rows.push_back(ObjectReader(holder, where_, Path(key)).Numbers(index, range, {size}));

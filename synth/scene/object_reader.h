@@ -12,19 +12,20 @@
 
 namespace cvo::synth {
 
-// Numbers from min to max, both allowed.
+// The closed interval [min, max].
 struct Range {
   double min = 0.0;
   double max = 0.0;
 };
 inline constexpr Range kPlace = {-1e5, 1e5};  // coordinates, in metres or pixels
 
-// One object of a JSON text, read key by key. Every function throws Error naming the source and the
-// dotted path for a key that is missing (unless it ends in Or), of another type or out of range.
-// The JSON must outlive it.
+// Reads one object of a JSON text key by key. Every accessor throws Error with the source and the
+// dotted path of the key if the value has the wrong type or is out of range, or if the key is
+// missing, unless the name of the accessor ends in Or. The JSON must outlive the reader.
 class ObjectReader {
  public:
-  // `where` names the source, `path` the object within it: empty at the top.
+  // `where` names the source; `path` is the dotted path of the object within it, empty for the
+  // root.
   ObjectReader(const Json& object, std::string where, std::string path);
 
   bool Has(const std::string& key);
@@ -36,22 +37,23 @@ class ObjectReader {
   bool BoolOr(const std::string& key, bool fallback);
   std::string Text(const std::string& key);
   std::string TextOr(const std::string& key, const std::string& fallback);
-  // As many numbers as one of `sizes`.
+  // Reads a list of numbers whose length is one of `sizes`.
   std::vector<double> Numbers(const std::string& key, Range range, const std::set<int>& sizes);
   Eigen::Vector3d Vector3(const std::string& key, Range range);
   Eigen::Vector3d Vector3Or(const std::string& key, Range range, const Eigen::Vector3d& fallback);
-  // Rows of `size` numbers, at least `least` rows.
+  // Reads at least `least` rows of `size` numbers each.
   std::vector<std::vector<double>> Rows(const std::string& key, Range range, int size, int least);
   ObjectReader Object(const std::string& key);
-  // Empty where the key is missing.
+  // Reads a list of objects; returns an empty list if the key is missing.
   std::vector<ObjectReader> ObjectsOr(const std::string& key);
   const Json& Value(const std::string& key);
 
-  // Throws for a key that nothing asked for.
+  // Throws Error if the object has a key that was never asked for.
   void Finish() const;
-  // "<where>, objects.2.size_m"; an empty key: the object itself.
+  // Returns the location of a key for error messages, "<where>, objects.2.size_m". An empty key
+  // stands for the object itself.
   std::string Where(const std::string& key) const;
-  // Throws unless exactly one of the keys is there; returns it.
+  // Returns the only one of `keys` that is present. Throws Error unless there is exactly one.
   std::string OneOf(const std::vector<std::string>& keys);
 
  private:

@@ -16,7 +16,7 @@ namespace {
 constexpr Range kUnit = {0.0, 1.0};
 constexpr double kMaxCount = 1000;
 
-// Names become file names and parts of other names.
+// Names are restricted because they become file names and parts of other names.
 std::string ParseName(ObjectReader& reader) {
   const std::string name = reader.Text("name");
   const bool good = !name.empty() && name.size() <= 64 &&
@@ -140,7 +140,7 @@ Copies ParseCopies(ObjectReader reader) {
   return copies;
 }
 
-// The path of the copy that is `way_m` further: along the route, else in a straight line.
+// Moves the path of a copy by `way_m`: along a route, otherwise in a straight line.
 struct MovedPath {
   double way_m;
   std::optional<double> direction_rad;
@@ -225,7 +225,7 @@ SceneParts ParseScene(const Json& json, const std::string& where,
   for (ObjectReader& object : reader.ObjectsOr("objects")) ParseObject(object, folder, scene);
   for (const char* key : {"sensor", "detector"}) {
     if (!reader.Has(key)) continue;
-    reader.Object(key);  // an object; what is in it, its readers check
+    reader.Object(key);  // must be an object; synth/write checks its content
     (std::string(key) == "sensor" ? scene.sensor : scene.detector) = reader.Value(key);
   }
   reader.Finish();

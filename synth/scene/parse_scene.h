@@ -10,12 +10,13 @@
 
 namespace cvo::synth {
 
-// Mesh files are meant relative to `folder`. Throws Error naming `where` and the key.
+// Parses a scene file. Paths of mesh files are relative to `folder`. Throws Error naming `where`
+// and the key.
 SceneParts ParseScene(const Json& json, const std::string& where,
                       const std::filesystem::path& folder);
 
-// Paths of bodies and of the camera, for ParseScene.
-RouteDescription ParseRoute(ObjectReader route);  // without lateral_m, bottom_m and heading
+// Parse the paths of bodies and of the camera.
+RouteDescription ParseRoute(ObjectReader route);  // without bottom_m and heading
 PathDescription ParsePath(ObjectReader path);
 CameraDescription ParseCamera(ObjectReader camera);
 

@@ -17,8 +17,8 @@
 
 namespace cvo::synth {
 
-// What a scene file says, checked key by key; units and meaning as in synth/README.md. `where`
-// names file and key for errors found only when the scene is built.
+// The content of a scene file, with every key checked. synth/README.md gives units and meaning.
+// `where` names file and key, for errors that are detected only when the scene is built.
 
 struct ObjectDescription {
   std::string where;
@@ -39,9 +39,9 @@ struct SceneParts {
   double rate_hz = 0.0;
   std::variant<RoomDescription, StreetDescription> surroundings;
   Light light;
-  double texture_contrast = 1.0;  // of all textures about their mean colour
+  double texture_contrast = 1.0;  // scales all textures about their mean colour
   CameraDescription camera;
-  std::vector<ObjectDescription> objects;  // copies are objects of their own
+  std::vector<ObjectDescription> objects;  // one for each copy
   Json sensor = Json::object();
   Json detector = Json::object();
 

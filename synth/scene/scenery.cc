@@ -7,7 +7,7 @@
 namespace cvo::synth {
 namespace {
 
-constexpr float kBlock_m = 24.0F;  // a room is within one, around the origin
+constexpr float kBlock_m = 24.0F;  // a room usually fits into the block around the origin
 
 struct Block {
   int x;
@@ -37,7 +37,7 @@ void Scenery::AddBackground(const Part& part, const RigidTransform& world_from_p
   for (const Vertex& v : part.mesh.vertices) {
     vertices.push_back({rotation * v.position + translation, rotation * v.normal, v.uv});
   }
-  // Where each vertex is in which block's mesh.
+  // Index of each vertex in the mesh of each block.
   std::map<std::pair<std::size_t, std::uint32_t>, std::uint32_t> moved;
   const std::vector<std::uint32_t>& indices = part.mesh.indices;
   for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
@@ -70,7 +70,7 @@ std::size_t Scenery::MeshFor(const Likeness& likeness) {
     const auto& [texture, gloss, casts_shadow, x, y] = likeness;
     world_.drawables.push_back({static_cast<int>(merged->second), texture, 0, gloss, casts_shadow});
     world_.meshes.emplace_back();
-    world_.meshes.back().two_sided = false;  // what we built ourselves
+    world_.meshes.back().two_sided = false;  // never seen from behind
   }
   return merged->second;
 }

@@ -29,7 +29,7 @@ double BallToBox(const Vector3d& ball, double radius, const Box& box) {
   return outside.cwiseMax(0.0).norm() - radius;
 }
 
-// Separating axes: the greatest gap over the 15 directions that can separate two boxes.
+// Separating axis test: returns the greatest gap along the 15 axes that can separate two boxes.
 double BoxToBox(const Box& a, const Box& b) {
   const Vector3d apart = b.centre - a.centre;
   double widest = -1e300;

@@ -8,11 +8,12 @@
 namespace cvo::synth {
 
 struct ShippedScene {
-  std::string name;  // as in its text
+  std::string name;  // the `name` in `text`
   std::string text;  // JSON
 };
 
-// The scene files of synth/scenes, compiled in, so that the program finds them wherever it is.
+// Returns the scene files of synth/scenes. They are compiled in, so that the program does not
+// depend on its location.
 std::vector<ShippedScene> ShippedScenes();
 
 }  // namespace cvo::synth

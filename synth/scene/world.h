@@ -15,45 +15,45 @@
 
 namespace cvo::synth {
 
-// What is drawn in one call: a mesh with one texture.
+// One draw call: a mesh with one texture.
 struct Drawable {
   int mesh = 0;     // into World::meshes
   int texture = 0;  // into World::textures
-  int body = 0;     // 0: background, at rest in world; else Body::id, drawn at world_from_body
+  int body = 0;     // 0: static background, in world; else Body::id, drawn at world_from_body
   float gloss = 0;  // strength of the highlight of the directional light, 0 ... 1
   bool casts_shadow = true;
 };
 
-// A thing of a class that a detector knows, moving or not. Its frame: x forward, y left, z up, the
-// origin in the middle of its box.
+// An object of a class that a detector knows, moving or not. Body frame: x forward, y left, z up,
+// origin at the centre of its box.
 struct Body {
   int id = 0;            // 1, 2, ... in the order of World::bodies; the value in instance masks
   std::string name;      // "ball_1"
   std::string category;  // "Ball", "Chair", "Block", "Car", ...: the type in labels
-  Eigen::Vector3d size_m = Eigen::Vector3d::Zero();  // of its box along x, y, z
+  Eigen::Vector3d size_m = Eigen::Vector3d::Zero();  // of the box along x, y, z
   std::shared_ptr<const Motion> motion;
 };
 
 struct Light {
-  Eigen::Vector3d direction = {0.3, 0.2, -1.0};  // in which the directional light travels, in world
+  Eigen::Vector3d direction = {0.3, 0.2, -1.0};  // of travel of the directional light, in world
   double directional = 0.65;                     // irradiance of a surface facing it
-  double ambient = 0.62;                         // from everywhere, a third less from below
+  double ambient = 0.62;                         // from all directions, a third less from below
   Eigen::Vector3d sky_rgb = {0.75, 0.82, 0.9};   // colour where there is no surface
   double shadow_range_m = 8.0;                   // shadows are drawn this far around the camera
 };
 
-// How the right camera really stands and images against what the rig says of it: an error of the
-// calibration, which calib.txt does not know. All zero: none.
+// Difference between the true right camera and the one that the rig describes: a calibration error
+// that calib.txt does not contain. All zero: no error.
 struct RigError {
-  double shift_px = 0.0;                                   // of its principal point, to the right
+  double shift_px = 0.0;                                   // of the principal point, to the right
   Eigen::Vector3d rotation_deg = Eigen::Vector3d::Zero();  // about its x, y, z axes
-  double focal = 0.0;                                      // relative, of its focal length
+  double focal = 0.0;                                      // relative error of the focal length
 
   bool IsZero() const { return shift_px == 0.0 && rotation_deg.isZero(0.0) && focal == 0.0; }
 };
 
-// A scene as built: everything that a renderer and the ground truth need. Camera frames as in
-// StereoCamera (x right, y down, z forward); `camera` moves the left one.
+// A built scene: everything that the renderer and the ground truth need. Camera frames are those of
+// StereoCamera (x right, y down, z forward); `camera` is the motion of the left camera.
 struct World {
   std::string name;
   StereoCamera rig;

@@ -8,7 +8,8 @@
 namespace cvo::synth {
 namespace {
 
-// Newton's method from the neighbouring quantile, outwards from the median.
+// Computes the quantiles outwards from the median by Newton's method, each starting from its
+// neighbour.
 std::vector<float> MakeQuantiles() {
   constexpr int kHalf = 1 << 15;
   std::vector<double> upper(kHalf);

@@ -6,12 +6,13 @@
 
 namespace cvo::synth {
 
-// The standard normal distribution's quantiles in the middle of 2^16 equal steps, scaled to unit
-// variance: 16 random bits as index give a normal number, a 64-bit draw gives four. The tail ends
-// at 4.3; nothing that is rounded to 8 bits can tell.
+// Returns the quantiles of the standard normal distribution at the midpoints of 2^16 equal
+// intervals of probability, scaled to unit variance. Used as an index, 16 random bits give one
+// normal number, so a 64-bit draw gives four. The tails end at 4.3, which makes no difference after
+// rounding to 8 bits.
 const std::vector<float>& NormalQuantiles();
 
-// Cumulative distribution of the standard normal.
+// Cumulative distribution function of the standard normal distribution.
 double NormalCdf(double x);
 
 }  // namespace cvo::synth

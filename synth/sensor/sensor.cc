@@ -14,7 +14,8 @@
 namespace cvo::synth {
 namespace {
 
-// cos^4 of the angle to the axis, where cos^2 = 1 / (1 + (slope r)^2) and r is 1 in the corners.
+// Vignetting: cos^4 of the angle to the optical axis, where cos^2 = 1 / (1 + (slope r)^2) and r = 1
+// in the corners.
 class Falloff {
  public:
   Falloff(double vignetting, cv::Size size)
@@ -39,7 +40,7 @@ class Falloff {
   double inverse_r2_;
 };
 
-// Standard normal numbers, four from each draw.
+// Fills `numbers` with standard normal numbers, four from each 64-bit draw.
 void FillNormal(Rng& rng, std::vector<float>& numbers) {
   const float* quantiles = NormalQuantiles().data();
   for (std::size_t i = 0; i < numbers.size(); i += 4) {
@@ -50,7 +51,8 @@ void FillNormal(Rng& rng, std::vector<float>& numbers) {
   }
 }
 
-// Grey level = black + scale * clean; its variance = shot * (scale * clean) + read2.
+// Noise model of a row: a grey level has mean black + signal and variance shot * signal + read2,
+// where signal = brightness * falloff * clean.
 struct RowModel {
   float brightness;
   float shot;

@@ -9,7 +9,7 @@
 
 namespace cvo::synth {
 
-// Part of the clean render: another value draws again.
+// Part of the clean render: changing a value requires a new render.
 struct MotionBlurOptions {
   int sub_frames = 1;
   double shutter_s = 0.005;
@@ -25,7 +25,8 @@ struct MotionBlurOptions {
   }
 };
 
-// Defaults: an 8-bit machine-vision camera. What is drawn counts as light, 255 as a full well.
+// The defaults describe an 8-bit machine-vision camera. Rendered grey levels are proportional to
+// light, and 255 is a full well.
 struct SensorOptions {
   double full_well = 10500;
   double read_noise = 0.5;
@@ -61,13 +62,13 @@ struct SensorOptions {
   }
 };
 
-// Everything off but motion blur, which is left as it is.
+// Returns options with every effect off except motion blur, which is kept from `options`.
 SensorOptions NoiselessSensor(SensorOptions options);
-// Whether ApplySensor returns what it is given.
+// Whether ApplySensor returns its input unchanged.
 bool HasNoEffect(const SensorOptions& options);
 
-// What an 8-bit camera makes of a clean CV_8UC1 image. One random stream for each seed, camera (0
-// left, 1 right) and frame: bytes depend on nothing else.
+// Simulates an 8-bit camera on a clean CV_8UC1 image. Every combination of seed, camera (0 left, 1
+// right) and frame has its own random stream; the noise depends on nothing else.
 cv::Mat ApplySensor(const cv::Mat& clean, const SensorOptions& options, std::uint64_t seed,
                     int camera, int frame);
 

@@ -9,7 +9,7 @@
 namespace cvo::synth {
 namespace {
 
-// p_next = R p + t for points of one surface in the left camera's frame.
+// Motion of a rigid surface to the next frame in the left camera's frame: p_next = R p + t.
 struct Step {
   Eigen::Matrix3d R;
   Eigen::Vector3d t;
@@ -31,7 +31,7 @@ std::vector<Step> SurfaceSteps(const View& now, const View& next) {
   return steps;
 }
 
-// A sixty-fourth of a pixel around 2^15; negative where it does not fit.
+// Encodes in units of 1/64 px around 2^15; returns -1 if out of range.
 int Encode(double flow_px) {
   const double code = std::round(flow_px * 64.0) + 32768.0;
   return code >= 0.0 && code <= 65535.0 ? static_cast<int>(code) : -1;

@@ -10,10 +10,10 @@
 
 namespace cvo::synth {
 
-// Forward flow of the left image from one frame to the next in KITTI's encoding, CV_16UC3 in
-// OpenCV's order: valid (0 or 1), 64 v + 2^15, 64 u + 2^15 (red in the PNG file). A pixel whose
-// surface leaves the image stays valid; one without surface, one that comes behind the camera and
-// one that moves 512 px or more is not.
+// Computes the forward flow of the left image from one frame to the next in KITTI's encoding,
+// CV_16UC3 in OpenCV's order: valid (0 or 1), 64 v + 2^15, 64 u + 2^15 (red in the PNG file). A
+// pixel stays valid if its surface point leaves the image. It is invalid if it has no surface, if
+// its surface point moves behind the camera, or if the flow is 512 px or more.
 cv::Mat ComputeFlow(const StereoCamera& rig, const Rendering& rendering, const View& now,
                     const View& next);
 

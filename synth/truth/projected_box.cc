@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kNear_m = StereoCamera::kMinDepth_m;
 
-// Where the line from a to b meets the near plane.
+// Intersection of the line from a to b with the near plane.
 Eigen::Vector3d AtNearPlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   const double s = (kNear_m - a.z()) / (b.z() - a.z());
   Eigen::Vector3d p = a + s * (b - a);

@@ -10,8 +10,8 @@
 
 namespace cvo::synth {
 
-// The box around the left camera's projection of triangles, as far as they are in front of the near
-// plane (StereoCamera::kMinDepth_m); not cut at the image's sides.
+// Bounding box of triangles projected into the left image, as far as they are in front of the near
+// plane (StereoCamera::kMinDepth_m). It is not clipped to the image.
 class ProjectedBox {
  public:
   explicit ProjectedBox(const StereoCamera& rig) : rig_(rig) {}
@@ -26,14 +26,14 @@ class ProjectedBox {
   std::optional<PixelBox> box_;
 };
 
-// The part of a box within the image; empty where nothing of it is inside.
+// Returns the part of a box within the image; empty if there is none.
 [[nodiscard]] std::optional<PixelBox> ClipToImage(const PixelBox& box, int width_px, int height_px);
 
 inline double Area_px2(const PixelBox& box) {
   return (box.right - box.left) * (box.bottom - box.top);
 }
 
-// Of two boxes as areas; 0 where they do not meet.
+// Area of the intersection of two boxes; 0 if they are disjoint.
 double IntersectionArea_px2(const PixelBox& a, const PixelBox& b);
 
 }  // namespace cvo::synth

@@ -10,7 +10,7 @@
 namespace cvo::synth {
 namespace {
 
-// Pixel counts and boxes of all bodies in one pass over the mask.
+// Finds the pixel counts and boxes of all bodies in one pass over the mask.
 void AddMasks(const cv::Mat& instances, std::vector<BodyTruth>& bodies) {
   for (int v = 0; v < instances.rows; ++v) {
     const auto* row = instances.ptr<std::uint16_t>(v);
@@ -62,7 +62,7 @@ FrameTruth ComputeTruth(const World& world, int frame, const Rendering& renderin
   AddMasks(rendering.instances, truth.bodies);
   const RigidTransform left_from_world = truth.world_from_left.Inverse();
   for (BodyTruth& body : truth.bodies) {
-    // What is drawn alone may win or lose a pixel of its rim against the whole scene.
+    // Drawn alone, a body may gain or lose a pixel at its rim compared with the whole scene.
     body.alone_px = std::max(body.alone_px, body.visible_px);
     if (body.alone_px > 0) body.visible_fraction = double(body.visible_px) / body.alone_px;
     AddAmodalBox(world, left_from_world, body);

@@ -10,7 +10,8 @@
 
 namespace cvo::synth {
 
-// In pixels, pixel centres at integers: a box around one pixel (u, v) has all four sides on it.
+// A box in pixels, with pixel centres at integers: all four sides of the box around a single pixel
+// (u, v) pass through its centre.
 struct PixelBox {
   double left = 0.0;
   double top = 0.0;
@@ -18,23 +19,23 @@ struct PixelBox {
   double bottom = 0.0;
 };
 
-// One body in one frame. Transforms are in the scene's world.
+// Ground truth of one body in one frame. Transforms are in the scene's world.
 struct BodyTruth {
   int id = 0;
   MotionState state;
-  int visible_px = 0;                   // in the mask
-  int alone_px = 0;                     // if nothing hid it
-  double visible_fraction = 0.0;        // visible_px / alone_px; 0 out of view
-  double truncation = 1.0;              // part of its projected box that is outside the image
+  int visible_px = 0;                   // pixels in the mask
+  int alone_px = 0;                     // pixels if nothing occluded it
+  double visible_fraction = 0.0;        // visible_px / alone_px; 0 if out of view
+  double truncation = 1.0;              // fraction of its projected box outside the image
   std::optional<PixelBox> visible_box;  // around the mask
-  std::optional<PixelBox> amodal_box;   // around the whole body's projection, within the image
+  std::optional<PixelBox> amodal_box;   // around the projection of the whole body, within the image
 };
 
 struct FrameTruth {
-  int frame = 0;  // of the scene
+  int frame = 0;  // in the scene
   double time_s = 0.0;
   RigidTransform world_from_left;
-  std::vector<BodyTruth> bodies;  // [id - 1], all of the scene
+  std::vector<BodyTruth> bodies;  // [id - 1], all bodies of the scene
 };
 
 FrameTruth ComputeTruth(const World& world, int frame, const Rendering& rendering);

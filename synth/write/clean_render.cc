@@ -18,7 +18,7 @@
 namespace cvo::synth {
 namespace {
 
-// Tasks that use what the caller owns: none is left when this goes away.
+// Tasks that refer to objects of the caller. The destructor waits for all of them.
 class InFlight {
  public:
   InFlight(TaskPool& pool, std::size_t limit) : pool_(pool), limit_(limit) {}
@@ -26,7 +26,7 @@ class InFlight {
     while (!tickets_.empty()) {
       try {
         WaitForOldest();
-      } catch (...) {  // an earlier error is on its way
+      } catch (...) {  // an earlier error is already propagating
       }
     }
   }
@@ -53,9 +53,9 @@ class InFlight {
   std::deque<TaskPool::Ticket> tickets_;
 };
 
-// What the tasks of one frame share.
+// A rendered frame with what is needed to write its files.
 struct DrawnFrame {
-  int index = 0;  // in the folder
+  int index = 0;  // frame number in the folder
   Rendering rendering;
   cv::Mat left;  // clean, CV_8UC1
   cv::Mat right;
@@ -63,7 +63,7 @@ struct DrawnFrame {
   std::optional<View> next;  // for flow
 };
 
-// Mean over the shutter's time, each sub-frame in the middle of its part.
+// Averages sub-frames over the exposure, each at the middle of its interval.
 void DrawBlurred(const World& world, const MotionBlurOptions& blur, double time_s,
                  const DrawingTools& tools, cv::Mat& left, cv::Mat& right) {
   cv::Mat sums[2];
@@ -115,7 +115,7 @@ std::int64_t Time_ns(const World& world, int frame) {
   return std::llround(static_cast<double>(frame) * 1e9 / world.rate_hz);
 }
 
-// The tables, relative to the first frame and its left camera.
+// Writes the tables, relative to the first frame and its left camera.
 void WriteTables(const World& world, const std::vector<FrameTruth>& truths, FolderBuild& out) {
   const RigidTransform left_from_right(Eigen::Quaterniond::Identity(),
                                        Eigen::Vector3d(world.rig.baseline_m, 0.0, 0.0));
@@ -126,7 +126,7 @@ void WriteTables(const World& world, const std::vector<FrameTruth>& truths, Fold
     const auto row = static_cast<int>(i);
     times += FormatSecondsNs(Time_ns(world, truth.frame) - Time_ns(world, truths[0].frame));
     times += '\n';
-    // The first is the identity to the last bit.
+    // The first pose is the identity to the last bit.
     const RigidTransform pose =
         i == 0 ? RigidTransform() : first_from_world * truth.world_from_left;
     poses += FormatKittiPose(pose);

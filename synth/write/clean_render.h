@@ -14,16 +14,16 @@
 
 namespace cvo::synth {
 
-// The user asked to stop; no incomplete output is left.
+// Thrown if the user asked to stop. No incomplete output is left behind.
 class Stopped : public Error {
  public:
   using Error::Error;
 };
 
-// Progress and messages of long work. Never called at the same time.
+// Callbacks for progress, cancellation and messages of a long operation. Never called concurrently.
 struct WorkHooks {
   std::function<void(int done, int total, const std::string& stage)> progress;
-  std::function<bool()> stop;                      // asked for each frame
+  std::function<bool()> stop;                      // polled every few frames
   std::function<void(const std::string&)> notice;  // one line for the user
 
   void Report(int done, int total, const std::string& stage) const {
@@ -34,18 +34,18 @@ struct WorkHooks {
   }
 };
 
-// A known target as both cameras see it, CV_8UC1, and where its corners are.
+// Images of a known target in both cameras, CV_8UC1, and its corners in the left camera's frame, m.
 struct TargetImages {
   cv::Mat left;
   cv::Mat right;
   std::vector<Eigen::Vector3d> corners_in_left;
 };
 
-// A renderer, or a substitute in tests.
+// The functions of a renderer, or of a substitute in tests.
 struct DrawingTools {
   std::function<Rendering(const View&)> draw;
   std::function<void(const View&, cv::Mat& left, cv::Mat& right)> draw_images;
-  std::function<std::vector<TargetImages>()> draw_targets;  // may be none
+  std::function<std::vector<TargetImages>()> draw_targets;  // may be empty
 };
 
 struct CleanRender {
@@ -57,9 +57,9 @@ struct CleanRender {
 
 View ViewAt(const World& world, double time_s);
 
-// Everything of a sequence that no seed touches: clean images, depth, masks, flow, poses, tables,
-// calibration targets.
-// Draws on the calling thread while the pool encodes and writes earlier frames, a few at a time.
+// Writes everything in a sequence that does not depend on a seed: clean images, depth, masks, flow,
+// poses, tables and calibration targets. Renders on the calling thread while the pool encodes and
+// writes the last few frames. Throws Stopped.
 void WriteCleanRender(const World& world, const CleanRender& render, const DrawingTools& tools,
                       TaskPool& pool, const WorkHooks& hooks, FolderBuild& out);
 

@@ -22,14 +22,15 @@ namespace {
 constexpr char kReplaceable[] =
     "a new folder or a sequence that this program wrote, as it wrote it";
 
-// <cache>/scenes/<name>-<key>/<name> is this program's own, damaged or not.
+// Whether the folder is <cache>/scenes/<name>-<key>/<name>, which belongs to this program, damaged
+// or not.
 bool IsSceneOfCache(const fs::path& folder) {
   std::error_code none;
   const fs::path below = fs::relative(folder, ScenesFolder(CacheFolder()), none);
   return std::distance(below.begin(), below.end()) == 2 && *below.begin() != "..";
 }
 
-// Throws Error where the folder holds what its manifest does not name.
+// Throws Error if the folder holds a file that its manifest does not list.
 void RequireNothingElse(const fs::path& folder, const Manifest& manifest) {
   std::set<fs::path> named = {folder / kManifestName};
   for (const FileRecord& file : manifest.files) named.insert(folder / file.name);
@@ -76,7 +77,7 @@ cv::Mat ReadClean(const fs::path& path) {
   return image;
 }
 
-// Both images of all frames; a few at a time, so that a stop takes effect soon.
+// Writes both images of all frames, in small batches so that a stop takes effect soon.
 void WriteImages(const DatasetSource& source, const RenderRequest& request, std::uint64_t seed,
                  const CachedRender& clean, TaskPool& pool, FolderBuild& build) {
   const int total = clean.manifest.frames;
@@ -114,7 +115,7 @@ void WriteDetections(const DatasetSource& source, std::uint64_t seed, const Cach
   }
 }
 
-// scene.json: what the folder was made from.
+// The content of scene.json: what the folder was made from.
 Json DescriptionOf(const DatasetSource& source, std::uint64_t seed) {
   Json description = source.description;
   description["seed"] = seed;
@@ -158,7 +159,7 @@ void RequireReplaceable(const fs::path& folder) {
 void WriteDataset(const DatasetSource& source, const RenderRequest& request,
                   const fs::path& folder) {
   RequireReplaceable(folder);
-  FolderBuild build(folder);  // first: where nothing can be written nothing need be drawn
+  FolderBuild build(folder);  // first, so that an unwritable target fails before rendering
   TaskPool pool(request.threads);
   const fs::path cache = CacheFolder();
   const std::string key = DrawingKey(source, request);

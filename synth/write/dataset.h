@@ -15,7 +15,7 @@
 
 namespace cvo::synth {
 
-// Frames [first, end) of a scene; no end: to its last.
+// Frames [first, end) of a scene; without `end`, up to its last frame.
 struct SceneFrames {
   int first = 0;
   std::optional<int> end;
@@ -23,18 +23,19 @@ struct SceneFrames {
 
 struct RenderRequest {
   SceneFrames frames;
-  std::optional<std::uint64_t> seed;         // instead of the scene's
+  std::optional<std::uint64_t> seed;         // overrides the scene's
   std::vector<std::string> detector_levels;  // empty: all
   bool flow = false;
   int threads = 2;
   WorkHooks hooks;
 };
 
-// A scene as WriteDataset needs it; what draws is asked for only where the cache has nothing.
+// A scene in the form that WriteDataset needs. `build_world` and `open_tools` are called only if
+// the cache has no matching render.
 struct DatasetSource {
   std::string scene;
   Json description;        // for scene.json
-  std::string render_key;  // text that decides what is drawn, but frames and program
+  std::string render_key;  // text that determines the render, except frames and program
   std::uint64_t seed = 0;
   SensorOptions sensor;
   std::vector<NamedDetector> detectors;
@@ -43,20 +44,20 @@ struct DatasetSource {
   std::function<DrawingTools(const World&)> open_tools;
 };
 
-// Of what is drawn: equal where the cache holds one for the other, whatever the seed, sensor and
-// detectors.
+// Returns the cache key of the clean render. It does not depend on the seed, the detectors or the
+// sensor (except motion blur), so requests that differ only in these share an entry.
 std::string DrawingKey(const DatasetSource& source, const RenderRequest& request);
-// Of all bytes that WriteDataset would write.
+// Returns a key of everything that WriteDataset would write.
 std::string DatasetKey(const DatasetSource& source, const RenderRequest& request);
 
-// Throws Error where WriteDataset would not replace what is there: a file, a folder of other
-// things, or a data set with files that its manifest does not name. Scenes of the cache always are
-// replaced.
+// Throws Error if WriteDataset would refuse to replace what is at `folder`: a file, a folder with
+// other content, or a dataset with files that its manifest does not list. Scenes in the cache are
+// always replaced.
 void RequireReplaceable(const std::filesystem::path& folder);
 
-// Writes a folder in the layout of KITTI odometry with the ground truth beside it
-// (synth/README.md), from the cache where it holds the clean render. The folder appears complete or
-// not at all, and only where RequireReplaceable allows it. Throws Stopped.
+// Writes a sequence in the layout of KITTI odometry, plus the ground truth (synth/README.md). Takes
+// the clean render from the cache, or renders it into the cache first. The folder appears complete
+// or not at all, and only if RequireReplaceable allows it. Throws Stopped.
 void WriteDataset(const DatasetSource& source, const RenderRequest& request,
                   const std::filesystem::path& folder);
 

@@ -17,7 +17,7 @@ bool Among(const std::vector<std::string>& list, const std::string& name) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-// Of the scene, by name; the rest of its section stays in `values`.
+// Returns the options of the level that the scene names, and removes "level" from `values`.
 DetectorOptions TakeLevel(const std::string& where, Json& values) {
   if (!values.contains("level")) return DetectorLevel("good");
   const Json level = values["level"];

@@ -11,18 +11,19 @@
 
 namespace cvo::synth {
 
-// The "sensor" section of a scene over the defaults. `where` names the scene in errors.
+// Returns the default options, overridden by the "sensor" section of a scene. `where` names the
+// scene in errors.
 SensorOptions ReadSensor(const Json& section, const std::string& where);
 
-// A detector that writes a file of its own: detections/<name>.txt.
+// A detector whose detections are written to detections/<name>.txt.
 struct NamedDetector {
   std::string name;
   DetectorOptions options;
 };
 
-// The detectors of a sequence: every level, and "custom" where the scene's "detector" section
-// changes values of its "level" (default "good"). With `chosen`, those of these names. Throws Error
-// for an unknown key, value or name.
+// Returns the detectors of a sequence: every level, plus "custom" if the "detector" section of the
+// scene overrides values of its "level" (default "good"). If `chosen` is not empty, returns only
+// the detectors with these names. Throws Error for an unknown key, value or name.
 std::vector<NamedDetector> ReadDetectors(const Json& section, const std::string& where,
                                          const std::vector<std::string>& chosen);
 

@@ -28,7 +28,7 @@ void CreateFolders(const fs::path& path) {
   if (error) ThrowErrno(path, "create the folder", error.value());
 }
 
-// A unique name.
+// Creates a temporary folder with a unique name.
 fs::path CreateTemporary(const fs::path& target) {
   for (int attempt = 0;; ++attempt) {
     const fs::path path = TemporaryName(target, std::to_string(attempt));
@@ -115,7 +115,7 @@ void FolderBuild::Commit(Manifest manifest, Existing existing) {
   if (fs::exists(target_, ignored)) {
     if (existing == Existing::kKeep) return;
     const fs::path aside = CreateTemporary(target_);
-    Rename(target_, aside);  // replaces the empty folder
+    Rename(target_, aside);  // replaces the empty folder `aside`
     try {
       Rename(temporary_, target_);
     } catch (...) {

@@ -13,10 +13,10 @@ namespace cvo::synth {
 
 enum class Existing { kKeep, kReplace };
 
-// A folder of files that appears complete or not at all: built under a TemporaryName beside its
-// target, renamed at the end, removed otherwise. What dead processes left
-// beside it goes away first. Files may be added from several threads; throws Error naming the file
-// and why.
+// Builds a folder that appears complete or not at all: under a TemporaryName beside its target,
+// renamed by Commit and otherwise removed by the destructor. The constructor first removes what
+// dead processes left beside the target. Files may be added from several threads. All functions
+// throw Error with the file and the reason.
 class FolderBuild {
  public:
   explicit FolderBuild(const std::filesystem::path& target);
@@ -27,13 +27,15 @@ class FolderBuild {
   const std::filesystem::path& path() const { return temporary_; }
 
   void Write(const std::string& name, std::string_view bytes);
-  // The file of a complete folder under the same name: linked, or copied across file systems.
+  // Adds a file of a complete folder under the same name, as a hard link, or as a copy if the
+  // folder is on another file system.
   void Link(const std::filesystem::path& folder, const FileRecord& file);
 
-  // Adds the manifest with what was written and linked, then renames. kKeep: where the target came
-  // into being meanwhile it stays, and this build goes away.
+  // Writes the manifest, which lists all files written and linked, and renames the folder to its
+  // target. With kKeep, a target that has appeared in the meantime is kept and this build is
+  // discarded.
   void Commit(Manifest manifest, Existing existing);
-  // Read-only: other folders link these files.
+  // Makes the files read-only, because other folders will link to them.
   void MakeReadOnly();
 
  private:
@@ -45,7 +47,8 @@ class FolderBuild {
   std::vector<FileRecord> files_;
 };
 
-// Writes a new file. Throws Error with the system's reason; nothing is left then.
+// Writes a file that must not exist yet. On failure, throws Error with the system's reason and
+// leaves nothing behind.
 void WriteNewFile(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace cvo::synth

@@ -8,14 +8,15 @@
 
 namespace cvo::synth {
 
-// PNG with a fast run-length setting: 8-bit images shrink as much as at higher levels in a third of
-// the time, since noise does not compress.
+// Encodes a PNG with the fast run-length strategy. For 8-bit images the result is as small as at
+// higher levels, in a third of the time, since noise does not compress.
 std::string EncodePng(const cv::Mat& image);
-// The same for masks and flow (16 bits), whose large areas are worth a real compression.
+// Encodes masks and flow (16 bits) as PNG with the default strategy, which pays off for their large
+// uniform areas.
 std::string EncodeMaskPng(const cv::Mat& image);
 
-// CV_32FC1 as lossless TIFF (Deflate with the floating-point predictor): a sixth of the raw size in
-// 6 ms for 640x480, which OpenCV's own writer (never compressed for floats) does not offer.
+// Encodes CV_32FC1 as lossless TIFF (Deflate with the floating-point predictor): a sixth of the raw
+// size, in 6 ms for 640x480. OpenCV's own writer cannot compress floats.
 std::string EncodeDepthTiff(const cv::Mat& depth);
 
 }  // namespace cvo::synth

@@ -15,33 +15,34 @@
 namespace cvo::synth {
 
 struct FileRecord {
-  std::string name;  // within the folder, "image_0/000000.png"
+  std::string name;  // relative to the folder, "image_0/000000.png"
   std::int64_t size_bytes = 0;
   std::string sha256;
 };
 
-// What a folder holds and where it comes from. Written last: a folder without it is not complete.
+// Content and origin of a folder. It is written last, so a folder without it is incomplete.
 struct Manifest {
   std::string scene;
-  std::optional<std::uint64_t> seed;  // none in the cache: nothing there depends on it
-  int first_frame = 0;                // of the scene
+  std::optional<std::uint64_t> seed;  // empty in the cache, where nothing depends on it
+  int first_frame = 0;                // in the scene
   int frames = 0;
   int width_px = 0;
   int height_px = 0;
-  RigError rig_error;  // of the right camera; calib.txt does not know it
+  RigError rig_error;  // of the right camera; not in calib.txt
   RendererVersion renderer;
-  std::string program_sources;    // SHA-256 of what drew and wrote
-  std::vector<FileRecord> files;  // all but the manifest, by name
+  std::string program_sources;    // SHA-256 of the sources that rendered and wrote it
+  std::vector<FileRecord> files;  // all except the manifest, sorted by name
 };
 
 inline constexpr char kManifestName[] = "manifest.json";
 
-// Throws Error where the file is missing or not a manifest of ours.
+// Throws Error if the file is missing or is not a manifest of this program.
 Manifest ReadManifest(const std::filesystem::path& folder);
 std::string FormatManifest(const Manifest& manifest);
 
-// What is wrong with the folder's files against their manifest: the first by name that is missing,
-// has another size or other content. `done` is told of each file.
+// Compares the files of a folder with its manifest. Describes the first file, by name, that is
+// missing or differs in size or content; empty if all match. `done` is called after each file,
+// never concurrently.
 std::optional<std::string> FindDamage(const std::filesystem::path& folder, const Manifest& manifest,
                                       TaskPool& pool, const std::function<void()>& done = {});
 

@@ -14,7 +14,7 @@
 namespace cvo::synth {
 namespace {
 
-// What libtiff takes for a file.
+// A file in memory for libtiff.
 struct MemoryFile {
   std::string bytes;
   std::size_t position = 0;
@@ -72,7 +72,7 @@ std::string EncodeFloatTiff(const float* values, int width_px, int height_px) {
   TIFFSetField(out, TIFFTAG_PREDICTOR, PREDICTOR_FLOATINGPOINT);
   TIFFSetField(out, TIFFTAG_ZIPQUALITY, 3);
   TIFFSetField(out, TIFFTAG_ROWSPERSTRIP, height_px);
-  // The predictor works in place.
+  // A copy, because the predictor modifies the data in place.
   std::vector<float> copy(values, values + static_cast<std::ptrdiff_t>(width_px) * height_px);
   const auto size = static_cast<tmsize_t>(copy.size() * sizeof(float));
   Require(TIFFWriteEncodedStrip(out, 0, copy.data(), size) == size && TIFFFlush(out) == 1,

@@ -6,8 +6,8 @@
 
 namespace cvo::synth {
 
-// A grey 32-bit float TIFF file's bytes from rows without padding. Apart from other headers: what
-// libtiff declares clashes with OpenCV's types.
+// Returns the bytes of a grey 32-bit float TIFF file. The rows of `values` have no padding. It has
+// its own files because libtiff's declarations clash with OpenCV's types.
 std::string EncodeFloatTiff(const float* values, int width_px, int height_px);
 
 }  // namespace cvo::synth

@@ -17,7 +17,7 @@ std::optional<fs::path> FolderFrom(const char* variable) {
   return fs::path(value);
 }
 
-// Renamed first, so that no other process finds a half-removed entry.
+// Renames the entry first, so that no other process finds a half-removed one.
 void RemoveEntry(const fs::path& entry) {
   const fs::path aside = TemporaryName(entry, "damaged");
   std::error_code error;

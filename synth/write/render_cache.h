@@ -11,29 +11,29 @@
 
 namespace cvo::synth {
 
-// CLUSTERVO_CACHE, else clustervo in XDG_CACHE_HOME, else in ~/.cache. Throws Error where none of
-// these variables is set.
+// Returns $CLUSTERVO_CACHE, else $XDG_CACHE_HOME/clustervo, else $HOME/.cache/clustervo. Throws
+// Error if none of these variables is set.
 std::filesystem::path CacheFolder();
-// Rendered sequences of suites: <name>-<key>/<name>.
+// Folder of the rendered sequences of suites: <name>-<key>/<name>.
 std::filesystem::path ScenesFolder(const std::filesystem::path& cache);
 
-// Removes what processes that were killed left anywhere in the cache (core/files/temporary.h).
+// Removes what killed processes left anywhere in the cache (core/files/temporary.h).
 void RemoveLeftoversOfCache(const std::filesystem::path& cache);
 
-// A complete sequence without what depends on a seed.
+// A cache entry: a complete sequence without the files that depend on a seed.
 struct CachedRender {
   std::filesystem::path folder;
   Manifest manifest;
 };
 
-// The entry under a key, if there is one and none of its files changed. A damaged one is removed
-// and hooks.notice told why.
+// Returns the entry with this key if there is one and none of its files has changed. A damaged
+// entry is removed, and hooks.notice is called with the reason.
 [[nodiscard]] std::optional<CachedRender> FindCachedRender(const std::filesystem::path& cache,
                                                            const std::string& key, TaskPool& pool,
                                                            const WorkHooks& hooks);
 
-// Builds the entry by `write` (which fills the folder and returns its manifest without files). Two
-// processes may do so at once: the entry of the first stays.
+// Creates an entry with `write`, which fills the folder and returns its manifest without the list
+// of files. If two processes create the entry at once, the first one is kept.
 CachedRender AddCachedRender(const std::filesystem::path& cache, const std::string& key,
                              const std::function<Manifest(FolderBuild&)>& write);
 

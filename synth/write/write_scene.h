@@ -9,11 +9,11 @@
 
 namespace cvo::synth {
 
-// A renderer of the world, which must outlive it; belongs to the calling thread.
+// Opens a renderer of `world`, which must outlive it. It belongs to the calling thread.
 DrawingTools OpenRenderer(const World& world, int threads);
 
-// The scene with its sensor and detectors read: throws Error for what those sections have wrong,
-// and where nothing can draw (Renderer).
+// Prepares a scene for WriteDataset. Throws Error for a mistake in its sensor or detector section,
+// and if this build cannot render (see Renderer).
 DatasetSource SourceOf(const SceneDescription& scene, const RenderRequest& request);
 
 // Renders a scene into a folder, or takes it from the cache; see WriteDataset in dataset.h.

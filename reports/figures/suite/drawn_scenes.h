@@ -15,15 +15,15 @@ struct DrawnScene {
   std::vector<const DrawnRun*> runs;
 };
 
-// In the order of the data, which must outlive them.
+// Groups the runs by sequence, in the order of the data. `runs` must outlive the result.
 std::vector<DrawnScene> GroupByScene(const std::vector<DrawnRun>& runs);
 
 std::vector<std::string> VariantsOf(const std::vector<DrawnRun>& runs);
 
-// "seed 1", or "seeds: full 1, 2d 2".
+// The seeds of the runs: "seed 1" if they are the same, or "seeds: full 1, 2d 2".
 std::string SeedText(const DrawnScene& scene);
 
-// How truth is brought to the world of a run, for titles and captions.
+// How the truth is aligned to the world frame of a run, for titles and captions.
 inline constexpr const char* kTruthAlignment =
     "truth aligned by the camera (rotation: mean over its orientations, translation: over its "
     "positions), one rigid offset per body";

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::array<const char*, 4> kErrors = {"translation", "roll", "pitch", "yaw"};
 
-// Published drifts of a system on a sequence by one source: [camera or body, one of kErrors].
+// The drifts of a system on a sequence that one source published: of the camera and of bodies, for
+// some of kErrors.
 struct PublishedDrift {
   std::size_t source = 0;
   std::string sequence;
@@ -123,7 +124,7 @@ Figure DriftFigure(const PublishedDrift& published, const ReferenceSource& sourc
   return figure;
 }
 
-// The run that is drawn of a job; nullptr for one of another sequence.
+// The run behind `drawn`, or nullptr if it is of another sequence.
 const RunSummary* RunOn(const std::string& sequence, const DrawnRun& drawn, const SuiteData& data) {
   for (const SuiteRun& run : data.runs) {
     if (run.planned.job != drawn.job || !run.run) continue;

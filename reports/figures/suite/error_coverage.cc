@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kMaxSeries = 20;
 constexpr int kWidth_px = 560;
 
-// An error and the coverage that it must be read with.
+// Columns of an error metric and of the coverage that it must be read with.
 struct ErrorAndCoverage {
   std::size_t error = 0;
   std::size_t coverage = 0;
@@ -33,7 +33,8 @@ std::optional<std::size_t> FindColumn(const Table& table, const std::string& met
   return std::nullopt;
 }
 
-// The first error of the camera and of objects. A camera that is covered throughout says nothing.
+// The first error of the objects and of the camera, with its coverage. If coverage is 100 %
+// throughout, the pair shows nothing and is omitted.
 std::vector<ErrorAndCoverage> FindPairs(const Table& table, std::vector<std::string>& not_drawn) {
   std::vector<ErrorAndCoverage> pairs;
   for (const std::string group : {"object", "camera"}) {
@@ -97,7 +98,7 @@ Json ScenePoints(const SeriesRows& series, const Table& table, const ErrorAndCov
       {"text", names},
       {"hovertemplate", StrCat(PlotText(series.label), ", %{text}: %{y} at %{x} %<extra></extra>")},
       {"showlegend", false},
-      {"legendgroup", PlotText(series.label)},
+      {"legendgroup", PlotText(series.name)},
       {"marker",
        {{"color", style.colour}, {"symbol", style.symbol}, {"size", 7}, {"opacity", 0.35}}}};
 }
@@ -126,10 +127,10 @@ Json MeanPoint(const SeriesRows& series, const Table& table, const ErrorAndCover
           {"marker", {{"color", style.colour}, {"symbol", style.symbol}, {"size", 11}}}};
 }
 
-// Texts beside marks that would lie on each other: the first of them stays, hovering tells the
-// rest.
+// Removes texts beside marks that would overlap. The first one stays; the others are shown on
+// hovering.
 void RemoveOverlappingTexts(Json& points) {
-  constexpr double kMinSeparation = 0.04;  // of what marks and intervals span
+  constexpr double kMinSeparation = 0.04;  // fraction of the range that marks and intervals span
   const auto at = [](const Json& point, const char* axis) { return point[axis][0].get<double>(); };
   const auto span = [&](const char* axis, const char* whiskers) {
     double low = std::numeric_limits<double>::infinity();
@@ -159,7 +160,7 @@ bool HasMean(const SeriesRows& series, const ErrorAndCoverage& pair) {
          series.all->cells[pair.coverage].present;
 }
 
-// Who has no point, such as a variant that finds no object.
+// Lists the series without a mark, such as a variant that finds no object.
 std::string WithoutPoint(const std::vector<SeriesRows>& series, const Table& table,
                          const ErrorAndCoverage& pair) {
   std::string text;
@@ -228,7 +229,7 @@ Plot MakePlot(const SuiteData& data, const std::vector<SeriesRows>& series,
   return plot;
 }
 
-// What the texts beside marks are.
+// Explains the texts beside the marks.
 std::string OptionsText(const Table& table) {
   std::vector<std::string> options;
   for (const std::string& key : table.keys) {

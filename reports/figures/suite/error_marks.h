@@ -11,20 +11,22 @@
 
 namespace cvo::reports {
 
-// How the errors of a scene are shown.
+// Unit and axis scale for the errors of a scene.
 struct ErrorScale {
   double from_m = 100.0;
   const char* unit = "cm";
   bool log = false;
 
-  // A body estimated once has no error at all, which a logarithm cannot show.
+  // The number to plot, at least 0.01 on a logarithmic axis: a body that is estimated only once has
+  // an error of 0, which a logarithm cannot show.
   double Shown(double error_m) const;
 };
 
-// A trace of errors that is broken where frames are missing.
+// A trace of errors over frames, broken where frames are missing.
 Json ErrorLine(const std::vector<BodyPosition>& positions, const ErrorScale& scale);
 
-// Marks at frames, at the height of the error there or of the nearest one.
+// Marks at frames, at the height of the error of the body in that frame or in the nearest one that
+// has one.
 class FrameMarks {
  public:
   FrameMarks(const char* symbol, const char* what) : symbol_(symbol), what_(what) {}

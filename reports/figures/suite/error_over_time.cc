@@ -23,7 +23,8 @@ const BodyDetail* FindBody(const DrawnRun& run, int id) {
   return FindBy(run.detail.bodies, &BodyDetail::id, id);
 }
 
-// Moving bodies that some run estimates, the most visible of them; by id.
+// The moving bodies that at least one run estimates, limited to those visible in most frames,
+// ordered by id.
 struct SceneBodies {
   std::vector<const BodyDetail*> drawn;
   std::size_t left_out = 0;
@@ -57,7 +58,7 @@ SceneBodies ChooseBodies(const DrawnScene& scene) {
   return bodies;
 }
 
-// Whether the run says anything of these bodies.
+// Whether the run has estimates or predictions of any of these bodies.
 bool Shows(const DrawnRun& run, const SceneBodies& bodies) {
   return std::any_of(bodies.drawn.begin(), bodies.drawn.end(), [&](const BodyDetail* drawn) {
     const BodyDetail* body = FindBody(run, drawn->id);
@@ -114,7 +115,8 @@ void DrawRun(const DrawnRun& run, const BodyDetail& body, const ErrorScale& scal
   add(body.predicted, "dot", 1.6, ", predicted");
 }
 
-// Spans of frames in which the body has truth but is not visible; whether there are any.
+// Shades spans of frames in which the body has a true pose but is not visible. Returns whether
+// there are any.
 bool ShadeHidden(const BodyDetail& body, std::size_t panel, Plot& plot) {
   const auto hidden = [&](int frame) {
     return !std::binary_search(body.visible.begin(), body.visible.end(), frame);
@@ -138,7 +140,7 @@ bool ShadeHidden(const BodyDetail& body, std::size_t panel, Plot& plot) {
   return any;
 }
 
-// Kinds of marks drawn in a figure, for its legend and caption.
+// The kinds of marks drawn in a figure, for its legend and caption.
 struct DrawnMarks {
   bool predictions = false;
   bool births = false;
@@ -146,7 +148,7 @@ struct DrawnMarks {
   bool shades = false;
 };
 
-// Legend entries of their own, so that it is whole whatever the first panel holds.
+// Adds separate traces for the legend, so that it is complete whatever the first panel contains.
 void AddLegend(const DrawnScene& scene, const SceneBodies& bodies, const Palette& palette,
                const DrawnMarks& marks, Plot& plot) {
   const auto add = [&](Json trace) {
@@ -241,7 +243,7 @@ std::string Caption(const DrawnScene& scene, const SceneBodies& bodies, const Er
   return text;
 }
 
-// One panel: what all runs say of a body.
+// Draws one panel: one body as estimated by all runs.
 void DrawBody(const DrawnScene& scene, const BodyDetail& drawn, std::size_t panel,
               const ErrorScale& scale, const Palette& palette, DrawnMarks& marks, Plot& plot) {
   marks.shades = ShadeHidden(drawn, panel, plot) || marks.shades;

@@ -17,10 +17,10 @@ namespace {
 constexpr std::size_t kMaxRows = 150;
 constexpr char kAllScenes[] = "all";
 
-// What remains of the table: columns with a reduction somewhere.
+// The part of the table that is drawn: columns with a reduction in at least one row.
 struct HeatMap {
   std::vector<std::size_t> columns;
-  std::vector<HeatBlock> blocks;  // cells of these columns
+  std::vector<HeatBlock> blocks;  // with cells of these columns only
   std::size_t rows = 0;
 };
 
@@ -99,7 +99,7 @@ HeatMap MakeHeatMap(const SuiteData& data, const std::vector<SeriesRows>& series
   return map;
 }
 
-// With the unit where another column has the same label.
+// The label of a column, with its unit if another column has the same label.
 std::string LabelOf(std::size_t index, const Table& table) {
   const Column& column = table.columns[index];
   const auto same = std::count_if(table.columns.begin(), table.columns.end(),
@@ -107,7 +107,8 @@ std::string LabelOf(std::size_t index, const Table& table) {
   return same > 1 ? StrCat(column.label, " (", column.unit, ")") : column.label;
 }
 
-// "not within<br>10 cm" of a share, whose error is what is missing to all.
+// The heading of a column. The error of a share is what is missing to 1, so its heading is negated,
+// such as "not within<br>10 cm".
 std::string ColumnText(std::size_t index, const Table& table) {
   const Column& column = table.columns[index];
   std::string label = LabelOf(index, table);
@@ -119,7 +120,8 @@ std::string ColumnText(std::size_t index, const Table& table) {
   return PlotText(label.substr(0, space)) + "<br>" + PlotText(label.substr(space + 1));
 }
 
-// Per block what is real and the largest change either way.
+// Describes a block: the number of distinguishable cells, and the largest distinguishable change in
+// each direction.
 std::string HeatBlockText(const HeatBlock& block, const HeatMap& map, const Table& table) {
   std::size_t cells = 0;
   std::size_t real = 0;

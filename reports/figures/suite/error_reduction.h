@@ -8,9 +8,9 @@
 
 namespace cvo::reports {
 
-// By how many percent a cell has less error than its reference, on what the two have in common;
-// negative: more. The error of a share that should be large is what is missing to 1. Empty without
-// a difference and where the reference has no error.
+// By how many percent the error of a cell is lower than that of its reference, over what the two
+// have in common; negative if it is higher. For a share that should be large, the error is what is
+// missing to 1. Empty if there is no difference or the reference has no error.
 std::optional<double> ErrorReduction(const Cell& cell, const Column& column);
 
 }  // namespace cvo::reports

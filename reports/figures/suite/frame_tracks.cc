@@ -13,7 +13,8 @@ namespace {
 
 constexpr int kTracksWidth_px = 720;
 
-// A frame in the spatial track: from the frame that moved it there to the last one it was used by.
+// A frame in the spatial track, from the frame that moved it there to the last frame for which it
+// was in the window.
 struct SpatialStay {
   int frame = 0;
   int first = 0;
@@ -34,7 +35,7 @@ std::vector<SpatialStay> SpatialStays(const std::vector<CameraFrame>& frames) {
   return all;
 }
 
-// The oldest frame of the temporal track, which has no frame without a pose.
+// The oldest frame of the temporal track, which contains no frames without a pose.
 int TemporalTail(const std::vector<CameraFrame>& frames, std::size_t newest) {
   int left = frames[newest].window_frames - static_cast<int>(frames[newest].spatial_ages.size());
   std::size_t tail = newest;

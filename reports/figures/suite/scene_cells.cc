@@ -20,7 +20,7 @@ std::string ValueOf(const std::vector<std::string>& keys, const std::vector<std:
   return found == keys.end() ? "" : values[static_cast<std::size_t>(found - keys.begin())];
 }
 
-// What identifies a row apart from the sequence: its label, name and option values.
+// Describes what identifies a row apart from its sequence: label, name and option values.
 SeriesRows Describe(const std::vector<std::string>& keys, const std::vector<std::string>& values) {
   SeriesRows series;
   const auto add = [](const std::string& text, std::string& list) {
@@ -35,7 +35,7 @@ SeriesRows Describe(const std::vector<std::string>& keys, const std::vector<std:
   return series;
 }
 
-// Those of the table and the sequence.
+// The keys of the table, and the sequence.
 std::vector<std::string> KeysByScene(const Table& table) {
   std::vector<std::string> keys = table.keys;
   if (std::find(keys.begin(), keys.end(), "sequence") == keys.end()) keys.emplace_back("sequence");

@@ -9,25 +9,26 @@
 
 namespace cvo::reports {
 
-// A row of the table on one sequence alone.
+// The part of a table row that belongs to one sequence.
 struct SceneRow {
   std::string sequence;
   std::vector<Cell> cells;  // one per column of the table
 };
 
-// A row of the table but for the sequence, and what it is made of.
+// The rows of the table that share all keys except the sequence.
 struct SeriesRows {
-  std::string label;         // "full", or "good, full" where rows are by more
-  std::string name;          // the same without options, or the one variant: for its colour
-  std::string options;       // their values: "5"
-  const Row* all = nullptr;  // of the table, over all sequences; nullptr where it is by sequence
+  std::string label;         // "full", or "good, full" if rows have more keys
+  std::string name;          // the label without options, or the only variant; sets the colour
+  std::string options;       // the values of the options: "5"
+  const Row* all = nullptr;  // row over all sequences; nullptr if the table is by sequence
   std::vector<SceneRow> scenes;
 };
 
-// In the order of the table, with differences against its reference. The table must outlive it.
+// Splits the rows of the table by sequence, in the order of the table, with differences against its
+// reference. `data` must outlive the result.
 std::vector<SeriesRows> SplitByScene(const SuiteData& data);
 
-// How many rows that would be, of all series.
+// The number of rows that SplitByScene would return, over all series.
 std::size_t CountSceneRows(const SuiteData& data);
 
 }  // namespace cvo::reports

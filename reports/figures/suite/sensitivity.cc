@@ -19,7 +19,7 @@ constexpr std::size_t kMaxLines = 12;
 constexpr std::size_t kMaxBands = 6;
 constexpr int kSweepWidth_px = 620;
 
-// Columns that belong in one figure, coverage last.
+// Columns that belong in one figure. The coverage is last.
 struct MetricGroup {
   std::string name;
   std::vector<std::size_t> columns;
@@ -60,9 +60,10 @@ std::vector<MetricGroup> GroupColumns(const Table& table) {
   return groups;
 }
 
-// Those of a logarithmic axis that are named: of values too near each other for it, the first.
+// The values that get a label on a logarithmic axis. Of values that are too close to each other,
+// only the first is labelled.
 std::set<double> NamedValues(const std::vector<double>& values) {
-  constexpr double kLeastGap = 0.1;  // of the axis
+  constexpr double kLeastGap = 0.1;  // fraction of the axis
   const std::set<double> ascending(values.begin(), values.end());
   const double least = std::log(*ascending.rbegin() / *ascending.begin()) * kLeastGap;
   std::set<double> named;
@@ -94,7 +95,7 @@ Panel CurvePanel(const Column& column) {
   return panel;
 }
 
-// The area between the ends of the intervals.
+// The area between the two ends of the intervals.
 Json Band(const SweptLine& line, const Table& table, std::size_t column, const Style& style) {
   const double scale = ShownAs(table.columns[column].metric, table.columns[column].unit).scale;
   std::vector<double> x;
@@ -166,7 +167,7 @@ void MarkDefault(const SweptOption& option, std::size_t panels, Plot& plot) {
                          {"font", {{"size", 11}}}});
 }
 
-// What a curve says: where it starts and ends, and where it is best.
+// Describes a curve: where it starts, where it ends, and where it is best.
 std::string CurveText(const SweptLine& line, const Table& table, std::size_t column) {
   const Column& metric = table.columns[column];
   const Shown shown = ShownAs(metric.metric, metric.unit);
@@ -228,7 +229,7 @@ Figure DrawGroup(const SweptOption& option, const MetricGroup& group, const Tabl
   constexpr int kDefaultMark_px = 8;
   Plot plot(XAxis(option), panels, LegendHeight(entries, kSweepWidth_px) + kDefaultMark_px);
   for (std::size_t i = 0; i < group.columns.size(); ++i) {
-    for (const SweptLine& line : option.lines) {  // all bands below all curves
+    for (const SweptLine& line : option.lines) {  // all bands are below all curves
       if (option.lines.size() > kMaxBands) break;
       plot.AddTrace(i, Band(line, table, group.columns[i], palette.Of(line.label)));
     }

@@ -15,13 +15,13 @@
 namespace cvo::reports {
 namespace {
 
-// The front end is the same for all variants of a sequence, and its result is kept: only the first
-// run computes it.
+// The front end is the same for all variants of a sequence, and its result is cached: only the
+// first run computes it.
 constexpr std::array kFrontEnd = {"decode", "extract", "match_stereo"};
-// What depends on whether features were kept already.
+// Stages whose time depends on whether features were cached.
 constexpr std::array kCacheStages = {"load_features", "store_features", "wait_for_features",
                                      "frame"};
-// In the order of the work; what is not named here follows, the sum comes last.
+// In the order of processing. Stages that are not named here follow; the sum comes last.
 constexpr std::array kEstimator = {"track", "associate",         "label",   "window", "optimize",
                                    "trace", "optimize_clusters", "estimate"};
 constexpr int kBarsWidth_px = 620;
@@ -40,15 +40,15 @@ int Rank(const std::string& stage) {
   return place >= 0 ? place : 500;
 }
 
-// Of a stage, one value per run.
+// The times of a stage, one value per run.
 struct StageSamples {
   std::vector<double> median_ms;
   std::vector<double> p95_ms;
 };
 struct StageSeries {
-  std::string name;  // of a variant, or of the front end
+  std::string name;  // variant, or kAllVariants for the front end
   std::size_t runs = 0;
-  bool beside_front_end = false;  // which was computed at the same time
+  bool beside_front_end = false;  // all its runs computed features at the same time
   std::map<std::string, StageSamples> stages;
 };
 
@@ -56,7 +56,7 @@ std::string MachineOf(const RunDetail& detail) {
   return StrCat(detail.cpu, " (", detail.host, ")");
 }
 
-// Of the machine that most runs were on: times of two do not compare.
+// The machine on which most runs were made. Times on different machines are not comparable.
 std::string MostUsedMachine(const std::vector<DrawnRun>& runs, std::size_t& machines) {
   std::map<std::string, std::size_t> counts;
   for (const DrawnRun& run : runs) {
@@ -89,8 +89,9 @@ void AddRun(const DrawnRun& run, bool front_end, StageSeries& series) {
   }
 }
 
-// The front end first, then variants as they come. A run that computes features at the same time
-// is slower: of a variant such runs count only where it has no others.
+// Gathers the times by series: the front end first, then the variants in the order of the runs. A
+// run that computes features at the same time is slower, so such runs of a variant count only if it
+// has no others.
 std::vector<StageSeries> Gather(const std::vector<DrawnRun>& runs, const std::string& machine) {
   std::vector<StageSeries> series = {{kAllVariants, 0, false, {}}};
   std::vector<const DrawnRun*> timed;
@@ -109,7 +110,7 @@ std::vector<StageSeries> Gather(const std::vector<DrawnRun>& runs, const std::st
   return series;
 }
 
-// Stages of the estimator that take some time somewhere.
+// The stages of the estimator that take a noticeable time in at least one series.
 std::vector<std::string> EstimatorStages(const std::vector<StageSeries>& series) {
   constexpr double kNothing_ms = 0.01;
   std::vector<std::string> stages;
@@ -174,7 +175,7 @@ Panel PanelOf(const std::vector<std::string>& stages, int bars) {
   return panel;
 }
 
-// The sum where there is one, and the stages that take the most.
+// Describes a series: the sum if there is one, and the stages that take most time.
 std::string StageSeriesText(const StageSeries& series) {
   std::vector<std::pair<double, std::string>> largest;
   for (const auto& [stage, samples] : series.stages) {

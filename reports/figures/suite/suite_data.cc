@@ -13,7 +13,8 @@
 namespace cvo::reports {
 namespace {
 
-// How many of the options that the suite varies a run leaves at their defaults.
+// Minus the number of options, among those that the suite varies, that the run does not leave at
+// their defaults.
 int OptionsAtDefault(const PlannedRun& run, const Table& table) {
   int count = 0;
   for (const auto& [key, value] : run.keys) {
@@ -45,7 +46,8 @@ std::string VariantOf(const PlannedRun& run) {
   return oracle == "none" || oracle == "default" ? variant : variant + ", oracle " + oracle;
 }
 
-// Per sequence and variant the run to draw: nearest to the defaults, then first in the plan.
+// The run to draw per sequence and variant: the one nearest to the defaults; of several, the first
+// in the plan.
 std::vector<const SuiteRun*> ChooseRuns(const SuiteData& data) {
   std::vector<std::pair<std::string, std::string>> order;
   std::map<std::pair<std::string, std::string>, std::pair<int, const SuiteRun*>> best;
@@ -62,7 +64,7 @@ std::vector<const SuiteRun*> ChooseRuns(const SuiteData& data) {
   return chosen;
 }
 
-// Reasons why parts of runs cannot be drawn, each with the runs it holds for.
+// Reasons why runs or parts of them cannot be drawn, each with the runs it applies to.
 class Reasons {
  public:
   void Add(const std::string& reason, const DrawnRun& run) {

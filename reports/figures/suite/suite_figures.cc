@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMaxSceneRows = 400;
 
-// Names that differ only in marks have one id: the later ones are numbered.
+// Names that differ only in punctuation give the same id, so all but the first are numbered.
 void MakeIdsUnique(std::vector<Figure>& figures) {
   std::map<std::string, int> seen;
   for (Figure& figure : figures) {

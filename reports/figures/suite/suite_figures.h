@@ -17,28 +17,29 @@ namespace cvo::reports {
 
 // A run that is drawn frame by frame.
 struct DrawnRun {
-  std::string sequence;  // as the suite names it, and its detections where it has several
-  std::string variant;   // and what the truth replaces: "full, oracle boxes"
+  std::string sequence;  // its name in the suite, with its detections if there are several
+  std::string variant;   // with what is replaced by the truth: "full, oracle boxes"
   std::uint64_t seed = 0;
   std::string job;
   RunDetail detail;
-  std::optional<std::vector<IdentitySwitch>> switches;  // empty: not known
+  std::optional<std::vector<IdentitySwitch>> switches;  // empty: unknown
 };
 
-// All that figures are made of.
+// Everything that figures are made of.
 struct SuiteData {
   SuitePlan plan;
   std::vector<SuiteRun> runs;  // in the order of the plan
   Table table;
-  std::vector<DrawnRun> drawn;         // by sequence, then variant: the first seed
-  std::vector<std::string> not_drawn;  // runs that cannot be, and why
+  std::vector<DrawnRun> drawn;         // one run per sequence and variant, in the order of the plan
+  std::vector<std::string> not_drawn;  // runs, or parts of them, that cannot be drawn, and why
 };
 
-// Reads what the table was made of, and frame by frame the first seed of each sequence and variant,
-// options at their defaults. `folder`: what the suite was run to.
+// Reads the runs that the table was made from and, frame by frame, one run per sequence and
+// variant: the first in the plan whose options are at, or nearest to, their defaults. `folder` is
+// the output folder of the suite.
 SuiteData ReadSuiteData(const std::filesystem::path& folder, const Table& table);
 
-// Every figure that the data allow: which ones follows from what is there, not from names.
+// Draws every figure that the data allow. This depends on what the data contain, not on names.
 SuiteDrawing SuiteFigures(const SuiteData& data);
 
 }  // namespace cvo::reports

@@ -7,19 +7,21 @@
 
 namespace cvo::reports {
 
-// Each adds the figures of its kind, or why there are none.
-// Of a suite whose rows are compared with the row above.
+// Each of these functions adds the figures of its kind, or says why there are none.
+
+// For suites whose rows are compared with the row above.
 void DrawWaterfall(const SuiteData& data, SuiteDrawing& drawing);
 void DrawSensitivity(const SuiteData& data, SuiteDrawing& drawing);
 void DrawErrorReduction(const SuiteData& data, const std::vector<SeriesRows>& series,
                         SuiteDrawing& drawing);
-// Against what others published (ReferenceFigure), camera and bodies one by one.
+// Against published figures (ReferenceFigure), for the camera and for each body.
 void DrawDriftReduction(const SuiteData& data, SuiteDrawing& drawing);
 void DrawErrorOverCoverage(const SuiteData& data, const std::vector<SeriesRows>& series,
                            SuiteDrawing& drawing);
 void DrawErrorOverTime(const SuiteData& data, SuiteDrawing& drawing);
 void DrawTrajectories(const SuiteData& data, SuiteDrawing& drawing);
-// Which frames were in the two tracks, for the first run.
+// Shows which frames were in the spatial and in the temporal track, for the first run that has a
+// spatial track.
 void DrawFrameTracks(const SuiteData& data, SuiteDrawing& drawing);
 void DrawStageTimes(const SuiteData& data, SuiteDrawing& drawing);
 

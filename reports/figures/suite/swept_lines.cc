@@ -23,7 +23,7 @@ std::optional<double> NumberOf(const std::string& text) {
   return good && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
-// Standard deviation over mean of the steps between values.
+// The standard deviation of the steps between values, divided by their mean.
 double Unevenness(const std::vector<double>& values) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < values.size(); ++i) steps.push_back(values[i] - values[i - 1]);
@@ -41,7 +41,7 @@ std::optional<double> DefaultOf(const std::string& path, const Table& table) {
   return std::nullopt;
 }
 
-// Where a suite takes one option at a time, the other ones are at their defaults.
+// Whether all other options are at their defaults, as in a suite that varies one option at a time.
 bool OthersAtDefault(const Table& table, const Row& row, std::size_t key) {
   for (std::size_t i = 0; i < row.keys.size(); ++i) {
     if (i != key && IsOption(table.keys[i]) && row.keys[i] != kDefault) return false;

@@ -14,9 +14,9 @@ namespace cvo::reports {
 namespace {
 
 constexpr std::size_t kMaxPanels = 9;
-constexpr std::size_t kMaxPoints = 150;  // of a line
+constexpr std::size_t kMaxPoints = 150;  // per line
 
-// From above: x to the right of the first camera, z ahead of it.
+// A point seen from above: x is to the right of the first camera, z ahead of it.
 struct GroundPoint {
   int frame = 0;
   double x_m = 0.0;
@@ -64,7 +64,7 @@ Track CameraTrack(const RunDetail& detail, bool truth) {
   return track;
 }
 
-// From the first frame in which it is visible to the last.
+// The true track from the first frame in which the body is visible to the last.
 Track TruthTrack(const BodyDetail& body) {
   Track track;
   if (body.visible.empty()) return track;
@@ -83,7 +83,7 @@ Track EstimatedTrack(const BodyDetail& body) {
   return track;
 }
 
-// Limits the points of a line, keeping its ends and gaps.
+// A line with a limited number of points, which keeps its ends and gaps.
 Json LineOf(const Track& track) {
   const std::size_t step = std::max<std::size_t>(1, (track.size() + kMaxPoints - 1) / kMaxPoints);
   Json x = Json::array();
@@ -131,7 +131,7 @@ class Panels {
                                       {"font", {{"color", colour}, {"size", 13}}},
                                       {"showarrow", false}});
   }
-  // At the start of a track, on the side that it does not go to.
+  // Labels the start of a track, on the side away from the track.
   void Label(std::size_t panel, const Track& track, const std::string& name) {
     const GroundPoint& at = track.front();
     const bool below = track.back().z_m > at.z_m;
@@ -189,7 +189,7 @@ class Panels {
          {"constrain", "domain"},
          {"showticklabels", column == 0},
          {"nticks", 6}});
-    // The others match the first, and with it its scale.
+    // The other panels match the first one, and thereby its scale.
     if (panel == 0) y["scaleanchor"] = "x";
     if (panel > 0) {
       x["matches"] = "x";
@@ -283,7 +283,8 @@ void AddLegend(Panels& panels) {
   add("start", "markers", 1.0);
 }
 
-// The truth decides what is shown: an estimate that drifts far away must not make it small.
+// The truth determines the extent, so that an estimate that drifts far away does not shrink the
+// drawing.
 Extent ExtentOf(const std::vector<const DrawnRun*>& runs) {
   Extent extent;
   Extent all;

@@ -31,7 +31,7 @@ Change ChangeOf(const Difference& difference, bool higher_is_better) {
   return (difference.difference > 0.0) == higher_is_better ? kBetter : kWorse;
 }
 
-// A step is named by what it adds.
+// The name of a step is what it adds: the part after "_to_".
 std::string StepName(const Row& row) {
   const std::string name = Joined(row.keys, ", ");
   const std::size_t to = name.find("_to_");
@@ -125,7 +125,7 @@ void DrawWaterfall(const SuiteData& data, SuiteDrawing& drawing) {
       std::max(kBeside_px + kRowWidth_px * static_cast<int>(table.rows.size()), kLeastWidth_px);
   Plot plot(x_axis, panels, LegendHeight({kNames.begin(), kNames.end()}, figure.width_px),
             20 + kLetter_px * static_cast<int>(longest));
-  std::array<bool, 3> named{};  // in the legend
+  std::array<bool, 3> named{};  // changes that have a legend entry
   for (std::size_t i = 0; i < columns.size(); ++i) {
     for (const Change change : {kBetter, kWorse, kUndecided}) {
       Json bars = Bars(table, columns[i], change);

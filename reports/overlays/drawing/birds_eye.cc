@@ -19,7 +19,7 @@ constexpr Rgb kGridText{170, 172, 178};
 constexpr Rgb kCamera{235, 235, 235};
 constexpr double kFootprintOpacity = 0.45;
 
-// Which ranges are shown depends on what is in front of the camera and in its view to the sides.
+// The smallest range that includes the centres of all clusters in view, or else the largest one.
 double RangeOf(const OverlayFrame& frame, const CameraInfo& camera) {
   double farthest_m = 0.0;
   for (const ClusterShape& cluster : frame.clusters) {
@@ -32,7 +32,7 @@ double RangeOf(const OverlayFrame& frame, const CameraInfo& camera) {
   return kRanges_m.back();
 }
 
-// From metres in the plane of the camera to the picture.
+// Maps metres in the xz plane of the camera to pixels of the picture.
 struct GroundMap {
   cv::Point2d camera_px;
   double px_per_m = 1.0;
@@ -45,7 +45,7 @@ struct GroundMap {
   }
 };
 
-// Lines at half and at the whole of the range, and the edges of the view.
+// Draws lines at half the range and at the whole range, and the edges of the field of view.
 void DrawGround(const GroundMap& map, double range_m, const CameraInfo& camera,
                 const OverlayStyle& style, cv::Mat& picture) {
   std::vector<Stroke> strokes;
@@ -68,8 +68,8 @@ void DrawGround(const GroundMap& map, double range_m, const CameraInfo& camera,
 
 void DrawFootprint(const ClusterShape& cluster, Rgb color, const GroundMap& map,
                    const OverlayStyle& style, cv::Mat& picture) {
-  // Corners differ in bit k along axis k, of which the second points down: those of the lower side,
-  // in their order around it.
+  // Corner i is at the positive end of axis k if bit k of i is set, and axis 1 points down. These
+  // are the corners of the lower face, in their order around it.
   std::vector<cv::Point2d> points;
   for (const std::size_t corner : {2U, 3U, 7U, 6U}) points.push_back(map(cluster.corners[corner]));
   FillHull(points, color, cluster.predicted ? 0.5 * kFootprintOpacity : kFootprintOpacity, picture);

@@ -21,7 +21,8 @@ std::vector<cv::Point2d> Outline(const ClusterShape& cluster, const CameraInfo& 
   return points;
 }
 
-// Where the centre was in the frames before and is now, as far as it is in front of the camera.
+// The pixels of the centre in the preceding frames and in this one, where it is in front of the
+// camera.
 std::vector<cv::Point2d> PathOf(const ClusterShape& cluster, const CameraInfo& camera) {
   std::vector<cv::Point2d> path;
   for (const Position& position : cluster.trail) {

@@ -21,7 +21,7 @@ std::string NameOf(const ClusterShape& cluster, const OverlayStyle& style) {
                 cluster.predicted ? " (predicted)" : "");
 }
 
-// Moves a rectangle into the picture.
+// Returns the top left corner of a rectangle that was moved into the picture.
 cv::Point Inside(cv::Point at, cv::Size size, cv::Size picture) {
   return {std::clamp(at.x, 0, std::max(0, picture.width - size.width)),
           std::clamp(at.y, 0, std::max(0, picture.height - size.height))};
@@ -29,12 +29,12 @@ cv::Point Inside(cv::Point at, cv::Size size, cv::Size picture) {
 
 // What a name should not cover.
 struct Obstacles {
-  std::vector<cv::Rect> taken;  // other names, the inset
+  std::vector<cv::Rect> taken;  // other names and the inset
   std::vector<cv::Rect> boxes;
   std::vector<cv::Point> dots;
 };
 
-// Where it may be: around the box, nearest first.
+// Candidate places of a name around its box, nearest first.
 std::vector<cv::Point> PlacesAround(const cv::Rect& box, cv::Size size) {
   const int left = box.x;
   const int right = box.br().x - size.width;
@@ -59,9 +59,9 @@ std::vector<cv::Point> PlacesAround(const cv::Rect& box, cv::Size size) {
 }
 
 double CostOf(const cv::Rect& place, const cv::Rect& own, const Obstacles& obstacles) {
-  constexpr double kOfTaken = 40.0;  // of its area
+  constexpr double kOfTaken = 40.0;  // times the share of the name that it covers
   constexpr double kOfBox = 3.0;
-  constexpr double kOfDot = 1.0;  // each
+  constexpr double kOfDot = 1.0;  // per landmark
   const double area = place.area();
   double cost = 0.0;
   for (const cv::Rect& other : obstacles.taken) cost += kOfTaken * (place & other).area() / area;
@@ -74,7 +74,7 @@ double CostOf(const cv::Rect& place, const cv::Rect& own, const Obstacles& obsta
 
 cv::Rect FreePlace(const cv::Rect& box, cv::Size size, cv::Size picture,
                    const Obstacles& obstacles) {
-  constexpr double kOfPlace = 0.25;  // for each that is nearer
+  constexpr double kOfPlace = 0.25;  // for each candidate that is nearer
   cv::Rect best;
   double least = std::numeric_limits<double>::infinity();
   double nearer = 0.0;
@@ -102,7 +102,7 @@ Obstacles ObstaclesOf(const OverlayFrame& frame, const CameraInfo& camera,
   return obstacles;
 }
 
-// From a name that stands apart to its box.
+// Appends a line from a name to its box if they are apart.
 void AddLeader(const cv::Rect& place, const cv::Rect& box, Rgb color,
                std::vector<Stroke>& strokes) {
   const auto nearest = [](int low, int high, int at) { return std::clamp(at, low, high); };

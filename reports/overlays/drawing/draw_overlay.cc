@@ -38,7 +38,7 @@ cv::Mat Background(const cv::Mat& image, const CameraInfo& camera, const CameraI
 
 void DrawDetections(const OverlayFrame& frame, const OverlayStyle& style, cv::Mat& image) {
   std::vector<Stroke> strokes;
-  // Upright lines are sharp on whole pixels alone.
+  // Horizontal and vertical lines are sharp only if they are on whole pixels.
   const auto whole = [&](double pixel) { return std::round((pixel + 0.5) * style.scale - 0.5); };
   const auto scaled = [&](double u_px, double v_px) {
     return cv::Point2d(whole(u_px), whole(v_px));
@@ -58,16 +58,17 @@ void DrawDetections(const OverlayFrame& frame, const OverlayStyle& style, cv::Ma
       }
     }
   }
-  constexpr double kFaintRim = 0.3;  // they stand back behind what was estimated
+  constexpr double kFaintRim = 0.3;  // detections are less prominent than estimates
   DrawStrokes(strokes, kFaintRim, image);
 }
 
-// Outliers and the static scene first: what is on a body is what a reader looks for.
+// Draws outliers and static landmarks first, so that landmarks on bodies, which matter most, are on
+// top.
 void DrawLandmarks(const OverlayFrame& frame, const OverlayStyle& style, cv::Mat& image) {
   for (const bool on_body : {false, true}) {
     for (const LandmarkDot& dot : frame.landmarks) {
       if ((dot.label > kStaticLabel) != on_body) continue;
-      if (style.wrong && dot.wrong) continue;  // below
+      if (style.wrong && dot.wrong) continue;  // drawn by DrawWrongLabels
       const cv::Point2d at((dot.u_px + 0.5) * style.scale - 0.5,
                            (dot.v_px + 0.5) * style.scale - 0.5);
       if (on_body) {
@@ -81,7 +82,7 @@ void DrawLandmarks(const OverlayFrame& frame, const OverlayStyle& style, cv::Mat
   }
 }
 
-// A ring around each, and in it the label's colour.
+// Draws each landmark with a wrong label in the colour of that label, with a ring around it.
 void DrawWrongLabels(const OverlayFrame& frame, const OverlayStyle& style, cv::Mat& image) {
   constexpr Rgb kRing{255, 255, 255};
   for (const LandmarkDot& dot : frame.landmarks) {
@@ -94,7 +95,7 @@ void DrawWrongLabels(const OverlayFrame& frame, const OverlayStyle& style, cv::M
   }
 }
 
-// Where it is.
+// Draws the inset and returns its rectangle.
 cv::Rect DrawInset(const OverlayFrame& frame, const CameraInfo& camera, const OverlayStyle& style,
                    cv::Mat& picture) {
   constexpr double kOpacity = 0.72;
@@ -111,8 +112,8 @@ cv::Rect DrawInset(const OverlayFrame& frame, const CameraInfo& camera, const Ov
 
 namespace {
 
-// Whether the words of a frame with much in it fit in one row. The same for all frames of a run:
-// pictures of a video have one size.
+// Whether the status line of a crowded frame fits in one row. The answer is the same for all frames
+// of a run, since all pictures of a video have one size.
 bool FitInOneRow(int text_px, int width_px) {
   constexpr const char* kLong =
       "frame 0000  00.00 s  camera recovered  bodies 00 + 00 predicted (0 out of view)  landmarks "
@@ -125,7 +126,7 @@ bool FitInOneRow(int text_px, int width_px) {
 OverlayStyle StyleFor(const CameraInfo& camera, int width_px) {
   OverlayStyle style;
   style.scale = static_cast<double>(width_px) / camera.width_px;
-  // Of an image of 640x480 it is 1; on wide ones things are small.
+  // 1 for an image of 640x480. It is smaller for wide images, which are low.
   const double height_px = style.scale * camera.height_px;
   const double size = std::clamp(std::min(width_px / 640.0, height_px / 240.0), 0.35, 3.0);
   style.text_px = std::max(7, static_cast<int>(std::lround(6.0 + 3.0 * size)));

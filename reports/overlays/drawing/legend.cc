@@ -14,11 +14,11 @@ constexpr Rgb kLegendGround{24, 24, 28};
 constexpr Rgb kLegendInk{200, 200, 204};
 constexpr int kEdge_px = 2;
 
-// A mark as in the picture, drawn in the middle of a field, and what it means.
+// A mark as drawn in the pictures, in the middle of a field, and its meaning.
 struct LegendEntry {
   const char* meaning;
   std::function<void(cv::Rect, cv::Mat&)> draw;
-  bool is_dot = false;  // which needs less room
+  bool is_dot = false;  // a dot needs less room
 };
 
 cv::Point2d MiddleOf(cv::Rect field) {

@@ -19,9 +19,9 @@ struct PixelBox {
   double top_px = 0.0;
   double right_px = 0.0;
   double bottom_px = 0.0;
-  std::int64_t cluster = -1;  // that a detection was associated with; -1: none
+  std::int64_t cluster = -1;  // that the detection was associated with; -1: none
 
-  bool IsAt(const PixelBox& other) const;  // to the hundredths of a pixel that files have
+  bool IsAt(const PixelBox& other) const;  // within 0.02 px: files are rounded to 0.01 px
 };
 
 inline bool PixelBox::IsAt(const PixelBox& other) const {
@@ -37,36 +37,37 @@ inline constexpr std::int64_t kStaticLabel = 0;
 struct LandmarkDot {
   float u_px = 0.0F;
   float v_px = 0.0F;
-  std::int64_t label = kOutlierLabel;  // a cluster's id, or one of the above
-  std::int32_t truth_body = -1;        // 0: the static scene; -1: not known
+  std::int64_t label = kOutlierLabel;  // id of a cluster, or one of the constants above
+  std::int32_t truth_body = -1;        // 0: the static scene; -1: unknown
   bool wrong = false;                  // see MarkWrongLabels
 };
 
-// A cluster as one frame's camera sees it: points are in the camera, metres.
+// A cluster as seen in one frame. Points are in the camera frame, in metres.
 struct ClusterShape {
   std::int64_t id = 0;
   std::string category;
   bool predicted = false;  // by the motion model alone
-  std::array<Position, 8>
-      corners{};  // corner i is at the positive end of axis k where bit k is set
+  // Corner i is at the positive end of axis k if bit k of i is set.
+  std::array<Position, 8> corners{};
   Position center{};
-  Position ahead{};             // its centre kAhead_s later, if it keeps its velocity
-  std::vector<Position> trail;  // its centre in the frames before, oldest first
+  Position ahead{};             // its centre kAhead_s later, at constant velocity
+  std::vector<Position> trail;  // its centre in the preceding frames, oldest first
 };
 
 inline constexpr double kAhead_s = 0.5;
 inline constexpr double kTrail_s = 2.0;
 
-// All that is drawn on one image.
+// Everything that is drawn on one image.
 struct OverlayFrame {
-  int frame = 0;        // counted in the folder of the sequence
-  double time_s = 0.0;  // since the first frame that was run
-  std::string status;   // of the camera
+  int frame = 0;        // index within the folder of the sequence
+  double time_s = 0.0;  // since the first frame of the run
+  std::string status;   // tracking status of the camera
   std::string run;      // "full, seed 1"
   bool has_landmarks = false;
   bool has_clusters = false;
-  bool has_truth = false;  // of landmarks
-  // By id: the id whose colour a cluster has, where that is not its own (AgreeOnColors).
+  bool has_truth = false;  // the true bodies of landmarks are known
+  // By cluster id: the id whose colour the cluster takes, if that is not its own (ApartColors,
+  // AgreeOnColors).
   std::map<std::int64_t, std::int64_t> color_ids;
   std::vector<LandmarkDot> landmarks;
   std::vector<ClusterShape> clusters;

@@ -7,8 +7,9 @@
 namespace cvo::reports {
 namespace {
 
-// Each is far from all others (CIE 1976: at least 26) and from every grey. Ordered so that ids that
-// follow each other differ most; blue is lighter than usual, since it must be seen on dark images.
+// Each colour is far from all others (CIE 1976 colour difference of at least 26) and from every
+// grey. They are ordered so that consecutive ids differ most. Blue is lighter than usual, since it
+// must be visible on dark images.
 constexpr std::array<Rgb, kClusterColors> kColors = {{{230, 159, 0},
                                                       {86, 180, 233},
                                                       {0, 190, 130},

@@ -21,11 +21,12 @@ inline constexpr Rgb kDetectionColor{255, 255, 255};
 
 inline constexpr std::size_t kClusterColors = 16;
 
-// The same for the same id in every frame, run and report. The first seven remain apart for people
-// who confuse red and green (after Okabe and Ito). See ApartColors for ids that share one.
+// The colour of an id is the same in every frame, run and report. The first seven colours remain
+// distinguishable with red-green colour blindness (after Okabe and Ito). See ApartColors for ids
+// that share a colour.
 Rgb ClusterColor(std::int64_t id);
 
-// Black or white, whichever is read better on it.
+// Black or white, whichever is more legible on the background.
 Rgb TextColorOn(Rgb background);
 
 }  // namespace cvo::reports

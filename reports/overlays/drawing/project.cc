@@ -15,7 +15,7 @@ Position Cross(const Position& a, const Position& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// By the unit quaternion x y z w: p + 2 w (v x p) + 2 v x (v x p).
+// Rotates p by the unit quaternion (v, w): p + 2 w (v x p) + 2 v x (v x p).
 Position Rotate(const Position& v, double w, const Position& p) {
   const Position once = Cross(v, p);
   const Position twice = Cross(v, once);
@@ -93,7 +93,7 @@ std::vector<PixelSegment> ProjectEdges(const std::array<Position, 8>& corners,
   return edges;
 }
 
-// After Liang and Barsky: the fractions of the segment at which it enters and leaves.
+// Liang-Barsky: finds the fractions of the segment at which it enters and leaves the area.
 std::optional<PixelSegment> ClipSegment(const PixelSegment& segment, cv::Size image,
                                         double margin_px) {
   const auto& [a, b] = segment;

@@ -11,7 +11,7 @@
 
 namespace cvo::reports {
 
-// a_from_b * p_in_b and its inverse, for poses as result files hold them.
+// Apply a pose (a_from_b * p_in_b) and its inverse to a point, for poses as stored in result files.
 Position Transform(const Pose& a_from_b, const Position& p_in_b);
 Position TransformBack(const Pose& a_from_b, const Position& p_in_a);
 
@@ -20,17 +20,17 @@ CameraInfo ScaledCamera(const CameraInfo& camera, double scale);
 
 using PixelSegment = std::pair<cv::Point2d, cv::Point2d>;
 
-// Empty where the point is not in front of the camera.
+// Projects a point to pixels. Empty if it is not in front of the camera.
 [[nodiscard]] std::optional<cv::Point2d> ProjectPoint(const Position& p_in_camera,
                                                       const CameraInfo& camera);
-// The part of a segment that is in front of the camera; empty where none is. Pixels may lie far
-// outside the image.
+// Projects the part of a segment that is in front of the camera. Empty if there is none. Pixels may
+// lie far outside the image.
 [[nodiscard]] std::optional<PixelSegment> ProjectSegment(const Position& a, const Position& b,
                                                          const CameraInfo& camera);
-// Of the twelve edges of a box, those parts that are in front of the camera.
+// Projects those parts of the twelve edges of a box that are in front of the camera.
 std::vector<PixelSegment> ProjectEdges(const std::array<Position, 8>& corners,
                                        const CameraInfo& camera);
-// The part of a segment within the image or at most `margin_px` beside it.
+// Clips a segment to the image extended by `margin_px` on all sides. Empty if nothing is left.
 [[nodiscard]] std::optional<PixelSegment> ClipSegment(const PixelSegment& segment, cv::Size image,
                                                       double margin_px);
 

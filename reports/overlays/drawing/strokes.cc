@@ -11,12 +11,12 @@
 namespace cvo::reports {
 namespace {
 
-constexpr int kFractionBits = 4;  // of pixel coordinates
+constexpr int kFractionBits = 4;  // fractional bits of pixel coordinates
 constexpr double kClipMargin_px = 50.0;
 
 cv::Point Fixed(cv::Point2d point) {
   constexpr double kOne = 1 << kFractionBits;
-  // A hull may reach to the near plane, far outside the image.
+  // A hull may extend to the near plane, far outside the image.
   constexpr double kFarthest_px = 20000.0;
   const auto fixed = [&](double pixel) {
     return static_cast<int>(std::lround(std::clamp(pixel, -kFarthest_px, kFarthest_px) * kOne));
@@ -26,7 +26,7 @@ cv::Point Fixed(cv::Point2d point) {
 
 bool IsWhole(double pixel) { return pixel == std::floor(pixel); }
 
-// Upright lines on whole pixels are sharp; all others have their edges smoothed.
+// Horizontal and vertical lines on whole pixels are drawn sharp; all others are antialiased.
 bool IsSharp(const PixelSegment& segment) {
   const auto& [a, b] = segment;
   return IsWhole(a.x) && IsWhole(a.y) && IsWhole(b.x) && IsWhole(b.y) && (a.x == b.x || a.y == b.y);
@@ -37,7 +37,7 @@ void DrawLine(const PixelSegment& segment, const cv::Scalar& color, int width_px
            IsSharp(segment) ? cv::LINE_8 : cv::LINE_AA, kFractionBits);
 }
 
-// Of a pixel whose centre is this far within an edge.
+// Coverage, 0 to 255, of a pixel whose centre lies this far inside an edge.
 std::uint8_t Covered(double inside_px) {
   return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(inside_px + 0.5, 0.0, 1.0)));
 }
@@ -74,7 +74,7 @@ void DrawStrokes(const std::vector<Stroke>& strokes, double rim_opacity, cv::Mat
 
 void DrawDisc(cv::Point2d center, double radius_px, double rim_px, Rgb color, cv::Mat& image) {
   const double reach_px = radius_px + rim_px + 1.0;
-  // Also what is not a number is outside.
+  // Written so that NaN is outside, too.
   if (!(center.x > -reach_px && center.y > -reach_px && center.x < image.cols + reach_px &&
         center.y < image.rows + reach_px)) {
     return;

@@ -8,9 +8,10 @@
 namespace cvo::reports {
 namespace {
 
-// Letters are drawn this much larger and then reduced: OpenCV's strokes have whole pixels.
+// Letters are drawn this much larger and then reduced, since OpenCV's strokes are whole pixels
+// wide.
 constexpr int kSuper = 4;
-constexpr double kCapital_px = 21.0;  // of the font at scale 1
+constexpr double kCapital_px = 21.0;  // height of a capital letter at font scale 1
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 
 int Descent(int text_px) { return (text_px * 2 + 4) / 5; }
@@ -31,7 +32,7 @@ int TextWidth(const std::string& text, int text_px) {
   return (cv::getTextSize(text, kFont, scale, thickness, &below).width + kSuper - 1) / kSuper;
 }
 
-// Coverage by the letters, from the top of a capital to below a "g".
+// Coverage of pixels by the letters, from the top of a capital to below a "g".
 cv::Mat TextMask(const std::string& text, int text_px) {
   const auto [scale, thickness] = LettersOf(text_px);
   const cv::Size size(TextWidth(text, text_px) + 1, text_px + 1 + Descent(text_px));
@@ -51,7 +52,7 @@ std::string DrawableText(std::string_view text, std::size_t longest) {
   std::string drawable;
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    if ((byte & 0xC0U) == 0x80U) continue;  // goes on with a character that has its '?'
+    if ((byte & 0xC0U) == 0x80U) continue;  // continuation byte: its character already has a '?'
     drawable += byte >= 0x20 && byte < 0x7F ? c : '?';
   }
   if (drawable.size() > longest) drawable = drawable.substr(0, longest - 2) + "..";
@@ -71,7 +72,7 @@ void BlendMask(const cv::Mat& mask, cv::Point at, Rgb color, double opacity, cv:
     const std::uint8_t* coverage = mask.ptr<std::uint8_t>(v - at.y);
     auto* row = image.ptr<cv::Vec3b>(v);
     for (int u = covered.x; u < covered.br().x; ++u) {
-      const int part = coverage[u - at.x] * weight;  // of 255 * 256
+      const int part = coverage[u - at.x] * weight;  // out of 255 * 256
       for (int c = 0; c < 3; ++c) {
         const int old = row[u][c];
         row[u][c] = static_cast<std::uint8_t>(old + ((bgr[c] - old) * part) / (255 * 256));

@@ -13,8 +13,8 @@ namespace cvo::reports {
 
 cv::Scalar Bgr(Rgb color);
 
-// What can be drawn of a text that may hold anything: printable ASCII, '?' in place of every other
-// character, cut with ".." where it is longer than `longest`.
+// Makes arbitrary text drawable: keeps printable ASCII, replaces every other character by '?', and
+// truncates the text with ".." if it is longer than `longest`.
 std::string DrawableText(std::string_view text, std::size_t longest);
 
 struct PlateStyle {
@@ -25,13 +25,15 @@ struct PlateStyle {
   std::optional<Rgb> outline = {};
 };
 
-// Of a plate with this text.
+// The size of a plate with this text.
 cv::Size PlateSize(const std::string& text, int text_px);
 
-// A text on a filled rectangle whose top left corner is at `at`; what is outside the image is cut.
+// Draws text on a filled rectangle whose top left corner is at `at`. Whatever is outside the image
+// is clipped.
 void DrawPlate(const std::string& text, cv::Point at, const PlateStyle& style, cv::Mat& image);
 
-// image = (1 - opacity * mask / 255) image + ... color, where the mask, at `at`, covers the image.
+// Blends a colour into the image: image = (1 - w) * image + w * color, with w = opacity * mask /
+// 255, where the mask, whose top left corner is at `at`, covers the image.
 void BlendMask(const cv::Mat& mask, cv::Point at, Rgb color, double opacity, cv::Mat& image);
 
 }  // namespace cvo::reports

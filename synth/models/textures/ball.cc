@@ -11,15 +11,15 @@ namespace cvo::synth {
 namespace {
 
 constexpr int kTile = 256;
-constexpr int kBlock = 16;  // texels that share a list of leaves
+constexpr int kBlock = 16;  // side of a block of texels that share a list of leaves
 
-// A shape on the unit sphere, in the plane that touches it at `centre`.
+// A shape on the unit sphere, in the tangent plane at `centre`.
 struct SphereLeaf {
   Eigen::Vector3f centre;
   Eigen::Vector3f across;  // tangent axes
   Eigen::Vector3f up;
   float radius;
-  int kind;  // disc, box, triangle, half disc, ring
+  int kind;  // disc, box, triangle, half disc, ring, cross
   cv::Vec3b colour;
 };
 
@@ -51,7 +51,7 @@ bool Covers(const SphereLeaf& leaf, const Eigen::Vector3f& direction) {
   }
 }
 
-// From top to bottom: the last, larger than half the sphere, is the background.
+// Makes leaves from top (small) to bottom. The colour of the last is also the background.
 std::vector<SphereLeaf> MakeLeaves(Rng& rng) {
   const Palette& palette = RandomPalette(rng);
   constexpr double kSmallest = 0.045;

@@ -9,7 +9,7 @@
 namespace cvo::synth {
 namespace {
 
-constexpr int kFractionBits = 4;  // of the drawn coordinates
+constexpr int kFractionBits = 4;  // of coordinates passed to OpenCV
 
 cv::Scalar ToScalar(const Rgb& colour) { return {colour[0], colour[1], colour[2]}; }
 
@@ -19,7 +19,7 @@ cv::Point ToFixed(cv::Point2f p, float dx, float dy) {
           static_cast<int>(std::lround((p.y + dy) * kOne))};
 }
 
-// Calls draw(dx, dy) for each shift by whole sides that brings the box onto the canvas.
+// Calls draw(dx, dy) for each shift by whole canvas sides that brings the box onto the canvas.
 template <typename Draw>
 void ForEachWrap(const cv::Mat& canvas, const cv::Rect2f& box, Draw draw) {
   const auto width = static_cast<float>(canvas.cols);
@@ -43,7 +43,8 @@ cv::Rect2f BoxAround(const std::vector<cv::Point2f>& points) {
   return {low.x - 1.0f, low.y - 1.0f, high.x - low.x + 2.0f, high.y - low.y + 2.0f};
 }
 
-// Along one side: the lattice points before and after each pixel and the weight of the latter.
+// Interpolation along one side: the lattice points before and after each pixel, and the weight of
+// the latter.
 struct LatticeTable {
   std::vector<int> before;
   std::vector<int> after;

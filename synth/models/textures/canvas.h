@@ -12,7 +12,7 @@ namespace cvo::synth {
 
 using Rgb = cv::Vec3f;  // 0 ... 255
 
-// Colours that go together: light, dark and three between.
+// Matching colours: light, dark and three in between.
 struct Palette {
   std::array<Rgb, 5> colours;
   const Rgb& light() const { return colours[0]; }
@@ -23,10 +23,10 @@ struct Palette {
 
 const Palette& RandomPalette(Rng& rng);
 Rgb Mix(const Rgb& a, const Rgb& b, double part_of_b);
-// A colour as given, lighter or darker by up to `part`.
+// Returns the colour, lighter or darker by up to the fraction `part`.
 Rgb Vary(const Rgb& colour, double part, Rng& rng);
 
-// A canvas is CV_8UC3 and tileable: what crosses one side continues at the opposite one.
+// A canvas is CV_8UC3 and tileable: what crosses one side continues at the opposite side.
 cv::Mat MakeCanvas(cv::Size size, const Rgb& colour);
 void FillPolygon(cv::Mat& canvas, const std::vector<cv::Point2f>& points, const Rgb& colour);
 void FillDisc(cv::Mat& canvas, cv::Point2f centre, double radius, const Rgb& colour);
@@ -35,7 +35,8 @@ void DrawLine(cv::Mat& canvas, cv::Point2f a, cv::Point2f b, double width, const
 
 cv::Point2f RandomPoint(cv::Size size, Rng& rng);
 cv::Point2f RandomPoint(const cv::Rect2f& box, Rng& rng);
-// A triangle, box, star, cross, half disc, letter, ... around `centre`, turned by `angle_rad`.
+// Returns a triangle, box, star, cross, half disc, letter, ... around `centre`, rotated by
+// `angle_rad`.
 std::vector<cv::Point2f> RandomShape(cv::Point2f centre, double radius, double angle_rad, Rng& rng);
 
 struct Stamp {
@@ -44,9 +45,9 @@ struct Stamp {
   double angle_rad;
   Rgb colour;
 };
-// A random shape.
+// Draws a random shape.
 void DrawStamp(cv::Mat& canvas, const Stamp& stamp, Rng& rng);
-// A rounded patch without straight edges.
+// Returns an irregular polygon with 7 to 11 corners.
 std::vector<cv::Point2f> RandomBlob(cv::Point2f centre, double radius, Rng& rng);
 
 struct ScatterOptions {
@@ -54,28 +55,29 @@ struct ScatterOptions {
   double smallest_px;  // radii; small ones are more frequent
   double largest_px;
 };
-// Blobs of these colours all over the canvas.
+// Draws blobs of these colours all over the canvas.
 void Scatter(cv::Mat& canvas, const ScatterOptions& options, const std::vector<Rgb>& colours,
              Rng& rng);
 
 struct CollageOptions {
-  double smallest_px = 4.0;  // radii; as many per octave, more of the small ones
+  double smallest_px = 4.0;  // radii; small ones are more frequent
   double largest_px = 60.0;
   int shapes = 300;
 };
-// Overlapping shapes, large ones first: corners at every scale.
+// Draws overlapping shapes, large ones first, which give corners at every scale.
 void DrawCollage(cv::Mat& canvas, const cv::Rect2f& area, const CollageOptions& options,
                  const Palette& palette, Rng& rng);
-// An irregular line with branches.
+// Draws an irregular line with branches.
 void DrawCrack(cv::Mat& canvas, cv::Point2f from, double length_px, double width_px,
                const Rgb& colour, Rng& rng);
 
-// Smooth tileable noise in [-1, 1] with `cells` lattice points along the sides; `octaves` of it,
-// each twice as fine and half as strong.
+// Returns smooth tileable noise in [-1, 1]. The first octave has `cells` lattice points along the
+// sides; each further one is twice as fine and half as strong.
 cv::Mat1f MakeNoise(cv::Size size, cv::Size cells, int octaves, Rng& rng);
 // Multiplies each pixel by 1 + strength * noise.
 void Shade(cv::Mat& canvas, const cv::Mat1f& noise, double strength);
-// Blends to `colour` where noise > level, over a seam of width `softness`.
+// Blends towards `colour` where noise > level, with a transition of width `softness` up to
+// `strength`.
 void Stain(cv::Mat& canvas, const cv::Mat1f& noise, double level, double softness,
            const Rgb& colour, double strength);
 

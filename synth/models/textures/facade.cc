@@ -7,7 +7,7 @@
 namespace cvo::synth {
 namespace {
 
-constexpr float kSide = 1024.0f;  // of the canvas, for 12 m: four floors
+constexpr float kSide = 1024.0f;  // of the canvas, which shows 12 m: four floors
 constexpr int kFloors = 4;
 constexpr int kWindows = 5;
 constexpr float kFloor = kSide / kFloors;
@@ -75,7 +75,7 @@ void DrawWindow(cv::Mat& canvas, const cv::Rect2f& window, const FacadeColours& 
   if (rng.Uniform() < 0.35) DrawFlowerBox(canvas, window, *colours.palette, rng);
 }
 
-// Windows with goods and a sign above.
+// Draws a shop window with goods and a sign above it.
 void DrawShop(cv::Mat& canvas, const cv::Rect2f& bay, const Palette& palette, Rng& rng) {
   FillBox(canvas, {bay.x + 6, bay.y + 70, bay.width - 12, bay.height - 84}, {40, 46, 54});
   const cv::Rect2f goods(bay.x + 16, bay.y + 90, bay.width - 32, bay.height - 120);

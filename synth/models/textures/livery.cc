@@ -10,10 +10,10 @@ namespace cvo::synth {
 namespace {
 
 constexpr int kSide_px = 512;
-constexpr int kCells = 10;  // along each side, a decal in each
+constexpr int kCells = 10;  // along each side, with a decal in each
 constexpr float kCell_px = static_cast<float>(kSide_px) / kCells;
 
-// What a car is painted with: the prints differ much from the ground in brightness.
+// Colours of a car. The prints differ strongly from the ground in brightness.
 struct Livery {
   Rgb ground;
   Rgb band;
@@ -40,7 +40,7 @@ Livery MakeLivery(Rng& rng) {
   return livery;
 }
 
-// Letters in a line, upright or lying.
+// Draws a row of letters, horizontal or turned by 90 degrees.
 void DrawWord(cv::Mat& canvas, cv::Point2f middle, double radius_px, const Rgb& colour, Rng& rng) {
   const int letters = 3 + static_cast<int>(rng.UniformInt(2));
   const auto radius = static_cast<float>(radius_px);
@@ -53,7 +53,7 @@ void DrawWord(cv::Mat& canvas, cv::Point2f middle, double radius_px, const Rgb& 
   }
 }
 
-// A disc or a plate with a sign on it.
+// Draws a disc or a plate with a sign on it.
 void DrawBadge(cv::Mat& canvas, cv::Point2f middle, const Livery& livery, Rng& rng) {
   const double radius = rng.Uniform(12.0, 19.0);
   const Rgb& colour = livery.Print(rng);
@@ -86,7 +86,7 @@ void DrawDecal(cv::Mat& canvas, cv::Point2f middle, const Livery& livery, Rng& r
 
 }  // namespace
 
-// A car covered with prints: smaller ones give too few corners to track a body of some hundred
+// A car covered with large prints: small ones give too few corners to track a body of some hundred
 // pixels.
 Texture PaintCarPaint(Rng& rng) {
   const Livery livery = MakeLivery(rng);

@@ -7,7 +7,7 @@
 namespace cvo::synth {
 namespace {
 
-// One of a handful of patterns of cement tiles, in a random turn and colours.
+// Draws one of a few patterns of cement tiles, in random rotation and colours.
 void DrawTile(cv::Mat& canvas, const cv::Rect2f& box, const Palette& palette, Rng& rng) {
   const Rgb ground = Mix(palette.Any(rng), palette.light(), 0.5);
   FillBox(canvas, box, Vary(ground, 0.08, rng));

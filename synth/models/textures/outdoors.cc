@@ -6,7 +6,7 @@
 
 namespace cvo::synth {
 
-// Low contrast, as on real roads: corners should be found on vehicles.
+// Low contrast, as on real roads, so that corners are found on vehicles instead.
 Texture PaintAsphalt(Rng& rng) {
   const Rgb base = {104, 104, 107};
   cv::Mat canvas = MakeCanvas({1024, 1024}, base);
@@ -72,7 +72,7 @@ Texture PaintLeaves(Rng& rng) {
   const Rgb green = greens[rng.UniformInt(greens.size())];
   cv::Mat canvas = MakeCanvas({256, 256}, green * 0.55f);
   for (int i = 0; i < 950; ++i) {
-    const double depth = static_cast<double>(i) / 950;  // later ones lie nearer to the light
+    const double depth = static_cast<double>(i) / 950;  // later leaves are nearer to the light
     const double shade = rng.Uniform(0.6, 0.8);
     const auto gain = static_cast<float>(shade + depth * rng.Uniform(0.0, 0.45));
     const cv::Point2f at = RandomPoint(canvas.size(), rng);

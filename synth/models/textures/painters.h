@@ -7,7 +7,7 @@
 
 namespace cvo::synth {
 
-// Each paints one material; sizes in metres are those of the real thing.
+// Each function paints one material. Texture sizes in metres are those of the real material.
 Texture PaintWood(Rng& rng);
 Texture PaintParquet(Rng& rng);
 Texture PaintFabric(Rng& rng);

@@ -9,7 +9,8 @@ namespace {
 
 using Outline = std::vector<cv::Point2f>;
 
-// Corners on the unit circle; every second one drawn in to `inner` (1: a regular polygon).
+// Corners on the unit circle, with every second one moved in to radius `inner` (1: a regular
+// polygon).
 Outline MakeStar(int corners, double inner) {
   Outline outline;
   for (int i = 0; i < corners; ++i) {
@@ -31,7 +32,7 @@ Outline MakeHalfDisc() {
   return outline;
 }
 
-// Pointed at both ends.
+// A leaf, pointed at both ends.
 Outline MakeLeaf() {
   return {{-1, 0}, {-0.6f, 0.25f}, {0, 0.36f},  {0.6f, 0.25f},
           {1, 0},  {0.6f, -0.25f}, {0, -0.36f}, {-0.6f, -0.25f}};

@@ -17,11 +17,11 @@ cv::Point2f Jitter(double amount, Rng& rng) {
 struct SpotOptions {
   double smallest_px;  // radii
   double largest_px;
-  double apart_px;  // centres
+  double apart_px;  // minimum distance of centres
 };
 
-// Separate random shapes, light on dark and dark on light: each gives corners, in shadow too, and
-// no two rows are the same.
+// Draws separate random shapes, light on dark and dark on light. Each gives corners, even in
+// shadow, and no two rows are the same.
 void DrawSpots(cv::Mat& canvas, const SpotOptions& options, const Palette& palette, Rng& rng) {
   constexpr int kTrials = 3000;
   const cv::Mat ground = canvas.clone();
@@ -30,7 +30,7 @@ void DrawSpots(cv::Mat& canvas, const SpotOptions& options, const Palette& palet
   for (int i = 0; i < kTrials; ++i) {
     const cv::Point2f at = RandomPoint(canvas.size(), rng);
     const bool near = std::any_of(centres.begin(), centres.end(), [&](const cv::Point2f& other) {
-      const float dx = side / 2 - std::abs(std::abs(at.x - other.x) - side / 2);  // tiles repeat
+      const float dx = side / 2 - std::abs(std::abs(at.x - other.x) - side / 2);  // repeating
       const float dy = side / 2 - std::abs(std::abs(at.y - other.y) - side / 2);
       return std::hypot(dx, dy) < options.apart_px;
     });
@@ -84,7 +84,7 @@ void DrawKilimRow(cv::Mat& canvas, const KilimRow& row, const Palette& palette, 
   }
 }
 
-// Flowers on a light ground, `contrast` of the way from it to their own colours.
+// Flowers on a light ground. `contrast` blends from the ground (0) to their own colours (1).
 Texture PaintFlowers(double contrast, Rng& rng) {
   const Palette& palette = RandomPalette(rng);
   const Rgb base = Vary(Mix(palette.light(), palette.Mid(rng), 0.12), 0.05, rng);
@@ -134,7 +134,7 @@ Texture PaintCarpet(Rng& rng) {
 
 Texture PaintWallpaper(Rng& rng) { return PaintFlowers(0.6, rng); }
 
-// Too faint for corners, which should be found on posters and bodies.
+// Too faint for corners, which should be found on posters and bodies instead.
 Texture PaintEmbossed(Rng& rng) { return PaintFlowers(0.06, rng); }
 
 Texture PaintPoster(Rng& rng) {

@@ -36,7 +36,7 @@ const std::vector<std::string>& MaterialNames() {
 }
 
 Texture MakeTexture(const std::string& material, Rng& look) {
-  // A stream of its own: how many numbers one texture takes does not change the next.
+  // A separate stream, so that the number of draws for one texture does not change the next.
   Rng own(look.NextU64(), material);
   for (const Material& known : kMaterials) {
     if (material == known.name) return known.paint(own);

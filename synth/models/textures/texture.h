@@ -15,22 +15,24 @@ struct Texture {
   Eigen::Vector2d size_m = Eigen::Vector2d::Ones();  // of one repetition along u and v
 };
 
-// One of MaterialNames() (synth/models/make_model.h). Throws Error for another name.
+// Makes one of MaterialNames() (synth/models/make_model.h). Throws Error for an unknown name.
 Texture MakeTexture(const std::string& material, Rng& look);
 
-// Six square views from a ball's centre in a grid of 4 x 2, in the order of AddBall.
+// Makes six square views from the centre of a ball, in a grid of 4 x 2 and in the face order of
+// AddBall.
 Texture MakeBallTexture(Rng& look);
-// The part of a tile that its face takes; the pattern goes on beyond it, for the sake of mip maps.
+// Fraction of the side of a tile that its face covers. The pattern continues beyond the face for
+// the sake of mipmaps.
 constexpr double kBallTileFill = 0.9;
 
-// Small things with a picture each.
+// Textures of small things, one picture each.
 Texture MakeSolidTexture(const cv::Vec3f& rgb, Rng& look);
 Texture MakeWindowViewTexture(Rng& look);
 Texture MakeDoorTexture(Rng& look);
 Texture MakeCarGlassTexture(Rng& look);
 Texture MakeWheelTexture(Rng& look);
 Texture MakePlateTexture(Rng& look);
-// Backs of books in a grid of kBookColumns x kBookRows.
+// Spines of books in a grid of kBookColumns x kBookRows.
 Texture MakeBooksTexture(Rng& look);
 constexpr int kBookColumns = 16;
 constexpr int kBookRows = 2;

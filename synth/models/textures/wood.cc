@@ -13,7 +13,7 @@ const Rgb& RandomTimber(Rng& rng) {
   return timbers[rng.UniformInt(timbers.size())];
 }
 
-// Rings drawn out along u around a dark centre.
+// Draws rings elongated along u around a dark centre.
 void DrawKnot(cv::Mat& canvas, cv::Point2f centre, double radius, const Rgb& timber, Rng& rng) {
   for (const double part : {1.0, 0.78, 0.55, 0.3}) {
     std::vector<cv::Point2f> ring;
@@ -29,7 +29,7 @@ void DrawKnot(cv::Mat& canvas, cv::Point2f centre, double radius, const Rgb& tim
   }
 }
 
-// Short dark strokes along the grain.
+// Draws short dark strokes along the grain.
 void DrawFlecks(cv::Mat& canvas, const cv::Rect2f& board, const Rgb& timber, float flecks_per_px2,
                 Rng& rng) {
   const int flecks = static_cast<int>(board.area() * flecks_per_px2);
@@ -48,7 +48,7 @@ struct BoardOptions {
   float height_px;
   double shortest_px;
   double longest_px;
-  double tint;  // how much boards differ
+  double tint;  // variation between boards
   float flecks_per_px2;
   float knots_per_px2;
 };
@@ -98,7 +98,7 @@ Texture PaintWood(Rng& rng) {
 }
 
 Texture PaintParquet(Rng& rng) {
-  // Large boards of low contrast: bodies on them should stand out.
+  // Large boards of low contrast, so that bodies on them stand out.
   const BoardOptions boards = {64.0f, 200.0, 480.0, 0.28, 1.0f / 650.0f, 1.0f / 8000.0f};
   return {PaintBoards({1024, 1024}, boards, rng), {2.56, 2.56}};
 }
