@@ -14,7 +14,7 @@ void BM_RngNormal(benchmark::State& state) {
 }
 BENCHMARK(BM_RngNormal);
 
-// What handing a task to the pool and taking it back costs: the smallest piece worth submitting.
+// Overhead of submitting a task and waiting for it; smaller tasks are not worth submitting.
 void BM_TaskPoolRoundTrip(benchmark::State& state) {
   TaskPool pool(static_cast<int>(state.range(0)));
   for (auto _ : state) pool.Wait(pool.Submit([] {}));

@@ -13,7 +13,7 @@ struct Problem {
   Eigen::Matrix3Xd points;
 };
 
-// Nodes in a room (all are each other's neighbours) with the energies of a box and of noise.
+// Returns nodes at random positions in a cube of side size_m, with random energies.
 Problem Room(int nodes, int labels, double size_m) {
   Rng rng(1, "bench");
   Problem problem{CrfMatrix(nodes, labels), Eigen::Matrix3Xd(3, nodes)};

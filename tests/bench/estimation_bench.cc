@@ -20,7 +20,7 @@ const StereoCamera kCamera = {.fx = 721.5,
                               .width_px = 1242,
                               .height_px = 375};
 
-// A window as KITTI fills it: 20 frames, points seen in five consecutive ones.
+// A window typical of KITTI: 20 frames, each point observed in five consecutive ones.
 WindowProblem DrivingProblem(int points) {
   Rng rng(1, "bench");
   WindowProblem problem;
@@ -76,7 +76,7 @@ void BM_SolveWindow(benchmark::State& state) {
 }
 BENCHMARK(BM_SolveWindow)->Arg(600)->Arg(3000)->Unit(benchmark::kMillisecond);
 
-// A car ahead, 60 points in 15 frames of which each sees three quarters.
+// A car ahead with 60 points, observed in 15 frames; each frame shows three quarters of the points.
 ClusterProblem CarProblem() {
   Rng rng(2, "bench");
   ClusterProblem problem;

@@ -20,7 +20,7 @@ struct StereoImages {
   cv::Mat right;
 };
 
-// Disparity 20 px everywhere; noise as of a camera.
+// A synthetic image pair with a disparity of 20 px everywhere and camera-like noise.
 const StereoImages& SyntheticPair() {
   static const StereoImages images = [] {
     const cv::Mat scene = testing::DrawScene(1242, 375, 1);
@@ -82,7 +82,8 @@ void RegisterPair(const std::string& name, const StereoImages& images) {
   add("ExtractStereoFeatures", FrontEndPair)->Arg(1)->Arg(2)->UseRealTime();
 }
 
-// A pair of KITTI's raw drive 0001 below the folder CLUSTERVO_DATA, if there.
+// Reads an image pair of KITTI's raw drive 0001 below the folder CLUSTERVO_DATA; empty images if it
+// does not exist.
 StereoImages RealPair() {
   const char* folder = std::getenv("CLUSTERVO_DATA");
   if (folder == nullptr) return {};

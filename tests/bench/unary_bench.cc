@@ -56,7 +56,8 @@ CrfScene RandomScene(int nodes, int labels) {
   return scene;
 }
 
-// Landmarks and labels; every landmark has a past and every body a pose then: the worst case.
+// Arguments: number of landmarks, number of labels. This is the worst case: every landmark has a
+// past observation and every body a pose in that frame.
 void BM_Unaries(benchmark::State& state) {
   const CrfScene scene =
       RandomScene(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// consumer SEQUENCE TUM: the estimator on what `clustervo synth render` wrote. Prints the bodies of
-// the last frame and writes the trajectory of the camera.
+// Usage: consumer SEQUENCE TUM. Runs the estimator on a sequence written by `clustervo synth
+// render`, prints the clusters of the last frame and writes the camera trajectory to TUM.
 #include <charconv>
 #include <cmath>
 #include <exception>
@@ -18,7 +18,8 @@
 
 namespace fs = std::filesystem;
 
-// calib.txt: "P1: fx 0 cx -fx*baseline  0 fy cy 0  0 0 1 0", the right camera in its second line.
+// The second line of calib.txt describes the right camera:
+// "P1: fx 0 cx -fx*baseline  0 fy cy 0  0 0 1 0".
 cvo::StereoCamera ReadCamera(const fs::path& file, const cv::Mat& image) {
   std::ifstream in(file);
   std::string line;
@@ -54,7 +55,7 @@ std::map<int, std::vector<cvo::Detection>> ReadBoxes(const fs::path& file) {
   return boxes;
 }
 
-// The shortest text that reads back as the same number.
+// Returns the shortest text that parses back to the same number.
 std::string Shortest(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof(text), value).ptr};

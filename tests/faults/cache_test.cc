@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Faults of folders and of the cache: a rendered scene that is not as it was rendered is rendered
-// again, never read.
+// Faults of folders and of the cache: a rendered scene that has changed since it was written is
+// rendered again, never read.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -49,7 +49,7 @@ class FolderFaults : public testing::Test {
     return Program({"experiment", command, (folder_.path() / "suite.json").string(), "-o",
                     (folder_.path() / "out").string(), "-q"});
   }
-  // With the time of modification that it had.
+  // Overwrites a file and restores its modification time.
   static void Damage(const fs::path& file, const std::string& bytes) {
     fs::permissions(file, fs::perms::owner_write, fs::perm_options::add);
     const fs::file_time_type modified = fs::last_write_time(file);
@@ -87,7 +87,7 @@ TEST_F(FolderFaults, DamageOfEveryKindOfFileIsDetected) {
     Flip(name);
     const ProcessResult plan = Suite("plan");
     EXPECT_EQ(plan.exit_code, 0) << name << plan.err;
-    // A manifest that is not as written names files that are not there.
+    // A damaged manifest names files that do not exist.
     const fs::path named = std::string(name) == "manifest.json" ? scene_ : scene_ / name;
     EXPECT_THAT(plan.err, HasSubstr("a cached scene is damaged and will be rendered again:  " +
                                     named.string()));
@@ -102,7 +102,7 @@ TEST_F(FolderFaults, DamageOfEveryKindOfFileIsDetected) {
   EXPECT_THAT(Suite("plan").err, testing::IsEmpty());
 }
 
-// One bit, an end that is missing, and the file of another scene in its place.
+// Kinds of damage: one flipped bit, a truncated file, and the file of another scene in its place.
 TEST_F(FolderFaults, DamageOfEveryFileIsDetected) {
   if (IsSkipped()) return;
   const fs::path other = folder_.path() / "other";
@@ -122,7 +122,7 @@ TEST_F(FolderFaults, DamageOfEveryFileIsDetected) {
   EXPECT_EQ(FindSceneDamage(scene_, HashesByReading), std::nullopt);
 }
 
-TEST_F(FolderFaults, ARunRendersItAgain) {
+TEST_F(FolderFaults, ARunRendersADamagedSceneAgain) {
   if (IsSkipped()) return;
   const auto before = Files();
   for (const char* name : {"poses.txt", "image_0/000000.png", "instance_0/000001.png"}) Flip(name);
@@ -135,7 +135,7 @@ TEST_F(FolderFaults, ARunRendersItAgain) {
   EXPECT_EQ(ReadJson(folder_.path() / "out" / "plan.json")["jobs"][0]["job"], job_);
 }
 
-// It cannot be told how a folder outside of the cache was rendered.
+// It is unknown how a folder outside the cache was rendered, so it cannot be rendered again.
 TEST_F(FolderFaults, DamageOutsideTheCacheIsRefused) {
   if (IsSkipped()) return;
   const fs::path copy = folder_.path() / "copy";
@@ -158,7 +158,7 @@ TEST_F(FolderFaults, DamageOutsideTheCacheIsRefused) {
   }
 }
 
-// Three megabytes more with every frame, none of them in use.
+// Guards against memory that grows by 3 MB per frame although none of it is in use.
 TEST_F(FolderFaults, ALongRunNeedsNoMoreMemory) {
   if (IsSkipped()) return;
   if (!kLimitsMemory) GTEST_SKIP() << "the sanitizer keeps what is freed";

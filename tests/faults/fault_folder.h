@@ -18,9 +18,9 @@
 
 namespace cvo::test {
 
-// A folder with a small sequence, a suite on it, a cache, and the program to attack. Each test that
-// derives from it is a row of faults that were found once: it says what they are and what is
-// wanted.
+// A folder with a small sequence, a suite on it and a cache, and the program to attack. Each test
+// on this fixture covers a series of faults that were once found, and states the required
+// behaviour.
 class FaultFolder : public testing::Test {
  protected:
   using Arguments = std::vector<std::string>;
@@ -49,7 +49,7 @@ class FaultFolder : public testing::Test {
     const ProcessResult result = Run(arguments);
     EXPECT_EQ(result.exit_code, 0) << arguments[1] << ": " << result.err;
   }
-  // One line on standard error that has this text, and no internal error.
+  // Expects one line on standard error, which contains this text and is no internal error.
   void ExpectOneLine(const Arguments& arguments, const testing::Matcher<int>& exit_code,
                      const std::string& text) const {
     const ProcessResult result = Run(arguments);

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// fault_points POINTS: counts the calls of the operating system (core/files/disk.h) that a small
-// suite makes with an empty cache, and lets that many of them, spread evenly over all calls and the
-// three kinds of fault, fail, be cut short or kill the process. Afterwards the same command must
-// end with the same bytes, and nothing of the fault may be left.
+// fault_points POINTS [drawn]: counts the system calls (core/files/disk.h) that a small suite makes
+// with an empty cache, or, with `drawn`, with a cache of rendered images. Then injects POINTS
+// faults, spread evenly over all calls and the three kinds of fault: the call fails, is cut short,
+// or the process is killed. Afterwards the same command must give the same bytes, and nothing of
+// the fault may be left.
 #include <cstdlib>
 #include <iostream>
 #include <map>
@@ -59,7 +60,7 @@ class FaultTest {
   }
 
  private:
-  // How the run with the fault ended. Throws Error where the next one does not mend it.
+  // Returns how the run with the fault ended. Throws Error if the next run does not repair it.
   std::string Try(const Fault& fault) const {
     const std::string name = StrCat(fault.kind, " at call ", fault.call);
     Restore();
@@ -79,7 +80,7 @@ class FaultTest {
     const ProcessResult run = RunSuite({"fail", 0});
     if (run.exit_code != 0) throw Error(run.err);
   }
-  // Of the cache, what is under the key of a drawing.
+  // Saves the cache entries of rendered images, whose names are hashes.
   void KeepDrawing() const {
     for (const auto& entry : fs::directory_iterator(folder_.path() / "cache")) {
       if (entry.path().filename().string().size() != kHashBytes) continue;
@@ -111,7 +112,8 @@ class FaultTest {
     return calls;
   }
 
-  // All that results and cached scenes consist of.
+  // Returns all reproducible files of results and cached scenes. Throws Error if a temporary file
+  // is left over.
   Files Left() const {
     Files files;
     for (const auto& entry : fs::recursive_directory_iterator(folder_.path())) {

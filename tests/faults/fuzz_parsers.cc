@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// fuzz_parsers MUTATIONS [SEED] [PARSER]: gives every parser that many spoilt files. What ends the
-// program, takes long or throws anything but cvo::Error is a finding; its input stays as
-// spoilt/<parser>. Without libFuzzer (fuzz_target.cc), so that every `make test` attacks.
+// fuzz_parsers MUTATIONS [SEED] [PARSER]: gives each parser this many corrupted files. A crash, a
+// long run time or any exception but cvo::Error is a finding; its input remains as
+// spoilt/<parser>. Independent of libFuzzer (fuzz_target.cc), so that every `make test` can run it.
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
@@ -64,7 +64,7 @@ class Mutator {
     }
   }
 
-  // A number, a key or a value as a whole.
+  // Replaces a whole number, key or value.
   void ReplaceWord(std::string& text, std::size_t at) {
     const std::string_view word = WordFrom(text, at);
     if (word.empty()) return;

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// One program of libFuzzer for all parsers:
-//   fuzz_target seeds FOLDER               writes seeds and a dictionary for each, prints names
-//   fuzz_target PARSER [libFuzzer's own]   attacks that parser, or reads the files given once
-// A finding ends it; libFuzzer keeps the input.
+// One libFuzzer program for all parsers:
+//   fuzz_target seeds FOLDER         writes seeds and a dictionary for each parser, prints its name
+//   fuzz_target PARSER [ARGUMENTS]   fuzzes this parser, or reads the given files once; the
+//                                    arguments are those of libFuzzer
+// A finding aborts the program; libFuzzer keeps the input.
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -20,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A parser and its file, which TMPDIR may put into memory.
+// A parser and its input file, in a temporary folder (which TMPDIR may place in memory).
 class Target {
  public:
   explicit Target(Parser parser) : parser_(std::move(parser)) {
@@ -46,7 +47,7 @@ class Target {
   fs::path folder_;
 };
 
-// The entry points of libFuzzer have no other way to hand it on.
+// Global, since the entry points of libFuzzer cannot pass it on.
 std::optional<Target>& TheTarget() {
   static std::optional<Target> target;
   return target;
@@ -61,9 +62,9 @@ std::string DictionaryEntry(std::string_view word) {
   return entry + "\"\n";
 }
 
-// Keys, values and numbers of the seeds, and what readers stumble over.
+// Returns a dictionary of the keys, values and numbers of the seeds and of HostilePieces().
 std::string Dictionary(const Parser& parser) {
-  constexpr std::size_t kLongest = 60;  // libFuzzer takes 64
+  constexpr std::size_t kLongest = 60;  // libFuzzer accepts up to 64
   std::set<std::string> words;
   for (const std::string& text : parser.seeds) {
     std::size_t at = 0;
@@ -109,7 +110,7 @@ void Start(const std::vector<std::string>& arguments) {
 }  // namespace
 }  // namespace cvo::test
 
-// The first argument is ours, the others are libFuzzer's.
+// The first argument is for Start(), the others are for libFuzzer.
 extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
   cvo::test::Start({*argv + 1, *argv + *argc});
   (*argv)[1] = (*argv)[0];

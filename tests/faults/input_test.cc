@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Faults of input files, paths and numbers.
+// Regression tests for faults of input files, paths and numbers.
 #include <sys/stat.h>
 
 #include "tests/faults/fault_folder.h"
@@ -17,7 +17,7 @@ using testing::Not;
 
 class InputFaults : public test::FaultFolder {};
 
-// A pipe instead of a file was waited for.
+// The program used to wait for a pipe in place of a file.
 TEST_F(InputFaults, Pipes) {
   const fs::path pipe = folder_.path() / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
@@ -27,7 +27,7 @@ TEST_F(InputFaults, Pipes) {
   ExpectOneLine(RunWall({"--labels", pipe}), 1, found);
   ExpectOneLine({"eval", "--groundtruth", pipe, "--estimate", pipe}, 1, found);
   ExpectOneLine({"experiment", "table", "--from", pipe}, 1, pipe);
-  // In place of results: said, or drawn without; never waited for.
+  // Pipes in place of result files are reported or ignored, but never waited for.
   ExpectDone(Suite("run"));
   const fs::path run = FirstResult().parent_path();
   for (const fs::path& file :
@@ -56,7 +56,7 @@ TEST_F(InputFaults, Pipes) {
   }
 }
 
-// 100,000 values within each other ended in a crash.
+// 100,000 nested values used to cause a crash.
 TEST_F(InputFaults, DeepJson) {
   for (const char* bracket : {"[", "{\"a\":"}) {
     std::string text;
@@ -73,7 +73,7 @@ TEST_F(InputFaults, DeepJson) {
   }
 }
 
-// Links in a circle, paths that are too long and files in place of folders were internal errors.
+// Circular links, overlong paths and files in place of folders used to be internal errors.
 TEST_F(InputFaults, InternalErrors) {
   const std::string circle = folder_.path() / "circle";
   fs::create_symlink(circle, circle);
@@ -101,7 +101,7 @@ TEST_F(InputFaults, InternalErrors) {
   }
 }
 
-// More threads than fit ended in a crash.
+// More threads than fit into memory used to cause a crash.
 TEST_F(InputFaults, Threads) {
   const ProcessResult few = Run(RunWall({"--threads", "2"}), 3'000'000'000);
   if (few.exit_code != 0) GTEST_SKIP() << "this build needs more address space: " << few.err;
@@ -111,7 +111,7 @@ TEST_F(InputFaults, Threads) {
   EXPECT_EQ(test::LineCount(many.err), 1U) << many.err;
 }
 
-// Where a limit left no memory, that was an internal error.
+// Running out of memory under a limit used to be an internal error.
 TEST_F(InputFaults, Memory) {
   constexpr std::size_t kLimit_bytes = 700'000'000;
   const auto eval = [&](int poses) {
@@ -128,7 +128,7 @@ TEST_F(InputFaults, Memory) {
   EXPECT_EQ(test::LineCount(many.err), 1U) << many.err;
 }
 
-// Numbers that are none, that nobody means, and names that are none.
+// Non-finite numbers, implausible numbers and invalid names.
 TEST_F(InputFaults, OddValues) {
   for (const char* shift : {"nan", "1e308", "-101"}) {
     ExpectOneLine(RunWall({"--right-shift", shift}), 2, "--right-shift");
@@ -144,7 +144,7 @@ TEST_F(InputFaults, OddValues) {
   ExpectOneLine(Suite("run", {"--time-limit", "nan"}), 2, "--time-limit");
 }
 
-// A message repeated whatever a file held.
+// Messages used to repeat the contents of a file at any length.
 TEST_F(InputFaults, LongMessages) {
   const std::string much(400'000, 'x');
   const std::string file = folder_.Write("long.json", "{\"name\": \"" + much + "\"}");
@@ -157,12 +157,12 @@ TEST_F(InputFaults, LongMessages) {
                                      RunWall({"--set", much.substr(0, 100'000) + "=1"})}) {
     const ProcessResult result = Run(arguments);
     EXPECT_THAT(result.exit_code, AnyOf(1, 2)) << result.err;
-    EXPECT_LE(result.err.size(), 350U);  // 300 of the message
+    EXPECT_LE(result.err.size(), 350U);  // 300 for the message itself
     EXPECT_EQ(test::LineCount(result.err), 1U);
   }
 }
 
-// Names of files and keys were printed with whatever a terminal obeys.
+// Names of files and keys used to be printed with terminal control sequences.
 TEST_F(InputFaults, Terminal) {
   const std::string odd =
       "a\x1b[31mb\xc2\x9b"
@@ -190,8 +190,8 @@ TEST_F(InputFaults, Terminal) {
   }
 }
 
-// What no image can be is refused before the first frame; damage behind a good header costs the
-// frame, which the result says.
+// A file whose header is not that of an expected image is refused before the first frame. Damage
+// after a good header costs the frame, which the result states.
 TEST_F(InputFaults, Images) {
   const fs::path image = wall() / "image_1" / "000001.png";
   const std::string whole = ReadFileBytes(image);
@@ -215,8 +215,8 @@ TEST_F(InputFaults, Images) {
   }
 }
 
-// A gap in the times and a truth that jumps were scored without a word; a label twice counted
-// twice.
+// Gaps in the times and jumps in the truth used to be scored without a warning, and a duplicate
+// label was counted twice.
 TEST_F(InputFaults, ImplausibleTruth) {
   const fs::path drive = folder_.path() / "drive";
   test::WriteTinySequence(drive, 5);

@@ -10,24 +10,25 @@
 
 namespace cvo::test {
 
-// A reader of files that users, other programs or a damaged disk may have written. It takes any
-// bytes: it returns or throws cvo::Error, in little time.
+// A reader of files that users, other programs or a damaged disk may have written. For any bytes it
+// must return or throw cvo::Error within a short time.
 struct Parser {
-  std::string name;                // the file's too: some readers go by its ending
-  std::vector<std::string> seeds;  // whole files, from which attacks start
+  std::string name;                // also of the file: some readers depend on its extension
+  std::vector<std::string> seeds;  // complete files, from which mutations start
   std::function<void(const std::filesystem::path& file)> read;
 };
 
-// All of them. The seeds are files of the sources and of golden results, and texts.
+// Returns all parsers. Their seeds are files of the source tree, golden results and literal texts.
 std::vector<Parser> AllParsers();
 
-// What readers stumble over: numbers, brackets, blanks, bytes of control.
+// Strings that often break readers: numbers, brackets, white space, control bytes.
 const std::vector<std::string>& HostilePieces();
 
-// The first number, key or value of a text from this place on, as a whole; empty: there is none.
+// Returns the first whole number, key or value in a text from `begin` on. Empty if there is none.
 std::string_view WordFrom(std::string_view text, std::size_t begin);
 
-// Why a file is a finding; empty: it is none.
+// Returns why reading a file is a finding: another exception, an overlong message, or a long run
+// time. Empty if it is none.
 std::string Finding(const Parser& parser, const std::filesystem::path& file);
 
 }  // namespace cvo::test

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Faults of suites, their plans and their results.
+// Regression tests for faults of suites, their plans and their results.
 #include "core/files/host_name.h"
 #include "experiments/jobs/child_process.h"
 #include "tests/faults/fault_folder.h"
@@ -16,7 +16,7 @@ using testing::Not;
 
 class SuiteFaults : public test::FaultFolder {
  protected:
-  // Every command that reads results says that the first run is none.
+  // Expects all commands that read results to reject the first run.
   void ExpectNoRun(const std::string& case_name) const {
     for (const Arguments& arguments : {Arguments{"experiment", "table", out()},
                                        {"experiment", "status", out()},
@@ -31,8 +31,8 @@ class SuiteFaults : public test::FaultFolder {
   }
 };
 
-// What one command took for a result another did not.
-TEST_F(SuiteFaults, OneJudgement) {
+// Commands used to disagree on what is a valid result.
+TEST_F(SuiteFaults, CommandsAgreeOnValidResults) {
   RunSuite();
   const std::string good = ReadFileBytes(FirstResult());
   const std::string status = "\"status\": \"ok\"";
@@ -47,11 +47,11 @@ TEST_F(SuiteFaults, OneJudgement) {
     WriteFileBytes(FirstResult(), bytes);
     ExpectNoRun(bytes.substr(0, 20));
   }
-  ExpectDone(Suite("run"));  // makes it again
+  ExpectDone(Suite("run"));  // recreates it
   EXPECT_EQ(ReadFileBytes(FirstResult()), good);
 }
 
-// A row showed the number of another job.
+// A row used to show the value of another job.
 TEST_F(SuiteFaults, PlanAgainstResult) {
   RunSuite();
   const std::string plan = ReadFileBytes(At("out/plan.json"));
@@ -74,7 +74,7 @@ TEST_F(SuiteFaults, PlanAgainstResult) {
   ExpectDone({"experiment", "table", out()});
 }
 
-// Grids, lists and counts that nobody can run took all memory or minutes before a word was said.
+// Grids, lists and counts too large to run used to take all memory, or minutes, before an error.
 TEST_F(SuiteFaults, Size) {
   const auto axis = [](int steps) { return Json{{"from", 0.1}, {"to", 0.9}, {"steps", steps}}; };
   Json list = Json::array();
@@ -102,7 +102,7 @@ TEST_F(SuiteFaults, Size) {
   }
 }
 
-// A job without memory ended as "exit code 127" or as killed by a signal.
+// A job out of memory used to be reported as "exit code 127" or as killed by a signal.
 TEST_F(SuiteFaults, Limits) {
   if (!kLimitsMemory) GTEST_SKIP() << "the sanitizer needs the memory";
   for (const char* limit_mb : {"10", "60"}) {
@@ -112,7 +112,7 @@ TEST_F(SuiteFaults, Limits) {
   }
 }
 
-// A link in the name of a suite stayed one in the report for pull requests.
+// A link in the name of a suite used to stay active in the report for pull requests.
 TEST_F(SuiteFaults, Markdown) {
   RunSuite();
   Edit(At("out/plan.json"), [](Json& plan) {
@@ -126,7 +126,7 @@ TEST_F(SuiteFaults, Markdown) {
   }
 }
 
-// Values in a saved table that no run can have were shown as if one had.
+// Impossible values in a saved table used to be shown as results.
 TEST_F(SuiteFaults, OddValues) {
   RunSuite();
   ExpectDone({"experiment", "table", out()});
@@ -152,7 +152,7 @@ TEST_F(SuiteFaults, OddValues) {
   ExpectDone({"experiment", "table", "--from", At("out/table.json")});
 }
 
-// Processes that were killed left files and empty folders that nothing ever removed.
+// Killed processes used to leave files and empty folders behind that were never removed.
 TEST_F(SuiteFaults, Leftovers) {
   ExpectDone(Suite("run"));
   const std::string name = StrCat(".x.tmp-", HostName(), ".9999999-0");
@@ -171,7 +171,7 @@ TEST_F(SuiteFaults, Leftovers) {
   for (const fs::path& path : left) EXPECT_FALSE(fs::exists(path)) << path;
 }
 
-// Old files behind a link were removed as if they were a run's own.
+// Old files behind a link used to be removed as if they belonged to the run.
 TEST_F(SuiteFaults, Symlinks) {
   const fs::path mine = folder_.Write("mine/99.tum", "mine");
   fs::create_directories(out());
@@ -185,7 +185,8 @@ TEST_F(SuiteFaults, Symlinks) {
   EXPECT_EQ(ReadFileBytes(file), "mine");
 }
 
-// The error of all pairs of poses took quadratic time: 11 s for 30,000 of them, for ever for 10^6.
+// The error over all pairs of poses used to take quadratic time: 11 s for 30,000 poses, so hours
+// for 10^6.
 TEST_F(SuiteFaults, Quadratic) {
   std::string truth;
   std::string estimate;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr char kMethod[] = "core/METHOD.md";
 
-// What the program writes: named in messages and tests, but no part of the repository.
+// Documents that the program writes: named in messages and tests, but not in the repository.
 const std::set<std::string>& WrittenDocuments() {
   static const std::set<std::string> names = {"table.md", "check.md", "ci.md", "gate.md"};
   return names;
@@ -21,7 +21,7 @@ const std::set<std::string>& WrittenDocuments() {
 
 std::string NameOf(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
-// "4" and "4.2" of the headings "## 4 ..." and "### 4.2 ...".
+// Returns the numbers of sections, "4" and "4.2" for the headings "## 4 ..." and "### 4.2 ...".
 std::set<std::string> Sections(const std::string& method) {
   static const std::regex heading(R"(^#+ (\d+(?:\.\d+)?) )");
   std::set<std::string> sections;
@@ -33,7 +33,8 @@ std::set<std::string> Sections(const std::string& method) {
   return sections;
 }
 
-// "orb" and "levels" of visit.Group("orb", ...) and visit.Field("levels", ...), in the estimator.
+// Returns the names of option groups and fields of the estimator, "orb" and "levels" for
+// visit.Group("orb", ...) and visit.Field("levels", ...).
 std::set<std::string> OptionNames(const std::vector<SourceFile>& files) {
   static const std::regex named(R"re(visit\.(?:Group|Field)\(\s*"(\w+)")re");
   std::set<std::string> names;
@@ -94,7 +95,7 @@ std::vector<std::string> CheckCitations(const std::vector<SourceFile>& files,
       const auto has = [&](const char* text) {
         return file.content.find(text) != std::string::npos;
       };
-      if (!has(".md") && !has("design ")) continue;  // regular expressions take time
+      if (!has(".md") && !has("design ")) continue;  // regular expressions are slow
       ForEachMatch(file, section, [&](const std::smatch& match, const std::string& where) {
         if (sections.contains(match[1])) return;
         violations.push_back(where + "METHOD.md has no section " + match[1].str());

@@ -15,30 +15,31 @@ struct SourceFile {
 
 // Each check returns one line "<path>:<line>: <what is wrong>" per violation.
 
-// The arrows between the parts: core/base <- geometry <- features <- association <- clustering <-
-// solvers <- estimation <- interface <- clusters <- labelling <- odometry <- ceres <-
-// variants <- experiments; reports and synth beside them. Also the system and library headers that
-// a part must not use (files, JSON, clocks in the estimator).
+// Each part includes only parts to its left: core/base <- geometry <- features <- association <-
+// clustering <- solvers <- estimation <- interface <- clusters <- bodies <- labelling <- odometry
+// <- ceres <- variants <- experiments; reports and synth are beside them. No part includes the
+// system and library headers that are banned in it (files, JSON, clocks in the estimator).
 std::vector<std::string> CheckIncludes(const SourceFile& file);
 
-// The two-line SPDX header, after an interpreter line if there is one.
+// Files begin with the two-line SPDX header, after an interpreter line if there is one.
 std::vector<std::string> CheckLicense(const SourceFile& file);
 
-// Sources of at most 400 lines.
+// Sources have at most 400 lines.
 std::vector<std::string> CheckLength(const SourceFile& file);
 
-// Text that has no place in a part: preprocessor branches and macros in the estimator, flags that
-// change arithmetic, printing or ending the process in libraries, mutable statics, sleeps.
+// No part contains text that is forbidden in it: preprocessor branches and macros in the estimator,
+// flags that change arithmetic, printing or ending the process in libraries, mutable statics,
+// sleeps.
 std::vector<std::string> CheckForbiddenText(const SourceFile& file);
 
 // Every .cc is named by the CMakeLists.txt of its folder or of a folder above it.
 std::vector<std::string> CheckRegistered(const std::vector<SourceFile>& files);
 
-// Headers define a type's name once per namespace: two definitions would be one to the linker.
+// Headers define a type name once per namespace: the linker would merge two definitions.
 std::vector<std::string> CheckTypeNames(const std::vector<SourceFile>& files);
 
-// Sources and documents name only documents that are there, and only sections that core/METHOD.md
-// has; the files and options that METHOD.md names exist.
+// Sources and documents cite only existing documents and existing sections of core/METHOD.md; the
+// files and options that METHOD.md names exist.
 std::vector<std::string> CheckCitations(const std::vector<SourceFile>& files,
                                         const std::vector<SourceFile>& documents);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// The rules themselves: each must catch what it is for, or the test of the sources proves nothing.
+// Tests the rules themselves: each must catch its violations, or source_tree_test proves nothing.
 #include "tests/house/house_rules.h"
 
 #include <gmock/gmock.h>
@@ -18,7 +18,7 @@ std::vector<std::string> Include(const std::string& path, const std::string& hea
   return CheckIncludes({path, "#pragma once\n\n  #  include " + header + "  // why\n"});
 }
 
-TEST(Includes, ArrowsOfTheEstimator) {
+TEST(Includes, FollowTheLayersOfTheEstimator) {
   EXPECT_THAT(Include("core/geometry/a.h", "\"core/base/error.h\""), IsEmpty());
   EXPECT_THAT(Include("core/base/a.h", "\"core/geometry/rigid_transform.h\""),
               ElementsAre("core/base/a.h:3: core/base/ must not include "
@@ -44,7 +44,7 @@ TEST(Includes, TheEstimatorUsesNoFilesJsonOrClock) {
   EXPECT_THAT(Include("core/base/stage_times.h", "<chrono>"), IsEmpty());
 }
 
-TEST(Includes, ArrowsOfTheExperiments) {
+TEST(Includes, FollowTheLayersOfTheExperiments) {
   EXPECT_THAT(Include("experiments/metrics/a.cc", "\"experiments/record/job_identity.h\""),
               SizeIs(1));
   EXPECT_THAT(Include("core/files/a.cc", "\"experiments/datasets/sequence.h\""), SizeIs(1));
@@ -56,7 +56,7 @@ TEST(Includes, ArrowsOfTheExperiments) {
   EXPECT_THAT(Include("experiments/record/a.cc", "\"build_sources.h\""), IsEmpty());
 }
 
-TEST(Includes, AFolderInsideAnotherIsBelowOrAboveIt) {
+TEST(Includes, NestedFoldersAreBelowOrAboveTheirParent) {
   EXPECT_THAT(Include("core/files/a.cc", "\"core/files/text/utf8.h\""), IsEmpty());
   EXPECT_THAT(Include("core/files/a.cc", "\"core/files/json/json.h\""), SizeIs(1));
   EXPECT_THAT(Include("core/files/text/a.cc", "\"core/files/disk.h\""), SizeIs(1));
@@ -107,7 +107,7 @@ const char kHeader[] =
     "// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors\n"
     "// SPDX-License-Identifier: Apache-2.0\n";
 
-TEST(License, TwoLinesAtTheTop) {
+TEST(License, IsTwoLinesAtTheTop) {
   EXPECT_THAT(CheckLicense({"a.cc", kHeader}), IsEmpty());
   EXPECT_THAT(CheckLicense({"a.cc", ""}), SizeIs(1));
   EXPECT_THAT(CheckLicense({"a.cc", std::string("\n") + kHeader}), SizeIs(1));
@@ -118,7 +118,7 @@ TEST(License, TwoLinesAtTheTop) {
               IsEmpty());
 }
 
-TEST(Length, FourHundredLines) {
+TEST(Length, IsAtMostFourHundredLines) {
   EXPECT_THAT(CheckLength({"a.cc", std::string(400, '\n')}), IsEmpty());
   EXPECT_THAT(CheckLength({"a.cc", std::string(401, '\n')}), SizeIs(1));
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Files that others read before they build: versions, packages.
+// Tests the files that are needed before a build: versions and packages.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,14 +15,14 @@ namespace {
 
 const std::filesystem::path kRepository = CVO_SOURCE_DIR;
 
-// What the first group of the pattern matches first in the file.
+// Returns the first group of the first match of the pattern in the file. Empty if there is none.
 std::string Found(const char* file, const char* pattern) {
   const std::string text = ReadFile(kRepository / file);
   std::smatch match;
   return std::regex_search(text, match, std::regex(pattern)) ? match[1].str() : "";
 }
 
-TEST(ReleaseFiles, NameOneVersion) {
+TEST(ReleaseFiles, AgreeOnTheVersion) {
   const std::string version = Found("CMakeLists.txt", R"(project\(ClusterVO VERSION ([\d.]+))");
   EXPECT_THAT(version, testing::MatchesRegex("[0-9]+[.][0-9]+[.][0-9]+"));
   EXPECT_EQ(Found("CHANGELOG.md", R"(\n## ([\d.]+)\n)"), version) << "the newest entry";
@@ -40,8 +40,8 @@ TEST(ReleaseFiles, EveryPackageHasAReason) {
   }
 }
 
-// Public CI and the development container have no list of their own.
-TEST(ReleaseFiles, OneListOfPackagesAndOneRun) {
+// Public CI and the development container use the shared script and list of packages.
+TEST(ReleaseFiles, ShareOneListOfPackagesAndOneScript) {
   EXPECT_THAT(ReadFile(kRepository / ".github/workflows/ci.yml"),
               testing::HasSubstr("run: .ci/run\n"));
   EXPECT_THAT(ReadFile(kRepository / ".devcontainer/Dockerfile"),

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// The rules of the house on the sources as they are.
+// Applies the house rules to the source tree.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -65,7 +65,7 @@ std::vector<std::string> OnAll(Check check) {
 
 TEST(SourceTree, IsFound) { EXPECT_GT(Sources().size(), 50u); }
 
-TEST(SourceTree, IncludesFollowTheArrows) { EXPECT_THAT(OnAll(CheckIncludes), IsEmpty()); }
+TEST(SourceTree, IncludesFollowTheLayers) { EXPECT_THAT(OnAll(CheckIncludes), IsEmpty()); }
 
 TEST(SourceTree, FilesHaveTheirLicense) { EXPECT_THAT(OnAll(CheckLicense), IsEmpty()); }
 
@@ -73,7 +73,7 @@ TEST(SourceTree, TypesHaveUniqueNames) { EXPECT_THAT(CheckTypeNames(Sources()), 
 
 TEST(SourceTree, FilesAreShort) { EXPECT_THAT(OnAll(CheckLength), IsEmpty()); }
 
-TEST(SourceTree, NothingForbidden) { EXPECT_THAT(OnAll(CheckForbiddenText), IsEmpty()); }
+TEST(SourceTree, HasNoForbiddenText) { EXPECT_THAT(OnAll(CheckForbiddenText), IsEmpty()); }
 
 TEST(SourceTree, CitationsExist) { EXPECT_THAT(CheckCitations(Sources(), Documents()), IsEmpty()); }
 

@@ -28,13 +28,14 @@ struct TextRule {
   const char* message;
 };
 
-// [x] in place of x keeps a rule from finding itself.
+// [x] in place of x keeps a rule from matching its own source.
 const std::vector<TextRule>& TextRules() {
   static const std::regex estimator(R"((core|variants)/.*\.(h|cc))");
   static const std::regex library(
       R"((core|variants|synth|reports|experiments/(datasets|metrics|record|runner|scene_check))/.*\.(h|cc))");
   static const std::regex any(".*");
-  // One file asks for the architecture; a kernel for it, chosen at run time, asks that file.
+  // Only cpu_level.* asks for the architecture. A kernel for it, chosen at run time, asks for
+  // CVO_WITH_AVX2 instead.
   static const std::regex portable(R"((core|variants)/(?!features/cpu_level\.).*\.(h|cc))");
   static const std::regex step(
       R"(core/(clusters|bodies|labelling|odometry)/(?!visual_odometry\.h).*\.(h|cc))");
@@ -122,7 +123,7 @@ std::vector<std::string> CheckRegistered(const std::vector<SourceFile>& files) {
 std::vector<std::string> CheckTypeNames(const std::vector<SourceFile>& files) {
   const std::regex opened(R"(^namespace (\S+) \{)");
   const std::regex defined(R"(^(?:struct|class) (\w+)(?: final)?(?: :.*)? \{)");
-  std::map<std::string, std::string> first;  // where, by qualified name
+  std::map<std::string, std::string> first;  // location, by qualified name
   std::vector<std::string> violations;
   for (const SourceFile& file : files) {
     if (!file.path.ends_with(".h")) continue;

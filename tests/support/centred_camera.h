@@ -6,7 +6,7 @@
 
 namespace cvo::test {
 
-// With square pixels and the principal point in the middle of the image.
+// Returns a camera with square pixels and the principal point in the middle of the image.
 inline StereoCamera CentredCamera(double focal_px, double baseline_m, int width_px, int height_px) {
   return {.fx = focal_px,
           .fy = focal_px,

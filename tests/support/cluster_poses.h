@@ -6,7 +6,7 @@
 
 namespace cvo::test {
 
-// A frame of a trajectory; the rest of `report` as it is.
+// Returns one frame of a cluster trajectory. Fields that are not given are taken from `report`.
 inline ClusterPose PoseInFrame(std::int64_t frame, std::int64_t timestamp_ns, ClusterStatus status,
                                const RigidTransform& world_from_object, ClusterReport report = {}) {
   report.status = status;

@@ -12,7 +12,7 @@
 
 namespace cvo::testing {
 
-// What a variant said of a world, frame by frame and in the end.
+// The output of a variant for a world, per frame and at the end of the run.
 struct ClusterRun {
   std::vector<WorldView> views;  // as the variant saw them
   std::vector<FrameReport> reports;
@@ -28,8 +28,8 @@ struct RunSettings {
   Options options;
 };
 
-// `change(frame, view)` may spoil a view before the variant sees it; a view whose timestamp it
-// makes negative is skipped.
+// Runs a variant on a world. `change(frame, view)` may modify a view before the variant processes
+// it; a view whose timestamp it makes negative is skipped.
 template <typename Change>
 ClusterRun RunClusters(std::string_view variant, const MovingWorld& world,
                        const RunSettings& settings, Change change) {
@@ -51,7 +51,7 @@ ClusterRun RunClusters(std::string_view variant, const MovingWorld& world,
   return run;
 }
 
-// The bodies of a WorldView as a giver of labels names them.
+// Converts the body numbers of a WorldView to the ids that ground-truth labels use.
 inline std::vector<BodyId> BodyIds(const std::vector<int>& bodies) {
   std::vector<BodyId> ids;
   for (const int body : bodies) ids.push_back(BodyId{body});
@@ -60,7 +60,7 @@ inline std::vector<BodyId> BodyIds(const std::vector<int>& bodies) {
 
 inline const auto kNoChange = [](int, WorldView&) {};
 
-// The cluster that most of the body's features in the frame belong to; invalid: none.
+// Returns the non-static cluster with most of the body's features in the frame; invalid if none.
 inline ClusterId ClusterOfBody(const ClusterRun& run, int frame, int body) {
   std::map<ClusterId, int> votes;
   for (const LandmarkReport& landmark : run.reports[frame].landmarks) {
@@ -87,7 +87,7 @@ inline const ClusterTrajectory* FindTrajectory(const ClusterRun& run, ClusterId 
   return nullptr;
 }
 
-// Clusters reported in any frame.
+// Returns the ids of all clusters reported in any frame.
 inline std::set<ClusterId> ReportedIds(const ClusterRun& run) {
   std::set<ClusterId> ids;
   for (const FrameReport& report : run.reports) {

@@ -4,8 +4,9 @@
 
 namespace cvo::testing {
 
-// What the patch of a feature says whose disparity has this standard deviation. On rendered rooms
-// errors (1.48 times their median) are 1.6 times the median disagreement.
+// Returns the patch disagreement of a feature whose disparity has the given standard deviation. In
+// rendered rooms, 1.48 times the median absolute disparity error is 1.6 times the median
+// disagreement.
 inline float DisagreementOf(double disparity_px) { return static_cast<float>(disparity_px / 1.6); }
 
 }  // namespace cvo::testing

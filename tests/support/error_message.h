@@ -8,7 +8,7 @@
 
 namespace cvo {
 
-// The message of the Error that `call` throws; "" where it throws none.
+// Returns the message of the Error that `call` throws, or "" if it throws none.
 template <typename Call>
 std::string ErrorMessage(Call call) {
   try {

@@ -12,11 +12,11 @@
 
 namespace cvo::testing {
 
-// A static world of points with distinct descriptors, seen without images: stereo frames for tests
-// of everything behind the front end.
+// A static world of points with distinct descriptors. Produces stereo frames without images, to
+// test everything downstream of the front end.
 class FeatureWorld {
  public:
-  // Points around the path of a camera that drives along z.
+  // Creates points around the path of a camera that drives along z.
   explicit FeatureWorld(std::uint64_t seed, int points = 3000) : rng_(seed, "feature world") {
     camera_ = {.fx = 450.0,
                .fy = 450.0,
@@ -35,14 +35,15 @@ class FeatureWorld {
   const StereoCamera& camera() const { return camera_; }
   const std::vector<Eigen::Vector3d>& points() const { return points_; }
 
-  // Forward at speed_m per frame on a gentle curve.
+  // Returns world_from_camera: speed_m forward per frame, on a gentle curve.
   static RigidTransform CameraAt(int frame, double speed_m = 0.3) {
     const double turn = 0.004 * frame;
     return {ExpSo3({0.0, turn, 0.0}),
             Eigen::Vector3d(0.5 * turn * speed_m * frame, 0.0, speed_m * frame)};
   }
 
-  // At most 500 features; noise_px on the corner, half of it on the disparity.
+  // Returns at most 500 features. The standard deviation of corners is noise_px, that of
+  // disparities half of it.
   StereoFrame Observe(const RigidTransform& world_from_camera, std::int64_t timestamp_ns,
                       double noise_px) {
     StereoFrame frame;

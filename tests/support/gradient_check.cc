@@ -42,7 +42,8 @@ testing::AssertionResult Near(const Eigen::MatrixXd& analytic, const Eigen::Matr
          << numeric;
 }
 
-// The cost at `blocks`; Jacobians of blocks that are asked for are filled, in ambient coordinates.
+// Evaluates the cost at `blocks`. Fills all non-empty `jacobians`, in ambient coordinates; null if
+// none are requested.
 bool Evaluate(const ceres::CostFunction& cost, const std::vector<Eigen::VectorXd>& blocks,
               Eigen::VectorXd* residuals, std::vector<RowMajorMatrix>* jacobians) {
   std::vector<const double*> values;

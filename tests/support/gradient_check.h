@@ -14,24 +14,24 @@ namespace cvo::test {
 
 using VectorFunction = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
-// df/dx at x by central differences with one Richardson step: error of order step^4, so the step
-// (in the units of x) may be large enough to keep rounding out.
+// Computes df/dx at x by central differences with one Richardson step. The error is of order
+// step^4, so the step (in the units of x) can be large enough to make rounding errors negligible.
 Eigen::MatrixXd NumericJacobian(const VectorFunction& f, const Eigen::VectorXd& x,
                                 double step = 1e-3);
 
-// EXPECT_TRUE(JacobianMatches(f, x, J)): every entry within tolerance * (1 + |numeric|); otherwise
-// the message names the worst entry.
+// Succeeds if every entry is within tolerance * (1 + |numeric|) of the numeric Jacobian; otherwise
+// the message names the worst entry. Usage: EXPECT_TRUE(JacobianMatches(f, x, J)).
 testing::AssertionResult JacobianMatches(const VectorFunction& f, const Eigen::VectorXd& x,
                                          const Eigen::MatrixXd& analytic, double tolerance = 1e-6);
 
-// One parameter block of a Ceres cost: its value and, where it has one, its manifold.
+// One parameter block of a Ceres cost: its value and its manifold, if it has one.
 struct ParameterBlock {
   Eigen::VectorXd value;
   const ceres::Manifold* manifold = nullptr;
 };
 
-// The cost's Jacobians in the tangent space of each block against NumericJacobian along
-// Manifold::Plus; also that residuals do not depend on which Jacobians are asked for.
+// Compares the cost's Jacobians, in the tangent space of each block, with NumericJacobian along
+// Manifold::Plus. Also checks that the residuals do not depend on which Jacobians are requested.
 testing::AssertionResult CostJacobiansMatch(const ceres::CostFunction& cost,
                                             const std::vector<ParameterBlock>& blocks,
                                             double tolerance = 1e-6);

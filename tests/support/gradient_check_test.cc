@@ -24,7 +24,8 @@ TEST(GradientCheck, RejectsWrongEntriesShapesAndNaN) {
   EXPECT_FALSE(JacobianMatches(Cubes, x, Eigen::Vector2d(12.0, std::nan("")).asDiagonal()));
 }
 
-// Rotates (1, 0, 0) by a quaternion (x, y, z, w) and scales it; error_ makes its Jacobian wrong.
+// Rotates (1, 0, 0) by a quaternion (x, y, z, w) and scales the result. A nonzero error_ falsifies
+// the Jacobian with respect to the quaternion.
 class ScaledAxis : public ceres::SizedCostFunction<3, 4, 1> {
  public:
   explicit ScaledAxis(double error) : error_(error) {}
@@ -60,7 +61,7 @@ TEST(GradientCheck, ChecksACostOnItsManifold) {
   EXPECT_FALSE(CostJacobiansMatch(ScaledAxis(0.01), blocks));
 }
 
-TEST(GradientCheck, RejectsBlocksThatAreNotTheCosts) {
+TEST(GradientCheck, RejectsBlocksThatDoNotFitTheCost) {
   const ParameterBlock quaternion{Eigen::Vector4d(0, 0, 0, 1), nullptr};
   EXPECT_FALSE(CostJacobiansMatch(ScaledAxis(0.0), {quaternion}));
   EXPECT_FALSE(CostJacobiansMatch(ScaledAxis(0.0), {quaternion, quaternion}));

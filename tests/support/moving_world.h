@@ -17,7 +17,7 @@
 
 namespace cvo::testing {
 
-// A solid box with distinct points on its sides that moves through the world.
+// A solid box that moves through the world, with points of distinct descriptors on its faces.
 struct MovingBody {
   std::string category;
   Eigen::Vector3d half_size_m;
@@ -25,16 +25,17 @@ struct MovingBody {
   std::function<RigidTransform(double time_s)> world_from_body;
 };
 
-// What the camera sees of the world in one frame, and the truth about it.
+// What the camera observes in one frame, with the ground truth.
 struct WorldView {
   StereoFrame frame;           // bodies' features first, then static ones
-  std::vector<int> of_body;    // by feature: 0 static, k the body k - 1
-  std::vector<int> box_body;   // by detection, in the same numbers
-  std::vector<int> of_static;  // by feature: index of the static point, or -1
+  std::vector<int> of_body;    // per feature: 0 if static, k for body k - 1
+  std::vector<int> box_body;   // per detection, numbered likewise
+  std::vector<int> of_static;  // per feature: index of the static point, or -1
 };
 
-// Static points on all sides and solid bodies that hide what is behind them, their own far sides
-// included, seen without images by a camera that moves forward: 10 frames per second.
+// Static points and solid bodies, observed at 10 frames per second by a camera that moves forward.
+// Bodies occlude everything behind them, including their own far sides. Features are simulated
+// without images.
 class MovingWorld {
  public:
   static constexpr std::int64_t kInterval_ns = 100'000'000;
@@ -58,7 +59,7 @@ class MovingWorld {
   const StereoCamera& camera() const { return camera_; }
   static std::int64_t TimeOf(int frame) { return frame * kInterval_ns; }
 
-  // 0.5 m/s forward on a gentle curve; the identity in frame 0.
+  // Returns world_from_camera: 0.5 m/s forward on a gentle curve, the identity in frame 0.
   static RigidTransform CameraAt(int frame) {
     const double turn = 0.003 * frame;
     return {ExpSo3({0.0, turn, 0.0}), Eigen::Vector3d(0.2 * turn, 0.0, 0.05 * frame)};
@@ -67,8 +68,8 @@ class MovingWorld {
     return bodies_[body].world_from_body(0.1 * frame);
   }
 
-  // All bodies with their boxes; noise_px on the corner, half of it on the disparity. A frame is
-  // the same whenever it is observed.
+  // Observes static points and all bodies, with boxes. The standard deviation of corners is
+  // noise_px, that of disparities half of it. The result does not depend on earlier calls.
   WorldView Observe(int frame, double noise_px) const {
     Rng rng(seed_ + 1000 * static_cast<std::uint64_t>(frame), "noise");
     WorldView view;
@@ -112,7 +113,7 @@ class MovingWorld {
     return p;
   }
 
-  // Whether the ray from `from` meets the body before it gets to the point.
+  // Returns whether the ray from `from` hits the body before it reaches `to`.
   static bool Occludes(const MovingBody& body, const RigidTransform& body_from_world,
                        const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
     const Eigen::Vector3d origin = body_from_world * from;
@@ -128,7 +129,7 @@ class MovingWorld {
     return enter < leave;
   }
 
-  // Where the camera sees the point; empty where it does not.
+  // Returns the stereo projection of the point; empty if the camera does not see it.
   std::optional<Eigen::Vector3d> Project(int frame, const Eigen::Vector3d& p_in_world) const {
     const RigidTransform world_from_camera = CameraAt(frame);
     const auto z = camera_.Project(world_from_camera.Inverse() * p_in_world);
@@ -168,7 +169,7 @@ class MovingWorld {
   std::vector<std::vector<Point>> on_body_;
 };
 
-// Takes a body's features, its boxes or both out of a view.
+// Remove a body's features or its boxes from a view.
 inline void RemoveFeatures(int body, WorldView& view) {
   WorldView kept;
   for (std::size_t i = 0; i < view.of_body.size(); ++i) {
@@ -189,8 +190,8 @@ inline void RemoveBoxes(int body, WorldView& view) {
   }
 }
 
-// Body 1: crosses from the left and turns. Body 2: on the right, goes, stops from 1.2 s to 2.4 s
-// and goes on.
+// Body 1 crosses from the left while turning. Body 2, on the right, moves away, stands still from
+// 1.2 s to 2.4 s and then moves on.
 inline std::vector<MovingBody> TwoBodies() {
   MovingBody turning{"cart", {0.7, 0.5, 0.5}, 120, {}};
   turning.world_from_body = [](double t) {

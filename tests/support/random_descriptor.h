@@ -7,7 +7,7 @@
 
 namespace cvo::test {
 
-// Unlike any other, for all that matching can tell.
+// Returns a random descriptor: unique as far as matching is concerned.
 inline Descriptor RandomDescriptor(Rng& rng) {
   return {rng.NextU64(), rng.NextU64(), rng.NextU64(), rng.NextU64()};
 }

@@ -10,8 +10,8 @@
 
 namespace cvo::test {
 
-// The folder of real data that CLUSTERVO_DATA names; empty where it is unset (or empty). Throws
-// where it is set and missing, so that the test fails. Use:
+// Returns the folder of real data named by CLUSTERVO_DATA; empty if the variable is unset or empty.
+// Throws if it names no existing folder, so that the test fails. Usage:
 //   const auto data = test::RealData();
 //   if (!data) GTEST_SKIP() << "CLUSTERVO_DATA is not set";
 inline std::optional<std::filesystem::path> RealData() {

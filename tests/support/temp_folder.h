@@ -8,7 +8,7 @@
 
 namespace cvo::test {
 
-// An empty folder of its own for one test; removed with all it holds.
+// A temporary folder for one test, initially empty. The destructor removes it with its contents.
 class TempFolder {
  public:
   TempFolder();
@@ -18,7 +18,7 @@ class TempFolder {
 
   const std::filesystem::path& path() const { return path_; }
 
-  // Writes a file, and the folders above it, below path(); returns its full path.
+  // Writes a file below path(), creating its parent folders. Returns its full path.
   std::filesystem::path Write(const std::filesystem::path& name, std::string_view content) const;
 
  private:

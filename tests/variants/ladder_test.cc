@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// The way from the paper's method to ours: whole, and each rung changes something.
+// The ladder of variants from the paper's method to ours is complete, and each rung changes
+// something.
 #include "variants/ladder.h"
 
 #include <gmock/gmock.h>
@@ -30,7 +31,7 @@ Options DefaultsOf() {
   return options;
 }
 
-TEST(Ladder, AllRungsMakeFull) {
+TEST(Ladder, AllRungsTogetherEqualFull) {
   EXPECT_EQ((CountDifferences<UpTo<kRungs - 1>, Full>()), 0);
   EXPECT_EQ(Values(DefaultsOf<UpTo<kRungs - 1>>()), Values(Options()));
 }
@@ -42,21 +43,21 @@ void ExpectThatItChangesSomething() {
   EXPECT_TRUE(changes_axes || Values(DefaultsOf<Without<kRung>>()) != Values(Options()));
 }
 
-TEST(Ladder, EachRungIsMissedInFull) {
+TEST(Ladder, RemovingAnyRungChangesFull) {
   [&]<std::size_t... kRung>(std::index_sequence<kRung...>) {
     (ExpectThatItChangesSomething<kRung>(), ...);
   }
   (std::make_index_sequence<kRungs>());
 }
 
-TEST(Ladder, NamesAreMadeOfTheRungs) {
+TEST(Ladder, NamesDeriveFromTheRungs) {
   EXPECT_EQ(UpTo<0>::kName, "clustervo_to_box_weights");
   EXPECT_EQ(Without<0>::kName, "no_box_weights");
   EXPECT_EQ(FindVariant("no_turn_prior").changes,
             "full without this addition: a motion prior on orientations");
 }
 
-TEST(Registry, EveryNameIsThereOnce) {
+TEST(Registry, NamesAreUnique) {
   std::set<std::string_view> names;
   for (const VariantInfo& variant : Variants()) {
     EXPECT_TRUE(names.insert(variant.name).second) << variant.name;
@@ -64,7 +65,7 @@ TEST(Registry, EveryNameIsThereOnce) {
   EXPECT_EQ(NamedVariantInfos().size(), kNamedVariants);
 }
 
-TEST(Registry, OptionsThatAVariantStartsFromAreInRange) {
+TEST(Registry, DefaultOptionsOfEveryVariantAreInRange) {
   for (const VariantInfo& variant : Variants()) {
     EXPECT_NO_THROW(variant.defaults().Check()) << variant.name;
   }

@@ -21,7 +21,7 @@ using testing::HasSubstr;
 
 constexpr int kFrames = 6;
 
-// The tiny sequence with two boxes per frame, the first of them outside of the image.
+// The tiny sequence with two boxes per frame, the first of which lies outside the image.
 class StereoOdometryTest : public ::testing::Test {
  protected:
   StereoOdometryTest() {
@@ -89,7 +89,7 @@ TEST_F(StereoOdometryTest, AgreesWithTheRunnerToTheLastBit) {
   }
 }
 
-TEST_F(StereoOdometryTest, ABodyNamesTheBoxThatItWasGivenIn) {
+TEST_F(StereoOdometryTest, ReportsTheIndexOfTheCallersBox) {
   StereoOdometry odometry({.camera = sequence_.camera});
   FrameReport report;
   for (int i = 0; i < kFrames; ++i) report = Process(odometry, i);
@@ -98,7 +98,7 @@ TEST_F(StereoOdometryTest, ABodyNamesTheBoxThatItWasGivenIn) {
   EXPECT_EQ(report.clusters[0].category, "Car");
 }
 
-TEST_F(StereoOdometryTest, LandmarksNameTheirCorners) {
+TEST_F(StereoOdometryTest, LandmarksReferToTheirFeatures) {
   StereoOdometry odometry({.camera = sequence_.camera});
   Process(odometry, 0);
   const FrameReport report = Process(odometry, 1);
@@ -121,7 +121,7 @@ TEST_F(StereoOdometryTest, PredictsAFrameWithoutImages) {
   EXPECT_EQ(odometry.Trajectory().size(), 3u);
 }
 
-TEST_F(StereoOdometryTest, BadInputIsNamed) {
+TEST_F(StereoOdometryTest, ErrorsNameTheBadInput) {
   EXPECT_THAT(
       ErrorMessage([&] { StereoOdometry({.camera = sequence_.camera, .variant = "fast"}); }),
       HasSubstr("variant: found \"fast\", expected one of: full, "));

@@ -31,7 +31,7 @@ Total Sum(const Eigen::MatrixXd& cost, const std::vector<int>& columns) {
   return total;
 }
 
-// Tries everything, in the order in which ties are to be broken.
+// Tries all assignments, in the order in which ties must be broken.
 class BruteForce {
  public:
   explicit BruteForce(const Eigen::MatrixXd& cost) : cost_(cost), columns_(cost.rows(), -1) {}
@@ -77,8 +77,9 @@ TEST(Assign, HandComputed) {
   EXPECT_EQ(Assign(-cost), (std::vector<int>{0, 2, 1}));
 }
 
-// Whole costs of few values: many ties, which must be broken as the brute force does.
-TEST(Assign, IsTheBestOfAllAssignmentsAndTheFirstOfEqualOnes) {
+// Costs are integers of few distinct values, so there are many ties. Assign must break them as the
+// brute force does.
+TEST(Assign, ReturnsTheFirstOfTheBestAssignments) {
   Rng rng(1, "assign");
   for (int trial = 0; trial < 3000; ++trial) {
     const int values = 1 + static_cast<int>(rng.UniformInt(6));
@@ -92,7 +93,7 @@ TEST(Assign, IsTheBestOfAllAssignmentsAndTheFirstOfEqualOnes) {
   }
 }
 
-TEST(Assign, RealCosts) {
+TEST(Assign, AgreesWithBruteForceForRealCosts) {
   Rng rng(2, "assign");
   for (int trial = 0; trial < 300; ++trial) {
     Eigen::MatrixXd cost(1 + rng.UniformInt(6), 1 + rng.UniformInt(6));
@@ -101,14 +102,14 @@ TEST(Assign, RealCosts) {
   }
 }
 
-TEST(Assign, MorePairsAreWorthAnyCost) {
+TEST(Assign, PrefersMorePairsAtAnyCost) {
   Eigen::MatrixXd cost(2, 2);
   cost << -1e9, 1e9,  //
       -1e9, kInfinity;
   EXPECT_EQ(Assign(cost), (std::vector<int>{1, 0}));
 }
 
-// Sums of thirds differ in the last bit with their order, which must not decide.
+// The last bit of a sum of thirds depends on the order of its terms, which must not decide.
 TEST(Assign, RoundingDoesNotBreakTies) {
   const double third = 1.0 / 3.0;
   Eigen::MatrixXd cost(3, 3);
@@ -138,7 +139,7 @@ TEST(Assign, NothingToAssign) {
   EXPECT_EQ(Assign(Eigen::MatrixXd::Constant(2, 3, kInfinity)), (std::vector<int>{-1, -1}));
 }
 
-TEST(Assign, RefusesWhatIsNoCost) {
+TEST(Assign, RefusesNanAndMinusInfinity) {
   Eigen::MatrixXd cost = Eigen::MatrixXd::Zero(2, 2);
   cost(1, 0) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(ErrorMessage([&] { Assign(cost); }), "");

@@ -30,7 +30,7 @@ ProjectedLandmark LandmarkAt(const StereoFeature& feature, const Eigen::Vector3d
   return {feature.z_px + offset_px, feature.octave, feature.descriptor};
 }
 
-TEST(FeatureGrid, FindsWhatASearchOverAllFinds) {
+TEST(FeatureGrid, AgreesWithExhaustiveSearch) {
   Rng rng(1, "grid");
   const std::vector<StereoFeature> features = RandomFeatures(400, rng);
   const FeatureGrid grid(features, kCamera);
@@ -50,7 +50,7 @@ TEST(FeatureGrid, FindsWhatASearchOverAllFinds) {
   }
 }
 
-TEST(FeatureGrid, FindsOnlyThoseItIsOf) {
+TEST(FeatureGrid, FindsOnlyTheSelectedFeatures) {
   Rng rng(4, "grid_of_some");
   const std::vector<StereoFeature> features = RandomFeatures(50, rng);
   const std::vector<int> which = {3, 17, 40};
@@ -79,7 +79,7 @@ TEST(MatchProjected, FindsEachLandmarkWithinTheRadiusOnly) {
   }
 }
 
-TEST(MatchProjected, RefusesTwoCandidatesThatLookAlike) {
+TEST(MatchProjected, RefusesAmbiguousCandidates) {
   Rng rng(3, "alike");
   std::vector<StereoFeature> features = RandomFeatures(2, rng);
   features[1] = features[0];
@@ -89,7 +89,7 @@ TEST(MatchProjected, RefusesTwoCandidatesThatLookAlike) {
   EXPECT_TRUE(MatchProjected(landmarks, grid, 5.0, 1.2, {}).empty());
 }
 
-TEST(MatchProjected, KeepsToTheNeighbouringOctaves) {
+TEST(MatchProjected, MatchesOnlyNeighbouringOctaves) {
   Rng rng(4, "octave");
   std::vector<StereoFeature> features = RandomFeatures(1, rng);
   features[0].octave = 4;
@@ -111,7 +111,7 @@ TEST(KeepOneToOne, PrefersTheNearestAndBreaksTiesByIndex) {
   EXPECT_EQ(kept[1].feature, 5);
 }
 
-TEST(MatchDescriptors, FindsTruePairsAmongStrangersAndNothingElse) {
+TEST(MatchDescriptors, FindsExactlyTheTruePairs) {
   Rng rng(5, "brute force");
   const std::vector<StereoFeature> features = RandomFeatures(200, rng);
   std::vector<Descriptor> landmarks;
@@ -126,7 +126,7 @@ TEST(MatchDescriptors, FindsTruePairsAmongStrangersAndNothingElse) {
   for (const Match& match : matches) EXPECT_EQ(match.feature, 2 * match.landmark);
 }
 
-TEST(MatchDescriptors, EmptySidesGiveNothing) {
+TEST(MatchDescriptors, EmptyInputsGiveNoMatches) {
   Rng rng(6, "empty");
   const std::vector<StereoFeature> features = RandomFeatures(3, rng);
   EXPECT_TRUE(MatchDescriptors({}, features, 60, 0.8).empty());

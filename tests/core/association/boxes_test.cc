@@ -18,7 +18,7 @@ using ::testing::IsEmpty;
 
 const std::vector<ImageBox> kTwoBoxes = {{0, 0, 100, 100}, {200, 0, 300, 100}};
 
-// A landmark at u = v whose bounded weight is `weight`.
+// A landmark at (u_px, v_px) whose weight is `weight`, for both kinds of weights.
 BoxMember At(double u_px, double v_px, double weight = 1.0) {
   BoxMember member;
   member.zeta_px = {u_px, v_px};
@@ -37,7 +37,8 @@ std::vector<BoxMember> Join(std::vector<BoxMember> a, const std::vector<BoxMembe
 }
 
 TEST(BoundedBoxWeights, HandComputed) {
-  // Two landmarks in the first box, one in the second, one in none: 1.5, 0.25 and 0.25 of 2.
+  // Two landmarks in the first box, one in the second and one in neither have weights of 1.5, 0.25
+  // and 0.25, in total 2.
   const std::vector<BoxMember> cluster = {At(50, 50), At(60, 10, 0.5), At(250, 50, 0.25),
                                           At(150, 50, 0.25)};
   const BoxProbabilities p = BoundedBoxWeights::Compute(cluster, kTwoBoxes);
@@ -46,18 +47,18 @@ TEST(BoundedBoxWeights, HandComputed) {
   EXPECT_DOUBLE_EQ(p.weight[0], 1.5);
   EXPECT_DOUBLE_EQ(p.weight[1], 0.25);
   EXPECT_THAT(p.members, ElementsAre(2, 1));
-  // 3/4 log2(4/3) + 2 * 1/8 * 3 bits, the null box included.
+  // 3/4 log2(4/3) + 2 * 1/8 * 3 bits, including the null box.
   EXPECT_NEAR(p.entropy, 0.75 * std::log2(4.0 / 3.0) + 0.75, 1e-12);
 }
 
-TEST(BoundedBoxWeights, OneBoxOfManyOutsideIsNotCertain) {
+TEST(BoundedBoxWeights, IsUncertainIfMostLandmarksAreOutside) {
   const auto p = BoundedBoxWeights::Compute(Join(Several(1, 50, 50), Several(49, 150, 50)),
                                             {kTwoBoxes.data(), 1});
   EXPECT_DOUBLE_EQ(p.probability[0], 0.02);
   EXPECT_GT(p.entropy, 0.1);
 }
 
-TEST(BoundedBoxWeights, TwoBoxesAroundTheSameAreOneBit) {
+TEST(BoundedBoxWeights, EntropyOfTwoBoxesAroundTheSameLandmarksIsOneBit) {
   const std::vector<ImageBox> boxes = {{0, 0, 100, 100}, {10, 10, 110, 110}};
   const auto p = BoundedBoxWeights::Compute(Several(10, 50, 50), boxes);
   EXPECT_DOUBLE_EQ(p.probability[0], 0.5);
@@ -65,7 +66,7 @@ TEST(BoundedBoxWeights, TwoBoxesAroundTheSameAreOneBit) {
   EXPECT_NEAR(p.entropy, 1.0, 1e-12);
 }
 
-TEST(BoundedBoxWeights, NothingSeenIsNoBox) {
+TEST(BoundedBoxWeights, HandlesNoLandmarksAndNoBoxes) {
   const auto p = BoundedBoxWeights::Compute({}, kTwoBoxes);
   EXPECT_THAT(p.probability, ElementsAre(0.0, 0.0));
   EXPECT_EQ(p.entropy, 0.0);
@@ -73,16 +74,17 @@ TEST(BoundedBoxWeights, NothingSeenIsNoBox) {
 }
 
 TEST(BoxWeightsLiteral, HandComputed) {
-  // Two of weight 1/4, one of weight 1/2; what is in no box does not count.
+  // Two landmarks of weight 1/4 in the first box, one of weight 1/2 in the second. Landmarks in no
+  // box do not count.
   const std::vector<BoxMember> cluster = {At(50, 50, 0.25), At(60, 10, 0.25), At(250, 50, 0.5),
                                           At(150, 50, 8.0)};
   const BoxProbabilities p = BoxWeightsLiteral::Compute(cluster, kTwoBoxes);
   EXPECT_DOUBLE_EQ(p.probability[0], 0.5);
   EXPECT_DOUBLE_EQ(p.probability[1], 0.5);
-  EXPECT_NEAR(p.entropy, 1.0, 1e-12);  // bits, as the limit is
+  EXPECT_NEAR(p.entropy, 1.0, 1e-12);  // in bits, like the limit
 }
 
-// A landmark on the optical axis at depth_m, best triangulated at best_m.
+// A landmark on the optical axis at depth_m, triangulated when its depth was best_m.
 BoxMember Receding(double depth_m, double best_m) {
   const StereoCamera camera = test::CentredCamera(450, 0.3, 640, 480);
   const Eigen::Matrix3d noise = 0.25 * Eigen::Matrix3d::Identity();
@@ -97,7 +99,7 @@ BoxMember Receding(double depth_m, double best_m) {
   return member;
 }
 
-TEST(BoxWeights, LiteralOnesGrowWithTheEighthPowerOfDepthBoundedOnesDoNot) {
+TEST(BoxWeights, LiteralWeightsGrowWithTheEighthPowerOfDepthBoundedOnesDoNot) {
   const std::vector<ImageBox> box = {{300, 220, 340, 260}};
   const auto literal = [&](double depth_m) {
     const BoxMember member = Receding(depth_m, 5.0);
@@ -115,7 +117,7 @@ TEST(BoxWeights, LiteralOnesGrowWithTheEighthPowerOfDepthBoundedOnesDoNot) {
   EXPECT_LE(bounded(1000.0), 1.0);
 }
 
-// The boxes that clusters of unit weights get.
+// Returns the box of each cluster, using BoundedBoxWeights.
 std::vector<int> Associate(const std::vector<std::vector<BoxMember>>& clusters,
                            const std::vector<ImageBox>& boxes) {
   std::vector<BoxProbabilities> probabilities;
@@ -125,7 +127,7 @@ std::vector<int> Associate(const std::vector<std::vector<BoxMember>>& clusters,
   return AssociateBoxes(probabilities, static_cast<int>(boxes.size()), {}, &SharedBoxCost::Cost);
 }
 
-TEST(AssociateBoxes, EachClusterGetsItsBoxInWhateverOrder) {
+TEST(AssociateBoxes, EachClusterGetsItsBoxInAnyOrder) {
   const auto left = Several(10, 50, 50);
   const auto right = Several(10, 250, 50);
   EXPECT_THAT(Associate({left, right}, kTwoBoxes), ElementsAre(0, 1));
@@ -133,25 +135,25 @@ TEST(AssociateBoxes, EachClusterGetsItsBoxInWhateverOrder) {
   EXPECT_THAT(Associate({left, right}, {kTwoBoxes[1]}), ElementsAre(-1, 0));
 }
 
-TEST(AssociateBoxes, OverlappingBoxesAreToldApartByWhatIsInOneOfThem) {
+TEST(AssociateBoxes, DistinguishesOverlappingBoxesByLandmarksInOneOfThem) {
   const std::vector<ImageBox> boxes = {{0, 0, 100, 100}, {40, 0, 160, 100}};
   EXPECT_THAT(Associate({Join(Several(10, 50, 50), Several(2, 20, 50))}, boxes), ElementsAre(0));
   EXPECT_THAT(Associate({Join(Several(10, 50, 50), Several(2, 150, 50))}, boxes), ElementsAre(1));
-  // Two bodies, one before the other.
+  // Two bodies, one in front of the other.
   EXPECT_THAT(Associate({Join(Several(6, 50, 50), Several(6, 20, 50)),
                          Join(Several(6, 60, 50), Several(6, 150, 50))},
                         boxes),
               ElementsAre(0, 1));
 }
 
-TEST(AssociateBoxes, TheClusterThatFillsABoxWins) {
+TEST(AssociateBoxes, PrefersTheClusterThatFillsTheBox) {
   const std::vector<ImageBox> boxes = {kTwoBoxes[0]};
   EXPECT_THAT(Associate({Several(4, 50, 50), Several(20, 60, 60)}, boxes), ElementsAre(-1, 0));
   EXPECT_THAT(Associate({Several(20, 50, 50), Several(4, 60, 60)}, boxes), ElementsAre(0, -1));
 }
 
-// A ghost with all its few landmarks in the box of a body that has most of its many there.
-TEST(AssociateBoxes, OnlyTheShareOfABoxKeepsItFromAGhost) {
+// A ghost has few landmarks, all of them in the box of a body that has many, most of them in it.
+TEST(AssociateBoxes, OnlySharedBoxCostKeepsABoxFromAGhost) {
   const std::vector<ImageBox> boxes = {kTwoBoxes[0]};
   const std::vector<BoxProbabilities> clusters = {
       BoundedBoxWeights::Compute(Several(4, 50, 50), boxes),
@@ -160,7 +162,7 @@ TEST(AssociateBoxes, OnlyTheShareOfABoxKeepsItFromAGhost) {
   EXPECT_THAT(AssociateBoxes(clusters, 1, {}, &UnsharedBoxCost::Cost), ElementsAre(0, -1));
 }
 
-TEST(AssociateBoxes, RefusesABoxWithTooLittleOfTheCluster) {
+TEST(AssociateBoxes, RefusesABoxWithTooFewOfTheClustersLandmarks) {
   const std::vector<ImageBox> boxes = {kTwoBoxes[0]};
   const ClusterAssociationOptions options;
   ASSERT_EQ(options.min_box_members, 3);
@@ -182,13 +184,13 @@ TEST(AssociateBoxes, RefusesAClusterSpreadOverBoxes) {
   EXPECT_THAT(AssociateBoxes({&p, 1}, 3, options, &SharedBoxCost::Cost), ElementsAre(0));
 }
 
-TEST(AssociateBoxes, NothingToAssociate) {
+TEST(AssociateBoxes, HandlesNoClustersAndNoBoxes) {
   EXPECT_THAT(Associate({}, kTwoBoxes), IsEmpty());
   EXPECT_THAT(Associate({Several(5, 50, 50), {}}, {}), ElementsAre(-1, -1));
   EXPECT_THAT(Associate({{}, Several(5, 50, 50)}, kTwoBoxes), ElementsAre(-1, 0));
 }
 
-TEST(ImageBox, ContainsItsRim) {
+TEST(ImageBox, ContainsItsEdges) {
   const ImageBox box{10, 20, 30, 40};
   EXPECT_TRUE(box.Contains(10, 20));
   EXPECT_TRUE(box.Contains(30, 40));

@@ -33,12 +33,12 @@ Eigen::Matrix3d RandomCovariance(Rng& rng) {
 
 struct Scene {
   std::vector<PredictedLandmark> landmarks;
-  std::vector<StereoFeature> features;  // by landmark
+  std::vector<StereoFeature> features;  // features[i] belongs to landmarks[i]
 
   FeatureGrid Grid() const { return FeatureGrid(features, kCamera); }
   std::vector<char> NoneTaken() const { return std::vector<char>(features.size(), 0); }
 
-  // A landmark that looks like no other, and its feature at `innovation` from the prediction.
+  // Adds a landmark with a unique descriptor, and its feature at `innovation` from the prediction.
   void Add(const Eigen::Matrix3d& position, const Eigen::Matrix3d& measurement,
            const Eigen::Vector3d& innovation, Rng& rng) {
     PredictedLandmark landmark;
@@ -63,7 +63,7 @@ Eigen::Vector3d Draw(const Eigen::Matrix3d& covariance, Rng& rng) {
 
 constexpr int kDraws = 5000;
 
-// Innovations as they are where prediction and measurement have the covariances that are claimed.
+// Draws innovations that are consistent with the covariances of predictions and measurements.
 Scene Simulate(Rng& rng) {
   Scene scene;
   for (int i = 0; i < kDraws; ++i) {
@@ -79,7 +79,7 @@ std::vector<Match> Find(const Scene& scene, const ClusterAssociationOptions& opt
   return Policy::Find(scene.landmarks, scene.Grid(), scene.NoneTaken(), options);
 }
 
-// Share of the landmarks that were found, each in its own feature.
+// Returns the fraction of landmarks that were matched, and checks that each matched its feature.
 template <typename Policy>
 double Acceptance(const Scene& scene, double gamma) {
   ClusterAssociationOptions options;
@@ -89,7 +89,7 @@ double Acceptance(const Scene& scene, double gamma) {
   return static_cast<double>(matches.size()) / static_cast<double>(scene.landmarks.size());
 }
 
-TEST(ProbabilisticAssociation, AcceptsAsManyInnovationsAsChiSquareSays) {
+TEST(ProbabilisticAssociation, AcceptanceRateFollowsChiSquare) {
   Rng rng(1, "gate");
   const Scene scene = Simulate(rng);
   for (const double gamma : {2.0, 4.0, 7.815}) {
@@ -98,11 +98,11 @@ TEST(ProbabilisticAssociation, AcceptsAsManyInnovationsAsChiSquareSays) {
   }
 }
 
-TEST(ProbabilisticAssociationLiteral, MissesMostOfWhatItShouldAccept) {
+TEST(ProbabilisticAssociationLiteral, RejectsMostTrueMatches) {
   Rng rng(2, "gate");
   Scene scene;
   for (int i = 0; i < kDraws; ++i) {
-    // A perfect prediction of a body at constant depth: Gamma is Sigma_z (METHOD.md 4.2).
+    // For a perfectly predicted body at constant depth, Gamma equals Sigma_z (METHOD.md 4.2).
     const Eigen::Matrix3d covariance = RandomCovariance(rng);
     scene.Add(covariance, covariance, Draw(2.0 * covariance, rng), rng);
   }
@@ -119,8 +119,8 @@ TEST(AddLeftOnlyMatches, FindsLandmarksLeftOfTheRightImage) {
     scene.Add(still, measurement, {du_px, 0.0, 20.0}, rng);
     if (scene.landmarks.size() < 5) scene.landmarks.back().zeta_px[2] = -3.0;
   }
-  // The second has a disparity, the third is too far off, the fourth is found already and the right
-  // image should show the fifth.
+  // The second has a disparity, the third is too far away, the fourth is already matched and the
+  // fifth should be visible in the right image.
   for (const int i : {0, 2, 3, 4}) scene.features[i].disagreement_px = kNoDisparity_px;
   std::vector<Match> matches = {{3, 1, 0}};
   const std::vector<char> is_taken(scene.features.size(), 0);
@@ -132,7 +132,7 @@ TEST(AddLeftOnlyMatches, FindsLandmarksLeftOfTheRightImage) {
 
 TEST(ProbabilisticAssociation, GateIsAnEllipsoidInAllThreeCoordinates) {
   Rng rng(3, "gate");
-  // u_left and u_right move together: a change of disparity is far less likely than one of place.
+  // u_left and u_right are correlated: a disparity error is far less likely than a common shift.
   Eigen::Matrix3d covariance;
   covariance << 4.0, 0.0, 3.9,  //
       0.0, 1.0, 0.0,            //
@@ -149,7 +149,7 @@ TEST(ProbabilisticAssociation, GateIsAnEllipsoidInAllThreeCoordinates) {
   EXPECT_FALSE(is_found({0.0, 2.9, 0.0}));   // 8.41
 }
 
-TEST(ProbabilisticAssociation, SearchIsNeverWiderThanItsLimit) {
+TEST(ProbabilisticAssociation, SearchRadiusIsLimited) {
   Rng rng(4, "gate");
   const ClusterAssociationOptions options;
   const Eigen::Matrix3d vast = 1e6 * Eigen::Matrix3d::Identity();
@@ -160,7 +160,7 @@ TEST(ProbabilisticAssociation, SearchIsNeverWiderThanItsLimit) {
   EXPECT_THAT(Find<ProbabilisticAssociation>(scene), IsEmpty());
 }
 
-TEST(ProbabilisticAssociation, LeavesOutACovarianceThatTellsNothing) {
+TEST(ProbabilisticAssociation, IgnoresLandmarksWithDegenerateCovariance) {
   Rng rng(5, "gate");
   Scene scene;
   scene.Add(Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero(), Eigen::Vector3d::Zero(), rng);
@@ -171,12 +171,12 @@ TEST(ProbabilisticAssociation, LeavesOutACovarianceThatTellsNothing) {
   EXPECT_THAT(Find<ProbabilisticAssociation>(scene), SizeIs(1));
 }
 
-TEST(ProbabilisticAssociation, ChoosesByDescriptorAmongThoseWithinTheGate) {
+TEST(ProbabilisticAssociation, ChoosesByDescriptorWithinTheGate) {
   Rng rng(6, "gate");
   Scene scene;
   const Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
   scene.Add(covariance, covariance, {2.0, 0.0, 2.0}, rng);
-  // Nearer, but another point: 20 bits more.
+  // A feature of another point is nearer, but its descriptor differs by 20 bits.
   StereoFeature nearer = scene.features[0];
   nearer.z_px = scene.landmarks[0].zeta_px;
   nearer.descriptor[0] ^= 0xFFFFFull;
@@ -187,7 +187,7 @@ TEST(ProbabilisticAssociation, ChoosesByDescriptorAmongThoseWithinTheGate) {
   EXPECT_EQ(matches[0].hamming, 0);
 }
 
-TEST(ProbabilisticAssociation, RefusesWhatIsNotUniqueOrNotAlike) {
+TEST(ProbabilisticAssociation, RefusesAmbiguousOrDissimilarMatches) {
   Rng rng(7, "gate");
   Scene scene;
   const Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
@@ -199,7 +199,7 @@ TEST(ProbabilisticAssociation, RefusesWhatIsNotUniqueOrNotAlike) {
   second.descriptor[1] ^= 1ull;  // 11 bits from the landmark: 10 >= 0.9 * 11
   scene.features.push_back(second);
   EXPECT_THAT(Find<ProbabilisticAssociation>(scene), IsEmpty());
-  // Outside the gate it is no rival.
+  // Outside the gate it is not a competing candidate.
   scene.features[1].z_px += Eigen::Vector3d(9.0, 0.0, 9.0);
   EXPECT_THAT(Find<ProbabilisticAssociation>(scene), SizeIs(1));
   scene.landmarks[0].descriptor[2] ^= ~0ull;  // 74 bits
@@ -228,7 +228,7 @@ TYPED_TEST(EveryAssociation, GivesAFeatureToTheMostSimilarLandmarkOnly) {
   EXPECT_EQ(matches[0].feature, 0);
 }
 
-TYPED_TEST(EveryAssociation, LeavesTakenFeaturesAndOtherOctavesAlone) {
+TYPED_TEST(EveryAssociation, IgnoresTakenFeaturesAndDistantOctaves) {
   Rng rng(9, "gate");
   Scene scene;
   const Eigen::Matrix3d covariance = 4.0 * Eigen::Matrix3d::Identity();
@@ -240,7 +240,7 @@ TYPED_TEST(EveryAssociation, LeavesTakenFeaturesAndOtherOctavesAlone) {
   EXPECT_THAT(Find<TypeParam>(scene), IsEmpty());
 }
 
-TYPED_TEST(EveryAssociation, NothingIsFoundInNothing) {
+TYPED_TEST(EveryAssociation, FindsNothingWithoutLandmarksOrFeatures) {
   Rng rng(10, "gate");
   Scene scene;
   EXPECT_THAT(Find<TypeParam>(scene), IsEmpty());
@@ -249,7 +249,7 @@ TYPED_TEST(EveryAssociation, NothingIsFoundInNothing) {
   EXPECT_THAT(Find<TypeParam>(scene), IsEmpty());
 }
 
-TEST(FixedRadiusAssociation, DoesNotLookAtCovariances) {
+TEST(FixedRadiusAssociation, IgnoresCovariances) {
   Rng rng(11, "gate");
   const double radius = ClusterAssociationOptions().fixed_radius_px;
   for (const double size : {1e-12, 1.0, 1e9}) {

@@ -11,7 +11,7 @@
 namespace cvo {
 namespace {
 
-TEST(Error, SaysWhereWhatAndWhatWasExpected) {
+TEST(Error, MessageNamesPlaceFoundAndExpected) {
   try {
     ThrowError("calib.txt line 3", "2 numbers", "12");
     FAIL() << "nothing was thrown";
@@ -20,7 +20,7 @@ TEST(Error, SaysWhereWhatAndWhatWasExpected) {
   }
 }
 
-TEST(Error, IsOfLimitedLength) {
+TEST(Error, MessageLengthIsLimited) {
   const std::string much(400'000, 'x');
   try {
     ThrowError("calib.txt", much, "12");
@@ -39,13 +39,13 @@ TEST(Error, RequireThrowsInEveryBuildType) {
   EXPECT_THROW(Require(false, "broken"), Error);
 }
 
-TEST(StrCat, JoinsWhatAStreamPrints) {
+TEST(StrCat, FormatsLikeAStream) {
   EXPECT_EQ(StrCat("a", 1, ' ', std::string("b")), "a1 b");
   EXPECT_EQ(StrCat(0.1, " ", 200000.0, " ", 1e300), "0.1 200000 1e+300");
   EXPECT_EQ(StrCat(1234567.5), "1234567.5");
 }
 
-TEST(StrongId, OrdersByValueAndKnowsWhetherItIsSet) {
+TEST(StrongId, OrdersByValueAndReportsValidity) {
   EXPECT_FALSE(FrameId{}.valid());
   EXPECT_TRUE(FrameId{0}.valid());
   EXPECT_LT(LandmarkId{2}, LandmarkId{10});

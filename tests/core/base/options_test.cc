@@ -85,7 +85,7 @@ TEST(Options, RangeErrorNamesPathValueAndRange) {
   EXPECT_EQ(RangeError(options), "option other.ratio: found 1.5, expected a value in [0, 1]");
 }
 
-TEST(Options, RangeErrorShowsHowFarAValueIsOff) {
+TEST(Options, RangeErrorShowsTheValueInFullPrecision) {
   OuterOptions options;
   options.inner.ratio = 1.0000001;
   EXPECT_THAT(RangeError(options), HasSubstr("found 1.0000001,"));

@@ -22,8 +22,8 @@ std::vector<std::uint64_t> Draw(Rng rng, int count) {
   return numbers;
 }
 
-// From an independent implementation of SplitMix64, FNV-1a and xoshiro256**. A change here changes
-// every seeded result.
+// The values are from an independent implementation of SplitMix64, FNV-1a and xoshiro256**. If they
+// change, so does every seeded result.
 TEST(Rng, GoldenValues) {
   EXPECT_THAT(Draw(Rng(1, "ransac"), 3),
               ElementsAre(0x732B2FDE8EC4671u, 0x2F745CAC8CA43757u, 0x6C4C54E44526B3BFu));

@@ -65,7 +65,7 @@ TEST_P(TaskPoolOn, TicketsMayBeAwaitedInAnyOrder) {
   }
 }
 
-TEST_P(TaskPoolOn, WaitRethrowsAndThePoolGoesOn) {
+TEST_P(TaskPoolOn, WaitRethrowsAndThePoolKeepsRunning) {
   TaskPool pool(GetParam());
   const TaskPool::Ticket bad = pool.Submit([] { throw Error("broken"); });
   const TaskPool::Ticket good = pool.Submit([] {});
@@ -90,7 +90,7 @@ TEST_P(TaskPoolOn, ParallelForRethrowsTheFirstErrorByIndexAfterAllHaveEnded) {
   }
 }
 
-TEST_P(TaskPoolOn, DestructionDropsWhatHasNotStartedAndFinishesWhatHas) {
+TEST_P(TaskPoolOn, DestructorDropsQueuedTasksAndFinishesStartedOnes) {
   std::atomic<int> started = 0;
   std::atomic<int> ended = 0;
   {
@@ -109,7 +109,7 @@ TEST_P(TaskPoolOn, DestructionDropsWhatHasNotStartedAndFinishesWhatHas) {
   }
 }
 
-// Nobody but the waiter runs tasks: the awaited one runs first, the others stay.
+// Without worker threads, Wait itself runs the awaited task first and leaves the others queued.
 TEST(TaskPool, OneThreadRunsTheAwaitedTaskOnTheCaller) {
   TaskPool pool(1);
   const std::thread::id caller = std::this_thread::get_id();
@@ -125,8 +125,8 @@ TEST(TaskPool, OneThreadRunsTheAwaitedTaskOnTheCaller) {
   EXPECT_THAT(order, ElementsAre(2, 1));
 }
 
-// Two tasks that each wait for the other's start: ends only if both run at once.
-TEST(TaskPool, TwoThreadsRunTwoTasksAtOnce) {
+// Each of two tasks waits for the other to start, so this ends only if both run concurrently.
+TEST(TaskPool, TwoThreadsRunTwoTasksConcurrently) {
   TaskPool pool(2);
   std::atomic<int> arrived = 0;
   pool.ParallelFor(2, [&arrived](int) {

@@ -28,8 +28,8 @@ BoxSceneOptions OptionsOfBoxes() {
   return options;
 }
 
-// A car, or a body of another class, of the class's size with points on the faces that a camera at
-// the origin sees, and its detection; the camera looks along z.
+// A car, or a body of another class, of the size of its class. Provides its detection and points on
+// the faces visible to a camera at the origin that looks along z.
 struct SeenCar {
   BoxSceneOptions options = OptionsOfBoxes();
   Vector3d size_m;
@@ -48,7 +48,8 @@ struct SeenCar {
   }
   Cluster& cluster() { return map.live.front(); }
 
-  // Frame f shows the car at `pose`; its cluster's frame is the car's, turned and moved.
+  // Simulates frame f, with the car at `pose`. The cluster's frame is rotated and shifted against
+  // the car's.
   ClusterReport See(std::int64_t f, const RigidTransform& pose) {
     const RigidTransform car_from_object(ExpSo3({0.3, -0.5, 0.2}), Vector3d(0.4, 0.1, -0.3));
     world_from_car = pose;
@@ -105,20 +106,20 @@ Vector3d Center(const ClusterReport& report) {
   return (report.world_from_object * report.box.object_from_box).translation();
 }
 
-// Along the optical axis, as a car in front drives.
+// The pose of a car that drives ahead, along the optical axis.
 RigidTransform Ahead(double x, double z) { return At(x, 1.0, z, -std::numbers::pi / 2.0); }
 
-TEST(BodyBoxes, ACarIsAsLargeAsItsClassAndBehindItsVisibleFaces) {
+TEST(BodyBoxes, CarsHaveTheSizeOfTheirClassAndLieBehindTheirVisibleFaces) {
   for (const double x : {0.0, 3.0, -5.0}) {
     SeenCar car;
     const ClusterReport report = car.See(0, Ahead(x, 14.0));
     EXPECT_EQ(report.box.size_m, kCar_m);
     EXPECT_LT((Center(report) - Vector3d(x, 1.0, 14.0)).norm(), 0.25) << x;
-    EXPECT_GT(Forward(report).z(), 0.999);  // as a body is born: away from the camera
+    EXPECT_GT(Forward(report).z(), 0.999);  // initial heading of a body: away from the camera
   }
 }
 
-TEST(BodyBoxes, BodiesOfKittisClassesAreAsLargeAsTheirClass) {
+TEST(BodyBoxes, BodiesOfKittiClassesHaveTheSizeOfTheirClass) {
   for (const char* category : {"Van", "Cyclist"}) {
     SeenCar body(category);
     ASSERT_GT(body.size_m.minCoeff(), 0.0) << category;
@@ -146,30 +147,30 @@ TEST(BodyBoxes, SizesOfClassesAreOptions) {
   }
 }
 
-TEST(BodyBoxes, ABoxThatTheImageCutsHangsOnItsOtherEdge) {
+TEST(BodyBoxes, TruncatedBoxesArePlacedByTheirVisibleEdge) {
   SeenCar car;
   car.See(0, Ahead(2.0, 9.0));
   const double inner_px = car.frame.detections[0].box.left_px;
   SeenCar cut;
-  const ClusterReport report = cut.See(0, Ahead(6.2, 9.0));  // its right side is out of the image
+  const ClusterReport report = cut.See(0, Ahead(6.2, 9.0));  // its right side is outside the image
   EXPECT_GT(inner_px, 0.0);
   EXPECT_LT((Center(report) - Vector3d(6.2, 1.0, 9.0)).norm(), 0.3);
 }
 
-TEST(BodyBoxes, HeadAlongTheMotionOnceItIsBeyondTheirUncertainty) {
+TEST(BodyBoxes, HeadAlongTheMotionOnceItExceedsItsUncertainty) {
   SeenCar car;
   const auto across = [](int f, double step_m) { return At(-2.0 + step_m * f, 1.0, 12.0); };
   EXPECT_GT(Forward(car.See(0, across(0, 0.5))).z(), 0.999);
   EXPECT_GT(Forward(car.See(1, across(1, 0.001))).z(), 0.99);
   for (int f = 2; f < 5; ++f) car.See(f, across(f, 0.5));
   EXPECT_GT(Forward(car.See(5, across(5, 0.5))).x(), 0.999);
-  // It keeps it when it stands, and turns with its pose.
+  // A body that stands still keeps its heading, which rotates with its pose.
   for (int f = 6; f < 30; ++f) car.See(f, At(0.5, 1.0, 12.0));
   const ClusterReport turned = car.See(30, At(0.5, 1.0, 12.0, 0.5));
   EXPECT_LT((Forward(turned) - Vector3d(std::cos(0.5), 0.0, -std::sin(0.5))).norm(), 0.02);
 }
 
-TEST(BodyBoxes, TurnTheHeadingOverAGapThatIsLongerThanTheWindow) {
+TEST(BodyBoxes, RotateTheHeadingAcrossGapsLongerThanTheWindow) {
   SeenCar car;
   for (int f = 0; f < 6; ++f) car.See(f, At(-2.0 + 0.5 * f, 1.0, 12.0));
   car.cluster().states.clear();
@@ -177,14 +178,14 @@ TEST(BodyBoxes, TurnTheHeadingOverAGapThatIsLongerThanTheWindow) {
   EXPECT_LT((Forward(found) - Vector3d(std::cos(0.5), 0.0, -std::sin(0.5))).norm(), 0.05);
 }
 
-TEST(BodyBoxes, KeepTheHeadingOfTheirBirthWhereTheMotionDoesNotCount) {
+TEST(BodyBoxes, KeepTheInitialHeadingIfMotionIsIgnored) {
   SeenCar car;
   car.options.boxes.heading_deviations = 1e9;
   for (int f = 0; f < 8; ++f) car.See(f, At(-2.0 + 0.5 * f, 1.0, 12.0));
   EXPECT_GT(Forward(car.See(8, At(2.0, 1.0, 12.0))).z(), 0.99);
 }
 
-TEST(BodyDirection, RollingTurnsNoHeading) {
+TEST(BodyDirection, RollingDoesNotChangeTheHeading) {
   const RigidTransform rolled(ExpSo3({1.2, 0.0, 0.0}), Vector3d::Zero());
   EXPECT_LT((TurnedBy(rolled, kDown, Vector3d::UnitZ()) - Vector3d::UnitZ()).norm(), 1e-12);
   const RigidTransform turned(ExpSo3({0.0, 0.4, 0.0}), Vector3d::Zero());
@@ -194,12 +195,12 @@ TEST(BodyDirection, RollingTurnsNoHeading) {
       1e-12);
 }
 
-TEST(BodyDirection, LevelIsAtRightAnglesToDown) {
+TEST(BodyDirection, LevelledIsPerpendicularToDown) {
   EXPECT_NEAR(Levelled({0.0, 3.0, 4.0}, kDown).dot(Vector3d::UnitZ()), 1.0, 1e-12);
   EXPECT_NEAR(Levelled({0.0, 2.0, 0.0}, kDown).dot(kDown), 0.0, 1e-12);
 }
 
-TEST(BodyScore, RisesWithAllThatIsKnown) {
+TEST(BodyScore, RisesWithTheEvidence) {
   SeenCar car;
   car.See(0, Ahead(0.0, 14.0));
   const auto score = [&](std::int64_t newest) {
@@ -212,7 +213,7 @@ TEST(BodyScore, RisesWithAllThatIsKnown) {
   EXPECT_NEAR(score(2), 0.81 * known, 1e-12);
   car.cluster().score = -1.0;
   EXPECT_LT(score(0), known);
-  EXPECT_LT(score(1), score(0));  // also where the detector's score is negative
+  EXPECT_LT(score(1), score(0));  // also if the detector's score is negative
   car.cluster().score = 2.0;
   ++car.cluster().detections;
   EXPECT_GT(score(0), known);

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 const Vector3d kDown = Vector3d::UnitY();
 
-// Points on the sides of a table of 1.2 x 0.7 x 0.5 m, turned about the vertical.
+// Returns points on the sides of a table of 1.2 x 0.7 x 0.5 m, rotated about the vertical.
 Eigen::Matrix3Xd Table(double yaw_rad) {
   Rng rng(3, "table");
   const RigidTransform pose(ExpSo3({0.0, yaw_rad, 0.0}), Vector3d(0.5, 0.2, 4.0));
@@ -30,7 +30,7 @@ Eigen::Matrix3Xd Table(double yaw_rad) {
   return points;
 }
 
-TEST(BodyFootprint, LiesAlongTheSidesOfTheBodyNearestToItsHeading) {
+TEST(BodyFootprint, AlignsWithTheSideNearestToTheHeading) {
   for (const double yaw_rad : {0.0, 0.3, -0.5}) {
     const Eigen::Matrix3d axes = FootprintAxes(Table(yaw_rad), Vector3d::UnitX(), kDown, {});
     const Vector3d side(std::cos(yaw_rad), 0.0, -std::sin(yaw_rad));
@@ -41,19 +41,19 @@ TEST(BodyFootprint, LiesAlongTheSidesOfTheBodyNearestToItsHeading) {
   }
 }
 
-TEST(BodyFootprint, FewPointsTellNoDirection) {
+TEST(BodyFootprint, UsesTheHeadingIfThereAreFewPoints) {
   const Eigen::Matrix3Xd few = Table(0.4).leftCols(10);
   EXPECT_EQ(FootprintAxes(few, Vector3d::UnitX(), kDown, {}), BoxAxes(Vector3d::UnitX(), kDown));
 }
 
-TEST(BodyFootprint, SidesReachToTheOuterLandmarksButOutliers) {
+TEST(BodyFootprint, SidesReachToTheOutermostInliers) {
   Eigen::Matrix3Xd points = Table(0.0);
   points.col(7).setConstant(30.0);
   const LandmarkSides sides = SidesAlong(BoxAxes(Vector3d::UnitX(), kDown), points, {}, {});
   EXPECT_LT((sides.size_m - Vector3d(1.2, 0.7, 0.5)).cwiseAbs().maxCoeff(), 0.05);
 }
 
-TEST(BodyFootprint, PicturesCorrectWhatLandmarksTell) {
+TEST(BodyFootprint, ImagesCorrectTheSizeFromLandmarks) {
   const Vector3d told(2.0, 0.6, 0.4);
   EXPECT_EQ(WithPictures(told, {}, {}), told);
   const Vector3d sides = WithPictures(told, {.height_m = 0.8, .square_m = 1.0}, {});
@@ -61,14 +61,14 @@ TEST(BodyFootprint, PicturesCorrectWhatLandmarksTell) {
 }
 
 TEST(BodyFootprint, SidesOfABallAreItsDiameter) {
-  // Landmarks are on its near side, and one picture may show a part of it.
+  // Landmarks are on the near side only, and a single image may show only part of the ball.
   const Vector3d told(0.5, 0.55, 0.3);
   EXPECT_EQ(SidesOfBall(told, {.height_m = 0.4, .square_m = 0.6}), Vector3d::Constant(0.6));
   EXPECT_EQ(SidesOfBall(told, {.height_m = 0.6, .square_m = 0.0}), Vector3d::Constant(0.6));
   EXPECT_EQ(SidesOfBall(told, {}), Vector3d::Constant(0.55));
 }
 
-TEST(BodyFootprint, WhatIsMissingIsOnTheFarSide) {
+TEST(BodyFootprint, MissingDepthIsAddedOnTheFarSide) {
   LandmarkSides sides{{-0.5, -0.3, 3.0}, {0.5, 0.3, 3.2}, {1.0, 0.6, 0.2}};
   const BoxShape shape{Eigen::Matrix3d::Identity(), {1.0, 0.6, 1.0}};
   EXPECT_LT(

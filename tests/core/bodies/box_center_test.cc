@@ -16,17 +16,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A ball of 0.6 m diameter at `center`, seen by a camera at `world_from_camera`; its texture, and
-// so the surface that is seen, is on its right half.
+// A ball of 0.6 m diameter at `center`, seen by a camera at `world_from_camera`. Only its right
+// half has texture, so the observed surface lies there.
 struct SeenBall {
   StereoFrame frame;
   StereoCamera camera{400.0, 400.0, 320.0, 240.0, 0.2, 640, 480};
   Vector3d center{0.3, -0.2, 4.0};
-  double depth_bias_m = 0.0;  // of the surface
-  bool hides = false;         // another body, before its lower right quarter
+  double depth_bias_m = 0.0;  // of the observed surface
+  bool hides = false;         // another body occludes its lower right quarter
 
   ViewedSides Viewed(const BoxShape& shape) {
-    From({});  // as a detection
+    From({});  // sets its detection
     ViewedSides viewed;
     const FeatureGrid grid(frame.features, camera);
     const FrameView view{frame, UseDetections::Show(frame), grid, camera, RigidTransform()};
@@ -48,24 +48,24 @@ struct SeenBall {
   }
 };
 
-// Looks along +x at the ball from its side.
+// The pose of a camera that looks along +x at the ball, from its side.
 RigidTransform FromTheSide() {
   return {ExpSo3({0.0, std::numbers::pi / 2, 0.0}), Vector3d(-3.0, 0.0, 4.0)};
 }
 
-TEST(BoxCenter, LiesBehindTheSurfaceInTheMiddleOfTheBox) {
+TEST(BoxCenter, LiesBehindTheSurfaceOnTheAxisOfTheBox) {
   SeenBall ball;
   const BoxCenter fix = ball.From({});
   EXPECT_NEAR(fix.size_m, 0.6, 0.04);
   EXPECT_LT((fix.center_in_world - ball.center).norm(), 0.02);
 }
 
-TEST(BodyPlace, ABallIsAsTallAndWideAsItsPicture) {
+TEST(BodyPlace, BallIsAsTallAndWideAsItsImage) {
   SeenBall ball;
   const Eigen::Matrix3d turned =
       Eigen::AngleAxisd(std::numbers::pi / 4.0, Vector3d::UnitY()).toRotationMatrix();
   BoxShape shape{turned, Vector3d::Constant(0.5)};
-  // It might be a box that is seen from corner to corner.
+  // As far as its image tells, it might be a box seen across its corners.
   EXPECT_LT(ball.Viewed(shape).square_m, 0.55);
   shape.is_round = true;
   const ViewedSides of_ball = ball.Viewed(shape);
@@ -78,7 +78,7 @@ double DeviationAlong(const Vector3d& direction, const BoxCenter& fix) {
   return std::sqrt(1.0 / d.dot(fix.information * d));
 }
 
-TEST(BoxCenter, SaysLittleWhereAnEdgeMayNotBeTheBodys) {
+TEST(BoxCenter, IsUncertainWhereAnEdgeMayNotBeTheBodys) {
   const Vector3d up = Vector3d::UnitY();
   SeenBall ball;
   ball.center = {3.0, 0.0, 5.0};
@@ -94,14 +94,14 @@ TEST(BoxCenter, SaysLittleWhereAnEdgeMayNotBeTheBodys) {
   EXPECT_NEAR(DeviationAlong(up, hidden), 0.3 * hidden.size_m, 1e-9);
   EXPECT_NEAR(DeviationAlong(across, hidden), 0.3 * hidden.size_m, 1e-9);
   ball.hides = false;
-  ball.center = {3.9, 0.0, 5.0};  // cut by the right border
+  ball.center = {3.9, 0.0, 5.0};  // truncated by the right image border
   const BoxCenter cut = ball.From({});
   EXPECT_FALSE(cut.is_whole);
   EXPECT_NEAR(DeviationAlong(up, cut), 0.05 * cut.size_m, 1e-9);
   EXPECT_NEAR(DeviationAlong({5.0, 0.0, -3.9}, cut), 0.3 * cut.size_m, 1e-9);
 }
 
-TEST(BodySize, IsThatOfTheLastWholeBoxOrOfTheLargestPart) {
+TEST(BodySize, IsTakenFromTheLastWholeBoxOrTheLargestPart) {
   BodySize size;
   size.Add(0.4, false);
   size.Add(0.3, false);
@@ -114,7 +114,7 @@ TEST(BodySize, IsThatOfTheLastWholeBoxOrOfTheLargestPart) {
   EXPECT_TRUE(size.is_whole);
 }
 
-TEST(CenterEstimate, TwoSidesFixWhatOneCannotTell) {
+TEST(CenterEstimate, TwoViewsResolveTheDepthThatOneCannot) {
   SeenBall ball;
   ball.depth_bias_m = 0.15;  // half a radius
   const BoxCenter front = ball.From({});

@@ -11,7 +11,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A camera 1.2 m above the floor that looks 0.3 rad down, in a room; the world is its frame.
+// A room, seen by a camera 1.2 m above the floor that is tilted down by 0.3 rad. The world frame is
+// the camera frame.
 struct Room {
   RigidTransform level_from_camera{ExpSo3({-0.3, 0.0, 0.0}), Vector3d(0.0, -1.2, 0.0)};
   Rng rng{1, "room"};
@@ -37,7 +38,7 @@ TEST(GroundDirection, IsTheNormalOfTheFloorNotOfATable) {
   EXPECT_GT(ground.Down({}).dot(room.Down()), 0.9998);  // 1 degree
 }
 
-TEST(GroundDirection, IsTheCamerasWhereNoFloorIsSeen) {
+TEST(GroundDirection, IsTheCamerasIfNoFloorIsVisible) {
   Room room;
   room.Add(150, {-2.5, -2.5, 5.0}, {2.5, 0.0, 5.2});  // wall
   GroundDirection ground(0);

@@ -43,7 +43,7 @@ CrfMatrix Raw(const Problem& problem, const PairwiseOptions& options) {
 
 double Difference(const CrfMatrix& a, const CrfMatrix& b) { return (a - b).cwiseAbs().maxCoeff(); }
 
-// The kernels as they are defined, in double precision and without a cut.
+// The kernels by definition, in double precision and without a cut-off.
 Eigen::MatrixXd RawKernel(const Eigen::Matrix3Xd& points, double bandwidth_m) {
   Eigen::MatrixXd k = Eigen::MatrixXd::Zero(points.cols(), points.cols());
   for (int i = 0; i < k.rows(); ++i) {
@@ -88,7 +88,7 @@ CrfMatrix Reference(const CrfMatrix& energies, const Eigen::MatrixXd& kernel, do
   return q;
 }
 
-// Sums exp(-E) over all labellings.
+// Computes the marginals by summing exp(-E) over all labellings.
 CrfMatrix ExactMarginals(const CrfMatrix& energies, const Eigen::MatrixXd& kernel, double alpha) {
   const int nodes = static_cast<int>(energies.rows());
   const int labels = static_cast<int>(energies.cols());
@@ -108,8 +108,9 @@ CrfMatrix ExactMarginals(const CrfMatrix& energies, const Eigen::MatrixXd& kerne
   return sums / sums.row(0).sum();
 }
 
-// Mean field is exact to first order in the coupling: half the coupling, a quarter of the error.
-TEST(DenseCrf, TendsToTheExactMarginalsAsTheCouplingFades) {
+// Mean field is exact to first order in the coupling, so half the coupling gives a quarter of the
+// error.
+TEST(DenseCrf, ApproachesExactMarginalsForWeakCoupling) {
   Rng rng(1, "crf");
   const Problem problem = RandomProblem(6, 3, 1.0, 2.0, rng);
   const Eigen::MatrixXd kernel = NormalizedKernel(problem.points, 0.7071);
@@ -118,7 +119,7 @@ TEST(DenseCrf, TendsToTheExactMarginalsAsTheCouplingFades) {
   for (double& error : errors) {
     const CrfMatrix exact = ExactMarginals(problem.energies, kernel, alpha);
     error = Difference(Normalized(problem, AllSweeps(alpha, 50)), exact);
-    // What ignoring the coupling would be wrong by.
+    // The right-hand side is a tenth of the error of ignoring the coupling.
     EXPECT_LT(error, 0.1 * Difference(Normalized(problem, AllSweeps(0.0, 1)), exact));
     alpha /= 2.0;
   }
@@ -127,8 +128,8 @@ TEST(DenseCrf, TendsToTheExactMarginalsAsTheCouplingFades) {
   EXPECT_NEAR(errors[1] / errors[2], 4.0, 0.8);
 }
 
-// Three sizes: within a tile, over several, and with tiles that are cut off.
-TEST(DenseCrf, AgreesWithDoublePrecisionWithoutACut) {
+// The three sizes fit into one tile, span several tiles, and have tiles beyond the cut-off.
+TEST(DenseCrf, AgreesWithDoublePrecisionReference) {
   Rng rng(2, "crf");
   for (const auto& [nodes, size_m] : {std::pair(40, 1.0), std::pair(300, 3.0), {500, 20.0}}) {
     Problem problem = RandomProblem(nodes, 8, size_m, 6.0, rng);
@@ -141,12 +142,12 @@ TEST(DenseCrf, AgreesWithDoublePrecisionWithoutACut) {
     EXPECT_LT(Difference(Normalized(problem, options), reference), 1e-5);
     EXPECT_LT(Difference(plain, reference), 1e-5);
     EXPECT_LT(Difference(Normalized(problem, options), plain), 1e-6);
-    // The pairwise term is what is tested.
+    // The pairwise term must have an effect, otherwise the comparison proves nothing.
     EXPECT_GT(Difference(Normalized(problem, AllSweeps(0.0, 1)), reference), 0.1);
   }
 }
 
-TEST(DenseCrf, RawKernelIsThePapersWhateverTheBandwidth) {
+TEST(DenseCrf, RawKernelIsThePapersForAnyBandwidth) {
   Rng rng(3, "crf");
   const Problem problem = RandomProblem(200, 5, 4.0, 6.0, rng);
   PairwiseOptions options = AllSweeps(0.2, 10);
@@ -160,7 +161,7 @@ TEST(DenseCrf, RawKernelIsThePapersWhateverTheBandwidth) {
       1e-5);
 }
 
-TEST(DenseCrf, LabelsHaveNoOrder) {
+TEST(DenseCrf, DoesNotDependOnTheOrderOfLabels) {
   Rng rng(4, "crf");
   for (const int labels : {3, 8, 19}) {
     const Problem problem = RandomProblem(150, labels, 2.0, 4.0, rng);
@@ -176,7 +177,7 @@ TEST(DenseCrf, LabelsHaveNoOrder) {
   }
 }
 
-TEST(DenseCrf, NodesHaveNoOrder) {
+TEST(DenseCrf, DoesNotDependOnTheOrderOfNodes) {
   Rng rng(5, "crf");
   const Problem problem = RandomProblem(150, 4, 2.0, 4.0, rng);
   const Problem reversed{problem.energies.colwise().reverse(), problem.points.rowwise().reverse()};
@@ -184,7 +185,7 @@ TEST(DenseCrf, NodesHaveNoOrder) {
             1e-5);
 }
 
-TEST(DenseCrf, WithoutWeightThereIsNoPairwiseTerm) {
+TEST(DenseCrf, ZeroWeightDisablesThePairwiseTerm) {
   Rng rng(6, "crf");
   const Problem problem = RandomProblem(100, 5, 1.0, 8.0, rng);
   const CrfResult none = InferDenseCrf<NoPairwise>(problem.energies, problem.points, {});
@@ -196,8 +197,8 @@ TEST(DenseCrf, WithoutWeightThereIsNoPairwiseTerm) {
   EXPECT_LT(Difference(none.q, expected), 1e-14);
 }
 
-// How densely a body is sampled must not decide how much its neighbours count.
-TEST(DenseCrf, DoublingEveryPointHardlyMattersToTheNormalizedKernel) {
+// The influence of a point's neighbours must not depend on how densely the body is sampled.
+TEST(DenseCrf, NormalizedKernelIsInsensitiveToDuplicatedPoints) {
   Rng rng(7, "crf");
   Problem problem = RandomProblem(200, 2, 1.5, 2.0, rng);
   for (int i = 0; i < 200; ++i) problem.energies(i, problem.points(0, i) < 0.75 ? 0 : 1) -= 0.5;
@@ -207,20 +208,21 @@ TEST(DenseCrf, DoublingEveryPointHardlyMattersToTheNormalizedKernel) {
   const PairwiseOptions options = AllSweeps(1.0, 20);
   EXPECT_LT(Difference(Normalized(twice, options).topRows(200), Normalized(problem, options)),
             0.02);
-  const PairwiseOptions weak = AllSweeps(0.05, 20);  // messages of about the same size
+  const PairwiseOptions weak = AllSweeps(0.05, 20);  // messages of similar magnitude
   EXPECT_GT(Difference(Raw(twice, weak).topRows(200), Raw(problem, weak)), 0.1);
 }
 
-TEST(DenseCrf, FarNodesDoNotSpeakToEachOther) {
+TEST(DenseCrf, DistantNodesDoNotInteract) {
   Problem problem{CrfMatrix(2, 2), Eigen::Matrix3Xd::Zero(3, 2)};
   problem.energies << 0.0, 1.0, 3.0, 0.0;
-  problem.points(2, 1) = 4.0;  // 5.7 bandwidths: k is 1e-7 but each is the other's only neighbour
+  problem.points(2, 1) = 4.0;  // 5.7 bandwidths: k is 1e-7, but neither has another neighbour
   const CrfMatrix alone = InferDenseCrf<NoPairwise>(problem.energies, problem.points, {}).q;
   EXPECT_LT(Difference(Normalized(problem, AllSweeps(5.0, 10)), alone), 1e-5);
 }
 
-// A body of 0.6 m in a room, as METHOD.md 5.6: background in its box, no box around 3 % of it.
-TEST(DenseCrf, RoomDoesNotAbsorbASmallBodyUnlessTheKernelIsRaw) {
+// A body of 0.6 m in a room, as in METHOD.md 5.6: its box contains background points and misses
+// 3 % of the body.
+TEST(DenseCrf, OnlyTheRawKernelLetsARoomAbsorbASmallBody) {
   Rng rng(8, "crf");
   Problem problem{CrfMatrix(485, 3), Eigen::Matrix3Xd(3, 485)};
   for (int i = 0; i < 485; ++i) {
@@ -246,7 +248,7 @@ TEST(DenseCrf, RoomDoesNotAbsorbASmallBodyUnlessTheKernelIsRaw) {
   EXPECT_LE(count(Raw(problem, {}), 0, 60), 10);
 }
 
-// Each takes the other's label, and back again, for ever where the change is not damped.
+// Without damping, the two nodes would exchange their labels forever.
 TEST(DenseCrf, DampsOscillations) {
   Problem problem{CrfMatrix(2, 2), Eigen::Matrix3Xd::Zero(3, 2)};
   problem.energies << 0.0, 3.0, 2.0, 0.0;
@@ -274,7 +276,7 @@ TEST(DenseCrf, StopsWhenNothingChanges) {
       InferDenseCrf<NormalizedGaussianKernel>(problem.energies, problem.points, options).sweeps, 7);
 }
 
-TEST(DenseCrf, SameInputSameBytes) {
+TEST(DenseCrf, SameInputGivesIdenticalResults) {
   Rng rng(10, "crf");
   const Problem problem = RandomProblem(333, 9, 3.0, 4.0, rng);
   EXPECT_EQ(Difference(Normalized(problem, {}), Normalized(problem, {})), 0.0);
@@ -290,7 +292,7 @@ TEST(DenseCrf, FewNodesAndFewLabels) {
   EXPECT_EQ(Normalized(certain, {}), CrfMatrix::Ones(50, 1));
 }
 
-TEST(DenseCrf, PointsInOnePlaceAndEnergiesOfAnySize) {
+TEST(DenseCrf, HandlesCoincidentPointsAndExtremeEnergies) {
   Problem problem{CrfMatrix::Zero(100, 3), Eigen::Matrix3Xd::Ones(3, 100)};
   problem.energies.col(1).setConstant(1e300);
   problem.energies.col(2).setConstant(-1e300);
@@ -332,7 +334,7 @@ TEST(DenseCrf, RefusesBadInput) {
   EXPECT_NE(ErrorMessage([&] { Normalized(good, AllSweeps(-1.0, 1)); }), "");
 }
 
-TEST(MostLikelyLabels, FirstOfEqualOnes) {
+TEST(MostLikelyLabels, ReturnsTheFirstOfEqualLabels) {
   CrfMatrix q(2, 3);
   q << 0.2, 0.4, 0.4, 0.1, 0.2, 0.7;
   EXPECT_EQ(MostLikelyLabels(q), (std::vector<int>{1, 2}));

@@ -21,7 +21,7 @@ using testing::IsEmpty;
 
 const Eigen::Vector3d kCenter(3.0, -1.0, 12.0);
 
-// Points in a solid box of these half sides along the columns of `axes`.
+// Returns random points in a solid box with the given half sizes along the columns of `axes`.
 Eigen::Matrix3Xd Solid(const Eigen::Vector3d& half_size_m, const Eigen::Matrix3d& axes, int count,
                        Rng& rng) {
   Eigen::Matrix3Xd points(3, count);
@@ -34,7 +34,7 @@ Eigen::Matrix3Xd Solid(const Eigen::Vector3d& half_size_m, const Eigen::Matrix3d
 
 Eigen::Matrix3d Turned() { return ExpSo3({0.3, 0.5, -0.2}).toRotationMatrix(); }
 
-TEST(ExtentAlong, HasTwoFifthsOfTheHalfSizeOfASolid) {
+TEST(ExtentAlong, IsTwoFifthsOfTheHalfSizeOfASolid) {
   Rng rng(1, "extent");
   const Eigen::Vector3d half_size_m(2.0, 1.0, 0.5);
   const PointExtent extent = ExtentAlong(Turned(), Solid(half_size_m, Turned(), 20000, rng), {});
@@ -42,19 +42,19 @@ TEST(ExtentAlong, HasTwoFifthsOfTheHalfSizeOfASolid) {
   EXPECT_LT((extent.center - kCenter).norm(), 0.04);
 }
 
-TEST(ExtentAlong, FollowsOutliersNoFartherThanTheirShare) {
+TEST(ExtentAlong, OutliersShiftPercentilesOnlyByTheirShare) {
   Rng rng(2, "extent");
   Eigen::Matrix3Xd points = Solid(Eigen::Vector3d::Ones(), Eigen::Matrix3d::Identity(), 20000, rng);
   points.leftCols(2000).row(2).array() += 100.0;
   const PointExtent extent = ExtentAlong(Eigen::Matrix3d::Identity(), points, {});
-  // The 30 and 70 percentiles of all are the 33.3 and 77.8 percentiles of the others.
+  // The 30th and 70th percentiles of all points are the 33.3rd and 77.8th of the inliers.
   EXPECT_NEAR(extent.center.z(), kCenter.z() + 1.0 / 9.0, 0.03);
   EXPECT_NEAR(extent.half_size_m.z(), 4.0 / 9.0, 0.03);
 }
 
-TEST(ExtentAlong, PercentilesLieBetweenThePoints) {
+TEST(ExtentAlong, InterpolatesPercentiles) {
   Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Zero(3, 3);
-  points.row(0) << 4.0, 0.0, 1.0;  // percentiles 30 and 70: 0.6 and 2.2
+  points.row(0) << 4.0, 0.0, 1.0;  // 30th and 70th percentiles: 0.6 and 2.2
   const PointExtent extent =
       ExtentAlong(Eigen::Matrix3d::Identity(), points, ExtentOptions{.min_half_size_m = 0.2});
   EXPECT_TRUE(extent.center.isApprox(Eigen::Vector3d(1.4, 0.0, 0.0)));
@@ -67,7 +67,7 @@ TEST(ExtentAlong, NeedsAPoint) {
   EXPECT_THAT(ErrorMessage([] { PrincipalAxes({}, {}); }), HasSubstr("no points"));
 }
 
-TEST(PrincipalAxes, AreThoseOfTheBody) {
+TEST(PrincipalAxes, AgreeWithTheAxesOfTheBody) {
   Rng rng(3, "extent");
   const RigidTransform frame = PrincipalAxes(Solid({2.0, 1.0, 0.5}, Turned(), 2000, rng), {});
   EXPECT_LT((frame.translation() - kCenter).norm(), 0.15);
@@ -78,13 +78,13 @@ TEST(PrincipalAxes, AreThoseOfTheBody) {
   EXPECT_GT(axes.col(0).cwiseAbs().maxCoeff(), 0.0);
 }
 
-TEST(PrincipalAxes, DoNotDependOnTheOrderOrTheSideOfTheBodyTheyAreSeenFrom) {
+TEST(PrincipalAxes, DoNotDependOnPointOrderOrReflection) {
   Rng rng(4, "extent");
   const Eigen::Matrix3Xd points = Solid({2.0, 1.0, 0.5}, Turned(), 200, rng);
   const RigidTransform frame = PrincipalAxes(points, {});
   const RigidTransform reversed = PrincipalAxes(points.rowwise().reverse(), {});
   EXPECT_LT(frame.Minus(reversed).norm(), 1e-9);
-  // Mirrored through a point the body has the same axes; signs are those of the largest component.
+  // Point reflection preserves the axes of the body; the largest component of each is positive.
   const RigidTransform mirrored = PrincipalAxes(-points, {});
   EXPECT_TRUE(mirrored.RotationMatrix().isApprox(frame.RotationMatrix(), 1e-9));
   for (int axis = 0; axis < 2; ++axis) {
@@ -101,7 +101,7 @@ TEST(PrincipalAxes, AreNotTurnedByOutliers) {
   EXPECT_LT(RotationAngle(frame.rotation()), 0.1);
 }
 
-TEST(PrincipalAxes, AreThoseOfTheCameraWhereTheBodyHasNone) {
+TEST(PrincipalAxes, FallBackToTheCameraForAmbiguousShapes) {
   Rng rng(6, "extent");
   const auto angle = [](const Eigen::Matrix3Xd& points) {
     return RotationAngle(PrincipalAxes(points, {}).rotation());
@@ -113,7 +113,7 @@ TEST(PrincipalAxes, AreThoseOfTheCameraWhereTheBodyHasNone) {
   EXPECT_EQ(angle(Eigen::Matrix3Xd(kCenter.replicate(1, 5))), 0.0);
 }
 
-TEST(PrincipalAxes, OfAFlatBodyIncludeItsNormal) {
+TEST(PrincipalAxes, IncludeTheNormalOfAFlatBody) {
   Rng rng(7, "extent");
   const RigidTransform frame = PrincipalAxes(Solid({2.0, 1.0, 0.0}, Turned(), 500, rng), {});
   EXPECT_NEAR(std::abs(Turned().col(2).dot(frame.RotationMatrix().col(2))), 1.0, 1e-6);
@@ -144,10 +144,10 @@ std::vector<int> Nearest(const std::vector<double>& depths_m, double angular_siz
 
 constexpr double kCarAngle = 0.15;  // 3 m at 20 m
 
-TEST(DepthModes, IsTheForegroundOfABoxThatIsHalfBackground) {
+TEST(DepthModes, FindsTheForegroundInABoxWithHalfBackground) {
   const std::vector<double> depths = Joined(Spread(19, 21, 20), Spread(28, 60, 20));
   EXPECT_EQ(Nearest(depths, kCarAngle, {}), FirstIndices(20));
-  // A wall is denser than what stands before it.
+  // A wall is denser than the body in front of it.
   EXPECT_EQ(Nearest(Joined(Spread(19, 21, 20), Spread(28, 28.1, 30)), kCarAngle, {}),
             FirstIndices(20));
 }
@@ -159,27 +159,28 @@ TEST(DepthModes, AreOrderedByDepth) {
   EXPECT_EQ(modes[1], FirstIndices(5));
 }
 
-TEST(DepthModes, LeavesOutAFewNearerPoints) {
+TEST(DepthModes, IgnoresAFewNearerPoints) {
   const std::vector<double> near = {5.0, 5.1, 5.2, 9.0, 14.0};
   std::vector<int> car = FirstIndices(20);
   EXPECT_EQ(Nearest(Joined(Joined(Spread(19, 21, 20), Spread(30, 40, 20)), near), kCarAngle, {}),
             car);
 }
 
-TEST(DepthModes, IsMeasuredByItsOwnPeakNotByAStrayPointBefore) {
-  // Single points lead up to the car and on from there to a wall.
+TEST(DepthModes, ExtendFromTheirPeakNotFromAStrayPoint) {
+  // Isolated points lie in front of the car and between the car and a wall.
   const std::vector<double> links = {17.9, 22, 23, 24, 25, 26, 27};
   const std::vector<double> depths = Joined(Joined(Spread(19, 21, 20), links), Spread(28, 29, 20));
   EXPECT_EQ(Nearest(depths, kCarAngle, {}), FirstIndices(20));
 }
 
-TEST(DepthModes, IsEverythingWhereThereIsNoBackground) {
+TEST(DepthModes, IncludesEverythingWithoutBackground) {
   EXPECT_EQ(Nearest(Spread(2.8, 3.3, 30), 0.2, {}), FirstIndices(30));
   EXPECT_EQ(Nearest(std::vector<double>(8, 4.0), 0.2, {}), FirstIndices(8));
 }
 
-TEST(DepthModes, WideBodiesAreDeep) {
-  // A lorry that fills half the image is one body; so deep a car would be two.
+TEST(DepthModes, WideBodiesMayBeDeep) {
+  // A lorry that fills half the image is one body; at a smaller angular size, the same depths are
+  // two bodies.
   const std::vector<double> depths = Joined(Spread(12, 15, 15), Spread(17.5, 21, 15));
   EXPECT_EQ(Nearest(depths, 0.7, {}), FirstIndices(30));
   EXPECT_EQ(Nearest(depths, 0.1, {}), FirstIndices(15));
@@ -190,18 +191,18 @@ TEST(DepthModes, IsEmptyWithTooFewPoints) {
   EXPECT_THAT(Nearest(Spread(19, 21, 4), kCarAngle, {}), IsEmpty());
   EXPECT_THAT(Nearest(Spread(19, 21, 4), kCarAngle, ExtentOptions{.mode_min_points = 4}),
               ElementsAre(0, 1, 2, 3));
-  // Scattered points are no body.
+  // Scattered points do not form a body.
   EXPECT_THAT(Nearest({1, 2, 4, 8, 16, 32, 64}, kCarAngle, {}), IsEmpty());
 }
 
-TEST(DepthModes, IgnoresWhatIsNoDepth) {
+TEST(DepthModes, IgnoresInvalidDepths) {
   const double nan = std::nan("");
   const double inf = std::numeric_limits<double>::infinity();
   const std::vector<double> depths = {-1, 5.0, nan, 5.1, 0, 5.2, inf, 5.3, 5.4};
   EXPECT_THAT(Nearest(depths, kCarAngle, {}), ElementsAre(1, 3, 5, 7, 8));
 }
 
-// Depths with the noise of a stereo pair, cars seen from behind and furniture before a wall.
+// Depths with stereo noise, as of cars seen from behind and of furniture in front of a wall.
 TEST(DepthModes, FindsTheForegroundInNoise) {
   Rng rng(8, "mode");
   for (const double z : {3.0, 8.0, 20.0, 40.0}) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr ClusterId kNone{};
 
-// Nodes of one label that were in one cluster.
+// A group of nodes with the same label and the same previous cluster.
 struct Group {
   int count;
   int label;
@@ -43,16 +43,18 @@ TEST(MatchLabels, NewBoxContinuesTheClusterOfItsNodes) {
             Expect(ClusterId{7}, kNone));
 }
 
-TEST(MatchLabels, ThreeTenthsOfTheUnionAreNeeded) {
-  // 3 shared of 3 + 5 + 2 and of 3 + 5 + 3; nodes without a cluster count in the union.
+TEST(MatchLabels, RequiresThreeTenthsOfTheUnion) {
+  // 3 nodes are shared, of a union of 3 + 5 + 2 and then of 3 + 5 + 3. Nodes without a cluster
+  // count in the union.
   EXPECT_EQ(Match({{3, 3, ClusterId{7}}, {5, 3, kNone}, {2, 4, ClusterId{7}}}),
             Expect(kNone, ClusterId{7}));
   EXPECT_EQ(Match({{3, 3, ClusterId{7}}, {5, 3, kNone}, {3, 4, ClusterId{7}}}),
             Expect(kNone, kNone));
 }
 
-// Each for itself would take cluster 7; together 7 + 8 share more than 8 + nothing.
-TEST(MatchLabels, BoxesShareOutTheClusters) {
+// Independently, both boxes would take cluster 7. Assigning 8 and 7 shares more nodes in total than
+// assigning 7 and none.
+TEST(MatchLabels, MatchesBoxesJointly) {
   EXPECT_EQ(Match({{9, 2, ClusterId{7}}, {8, 2, ClusterId{8}}, {8, 3, ClusterId{7}}}),
             Expect(ClusterId{8}, ClusterId{7}));
 }
@@ -62,7 +64,7 @@ TEST(MatchLabels, OneClusterIsContinuedByOneBox) {
   EXPECT_EQ(Match({{10, 2, ClusterId{7}}, {10, 3, ClusterId{7}}}), Expect(ClusterId{7}, kNone));
 }
 
-TEST(MatchLabels, TheSceneOrOtherLabelsLeaveABoxNew) {
+TEST(MatchLabels, BoxWithoutClusteredNodesStaysNew) {
   EXPECT_EQ(Match({{10, 2, kNone}, {10, 0, ClusterId{7}}}), Expect(kNone, kNone));
 }
 
@@ -80,11 +82,11 @@ TEST(MatchLabels, ALabelWithoutAMatchKeepsItsClusterIfNoOtherTookIt) {
   EXPECT_EQ(Match({{10, 2, ClusterId{7}}, {3, 0, ClusterId{5}}}), Expect(ClusterId{7}, kNone));
 }
 
-TEST(MatchLabels, TheStaticSceneIsNobodysToTake) {
+TEST(MatchLabels, StaticSceneIsNeverTaken) {
   EXPECT_EQ(Match({{10, 2, kStaticScene}, {10, 1, kStaticScene}}), Expect(kNone, kNone));
 }
 
-TEST(MatchLabels, RefusesLabelsThatAreNone) {
+TEST(MatchLabels, RefusesInvalidLabels) {
   EXPECT_NE(ErrorMessage([] { Match({{1, 5, kNone}}); }), "");
   EXPECT_NE(ErrorMessage([] { Match({{1, -1, kNone}}); }), "");
   const LabelIdentity label{};
@@ -117,7 +119,7 @@ TEST(TakeLabelsAtOnce, HasNoMemory) {
   EXPECT_EQ(Repeat<TakeLabelsAtOnce>(1, kNone, state), LabelOutcome::kRemove);
 }
 
-TEST(CountLabels, OutliersCostConfidenceAndAtZeroTheLandmark) {
+TEST(CountLabels, OutliersLowerConfidenceUntilTheLandmarkIsRemoved) {
   LabelState state{kCar, 3};
   EXPECT_EQ(Repeat<CountLabels>(2, kNone, state), LabelOutcome::kKept);
   EXPECT_EQ(state.cluster, kCar);

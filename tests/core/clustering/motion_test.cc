@@ -26,7 +26,7 @@ RigidTransform Shift(double x, double y, double z) {
   return RigidTransform(Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, y, z));
 }
 
-// One earlier frame, in which the static scene and a body were where the transforms say.
+// A scene with one past frame, in which the static scene and a body have the given transforms.
 CrfScene MotionScene(const RigidTransform& static_past_from_now,
                      const RigidTransform& body_past_from_now) {
   CrfScene scene;
@@ -38,7 +38,7 @@ CrfScene MotionScene(const RigidTransform& static_past_from_now,
   return scene;
 }
 
-// Errors that u_left and u_right share, and some of the disparity's own.
+// Errors common to u_left and u_right, plus an independent error of the disparity.
 Eigen::Matrix3d PixelCovariance() {
   Eigen::Matrix3d covariance;
   covariance << 0.25, 0.0, 0.25, 0.0, 0.25, 0.0, 0.25, 0.0, 0.25 + 0.09;
@@ -51,7 +51,7 @@ Eigen::Vector3d WithNoise(const Eigen::Vector3d& z_px, const Eigen::Matrix3d& co
   return z_px + covariance_px2.llt().matrixL() * unit;
 }
 
-// A point measured with noise now and in the past, when it was at past_from_now * p.
+// Measures a point with noise, now and in the past, when it was at past_from_now * p_in_camera.
 CrfNode Measure(const Eigen::Vector3d& p_in_camera, const RigidTransform& past_from_now,
                 const Eigen::Matrix3d& covariance_px2, Rng& rng) {
   CrfNode node;
@@ -80,24 +80,24 @@ CrfNode NodeWithPast(const Eigen::Vector3d& p_in_camera, const Eigen::Vector3d& 
   return node;
 }
 
-TEST(MotionTerm, HasTheValueWorkedOutByHand) {
-  // The camera turned by a right angle about its axis: (1, 0, 10) is seen at (0, 1, 10) before.
+TEST(MotionTerm, MatchesHandComputedValue) {
+  // The camera rolled by a right angle: what is now at (1, 0, 10) was at (0, 1, 10) in the past.
   Eigen::Matrix3d turn;
   turn << 0, -1, 0, 1, 0, 0, 0, 0, 1;
   CrfScene scene = MotionScene(RigidTransform(turn, Eigen::Vector3d::Zero()), Shift(5, 0, 0));
   CrfNode node = NodeWithPast({1, 0, 10}, {0, 1, 10});
   node.past->z_px += Eigen::Vector3d(0.0, 7.0, 0.0);
   node.past->covariance_px2 = Eigen::Matrix3d::Identity();
-  // 0.01 m^2 along x now is v before: J = 70 px/m, S = 1 + 49.
+  // The variance of 0.01 m^2 along x maps to v in the past frame: J = 70 px/m, S = 1 + 49 px^2.
   node.covariance_m2 = Eigen::Vector3d(0.01, 1e-12, 1e-12).asDiagonal();
   scene.nodes = {node};
   EXPECT_NEAR(RawEnergies<MotionTerm>(scene)(0, kStaticLabel), 0.5 * 49.0 / 50.0, 1e-6);
 }
 
-TEST(MotionTerm, AnEstimatedPlaceStandsForTheTriangulatedOne) {
+TEST(MotionTerm, PrefersTheEstimatedToTheTriangulatedPosition) {
   CrfScene scene = MotionScene(Shift(0, 0, 0), Shift(5, 0, 0));
   CrfNode node = NodeWithPast({1, 0, 10}, {1, 0, 10});
-  node.p_in_camera = {1, 0, 12};  // a bad disparity
+  node.p_in_camera = {1, 0, 12};  // due to a bad disparity
   node.past->covariance_px2 = Eigen::Matrix3d::Identity();
   scene.nodes = {node};
   EXPECT_GT(RawEnergies<MotionTerm>(scene)(0, kStaticLabel), 1.0);
@@ -120,8 +120,8 @@ TEST(MotionTerm, TheTrueLabelCostsOneAndAHalfNatsOnAverage) {
 }
 
 TEST(MotionTerm, AMovingPointFavoursItsLabelByTheChiSquareOfItsMotion) {
-  // The camera stands and the body moved 5 cm sideways at 10 m: u_left and u_right moved by 3.5 px,
-  // with a variance of 1 px^2 at either time: 1/2 (2 * 3.5^2) / 2 nats.
+  // The camera stands still and the body moved 5 cm sideways at 10 m. This shifts u_left and
+  // u_right by 3.5 px, with a variance of 1 px^2 at both times, and costs 1/2 (2 * 3.5^2) / 2 nats.
   CrfScene scene = MotionScene(RigidTransform(), Shift(-0.05, 0, 0));
   Rng rng(2, "motion");
   for (int i = 0; i < 4000; ++i) {
@@ -132,8 +132,8 @@ TEST(MotionTerm, AMovingPointFavoursItsLabelByTheChiSquareOfItsMotion) {
   EXPECT_NEAR((energies.col(kStaticLabel) - energies.col(kBodyLabel)).mean(), 6.125, 0.2);
 }
 
-TEST(MotionTerm, AFarStaticPointIsNotTakenForMoving) {
-  // Five frames of driving; 150 m off the disparity is 2.3 px, with an error of 0.3 px.
+TEST(MotionTerm, DoesNotTakeDistantStaticPointsForMoving) {
+  // After five frames of driving; at 150 m the disparity is 2.3 px with an error of 0.3 px.
   const RigidTransform drive = Shift(0.0, 0.0, 6.0);
   CrfScene scene = MotionScene(drive, Shift(0, 0, 1.0));
   Rng rng(3, "motion");
@@ -145,18 +145,18 @@ TEST(MotionTerm, AFarStaticPointIsNotTakenForMoving) {
   EXPECT_LT(energies.col(kStaticLabel).mean(), 2.0);
   const auto outliers = (energies.col(kStaticLabel).array() > 4.5).count();
   EXPECT_LT(outliers, 50);
-  // What the formula as printed makes of them.
+  // The formula as printed takes them for moving points.
   EXPECT_GT(RawEnergies<MotionTermLiteral>(scene).col(kStaticLabel).mean(), 4.0);
 }
 
-TEST(MotionTerm, SaysNothingOfALandmarkWithoutAPast) {
+TEST(MotionTerm, IsZeroForLandmarksWithoutAPast) {
   CrfScene scene = MotionScene(RigidTransform(), Shift(1, 0, 0));
   scene.nodes = {NodeAt({0, 0, 10})};
   EXPECT_TRUE(RawEnergies<MotionTerm>(scene).isZero(0.0));
   EXPECT_TRUE(RawEnergies<MotionTermLiteral>(scene).isZero(0.0));
 }
 
-TEST(MotionTerm, SaysNothingWhereNoLabelHasAPose) {
+TEST(MotionTerm, IsZeroIfNoLabelHasAPose) {
   CrfScene scene = MotionScene(RigidTransform(), Shift(1, 0, 0));
   scene.nodes = {NodeWithPast({0, 0, 10}, {0, 0, 10})};
   scene.nodes[0].past->frame = 3;
@@ -164,7 +164,7 @@ TEST(MotionTerm, SaysNothingWhereNoLabelHasAPose) {
   EXPECT_TRUE(RawEnergies<MotionTermLiteral>(scene).isZero(0.0));
 }
 
-TEST(MotionTerm, IsNeutralWhereALabelsMotionIsUnknown) {
+TEST(MotionTerm, IsNeutralForLabelsOfUnknownMotion) {
   CrfScene scene = MotionScene(RigidTransform(), Shift(1, 0, 0));
   scene.labels[kBodyLabel].past_from_now = {std::nullopt};
   scene.labels[kNewBoxLabel].past_from_now = {RigidTransform()};
@@ -175,7 +175,7 @@ TEST(MotionTerm, IsNeutralWhereALabelsMotionIsUnknown) {
   EXPECT_EQ(RawEnergies<MotionTerm>(scene)(0, kBodyLabel), 1.5);
 }
 
-TEST(MotionTerm, CapsWhatItCannotExplain) {
+TEST(MotionTerm, CapsItsEnergy) {
   CrfScene scene = MotionScene(RigidTransform(), Shift(0, 0, -11));
   scene.nodes = {NodeWithPast({0, 0, 10}, {4, 0, 10})};
   const EnergyMatrix energies = RawEnergies<MotionTerm>(scene);
@@ -184,7 +184,7 @@ TEST(MotionTerm, CapsWhatItCannotExplain) {
   EXPECT_EQ(RawEnergies<MotionTerm>(scene, UnaryOptions{.motion_cap = 9})(0, kBodyLabel), 4.5);
 }
 
-TEST(MotionTermLiteral, IsThePrintedFormula) {
+TEST(MotionTermLiteral, MatchesThePrintedFormula) {
   CrfScene scene = MotionScene(RigidTransform(), Shift(0, 0, -11));
   scene.nodes = {NodeWithPast({0, 0, 10}, {0, 0, 10})};
   const Eigen::Vector3d e(1.0, -2.0, 1.4);

@@ -21,7 +21,7 @@ inline CrfLabel MakeLabel(LabelKind kind) {
   return label;
 }
 
-// A landmark seen without error, whose position is known to a centimetre.
+// Returns a landmark observed without error, whose position has a standard deviation of 1 cm.
 inline CrfNode NodeAt(const Eigen::Vector3d& p_in_camera) {
   CrfNode node;
   node.z_px = *kSceneCamera.Project(p_in_camera);

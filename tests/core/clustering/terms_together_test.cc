@@ -32,8 +32,8 @@ CrfNode Seen(const Eigen::Vector3d& p_in_camera, const RigidTransform& past_from
   return node;
 }
 
-// A car 15 m ahead that drives as the camera does: the first 60 nodes. In its box, 25 points of
-// the background and 15 on the road at its wheels.
+// The first 60 nodes are on a car that drives ahead of the camera at 15 m. The next 25 are
+// background points in its box, the last 15 are on the road at its wheels.
 CrfScene CarScene() {
   const RigidTransform drive(ExpSo3({0.0, 0.01, 0.0}), Eigen::Vector3d(0.0, 0.0, 4.0));
   const RigidTransform follow(ExpSo3({0.0, 0.01, 0.0}), Eigen::Vector3d(0.05, 0.0, 0.3));
@@ -44,7 +44,7 @@ CrfScene CarScene() {
                   MakeLabel(LabelKind::kOutlier)};
   scene.labels[kStaticLabel].past_from_now = {drive};
   scene.labels[kCarLabel].past_from_now = {follow};
-  // Of the car's front face, 1.8 m by 1.4 m at 14 m.
+  // The image of the car's nearest face, 1.8 m by 1.4 m at 14 m.
   scene.labels[kCarLabel].box = ImageBox{550, 140, 650, 225};
   scene.labels[kCarLabel].extent =
       CrfLabel::Extent{.center_in_camera = {0.0, 0.1, 15.0}, .half_size_m = {0.36, 0.28, 0.5}};
@@ -84,8 +84,9 @@ Counts CountCar(const UnaryOptions& options = {.box_foot = 0.0}) {
   return counts;
 }
 
-// What section 3.2 of the paper claims of each: space prunes the background, motion the road.
-TEST(UnaryTerms, EachAddsWhatTheOthersCannotTell) {
+// As section 3.2 of the paper claims, the 3D term prunes the background and the motion term the
+// road.
+TEST(UnaryTerms, EachAddsInformationThatTheOthersLack) {
   const Counts box = CountCar<NoAffinityTerm, NoMotionTerm>();
   const Counts space = CountCar<AffinityTerm, NoMotionTerm>();
   const Counts all = CountCar<AffinityTerm, MotionTerm>();
@@ -98,15 +99,16 @@ TEST(UnaryTerms, EachAddsWhatTheOthersCannotTell) {
   EXPECT_GE(all.car_as_car, 55);
 }
 
-// Which the foot of the box does too, for what has not been seen long enough to move.
-TEST(UnaryTerms, TheFootOfTheBoxPrunesTheRoadWithoutMotion) {
+// The foot of the box also prunes the road, for bodies observed too briefly to show their motion.
+TEST(UnaryTerms, BoxFootPrunesTheRoadWithoutMotion) {
   const Counts counts = CountCar<AffinityTerm, NoMotionTerm>(UnaryOptions{});
   EXPECT_LE(counts.road_as_car, 5);
   EXPECT_GE(counts.car_as_car, 50);
 }
 
-// METHOD.md 5.4: the printed 3D term knows no noise of the body's size and loses the body.
-TEST(UnaryTerms, ThePrintedAffinityLosesTheBody) {
+// METHOD.md 5.4: the printed 3D term does not add the spread of the body to the noise, and so loses
+// the body.
+TEST(UnaryTerms, PrintedAffinityTermLosesTheBody) {
   EXPECT_GE((CountCar<AffinityTerm, NoMotionTerm>().car_as_car), 55);
   EXPECT_LE((CountCar<AffinityTermLiteral, NoMotionTerm>().car_as_car), 30);
 }

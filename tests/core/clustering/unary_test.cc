@@ -23,7 +23,8 @@ constexpr ImageBox kLeft = {100, 100, 200, 200};
 constexpr ImageBox kRight = {150, 100, 250, 200};
 constexpr ImageBox kMissed = {180, 150, 400, 300};
 
-// Static scene, two bodies with boxes that overlap, one that the detector missed, outliers.
+// Labels: the static scene, a cluster and a new box that overlap in the image, a cluster that the
+// detector missed, outliers.
 CrfScene BoxScene() {
   CrfScene scene;
   scene.camera = test::kSceneCamera;
@@ -65,7 +66,7 @@ auto Near(const std::vector<double>& expected) {
   return testing::Pointwise(testing::DoubleNear(1e-12), expected);
 }
 
-TEST(NormalizeEnergies, MakesProbabilitiesThatAddUpToOne) {
+TEST(NormalizeEnergies, ProbabilitiesSumToOne) {
   EnergyMatrix energies(2, 3);
   energies << 1.0, 2.0, 3.5, 1000.0, 1001.0, 1000.0;
   NormalizeEnergies(100.0, energies);
@@ -81,11 +82,11 @@ TEST(NormalizeEnergies, CutsOffAfterNormalising) {
   energies << 50.0, 50.0, 64.0, kImpossible;
   NormalizeEnergies(14.5, energies);
   EXPECT_NEAR(energies(0, 0), std::log(2.0), 1e-6);
-  EXPECT_NEAR(energies(0, 2), 14.5, 1e-12);  // 14 + log 2 before
+  EXPECT_NEAR(energies(0, 2), 14.5, 1e-12);  // 14 + log 2 before the cut-off
   EXPECT_EQ(energies(0, 3), 14.5);
 }
 
-TEST(NormalizeEnergies, ARowWithoutPreferenceIsZero) {
+TEST(NormalizeEnergies, RowsWithoutPreferenceBecomeZero) {
   constexpr double kImpossible = std::numeric_limits<double>::infinity();
   EnergyMatrix energies(2, 2);
   energies << 3.0, 3.0, kImpossible, kImpossible;
@@ -93,45 +94,45 @@ TEST(NormalizeEnergies, ARowWithoutPreferenceIsZero) {
   EXPECT_TRUE(energies.isZero(0.0));
 }
 
-TEST(NormalizeEnergies, RefusesWhatIsNoNumber) {
+TEST(NormalizeEnergies, RefusesNan) {
   EnergyMatrix energies(2, 2);
   energies << 1.0, 2.0, std::nan(""), 1.0;
   EXPECT_THAT(ErrorMessage([&] { NormalizeEnergies(15.0, energies); }), HasSubstr("node 1"));
 }
 
-TEST(Box2dTerm, BelievesTheBoxThatContainsTheLandmark) {
+TEST(Box2dTerm, PrefersTheBoxThatContainsTheLandmark) {
   EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(120, 150)),
               Near({0.0125, 0.95, 0.0125, 0.0125, 0.0125}));
 }
 
-TEST(Box2dTerm, SharesBetweenOverlappingBoxes) {
+TEST(Box2dTerm, SplitsProbabilityBetweenOverlappingBoxes) {
   EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(170, 150)),
               Near({0.05 / 3, 0.475, 0.475, 0.05 / 3, 0.05 / 3}));
 }
 
-TEST(Box2dTerm, WithoutABoxTheSceneIsStatic) {
+TEST(Box2dTerm, PrefersTheStaticSceneOutsideAllBoxes) {
   EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(500, 150)),
               Near({0.95, 0.0125, 0.0125, 0.0125, 0.0125}));
 }
 
-TEST(Box2dTerm, APredictedBoxLeavesItOpenBetweenItsBodyAndTheStaticScene) {
+TEST(Box2dTerm, PredictedBoxIsSharedByItsBodyAndTheStaticScene) {
   EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(390, 290)),
               Near({0.475, 0.05 / 3, 0.05 / 3, 0.475, 0.05 / 3}));
 }
 
-TEST(DetectedBox2dTerm, KnowsNoPredictionAndElseDoesAsTheOther) {
+TEST(DetectedBox2dTerm, IgnoresPredictionsAndOtherwiseAgreesWithBox2dTerm) {
   EXPECT_THAT(Probabilities<DetectedBox2dTerm>(BoxScene(), NodeSeenAt(390, 290)),
               Near({0.95, 0.0125, 0.0125, 0.0125, 0.0125}));
   EXPECT_THAT(Probabilities<DetectedBox2dTerm>(BoxScene(), NodeSeenAt(120, 150)),
               Near({0.0125, 0.95, 0.0125, 0.0125, 0.0125}));
 }
 
-TEST(Box2dTerm, ADetectionOverrulesAPrediction) {
+TEST(Box2dTerm, DetectionsOverridePredictions) {
   EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(230, 170)),
               Near({0.0125, 0.0125, 0.95, 0.0125, 0.0125}));
 }
 
-TEST(Box2dTerm, TheRimOfADetectionDoesNotCount) {
+TEST(Box2dTerm, IgnoresTheRimOfADetection) {
   EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(104, 150)),
               Near({0.95, 0.0125, 0.0125, 0.0125, 0.0125}));
   EXPECT_THAT(
@@ -139,7 +140,7 @@ TEST(Box2dTerm, TheRimOfADetectionDoesNotCount) {
       Near({0.0125, 0.95, 0.0125, 0.0125, 0.0125}));
 }
 
-TEST(Box2dTerm, TheFootOfADetectionMayBeWhatTheBodyStandsOn) {
+TEST(Box2dTerm, FootOfADetectionIsSharedWithTheStaticScene) {
   EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(120, 190)),
               Near({0.475, 0.475, 0.05 / 3, 0.05 / 3, 0.05 / 3}));
   EXPECT_THAT(
@@ -147,14 +148,14 @@ TEST(Box2dTerm, TheFootOfADetectionMayBeWhatTheBodyStandsOn) {
       Near({0.0125, 0.95, 0.0125, 0.0125, 0.0125}));
 }
 
-TEST(Box2dTerm, CountsEveryLabel) {
+TEST(Box2dTerm, SpreadsTheRemainderOverAllOtherLabels) {
   CrfScene scene = BoxScene();
   scene.labels.insert(scene.labels.end() - 1, MakeLabel(LabelKind::kNewBox));
   EXPECT_THAT(Probabilities<Box2dTerm>(scene, NodeSeenAt(120, 150)),
               Near({0.01, 0.95, 0.01, 0.01, 0.01, 0.01}));
 }
 
-TEST(Box2dTerm, LabelsInOtherOrderGetTheSameEnergies) {
+TEST(Box2dTerm, EnergiesDoNotDependOnTheOrderOfLabels) {
   const CrfScene scene = BoxScene();
   CrfScene swapped = scene;
   std::swap(swapped.labels[1], swapped.labels[3]);
@@ -165,7 +166,7 @@ TEST(Box2dTerm, LabelsInOtherOrderGetTheSameEnergies) {
   }
 }
 
-TEST(Box2dTermLiteral, IsThePrintedFormula) {
+TEST(Box2dTermLiteral, MatchesThePrintedFormula) {
   const CrfScene scene = BoxScene();
   EXPECT_THAT(Probabilities<Box2dTermLiteral>(scene, NodeSeenAt(104, 150)),
               Near({0.0125, 0.95, 0.0125, 0.0125, 0.0125}));
@@ -174,7 +175,8 @@ TEST(Box2dTermLiteral, IsThePrintedFormula) {
   EXPECT_TRUE(RawEnergies<Box2dTermLiteral>(scene, NodeSeenAt(390, 290)).isZero(0.0));
 }
 
-// A detected body 10 m ahead whose long side, its first axis, points down, and one of unknown size.
+// Labels: the static scene, a detected body 10 m ahead whose long side (its first axis) points
+// down, a new body of unknown size, outliers.
 CrfScene AffinityScene() {
   CrfScene scene;
   scene.camera = test::kSceneCamera;
@@ -189,17 +191,17 @@ CrfScene AffinityScene() {
   return scene;
 }
 
-TEST(AffinityTerm, HasTheValueWorkedOutByHand) {
+TEST(AffinityTerm, MatchesHandComputedValues) {
   CrfNode node = NodeAt({1.0, 1.8, 10.0});
   node.covariance_m2 = Eigen::Vector3d(0.01, 0.25, 1.0).asDiagonal();
-  // 1.3 m along the long side: 0.25 + 4 * 0.36 = 1.69.
+  // 1.3 m along the long side, with a variance of 0.25 + 4 * 0.36 = 1.69 m^2.
   EXPECT_NEAR(RawEnergies<AffinityTerm>(AffinityScene(), node)[1], 0.5, 1e-12);
   node.p_in_camera = {1.1, 0.5, 10.0};
-  // 0.1 m along a short side: 0.01 + 4 * 0.01 = 0.05.
+  // 0.1 m along a short side, with a variance of 0.01 + 4 * 0.01 = 0.05 m^2.
   EXPECT_NEAR(RawEnergies<AffinityTerm>(AffinityScene(), node)[1], 0.1, 1e-12);
 }
 
-TEST(AffinityTerm, CostsNothingNearTheCentreOfABodyThatWasNotDetected) {
+TEST(AffinityTerm, IsZeroNearTheCentreOfAnUndetectedBody) {
   const CrfScene detected = AffinityScene();
   CrfScene missed = detected;
   missed.labels[1].box.reset();
@@ -212,7 +214,7 @@ TEST(AffinityTerm, CostsNothingNearTheCentreOfABodyThatWasNotDetected) {
   EXPECT_EQ(RawEnergies<AffinityTerm>(missed, outside, {.undetected_reach = 0.0})[1], energy);
 }
 
-TEST(AffinityTerm, HasConstantsForClassesWithoutACentre) {
+TEST(AffinityTerm, UsesConstantsForLabelsWithoutACentre) {
   const Eigen::RowVectorXd energies =
       RawEnergies<AffinityTerm>(AffinityScene(), NodeAt({1.0, 0.5, 10.0}));
   const UnaryOptions options;
@@ -220,16 +222,16 @@ TEST(AffinityTerm, HasConstantsForClassesWithoutACentre) {
                                          options.outlier_energy));
 }
 
-TEST(AffinityTerm, PrunesTheBackgroundButNotWhatMayBeNear) {
+TEST(AffinityTerm, PrunesTheBackgroundButNotPointsOfUncertainDepth) {
   CrfNode node = NodeAt({1.0, 0.5, 13.0});
   node.covariance_m2 = Eigen::Vector3d(0.01, 0.01, 0.04).asDiagonal();
   EXPECT_LT(Probabilities<AffinityTerm>(AffinityScene(), node)[1], 0.01);
-  node.covariance_m2(2, 2) = 9.0;  // its depth is hardly known
+  node.covariance_m2(2, 2) = 9.0;  // its depth is highly uncertain
   const auto probabilities = Probabilities<AffinityTerm>(AffinityScene(), node);
   EXPECT_GT(probabilities[1], probabilities[0]);
 }
 
-TEST(AffinityTermLiteral, IsThePrintedFormula) {
+TEST(AffinityTermLiteral, MatchesThePrintedFormula) {
   CrfNode node = NodeAt({1.0, 0.8, 10.5});
   node.covariance_m2 << 0.02, 0.0, 0.0, 0.0, 0.02, 0.01, 0.0, 0.01, 0.08;
   const Eigen::Vector3d d(0.0, 0.3, 0.5);

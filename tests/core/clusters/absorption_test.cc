@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// What observations that leave the window leave behind.
+// Tests the information that remains of observations that leave the window.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ using test::MakeLandmark;
 using test::StateAt;
 using test::WindowOf;
 
-// One landmark of a turned body in frames 0 and 1, frame 0 leaving the window.
+// A rotated body with one landmark, observed in frames 0 and 1. Frame 0 is leaving the window.
 struct Absorption {
   Window window = WindowOf(1, 2);
   WindowFrame leaving{FrameId{0}, At(0.2, 0.1, 0.3, 0.1), false};
@@ -35,7 +35,7 @@ struct Absorption {
     cluster.landmarks[0].observations[0].octave = 2;
     cluster.landmarks[0].observations[0].z_px = Project(cluster.landmarks[0].p_in_object);
   }
-  // Where the frame that leaves sees a point of the body.
+  // Projects a point of the body into the leaving frame.
   Eigen::Vector3d Project(const Eigen::Vector3d& p_in_object) const {
     return *kCamera.Project(leaving.world_from_camera.Inverse() *
                             (cluster.states[0].world_from_object * p_in_object));
@@ -49,7 +49,7 @@ TEST(AbsorbObservations, InformationIsThatOfTheReprojectionError) {
   a.Absorb();
   EXPECT_THAT(a.landmark().observations, SizeIs(1));
   EXPECT_EQ(a.landmark().observations[0].frame, FrameId{1});
-  // J by central differences of the projection of a point of the body.
+  // J, by central differences of the projection of a point of the body.
   Eigen::Matrix3d J;
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d step = 1e-5 * Eigen::Vector3d::Unit(k);
@@ -65,21 +65,21 @@ TEST(AbsorbObservations, InformationIsThatOfTheReprojectionError) {
   EXPECT_LT((a.landmark().past_information - expected).norm(), 1e-6 * expected.norm());
 }
 
-TEST(AbsorbObservations, TheMeanIsWhereTheObservationsPutThePoint) {
+TEST(AbsorbObservations, MeanIsWhereTheObservationsPlaceThePoint) {
   Absorption a;
   Landmark& landmark = a.cluster.landmarks[0];
   const Eigen::Vector3d truth = landmark.p_in_object + Eigen::Vector3d(1e-3, -1e-3, 2e-3);
   landmark.observations[0].z_px = a.Project(truth);
   a.Absorb();
   EXPECT_LT((landmark.past_mean_in_object - truth).norm(), 1e-5);
-  // An estimate that moves on later takes nothing of this with it.
+  // Later changes of the estimate do not shift the remembered mean.
   landmark.p_in_object += Eigen::Vector3d(5e-3, 0.0, 0.0);
   landmark.observations.insert(landmark.observations.begin(), {FrameId{0}, a.Project(truth), 2});
   a.Absorb();
   EXPECT_LT((landmark.past_mean_in_object - truth).norm(), 5e-5);
 }
 
-TEST(AbsorbObservations, AnErrorBeyondTheRobustLossWeighsLess) {
+TEST(AbsorbObservations, ErrorsBeyondTheRobustThresholdAreDownweighted) {
   Absorption a;
   a.Absorb();
   Absorption b;
@@ -88,7 +88,7 @@ TEST(AbsorbObservations, AnErrorBeyondTheRobustLossWeighsLess) {
   EXPECT_LT(b.landmark().past_information.norm(), 0.5 * a.landmark().past_information.norm());
 }
 
-TEST(PastPolicies, WhatLeavesIsKeptOrForgotten) {
+TEST(PastPolicies, LeavingObservationsAreKeptOrForgotten) {
   Absorption kept;
   KeepPastInformation::Leave(kept.window, kept.leaving, {{}, 1.2}, kept.options, kept.cluster);
   EXPECT_FALSE(kept.landmark().past_information.isZero());
@@ -98,7 +98,7 @@ TEST(PastPolicies, WhatLeavesIsKeptOrForgotten) {
   EXPECT_TRUE(forgotten.landmark().past_information.isZero());
 }
 
-TEST(AbsorbObservations, WhatIsRememberedIsBounded) {
+TEST(AbsorbObservations, PastInformationIsBounded) {
   Absorption a;
   a.options.max_past_observations = 10.0;
   a.Absorb();
@@ -113,7 +113,7 @@ TEST(AbsorbObservations, WhatIsRememberedIsBounded) {
   EXPECT_NEAR(a.landmark().past_information.norm(), 10.0 * one.norm(), 1e-6 * one.norm());
 }
 
-TEST(AbsorbObservations, APointSeenOnceHasNothingToDefend) {
+TEST(AbsorbObservations, PointsSeenOnceLeaveNoInformation) {
   Absorption a;
   a.cluster.landmarks[0].observations.pop_back();
   a.Absorb();
@@ -121,7 +121,7 @@ TEST(AbsorbObservations, APointSeenOnceHasNothingToDefend) {
   EXPECT_TRUE(a.landmark().past_information.isZero());
 }
 
-TEST(AbsorbObservations, AFrameWithoutAStateSaysNothing) {
+TEST(AbsorbObservations, FramesWithoutAStateLeaveNoInformation) {
   Absorption a;
   a.cluster.states.erase(a.cluster.states.begin());
   a.Absorb();

@@ -11,8 +11,9 @@ namespace {
 
 constexpr std::int64_t kFrames = 5;
 
-// A body that moves 5 cm to the right per frame before a resting camera, its twelve points seen in
-// every frame without noise. All is known but the poses of the last frame on, which are 3 cm off.
+// A body that moves 5 cm to the right per frame in front of a static camera. Its twelve points are
+// observed in every frame without noise. All states start at the truth, except the pose in the last
+// frame, which is off by 3 cm.
 struct Moving {
   Options options;
   TaskPool pool{1};
@@ -67,7 +68,7 @@ TEST(OptimizeClusters, FindsThePoses) {
   EXPECT_LT(body.LastError_m(), 1e-5);
 }
 
-TEST(OptimizeClusters, OutliersOfTheLastFrameAreFoundInIt) {
+TEST(OptimizeClusters, RemovesOutliersOfTheLastFrame) {
   Moving body;
   for (int i = 0; i < 4; ++i) {
     body.map.live[0].landmarks[i].observations.back().z_px += Eigen::Vector3d(12.0, 0.0, 12.0);
@@ -76,11 +77,11 @@ TEST(OptimizeClusters, OutliersOfTheLastFrameAreFoundInIt) {
   for (int i = 0; i < 4; ++i) {
     EXPECT_EQ(FindObservation(body.map.live[0].landmarks[i], FrameId{kFrames - 1}), nullptr) << i;
   }
-  // Huber's loss alone would leave them a say.
+  // With Huber's loss alone they would still have an influence.
   EXPECT_LT(body.LastError_m(), 1e-4);
 }
 
-TEST(OptimizeClusters, OutliersMayStay) {
+TEST(OptimizeClusters, KeepsOutliersIfAskedTo) {
   Moving body;
   body.map.live[0].landmarks[0].observations.back().z_px += Eigen::Vector3d(12.0, 0.0, 12.0);
   body.Optimize<KeepOutliers>();
@@ -101,7 +102,7 @@ TEST(OptimizeClusters, SolvesAgainWhileOutliersAreFound) {
   EXPECT_EQ(solves(3), 2) << "the second finds none";
 }
 
-TEST(OptimizeClusters, AHiddenClusterKeepsWhatItWasLastSeenWith) {
+TEST(OptimizeClusters, LeavesHiddenClustersUnchanged) {
   Moving body;
   body.map.live[0].last_observed = FrameId{kFrames - 2};
   const RigidTransform before = body.map.live[0].Latest().world_from_object;

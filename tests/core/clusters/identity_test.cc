@@ -20,9 +20,9 @@ RigidTransform At(double x, double yaw = 0.0) {
 constexpr std::int64_t kInterval_ns = 100'000'000;
 const Eigen::Vector3d kVelocity_m_s(1.0, 0.0, 0.0);
 
-// Cluster 1 was lost after frame 10 and is archived, predicted at x = 1; cluster 2 was found in
-// frame 19 and is confirmed in frame 20, at x = 1.1 and turned. Both move at 1 m/s, so that cluster
-// 1 is 0.1 m behind.
+// Cluster 1 was lost after frame 10 and is archived; its prediction is at x = 1. Cluster 2 was
+// created in frame 19 and is confirmed in frame 20, at x = 1.1 and rotated. Both move at 1 m/s, so
+// that cluster 1 is 0.1 m behind.
 struct Return {
   IdentityOptions identity;
   ClusterAssociationOptions association;
@@ -64,7 +64,7 @@ struct Return {
     for (const auto& [frame, pose] : poses) {
       cluster.states.push_back({FrameId{frame}, frame * kInterval_ns, pose, kVelocity_m_s});
       cluster.last_observed = cluster.last_detected = FrameId{frame};
-      // Poses are recorded at the end of a frame, that of frame 20 is not there yet.
+      // Poses are recorded at the end of a frame; that of frame 20 does not exist yet.
       if (frame < 20) {
         trajectory.poses.push_back(
             test::PoseInFrame(frame, frame * kInterval_ns, ClusterStatus::kTracked, pose, report));
@@ -81,7 +81,7 @@ struct Return {
   IdentityStep Step() const {
     return {identity, association, options, motion, FrameId{20}, predict};
   }
-  // The id under which the found cluster goes on.
+  // Returns the id of the new cluster after the step.
   std::int64_t Found() {
     InheritIdentities(Step(), lost, map);
     return map.live.at(0).id.value;
@@ -90,7 +90,7 @@ struct Return {
   double FoundX() const { return map.live[0].Latest().world_from_object.translation().x(); }
 };
 
-TEST(InheritIdentities, TheFoundClusterGoesOnAsTheLostOne) {
+TEST(InheritIdentities, NewClusterTakesOverTheLostIdentity) {
   Return r;
   EXPECT_EQ(r.Found(), 1);
   EXPECT_THAT(r.map.live, ::testing::SizeIs(1));
@@ -104,14 +104,14 @@ TEST(InheritIdentities, TheFoundClusterGoesOnAsTheLostOne) {
   EXPECT_EQ(r.map.live[0].landmarks[0].label.cluster, ClusterId{1});
 }
 
-TEST(InheritIdentities, OnlyTheFrameOfTheBodyChanges) {
+TEST(InheritIdentities, ChangesOnlyTheObjectFrame) {
   Return r;
   const Cluster before = r.map.live[0];
   const ClusterPose told = r.map.trajectories.at(before.id).poses.back();
   ASSERT_EQ(r.Found(), 1);
   const Cluster& after = r.map.live[0];
-  // The axes are turned by half the found one's rate, 1 rad/s, over 0.9 s: the lost one did not
-  // turn. The origin is the found one's in every frame.
+  // The lost cluster did not rotate, so the axes rotate at half the new cluster's rate of 1 rad/s
+  // over 0.9 s. The origin remains the new cluster's in every frame.
   EXPECT_LT(after.states[0].world_from_object.Minus(At(1.0, 0.45)).norm(), 1e-9);
   for (std::size_t i = 0; i < 2; ++i) {
     const RigidTransform& was = before.states[i].world_from_object;
@@ -141,8 +141,8 @@ TEST(InheritIdentities, OnlyTheFrameOfTheBodyChanges) {
       1e-12);
 }
 
-TEST(InheritIdentities, ThePlaceIsBetweenTheMotionsAndTheBoxes) {
-  // Boxes see the body 0.1 m from where its motions put it.
+TEST(InheritIdentities, OriginIsBetweenMotionAndBoxEstimates) {
+  // The boxes place the body 0.1 m from where its motions place it.
   const auto placed_at = [](double box_deviation_m) {
     Return r;
     r.StopTurning();
@@ -152,7 +152,7 @@ TEST(InheritIdentities, ThePlaceIsBetweenTheMotionsAndTheBoxes) {
     const Eigen::Matrix3d information =
         2.0 / (box_deviation_m * box_deviation_m) * Eigen::Matrix3d::Identity();
     r.map.archived[0].box_center.Add(Eigen::Vector3d::Zero(), information);
-    // Many boxes of one side tell no more than one.
+    // Many boxes from one side carry no more information than one.
     for (int i = 0; i < 9; ++i) r.map.live[0].box_center.Add(Eigen::Vector3d::Zero(), information);
     EXPECT_EQ(r.Found(), 1);
     return r.FoundX();
@@ -162,8 +162,8 @@ TEST(InheritIdentities, ThePlaceIsBetweenTheMotionsAndTheBoxes) {
   EXPECT_NEAR(placed_at(1e6), 1.0, 1e-6);
 }
 
-TEST(InheritIdentities, ThePointThatTheMotionsMeetInRidesOnTheFoundBody) {
-  // The body has turned about (1, 0, 6) at 1 rad/s: the point that was lost at x = 0 rides on it.
+TEST(InheritIdentities, OriginFromMotionMovesWithTheNewBody) {
+  // The body rotates about (1, 0, 6) at 1 rad/s, and carries the point that was lost at x = 0.
   Return r;
   const Eigen::Matrix3d nothing = 1e-12 * Eigen::Matrix3d::Identity();
   r.map.archived[0].box_center.Add(Eigen::Vector3d::Zero(), nothing);
@@ -176,7 +176,7 @@ TEST(InheritIdentities, ThePointThatTheMotionsMeetInRidesOnTheFoundBody) {
   EXPECT_LT((x - expected).norm(), 1e-6);
 }
 
-TEST(AlignInheritedFrames, PlacesTheFrameAnewUntilThereAreEnoughBoxes) {
+TEST(AlignInheritedFrames, AdjustsTheFrameUntilThereAreEnoughBoxes) {
   Return r;
   r.StopTurning();
   const Eigen::Matrix3d nothing = 1e-12 * Eigen::Matrix3d::Identity();
@@ -184,13 +184,13 @@ TEST(AlignInheritedFrames, PlacesTheFrameAnewUntilThereAreEnoughBoxes) {
   r.map.live[0].box_center.Add(Eigen::Vector3d::Zero(), nothing);
   ASSERT_EQ(r.Found(), 1);
   EXPECT_NEAR(r.FoundX(), 1.0, 1e-6);
-  // The velocity at which it was found turns out to be larger: so was the way between.
+  // If the velocity at its recovery turns out to be larger, so was the distance travelled.
   ClusterPose& first = r.map.trajectories.at(ClusterId{1}).poses.back();
   first.velocity_m_s.x() = 1.2;
   Rng rng(0, "identity");
   AlignInheritedFrames(r.Step(), r.map, rng);
   EXPECT_NEAR(r.FoundX(), 1.0 + 0.9 * 0.5 * 0.2, 1e-6);
-  // The last time that it is placed.
+  // The frame is adjusted for the last time.
   r.identity.align_boxes = 1;
   first.velocity_m_s.x() = 1.4;
   AlignInheritedFrames(r.Step(), r.map, rng);
@@ -200,7 +200,7 @@ TEST(AlignInheritedFrames, PlacesTheFrameAnewUntilThereAreEnoughBoxes) {
   EXPECT_NEAR(r.FoundX(), 1.0 + 0.9 * 0.5 * 0.4, 1e-6);
 }
 
-TEST(InheritIdentities, VelocitiesAreThoseOfTheNewOrigin) {
+TEST(InheritIdentities, VelocitiesReferToTheNewOrigin) {
   Return r;
   r.map.live[0].box_center.Add({0.3, 0.0, 0.2}, Eigen::Matrix3d::Identity());
   ASSERT_EQ(r.Found(), 1);
@@ -212,7 +212,7 @@ TEST(InheritIdentities, VelocitiesAreThoseOfTheNewOrigin) {
   EXPECT_GT((mean - kVelocity_m_s).norm(), 0.2);
 }
 
-TEST(InheritIdentities, ALostLiveClusterThatWasOnlyPredictedMeanwhileGivesWay) {
+TEST(InheritIdentities, ReplacesALiveClusterThatWasOnlyPredicted) {
   Return r;
   r.map.live.insert(r.map.live.begin(), r.map.archived[0]);
   r.map.archived.clear();
@@ -227,7 +227,7 @@ TEST(InheritIdentities, ALostLiveClusterThatWasOnlyPredictedMeanwhileGivesWay) {
   EXPECT_EQ(poses[1].status, ClusterStatus::kTracked);
 }
 
-TEST(InheritIdentities, NotWhereThePredictionIsElsewhereOrAnotherClass) {
+TEST(InheritIdentities, RefusesDistantPredictionsAndOtherClasses) {
   Return far;
   far.lost = {Return::Predicted(1, 3.0)};
   EXPECT_EQ(far.Found(), 2);
@@ -237,12 +237,12 @@ TEST(InheritIdentities, NotWhereThePredictionIsElsewhereOrAnotherClass) {
   EXPECT_EQ(other.map.archived.size(), 1u);
 }
 
-TEST(InheritIdentities, NotWhereTwoCouldBeIt) {
+TEST(InheritIdentities, RefusesAmbiguousCandidates) {
   Return r;
   r.map.archived.push_back(r.Make(4, {{9, At(0.0)}}));
   r.lost.push_back(Return::Predicted(4, 1.22));
   EXPECT_EQ(r.Found(), 2);
-  // Much nearer than the other it is no doubt.
+  // If one is much nearer than the other, there is no ambiguity.
   Return clear;
   clear.map.archived.push_back(clear.Make(4, {{9, At(0.0)}}));
   clear.lost.push_back(Return::Predicted(4, 1.6));
@@ -250,25 +250,25 @@ TEST(InheritIdentities, NotWhereTwoCouldBeIt) {
   EXPECT_EQ(clear.map.archived.size(), 1u);
 }
 
-TEST(InheritIdentities, WhatMayBeAnywhereIsNoRivalOfWhatIsExpectedNearby) {
+TEST(InheritIdentities, UncertainPredictionsDoNotCompeteWithNearbyOnes) {
   Return r;
   r.map.archived.push_back(r.Make(4, {{9, At(0.0)}}));
-  r.lost.push_back(Return::Predicted(4, 1.2, 25.0));  // fewer deviations away, of larger ones
+  r.lost.push_back(Return::Predicted(4, 1.2, 25.0));  // fewer but larger deviations away
   EXPECT_EQ(r.Found(), 1);
 }
 
-TEST(InheritIdentities, NotABodyOfAnotherSize) {
+TEST(InheritIdentities, RefusesBodiesOfAnotherSize) {
   Return r;
   r.lost = {Return::Predicted(1, 1.0, 1.0)};
   r.map.archived[0].size.Add(5.0, true);
   EXPECT_EQ(r.Found(), 2);
   Return unknown;
   unknown.lost = {Return::Predicted(1, 1.0, 1.0)};
-  unknown.map.archived[0].size = {};  // told of by given labels alone
+  unknown.map.archived[0].size = {};  // known from given labels only
   EXPECT_EQ(unknown.Found(), 1);
 }
 
-TEST(InheritIdentities, APartOfABodyMayBeSmallerButNotLarger) {
+TEST(InheritIdentities, PartialViewsMayBeSmallerButNotLarger) {
   const auto found = [](double found_m, double lost_m) {
     Return r;
     r.lost = {Return::Predicted(1, 1.0, 1.0)};
@@ -280,7 +280,7 @@ TEST(InheritIdentities, APartOfABodyMayBeSmallerButNotLarger) {
   EXPECT_EQ(found(5.0, 1.0), 2);
 }
 
-TEST(InheritIdentities, OnlyAtTheMomentOfConfirmation) {
+TEST(InheritIdentities, HappensOnlyAtConfirmation) {
   Return early;
   --early.map.live[0].detections;
   EXPECT_EQ(early.Found(), 2);
@@ -289,7 +289,7 @@ TEST(InheritIdentities, OnlyAtTheMomentOfConfirmation) {
   EXPECT_EQ(late.Found(), 2);
 }
 
-TEST(InheritIdentities, NeverTheIdOfAnotherGivenBody) {
+TEST(InheritIdentities, NeverTakesTheIdOfAnotherGivenBody) {
   Return r;
   r.map.archived[0].given_body = BodyId{1};
   r.map.live[0].given_body = BodyId{2};
@@ -298,14 +298,14 @@ TEST(InheritIdentities, NeverTheIdOfAnotherGivenBody) {
   EXPECT_EQ(r.Found(), 1);
 }
 
-TEST(InheritIdentities, AGivenBodyIsNotTheFirstLostOneOfWhichNothingIsGiven) {
+TEST(InheritIdentities, GivenBodyDoesNotTakeADistantClusterWithoutGivenBody) {
   Return r;
   r.map.live[0].given_body = BodyId{2};
   r.lost = {Return::Predicted(1, 3.0)};
   EXPECT_EQ(r.Found(), 2) << "too far away";
 }
 
-TEST(IdentityPolicies, OneInheritsAndTheOtherDoesNot) {
+TEST(IdentityPolicies, OnlyInheritLostIdentityInherits) {
   const ClusterPredictor predict = [](const Cluster& cluster) {
     return Return::Predicted(cluster.id.value, 1.0).predicted;
   };
@@ -320,7 +320,7 @@ TEST(IdentityPolicies, OneInheritsAndTheOtherDoesNot) {
   EXPECT_EQ(found(AlwaysNewIdentity()), 2);
 }
 
-TEST(IdentityOptions, AreReadByTheRule) {
+TEST(IdentityOptions, SizeFactorDecidesTheMatch) {
   Return r;
   r.identity.size_factor = 1.01;
   r.map.live[0].size.Add(1.2, true);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kScaleFactor = 1.2;
 
-// Blobs around the corner, which lies `shift_px` from the middle.
+// A patch of blobs around the corner, which is `shift_px` off the middle of the patch.
 FeaturePatch Blobs(double shift_px) {
   FeaturePatch patch;
   for (int y = 0; y < FeaturePatch::kSide_px; ++y) {
@@ -56,7 +56,7 @@ TEST_F(LandmarkAlignmentTest, MovesBothColumnsAndKeepsTheDisparity) {
   EXPECT_NEAR(feature_.patch.corner_u, 0.5, 0.03);
 }
 
-TEST_F(LandmarkAlignmentTest, MovesByPixelsOfTheImageWhereTheLevelIsCoarse) {
+TEST_F(LandmarkAlignmentTest, ScalesTheShiftToFullResolutionOnCoarseLevels) {
   feature_.octave = 4;
   const double scale = std::pow(kScaleFactor, 4);
   landmark_.reference.size_m = 10.0 * scale;
@@ -64,7 +64,7 @@ TEST_F(LandmarkAlignmentTest, MovesByPixelsOfTheImageWhereTheLevelIsCoarse) {
   EXPECT_NEAR(feature_.z_px[0], 100.0 + 0.5 * scale, 0.03 * scale);
 }
 
-TEST_F(LandmarkAlignmentTest, LeavesTheCornerWhereTheLandmarkLooksDifferent) {
+TEST_F(LandmarkAlignmentTest, LeavesTheCornerIfTheLandmarkLooksDifferent) {
   for (auto& pixel : landmark_.reference.patch.pixels) pixel = 255 - pixel;
   Align();
   EXPECT_FALSE(feature_.is_aligned);
@@ -96,7 +96,7 @@ TEST_F(LandmarkAlignmentTest, LeavesTheCornerWithoutTheOption) {
   EXPECT_NEAR(frame.features[0].z_px[0], 100.5, 0.03);
 }
 
-TEST_F(LandmarkAlignmentTest, KeepsTheReferenceUntilItsSizeHasChangedMuch) {
+TEST_F(LandmarkAlignmentTest, KeepsTheReferenceUntilItsSizeChangesSubstantially) {
   landmark_.depth_m = 9.0;
   feature_.is_aligned = true;
   UpdateReference(kScaleFactor, feature_, landmark_);
@@ -121,7 +121,7 @@ TEST(FeatureNoise, TrustsAlignedCornersMore) {
             noise.SqrtInformation(0, false, 0.1).row(2));
 }
 
-TEST(FeatureNoise, TrustsDisparitiesAsTheirPatchesAgree) {
+TEST(FeatureNoise, DisparityNoiseFollowsThePatchDisagreement) {
   FeatureNoise noise{{.disparity_px = 0.3, .least_disparity_px = 0.03, .disagreement = 2.0}, 2.0};
   const auto sigma = [&](int octave, double disagreement_px) {
     return -1.0 / noise.SqrtInformation(octave, false, disagreement_px)(2, 2);
@@ -133,7 +133,7 @@ TEST(FeatureNoise, TrustsDisparitiesAsTheirPatchesAgree) {
   EXPECT_NEAR(sigma(0, 0.02), 0.3, 1e-12);
 }
 
-TEST(FeatureNoise, DisparitiesOfTheLeftImageAloneSayNothing) {
+TEST(FeatureNoise, LeftOnlyFeaturesHaveNoDisparityInformation) {
   FeatureNoise noise{{.corner_px = 0.5, .aligned_px = 0.1}, 1.2};
   for (const double disagreement : {0.0, 3.0}) {
     noise.options.disagreement = disagreement;
@@ -143,7 +143,7 @@ TEST(FeatureNoise, DisparitiesOfTheLeftImageAloneSayNothing) {
   }
 }
 
-TEST(PlaceLeftOnly, GivesTheDisparityOfTheLandmarkToThoseWithoutOne) {
+TEST(PlaceLeftOnly, TakesTheDisparityFromTheLandmarkForLeftOnlyFeatures) {
   const StereoCamera camera = test::CentredCamera(400, 0.5, 640, 240);
   Landmark landmark;
   landmark.p_in_object = {-1.0, 0.2, 3.0};

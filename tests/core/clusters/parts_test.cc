@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// The life of clusters and their prediction: parts that can be looked at without running.
+// Tests parts of the life cycle and the prediction of clusters in isolation.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ std::vector<std::int64_t> Ids(const std::vector<Landmark>& landmarks) {
   return ids;
 }
 
-TEST(TrimCluster, DropsWhatIsOlderThanTheWindowButTheLastState) {
+TEST(TrimCluster, DropsWhatIsOlderThanTheWindowExceptTheLastState) {
   Cluster cluster;
   for (int f = 0; f < 4; ++f) cluster.states.push_back(StateAt(f, At(0, 0, 5)));
   cluster.landmarks = {MakeLandmark(0, {0, 3}), MakeLandmark(1, {0, 1}), MakeLandmark(2, {1})};
@@ -52,7 +52,7 @@ TEST(TrimCluster, DropsWhatIsOlderThanTheWindowButTheLastState) {
   EXPECT_EQ(cluster.states[0].frame, FrameId{3});
 }
 
-TEST(TrimCluster, AHiddenClusterKeepsTheStatesThatPredictIt) {
+TEST(TrimCluster, HiddenClustersKeepTheStatesThatPredictThem) {
   Cluster cluster;
   for (int f = 0; f < 4; ++f) cluster.states.push_back(StateAt(f, At(0, 0, 5)));
   cluster.last_observed = FrameId{3};
@@ -62,7 +62,7 @@ TEST(TrimCluster, AHiddenClusterKeepsTheStatesThatPredictIt) {
   EXPECT_THAT(cluster.landmarks, IsEmpty());
 }
 
-TEST(TrimCluster, BeyondTheCapTheLongestUnseenGo) {
+TEST(TrimCluster, DropsTheLongestUnseenLandmarksBeyondTheLimit) {
   ClusterOptions options;
   options.max_landmarks = 3;
   Cluster cluster;
@@ -71,9 +71,9 @@ TEST(TrimCluster, BeyondTheCapTheLongestUnseenGo) {
                        MakeLandmark(3, {2}),    MakeLandmark(4, {4}), MakeLandmark(5, {1})};
   Cluster full = cluster;
   TrimCluster(WindowOf(1, 6), FrameId{6}, options, cluster);
-  // Of those seen in frame 4 the younger ones.
+  // Of those last seen in frame 4, the newer ones stay.
   EXPECT_THAT(Ids(cluster.landmarks), ElementsAre(0, 2, 4));
-  // What the newest frame shows stays in any case.
+  // Landmarks observed in the newest frame always stay.
   for (Landmark& landmark : full.landmarks) landmark.last_seen = FrameId{6};
   TrimCluster(WindowOf(1, 6), FrameId{6}, options, full);
   EXPECT_THAT(full.landmarks, SizeIs(6));
@@ -99,17 +99,17 @@ std::vector<std::int64_t> Ids(const ClusterMap& map, bool live) {
   return ids;
 }
 
-TEST(RetireClusters, LiveArchivedOrDropped) {
+TEST(RetireClusters, KeepsArchivesOrDropsClusters) {
   const ClusterOptions options;
   const int L = Options().LiveFrames();
   ClusterMap map;
   map.live = {ClusterSeen(1, 100 - L + 1, 80, 2),                        // unseen for L - 1 frames
-              ClusterSeen(2, 100 - L, 80, 2),                            // for L
+              ClusterSeen(2, 100 - L, 80, 2),                            // for L frames
               ClusterSeen(3, 100, 100 - options.confirm_frames, 1),      // never confirmed
-              ClusterSeen(4, 100, 100 - options.confirm_frames + 1, 1),  // it has a frame left
+              ClusterSeen(4, 100, 100 - options.confirm_frames + 1, 1),  // has one frame left
               ClusterSeen(5, 100 - L, -1, 0),
               ClusterSeen(6, 100 - L, -1, 0)};
-  map.live[5].given_body = BodyId{7};  // given ones need no confirmation
+  map.live[5].given_body = BodyId{7};  // given bodies need no confirmation
   for (const Cluster& cluster : map.live) map.trajectories[cluster.id].id = cluster.id;
   RetireClusters(FrameId{100}, Options().LiveFrames(), options, map);
   EXPECT_THAT(Ids(map, true), ElementsAre(1, 4));
@@ -119,8 +119,8 @@ TEST(RetireClusters, LiveArchivedOrDropped) {
   EXPECT_THAT(told, ElementsAre(1, 2, 6));
 }
 
-// A long run fills the archive one by one.
-TEST(RetireClusters, TheArchiveHasNoRoomToSpare) {
+// Over a long run, many clusters accumulate in the archive, so they must not waste memory.
+TEST(RetireClusters, ArchiveHasNoSpareCapacity) {
   ClusterMap map;
   map.live = {ClusterSeen(1, 0, 0, 5)};
   map.live[0].landmarks.reserve(100);
@@ -134,9 +134,9 @@ TEST(RetireClusters, TheArchiveHasNoRoomToSpare) {
   EXPECT_EQ(landmarks[0].observations.capacity(), 1U);
 }
 
-TEST(RetireClusters, WhatWasNeverConfirmedIsNeverTold) {
+TEST(RetireClusters, NeverReportsUnconfirmedClusters) {
   ClusterOptions options;
-  options.confirm_frames = 100;  // the body is gone before
+  options.confirm_frames = 100;  // the body disappears earlier
   ClusterMap map;
   map.live = {ClusterSeen(1, 5, 5, 1)};
   map.trajectories[ClusterId{1}].id = ClusterId{1};
@@ -147,7 +147,7 @@ TEST(RetireClusters, WhatWasNeverConfirmedIsNeverTold) {
   EXPECT_THAT(ConfirmedTrajectories(map, options), IsEmpty());
 }
 
-TEST(RetireClusters, TheArchiveForgetsTheOldest) {
+TEST(RetireClusters, ArchiveDropsTheOldest) {
   ClusterOptions options;
   options.archived = 2;
   ClusterMap map;
@@ -157,7 +157,7 @@ TEST(RetireClusters, TheArchiveForgetsTheOldest) {
   EXPECT_THAT(Ids(map, false), ElementsAre(3, 4));
 }
 
-// A landmark on a body 6 m ahead, seen last by a camera at the origin.
+// A landmark on a body 6 m ahead, last observed by a camera at the origin.
 struct Prediction {
   ClusterSearchOptions options;
   PredictedCluster predicted;
@@ -182,7 +182,7 @@ struct Prediction {
   }
 };
 
-TEST(PredictLandmark, StandsWhereTheMovedBodyHasIt) {
+TEST(PredictLandmark, ProjectsWithThePredictedPose) {
   const Prediction p;
   const auto seen = p.Predict();
   ASSERT_TRUE(seen);
@@ -190,7 +190,7 @@ TEST(PredictLandmark, StandsWhereTheMovedBodyHasIt) {
   EXPECT_LT((seen->zeta_px - *kCamera.Project(p_in_world)).norm(), 1e-9);
 }
 
-TEST(PredictLandmark, InnovationHoldsPositionMotionAndMeasurement) {
+TEST(PredictLandmark, InnovationSumsPositionMotionAndMeasurement) {
   Prediction p;
   const Eigen::Vector3d p_in_world = p.predicted.world_from_object * p.landmark.p_in_object;
   const Eigen::Matrix3d J = kCamera.ProjectionJacobian(p_in_world);
@@ -205,7 +205,7 @@ TEST(PredictLandmark, InnovationHoldsPositionMotionAndMeasurement) {
   p.predicted.translation_variance_m2 = 0.01;
   p.predicted.rotation_variance_rad2 = 0.04;
   seen = p.Predict();
-  // The lever is the landmark's distance from the origin of the body.
+  // The lever arm is the landmark's distance from the origin of the body.
   const double motion_m2 = 0.01 + 0.04 * p.landmark.p_in_object.squaredNorm();
   EXPECT_LT((seen->innovation_px2 - position - measurement - motion_m2 * J * J.transpose()).norm(),
             1e-9);
@@ -217,7 +217,7 @@ TEST(PredictLandmark, IsInvisibleOnTheFarSide) {
   const Eigen::Quaterniond before(p.predicted.world_from_object.rotation());
   const double limit = p.options.association.max_view_change_rad;
   const auto turned = [&](double angle_rad) {
-    // About the point itself, so that only the side changes that it shows.
+    // Rotates about the point itself, so that only the viewing direction changes.
     const Eigen::Vector3d point = At(0.5, -0.2, 6.0, 0.4) * p.landmark.p_in_object;
     const Eigen::Vector3d axis = point.cross(Eigen::Vector3d::UnitY()).normalized();
     const Eigen::Quaterniond after = ExpSo3(angle_rad * axis) * before;
@@ -232,7 +232,7 @@ TEST(PredictLandmark, IsInvisibleOnTheFarSide) {
   EXPECT_TRUE(turned(3.0));
 }
 
-TEST(PredictLandmark, IsInvisibleOutOfTheImageAndBehindTheCamera) {
+TEST(PredictLandmark, IsInvisibleOutsideTheImageAndBehindTheCamera) {
   Prediction p;
   p.world_from_camera = At(0.0, 0.0, 0.0, 3.1);
   EXPECT_FALSE(p.Predict());
@@ -245,13 +245,13 @@ TEST(PredictLandmark, OctaveFollowsTheDepth) {
   p.landmark.last_octave = 3;
   EXPECT_EQ(p.Predict()->octave, 3);
   const double z = (p.predicted.world_from_object * p.landmark.p_in_object).z();
-  p.landmark.depth_m = z * 1.2 * 1.2;  // it came nearer: it looks larger
+  p.landmark.depth_m = z * 1.2 * 1.2;  // it came nearer and looks larger
   EXPECT_EQ(p.Predict()->octave, 5);
   p.landmark.depth_m = z / 100.0;
   EXPECT_EQ(p.Predict()->octave, 0);
 }
 
-TEST(PredictCluster, MovesOnAndBecomesLessCertainWithTime) {
+TEST(PredictCluster, ExtrapolatesWithGrowingUncertainty) {
   const ClusterOptions options;
   const MotionPriorOptions motion;
   Cluster cluster;
@@ -276,7 +276,7 @@ TEST(PredictCluster, MovesOnAndBecomesLessCertainWithTime) {
   EXPECT_LT(held.world_from_object.Minus(At(0.3, 0.0, 5.05, 0.3)).norm(), 1e-12);
 }
 
-TEST(UpdateExtent, IsThatOfTheMiddleOfTheLandmarks) {
+TEST(UpdateExtent, SpansTheCentralLandmarks) {
   Cluster cluster;
   UpdateExtent({}, cluster);
   EXPECT_TRUE(cluster.half_size_m.isZero());
@@ -291,7 +291,7 @@ TEST(UpdateExtent, IsThatOfTheMiddleOfTheLandmarks) {
       1e-9);
 }
 
-TEST(ReleaseUnseen, ABoxIsFreeAgainWhereNothingOfTheClusterWasFound) {
+TEST(ReleaseUnseen, ReleasesTheBoxOfUntrackedClusters) {
   std::vector<ClusterTrack> tracks(2);
   tracks[0].detection = tracks[1].detection = 3;
   tracks[1].is_tracked = true;

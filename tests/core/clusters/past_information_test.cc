@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// What a body that is watched for long knows of its landmarks.
+// Tests the landmark certainty of a body that is observed for a long time.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -15,14 +15,14 @@ namespace {
 constexpr int kPoints = 30;
 constexpr double kNoise_px = 0.5;
 
-// A body that stands before a resting camera and turns slowly, its points measured with noise in
+// A body that rotates slowly in front of a static camera. Its points are measured with noise in
 // every frame; T_t has 15 frames.
 class LongStay {
  public:
   explicit LongStay(std::uint64_t seed) : rng_(seed, "stay") {
     options_.noise.corner_px = kNoise_px;
     options_.noise.disparity_px = kNoise_px;
-    options_.noise.disagreement = 0.0;  // all disparities alike
+    options_.noise.disagreement = 0.0;  // equal noise for all disparities
     window_.camera = {450.0, 450.0, 320.0, 240.0, 0.3, 640, 480};
     for (int i = 0; i < kPoints; ++i) {
       truth_.emplace_back(rng_.Uniform(-0.4, 0.4), rng_.Uniform(-0.4, 0.4),
@@ -32,8 +32,8 @@ class LongStay {
     map_.live[0].id = ClusterId{1};
   }
 
-  // `forgets_mean`: the past is laid around where the landmark is before every solve, as if it had
-  // said so.
+  // If `forgets_mean`, the mean of the past information is moved to the current landmark estimate
+  // before every solve, as if the past had measured it.
   void Watch(int frames, bool forgets_mean) {
     for (int f = 0; f < frames; ++f) {
       AddFrame(f);
@@ -46,8 +46,9 @@ class LongStay {
     }
   }
 
-  // Mean squared error of the landmarks in their covariance, 3 where it is right; in the frame that
-  // fits the truth best, which takes 6 of 3 n degrees of freedom.
+  // Returns the mean normalised estimation error squared of the landmarks, 3 for a consistent
+  // covariance. It is computed after the best rigid alignment with the truth, which takes 6 of the
+  // 3 n degrees of freedom.
   double MeanNees() {
     for (const WindowFrame& frame : window_.temporal) Absorb(frame);
     Eigen::Matrix3Xd estimate(3, kPoints);
@@ -120,8 +121,9 @@ double MeanNees(bool forgets_mean) {
   return sum;
 }
 
-// Poses that are taken as exact make the claim bolder, the bound on the past humbler.
-TEST(PastInformation, LandmarksOfALongStayAreAsCertainAsTheyClaim) {
+// Treating poses as exact makes the covariance overconfident, the bound on past observations makes
+// it conservative.
+TEST(PastInformation, LandmarkCovarianceIsConsistentAfterALongStay) {
   const double kept = MeanNees(false);
   EXPECT_GT(kept, 0.5);
   EXPECT_LT(kept, 3.5);

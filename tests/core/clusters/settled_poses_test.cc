@@ -14,7 +14,7 @@ using ::testing::IsEmpty;
 using ::testing::Pair;
 using ::testing::UnorderedElementsAre;
 
-// T_t are the frames 20 to 30; cluster 1 was seen in all frames from 0 on.
+// T_t holds frames 20 to 30. Cluster 1 has been observed in all frames since 0.
 struct Settling {
   Window window;
   ClusterOptions options;
@@ -24,7 +24,7 @@ struct Settling {
     for (int frame = 20; frame <= 30; ++frame) window.temporal.push_back({FrameId{frame}, {}});
     map.live = {Make(1, 0, 30, 20)};
   }
-  // With poses from `first` to `last`, and states from `state` on.
+  // Makes a cluster with poses from frame `first` to `last`, and states from frame `state` on.
   Cluster Make(std::int64_t id, std::int64_t first, std::int64_t last, std::int64_t state) {
     Cluster cluster;
     cluster.id = ClusterId{id};
@@ -37,7 +37,7 @@ struct Settling {
     }
     return cluster;
   }
-  // The first pose that each cluster has left, by id.
+  // Takes the settled poses. Returns the frame of the first remaining pose of each cluster, by id.
   std::map<std::int64_t, std::int64_t> FirstLeft() {
     std::map<std::int64_t, std::int64_t> first;
     std::map<std::int64_t, std::int64_t> taken;
@@ -54,7 +54,7 @@ struct Settling {
   }
 };
 
-TEST(TakeSettledPoses, AreBehindTheWindow) {
+TEST(TakeSettledPoses, AreOlderThanTheWindow) {
   Settling s;
   EXPECT_THAT(s.FirstLeft(), UnorderedElementsAre(Pair(1, 20)));
   EXPECT_THAT(TakeSettledPoses(s.window, s.options, s.map), IsEmpty());
@@ -63,25 +63,25 @@ TEST(TakeSettledPoses, AreBehindTheWindow) {
   EXPECT_THAT(s.FirstLeft(), UnorderedElementsAre(Pair(1, 21)));
 }
 
-TEST(TakeSettledPoses, AreNotThereBeforeTheMap) {
+TEST(TakeSettledPoses, AreEmptyWithoutAWindow) {
   Settling s;
   s.window.temporal.clear();
   EXPECT_THAT(TakeSettledPoses(s.window, s.options, s.map), IsEmpty());
 }
 
-TEST(TakeSettledPoses, OfAHiddenClusterAreBehindItsStates) {
+TEST(TakeSettledPoses, OfAHiddenClusterAreOlderThanItsStates) {
   Settling s;
   s.map.live = {s.Make(2, 0, 14, 12)};
   EXPECT_EQ(s.FirstLeft().at(2), 12);
 }
 
-TEST(TakeSettledPoses, OfAFoundClusterAreBeforeItWasFound) {
+TEST(TakeSettledPoses, OfARecoveredClusterEndBeforeItsRecovery) {
   Settling s;
   s.map.live[0].former.since = FrameId{15};
   EXPECT_THAT(s.FirstLeft(), UnorderedElementsAre(Pair(1, 15)));
 }
 
-TEST(TakeSettledPoses, AnyAreBeforeOneThatMayTurnOutToBeIt) {
+TEST(TakeSettledPoses, EndBeforeAnyUnconfirmedCluster) {
   Settling s;
   s.map.live.push_back(s.Make(2, 17, 30, 20));
   s.map.live.back().detections = s.options.confirm_detections - 1;
@@ -90,7 +90,7 @@ TEST(TakeSettledPoses, AnyAreBeforeOneThatMayTurnOutToBeIt) {
   EXPECT_THAT(s.FirstLeft(), UnorderedElementsAre(Pair(1, 20), Pair(2, 20)));
 }
 
-TEST(TakeSettledPoses, AnArchivedClusterMayComeBackAndOneThatIsGoneMayNot) {
+TEST(TakeSettledPoses, ArchivedClustersKeepRecentPosesAndRemovedOnesKeepNone) {
   Settling s;
   s.map.archived.push_back(s.Make(2, 0, 12, 10));
   (void)s.Make(3, 0, 12, 10);

@@ -8,7 +8,7 @@
 #include "core/clusters/cluster_map.h"
 #include "tests/support/centred_camera.h"
 
-// States, landmarks and windows of a few frames, 0.1 s apart.
+// Helpers to create states, landmarks and windows of a few frames, 0.1 s apart.
 namespace cvo::test {
 
 inline constexpr std::int64_t kInterval_ns = 100'000'000;

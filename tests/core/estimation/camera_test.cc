@@ -20,7 +20,8 @@ const StereoCamera kCamera = {.fx = 700,
 
 const RigidTransform kTruth(ExpSo3({0.02, -0.05, 0.01}), Eigen::Vector3d(0.4, -0.1, 1.3));
 
-// Points in front of kTruth and where it sees them; the first `outliers` are moved at random.
+// Returns measurements of points in front of a camera at kTruth. The first `outliers` are shifted
+// at random.
 std::vector<PointMeasurement> Measure(int count, int outliers, double noise_px, Rng& rng) {
   std::vector<PointMeasurement> measurements;
   for (int i = 0; i < count; ++i) {
@@ -40,7 +41,7 @@ TEST(SolveCamera, FindsTheCameraExactlyWithoutNoise) {
   EXPECT_EQ(solution.inliers, 50);
 }
 
-TEST(SolveCamera, LeavesThirtyPercentOfOutliersOut) {
+TEST(SolveCamera, RejectsThirtyPercentOfOutliers) {
   Rng rng(2, "camera");
   const auto solution = SolveCamera(kCamera, Measure(200, 60, 0.0, rng), RigidTransform(), {});
   EXPECT_LT(kTruth.Minus(solution.world_from_camera).norm(), 1e-6);
@@ -78,8 +79,8 @@ TEST(SolveCameraRansac, FindsTheCameraAmongSixtyPercentOfOutliers) {
   EXPECT_GE(solution->inliers, 55);
 }
 
-// A vehicle ahead has twice as many points as the scene, in a small part of the image.
-TEST(SolveCameraRansac, PrefersWhatCoversMoreOfTheImage) {
+// A vehicle ahead has twice as many points as the scene, but covers only a small part of the image.
+TEST(SolveCameraRansac, PrefersInliersThatCoverMoreOfTheImage) {
   Rng rng(6, "ransac");
   std::vector<PointMeasurement> measurements = Measure(100, 0, 0.3, rng);
   const RigidTransform other =
@@ -94,14 +95,14 @@ TEST(SolveCameraRansac, PrefersWhatCoversMoreOfTheImage) {
   EXPECT_LT(kTruth.Minus(solution->world_from_camera).norm(), 0.02);
 }
 
-// All of a distant body lies in one cell, as do wrong matches beside it.
+// A distant body lies in a single cell, together with its wrong matches.
 TEST(SolveCameraRansac, CountsInliersOfABodyInOneCell) {
   Rng rng(8, "ransac");
   std::vector<PointMeasurement> measurements;
   for (int i = 0; i < 12; ++i) {
     const Eigen::Vector3d p_in_camera(rng.Uniform(0.1, 0.3), rng.Uniform(0.1, 0.3),
                                       rng.Uniform(6.0, 6.2));
-    // Four of them agree on another camera.
+    // Four of them agree on another camera pose.
     const RigidTransform world_from_camera =
         i < 4 ? kTruth * RigidTransform(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.9, 0, 0))
               : kTruth;
@@ -114,7 +115,7 @@ TEST(SolveCameraRansac, CountsInliersOfABodyInOneCell) {
   EXPECT_LT(kTruth.Minus(solution->world_from_camera).norm(), 1e-6);
 }
 
-TEST(CoveredCells, AreThoseOfInliersAndOfTheNearestCellOutsideTheImage) {
+TEST(CoveredCells, CountCellsOfInliersAndClampToTheImage) {
   const auto at = [](double u_px, double v_px) {
     return PointMeasurement{{}, {u_px, v_px, u_px - 5.0}, Eigen::Matrix3d::Identity()};
   };
@@ -125,14 +126,14 @@ TEST(CoveredCells, AreThoseOfInliersAndOfTheNearestCellOutsideTheImage) {
   EXPECT_EQ(CoveredCells(kCamera, measurements, std::vector<char>{0, 0, 0, 0, 0}), 0);
 }
 
-TEST(SolveCameraRansac, GivesNothingWhereNothingAgrees) {
+TEST(SolveCameraRansac, FindsNothingWithoutAgreement) {
   Rng rng(4, "ransac");
   EXPECT_FALSE(
       SolveCameraRansac(kCamera, Measure(60, 60, 0.3, rng), {}, CoveredCells, 300, 20, rng));
   EXPECT_FALSE(SolveCameraRansac(kCamera, Measure(2, 0, 0.3, rng), {}, CoveredCells, 300, 3, rng));
 }
 
-TEST(SolveCameraRansac, SameSeedSameCamera) {
+TEST(SolveCameraRansac, SameSeedGivesTheSameCamera) {
   Rng data(5, "ransac");
   const auto measurements = Measure(100, 50, 0.3, data);
   Rng first(9, "draws");
@@ -145,7 +146,7 @@ TEST(SolveCameraRansac, SameSeedSameCamera) {
   }
 }
 
-// Seen on the axis at 10 m: all that is off is in u.
+// A point on the optical axis at 10 m, with an error in u only.
 TEST(ClassifyMeasurements, GateIsInclusive) {
   PointMeasurement m;
   m.p_in_world = {0.0, 0.0, 10.0};
@@ -156,7 +157,7 @@ TEST(ClassifyMeasurements, GateIsInclusive) {
   EXPECT_EQ(*WhitenedError(kCamera, m, {}), Eigen::Vector3d(-2.0, 0.0, 0.0));
 }
 
-TEST(SolveCamera, PointsBehindTheCameraAreLeftOut) {
+TEST(SolveCamera, IgnoresPointsBehindTheCamera) {
   Rng rng(6, "camera");
   std::vector<PointMeasurement> measurements = Measure(30, 0, 0.0, rng);
   PointMeasurement behind = measurements[0];
@@ -168,8 +169,8 @@ TEST(SolveCamera, PointsBehindTheCameraAreLeftOut) {
   EXPECT_FALSE(solution.is_inlier[0]);
 }
 
-// A measurement that is a hundred times as sure decides.
-TEST(SolveCamera, MeasurementsWeighByTheirInformation) {
+// Measurements with a hundredfold standard deviation must have little influence.
+TEST(SolveCamera, WeightsMeasurementsByTheirInformation) {
   Rng rng(7, "camera");
   std::vector<PointMeasurement> measurements = Measure(20, 0, 0.0, rng);
   const std::vector<PointMeasurement> sure = measurements;
@@ -185,7 +186,7 @@ TEST(SolveCamera, MeasurementsWeighByTheirInformation) {
             2e-4);
 }
 
-// No measurement is left out of the sums.
+// A measurement that is missing from the sums would make the result depend on the order.
 TEST(SolveCamera, OrderDoesNotMatter) {
   Rng rng(10, "camera");
   std::vector<PointMeasurement> measurements = Measure(12, 0, 0.5, rng);
@@ -195,7 +196,7 @@ TEST(SolveCamera, OrderDoesNotMatter) {
   EXPECT_LT(there.world_from_camera.Minus(back.world_from_camera).norm(), 1e-7);
 }
 
-// Any draw of three measurements is of all three.
+// With three measurements, every sample consists of all of them.
 TEST(SolveCameraRansac, ThreeMeasurementsAndOneTryAreEnough) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Rng rng(seed, "three");
@@ -210,13 +211,13 @@ TEST(SolveCameraRansac, ThreeMeasurementsAndOneTryAreEnough) {
   }
 }
 
-TEST(SolveCameraRansac, LessThanThreeThatAgreeAreNoHypothesis) {
+TEST(SolveCameraRansac, RequiresThreeInliers) {
   Rng rng(8, "ransac");
   EXPECT_FALSE(SolveCameraRansac(kCamera, Measure(5, 5, 0.0, rng), {}, CoveredCells, 100, 0, rng));
 }
 
-// A measurement without a disparity fixes no point.
-TEST(SolveCameraRansac, MeasurementsWithoutDisparityFixNoHypothesis) {
+// A measurement without a disparity cannot be triangulated.
+TEST(SolveCameraRansac, DoesNotSampleMeasurementsWithoutDisparity) {
   Rng rng(9, "ransac");
   std::vector<PointMeasurement> measurements = Measure(40, 0, 0.0, rng);
   for (std::size_t i = 0; i < 20; ++i) measurements[i].z_px[2] = measurements[i].z_px[0] + 1.0;

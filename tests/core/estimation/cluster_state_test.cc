@@ -14,12 +14,12 @@ const Eigen::Matrix3d kInformation =
     (Eigen::Matrix3d() << 9.0, 1.0, 0.5, 1.0, 4.0, 0.2, 0.5, 0.2, 1.0).finished();
 const RigidTransform kMotion(ExpSo3({0.4, -0.3, 0.9}), Eigen::Vector3d(3.0, 1.0, -2.0));
 
-TEST(CenterEstimate, WithoutABoxIsTheOrigin) {
+TEST(CenterEstimate, IsTheOriginWithoutBoxes) {
   EXPECT_EQ(CenterEstimate().InObject(), Eigen::Vector3d::Zero().eval());
   EXPECT_EQ(CenterEstimate().boxes, 0);
 }
 
-TEST(CenterEstimate, OfOneBoxIsThatBox) {
+TEST(CenterEstimate, EqualsASingleBox) {
   CenterEstimate center;
   center.Add(kCenter, kInformation);
   EXPECT_EQ(center.boxes, 1);
@@ -27,8 +27,9 @@ TEST(CenterEstimate, OfOneBoxIsThatBox) {
   EXPECT_LT((center.Covariance() - kInformation.inverse()).norm(), 1e-12);
 }
 
-// Two boxes, of 1 and 3 in x: the mean is at a quarter, and as sure as one of them in the mean.
-TEST(CenterEstimate, BoxesWeighByWhatTheyKnow) {
+// Along x, the boxes have information 1 and 3, so the mean is a quarter of the way from the second
+// to the first. The covariance is that of a single box of average information.
+TEST(CenterEstimate, WeightsBoxesByTheirInformation) {
   CenterEstimate center;
   center.Add(Eigen::Vector3d(4.0, 0.0, 0.0), Eigen::Vector3d(1.0, 1.0, 2.0).asDiagonal());
   center.Add(Eigen::Vector3d(0.0, 2.0, 6.0), Eigen::Vector3d(3.0, 1.0, 4.0).asDiagonal());
@@ -38,7 +39,7 @@ TEST(CenterEstimate, BoxesWeighByWhatTheyKnow) {
   EXPECT_LT((center.Covariance() - expected).norm(), 1e-12);
 }
 
-TEST(CenterEstimate, OfBothIsThatOfAllTheirBoxes) {
+TEST(CenterEstimate, MergingEqualsAddingAllBoxes) {
   CenterEstimate a;
   CenterEstimate b;
   CenterEstimate all;
@@ -54,8 +55,8 @@ TEST(CenterEstimate, OfBothIsThatOfAllTheirBoxes) {
   EXPECT_LT((a.Covariance() - all.Covariance()).norm(), 1e-12);
 }
 
-// A box given in another frame, and an estimate that moves to one, are the same.
-TEST(CenterEstimate, MovesWithItsFrame) {
+// Adding boxes in another frame and transforming the estimate to it give the same result.
+TEST(CenterEstimate, TransformsWithItsFrame) {
   CenterEstimate here;
   here.Add(kCenter, kInformation);
   here.Add(Eigen::Vector3d(2.0, 0.0, 1.0), Eigen::Matrix3d::Identity());
@@ -71,7 +72,7 @@ TEST(CenterEstimate, MovesWithItsFrame) {
   EXPECT_LT((there.weighted - moved.weighted).norm(), 1e-12);
 }
 
-TEST(BodySize, IsThatOfTheLastWholeBox) {
+TEST(BodySize, IsTakenFromTheLastWholeBox) {
   BodySize size;
   size.Add(1.0, false);
   EXPECT_EQ(size.side_m, 1.0);
@@ -90,7 +91,7 @@ TEST(BodySize, IsThatOfTheLastWholeBox) {
   EXPECT_TRUE(size.is_whole);
 }
 
-TEST(FindState, OfTheFrameAndOfNoOther) {
+TEST(FindState, ReturnsTheStateOfExactlyThisFrame) {
   Cluster cluster;
   for (const int frame : {3, 5, 9}) cluster.states.push_back({FrameId{frame}, 0, {}});
   for (const std::size_t i : {0u, 1u, 2u}) {

@@ -31,7 +31,7 @@ struct Scene {
   double noise_px = 0.0;
 };
 
-// The truth of a turning body, seen by a camera that follows it; observations with noise.
+// Returns the true states of a rotating body followed by a camera, with noisy observations.
 ClusterProblem MakeProblem(const Scene& scene, Rng& rng) {
   ClusterProblem problem;
   problem.camera = kCamera;
@@ -71,7 +71,7 @@ void Disturb(ClusterProblem& problem, double size, Rng& rng) {
   for (Eigen::Vector3d& point : problem.points) point += size * RandomVector(rng);
 }
 
-// Largest pose error of the problem against another of the same frames.
+// Returns the largest difference between the poses of two problems with the same frames.
 double PoseError(const ClusterProblem& a, const ClusterProblem& b) {
   double error = 0.0;
   for (std::size_t i = 0; i < a.time_s.size(); ++i) {
@@ -138,13 +138,13 @@ TEST(SolveCluster, BridgesMissingFrames) {
   EXPECT_LT(PoseError(problem, truth), 1e-6);
 }
 
-// How the body turns to frame i from the one before, in world axes.
+// Returns the rotation of the body from the previous frame to frame i, in world axes.
 Eigen::Quaterniond TurnOfStep(const ClusterProblem& problem, std::size_t i) {
   return problem.world_from_object[i].rotation() *
          problem.world_from_object[i - 1].rotation().conjugate();
 }
 
-// RMS error of the motion from frame to frame over several noisy runs.
+// RMS error of the frame-to-frame motion over several noisy runs.
 struct MotionError {
   double translation_m = 0.0;
   double rotation_rad = 0.0;
@@ -174,21 +174,21 @@ MotionError OneFrameError(const MotionPriorOptions& motion) {
   return {std::sqrt(sum / 70.0), std::sqrt(turn_sum / 70.0)};
 }
 
-TEST(SolveCluster, PriorLowersTheOneFrameErrorOfANoisyBody) {
+TEST(SolveCluster, PriorReducesTheOneFrameErrorUnderNoise) {
   const double without = OneFrameError<NoMotionPrior>({}).translation_m;
   const double with = OneFrameError<WhiteNoiseOnAcceleration>({}).translation_m;
   EXPECT_LT(with, 0.7 * without);
-  EXPECT_GT(with, 0.05 * without);  // it does not know the truth
+  EXPECT_GT(with, 0.05 * without);  // the prior does not know the truth
 }
 
-TEST(SolveCluster, PriorOnTurnsLowersTheirErrorFurther) {
+TEST(SolveCluster, RotationPriorReducesTheRotationError) {
   const double without = OneFrameError<WhiteNoiseOnTranslation>({}).rotation_rad;
   const double with = OneFrameError<WhiteNoiseOnAcceleration>({}).rotation_rad;
   EXPECT_LT(with, 0.5 * without);
   EXPECT_GT(with, 0.01 * without);
 }
 
-TEST(SolveCluster, TurnsAtOneRateWhereNothingElseIsAllowed) {
+TEST(SolveCluster, TightRotationPriorGivesAConstantRate) {
   Rng rng(12, "cluster");
   ClusterProblem problem = MakeProblem({.noise_px = 1.0}, rng);
   SolveCluster<WhiteNoiseOnAcceleration>({}, kToConvergence, {.turn_q_rad2_s3 = 1e-9}, problem);
@@ -199,8 +199,9 @@ TEST(SolveCluster, TurnsAtOneRateWhereNothingElseIsAllowed) {
   }
 }
 
-// Frames 0.1 s apart; the body turns by 0.4 rad in the last step, so by 2 rad/s over two.
-TEST(StepsOfPrior, TakesTheRateOverBothSteps) {
+// Frames are 0.1 s apart. The body rotates by 0.4 rad in the last step, so at 2 rad/s over the last
+// two steps.
+TEST(StepsOfPrior, UsesTheMeanRateOfBothSteps) {
   ClusterProblem problem;
   problem.time_s = {0.0, 0.1, 0.2, 0.3};
   problem.world_from_object.resize(4);
@@ -213,7 +214,7 @@ TEST(StepsOfPrior, TakesTheRateOverBothSteps) {
   EXPECT_TRUE(StepsOfPrior<WhiteNoiseOnTranslation>(options, problem).turn_densities.empty());
 }
 
-TEST(SolveCluster, WithoutPriorIsTheLimitOfLargeQ) {
+TEST(SolveCluster, NoPriorIsTheLimitOfLargeQ) {
   Rng rng(5, "cluster");
   ClusterProblem loose = MakeProblem({.noise_px = 0.3}, rng);
   ClusterProblem none = loose;
@@ -227,7 +228,7 @@ TEST(SolveCluster, WithoutPriorIsTheLimitOfLargeQ) {
   EXPECT_EQ(none.velocity_m_s[0], none.velocity_m_s[1]);
 }
 
-TEST(SolveCluster, FrameUnitsAreSecondsWithTheStepsOwnQ) {
+TEST(SolveCluster, FrameUnitsAgreeWithSecondsForARescaledQ) {
   Rng rng(6, "cluster");
   ClusterProblem frames = MakeProblem({.noise_px = 0.3}, rng);
   ClusterProblem seconds = frames;
@@ -249,7 +250,7 @@ TEST(SolveCluster, PointPriorHoldsAgainstTheData) {
   EXPECT_LT((held.points[0] - held.point_priors[0].mean_in_object).norm(), 1e-4);
 }
 
-TEST(SolveCluster, WithASingleFrameOnlyPointsMove) {
+TEST(SolveCluster, OptimisesOnlyPointsWithASingleFrame) {
   Rng rng(8, "cluster");
   const ClusterProblem truth = MakeProblem({.times_s = {3.0}}, rng);
   ClusterProblem problem = truth;
@@ -271,7 +272,7 @@ TEST(SolveCluster, HoldsTheOldestPose) {
   EXPECT_GT(PoseError(problem, before), 1e-4);
 }
 
-TEST(SolveCluster, SameProblemSameBytes) {
+TEST(SolveCluster, SameProblemGivesIdenticalResults) {
   Rng rng(10, "cluster");
   ClusterProblem a = MakeProblem({.noise_px = 1.0}, rng);
   ClusterProblem b = a;
@@ -286,7 +287,7 @@ TEST(SolveCluster, SameProblemSameBytes) {
   EXPECT_EQ(a.points, b.points);
 }
 
-TEST(SolveCluster, RefusesWhatDoesNotFit) {
+TEST(SolveCluster, RefusesInconsistentProblems) {
   Rng rng(11, "cluster");
   const ClusterProblem good = MakeProblem({}, rng);
   const auto solve = [](ClusterProblem problem) {

@@ -27,8 +27,8 @@ RigidTransform RandomPose(Rng& rng, double size) {
   return {ExpSo3(random()), random()};
 }
 
-// Frames, points and observations that do not agree: some are beyond Huber's threshold. The prior
-// is about other poses than the frames have now.
+// Returns a window with inconsistent observations, some of them beyond Huber's threshold. The
+// linearisation point of the prior differs from the current poses.
 WindowProblem MakeProblem(std::uint64_t seed) {
   Rng rng(seed, "marginalization");
   WindowProblem problem;
@@ -59,11 +59,11 @@ WindowProblem MakeProblem(std::uint64_t seed) {
   return problem;
 }
 
-// Unknowns in a row: six per frame, six of the field, three per point.
+// Order of the unknowns: six per frame, six of the right field, three per point.
 constexpr int kField = 6 * kFrames;
 constexpr int kUnknowns = kField + 6 + 3 * kPoints;
 
-// H and b of all unknowns together.
+// H and b of all unknowns, as one dense system.
 struct Dense {
   Eigen::MatrixXd H = Eigen::MatrixXd::Zero(kUnknowns, kUnknowns);
   Eigen::VectorXd b = Eigen::VectorXd::Zero(kUnknowns);
@@ -85,7 +85,7 @@ Eigen::VectorXd PriorResidual(const WindowProblem& problem) {
   return prior.r0 + prior.J0 * dx;
 }
 
-// The prior by differences in each unknown.
+// Adds the prior, with its Jacobian by numeric differences in each unknown.
 void AddPrior(const WindowProblem& problem, Dense& dense) {
   constexpr double kStep = 1e-6;
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(30, kUnknowns);
@@ -121,8 +121,8 @@ Dense AllTogether(const WindowProblem& problem, const NoiseOptions& noise) {
   return dense;
 }
 
-// What is left is the Schur complement of everything at once.
-TEST(Marginalize, IsTheSchurComplementOfAllUnknownsTogether) {
+// The prior must equal the Schur complement computed from the dense system.
+TEST(Marginalize, EqualsTheDenseSchurComplement) {
   for (std::uint64_t seed = 0; seed < 3; ++seed) {
     const WindowProblem problem = MakeProblem(seed);
     const Dense dense = AllTogether(problem, {});
@@ -148,15 +148,15 @@ TEST(Marginalize, IsTheSchurComplementOfAllUnknownsTogether) {
   }
 }
 
-// However little its observations say, a frame that has some is in the prior.
-TEST(Marginalize, KnowsFramesThatSawLittle) {
+// A frame with observations is in the prior, however little information they carry.
+TEST(Marginalize, IncludesFramesWithLittleInformation) {
   WindowProblem problem = MakeProblem(1);
   problem.prior = CalibrationPrior(kCamera, Vector6d::Ones());
   for (ReprojectionFactor& factor : problem.factors) factor.sqrt_information *= 1e-4;
   EXPECT_EQ(Marginalize({}, problem, FrameId{10}).frames.size(), 3U);
 }
 
-// Frames 10 and 11 and a prior whose rows are given.
+// Returns a window of frames 10 and 11 whose only information is a prior with the given rows.
 WindowProblem PriorAlone(const Eigen::MatrixXd& J0) {
   WindowProblem problem;
   problem.camera = kCamera;
@@ -183,9 +183,10 @@ TEST(Marginalize, DropsDirectionsBelowTenToTheMinusTenOfTheLargest) {
   }
 }
 
-// Frames tied to each other by one coordinate, and frame 10 to the world by the next: a tie of less
-// than 1e-10 of that is none to eliminate by, and stays as if frame 10 were held.
-TEST(Marginalize, EliminatesByWhatIsKnownWell) {
+// The frames are tied to each other in one coordinate, and frame 10 to the world in the next. A tie
+// weaker than 1e-10 of the latter is not used for elimination, and remains as if frame 10 were
+// fixed.
+TEST(Marginalize, EliminatesOnlyByWellDeterminedDirections) {
   for (const auto& [tie, expected] : {std::pair(3e-11, 3e-11), {3e-10, 0.0}}) {
     Eigen::MatrixXd J0 = Eigen::MatrixXd::Zero(3, 18);
     J0(0, 0) = std::sqrt(tie);

@@ -65,8 +65,8 @@ TEST(MotionPriorCost, SquaredNormIsTheMahalanobisDistance) {
   }
 }
 
-TEST(MotionPriorCost, HasTheValueWorkedOutByHand) {
-  // From rest to rest over 1 m in 1 s at q = 1: Qhat^-1 has 12 for the displacement.
+TEST(MotionPriorCost, MatchesHandComputedValue) {
+  // A move of 1 m in 1 s from rest to rest at q = 1: the displacement entry of Qhat^-1 is 12.
   MotionState b;
   b.world_from_object = {Eigen::Quaterniond::Identity(), Eigen::Vector3d(1.0, 0.0, 0.0)};
   EXPECT_NEAR(Residual(WhitenMotionPrior(1.0, 1.0), {}, b).squaredNorm(), 12.0, 1e-12);
@@ -88,7 +88,7 @@ TEST(MotionPriorCost, JacobiansMatchDifferences) {
   }
 }
 
-// Orientations in a row, turned further by rotations in world axes.
+// Evaluates the prior for consecutive orientations, perturbed by rotations in world axes.
 Eigen::Vector3d TurnResidual(const Eigen::VectorXd& turns, const std::array<double, 2>& dt_s,
                              const std::array<Eigen::Quaterniond, 3>& orientations) {
   std::array<Eigen::Quaterniond, 3> turned;
@@ -96,7 +96,7 @@ Eigen::Vector3d TurnResidual(const Eigen::VectorXd& turns, const std::array<doub
   return EvaluateTurnPrior(0.3, dt_s, turned).r;
 }
 
-TEST(TurnPrior, IsZeroAtOneRateWhateverTheSteps) {
+TEST(TurnPrior, IsZeroAtAConstantRateForAnySteps) {
   Rng rng(4, "motion");
   const Eigen::Vector3d rate = 0.5 * RandomVector(rng);
   const Eigen::Quaterniond first = ExpSo3(RandomVector(rng));
@@ -105,14 +105,14 @@ TEST(TurnPrior, IsZeroAtOneRateWhateverTheSteps) {
   EXPECT_LT(EvaluateTurnPrior(0.3, {0.1, 0.3}, orientations).r.norm(), 1e-12);
 }
 
-TEST(TurnPrior, HasTheValueWorkedOutByHand) {
-  // From rest to 0.2 rad in the second of two steps of 1 s at q = 0.5: the variance is 1/3.
+TEST(TurnPrior, MatchesHandComputedValue) {
+  // No rotation in the first step of 1 s, 0.2 rad in the second, at q = 0.5: the variance is 1/3.
   const Eigen::Quaterniond still = Eigen::Quaterniond::Identity();
   const TurnPrior prior = EvaluateTurnPrior(0.5, {1.0, 1.0}, {still, still, ExpSo3({0, 0.2, 0})});
   EXPECT_NEAR(prior.r.squaredNorm(), 0.04 * 3.0, 1e-12);
 }
 
-TEST(TurnPrior, IsLooserForABodyThatTurnsFast) {
+TEST(TurnPrior, IsLooserForFastRotations) {
   const MotionPriorOptions options = {.turn_q_rad2_s3 = 0.1, .turn_rate_rad_s = 2.0};
   EXPECT_DOUBLE_EQ(TurnDensity(options, 0.0), 0.1);
   EXPECT_DOUBLE_EQ(TurnDensity(options, 2.0), 0.2);
@@ -136,7 +136,7 @@ TEST(TurnPrior, JacobiansMatchDifferences) {
   }
 }
 
-TEST(MotionPriorCost, TwoStepsWithTheMiddleMarginalisedAreOneStep) {
+TEST(MotionPriorCost, MarginalisingTheMiddleOfTwoStepsGivesOneStep) {
   for (const double dt : kSteps_s) {
     for (const double part : {0.5, 0.2}) {
       Eigen::MatrixXd J = Eigen::MatrixXd::Zero(4, 6);
@@ -162,7 +162,7 @@ TEST(MotionPrior, FrameUnitsAgreeWithSecondsAtOneFramePerSecond) {
   EXPECT_EQ(WhiteNoiseOnAcceleration::PowerDensity(options, 0.1), options.q_m2_s3);
 }
 
-// A body that turns about a fixed axis at 0.8 rad/s and moves at constant velocity.
+// A body that rotates about a fixed axis at 0.8 rad/s and moves at constant velocity.
 MotionState TurningBody(double time_s) {
   const Eigen::Vector3d axis = Eigen::Vector3d(1.0, 2.0, -0.5).normalized();
   const Eigen::Vector3d velocity(1.0, 0.2, -3.0);
@@ -172,7 +172,7 @@ MotionState TurningBody(double time_s) {
           velocity};
 }
 
-TEST(Extrapolate, FollowsABodyThatTurnsAndMovesOn) {
+TEST(Extrapolate, FollowsConstantTranslationAndRotation) {
   const std::array<MotionState, 3> states = {TurningBody(0.0), TurningBody(0.1), TurningBody(0.3)};
   for (const double time_s : {0.35, 0.4, 1.0}) {
     const PredictedMotion predicted =
@@ -183,7 +183,7 @@ TEST(Extrapolate, FollowsABodyThatTurnsAndMovesOn) {
   }
 }
 
-TEST(Extrapolate, HeldRotationStays) {
+TEST(Extrapolate, HeldRotationDoesNotChange) {
   const std::array<MotionState, 2> states = {TurningBody(0.0), TurningBody(0.1)};
   const PredictedMotion predicted =
       Extrapolate<WhiteNoiseOnAcceleration, HeldRotation>({}, states, 0.2, Eigen::Matrix3d::Zero());
@@ -192,14 +192,14 @@ TEST(Extrapolate, HeldRotationStays) {
   EXPECT_LT((difference.tail<3>() - 0.1 * states[1].velocity_m_s).norm(), 1e-12);
 }
 
-TEST(Extrapolate, OneStateHoldsItsRotation) {
+TEST(Extrapolate, SingleStateHoldsItsRotation) {
   const std::array<MotionState, 1> states = {TurningBody(0.1)};
   const PredictedMotion predicted = Extrapolate<WhiteNoiseOnAcceleration, ConstantAngularVelocity>(
       {}, states, 0.2, Eigen::Matrix3d::Zero());
   EXPECT_EQ(predicted.world_from_object.Minus(states[0].world_from_object).head<3>().norm(), 0.0);
 }
 
-TEST(Extrapolate, CovarianceGrowsByNoiseAndVelocity) {
+TEST(Extrapolate, CovarianceGrowsWithNoiseAndVelocity) {
   const std::array<MotionState, 1> states = {TurningBody(0.0)};
   const Eigen::Matrix3d velocity = Eigen::Vector3d(4.0, 1.0, 0.25).asDiagonal();
   const auto predicted =
@@ -217,7 +217,7 @@ TEST(Extrapolate, RefusesTheTimeOfTheLastStateAndBefore) {
   }
 }
 
-TEST(BridgeMotion, BetweenKnownVelocitiesAndFromThePastAlone) {
+TEST(BridgeMotion, HandlesKnownAndUnknownLaterVelocities) {
   const BridgedMotion known = BridgeMotion(2.0, 0.6, 0.0, 0.0);
   EXPECT_DOUBLE_EQ(known.later_share, 0.5);
   EXPECT_NEAR(known.variance, 0.6 * 8.0 / 12.0, 1e-12);
@@ -238,7 +238,7 @@ TEST(BridgeMotion, IsTheBestEstimateOfSimulatedMotions) {
   std::array<double, 3> squares{};
   constexpr int kMotions = 20000;
   for (int i = 0; i < kMotions; ++i) {
-    // At velocity 0 first; the change of velocity, and the way given that change.
+    // Starts at velocity 0. Draws the change of velocity, then the displacement given that change.
     const double change = std::sqrt(kDensity * kTime_s) * rng.Normal();
     const double way = 0.5 * kTime_s * change +
                        std::sqrt(kDensity * kTime_s * kTime_s * kTime_s / 12.0) * rng.Normal();
@@ -254,7 +254,7 @@ TEST(BridgeMotion, IsTheBestEstimateOfSimulatedMotions) {
   EXPECT_GT(squares[2], squares[1]);
 }
 
-TEST(Extrapolate, TwoStatesTellHowABodyTurns) {
+TEST(Extrapolate, TwoStatesDetermineTheRotationRate) {
   const std::array<MotionState, 2> states = {TurningBody(0.2), TurningBody(0.3)};
   const MotionState truth = TurningBody(0.5);
   const PredictedMotion predicted = Extrapolate<WhiteNoiseOnAcceleration, ConstantAngularVelocity>(
@@ -262,20 +262,22 @@ TEST(Extrapolate, TwoStatesTellHowABodyTurns) {
   EXPECT_LT(predicted.world_from_object.Minus(truth.world_from_object).norm(), 1e-9);
 }
 
-// A motion without any noise has the mean of both velocities, and no doubt.
-TEST(BridgeMotion, OfAKnownMotionIsHalfWay) {
+// Without noise, the displacement follows from the mean of both velocities and has no variance.
+TEST(BridgeMotion, NoiselessMotionUsesTheMeanVelocity) {
   const BridgedMotion bridged = BridgeMotion(2.0, 0.0, 0.0, 0.0);
   EXPECT_EQ(bridged.later_share, 0.5);
   EXPECT_EQ(bridged.variance, 0.0);
 }
 
-// Little noise is noise: in other units of length, shares are the same and variances scale.
+// In another unit of length, shares are the same and variances scale. No fixed threshold may treat
+// small noise as none.
 TEST(BridgeMotion, DoesNotDependOnTheUnitOfLength) {
   const BridgedMotion large = BridgeMotion(1.5, 0.7, 0.2, 0.5);
   const BridgedMotion small = BridgeMotion(1.5, 0.7e-6, 0.2e-6, 0.5e-6);
   EXPECT_NEAR(small.later_share, large.later_share, 1e-12);
   EXPECT_NEAR(small.variance / large.variance, 1e-6, 1e-16);
-  // By hand: 1.05 + 0.2 + 0.5 changes, of which the mean velocity shares 0.525 + 0.2.
+  // By hand: the variance of the velocity change is 1.05 + 0.2 + 0.5, its covariance with the mean
+  // velocity 0.525 + 0.2.
   EXPECT_NEAR(large.later_share, 0.725 / 1.75, 1e-12);
   EXPECT_NEAR(large.variance, 2.25 * (0.55 - 0.725 * 0.725 / 1.75), 1e-12);
 }

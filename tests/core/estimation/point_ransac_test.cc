@@ -23,7 +23,7 @@ double Error(const std::optional<RigidTransform>& found) {
   return found ? kMotion.Minus(*found).norm() : 1e9;
 }
 
-TEST(AlignPointsRansac, FindsTheMotionOfThePointsThatShareOne) {
+TEST(AlignPointsRansac, FindsTheCommonMotionAmongOutliers) {
   Rng rng(1, "points");
   const Eigen::Matrix3Xd from = RandomPoints(rng, 40);
   Eigen::Matrix3Xd to = Moved(from);
@@ -42,9 +42,9 @@ TEST(AlignPointsRansac, ThreePointsAreEnoughAndFewerAreNot) {
   EXPECT_FALSE(AlignPointsRansac(two, Moved(two), 1e-6, 2, 50, rng));
 }
 
-// Three points, one try: either three different ones are drawn, or nothing is found. Two points
-// alone would leave the rotation about their line open.
-TEST(AlignPointsRansac, ASampleIsOfThreePoints) {
+// With three points and one iteration, either three different points are drawn or nothing is found.
+// Two points alone would leave the rotation about their line undetermined.
+TEST(AlignPointsRansac, SamplesThreeDistinctPoints) {
   Rng rng(3, "points");
   const Eigen::Matrix3Xd from = RandomPoints(rng, 3);
   int found = 0;
@@ -58,8 +58,8 @@ TEST(AlignPointsRansac, ASampleIsOfThreePoints) {
   EXPECT_NEAR(found, kTrials * 6.0 / 27.0, 25.0) << "of 27 draws, six are of three points";
 }
 
-// The fifth point is 1 m off.
-TEST(AlignPointsRansac, AllWithinTheDistanceCountAlike) {
+// The fifth point is off by 1 m.
+TEST(AlignPointsRansac, AllPointsWithinTheDistanceHaveEqualWeight) {
   Eigen::Matrix3Xd from(3, 5);
   from << 0, 4, 0, 4, 0,  //
       0, 0, 4, 4, 0,      //

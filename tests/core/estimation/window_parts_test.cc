@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// The window's small parts: who is seen where, what is promoted, and the arrays of a problem.
+// Tests parts of the window in isolation: visibility, promotion of frames, and the arrays of a
+// problem.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +29,8 @@ Landmark Seen(int id, double z, const std::vector<int>& frames) {
   return landmark;
 }
 
-// Frame 0 in T_s, frames 4 and 5 in T_t; ten landmarks at 1 ... 10 m that frame 0 sees.
+// Returns a window with frame 0 in T_s, frames 4 and 5 in T_t, and ten landmarks at 1 ... 10 m that
+// are observed in frame 0.
 Window MakeWindow(const std::vector<int>& seen_by_4) {
   Window window;
   window.camera = kCamera;
@@ -43,7 +45,7 @@ Window MakeWindow(const std::vector<int>& seen_by_4) {
   return window;
 }
 
-TEST(Window, KnowsWhoSeesWhat) {
+TEST(Window, CountsAndFindsObservations) {
   const Window window = MakeWindow({1, 3, 8});
   EXPECT_EQ(window.CountLandmarks(FrameId{0}), 10);
   EXPECT_EQ(window.CountLandmarks(FrameId{4}), 3);
@@ -61,7 +63,7 @@ TEST(Window, KnowsWhoSeesWhat) {
   EXPECT_EQ(window.Frames()[1]->id, FrameId{4});
 }
 
-TEST(Window, MedianDepthIsOfWhatTheFrameSees) {
+TEST(Window, MedianDepthIsOverLandmarksOfTheFrame) {
   Window window = MakeWindow({1, 3, 8});
   EXPECT_DOUBLE_EQ(window.MedianDepth(FrameId{4}), 4.0);  // of 2, 4 and 9 m
   EXPECT_DOUBLE_EQ(window.MedianDepth(FrameId{0}), 6.0) << "the upper of the middle two";
@@ -71,7 +73,7 @@ TEST(Window, MedianDepthIsOfWhatTheFrameSees) {
   EXPECT_DOUBLE_EQ(window.MedianDepth(FrameId{4}), 7.0) << "from where it is";
 }
 
-TEST(Window, ObservationsGoWithTheirFrame) {
+TEST(Window, RemovesObservationsWithTheirFrame) {
   Window window = MakeWindow({1, 3, 8});
   window.RemoveObservations(FrameId{0});
   EXPECT_EQ(window.landmarks.size(), 10U);
@@ -81,7 +83,7 @@ TEST(Window, ObservationsGoWithTheirFrame) {
   EXPECT_EQ(window.landmarks[2].id, LandmarkId{8});
 }
 
-TEST(PromoteDistant, FarInOneOfThreeWays) {
+TEST(PromoteDistant, PromotesByRotationDistanceOrOverlap) {
   const std::vector<int> all = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
   const WindowOptions options = {
       .promote_translation = 0.25, .promote_rotation_rad = 0.2, .promote_common = 0.5};
@@ -104,7 +106,7 @@ TEST(PromoteDistant, FarInOneOfThreeWays) {
   EXPECT_TRUE(promotes(first, At(0.0))) << "there is none to compare with";
 }
 
-TEST(CalibrationPolicies, FieldOrShift) {
+TEST(CalibrationPolicies, EstimateFieldOrShift) {
   const Vector6d field = EstimateRightField::Deviation({.right_field_px = 0.2});
   const Vector6d shift = EstimateRightShift::Deviation({.right_field_px = 0.2});
   EXPECT_EQ(field, Vector6d::Constant(0.2).eval());
@@ -112,7 +114,7 @@ TEST(CalibrationPolicies, FieldOrShift) {
   for (int k = 1; k < 6; ++k) EXPECT_DOUBLE_EQ(shift[k], 1e-6) << "a millionth of a pixel";
 }
 
-TEST(WindowProblem, HasTheFramesAndTheLandmarksThatAreAdded) {
+TEST(WindowProblem, ContainsTheFramesAndAddedLandmarks) {
   const Window window = MakeWindow({1, 3, 8});
   WindowProblem problem = MakeFrames(window);
   EXPECT_EQ(problem.frames, (std::vector<FrameId>{FrameId{0}, FrameId{4}, FrameId{5}}));
@@ -133,7 +135,7 @@ TEST(WindowProblem, HasTheFramesAndTheLandmarksThatAreAdded) {
   EXPECT_EQ(last.sqrt_information, noise.SqrtInformation(window.landmarks[3].observations[1]));
 }
 
-TEST(SelectLandmarks, FromTwoObservationsOnTheFirstOneToo) {
+TEST(SelectLandmarks, RequiresTwoObservationsAndPrefersTheFirst) {
   const Window window = MakeWindow({0, 3, 8});
   EXPECT_EQ(SelectLandmarks(window, 3), (std::vector<int>{0, 3, 8}));
   EXPECT_EQ(SelectLandmarks(window, 2), (std::vector<int>{0, 3})) << "of equals the first";

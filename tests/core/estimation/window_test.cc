@@ -21,7 +21,7 @@ RigidTransform CameraAt(int frame) {
   return {ExpSo3({0.0, 0.01 * frame, 0.0}), Eigen::Vector3d(0.05 * frame, 0.0, 0.4 * frame)};
 }
 
-// A problem at its truth, every point seen by every frame, observations with noise.
+// Returns a problem at its true state. Every frame observes every point, with noise.
 WindowProblem MakeProblem(int frames, int points, double noise_px, Rng& rng) {
   WindowProblem problem;
   problem.camera = kCamera;
@@ -67,7 +67,7 @@ TEST(SolveWindow, ReturnsToTheTruth) {
   }
 }
 
-TEST(SolveWindow, FindsTheRightFieldThatThePixelsCarry) {
+TEST(SolveWindow, RecoversTheRightField) {
   Rng rng(2, "window");
   WindowProblem problem = MakeProblem(6, 150, 0.0, rng);
   StereoCamera truth = kCamera;
@@ -82,7 +82,7 @@ TEST(SolveWindow, FindsTheRightFieldThatThePixelsCarry) {
   EXPECT_LT(problem.world_from_camera.back().Minus(CameraAt(5)).norm(), 1e-3);
 }
 
-TEST(SolveWindow, KnowsTheFieldAsWellAsItsPriorWhereNothingIsSeenOfIt) {
+TEST(SolveWindow, UnobservedFieldKeepsItsPriorDeviation) {
   Rng rng(12, "window");
   WindowProblem problem = MakeProblem(3, 20, 0.1, rng);
   problem.is_right_field_fixed = false;
@@ -94,7 +94,7 @@ TEST(SolveWindow, KnowsTheFieldAsWellAsItsPriorWhereNothingIsSeenOfIt) {
   EXPECT_NEAR(sigma_px[3] / deviation_px[3], 1.0, 1e-3);
 }
 
-TEST(SolveWindow, RefusesAPriorAboutAFrameItDoesNotHave) {
+TEST(SolveWindow, RefusesAPriorOnAnUnknownFrame) {
   Rng rng(3, "window");
   WindowProblem problem = MakeProblem(2, 10, 0.0, rng);
   problem.prior.frames = {FrameId{99}};
@@ -103,15 +103,16 @@ TEST(SolveWindow, RefusesAPriorAboutAFrameItDoesNotHave) {
   EXPECT_THROW(SolveWindow({}, kToConvergence, problem), Error);
 }
 
-// The window without the marginalised frame and points but with their prior, against all of it.
-TEST(Marginalize, LeavesTheOptimumOfTheOthersWhereItWas) {
+// Compares the solution of the full window with that of the window in which a frame and points are
+// replaced by their prior.
+TEST(Marginalize, PreservesTheOptimumOfTheRemainingStates) {
   Rng rng(4, "window");
   WindowProblem batch = MakeProblem(5, 60, 0.3, rng);
   batch.is_fixed.assign(5, 0);
   batch.is_fixed[4] = 1;
   SolveWindow({}, kToConvergence, batch);
 
-  // Frame 10 goes, with the points 0 to 29; its observations of the others were never made.
+  // Frame 10 and points 0 to 29 are marginalised; the frame has no observations of other points.
   std::erase_if(batch.factors, [](const auto& f) { return f.point >= 30 && f.pose == 0; });
   SolveWindow({}, kToConvergence, batch);
   WindowProblem removed = batch;
@@ -136,7 +137,7 @@ TEST(Marginalize, LeavesTheOptimumOfTheOthersWhereItWas) {
   }
 }
 
-TEST(Marginalize, PriorOfAFreeWindowHasSixFreeDirections) {
+TEST(Marginalize, PriorOfAFreeWindowHasSixNullDirections) {
   Rng rng(5, "window");
   const WindowProblem problem = MakeProblem(4, 40, 0.2, rng);
   const WindowPrior prior = Marginalize({}, problem, FrameId{10});
@@ -147,7 +148,7 @@ TEST(Marginalize, PriorOfAFreeWindowHasSixFreeDirections) {
   EXPECT_EQ((values.array() < 1e-8 * values.maxCoeff()).count(), 6);
 }
 
-TEST(Marginalize, KnowsOnlyFramesThatSawSomething) {
+TEST(Marginalize, IncludesOnlyFramesWithObservations) {
   Rng rng(6, "window");
   WindowProblem problem = MakeProblem(4, 20, 0.2, rng);
   std::erase_if(problem.factors, [](const auto& f) { return f.pose == 2; });
@@ -155,7 +156,7 @@ TEST(Marginalize, KnowsOnlyFramesThatSawSomething) {
   EXPECT_EQ(prior.frames, (std::vector<FrameId>{FrameId{11}, FrameId{13}}));
 }
 
-// A window in which landmark k is seen in the frames of its list.
+// Returns a window in which landmark k is observed in the frames seen[k].
 Window MakeWindow(const std::vector<std::vector<int>>& seen) {
   Window window{kCamera, CalibrationPrior(kCamera, Vector6d::Ones()), {}, {}, {}};
   for (std::size_t k = 0; k < seen.size(); ++k) {
@@ -172,8 +173,9 @@ Window MakeWindow(const std::vector<std::vector<int>>& seen) {
   return window;
 }
 
-// Frames 0, 4, ... 20 through tracks of two and three: frame 0 leaves when frame 20 comes.
-TEST(DoubleTrack, MarginalisesWhatTheNewestFrameDoesNotSee) {
+// Frames 0, 4, ... 20 pass through tracks of two and three frames, so that frame 0 leaves when
+// frame 20 enters.
+TEST(DoubleTrack, MarginalisesLandmarksNotSeenInTheNewestFrame) {
   const std::vector<int> all = {0, 4, 8, 12, 16, 20};
   Window window = MakeWindow({all, {0, 4, 8}, {0, 4}, all, {0}});
   for (int i = 0; i < 5; ++i) {
@@ -190,15 +192,15 @@ TEST(DoubleTrack, MarginalisesWhatTheNewestFrameDoesNotSee) {
   ASSERT_EQ(window.temporal.size(), 3u);
   EXPECT_EQ(window.temporal[2].id, FrameId{20});
   EXPECT_EQ(window.prior.frames, (std::vector<FrameId>{FrameId{4}, FrameId{8}}));
-  // Landmarks 1 and 2 are in the prior; 4 was seen by frame 0 alone; of 0 and 3 that frame's
-  // observation is deleted.
+  // Landmarks 1 and 2 are in the prior; 4 was observed in frame 0 only; of 0 and 3 the observation
+  // in frame 0 is deleted.
   ASSERT_EQ(window.landmarks.size(), 2u);
   EXPECT_EQ(window.landmarks[0].id, LandmarkId{0});
   EXPECT_EQ(window.landmarks[1].id, LandmarkId{3});
   EXPECT_EQ(window.landmarks[0].observations.size(), 5u);
 }
 
-TEST(DoubleTrack, KeepsNoPriorWhereNothingIsMarginalised) {
+TEST(DoubleTrack, KeepsNoPriorIfNothingIsMarginalised) {
   Window window = MakeWindow({{0, 4, 8}, {0, 4}});
   window.spatial = {{FrameId{0}, CameraAt(0)}, {FrameId{4}, CameraAt(4)}};
   window.temporal = {{FrameId{8}, CameraAt(8)}};
@@ -220,7 +222,7 @@ TEST(DoubleTrack, DiscardsEverythingWithoutASpatialTrack) {
   EXPECT_TRUE(window.prior.frames.empty());
 }
 
-TEST(SelectLandmarks, TakesTheLongestSeenFirst) {
+TEST(SelectLandmarks, PrefersLandmarksWithMoreObservations) {
   const Window window = MakeWindow({{0}, {0, 1}, {0, 1, 2}, {1, 2}, {0, 1, 2, 3}});
   EXPECT_EQ(SelectLandmarks(window, 10), (std::vector<int>{1, 2, 3, 4}));
   EXPECT_EQ(SelectLandmarks(window, 2), (std::vector<int>{2, 4}));

@@ -10,14 +10,14 @@
 namespace cvo {
 namespace {
 
-// A texture without a period in the patch; its features are some pixels large.
+// A texture that is not periodic within the patch, with structures of a few pixels.
 double TextureAt(const Eigen::Vector2d& p) {
   return 128.0 + 40.0 * std::sin(0.9 * p.x() + 0.3 * p.y()) + 30.0 * std::cos(0.7 * p.y()) +
          25.0 * std::sin(0.5 * p.x() - 0.8 * p.y() + 1.0);
 }
 
-// How a camera sees the texture: the point `corner` of the texture is at (u, v) of the patch, and a
-// step of a texture unit is a step of A px.
+// Draws the texture as a camera sees it. The origin of the texture is at `at_px` from the middle of
+// the patch; A maps texture units to pixels.
 FeaturePatch Draw(const Eigen::Vector2d& at_px, const Eigen::Matrix2d& A, double brightness = 0.0) {
   FeaturePatch patch;
   for (int y = 0; y < FeaturePatch::kSide_px; ++y) {
@@ -73,13 +73,13 @@ INSTANTIATE_TEST_SUITE_P(
                       View{{0.3, 0.2}, Deformation(1, 0, 0, 1.12), 1.1, 0.0},
                       View{{-0.4, 0.5}, Deformation(1, 0.1, -0.05, 1.05), 1.0, 0.0}));
 
-TEST(AlignFeaturePatch, RefusesWhatLooksDifferent) {
+TEST(AlignFeaturePatch, RefusesDissimilarPatches) {
   FeaturePatch negative = Reference();
   for (std::uint8_t& pixel : negative.pixels) pixel = static_cast<std::uint8_t>(255 - pixel);
   EXPECT_EQ(AlignFeaturePatch(Reference(), negative, 1.0), std::nullopt);
 }
 
-TEST(AlignFeaturePatch, RefusesWhatHasNoTexture) {
+TEST(AlignFeaturePatch, RefusesPatchesWithoutTexture) {
   EXPECT_EQ(AlignFeaturePatch(FeaturePatch(), FeaturePatch(), 1.0), std::nullopt);
 }
 

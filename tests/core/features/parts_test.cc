@@ -55,7 +55,7 @@ TEST(HammingDistance, FastPathEqualsPlainOne) {
   }
 }
 
-// The definition, arc by arc.
+// Reference implementation: evaluates all arcs by definition.
 int FastScoreOf(const cv::Mat& image, int x, int y) {
   constexpr int kX[16] = {0, 1, 2, 3, 3, 3, 2, 1, 0, -1, -2, -3, -3, -3, -2, -1};
   constexpr int kY[16] = {3, 3, 2, 1, 0, -1, -2, -3, -3, -3, -2, -1, 0, 1, 2, 3};
@@ -74,7 +74,7 @@ int FastScoreOf(const cv::Mat& image, int x, int y) {
   return best;
 }
 
-TEST(FastScores, FollowTheDefinitionOnBothPaths) {
+TEST(FastScores, MatchTheDefinitionOnBothPaths) {
   cv::Mat image = RandomImage(101, 40);
   cv::GaussianBlur(image, image, cv::Size(5, 5), 1.5);  // so that there are corners
   cv::Mat fast(image.size(), CV_8UC1);
@@ -94,7 +94,7 @@ TEST(FastScores, FollowTheDefinitionOnBothPaths) {
   EXPECT_GT(corners, 50);
 }
 
-TEST(FindMaxima, OfEqualNeighboursTheFirstAndNoneAtTheEdge) {
+TEST(FindMaxima, KeepsTheFirstOfEqualNeighboursAndNoneAtTheEdge) {
   cv::Mat scores(60, 100, CV_8UC1, cv::Scalar(0));
   scores.at<std::uint8_t>(20, 60) = 10;
   scores.at<std::uint8_t>(20, 61) = 10;
@@ -106,14 +106,14 @@ TEST(FindMaxima, OfEqualNeighboursTheFirstAndNoneAtTheEdge) {
   EXPECT_TRUE(FindMaxima(scores(cv::Rect(0, 0, 20, 20)), 10, 7).empty());
 }
 
-TEST(FollowRule, WeakOnesOnlyInCellsWithoutStrongOnes) {
-  // Two in the first cell, one in the second, one before the border.
+TEST(FollowRule, AcceptsWeakCornersOnlyInCellsWithoutStrongOnes) {
+  // Two corners in the first cell, one in the second and one outside the border.
   const std::vector<Corner> corners = {{20, 20, 30}, {60, 20, 10}, {25, 25, 10}, {9, 30, 50}};
   const std::vector<bool> follow = FollowRule(corners, {100, 60}, {10, 40, 20});
   EXPECT_EQ(follow, (std::vector<bool>{true, true, false, false}));
 }
 
-TEST(SelectEvenly, KeepsTheQuotaApart) {
+TEST(SelectEvenly, SelectsTheQuotaWithEvenSpacing) {
   Rng rng(3, "corners");
   std::vector<Corner> corners;
   for (int y = 0; y < 100; ++y) {
@@ -135,7 +135,7 @@ TEST(SelectEvenly, KeepsTheQuotaApart) {
   EXPECT_NEAR(on_the_right, 75, 12);
 }
 
-TEST(SelectEvenly, FewCornersAllStay) {
+TEST(SelectEvenly, KeepsAllOfFewCorners) {
   const std::vector<Corner> corners = {{1, 2, 9}, {50, 2, 9}};
   EXPECT_EQ(SelectEvenly(corners, 2).size(), 2u);
   EXPECT_EQ(SelectEvenly(corners, 1).size(), 1u);
@@ -154,12 +154,12 @@ TEST(RefineCorner, FindsTheVertexOfAParaboloid) {
     }
   }
   const Eigen::Vector2d move = RefineCorner(scores, 1, 1);
-  EXPECT_NEAR(move.x(), 0.3, 0.02);  // scores are whole numbers
+  EXPECT_NEAR(move.x(), 0.3, 0.02);  // scores are integers
   EXPECT_NEAR(move.y(), -0.2, 0.02);
   EXPECT_TRUE(RefineCorner(cv::Mat(3, 3, CV_8UC1, cv::Scalar(9)), 1, 1).isZero());
 }
 
-TEST(Pyramid, LevelsShowTheSamePlacesAndShareOneStride) {
+TEST(Pyramid, LevelsAreAlignedAndShareOneStride) {
   cv::Mat ramp(120, 250, CV_8UC1);
   for (int v = 0; v < ramp.rows; ++v) {
     for (int u = 0; u < ramp.cols; ++u) ramp.at<std::uint8_t>(v, u) = static_cast<std::uint8_t>(u);
@@ -172,7 +172,7 @@ TEST(Pyramid, LevelsShowTheSamePlacesAndShareOneStride) {
     EXPECT_EQ(image.cols, cvRound(250.0 * std::pow(1.2, -level)));
     const LevelCoordinates coordinates(pyramid, level);
     for (int u = 2; u < image.cols - 2; ++u) {
-      // Each level rounds to whole grey levels.
+      // Each level rounds to integer grey values.
       EXPECT_NEAR(image.at<std::uint8_t>(image.rows / 2, u), coordinates.FullU(u), 2.0);
       EXPECT_NEAR(coordinates.LevelU(coordinates.FullU(u)), u, 1e-12);
     }
@@ -181,7 +181,7 @@ TEST(Pyramid, LevelsShowTheSamePlacesAndShareOneStride) {
   }
 }
 
-TEST(BriefPattern, FitsThePatchAndIsVaried) {
+TEST(BriefPattern, FitsThePatchAndHasNoShortTests) {
   const std::vector<BriefTest>& pattern = BriefPattern();
   ASSERT_EQ(pattern.size(), 256u);
   for (const BriefTest& test : pattern) {
@@ -191,7 +191,7 @@ TEST(BriefPattern, FitsThePatchAndIsVaried) {
   }
 }
 
-TEST(RowOffset, SurvivesOutliers) {
+TEST(RowOffset, IsRobustToOutliers) {
   Rng rng(4, "offsets");
   const auto truth = [](double u, double v) {
     return 0.4 - 1e-3 * u + 5e-6 * (u - 300) * (v - 100);
@@ -211,7 +211,8 @@ TEST(RowOffset, SurvivesOutliers) {
   EXPECT_EQ(RowOffset({}, 600.0, 200.0).At(10.0, 10.0), 0.0);
 }
 
-// Every option at both ends of its range passes, and beyond them fails under its own name.
+// Checks that the defaults pass, and that values beyond either end of a range are refused with an
+// error that names the option.
 template <typename Options>
 void CheckLaw() {
   Options options;

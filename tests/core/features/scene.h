@@ -16,10 +16,11 @@
 
 namespace cvo::testing {
 
-// Images with known disparities: overlapping shades ("dead leaves", whose statistics are close to
-// those of natural images) on a grid kSubpixelSteps times finer than the pixels.
+// Synthetic images with known disparities. A scene consists of overlapping grey shapes ("dead
+// leaves", whose statistics are close to those of natural images) on a grid kSubpixelSteps times
+// finer than the pixels.
 inline constexpr int kSubpixelSteps = 8;
-inline constexpr int kMargin_px = 48;  // of the scene to the right of the image, for disparities
+inline constexpr int kMargin_px = 48;  // of the scene, right of the image, for disparities
 
 inline cv::Mat DrawScene(int width_px, int height_px, std::uint64_t seed) {
   Rng rng(seed, "scene");
@@ -40,11 +41,12 @@ inline cv::Mat DrawScene(int width_px, int height_px, std::uint64_t seed) {
     for (int k = 0; k < 4; ++k) rounded[k] = corners[k];
     cv::fillConvexPoly(scene, rounded, 4, shade);
   }
-  cv::GaussianBlur(scene, scene, cv::Size(), 0.5 * kSubpixelSteps);  // the lens
+  cv::GaussianBlur(scene, scene, cv::Size(), 0.5 * kSubpixelSteps);  // blur of the lens
   return scene;
 }
 
-// The image of a camera whose row v sees the scene `fine_shift(v)` fine pixels to the right.
+// Renders the image of a camera whose row v shows the scene `fine_shift(v)` fine pixels further to
+// the right.
 inline cv::Mat Render(const cv::Mat& scene, const std::function<int(int)>& fine_shift,
                       double noise = 0.0, std::uint64_t seed = 0) {
   Rng rng(seed, "noise");

@@ -49,7 +49,7 @@ Errors Measure(const std::vector<StereoFeature>& features, Truth truth) {
   return errors;
 }
 
-TEST(MatchStereo, SubPixelDisparityWithoutBias) {
+TEST(MatchStereo, SubPixelDisparityIsUnbiased) {
   const cv::Mat scene = DrawScene(320, 240, 1);
   const cv::Mat left = Render(scene, 0, 2.0, 1);
   for (int eighths = 0; eighths < kSubpixelSteps; ++eighths) {
@@ -64,7 +64,7 @@ TEST(MatchStereo, SubPixelDisparityWithoutBias) {
   }
 }
 
-TEST(AlignPatch, QuartersDisagreeWhereDepthJumps) {
+TEST(AlignPatch, QuartersDisagreeAtDepthDiscontinuities) {
   const cv::Mat scene = DrawScene(320, 240, 5);
   const cv::Mat left = Render(scene, 0, 2.0, 1);
   const cv::Mat far = Render(scene, 8 * kSubpixelSteps, 2.0, 2);
@@ -115,7 +115,7 @@ TEST(AlignPatch, FastPathEqualsPlainOne) {
   EXPECT_GT(found, 100);
 }
 
-TEST(MatchStereo, DisparityOfTheGroundWithoutBias) {
+TEST(MatchStereo, GroundDisparityIsUnbiased) {
   const cv::Mat scene = DrawScene(320, 240, 2);
   const auto fine_shift = [](int v) {
     return static_cast<int>(std::lround(kSubpixelSteps * (4 + v / 7.0)));
@@ -128,7 +128,7 @@ TEST(MatchStereo, DisparityOfTheGroundWithoutBias) {
   EXPECT_LT(errors.rms, 0.12);
 }
 
-TEST(MatchStereo, ColumnsOfThePairAreOrderedAndOrderOfCornersIsKept) {
+TEST(MatchStereo, DisparitiesArePositiveAndCornersStayInOrder) {
   const cv::Mat scene = DrawScene(320, 240, 3);
   const std::vector<StereoFeature> features =
       MatchImages(Render(scene, 0, 2.0, 1), Render(scene, 0, 2.0, 2));  // all at infinity
@@ -141,7 +141,7 @@ TEST(MatchStereo, ColumnsOfThePairAreOrderedAndOrderOfCornersIsKept) {
 }
 
 TEST(MatchStereo, RepetitiveTextureIsMostlyRejected) {
-  // A tile of 40 px again and again: every place in a row has rivals.
+  // A tile of 40 px repeats, so every position in a row has competing matches.
   const cv::Mat tile = DrawScene(40, 240, 4).colRange(0, 40 * kSubpixelSteps);
   cv::Mat scene;
   cv::repeat(tile, 1, (320 + testing::kMargin_px) / 40 + 1, scene);
@@ -154,17 +154,18 @@ TEST(MatchStereo, RepetitiveTextureIsMostlyRejected) {
   credulous.min_margin_bits = 0;
   const Errors without = Measure(MatchImages(left, right, credulous), truth);
   const Errors with = Measure(MatchImages(left, right), truth);
-  // Measured: 509 -> 110. Those left have no rival among the corners of the right image.
+  // Measured: 509 -> 110. The remaining ones have no competitor among the corners of the right
+  // image.
   EXPECT_GT(without.gross, 300);
   EXPECT_LT(with.gross, without.gross / 3);
 }
 
-TEST(MatchStereo, OccludedCornersFindNoPartner) {
+TEST(MatchStereo, OccludedCornersAreNotMatched) {
   const cv::Mat far_scene = DrawScene(320, 240, 5);
   const cv::Mat near_scene = DrawScene(320, 240, 6);
   cv::Mat left = Render(far_scene, 0, 2.0, 1);
   cv::Mat right = Render(far_scene, 6 * kSubpixelSteps, 2.0, 2);
-  // A near square, 30 px of disparity: columns [150, 230) of the left image.
+  // A near rectangle with 30 px of disparity, in columns [150, 230) of the left image.
   const cv::Rect in_left(150, 60, 80, 120);
   const cv::Rect in_right(120, 60, 80, 120);
   Render(near_scene, 0, 2.0, 3)(in_left).copyTo(left(in_left));
@@ -183,7 +184,7 @@ TEST(MatchStereo, OccludedCornersFindNoPartner) {
   EXPECT_LE(wrong, static_cast<int>(features.size()) / 100);
 }
 
-TEST(MatchStereo, FollowsRowsOfAFaultyRectificationIfAllowed) {
+TEST(MatchStereo, CorrectsRowsOfAFaultyRectificationIfAllowed) {
   const cv::Mat scene = DrawScene(320, 240, 7);
   const cv::Mat left = Render(scene, 0);
   const cv::Mat level = Render(scene, 15 * kSubpixelSteps);
@@ -199,13 +200,13 @@ TEST(MatchStereo, FollowsRowsOfAFaultyRectificationIfAllowed) {
   EXPECT_GT(trusting.rms, 1.5 * following.rms);
 }
 
-TEST(MatchStereo, NothingInNothingOut) {
+TEST(MatchStereo, FlatImagesGiveNoFeatures) {
   const cv::Mat flat(240, 320, CV_8UC1, cv::Scalar(90));
   EXPECT_TRUE(MatchImages(flat, flat).empty());
   EXPECT_TRUE(MatchImages(Render(DrawScene(320, 240, 8), 0), flat).empty());
 }
 
-TEST(ExtractStereoFeatures, SameForEveryNumberOfThreads) {
+TEST(ExtractStereoFeatures, DoesNotDependOnTheNumberOfThreads) {
   const cv::Mat scene = DrawScene(320, 240, 9);
   const cv::Mat left = Render(scene, 0);
   const cv::Mat right = Render(scene, 10 * kSubpixelSteps);
@@ -227,11 +228,11 @@ TEST(ExtractStereoFeatures, SameForEveryNumberOfThreads) {
   }
 }
 
-TEST(ExtractStereoFeatures, KeepsCornersOfBoxesThatTheRightImageDoesNotShow) {
+TEST(ExtractStereoFeatures, KeepsCornersInBoxesOutsideTheRightImage) {
   const cv::Mat scene = DrawScene(320, 240, 9);
   const cv::Mat left = Render(scene, 0);
   const cv::Mat right = Render(scene, 40 * kSubpixelSteps);
-  const cv::Rect2d box(0, 60, 38, 120);  // left of what the right image shows
+  const cv::Rect2d box(0, 60, 38, 120);  // outside the field of view of the right image
   TaskPool pool(1);
   const OrbOptions orb = {.reserve = 0.0, .box_features = 0};
   const auto found = [&](const std::vector<cv::Rect2d>& boxes) {
@@ -258,7 +259,7 @@ TEST(ExtractStereoFeatures, KeepsCornersOfBoxesThatTheRightImageDoesNotShow) {
   EXPECT_EQ(with.size(), without.size());
 }
 
-TEST(ExtractStereoFeatures, SaysWhatIsWrongWithAnImage) {
+TEST(ExtractStereoFeatures, ErrorsDescribeTheBadImage) {
   const cv::Mat good(240, 320, CV_8UC1, cv::Scalar(0));
   TaskPool pool(1);
   const auto extract = [&](const cv::Mat& left, const cv::Mat& right) {

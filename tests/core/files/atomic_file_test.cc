@@ -43,8 +43,8 @@ std::string Problem(const std::function<void()>& action) {
   return "";
 }
 
-// While it exists, a file that grows beyond the limit fails with EFBIG, as a full disk does with
-// ENOSPC.
+// While this object exists, writing a file beyond the limit fails with EFBIG, as it does with
+// ENOSPC on a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) {
@@ -73,7 +73,7 @@ TEST(WriteFilesAtomically, WritesAndReplaces) {
   EXPECT_THAT(Names(folder.path()), ElementsAre("a.json", "b.txt", "c.txt"));
 }
 
-TEST(StagedFile, GrowsAndAppearsWithTheOthers) {
+TEST(StagedFile, AppendsAndAppearsWithTheOthers) {
   const test::TempFolder folder;
   StagedFile(folder.path() / "lost.csv").Append("1\n");
   EXPECT_THAT(Names(folder.path()), IsEmpty());
@@ -91,7 +91,7 @@ TEST(StagedFile, GrowsAndAppearsWithTheOthers) {
   EXPECT_THAT(Names(folder.path()), ElementsAre("a.json", "rows.csv"));
 }
 
-TEST(StagedFile, IsWhatItsPartsAreInAnyNumber) {
+TEST(StagedFile, ConcatenatesAnyNumberOfParts) {
   const test::TempFolder folder;
   std::string all;
   StagedFiles files(folder.path());

@@ -39,7 +39,7 @@ TEST_F(CsvFileTest, CellsByRowAndColumn) {
   EXPECT_EQ(Read("a\n").rows(), 0U);
 }
 
-TEST_F(CsvFileTest, HalfWrittenOrDamagedNamesTheLine) {
+TEST_F(CsvFileTest, ErrorsOfDamagedFilesNameTheLine) {
   EXPECT_THAT(Problem(""), HasSubstr("table.csv:1: found nothing"));
   EXPECT_THAT(Problem("a,b\n1,2\n3,4"), HasSubstr("table.csv:3: found a last line without a line"));
   EXPECT_THAT(Problem("a,b\n1\n"), HasSubstr("table.csv:2: found 1 cells, expected 2, as line 1"));
@@ -56,7 +56,7 @@ TEST_F(CsvFileTest, HalfWrittenOrDamagedNamesTheLine) {
               HasSubstr("found \"a,b\", expected the header \"a,c\""));
 }
 
-TEST_F(CsvFileTest, CellsThatAreNoNumbersNameTheColumn) {
+TEST_F(CsvFileTest, ErrorsOfNonNumericCellsNameTheColumn) {
   for (const char* cell : {"nan", "inf", "1e999", "", "1 ", "0x1", "one"}) {
     EXPECT_THAT(Problem("a,b\n1," + std::string(cell) + "\n",
                         [](const CsvFile& file) { file.Number(0, 1); }),

@@ -12,7 +12,7 @@
 namespace cvo {
 namespace {
 
-// Parts of many sizes, more than fit in memory.
+// Returns parts of various sizes, in total more than fit in memory.
 std::vector<std::string> Parts() {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < 300; ++i) {
@@ -38,12 +38,12 @@ void ExpectPartsComeBack(Spool& spool) {
   EXPECT_THROW(spool.Read(1, all.size()), Error);
 }
 
-TEST(Spool, GivesBackWhatItHasInMemory) {
+TEST(Spool, ReadsBackFromMemory) {
   Spool spool;
   ExpectPartsComeBack(spool);
 }
 
-TEST(Spool, GivesBackWhatIsInAFileWithoutAName) {
+TEST(Spool, ReadsBackFromAnUnlinkedFile) {
   const test::TempFolder folder;
   Spool spool(folder.path());
   ExpectPartsComeBack(spool);
@@ -52,7 +52,7 @@ TEST(Spool, GivesBackWhatIsInAFileWithoutAName) {
   EXPECT_EQ(moved.Read(0, 0), "");
 }
 
-TEST(Spool, NeedsAFolderThatIsThere) {
+TEST(Spool, RequiresAnExistingFolder) {
   const test::TempFolder folder;
   Spool spool(folder.path() / "gone");
   EXPECT_NO_THROW(spool.Append("few"));

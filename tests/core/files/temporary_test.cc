@@ -30,7 +30,7 @@ TEST(Temporary, FilesOfDeadProcessesAreLeftovers) {
   };
   const fs::path dead = add(HostName(), DeadProcess());
   const fs::path alive = add(HostName(), ::getppid());
-  // Nothing can be said of another computer's processes, until they have been silent for long.
+  // Processes of other computers cannot be checked; their files count as leftovers only when old.
   const fs::path elsewhere = add("node-2.cluster", DeadProcess());
   const fs::path long_ago = add("node-3.cluster", DeadProcess());
   fs::last_write_time(long_ago, fs::file_time_type::clock::now() - std::chrono::hours(25));

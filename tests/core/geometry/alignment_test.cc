@@ -38,7 +38,7 @@ TEST(NearestRotation, KeepsARotation) {
   EXPECT_LT((NearestRotation(7.0 * R) - R).norm(), 1e-14);
 }
 
-TEST(NearestRotation, IsNearerThanItsNeighbours) {
+TEST(NearestRotation, IsNearerThanPerturbedRotations) {
   Rng rng(1, "nearest");
   for (int i = 0; i < 20; ++i) {
     const Eigen::Matrix3d M = RandomPoints(rng, 3);  // half of them with a negative determinant
@@ -57,14 +57,14 @@ TEST(NearestRotation, GivesARotationForSingularMatrices) {
   EXPECT_TRUE(IsRotation(NearestRotation(-Eigen::Matrix3d::Identity())));
 }
 
-TEST(AlignPoints, ExactOnPointsWithoutNoise) {
+TEST(AlignPoints, IsExactWithoutNoise) {
   Rng rng(2, "align");
   const Eigen::Matrix3Xd points = RandomPoints(rng, 20);
   const RigidTransform found = AlignPoints(points, Moved(kTruth, points));
   EXPECT_LT((found.Matrix() - kTruth.Matrix()).norm(), 1e-12);
 }
 
-TEST(AlignPoints, ExactOnAPlane) {
+TEST(AlignPoints, IsExactOnAPlane) {
   Rng rng(3, "plane");
   Eigen::Matrix3Xd points = RandomPoints(rng, 20);
   points.row(1).setConstant(1.5);
@@ -72,7 +72,7 @@ TEST(AlignPoints, ExactOnAPlane) {
   EXPECT_LT((found.Matrix() - kTruth.Matrix()).norm(), 1e-12);
 }
 
-// Rotation about the line is free, so only the points can be compared.
+// The rotation about the line is undetermined, so only the points can be compared.
 TEST(AlignPoints, MapsPointsOfALineAndSinglePoints) {
   Eigen::Matrix3Xd line(3, 10);
   for (int i = 0; i < 10; ++i)
@@ -104,7 +104,7 @@ TEST(AlignPoints, MinimisesTheSquaredError) {
   }
 }
 
-TEST(AlignPoints, RefusesWhatAreNotPairs) {
+TEST(AlignPoints, RefusesEmptyAndUnpairedInput) {
   EXPECT_THROW(AlignPoints(Eigen::Matrix3Xd(3, 0), Eigen::Matrix3Xd(3, 0)), Error);
   EXPECT_THROW(AlignPoints(Eigen::Matrix3Xd::Zero(3, 2), Eigen::Matrix3Xd::Zero(3, 3)), Error);
 }

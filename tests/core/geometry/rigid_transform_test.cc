@@ -50,7 +50,7 @@ TEST(RigidTransform, ActsOnPointsAsItsMatrix) {
   EXPECT_LT(((a * b) * p - a * (b * p)).norm(), 1e-12);
 }
 
-// A quarter turn about z, then one metre along x.
+// A rotation by 90 degrees about z, followed by a translation of one metre along x.
 TEST(RigidTransform, HandComputed) {
   const double quarter = 0.5 * std::numbers::pi;
   const RigidTransform a(ExpSo3({0, 0, quarter}), {1, 0, 0});
@@ -71,7 +71,7 @@ TEST(RigidTransform, NormalisesItsRotation) {
   EXPECT_NEAR(a.rotation().norm(), 1.0, 1e-15);
 }
 
-TEST(RigidTransform, PlusUndoesMinusAndBack) {
+TEST(RigidTransform, PlusAndMinusAreInverse) {
   Rng rng(3, "plus");
   for (int i = 0; i < 50; ++i) {
     const RigidTransform x = RandomTransform(rng);
@@ -84,7 +84,7 @@ TEST(RigidTransform, PlusUndoesMinusAndBack) {
   }
 }
 
-TEST(RigidTransform, PlusTurnsOnTheRightAndMovesInA) {
+TEST(RigidTransform, PlusRotatesOnTheRightAndTranslatesInTheParentFrame) {
   const RigidTransform x(ExpSo3({0, 0, 0.5 * std::numbers::pi}), {1, 1, 1});
   Vector6d tangent;
   tangent << 0.3, 0, 0, 0.1, 0.2, 0.3;
@@ -94,7 +94,7 @@ TEST(RigidTransform, PlusTurnsOnTheRightAndMovesInA) {
   EXPECT_LT((y.RotationMatrix() - expected).norm(), 1e-15);
 }
 
-// c = R^T (p - t): the derivatives that METHOD.md 1.1 states for this tangent.
+// The derivatives of c = R^T (p - t) for this tangent, as given in METHOD.md 1.1.
 TEST(RigidTransform, DerivativeOfAPointInTheCamera) {
   Rng rng(4, "derivative");
   const RigidTransform world_from_camera = RandomTransform(rng);

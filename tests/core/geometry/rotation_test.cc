@@ -19,7 +19,7 @@ Eigen::Vector3d RandomAxis(Rng& rng) {
   return Eigen::Vector3d(rng.Normal(), rng.Normal(), rng.Normal()).normalized();
 }
 
-// Angles where series and closed forms meet, and those near pi.
+// Angles around the transition from series to closed form, and near pi.
 constexpr double kAngles[] = {0.0,    1e-300, 1e-12, 9.9e-7, 1.01e-6,   9.9e-6,     1.01e-5,
                               9.9e-5, 1e-3,   0.1,   1.0,    kPi - 0.1, kPi - 1e-6, kPi - 1e-9};
 
@@ -35,7 +35,7 @@ TEST(So3, LogUndoesExpFromZeroToPi) {
   }
 }
 
-TEST(So3, LogOfAHalfTurnIsOneOfTheTwo) {
+TEST(So3, LogOfAHalfTurnIsEitherSolution) {
   const Eigen::Vector3d v = LogSo3(Eigen::Quaterniond(0, 0, 1, 0));
   EXPECT_NEAR(v.norm(), kPi, 1e-15);
   EXPECT_NEAR(std::abs(v.y()), kPi, 1e-15);
@@ -97,7 +97,7 @@ TEST(So3, InverseRightJacobianByNumericDifferentiation) {
   EXPECT_TRUE(test::JacobianMatches(log_of_product, zero, InverseRightJacobianSo3(v), 1e-9));
 }
 
-TEST(So3, JacobiansAreContinuousWhereSeriesAndClosedFormMeet) {
+TEST(So3, JacobiansAreContinuousBetweenSeriesAndClosedForm) {
   const Eigen::Vector3d axis = Eigen::Vector3d(1, 2, -1).normalized();
   const Eigen::Vector3d below = 0.9999999e-5 * axis;
   const Eigen::Vector3d above = 1.0000001e-5 * axis;

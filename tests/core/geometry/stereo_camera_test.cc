@@ -21,7 +21,7 @@ using testing::HasSubstr;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// fx and fy differ, so that a mix-up shows.
+// fx and fy differ, so that mixing them up is detected.
 StereoCamera Camera() {
   StereoCamera camera;
   camera.fx = 720.0;
@@ -39,7 +39,7 @@ Eigen::Vector3d RandomPoint(Rng& rng) {
   return {z * rng.Uniform(-0.8, 0.8), z * rng.Uniform(-0.3, 0.3), z};
 }
 
-TEST(StereoCamera, ProjectsByHand) {
+TEST(StereoCamera, ProjectMatchesHandComputedValues) {
   const auto z_px = Camera().Project({1.0, -2.0, 10.0});
   ASSERT_TRUE(z_px.has_value());
   EXPECT_NEAR((*z_px)[0], 720.0 * 0.1 + 609.5, 1e-12);
@@ -59,7 +59,7 @@ TEST(StereoCamera, BackProjectUndoesProject) {
   }
 }
 
-TEST(StereoCamera, RightShiftMovesTheRightColumnAndIsTakenBack) {
+TEST(StereoCamera, RightShiftMovesTheRightColumnAndIsUndone) {
   StereoCamera camera = Camera();
   const Eigen::Vector3d p(1.0, -2.0, 10.0);
   const Eigen::Vector3d perfect = camera.Project(p).value();
@@ -70,7 +70,7 @@ TEST(StereoCamera, RightShiftMovesTheRightColumnAndIsTakenBack) {
   EXPECT_LT((camera.BackProject(seen).value() - p).norm(), 1e-11);
 }
 
-TEST(StereoCamera, RightFieldVariesOverTheImageAndIsTakenBack) {
+TEST(StereoCamera, RightFieldVariesOverTheImageAndIsUndone) {
   Rng rng(5, "field");
   StereoCamera camera = Camera();
   const Eigen::Vector3d perfect = camera.Project({1.0, -2.0, 10.0}).value();
@@ -168,7 +168,7 @@ TEST(StereoCamera, CovarianceAgreesWithSampledNoise) {
   EXPECT_LT((sampled - predicted).norm(), 0.05 * predicted.norm());
 }
 
-TEST(StereoCamera, NoProjectionBehindOrTooNear) {
+TEST(StereoCamera, DoesNotProjectPointsBehindOrTooNear) {
   const StereoCamera camera = Camera();
   EXPECT_FALSE(camera.Project({0, 0, -1}).has_value());
   EXPECT_FALSE(camera.Project({0, 0, 0}).has_value());
@@ -177,14 +177,14 @@ TEST(StereoCamera, NoProjectionBehindOrTooNear) {
   EXPECT_TRUE(camera.Project({0, 0, 0.06}).has_value());
 }
 
-TEST(StereoCamera, NoBackProjectionWithoutDisparity) {
+TEST(StereoCamera, DoesNotBackProjectWithoutDisparity) {
   const StereoCamera camera = Camera();
   EXPECT_FALSE(camera.BackProject({100, 50, 100}).has_value());
   EXPECT_FALSE(camera.BackProject({100, 50, 101}).has_value());
   EXPECT_FALSE(camera.BackProject({kNaN, 50, 99}).has_value());
 }
 
-TEST(StereoCamera, InImageFromTheFirstToTheLastPixel) {
+TEST(StereoCamera, InImageIncludesTheFirstAndTheLastPixel) {
   const StereoCamera camera = Camera();
   EXPECT_TRUE(camera.InImage(0, 0));
   EXPECT_TRUE(camera.InImage(1241, 374));
@@ -203,7 +203,7 @@ std::string CheckError(const StereoCamera& camera) {
   return "";
 }
 
-TEST(StereoCamera, CheckNamesTheFieldThatCannotBe) {
+TEST(StereoCamera, CheckNamesTheInvalidField) {
   EXPECT_EQ(CheckError(Camera()), "");
   StereoCamera camera = Camera();
   camera.baseline_m = 0.0;

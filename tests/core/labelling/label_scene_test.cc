@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// What the CRF is told of a frame, and how its labels are named.
+// Tests the input of the CRF for a frame, and the mapping of its labels to clusters.
 #include "core/labelling/label_scene.h"
 
 #include <gmock/gmock.h>
@@ -20,7 +20,8 @@ constexpr ClusterId kNone{};
 
 constexpr LabelSceneSteps kOurSteps = StepsOf<TriangulatedPlace, OldestPastFrame, NearestDepths>();
 
-// A static landmark that frames 1 to 3 saw, past_frames being 4: frame 0 is the exact one.
+// The scene of a static landmark observed in frames 1 to 3. With past_frames = 4, frame 0 is the
+// exact past frame.
 LabelScene SceneOfThreeFrames(const LabelSceneSteps& steps) {
   Moving m;
   LabelSceneOptions options;
@@ -35,7 +36,7 @@ LabelScene SceneOfThreeFrames(const LabelSceneSteps& steps) {
   });
 }
 
-TEST(BuildLabelScene, ThePastIsTheOldestFrameOrTheExactOne) {
+TEST(BuildLabelScene, PastIsTheOldestFrameOrTheExactOne) {
   const auto oldest = SceneOfThreeFrames(kOurSteps).crf.nodes.at(0).past;
   ASSERT_TRUE(oldest);
   EXPECT_EQ(oldest->frame, 1);
@@ -43,7 +44,7 @@ TEST(BuildLabelScene, ThePastIsTheOldestFrameOrTheExactOne) {
   EXPECT_FALSE(SceneOfThreeFrames(kExact).crf.nodes.at(0).past);
 }
 
-TEST(BuildLabelScene, ALandmarksPlaceIsTriangulatedOrItsOwn) {
+TEST(BuildLabelScene, LandmarkPositionIsTriangulatedOrEstimated) {
   EXPECT_FALSE(SceneOfThreeFrames(kOurSteps).crf.nodes.at(0).estimate);
   constexpr auto kOwn = StepsOf<EstimatedPlace, OldestPastFrame, NearestDepths>();
   const CrfNode node = SceneOfThreeFrames(kOwn).crf.nodes.at(0);
@@ -52,7 +53,7 @@ TEST(BuildLabelScene, ALandmarksPlaceIsTriangulatedOrItsOwn) {
   EXPECT_TRUE(node.estimate->covariance_m2.isZero());
 }
 
-TEST(BuildLabelScene, WhatIsBeyondInfinityIsFarAwayAndNotAtTheCamera) {
+TEST(BuildLabelScene, NonPositiveDisparitiesAreFarAway) {
   for (const double disparity_px : {0.0, -0.3}) {
     Moving m;
     m.window.landmarks = {Moving::Seen(m.p_in_world, [&](std::int64_t) { return m.p_in_world; })};
@@ -67,7 +68,7 @@ TEST(BuildLabelScene, WhatIsBeyondInfinityIsFarAwayAndNotAtTheCamera) {
   }
 }
 
-TEST(NewBodyPolicies, TheNearestDepthsOrAllOfThem) {
+TEST(NewBodyPolicies, TakeTheNearestDepthsOrAllOfThem) {
   const std::vector<double> depths_m = {2.0, 2.01, 2.02, 2.0, 2.01, 9.0, 9.1};
   EXPECT_THAT(NearestDepths::Candidates(depths_m, 0.2, {}),
               ElementsAre(ElementsAre(0, 1, 2, 3, 4)));
@@ -75,8 +76,8 @@ TEST(NewBodyPolicies, TheNearestDepthsOrAllOfThem) {
   EXPECT_THAT(AllDepths::Candidates({2.0, 2.0, 2.0, 2.0}, 0.2, {}), IsEmpty());
 }
 
-// Two clusters that exchange their labels, and one whose label begins a new one.
-TEST(NameLabels, BoxesGoWithTheLabels) {
+// Two clusters exchange their labels, and the label of a third starts a new cluster.
+TEST(NameLabels, BoxesFollowTheLabels) {
   LabelScene scene;
   scene.crf.labels.resize(5);
   scene.clusters = 3;

@@ -15,7 +15,7 @@ inline RigidTransform At(double x, double y, double z) {
   return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, y, z)};
 }
 
-// A frame seen from the origin, its features at given points.
+// A frame observed by a camera at the origin, with features at given points.
 struct Frame {
   StereoFrame frame;
   std::vector<FramePoint> points;
@@ -28,7 +28,7 @@ struct Frame {
   static Eigen::Vector3d Pixel(const Eigen::Vector3d& p_in_camera) {
     return *kCamera.Project(p_in_camera);
   }
-  // A feature that shows a landmark of `owner`, labelled `assigned`.
+  // Adds a feature that observes a landmark of `owner` and is labelled `assigned`.
   void Add(const Eigen::Vector3d& p_in_camera, PointOwner owner, int landmark, ClusterId assigned) {
     FramePoint point;
     point.feature = static_cast<int>(frame.features.size());
@@ -51,11 +51,11 @@ struct Frame {
   }
 };
 
-// A body that moves 0.1 m to the right per frame, of which and of a static point frames 0 to 3 are
-// in the window. Frame 4 is entering; the body is then at x = 0.4 m.
+// A body that moves 0.1 m to the right per frame, and a point that is static or on the body. Frames
+// 0 to 3 are in the window; frame 4, in which the body is at x = 0.4 m, is entering.
 struct Moving : Frame {
   static constexpr PointOwner kBody = ClusterOwner(0);
-  const Eigen::Vector3d p_in_world{0.5, 0.2, 6.0};  // of the point, static, or now on the body
+  const Eigen::Vector3d p_in_world{0.5, 0.2, 6.0};  // the point; in frame 4 if it moves
   std::vector<ClusterTrack> tracks{1};
   LandmarkId next{10};
   LandmarkUpdateOptions options;
@@ -75,7 +75,7 @@ struct Moving : Frame {
   static RigidTransform BodyAt(std::int64_t frame) {
     return At(0.1 * static_cast<double>(frame), 0.0, 6.0);
   }
-  // The landmark that was at `where(frame)` in frames 0 to 3.
+  // Returns a landmark that was observed at `where(frame)` in frames 0 to 3.
   template <typename Where>
   static Landmark Seen(const Eigen::Vector3d& p_in_object, Where where) {
     Landmark landmark;

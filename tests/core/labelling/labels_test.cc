@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Where the points of a frame go: births, landmarks that change their body.
+// Tests what happens to the labelled points of a frame: new landmarks and clusters, and landmarks
+// that change their body.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -31,7 +32,7 @@ std::vector<std::int64_t> FramesOf(const Landmark& landmark) {
   return frames;
 }
 
-TEST(UpdateLandmarks, AStaticPointThatWasTheBodysTakesItsPastAlong) {
+TEST(UpdateLandmarks, StaticPointThatMovedWithTheBodyKeepsItsPast) {
   Moving m;
   m.window.landmarks = {Moving::Seen(m.p_in_world, [&](std::int64_t f) { return m.OnBody(f); })};
   m.Add(m.p_in_world, kSceneOwner, 0, ClusterId{1});
@@ -46,9 +47,9 @@ TEST(UpdateLandmarks, AStaticPointThatWasTheBodysTakesItsPastAlong) {
   EXPECT_LT((Moving::BodyAt(4) * landmark.p_in_object - m.p_in_world).norm(), 1e-9);
 }
 
-TEST(UpdateLandmarks, WhatDisagreesWithTheNewBodyIsLeftBehind) {
+TEST(UpdateLandmarks, DropsObservationsThatDisagreeWithTheNewBody) {
   Moving m;
-  // It stood still: 0.1 m at 6 m are 7.5 px, at once beyond any gate.
+  // The point stood still: 0.1 m at 6 m are 7.5 px, beyond any gate after one frame.
   m.window.landmarks = {Moving::Seen(m.p_in_world, [&](std::int64_t) { return m.p_in_world; })};
   m.Add(m.p_in_world, kSceneOwner, 0, ClusterId{1});
   m.Update();
@@ -56,10 +57,10 @@ TEST(UpdateLandmarks, WhatDisagreesWithTheNewBodyIsLeftBehind) {
   EXPECT_THAT(FramesOf(m.map.live[0].landmarks[0]), ElementsAre(4));
 }
 
-TEST(UpdateLandmarks, APointOfTheBodyThatStoodStillBecomesStatic) {
+TEST(UpdateLandmarks, PointOfTheBodyThatStoodStillBecomesStatic) {
   Moving m;
   const Eigen::Vector3d p_in_object = Moving::BodyAt(4).Inverse() * m.p_in_world;
-  // Still in frames 2 and 3, on the body before.
+  // The point is static in frames 2 and 3, and on the body before.
   m.map.live[0].landmarks = {Moving::Seen(
       p_in_object, [&](std::int64_t f) { return f < 2 ? m.OnBody(f) : m.p_in_world; })};
   m.map.live[0].landmarks[0].past_information.setIdentity();
@@ -69,11 +70,11 @@ TEST(UpdateLandmarks, APointOfTheBodyThatStoodStillBecomesStatic) {
   ASSERT_THAT(m.window.landmarks, SizeIs(1));
   EXPECT_THAT(FramesOf(m.window.landmarks[0]), ElementsAre(2, 3, 4));
   EXPECT_LT((m.window.landmarks[0].p_in_object - m.p_in_world).norm(), 1e-9);
-  // The past was knowledge of its place on the body.
+  // The past information was about its position on the body.
   EXPECT_TRUE(m.window.landmarks[0].past_information.isZero());
 }
 
-TEST(UpdateLandmarks, AnOutlierIsRemovedAndANewPointIsCreated) {
+TEST(UpdateLandmarks, RemovesOutliersAndCreatesNewPoints) {
   Moving m;
   m.window.landmarks = {Moving::Seen(m.p_in_world, [&](std::int64_t) { return m.p_in_world; })};
   m.Add(m.p_in_world, kSceneOwner, 0, kNone);
@@ -92,7 +93,7 @@ TEST(UpdateLandmarks, AnOutlierIsRemovedAndANewPointIsCreated) {
   EXPECT_FALSE(m.labels.points[3].landmark.valid());
 }
 
-TEST(UpdateLandmarks, ABodyWithoutAPoseTakesNothingIn) {
+TEST(UpdateLandmarks, BodyWithoutAPoseTakesNoLandmarks) {
   Moving m;
   m.tracks[0].is_tracked = false;
   m.window.landmarks = {Moving::Seen(m.p_in_world, [&](std::int64_t) { return m.p_in_world; })};
@@ -118,7 +119,7 @@ TEST(UpdateLandmarks, CovarianceIsTheBestTriangulationInTheBodysFrame) {
   EXPECT_LT((R * landmark.view_in_object + m.p_in_world.normalized()).norm(), 1e-9);
 }
 
-TEST(RemoveUnconfirmed, ForgetsWhatWasSeenOnceLongAgo) {
+TEST(RemoveUnconfirmed, DropsLandmarksSeenOnceLongAgo) {
   std::vector<Landmark> landmarks(4);
   for (int i = 0; i < 4; ++i) {
     landmarks[i].id = LandmarkId{i};
@@ -135,7 +136,7 @@ TEST(RemoveUnconfirmed, ForgetsWhatWasSeenOnceLongAgo) {
 
 const BodyCenterOptions kCenter{{}, {}, ClusterOptions().birth_depth};
 
-// The visible half of a ball in its box.
+// A frame with the visible half of a ball and its box.
 Frame Ball(const Eigen::Vector3d& center, double radius_m) {
   Frame frame;
   Rng rng(1, "ball");
@@ -182,11 +183,11 @@ TEST(CreateClusters, OriginMayBeTheMiddleOfThePoints) {
                    frame.map);
     return 0;
   });
-  // The points are on the side that faces the camera.
+  // All points are on the side facing the camera.
   EXPECT_LT(frame.map.live.at(0).Latest().world_from_object.translation().z(), center.z() - 0.2);
 }
 
-TEST(CreateClusters, GivenLabelsAloneMakeAnUnnamedBodyOfItsPoints) {
+TEST(CreateClusters, GivenLabelsWithoutABoxMakeABodyOfCategoryObject) {
   Frame frame = Ball({0.0, 0.0, 8.0}, 0.6);
   frame.labels.births = {{ClusterId{1}, -1, 5}};
   frame.With([&](const FrameView& view) {
@@ -201,7 +202,7 @@ TEST(CreateClusters, GivenLabelsAloneMakeAnUnnamedBodyOfItsPoints) {
   EXPECT_TRUE(IsConfirmed(cluster, {}));
 }
 
-TEST(DropWeakBirths, RenumbersTheOthersAndGivesPointsBack) {
+TEST(DropWeakBirths, RenumbersTheOthersAndReleasesThePoints) {
   Frame frame;
   frame.map.next = ClusterId{5};
   frame.window.landmarks.resize(1);
@@ -212,8 +213,10 @@ TEST(DropWeakBirths, RenumbersTheOthersAndGivesPointsBack) {
   frame.Add(p, kSceneOwner, 0, ClusterId{6});
   for (int i = 0; i < 4; ++i) frame.Add(p, kNoOwner, -1, ClusterId{7});
   frame.Add(p, kNoOwner, -1, kStaticScene);
-  // Inferred to be of a birth, but not yet assigned to it.
+  // Inferred to belong to a new cluster, but not yet assigned to it.
   frame.labels.points.back().inferred = ClusterId{7};
+  frame.labels.points.back().second = ClusterId{6};
+  frame.labels.points.front().second = ClusterId{7};
   frame.labels.births = {{ClusterId{5}, 0, -1}, {ClusterId{6}, 1, -1}, {ClusterId{7}, 2, -1}};
   internal::DropWeakBirths(3, frame.window, frame.map, frame.points, frame.labels);
   ASSERT_THAT(frame.labels.births, SizeIs(2));
@@ -229,9 +232,11 @@ TEST(DropWeakBirths, RenumbersTheOthersAndGivesPointsBack) {
   EXPECT_FALSE(frame.labels.points[3].inferred.valid());
   EXPECT_EQ(frame.labels.points[5].inferred, ClusterId{6});
   EXPECT_EQ(frame.labels.points.back().inferred, ClusterId{6});
+  EXPECT_FALSE(frame.labels.points.back().second.valid());
+  EXPECT_EQ(frame.labels.points.front().second, ClusterId{6});
 }
 
-TEST(SecondLabel, IsTheLeastOfTheOthersEvenBelowTheDecidedOne) {
+TEST(SecondLabel, IsTheBestOfTheOthersEvenIfBetterThanTheDecidedOne) {
   EnergyMatrix total(2, 3);
   total << 0.5, 2.0, 1.0,  //
       3.0, 2.0, 1.0;
@@ -240,7 +245,7 @@ TEST(SecondLabel, IsTheLeastOfTheOthersEvenBelowTheDecidedOne) {
   EXPECT_EQ(internal::SecondLabel(total, 1, 2), 1);
 }
 
-TEST(IsAllowed, AFeatureIsGivenToItsBodyOnly) {
+TEST(IsAllowed, FeaturesAreAllowedOnlyForTheirGivenBody) {
   Frame frame;
   Cluster cluster;
   const auto allowed = [&](const std::vector<int>& given, int body) {
@@ -259,7 +264,7 @@ TEST(IsAllowed, AFeatureIsGivenToItsBodyOnly) {
 
 constexpr double kMinDisparity_px = 1.0;
 
-TEST(CollectPoints, LeavesOutNewPointsWithoutDisparityOnly) {
+TEST(CollectPoints, OmitsOnlyNewPointsWithoutDisparity) {
   Frame frame;
   frame.Add({0.0, 0.0, 5.0}, kNoOwner, -1, kNone);
   for (int i = 0; i < 3; ++i) frame.Add({0.0, 0.0, 200.0}, kNoOwner, -1, kNone);
@@ -277,7 +282,7 @@ TEST(CollectPoints, LeavesOutNewPointsWithoutDisparityOnly) {
   EXPECT_EQ(points[2].landmark, 9);
 }
 
-TEST(CollectPoints, TheReserveIsForWhereBodiesAre) {
+TEST(CollectPoints, UsesReserveFeaturesOnlyOnBodies) {
   Frame frame;
   const std::vector<Eigen::Vector3d> p = {
       {-1.0, 0.0, 5.0}, {0.0, 0.0, 5.0}, {1.0, 0.0, 5.0}, {1.0, 1.0, 5.0}};
@@ -298,11 +303,11 @@ TEST(CollectPoints, TheReserveIsForWhereBodiesAre) {
        })) {
     features.push_back(point.feature);
   }
-  // Of the detection, of the cluster, and one that is matched.
+  // One in the detection, one on the cluster, and one that is matched.
   EXPECT_THAT(features, ElementsAre(1, 2, 3));
 }
 
-TEST(SceneFeatures, TheReserveOnlyInDetections) {
+TEST(SceneFeatures, UseReserveFeaturesOnlyInDetections) {
   std::vector<StereoFeature> features(3);
   features[0].z_px = {50.0, 50.0, 40.0};
   features[1].z_px = {10.0, 10.0, 5.0};

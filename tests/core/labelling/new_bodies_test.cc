@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Bodies in boxes that no cluster has, where one hides a part of another.
+// Tests new bodies in boxes without a cluster, where one body partly occludes another.
 #include "core/labelling/new_bodies.h"
 
 #include <gmock/gmock.h>
@@ -11,7 +11,7 @@
 namespace cvo {
 namespace {
 
-// A near body in the right half of the box of a far one, which shows its left third.
+// A near body occludes the right half of a far one, of which only the left part is visible.
 struct TwoBoxes {
   ImageBox near_box{300.0, 100.0, 400.0, 300.0};
   ImageBox far_box{200.0, 120.0, 360.0, 260.0};
@@ -25,7 +25,7 @@ struct TwoBoxes {
     AddGrid({305.0, 105.0, 395.0, 295.0}, 8, 2.0);
   }
 
-  // k x k points at this depth.
+  // Adds k x k points at the given depth.
   void AddGrid(const ImageBox& box, int k, double depth_m) {
     for (int i = 0; i < k * k; ++i) {
       CrfNode node;
@@ -37,7 +37,7 @@ struct TwoBoxes {
     }
   }
 
-  // By detection: how far away its body is; 0: none.
+  // Returns the depth of the new body of each detection; 0 if it has none.
   std::vector<double> Depths(const NewBodyRule& rule, double min_fill,
                              const std::vector<char>& is_claimed) const {
     const FeatureGrid grid(frame.features, test::kCamera);
@@ -56,22 +56,22 @@ using ::testing::ElementsAre;
 
 constexpr NewBodyRule kNearest = RuleOf<NearestDepths>();
 
-TEST(FindNewBodies, WhatHidesABodyHasItsPointsAlone) {
+TEST(FindNewBodies, OccludingBodyOwnsItsPointsExclusively) {
   EXPECT_THAT(TwoBoxes().Depths(kNearest, 0.0, {0, 0}), ElementsAre(4.0, 2.0));
 }
 
-TEST(FindNewBodies, ARangeInAPartOfTheBoxIsNotItsBody) {
+TEST(FindNewBodies, DepthRangeMustFillTheBox) {
   TwoBoxes boxes;
   boxes.frame.detections.resize(1);
   EXPECT_THAT(boxes.Depths(kNearest, 0.0, {0}), ElementsAre(2.0));
   EXPECT_THAT(boxes.Depths(kNearest, 0.9, {0}), ElementsAre(4.0));
 }
 
-TEST(FindNewBodies, InThePapersBoxesEveryPointIsTheBodys) {
+TEST(FindNewBodies, AllDepthsUsesEveryPointInTheBox) {
   EXPECT_THAT(TwoBoxes().Depths(RuleOf<AllDepths>(), 0.5, {0, 0}), ElementsAre(3.0, 2.0));
 }
 
-TEST(FindNewBodies, NoneWhereAClusterClaimsTheBoxOrHasThePoints) {
+TEST(FindNewBodies, NoneIfAClusterClaimsTheBoxOrOwnsThePoints) {
   TwoBoxes boxes;
   EXPECT_THAT(boxes.Depths(kNearest, 0.0, {1, 0}), ElementsAre(0.0, 2.0));
   for (FramePoint& point : boxes.points) point.owner = ClusterOwner(0);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// The axes: what a policy must be, and which of them an ablation changes.
+// Tests the axes: the requirements on policies, and which axes an ablation changes.
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
@@ -23,19 +23,19 @@ struct WrongPolicy : Full {
   using Identity = NoBoxRematch;
 };
 
-TEST(Axes, AnAblationChangesWhatItSays) {
+TEST(Axes, AblationsChangeTheStatedAxes) {
   EXPECT_EQ((CountDifferences<Full, Full>()), 0);
   EXPECT_EQ((CountDifferences<Full, MisspeltAxis>()), 0);
   EXPECT_EQ((CountDifferences<Full, Only2d>()), 2);
   EXPECT_EQ((CountDifferences<Static, Only2d>()), 3);
 }
 
-TEST(Axes, APolicyOfAnotherAxisIsNoVariant) {
+TEST(Axes, PolicyOfAnotherAxisIsRefused) {
   EXPECT_TRUE(EstimatorVariant<Full>);
   EXPECT_FALSE(EstimatorVariant<WrongPolicy>);
 }
 
-TEST(Axes, MatchingAndIdentityAreChangedApart) {
+TEST(Axes, MatchingAndIdentityChangeIndependently) {
   EXPECT_TRUE((std::is_same_v<WithoutBoxRematch::Identity, Full::Identity>));
   EXPECT_TRUE((std::is_same_v<AddIdentity<Full>::BoxRematch, Full::BoxRematch>));
 }
@@ -56,11 +56,9 @@ TEST(DetectionPolicies, ShowTheFrameItselfOrNothing) {
   EXPECT_TRUE(none.detection_body.empty());
 }
 
-TEST(DetectionPolicies, ATemporaryFrameIsRefused) {
-  EXPECT_FALSE(HasRvalueOverload<UseDetections>);
-}
+TEST(DetectionPolicies, RefuseTemporaryFrames) { EXPECT_FALSE(HasRvalueOverload<UseDetections>); }
 
-TEST(Instantiate, MakesItsOwnVariantsOnly) {
+TEST(Instantiate, CreatesOnlyItsOwnVariants) {
   TaskPool pool(1);
   const OdometrySetup setup{{400.0, 400.0, 320.0, 240.0, 0.2, 640, 480}, {}, 0};
   EXPECT_NE(Instantiate<1>(1, setup, pool), nullptr);

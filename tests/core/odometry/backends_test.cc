@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Our solver and Ceres on the windows that the estimator makes.
+// Compares our solver with Ceres on the windows that the estimator creates.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,11 +14,11 @@ namespace {
 
 using testing::MovingWorld;
 
-// The largest differences between the two solutions of one problem so far.
+// The largest difference so far between the two solutions of a problem.
 struct Agreement {
   int windows = 0;
   int clusters = 0;
-  double pose = 0.0;  // of a pose's tangent, m and rad
+  double pose = 0.0;  // in the tangent space, m and rad
 
   void Add(const std::vector<RigidTransform>& a, const std::vector<RigidTransform>& b) {
     for (std::size_t i = 0; i < a.size(); ++i) pose = std::max(pose, a[i].Minus(b[i]).norm());
@@ -28,8 +28,8 @@ Agreement agreement;
 
 constexpr SolverOptions kToConvergence = {.iterations = 200, .function_tolerance = 0.0};
 
-// Solves every problem with both, to convergence; the estimator goes on with our solver's usual
-// solution.
+// Solves every problem with both solvers, to convergence. The estimator continues with the usual
+// solution of our solver.
 struct BothSolvers {
   static SolverSummary Solve(const NoiseOptions& noise, const SolverOptions& options,
                              WindowProblem& problem) {
@@ -53,7 +53,8 @@ struct BothSolvers {
   }
 };
 
-// The rig is held: coefficients of its field that few points show have no sharp minimum.
+// The calibration is fixed, because field coefficients that few points constrain have no sharp
+// minimum.
 template <typename V>
 struct WithBoth : V {
   using Solver = BothSolvers;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// The whole system on a world with moving bodies of which the truth is known.
+// Tests the whole system on a world with moving bodies and known ground truth.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ ClusterRun Watch(int frames, Change change, std::string_view variant = "full") {
   return RunClusters(variant, World(), settings, change);
 }
 
-// Corners of body b (counted from 0) in its own frame.
+// Returns the corners of body b (counted from 0) in its own frame.
 Eigen::Matrix3Xd Corners(int b) {
   const Eigen::Vector3d half = testing::TwoBodies()[b].half_size_m;
   Eigen::Matrix3Xd corners(3, 8);
@@ -42,7 +42,8 @@ Eigen::Matrix3Xd Corners(int b) {
   return corners;
 }
 
-// The one rigid object_from_body that fits the trajectory best: a cluster's frame is arbitrary.
+// Returns the constant object_from_body that fits the trajectory best, as the frame of a cluster
+// is arbitrary.
 RigidTransform ObjectFromBody(const ClusterTrajectory& cluster, int b) {
   const Eigen::Matrix3Xd corners = Corners(b);
   const Eigen::Index n = 8 * static_cast<Eigen::Index>(cluster.poses.size());
@@ -60,7 +61,7 @@ RigidTransform ObjectFromBody(const ClusterTrajectory& cluster, int b) {
   return AlignPoints(from, to);
 }
 
-// Largest distance of a body's corner from the truth in a pose of its cluster, m.
+// Returns the largest error of a corner of the body for a pose of its cluster, m.
 double CornerError(const ClusterPose& pose, const RigidTransform& object_from_body, int b) {
   const Eigen::Matrix3Xd corners = Corners(b);
   const RigidTransform world_from_body = World().BodyAt(b, static_cast<int>(pose.frame));
@@ -73,7 +74,7 @@ double CornerError(const ClusterPose& pose, const RigidTransform& object_from_bo
   return error;
 }
 
-// Of a point that rides on body b: central difference of the truth, m/s.
+// Returns the velocity of a point of body b, by central differences of the truth, m/s.
 Eigen::Vector3d TrueVelocity(int b, int frame, const Eigen::Vector3d& p_in_body) {
   return (World().BodyAt(b, frame + 1) * p_in_body - World().BodyAt(b, frame - 1) * p_in_body) /
          0.2;
@@ -96,11 +97,11 @@ TEST(MovingBodies, KeepOneIdEach) {
   EXPECT_EQ(run.clusters.size(), 2u);
 }
 
-TEST(MovingBodies, TrajectoriesBeginWithTheFirstDetectionThoughReportsWaitForTheSecond) {
+TEST(MovingBodies, TrajectoriesStartAtTheFirstDetectionAndReportsAtTheSecond) {
   const auto hide_boxes = [](int i, WorldView& view) {
     if (i < 4) view.frame.detections.clear();
   };
-  // Too short to be traced back.
+  // The run is too short for tracing back.
   const ClusterRun run = Watch(6, hide_boxes);
   ASSERT_EQ(run.clusters.size(), 2u);
   for (const ClusterTrajectory& cluster : run.clusters) {
@@ -114,7 +115,7 @@ TEST(MovingBodies, TrajectoriesBeginWithTheFirstDetectionThoughReportsWaitForThe
   }
 }
 
-TEST(MovingBodies, PosesFollowTheTruthUpToAConstantFrame) {
+TEST(MovingBodies, PosesFollowTheTruthUpToAConstantTransform) {
   const ClusterRun run = Watch(40, testing::kNoChange);
   for (int b = 0; b < 2; ++b) {
     const ClusterTrajectory* cluster = FindTrajectory(run, ClusterOfBody(run, 10, b + 1));
@@ -127,7 +128,7 @@ TEST(MovingBodies, PosesFollowTheTruthUpToAConstantFrame) {
   }
 }
 
-TEST(MovingBodies, VelocitiesAreThoseOfTheClustersOrigin) {
+TEST(MovingBodies, VelocitiesReferToTheClusterOrigin) {
   const ClusterRun run = Watch(40, testing::kNoChange);
   for (int b = 0; b < 2; ++b) {
     const ClusterTrajectory* cluster = FindTrajectory(run, ClusterOfBody(run, 10, b + 1));
@@ -135,7 +136,7 @@ TEST(MovingBodies, VelocitiesAreThoseOfTheClustersOrigin) {
     const Eigen::Vector3d origin = ObjectFromBody(*cluster, b).Inverse().translation();
     for (const ClusterPose& pose : cluster->poses) {
       const int frame = static_cast<int>(pose.frame);
-      // The prior is in no hurry to follow the sudden stop and start at 1.2 s and 2.4 s.
+      // The prior delays the response to the sudden stop and start at 1.2 s and 2.4 s.
       const bool is_jerky = b == 1 && (std::abs(frame - 12) < 5 || std::abs(frame - 24) < 5);
       if (frame < 4 || frame > 37 || is_jerky) continue;
       EXPECT_LT((pose.velocity_m_s - TrueVelocity(b, frame, origin)).norm(), 0.15)
@@ -144,7 +145,7 @@ TEST(MovingBodies, VelocitiesAreThoseOfTheClustersOrigin) {
   }
 }
 
-TEST(MovingBodies, LandmarksAreTheirsAndThoseOfTheBackgroundAreNot) {
+TEST(MovingBodies, LandmarksAreAssignedToTheRightBody) {
   const ClusterRun run = Watch(40, testing::kNoChange);
   const ClusterId id[] = {kStaticScene, ClusterOfBody(run, 10, 1), ClusterOfBody(run, 10, 2)};
   int right[3] = {};
@@ -161,9 +162,9 @@ TEST(MovingBodies, LandmarksAreTheirsAndThoseOfTheBackgroundAreNot) {
   EXPECT_GT(right[2], 0.95 * all[2]);
 }
 
-TEST(LandmarkReports, TellTheSameLandmarkByTheSameId) {
+TEST(LandmarkReports, IdentifyLandmarksConsistently) {
   const ClusterRun run = Watch(20, testing::kNoChange);
-  std::map<Descriptor, LandmarkId> id;  // every point of the world has its own
+  std::map<Descriptor, LandmarkId> id;  // descriptors are unique to points of the world
   std::map<LandmarkId, Descriptor> point;
   int again = 0;
   int all = 0;
@@ -171,7 +172,7 @@ TEST(LandmarkReports, TellTheSameLandmarkByTheSameId) {
     for (const LandmarkReport& landmark : run.reports[i].landmarks) {
       ASSERT_TRUE(landmark.id.valid());
       const Descriptor& seen = run.views[i].frame.features[landmark.feature].descriptor;
-      // Never the id of another point; a lost point may come back as a new landmark.
+      // An id is never reused for another point, but a lost point may return as a new landmark.
       EXPECT_EQ(point.try_emplace(landmark.id, seen).first->second, seen);
       again += id.contains(seen) && id[seen] == landmark.id;
       all += id.contains(seen);
@@ -198,7 +199,7 @@ TEST(MovingBodies, KeepTheirIdThroughAnOcclusion) {
   }
   for (int i = 27; i < 40; ++i) EXPECT_EQ(ClusterOfBody(run, i, 1), id) << "frame " << i;
   EXPECT_EQ(run.clusters.size(), 2u);
-  // The frame of the cluster is the same before and after.
+  // The cluster has the same frame before and after the occlusion.
   const ClusterTrajectory* cluster = FindTrajectory(run, id);
   const RigidTransform object_from_body = ObjectFromBody(*cluster, 0);
   for (const ClusterPose& pose : cluster->poses) {
@@ -208,7 +209,7 @@ TEST(MovingBodies, KeepTheirIdThroughAnOcclusion) {
   }
 }
 
-TEST(MovingBodies, GoOnWithoutBoxes) {
+TEST(MovingBodies, AreTrackedWithoutBoxes) {
   const auto undetected = [](int i, WorldView& view) {
     if (i >= 15 && i < 20) view.frame.detections.clear();
   };
@@ -227,7 +228,7 @@ TEST(MovingBodies, GoOnWithoutBoxes) {
   EXPECT_EQ(run.clusters.size(), 2u);
 }
 
-TEST(MovingBodies, AreFoundAgainInTheArchive) {
+TEST(MovingBodies, AreRecoveredFromTheArchive) {
   const auto hide = [](int i, WorldView& view) {
     if (i < 16 || i >= 34) return;
     testing::RemoveFeatures(1, view);
@@ -240,7 +241,7 @@ TEST(MovingBodies, AreFoundAgainInTheArchive) {
   EXPECT_EQ(ClusterOfBody(run, 38, 1), id);
 }
 
-TEST(MovingBodies, ScoreDecaysWhileThereIsNoBox) {
+TEST(MovingBodies, ScoreDecaysWithoutBoxes) {
   const auto undetected = [](int i, WorldView& view) {
     if (i >= 15 && i < 18) view.frame.detections.clear();
   };
@@ -303,7 +304,7 @@ TEST(Given, LabelsAreObeyed) {
   }
 }
 
-TEST(Given, BoxesOfAnArchivedBodyAreItsOwnAgain) {
+TEST(Given, BoxesRecoverAnArchivedBody) {
   const auto give = [](int i, WorldView& view) {
     if (i >= 12 && i < 30) {
       testing::RemoveFeatures(1, view);
@@ -335,8 +336,8 @@ TEST(Given, BoxesAreObeyed) {
   }
 }
 
-TEST(Given, BoxesAreObeyedWhereNothingElseSaysThatItIsTheSameBody) {
-  // Turns its back and jumps aside while it is hidden, for less and for more than live_frames.
+TEST(Given, BoxesAreObeyedAgainstAllOtherEvidence) {
+  // The body turns around and jumps aside while hidden, for less and for more than live_frames.
   for (const int hidden : {6, 18}) {
     std::vector<testing::MovingBody> bodies = testing::TwoBodies();
     const auto walk = bodies[0].world_from_body;
@@ -361,7 +362,7 @@ TEST(Given, BoxesAreObeyedWhereNothingElseSaysThatItIsTheSameBody) {
   }
 }
 
-TEST(Given, BoxesKeepTheirIdsWhereTheBoxesAlternateInOrder) {
+TEST(Given, BoxesKeepTheirIdsIfTheirOrderAlternates) {
   const auto give = [](int i, WorldView& view) {
     if (i % 2 == 1 && view.box_body.size() == 2) {
       std::swap(view.box_body[0], view.box_body[1]);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Every variant on a world with moving bodies: laws, and input that is not what it should be.
+// Tests every variant on a world with moving bodies: invariants, and degenerate input.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,8 +26,8 @@ class EveryVariantWithBodies : public ::testing::TestWithParam<std::string_view>
     return RunClusters(GetParam(), world_, settings, change);
   }
 
-  // The static ones are shown no detections. Of printed equations nothing is asked: as printed,
-  // the affinity term leaves next to nothing to the bodies (METHOD.md 5.4).
+  // Static variants ignore detections. Variants with printed equations are not checked, because
+  // the printed affinity term leaves almost no landmarks to the bodies (METHOD.md 5.4).
   static bool IsPrinted() { return GetParam().starts_with("printed_"); }
   static void ExpectClusters(bool are_there) {
     if (IsPrinted()) return;
@@ -46,7 +46,7 @@ std::vector<std::string_view> VariantNames() {
 INSTANTIATE_TEST_SUITE_P(Clusters, EveryVariantWithBodies, ::testing::ValuesIn(VariantNames()),
                          [](const auto& variant) { return std::string(variant.param); });
 
-// Positions of the camera in the reports, m from the truth.
+// Returns the position error of the camera in a report, m.
 double CameraError(const FrameReport& report, int frame) {
   return (report.world_from_camera.translation() - MovingWorld::CameraAt(frame).translation())
       .norm();
@@ -93,7 +93,7 @@ void ExpectSameBytes(const FrameReport& a, const FrameReport& b) {
   }
 }
 
-// The poses of every report are numbers, clusters and landmarks in order.
+// Checks that the poses of every report are finite, and clusters and landmarks sorted.
 void ExpectSound(const ClusterRun& run) {
   ASSERT_EQ(run.trajectory.size(), run.reports.size());
   for (const FrameReport& report : run.reports) {
@@ -117,7 +117,7 @@ void ExpectSound(const ClusterRun& run) {
   }
 }
 
-TEST_P(EveryVariantWithBodies, GivesTheSameBytesForAnyThreadCount) {
+TEST_P(EveryVariantWithBodies, IsIdenticalForAnyThreadCount) {
   RunSettings settings;
   settings.frames = 22;
   const ClusterRun one = RunClusters(GetParam(), world_, settings, testing::kNoChange);
@@ -140,11 +140,11 @@ TEST_P(EveryVariantWithBodies, FindsNothingWithoutDetections) {
   ExpectSound(run);
   EXPECT_THAT(testing::ReportedIds(run), IsEmpty());
   EXPECT_THAT(run.clusters, IsEmpty());
-  // Bodies that are not known to move pull at the camera.
+  // Bodies that are not known to move bias the camera pose.
   EXPECT_LT(CameraError(run.reports.back(), 19), 0.1);
 }
 
-TEST_P(EveryVariantWithBodies, TakesBoxesWithoutAreaOrFeaturesForNothing) {
+TEST_P(EveryVariantWithBodies, IgnoresBoxesWithoutAreaOrFeatures) {
   const ClusterRun run = Watch(15, [](int i, WorldView& view) {
     view.frame.detections = {{{100, 100, 100, 100}, "cart", 1.0},
                              {{5000, 10, 5400, 400}, "cart", 1.0},
@@ -172,7 +172,7 @@ TEST_P(EveryVariantWithBodies, SurvivesFiveHundredBoxes) {
   EXPECT_LT(CameraError(run.reports.back(), 7), 0.3);
 }
 
-TEST_P(EveryVariantWithBodies, ComesBackAfterTwentyFramesWithoutFeatures) {
+TEST_P(EveryVariantWithBodies, RecoversAfterTwentyFramesWithoutFeatures) {
   const ClusterRun run = Watch(42, [](int i, WorldView& view) {
     if (i < 16 || i >= 36) return;
     view.frame.features.clear();
@@ -182,18 +182,18 @@ TEST_P(EveryVariantWithBodies, ComesBackAfterTwentyFramesWithoutFeatures) {
   for (int i = 16; i < 36; ++i) EXPECT_EQ(run.reports[i].status, FrameStatus::kLost);
   EXPECT_EQ(run.reports[36].status, FrameStatus::kRecovered);
   EXPECT_LT(CameraError(run.reports[36], 36), 0.1);
-  // Clusters go on by prediction, then into the archive.
+  // Clusters are predicted first, then archived.
   const int live = Options().LiveFrames();
   for (const ClusterReport& cluster : run.reports[15 + live - 1].clusters) {
     EXPECT_EQ(cluster.status, ClusterStatus::kPredicted);
   }
   ExpectClusters(!run.reports[15 + live - 1].clusters.empty());
   EXPECT_THAT(run.reports[15 + live].clusters, IsEmpty());
-  // Found again or born again.
+  // They are recovered or created anew.
   ExpectClusters(!run.reports[41].clusters.empty());
 }
 
-TEST_P(EveryVariantWithBodies, StartsWithTheFirstFrameThatShowsSomething) {
+TEST_P(EveryVariantWithBodies, StartsWithTheFirstFrameWithFeatures) {
   const ClusterRun run = Watch(12, [](int i, WorldView& view) {
     if (i > 1) return;
     view.frame.features.clear();
@@ -216,7 +216,7 @@ TEST_P(EveryVariantWithBodies, ReportsNoClusterFromASingleDetection) {
   EXPECT_THAT(run.clusters, IsEmpty());
 }
 
-TEST_P(EveryVariantWithBodies, GoesOnInAPlaceItDoesNotKnow) {
+TEST_P(EveryVariantWithBodies, RestartsInAnUnknownPlace) {
   const ClusterRun run = Watch(34, [](int i, WorldView& view) {
     if (i < 8) return;
     for (std::size_t k = 0; k < view.of_body.size(); ++k) {
@@ -225,7 +225,7 @@ TEST_P(EveryVariantWithBodies, GoesOnInAPlaceItDoesNotKnow) {
     }
   });
   ExpectSound(run);
-  // The static ones go on with the landmarks on the bodies.
+  // Static variants continue with the landmarks on the bodies.
   if (GetParam().substr(0, 6) == "static" || IsPrinted()) return;
   const int restart = 8 + TrackingOptions().restart_after;
   EXPECT_EQ(run.reports[restart - 1].status, FrameStatus::kLost);
@@ -234,7 +234,7 @@ TEST_P(EveryVariantWithBodies, GoesOnInAPlaceItDoesNotKnow) {
   ExpectClusters(!run.reports[33].clusters.empty());
 }
 
-TEST_P(EveryVariantWithBodies, TakesGivenLabelsAndBoxesTogether) {
+TEST_P(EveryVariantWithBodies, AcceptsGivenLabelsAndBoxesTogether) {
   const ClusterRun run = Watch(12, [](int, WorldView& view) {
     view.frame.given.feature_body = testing::BodyIds(view.of_body);
     view.frame.given.detection_body = testing::BodyIds(view.box_body);
@@ -244,7 +244,7 @@ TEST_P(EveryVariantWithBodies, TakesGivenLabelsAndBoxesTogether) {
   EXPECT_EQ(testing::ReportedIds(run).size(), is_static ? 0u : 2u);
 }
 
-TEST_P(EveryVariantWithBodies, RefusesGivenKnowledgeOfAnotherLength) {
+TEST_P(EveryVariantWithBodies, RefusesGivenListsOfTheWrongLength) {
   const auto give_too_few_labels = [](int, WorldView& view) {
     view.frame.given.feature_body = {BodyId{0}, BodyId{1}};
   };
@@ -268,7 +268,7 @@ TEST_P(EveryVariantWithBodies, PredictsClustersInSkippedFrames) {
     }
   }
   EXPECT_EQ(run.reports[18].status, FrameStatus::kTracked);
-  // The same clusters before and after.
+  // The clusters are the same before and after.
   for (const ClusterReport& cluster : run.reports[11].clusters) {
     EXPECT_NE(testing::FindReport(run.reports[20], cluster.id), nullptr) << cluster.id.value;
   }

@@ -15,7 +15,7 @@ using testing::RunClusters;
 using testing::RunSettings;
 using testing::WorldView;
 
-// What is left of the right image is seen in the left one alone.
+// Makes features beyond the left border of the right image visible in the left image only.
 void HideBeyondTheRightImage(WorldView& view) {
   for (StereoFeature& feature : view.frame.features) {
     if (feature.z_px[2] >= 0.0) continue;
@@ -24,7 +24,8 @@ void HideBeyondTheRightImage(WorldView& view) {
   }
 }
 
-// A body that goes where the left image alone shows it: in how many of those frames it is tracked.
+// Number of frames in which only the left image shows the body, and of those in which it is
+// tracked.
 struct BlindFrames {
   int all = 0;
   int tracked = 0;
@@ -56,7 +57,7 @@ BlindFrames WatchABodyLeave(bool uses_left_only) {
   return blind;
 }
 
-TEST(MovingBodies, AreFollowedWhereTheLeftImageAloneShowsThem) {
+TEST(MovingBodies, AreTrackedWhereOnlyTheLeftImageShowsThem) {
   const BlindFrames with = WatchABodyLeave(true);
   EXPECT_GE(with.all, 4);
   EXPECT_EQ(with.tracked, with.all);

@@ -16,7 +16,7 @@ using testing::FeatureWorld;
 
 constexpr std::int64_t kInterval_ns = 100'000'000;
 
-// Runs a variant over frames of a world; `change` may spoil a frame before the estimator sees it.
+// The output of a variant for the frames of a world.
 struct WorldRun {
   std::vector<FrameReport> reports;
   std::vector<RigidTransform> trajectory;
@@ -72,11 +72,11 @@ TEST_P(EveryVariant, FollowsANoiseFreeCameraExactly) {
 
 TEST_P(EveryVariant, StaysNearTheTruthUnderPixelNoise) {
   const WorldRun run = RunWorld(GetParam(), 60, 0.5, kUnchanged);
-  // 18 m driven; 0.3 % of it is what half a pixel on 500 features leaves room for.
+  // 0.3 % of the 18 m driven, the drift to expect from half a pixel of noise on 500 features.
   EXPECT_LT(PositionError(run.trajectory.back(), 59), 0.054);
 }
 
-TEST_P(EveryVariant, RepeatsItselfToTheLastBit) {
+TEST_P(EveryVariant, IsDeterministicToTheLastBit) {
   const WorldRun first = RunWorld(GetParam(), 30, 0.5, kUnchanged);
   const WorldRun second = RunWorld(GetParam(), 30, 0.5, kUnchanged);
   for (int i = 0; i < 30; ++i) {
@@ -106,11 +106,11 @@ TEST_P(EveryVariant, BridgesLostFramesAndRecovers) {
   EXPECT_EQ(run.reports[23].status, FrameStatus::kRecovered);
   EXPECT_EQ(run.reports[24].status, FrameStatus::kTracked);
   EXPECT_LT(PositionError(run.trajectory[29], 29), 0.05);
-  // While lost the camera is predicted from its velocity.
+  // While lost, the camera is predicted from its velocity.
   EXPECT_LT(PositionError(run.trajectory[21], 21), 0.1);
 }
 
-TEST_P(EveryVariant, KnowsThePlaceAgainAfterTwentyLostFrames) {
+TEST_P(EveryVariant, RelocalizesAfterTwentyLostFrames) {
   const auto blind = [](int i, StereoFrame& frame) {
     if (i >= 10 && i < 30) frame.features.clear();
   };
@@ -120,7 +120,7 @@ TEST_P(EveryVariant, KnowsThePlaceAgainAfterTwentyLostFrames) {
   EXPECT_LT(PositionError(run.trajectory[35], 35), 0.1);
 }
 
-TEST_P(EveryVariant, StartsAnewAtThePredictedCameraInAPlaceItDoesNotKnow) {
+TEST_P(EveryVariant, RestartsAtThePredictedCameraInAnUnknownPlace) {
   const auto move = [](int i, StereoFrame& frame) {
     if (i < 10) return;
     for (StereoFeature& feature : frame.features) {
@@ -136,14 +136,14 @@ TEST_P(EveryVariant, StartsAnewAtThePredictedCameraInAPlaceItDoesNotKnow) {
   EXPECT_LT(PositionError(run.trajectory[23], 23), 1.0);
 }
 
-// Everything else is far away, so a small rotation and no translation explain it nearly as well,
-// and most of the matches agree.
-TEST(CameraTracking, IsNotCarriedAwayByANearBodyThatStartsToMoveWithTheCamera) {
+// The rest of the scene is far away, so that a small rotation without translation explains it
+// almost as well, and most of the matches agree with that.
+TEST(CameraTracking, IgnoresANearBodyThatStartsToMoveWithTheCamera) {
   constexpr int kStart = 20;
   constexpr double kSpeed_m = 0.05;
   FeatureWorld world(7);
   Rng rng(3, "near body");
-  std::vector<Eigen::Vector3d> body;  // in the camera of frame kStart
+  std::vector<Eigen::Vector3d> body;  // in the camera frame of kStart
   std::vector<Descriptor> descriptors(120);
   for (Descriptor& descriptor : descriptors) {
     body.emplace_back(rng.Uniform(0.2, 0.8), rng.Uniform(-0.3, 0.3), rng.Uniform(2.6, 2.9));
@@ -179,7 +179,7 @@ TEST(CameraTracking, IsNotCarriedAwayByANearBodyThatStartsToMoveWithTheCamera) {
   }
 }
 
-TEST_P(EveryVariant, FindsItselfAfterAJumpThatNoPredictionCovers) {
+TEST_P(EveryVariant, RecoversAfterAnUnpredictableJump) {
   FeatureWorld world(7);
   TaskPool pool(1);
   const auto odometry = MakeOdometry(GetParam(), world, pool);
@@ -213,7 +213,7 @@ TEST_P(EveryVariant, PredictsASkippedFrame) {
   EXPECT_EQ(odometry->Trajectory().size(), 12u);
 }
 
-TEST_P(EveryVariant, RefusesTimeThatStandsStill) {
+TEST_P(EveryVariant, RefusesARepeatedTimestamp) {
   FeatureWorld world(7);
   TaskPool pool(1);
   const auto odometry = MakeOdometry(GetParam(), world, pool);
@@ -223,8 +223,8 @@ TEST_P(EveryVariant, RefusesTimeThatStandsStill) {
   EXPECT_THROW(odometry->Process(frame, times), Error);
 }
 
-TEST_P(EveryVariant, IgnoresABodyThatMovesOnItsOwn) {
-  // A third of the features belong to something that slides to the side.
+TEST_P(EveryVariant, IgnoresAMovingBody) {
+  // A third of the features belong to an object that slides sideways.
   const auto sliding = [](int i, StereoFrame& frame) {
     for (std::size_t k = 0; k < frame.features.size(); k += 3) {
       frame.features[k].z_px += Eigen::Vector3d(6.0 * i, 0.0, 6.0 * i);
@@ -234,8 +234,9 @@ TEST_P(EveryVariant, IgnoresABodyThatMovesOnItsOwn) {
   EXPECT_LT(PositionError(run.trajectory.back(), 19), 0.05);
 }
 
-TEST_P(EveryVariant, DoesNotTakeTheMotionOfAVehicleAheadForItsOwn) {
-  // It has as many features as the scene, fewer than a tenth of the image, and the camera's speed.
+TEST_P(EveryVariant, IgnoresTheMotionOfAVehicleAhead) {
+  // It has as many features as the scene, covers less than a tenth of the image and moves at the
+  // speed of the camera.
   FeatureWorld world(7);
   TaskPool pool(1);
   const auto odometry = MakeOdometry(GetParam(), world, pool);
@@ -258,7 +259,7 @@ TEST_P(EveryVariant, DoesNotTakeTheMotionOfAVehicleAheadForItsOwn) {
   }
 }
 
-TEST(MotionModel, ContinuesATurnAtAnyInterval) {
+TEST(MotionModel, ExtrapolatesATurnOverAnyInterval) {
   const RigidTransform step(ExpSo3({0.0, 0.1, 0.0}), Eigen::Vector3d(0.0, 0.0, 1.0));
   MotionModel model;
   model.Update(0, RigidTransform());
@@ -268,7 +269,7 @@ TEST(MotionModel, ContinuesATurnAtAnyInterval) {
   EXPECT_LT((step * half).Minus(model.Predict(3 * kInterval_ns / 2)).norm(), 1e-12);
 }
 
-TEST(Variants, UnknownNameListsThoseThereAre) {
+TEST(Variants, UnknownNameListsTheKnownOnes) {
   try {
     FindVariant("statik");
     FAIL();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Poses that leave the estimator while it runs are those that it would have had in the end.
+// Tests that poses taken from the estimator during a run equal those it would have at the end.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using testing::RunClusters;
 using testing::RunSettings;
 using testing::WorldView;
 
-// All numbers of a pose, and how many there are after it.
+// Returns all numbers of a pose.
 std::vector<double> NumbersOf(const ClusterPose& pose) {
   std::vector<double> numbers = {static_cast<double>(pose.frame),
                                  static_cast<double>(pose.timestamp_ns),
@@ -47,8 +47,8 @@ void AppendPoses(const std::vector<ClusterTrajectory>& clusters, PosesById& all)
 
 constexpr int kWatched = 90;
 
-// Bodies are hidden, each for a while, some for longer than the window, and turn meanwhile: they
-// are predicted, archived, found again by their landmarks or their place, and traced back.
+// Hides the bodies for some time, partly for longer than the window, while they turn. They are
+// predicted, archived, recovered by their landmarks or their position, and traced back.
 void SpoilView(int frame, WorldView& view) {
   const auto hide = [&](int body) {
     testing::RemoveFeatures(body, view);
@@ -63,7 +63,7 @@ void SpoilView(int frame, WorldView& view) {
 
 struct Outcome {
   PosesById trajectories;
-  std::size_t most_kept = 0;  // poses that the estimator had at a time
+  std::size_t most_kept = 0;  // largest number of poses held by the estimator
   std::size_t taken = 0;
 };
 
@@ -75,7 +75,7 @@ Outcome WatchOutcome(const char* variant, bool takes) {
   Outcome run;
   StageTimes times;
   for (int i = 0; i < kWatched; ++i) {
-    // To and fro: the camera stays in the world.
+    // The camera moves back and forth, so that it stays within the world.
     const int there = i % 60 < 30 ? i % 60 : 60 - i % 60;
     WorldView view = world.Observe(there, 0.3);
     view.frame.timestamp_ns = MovingWorld::TimeOf(i);
@@ -102,7 +102,7 @@ Outcome WatchOutcome(const char* variant, bool takes) {
 class SettledPoses : public ::testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Variants, SettledPoses, ::testing::Values("full", "clustervo", "2d"));
 
-TEST_P(SettledPoses, AreTheFinalOnes) {
+TEST_P(SettledPoses, AreFinal) {
   const Outcome whole = WatchOutcome(GetParam(), false);
   const Outcome taken = WatchOutcome(GetParam(), true);
   EXPECT_EQ(taken.trajectories, whole.trajectories);

@@ -30,12 +30,12 @@ MovingWorld SlidingCrate() {
 
 struct Story {
   int detected_from = 0;
-  int features_from = 0;  // before it the body shows no corners
+  int features_from = 0;  // the body has no features earlier
   int trace_states = ClusterOptions().trace_states;
 };
 
-// The frames in which the body was tracked in the end, and the worst error of its place before it
-// was detected, against its pose in that frame, m.
+// The frames in which the final trajectory tracks the body, and the largest position error before
+// its first detection, relative to its pose in that frame, m.
 struct Told {
   std::vector<int> frames;
   double worst_m = 0.0;
@@ -47,7 +47,7 @@ Told Watch(const Story& story) {
   settings.frames = kFrames;
   settings.options.clusters.trace_states = story.trace_states;
   const ClusterRun run = RunClusters("full", world, settings, [&](int frame, WorldView& view) {
-    // A body without a box is static to the estimator; here it shall not move the camera.
+    // Without a box the estimator takes the body for static, which must not affect the camera here.
     view.frame.given.world_from_camera = MovingWorld::CameraAt(frame);
     if (frame < story.detected_from) view.frame.detections.clear();
     if (frame >= story.features_from) return;
@@ -86,15 +86,15 @@ TEST(TraceBack, FindsABodyInTheFramesBeforeItsFirstDetection) {
 }
 
 TEST(TraceBack, EndsAtTheOldestFrameOfTheWindow) {
-  // Born in frame 20, traced with the third state: T_t then begins with frame 8.
+  // The cluster starts in frame 20 and is traced at its third state, when T_t begins with frame 8.
   EXPECT_EQ(Watch({.detected_from = 20}).frames.front(), 8);
 }
 
-TEST(TraceBack, EndsWhereTheBodyWasNotSeen) {
+TEST(TraceBack, EndsWhereTheBodyWasNotObserved) {
   EXPECT_EQ(Watch({.detected_from = 8, .features_from = 4}).frames.front(), 4);
 }
 
-// T_t are the frames 0 to 6; the cluster was found in frame 4, its trajectory begins with frame 0.
+// T_t holds frames 0 to 6. The cluster was created in frame 4; its trajectory begins with frame 0.
 struct Found {
   Window window;
   Cluster cluster;
@@ -126,17 +126,17 @@ TEST(FramesToTrace, AreThoseBeforeTheClusterWasFound) {
 
 TEST(FramesToTrace, EndWhereTheClusterWasTracked) {
   const std::vector<FrameId> two = {FrameId{3}, FrameId{2}};
-  Found by_trajectory;  // under an identity that it has taken over
+  Found by_trajectory;  // under an inherited identity
   by_trajectory.trajectory.poses[1].status = ClusterStatus::kTracked;
   EXPECT_EQ(by_trajectory.Frames(), two);
-  // With too few landmarks to count as tracked: the frame must not get a second state.
+  // Too few landmarks to count as tracked, but the frame must not get a second state.
   Found by_state;
   by_state.cluster.states.insert(by_state.cluster.states.begin(),
                                  {FrameId{1}, MovingWorld::TimeOf(1), {}, {}});
   EXPECT_EQ(by_state.Frames(), two);
 }
 
-TEST(FramesToTrace, AreNoneUntilItIsTime) {
+TEST(FramesToTrace, AreNoneIfDisabledOrTooEarly) {
   Found off;
   off.options.trace_states = 0;
   EXPECT_TRUE(off.Frames().empty());
@@ -157,7 +157,7 @@ TEST(FramesToTrace, AreNoneUntilItIsTime) {
   EXPECT_TRUE(done.Frames().empty());
 }
 
-TEST(PredictBack, GoesOnAgainstTheMotionOfTheNextTwoStates) {
+TEST(PredictBack, ExtrapolatesBackwardsFromTheNextTwoStates) {
   const auto at = [](double time_s) {
     return RigidTransform(ExpSo3({0.0, 0.5 * time_s, 0.0}), Eigen::Vector3d(time_s, 0.0, 4.0));
   };
@@ -168,7 +168,7 @@ TEST(PredictBack, GoesOnAgainstTheMotionOfTheNextTwoStates) {
     cluster.states.push_back(
         {FrameId{frame}, MovingWorld::TimeOf(frame), at(0.1 * frame), velocity});
   }
-  // A state of the life before is no guide.
+  // A state from before the loss must not be used.
   cluster.states.insert(cluster.states.begin(), {FrameId{1}, MovingWorld::TimeOf(1), at(9.0), {}});
   const Options options;
   const PredictorAnytime predict = [&](const Cluster& moving, std::int64_t timestamp_ns) {

@@ -43,7 +43,7 @@ TEST(MeasurementNoise, SqrtInformationInvertsTheCovariance) {
   }
 }
 
-TEST(HuberWeight, IsOneInsideAndFallsWithTheNormOutside) {
+TEST(HuberWeight, IsOneInsideAndDecreasesOutside) {
   EXPECT_EQ(HuberWeight(3.99, 2.0), 1.0);
   EXPECT_DOUBLE_EQ(HuberWeight(16.0, 2.0), 0.5);
 }
@@ -70,8 +70,8 @@ TEST(ReprojectionCost, IsZeroAtTheTruth) {
   EXPECT_LT(value.r.norm(), 1e-9);
 }
 
-TEST(ReprojectionCost, HasTheValueWorkedOutByHand) {
-  // A point 10 m ahead, 1 m right: u = 600 + 70, disparity 37.8, shifted by 0.2.
+TEST(ReprojectionCost, MatchesHandComputedValue) {
+  // A point 10 m ahead and 1 m to the right: u = 600 + 70, disparity 37.8, right shift 0.2.
   const auto value =
       EvaluateReprojection(kCamera, {669.0, 180.0, 632.4}, 2.0 * Eigen::Matrix3d::Identity(),
                            RigidTransform(), {1.0, 0.0, 10.0});
@@ -123,7 +123,7 @@ TEST(PriorCost, IsR0AtTheLinearizationPoint) {
   EXPECT_LT((r - prior.r0).norm(), 1e-12);
 }
 
-TEST(PriorCost, JacobiansMatchDifferencesAwayFromIt) {
+TEST(PriorCost, JacobiansMatchDifferencesAwayFromTheLinearizationPoint) {
   Rng rng(4, "prior");
   const WindowPrior prior = RandomPrior(3, rng);
   const PriorCost cost(prior);

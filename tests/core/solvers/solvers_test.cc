@@ -32,7 +32,8 @@ RigidTransform RandomPose(Rng& rng, double size) {
   return {ExpSo3(size * RandomVector(rng)), size * RandomVector(rng)};
 }
 
-// Frames along a curve; each point is seen in most frames, some observations far off.
+// Returns a window of frames along a curve. Most frames observe each point; some observations are
+// outliers.
 WindowProblem RandomWindow(int frames, int points, Rng& rng) {
   WindowProblem problem;
   problem.camera = kCamera;
@@ -117,7 +118,7 @@ TEST(SolveWindow, RefusesFactorsOutOfOrder) {
   EXPECT_THROW(SolveWindow({}, {}, problem), Error);
 }
 
-TEST(SolveWindow, KeepsAFrameThatNothingIsKnownOf) {
+TEST(SolveWindow, LeavesUnobservedFramesUnchanged) {
   Rng rng(4, "solvers");
   WindowProblem problem = RandomWindow(4, 40, rng);
   problem.is_fixed[0] = problem.is_right_field_fixed = 1;
@@ -127,7 +128,7 @@ TEST(SolveWindow, KeepsAFrameThatNothingIsKnownOf) {
   EXPECT_EQ(problem.world_from_camera[2].Minus(before).norm(), 0.0);
 }
 
-TEST(SolveWindow, SaysHowItEnded) {
+TEST(SolveWindow, ReportsHowItEnded) {
   Rng rng(5, "solvers");
   WindowProblem problem = RandomWindow(4, 40, rng);
   problem.is_fixed[0] = 1;
@@ -138,7 +139,7 @@ TEST(SolveWindow, SaysHowItEnded) {
   EXPECT_EQ(ending({.iterations = 100, .function_tolerance = 1e-6}), SolverEnding::kConverged);
 }
 
-// Whatever it is asked to do makes it worse.
+// A model whose energy increases with every step.
 struct Uphill {
   static double Linearize(SchurEquations& equations) {
     equations.SetZero();
@@ -151,7 +152,7 @@ struct Uphill {
   static double Norm() { return 1.0; }
 };
 
-TEST(MinimizeEnergy, WithoutAUsableStepItSaysSo) {
+TEST(MinimizeEnergy, ReportsThatNoStepWasUsable) {
   SchurEquations equations({}, 0, 1, {});
   Uphill model;
   const SolverSummary summary = MinimizeEnergy({}, equations, model);
@@ -226,7 +227,7 @@ TEST(SolveCluster, AgreesWithCeres) {
   }
 }
 
-// H dx = -g with its points, as one dense system: poses and others first.
+// H dx = -g including the points, as one dense system: poses and shared variables come first.
 struct DenseSystem {
   Eigen::MatrixXd H;
   Eigen::VectorXd g;
@@ -258,7 +259,7 @@ DenseSystem MakeDense(const SchurEquations& equations) {
   return dense;
 }
 
-// A window linearised at its state, right_field_px free.
+// Linearises a window at its current state, with right_field_px free.
 SchurEquations LinearizedWindow(const WindowProblem& problem) {
   std::vector<int> poses;
   std::vector<CameraView> views;
@@ -273,7 +274,7 @@ SchurEquations LinearizedWindow(const WindowProblem& problem) {
   return equations;
 }
 
-TEST(SchurSolver, SolvesTheDampedSystemAsADenseSolverDoes) {
+TEST(SchurSolver, AgreesWithADenseSolverOnTheDampedSystem) {
   Rng rng(6, "solvers");
   const SchurEquations equations = LinearizedWindow(RandomWindow(5, 20, rng));
   const DenseSystem dense = MakeDense(equations);
@@ -295,7 +296,7 @@ TEST(SchurSolver, SolvesTheDampedSystemAsADenseSolverDoes) {
   }
 }
 
-TEST(SchurSolver, InformationOnTheSharedVariablesIsThatOfADenseSystem) {
+TEST(SchurSolver, SharedInformationAgreesWithADenseSystem) {
   Rng rng(11, "solvers");
   const SchurEquations equations = LinearizedWindow(RandomWindow(4, 20, rng));
   const DenseSystem dense = MakeDense(equations);
@@ -308,7 +309,7 @@ TEST(SchurSolver, InformationOnTheSharedVariablesIsThatOfADenseSystem) {
   EXPECT_LT((product - Matrix6d::Identity()).norm(), 1e-4);
 }
 
-TEST(SchurSolver, RefusesWhatIsNotPositiveDefinite) {
+TEST(SchurSolver, RefusesIndefiniteSystems) {
   Rng rng(7, "solvers");
   SchurEquations equations = LinearizedWindow(RandomWindow(3, 10, rng));
   equations.points[4].H *= -1.0;
@@ -316,7 +317,8 @@ TEST(SchurSolver, RefusesWhatIsNotPositiveDefinite) {
   EXPECT_FALSE(SchurSolver(equations).Solve(equations, 1e4, step));
 }
 
-// Energy of a window or cluster moved by a step of all its variables, against its gradient.
+// Compares the gradient with differences of the energy of a window or cluster whose variables are
+// all moved.
 TEST(LinearizeReprojections, GradientOfAWindowMatchesDifferences) {
   Rng rng(8, "solvers");
   const WindowProblem problem = RandomWindow(4, 8, rng);

@@ -11,7 +11,7 @@
 
 namespace cvo::test {
 
-// A small disk of its own, as far as the system lets us mount one.
+// A small file system of its own, mounted at `folder` if the system permits.
 class SmallDisk {
  public:
   SmallDisk(std::filesystem::path folder, const char* size) : folder_(std::move(folder)) {

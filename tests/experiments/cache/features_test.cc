@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Front-end output on disk: exact, and never wrong.
+// Front-end output stored on disk reads back bit by bit, and damage is always detected.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ class CacheFeatures : public testing::Test {
   const std::string key_ = SomeKey('a');
 };
 
-TEST_F(CacheFeatures, GivesBackEveryBit) {
+TEST_F(CacheFeatures, ReadsBackEveryBit) {
   const FrontEndCache cache = Cache();
   EXPECT_EQ(Load(cache, key_, kFrames), "");
   Store(cache, key_, frames_);
@@ -70,7 +70,7 @@ TEST_F(CacheFeatures, AnUnfinishedRecordingLeavesNothing) {
   {
     FrontEndRecording recording = Cache().Record();
     recording.Add(frames_[0]);
-    EXPECT_THAT(NamesIn(folder()), SizeIs(1));  // the temporary
+    EXPECT_THAT(NamesIn(folder()), SizeIs(1));  // the temporary file
   }
   EXPECT_THAT(NamesIn(folder()), IsEmpty());
   Store(Cache(), "", frames_);
@@ -81,7 +81,7 @@ TEST_F(CacheFeatures, AFlippedBitIsDetected) {
   const FrontEndCache cache = Cache();
   Store(cache, key_, frames_);
   const std::string whole = ReadFileBytes(FileOf(key_));
-  constexpr std::size_t kStep = 7;  // through all eight bits
+  constexpr std::size_t kStep = 7;  // coprime to 8, so all bit positions are hit
   for (std::size_t at = 0; at < whole.size(); at += kStep) {
     std::string damaged = whole;
     damaged[at] = static_cast<char>(damaged[at] ^ (1 << (at % 8)));
@@ -133,7 +133,7 @@ TEST_F(CacheFeatures, AnotherVersionIsNotRead) {
   EXPECT_FALSE(fs::exists(FileOf(key_)));
 }
 
-TEST_F(CacheFeatures, AnEntryUnderAnotherKeyOrOfOtherLengthIsNotRead) {
+TEST_F(CacheFeatures, AnEntryWithTheWrongKeyOrFrameCountIsNotRead) {
   const FrontEndCache cache = Cache();
   Store(cache, key_, frames_);
   EXPECT_FALSE(cache.Find(key_, kFrames + 1));
@@ -160,7 +160,7 @@ TEST_F(CacheFeatures, TheKeyCoversAllInputs) {
   others[5].boxes = {{{10.0, 20.0, 30.0, 40.0}}, {}};
   others[6].perturbation.blur_px = 1.0;
   for (const FrontEndSettings& other : others) EXPECT_NE(FrontEndKey(other, images), key);
-  // What is drawn for a frame is decided by its number.
+  // The random choices of a perturbation depend on the number of the frame.
   FrontEndSettings later = others[6];
   later.first_frame = 7;
   EXPECT_NE(FrontEndKey(later, images), FrontEndKey(others[6], images));

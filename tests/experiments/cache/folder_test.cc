@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// The cache's folder: its size, several processes, disks in trouble.
+// The folder of the cache: its size limit, use by several processes, and disk failures.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ class CacheFolderTest : public testing::Test {
   }
   fs::path FileOf(const std::string& key) const { return temp_.path() / (key + ".features"); }
 
-  // Seconds since the last use.
+  // Sets the last use of a file to `seconds` ago.
   static void Age(const fs::path& file, time_t seconds) {
     timespec times[2] = {{0, UTIME_OMIT}, {::time(nullptr) - seconds, 0}};
     ASSERT_EQ(::utimensat(AT_FDCWD, file.c_str(), times, 0), 0);
@@ -66,7 +66,7 @@ TEST_F(CacheFolderTest, LeastRecentlyUsedIsRemovedFirst) {
   Age(FileOf(SomeKey('a')), 300);
   Age(FileOf(SomeKey('b')), 200);
   Age(FileOf(SomeKey('c')), 100);
-  EXPECT_TRUE(Cache().Find(SomeKey('a'), kFrames));  // used now
+  EXPECT_TRUE(Cache().Find(SomeKey('a'), kFrames));  // marks it as just used
   Store(Cache(3 * size_bytes), SomeKey('d'), frames_);
   EXPECT_THAT(NamesIn(temp_.path()),
               ElementsAre(SomeKey('a') + ".features", SomeKey('c') + ".features",
@@ -83,7 +83,7 @@ TEST_F(CacheFolderTest, AnEntryAboveTheLimitIsNotStored) {
   EXPECT_THAT(NamesIn(temp_.path()), SizeIs(1));
   ASSERT_THAT(notices_, SizeIs(1));
   EXPECT_THAT(notices_[0], HasSubstr(StrCat("the cache may have ", size_bytes)));
-  Store(Cache(0), SomeKey('b'), frames_);  // asked for: no notice
+  Store(Cache(0), SomeKey('b'), frames_);  // disabled on request: no notice
   EXPECT_THAT(notices_, SizeIs(1));
 }
 
@@ -124,7 +124,7 @@ TEST_F(CacheFolderTest, ManyProcessesWriteReadAndEvictAtOnce) {
       children.push_back(pid);
       continue;
     }
-    // Room for two of three, so that entries come and go while others read them.
+    // There is room for two of three entries, so that entries come and go while others are read.
     const FrontEndCache cache = Cache(2 * size_bytes);
     bool fine = true;
     for (int round = 0; round < 10; ++round) {
@@ -187,7 +187,7 @@ TEST_F(CacheFolderTest, AReadOnlyFolderIsReadable) {
   EXPECT_THAT(notices_[1], HasSubstr(std::strerror(EROFS)));
 }
 
-TEST_F(CacheFolderTest, FileInsteadOfTheFolder) {
+TEST_F(CacheFolderTest, AFileInPlaceOfTheFolderOnlyCausesNotices) {
   const fs::path file = temp_.Write("frontend", "");
   EXPECT_FALSE(Cache(file).Find(SomeKey('a'), kFrames));
   Store(Cache(file), SomeKey('a'), frames_);

@@ -11,7 +11,7 @@
 
 namespace cvo::test {
 
-// Frames of a few features each, one of them with a problem in place of features.
+// Returns frames with a few features each. Frame 1 has a problem instead of features.
 inline std::vector<FrontEndFrame> SomeFrames(int count) {
   std::vector<FrontEndFrame> frames;
   for (int i = 0; i < count; ++i) {
@@ -51,7 +51,8 @@ inline void Store(const FrontEndCache& cache, const std::string& key,
   recording.Finish(key);
 }
 
-// All frames of an entry as bytes; empty where it is absent. Throws Error where one is damaged.
+// Returns all frames of an entry as bytes, or "" if there is no such entry. Throws Error if one is
+// damaged.
 inline std::string Load(const FrontEndCache& cache, const std::string& key, std::size_t frames) {
   const std::optional<FeatureFile> file = cache.Find(key, frames);
   if (!file) return "";

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Hashes of files that are known without reading them, and never those of other bytes.
+// Hashes of unchanged files are known without reading them; changed files are always read.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ class CacheHashes : public testing::Test {
     }
   }
 
-  // As an hour later, when no file is young.
+  // Computes the hashes as if it were `later_ns` from now. By default no file counts as recent.
   std::vector<ImageHashes> Hashes(std::int64_t later_ns = kHour_ns) {
     read_ = 0;
     FileHashHooks hooks;
@@ -93,7 +93,7 @@ TEST_F(CacheHashes, ASecondCallReadsNothing) {
   EXPECT_THAT(notices_, IsEmpty());
 }
 
-TEST_F(CacheHashes, OtherBytesOfTheSameLengthAndTimeAreRead) {
+TEST_F(CacheHashes, ChangedBytesOfTheSameLengthAndTimeAreDetected) {
   (void)Hashes();
   const fs::path& image = sequence_.images[1].right;
   const timespec modified = ModifiedTime(image);
@@ -101,7 +101,7 @@ TEST_F(CacheHashes, OtherBytesOfTheSameLengthAndTimeAreRead) {
   SetModifiedTime(image, modified);
   ExpectRight(Hashes());
   EXPECT_EQ(read_, 1U);
-  // As editors and synchronising tools do it.
+  // Replaces the file by renaming, as editors and synchronisation tools do.
   fs::rename(temp_.Write("new", "Right 1.png"), image);
   SetModifiedTime(image, modified);
   ExpectRight(Hashes());
@@ -115,7 +115,7 @@ TEST_F(CacheHashes, ARecentFileIsReadAgain) {
   ExpectRight(Hashes(0));
   EXPECT_EQ(read_, 2U * kFrames);
   EXPECT_FALSE(fs::exists(index()));
-  (void)Hashes(-kHour_ns);  // files from the future
+  (void)Hashes(-kHour_ns);  // the files appear to be from the future
   ExpectRight(Hashes());
   EXPECT_EQ(read_, 2U * kFrames);
 }
@@ -186,7 +186,7 @@ TEST_F(CacheHashes, AnUnwritableIndexOnlyCostsTime) {
   EXPECT_THAT(notices_, SizeIs(1));
 }
 
-TEST_F(CacheHashes, ManyProcessesAtOnce) {
+TEST_F(CacheHashes, ManyProcessesShareAnIndex) {
   std::vector<pid_t> children;
   for (int child = 0; child < 6; ++child) {
     const pid_t pid = ::fork();

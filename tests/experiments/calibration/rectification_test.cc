@@ -9,7 +9,7 @@
 namespace cvo {
 namespace {
 
-// The calibration of EuRoC's cameras, as published in their sensor.yaml.
+// The calibration of the EuRoC cameras, as published in their sensor.yaml.
 StereoRig Euroc() {
   Eigen::Matrix3d left_turn;
   left_turn << 0.0148655429818, -0.999880929698, 0.00414029679422,  //
@@ -40,8 +40,8 @@ StereoRig Euroc() {
   return rig;
 }
 
-// Against the rectification that ships with ORB-SLAM2 for these cameras.
-TEST(Rectification, OfEurocIsTheKnownOne) {
+// Compares with the rectification that ships with ORB-SLAM2 for these cameras.
+TEST(Rectification, MatchesOrbSlam2OnEuroc) {
   const Rectification rectification(Euroc(), {752, 480});
   const StereoCamera& camera = rectification.camera();
   EXPECT_NEAR(camera.fx, 435.2046959714599, 1e-3);
@@ -55,7 +55,7 @@ TEST(Rectification, OfEurocIsTheKnownOne) {
   EXPECT_LT((rectification.rectified_from_right().row(0).transpose() - right).norm(), 1e-9);
 }
 
-// Where a camera of the rig sees a point of its frame, without rounding.
+// Projects a point in the frame of the camera to its pixel, with subpixel precision.
 Eigen::Vector2d Seen(const LensCamera& camera, const Eigen::Vector3d& p) {
   const double x = p.x() / p.z();
   const double y = p.y() / p.z();
@@ -78,8 +78,8 @@ Eigen::Vector2d Seen(const LensCamera& camera, const Eigen::Vector3d& p) {
   return {camera.fx * u + camera.cx, camera.fy * v + camera.cy};
 }
 
-// A spot of light at a point of the world lies, after rectification, where the rectified camera
-// projects it: same row, and its disparity says its depth.
+// The image of a point light lies, after rectification, where the rectified camera projects the
+// point: on the same row in both images, with the disparity of its depth.
 void ExpectRectified(const StereoRig& rig) {
   const cv::Size size(752, 480);
   const Rectification rectification(rig, size);
@@ -120,7 +120,7 @@ void ExpectRectified(const StereoRig& rig) {
 
 TEST(Rectification, PointsLieWhereTheCameraProjectsThem) { ExpectRectified(Euroc()); }
 
-TEST(Rectification, OfEquidistantLenses) {
+TEST(Rectification, SupportsEquidistantLenses) {
   StereoRig rig = Euroc();
   rig.left.lens = rig.right.lens = LensModel::kEquidistant;
   rig.left.coefficients = {-0.01, 0.02, -0.01, 0.002};

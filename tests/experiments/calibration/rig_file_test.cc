@@ -29,7 +29,7 @@ class RigFile : public testing::Test {
   test::TempFolder folder_;
 };
 
-TEST_F(RigFile, RectifiedPairOfOurs) {
+TEST_F(RigFile, ReadsOurRectifiedPair) {
   for (const char* text :
        {"fx: 700\nfy: 701\ncx: 320\ncy: 240\nbaseline_m: 0.12\nwidth_px: 640\nheight_px: 480\n",
         R"({"fx": 700, "fy": 701, "cx": 320, "cy": 240, "baseline_m": 0.12,
@@ -42,7 +42,7 @@ TEST_F(RigFile, RectifiedPairOfOurs) {
   }
 }
 
-TEST_F(RigFile, LensesOfOurs) {
+TEST_F(RigFile, ReadsOurLensModels) {
   const StereoRig rig = Read(
       "left: {fx: 1, fy: 2, cx: 3, cy: 4, lens: equidistant, coefficients: [1, 2, 3, 4]}\n"
       "right: {fx: 1, fy: 2, cx: 3, cy: 4, lens: equidistant, coefficients: [0, 0, 0, 0]}\n"
@@ -52,7 +52,7 @@ TEST_F(RigFile, LensesOfOurs) {
   EXPECT_EQ(rig.left.coefficients[3], 4.0);
 }
 
-TEST_F(RigFile, KalibrsCamchain) {
+TEST_F(RigFile, ReadsAKalibrCamchain) {
   const StereoRig rig = Read(
       "cam0:\n  cam_overlaps: [1]\n  camera_model: pinhole\n"
       "  distortion_coeffs: [-0.28, 0.07, 0.0002, 1.8e-05]\n  distortion_model: radtan\n"
@@ -68,7 +68,7 @@ TEST_F(RigFile, KalibrsCamchain) {
   EXPECT_EQ(rig.width_px, 752);
 }
 
-TEST_F(RigFile, OpenCvs) {
+TEST_F(RigFile, ReadsOpenCvCalibration) {
   const std::string matrix = ": !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: ";
   const StereoRig rig = Read(
       "%YAML:1.0\n---\nM1" + matrix + "[ 500., 0., 320., 0., 501., 240., 0., 0., 1. ]\nD1" +
@@ -76,13 +76,13 @@ TEST_F(RigFile, OpenCvs) {
       "[ 502., 0., 321., 0., 503., 241., 0., 0., 1. ]\nD2" + matrix + "[ 0., 0., 0., 0., 0. ]\nR" +
       matrix + "[ 1., 0., 0., 0., 1., 0., 0., 0., 1. ]\nT" + matrix + "[ -6.e-02, 1.e-04, 0. ]\n");
   EXPECT_EQ(rig.left.coefficients[0], -0.2);
-  EXPECT_EQ(rig.right.lens, LensModel::kPinhole);  // no distortion at all
+  EXPECT_EQ(rig.right.lens, LensModel::kPinhole);  // because all coefficients are zero
   EXPECT_EQ(rig.right.fy, 503.0);
   EXPECT_EQ(rig.right_from_left.translation().x(), -0.06);
 }
 
-// What no camera is, seen with its images.
-TEST_F(RigFile, CamerasThatCannotBe) {
+// Calibrations that are impossible for cameras with images of this size.
+TEST_F(RigFile, RefusesImpossibleCameras) {
   const auto expect_error = [&](const std::string& text, const std::string& message) {
     try {
       CheckCameras(Read(text), 640, 480, "calib");
@@ -109,15 +109,16 @@ TEST_F(RigFile, CamerasThatCannotBe) {
   expect_error(opencv + "image_width: 1280\nimage_height: 960\n", "a calibration of 1280x960 px");
 }
 
-TEST_F(RigFile, KittisText) {
+TEST_F(RigFile, ReadsKittiText) {
   const StereoRig rig =
       Read("P0: 700 0 600 0 0 700 180 0 0 0 1 0\nP1: 700 0 600 -350 0 700 180 0 0 0 1 0\n");
   EXPECT_TRUE(IsRectified(rig));
   EXPECT_EQ(rig.right_from_left.translation().x(), -0.5);
 }
 
-// A list within itself, and lists of lists that a few bytes make gigabytes, ended the program.
-TEST_F(RigFile, EndlessLists) {
+// Regression: a list that contains itself, and nested lists that expand a few bytes to gigabytes,
+// used to crash the program.
+TEST_F(RigFile, RefusesEndlessLists) {
   const std::string cameras =
       "left: {fx: 1, fy: 2, cx: 3, cy: 4}\nright: {fx: 1, fy: 2, cx: 3, cy: 4}\nright_from_left: ";
   ExpectError(cameras + "&a [*a]\n", "found more than 1000 values");

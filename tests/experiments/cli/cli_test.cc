@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// The program from outside: what it says and returns, without running an estimator.
+// Command-line interface: messages and exit codes, mostly without running an estimator.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ class Cli : public testing::Test {
   std::string tiny() const { return (folder_.path() / "tiny").string(); }
   std::string out() const { return (folder_.path() / "out").string(); }
 
-  // A run that must fail before the first frame and leave nothing.
+  // Expects a run to leave no output folder, for runs that must fail before the first frame.
   ProcessResult FailingRun(const std::vector<std::string>& more) const {
     std::vector<std::string> arguments = {"run", tiny(), "-o", out()};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -84,7 +84,7 @@ TEST_F(Cli, UnknownVariant) {
   EXPECT_THAT(FailingRun({"--variant", "nothing_like"}), FailsWith(2, "expected one of full, "));
 }
 
-TEST_F(Cli, NamesNearTheOnesThatWereGiven) {
+TEST_F(Cli, SuggestsSimilarNames) {
   EXPECT_THAT(FailingRun({"--varient", "full"}),
               FailsWith(2,
                         "clustervo run has no flag --varient (did you mean --variant?) (see "
@@ -127,7 +127,8 @@ TEST_F(Cli, AFolderOfSequencesIsNoSequence) {
                             all + "` lists them"));
 }
 
-// Classes of the boxes are names too; others may be missing from a whole sequence.
+// Classes that occur in the boxes are valid names too. Known classes may be absent from a whole
+// sequence.
 TEST_F(Cli, MisspeltClasses) {
   const std::string boxes =
       folder_.Write("boxes.txt", "0 3 Forklift -1 -1 -10 10 10 60 60 -1 -1 -1 -1 -1 -1 -10 0.5\n")
@@ -184,7 +185,7 @@ TEST_F(Cli, UnwritableOutput) {
   EXPECT_THAT(RunProgram({"run", tiny(), "-o", "/proc/out"}), FailsWith(1, "/proc/out"));
 }
 
-// All stages run on the plain paths; what they find differs by rounding alone.
+// Without AVX2 all stages run their portable code, whose results differ only by rounding.
 TEST_F(Cli, WithoutAvx2ResultsAgreeAndTheLevelIsReported) {
   const auto run = [&](const std::string& folder, const test::ProcessSetup& setup) {
     const ProcessResult result = RunProgram({"run", tiny(), "-o", folder}, setup);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Suites that are run together and shown on one page.
+// Collections: suites that are run together and shown on one page.
 #include "experiments/suite/collection.h"
 
 #include <gmock/gmock.h>
@@ -85,7 +85,7 @@ TEST_F(CollectionTest, RunsItsSuitesAndShowsThemOnOnePage) {
                           ": found the folder of a collection of suites, expected "
                           "that of a suite in it: here, nowhere");
   }
-  // A second call runs nothing again and gives the same page.
+  // A second call runs no job again and writes the same page.
   const ProcessResult again = Run(sections, {"--frames", "0:3"});
   EXPECT_THAT(again.err, Not(HasSubstr("100 %  1/1 jobs")));
   EXPECT_EQ(Page(), page);
@@ -101,7 +101,7 @@ TEST_F(CollectionTest, ATimedSuiteShowsItsTimes) {
   EXPECT_THAT(run.err, HasSubstr("timed: one job at a time, because the suite measures times"));
   EXPECT_THAT(Page(), AllOf(HasSubstr("<th>frames/s</th>"), HasSubstr("<td>static</td><td>1</td>"),
                             HasSubstr("1 thread."), HasSubstr("in 1 run, 1 thread of ")));
-  EXPECT_FALSE(fs::exists(folder_.path() / "cache" / "frontend"));  // every job computes its own
+  EXPECT_FALSE(fs::exists(folder_.path() / "cache" / "frontend"));  // not shared between jobs
   const ProcessResult times =
       test::RunProgram({"experiment", "times", (out() / "timed").string()}, {});
   EXPECT_THAT(times.out,
@@ -111,7 +111,7 @@ TEST_F(CollectionTest, ATimedSuiteShowsItsTimes) {
                     "plan.json");
 }
 
-TEST_F(CollectionTest, APlanSaysOfEachSectionWhatWouldRunAndWhereToGetTheRest) {
+TEST_F(CollectionTest, PlanListsTheRunsAndMissingDataOfEachSection) {
   WriteSuite("here", R"({"folder": "wall"}, {"folder": "absent"})");
   const ProcessResult plan = Run(
       R"({"title": "Table 1", "columns": ["a"], "rows": []},
@@ -127,7 +127,7 @@ TEST_F(CollectionTest, APlanSaysOfEachSectionWhatWouldRunAndWhereToGetTheRest) {
   EXPECT_FALSE(fs::exists(out()));
 }
 
-TEST_F(CollectionTest, WhatIsWrongInTheFileIsSaid) {
+TEST_F(CollectionTest, ReportsErrorsInTheFile) {
   test::ExpectError(Run(""), "all.json, sections: found none");
   test::ExpectError(Run(R"({"title": "t", "colums": []})"), "sections.0.colums");
   test::ExpectError(Run(R"({"title": "t", "columns": ["a", "b"], "rows": [["1"]]})"),
@@ -135,7 +135,7 @@ TEST_F(CollectionTest, WhatIsWrongInTheFileIsSaid) {
   test::ExpectError(Run(R"({"title": "t", "suite": "ablatoin"})"), "did you mean ablation");
 }
 
-TEST(Collections, ThePapersSuitesAndFiguresExist) {
+TEST(Collections, SuitesAndFiguresOfShippedCollectionsExist) {
   for (const std::string& name : CollectionNames()) {
     const std::optional<Collection> collection = FindCollection(name);
     ASSERT_TRUE(collection.has_value());

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// clustervo compare from outside, on results made by hand.
+// `clustervo compare` as a process, on hand-made results.
 #include <gmock/gmock.h>
 
 #include "tests/experiments/cli/process.h"

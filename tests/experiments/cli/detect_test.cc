@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// clustervo detect from outside, with a network made here.
+// `clustervo detect` as a process, with a tiny network that the test writes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ class Detect : public testing::Test {
   std::vector<std::string> arguments_;
 };
 
-// The boxes can be given to a run, and two calls give the same bytes.
+// A run accepts the boxes, and a second call writes the same bytes.
 TEST_F(Detect, WritesBoxesThatARunReads) {
   const ProcessResult result = Run({"--frames", "1:"});
   ASSERT_EQ(result.exit_code, 0) << result.err;

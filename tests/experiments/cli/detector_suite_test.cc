@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Suites whose boxes a network finds, before the runs.
+// Suites whose boxes are found by a network before the runs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ class DetectorSuite : public testing::Test {
   test::TempFolder folder_;
 };
 
-// What `detect` writes, once for all jobs; other flags find other boxes.
+// The network runs once for all jobs, and its boxes are kept. Other settings give other boxes.
 TEST_F(DetectorSuite, BoxesAreFoundOnceAndKept) {
   test::WriteTinySequence(folder_.path() / "wall", 4);
   test::WriteTinyNetwork(folder_);
@@ -67,7 +67,7 @@ TEST_F(DetectorSuite, BoxesAreFoundOnceAndKept) {
       ReadJson(folder_.path() / "out" / "jobs" / std::string(Jobs()[1]["job"]) / "result.json");
   EXPECT_EQ(result["detection_counts"]["given"], 4);
 
-  // Other boxes in their place are not read, nor are any without their checksum.
+  // Boxes that do not match their checksum, or have none, are not used.
   const fs::path checksum = Boxes()[0].string() + ".sha256";
   WriteFileBytes(Boxes()[0], rows.substr(0, rows.find('\n') + 1));
   const ProcessResult damaged = Run(sequence, R"(["static"])", folder_.path());
@@ -83,12 +83,12 @@ TEST_F(DetectorSuite, BoxesAreFoundOnceAndKept) {
   EXPECT_EQ(Boxes().size(), 2U);
 }
 
-TEST_F(DetectorSuite, WhatIsMissingOrWrongIsSaid) {
+TEST_F(DetectorSuite, ReportsMissingAndInvalidNetworks) {
   test::WriteTinySequence(folder_.path() / "wall", 4);
   test::WriteTinyNetwork(folder_);
   const std::string sequence = StrCat(R"({"folder": "wall", "detections": )", kTinyNetwork, "}");
   const std::string both = sequence + R"(, {"folder": "wall"})";
-  // A network that is not there is no failure; one that cannot be is.
+  // A missing network is missing input, not a failure; an invalid one is a failure.
   const ProcessResult missing = Run(both, R"(["static"])", folder_.path());
   EXPECT_EQ(missing.exit_code, 0);
   EXPECT_THAT(missing.out, HasSubstr("missing input: wall: no file two.names below"));
@@ -102,7 +102,7 @@ TEST_F(DetectorSuite, WhatIsMissingOrWrongIsSaid) {
                     "sequences.0.detections.names");
 }
 
-TEST_F(DetectorSuite, ARealNetworkOnARealDrive) {
+TEST_F(DetectorSuite, RunsARealNetworkOnARealDrive) {
   const auto data = test::RealData();
   const fs::path network = "detectors/yolo-fastest-1.1-xl";
   if (!data || !fs::exists(*data / network)) GTEST_SKIP() << "CLUSTERVO_DATA has no detectors";

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// What the documents tell a reader to type: commands, flags, targets and suites that exist.
+// Commands, flags, make targets and suites in the documents must exist.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -54,8 +54,8 @@ std::vector<Block> BlocksOf(const fs::path& document) {
 
 using Words = std::vector<std::string>;
 
-// The words of every command in the document's shell blocks: without comments, lines that end in a
-// backslash joined, one for each part of a pipe.
+// Returns the words of every command in the shell blocks of the document: comments are removed,
+// lines that end in a backslash are joined, and each part of a pipe is a command.
 std::vector<Words> CommandsOf(const fs::path& document) {
   std::vector<Words> commands;
   for (const Block& block : BlocksOf(document)) {
@@ -91,7 +91,7 @@ bool IsSubcommand(const Words& command, const std::string& word) {
          std::regex_search(help.substr(list), std::regex("\n  " + word + " "));
 }
 
-// What is wrong with the words after `clustervo`; empty: nothing.
+// Returns what is wrong with a command line that starts with `clustervo`. Empty if nothing is.
 std::string Problem(const Words& words) {
   Words command;
   std::size_t next = 1;
@@ -162,7 +162,7 @@ TEST(Documents, SuitesCanBePlanned) {
   EXPECT_GT(suites, 0);
 }
 
-// Every command and flag that the help of the program and of its commands names.
+// Expects in `text` every command and flag in the help of `command` and of the commands below it.
 void CheckHelpIsIn(const std::string& text, const Words& command, const std::string& dashes) {
   Words help = command;
   help.emplace_back("--help");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// clustervo eval --sequence from outside.
+// `clustervo eval --sequence`, `--ap`, `--tracking` and `--clock-offset` as processes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -63,7 +63,7 @@ TEST_F(EvalSequence, BadInputLeavesNothing) {
   EXPECT_FALSE(fs::exists(out()));
 }
 
-TEST_F(EvalSequence, FlagsOfTheOtherMode) {
+TEST_F(EvalSequence, RefusesFlagsOfTheOtherMode) {
   test::ExpectError(RunProgram({"eval", "--estimate", poses()}), "--sequence", 2);
   test::ExpectError(
       RunProgram({"eval", "--estimate", poses(), "--groundtruth", poses(), "-o", out()}),
@@ -79,8 +79,8 @@ TEST_F(EvalSequence, BodiesWithoutTruthAreNotScored) {
   EXPECT_THAT(result.out, AllOf(HasSubstr("1 object-frames"), HasSubstr("objects not scored")));
 }
 
-// Boxes of KITTI: every flag of the other uses is refused, and JSON states the contract.
-TEST_F(EvalSequence, AveragePrecision) {
+// Scores KITTI boxes. Flags of the other modes are refused, and the JSON states the contract.
+TEST_F(EvalSequence, ScoresAveragePrecision) {
   const std::string row = "0 1 Car 0 0 0 10 20 90 80 1.5 1.6 3.9 1 2 30 0.1";
   const std::string labels = folder_.Write("labels.txt", row + "\n").string();
   const std::string rows = folder_.Write("rows.txt", row + " 0.5\n").string();
@@ -104,7 +104,7 @@ TEST_F(EvalSequence, AveragePrecision) {
   test::ExpectError(run({"--tracking"}), "--tracking", 2);
 }
 
-TEST_F(EvalSequence, TrackingScores) {
+TEST_F(EvalSequence, ScoresTracking) {
   const std::string row = "0 1 Car 0 0 0 10 20 90 80 1.5 1.6 3.9 1 2 30 0.1";
   const std::string labels = folder_.Write("labels.txt", row + "\n").string();
   const std::string rows = folder_.Write("rows.txt", row + " 0.5\n").string();
@@ -122,7 +122,8 @@ TEST_F(EvalSequence, TrackingScores) {
       "--iou", 2);
 }
 
-// A camera that turns to and fro, 10 poses a second, its clock `ahead_s` ahead.
+// The trajectory of a camera that rotates back and forth, with 10 poses per second and a clock that
+// is `ahead_s` ahead.
 std::string TurningCamera(double ahead_s) {
   Trajectory trajectory;
   for (int i = 0; i < 100; ++i) {
@@ -133,7 +134,7 @@ std::string TurningCamera(double ahead_s) {
   return FormatTumTrajectory(trajectory);
 }
 
-TEST_F(EvalSequence, EstimatesTheClockOfTheTruth) {
+TEST_F(EvalSequence, EstimatesTheClockOffsetOfTheTruth) {
   const std::string truth = folder_.Write("truth.tum", TurningCamera(0.25)).string();
   const std::string estimate = folder_.Write("estimate.tum", TurningCamera(0.0)).string();
   const std::vector<std::string> clock = {"eval", "--clock-offset", "1",     "--groundtruth",

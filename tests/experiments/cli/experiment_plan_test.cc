@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// clustervo experiment list and plan to their ends.
+// `clustervo experiment list` and `plan` as processes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// clustervo experiment run, status and job, on images that the test draws.
+// `clustervo experiment run`, `status` and `job` as processes, on images drawn by the test.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/mount.h>
@@ -76,7 +76,7 @@ class CliExperiment : public testing::Test {
   test::TempFolder folder_;
 };
 
-TEST_F(CliExperiment, RunsOnlyWhatIsNotDone) {
+TEST_F(CliExperiment, RunsOnlyUnfinishedJobs) {
   const ProcessResult run = Run();
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.out, "small: 2 jobs: 2 done\n");
@@ -85,7 +85,7 @@ TEST_F(CliExperiment, RunsOnlyWhatIsNotDone) {
   EXPECT_EQ(status.exit_code, 0);
   EXPECT_EQ(status.out, "small: 2 jobs: 2 done\n");
 
-  // Nothing of a first run is made again; a damaged result is.
+  // Finished jobs are not run again, but a damaged result is replaced.
   const std::vector<fs::path> results = Results();
   ASSERT_EQ(results.size(), 2U);
   const std::string bytes = test::ReadFile(results[0]);
@@ -148,12 +148,12 @@ TEST_F(CliExperiment, AJobRefusesFilesChangedSincePlanning) {
   EXPECT_THAT(job.err, HasSubstr("differ from when the suite was planned"));
   EXPECT_FALSE(fs::exists(out() / "jobs" / id));
   EXPECT_THAT(Experiment({"job", out().string(), "none"}).err, HasSubstr("found no job \"none\""));
-  // The plan is made anew: another identity, and the old results stay.
+  // Planning again gives the changed jobs new identities and keeps the old results.
   EXPECT_EQ(Run().out, "small: 2 jobs: 2 done\n");
   EXPECT_EQ(Results().size(), 3U);
 }
 
-TEST_F(CliExperiment, OneRunnerAtATime) {
+TEST_F(CliExperiment, AdmitsOneRunnerAtATime) {
   fs::create_directory(out());
   const FolderLock lock(out() / "lock");
   const ProcessResult run = Run();
@@ -163,7 +163,7 @@ TEST_F(CliExperiment, OneRunnerAtATime) {
   EXPECT_FALSE(fs::exists(out() / "plan.json"));
 }
 
-TEST_F(CliExperiment, AnInterruptKeepsWhatIsDone) {
+TEST_F(CliExperiment, AnInterruptKeepsFinishedJobs) {
   WriteSuite("{\"folder\": \"wall\"}", "3");
   const ProcessResult run = Run({}, {.interrupt_at = "  2/6 jobs"});
   EXPECT_EQ(run.exit_code, 130) << run.err;
@@ -238,7 +238,8 @@ TEST_F(CliExperiment, AFolderThatBecomesReadOnlyLosesNothing) {
 }
 
 TEST_F(CliExperiment, IncompleteFilesAreNoResults) {
-  // Results have 20 kB and more; plan, logs and failures less.
+  // The limit is below the size of a result, at least 20 kB, and above that of the plan, logs and
+  // failure records.
   const ProcessResult run = Run({}, {.file_size_limit = 6000});
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_THAT(run.out + run.err, HasSubstr("cannot write: "));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// clustervo explain to its end, on three frames of a rendered scene.
+// `clustervo explain` as a process, on three frames of a rendered scene.
 #include <gmock/gmock.h>
 
 #include <memory>
@@ -36,7 +36,7 @@ class CliExplain : public testing::Test {
 
 std::unique_ptr<test::TempFolder> CliExplain::folder_;
 
-TEST_F(CliExplain, ListsBodiesAndTellsOfOneWhatMendsIt) {
+TEST_F(CliExplain, ListsBodiesAndExplainsOneWithOracles) {
   const ProcessResult list = RunProgram({"explain", Path("run")});
   ASSERT_EQ(list.exit_code, 0) << list.err;
   EXPECT_THAT(list.out, AllOf(HasSubstr("within 10 cm  mostly"), HasSubstr("chair_1")));
@@ -52,8 +52,8 @@ TEST_F(CliExplain, ListsBodiesAndTellsOfOneWhatMendsIt) {
   EXPECT_GT(picture.rows, 400);
 }
 
-// The run says where its boxes were.
-TEST_F(CliExplain, FindsBoxesOutsideOfTheSequence) {
+// The run records where its boxes were read from.
+TEST_F(CliExplain, FindsBoxesOutsideTheSequence) {
   fs::copy_file(Path("scene") + "/detections/oracle.txt", Path("elsewhere.txt"));
   const ProcessResult run = RunProgram({"run", Path("scene"), "-o", Path("given"), "--landmarks",
                                         "--detections", Path("elsewhere.txt"), "-q"});

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// `figures` from outside, on results made by hand; what Chromium draws where there is one.
+// `clustervo figures` as a process, on hand-made results. Drawing needs Chromium.
 #include <gmock/gmock.h>
 #include <unistd.h>
 
@@ -26,7 +26,7 @@ using testing::StartsWith;
 
 constexpr char kHostile[] = "room <script>alert(1)</script>";
 
-// Two variants on one sequence with a name that is no name.
+// Two variants on one sequence whose name contains markup.
 struct HostileSuite : test::SuiteResults {
   HostileSuite() {
     table["rows"] = {"variant"};
@@ -63,7 +63,7 @@ TEST(CliFigures, JsonNeedsNoBrowser) {
   EXPECT_EQ(test::ReadFile(suite.out() / "error-reduction.json"), text);
 }
 
-TEST(CliFigures, OneFigureByName) {
+TEST(CliFigures, DrawsOneFigureByName) {
   const HostileSuite suite;
   const ProcessResult run = suite.Draw({"--format", "json", "--only", "error-reduction"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -92,7 +92,7 @@ TEST(CliFigures, MissingInputGivesOneLine) {
   EXPECT_EQ(test::LineCount(usage.err), 1U);
 }
 
-TEST(CliFigures, NoneForASuiteThatHasNotRun) {
+TEST(CliFigures, DrawsNothingForASuiteThatHasNotRun) {
   test::SuiteResults suite;
   suite.Plan("room", "full");
   const fs::path out = suite.folder().path() / "figures";

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Stereo images of the user's own, from outside.
+// A user's own stereo images: `clustervo import`, and `run --left --right --calib`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -37,8 +37,9 @@ class OwnStereo : public testing::Test {
   std::vector<std::string> flags_;
 };
 
-// Images and calibration of a sequence, given by hand, make the same trajectory as the sequence.
-TEST_F(OwnStereo, TheSameTrajectoryAsOfTheSequence) {
+// The images and the calibration of a sequence, given separately, yield the same trajectory as the
+// sequence.
+TEST_F(OwnStereo, GivesTheSameTrajectoryAsTheSequence) {
   ASSERT_EQ(test::RunProgram({"run", tiny(), "-o", out("a")}).exit_code, 0);
   const ProcessResult result = Run({"run", "-o", out("b")});
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -52,8 +53,9 @@ TEST_F(OwnStereo, TheSameTrajectoryAsOfTheSequence) {
   EXPECT_TRUE(fs::exists(out("c") + "/import.json"));
 }
 
-// The results went among the images, to which only sequences were safe.
-TEST_F(OwnStereo, NothingIsWrittenIntoTheImagesFolders) {
+// Regression: results used to be written among the images, as only the folders of sequences were
+// protected.
+TEST_F(OwnStereo, NothingIsWrittenIntoTheImageFolders) {
   const auto copy = fs::copy_options::recursive;
   fs::create_directories(out("own/cam"));
   fs::copy(tiny() + "/image_0", out("own/left"), copy);
@@ -74,7 +76,7 @@ TEST_F(OwnStereo, NothingIsWrittenIntoTheImagesFolders) {
                     "boxes: found the folder of the input ", 2);
 }
 
-// As of a sequence: the frame is lost, or refused.
+// As with a sequence, the frame is lost, or the run refused with --strict.
 TEST_F(OwnStereo, ADamagedImageLosesItsFrame) {
   test::CutFile(tiny() + "/image_1/000001.png");
   const ProcessResult run = Run({"run", "-o", out("a")});
@@ -92,7 +94,7 @@ TEST_F(OwnStereo, HasNoDetectorLevels) {
   EXPECT_THAT(run.err, HasSubstr("(this sequence has no detector levels such as good)"));
 }
 
-TEST_F(OwnStereo, BadUse) {
+TEST_F(OwnStereo, RefusesWrongUsage) {
   const ProcessResult none = test::RunProgram({"run", "-o", out("x")});
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_THAT(none.err, HasSubstr("no sequence: give a folder, or --left, --right and --calib"));

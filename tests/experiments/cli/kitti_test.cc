@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// clustervo run on real drives: CLUSTERVO_DATA names the folder.
+// `clustervo run` on real drives, below the folder named by CLUSTERVO_DATA.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -46,7 +46,8 @@ void ExpectSameBytes(const fs::path& a, const fs::path& b) {
   }
 }
 
-// A drive whose files are links to the real ones, so that a test can change some.
+// Creates a drive whose files are links to the real ones, so that a test can replace some of them.
+// Returns its folder.
 fs::path LinkDrive(const fs::path& data, const fs::path& target) {
   const fs::path from = data / "kitti_raw" / kRawDate;
   fs::create_directories(target / kRawDate);
@@ -67,7 +68,7 @@ fs::path LinkDrive(const fs::path& data, const fs::path& target) {
   return target / kRawDate / kRawDrive;
 }
 
-// Replaces a linked image by its first half, header and all.
+// Replaces a link to an image by a file with its first half, which includes the header.
 void CutImage(const fs::path& image) {
   const std::string bytes = ReadFile(image);
   fs::remove(image);
@@ -149,7 +150,7 @@ TEST_F(CliKitti, ADamagedImageIsSkippedOrRefusedIfStrict) {
   EXPECT_FALSE(fs::exists(out("strict")));
 }
 
-// What the project promises of these frames; measured: 0.063, 0.192 and 0.025 m.
+// The accuracy that the project promises on these frames. Measured: 0.063, 0.192 and 0.025 m.
 TEST_F(CliKitti, CameraIsAsAccurateAsPromised) {
   const std::vector<std::pair<std::string, double>> promises = {
       {"kitti_raw/2011_09_26/2011_09_26_drive_0001_sync", 0.10},
@@ -166,7 +167,7 @@ TEST_F(CliKitti, CameraIsAsAccurateAsPromised) {
   }
 }
 
-TEST_F(CliKitti, InfoOfEverySequence) {
+TEST_F(CliKitti, InfoDescribesEverySequence) {
   const ProcessResult list = RunProgram({"info", data_->string(), "--json"});
   ASSERT_EQ(list.exit_code, 0) << list.err;
   const Json sequences = ParseJson(list.out, "info");

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// What no command may do: write over what it or somebody else reads, and lose what it prints.
+// No command may overwrite its inputs or the results of another, or ignore that its output could
+// not be written.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +25,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using Arguments = std::vector<std::string>;
 
-// Names of the commands below one, as its help lists them; none: it has no commands.
+// Returns the names of the subcommands of a command, as listed in its help.
 std::vector<std::string> CommandsOf(Arguments command) {
   command.emplace_back("--help");
   std::istringstream help(test::RunProgram(command).out);
@@ -39,7 +40,7 @@ std::vector<std::string> CommandsOf(Arguments command) {
   return names;
 }
 
-// "run", "synth list": every command of the program.
+// Returns every command of the program: {"run"}, {"synth", "list"}, ...
 const std::vector<Arguments>& AllCommands() {
   static std::vector<Arguments> all;
   if (!all.empty()) return all;
@@ -61,7 +62,7 @@ bool IsIn(const std::vector<Arguments>& list, const Arguments& command) {
                      [&](const Arguments& arguments) { return StartsWith(arguments, command); });
 }
 
-// A sequence, a run of it, and a suite with that run.
+// Provides a sequence, a run on it, and a suite that was run on it.
 class CliOutputs : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -90,7 +91,7 @@ class CliOutputs : public testing::Test {
                                                         StrCat("CLUSTERVO_DATA=", Path("data"))},
                                         .out = out});
   }
-  // Every file of a folder with its bytes.
+  // Returns the content of every file below a folder, by path.
   static std::map<std::string, std::string> Files(const std::string& name) {
     std::map<std::string, std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(Path(name))) {
@@ -113,7 +114,7 @@ class CliOutputs : public testing::Test {
     EXPECT_TRUE(Files("suite") == suite) << line;
   }
 
-  // Every command that writes, to a place.
+  // Returns one call of every command that writes, with its output at or below `out`.
   static std::vector<Arguments> WritersTo(const std::string& out) {
     return {
         {"run", Path("data/wall"), "-o", out},
@@ -154,7 +155,7 @@ TEST_F(CliOutputs, NothingIsWrittenIntoASequence) {
 
 TEST_F(CliOutputs, EveryWritingCommandIsCovered) {
   for (Arguments command : AllCommands()) {
-    if (command.back() == "plan") continue;  // only looks at the folder
+    if (command.back() == "plan") continue;  // only reads the folder
     const bool tried = IsIn(WritersTo(""), command);
     command.emplace_back("--help");
     const bool writes = test::RunProgram(command).out.find("--output") != std::string::npos;
@@ -162,7 +163,7 @@ TEST_F(CliOutputs, EveryWritingCommandIsCovered) {
   }
 }
 
-TEST_F(CliOutputs, NothingIsWrittenOverWhatIsRead) {
+TEST_F(CliOutputs, InputsAreNeverOverwritten) {
   const std::vector<Arguments> commands = {
       {"overlay", Path("run"), "-o", Path("run")},
       {"overlay", Path("run"), "-o", Path("run/clusters")},

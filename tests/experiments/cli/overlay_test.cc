@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// clustervo overlay to its end, on runs of images that the test draws.
+// `clustervo overlay` as a process, on runs on images drawn by the test.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ class CliOverlay : public testing::Test {
   fs::path run(const std::string& variant = "full") const { return folder_.path() / variant; }
   fs::path out(const std::string& name = "out") const { return folder_.path() / name; }
 
-  // A box in every frame on what is a wall in truth, so that there are detections.
+  // Makes a run with a detection in every frame, on what is really a wall.
   void MakeRun(const std::string& variant = "full", const std::string& landmarks = "--landmarks") {
     std::ofstream boxes(folder_.path() / "boxes.txt");
     for (int i = 0; i < kFrames; ++i) {
@@ -102,7 +102,7 @@ TEST_F(CliOverlay, DrawsRunsSideBySide) {
   EXPECT_GT(cv::imread((out() / "000004.png").string()).cols, 2 * test::kTinyWidth_px);
 }
 
-TEST_F(CliOverlay, FourPanelsOfAFrame) {
+TEST_F(CliOverlay, DrawsFourPanelsOfAFrame) {
   MakeRun();
   const ProcessResult made = Overlay({run().string(), "--frame", "4", "--panels"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
@@ -110,7 +110,7 @@ TEST_F(CliOverlay, FourPanelsOfAFrame) {
   const cv::Mat panels = cv::imread((out() / "panels.jpg").string());
   EXPECT_GT(panels.cols, 2 * test::kTinyWidth_px);
   EXPECT_GT(panels.rows, 2 * test::kTinyHeight_px);
-  // Images are grey; landmarks and boxes have the colours of their bodies.
+  // Images are grey, whereas landmarks and boxes have the colours of their bodies.
   std::vector<cv::Mat> channels;
   cv::split(panels, channels);
   EXPECT_GT(cv::countNonZero(cv::abs(channels[0] - channels[2]) > 60), 100);

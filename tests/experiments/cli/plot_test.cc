@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// clustervo plot to its end: what it says of trajectories, what it writes, what it refuses.
+// `clustervo plot` as a process: its summary of trajectories, its output files and its errors.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -31,7 +31,7 @@ using testing::StartsWith;
 constexpr int kPoses = 12;
 constexpr double kTau = 6.283185307179586;
 
-// A quarter of a circle with a hill, in metres.
+// A quarter circle of radius 1 m with a hill.
 struct PathPoint {
   double x, y, z;
 };
@@ -42,7 +42,8 @@ PathPoint PointAt(int i) {
 
 class CliPlot : public testing::Test {
  protected:
-  // Turned by a quarter about y and larger: (x, y, z) becomes s (z, y, -x).
+  // If `scale` is positive, the path is rotated by 90 degrees about y and scaled: (x, y, z) becomes
+  // s (z, y, -x).
   std::string Tum(const std::string& name, double scale = 0.0, int poses = kPoses) const {
     std::ostringstream text;
     for (int i = 0; i < poses; ++i) {
@@ -78,7 +79,7 @@ class CliPlot : public testing::Test {
   test::TempFolder folder_;
 };
 
-// The column of the summary's first trajectory, by its heading.
+// Returns the value of the first trajectory in the column of the summary with this heading.
 double SummaryValue(const std::string& text, const std::string& heading) {
   std::istringstream lines(text);
   std::string line;
@@ -115,7 +116,7 @@ TEST_F(CliPlot, AlignmentIsChosenAndNamed) {
                     HasSubstr("turned: "), Not(HasSubstr("http-equiv"))));
 }
 
-TEST_F(CliPlot, FilesOfEurocHaveCommas) {
+TEST_F(CliPlot, ReadsCommaSeparatedEurocFiles) {
   std::ostringstream text;
   text << "#timestamp, p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_w, q_x, q_y, q_z, v_x\n";
   for (int i = 0; i < kPoses; ++i) {
@@ -128,7 +129,7 @@ TEST_F(CliPlot, FilesOfEurocHaveCommas) {
   EXPECT_LT(SummaryValue(run.out, "rms m"), 1e-9) << run.out;
 }
 
-TEST_F(CliPlot, KittiFilesAreMatchedByTheirNumber) {
+TEST_F(CliPlot, KittiPosesAreMatchedByLineNumber) {
   const ProcessResult run = Plot({Tum("mine.txt"), "--groundtruth", Kitti("06.txt")});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("poses matched by line number"));
@@ -137,7 +138,7 @@ TEST_F(CliPlot, KittiFilesAreMatchedByTheirNumber) {
               "06.txt: found 12 poses, expected 5, as many as ");
 }
 
-TEST_F(CliPlot, ARunHasItsTruthAndTheErrorOfItsResult) {
+TEST_F(CliPlot, PlotsARunAgainstItsTruthWithTheErrorOfItsResult) {
   const fs::path tiny = folder_.path() / "tiny";
   test::WriteTinySequence(tiny, 6);
   const fs::path results = folder_.path() / "results";
@@ -173,7 +174,7 @@ TEST_F(CliPlot, BadInputGivesOneLine) {
   EXPECT_FALSE(fs::exists(out())) << "nothing is written";
 }
 
-TEST_F(CliPlot, DrawnByTheBrowserToTheSameBytes) {
+TEST_F(CliPlot, BrowserDrawingsAreReproducible) {
   const char* chosen = std::getenv("CLUSTERVO_BROWSER");
   if (::access(chosen != nullptr ? chosen : "/usr/bin/chromium", X_OK) != 0) {
     GTEST_SKIP() << "no Chromium: /usr/bin/chromium or CLUSTERVO_BROWSER";

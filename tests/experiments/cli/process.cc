@@ -35,7 +35,7 @@ struct Pipe {
     ::setenv(variable.substr(0, equals).c_str(), variable.substr(equals + 1).c_str(), 1);
   }
   if (setup.file_size_limit > 0) {
-    std::signal(SIGXFSZ, SIG_IGN);  // is kept by the program: its writes fail
+    std::signal(SIGXFSZ, SIG_IGN);  // inherited by the program, so that its writes fail
     const rlimit limit{setup.file_size_limit, setup.file_size_limit};
     ::setrlimit(RLIMIT_FSIZE, &limit);
   }
@@ -53,7 +53,7 @@ struct Pipe {
   ::_exit(126);
 }
 
-// Appends what has arrived; false at the end of the stream.
+// Appends the bytes that have arrived. Returns false at the end of the stream.
 bool ReadSome(int fd, std::string& text) {
   std::array<char, 4096> buffer{};
   const ssize_t count = ::read(fd, buffer.data(), buffer.size());

@@ -9,26 +9,27 @@
 namespace cvo::test {
 
 struct ProcessResult {
-  int exit_code = -1;  // 128 + signal where one ended it
+  int exit_code = -1;  // 128 + signal if killed by one
   std::string out;
   std::string err;
 };
 
 struct ProcessSetup {
-  std::vector<std::string> environment = {};  // NAME=VALUE, over the present one
-  std::size_t file_size_limit = 0;            // bytes; a larger file cannot be written. 0: none
+  std::vector<std::string> environment = {};  // NAME=VALUE, added to the current environment
+  std::size_t file_size_limit = 0;            // bytes; writing beyond it fails. 0: none
   std::size_t address_space_limit = 0;        // bytes; 0: none
   std::string interrupt_at = {};              // SIGINT once stderr holds this text; empty: never
-  std::string out = {};  // a file for standard output, "closed": none; empty: ProcessResult::out
+  std::string out = {};  // standard output: a file, "closed", or ProcessResult::out if empty
 };
 
-// Runs the program clustervo to its end.
+// Runs the program clustervo until it exits.
 ProcessResult RunProgram(const std::vector<std::string>& arguments, const ProcessSetup& setup = {});
 
-// That the program failed with one line, which has this text, and printed nothing else.
+// Expects that the program failed with exactly one line on standard error, which contains `text`,
+// and no standard output.
 void ExpectError(const ProcessResult& result, const std::string& text, int exit_code = 1);
 
-// How many lines a text has.
+// Returns the number of line breaks in a text.
 std::size_t LineCount(const std::string& text);
 
 }  // namespace cvo::test

@@ -21,7 +21,7 @@ const std::string& Folder() {
   return folder;
 }
 
-// With a cache below the build folder.
+// Runs the program with its cache below the build folder.
 ProcessResult RunCached(const Arguments& arguments) {
   const ProcessSetup setup{.environment = {"CLUSTERVO_CACHE=" + Folder() + "/cache"}};
   return RunProgram(arguments, setup);
@@ -45,7 +45,7 @@ TEST(Regression, Ci) {
   EXPECT_EQ(check.exit_code, 0) << "where the change is meant: make baseline";
 }
 
-// A sixth of the corners and no rejection of uncertain disparities.
+// Spoils the estimator: a sixth of the features, and no rejection of uncertain disparities.
 TEST(Regression, SpoiledEstimatorIsCaught) {
   const TempFolder temp;
   const std::string suite = temp.Write("short.json", R"({

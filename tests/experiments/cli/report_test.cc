@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// `clustervo report` from outside, on results made by hand.
+// `clustervo report` as a process, on hand-made results.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ TEST(CliReport, SameBytesInAnyFolder) {
   EXPECT_TRUE(Page(suite.folder().path() / "report") == Page(other));
 }
 
-TEST(CliReport, NothingIsWrittenWhereTheOtherSuiteIsNone) {
+TEST(CliReport, WritesNothingIfTheOtherSuiteIsMissing) {
   SuiteResults suite;
   suite.Add(Result());
   const ProcessResult run =
@@ -74,7 +74,7 @@ TEST(CliReport, AnInvalidSuiteGivesOneLine) {
   EXPECT_FALSE(fs::exists(suite.folder().path() / "report"));
 }
 
-TEST(CliReport, RunsSideBySide) {
+TEST(CliReport, ShowsRunsSideBySide) {
   const test::TempFolder folder;
   std::vector<std::string> runs;
   for (const char* variant : {"2d", "full"}) {

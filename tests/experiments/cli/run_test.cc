@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// clustervo run to its end, on images that the test draws.
+// `clustervo run` as a process, on images drawn by the test.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -96,7 +96,7 @@ TEST_F(CliRun, StrictFailsOnADamagedImageAndWritesNothing) {
   EXPECT_FALSE(fs::exists(out()));
 }
 
-// What a folder holds is replaced by the same run alone, unless it is forced.
+// Only the same run replaces the content of a folder, unless --force is given.
 TEST_F(CliRun, AnotherRunIsNotReplaced) {
   const std::string boxes =
       folder_.Write("boxes.txt", "0 3 Car -1 -1 -10 10 10 60 60 -1 -1 -1 -1 -1 -1 -10 0.5\n")
@@ -125,7 +125,8 @@ TEST_F(CliRun, AnotherRunIsNotReplaced) {
   test::ExpectError(Run(out(), {"-q"}), "; use --force to replace it", 2);
 }
 
-// A trajectory of predictions alone is written and is a failure, with its cause where it shows.
+// If frames are lost, the trajectory of predictions is still written, but the run fails and names
+// the cause if it is known.
 TEST_F(CliRun, LostFramesAreAFailure) {
   const fs::path right = tiny() / "image_1";
   fs::rename(right, tiny() / "right");
@@ -138,14 +139,14 @@ TEST_F(CliRun, LostFramesAreAFailure) {
   fs::remove_all(right);
   fs::rename(tiny() / "image_0", right);
   fs::rename(tiny() / "right", tiny() / "image_0");
-  // A wall of blocks is also found at wrong places.
+  // The blocks of the wall look alike, so features also match at wrong places.
   EXPECT_THAT(RunProgram({"info", tiny().string()}).out, HasSubstr("seem to be swapped"));
 }
 
 TEST_F(CliRun, AFullDiskLosesNothing) {
   ASSERT_EQ(Run(out()).exit_code, 0);
   const std::string before = ReadFile(out() / "result.json");
-  // Room for the trajectories, which are written first, but not for the result.
+  // The limit leaves room for the trajectories, which are written first, but not for the result.
   const ProcessResult run =
       Run(out(), {"--quiet", "--seed", "1", "--force"}, {.file_size_limit = 4096});
   EXPECT_EQ(run.exit_code, 1);
@@ -203,7 +204,7 @@ TEST_F(CliRun, ReportsWhichDetectionsCount) {
   const Json result = ResultOf(out());
   EXPECT_EQ(result["detection_counts"]["given"], 1);
   EXPECT_EQ(result["detection_counts"]["other_classes"]["Dog"], 1);
-  EXPECT_EQ(test::LineCount(ReadFile(out() / "objects.csv")), 1U);  // one detection is no cluster
+  EXPECT_EQ(test::LineCount(ReadFile(out() / "objects.csv")), 1U);  // 1 detection, no cluster
   EXPECT_THAT(ReadFile(out() / "landmarks.csv"), testing::StartsWith("frame,id,u_px"));
 
   ASSERT_EQ(Run(out(), {"--detections", boxes, "--classes", "dog", "--force"}).exit_code, 0);
@@ -212,14 +213,14 @@ TEST_F(CliRun, ReportsWhichDetectionsCount) {
   EXPECT_FALSE(fs::exists(out() / "landmarks.csv"));
 }
 
-// Nothing was said of boxes that were all left out.
+// Regression: the program used to say nothing if all boxes were left out.
 TEST_F(CliRun, ReportsThatAllDetectionsHaveLowScores) {
   const std::string boxes = folder_.Write("boxes.txt", kBoxes).string();
   EXPECT_THAT(Run(out(), {"--detections", boxes, "--min-score", "99"}).out,
               HasSubstr("\ndetections: 0 used; left out: 3 below --min-score\n"));
 }
 
-TEST_F(CliRun, AllMetricsAndAWarningOfMargins) {
+TEST_F(CliRun, PrintsAllMetricsAndWarnsOfNegativeScores) {
   std::string boxes = kBoxes;
   boxes.replace(boxes.find(" 0.5"), 4, " -0.5");
   const std::string file = folder_.Write("boxes.txt", boxes).string();
@@ -233,7 +234,7 @@ TEST_F(CliRun, AllMetricsAndAWarningOfMargins) {
   EXPECT_EQ(paths["min_score"], 0.0);
 }
 
-TEST_F(CliRun, ReservedWordsForDetections) {
+TEST_F(CliRun, AcceptsReservedWordsForDetections) {
   ASSERT_EQ(Run(out(), {"--detections", "none"}).exit_code, 0);
   EXPECT_EQ(ResultOf(out())["sequence"]["detections"], 0);
   const ProcessResult none = Run(out(), {"--detections", "labels"});

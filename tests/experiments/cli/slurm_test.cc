@@ -26,7 +26,7 @@ constexpr const char* kSuite = R"({
   "table": {"rows": ["variant"], "metrics": ["camera_ate"], "reference": "full"}
 })";
 
-// What a suite's jobs left, but for their times.
+// Returns the files written by the jobs of a suite, except for their times.
 std::map<std::string, std::string> ResultsIn(const fs::path& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder / "jobs")) {

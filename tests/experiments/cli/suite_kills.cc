@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// suite_kills KILLS [SEED [slurm]]: runs a suite undisturbed, then again and again, by two runners
-// at once, each with a folder of its own and both with one cache. At random moments a runner, a
-// worker or all processes are killed, the disk is full for a while, or everything on it comes from
-// the future, as after a clock was set back. What ended is started again. Every file of every
-// result, and the tables, must be the same bytes. `slurm`: the jobs go to a Slurm of this program's
-// own, of which the controller and the node's daemon are killed too.
+// suite_kills KILLS [SEED [slurm]]: runs a suite undisturbed once, and then repeatedly by two
+// concurrent runners, each with its own folder and both with the same cache. At random moments, a
+// runner, a worker or all processes are killed, the disk is full for a while, or all files on it
+// get timestamps from the future, as after a clock was set back. Processes that ended are
+// restarted. Every file of every result, and the tables, must have the same bytes as without
+// disturbance. `slurm`: the jobs run on a Slurm of this program's own, whose controller and node
+// daemon are killed too.
 #include <fcntl.h>
 #include <sched.h>
 #include <sys/mount.h>
@@ -47,7 +48,7 @@ constexpr const char* kSuite = R"({
 })";
 constexpr int kRunners = 2;
 
-// The processes that a runner has at this moment.
+// Returns the child processes that a runner has at this moment.
 std::vector<pid_t> WorkersOf(pid_t runner) {
   std::ifstream in(StrCat("/proc/", runner, "/task/", runner, "/children"));
   std::vector<pid_t> workers;
@@ -63,8 +64,8 @@ bool IsGone(pid_t process) {
   return !(in >> number >> name >> state) || state == "Z";
 }
 
-// A folder on a file system of its own, of a gigabyte of memory, that only this program and what it
-// starts sees; where the system grants none, any folder.
+// A folder on its own in-memory file system of 1 GB, visible only to this program and its children.
+// If the system does not permit that, an ordinary folder.
 class Disk {
  public:
   Disk() {
@@ -80,7 +81,7 @@ class Disk {
 
   const TempFolder& folder() const { return folder_; }
   bool CanBeFull() const { return has_own_; }
-  // Others write meanwhile: what is left may be less than what was free.
+  // Fills the disk. Other processes write meanwhile, so there may be less left than was reported.
   void Fill() const {
     const int fd = ::open(filler().c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
     Require(fd >= 0, "filler");
@@ -97,7 +98,7 @@ class Disk {
   bool has_own_ = false;
 };
 
-// The suite in folders of its own; what each of its runners makes is under the runner's number.
+// The suite in its own folder. Each runner has its own output folder and log.
 class Suite {
  public:
   Suite(const fs::path& folder, bool on_slurm) : folder_(folder), on_slurm_(on_slurm) {
@@ -108,7 +109,7 @@ class Suite {
 
   fs::path out(int runner) const { return folder_ / StrCat("out", runner); }
   fs::path cache() const { return folder_ / "cache"; }
-  // Not on the disk that may be full.
+  // Logs are not on the disk that may be full.
   std::string Log(int runner) const { return ReadFile(log(runner)); }
 
   pid_t Start(int runner) const {
@@ -120,7 +121,8 @@ class Suite {
   }
   pid_t StartTable(int runner) const { return Start(runner, {"table", out(runner).string()}); }
 
-  // Everything that a result consists of; no leftovers are among it.
+  // Returns every file of the results and the tables except timing.json, so that leftovers are
+  // found too.
   Files Results(int runner) const {
     Files files;
     for (const char* part : {"jobs", "failed"}) {
@@ -139,7 +141,7 @@ class Suite {
  private:
   fs::path log(int runner) const { return logs_.path() / StrCat("log", runner); }
 
-  // `clustervo experiment ...`
+  // Starts `clustervo experiment` with these arguments.
   pid_t Start(int runner, std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), {CVO_PROGRAM, "experiment"});
     std::vector<char*> argv;
@@ -160,7 +162,7 @@ class Suite {
   bool on_slurm_ = false;
 };
 
-// The exit code, 128 + signal where one ended it.
+// Waits for a process. Returns its exit code, or 128 + signal if it was killed.
 int WaitFor(pid_t runner) {
   int status = 0;
   while (::waitpid(runner, &status, 0) < 0 && errno == EINTR) {
@@ -174,13 +176,13 @@ bool HasEnded(pid_t runner) {
          info.si_pid == runner;
 }
 
-// A runner at work. What it may end with depends on what was done to it since it was started.
+// A runner. Which exit codes are allowed depends on what was done to it since it was started.
 struct Runner {
   int number = 0;
   pid_t process = 0;  // 0: not running
   bool done = false;
   bool killed = false;
-  bool may_fail = false;  // a worker was killed, or something was gone that it needs
+  bool may_fail = false;  // a worker was killed, or a resource was missing
 };
 
 class KillTest {
@@ -190,7 +192,7 @@ class KillTest {
     if (on_slurm) cluster_.emplace();
     if (on_slurm && !cluster_->missing().empty()) throw Error(cluster_->missing());
     disturbances_ = {{"a runner killed", &KillTest::KillRunner}};
-    if (!on_slurm) {  // whose workers are Slurm's
+    if (!on_slurm) {  // on Slurm, workers are not children of the runner
       disturbances_.push_back({"a worker killed", &KillTest::KillWorker});
       disturbances_.push_back({"all killed", &KillTest::KillAll});
     }
@@ -210,7 +212,7 @@ class KillTest {
     expected_ = suite_.Results(0);
     std::cout << expected_.size() << " files in " << undisturbed.count() << " s undisturbed"
               << std::endl;
-    fs::remove_all(suite_.cache());  // the first round renders under fire
+    fs::remove_all(suite_.cache());  // so that the first round renders while disturbed
     const auto first = Clock::now();
     while (disturbed_ < count) {
       for (int i = 0; i < kRunners; ++i) fs::remove_all(suite_.out(i));
@@ -232,10 +234,10 @@ class KillTest {
 
  private:
   static constexpr int kRoundsOfADrawing = 10;
-  static constexpr double kLongestCalm = 0.2;  // of the time that a suite takes undisturbed
+  static constexpr double kLongestCalm = 0.2;  // of the undisturbed time of the suite
   struct Disturbance {
     const char* what = "";
-    // False: there was nothing to disturb.
+    // Returns false if there was nothing to disturb.
     bool (KillTest::*act)(Runner&) = nullptr;
   };
 
@@ -245,7 +247,8 @@ class KillTest {
     }
   }
 
-  // Until the suites of all runners are done; undisturbed once there was enough.
+  // Runs until the suites of all runners are done. Disturbs no more once the requested number is
+  // reached.
   void Round(int count, double longest_s) {
     for (int i = 0; i < kRunners; ++i) runners_[static_cast<std::size_t>(i)] = Runner{.number = i};
     for (;;) {
@@ -320,9 +323,9 @@ class KillTest {
     }
     return true;
   }
-  // As if all were written before the clock was set back by a day.
+  // Sets timestamps as if all files had been written before the clock was set back by a day.
   bool SetClockBack(Runner&) {
-    std::error_code gone;  // files go while this looks at them
+    std::error_code gone;  // files disappear during the iteration
     fs::recursive_directory_iterator at(disk_.folder().path(), gone);
     for (; !gone && at != fs::recursive_directory_iterator(); at.increment(gone)) {
       std::error_code ignored;
@@ -331,7 +334,7 @@ class KillTest {
     }
     return true;
   }
-  // What all runners need is gone for up to a second.
+  // Takes away something that all runners need, for up to a second.
   bool Outage(const std::function<void()>& begin, const std::function<void()>& end) {
     begin();
     for (Runner& runner : runners_) runner.may_fail = true;
@@ -342,7 +345,7 @@ class KillTest {
   bool FillDisk(Runner&) {
     return Outage([this] { disk_.Fill(); }, [this] { disk_.Empty(); });
   }
-  // After a crash it may not know what it had started: those tasks run again.
+  // After a crash, the controller may not know which tasks it had started; those run again.
   bool KillController(Runner&) {
     return Outage([this] { cluster_->KillController(); }, [this] { cluster_->StartController(); });
   }

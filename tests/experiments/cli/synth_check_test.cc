@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// clustervo synth list and check, which need no renderer.
+// `clustervo synth list`, `generate` and `check`, which need no renderer.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

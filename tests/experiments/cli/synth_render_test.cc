@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// clustervo synth render to its end, on the scene made for tests.
+// `clustervo synth render` and `preview` as processes, on the scene made for tests.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,8 +26,8 @@ using testing::HasSubstr;
 
 constexpr int kFrames = 6;
 
-// The images of scene "tiny" as drawn by a version of Mesa and LLVM: SHA-256 of the hashes that the
-// manifest has of them. Other versions round differently.
+// Golden images of scene "tiny", by version of Mesa and LLVM, as other versions round differently:
+// the SHA-256 of the concatenated hashes in the manifest.
 const std::map<std::string, std::string>& GoldenHashes() {
   static const std::map<std::string, std::string> hashes = {
       {"4.5 (Core Profile) Mesa 22.3.6, llvmpipe (LLVM 15.0.6, 256 bits)",
@@ -38,13 +38,13 @@ const std::map<std::string, std::string>& GoldenHashes() {
 class CliSynthRender : public testing::Test {
  protected:
   fs::path out(const std::string& name) const { return folder_.path() / name; }
-  // Renders into "tiny"; skips the test where this build cannot.
+  // Renders into "tiny". Skips the test if this build cannot render.
   void RenderTiny(const std::vector<std::string>& more = {}) const {
     const ProcessResult render = Render("tiny", more);
     if (render.err.find("no OSMesa") != std::string::npos) GTEST_SKIP() << render.err;
     ASSERT_EQ(render.exit_code, 0) << render.err;
   }
-  // Every cache named draws anew.
+  // Renders into the cache of this name; a new name renders everything again.
   test::ProcessSetup Setup(const std::string& cache = "cache") const {
     return {.environment = {"CLUSTERVO_CACHE=" + out(cache).string()}};
   }
@@ -54,7 +54,7 @@ class CliSynthRender : public testing::Test {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return RunProgram(arguments, setup.value_or(Setup()));
   }
-  // [name]: SHA-256.
+  // Returns the SHA-256 of every file of a rendered scene, by name.
   std::map<std::string, std::string> HashesOf(const std::string& name) const {
     std::map<std::string, std::string> hashes;
     const Json manifest = ReadJson(out(name) / "manifest.json");
@@ -112,7 +112,7 @@ TEST_F(CliSynthRender, IsReadAsAKittiSequence) {
   EXPECT_EQ(sequence.labels.size(), bodies.size() * bodies[0].size());
   EXPECT_EQ(sequence.detections.size(), sequence.labels.size());
   EXPECT_THAT(sequence.missing, testing::IsEmpty());
-  // Numbers are written so that they read back as the same ones.
+  // Numbers are written with enough digits to be read back exactly.
   std::vector<RigidTransform> poses = ReadKittiPoses(out("tiny") / "poses.txt");
   for (std::size_t i = 0; i < poses.size(); ++i) {
     EXPECT_EQ(poses[i].translation(), truth[i]->translation());
@@ -156,7 +156,7 @@ TEST_F(CliSynthRender, ASeedChangesOnlyNoiseAndDetections) {
   }
 }
 
-TEST_F(CliSynthRender, GoldenImages) {
+TEST_F(CliSynthRender, MatchesGoldenImages) {
   RenderTiny();
   if (IsSkipped() || HasFatalFailure()) return;
   const Json renderer = ReadJson(out("tiny") / "manifest.json")["renderer"];
@@ -171,7 +171,7 @@ TEST_F(CliSynthRender, GoldenImages) {
   EXPECT_EQ(Sha256Hex(images), golden->second);
 }
 
-TEST_F(CliSynthRender, RangeOfFrames) {
+TEST_F(CliSynthRender, RendersARangeOfFrames) {
   RenderTiny({"--frames", "0:1"});
   if (IsSkipped() || HasFatalFailure()) return;
   ASSERT_EQ(Render("part", {"--frames", "2:4", "--detector", "poor"}).exit_code, 0);
@@ -220,7 +220,7 @@ TEST_F(CliSynthRender, BadScenesGiveOneLine) {
   struct Case {
     std::string assignment;
     std::string expected;
-    int exit_code = 2;  // wrong usage; a scene that can be read but not be drawn is bad input
+    int exit_code = 2;  // 2: wrong usage; 1: bad input
   };
   const std::vector<Case> cases = {
       {"objects.0.colour=1", "colour"},

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// `experiment table` and `experiment compare` from outside, on results made by hand.
+// `clustervo experiment table` and `compare` as processes, on hand-made results.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ ProcessResult Compare(const SuiteResults& a, const SuiteResults& b) {
   return RunProgram({"experiment", "compare", a.Written().string(), b.Written().string()});
 }
 
-TEST(CliTables, AFinishedSuite) {
+TEST(CliTables, TabulatesAFinishedSuite) {
   SuiteResults suite;
   Json result = Result();
   result["options"]["orb"]["features"] = 1999;
@@ -51,7 +51,7 @@ TEST(CliTables, AFinishedSuite) {
   EXPECT_EQ(test::ReadFile(suite.folder().path() / "table.json"), bytes);
 }
 
-TEST(CliTables, AnotherRowToCompareWith) {
+TEST(CliTables, ComparesWithAnotherReferenceRow) {
   SuiteResults suite;
   suite.Add(Result());
   suite.Add(Result(), "2d");
@@ -104,7 +104,7 @@ TEST(CliTables, CompareReportsChanges) {
   test::ExpectError(Compare(before, other), "metric camera_ate");
 }
 
-// `experiment table` of a written folder, with these flags.
+// Runs `experiment table` with these flags on the written suite.
 ProcessResult Print(const SuiteResults& suite, std::vector<std::string> flags) {
   flags.insert(flags.begin(), {"experiment", "table", suite.Written().string()});
   return RunProgram(flags);
@@ -147,7 +147,7 @@ TEST(CliTables, ASavedTableNeedsNoResults) {
                     "table.json: found schema_version 1, expected 3");
 }
 
-TEST(CliTables, WrittenToAFile) {
+TEST(CliTables, WritesATableToAFile) {
   SuiteResults suite;
   suite.Add(Result());
   const fs::path file = suite.folder().path() / "new" / "table.html";

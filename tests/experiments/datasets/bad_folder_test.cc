@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Folders that are not as they should be: every message names the file, and line or field, what was
-// found and what was expected.
+// Malformed folders. Every message names the file, and the line or field, what was found and what
+// was expected.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -84,7 +84,7 @@ TEST_F(BadRawDrive, MalformedCalibration) {
   EXPECT_THAT(Error(), Says("calib_cam_to_cam.txt:5", "\"nan\" in column 7", "a finite number"));
 }
 
-TEST_F(BadRawDrive, CalibrationThatIsNoRectifiedCamera) {
+TEST_F(BadRawDrive, CalibrationOfAnUnrectifiedCamera) {
   Calibrate("P_rect_00", "10 1 6 0 0 10 4 0 0 0 1 0");
   EXPECT_THAT(Error(), Says("P_rect_00", "a matrix of another form", "a rectified camera"));
   Calibrate("P_rect_00", "-10 0 6 0 0 10 4 0 0 0 1 0");
@@ -95,14 +95,14 @@ TEST_F(BadRawDrive, CalibrationThatIsNoRectifiedCamera) {
   EXPECT_THAT(Error(), Says("P_rect_00 and P_rect_01", "different focal lengths", "equal ones"));
 }
 
-TEST_F(BadRawDrive, BaselineThatIsNotPositive) {
+TEST_F(BadRawDrive, NonPositiveBaseline) {
   Calibrate("P_rect_01", ProjectionRow(0.0));
   EXPECT_THAT(Error(), Says("P_rect_00 and P_rect_01", "a baseline of 0 m", "a positive one"));
   Calibrate("P_rect_01", ProjectionRow(0.5));
   EXPECT_THAT(Error(), Says("P_rect_00 and P_rect_01", "a baseline of -0.5 m", "a positive one"));
 }
 
-TEST_F(BadRawDrive, CalibrationTwice) {
+TEST_F(BadRawDrive, DuplicateCalibrationKey) {
   Calibrate("P_rect_01", ProjectionRow(-0.5) + "\nP_rect_01: " + ProjectionRow(-0.4));
   EXPECT_THAT(Error(), Says("calib_cam_to_cam.txt:9", "\"P_rect_01\" a second time", "once"));
 }
@@ -135,7 +135,7 @@ TEST_F(BadRawDrive, ManyImagesMissing) {
   EXPECT_THAT(Error(), HasSubstr("0000000013.png and 6 more"));
 }
 
-TEST_F(BadRawDrive, FewerImagesOnTheRight) {
+TEST_F(BadRawDrive, FewerRightImages) {
   fs::remove(folder_ / "image_01/data/0000000003.png");
   EXPECT_THAT(Error(), Says("image_01/data", "3 images", "4, as many as in"));
 }
@@ -147,7 +147,7 @@ TEST_F(BadRawDrive, NoRightFolderOrNoImages) {
   EXPECT_THAT(Error(), Says("image_01/data", "no <number>.png", "at least one"));
 }
 
-TEST_F(BadRawDrive, SameNumberTwice) {
+TEST_F(BadRawDrive, DuplicateImageNumber) {
   Write("image_00/data/00002.png", GreyPng());
   EXPECT_THAT(Error(), Says("image_00/data", "number 2 a second time", "only"));
 }
@@ -177,7 +177,7 @@ TEST_F(BadRawDrive, InvalidTimestamps) {
   EXPECT_THAT(Error(), Says("image_00/timestamps.txt:2", "\"\"", "YYYY-MM-DD"));
 }
 
-TEST_F(BadRawDrive, TimestampsThatDoNotIncrease) {
+TEST_F(BadRawDrive, NonIncreasingTimestamps) {
   Write("image_00/timestamps.txt",
         DateTimeRow(0) + DateTimeRow(2) + DateTimeRow(1) + DateTimeRow(3));
   EXPECT_THAT(Error(), Says("image_00/timestamps.txt:3", "\"2011-09-26 13:02:10.110000000\"",
@@ -232,7 +232,7 @@ TEST_F(BadRawDrive, TruncatedCalibrationIsReadOrRefused) {
     root_.Write("2011_09_26/calib_cam_to_cam.txt", whole.substr(0, size));
     refused += Error().empty() ? 0 : 1;
   }
-  // The lines of cameras 2 and 3, which nobody asked for, may be absent but not broken.
+  // The lines of cameras 2 and 3, which are not used, may be absent but not malformed.
   EXPECT_GT(refused, sizes / 2);
 }
 
@@ -320,7 +320,7 @@ TEST_F(BadOdometry, PosesCutShort) {
   EXPECT_THAT(Error(), Says("poses/06.txt:2", "7 columns in a last line without", "12 columns"));
 }
 
-TEST_F(BadOdometry, CameraThatTheCalibrationDoesNotHave) {
+TEST_F(BadOdometry, CameraMissingFromTheCalibration) {
   WriteImages(root_, "sequences/06/image_2", 3, 6);
   WriteImages(root_, "sequences/06/image_3", 3, 6);
   EXPECT_THAT(OpenError({.folder = folder_, .pair = "colour"}),
@@ -379,7 +379,7 @@ TEST_F(BadTracking, FolderOfSeveralSequences) {
               Says("training", "a folder of several KITTI tracking sequences", "training/0005"));
 }
 
-TEST(BadFolder, OfNoKnownType) {
+TEST(BadFolder, IsOfUnknownType) {
   const test::TempFolder root;
   EXPECT_THAT(OpenError({.folder = root.path()}),
               AllOf(Says(root.path().string(), "a folder of no known type", "kitti-raw"),

@@ -19,7 +19,7 @@ using testing::HasSubstr;
 
 constexpr int kFrames = 4;
 
-// A row of objects.csv: half a metre in size, at (x, 0, 4) and turned by 90 degrees about y.
+// A row of objects.csv: a body of 0.5 m at (x, 0, 4), rotated by 90 degrees about y.
 std::string ObjectRow(int frame, int id, const std::string& category, double x_m, int visible_px,
                       int alone_px) {
   return StrCat(frame, ",", id, ",thing_", id, ",", category, ",", x_m, ",0,4,0,",
@@ -28,7 +28,8 @@ std::string ObjectRow(int frame, int id, const std::string& category, double x_m
                 static_cast<double>(visible_px) / alone_px, ",0,1,1,5,5,1,1,5,5\n");
 }
 
-// Body 1 moves by 0.3 m per frame, body 2 stays; the camera moves by 0.1 m per frame along x.
+// Body 1 moves by 0.3 m per frame and body 2 stands still. The camera moves by 0.1 m per frame
+// along x.
 class SceneBodies : public testing::Test {
  protected:
   explicit SceneBodies(const std::string& category = "Ball") {
@@ -39,7 +40,7 @@ class SceneBodies : public testing::Test {
       objects += ObjectRow(k, 1, category, 0.3 * k, k == 1 ? 399 : 400, 400);
       objects += ObjectRow(k, 2, category, 1.0, 400, k == 2 ? 1400 : 1333);
       cv::Mat mask = cv::Mat::zeros(kTestHeight_px, kTestWidth_px, CV_16UC1);
-      mask(cv::Rect(0, 0, 6, 8)) = cv::Scalar(k + 1);  // another body in each frame
+      mask(cv::Rect(0, 0, 6, 8)) = cv::Scalar(k + 1);  // a different body in each frame
       folder_.Write("scene/instance_0/" + Digits(k, 6) + ".png", EncodePng(mask));
     }
     folder_.Write("scene/objects.csv", objects);
@@ -79,13 +80,13 @@ TEST_F(SceneBodies, HaveTheirPosesVisibilityAndTravel) {
   const TruthBody& second = truth.bodies[1];
   EXPECT_FALSE(second.mover);
   EXPECT_TRUE(second.frames[1]->visible);   // 400 of 1333 px
-  EXPECT_FALSE(second.frames[2]->visible);  // of 1400
+  EXPECT_FALSE(second.frames[2]->visible);  // 400 of 1400 px
   EXPECT_EQ(reader->BodyOfTrack(2), 2);
   EXPECT_EQ(reader->BodyOfTrack(3), -1);
   EXPECT_EQ(reader->BodyOfTrack(-1), -1);
 }
 
-TEST_F(SceneBodies, AreCutWithTheFrames) {
+TEST_F(SceneBodies, AreCutToTheFrameRange) {
   const auto reader = ReadBodyTruth(Open(1, 3));
   const ObjectTruth& truth = reader->objects();
   EXPECT_EQ(truth.first_frame, 1);
@@ -93,11 +94,11 @@ TEST_F(SceneBodies, AreCutWithTheFrames) {
   EXPECT_NEAR(truth.bodies[0].frames[0]->world_from_object.translation().x(), 0.3, 1e-12);
   EXPECT_NEAR(truth.world_from_camera[0]->translation().x(), 0.1, 1e-12);
   EXPECT_NEAR(truth.bodies[0].travel_m, 0.3, 1e-12);
-  // The mask of frame 0 of those run is that of frame 1 in the folder.
+  // Frame 0 of the sequence has the mask of frame 1 in the folder.
   EXPECT_EQ(reader->Find(0, {2, 4}, {0, 0, 4}).body, 2);
 }
 
-TEST_F(SceneBodies, LandmarksAreLookedUpInTheMaskAwayFromItsEdge) {
+TEST_F(SceneBodies, LandmarksAreLookedUpInTheMaskAwayFromEdges) {
   const auto reader = ReadBodyTruth(Open());
   const Eigen::Vector3d p(0, 0, 4);
   EXPECT_EQ(reader->Find(0, {2, 4}, p).body, 1);
@@ -136,14 +137,14 @@ class StreetBodies : public SceneBodies {
   StreetBodies() : SceneBodies("Car") {}
 };
 
-TEST_F(StreetBodies, TravelTwoMetresToBeMovers) {
+TEST_F(StreetBodies, MustTravelTwoMetresToBeMovers) {
   const auto reader = ReadBodyTruth(Open());
   EXPECT_EQ(reader->objects().mover_travel_m, 2.0);
   EXPECT_FALSE(reader->objects().bodies[0].mover);
 }
 
-// fx = fy = 1000, baseline 0.5 m: a disparity of 125 px at 4 m. Camera 2 sees points 0.06 m further
-// right than camera 0.
+// fx = fy = 1000 and a baseline of 0.5 m give a disparity of 125 px at 4 m. In camera 2, points are
+// 0.06 m further to the right than in camera 0.
 class LabelledBodies : public testing::Test {
  protected:
   LabelledBodies() : sequence_folder_(WriteTrackingSequence(folder_, kFrames)) {
@@ -157,7 +158,7 @@ class LabelledBodies : public testing::Test {
     folder_.Write("training/calib/0005.txt", calibration);
   }
 
-  // A car 4 m ahead that faces along x, 4 m long, 2 m high and 2 m wide.
+  // A car 4 m ahead, facing along x: 4 m long, 2 m high and 2 m wide.
   static std::string Row(int frame, int track, double x_m, int occlusion = 0, double height_px = 30,
                          double heading_rad = 0.0) {
     return StrCat(frame, " ", track, " Car 0 ", occlusion, " -1.5 1 1 9 ", 1 + height_px, " 2 2 4 ",
@@ -173,8 +174,8 @@ class LabelledBodies : public testing::Test {
   fs::path sequence_folder_;
 };
 
-TEST_F(LabelledBodies, AreInTheWorldOfTheCamera) {
-  // The camera moves by 1 m per frame, ahead; the car stays 4 m ahead of it.
+TEST_F(LabelledBodies, AreInTheWorldFrameOfTheCamera) {
+  // The camera moves forward by 1 m per frame, and the car stays 4 m ahead of it.
   std::string labels;
   for (int k = 0; k < kFrames; ++k) labels += Row(k, 0, 1.0);
   const auto reader = Read(labels + Row(1, 7, -2.0, 0, 30, 0.5));
@@ -189,7 +190,7 @@ TEST_F(LabelledBodies, AreInTheWorldOfTheCamera) {
   EXPECT_EQ(car.category, "Car");
   EXPECT_NEAR(car.travel_m, 3.0, 1e-3);
   EXPECT_TRUE(car.mover);
-  // The middle of the box: 1 m above its bottom, and seen from camera 2.
+  // The centre of the box: 1 m above its bottom, and converted from camera 2 to camera 0.
   const RigidTransform& first = car.frames[0]->world_from_object;
   EXPECT_NEAR((first.translation() - Eigen::Vector3d(1.06, 0.0, 4.0)).norm(), 0.0, 1e-9);
   const RigidTransform& last = car.frames[3]->world_from_object;
@@ -215,7 +216,7 @@ TEST_F(LabelledBodies, AreVisibleUnlessHiddenOrSmall) {
   EXPECT_TRUE(frames[3]->visible);
 }
 
-TEST_F(LabelledBodies, AreCutWithTheFrames) {
+TEST_F(LabelledBodies, AreCutToTheFrameRange) {
   const auto reader = Read(Row(0, 0, 1) + Row(2, 4, 1) + Row(3, 4, 1), 1, 3);
   const ObjectTruth& truth = reader->objects();
   EXPECT_EQ(truth.first_frame, 1);
@@ -237,21 +238,21 @@ TEST_F(LabelledBodies, LandmarksAreLookedUpInTheBoxes) {
     return static_cast<int>(reader->Find(0, {u_px, 4}, {x, y, z}).body);
   };
   EXPECT_EQ(body(1, 0, 4), 1);
-  EXPECT_EQ(body(3.1, 0, 4.9), 1);     // the side has some slack
+  EXPECT_EQ(body(3.1, 0, 4.9), 1);     // within the tolerance at the side
   EXPECT_EQ(body(3.4, 0, 4), -1);      // beside the box
-  EXPECT_EQ(body(4.0, 0, 4), 0);       // well beside it
+  EXPECT_EQ(body(4.0, 0, 4), 0);       // clearly beside it
   EXPECT_EQ(body(0, -1.7, 4), 0);      // above it
   EXPECT_EQ(body(1, 0.95, 4), -1);     // the road under it
   EXPECT_EQ(body(6, 1.2, 4), 0);       // the road beside it
-  EXPECT_EQ(body(4.0, 0, 4, 15), -1);  // 5 px from what is not labelled
+  EXPECT_EQ(body(4.0, 0, 4, 15), -1);  // 5 px from a DontCare region
   EXPECT_EQ(body(4.0, 0, 4, 14), 0);
   EXPECT_EQ(body(1, 0, -4), -1);  // behind the camera
   EXPECT_EQ(body(1, 0, std::nan("")), -1);
   EXPECT_THAT(ErrorMessage([&] { reader->Find(4, {6, 4}, {1, 0, 4}); }), HasSubstr("frame 4"));
 }
 
-TEST_F(LabelledBodies, LandmarksMayBeOffAlongTheirRay) {
-  // From 39 to 41 m, where half a pixel is 1.6 m.
+TEST_F(LabelledBodies, ToleratesLandmarkErrorsAlongTheRay) {
+  // The box extends from 39 to 41 m, where half a pixel of disparity is 1.6 m of depth.
   const auto reader = Read("0 0 Car 0 0 -1.5 1 1 9 31 2 2 4 0 1 40 0\n");
   const auto body = [&](double x, double z) {
     return static_cast<int>(reader->Find(0, {6, 4}, {x, 0, z}).body);
@@ -275,7 +276,7 @@ TEST_F(LabelledBodies, ALandmarkOnTwoBodiesIsNotJudged) {
 TEST_F(LabelledBodies, StandingBodiesNeverMoveDespiteLabelJitter) {
   const auto motion = [&](double step_m) {
     std::string labels;
-    // Against the camera's own motion, which is along z.
+    // Cancels the motion of the camera, which is along z.
     for (int k = 0; k < 3; ++k) {
       labels += StrCat(k, " 0 Car 0 0 -1.5 1 1 9 31 2 2 4 1 1 ", 8.0 - k + step_m * k, " 0\n");
     }
@@ -285,7 +286,7 @@ TEST_F(LabelledBodies, StandingBodiesNeverMoveDespiteLabelJitter) {
   EXPECT_EQ(motion(1.5), PointMotion::kMoving);
 }
 
-TEST_F(LabelledBodies, NeedBoxesAndCamera) {
+TEST_F(LabelledBodies, NeedBoxesAndCameraPoses) {
   EXPECT_EQ(Read("0 -1 DontCare -1 -1 -10 1 1 2 2 -1000 -1000 -1000 -10 -1 -1 -1\n"), nullptr);
   EXPECT_EQ(Read(Row(0, 0, 1), 1), nullptr);
   EXPECT_NE(Read(Row(1, 0, 1), 1), nullptr);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Small data set folders in each layout that the readers know.
+// Writers of small data set folders in the KITTI layouts.
 
 #include <cstdio>
 #include <opencv2/core.hpp>
@@ -49,7 +49,7 @@ inline std::string ProjectionRow(double offset_m) {
 
 constexpr const char* kIdentityRows = "1 0 0 0 1 0 0 0 1";
 
-// A packet at 49 degrees north, displaced by metres to the east; 30 numbers.
+// An OxTS packet of 30 numbers at 49 degrees north, displaced to the east by `east_m`.
 inline std::string OxtsPacketText(double east_m, const std::string& last = "0") {
   char longitude[32];
   std::snprintf(longitude, sizeof longitude, "%.15g", 8.0 + east_m / 73034.4);
@@ -63,8 +63,8 @@ inline std::string DateTimeRow(int frame, int offset_us = 0) {
          Digits(10'000 + offset_us, 5) + "000\n";
 }
 
-// <root>/2011_09_26/2011_09_26_drive_0001_sync with calibration; x forwards is camera z as on the
-// KITTI vehicle.
+// Writes <root>/2011_09_26/2011_09_26_drive_0001_sync with its calibration. Vehicle x (forward) is
+// camera z, as on the KITTI vehicle. Moves 1 m forward per frame.
 inline std::filesystem::path WriteRawDrive(const test::TempFolder& root, int frames = 3) {
   const std::string date = "2011_09_26/";
   const std::string drive = date + "2011_09_26_drive_0001_sync/";
@@ -92,7 +92,7 @@ inline std::filesystem::path WriteRawDrive(const test::TempFolder& root, int fra
   return root.path() / date / "2011_09_26_drive_0001_sync";
 }
 
-// <root>/sequences/06 and <root>/poses/06.txt: 1 m forwards per frame.
+// Writes <root>/sequences/06 and <root>/poses/06.txt, with a motion of 1 m forward per frame.
 inline std::filesystem::path WriteOdometrySequence(const test::TempFolder& root, int frames = 3) {
   const std::string folder = "sequences/06/";
   std::string times, poses;
@@ -127,7 +127,7 @@ constexpr const char* kCarLabel =
     "0 7 Car 0 1 -1.5 4.5 1 9.5 6 1.5 1.6 3.7 1 1.5 4 0.25\n"
     "1 -1 DontCare -1 -1 -10 1 1 2 2 -1000 -1000 -1000 -10 -1 -1 -1\n";
 
-// <root>/training with sequence 0005 in colour folders.
+// Writes <root>/training with sequence 0005, in colour folders only.
 inline std::filesystem::path WriteTrackingSequence(const test::TempFolder& root, int frames = 3) {
   std::string oxts;
   for (int i = 0; i < frames; ++i) oxts += OxtsPacketText(i);

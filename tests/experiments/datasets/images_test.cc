@@ -14,12 +14,12 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-TEST(Sha256, KnownValues) {
+TEST(Sha256, MatchesKnownValues) {
   EXPECT_EQ(Sha256Hex(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
   EXPECT_EQ(Sha256Hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
-TEST(Sha256, PiecesGiveTheSameAsTheWhole) {
+TEST(Sha256, HashesPiecesLikeTheWhole) {
   Sha256 hash;
   for (const char* piece : {"a", "", "bc"}) hash.Add(piece);
   EXPECT_EQ(hash.Hex(), Sha256Hex("abc"));
@@ -30,7 +30,7 @@ class LoadGreyTest : public testing::Test {
  protected:
   LoadedImage Load(const std::string& bytes) { return LoadGrey(folder_.Write("image.png", bytes)); }
 
-  // The failure of a file that was read but is no whole image.
+  // Expects the error of a file that could be read but is not a complete image.
   void ExpectProblem(const std::string& bytes, const std::string& found) {
     const LoadedImage image = Load(bytes);
     EXPECT_FALSE(image.ok());
@@ -54,7 +54,7 @@ TEST_F(LoadGreyTest, DecodesAndHashes) {
 }
 
 TEST_F(LoadGreyTest, ColourBecomesLuma) {
-  cv::Mat colour(4, 4, CV_8UC3, cv::Scalar(0, 0, 255));  // red, in OpenCV's order
+  cv::Mat colour(4, 4, CV_8UC3, cv::Scalar(0, 0, 255));  // red; OpenCV stores BGR
   colour.at<cv::Vec3b>(0, 1) = {0, 255, 0};
   colour.at<cv::Vec3b>(0, 2) = {255, 0, 0};
   const LoadedImage image = Load(EncodePng(colour));
@@ -68,14 +68,14 @@ TEST_F(LoadGreyTest, ColourBecomesLuma) {
   EXPECT_EQ(with_alpha.grey.at<unsigned char>(3, 3), 76);
 }
 
-TEST_F(LoadGreyTest, EveryTruncationIsNoticed) {
+TEST_F(LoadGreyTest, DetectsEveryTruncation) {
   const std::string bytes = GreyPng();
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     EXPECT_FALSE(Load(bytes.substr(0, size)).ok()) << size << " of " << bytes.size();
   }
 }
 
-TEST_F(LoadGreyTest, EveryFlippedByteIsNoticed) {
+TEST_F(LoadGreyTest, DetectsDamageToEveryByte) {
   const std::string bytes = GreyPng();
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     std::string damaged = bytes;
@@ -95,14 +95,14 @@ TEST_F(LoadGreyTest, ReportsTheError) {
   std::string damaged = bytes;
   damaged[data + 12] = static_cast<char>(damaged[data + 12] ^ 1);
   ExpectProblem(damaged, "a wrong CRC in chunk IDAT");
-  // All chunks in order, but without the one that holds the image.
+  // All chunks are valid, but the one that holds the image data is missing.
   std::string hollow = bytes;
   const std::size_t begin = data - 4, end = bytes.size() - 12;
   ExpectProblem(hollow.erase(begin, end - begin), "no image data");
 }
 
-TEST_F(LoadGreyTest, RowsMissingInsideAWholeFileAreNoticed) {
-  // The header of a taller image before the data of this one, with a CRC that fits.
+TEST_F(LoadGreyTest, DetectsMissingRowsInAnIntactFile) {
+  // The header of a taller image in front of the data of this one, with a valid CRC.
   const std::string tall = GreyPng(kTestWidth_px, 4 * kTestHeight_px);
   const std::string low = GreyPng();
   const std::size_t header = tall.find("IDAT") - 4;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The true bodies of drive_0013, whose labels are those of tracking sequence 0003.
+// True bodies of drive_0013, labelled as tracking sequence 0003.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ class KittiBodies : public testing::Test {
   std::filesystem::path data_;
 };
 
-// How far one-frame motions scatter around those of positions smoothed over 7 frames, RMS in m.
+// RMS deviation, in m, of the motion per frame from that of positions smoothed over 7 frames.
 double Jitter_m(const TruthBody& body) {
   constexpr int kHalf = 3;
   const auto position = [&](int k) {
@@ -72,15 +72,16 @@ TEST_F(KittiBodies, TwoVisibleCarsMoveAndTheParkedOnesDoNot) {
   EXPECT_NEAR(FindBody(reader->objects(), 1)->travel_m, 107.0, 1.0);  // about 15 m/s
 }
 
-TEST_F(KittiBodies, LabelsJitterAsTheyAreKnownTo) {
-  // 0.048 m per frame against devkit truth and 0.022 m against interpolated truth: the order only
-  // comes out where boxes are in the right camera and frame.
+TEST_F(KittiBodies, LabelJitterHasItsKnownMagnitude) {
+  // Measured: 0.048 m per frame against devkit truth and 0.022 m against interpolated truth. The
+  // values only come out in this order if boxes are assigned to the right camera and frame.
   EXPECT_NEAR(Jitter_m(*FindBody(Read("devkit")->objects(), 2)), 0.048, 0.01);
   EXPECT_NEAR(Jitter_m(*FindBody(Read("interpolated")->objects(), 2)), 0.022, 0.005);
 }
 
-TEST_F(KittiBodies, AnOffsetBetweenBoxesAndImagesWouldShow) {
-  // The number plate of the first car, 8 m ahead in frame 8, and the road beside it.
+TEST_F(KittiBodies, BoxesAreAlignedWithImages) {
+  // A point on the number plate of the first car in frame 8, 2 m closer than its centre, and a
+  // point on the road beside it. An offset between boxes and images would move them off.
   const auto reader = Read("devkit");
   const auto body = [&](double u, double v, double z) {
     const double fx = 721.5377, cx = 609.5593, cy = 172.854;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The readers on real KITTI data. The folder comes from the environment variable CLUSTERVO_DATA
-// alone; it has kitti_raw, kitti_odometry and kitti_tracking.
+// The readers on real KITTI data. The folder is named by the environment variable CLUSTERVO_DATA
+// only; it has kitti_raw, kitti_odometry and kitti_tracking.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -80,7 +80,7 @@ TEST_F(KittiData, RawDriveHasItsCameraTimesAndTruth) {
   EXPECT_EQ(s.timestamps_ns.front(), 1317042145967790592);
   EXPECT_EQ(s.groundtruth, "devkit");
   EXPECT_EQ(FramesWithTruth(s), 108u);
-  // About 10 m/s, forwards, from the origin.
+  // Starts at the origin and drives forward at about 10 m/s.
   EXPECT_NEAR(s.groundtruth_world_from_camera[0]->translation().norm(), 0.0, 1e-9);
   EXPECT_GT(s.groundtruth_world_from_camera[10]->translation().z(), 5.0);
   EXPECT_NEAR(PathLength(s), 107.0, 5.0);
@@ -117,7 +117,7 @@ TEST_F(KittiData, InterpolatedTruthDiffersByCentimetresAndEndsAtThePackets) {
   EXPECT_THAT(both.missing[0], HasSubstr("no ground truth for 2 of 72 images"));
 }
 
-TEST_F(KittiData, TruthDoesNotDependOnTheFramesAskedFor) {
+TEST_F(KittiData, TruthIsIndependentOfTheFrameRange) {
   const Sequence all = OpenSequence({.folder = Drive("0013")});
   const Sequence some = OpenSequence({.folder = Drive("0013"), .begin_frame = 30, .end_frame = 40});
   ASSERT_EQ(some.groundtruth_world_from_camera.size(), 10u);
@@ -142,7 +142,7 @@ TEST_F(KittiData, RawAndTrackingCopiesOfADriveAgree) {
   }
 }
 
-TEST_F(KittiData, TrackingLabelsAndDetectionsGoWithTheRawDrive) {
+TEST_F(KittiData, TrackingLabelsAndDetectionsApplyToTheRawDrive) {
   const Sequence s = OpenSequence({.folder = Drive("0013"),
                                    .labels_file = Tracking() / "label_02/0003.txt",
                                    .detections_file = Tracking() / "det_02_regionlets/0003.txt",
@@ -153,7 +153,7 @@ TEST_F(KittiData, TrackingLabelsAndDetectionsGoWithTheRawDrive) {
                           [](const ObjectBox& box) { return box.type == "Car"; }),
             268);
   EXPECT_NEAR(s.detections_offset_m, 44.85728 / 721.5377, 1e-12);
-  // The first label with a 3D box: 4.76 m ahead, so 9.4 pixels further left in image_00.
+  // The first label with a 3D box is 4.76 m ahead, and therefore 9.4 px further left in image_00.
   const auto car = std::find_if(s.labels.begin(), s.labels.end(),
                                 [](const ObjectBox& box) { return box.box3d.has_value(); });
   ASSERT_NE(car, s.labels.end());
@@ -182,7 +182,7 @@ TEST_F(KittiData, OdometryHasPosesOfAllItsFrames) {
   EXPECT_NEAR(s.groundtruth_world_from_camera[2]->translation().x(), -2.787365e-02, 1e-12);
 }
 
-TEST_F(KittiData, TrackingSequenceInColour) {
+TEST_F(KittiData, OpensATrackingSequenceInColour) {
   const Sequence s = OpenSequence({.folder = Tracking() / "0005"});
   EXPECT_EQ(s.name, "tracking_0005");
   EXPECT_EQ(s.pair, "colour");
@@ -198,7 +198,7 @@ TEST_F(KittiData, TrackingSequenceInColour) {
   EXPECT_EQ(same.folder, s.folder);
 }
 
-TEST_F(KittiData, TrackingSequenceWithoutImagesSaysWhichFolderIsMissing) {
+TEST_F(KittiData, NamesTheMissingFolderOfATrackingSequenceWithoutImages) {
   try {
     OpenSequence({.folder = Tracking() / "0003"});
     FAIL() << "opened a sequence without images";

@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// Frame i has the images "l<i>" and "r<i>".
+// Returns ten frames, of which frame i has the images "l<i>" and "r<i>".
 Sequence TenFrames(const Json& perturbation, std::uint64_t seed = 1) {
   Sequence sequence;
   sequence.first_frame = 5;
@@ -59,21 +59,21 @@ TEST(Perturbation, TheDefaultsChangeNothing) {
   EXPECT_FALSE(IsDropped(TenFrames(Json::object()), 3));
 }
 
-TEST(Perturbation, GainThenGammaOfEachGreyLevel) {
+TEST(Perturbation, AppliesGainThenGammaToEachGreyLevel) {
   const cv::Mat half = Perturbed({{"gain", 0.5}});
-  EXPECT_EQ(half.at<unsigned char>(20, 30), 60);  // of 3 * 20 + 2 * 30
+  EXPECT_EQ(half.at<unsigned char>(20, 30), 60);  // 0.5 * (3 * 20 + 2 * 30)
   const cv::Mat squared = Perturbed({{"gain", 0.5}, {"gamma", 2}});
   EXPECT_EQ(squared.at<unsigned char>(20, 30), 14);  // 255 (60 / 255)^2
 }
 
-TEST(Perturbation, TheRightImageIsLowerByRowsAndTheLeftIsNot) {
+TEST(Perturbation, MovesOnlyTheRightImageDownByRows) {
   const cv::Mat right = Perturbed({{"right_late_rows", 2}}, 1);
   EXPECT_EQ(right.at<unsigned char>(10, 7), Ramp().at<unsigned char>(8, 7));
   EXPECT_EQ(right.at<unsigned char>(0, 7), Ramp().at<unsigned char>(0, 7));
   EXPECT_EQ(Distance(Perturbed({{"right_late_rows", 2}}, 0), Ramp()), 0.0);
 }
 
-TEST(Perturbation, NoiseIsThatOfItsSeedFrameAndSide) {
+TEST(Perturbation, NoiseDependsOnSeedFrameAndSide) {
   const Json noise = {{"noise", 5}};
   EXPECT_EQ(Distance(Perturbed(noise), Perturbed(noise)), 0.0);
   for (const cv::Mat& other :
@@ -83,7 +83,7 @@ TEST(Perturbation, NoiseIsThatOfItsSeedFrameAndSide) {
   EXPECT_NEAR(cv::norm(Perturbed(noise), Ramp(), cv::NORM_L2) / std::sqrt(40.0 * 60.0), 5.0, 0.5);
 }
 
-TEST(Perturbation, BlurAndCompressionChangeLittleOfASmoothImage) {
+TEST(Perturbation, BlurAndCompressionBarelyChangeASmoothImage) {
   for (const Json& mild : {Json{{"blur_px", 1.0}}, Json{{"jpeg_quality", 60}}}) {
     EXPECT_GT(Distance(Perturbed(mild), Ramp()), 0.0) << mild;
     EXPECT_LT(Distance(Perturbed(mild), Ramp()), 12.0) << mild;
@@ -111,7 +111,7 @@ TEST(Perturbation, RepeatedAndLateFramesReadOtherFiles) {
   EXPECT_EQ(late.images[1].right, "r0");
 }
 
-TEST(Perturbation, CalibrationErrorsArePartsOfTheirValues) {
+TEST(Perturbation, AppliesCalibrationErrors) {
   const Sequence sequence =
       TenFrames({{"focal_error", 0.1}, {"baseline_error", -0.1}, {"disparity_error_px", 0.5}});
   EXPECT_NEAR(sequence.camera.fx, 770.0, 1e-9);

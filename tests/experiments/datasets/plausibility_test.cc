@@ -17,7 +17,7 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
-// What is said of a body that is at these places along x, m, at 10 Hz from frame 100 on.
+// Returns the findings on a body with these x coordinates, in m, at 10 Hz from frame 100 on.
 std::vector<std::string> Said(const std::vector<double>& places_m) {
   std::vector<RigidTransform> poses;
   for (const double x : places_m) poses.push_back(test::At(x));
@@ -32,8 +32,8 @@ std::vector<std::string> Said(const std::vector<double>& places_m) {
   return FindImplausible(sequence, &truth);
 }
 
-TEST(Plausibility, ABodyThatJumpsIsNamedWithItsFrame) {
-  // As the label of the first car of KITTI tracking 0003, between its frames 60 and 61.
+TEST(Plausibility, ReportsAJumpingBodyWithItsFrame) {
+  // Modelled on the label of the first car of KITTI tracking 0003, between frames 60 and 61.
   EXPECT_THAT(
       Said({0.0, 0.4, 0.77, -0.37, 0.05, 0.45}),
       ElementsAre(AllOf(
@@ -50,14 +50,14 @@ TEST(Plausibility, ABodyThatJumpsIsNamedWithItsFrame) {
               ElementsAre(AllOf(HasSubstr("frame 103: "), HasSubstr(", and 1 more like it"))));
 }
 
-TEST(Plausibility, JitterBouncesAndBrakesAreSilent) {
-  EXPECT_THAT(Said({0.1, 1.4, 3.1, 4.4, 6.1, 7.4}), IsEmpty());   // labels, 0.1 m off
-  EXPECT_THAT(Said({0.0, 2.0, 4.0, 2.0, 0.0, -2.0}), IsEmpty());  // at 20 m/s into a wall
-  EXPECT_THAT(Said({0.0, 3.0, 6.0, 6.0, 6.0, 6.0}), IsEmpty());   // stopped at once
-  EXPECT_THAT(Said({0.0, 3.0}), IsEmpty());                       // nothing to compare with
+TEST(Plausibility, AcceptsJitterBouncesAndBraking) {
+  EXPECT_THAT(Said({0.1, 1.4, 3.1, 4.4, 6.1, 7.4}), IsEmpty());   // label errors of 0.1 m
+  EXPECT_THAT(Said({0.0, 2.0, 4.0, 2.0, 0.0, -2.0}), IsEmpty());  // a bounce off a wall at 20 m/s
+  EXPECT_THAT(Said({0.0, 3.0, 6.0, 6.0, 6.0, 6.0}), IsEmpty());   // an instant stop
+  EXPECT_THAT(Said({0.0, 3.0}), IsEmpty());                       // too few frames to compare
 }
 
-TEST(Plausibility, FramesWithoutTruthSeparate) {
+TEST(Plausibility, DoesNotCompareAcrossFramesWithoutTruth) {
   ObjectTruth truth = test::TruthOf(6);
   test::AddBody(truth, test::Line(6, 0.0));
   truth.bodies[0].frames[3]->world_from_object = test::At(50.0);
@@ -69,7 +69,8 @@ TEST(Plausibility, FramesWithoutTruthSeparate) {
   EXPECT_THAT(FindImplausible(sequence, &truth), IsEmpty());
 }
 
-// What is said of a car at 1 m per frame that turns and slips by these angles, rad, in each frame.
+// Returns the findings on a car that drives 1 m per frame and in each frame turns and slips
+// sideways by these angles, in rad.
 std::vector<std::string> SaidOfCar(const std::string& dataset, const std::vector<double>& turns_rad,
                                    const std::vector<double>& slips_rad) {
   const RigidTransform axle_from_camera(Eigen::Quaterniond::Identity(), {0.0, 0.0, 1.7});
@@ -87,24 +88,24 @@ std::vector<std::string> SaidOfCar(const std::string& dataset, const std::vector
   return FindImplausible(sequence, nullptr);
 }
 
-TEST(Plausibility, ACarThatSlipsSidewaysIsToldOfKittiAlone) {
+TEST(Plausibility, ReportsSidewaysSlipOnlyForKitti) {
   const std::vector<double> straight(60, 0.0);
-  std::vector<double> slips(60, 0.01);  // the camera looks a little aside
+  std::vector<double> slips(60, 0.01);  // the camera points slightly sideways
   EXPECT_THAT(SaidOfCar("kitti", straight, slips), IsEmpty());
   std::fill(slips.begin() + 30, slips.begin() + 40, 0.06);
   EXPECT_THAT(SaidOfCar("kitti", straight, slips),
               ElementsAre(AllOf(StartsWith("ground truth of the camera, frames 35 to 45: "),
                                 HasSubstr("sideways by 0.5 m in 10 m"))));
   EXPECT_THAT(SaidOfCar("other", straight, slips), IsEmpty());
-  // A car that turns: its camera is in front of the axle and goes sideways.
+  // When a car turns, its camera, which is in front of the rear axle, moves sideways.
   std::vector<double> turns(60, 0.0);
   std::fill(turns.begin() + 30, turns.begin() + 40, 0.1);
   EXPECT_THAT(SaidOfCar("kitti", turns, straight), IsEmpty());
   EXPECT_THAT(SaidOfCar("kitti", std::vector<double>(8, 0.0), std::vector<double>(8, 0.5)),
-              IsEmpty());  // less than 10 m
+              IsEmpty());  // shorter than 10 m
 }
 
-TEST(Plausibility, BaselinesOfAnotherUnit) {
+TEST(Plausibility, ReportsBaselinesInTheWrongUnit) {
   Sequence sequence;
   for (const double usual_m : {0.001, 0.54, 10.0}) {
     sequence.camera.baseline_m = usual_m;

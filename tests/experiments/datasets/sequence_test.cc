@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Folders that are as they should be, in each layout.
+// Well-formed folders of each KITTI layout.
 #include "experiments/datasets/sequence.h"
 
 #include <gmock/gmock.h>
@@ -23,7 +23,7 @@ class Sequences : public testing::Test {
   test::TempFolder root_;
 };
 
-TEST_F(Sequences, RawDrive) {
+TEST_F(Sequences, OpensARawDrive) {
   const Sequence s = OpenSequence({.folder = WriteRawDrive(root_)});
   EXPECT_EQ(s.name, "2011_09_26_drive_0001");
   EXPECT_EQ(s.type, "kitti-raw");
@@ -40,7 +40,7 @@ TEST_F(Sequences, RawDrive) {
   EXPECT_EQ(s.timestamps_ns[1] - s.timestamps_ns[0], 100'000'000);
   EXPECT_EQ(s.groundtruth, "devkit");
   ASSERT_EQ(s.groundtruth_world_from_camera.size(), 3u);
-  // East is forwards: camera z.
+  // The vehicle drives east, which is camera z.
   EXPECT_NEAR(s.groundtruth_world_from_camera[2]->translation().z(), 2.0, 1e-4);
   EXPECT_NEAR(s.groundtruth_world_from_camera[2]->translation().head<2>().norm(), 0.0, 1e-4);
   EXPECT_THAT(s.missing, IsEmpty());
@@ -58,8 +58,9 @@ TEST_F(Sequences, RawDriveListsEveryTextFileThatWasRead) {
                                  "../calib_velo_to_cam.txt", "../calib_imu_to_velo.txt"));
 }
 
-TEST_F(Sequences, InterpolatedTruthIsThatOfTheImageTimes) {
-  // Packets come 5 ms after images: image 0 has none before it, image 1 lies at 95 % of a metre.
+TEST_F(Sequences, InterpolatesTruthAtImageTimes) {
+  // Packets come 5 ms after the images: image 0 has no packet before it, and image 1 lies at 95 %
+  // of the first metre.
   const Sequence s = OpenSequence({.folder = WriteRawDrive(root_), .groundtruth = "interpolated"});
   EXPECT_EQ(s.groundtruth, "interpolated");
   EXPECT_FALSE(s.groundtruth_world_from_camera[0].has_value());
@@ -119,7 +120,7 @@ TEST_F(Sequences, KittiIsDetectedByItsCalibrationInAnyFolder) {
   EXPECT_EQ(OpenSequence({.folder = there}).name, "06");
 }
 
-TEST_F(Sequences, ACameraThatCannotBe) {
+TEST_F(Sequences, RefusesAnImpossibleCamera) {
   const fs::path there = WriteOdometrySequence(root_);
   root_.Write("sequences/06/calib.txt", kKitti06);
   EXPECT_THAT(
@@ -128,7 +129,7 @@ TEST_F(Sequences, ACameraThatCannotBe) {
                         "within the images of 12x8 px"));
 }
 
-TEST_F(Sequences, RawDriveInColour) {
+TEST_F(Sequences, OpensARawDriveInColour) {
   const fs::path folder = WriteRawDrive(root_);
   for (const char* image : {"image_00", "image_01"}) fs::remove_all(folder / image);
   const std::string drive = folder.lexically_relative(root_.path()).string();
@@ -146,7 +147,7 @@ TEST_F(Sequences, RawDriveInColour) {
 }
 
 TEST_F(Sequences, ColourTruthTurnsAboutTheColourCamera) {
-  // After a turn by 90 degrees on the spot of camera 0, camera 2 has moved along an arc.
+  // When camera 0 rotates in place by 90 degrees, camera 2 moves along an arc.
   const fs::path folder = WriteRawDrive(root_, 2);
   const std::string drive = folder.lexically_relative(root_.path()).string();
   std::string turned = OxtsPacketText(0.0);
@@ -159,7 +160,7 @@ TEST_F(Sequences, ColourTruthTurnsAboutTheColourCamera) {
   const Sequence grey = OpenSequence({.folder = folder, .pair = "grey"});
   const Sequence colour = OpenSequence({.folder = folder, .pair = "colour"});
   EXPECT_NEAR(grey.groundtruth_world_from_camera[1]->translation().norm(), 0.0, 1e-9);
-  // Camera 2 is 6 cm to the left of camera 0: turning left moves it back and to the right.
+  // Camera 2 is 6 cm to the left of camera 0, so turning left moves it back and to the right.
   const Eigen::Vector3d moved = colour.groundtruth_world_from_camera[1]->translation();
   EXPECT_NEAR(moved.x(), 0.06, 1e-9);
   EXPECT_NEAR(moved.z(), -0.06, 1e-9);
@@ -178,7 +179,7 @@ TEST_F(Sequences, RawDriveWithoutOxtsHasNoTruth) {
       HasSubstr("oxts/data: found no such folder"));
 }
 
-TEST_F(Sequences, Odometry) {
+TEST_F(Sequences, OpensAnOdometrySequence) {
   const Sequence s = OpenSequence({.folder = WriteOdometrySequence(root_)});
   EXPECT_EQ(s.name, "06");
   EXPECT_EQ(s.type, "kitti-odometry");
@@ -215,7 +216,7 @@ TEST_F(Sequences, FramesBeyondThePosesHaveNoTruth) {
   EXPECT_THAT(s.missing, ElementsAre(HasSubstr("poses of the last 1 of 3 frames")));
 }
 
-TEST_F(Sequences, OdometryWithoutPoses) {
+TEST_F(Sequences, OdometryWithoutPosesHasNoTruth) {
   const fs::path folder = WriteOdometrySequence(root_);
   fs::remove(root_.path() / "poses/06.txt");
   const Sequence s = OpenSequence({.folder = folder});
@@ -223,7 +224,7 @@ TEST_F(Sequences, OdometryWithoutPoses) {
   EXPECT_THAT(s.missing, ElementsAre(HasSubstr("poses")));
 }
 
-TEST_F(Sequences, TrackingInBothCalibrationDialects) {
+TEST_F(Sequences, OpensTrackingInBothCalibrationDialects) {
   const fs::path folder = WriteTrackingSequence(root_);
   for (const bool with_colons : {true, false}) {
     root_.Write("training/calib/0005.txt", TrackingCalibration(with_colons));
@@ -236,13 +237,13 @@ TEST_F(Sequences, TrackingInBothCalibrationDialects) {
     EXPECT_EQ(s.groundtruth, "devkit");
     EXPECT_NEAR(s.groundtruth_world_from_camera[2]->translation().z(), 2.0, 1e-4);
     ASSERT_EQ(s.labels.size(), 2u);
-    // Drawn in image_02 and read in image_02: not moved.
+    // The boxes are drawn in image_02 and the left image is image_02, so they are not shifted.
     EXPECT_EQ(s.labels[0].left_px, 4.5);
     EXPECT_THAT(s.missing, IsEmpty());
   }
 }
 
-TEST_F(Sequences, TrackingByItsImageFolderOrWithASlash) {
+TEST_F(Sequences, OpensTrackingByItsImageFolderOrWithASlash) {
   const fs::path folder = WriteTrackingSequence(root_);
   for (const fs::path& same : {root_.path() / "training/image_02/0005", folder / "",
                                root_.path() / "training/image_03/../image_02/./0005/"}) {
@@ -252,7 +253,7 @@ TEST_F(Sequences, TrackingByItsImageFolderOrWithASlash) {
   }
 }
 
-TEST_F(Sequences, TrackingWithoutOptionalFiles) {
+TEST_F(Sequences, OpensTrackingWithoutOptionalFiles) {
   const fs::path folder = WriteTrackingSequence(root_);
   fs::remove_all(root_.path() / "training/oxts");
   fs::remove_all(root_.path() / "training/label_02");
@@ -275,13 +276,13 @@ TEST_F(Sequences, FrameRangeAppliesToEverything) {
   ASSERT_EQ(s.images.size(), 3u);
   EXPECT_EQ(s.images[0].left.filename(), "0000000001.png");
   EXPECT_EQ(s.timestamps_ns.size(), 3u);
-  // The world stays the first camera of the drive, not of the range.
+  // The world frame remains the first camera of the drive, not of the frame range.
   EXPECT_NEAR(s.groundtruth_world_from_camera[0]->translation().z(), 1.0, 1e-4);
   ASSERT_EQ(s.detections.size(), 1u);
   EXPECT_EQ(s.detections[0].frame, 2);
 }
 
-TEST_F(Sequences, BoxesOfOtherFilesAndCameras) {
+TEST_F(Sequences, ReadsBoxesOfOtherFilesAndCameras) {
   const fs::path detections =
       root_.Write("boxes.txt",
                   "0 -1 Car -1 -1 -10 0 0 1 1 -1 -1 -1 -1 -1 -1 -10 -0.5\n"
@@ -292,19 +293,20 @@ TEST_F(Sequences, BoxesOfOtherFilesAndCameras) {
                                    .detections_file = detections,
                                    .detections_camera = 2,
                                    .min_score = 0.5});
-  // Strictly below: a box with just this score stays.
+  // Only boxes strictly below the minimum score are removed.
   ASSERT_EQ(s.detections.size(), 1u);
   EXPECT_EQ(s.detections[0].score, 0.5);
   EXPECT_EQ(s.detections[0].left_px, 0.0);
   EXPECT_NEAR(s.detections_offset_m, 0.06, 1e-15);
-  // The label moves by fx offset / z = 10 * 0.06 / 4 px to the left; the one without depth stays.
+  // The label moves left by fx offset / z = 10 * 0.06 / 4 px. The label without a depth does not
+  // move.
   ASSERT_EQ(s.labels.size(), 2u);
   EXPECT_NEAR(s.labels[0].left_px, 4.5 - 0.15, 1e-12);
   EXPECT_NEAR(s.labels[0].right_px, 9.5 - 0.15, 1e-12);
   EXPECT_EQ(s.labels[1].left_px, 1.0);
 }
 
-TEST_F(Sequences, BoxesOfTheLeftImageAreNotMoved) {
+TEST_F(Sequences, BoxesOfTheLeftImageAreNotShifted) {
   const fs::path labels = root_.Write("labels.txt", kCarLabel);
   const Sequence s = OpenSequence({.folder = WriteRawDrive(root_),
                                    .labels_file = labels,
@@ -315,7 +317,7 @@ TEST_F(Sequences, BoxesOfTheLeftImageAreNotMoved) {
   EXPECT_EQ(s.detections_offset_m, 0.0);
 }
 
-TEST_F(Sequences, FindsThoseWithImages) {
+TEST_F(Sequences, FindsSequencesWithImages) {
   WriteRawDrive(root_);
   WriteOdometrySequence(root_);
   WriteTrackingSequence(root_);
@@ -337,7 +339,7 @@ TEST_F(Sequences, FindsThoseWithImages) {
   EXPECT_THAT(FindSequences(root_.path() / "other"), IsEmpty());
 }
 
-TEST_F(Sequences, FindsDrivesWithEitherPairButNotWithHalfAPair) {
+TEST_F(Sequences, FindsDrivesWithEitherCompletePair) {
   const fs::path folder = WriteRawDrive(root_);
   fs::remove_all(folder / "image_01");
   EXPECT_THAT(FindSequences(root_.path()), IsEmpty());
@@ -353,7 +355,7 @@ TEST_F(Sequences, FindStopsAtCyclicLinks) {
   EXPECT_EQ(FindSequences(root_.path()).size(), 1u);
 }
 
-TEST(DetectionsFromLabels, AreOnlyTheirBoxes) {
+TEST(DetectionsFromLabels, KeepOnlyTheBoxes) {
   const test::TempFolder root;
   const fs::path folder = WriteTrackingSequence(root);
   const Sequence s = OpenSequence({.folder = folder, .detections_file = kDetectionsFromLabels});
@@ -369,7 +371,7 @@ TEST(DetectionsFromLabels, AreOnlyTheirBoxes) {
       Error);
 }
 
-TEST(DetectionsFromLabels, AreOfTheTracksThatAreNamed) {
+TEST(DetectionsFromLabels, AreLimitedToTheNamedTracks) {
   const test::TempFolder root;
   const fs::path folder = WriteTrackingSequence(root);
   const auto boxes = [&](const char* detections) {

@@ -30,7 +30,8 @@ class ImportStereoTest : public testing::Test {
     request_.calibration =
         folder_.Write("cam.yaml", "fx: 50\nfy: 50\ncx: 32\ncy: 24\nbaseline_m: 0.1\n");
   }
-  // Images of one grey level each.
+  // Writes the images of both cameras, each of uniform grey: 10 for the first, 20 for the second,
+  // and so on.
   void WriteImages(const std::vector<std::string>& names, const cv::Size& size = {64, 48}) const {
     for (const fs::path& side : {request_.left, request_.right}) {
       fs::create_directories(side);
@@ -61,8 +62,8 @@ class ImportStereoTest : public testing::Test {
   StereoImport request_;
 };
 
-// Files of any format whose names are numbers of any length, sorted by number.
-TEST_F(ImportStereoTest, ASequenceThatCanBeOpened) {
+// Files may have any format, and names are numbers of any length, sorted by value.
+TEST_F(ImportStereoTest, WritesASequenceThatCanBeOpened) {
   WriteImages({"9.jpg", "10.png", "11.bmp"});
   request_.rate_hz = 20.0;
   const ImportOutcome outcome = Import();
@@ -80,7 +81,7 @@ TEST_F(ImportStereoTest, ASequenceThatCanBeOpened) {
   EXPECT_EQ(second.at<unsigned char>(3, 3), 20);
 }
 
-// They were sorted as text, 10 before 2.
+// Regression: names used to be sorted as text, 10 before 2.
 TEST_F(ImportStereoTest, NumbersInNamesAreSortedAsNumbers) {
   const std::vector<std::string> names = {"frame_l_0.png", "frame_l_2.png", "frame_l_10.png"};
   WriteImages(names);
@@ -95,8 +96,8 @@ TEST_F(ImportStereoTest, NumbersInNamesAreSortedAsNumbers) {
   EXPECT_EQ(record.at("right_images"), Json(names));
 }
 
-// Of a few names in order, whatever order they are listed in.
-TEST(ImageNames, AreInOrderOfTime) {
+// Each list is in the expected order and is sorted from its reverse.
+TEST(ImageNames, AreSortedByTime) {
   const std::vector<std::vector<fs::path>> lists = {
       {"9.jpg", "10.png", "011.bmp"},
       {"-1.png", "0.png", "1.png"},
@@ -113,8 +114,8 @@ TEST(ImageNames, AreInOrderOfTime) {
   }
 }
 
-// Each was paired with the next of the other camera.
-TEST(ImageNames, OneWithoutItsPartnerIsNamed) {
+// Regression: an image without a partner used to be paired with the next image of the other camera.
+TEST(ImageNames, ReportsAnImageWithoutAPartner) {
   const std::vector<fs::path> left = {"left/l_1.png", "left/l_2.png", "left/l_4.png"};
   const auto problem = [&](const std::vector<fs::path>& a, const std::vector<fs::path>& b) {
     return ErrorMessage([&] { CheckPartners(a, b); });
@@ -132,14 +133,14 @@ TEST(ImageNames, WithoutCommonNumbersArePairedByPosition) {
   CheckPartners({"a/a.png", "a/b.png"}, {"b/c.png", "b/d.png"});
   CheckPartners({"a/1_left0.png", "a/2_left0.png"}, {"b/1_right1.png", "b/3_right1.png"});
   CheckPartners({"a/left_0.png"}, {"b/right_1.png"});
-  // Of cameras that are not synchronised.
+  // Timestamps of unsynchronised cameras.
   CheckPartners({"a/1403636579763555584.png", "a/1403636579813555456.png"},
                 {"b/1403636579763999999.png", "b/1403636579813999999.png"});
   CheckPartners({"a/12.25.png", "a/12.75.png"}, {"b/12.26.png", "b/12.76.png"});
 }
 
-// The whole sequence was refused.
-TEST_F(ImportStereoTest, AFrameWithDamagedPixelsIsLostAlone) {
+// Regression: damaged pixels used to make the import refuse the whole sequence.
+TEST_F(ImportStereoTest, DamagedPixelsLoseOnlyTheirFrame) {
   WriteImages({"0.png", "1.jpg", "2.png"});
   for (const char* name : {"0.png", "1.jpg"}) {
     const std::string whole = ReadFileBytes(request_.right / name);
@@ -156,7 +157,7 @@ TEST_F(ImportStereoTest, AFrameWithDamagedPixelsIsLostAlone) {
   EXPECT_TRUE(LoadFrameImage(sequence, 2, 1).ok());
 }
 
-TEST_F(ImportStereoTest, TimesOfNamesAndFiles) {
+TEST_F(ImportStereoTest, ReadsTimesFromNamesAndFiles) {
   WriteImages({"1403636579763555584.png", "1403636579813555456.png"});
   EXPECT_STREQ(Import().times, "names");
   EXPECT_EQ(OpenSequence({.folder = out()}).timestamps_ns[1], 1403636579813555456);
@@ -171,7 +172,7 @@ TEST_F(ImportStereoTest, TimesOfNamesAndFiles) {
   ExpectError("--rate: found times in a name as well");
 }
 
-TEST_F(ImportStereoTest, WhatIsNotRectifiedWillBe) {
+TEST_F(ImportStereoTest, RectifiesUnrectifiedImages) {
   WriteImages({"0.png"});
   request_.calibration = folder_.Write(
       "lens.yaml",
@@ -198,8 +199,9 @@ TEST_F(ImportStereoTest, TheCacheIsKeyedByContent) {
   EXPECT_NE(import(), first);
 }
 
-// It was read as it was, or, without its record, stood in the way for ever.
-TEST_F(ImportStereoTest, ADamagedEntryOfTheCacheIsMadeAgain) {
+// Regression: a damaged entry used to be read as it was or, without its record, to block the import
+// permanently.
+TEST_F(ImportStereoTest, ADamagedCacheEntryIsReplaced) {
   WriteImages({"0.png", "1.png"});
   int imports = 0;
   const auto import = [&] {

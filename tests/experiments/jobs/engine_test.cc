@@ -31,7 +31,7 @@ double Seconds(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// A process that ended without being waited for is not.
+// A zombie, which has ended but has not been waited for, does not count as alive.
 bool IsAlive(pid_t process) {
   std::ifstream in(StrCat("/proc/", process, "/stat"));
   std::string number;
@@ -45,7 +45,7 @@ class LocalEngineTest : public testing::Test {
   Task Shell(const std::string& name, const std::string& script) const {
     return {.name = name, .argv = {"/bin/sh", "-c", script}, .log = folder_.path() / name};
   }
-  // Ends by task.
+  // Runs the tasks and returns how each ended, by index.
   std::map<std::size_t, TaskEnd> Run(const std::vector<Task>& tasks, int processes = 1) const {
     std::map<std::size_t, TaskEnd> ends;
     EngineHooks hooks;
@@ -66,7 +66,7 @@ class LocalEngineTest : public testing::Test {
   test::TempFolder folder_;
 };
 
-TEST_F(LocalEngineTest, BothStreamsGoToTheLogWhichIsReplaced) {
+TEST_F(LocalEngineTest, ReplacesTheLogWithBothStreams) {
   folder_.Write("log", "of the try before, and longer");
   const TaskEnd end = RunOne(Shell("log", "echo out; echo err >&2; cat"));
   EXPECT_TRUE(end.ok);
@@ -82,7 +82,7 @@ TEST_F(LocalEngineTest, ReportsHowAProcessEnded) {
   EXPECT_EQ(RunOne(Shell("killed", "kill -KILL $$")).message, "killed by signal 9 (SIGKILL)");
 }
 
-TEST_F(LocalEngineTest, AProcessIsStoppedAtItsTimeLimitWithAllThatItStarted) {
+TEST_F(LocalEngineTest, StopsAProcessAndItsDescendantsAtTheTimeLimit) {
   Task task = Shell("slow", StrCat("sleep 60 & echo $! > ", folder_.path().string(), "/pid; wait"));
   task.limit_s = 0.3;
   TaskEnd end;
@@ -97,15 +97,15 @@ TEST_F(LocalEngineTest, DescendantsEndWithTheProcess) {
   EXPECT_TRUE(WaitUntil([&] { return !IsAlive(ReadPid("pid")); }));
 }
 
-TEST_F(LocalEngineTest, TheMemoryLimitIsOfTheProcess) {
+TEST_F(LocalEngineTest, LimitsTheMemoryOfTheProcess) {
   Task task = Shell("limit", "ulimit -v");
   task.limit_memory_mb = 512.0;
   EXPECT_TRUE(RunOne(task).ok);
   EXPECT_EQ(ReadFile(folder_.path() / "limit"), kLimitsMemory ? "500000\n" : "unlimited\n");  // KiB
 }
 
-TEST_F(LocalEngineTest, RunsInTheGivenOrderUpToTheLimit) {
-  // Each notes that it is there and leaves when two are, or gives up.
+TEST_F(LocalEngineTest, StartsTasksInOrderUpToTheProcessLimit) {
+  // Each task records its presence and exits once there are two of them, or gives up.
   const std::string meet =
       StrCat("cd ", folder_.path().string(), "; touch here.$$; for i in $(seq 100); do ",
              "[ $(ls here.* | wc -l) -ge 2 ] && exit 0; sleep 0.02; done; "
@@ -123,7 +123,7 @@ TEST_F(LocalEngineTest, RunsInTheGivenOrderUpToTheLimit) {
   EXPECT_EQ(ReadFile(folder_.path() / "order"), "1\n2\n3\n4\n");
 }
 
-TEST_F(LocalEngineTest, NeverMoreAtOnceThanAskedFor) {
+TEST_F(LocalEngineTest, NeverExceedsTheProcessLimit) {
   const std::string alone =
       StrCat("mkdir ", folder_.path().string(), "/mine && sleep 0.05 && rmdir ",
              folder_.path().string(), "/mine");
@@ -132,7 +132,7 @@ TEST_F(LocalEngineTest, NeverMoreAtOnceThanAskedFor) {
   }
 }
 
-TEST_F(LocalEngineTest, StopEndsWhatRunsAndStartsNothingMore) {
+TEST_F(LocalEngineTest, StopEndsRunningTasksAndStartsNoMore) {
   const Task slow =
       Shell("slow", StrCat("echo $$ > ", folder_.path().string(), "/pid; exec sleep 60"));
   const Task next = Shell("next", "true");
@@ -140,11 +140,11 @@ TEST_F(LocalEngineTest, StopEndsWhatRunsAndStartsNothingMore) {
   hooks.ended = [](std::size_t task, const TaskEnd&) { ADD_FAILURE() << task; };
   hooks.stop = [&] { return ReadPid("pid") > 0; };
   EXPECT_LT(Seconds([&] { LocalEngine(1).Run(std::vector<Task>{slow, next}, hooks); }), 2.0);
-  EXPECT_FALSE(fs::exists(StrCat("/proc/", ReadPid("pid"))));  // reaped too
+  EXPECT_FALSE(fs::exists(StrCat("/proc/", ReadPid("pid"))));  // reaped as well
   EXPECT_FALSE(fs::exists(folder_.path() / "next"));
 }
 
-TEST_F(LocalEngineTest, AHookThatThrowsLeavesNoProcess) {
+TEST_F(LocalEngineTest, AThrowingHookLeavesNoProcess) {
   const Task slow =
       Shell("slow", StrCat("echo $$ > ", folder_.path().string(), "/pid; exec sleep 60"));
   const Task short_one = Shell(

@@ -30,7 +30,7 @@ TEST(FolderLock, AdmitsOneProcessAndNamesIt) {
   EXPECT_EQ(ErrorMessage([&] { const FolderLock second(file); }), "");
 }
 
-TEST(FolderLock, OfAKilledProcessIsReleased) {
+TEST(FolderLock, IsReleasedWhenItsProcessIsKilled) {
   const test::TempFolder folder;
   const auto file = folder.path() / "lock";
   int ready[2];
@@ -41,7 +41,8 @@ TEST(FolderLock, OfAKilledProcessIsReleased) {
     if (::write(ready[1], "x", 1) == 1) ::pause();
     ::_exit(0);
   }
-  // Whoever asks before would take the lock for a moment, and the other would be refused.
+  // Wait until the child holds the lock: an earlier attempt would take it for a moment, and the
+  // child would be refused.
   ::close(ready[1]);
   char byte = 0;
   ASSERT_EQ(::read(ready[0], &byte, 1), 1);

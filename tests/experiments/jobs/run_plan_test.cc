@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// RunPlan on plans made by hand, with a script in place of the program.
+// Tests RunPlan on hand-made plans, with a shell script in place of the program.
 #include "experiments/jobs/run_plan.h"
 
 #include <gmock/gmock.h>
@@ -33,7 +33,7 @@ std::string ResultText(const std::string& id, const std::string& status = "ok") 
                 R"( "pair": "grey", "first_frame": 0, "frames": 2, "total_frames": 2}})");
 }
 
-// A job of the name does what the script of that name says; the others write their result.
+// Runs scripts/JOB if it exists, then writes the result of JOB unless that script has exited.
 const std::string kProgram = StrCat(R"(#!/bin/sh
 [ "$1 $2" = "experiment job" ] || exit 9
 cd "$3" || exit 9
@@ -74,7 +74,7 @@ class RunPlanTest : public testing::Test {
     LocalEngine engine(processes);
     return RunPlan(plan, run_, engine);
   }
-  // Jobs in the order in which they were started since the last call.
+  // Returns the jobs started since the last call, in order of their start.
   std::vector<std::string> Started() const {
     std::vector<std::string> ids;
     if (!fs::exists(out() / "order")) return ids;
@@ -90,7 +90,7 @@ class RunPlanTest : public testing::Test {
   const Plan plan_ = PlanOf({Job("a1", "a"), Job("a2", "a"), Job("b1", "b"), Job("a2", "a")});
 };
 
-TEST_F(RunPlanTest, OneJobPerInputFirstAndNoneTwice) {
+TEST_F(RunPlanTest, StartsOneJobPerInputFirstAndNoJobTwice) {
   const PlanOutcome outcome = Run(plan_);
   EXPECT_THAT(Started(), ElementsAre("a1", "b1", "a2"));
   EXPECT_EQ(outcome.done, 4U);
@@ -124,7 +124,7 @@ TEST_F(RunPlanTest, ExitCodeZeroWithoutAResultIsAFailure) {
   EXPECT_EQ(Failure("a1")["message"], "ended without a result");
 }
 
-TEST_F(RunPlanTest, AResultThatTablesWouldRefuseIsAFailureThatSaysWhy) {
+TEST_F(RunPlanTest, AnInvalidResultIsAFailureWithItsReason) {
   Script("a1", StrCat("echo '", ResultText("b1"), "' > jobs/a1/result.json; exit 0"));
   EXPECT_EQ(Run(plan_).failed, 1U);
   EXPECT_THAT(std::string(Failure("a1")["message"]), HasSubstr("the result of job \"b1\""));
@@ -136,7 +136,7 @@ TEST_F(RunPlanTest, AResultCountsEvenIfItsProcessFails) {
   EXPECT_FALSE(fs::exists(run_.folder.failure("a1")));
 }
 
-TEST_F(RunPlanTest, AResultWithoutTheLandmarksAskedForIsNotDone) {
+TEST_F(RunPlanTest, AResultWithoutRequestedLandmarksIsNotDone) {
   Plan plan = plan_;
   plan.jobs[0].cell.landmarks = true;
   EXPECT_EQ(Run(plan_).done, 4U);
@@ -145,7 +145,7 @@ TEST_F(RunPlanTest, AResultWithoutTheLandmarksAskedForIsNotDone) {
   EXPECT_EQ(StatusOf(run_.folder, plan.jobs[0]).state, JobStatus::State::kDone);
 }
 
-TEST_F(RunPlanTest, LimitsEndAJob) {
+TEST_F(RunPlanTest, StopsAJobAtItsTimeLimit) {
   run_.limit_s = 0.3;
   Script("a1", "sleep 60");
   Run(plan_);
@@ -155,11 +155,11 @@ TEST_F(RunPlanTest, LimitsEndAJob) {
 TEST_F(RunPlanTest, OnlyACompleteResultOfThisJobCounts) {
   const std::vector<std::string> bad = {
       "",                              // truncated
-      ResultText("a1").substr(0, 40),  // half
+      ResultText("a1").substr(0, 40),  // cut in half
       ResultText("b1"),                // of another job
       ResultText("a1", "failed"),      // the estimator gave up
       "[1]",                           // something else
-      // What no table could read:
+      // Results that no table could read:
       ResultText("a1").replace(ResultText("a1").find("\"frames\": 2"), 11, "\"frames\": nan"),
       ResultText("a1").replace(ResultText("a1").find("\"seed\""), 6, "\"se\""),
       "{\"schema_version\": 1, \"kind\": \"run\", \"job\": \"a1\", \"status\": \"ok\"}"};
@@ -180,7 +180,7 @@ TEST_F(RunPlanTest, AnUnreadableFailureRecordIsAFailure) {
   EXPECT_THAT(status.message, HasSubstr("cannot be read"));
 }
 
-TEST_F(RunPlanTest, WithoutASequenceNothingRuns) {
+TEST_F(RunPlanTest, AJobWithoutASequenceDoesNotRun) {
   Plan plan = plan_;
   plan.jobs[2].job.clear();
   plan.jobs[2].folder.clear();
@@ -193,7 +193,7 @@ TEST_F(RunPlanTest, WithoutASequenceNothingRuns) {
   plan.jobs[2].folder = "/found/and/damaged";
   EXPECT_EQ(Run(plan).failed, 1U);
   plan.jobs[2].folder.clear();
-  plan.jobs[2].cell.sequence.scene = "tiny";  // everybody can have one
+  plan.jobs[2].cell.sequence.scene = "tiny";  // a scene can always be rendered
   EXPECT_EQ(Run(plan).failed, 1U);
   plan.jobs[2].missing = kNotRendered;
   EXPECT_EQ(Run(plan).missing, 1U);
@@ -215,7 +215,7 @@ TEST_F(RunPlanTest, StopKeepsResultsAndReportsTheRest) {
   PlanOutcome outcome = Run(plan_);
   EXPECT_TRUE(outcome.stopped);
   EXPECT_EQ(outcome.done, 1U);
-  EXPECT_EQ(outcome.missing, 3U);  // cells: a2 is two
+  EXPECT_EQ(outcome.missing, 3U);  // cells, two of them of job a2
   EXPECT_FALSE(fs::exists(run_.folder.failure("b1")));
   EXPECT_THAT(Started(), ElementsAre("a1", "b1"));
 }
@@ -254,7 +254,7 @@ TEST_F(RunPlanTest, AFullDiskEndsTheRunAndLosesNothing) {
   EXPECT_THAT(problem, HasSubstr("found a full disk, "));
   EXPECT_THAT(again, HasSubstr("found a full disk, "));
   EXPECT_THAT(started, ElementsAre("a1", "b1"));
-  EXPECT_THAT(resumed, ElementsAre("a2", "b1"));  // each is the first of its input now
+  EXPECT_THAT(resumed, ElementsAre("a2", "b1"));  // each is now the first of its input
   EXPECT_EQ(done, 4U);
 }
 

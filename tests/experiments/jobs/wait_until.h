@@ -8,7 +8,8 @@
 
 namespace cvo::test {
 
-// Whether something that other processes do came true, within ten seconds.
+// Waits up to ten seconds for a condition that other processes bring about. Returns whether it
+// became true.
 inline bool WaitUntil(const std::function<bool()>& condition) {
   for (int i = 0; i < 1000; ++i) {
     if (condition()) return true;

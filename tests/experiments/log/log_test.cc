@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Frames and poses come back from a log as they were.
+// Frames and poses read back from a log are identical to those written.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -65,14 +65,15 @@ FrameRecord MakeFrame(int i) {
   return frame;
 }
 
-// All fields, since what is not packed is not here either: see PacksEveryField.
+// The packed form of a record, which covers all fields that are packed. PacksEveryField tests that
+// none is missing.
 std::string Bytes(const auto& record) {
   std::string bytes;
   Packer{bytes}(record);
   return bytes;
 }
 
-TEST(FrameLog, GivesBackFramesOfAnyNumber) {
+TEST(FrameLog, ReadsBackAnyNumberOfFrames) {
   const test::TempFolder folder;
   FrameLog log(folder.path());
   constexpr int kFrames = 100;
@@ -126,7 +127,7 @@ TEST(FrameLog, PacksEveryField) {
   EXPECT_EQ(c.score, d.score);
 }
 
-TEST(FrameLog, RefinedPosesReplaceThoseThatCame) {
+TEST(FrameLog, RefineReplacesOnlyRefinedPoses) {
   FrameLog log({MakeFrame(0), MakeFrame(1)});
   EXPECT_THROW(log.Refine({At(1.0)}), Error);
   log.Refine({At(8.0), At(9.0)});
@@ -139,7 +140,7 @@ ClusterPose PoseOf(int cluster, std::int64_t frame) {
   return pose;
 }
 
-TEST(PoseLog, OrdersWhatComesInAnyOrder) {
+TEST(PoseLog, OrdersPosesAddedInAnyOrder) {
   const test::TempFolder folder;
   PoseLog log(folder.path());
   log.Add({{ClusterId{2}, "", {PoseOf(2, 0), PoseOf(2, 1)}}, {ClusterId{3}, "", {}}});

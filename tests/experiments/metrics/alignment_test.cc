@@ -13,7 +13,7 @@ namespace {
 
 const Eigen::Vector3d kUp = Eigen::Vector3d::UnitZ();
 
-// True poses and the same as another system sees them: truth = motion * estimate.
+// True poses, and the same poses in the world of another system: truth = motion * estimate.
 CommonPoses PosesMovedBy(const Similarity& motion) {
   Rng rng(3, "alignment");
   CommonPoses poses;
@@ -43,7 +43,7 @@ Similarity Motion(double scale, const Eigen::Vector3d& rotation) {
   return {scale, RigidTransform(ExpSo3(rotation), Eigen::Vector3d(4.0, -2.0, 7.0))};
 }
 
-TEST(TrajectoryAlignment, EachTakesAwayWhatItCoversAndNoMore) {
+TEST(TrajectoryAlignment, EachRemovesItsOwnTransformOnly) {
   using enum TrajectoryAlignment;
   const CommonPoses same = PosesMovedBy(Similarity{});
   const CommonPoses turned_flat = PosesMovedBy(Motion(1.0, 0.7 * kUp));
@@ -62,7 +62,7 @@ TEST(TrajectoryAlignment, EachTakesAwayWhatItCoversAndNoMore) {
   EXPECT_LT(LargestError(scaled, kSim3), kExact);
 }
 
-TEST(TrajectoryAlignment, OneYawComputedByHand) {
+TEST(TrajectoryAlignment, YawHandComputed) {
   CommonPoses poses;
   poses.frames = {0, 1};
   poses.estimate = {{}, {Eigen::Quaterniond::Identity(), Eigen::Vector3d(2, 0, 0)}};
@@ -73,7 +73,7 @@ TEST(TrajectoryAlignment, OneYawComputedByHand) {
   EXPECT_LT((aligned * Eigen::Vector3d(0, 1, 0) - Eigen::Vector3d(-1, 0, 5)).norm(), 1e-12);
 }
 
-TEST(TrajectoryAlignment, NoScaleFromATrajectoryThatStands) {
+TEST(TrajectoryAlignment, AStationaryTrajectoryDeterminesNoScale) {
   CommonPoses poses;
   poses.frames = {0, 1};
   poses.estimate.resize(2);
@@ -85,8 +85,9 @@ TEST(TrajectoryAlignment, NoScaleFromATrajectoryThatStands) {
             "alignment: found no common poses, expected at least one");
 }
 
-// A straight path leaves the rotation about itself open, which must not show as an error.
-TEST(TrajectoryAlignment, OrientationsOfAStraightPathAreAlignedByThemselves) {
+// A straight path leaves the rotation about its axis undetermined, which must not appear as an
+// error.
+TEST(TrajectoryAlignment, OrientationsOfAStraightPathAreAlignedSeparately) {
   CommonPoses poses;
   const Eigen::Quaterniond rolled(Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitX()));
   for (int i = 0; i < 4; ++i) {
@@ -105,14 +106,14 @@ TEST(TrajectoryAlignment, OrientationsOfAStraightPathAreAlignedByThemselves) {
   }
 }
 
-TEST(TrajectoryAlignment, NamesAreRead) {
+TEST(TrajectoryAlignment, NamesAreParsed) {
   EXPECT_EQ(ParseTrajectoryAlignment("yaw"), TrajectoryAlignment::kYaw);
   EXPECT_EQ(ErrorMessage([] { ParseTrajectoryAlignment("se2"); }),
             "alignment: found se2, expected one of: none, se3, sim3, origin, yaw");
 }
 
-// A truth that stands is no scale of an estimate that moves; half its size is one.
-TEST(TrajectoryAlignment, AScaleIsAboveZero) {
+// A truth of 0.4 times the size determines a scale; a stationary truth does not.
+TEST(TrajectoryAlignment, TheScaleMustBePositive) {
   CommonPoses poses = PosesMovedBy(Motion(0.4, {0.1, 0.2, 0.3}));
   EXPECT_NEAR(AlignTrajectory(poses, TrajectoryAlignment::kSim3, kUp).scale, 0.4, 1e-9);
   for (RigidTransform& pose : poses.truth) pose = {};
@@ -121,13 +122,13 @@ TEST(TrajectoryAlignment, AScaleIsAboveZero) {
             "moves");
 }
 
-TEST(TrajectoryAlignment, EachSaysWhatItIs) {
+TEST(TrajectoryAlignment, EachHasADescription) {
   EXPECT_EQ(DescriptionOf(ParseTrajectoryAlignment("none")), "not aligned");
   EXPECT_EQ(DescriptionOf(ParseTrajectoryAlignment("origin")), "aligned at the first common pose");
 }
 
-// The world that positions give turns the orientations where they do not align themselves.
-TEST(TrajectoryAlignment, OrientationsTurnWithTheWorldOfTheOrigin) {
+// Where orientations are not aligned separately, the alignment of the positions rotates them.
+TEST(TrajectoryAlignment, OriginAlignmentRotatesTheOrientations) {
   CommonPoses poses = PosesMovedBy(Motion(1.0, {0.4, -0.3, 0.9}));
   const auto origin = TrajectoryAlignment::kOrigin;
   poses.truth[3] = poses.truth[3] * RigidTransform(ExpSo3({0.0, 0.2, 0.0}), {0, 0, 0});
@@ -138,7 +139,7 @@ TEST(TrajectoryAlignment, OrientationsTurnWithTheWorldOfTheOrigin) {
   }
 }
 
-TEST(AlignObject, RefusesNothing) {
+TEST(AlignObject, RefusesEmptyInput) {
   EXPECT_THAT(ErrorMessage([] { AlignObject({}); }), testing::HasSubstr("needs a pair of poses"));
 }
 

@@ -44,7 +44,7 @@ TEST(Association, ToleranceIsInclusive) {
 }
 
 TEST(Association, NearestWinsAndIsOneToOne) {
-  // 12 is nearest to 10; 2 is left with nothing although 10 is within its tolerance.
+  // 12 is nearest to 10, so 2 stays unmatched although 10 is within its tolerance.
   const TimeAssociation a = AssociateByTime(At({2, 12}), At({10}));
   EXPECT_THAT(a.pairs, ElementsAre(Pair(1, 0)));
   EXPECT_EQ(a.unmatched_a, 1u);
@@ -57,7 +57,7 @@ TEST(Association, TiesGoToTheFirst) {
 }
 
 TEST(Association, SecondChoiceIsTakenWhenTheFirstIsGone) {
-  // 13 takes 12, so that 10 has to be content with 2.
+  // 13 takes 12, so 10 is paired with 2.
   const TimeAssociation a = AssociateByTime(At({10, 13}), At({2, 12}));
   EXPECT_THAT(a.pairs, ElementsAre(Pair(0, 0), Pair(1, 1)));
 }

@@ -39,7 +39,7 @@ Eigen::Vector3d RandomVector(Rng& rng, double scale) {
   return scale * Eigen::Vector3d(rng.Normal(), rng.Normal(), rng.Normal());
 }
 
-// A random walk, and the same with noise on each step.
+// A random walk as truth, and an estimate with noise on each step.
 struct Pair {
   OptionalPoses truth, estimate;
 };
@@ -73,8 +73,8 @@ TEST(Ate, SquareThatIsTooLarge) {
 }
 
 TEST(Ate, OnePointOff) {
-  // On a line, where only the offset along it can be aligned: errors -1/3, -1/3, 2/3 with one of
-  // three points 1 m ahead.
+  // On a line, only the offset along it can be aligned. One of three points is 1 m ahead, which
+  // leaves errors of -1/3, -1/3 and 2/3 m.
   const OptionalPoses truth = {At(0), At(10), At(20)};
   const OptionalPoses estimate = {At(0), At(10), At(21)};
   const auto metrics = EvaluateCamera(truth, estimate);
@@ -85,7 +85,7 @@ TEST(Ate, OnePointOff) {
 }
 
 TEST(Ate, MedianOfAnEvenNumberIsTheMeanOfTheMiddleTwo) {
-  // Ahead by 0, 1, 3 and 8 m, so by 3 m in the mean: errors 3, 2, 0 and 5.
+  // The estimate is ahead by 0, 1, 3 and 8 m, on average by 3 m: errors 3, 2, 0 and 5 m.
   const OptionalPoses truth = {At(0), At(10), At(20), At(30)};
   const OptionalPoses estimate = {At(0), At(11), At(23), At(38)};
   EXPECT_NEAR(Value(EvaluateCamera(truth, estimate), "camera_ate_median"), 2.5, 1e-12);
@@ -169,7 +169,7 @@ TEST(OneFrameRpe, HandComputed) {
 }
 
 TEST(OneFrameRpe, SkipsGaps) {
-  // Frames 0, 1, 3, 4: the pair (1, 3) is no pair of consecutive frames.
+  // The estimate has frames 0, 1, 3 and 4, of which 1 and 3 are not consecutive.
   const OptionalPoses truth = {At(0), At(1), At(2), At(3), At(4)};
   const OptionalPoses estimate = {At(0), At(1), std::nullopt, At(50), At(51)};
   const auto metrics = EvaluateCamera(truth, estimate);
@@ -179,7 +179,7 @@ TEST(OneFrameRpe, SkipsGaps) {
   EXPECT_EQ(FindMetric(EvaluateCamera(truth, every_second), "camera_trpe_1_frame"), nullptr);
 }
 
-TEST(Coverage, CountsFramesWithTruthAlone) {
+TEST(Coverage, CountsOnlyFramesWithTruth) {
   const OptionalPoses truth = {std::nullopt, At(1), At(2), At(3), At(4)};
   const OptionalPoses estimate = {At(0), At(1), std::nullopt, At(3), At(4)};
   const auto metrics = EvaluateCamera(truth, estimate, reports::TruthSource::kInterpolated);
@@ -203,7 +203,7 @@ TEST(CameraMetrics, DegenerateInputsLeaveMetricsOut) {
   EXPECT_EQ(Value(one, "camera_coverage"), 0.5);
 }
 
-TEST(CameraMetrics, AreFiniteForACameraThatStandsStill) {
+TEST(CameraMetrics, AreFiniteForAStationaryCamera) {
   const OptionalPoses still(10, At(0));
   const auto metrics = EvaluateCamera(still, still);
   EXPECT_EQ(metrics.size(), 9u + 12u);
@@ -226,7 +226,7 @@ TEST(CameraMetrics, RefuseNonFiniteValues) {
               HasSubstr("camera_ate: found an overflow"));
 }
 
-TEST(CameraMetrics, EachHasItsContract) {
+TEST(CameraMetrics, HaveACompleteContract) {
   OptionalPoses truth, estimate;
   for (int i = 0; i < 150; ++i) truth.push_back(At(0, 0, i)), estimate.push_back(At(0, 0, i));
   const auto metrics = EvaluateCamera(truth, estimate, reports::TruthSource::kDevkit);
@@ -247,13 +247,14 @@ OptionalPoses Straight(int frames, double step_m) {
 }
 
 TEST(KittiDrift, ScaleErrorOfOnePercent) {
-  // With 1 m per frame a sub-sequence of 100 m ends at the first frame beyond it, after 101 m.
+  // At 1 m per frame, a sub-sequence of 100 m ends at the first frame beyond 100 m, after 101 m.
   const auto drift = ComputeKittiDrift(Straight(111, 1.0), Straight(111, 1.01));
   ASSERT_TRUE(drift.has_value());
   EXPECT_EQ(drift->segments, 1);
   EXPECT_NEAR(drift->translation_percent, 1.01, 1e-9);
   EXPECT_NEAR(drift->rotation_deg_per_100m, 0.0, 1e-9);
-  // Starts 0, ..., 110 reach 100 m; starts 0 and 10 reach 200 m too, after 201 m.
+  // Sub-sequences from frames 0, ..., 110 reach 100 m; those from 0 and 10 also reach 200 m, after
+  // 201 m.
   const auto longer = ComputeKittiDrift(Straight(212, 1.0), Straight(212, 1.01));
   EXPECT_EQ(longer->segments, 12 + 2);
   EXPECT_NEAR(longer->translation_percent, (12 * 1.01 + 2 * 1.005) / 14, 1e-9);
@@ -304,7 +305,7 @@ TEST(CameraMetrics, TwoCommonFramesAreEnough) {
   EXPECT_EQ(FindMetric(metrics, "camera_coverage")->contract.subject, reports::Subject::kCamera);
 }
 
-TEST(CameraMetrics, DriftSaysWhatItLeftOut) {
+TEST(CameraMetrics, DriftReportsWhatItLeftOut) {
   OptionalPoses estimate = Straight(121, 1.0);
   estimate[10].reset();
   const auto metrics = EvaluateCamera(Straight(121, 1.0), estimate);

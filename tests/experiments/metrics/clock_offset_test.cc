@@ -22,14 +22,15 @@ const RigidTransform kOtherWorld(ExpSo3({0.4, -0.9, 0.7}), {0.3, -0.2, 0.5});
 
 using Motion = std::function<RigidTransform(double t_s)>;
 
-// A camera in a hand: frequencies without a common period.
+// The motion of a hand-held camera: its frequencies have no common period.
 RigidTransform Shaken(double t_s) {
   return {ExpSo3({0.3 * std::sin(2.1 * t_s), 0.4 * std::sin(3.7 * t_s + 1.0),
                   0.2 * std::cos(5.3 * t_s)}),
           {0.2 * std::sin(1.3 * t_s), 0.0, 0.1 * t_s}};
 }
 
-// At times start, start + 1 / rate, ... of its own clock, which shows motion time + ahead.
+// Records poses at the motion times start_s, start_s + 1 / rate_hz, ..., with the timestamps of a
+// clock that is `ahead_s` ahead of the motion time.
 Trajectory Record(const Motion& motion, double rate_hz, double start_s, double ahead_s) {
   Trajectory trajectory;
   const int poses = static_cast<int>(kDuration_s * rate_hz);
@@ -40,7 +41,8 @@ Trajectory Record(const Motion& motion, double rate_hz, double start_s, double a
   return trajectory;
 }
 
-// Errors of the motions between frames, which add up as odometry's do.
+// Moves a trajectory to another world and adds rotation errors between frames, which accumulate
+// like those of odometry.
 Trajectory WithDrift(Trajectory trajectory, double deviation_rad, std::uint64_t seed) {
   Rng rng(seed, "drift");
   RigidTransform error;
@@ -60,7 +62,7 @@ std::string Refused(const Motion& motion, double most_s) {
   });
 }
 
-TEST(ClockOffset, IsFoundFromFastAndSlowTruth) {
+TEST(ClockOffset, IsFoundForTruthOfHighAndLowRate) {
   for (const double ahead_s : {-0.73, -0.004, 0.0, 0.137, 0.8}) {
     const Trajectory estimate = WithDrift(Record(Shaken, 15.0, 0.0, 0.0), 0.0, 1);
     const ClockOffset fast =
@@ -76,15 +78,15 @@ TEST(ClockOffset, IsFoundFromFastAndSlowTruth) {
   }
 }
 
-// At the right offset both have the same poses, so nothing is interpolated.
-TEST(ClockOffset, IsExactWhereTheTruthHasThePosesOfTheEstimate) {
+// At the true offset, both trajectories have the same poses, so nothing is interpolated.
+TEST(ClockOffset, IsExactIfTruthAndEstimateHaveTheSamePoses) {
   const Trajectory truth = Record(Shaken, 200.0, -1.0, 0.1337);
   const Trajectory estimate = Record(Shaken, 20.0, 0.0, 0.0);
   EXPECT_NEAR(EstimateClockOffset(truth, estimate, 0.2).offset_s, 0.1337, 1e-6);
 }
 
-// Normalised errors are those of a normal distribution: 95 % within two deviations.
-TEST(ClockOffset, ItsDeviationIsHonest) {
+// Errors normalised by the reported deviation are standard normal: 95 % are within 1.96.
+TEST(ClockOffset, ItsDeviationIsConsistent) {
   constexpr int kRuns = 100;
   constexpr double kAhead_s = 0.0321;
   const Trajectory truth = Record(Shaken, 200.0, -1.0, kAhead_s);
@@ -103,7 +105,7 @@ TEST(ClockOffset, ItsDeviationIsHonest) {
   EXPECT_NEAR(squares / kRuns, 1.0, 0.4);
 }
 
-TEST(ClockOffset, IsRefusedWhereMotionsDoNotDetermineIt) {
+TEST(ClockOffset, IsRefusedIfTheMotionDoesNotDetermineIt) {
   EXPECT_THAT(Refused(
                   [](double t_s) {
                     return RigidTransform(ExpSo3({0, 0.2 * t_s, 0}), Vector3d::Zero());
@@ -124,7 +126,7 @@ TEST(ClockOffset, IsRefusedWhereMotionsDoNotDetermineIt) {
   EXPECT_THAT(Refused(Shaken, 0.05), HasSubstr("the end of the search"));
 }
 
-TEST(ClockOffset, IsRefusedWhereTheTimesShareTooLittle) {
+TEST(ClockOffset, IsRefusedIfTheTimesOverlapTooLittle) {
   const Trajectory estimate = Record(Shaken, 15.0, 0.0, 0.0);
   EXPECT_THAT(
       ErrorMessage([&] { EstimateClockOffset(Record(Shaken, 200.0, 0.0, 15.0), estimate, 1.0); }),
@@ -133,12 +135,12 @@ TEST(ClockOffset, IsRefusedWhereTheTimesShareTooLittle) {
               HasSubstr("0 pairs of poses"));
 }
 
-// The estimate has 300 poses at 15 Hz from time 0 on. Truth of 20 s from -1 s on ends at 19 s.
-TEST(ClockOffset, SaysWhatItRestsOn) {
+// The estimate has 300 poses at 15 Hz from time 0 on; the truth covers 20 s, from -1 s to 19 s.
+TEST(ClockOffset, ReportsItsPairsAndResidual) {
   const Trajectory estimate = Record(Shaken, 15.0, 0.0, 0.0);
   const ClockOffset clock = EstimateClockOffset(Record(Shaken, 200.0, -1.0, 0.0), estimate, 0.2);
   EXPECT_EQ(clock.pairs, 284U) << "the last within the truth ends at 284 / 15 s";
-  // Noise of each pose by itself is in two steps, which last 1/15 s.
+  // Independent noise of a pose enters two steps of 1/15 s each.
   Trajectory noisy = estimate;
   Rng rng(3, "noise");
   for (TimedPose& pose : noisy) {
@@ -165,7 +167,7 @@ TEST(ClockOffset, TwentyPairsAreEnough) {
             "truth, expected 20 and half of all, at some offset up to 0.2 s");
 }
 
-// Of 100 pairs 50 are within the truth, or one less.
+// Of 100 pairs, first 50 and then one fewer lie within the truth.
 TEST(ClockOffset, HalfOfThePairsAreEnough) {
   const Trajectory all = Record(Shaken, 15.0, 0.0, 0.0);
   const Trajectory estimate(all.begin(), all.begin() + 101);
@@ -181,7 +183,7 @@ TEST(ClockOffset, HalfOfThePairsAreEnough) {
   EXPECT_THAT(refused(49.0 / 15.0), HasSubstr("too few of them within the truth"));
 }
 
-TEST(ClockOffset, NamesTheEndOfTheSearchThatItIsBeyond) {
+TEST(ClockOffset, NamesTheSearchLimitThatItExceeds) {
   for (const double ahead_s : {-0.08, 0.08}) {
     const Trajectory truth = Record(Shaken, 200.0, -1.0, ahead_s);
     const Trajectory estimate = Record(Shaken, 15.0, 0.0, 0.0);
@@ -193,7 +195,7 @@ TEST(ClockOffset, NamesTheEndOfTheSearchThatItIsBeyond) {
 }
 
 TEST(ClockOffset, NamesBothOffsetsThatAgree) {
-  // Twelve rad/s repeat after 0.5236 s; the truth is 0.1 s ahead.
+  // A swing of 12 rad/s repeats after 0.5236 s; the clock of the truth is 0.1 s ahead.
   const auto swinging = [](double t_s) {
     return RigidTransform(ExpSo3({0, 0.3 * std::sin(12.0 * t_s), 0}), Vector3d::Zero());
   };

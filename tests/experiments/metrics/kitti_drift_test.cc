@@ -11,7 +11,7 @@
 namespace cvo {
 namespace {
 
-// Along z, turned by `rad_per_m` about y on the way.
+// A path along z that turns about y by `rad_per_m` per frame, which is per metre at a step of 1 m.
 OptionalPoses Path(int frames, double step_m, double rad_per_m = 0.0) {
   OptionalPoses poses;
   for (int i = 0; i < frames; ++i) {
@@ -20,8 +20,8 @@ OptionalPoses Path(int frames, double step_m, double rad_per_m = 0.0) {
   return poses;
 }
 
-// Of 1000 m at 1 m per frame; a sub-sequence of L ends after L + 1 m, so the last one starts at
-// 999 - (L + 1): 90, 80, ..., 20 starts.
+// On 1000 frames at 1 m per frame, a sub-sequence of length L ends after L + 1 m, so the last one
+// starts at 999 - (L + 1): 90, 80, ..., 20 starts.
 TEST(KittiDrift, TakesEightLengthsFromEveryTenthFrame) {
   const auto drift = ComputeKittiDrift(Path(1000, 1.0), Path(1000, 1.01, 1e-5));
   ASSERT_TRUE(drift);
@@ -35,15 +35,15 @@ TEST(KittiDrift, TakesEightLengthsFromEveryTenthFrame) {
   EXPECT_EQ(drift->segments_without_estimate, 0);
 }
 
-TEST(KittiDrift, StraightPathsByLength) {
+TEST(KittiDrift, StraightPathHandComputed) {
   const auto drift = ComputeKittiDrift(Path(1000, 1.0), Path(1000, 1.01));
   double translation = 0.0;
   for (int k = 1; k <= 8; ++k) translation += (100.0 - 10.0 * k) * (1.0 + 0.01 / k);
   EXPECT_NEAR(drift->translation_percent, translation / 440.0, 1e-9);
 }
 
-// With an estimate at one of their ends alone, no sub-sequence has one.
-TEST(KittiDrift, IsAbsentWhereNoSubSequenceHasAnEstimate) {
+// A sub-sequence with an estimate at only one end does not count.
+TEST(KittiDrift, IsAbsentIfNoSubSequenceHasAnEstimate) {
   OptionalPoses start = Path(111, 1.0);
   OptionalPoses end = start;
   start[101].reset();

@@ -16,12 +16,12 @@ using Eigen::Vector3d;
 using reports::MaxDrift;
 
 constexpr std::size_t kFrames = 40;
-constexpr std::size_t kWrong = 30;  // after the first 25
+constexpr std::size_t kWrong = 30;  // beyond the first 25
 const RigidTransform kSame;
 
 RigidTransform Turn(double x, double y, double z) { return {ExpSo3({x, y, z}), Vector3d::Zero()}; }
 
-// A body that moves and turns, and an estimate of it without an error.
+// True poses of a body that moves and turns, and an estimate without error.
 CommonPoses RightPoses() {
   CommonPoses poses;
   for (std::size_t i = 0; i < kFrames; ++i) {
@@ -49,7 +49,8 @@ std::array<double, 12> Values(const CommonPoses& poses) {
   return MeasureMaxDrift(poses, kSame).value().Values();
 }
 
-// No registration of noisy poses that is `step` away in one direction has smaller errors.
+// Expects that a change of the registration of noisy poses by `step` in any direction increases the
+// squared errors.
 void ExpectLeastSquares(double noise_rad, double step) {
   const CommonPoses poses = Noisy(RightPoses(), noise_rad);
   const RigidTransform found = AlignByMotions(poses, kFrames);
@@ -71,7 +72,7 @@ void ExpectLeastSquares(double noise_rad, double step) {
   }
 }
 
-TEST(MaxDrift, IsNoneForTheTruthInAnyFrame) {
+TEST(MaxDrift, IsZeroForTheTruthInAnyFrame) {
   CommonPoses poses = RightPoses();
   for (RigidTransform& pose : poses.estimate) {
     pose = pose * RigidTransform(ExpSo3({0.4, -0.9, 0.7}), Vector3d(0.3, -0.2, 0.5));
@@ -79,7 +80,7 @@ TEST(MaxDrift, IsNoneForTheTruthInAnyFrame) {
   for (const double value : Values(poses)) EXPECT_LT(value, 1e-9);
 }
 
-TEST(MaxDrift, IsTheSameForAnyFrameOfTheEstimate) {
+TEST(MaxDrift, DoesNotDependOnTheObjectFrameOfTheEstimate) {
   CommonPoses straight = RightPoses();
   for (RigidTransform& pose : straight.truth) pose = {kSame.rotation(), pose.translation()};
   straight.estimate = straight.truth;
@@ -100,16 +101,16 @@ TEST(MaxDrift, IsTheSameForAnyFrameOfTheEstimate) {
   }
 }
 
-// What registers by motions finds the least errors: no X near it has smaller ones.
-TEST(MaxDrift, RegistersByTheLeastSquares) { ExpectLeastSquares(0.1, 1e-3); }
+// Registration by motions finds a minimum of the squared errors: no X near it has smaller ones.
+TEST(MaxDrift, RegistrationMinimisesTheSquaredErrors) { ExpectLeastSquares(0.1, 1e-3); }
 
-TEST(MaxDrift, OfFewerThanTwoPosesIsNotKnown) {
+TEST(MaxDrift, NeedsTwoPoses) {
   EXPECT_FALSE(MeasureMaxDrift({{0}, {kSame}, {kSame}}, kSame));
   EXPECT_FALSE(MeasureMaxDrift({}, kSame));
 }
 
-// By hand: the first 25 frames are right, so the error is the one that was put in.
-TEST(MaxDrift, RegisteredByRightFramesIsTheErrorItself) {
+// Hand-computed: the first 25 frames are exact, so the drift is the error that was inserted.
+TEST(MaxDrift, EqualsTheErrorIfRegisteredByExactFrames) {
   CommonPoses poses = RightPoses();
   poses.estimate[kWrong] =
       poses.estimate[kWrong] * RigidTransform(ExpSo3({0.0, 0.0, 0.3}), Vector3d(0.3, 0.4, 0.0));
@@ -117,15 +118,16 @@ TEST(MaxDrift, RegisteredByRightFramesIsTheErrorItself) {
   EXPECT_NEAR(drifts->first_motions.translation_m, 0.5, 1e-9);
   EXPECT_NEAR(drifts->first_motions.yaw_rad, 0.3, 1e-9);
   EXPECT_NEAR(drifts->first_motions.roll_rad, 0.0, 1e-9);
-  // One frame of 40 changes what registers over all frames a little.
+  // One wrong frame of 40 slightly changes a registration over all frames.
   for (const MaxDrift& drift : {drifts->all_poses, drifts->all_motions}) {
     EXPECT_NEAR(drift.translation_m, 0.5, 0.1);
     EXPECT_NEAR(drift.yaw_rad, 0.3, 0.03);
   }
 }
 
-// Roll in one frame and yaw in another: ClusterVO's has each, the others those of one frame.
-TEST(MaxDrift, AnglesAreEachAloneOrThoseOfOneFrame) {
+// A roll error in one frame and a yaw error in another: ClusterVO's drift takes the maximum of each
+// angle, the others take the angles of one frame.
+TEST(MaxDrift, AnglesAreSeparateMaximaOrThoseOfOneFrame) {
   CommonPoses poses = RightPoses();
   poses.estimate[28] = poses.estimate[28] * Turn(0.2, 0.0, 0.0);
   poses.estimate[35] = poses.estimate[35] * Turn(0.0, 0.0, 0.3);
@@ -136,7 +138,7 @@ TEST(MaxDrift, AnglesAreEachAloneOrThoseOfOneFrame) {
   EXPECT_NEAR(drifts->first_motions.yaw_rad, 0.3, 1e-9);
 }
 
-TEST(MaxDrift, OfTheCameraIsSinceItsFirstPose) {
+TEST(MaxDrift, OfTheCameraIsRelativeToItsFirstPose) {
   const RigidTransform world(ExpSo3({0.1, 1.0, 0.2}), Vector3d(5, 6, 7));
   const CommonPoses poses = RightPoses();
   OptionalPoses truth(poses.truth.begin(), poses.truth.end());
@@ -154,18 +156,19 @@ TEST(MaxDrift, OfTheCameraIsSinceItsFirstPose) {
   EXPECT_EQ(FindMetric(metrics, "camera_max_drift_tool_yaw")->unit, reports::MetricUnit::kRadians);
 }
 
-TEST(MaxDrift, OfTwoPosesIsKnown) {
+TEST(MaxDrift, IsKnownForTwoPoses) {
   const CommonPoses poses = {{0, 1},
                              {kSame, RigidTransform(ExpSo3(Vector3d::Zero()), {1, 0, 0})},
                              {kSame, RigidTransform(ExpSo3(Vector3d::Zero()), {3, 0, 0})}};
   const auto drifts = MeasureMaxDrift(poses, kSame);
   ASSERT_TRUE(drifts);
-  EXPECT_NEAR(drifts->all_poses.translation_m, 1.0, 1e-9);  // 2 m, of which the frame takes half
+  EXPECT_NEAR(drifts->all_poses.translation_m, 1.0, 1e-9);  // 2 m, half of it absorbed
   EXPECT_NEAR(drifts->first_motions.translation_m, 2.0, 1e-9);
   EXPECT_EQ(AlignAtFirst({}).Matrix(), Eigen::Matrix4d::Identity());
 }
 
-// The error is the inverse of what was put in: yaw after pitch after roll. Signs do not count.
+// The drift is the inverse of the error that was inserted: yaw after pitch after roll. Signs do not
+// count.
 TEST(MaxDrift, AnglesAreRollPitchAndYaw) {
   for (const double sign : {-1.0, 1.0}) {
     CommonPoses poses = RightPoses();
@@ -178,7 +181,7 @@ TEST(MaxDrift, AnglesAreRollPitchAndYaw) {
   }
 }
 
-TEST(MaxDrift, RegistersByTheFirst25FramesAndNoMore) {
+TEST(MaxDrift, RegistersByTheFirst25FramesOnly) {
   const auto found_m = [](std::size_t wrong) {
     CommonPoses poses = RightPoses();
     poses.estimate[wrong] =
@@ -189,9 +192,9 @@ TEST(MaxDrift, RegistersByTheFirst25FramesAndNoMore) {
   EXPECT_LT(found_m(24), 0.499) << "a frame that registers takes a part of its error";
 }
 
-// A body that does not turn at first: those frames leave the place of its frame open, and later
-// ones must not decide it.
-TEST(MaxDrift, WhatRegistersStartsFromTheSameFrames) {
+// A body that does not rotate at first: those frames leave the origin of the object frame
+// undetermined, and later ones must not decide it.
+TEST(MaxDrift, RegistrationStartsFromTheSameFrames) {
   CommonPoses poses = RightPoses();
   for (std::size_t i = 0; i < kFrames; ++i) {
     const double turned_rad = i < 25 ? 0.0 : 0.1 * (static_cast<double>(i) - 24.0);
@@ -203,7 +206,7 @@ TEST(MaxDrift, WhatRegistersStartsFromTheSameFrames) {
   EXPECT_NEAR(MeasureMaxDrift(poses, kSame)->first_motions.translation_m, 4.0, 1e-9);
 }
 
-// Much nearer to the least squares than a picture would show.
+// The result is much closer to the least-squares minimum than a plot would show.
 TEST(MaxDrift, RegistrationConverges) {
   for (const double noise_rad : {0.02, 0.1, 0.3}) ExpectLeastSquares(noise_rad, 2e-5);
 }

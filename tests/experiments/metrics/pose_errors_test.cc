@@ -24,7 +24,7 @@ RigidTransform RandomPose(Rng& rng) {
   return {ExpSo3(RandomVector(rng, 2.0)), RandomVector(rng, 5.0)};
 }
 
-// The same pose by the other quaternion of its rotation.
+// The same pose with the negated quaternion, which is the same rotation.
 RigidTransform WithOtherSign(RigidTransform pose) {
   for (int k = 0; k < 4; ++k) pose.data()[k] = -pose.data()[k];
   return pose;
@@ -64,8 +64,8 @@ RelativeErrors ByDefinition(const CommonPoses& poses) {
   return {std::sqrt(rotation / n), std::sqrt(translation / n), pairs};
 }
 
-// Rotations up to half a turn apart, and more poses than are summed at a time.
-TEST(AllPairsErrors, AreTheirDefinitionHoweverWrongTheEstimateIs) {
+// Covers rotations up to half a turn apart, and more poses than are summed in one block.
+TEST(AllPairsErrors, MatchTheDefinitionForLargeErrors) {
   for (const int frames : {2, 3, 9, 40, 530}) {
     const CommonPoses poses = UnrelatedPoses(static_cast<std::uint64_t>(frames), frames);
     const RelativeErrors expected = ByDefinition(poses);
@@ -77,14 +77,14 @@ TEST(AllPairsErrors, AreTheirDefinitionHoweverWrongTheEstimateIs) {
   }
 }
 
-TEST(AllPairsErrors, OfOnePoseAreNotKnown) {
+TEST(AllPairsErrors, NeedTwoPoses) {
   EXPECT_FALSE(AllPairsErrors(UnrelatedPoses(1, 1)));
   EXPECT_FALSE(AllPairsErrors({}));
 }
 
-// A micrometre to either side along kilometres, in another world: half of the other poses are on
-// the other side, 2 um away.
-TEST(AllPairsErrors, KeepTheDigitsOfSmallErrorsOnLongPaths) {
+// The estimate is 1 um off to alternating sides over a path of kilometres, in another world frame:
+// half of the other poses are off to the opposite side, 2 um away.
+TEST(AllPairsErrors, ArePreciseForSmallErrorsOnLongPaths) {
   constexpr int kPoses = 40;
   constexpr double kOff_m = 1e-6;
   const RigidTransform world(ExpSo3({1.0, -2.0, 0.5}), Eigen::Vector3d(10.0, -20.0, 30.0));
@@ -100,7 +100,7 @@ TEST(AllPairsErrors, KeepTheDigitsOfSmallErrorsOnLongPaths) {
   EXPECT_NEAR(AllPairsErrors(poses)->translation_m / expected_m, 1.0, 1e-4);
 }
 
-TEST(AllPairsErrors, HaveNoRotationsWhereThereAreTooManyPairs) {
+TEST(AllPairsErrors, OmitRotationsForTooManyPoses) {
   CommonPoses poses;
   for (std::size_t i = 0; i <= kMaxPairedRotations; ++i) {
     const double off_m = i % 2 == 0 ? 1.0 : -1.0;
@@ -111,9 +111,9 @@ TEST(AllPairsErrors, HaveNoRotationsWhereThereAreTooManyPairs) {
   EXPECT_NEAR(errors->translation_m, std::sqrt(2.0), 1e-4);
 }
 
-TEST(OneFrameErrors, AreThoseOfBothOfTwoFrames) {
+TEST(OneFrameErrors, EqualAllPairsErrorsForTwoFrames) {
   CommonPoses poses = UnrelatedPoses(4, 2);
-  const RelativeErrors expected = ByDefinition(poses);  // E_ij and E_ji are as large
+  const RelativeErrors expected = ByDefinition(poses);  // E_ij and E_ji have equal norms
   const auto errors = OneFrameErrors(poses);
   EXPECT_NEAR(*errors->rotation_rad, *expected.rotation_rad, 1e-12);
   EXPECT_EQ(errors->pairs, 1);
@@ -123,7 +123,7 @@ TEST(OneFrameErrors, AreThoseOfBothOfTwoFrames) {
   EXPECT_FALSE(OneFrameErrors(UnrelatedPoses(4, 1)));
 }
 
-TEST(AlignedPositionErrors, OfNoAndOfOnePose) {
+TEST(AlignedPositionErrors, HandleZeroAndOnePose) {
   EXPECT_TRUE(AlignedPositionErrors({}).empty());
   const std::vector<double> one = AlignedPositionErrors(UnrelatedPoses(5, 1));
   ASSERT_EQ(one.size(), 1U);

@@ -26,7 +26,7 @@ class PoseFormat : public testing::Test {
   test::TempFolder folder_;
 };
 
-TEST_F(PoseFormat, IsThatOfTheFirstLineThatIsNoComment) {
+TEST_F(PoseFormat, IsDetectedFromTheFirstNonCommentLine) {
   EXPECT_EQ(Detected(kTum), "tum");
   EXPECT_EQ(Detected(kKitti), "kitti");
   EXPECT_EQ(Detected(std::string("# 1 2 3\n\n  #4 5\n") + kTum), "tum");
@@ -34,7 +34,7 @@ TEST_F(PoseFormat, IsThatOfTheFirstLineThatIsNoComment) {
   EXPECT_EQ(Detected("1.5 0 0 0 0 0 0 1 # of frame 3\n"), "tum") << "a comment after the pose";
 }
 
-TEST_F(PoseFormat, IsRefusedByLineWhereItIsNeither) {
+TEST_F(PoseFormat, IsRefusedWithTheLineIfUnknown) {
   for (const auto& [text, columns] : {std::pair("# x\n1 2 3 4 5 6 7\n", ":2: found 7 columns"),
                                       {"1 2 3 4 5 6 7 8 9\n", ":1: found 9 columns"},
                                       {"1 2 3 4 5 6 7 8 9 10 11\n", ":1: found 11 columns"},
@@ -46,7 +46,7 @@ TEST_F(PoseFormat, IsRefusedByLineWhereItIsNeither) {
   EXPECT_THAT(Refused("# nothing\n\n"), HasSubstr("found no pose"));
 }
 
-TEST_F(PoseFormat, APoseIsFoundAgainByItsNumber) {
+TEST_F(PoseFormat, FindsTheLineOfAPoseByIndex) {
   const auto path = folder_.Write("poses.txt", std::string("# times\n") + kTum + "\n  # gap\n" +
                                                    "2.5 0 0 0 0 0 0 1\n" + "3.5 0 0 0 0 0 0 1\n");
   EXPECT_EQ(WhereTumPose(path, 0), path.string() + ":2");

@@ -91,7 +91,7 @@ TEST_F(TumTrajectory, RoundTripIsExact) {
   EXPECT_EQ(FormatTumTrajectory(read), ReadFileBytes(path));
 }
 
-TEST_F(TumTrajectory, TimesOfANanosecondAndBeforeZeroRoundTrip) {
+TEST_F(TumTrajectory, NanosecondAndNegativeTimesRoundTrip) {
   const Trajectory t = {{-1'500'000'000, {}}, {-1, {}}, {0, {}}, {1, {}}};
   EXPECT_EQ(FormatTumTrajectory(t).substr(0, 13), "-1.500000000 ");
   const Trajectory read = Read(FormatTumTrajectory(t));
@@ -106,7 +106,7 @@ TEST_F(TumTrajectory, RefusesWrongColumns) {
   EXPECT_THAT(ReadError("1 0 0 0 0 0 0 1\n2 0 0"), HasSubstr("last line without a line end"));
 }
 
-TEST_F(TumTrajectory, RefusesWhatIsNotANumber) {
+TEST_F(TumTrajectory, RefusesInvalidNumbers) {
   EXPECT_THAT(ReadError("1 0 nan 0 0 0 0 1\n"),
               AllOf(HasSubstr(":1: found \"nan\" in column 3"), HasSubstr("a finite number")));
   EXPECT_THAT(ReadError("1 0 0 -inf 0 0 0 1\n"), HasSubstr("\"-inf\" in column 4"));
@@ -115,7 +115,7 @@ TEST_F(TumTrajectory, RefusesWhatIsNotANumber) {
               AllOf(HasSubstr("\"noon\" in column 1"), HasSubstr("a time in seconds")));
 }
 
-TEST_F(TumTrajectory, RefusesQuaternionsThatAreNotUnit) {
+TEST_F(TumTrajectory, RefusesNonUnitQuaternions) {
   EXPECT_THAT(ReadError("1 0 0 0 0 0 0 1.01\n"),
               AllOf(HasSubstr(":1: found a quaternion of length 1.01"), HasSubstr("length 1")));
   EXPECT_THAT(ReadError("1 0 0 0 0 0 0 0\n"), HasSubstr("length 0"));
@@ -143,7 +143,7 @@ class KittiPoses : public TumTrajectory {
   }
 };
 
-TEST_F(KittiPoses, LastLineMayLackALineEnd) {
+TEST_F(KittiPoses, LastLineMayLackANewline) {
   const std::string row = "1 0 0 4 0 1 0 5 0 0 1 6";
   EXPECT_EQ(ReadPoses(row + "\n" + row + "\n").size(), 2u);
   const std::vector<RigidTransform> poses = ReadPoses(row + "\n" + row);
@@ -165,7 +165,7 @@ TEST_F(KittiPoses, RoundTripKeepsPoses) {
   }
 }
 
-TEST_F(KittiPoses, RotationsOfSevenDigitsAreMadeOrthonormal) {
+TEST_F(KittiPoses, OrthonormalisesRotationsOfSevenDigits) {
   const auto poses = ReadPoses(
       "9.999995e-01 7.196824e-04 -6.870876e-04 -1.401751e-02 -7.197717e-04 9.999997e-01 "
       "-1.295633e-04 -2.820321e-02 6.869946e-04 1.300585e-04 9.999998e-01 1.198998e+00\n");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Tables of clusters and landmarks, from results made by hand.
+// Tests the tables of clusters and landmarks on hand-made results.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -43,7 +43,8 @@ std::vector<std::vector<std::string>> Cells(const std::string& table, char separ
   return rows;
 }
 
-// Frame 4 of a folder, one cluster: a box of 2 x 1 x 4 m around (0, 0, 10) in camera and world.
+// A run of one frame, frame 4 of its folder, with one cluster: a box of 2 x 1 x 4 m centred at
+// (0, 0, 10) in the camera and world frames.
 class Clusters : public testing::Test {
  protected:
   Clusters() {
@@ -67,11 +68,11 @@ class Clusters : public testing::Test {
     frames_ = {frame};
   }
 
-  // 1 m ahead of the cluster's origin.
+  // A box pose with this heading, 1 m ahead of the cluster's origin.
   static RigidTransform Heading(double radians) {
     return {ExpSo3({0.0, radians, 0.0}), Eigen::Vector3d(0.0, 0.0, 1.0)};
   }
-  // The cluster's trajectory: one tracked frame.
+  // The trajectory of the cluster with one tracked frame.
   ClusterTrajectory Refined(std::int64_t frame, const RigidTransform& world_from_object) {
     return {ClusterId{3},
             "Car",
@@ -102,8 +103,8 @@ class Clusters : public testing::Test {
   std::vector<ClusterTrajectory> clusters_;
 };
 
-TEST_F(Clusters, TheBoxIsThatOfTheNearestFace) {
-  // At 8 m: +-1 m and +-0.5 m are +-12.5 px and +-6.25 px.
+TEST_F(Clusters, TheImageBoxIsThatOfTheNearestFace) {
+  // The nearest face is at 8 m, where +-1 m and +-0.5 m are +-12.5 px and +-6.25 px.
   const auto box = Box();
   ASSERT_TRUE(box);
   EXPECT_NEAR(box->left_px, 37.5, 1e-9);
@@ -122,7 +123,7 @@ TEST_F(Clusters, ABoxThatReachesBehindTheCameraFillsTheImageOnItsSide) {
   EXPECT_EQ(box->bottom_px, 79.0);
 }
 
-TEST_F(Clusters, OutOfViewThereIsNoBoxAndNoTrack) {
+TEST_F(Clusters, AClusterOutOfViewHasNoBoxAndNoTrack) {
   for (const RigidTransform& pose : {At(0, 0, -9), At(30, 0, 9), At(0, -30, 9)}) {
     cluster().world_from_object = pose;
     EXPECT_FALSE(Box());
@@ -147,7 +148,7 @@ TEST_F(Clusters, TheBoxIsUprightOnItsBottom) {
   EXPECT_EQ(row[17], "0.75");
 }
 
-TEST_F(Clusters, TheHeadingIsThatOfTheBoxAndWhatItTiltsIsLeftOut) {
+TEST_F(Clusters, TheHeadingIsThatOfTheBoxWithoutItsTilt) {
   cluster().box.object_from_box = Heading(0.7);
   EXPECT_NEAR(std::stod(Track()[16]), 0.7, 1e-12);
   const RigidTransform tilted(ExpSo3({0.0, 0.0, 0.2}), Eigen::Vector3d::Zero());
@@ -158,16 +159,16 @@ TEST_F(Clusters, TheHeadingIsThatOfTheBoxAndWhatItTiltsIsLeftOut) {
   EXPECT_NEAR(std::stod(row[12]), 4.0, 1e-12);
 }
 
-TEST_F(Clusters, TheBoxOfATrackIsTheDetections) {
+TEST_F(Clusters, TheImageBoxOfATrackIsThatOfItsDetection) {
   frames_[0].detections = {{{1, 2, 3, 4}, "Car", 1.0}, {{5, 6, 7, 8.5}, "Car", 1.0}};
   cluster().detection = 1;
   const auto row = Track();
   EXPECT_THAT(std::vector(row.begin() + 6, row.begin() + 10), ElementsAre("5", "6", "7", "8.5"));
 }
 
-TEST_F(Clusters, ThePoseAsLastEstimatedIsUsedWithTheCamerasOwn) {
+TEST_F(Clusters, TracksUseRefinedPosesOfClusterAndCamera) {
   frames_[0].refined_world_from_camera = At(1, 0, 0);
-  EXPECT_NEAR(std::stod(Track()[13]), -0.06, 1e-12);  // no refined pose: both causal
+  EXPECT_NEAR(std::stod(Track()[13]), -0.06, 1e-12);  // no refined cluster pose: both are causal
   clusters_ = {Refined(0, At(3, 0, 9))};
   EXPECT_NEAR(std::stod(Track()[13]), 2.0 - 0.06, 1e-12);
 }
@@ -182,9 +183,9 @@ TEST_F(Clusters, ARowHasAllFields) {
   EXPECT_THAT(std::vector(rows[1].begin(), rows[1].begin() + 15),
               ElementsAre("4", "500", "3", "Car", ToString(ClusterStatus::kPredicted), "0", "0",
                           "9", "0", "0", "0", "1", "0.1", "0.2", "0.3"));
-  EXPECT_EQ(rows[1][15], "");  // nothing refined
+  EXPECT_EQ(rows[1][15], "");  // no refined pose
   EXPECT_EQ(rows[1][30], "0.8");
-  EXPECT_EQ(rows[1][33], "1");  // of the box, in the body's frame
+  EXPECT_EQ(rows[1][33], "1");  // of the box in the object frame
   EXPECT_EQ(rows[0][38], "length_m");
   EXPECT_EQ(rows[1][38], "4");
   EXPECT_EQ(rows[1][45], "12");
@@ -195,7 +196,7 @@ TEST_F(Clusters, ARowHasAllFields) {
   EXPECT_EQ(rows[1][17], "8");
 }
 
-TEST_F(Clusters, AFrameBeforeTheClusterWasConfirmedHasARefinedPoseAlone) {
+TEST_F(Clusters, FramesBeforeConfirmationHaveOnlyARefinedPose) {
   frames_.push_back(frames_[0]);
   frames_[1].frame = 5;
   clusters_ = {Refined(0, At(0, 0, 8))};
@@ -207,13 +208,13 @@ TEST_F(Clusters, AFrameBeforeTheClusterWasConfirmedHasARefinedPoseAlone) {
   EXPECT_THAT(std::vector(rows[1].begin(), rows[1].begin() + 8),
               ElementsAre("4", "500", "3", "Car", "tracked", "", "", ""));
   EXPECT_EQ(rows[1][17], "8");
-  EXPECT_EQ(rows[1][38], "4");  // its box as it was
+  EXPECT_EQ(rows[1][38], "4");  // its box in that frame
   EXPECT_EQ(rows[1][45], "12");
   EXPECT_EQ(rows[2][7], "9");
   EXPECT_EQ(Track()[0], "4");
 }
 
-TEST_F(Clusters, TrajectoriesHoldTrackedFramesAlone) {
+TEST_F(Clusters, TrajectoriesHoldOnlyTrackedFrames) {
   ClusterTrajectory cluster = Refined(0, At(1, 2, 3));
   cluster.poses.push_back(test::PoseInFrame(1, 2, ClusterStatus::kPredicted, At(4, 5, 6)));
   std::string text;
@@ -228,7 +229,7 @@ TEST_F(Clusters, RefuseNan) {
   EXPECT_THROW(KittiTracks(), Error);
 }
 
-TEST_F(Clusters, TheResultListsThem) {
+TEST_F(Clusters, TheResultFileListsClusters) {
   frames_.push_back(frames_[0]);
   frames_[1].frame = 5;
   frames_[1].report.clusters[0].status = ClusterStatus::kPredicted;

@@ -35,7 +35,7 @@ TEST(BuildIdentity, IsComplete) {
   }
 }
 
-TEST(BuildIdentity, TheCommitIsIgnored) {
+TEST(BuildIdentity, IgnoresTheCommit) {
   BuildIdentity build = SomeBuild();
   const std::string hash = IdentityOf(build);
   build.commit = kDifferentText;
@@ -44,7 +44,7 @@ TEST(BuildIdentity, TheCommitIsIgnored) {
   EXPECT_NE(IdentityOf(build), hash);
 }
 
-TEST(BuildIdentity, TheProcessorLevelCounts) {
+TEST(BuildIdentity, DependsOnTheProcessorLevel) {
   BuildIdentity build = SomeBuild();
   const std::string hash = IdentityOf(build);
   build.cpu_level = "plain x86-64";

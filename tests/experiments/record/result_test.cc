@@ -17,7 +17,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-// Frames 4 to 7 of a folder: first, tracked, skipped, lost.
+// Frames 4 to 7 of a folder, with the statuses first, tracked, skipped and lost.
 class Result : public testing::Test {
  protected:
   Result() {
@@ -56,7 +56,7 @@ class Result : public testing::Test {
   RunResult run_;
 };
 
-TEST_F(Result, SaysWhatHappenedToEachFrame) {
+TEST_F(Result, ReportsTheStatusOfEachFrame) {
   const Json json = ParseJson(File(), "result");
   EXPECT_EQ(json["schema_version"], reports::RunSummary::kSchemaVersion);
   EXPECT_EQ(json["kind"], "run");
@@ -74,7 +74,7 @@ TEST_F(Result, SaysWhatHappenedToEachFrame) {
   EXPECT_EQ(json["trajectories"]["camera.tum"]["omitted_frames"], Json::array({6}));
 }
 
-TEST_F(Result, CountsHowTheSolversEnded) {
+TEST_F(Result, CountsSolverEndings) {
   frames_[0].report.window_endings.converged = 1;
   frames_[1].report.window_endings.iteration_limit = 1;
   frames_[1].report.cluster_endings = {4, 2, 1};
@@ -96,7 +96,7 @@ TEST_F(Result, KeepsBothPosesOfAFrame) {
   EXPECT_EQ(frame["refined"], Json({4.0, 5.0, 6.0, 0.0, 0.0, 0.0, 1.0}));
 }
 
-TEST_F(Result, HasTheEstimateOfTheCalibrationWithItsDeviations) {
+TEST_F(Result, HasTheCalibrationEstimateWithItsDeviations) {
   EXPECT_TRUE(ParseJson(File(), "result")["calibration"].is_null()) << "nothing was estimated";
   CalibrationReport& calibration = frames_[1].report.calibration;
   calibration.right_field_px << 0.1, 0.2, 0.3, 0.4, 0.5, 0.6;
@@ -109,7 +109,7 @@ TEST_F(Result, HasTheEstimateOfTheCalibrationWithItsDeviations) {
   EXPECT_NEAR(result["calibration"]["covariance_px2"][2][2], 0.01, 1e-12);
 }
 
-TEST_F(Result, HoldsNothingOfTimeHostOrPaths) {
+TEST_F(Result, ContainsNoTimesHostOrPaths) {
   const std::string before = File();
   EXPECT_THAT(before, Not(HasSubstr("secret")));
   run_.wall_s = 7.0;
@@ -118,7 +118,7 @@ TEST_F(Result, HoldsNothingOfTimeHostOrPaths) {
   EXPECT_EQ(File(), before);
 }
 
-TEST_F(Result, NamesTheJobItBelongsTo) {
+TEST_F(Result, NamesItsJob) {
   const RunRecord record{sequence_, build_, "static", {{"a", 1}}, {}, 3, {}, {}, run_};
   const RunRecord other{sequence_, build_, "static", {{"a", 1}}, {}, 4, {}, {}, run_};
   EXPECT_EQ(ParseJson(test::Collected(WriteResultFile, record), "result")["job"],
@@ -136,7 +136,7 @@ TEST_F(Result, RefusesNanAndNamesTheField) {
   }
 }
 
-TEST_F(Result, RefusesAMetricThatIsNotFinite) {
+TEST_F(Result, RefusesNonFiniteMetrics) {
   const Metric metric = MakeMetric({reports::MetricId::kCameraAte}, std::nan(""), 3);
   EXPECT_THROW(File({metric}), Error);
 }

@@ -10,7 +10,8 @@ namespace {
 
 RigidTransform At(double x) { return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, 0, 0)}; }
 
-// The world of the truth lies 1 m before that of the run; body 2 is judged in frame 1 alone.
+// The origin of the run's world is at x = 1 m in the world of the truth; body 2 is scored in frame
+// 1 only.
 TEST(TruthFile, PutsTheTruthIntoTheWorldOfTheRun) {
   ObjectTruth objects;
   objects.timestamps_ns = {0, 1};

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Runs with and without the front-end cache: the same bytes.
+// Tests that runs with and without the front-end cache write the same bytes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -68,7 +68,7 @@ class RunnerCache : public testing::Test {
   static bool EndsWithStage(const RunResult& run, const char* stage) {
     return run.times_s.contains(stage) && !std::isnan(run.times_s.at(stage).back());
   }
-  // A run with the cache, and whether it took its features from there.
+  // Runs with the cache; `hit` becomes whether the features came from it.
   std::string Cached(RunRequest request, bool& hit) {
     const JobCache cache = Cache();
     cache.Serve(request);
@@ -83,7 +83,7 @@ class RunnerCache : public testing::Test {
   std::vector<std::string> notices_;
 };
 
-TEST_F(RunnerCache, TheSameBytesForEveryVariantAndNumberOfThreads) {
+TEST_F(RunnerCache, WritesTheSameBytesForEveryVariantAndNumberOfThreads) {
   bool hit = true;
   EXPECT_EQ(Cached(Request(), hit), Plain(Request()));
   EXPECT_FALSE(hit);
@@ -98,7 +98,7 @@ TEST_F(RunnerCache, TheSameBytesForEveryVariantAndNumberOfThreads) {
   EXPECT_THAT(notices_, IsEmpty());
 }
 
-TEST_F(RunnerCache, WhatManyThreadsRecordedIsTheSame) {
+TEST_F(RunnerCache, EntriesOfManyThreadsAreTheSame) {
   bool hit = true;
   (void)Cached(Request("static", 4), hit);
   ASSERT_FALSE(hit);
@@ -117,7 +117,7 @@ TEST_F(RunnerCache, ACacheHitReadsNoImage) {
   EXPECT_EQ(IdentifyJob(request), job);
 }
 
-TEST_F(RunnerCache, OnlyWhatDecidesTheFeaturesExtractsAgain) {
+TEST_F(RunnerCache, ExtractsAgainOnlyIfTheFeaturesWouldChange) {
   bool hit = true;
   (void)Cached(Request(), hit);
   RunRequest request = Request();
@@ -168,7 +168,7 @@ TEST_F(RunnerCache, AnUnfinishedRunLeavesNoEntry) {
 
   request.strict = false;
   (void)RunSequence(request);
-  request.strict = true;  // and the problem in the cache is refused alike
+  request.strict = true;  // a problem recorded in the cache is refused alike
   EXPECT_EQ(ErrorMessage([&] { (void)RunSequence(request); }), problem);
 }
 
@@ -180,7 +180,7 @@ TEST_F(RunnerCache, AMissingImageIsNotStored) {
   EXPECT_THAT(notices_, IsEmpty());
 }
 
-TEST_F(RunnerCache, ImagesThatChangedSinceTheirHashesWereFoundAreKeptUnderTheirOwn) {
+TEST_F(RunnerCache, ImagesChangedAfterHashingAreStoredUnderTheirNewHash) {
   const JobCache cache = Cache();
   RunRequest request = Request();
   cache.Serve(request);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Detections into an estimator, its clusters out: a fake makes a cluster of each box.
+// Tests how detections reach an estimator and its clusters leave it, with a fake that makes a
+// cluster of each box.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,7 +31,8 @@ RigidTransform At(double x) {
   return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, 0.0, 10.0)};
 }
 
-// Cluster i + 1 is the i-th box; its first feature is the cluster's, all others are static.
+// Reports the i-th box as cluster i + 1. The first feature belongs to cluster 1, all others to the
+// static scene.
 class BoxOdometry : public Odometry {
  public:
   FrameReport Process(const StereoFrame& frame, StageTimes&) override {
@@ -127,7 +129,7 @@ TEST_F(RunnerClusters, DetectionsReachTheirFrames) {
   EXPECT_THAT(run.clusters.clusters(), SizeIs(2));
 }
 
-TEST_F(RunnerClusters, LandmarksAreGivenAwayFrameByFrame) {
+TEST_F(RunnerClusters, LandmarksAreHandedOverFrameByFrame) {
   std::vector<std::string> rows;
   const auto keep = [&rows](const std::string& of_frame) { rows.push_back(of_frame); };
   const RunResult run = RunSequence(Request(), nullptr, keep).value();
@@ -174,7 +176,7 @@ TEST_F(RunnerClusters, FilesOfAnEarlierRunAreRemoved) {
   EXPECT_FALSE(fs::exists(Out() / "clusters"));
 }
 
-TEST_F(RunnerClusters, TheSameBytesForAnyNumberOfThreads) {
+TEST_F(RunnerClusters, WritesTheSameBytesForAnyNumberOfThreads) {
   RunRequest request = Request();
   request.landmarks = true;
   const std::vector<std::string> names = {"result.json",   "objects.csv",    "tracks.kitti",
@@ -207,7 +209,7 @@ TEST_F(RunnerClusters, ClassesAndOracleArePartOfTheJob) {
   EXPECT_THROW((void)RunJob(request, Out()), Error);
 }
 
-TEST_F(RunnerClusters, AnEstimateHasTheClustersOfBothTimes) {
+TEST_F(RunnerClusters, EstimatesHaveCausalAndRefinedClusters) {
   const RunResult run = RunSequence(Request()).value();
   const ObjectEstimate causal = ObjectEstimateOf(run, PoseTime::kCausal);
   const ObjectEstimate refined = ObjectEstimateOf(run, PoseTime::kRefined);
@@ -220,9 +222,9 @@ TEST_F(RunnerClusters, AnEstimateHasTheClustersOfBothTimes) {
   EXPECT_THAT(causal.world_from_camera, SizeIs(kFrames));
 }
 
-// A body that turns about its origin, of which the landmarks of one side are seen: their centre
-// moves, the origin does not.
-TEST(ObjectEstimateOf, VelocityIsComparedAtItsPoint) {
+// A body turns about its origin, and only landmarks on one side of it are seen: their centre moves,
+// the origin does not.
+TEST(ObjectEstimateOf, VelocityIsComparedAtTheClusterCentre) {
   ObjectTruth truth;
   truth.mover_travel_m = -1.0;
   TruthBody body;
@@ -256,7 +258,7 @@ TEST(ObjectEstimateOf, VelocityIsComparedAtItsPoint) {
   EXPECT_NEAR(*scores.bodies[0].velocity_m_s, 0.0, 1e-12);
 }
 
-TEST(ObjectEstimateOf, FramesBeforeAClusterWasConfirmedAreRefinedOnes) {
+TEST(ObjectEstimateOf, FramesBeforeConfirmationHaveOnlyRefinedPoses) {
   std::vector<FrameRecord> frames(2);
   frames[1].frame = 1;
   ClusterReport cluster;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Boxes of a file on their way to the estimator.
+// Tests how boxes of a file become detections for the estimator.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -52,7 +52,7 @@ TEST(Detections, OfOtherClassesAreLeftOutAndCounted) {
   EXPECT_THAT(counts.other_classes, ElementsAre(Pair("DontCare", 2), Pair("Pedestrian", 1)));
 }
 
-TEST(Detections, ClassesAreThoseAskedFor) {
+TEST(Detections, ClassesAreThoseRequested) {
   DetectionCounts counts;
   EXPECT_THAT(
       Given({Box(1, 1, 2, 2, "Car"), Box(1, 1, 2, 2, "Dog")}, counts, ParseClasses("dog,cat")),
@@ -63,7 +63,7 @@ TEST(Detections, ClassesAreThoseAskedFor) {
   }
 }
 
-TEST(Detections, AreClippedToTheImageAndLeftOutOutsideOfIt) {
+TEST(Detections, AreClippedToTheImageAndLeftOutIfOutside) {
   DetectionCounts counts;
   const auto detections = Given({Box(-5, -6, 120, 90), Box(-9, 10, -1, 20), Box(100, 10, 110, 20),
                                  Box(10, 79.5, 20, 95), Box(99, 79, 150, 100)},
@@ -77,7 +77,7 @@ TEST(Detections, AreClippedToTheImageAndLeftOutOutsideOfIt) {
   EXPECT_EQ(counts.outside, 3);
 }
 
-TEST(Detections, KeepTheirScoreAndLabelsHaveOne) {
+TEST(Detections, KeepTheirScoreAndLabelsScoreOne) {
   DetectionCounts counts;
   ObjectBox scored = Box(1, 1, 2, 2);
   scored.score = -0.25;
@@ -86,15 +86,15 @@ TEST(Detections, KeepTheirScoreAndLabelsHaveOne) {
   EXPECT_EQ(detections[1].score, 1.0);
 }
 
-TEST(Detections, NoneAndFiveHundred) {
+TEST(Detections, MayBeNoneOrFiveHundred) {
   DetectionCounts counts;
   EXPECT_THAT(Given({}, counts), IsEmpty());
   EXPECT_THAT(Given(std::vector<ObjectBox>(500, Box(1, 1, 20, 20)), counts), SizeIs(500));
 }
 
-TEST(Detections, MoveByTheDisparityOfWhatTheyShow) {
-  // Seen from a camera 0.1 m to the right, a point at 5 m is 2 px further left than in the image
-  // read; offset_m: p_in_read = p_in_drawn + (offset, 0, 0).
+TEST(Detections, MoveByTheDisparityOfTheirFeatures) {
+  // Boxes are drawn for a camera 0.1 m to the right of the one read, which sees a point at 5 m 2 px
+  // further left: p_in_drawn = p_in_read + (offset_m, 0, 0).
   const BoxCamera camera = Camera(-0.1);
   std::vector<StereoFeature> features;
   for (int i = 0; i < 6; ++i) features.push_back(FeatureAt(32.5 + i, 30, 5.0));
@@ -102,7 +102,7 @@ TEST(Detections, MoveByTheDisparityOfWhatTheyShow) {
   const auto detections =
       DetectionsOfFrame({Box(30, 20, 36, 40)}, camera, features, RigidClasses(), counts);
   ASSERT_THAT(detections, SizeIs(1));
-  // Drawn at u - 2: the four features up to 36 + 2 are inside, and the box moves by +2.
+  // In the drawn image, the features are at u - 2: all six are inside the box, which moves by +2.
   EXPECT_NEAR(detections[0].box.left_px, 32.0, 1e-9);
   EXPECT_NEAR(detections[0].box.right_px, 38.0, 1e-9);
   EXPECT_EQ(counts.without_depth, 0);
@@ -145,9 +145,9 @@ TEST(DepthInBox, IsOfTheNearestDenseMode) {
   EXPECT_EQ(DepthInBox(box, Camera(), features), depth_m);
 }
 
-TEST(DepthInBox, LooksWhereTheFeaturesWereInTheOtherImage) {
-  // 20 px of disparity at 2.5 m: in an image 0.5 m to the left of the one read they are 20 px
-  // further right.
+TEST(DepthInBox, LooksUpFeaturesInTheImageOfTheBox) {
+  // At 2.5 m the disparity is 20 px: in an image 0.5 m to the left of the one read, the features
+  // are 20 px further right.
   std::vector<StereoFeature> features;
   for (int i = 0; i < 5; ++i) features.push_back(FeatureAt(30 + i, 30, 2.5));
   EXPECT_EQ(DepthInBox(Box(29, 29, 35, 31), Camera(0.5), features), 0.0);

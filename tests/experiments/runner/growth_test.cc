@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// What a run keeps of each frame while it goes on.
+// Tests how much memory a run retains per frame.
 #include <gtest/gtest.h>
 #include <malloc.h>
 
@@ -27,14 +27,14 @@ double Held_bytes() {
   return static_cast<double>(info.uordblks + info.hblkhd);
 }
 
-constexpr std::size_t kFull = 60;  // frames until the window is
+constexpr std::size_t kFull = 60;  // frames until the window is full
 constexpr std::size_t kFrames = 240;
 // 1 MB per 1,000 frames.
 constexpr double kMost_bytes = 1e3;
 
 constexpr int kBodies = 4;
 
-// Reports bodies in every frame, and that those of the last frame are settled.
+// Reports kBodies clusters in every frame, and their poses as settled immediately.
 class CrowdedOdometry : public Odometry {
  public:
   FrameReport Process(const StereoFrame& frame, StageTimes&) override {
@@ -86,7 +86,7 @@ void RunFrames(const VariantInfo& variant, int frames,
   EXPECT_TRUE(RunJob(request, folder.path()).has_value());
 }
 
-// Live bytes, whatever the allocator makes of them, that a run holds more with each frame.
+// Live heap bytes that a run gains per frame, whatever the allocator makes of them.
 double Growth_bytes(const VariantInfo& variant) {
   double full_bytes = 0.0;
   double end_bytes = 0.0;
@@ -97,7 +97,7 @@ double Growth_bytes(const VariantInfo& variant) {
   return (end_bytes - full_bytes) / (kFrames - kFull);
 }
 
-// Of the process, without files.
+// Anonymous resident memory of the process, without mapped files.
 double Resident_mb() {
   std::ifstream status("/proc/self/status");
   std::string word;
@@ -107,7 +107,7 @@ double Resident_mb() {
   return kib * 1.024e-3;
 }
 
-// 64 MB, of which half are free, in holes between blocks that stay.
+// Allocates 64 MB and frees half of them, in holes between live blocks.
 std::vector<std::unique_ptr<char[]>> MakeHoles() {
   std::vector<std::unique_ptr<char[]>> blocks;
   for (int i = 0; i < 1'000; ++i) blocks.push_back(std::make_unique<char[]>(64'000));
@@ -115,18 +115,18 @@ std::vector<std::unique_ptr<char[]>> MakeHoles() {
   return blocks;
 }
 
-// The rows of landmarks.csv alone would be many times as much.
-TEST(RunnerGrowth, OfAFrameLittleIsKept) {
+// The rows of landmarks.csv alone would be many times the limit.
+TEST(RunnerGrowth, KeepsLittlePerFrame) {
   if (!kLimitsMemory) GTEST_SKIP() << "the sanitizer counts otherwise";
   EXPECT_LT(Growth_bytes(FindVariant("static")), kMost_bytes);
 }
 
-TEST(RunnerGrowth, OfABodyInAFrameLittleIsKept) {
+TEST(RunnerGrowth, KeepsLittlePerBodyAndFrame) {
   if (!kLimitsMemory) GTEST_SKIP() << "the sanitizer counts otherwise";
   EXPECT_LT(Growth_bytes(kCrowded), kMost_bytes);
 }
 
-TEST(RunnerGrowth, WhatIsFreeBetweenBlocksThatStayIsReturned) {
+TEST(RunnerGrowth, ReturnsFreeMemoryBetweenLiveBlocks) {
   if (!kLimitsMemory) GTEST_SKIP() << "the sanitizer keeps what is freed";
   const auto blocks = MakeHoles();
   double begin_mb = 0.0;

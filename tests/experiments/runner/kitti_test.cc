@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Boxes drawn in image_02 of a real drive, moved to image_00 by the depth of the features in them.
+// Tests that boxes drawn in image_02 of a real drive move to image_00 by the depth of their
+// features.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,8 +14,8 @@
 namespace cvo {
 namespace {
 
-// Both moving cars of drive_0013 are seen from behind: what shows is half a length nearer than the
-// middle of their labels' boxes.
+// Both moving cars of drive_0013 are seen from behind: the visible face is half a length nearer
+// than the centre of the labelled box.
 TEST(KittiDetections, MoveByTheDepthOfTheNearFace) {
   const auto data = test::RealData();
   if (!data) GTEST_SKIP() << "CLUSTERVO_DATA does not name a folder with KITTI data";

@@ -18,7 +18,7 @@ RigidTransform At(double x) {
   return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, 0.0, 0.0)};
 }
 
-// Body 4 for tracks of 3, and at pixels with u above 50.
+// A truth with body 4, which is that of track 3 and of pixels with u above 50.
 class FakeTruth : public BodyTruthReader {
  public:
   const ObjectTruth& objects() const override { return truth_; }
@@ -69,7 +69,7 @@ std::string Problem(const Sequence& sequence, const OracleSwitches& switches) {
   return "";
 }
 
-TEST(Oracle, NamesOfItsSwitches) {
+TEST(Oracle, ParsesTheNamesOfItsSwitches) {
   EXPECT_THAT(ParseOracle("camera,boxes").Names(), ElementsAre("boxes", "camera"));
   EXPECT_FALSE(ParseOracle("none").any());
   for (const char* bad : {"", "boxes,", "box", "none,boxes", "boxes, camera"}) {
@@ -122,11 +122,11 @@ TEST(Oracle, IsRefusedWithoutTruth) {
   EXPECT_THAT(Problem(sequence, {.camera = true}), HasSubstr("--oracle: found \"camera\""));
 }
 
-TEST(BodiesOfDetections, OneToOneFromHalfOverlapOn) {
+TEST(BodiesOfDetections, AreOneToOneWithAtLeastHalfOverlap) {
   const std::vector<Detection> detections = {
       {{0, 0, 10, 10}, "Car", 1.0}, {{1, 0, 11, 10}, "Car", 1.0}, {{40, 0, 50, 10}, "Car", 1.0}};
-  // Both of the first two overlap body 7 alone; the second is nearer. The third overlaps by a
-  // third.
+  // The first two detections overlap body 7 only, and the second one more. The third has an IoU of
+  // 1/3 with body 9.
   EXPECT_THAT(BodiesOfDetections(detections, {{7, {2, 0, 12, 10}}, {9, {45, 0, 55, 10}}}),
               ElementsAre(BodyId(), BodyId{7}, BodyId()));
   EXPECT_THAT(BodiesOfDetections(detections, {}), ElementsAre(BodyId(), BodyId(), BodyId()));

@@ -29,8 +29,8 @@ using testing::SizeIs;
 
 constexpr int kFrames = 8;
 
-// Steps one metre per frame, plus what the features add up to, so that poses show which frame was
-// given. Uses the pool as an estimator may.
+// Moves one metre per frame in z, and in x to the sum of the feature coordinates, so that poses
+// reveal which frame was given. Uses the pool as an estimator may.
 class FakeOdometry : public Odometry {
  public:
   FakeOdometry(const OdometrySetup& setup, TaskPool& pool) : seed_(setup.seed), pool_(pool) {}
@@ -183,7 +183,7 @@ TEST_F(Runner, ResultsDoNotDependOnTheNumberOfThreads) {
   EXPECT_NE(ResultOf(RunSequence(request).value()), one);
 }
 
-TEST_F(Runner, SkipsAFrameThatCannotBeDecodedAndSaysWhy) {
+TEST_F(Runner, SkipsAFrameThatCannotBeDecodedAndReportsWhy) {
   test::CutFile(Left(0));
   test::CutFile(Right(5));
   std::filesystem::remove(Left(5));
@@ -227,7 +227,7 @@ TEST_F(Runner, StrictRefusesAFrameThatCannotBeDecoded) {
   }
 }
 
-TEST_F(Runner, AnErrorOfTheExtractionIsThrown) {
+TEST_F(Runner, ExtractionErrorsAreThrown) {
   RunRequest request = Request();
   request.options.orb.levels = 0;
   for (const int threads : {1, 2, 4}) {
@@ -236,7 +236,7 @@ TEST_F(Runner, AnErrorOfTheExtractionIsThrown) {
   }
 }
 
-TEST_F(Runner, AnErrorOfTheEstimatorIsAResult) {
+TEST_F(Runner, EstimatorErrorsGiveAFailedResult) {
   const std::string content = RunSequence(Request())->content;
   RunRequest request = Request(kFailing);
   request.threads = 2;
@@ -257,7 +257,7 @@ TEST_F(Runner, ReportsTheNumberOfLostFrames) {
   EXPECT_EQ(run.message, "2 of 8 frames lost, the first is frame 6");
 }
 
-TEST_F(Runner, StopsAfterTheFrameInWork) {
+TEST_F(Runner, StopsAfterTheCurrentFrame) {
   for (const int threads : {1, 2}) {
     std::size_t frames = 0;
     RunRequest request = Request();
@@ -272,7 +272,7 @@ TEST_F(Runner, StopsAfterTheFrameInWork) {
 TEST_F(Runner, LooksOnlyAFewFramesAhead) {
   RunRequest request = Request();
   request.threads = 4;
-  // Once the first frame is through, images beyond the look-ahead cannot have been read.
+  // Once the first frame is done, images beyond the look-ahead cannot have been read.
   request.progress = [this](std::size_t done) {
     if (done != 1) return;
     for (int i = 1 + static_cast<int>(LookAhead::kFrames); i < kFrames; ++i) {
@@ -285,10 +285,11 @@ TEST_F(Runner, LooksOnlyAFewFramesAhead) {
   }
 }
 
-TEST_F(Runner, ExtractsWhatTheFrontEndDoes) {
+TEST_F(Runner, ExtractsTheFeaturesOfTheFrontEnd) {
   Options options;
   options.stereo.right_features = 2.0;
-  options.orb.features = 60;  // the tiny images have more: the right one's number then matters
+  // Fewer than the tiny images have, so that the number in the right image matters.
+  options.orb.features = 60;
   TaskPool pool(1);
   LookAhead frames(sequence_, options, pool);
   const std::vector<StereoFeature> features = frames.Next().frame.features;
@@ -302,7 +303,7 @@ TEST_F(Runner, ExtractsWhatTheFrontEndDoes) {
   EXPECT_NE(LookAhead(sequence_, options, pool).Next().frame.features.size(), expected.size());
 }
 
-TEST_F(Runner, LooksForCornersWhereBodiesAreDetected) {
+TEST_F(Runner, ExtractsAdditionalCornersInDetections) {
   Options options;
   options.orb.features = 60;
   options.orb.box_features = 50;
@@ -334,7 +335,7 @@ TEST_F(Runner, ScoresBothTrajectories) {
   const RunResult run = RunSequence(Request()).value();
   const RunScores scores = ScoreRun(sequence_, run);
   ASSERT_FALSE(scores.refined.empty());
-  constexpr std::size_t kDrifts = 12;  // the maximum drift is of refined poses alone
+  constexpr std::size_t kDrifts = 12;  // maximum drift exists for refined poses only
   ASSERT_THAT(scores.causal, SizeIs(scores.refined.size() - kDrifts));
   for (const Metric& metric : scores.refined) {
     EXPECT_THAT(metric.name, testing::StartsWith("camera_"));

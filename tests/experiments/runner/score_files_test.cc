@@ -21,7 +21,7 @@ ReportedBox Moved(ReportedBox said, const Eigen::Vector3d& by) {
   return said;
 }
 
-TEST(ScoreSystem, AnyFrameOfTheBodiesAndAnyWorldIsRight) {
+TEST(ScoreSystem, AnyObjectFrameAndAnyWorldIsAccepted) {
   const SystemDrive drive;
   const RigidTransform off[] = {{ExpSo3({0.0, 0.3, 0.0}), {0.5, -0.2, 0.1}},
                                 {ExpSo3({0.0, -1.0, 0.0}), {-0.3, 0.0, 0.4}}};
@@ -40,7 +40,7 @@ TEST(ScoreSystem, AnyFrameOfTheBodiesAndAnyWorldIsRight) {
   EXPECT_EQ(ValueOf(outcome, "object_unmatched_clusters"), 0.0);
 }
 
-// Off by 0.3 m to one side and to the other in turn: the mean is no error, the rest is.
+// The boxes are off by 0.3 m to alternating sides: the mean offset is no error, the rest is.
 TEST(ScoreSystem, ErrorsAreThoseOfTheBoxes) {
   const SystemDrive drive;
   const SystemOutcome outcome = drive.Score(Rows([](ReportedBox said, int frame) {
@@ -59,18 +59,19 @@ TEST(ScoreSystem, ErrorsAreThoseOfTheBoxes) {
 TEST(ScoreSystem, VelocityIsThatOfTheBoxes) {
   const SystemDrive drive;
   EXPECT_LT(ValueOf(drive.Score(Rows()), "object_velocity"), 1e-9);
-  // 0.1 m per frame of 0.1 s too fast.
+  // The boxes move 0.1 m per frame of 0.1 s too fast.
   const SystemOutcome outcome = drive.Score(Rows([](ReportedBox said, int frame) {
     said = Moved(said, {0.0, 0.0, 0.1 * frame});
     return said;
   }));
   EXPECT_NEAR(*outcome.bodies[0].velocity_m_s, 1.0, 1e-6);
-  // A run states the velocities that it estimated: another contract.
+  // A run scores the velocities that it estimated, which is another contract.
   EXPECT_EQ(FindMetric(outcome.metrics, "object_velocity")->contract.pairing,
             reports::Pairing::kVelocitiesOfPositions);
 }
 
-// What our readers know of a calibration says nothing of what the system was given.
+// The correction that our readers know for a calibration does not tell which one the system was
+// given.
 TEST(ScoreSystem, CorrectionIsTheSystemsOwn) {
   SystemDrive drive;
   drive.sequence().camera.right_shift_px = 0.16;
@@ -85,7 +86,7 @@ TEST(ScoreSystem, CorrectionIsTheSystemsOwn) {
   EXPECT_EQ(correction(0.2), 0.2);
 }
 
-TEST(ScoreSystem, BodiesAreFoundByWhereTheyAreNotByNumber) {
+TEST(ScoreSystem, BodiesAreMatchedByPositionNotById) {
   const SystemDrive drive;
   const SystemOutcome outcome = drive.Score(Rows([](ReportedBox said, int) {
     said.track = 1 - said.track;
@@ -97,7 +98,7 @@ TEST(ScoreSystem, BodiesAreFoundByWhereTheyAreNotByNumber) {
   EXPECT_EQ(ValueOf(outcome, "object_id_switches"), 0.0);
 }
 
-TEST(ScoreSystem, IdsThatSwapAreSwitchesAndAnotherBodysFramesErrors) {
+TEST(ScoreSystem, SwappedIdsAreSwitchesAndErrors) {
   const SystemDrive drive;
   const SystemOutcome outcome = drive.Score(Rows([](ReportedBox said, int frame) {
     if (frame >= 5) said.track = 1 - said.track;
@@ -110,7 +111,7 @@ TEST(ScoreSystem, IdsThatSwapAreSwitchesAndAnotherBodysFramesErrors) {
   EXPECT_GT(ValueOf(outcome, "object_ate"), 1.0);
 }
 
-TEST(ScoreSystem, MissingFramesAreMissingCoverage) {
+TEST(ScoreSystem, MissingFramesLowerCoverage) {
   const SystemDrive drive;
   const SystemOutcome outcome = drive.Score(Rows([](ReportedBox said, int frame) {
     const bool missing = said.track == 1 || frame % 4 >= 2;
@@ -128,7 +129,7 @@ TEST(ScoreSystem, MissingFramesAreMissingCoverage) {
 TEST(ScoreSystem, DistantClustersAreNotMatched) {
   const SystemDrive drive;
   const SystemOutcome outcome = drive.Score(Rows([](ReportedBox said, int) {
-    // Diagonal of the box: 4.64 m.
+    // The diagonal of the box is 4.64 m.
     const double off_m = said.track == 0 ? 4.7 : 4.6;
     said = Moved(said, {0.0, -off_m, 0.0});
     return said;
@@ -162,7 +163,7 @@ TEST(ScoreSystem, WithoutObjectsCoverageIsZero) {
   EXPECT_LT(ValueOf(camera, "camera_ate"), 1e-9);
 }
 
-TEST(ScoreSystem, AFolderOfTrajectoriesScoresAsItsBoxesDo) {
+TEST(ScoreSystem, AFolderOfTrajectoriesScoresLikeItsBoxes) {
   const SystemDrive drive;
   SystemRequest request = drive.Request(FormatTumTrajectory(SystemDrive::Camera()), "none");
   for (const int track : {0, 1}) {
@@ -184,7 +185,7 @@ TEST(ScoreSystem, AFolderOfTrajectoriesScoresAsItsBoxesDo) {
   EXPECT_EQ(folder.bodies[1].cluster, 4);
 }
 
-TEST(ScoreSystem, TheResultIsThatOfARun) {
+TEST(ScoreSystem, TheResultHasTheFormatOfARun) {
   const SystemDrive drive;
   const SystemRequest request = drive.Request(FormatTumTrajectory(SystemDrive::Camera()), Rows());
   const SystemOutcome outcome = ScoreSystem(request, drive.folder().path());
@@ -203,7 +204,7 @@ TEST(ScoreSystem, TheResultIsThatOfARun) {
   for (const Json& metric : json["metrics"]) EXPECT_EQ(metric["contract"]["poses"], "refined");
 }
 
-TEST(IdentifySystem, IsWhatDecidesTheResult) {
+TEST(IdentifySystem, DependsOnWhatDecidesTheResult) {
   const SystemDrive drive;
   const std::string camera = FormatTumTrajectory(SystemDrive::Camera());
   const std::string job = IdentifySystem(drive.Request(camera, Rows()));

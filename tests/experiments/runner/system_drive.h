@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// A drive behind two cars, and files that another system could have written of it.
+// A drive behind two cars, and files that another system could have written for it.
 
 #include <cmath>
 #include <functional>
@@ -20,26 +20,27 @@
 namespace cvo::test {
 
 constexpr int kDriveFrames = 8;
-constexpr double kLeftOffset_m = 0.06;  // of the camera read from camera 0
+constexpr double kLeftOffset_m = 0.06;  // p_in_read = p_in_camera0 + (offset, 0, 0)
 
 inline RigidTransform DriveCamera(int frame) {
   return {ExpSo3({0.0, 0.02 * frame, 0.0}), Eigen::Vector3d(0.1 * frame, 0.0, frame)};
 }
 
-// The middle of a car's box, in world. Both go 0.9 m further in each frame; the second one turns.
+// Pose of a car in the world, with its origin at the centre of its box. Both cars advance by 0.9 m
+// per frame; the second one turns.
 inline RigidTransform CarInWorld(int track, int frame) {
   const double heading_rad = -1.5 + (track == 1 ? 0.05 * frame : 0.0);
   return {ExpSo3({0.0, heading_rad, 0.0}),
           Eigen::Vector3d(track == 0 ? -2.0 : 4.0, 0.8, 12.0 + 3.0 * track + 0.9 * frame)};
 }
 
-// A box as the system reports it.
+// A box as a system reports it.
 struct ReportedBox {
   int track = 0;
   RigidTransform world_from_object;
 };
 
-// The box in camera 0.
+// Returns the reported box in camera 0.
 inline ObjectBox BoxOf(const ReportedBox& reported, int frame) {
   const RigidTransform camera_from_object =
       DriveCamera(frame).Inverse() * reported.world_from_object;
@@ -66,7 +67,8 @@ inline std::string Row(const ObjectBox& box) {
   return row.str();
 }
 
-// As the sequence's labels have them, or as `report` changes them; none where it has no value.
+// Rows of the boxes in the sequence's labels, or as `report` changes them. A box is omitted if
+// `report` returns no value.
 using ReportBox = std::function<std::optional<ReportedBox>(ReportedBox truth, int frame)>;
 inline std::string Rows(const ReportBox& report = [](const ReportedBox& truth, int) {
   return truth;
@@ -102,7 +104,8 @@ class SystemDrive {
   Sequence& sequence() { return sequence_; }
   const TempFolder& folder() const { return folder_; }
 
-  // The true camera in another world, without frames of which `has` says no.
+  // The true camera trajectory in another world, with timestamps 7 ms late, for the frames of which
+  // `has` is true.
   static Trajectory Camera(const std::function<bool(int)>& has = [](int) { return true; }) {
     Trajectory camera;
     for (int frame = 0; frame < kDriveFrames; ++frame) {

@@ -26,7 +26,7 @@ std::string KittiCamera(int begin = 0, int end = kDriveFrames) {
   return FormatKittiPoses(poses);
 }
 
-// Frames 2 to 5 alone.
+// Keeps only frames 2 to 5.
 void KeepPart(Sequence& sequence) {
   sequence.first_frame = 2;
   const auto keep = [](auto& values) {
@@ -79,7 +79,7 @@ class BadFiles : public testing::Test {
   std::string Objects(const std::string& rows) const {
     return ErrorMessage([&] { drive_.Score(rows); });
   }
-  // The rows with the first `from` changed to `to`.
+  // The rows with the first `from` replaced by `to`.
   static std::string Changed(const std::string& from, const std::string& to) {
     std::string rows = Rows();
     rows.replace(rows.find(from), from.size(), to);

@@ -17,10 +17,10 @@ namespace {
 constexpr double kFocal_px = 200.0;
 constexpr double kBaseline_m = 0.5;
 constexpr int kDisparity_px = 10;  // of the wall
-constexpr int kStep_px = 3;        // that the wall moves to the left per frame
-constexpr int kBlock_px = 4;       // of one grey value
+constexpr int kStep_px = 3;        // leftward motion of the wall per frame
+constexpr int kBlock_px = 4;       // side of a block of one grey value
 
-// Blocks of random grey values, wide enough for all frames.
+// A wall of blocks with random grey values, wide enough for all frames.
 cv::Mat Wall(int frames) {
   cv::Mat wall(kTinyHeight_px, kTinyWidth_px + kStep_px * frames + kDisparity_px, CV_8UC1);
   Rng rng(1, "tiny wall");

@@ -13,7 +13,7 @@ inline constexpr int kTinyHeight_px = 128;
 // PNG images in image_0 and image_1, calib.txt, times.txt and poses.txt.
 void WriteTinySequence(const std::filesystem::path& folder, int frames);
 
-// Leaves the first half of a file.
+// Truncates a file to its first half.
 void CutFile(const std::filesystem::path& file);
 
 }  // namespace cvo::test

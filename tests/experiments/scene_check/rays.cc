@@ -14,7 +14,8 @@ constexpr double kWallDistance_m = 4.0;
 constexpr double kFloor_m = 0.9;  // below the camera
 constexpr double kSpeed_mps = 0.5;
 
-// Distance along a ray of unit depth, the nearest in front.
+// Distance to the nearest hit in front, as a multiple of `along`, whose depth is 1; none if the ray
+// misses.
 std::optional<double> HitBall(const Eigen::Vector3d& from, const Eigen::Vector3d& along,
                               double radius_m) {
   const double a = along.squaredNorm(), b = from.dot(along);
@@ -47,7 +48,7 @@ RayScene::RayScene()
               .baseline_m = 0.12,
               .width_px = 400,
               .height_px = 300} {
-  // Waves of 9 to 20 cm: 8 to 20 px.
+  // Wavelengths of 9 to 20 cm, which is 8 to 20 px.
   Rng rng(7, "texture");
   for (int i = 0; i < waves_.cols(); ++i) {
     const Eigen::Vector3d direction(rng.Normal(), rng.Normal(), rng.Normal());
@@ -57,7 +58,7 @@ RayScene::RayScene()
 }
 
 double RayScene::Texture(const Eigen::Vector3d& p, int body) const {
-  const double scale = body == 0 ? 1.0 : 1.7;  // finer, so that corners are many
+  const double scale = body == 0 ? 1.0 : 1.7;  // finer on bodies, for many corners
   double sum = 0.0;
   for (int i = 0; i < waves_.cols(); ++i) {
     sum += std::sin(scale * waves_.col(i).dot(p) + phases_[i] + 2.0 * body);

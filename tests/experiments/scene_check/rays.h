@@ -11,8 +11,8 @@
 
 namespace cvo::test {
 
-// A wall, a floor, a rolling ball and a box at rest, drawn by casting rays: a scene's folder that
-// shares no code with the program's renderer. World is the first left camera.
+// A wall, a floor, a rolling ball and a box at rest, drawn by ray casting: a scene that shares no
+// code with the program's renderer. The world frame is that of the first left camera.
 class RayScene {
  public:
   static constexpr int kFrames = 4;
@@ -22,7 +22,7 @@ class RayScene {
 
   RayScene();
 
-  // What a ray from a camera through a pixel meets.
+  // What the ray from a camera through a pixel hits; body 0 is the background.
   struct Hit {
     double depth_m = 0.0;
     int body = 0;
@@ -46,7 +46,8 @@ class RayScene {
   Eigen::Matrix<double, 12, 1> phases_;
 };
 
-// The whole folder as a rendered scene has it: images with noise, truth, targets, manifest.
+// Writes a whole scene folder as the renderer does: noisy images, ground truth, calibration targets
+// and manifest.
 void WriteRayScene(const std::filesystem::path& folder);
 
 }  // namespace cvo::test

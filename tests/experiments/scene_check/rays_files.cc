@@ -93,7 +93,7 @@ std::vector<Mask> DrawTruth(const Writer& writer, int frame) {
   return masks;
 }
 
-// Nothing is hidden or cut in this scene: visible and amodal boxes are the same.
+// Nothing is occluded or truncated in this scene: visible and amodal boxes are the same.
 void AddBody(Writer& writer, int frame, int body, const Mask& mask) {
   const RayScene& scene = writer.scene;
   const RigidTransform pose = scene.WorldFromObject(body, frame);
@@ -143,7 +143,7 @@ void WriteFlow(const Writer& writer, int frame) {
   writer.Image("flow_0/" + Number(frame, ".png"), flow);
 }
 
-// A tilted board of black and white squares, each pixel the mean of 8 x 8 rays.
+// The target is a tilted chequerboard; each pixel is the mean of 8 x 8 rays.
 constexpr double kSquare_m = 0.12;
 
 double BoardAt(const RigidTransform& camera_from_board, const Eigen::Vector3d& camera_in_left,

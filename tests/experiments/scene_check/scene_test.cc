@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Each check passes on a scene that is right and fails when its fault is put in.
+// Tests that each check passes on a correct scene and fails when its fault is injected.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -120,7 +120,7 @@ TEST_F(SceneCheckTest, AFolderWithoutASceneIsAnError) {
   EXPECT_THAT(ErrorMessage([&] { CheckScene(folder_.path(), 1); }), HasSubstr("no objects.csv"));
 }
 
-TEST_F(SceneCheckTest, ASideShiftedByATenthOfAPixelIsFound) {
+TEST_F(SceneCheckTest, AHorizontalShiftOfATenthOfAPixelIsFound) {
   EditAll("image_1", ".png", [](cv::Mat& image) { Shift(image, 0.1, 0.0); });
   EXPECT_THAT(FailedIn(CheckStereo), Contains("disparity_offset"));
 }
@@ -157,7 +157,7 @@ TEST_F(SceneCheckTest, SwappedMasksAreFound) {
   EXPECT_THAT(failed, Contains("mask_point_out_of_box"));
 }
 
-TEST_F(SceneCheckTest, AnIdOfNoBodyIsFound) {
+TEST_F(SceneCheckTest, AnUnknownBodyIdIsFound) {
   Edit("instance_0/000001.png", [](cv::Mat& instances) { instances.at<std::uint16_t>(3, 3) = 9; });
   EXPECT_THAT(FailedIn(CheckMasks), testing::ElementsAre("mask_unknown_ids"));
 }
@@ -172,7 +172,7 @@ TEST_F(SceneCheckTest, APerturbedCameraPoseIsFound) {
 }
 
 TEST_F(SceneCheckTest, PosesThatLagBehindTheImagesAreFound) {
-  // Both cameras half a frame late: the files still agree with each other, not with the images.
+  // Both cameras lag half a frame: the files still agree with each other, but not with the images.
   std::vector<RigidTransform> left = ReadKittiPoses(rays() / "poses.txt");
   for (std::size_t i = left.size() - 1; i > 0; --i) {
     left[i] = left[i - 1].Plus(0.5 * left[i].Minus(left[i - 1]));
@@ -195,7 +195,7 @@ TEST_F(SceneCheckTest, AWrongVelocityIsFound) {
   EXPECT_THAT(FailedIn(CheckPoses), testing::ElementsAre("velocity_error"));
 }
 
-TEST_F(SceneCheckTest, ABodyThatTurnsOtherThanItsTextureIsFound) {
+TEST_F(SceneCheckTest, ARotationThatDisagreesWithTheTextureIsFound) {
   for (int i = 0; i < test::RayScene::kFrames; ++i) {
     const test::RayScene scene;
     const auto text = [&](const RigidTransform& pose) {
@@ -211,14 +211,14 @@ TEST_F(SceneCheckTest, ABodyThatTurnsOtherThanItsTextureIsFound) {
   EXPECT_THAT(FailedIn(CheckMotion), Contains("motion_residual_bodies"));
 }
 
-TEST_F(SceneCheckTest, FaultsOfLabelsAreFound) {
+TEST_F(SceneCheckTest, WrongLabelsAreFound) {
   Replace("labels.txt", "0 1 Ball 0 0", "0 1 Ball 0.2 1");
   Replace("labels.txt", "1 2 Block", "1 2 Ball");
   EXPECT_THAT(FailedIn(CheckLabels),
               testing::ElementsAre("labels_unmatched", "label_truncation", "label_occlusion"));
 }
 
-TEST_F(SceneCheckTest, ALabelThatFacesElsewhereIsFound) {
+TEST_F(SceneCheckTest, AWrongLabelHeadingIsFound) {
   std::string text = ReadFileBytes(rays() / "labels.txt");
   const std::size_t end = text.find('\n', text.find("0 2 Block"));
   const std::size_t heading = text.rfind(' ', end);
@@ -232,7 +232,7 @@ TEST_F(SceneCheckTest, AMissingOracleBoxIsFound) {
   EXPECT_THAT(FailedIn(CheckDetections), testing::ElementsAre("oracle_boxes_wrong"));
 }
 
-TEST_F(SceneCheckTest, AHalfPixelSlipOfThePrincipalPointIsFound) {
+TEST_F(SceneCheckTest, AHalfPixelErrorOfThePrincipalPointIsFound) {
   for (int camera = 0; camera < 2; ++camera) Replace("calib.txt", "199.5", "200");
   EXPECT_THAT(
       FailedIn(CheckTargets),

@@ -8,7 +8,7 @@
 
 namespace cvo::test {
 
-// One scene, one variant, one seed: the least that is a suite.
+// The smallest suite: one scene, one variant, one seed.
 inline Json SmallSuite() {
   return {{"name", "small"},
           {"sequences", {{{"scene", "tiny"}, {"detections", "good"}}}},

@@ -26,11 +26,11 @@ TEST(Grid, RangesAreLinearOrLogarithmic) {
   EXPECT_THAT(Values({{"from", 0.0}, {"to", 1.0}, {"steps", 3}}), ElementsAre(0.0, 0.5, 1.0));
   EXPECT_THAT(Values({{"from", 0.01}, {"to", 1}, {"steps", 3}, {"scale", "log"}}),
               ElementsAre(0.01, 0.1, 1));
-  // The middle of 1 and 10 in six digits, as a person would write it.
+  // The geometric mean of 1 and 10 in six digits, as a person would write it.
   EXPECT_EQ(Values({{"from", 1}, {"to", 10}, {"steps", 3}, {"scale", "log"}})[1], Json(3.16228));
 }
 
-TEST(Grid, RefusesRangesThatCannotBe) {
+TEST(Grid, RefusesInvalidRanges) {
   for (const char* wrong : {R"({"from": 0, "to": 1, "steps": 3, "scale": "log"})",
                             R"({"from": 0, "to": 1})", R"({"from": 0, "to": 1, "steps": 1})",
                             R"({"from": 0, "to": 1, "steps": 3, "scael": "log"})",
@@ -71,20 +71,20 @@ TEST(Grid, OneAtATimeHasTheDefaultOnce) {
                           ElementsAre(Pair("window.spatial", spatial), Pair("unary.eta", 0.5))));
 }
 
-TEST(Grid, DefaultsOfAnAxisAreTheSuitesAndTheScenes) {
+TEST(Grid, AxisDefaultsComeFromTheSuiteAndTheScene) {
   Suite suite = WithGrid({{"window.spatial", {3, 4}}}, true);
   suite.options = {{"window", {{"spatial", 4}}}};
   EXPECT_THAT(
       GridPoints(suite, suite.sequences[0], "full"),
       ElementsAre(ElementsAre(Pair("window.spatial", 4)), ElementsAre(Pair("window.spatial", 3))));
   suite = WithGrid({{"scene.detector.miss_rate", {0.5}}, {"scene.camera.height_m", {1.2}}}, true);
-  const double good = 0.01;  // of the level, see synth/detector/detector_options.h
+  const double good = 0.01;  // miss rate of that level, see synth/detector/detector_options.h
   EXPECT_THAT(
       GridPoints(suite, suite.sequences[0], "full").front(),
       ElementsAre(Pair("scene.detector.miss_rate", good), Pair("scene.camera.height_m", 1.1)));
 }
 
-TEST(ExpandSuite, GoesBySequenceSeedPointOracleVariant) {
+TEST(ExpandSuite, OrdersCellsBySequenceSeedPointOracleVariant) {
   Json json = SmallSuite();
   json["sequences"].push_back({{"scene", "crowd"}});
   json["seeds"] = {4, 2};
@@ -105,7 +105,7 @@ TEST(ExpandSuite, GoesBySequenceSeedPointOracleVariant) {
   EXPECT_EQ(cells[16].variant, "");
 }
 
-TEST(CellInput, ADetectorThatIsChangedStartsFromTheSequencesLevel) {
+TEST(CellInput, AChangedDetectorStartsFromTheLevelOfTheSequence) {
   Cell cell;
   cell.sequence = Parse(SmallSuite()).sequences[0];
   cell.sequence.detections = "poor";
@@ -117,7 +117,7 @@ TEST(CellInput, ADetectorThatIsChangedStartsFromTheSequencesLevel) {
   EXPECT_EQ(RequestOf(cell, "/s", "", "").detections_file, "/s/detections/custom.txt");
 }
 
-TEST(CellInput, APointGoesOverTheSuitesOptions) {
+TEST(CellInput, AGridPointOverridesTheSuiteOptions) {
   Suite suite = Parse(SmallSuite());
   suite.options = {{"window", {{"spatial", 4}, {"temporal", 9}}}};
   const Options options = OptionsOf(suite, "full", {{"window.spatial", 3}});
@@ -145,7 +145,7 @@ TEST(CellInput, AFolderIsReadAsTheSequenceSays) {
   EXPECT_EQ(request.labels_file, "/data/labels.txt");
 }
 
-TEST(Suite, JobsOfTheFirstSeedKeepTheirLandmarksWhereAsked) {
+TEST(Suite, JobsOfTheFirstSeedKeepLandmarksIfRequested) {
   Json json = SmallSuite();
   json["seeds"] = {7, 8};
   for (const Cell& cell : ExpandSuite(Parse(json))) EXPECT_FALSE(cell.landmarks);

@@ -25,7 +25,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-// The small suite with one value changed, named by a JSON pointer.
+// The small suite with the value at a JSON pointer replaced.
 Json With(const std::string& pointer, const Json& value) {
   Json json = SmallSuite();
   json[Json::json_pointer(pointer)] = value;
@@ -36,7 +36,7 @@ std::string MessageOf(const Json& json) {
   return ErrorMessage([&] { Parse(json); });
 }
 
-TEST(Suite, DataSetsAndPairsAreKnown) {
+TEST(Suite, UnknownDataSetsAndPairsAreRefused) {
   for (const auto& [key, value, message] :
        {std::tuple{"dataset", "kiti",
                    "found \"kiti\" (did you mean kitti?), expected kitti or other"},
@@ -103,7 +103,7 @@ TEST(Suite, SplitsNeverShareARow) {
   EXPECT_EQ(SplitOf(Parse(json)), "mixed");
 }
 
-TEST(Suite, NamesWhatAFamilyEntryHasWrong) {
+TEST(Suite, NamesTheFaultOfAFamilyEntry) {
   for (const char* seeds : {"12:10", "-1:3", "0:4294967297", "a", ""}) {
     EXPECT_THAT(MessageOf(With("/sequences", Json::array({RoomsEntry(seeds)}))),
                 HasSubstr("sequences.0.seeds"))
@@ -145,7 +145,7 @@ TEST(Suite, PerturbationsAreKeysOfASequenceAndAxesOfAGrid) {
   EXPECT_EQ(PerturbationOfCell(ExpandSuite(Parse(json)).front()).blur_px, 0.0);
 }
 
-// Pointer, value, and what the message must name.
+// A wrong value at a JSON pointer, and the key that the message must name.
 struct Wrong {
   std::string pointer;
   Json value;
@@ -257,7 +257,7 @@ TEST(Suite, FindsSceneFilesBesideTheSuite) {
   EXPECT_EQ(suite.sequences[0].name, "mine");
 }
 
-TEST(ShippedSuites, EveryVariantIsInOneOfThem) {
+TEST(ShippedSuites, IncludeEveryVariant) {
   std::set<std::string> names;
   for (const char* suite : {"ablation_all", "corrections", "backends"}) {
     const std::vector<std::string> variants = LoadSuite(suite).variants;
@@ -280,7 +280,7 @@ TEST(ShippedSuites, TheLadderHasEveryRung) {
   }
 }
 
-TEST(ShippedSuites, ThePowerOfTheGateIsMeasuredOnItsScenesWithEveryRung) {
+TEST(ShippedSuites, GatePowerUsesTheScenesOfTheGateAndEveryRung) {
   const Suite gate = LoadSuite("ci");
   const Suite power = LoadSuite("gate_power");
   EXPECT_EQ(SuiteToJson(power)["sequences"], SuiteToJson(gate)["sequences"]);
@@ -289,7 +289,7 @@ TEST(ShippedSuites, ThePowerOfTheGateIsMeasuredOnItsScenesWithEveryRung) {
   EXPECT_EQ(power.variants, LoadSuite("leave_one_out").variants);
 }
 
-TEST(ShippedSuites, AreWholeAndNamedAsTheirFiles) {
+TEST(ShippedSuites, AreCompleteAndNamedAfterTheirFiles) {
   std::set<std::string> names;
   for (const ShippedSuite& shipped : ShippedSuites()) {
     const Suite suite = LoadSuite(shipped.name);
@@ -306,7 +306,7 @@ TEST(ShippedSuites, AreWholeAndNamedAsTheirFiles) {
   EXPECT_THAT(ErrorMessage([] { LoadSuite("ablatoin"); }), HasSubstr("did you mean ablation"));
 }
 
-// What options were chosen on and what is reported are never the same scenes.
+// Options are never chosen on the scenes that results are reported on.
 TEST(ShippedSuites, ReportOnTheTestSplitAndGateOnDevelopmentScenes) {
   for (const ShippedSuite& shipped : ShippedSuites()) {
     const std::string split = SplitOf(ReadCheckedSuite(ParseJson(shipped.text, "s"), "s"));
@@ -317,7 +317,7 @@ TEST(ShippedSuites, ReportOnTheTestSplitAndGateOnDevelopmentScenes) {
     const bool recorded = shipped.name.find("kitti") != std::string::npos ||
                           shipped.name == "multimotion" || shipped.name == "clusterslam" ||
                           shipped.name == "detector_real";
-    if (shipped.name == "timing") continue;  // which reports no errors
+    if (shipped.name == "timing") continue;  // it reports no errors
     EXPECT_EQ(split, recorded ? "given" : reports ? "test" : "development") << shipped.name;
   }
 }

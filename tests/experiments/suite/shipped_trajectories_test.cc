@@ -23,7 +23,8 @@ using test::SmallSuite;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-// A suite on a shipped scene, or a file of the same name, with what comes with the program of it.
+// A suite on a shipped scene, or on a file of the same name, with the trajectory that is shipped
+// for it.
 Suite SuiteWithPeers(const std::string& scene) {
   Json json = SmallSuite();
   json["sequences"] = Json::array({{{"scene", scene}}});
@@ -32,7 +33,7 @@ Suite SuiteWithPeers(const std::string& scene) {
   return Parse(json);
 }
 
-TEST(ShippedTrajectories, AreFilesOfTheSceneAsItIs) {
+TEST(ShippedTrajectories, AreFilesOfTheUnchangedScene) {
   const test::TempFolder folder;
   const Suite suite = SuiteWithPeers("indoor_1");
   const SystemFiles files = SystemFilesOf(suite, ExpandSuite(suite).at(0), "", folder.path());
@@ -41,7 +42,7 @@ TEST(ShippedTrajectories, AreFilesOfTheSceneAsItIs) {
   EXPECT_EQ(SuiteToJson(suite)["systems"], Json::array({{{"name", "ORB-SLAM2"}}}));
 }
 
-// A scene that is edited must lose its trajectories, or be run on again.
+// When a scene is edited, its trajectories must be removed or computed again.
 TEST(ShippedTrajectories, NoneIsStale) {
   const test::TempFolder folder;
   for (const ShippedTrajectory& shipped : ShippedTrajectories()) {
@@ -78,7 +79,7 @@ TEST(ShippedTrajectories, ASystemWithoutFilesMustHaveSome) {
                         "that come with the program: ORB-SLAM2 on indoor_1"));
 }
 
-TEST(ShippedTrajectories, AStaleOneIsNoFailedJob) {
+TEST(ShippedTrajectories, AStaleTrajectoryIsNoFailedJob) {
   PlannedJob job;
   job.cell.sequence.scene = "indoor_1";
   job.folder = "/rendered";

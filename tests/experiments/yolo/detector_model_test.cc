@@ -33,7 +33,7 @@ class DetectorModelTest : public testing::Test {
   test::TempFolder folder_;
 };
 
-// An image of 128 x 64 px lies at half its size in the middle of the input.
+// An image of 128 x 64 px is scaled by half and centred in the input.
 TEST_F(DetectorModelTest, BoxesAreInPixelsOfTheImage) {
   DetectorModel model(Files());
   EXPECT_EQ(model.layout(), OutputLayout::kDarknet);
@@ -74,7 +74,7 @@ TEST_F(DetectorModelTest, BadFiles) {
   ExpectError(files, "plain.cfg: found an output of 1 x 7 x 1 x 1");
 }
 
-TEST(KittiClass, OfCoco) {
+TEST(KittiClass, MapsCocoNames) {
   EXPECT_EQ(KittiClass("car"), "Car");
   EXPECT_EQ(KittiClass("person"), "Pedestrian");
   EXPECT_EQ(KittiClass("traffic light"), "traffic light");

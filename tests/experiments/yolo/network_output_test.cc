@@ -42,11 +42,12 @@ TEST(NetworkOutput, Darknet) {
   const auto boxes = DecodeOutput(output, OutputLayout::kDarknet, kInput, 2, 0.3);
   ASSERT_EQ(boxes.size(), 1U);
   EXPECT_EQ(boxes[0].category, 1);
-  EXPECT_FLOAT_EQ(static_cast<float>(boxes[0].score), 0.8F);  // holds the 0.9 already
+  EXPECT_FLOAT_EQ(static_cast<float>(boxes[0].score), 0.8F);  // already includes the 0.9
   ExpectBox(boxes[0].box, {24, 0, 40, 16});
 }
 
-// Cell 9 of the first level is the second row's second; cell 33 is the second level's second.
+// Cell 9 is the second cell in the second row of the first level, cell 33 the second cell of the
+// second level.
 TEST(NetworkOutput, YoloxCells) {
   cv::Mat output = Zeros({1, 42, 6});
   for (const int cell : {9, 33}) {
@@ -79,11 +80,11 @@ TEST(NetworkOutput, Yolov5AndYolov8) {
   }
 }
 
-TEST(NetworkOutput, AnotherNumberOfClasses) {
+TEST(NetworkOutput, RefusesAnotherNumberOfClasses) {
   EXPECT_THROW(DecodeOutput(Zeros({4, 7}), OutputLayout::kDarknet, kInput, 3, 0.3), Error);
 }
 
-TEST(NetworkOutput, TheBestOfOverlappingBoxesOfAClass) {
+TEST(NetworkOutput, KeepsTheBestOfOverlappingBoxesOfAClass) {
   const ImageBox box = {0, 0, 10, 10};
   const ImageBox near = {1, 0, 11, 10};
   const auto kept = SuppressOverlaps(
@@ -94,7 +95,7 @@ TEST(NetworkOutput, TheBestOfOverlappingBoxesOfAClass) {
   EXPECT_EQ(kept[2].score, 0.1);
 }
 
-TEST(Letterbox, KeepsTheShapeAndGivesItBack) {
+TEST(Letterbox, KeepsTheAspectRatioAndMapsBoxesBack) {
   cv::Mat input;
   const cv::Mat image(100, 400, CV_8UC3, cv::Scalar(10, 20, 30));
   const Letterbox box = FillInput(image, {200, 200}, Placement::kCentered, input);

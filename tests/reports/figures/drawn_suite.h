@@ -29,7 +29,7 @@ inline reports::Cell CellOf(double value, double low, double high) {
   return cell;
 }
 
-// A suite that varies one option of one variant: ATE and coverage at each of its values.
+// A suite that sweeps one option of one variant, with object ATE and coverage at each value.
 inline reports::SuiteData SweptSuite(const std::string& option, const std::vector<double>& values) {
   reports::SuiteData data;
   data.table.keys = {option};
@@ -52,8 +52,9 @@ inline reports::SuiteData SweptSuite(const std::string& option, const std::vecto
   return data;
 }
 
-// A run of frames 0 to 4 whose body, named as given, is seen in all but frame 3, where it is
-// predicted. Errors in cm: 1, 2, 3, (4), 5. Cluster 7 begins in frame 1.
+// A run of frames 0 to 4 with one body, visible and estimated in all frames but 3, where it is
+// predicted. Position errors in frames 0 to 4: 1, 2, 3, 4 (predicted) and 5 cm. Cluster 7, on the
+// body, is born in frame 1.
 inline reports::DrawnRun RunWithBody(const std::string& variant, const std::string& body_name) {
   reports::DrawnRun run;
   run.sequence = "room";
@@ -103,7 +104,7 @@ inline reports::SuiteData DrawnSuite(const std::vector<std::string>& variants,
   return data;
 }
 
-// The figure of that id; one without texts where there is none.
+// Returns the figure with this id, or an empty figure if there is none.
 inline reports::Figure FindFigure(const reports::SuiteDrawing& drawing, const std::string& id) {
   for (const reports::Figure& figure : drawing.figures) {
     if (figure.id == id) return figure;
@@ -111,7 +112,7 @@ inline reports::Figure FindFigure(const reports::SuiteDrawing& drawing, const st
   return {};
 }
 
-// Traces of that name, or with no name, by their kind of line or mark.
+// Returns the traces with this name; with an empty name, the unnamed traces.
 inline std::vector<Json> TracesNamed(const Json& plotly, const std::string& name) {
   std::vector<Json> traces;
   for (const Json& trace : plotly["data"]) {

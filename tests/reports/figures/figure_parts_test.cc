@@ -12,7 +12,7 @@
 namespace cvo::reports {
 namespace {
 
-TEST(FigureNumbers, AreRoundedToTheirDigits) {
+TEST(FigureNumbers, AreRoundedToFourSignificantDigits) {
   EXPECT_EQ(Rounded(0.0123456), 0.01235);
   EXPECT_EQ(Rounded(123456.0), 123500.0);
   EXPECT_EQ(Rounded(0.0), 0.0);
@@ -47,7 +47,7 @@ TEST(FigureNumbers, ACellIsWrittenWithItsInterval) {
   EXPECT_EQ(CellValueText({}, column), "no value");
 }
 
-TEST(FigureTexts, StayTextInMarkup) {
+TEST(FigureTexts, AreEscapedInMarkup) {
   EXPECT_EQ(PlotText("<b>&\n"), "&lt;b&gt;&amp; ");
   EXPECT_EQ(Slug("Room <1>, a/../b"), "room-1-a-b");
   EXPECT_EQ(Slug("<>"), "x");
@@ -56,7 +56,7 @@ TEST(FigureTexts, StayTextInMarkup) {
               testing::Not(testing::HasSubstr("<")));
 }
 
-TEST(FigureTexts, TheRelationIsThatOfTheContractInBrief) {
+TEST(FigureTexts, RelationTextSummarisesTheContract) {
   Column ate = test::ColumnOf("object_ate", "object ATE", "m");
   Column rpe = test::ColumnOf("object_trpe_all_pairs", "object T.RPE", "m");
   rpe.contract.delta = Delta::kAll;
@@ -89,7 +89,7 @@ TEST(Palette, RepeatedColoursAreDashed) {
   EXPECT_NE(palette.Of("variant 0").symbol, palette.Of("variant 8").symbol);
 }
 
-TEST(LogSpacing, IsSeenInTheValues) {
+TEST(LogSpacing, IsDetectedFromTheValues) {
   EXPECT_TRUE(AreLogSpaced({0.01, 0.1, 1, 10}));
   EXPECT_TRUE(AreLogSpaced({1, 2, 3, 5, 8, 12}));
   EXPECT_FALSE(AreLogSpaced({0, 1, 10, 100})) << "zero has no logarithm";

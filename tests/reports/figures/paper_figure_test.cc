@@ -62,14 +62,14 @@ TEST(PaperFigure, JsonHasAllData) {
   EXPECT_EQ(json["data"], Json::parse(figure.plotly)["data"]);
 }
 
-TEST(RenderPage, HasNothingRandomAndNoNetwork) {
+TEST(RenderPage, UsesNoRandomnessAndNoNetwork) {
   const std::string page = RenderPage({ToPaperFigure(SmallFigure())});
   EXPECT_THAT(page, AllOf(StartsWith("<!DOCTYPE html>"), HasSubstr("Math.random = ")));
   EXPECT_LT(page.find("Math.random = "), page.find("Plotly"));
   EXPECT_THAT(page, Not(HasSubstr("<script src")));
 }
 
-TEST(InteractivePage, FollowsTheSchemeAndSendsNothing) {
+TEST(InteractivePage, FollowsTheColourSchemeAndSendsNothing) {
   const std::string page = InteractivePage(SmallFigure());
   EXPECT_THAT(page, AllOf(HasSubstr("prefers-color-scheme: dark"), HasSubstr("width < LEAST"),
                           HasSubstr("showSendToCloud: false"), Not(HasSubstr("<script src"))));
@@ -88,7 +88,7 @@ TEST(DrawHeatMap, HasRoomForHeadingsAndBar) {
   EXPECT_GE(inner, usual["coloraxis"]["colorbar"]["len"].get<int>());
 }
 
-TEST(RenderPage, ItsResultIsReadBackWithTitleAndCaption) {
+TEST(RenderPage, RenderedFigureIsReadBackWithTitleAndCaption) {
   const std::vector<PaperFigure> papers = {ToPaperFigure(SmallFigure())};
   // base64 of "<svg></svg>"
   const std::string page = "<html><body>[[figure PHN2Zz48L3N2Zz4=]]</body></html>";

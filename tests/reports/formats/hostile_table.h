@@ -40,7 +40,7 @@ inline reports::Row RowOf(const std::string& sequence, const std::string& varian
   return row;
 }
 
-// A figure of others of each kind, one row each.
+// Appends one row with a reference figure for each kind of match on the same scene.
 inline void AddReferences(reports::Row& row) {
   using reports::Match;
   using reports::ReferenceCell;
@@ -56,8 +56,8 @@ inline void AddReferences(reports::Row& row) {
   add("Differs <b>", 0.005, Match::kContractDiffers, "alignment differs");
 }
 
-// Names that would be code in HTML, LaTeX, CSV or a terminal, missing cells, failed jobs, another
-// system, and figures of others of every kind.
+// A table with names that would be code in HTML, LaTeX, CSV or a terminal, missing cells, failed
+// jobs, another system, and reference figures of every kind of match.
 inline reports::Table HostileTable() {
   reports::Table table;
   table.title = "Suite <b>&amp;</b> 50 %";

@@ -19,7 +19,7 @@ using testing::SizeIs;
 
 using Record = std::vector<std::string>;
 
-// A reader by RFC 4180 that takes nothing but CRLF for the end of a record.
+// Parses CSV as specified by RFC 4180; only CRLF ends a record.
 std::vector<Record> ParseCsv(const std::string& csv) {
   std::vector<Record> records = {{""}};
   bool quoted = false;
@@ -44,7 +44,7 @@ std::vector<Record> ParseCsv(const std::string& csv) {
   return records;
 }
 
-// Records by the names of their fields.
+// Returns each record as a map from field name to value.
 std::vector<std::map<std::string, std::string>> Named(const std::string& csv) {
   const std::vector<Record> records = ParseCsv(csv);
   std::vector<std::map<std::string, std::string>> named;
@@ -58,7 +58,7 @@ std::vector<std::map<std::string, std::string>> Named(const std::string& csv) {
   return named;
 }
 
-TEST(CsvField, IsQuotedWhereItMustBe) {
+TEST(CsvField, IsQuotedWhereRequired) {
   EXPECT_EQ(CsvField("plain text"), "plain text");
   EXPECT_EQ(CsvField("a,b"), "\"a,b\"");
   EXPECT_EQ(CsvField("a\"b"), "\"a\"\"b\"");
@@ -151,7 +151,7 @@ TEST(TableLongCsv, NoFieldIsAFormula) {
   }
 }
 
-TEST(TableCsv, OfAnEmptySuiteIsItsHeader) {
+TEST(TableCsv, OfAnEmptySuiteHasOnlyAHeader) {
   EXPECT_THAT(ParseCsv(TableCsv({})), SizeIs(1));
   EXPECT_THAT(ParseCsv(TableLongCsv({})), SizeIs(1));
 }

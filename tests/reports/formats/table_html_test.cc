@@ -15,7 +15,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-// Every element is closed in its order, attributes are quoted; says where it is not so.
+// Returns the first unescaped '<' within a tag or the first element that is not closed in order.
+// Empty if there is neither.
 std::string FirstFlaw(const std::string& html) {
   std::vector<std::string> open;
   std::size_t at = 0;
@@ -38,7 +39,8 @@ std::string FirstFlaw(const std::string& html) {
   return open.empty() ? "" : "not closed: " + open.back();
 }
 
-// The one element that begins so, up to its end.
+// Returns the text from the first `begin` up to, without, the next `end`. Empty if there is no
+// `begin`.
 std::string Element(const std::string& html, const std::string& begin, const std::string& end) {
   const std::size_t at = html.find(begin);
   if (at == std::string::npos) return "";
@@ -50,7 +52,7 @@ TEST(HtmlEscaped, LeavesNoMarkup) {
             "&lt;a href=&quot;x&quot; b=&#39;y&#39;&gt;&amp;amp;");
 }
 
-TEST(TableHtml, IsWellFormedAndHostileNamesStayText) {
+TEST(TableHtml, IsWellFormedAndEscapesHostileNames) {
   const std::string html = TableHtml(test::HostileTable());
   EXPECT_EQ(FirstFlaw(html), "");
   EXPECT_THAT(html, AllOf(Not(HasSubstr("<script")), Not(HasSubstr("<b>")), Not(HasSubstr("<i>")),
@@ -59,7 +61,7 @@ TEST(TableHtml, IsWellFormedAndHostileNamesStayText) {
                           HasSubstr("killed &lt;i&gt;by&lt;/i&gt; signal 9")));
 }
 
-TEST(TableHtml, CellsCarryTheirPlaceAndTheirNumbers) {
+TEST(TableHtml, CellsHavePositionAndValueAttributes) {
   const std::string html = TableHtml(test::HostileTable());
   EXPECT_THAT(Element(html, "<td class=\"number best\" data-row=\"0\" data-column=\"3\"", "</td>"),
               AllOf(HasSubstr(" data-value=\"0.05761\""), HasSubstr(" data-low=\"0.034\""),
@@ -83,7 +85,7 @@ TEST(TableHtml, MissingCellsHaveAReasonAndNoNumber) {
                           HasSubstr("<span class=\"reason\">no value in any run, &lt;i&gt;not")));
 }
 
-TEST(TableHtml, FiguresOfOthersAreGreyWithTheReasonUnlessTheyCompare) {
+TEST(TableHtml, IncomparableReferenceFiguresAreGreyWithAReason) {
   const std::string html = TableHtml(test::HostileTable());
   EXPECT_THAT(
       Element(html, "<tr data-row=\"2\" data-reference=\"0\" class=\"reference\">", "</tr>"),

@@ -20,7 +20,7 @@ using testing::Not;
 
 bool HasPdflatex() { return std::system("command -v pdflatex > /dev/null") == 0; }
 
-// What pdflatex says of a document; empty where it made a PDF without a complaint.
+// Returns the output of pdflatex for a document, or nothing if it made a PDF without warnings.
 std::string Complaints(const test::TempFolder& folder, const std::string& document) {
   folder.Write("table.tex", document);
   const std::string command = "cd '" + folder.path().string() +
@@ -34,7 +34,7 @@ std::string Complaints(const test::TempFolder& folder, const std::string& docume
   return code != 0 || complains ? out : "";
 }
 
-// As wide as the table of the ablation and with more rows than a page has room for.
+// A table as wide as that of the ablation, with more rows than fit on a page.
 Table LargeTable() {
   Table table = test::HostileTable();
   const std::vector<Column> columns = table.columns;
@@ -85,7 +85,7 @@ TEST(TableLatex, ShowsValuesIntervalsMarksAndNotes) {
           HasSubstr("camera ATE: root mean square"), HasSubstr("a caveat: 50 \\%")));
 }
 
-TEST(TableLatex, FiguresOfOthersAreGreyUnlessTheyCompare) {
+TEST(TableLatex, IncomparableReferenceFiguresAreGrey) {
   const std::string latex = TableLatex(test::HostileTable());
   EXPECT_THAT(latex,
               AllOf(HasSubstr("\\textcolor{black!55}{(0.04)}"),
@@ -99,7 +99,7 @@ TEST(TableLatexBare, IsTheTableAlone) {
                            HasSubstr("\\toprule"), HasSubstr("booktabs")));
 }
 
-// The tabulars of a document, which a page has room for.
+// Returns the tabulars of a document, each from its \toprule to its \bottomrule.
 std::vector<std::string> Panels(const std::string& latex) {
   std::vector<std::string> panels;
   for (std::size_t at = latex.find("\\toprule"); at != std::string::npos;
@@ -117,7 +117,7 @@ std::size_t CountOf(const std::string& text, const std::string& part) {
   return count;
 }
 
-TEST(TableLatex, SplitsWhatIsTooLargeForAPage) {
+TEST(TableLatex, SplitsTablesTooLargeForAPage) {
   const std::vector<std::string> panels = Panels(TableLatex(LargeTable()));
   ASSERT_GE(panels.size(), 6U);
   std::size_t lines = 0;
@@ -145,7 +145,7 @@ TEST(TableLatex, PartsLeaveOutRowsWithoutAValue) {
   EXPECT_THAT(panels[1], AllOf(Not(HasSubstr("Same")), HasSubstr("their"))) << "ours alone";
 }
 
-TEST(TableLatex, CompilesWhateverTheNames) {
+TEST(TableLatex, CompilesWithHostileNames) {
   if (!HasPdflatex()) GTEST_SKIP() << "no pdflatex: apt-get install texlive-latex-recommended";
   const test::TempFolder folder;
   Table table = test::HostileTable();

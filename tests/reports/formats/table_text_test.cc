@@ -19,7 +19,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-// One run, one figure that compares, one that does not.
+// One run, with reference figures of the same frames, of other frames and of other scenes.
 Table SmallTable() {
   Table table;
   table.title = "Camera";
@@ -53,7 +53,7 @@ Table SmallTable() {
   return table;
 }
 
-TEST(TableText, AlignsColumnsAndBracketsWhatDoesNotCompare) {
+TEST(TableText, AlignsColumnsAndBracketsIncomparableValues) {
   EXPECT_EQ(TableText(SmallTable(), false),
             "Camera\n"
             "\n"
@@ -78,7 +78,7 @@ TEST(TableText, DimsOnATerminalOnly) {
   EXPECT_THAT(TableText(SmallTable(), false), Not(HasSubstr("\033")));
 }
 
-TEST(TableText, IsAsWideAsTheTerminalWithCoverageBesideAccuracy) {
+TEST(TableText, FitsTheTerminalWithCoverageBesideAccuracy) {
   Table table = SmallTable();
   table.rows[0].reference.clear();
   table.others.clear();

@@ -23,7 +23,8 @@ using testing::SizeIs;
 Measured With(double value, double low, double high) { return {value, Interval{low, high, ""}}; }
 
 TEST(Digits, FollowTheInterval) {
-  // Half widths 0.0255 and 0.0495: thousandths. 0.00013: limited to four digits of the value.
+  // Half widths of 0.0255 and 0.0495 need three decimals. 0.00013 would need five; the value is
+  // limited to four digits.
   EXPECT_THAT(ColumnDecimals({With(0.0576, 0.034, 0.085), With(0.104, 0.061, 0.16)}, "m"),
               ElementsAre(3, 3));
   EXPECT_THAT(ColumnDecimals({With(0.9991, 0.9988, 0.99906)}, "1"), ElementsAre(4));
@@ -32,12 +33,12 @@ TEST(Digits, FollowTheInterval) {
   EXPECT_THAT(ColumnDecimals({With(1234.5, 1200.0, 1300.0)}, "ms"), ElementsAre(0));
 }
 
-TEST(Digits, AreThoseOfTheColumnWithinLimits) {
+TEST(Digits, AreSharedByTheColumnWithinLimits) {
   EXPECT_THAT(ColumnDecimals({With(0.06251, 0.062, 0.063), With(9.5123, 8.0, 11.0)}, "m"),
               ElementsAre(5, 3));
 }
 
-TEST(Digits, WithoutAnIntervalFollowTheUnit) {
+TEST(Digits, FollowTheUnitWithoutAnInterval) {
   EXPECT_THAT(ColumnDecimals({{0.0625, {}}, {0.0009, {}}, {0.0, {}}}, "m"), ElementsAre(4, 5, 4));
   EXPECT_THAT(ColumnDecimals({{0.5, {}}}, "1"), ElementsAre(3));
   EXPECT_THAT(ColumnDecimals({{1.5, {}}}, "%"), ElementsAre(2));
@@ -46,13 +47,13 @@ TEST(Digits, WithoutAnIntervalFollowTheUnit) {
   EXPECT_THAT(ColumnDecimals({}, "m"), SizeIs(0));
 }
 
-TEST(Digits, OfCountsAreFew) {
+TEST(Digits, AreFewForCounts) {
   EXPECT_THAT(ColumnDecimals({{3.0, {}}, {1.25, {}}}, kCountUnit), ElementsAre(0, 2));
   EXPECT_THAT(ColumnDecimals({With(1.5, 0.0, 4.0), With(0.0, 0.0, 0.0)}, kCountUnit),
               ElementsAre(1, 1));
 }
 
-TEST(Digits, OfDifferencesAreAboutThoseOfTheValues) {
+TEST(Digits, OfDifferencesFollowThoseOfTheValues) {
   Table table = test::HostileTable();
   Difference& difference = *table.rows[1].cells[3].difference;
   difference.difference = -3e-8;
@@ -66,8 +67,8 @@ TEST(Digits, OfDifferencesAreAboutThoseOfTheValues) {
   EXPECT_EQ(cell.percent_interval, "0..15%");
 }
 
-// The sign is that of the row's value minus the reference's, of errors and of shares.
-TEST(TableTexts, PercentIsOfTheReference) {
+// The sign is that of the row's value minus the reference value, for errors and for shares.
+TEST(TableTexts, PercentIsRelativeToTheReference) {
   Table table = test::HostileTable();
   Difference& difference = *table.rows[1].cells[3].difference;
   const auto shown = [&](double value, double reference) {
@@ -101,7 +102,7 @@ TEST(Printable, IsOneEscapedLine) {
   EXPECT_EQ(Width("\xC3\xA9z"), 2U);
 }
 
-TEST(TableTexts, OneLinePerRowAndPerFigureOfOthers) {
+TEST(TableTexts, HaveOneLinePerRowAndPerReferenceRow) {
   const TableTexts texts = MakeTexts(test::HostileTable());
   EXPECT_THAT(texts.text_header, ElementsAre("sequence", "variant", "frames", "truth", "runs"));
   ASSERT_THAT(texts.blocks, SizeIs(2));
@@ -140,7 +141,7 @@ TEST(TableTexts, ExplainIncomparableAndMissingFigures) {
   EXPECT_EQ(lines[9].cells[1].value, "") << "a source without the metric has nothing to say";
 }
 
-TEST(TableTexts, DifferencesHaveALineOfTheirOwn) {
+TEST(TableTexts, DifferencesHaveSeparateLines) {
   const TextBlock block = MakeTexts(test::HostileTable()).blocks[1];
   ASSERT_THAT(block.lines, SizeIs(1));
   EXPECT_EQ(block.lines[0].row, 1U);
@@ -153,7 +154,7 @@ TEST(TableTexts, DifferencesHaveALineOfTheirOwn) {
   EXPECT_EQ(block.lines[0].cells[0], CellText{});
 }
 
-TEST(BestCells, ComparableFiguresOfOthersCompeteAndOtherNumbersDoNot) {
+TEST(BestCells, OnlyComparableReferenceFiguresCompete) {
   const std::vector<TextLine> lines = MakeTexts(test::HostileTable()).blocks[0].lines;
   EXPECT_TRUE(lines[3].cells[1].best) << "0.01 m of others under our contract";
   EXPECT_FALSE(lines[0].cells[1].best);
@@ -207,7 +208,7 @@ TEST(Footnotes, StateCountsAndMissingCoverage) {
                        "does not count here"));
 }
 
-TEST(Footnotes, DistinguishColumnsOfOneLabelByUnit) {
+TEST(Footnotes, DistinguishColumnsWithEqualLabelsByUnit) {
   Table table = test::HostileTable();
   table.columns[0].label = table.columns[1].label;
   EXPECT_THAT(MakeTexts(table).definitions,

@@ -42,7 +42,7 @@ TEST(Baseline, ReadsBackAsWritten) {
   EXPECT_FALSE(again.jobs[1].time_ratio) << "of static itself";
 }
 
-TEST(Baseline, IsMadeOfWholeSuitesOnly) {
+TEST(Baseline, RequiresACompleteSuite) {
   const GateFolder folder;
   std::filesystem::remove_all(folder.path() / "jobs" / GateFolder::Id("room", "full", 3));
   EXPECT_THAT(ErrorMessage([&] { MakeBaseline(folder.path()); }),
@@ -56,14 +56,14 @@ TEST(Baseline, NeedsTwoSeeds) {
   EXPECT_THAT(ErrorMessage([&] { MakeBaseline(two.path(), 3); }), HasSubstr("found 2 seeds"));
 }
 
-TEST(Baseline, NeedsOneMeaningPerMetric) {
+TEST(Baseline, NeedsOneContractPerMetric) {
   const GateFolder folder;
   folder.Edit(GateFolder::Id("street", "full", 2),
               [](Json& result) { result["metrics"][1]["contract"]["truth"] = "interpolated"; });
   EXPECT_THAT(ErrorMessage([&] { MakeBaseline(folder.path()); }), HasSubstr("another contract"));
 }
 
-TEST(Baseline, BadFilesAreRefusedOnOneLine) {
+TEST(Baseline, BadFilesGiveErrorsOfOneLine) {
   const GateFolder folder;
   const std::string good = FileText(MakeBaseline(folder.path()));
   const TempFolder temp;
@@ -107,7 +107,7 @@ GateReport HandMadeReport() {
   return report;
 }
 
-TEST(GateText, JunitIsEscapedAndCounts) {
+TEST(GateText, JunitIsEscapedAndHasCounts) {
   const std::string xml = GateJunit(HandMadeReport());
   EXPECT_THAT(xml, HasSubstr("<testsuite name=\"clustervo.ci\" tests=\"3\" failures=\"2\""));
   EXPECT_THAT(xml, HasSubstr("classname=\"clustervo.ci.full\" name=\"camera_ate\" time=\"0\">"
@@ -130,10 +130,12 @@ TEST(GateText, MarkdownIsATable) {
   EXPECT_THAT(GateMarkdown(good), HasSubstr("### No regression"));
 }
 
-TEST(GateText, ManyProblemsAreCutShort) {
+TEST(GateText, LongListsOfProblemsAreTruncated) {
   GateReport report = HandMadeReport();
   report.problems.assign(50, {"a", "b"});
   EXPECT_EQ(ProblemLines(report).size(), 21U);
+  EXPECT_EQ(ProblemLines(report).back(), "and 30 more");
+  report.changed = 1;  // takes a line of its own
   EXPECT_EQ(ProblemLines(report).back(), "and 30 more");
 }
 

@@ -23,7 +23,7 @@ using ::testing::IsEmpty;
 class GateTest : public ::testing::Test {
  protected:
   GateReport Check() const { return CheckRuns(now_.path(), MakeBaseline(then_.path())); }
-  // Every run of the scene and variant.
+  // Scales the ATE of every run of the scene and variant.
   void Scale(const std::string& scene, const std::string& variant, double factor) const {
     now_.ForEachJob([&](const std::string& s, const std::string& v, int seed) {
       if (s != scene || v != variant) return;
@@ -43,7 +43,7 @@ TEST_F(GateTest, SameResultsPass) {
   const GateReport report = Check();
   EXPECT_FALSE(report.Regressed());
   EXPECT_EQ(report.runs, 16U);
-  // Two variants and metrics over both scenes and on each.
+  // Two variants and two metrics, over both scenes together and on each of them.
   EXPECT_EQ(report.Count(Verdict::kSame), 12U);
   EXPECT_EQ(report.comparisons.size(), 12U);
   EXPECT_THAT(MovedRows(report), IsEmpty());
@@ -68,7 +68,7 @@ TEST_F(GateTest, SceneThatGetsWorseIsFound) {
   EXPECT_THAT(GateText(report), HasSubstr("1 worse, 0 better"));
 }
 
-TEST_F(GateTest, TellsWhichOtherVariantsItWouldNoticeInPlaceOfOne) {
+TEST_F(GateTest, ReportsWhichSubstitutedVariantsItWouldNotice) {
   const auto verdicts = [&] {
     return PowerText(CheckInPlaceOf("full", now_.path(), MakeBaseline(then_.path())));
   };
@@ -82,12 +82,12 @@ TEST_F(GateTest, TellsWhichOtherVariantsItWouldNoticeInPlaceOfOne) {
               HasSubstr("variant \"2d\": found no run of it in the baseline"));
 }
 
-TEST_F(GateTest, LessThanTheNoiseOfSeedsIsTolerated) {
+TEST_F(GateTest, ChangesWithinSeedNoiseAreTolerated) {
   Scale("room", "full", 1.02);
   Scale("street", "static", 0.99);
   const GateReport report = Check();
   EXPECT_FALSE(report.Regressed());
-  // Each on its scene and over both.
+  // Two changes, each on its scene and over both scenes.
   EXPECT_EQ(report.Count(Verdict::kWithin), 4U);
   EXPECT_EQ(MovedRows(report).size(), 3U) << "header, and the two over both scenes";
 }
@@ -174,7 +174,7 @@ TEST_F(GateTest, LostRunFails) {
   EXPECT_THAT(Check().problems, Problem("full on room", "ended as lost"));
 }
 
-TEST_F(GateTest, OtherLevelOfProcessorIsNoted) {
+TEST_F(GateTest, OtherCpuLevelIsNoted) {
   const auto run_on = [](const GateFolder& folder, const char* level) {
     folder.ForEachJob([&](const std::string& scene, const std::string& variant, int seed) {
       folder.Edit(GateFolder::Id(scene, variant, seed),
@@ -245,7 +245,7 @@ TEST(Gate, SeedsBeyondThoseOfTheGateNeedNotRun) {
 }
 
 TEST_F(GateTest, TimeIsRelativeToStatic) {
-  // A computer of half the speed.
+  // On a computer that is half as fast.
   now_.ForEachJob([&](const std::string& scene, const std::string& variant, int seed) {
     now_.WriteTime(GateFolder::Id(scene, variant, seed), variant == "static" ? 20.0 : 60.0);
   });

@@ -10,8 +10,8 @@
 
 namespace cvo::test {
 
-// A suite of two scenes, two variants and some seeds, as it was run to a folder. Errors are
-// 0.01 m * (1 + 0.1 * seed) on the first scene and ten times that on the second; all is covered.
+// The result folder of a suite of two scenes, two variants and `seeds` seeds. The ATE is
+// 0.01 m * (1 + 0.1 * seed) on the first scene and ten times that on the second, at full coverage.
 class GateFolder {
  public:
   explicit GateFolder(int seeds = 4) : seeds_(seeds) {
@@ -38,14 +38,14 @@ class GateFolder {
     }
   }
 
-  // Lets a change be made to one result.
+  // Applies `edit` to the result of the job with this id.
   void Edit(const std::string& id, const std::function<void(Json&)>& edit) const {
     const std::string name = "jobs/" + id + "/result.json";
     Json json = Json::parse(ReadFile(path() / name));
     edit(json);
     folder_.Write(name, json.dump());
   }
-  // metric 0 is the coverage, 1 the ATE.
+  // Metric 0 is the coverage, metric 1 the ATE.
   void EditMetric(const std::string& id, std::size_t metric, double value) const {
     Edit(id, [&](Json& result) { result["metrics"][metric]["value"] = value; });
   }

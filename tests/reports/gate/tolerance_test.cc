@@ -18,7 +18,7 @@ namespace cvo::reports {
 namespace {
 
 TEST(Student, Quantiles) {
-  // Tables: t of 0.05 with 5, of 0.005 with 1 and 10 degrees; one degree is tan in closed form.
+  // From published tables. With one degree of freedom the quantile is a tangent in closed form.
   EXPECT_NEAR(StudentQuantile(0.05, 5), 2.015, 5e-4);
   EXPECT_NEAR(StudentQuantile(0.005, 10), 3.169, 5e-4);
   EXPECT_NEAR(StudentQuantile(0.005, 1), 63.657, 5e-3);
@@ -39,9 +39,9 @@ TEST(MetricEntry, HasADirection) {
   EXPECT_FALSE(FindEntry("ate")) << "whose?";
 }
 
-TEST(Tolerance, ByHand) {
-  // Two seeds, differences 0 and 2: median 1, deviations 1 and 1, so the robust standard error is
-  // 1.4826 / sqrt(2). Seeds: sqrt(2 * 0.02 / 2) with 3 degrees.
+TEST(Tolerance, MatchesHandComputedValues) {
+  // Two seeds with differences 0 and 2: median 1, deviations 1 and 1, so the robust standard error
+  // is 1.4826 / sqrt(2). From the spread of seeds: sqrt(2 * 0.02 / 2) with 3 degrees of freedom.
   const std::vector<SceneDifferences> scattered = {{{0.0, 2.0}, 0.02, 3}};
   EXPECT_NEAR(Tolerance(scattered, 1), 3.0 * 1.4826 / std::sqrt(2.0), 1e-12);
   const std::vector<SceneDifferences> quiet = {{{0.1, 0.1}, 0.02, 3}};
@@ -50,7 +50,7 @@ TEST(Tolerance, ByHand) {
   EXPECT_EQ(Tolerance({}, 1), 0.0);
 }
 
-TEST(Tolerance, SceneThatBreaksDoesNotHideItself) {
+TEST(Tolerance, OneBrokenSceneIsNotMasked) {
   std::vector<SceneDifferences> scenes(4, {{0.0, 0.0}, 0.01, 10});
   scenes[2].worse_by = {30.0, 50.0};
   EXPECT_GT(MeanDifference(scenes), 10.0 * Tolerance(scenes, 100));
@@ -60,7 +60,8 @@ TEST(Tolerance, MeanIsOverScenes) {
   EXPECT_DOUBLE_EQ(MeanDifference({{{1.0, 3.0}, 1.0, 1}, {{5.0}, 1.0, 1}, {{}, 1.0, 1}}), 3.5);
 }
 
-// Three scenes of unlike noise and size under three variants, four metrics of all kinds.
+// Three scenes that differ in noise and scale, under three variants, with two errors and two shares
+// as metrics.
 struct World {
   Baseline baseline;
   std::vector<RunPair> pairs;
@@ -116,19 +117,19 @@ int Alarms(int trials, const Noise& noise, double shift = 0.0) {
 
 double Normal(Rng& rng) { return rng.Normal(); }
 
-// One run in twenty is an outlier at three times the usual spread.
+// One run in twenty is drawn with three times the usual spread.
 double HeavyTailed(Rng& rng) {
   const double factor = rng.Uniform() < 0.05 ? 3.0 : 1.0;
   return factor * rng.Normal();
 }
 
-TEST(Tolerance, NoiseOfTheSeedsRarelyFires) { EXPECT_LE(Alarms(1000, Normal), 15); }
+TEST(Tolerance, SeedNoiseRarelyRaisesAlarms) { EXPECT_LE(Alarms(1000, Normal), 15); }
 
-TEST(Tolerance, NoiseWithOutliersRarelyFires) { EXPECT_LE(Alarms(500, HeavyTailed), 25); }
+TEST(Tolerance, NoiseWithOutliersRarelyRaisesAlarms) { EXPECT_LE(Alarms(500, HeavyTailed), 25); }
 
-TEST(Tolerance, RegressionOfFourSpreadsFires) { EXPECT_GE(Alarms(100, Normal, 4.0), 95); }
+TEST(Tolerance, RegressionOfFourSpreadsRaisesAlarms) { EXPECT_GE(Alarms(100, Normal, 4.0), 95); }
 
-TEST(Tolerance, SpreadOfAVariantWithFewSeedsIsThatOfAll) {
+TEST(Tolerance, SpreadIsPooledOverVariantsForOneWithFewSeeds) {
   Baseline baseline;
   baseline.metrics = {{"camera_ate", MetricUnit::kMetres, {}}};
   const auto add = [&](const char* variant, std::uint64_t seed, double value) {
@@ -145,7 +146,7 @@ TEST(Tolerance, SpreadOfAVariantWithFewSeedsIsThatOfAll) {
   add("full", 1, 1.0);
   EXPECT_FALSE(spread("full")) << "one seed has no spread";
   add("full", 2, 1.0);
-  // Nothing but one step of a hundredth, in one of two runs.
+  // Equal values: what remains is the resolution, a hundredth of the mean, over two runs.
   EXPECT_DOUBLE_EQ(spread("full")->variance, 1e-4 / 2.0);
   EXPECT_EQ(spread("full")->degrees, 1U);
   add("static", 1, 8.0);

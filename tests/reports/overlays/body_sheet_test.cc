@@ -10,7 +10,7 @@
 namespace cvo::reports {
 namespace {
 
-// Two frames: in the first a body is seen and estimated, in the second it is not.
+// Two frames: in the first the body is detected and estimated, in the second it is lost.
 BodyStory TwoFrames() {
   BodyStory story;
   story.body.cluster = 7;
@@ -29,7 +29,7 @@ BodyStory TwoFrames() {
   return story;
 }
 
-TEST(BodyTimeline, HasEachFrameInTheColourOfItsStage) {
+TEST(BodyTimeline, ColoursEachFrameByItsStage) {
   const cv::Mat timeline = BodyTimeline(TwoFrames(), 800, 9);
   EXPECT_EQ(timeline.cols, 800);
   EXPECT_GT(test::CountColor(timeline, ColorOf(BodyStage::kGood)), 3000);
@@ -46,7 +46,7 @@ TEST(BodyTimeline, SaysWhereBoxesAreNotKnown) {
   EXPECT_GT(test::CountColor(unknown, kInk), test::CountColor(known, kInk) + 100);
 }
 
-TEST(BodySheet, ShowsAnEventByTrueBodyAndAsEstimated) {
+TEST(BodySheet, ShowsAnEventAsTrueAndAsEstimated) {
   OverlayRun run;
   run.sequence.camera = test::FlatCamera();
   run.has_landmarks = true;
@@ -63,14 +63,14 @@ TEST(BodySheet, ShowsAnEventByTrueBodyAndAsEstimated) {
   story.body = body;
   const cv::Mat sheet = BodySheet(run, story, {"why"}, {}, [](int) { return test::FlatImage(); });
   EXPECT_GT(sheet.rows, 400);
-  // The landmarks are the cluster's by their true body alone.
+  // The landmarks belong to the cluster by their true body (left panel) only, not by their label.
   const cv::Mat left = sheet(cv::Rect(0, 200, sheet.cols / 2, sheet.rows - 200));
   const cv::Mat right = sheet(cv::Rect(sheet.cols / 2, 200, sheet.cols / 2, sheet.rows - 200));
   EXPECT_GT(test::CountColor(left, ClusterColor(7)), 20);
   EXPECT_EQ(test::CountColor(right, ClusterColor(7)), 0);
 }
 
-TEST(BodySheet, MarksWhereTheBodyTrulyIs) {
+TEST(BodySheet, MarksTheTruePositionOfTheBody) {
   OverlayRun run;
   run.sequence.camera = test::FlatCamera();
   run.detail.camera = {{10, 0, "tracked", {0, 0, 0, 0, 0, 0, 1}},

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Drawings put together and written: sheets, panels, videos.
+// Tests the composition and encoding of drawings: contact sheets, panels, images and videos.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -45,7 +45,7 @@ TEST(ContactSheet, FillsRowsFromTheTopLeft) {
               HasSubstr("41x30"));
 }
 
-TEST(Panels, WideImagesStandBelowEachOther) {
+TEST(Panels, WideImagesAreStacked) {
   const cv::Mat beside = Panels({{"2d", Filled(40, 30, {})}, {"full", Filled(40, 30, {})}}, 9);
   EXPECT_EQ(beside.cols, 84);
   const cv::Mat below = Panels({{"2d", Filled(90, 30, {})}, {"full", Filled(90, 30, {})}}, 9);
@@ -78,7 +78,7 @@ TEST(VideoFile, WritesTheSameBytesEveryTime) {
   EXPECT_EQ(bytes, VideoBytes(folder.path() / "b"));
 }
 
-TEST(VideoFile, ReportsWhatItCannotWrite) {
+TEST(VideoFile, ReportsWriteErrors) {
   const test::TempFolder folder;
   EXPECT_THAT(ErrorMessage([&] {
                 VideoFile(folder.path() / "no" / "a", {64, 48}, 10.0);

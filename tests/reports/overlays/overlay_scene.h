@@ -11,7 +11,7 @@ namespace cvo::test {
 
 inline constexpr std::uint8_t kGrey = 90;
 
-// A flat image and its camera: a point at (x, y, 2) m is 100 x px right of the centre.
+// A uniform image and its camera: a point at (x, y, 2) m is 100 x px right of the centre.
 inline reports::CameraInfo FlatCamera() { return {320, 240, 200.0, 200.0, 160.0, 120.0}; }
 inline cv::Mat FlatImage() { return cv::Mat(240, 320, CV_8UC1, cv::Scalar(kGrey)); }
 
@@ -23,7 +23,8 @@ inline reports::OverlayStyle PlainStyle() {
   return style;
 }
 
-// A cube of one metre, its near side 2 m and its centre 2.5 m away, standing still.
+// A static cube of 1 m edge length, with its near face at depth `near_z` and its centre 0.5 m
+// behind that.
 inline reports::ClusterShape Cube(std::int64_t id, double x = 0.0, double near_z = 2.0) {
   reports::ClusterShape cube;
   cube.id = id;
@@ -42,7 +43,7 @@ inline reports::Rgb ColorAt(const cv::Mat& picture, int u, int v) {
   return {bgr[2], bgr[1], bgr[0]};
 }
 
-// How many pixels have exactly this colour.
+// Number of pixels of exactly this colour.
 inline int CountColor(const cv::Mat& picture, reports::Rgb color) {
   int count = 0;
   for (int v = 0; v < picture.rows; ++v) {

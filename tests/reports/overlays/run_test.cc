@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// What of a run's folder is drawn.
+// Tests what is read from the folder of a run in order to draw it.
 #include <gmock/gmock.h>
 
 #include <set>
@@ -22,8 +22,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// A run of frames 10 to 14, 0.1 s apart, of a camera that stands; cluster 7 moves 0.2 m per frame
-// to the right, 2 m in front of it.
+// A run of frames 10 to 14, 0.1 s apart, with a static camera. Cluster 7 moves 0.2 m per frame to
+// the right, 2 m in front of the camera.
 struct OverlayFiles {
   test::RunFiles files;
   std::string landmarks =
@@ -117,14 +117,14 @@ TEST(OverlayRun, DetectionsAreThoseOfAssociatedRows) {
   EXPECT_THAT(FrameOf(run, 11).detections, IsEmpty());
 }
 
-TEST(OverlayRun, AClusterInTheCameraWithItsMotion) {
+TEST(OverlayRun, ClusterIsInCameraCoordinatesWithItsMotion) {
   const OverlayFrame frame = FrameOf(OverlayFiles().Read(), 12);
   EXPECT_NEAR(frame.time_s, 0.2, 1e-12);
   ASSERT_EQ(frame.clusters.size(), 1U);
   const ClusterShape& cluster = frame.clusters[0];
   EXPECT_EQ(cluster.category, "big car");
   EXPECT_FALSE(cluster.predicted);
-  EXPECT_NEAR(cluster.center[0], 0.5, 1e-12);  // 0.4 and 0.1 from its origin to its centre
+  EXPECT_NEAR(cluster.center[0], 0.5, 1e-12);  // origin at 0.4, centre of the box 0.1 further
   EXPECT_NEAR(cluster.corners[7][0], 1.0, 1e-12);
   EXPECT_NEAR(cluster.corners[7][1], 0.4, 1e-12);
   EXPECT_NEAR(cluster.corners[0][2], 1.7, 1e-12);
@@ -139,9 +139,9 @@ TEST(OverlayRun, APredictedClusterMovesAsTheModelSays) {
   EXPECT_NEAR(frame.clusters[0].ahead[0], 0.7 + 9.0 * kAhead_s, 1e-9);
 }
 
-TEST(OverlayRun, IsSeenFromACameraThatTurns) {
+TEST(OverlayRun, AccountsForTheRotationOfTheCamera) {
   OverlayFiles files;
-  const double half = std::sqrt(0.5);  // a quarter turn about y: it looks along x
+  const double half = std::sqrt(0.5);  // rotated by 90 degrees about y: it looks along x
   files.files.result["frames"][0]["refined"] = {-2.0, 0.0, 2.0, 0.0, half, 0.0, half};
   const ClusterShape cluster = FrameOf(files.Read(), 10).clusters[0];
   EXPECT_NEAR(cluster.center[0], 0.0, 1e-12);
@@ -221,16 +221,16 @@ OverlayRun RunWithLabels(const std::vector<LandmarkDot>& dots) {
   return run;
 }
 
-TEST(MarkWrongLabels, AgainstTheBodyThatAClusterIsMostlyOn) {
-  OverlayRun run = RunWithLabels({{1, 1, 2, 6},  // cluster 2 is body 6
+TEST(MarkWrongLabels, ComparesWithTheMajorityBodyOfTheCluster) {
+  OverlayRun run = RunWithLabels({{1, 1, 2, 6},  // cluster 2 is mostly on body 6
                                   {2, 1, 2, 6},
-                                  {3, 1, 2, 5},  // wrong: another body's
-                                  {4, 1, 2, 0},  // wrong: of the wall
-                                  {5, 1, 0, 6},  // wrong: it moves
-                                  {6, 1, 0, 5},  // stands: static is right
+                                  {3, 1, 2, 5},  // wrong: on another body
+                                  {4, 1, 2, 0},  // wrong: on the background
+                                  {5, 1, 0, 6},  // wrong: body 6 moves
+                                  {6, 1, 0, 5},  // body 5 is static: correct
                                   {7, 1, kOutlierLabel, 6},
-                                  {8, 1, 3, 0},     // wrong: a cluster of nothing
-                                  {9, 1, 2, -1}});  // not known
+                                  {8, 1, 3, 0},     // wrong: a cluster on no body
+                                  {9, 1, 2, -1}});  // truth unknown
   MarkWrongLabels(run);
   std::vector<bool> wrong;
   for (const LandmarkDot& dot : run.landmarks[0]) wrong.push_back(dot.wrong);
@@ -238,7 +238,7 @@ TEST(MarkWrongLabels, AgainstTheBodyThatAClusterIsMostlyOn) {
   EXPECT_TRUE(run.has_truth);
 }
 
-TEST(AgreeOnColors, ByTheLandmarksThatClustersShare) {
+TEST(AgreeOnColors, MatchesClustersBySharedLandmarks) {
   std::vector<OverlayRun> runs = {
       RunWithLabels({{1, 1, 2}, {2, 1, 2}, {3, 1, 2}, {4, 1, 9}, {5, 1, 8}}),
       RunWithLabels({{1, 1, 4}, {2, 1, 4}, {3, 1, 7}, {4, 1, 7}, {5, 1, 0}})};
@@ -247,7 +247,8 @@ TEST(AgreeOnColors, ByTheLandmarksThatClustersShare) {
   EXPECT_THAT(runs[1].color_ids, IsEmpty());
 }
 
-// Both bodies of the first run are one cluster of the second, and a third has that one's colour.
+// Clusters 2 and 9 of the first run share landmarks with one cluster of the second, 4, whose colour
+// a third cluster of the first run has by its own id.
 TEST(AgreeOnColors, KeepsClustersOfOneRunApart) {
   std::vector<OverlayRun> runs = {
       RunWithLabels({{1, 1, 2}, {2, 1, 9}, {3, 1, 9}, {4, 1, 4}, {5, 1, 4}}),
@@ -279,8 +280,8 @@ TEST(ErrorChart, HasALineForEachBodyInTheColourOfItsCluster) {
   EXPECT_EQ(count(ClusterColor(7)), 0);
 }
 
-// Ids 1 and 17 have one colour by themselves.
-TEST(ApartColors, OfClustersThatAreThereInTheSameFrames) {
+// Ids 1 and 17 have the same default colour.
+TEST(ApartColors, SeparateClustersOfTheSameFrames) {
   const auto row = [](int frame, std::int64_t id) {
     ClusterRow made;
     made.frame = frame;
@@ -295,7 +296,7 @@ TEST(ApartColors, OfClustersThatAreThereInTheSameFrames) {
   EXPECT_THAT(ApartColors(crowd), IsEmpty()) << "none is free";
 }
 
-TEST(Thumbnails, OfEveryKthFrameThatHasAnImage) {
+TEST(Thumbnails, AreOfEveryKthFrameWithAnImage) {
   const OverlayRun run = OverlayFiles().Read();
   ThumbnailOptions options;
   options.width_px = 160;
@@ -314,7 +315,7 @@ TEST(Thumbnails, OfEveryKthFrameThatHasAnImage) {
   EXPECT_EQ(MakeThumbnails(run, images, options).thumbnails[0].jpeg, strip.thumbnails[0].jpeg);
 }
 
-TEST(Thumbnails, KeepWithinTheirBytes) {
+TEST(Thumbnails, KeepWithinTheByteLimit) {
   const OverlayRun run = OverlayFiles().Read();
   const auto noise = [](int frame) {
     cv::Mat image(240, 320, CV_8UC1);
@@ -338,7 +339,7 @@ TEST(Thumbnails, KeepWithinTheirBytes) {
   EXPECT_THAT(ErrorMessage([&] { MakeThumbnails(run, noise, wide); }), HasSubstr("32 to 320"));
 }
 
-TEST(EmptiestCorner, IsWhereBodiesAreLeast) {
+TEST(EmptiestCorner, IsTheOneWithFewestBodies) {
   OverlayRun run;
   run.sequence.camera = test::FlatCamera();
   EXPECT_EQ(EmptiestCorner(run), Corner::kTopLeft);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// What the page is made of, without any files.
+// Tests the parts of the page, without any files.
 #include "reports/page/page_parts.h"
 
 #include <gmock/gmock.h>
@@ -22,14 +22,14 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::Pair;
 
-TEST(PageText, NoNameIsMarkup) {
+TEST(PageText, EscapesNames) {
   EXPECT_EQ(Escaped("<b a='1' c=\"2\">&"), "&lt;b a=&#39;1&#39; c=&quot;2&quot;&gt;&amp;");
   EXPECT_EQ(Element("p", "a<b"), "<p>a&lt;b</p>");
   EXPECT_EQ(ScriptJson({{"a", "</script><!--"}}), R"({"a":"\u003c/script>\u003c!--"})");
   EXPECT_EQ(Json::parse(ScriptJson({{"a", "</script>"}}))["a"], "</script>");
 }
 
-TEST(Quantity, UnitsAndSigns) {
+TEST(Quantity, HasUnitsAndSigns) {
   const Column error{"object_ate", "object ATE", "m", {}};
   const Column share{"object_coverage", "object coverage", "1", {}};
   const Column count{"object_id_switches", "id switches", "1", {}};
@@ -42,14 +42,14 @@ TEST(Quantity, UnitsAndSigns) {
   EXPECT_EQ(RangeText({0.125, 0.25, ""}, error), "0.125 to 0.25 m");
 }
 
-TEST(Quantity, WhichIsBetter) {
+TEST(Quantity, DirectionOfImprovementDependsOnTheMetric) {
   EXPECT_EQ(IsBetter("object_ate", -0.1), true);
   EXPECT_EQ(IsBetter("object_ate", 0.1), false);
   EXPECT_EQ(IsBetter("object_coverage", 0.1), true);
   EXPECT_EQ(IsBetter("of their own", 0.1), std::nullopt);
 }
 
-TEST(ChangedOptions, ValuesBesideTheirDefaults) {
+TEST(ChangedOptions, HaveValuesAndDefaults) {
   OptionDefaults defaults(R"({"crf":{"alpha":2,"eta":1},"orb":{"features":2000}})");
   const auto changed = defaults.ChangedIn(
       Json::parse(R"({"crf":{"alpha":4,"eta":1},"orb":{"features":2000},"new":1})"));
@@ -70,7 +70,7 @@ PageRun RunOf(const std::string& sequence, const std::string& variant, std::uint
   return run;
 }
 
-TEST(ChooseScenes, FirstSeedsAndImagesOfFull) {
+TEST(ChooseScenes, TakesFirstSeedsAndImagesOfFull) {
   std::vector<PageRun> runs = {RunOf("a", "2d", 2), RunOf("a", "2d", 1), RunOf("a", "full", 1),
                                RunOf("b", "2d", 1), RunOf("b", "static", 1)};
   runs.push_back(RunOf("c", "full", 1));
@@ -81,14 +81,14 @@ TEST(ChooseScenes, FirstSeedsAndImagesOfFull) {
   EXPECT_EQ(choice.left_out, 0U);
 }
 
-TEST(ChooseScenes, NoMoreThanThePageHolds) {
+TEST(ChooseScenes, TakesNoMoreThanThePageHolds) {
   const std::vector<PageRun> runs = {RunOf("a", "2d", 1), RunOf("a", "full", 1)};
   const SceneChoice choice = ChooseScenes(runs, "", 1);
   EXPECT_THAT(choice.scenes, ElementsAre(Pair(1U, true)));
   EXPECT_EQ(choice.left_out, 1U);
 }
 
-TEST(ChooseScenes, FailuresFirstWhereNotAllFit) {
+TEST(ChooseScenes, TakesFailuresFirstWhereNotAllFit) {
   std::vector<PageRun> runs = {RunOf("a", "full", 1), RunOf("b", "full", 1), RunOf("c", "full", 1)};
   for (std::size_t i = 0; i < runs.size(); ++i) {
     BodyRow body;
@@ -102,7 +102,7 @@ TEST(ChooseScenes, FailuresFirstWhereNotAllFit) {
               ElementsAre(Pair(0U, true), Pair(1U, true), Pair(2U, true)));
 }
 
-TEST(SceneJson, MillimetresByFrame) {
+TEST(SceneJson, HasMillimetresPerFrame) {
   PageScene scene;
   CameraFrame first;
   first.frame = 10;
@@ -175,13 +175,13 @@ TEST(Findings, ADifferenceHasADirectionAndASize) {
   EXPECT_THAT(FindingsHtml(TwoRows(-0.25, 8, true), "full"), HasSubstr("2d: better in 1 of 1"));
 }
 
-TEST(Findings, ColumnsOfOneNameAreDistinguishedByUnit) {
+TEST(Findings, ColumnsWithEqualLabelsAreDistinguishedByUnit) {
   Table table = TwoRows(0.25, 8, false);
   table.columns.push_back({"object_rrpe", "object ATE", "rad", {}});
   EXPECT_THAT(FindingsHtml(table, "full"), HasSubstr("Not significant: object ATE (m)."));
 }
 
-TEST(PageData, TheVerdictOfACellIsThatOfTheSummary) {
+TEST(PageData, CellVerdictsMatchTheSummary) {
   const auto verdict = [](double difference, std::size_t pairs, bool distinguishable) {
     PageContent content;
     content.table = TwoRows(difference, pairs, distinguishable);

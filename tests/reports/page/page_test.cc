@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// The page of a folder that a suite was run to, whatever state it is in.
+// Tests the page of a suite's result folder in any state.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ PageContent Read(const fs::path& folder) {
   return ReadPage(request);
 }
 
-// The page without what the program carries.
+// The page without its embedded scripts and style sheet.
 std::string OwnHtml(const PageContent& content) {
   std::string html = PageHtml(content);
   for (const std::string_view asset : {AppScript(), PlotlyScript(), AppStyle()}) {
@@ -64,7 +64,7 @@ TEST(Page, StatesWhatWasCompared) {
   EXPECT_THAT(page, HasSubstr("Content-Security-Policy"));
 }
 
-TEST(Page, NoNameOrMessageIsMarkup) {
+TEST(Page, EscapesNamesAndMessages) {
   SuiteResults suite;
   suite.name = "<img src=x onerror=alert(1)>";
   const std::string hostile = "</script><script>alert(2)</script>\"'><b>";
@@ -137,7 +137,7 @@ TEST(Page, MissingFilesAreNamed) {
   EXPECT_THAT(page, HasSubstr("jobs/job0/timing.json"));
 }
 
-TEST(Page, TheOriginOfAResult) {
+TEST(Page, ShowsTheOriginOfAResult) {
   SuiteResults suite;
   Json result = Result("a");
   result["build"]["commit"] = "0123abc+changes";
@@ -156,7 +156,7 @@ TEST(Page, TheOriginOfAResult) {
   EXPECT_THAT(OwnHtml(content), HasSubstr("node&lt;7&gt;"));
 }
 
-TEST(Page, SameBytesInAnyFolder) {
+TEST(Page, IsTheSameInAnyFolder) {
   const auto page = [] {
     SuiteResults suite;
     suite.Add(WithBodies(Result("a"), Json::array({BodyOf(1, {0.125, 0.25})})));

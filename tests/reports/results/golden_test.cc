@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Files of the schema versions that are written today. Where these do not read any more, or are
-// written otherwise, the version must change.
+// Golden files of the current schema versions. When one of them no longer reads, or is written
+// differently, the schema version must change.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ std::filesystem::path Golden(const char* name) {
   return std::filesystem::path(CVO_GOLDEN_FILES) / name;
 }
 
-// The same keys in the same order, with the same values.
+// Expects the keys of the golden file in the same order, with the same values.
 void ExpectWritten(const std::string& text, const char* name) {
   EXPECT_EQ(ParseJson(text, "written").dump(1), ReadJson(Golden(name)).dump(1));
 }
@@ -44,7 +44,7 @@ TEST(GoldenFiles, ResultIsRead) {
   EXPECT_FALSE(run.bodies->refined[0].predicted_ate_m);
 }
 
-TEST(ReadRun, RefusesCountsThatCannotBe) {
+TEST(ReadRun, RefusesImpossibleCounts) {
   const test::TempFolder folder;
   const auto expect_refused = [&](const char* pointer, int value, const char* said) {
     Json result = ReadJson(Golden("result.json"));

@@ -45,7 +45,7 @@ TEST(MetricCatalogue, RotationsHaveOneUnit) {
   }
 }
 
-TEST(MetricCatalogue, WhichCoverageAMetricIsReadWith) {
+TEST(MetricCatalogue, NamesTheCoverageOfAMetric) {
   EXPECT_EQ(CoverageOf("camera_ate"), "camera_coverage");
   EXPECT_EQ(CoverageOf("camera_causal_t_drift"), "camera_causal_coverage");
   EXPECT_EQ(CoverageOf("object_standing_ate"), "object_standing_coverage");

@@ -32,7 +32,7 @@ inline Json MetricOf(const std::string& name, double value, const std::string& u
           {"left_out", "1 frame"}};
 }
 
-// The part of a result.json that tables read, with ATE and coverage of 108 frames.
+// The part of a result.json that tables read, with camera coverage and ATE over 108 frames.
 inline Json Result(const std::string& sequence = "2011_09_26_drive_0001", int frames = 108) {
   Json coverage = MetricOf("camera_coverage", 1.0, "1", "fraction with an estimate");
   coverage["contract"]["alignment"] = "none";
@@ -60,7 +60,8 @@ inline Json Result(const std::string& sequence = "2011_09_26_drive_0001", int fr
           {"frames", {{{"frame", 0}, {"note", "braces } ] and \" \\ in a text"}}}}};
 }
 
-// A body with these position errors in frames 0, 1, ...; a negative one: no estimate in it.
+// A body with these position errors in frames 0, 1, ...; a negative error marks a frame without an
+// estimate.
 inline Json BodyOf(int id, const std::vector<double>& errors_m) {
   Json frames = Json::array();
   Json positions_m = Json::array();
@@ -95,7 +96,8 @@ inline Json BodyOf(int id, const std::vector<double>& errors_m) {
           {"predicted", {{"frames", Json::array()}, {"position_m", Json::array()}}}};
 }
 
-// Adds bodies and the metrics that are made of them (whose values are for tables of one run only).
+// Adds bodies and body metrics. The values of the metrics are 0, as tables compute them from the
+// bodies.
 inline Json WithBodies(Json result, const Json& bodies) {
   result["bodies"] = {{"refined", bodies}, {"causal", Json::array()}};
   result["metrics"].push_back(
@@ -106,7 +108,7 @@ inline Json WithBodies(Json result, const Json& bodies) {
   return result;
 }
 
-// A timing.json whose one stage takes so long.
+// A timing.json with one stage of this median time.
 inline Json TimingOf(const std::string& stage, double median_ms) {
   return {
       {"schema_version", 1},
@@ -140,7 +142,7 @@ inline Json PlannedJob(const std::string& sequence, const std::string& variant, 
           {"job", id}};
 }
 
-// A folder that a suite was run to: jobs are added one by one, then the plan is written.
+// The result folder of a suite: jobs are added one by one, then Written() writes the plan.
 class SuiteResults {
  public:
   std::string name = "small";
@@ -148,12 +150,12 @@ class SuiteResults {
                 {"metrics", {"camera_ate", "object_ate", "object_success_10cm"}},
                 {"reference", ""}};
 
-  // A job of the plan without a result.
+  // Adds a job without a result to the plan.
   Json& Plan(const std::string& sequence, const std::string& variant, int seed = 0) {
     jobs_.push_back(PlannedJob(sequence, variant, seed, "job" + std::to_string(jobs_.size())));
     return jobs_.back();
   }
-  // A job of the plan with its result.
+  // Adds a job with its result to the plan.
   Json& Add(Json result, const std::string& variant = "static", int seed = 0) {
     Json& job = Plan(result["sequence"]["name"], variant, seed);
     result["job"] = job["job"];
@@ -162,7 +164,7 @@ class SuiteResults {
     AddText(result.dump());
     return job;
   }
-  // Gives the last job of the plan a result of these bytes.
+  // Writes `text` as the result of the last job of the plan.
   void AddText(const std::string& text) {
     const std::string job = jobs_.back()["job"];
     folder_.Write("jobs/" + job + "/result.json", text);

@@ -10,8 +10,9 @@ namespace cvo::test {
 
 inline Json PoseAt(double x, double y, double z) { return {x, y, z, 0.0, 0.0, 0.0, 1.0}; }
 
-// The files of a run of frames 10, 11 and 12: the camera moves 1 m per frame along z and truth says
-// 0.5 m to its right; body 3, of cluster 7, is seen in the first two and predicted in the last.
+// The files of a run of frames 10, 11 and 12. The estimated camera moves 1 m per frame along z; the
+// true one is 0.5 m to its right, and unknown in frame 12. Body 3, matched to cluster 7, is
+// estimated in the first two frames and predicted in the last.
 struct RunFiles {
   Json result = {{"schema_version", 3}, {"kind", "run"}, {"frames", Json::array()}};
   Json truth = {{"schema_version", 1}, {"kind", "truth"}, {"job", "a"}, {"camera", Json::array()}};

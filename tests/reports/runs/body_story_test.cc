@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// What is wrong with a body in a frame, and the words for it.
+// Tests the diagnosis of a body in a frame, and its wording.
 #include "reports/runs/body_story.h"
 
 #include <gmock/gmock.h>
@@ -19,7 +19,7 @@ using testing::HasSubstr;
 constexpr int kBody = 3;
 constexpr std::int64_t kCluster = 7;
 
-// `count` landmarks on a body with one label.
+// Returns `count` landmarks on a body, all with this label.
 std::vector<LabelledLandmark> On(int body, std::int64_t label, int count) {
   LabelledLandmark landmark;
   landmark.assigned = landmark.inferred = label;
@@ -76,7 +76,7 @@ TEST(BodyStory, AnEstimateIsGoodOrItsMotionIsWrong) {
   EXPECT_EQ(frame.Stage(), BodyStage::kHidden);
 }
 
-TEST(BodyStory, WithoutAnEstimateTheFirstThingThatIsMissing) {
+TEST(BodyStory, WithoutAnEstimateNamesTheFirstFailedStage) {
   OneFrame frame;
   frame.Add(kBody, 0, 2);
   EXPECT_EQ(frame.Stage(), BodyStage::kNoLandmarks);
@@ -92,7 +92,7 @@ TEST(BodyStory, WithoutAnEstimateTheFirstThingThatIsMissing) {
   EXPECT_EQ(frame.Stage(), BodyStage::kIdentity);
 }
 
-TEST(BodyStory, ItsLandmarksMayBeAnotherBodys) {
+TEST(BodyStory, ClusterMayBeJoinedWithAnotherBody) {
   OneFrame frame;
   frame.Add(kBody, 9, 6);
   frame.Add(4, 9, 20);
@@ -101,7 +101,7 @@ TEST(BodyStory, ItsLandmarksMayBeAnotherBodys) {
   EXPECT_EQ(frame.Stage(), BodyStage::kLabel);
 }
 
-TEST(BodyStory, TheLabelThatWonIsHeldAgainstTheTrueOne) {
+TEST(BodyStory, ComparesTheWrongLabelWithTheTrueOne) {
   OneFrame frame;
   frame.Add(kBody, kCluster, 10);
   frame.Estimate(0.01);
@@ -122,7 +122,7 @@ TEST(BodyStory, TheLabelThatWonIsHeldAgainstTheTrueOne) {
   EXPECT_THAT(FrameLines(story, story.frames[0], {}), Contains(HasSubstr("the 2D boxes decide")));
 }
 
-// Frames 10 to 29: not estimated, good, 12 cm off, lost, good; hidden in one frame of the loss.
+// Frames 10 to 29: not estimated, good, 12 cm off, good, lost, good; hidden in one lost frame.
 BodyStory LongStory() {
   OneFrame frame;
   frame.body.truth.clear();
@@ -137,7 +137,7 @@ BodyStory LongStory() {
   return frame.Story();
 }
 
-TEST(BodyStory, EventsAreFoundLostWrongAndWorst) {
+TEST(BodyStory, HasEventsForFoundLostWrongAndWorst) {
   const BodyStory story = LongStory();
   EXPECT_EQ(story.Judged(), 19);
   EXPECT_EQ(story.Count(BodyStage::kLabel), 6);

@@ -13,7 +13,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-// Rows of as many landmarks of a cluster on a body in a frame.
+// Returns the rows of `count` landmarks of one cluster on one body in a frame.
 std::string Rows(int frame, int count, const std::string& cluster, const std::string& body) {
   std::string rows;
   for (int i = 0; i < count; ++i) {
@@ -39,7 +39,8 @@ TEST(IdentitySwitches, AreWhereAnotherClusterHasMostLandmarks) {
                                     Rows(4, 4, "8", "2") + Rows(4, 3, "7", "2") +
                                     Rows(5, 9, "9", "2") + Rows(6, 3, "8", "2"));
   const auto switches = ReadIdentitySwitches(folder.path(), BodySeenIn({1, 2, 3, 4, 6}));
-  // 2: too few landmarks; 3: a tie, the last one stays; 5: not visible; 6: 8 as before.
+  // Frame 2: too few landmarks. Frame 3: a tie, which keeps the last cluster. Frame 5: not visible.
+  // Frame 6: cluster 8 as before.
   ASSERT_TRUE(switches);
   ASSERT_EQ(switches->size(), 1U);
   EXPECT_EQ((*switches)[0].frame, 4);

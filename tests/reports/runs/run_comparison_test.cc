@@ -16,7 +16,7 @@ using testing::HasSubstr;
 
 constexpr int kFrames = 36;
 
-// Errors that repeat every six frames around a mean.
+// Errors from `mean_m` upwards in steps of 1 mm, repeating every six frames.
 std::vector<double> ErrorsAround(double mean_m) {
   std::vector<double> errors_m;
   for (int i = 0; i < kFrames; ++i) errors_m.push_back(mean_m + 0.001 * (i % 6));
@@ -60,8 +60,8 @@ TEST_F(CompareRunsTest, ABodyIsPairedFrameByFrameInBlocks) {
   EXPECT_EQ(body.verdict, "worse");
 }
 
-// The first run has a jump after the frames of the second. What both have is the same but for
-// where the world is: aligned over these frames, neither has an error.
+// The first run has a jump after the last frame of the second. Over their common frames the runs
+// differ only in their world frame: aligned over these frames, neither has an error.
 TEST_F(CompareRunsTest, CamerasAreAlignedOverTheFramesOfBoth) {
   const auto write = [&](const std::string& name, int frames, double aside_m) {
     Json result = RunOf(name, {});
@@ -91,7 +91,7 @@ TEST_F(CompareRunsTest, CamerasAreAlignedOverTheFramesOfBoth) {
   EXPECT_NEAR(camera.difference.reference_value, 0.0, 1e-9);
 }
 
-TEST_F(CompareRunsTest, FewBodiesDecideNothing) {
+TEST_F(CompareRunsTest, FewBodiesAreUndecided) {
   std::vector<Json> before;
   std::vector<Json> after;
   for (int id = 1; id <= 3; ++id) {

@@ -34,7 +34,7 @@ TEST(RunDetail, PutsTheTruthBesideTheCameraOfEachFrame) {
   EXPECT_FALSE(detail.camera[2].truth);
 }
 
-TEST(RunDetail, TakesTruthOfBodiesAlone) {
+TEST(RunDetail, AcceptsTruthOfBodiesOnly) {
   test::RunFiles files;
   files.truth["camera"] = test::Json::array();
   const RunDetail detail = Read(files);
@@ -43,7 +43,7 @@ TEST(RunDetail, TakesTruthOfBodiesAlone) {
   EXPECT_EQ(detail.bodies.size(), 1U);
 }
 
-TEST(RunDetail, CountsTheFramesOfBodiesAsTheFolderDoes) {
+TEST(RunDetail, NumbersTheFramesOfBodiesAsInTheSequence) {
   const RunDetail detail = Read({});
   ASSERT_EQ(detail.bodies.size(), 1U);
   const BodyDetail& body = detail.bodies[0];
@@ -55,13 +55,13 @@ TEST(RunDetail, CountsTheFramesOfBodiesAsTheFolderDoes) {
   EXPECT_EQ(body.truth[2].first, 12);
   ASSERT_EQ(body.estimated.size(), 2U);
   EXPECT_EQ(body.estimated[1].frame, 11);
-  EXPECT_NEAR(body.estimated[1].error_m, 0.5, 1e-12);  // 3, 4, 5
+  EXPECT_NEAR(body.estimated[1].error_m, 0.5, 1e-12);  // a 3-4-5 triangle
   ASSERT_EQ(body.predicted.size(), 1U);
   EXPECT_EQ(body.predicted[0].frame, 12);
   EXPECT_NEAR(body.predicted[0].error_m, 2.0, 1e-12);
 }
 
-TEST(RunDetail, ReadsTablesWithoutBoxesByTheExtentOfTheLandmarks) {
+TEST(RunDetail, UsesTheExtentOfLandmarksWithoutBoxes) {
   test::RunFiles files;
   const auto remove = [&](const std::string& part) {
     const std::size_t at = files.objects.find(part);
@@ -78,7 +78,7 @@ TEST(RunDetail, ReadsTablesWithoutBoxesByTheExtentOfTheLandmarks) {
   EXPECT_THAT(detail.clusters[0].size_m, ElementsAre(0.8, 1.0, 1.2));
 }
 
-TEST(RunDetail, TakesAClusterAsLastEstimatedElseAsItWasThen) {
+TEST(RunDetail, PrefersTheRefinedStateOfAClusterToTheCausalOne) {
   const RunDetail detail = Read({});
   ASSERT_EQ(detail.clusters.size(), 2U);
   const ClusterRow& refined = detail.clusters[0];
@@ -110,7 +110,7 @@ TEST(RunDetail, ReadsTimesAndMachine) {
   EXPECT_EQ(detail.paths.sequence, "/data/room");
 }
 
-TEST(RunDetail, ListsFilesThatAreNotThere) {
+TEST(RunDetail, ListsMissingFiles) {
   const test::TempFolder folder;
   folder.Write("result.json", test::RunFiles().result.dump());
   const RunDetail detail = ReadRunDetail(folder.path());
@@ -121,7 +121,7 @@ TEST(RunDetail, ListsFilesThatAreNotThere) {
                                           "timing.json: no such file"));
 }
 
-TEST(RunDetail, ListsWhatIsDamagedAndKeepsTheRest) {
+TEST(RunDetail, ListsDamagedFilesAndKeepsTheRest) {
   test::RunFiles files;
   files.truth["bodies"][0]["estimated"]["frames"] = {0, 3};
   files.timing["stages"]["detect"].erase("p95_ms");

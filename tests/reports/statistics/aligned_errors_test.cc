@@ -16,7 +16,7 @@ namespace {
 using Position = std::array<double, 3>;
 using Path = std::vector<Position>;
 
-// Not centred at the origin, and as wide in each direction as another.
+// Random positions, not centred at the origin, with a different spread along each axis.
 Path Scattered(Rng& rng, int count) {
   Path path;
   for (int i = 0; i < count; ++i) {
@@ -25,7 +25,7 @@ Path Scattered(Rng& rng, int count) {
   return path;
 }
 
-// Turned about the axis of length 1, then moved.
+// Rotates a path about the unit vector `axis`, then translates it by `by`.
 Path Moved(const Path& path, const Position& axis, double angle_rad, const Position& by) {
   const double c = std::cos(angle_rad);
   const double s = std::sin(angle_rad);
@@ -49,7 +49,7 @@ Position RandomAxis(Rng& rng) {
   return axis;
 }
 
-TEST(AlignedErrors, OfAnyRigidMotionAreNone) {
+TEST(AlignedErrors, VanishForRigidMotions) {
   Rng rng(1, "aligned");
   for (int trial = 0; trial < 50; ++trial) {
     const Path truth = Scattered(rng, 12);
@@ -59,7 +59,7 @@ TEST(AlignedErrors, OfAnyRigidMotionAreNone) {
   }
 }
 
-TEST(AlignedErrors, OfHalfTurnsAboutTheAxesAreNone) {
+TEST(AlignedErrors, VanishForHalfTurnsAboutTheAxes) {
   Rng rng(2, "aligned");
   const Path truth = Scattered(rng, 8);
   for (const Position& axis : {Position{1, 0, 0}, Position{0, 1, 0}, Position{0, 0, 1}}) {
@@ -68,8 +68,8 @@ TEST(AlignedErrors, OfHalfTurnsAboutTheAxesAreNone) {
   }
 }
 
-// Of a wrong estimate too, the errors are the same wherever it says that it is.
-TEST(AlignedErrors, DoNotDependOnTheWorldOfTheEstimate) {
+// The errors of a wrong estimate, too, do not depend on its choice of world frame.
+TEST(AlignedErrors, DoNotDependOnTheWorldFrameOfTheEstimate) {
   Rng rng(3, "aligned");
   for (int trial = 0; trial < 20; ++trial) {
     const Path truth = Scattered(rng, 10);
@@ -82,8 +82,8 @@ TEST(AlignedErrors, DoNotDependOnTheWorldOfTheEstimate) {
   }
 }
 
-// Three pairs of points on the axes, each axis stretched by a factor of its own: no rotation can
-// make it better, and each point is off by what its axis is stretched.
+// Three pairs of points on the axes, each axis stretched by its own factor: no rotation reduces the
+// errors, and each point is off by the stretch of its axis.
 TEST(AlignedErrors, OfStretchedAxes) {
   const Path truth = {{1, 0, 0}, {-1, 0, 0}, {0, 2, 0}, {0, -2, 0}, {0, 0, 3}, {0, 0, -3}};
   Path stretched = truth;
@@ -93,7 +93,7 @@ TEST(AlignedErrors, OfStretchedAxes) {
   for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(errors_m[i], expected_m[i], 1e-12);
 }
 
-TEST(AlignedErrors, OfOnePositionIsNone) {
+TEST(AlignedErrors, VanishForOnePosition) {
   EXPECT_NEAR(AlignedErrors({{1.0, 2.0, 3.0}}, {{-4.0, 5.0, 6.0}}).at(0), 0.0, 1e-12);
 }
 

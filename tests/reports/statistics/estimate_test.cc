@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Limits of estimates: what is just enough, what is left out, and values worked out by hand.
+// Tests edge cases of estimates (samples that just suffice or are left out) and values computed by
+// hand.
 #include "reports/statistics/estimate.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +39,7 @@ TEST(MiddleRange, CutsTwoAndAHalfPercentOffEachEnd) {
   EXPECT_FALSE(MiddleRange({}));
 }
 
-TEST(Bootstrap, DrawsAsOftenAsItSaysFromTwoUnitsOn) {
+TEST(Bootstrap, DrawsAllResamplesFromTwoUnitsOn) {
   const std::vector<Unit> two = {{{Part{1.0}, Part{2.0}}}, {{Part{3.0}, Part{6.0}}}};
   const auto means = Bootstrap({two}, Within::kMean);
   ASSERT_EQ(means.size(), std::size_t{kResamples});
@@ -53,8 +54,8 @@ TEST(Bootstrap, DrawsAsOftenAsItSaysFromTwoUnitsOn) {
   EXPECT_TRUE(Bootstrap({}, Within::kMean).empty());
 }
 
-// Published intervals stay the same bytes: the draws are those of one seed.
-TEST(Bootstrap, DrawsStayWhatTheyWere) {
+// The draws have a fixed seed, so that published intervals are reproducible.
+TEST(Bootstrap, DrawsAreFixed) {
   std::vector<Unit> units;
   for (int i = 0; i < 6; ++i) units.push_back({{Part{static_cast<double>(i * i)}, Part{1.0}}});
   const auto means = Bootstrap({units}, Within::kMean);
@@ -80,7 +81,7 @@ TEST(Estimate, AStratumOfTwoIsResampledAndOneOfOneIsNot) {
   EXPECT_DOUBLE_EQ(estimate->interval->high, 5.5);
 }
 
-// (30 + 10) / 2 of 40 frames, and 10 of 60.
+// Body 1 has (30 + 10) / 2 of 40 frames, body 2 has 10 of 60.
 TEST(Estimate, RepetitionsOfFractionsAreAveragedFirst) {
   const std::vector<Sample> samples = {{"", "a", "1", "0", {30.0, 40.0}, {8.0, 10.0}},
                                        {"", "a", "1", "1", {10.0, 40.0}, {0.0, 10.0}},
@@ -92,7 +93,7 @@ TEST(Estimate, RepetitionsOfFractionsAreAveragedFirst) {
   EXPECT_EQ(estimate->bodies, 2U);
 }
 
-TEST(Difference, OfTwoPairsByHand) {
+TEST(Difference, MatchesHandComputedValues) {
   // Differences 1 and 3: mean 2, standard deviation sqrt(2).
   const auto estimate =
       EstimateDifference({InScene(1, 2.0, 1.0), InScene(2, 6.0, 3.0)}, Within::kMean);
@@ -106,8 +107,8 @@ TEST(Difference, OfTwoPairsByHand) {
   EXPECT_FALSE(one->effect || one->p_value || one->interval);
 }
 
-// Everywhere a quarter more: no draw can say anything else.
-TEST(Difference, OfOneRatioHasThatRatioInAllDraws) {
+// Every scene has a quarter more, and so has every draw.
+TEST(Difference, OfAConstantRatioIsTheSameInAllDraws) {
   std::vector<Sample> pairs;
   for (int scene = 1; scene <= 7; ++scene) {
     pairs.push_back(InScene(scene, 0.0125 * scene, 0.01 * scene));
@@ -121,7 +122,7 @@ TEST(Difference, OfOneRatioHasThatRatioInAllDraws) {
   EXPECT_NEAR(estimate->reference_lower_interval->high, 20.0, 1e-9);
 }
 
-TEST(Difference, OfOneOffsetHasThatOffsetInAllDraws) {
+TEST(Difference, OfAConstantOffsetIsTheSameInAllDraws) {
   std::vector<Sample> pairs;
   for (int scene = 1; scene <= 7; ++scene) pairs.push_back(InScene(scene, scene - 0.25, scene));
   const auto estimate = EstimateDifference(pairs, Within::kMean);
@@ -130,7 +131,7 @@ TEST(Difference, OfOneOffsetHasThatOffsetInAllDraws) {
   EXPECT_FALSE(estimate->effect) << "no spread";
 }
 
-TEST(Difference, PartsOfWhatIsNotAboveZeroAreNotKnown) {
+TEST(Difference, PercentagesNeedAPositiveBase) {
   const auto no_reference =
       EstimateDifference({InScene(1, 0.5, -0.5), InScene(2, 0.25, 0.5)}, Within::kMean);
   EXPECT_FALSE(no_reference->percent || no_reference->percent_interval);
@@ -141,8 +142,8 @@ TEST(Difference, PartsOfWhatIsNotAboveZeroAreNotKnown) {
   EXPECT_FALSE(no_value->reference_lower || no_value->reference_lower_interval);
 }
 
-// Differences near 1000 that rounding alone could have spread by this much say nothing.
-TEST(Difference, SpreadOfRoundingIsNone) {
+// A spread of differences near 1000 that rounding alone could cause gives no effect size.
+TEST(Difference, SpreadFromRoundingIsIgnored) {
   const auto effect = [](double spread) {
     return EstimateDifference({InScene(1, 1000.0 + spread, 0.0), InScene(2, 1000.0 - spread, 0.0)},
                               Within::kMean)
@@ -152,7 +153,7 @@ TEST(Difference, SpreadOfRoundingIsNone) {
   EXPECT_TRUE(effect(5e-9));
 }
 
-// A body without a frame in one of the two variants is no pair.
+// A body without a frame in one of the two variants forms no pair.
 TEST(Difference, PairsWithoutWeightAreLeftOut) {
   const std::vector<Sample> pairs = {OfBody(1, {3.0}, {1.0}), OfBody(2, {5.0}, {2.0}),
                                      OfBody(3, {9.0}, {4.0})};
@@ -164,7 +165,7 @@ TEST(Difference, PairsWithoutWeightAreLeftOut) {
   }
 }
 
-TEST(Difference, HowManyScenesTellIsSaidFromSixScenesOn) {
+TEST(Difference, StatesTheScenesNeededFromSixScenesOn) {
   std::vector<Sample> pairs;
   for (int scene = 0; scene < 5; ++scene) pairs.push_back(InScene(scene, 1.0 + scene % 2, 1.0));
   EXPECT_FALSE(EstimateDifference(pairs, Within::kMean)->scenes_for_10_percent);
@@ -175,27 +176,28 @@ TEST(Difference, HowManyScenesTellIsSaidFromSixScenesOn) {
   EXPECT_FALSE(EstimateDifference(pairs, Within::kMean)->scenes_for_10_percent);
 }
 
-TEST(PairedTest, OfStrataByHand) {
-  // Means 5 and 1 and variances 2 and 8 of two values each: mean 3 with the variance
-  // (2 / 2 + 8 / 2) / 4, two degrees of freedom.
+TEST(PairedTest, MatchesHandComputedStrata) {
+  // Two values each, with means 5 and 1 and variances 2 and 8: mean 3 with the variance
+  // (2 / 2 + 8 / 2) / 4 and two degrees of freedom.
   const double t = 3.0 / std::sqrt(1.25);
   const double expected = 1.0 - t / std::sqrt(2.0 + t * t);
   EXPECT_NEAR(*PairedPValue({{4.0, 6.0}, {-1.0, 3.0}}), expected, 1e-12);
   EXPECT_NEAR(*PairedPValue({{-4.0, -6.0}, {1.0, -3.0}}), expected, 1e-12) << "two-sided";
-  // A stratum of one counts for the mean alone: (5 + 1) / 2 with variance 1 / 4.
+  // A stratum of one value contributes to the mean only: (5 + 1) / 2 with variance 1 / 4.
   EXPECT_NEAR(*PairedPValue({{4.0, 6.0}, {1.0}}), 1.0 - 2.0 / std::numbers::pi * std::atan(6.0),
               1e-12);
 }
 
-TEST(PairedTest, MeanAndErrorOfOneAreNothingSpecial) {
+TEST(PairedTest, MatchesHandComputedValuesOfOneStratum) {
   EXPECT_NEAR(*PairedPValue({{4.0, 6.0}}), 1.0 - 2.0 / std::numbers::pi * std::atan(5.0), 1e-12);
   EXPECT_NEAR(*PairedPValue({{-1.0, 3.0}}), 1.0 - 2.0 / std::numbers::pi * std::atan(0.5), 1e-12);
   EXPECT_EQ(*PairedPValue({{0.0, 0.0}}), 1.0);
 }
 
-TEST(PairsNeeded, OfStrata) {
+TEST(PairsNeeded, AccountForStrata) {
   const double root = std::sqrt(0.5);
-  // Two strata take a degree of freedom each: with one more, (t_5 + t_5)^2 = 12.2 needs seven.
+  // Two strata take a degree of freedom each: seven pairs leave five, and
+  // (t_5(0.975) + t_5(0.8))^2 = 12.2 <= 7 * 1.5^2.
   EXPECT_EQ(PairsNeeded({{-root, root}, {-root, root}}, 1.5), 7U);
   EXPECT_EQ(PairsNeeded({{-root, root}, {7.0}}, 1.5), 7U) << "one alone has no spread";
   EXPECT_EQ(PairsNeeded({{1.0, 1.0}, {2.0, 2.0}}, 0.1), 3U) << "no spread";
@@ -207,7 +209,7 @@ TEST(Holm, AnAdjustedValueIsAtMostOne) {
   EXPECT_EQ(HolmAdjusted({0.25, 0.25}), (std::vector<double>{0.5, 0.5}));
 }
 
-TEST(CommonFrames, FromTheFirstToTheLast) {
+TEST(CommonFrames, IncludeTheFirstAndTheLast) {
   const FrameErrors a = {{0, 2}, {3.0, 4.0}};
   const FrameErrors b = {{0, 1, 2}, {1.0, 9.0, 7.0}};
   const auto both = CommonRootMeanSquares(a, b);
@@ -216,8 +218,8 @@ TEST(CommonFrames, FromTheFirstToTheLast) {
   EXPECT_DOUBLE_EQ(CommonRootMeanSquares({{4}, {2.0}}, {{4}, {3.0}})->second, 3.0);
 }
 
-// What was taken off the end is not looked at.
-TEST(CommonFrames, NothingBeyondTheEnd) {
+// What was removed from the end is not read.
+TEST(CommonFrames, DoNotReadBeyondTheEnd) {
   FrameErrors a = {{1, 5}, {2.0, 8.0}};
   FrameErrors b = {{1, 5}, {3.0, 8.0}};
   for (FrameErrors* errors : {&a, &b}) {

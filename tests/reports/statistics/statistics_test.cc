@@ -21,7 +21,7 @@ Sample Of(const std::string& scene, int body, int seed, double value, double ref
   return {"", scene, std::to_string(body), std::to_string(seed), {value}, {reference}};
 }
 
-TEST(Statistics, SeedsThenBodiesThenScenes) {
+TEST(Statistics, AverageOverSeedsThenBodiesThenScenes) {
   // Body 1 of room a: (1 + 3) / 2 = 2; body 2: 6, one seed only. Room a: 4. Room b: 10.
   const std::vector<Sample> samples = {Of("a", 1, 0, 1.0), Of("a", 1, 1, 3.0), Of("a", 2, 0, 6.0),
                                        Of("b", 1, 0, 10.0)};
@@ -44,7 +44,7 @@ TEST(Statistics, FractionsAreOfAllFramesOfAScene) {
   EXPECT_DOUBLE_EQ(EstimateMean(samples, Within::kMean)->value, 0.4);
 }
 
-TEST(Statistics, NothingToEstimate) {
+TEST(Statistics, EmptySamplesGiveNoEstimate) {
   EXPECT_FALSE(EstimateMean({}, Within::kMean));
   EXPECT_FALSE(EstimateMean({{"", "a", "1", "0", {0.0, 0.0}}}, Within::kMean));
   EXPECT_FALSE(EstimateDifference({}, Within::kMean));
@@ -54,7 +54,7 @@ TEST(Statistics, TheSameSampleTwiceIsAnError) {
   EXPECT_THROW(EstimateMean({Of("a", 1, 0, 1.0), Of("a", 1, 0, 2.0)}, Within::kMean), Error);
 }
 
-TEST(Statistics, FamiliesWeighTheSameHoweverManyScenesTheyHave) {
+TEST(Statistics, FamiliesHaveEqualWeightRegardlessOfScenes) {
   const std::vector<Sample> samples = {{"room", "a", "1", "0", {1.0}},
                                        {"room", "b", "1", "0", {3.0}},
                                        {"street", "c", "1", "0", {8.0}}};
@@ -89,7 +89,7 @@ TEST(Statistics, OrderOfSamplesDoesNotMatter) {
   EXPECT_EQ(forward->interval->high, backward->interval->high);
 }
 
-// Bodies of a room share what is hard about it: standard deviation 1 between rooms, 0.3 within.
+// The bodies of a room share its difficulty: standard deviation 1 between rooms, 0.3 within.
 std::vector<Sample> SharedRooms(std::uint64_t seed, int rooms, double mean) {
   Rng rng(seed, "shared");
   std::vector<Sample> samples;
@@ -102,9 +102,9 @@ std::vector<Sample> SharedRooms(std::uint64_t seed, int rooms, double mean) {
   return samples;
 }
 
-// The interval over 24 rooms of 5 bodies covers the truth as often as it says. One over their 120
-// bodies would be less than half as wide.
-TEST(Statistics, IntervalsCoverOtherScenes) {
+// The interval over 24 rooms of 5 bodies has its nominal coverage. One over their 120 bodies would
+// be less than half as wide.
+TEST(Statistics, IntervalsOverScenesHaveNominalCoverage) {
   constexpr int kTrials = 200;
   int covered = 0;
   for (int trial = 0; trial < kTrials; ++trial) {
@@ -136,7 +136,8 @@ TEST(Statistics, SeedsAndBodiesDoNotNarrowAnInterval) {
   EXPECT_EQ(once->pairs, 12U);
 }
 
-// Holds for the mean over n scenes; drawing n of n would be (n - 1) / n of it.
+// The variance over resamples is that of the mean over n scenes; drawing n of n scenes would give
+// (n - 1) / n of it.
 TEST(Statistics, SpreadOfTheBootstrapIsThatOfTheMean) {
   constexpr int kRooms = 5;
   const auto strata = GroupSamples(SharedRooms(5, kRooms, 0.0), Within::kMean);
@@ -154,8 +155,9 @@ TEST(Statistics, SpreadOfTheBootstrapIsThatOfTheMean) {
   EXPECT_NEAR(variance, expected, 0.06 * expected);
 }
 
-TEST(PairedTest, IsStudentsOverScenes) {
-  // Mean 2, standard deviation 1, n 3: t = 2 sqrt(3) with two degrees: p by its closed form.
+TEST(PairedTest, IsStudentsTestOverScenes) {
+  // Mean 2, standard deviation 1, n = 3: t = 2 sqrt(3) with two degrees of freedom, for which p has
+  // a closed form.
   const double t = 2.0 * std::sqrt(3.0);
   EXPECT_NEAR(*PairedPValue({{1.0, 2.0, 3.0}}), 1.0 - t / std::sqrt(2.0 + t * t), 1e-12);
   EXPECT_EQ(*PairedPValue({{-1.0, 1.0}}), 1.0);
@@ -174,8 +176,8 @@ TEST(PairedTest, FalseAlarmsAreOneInTwenty) {
   EXPECT_LE(alarms, 34);
 }
 
-// As many scenes as the power note says tell the difference four times out of five.
-TEST(PairedTest, PowerIsWhatItSays) {
+// With the number of scenes from PairsNeeded, the difference is detected four times out of five.
+TEST(PairedTest, HasTheStatedPower) {
   Rng rng(1, "power");
   const auto draw = [&rng](std::size_t n, double mean) {
     Differences differences(1);
@@ -199,9 +201,9 @@ TEST(Holm, StepsDownAndStaysInOrder) {
   EXPECT_TRUE(HolmAdjusted({}).empty());
 }
 
-// Of one spread each: 6 at 1.5 spreads, since (t_5(0.975) + t_5(0.8))^2 = 12.2 <= 6 * 1.5^2 and
-// (t_4(0.975) + t_4(0.8))^2 = 13.8 > 5 * 1.5^2.
-TEST(PairedTest, PairsNeededCountTheDegreesTheyHave) {
+// A difference of 1.5 standard deviations needs 6 pairs, since
+// (t_5(0.975) + t_5(0.8))^2 = 12.2 <= 6 * 1.5^2 and (t_4(0.975) + t_4(0.8))^2 = 13.8 > 5 * 1.5^2.
+TEST(PairedTest, PairsNeededUseTheirOwnDegreesOfFreedom) {
   EXPECT_EQ(PairsNeeded({{-std::sqrt(0.5), std::sqrt(0.5)}}, 1.5), 6U);
 }
 
@@ -222,7 +224,7 @@ TEST(Holm, IsMonotoneAndNeverBelowThePValueItself) {
   }
 }
 
-TEST(Statistics, PairsRemoveWhatBodiesShare) {
+TEST(Statistics, PairingRemovesDifferencesBetweenBodies) {
   // Bodies differ by 1, variants by 0.1 with little noise.
   std::vector<Sample> pairs;
   for (int body = 0; body < 8; ++body) {
@@ -249,16 +251,16 @@ TEST(Statistics, EqualVariantsDoNotDiffer) {
   EXPECT_FALSE(estimate->percent_interval) << "a resampled reference can be 0";
 }
 
-TEST(AlignedErrors, RotationAndTranslationAreNoErrors) {
+TEST(AlignedErrors, IgnoreRotationAndTranslation) {
   const std::vector<std::array<double, 3>> truth = {
       {0.0, 0.0, 0.0}, {1.0, 0.0, 0.2}, {2.0, 0.5, 0.1}, {2.5, 1.5, -0.3}};
-  std::vector<std::array<double, 3>> moved;  // by a quarter turn about z, then along
+  std::vector<std::array<double, 3>> moved;  // rotated by 90 degrees about z, then translated
   for (const auto& [x, y, z] : truth) moved.push_back({5.0 - y, x - 7.0, z + 1.0});
   for (const double error : AlignedErrors(moved, truth)) EXPECT_NEAR(error, 0.0, 1e-12);
 }
 
-TEST(AlignedErrors, OfASquareWithOneWideSide) {
-  // The best translation is none and the best rotation none, by symmetry: 0.5 m at each corner.
+TEST(AlignedErrors, OfAStretchedSquare) {
+  // By symmetry the best translation and rotation are zero: 0.5 m at each corner.
   const std::vector<std::array<double, 3>> truth = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
   std::vector<std::array<double, 3>> wide = truth;
   for (auto& point : wide) point[0] *= 1.5;

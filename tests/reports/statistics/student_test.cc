@@ -13,7 +13,7 @@
 namespace cvo::reports {
 namespace {
 
-// Closed forms of one to four degrees of freedom.
+// Closed forms for one to four degrees of freedom.
 TEST(Student, TailOfFewDegrees) {
   for (const double t : {0.0, 0.3, 1.0, 2.5, 40.0}) {
     const double theta1 = std::atan(t);
@@ -28,8 +28,8 @@ TEST(Student, TailOfFewDegrees) {
   }
 }
 
-// Of printed tables, two-sided at 5 % and at 1 %.
-TEST(Student, QuantilesOfTables) {
+// Values of printed tables, two-sided at 5 % and at 1 %.
+TEST(Student, QuantilesMatchTables) {
   for (const auto& [degrees, at_5, at_1] : {std::tuple(1, 12.706, 63.657),
                                             {2, 4.303, 9.925},
                                             {3, 3.182, 5.841},
@@ -53,7 +53,7 @@ TEST(Student, QuantileIsTheInverseOfTheTail) {
   }
 }
 
-TEST(Student, BeyondAThousandDegreesAllAreOne) {
+TEST(Student, DegreesOfFreedomAreCappedAtAThousand) {
   EXPECT_EQ(StudentTail(2.0, 1001), StudentTail(2.0, 1000));
   EXPECT_EQ(StudentQuantile(0.1, 1'000'000), StudentQuantile(0.1, 1000));
   EXPECT_NE(StudentTail(2.0, 999), StudentTail(2.0, 1000));
@@ -66,7 +66,7 @@ TEST(Student, TailIsNeverNegative) {
   }
 }
 
-TEST(Student, RefusesWhatHasNoMeaning) {
+TEST(Student, RefusesInvalidArguments) {
   EXPECT_THROW(StudentTail(-0.1, 3), Error);
   EXPECT_THROW(StudentTail(1.0, 0), Error);
   EXPECT_THROW(StudentQuantile(0.1, 0), Error);

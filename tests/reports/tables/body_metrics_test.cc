@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Tables make the metrics of bodies from the bodies of a result file: for one run they must come to
-// what the run itself says.
+// Tables compute body metrics from the bodies of a result file. For a single run they must equal
+// the metrics that the file itself states.
 #include "reports/tables/body_metrics.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ BodyScore RandomBody(int id, Rng& rng) {
   body.id = id;
   body.mover = id % 3 != 0;
   body.visible_frames = 40 + id;
-  if (id == 5) return body;  // no cluster was matched to it
+  if (id == 5) return body;  // matched to no cluster
   body.cluster = id;
   body.estimated_frames = 30;
   body.id_switches = id;
@@ -90,7 +90,7 @@ TEST(BodyMetrics, TablesOfOneRunAgreeWithItsMetrics) {
   }
 }
 
-TEST(BodyMetrics, OthersAreOfWholeRuns) {
+TEST(BodyMetrics, ExcludeMetricsOfWholeRuns) {
   for (const char* name : {"camera_ate", "moving_recall", "object_unmatched_clusters",
                            "object_success_cm", "object_predicted_coverage", "object_"}) {
     EXPECT_FALSE(FindBodyMetric(name)) << name;

@@ -80,7 +80,7 @@ TEST_F(MakeTableTest, SeedsAreAveragedPerScene) {
   EXPECT_EQ(cell.interval->meaning, "least and largest of 3 runs of one scene");
 }
 
-TEST_F(MakeTableTest, ScenesWeighTheSameHoweverManySeedsTheyHave) {
+TEST_F(MakeTableTest, ScenesHaveEqualWeightRegardlessOfSeeds) {
   suite_.table["rows"] = {"variant"};
   for (const int seed : {0, 1, 2}) {
     Json result = Result("a");
@@ -117,7 +117,7 @@ TEST_F(MakeTableTest, ARowMayBeComparedWithTheRowAbove) {
   EXPECT_FALSE(table.rows[3].cells[1].difference) << "the row above is of another scene";
 }
 
-TEST_F(MakeTableTest, RowsAreByTheKeysOfTheSuiteInItsOrder) {
+TEST_F(MakeTableTest, RowsFollowTheKeysAndOrderOfTheSuite) {
   suite_.table["rows"] = {"window.spatial", "oracle"};
   suite_.Add(Result("a"))["parameters"] = {{"window.spatial", 9}};
   suite_.Add(Result("a"))["parameters"] = {{"window.spatial", 5}};
@@ -183,7 +183,7 @@ TEST_F(MakeTableTest, NoResultsAreNotComplete) {
   EXPECT_FALSE(IsComplete(table));
 }
 
-TEST_F(MakeTableTest, ALostRunKeepsItsFiguresAndIsCounted) {
+TEST_F(MakeTableTest, ALostRunKeepsItsValuesAndIsCounted) {
   Json lost = Result();
   lost["status"] = "lost";
   lost["message"] = "3 frames predicted";
@@ -234,7 +234,7 @@ TEST_F(MakeTableTest, ResultsThatCannotBeReadAreFailures) {
   EXPECT_EQ(table.rows[0].jobs.done, 1U);
 }
 
-TEST_F(MakeTableTest, BadPlans) {
+TEST_F(MakeTableTest, BadPlansAreRefused) {
   EXPECT_THAT(MakeError(), HasSubstr("field jobs: found none"));
   suite_.Add(Result());
   const auto file = suite_.Written() / "plan.json";
@@ -293,7 +293,7 @@ TEST_F(MakeTableTest, TheTruthMayDifferBetweenDatasetsOnly) {
                                  HasSubstr("job2/result.json with truth \"interpolated\"")));
 }
 
-TEST_F(MakeTableTest, AContractThatNamesTheFramesOfItsRunIsTheSameForEach) {
+TEST_F(MakeTableTest, ContractsOverAllFramesOfTheirRunAreEqual) {
   for (const int frames : {108, 72}) {
     Json result = Result("drive of " + std::to_string(frames), frames);
     result["metrics"][1]["contract"]["frames"] = {{"first", 0}, {"last", frames - 1}};

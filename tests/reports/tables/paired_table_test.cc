@@ -38,7 +38,7 @@ std::string ErrorOf(const SuiteResults& a, const SuiteResults& b) {
   return "";
 }
 
-// Eight bodies of one room: errors of 5 cm, and `more_m` above it, in 4 frames.
+// Eight bodies of one room with errors of slightly more than 5 cm + `more_m` in 4 frames.
 Json Room(double more_m) {
   Json bodies = Json::array();
   for (int id = 1; id <= 8; ++id) {
@@ -52,7 +52,7 @@ TEST(PairedTable, BodiesAreComparedOnFramesThatBothEstimate) {
   SuiteResults suite;
   suite.table["rows"] = {"variant"};
   suite.table["reference"] = "full";
-  // Where both estimate, full has 1 cm and the other 3 cm; full's last frame is a bad one.
+  // In frames that both estimate, full is off by 1 cm and 2d by 3 cm; full's last frame is bad.
   suite.Add(WithBodies(Result("a"), Json::array({BodyOf(1, {0.01, 0.01, 0.50})})), "full");
   suite.Add(WithBodies(Result("a"), Json::array({BodyOf(1, {0.03, 0.03, -1.0})})), "2d");
   const Table table = MakeTable(suite.Written(), {}, "");
@@ -64,7 +64,7 @@ TEST(PairedTable, BodiesAreComparedOnFramesThatBothEstimate) {
   EXPECT_NEAR(*ate->reference_lower, 200.0 / 3.0, 1e-9);
   EXPECT_EQ(ate->pairing, "object-frames that both estimate");
   EXPECT_FALSE(ate->interval) << "one body";
-  // Success counts every visible frame: 2 of 3 both.
+  // Success counts every visible frame: 2 of 3 in both variants.
   const auto success = CellOf(table, 1, "object_success_10cm").difference;
   EXPECT_EQ(success->difference, 0.0);
   EXPECT_NEAR(success->value, 2.0 / 3.0, 1e-12);
@@ -129,7 +129,7 @@ void AddTenRooms(double worse_m, SuiteResults& suite) {
   }
 }
 
-TEST(PairedTable, ScenesAreWhatIsResampledAndManyComparisonsAreCorrectedFor) {
+TEST(PairedTable, ResamplesScenesAndCorrectsForManyComparisons) {
   SuiteResults suite;
   AddTenRooms(0.02, suite);
   const Table table = MakeTable(suite.Written(), {}, "");
@@ -206,7 +206,7 @@ TEST(CompareFolders, ReportsChangesAndTheirSize) {
             "  room full, object_ate: -0.02 m (-26.85 %), -0.02 to -0.02, 8 pairs\n");
 }
 
-TEST(CompareFolders, SaysWhatTheyWereMadeWith) {
+TEST(CompareFolders, StatesOptionsAndBuildsThatDiffer) {
   SuiteResults before;
   SuiteResults after;
   before.Add(Room(0.02), "full");

@@ -30,7 +30,7 @@ std::string ErrorOf(const std::string& text) {
   return "";
 }
 
-// What is said of the table with one change.
+// Returns the error message about the hostile table after one change.
 std::string ErrorAfter(const std::function<void(Json&)>& change) {
   Json json = Json::parse(TableJson(test::HostileTable()));
   change(json);
@@ -39,7 +39,7 @@ std::string ErrorAfter(const std::function<void(Json&)>& change) {
   return error;
 }
 
-TEST(ReadTable, GivesTheSameBytesAgain) {
+TEST(ReadTable, RoundTripsByteForByte) {
   Table table = test::HostileTable();
   const std::string json = TableJson(table);
   const Table read = ReadTable(json, "table.json");
@@ -51,7 +51,7 @@ TEST(ReadTable, GivesTheSameBytesAgain) {
   EXPECT_FALSE(read.change);
 }
 
-TEST(ReadTable, OfASuiteAndEmpty) {
+TEST(ReadTable, RoundTripsSuiteAndEmptyTables) {
   test::SuiteResults suite;
   suite.name = "ablation";
   suite.table["rows"] = {"variant"};

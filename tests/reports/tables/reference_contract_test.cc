@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Metrics, tables and the figures of others must use the same names and contracts.
+// Metrics, tables and reference figures must use the same names and contracts.
 #include <gtest/gtest.h>
 
 #include "experiments/metrics/camera_metrics.h"
@@ -38,8 +38,8 @@ TEST(ReferenceContract, EveryMetricOfTheCameraIsComputed) {
   }
 }
 
-// Whose figures are named as a metric of ours mean the same by it, where they say so.
-TEST(ReferenceContract, FiguresOfOthersContradictNoMetricTheyAreNamedAs) {
+// Reference figures listed under a metric of ours agree with its contract in all fields they state.
+TEST(ReferenceContract, FiguresDoNotContradictTheirMetric) {
   const std::vector<Metric> metrics = RecordedMetrics();
   for (const ReferenceFigure& figure : ShippedReference().figures) {
     if (!figure.metric.starts_with("camera_")) continue;

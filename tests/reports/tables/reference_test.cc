@@ -23,7 +23,7 @@ Table TableOf(const Json& result) {
   return MakeTable(suite.Written(), ShippedReference(), "");
 }
 
-// The ATE of a system from a source; fails the test where the table does not have it.
+// Returns the ATE of a system from a source; fails the test if the table does not have it.
 ReferenceCell Ate(const Table& table, const std::string& system, const std::string& source) {
   for (const ReferenceRow& line : table.rows[0].reference) {
     if (line.system == system && table.sources[line.source].id == source && line.cells[1]) {
@@ -34,8 +34,8 @@ ReferenceCell Ate(const Table& table, const std::string& system, const std::stri
   return {};
 }
 
-// Of the camera alone: those of single bodies are for figures.
-TEST(Reference, MaximumDriftsOfOthersStandBesideOurs) {
+// Only drifts of the camera: those of single bodies appear in figures alone.
+TEST(Reference, ListsMaximumDriftsOfOtherSystems) {
   Json result = Result("swinging_4_unconstrained", 500);
   for (const char* name : {"camera_max_drift_first25", "camera_max_drift"}) {
     result["metrics"].push_back(test::MetricOf(
@@ -88,7 +88,7 @@ TEST(Reference, MeasuredFiguresOfOdometryAreAgainstTheOfficialTruth) {
   EXPECT_EQ(Ate(TableOf(result), "libviso2", "measured-upstream").match, Match::kMatches);
 }
 
-TEST(Reference, FiguresCompareOnTheSameCorrectionOfTheCalibration) {
+TEST(Reference, FiguresNeedTheSameCorrectionOfTheCalibration) {
   Json corrected = Result("2011_09_26_drive_0001", 108);
   for (Json& metric : corrected["metrics"]) {
     metric["contract"]["right_shift_px"] = 0.16;
@@ -117,7 +117,7 @@ TEST(Reference, WholeDriveFiguresNeedTheWholeDrive) {
   EXPECT_EQ(Ate(whole, "ORB-SLAM2", "measured-upstream").match, Match::kOtherFrames);
 }
 
-TEST(Reference, FiguresThatCompareComeFirst) {
+TEST(Reference, ComparableFiguresComeFirst) {
   const Table table = TableOf(Result("2011_09_26_drive_0013", 72));
   EXPECT_EQ(table.rows[0].reference[0].system, "ORB-SLAM2");
   EXPECT_EQ(table.rows[0].reference[0].frames, 72);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// What keeps rows apart that look alike: corrected calibrations and other processors.
+// Tests how tables keep apart rows that look alike: corrected calibrations and other CPU levels.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ Json Corrected(Json result) {
   return result;
 }
 
-TEST_F(TableNotesTest, RowsWithAndWithoutACorrectionNeverShareAMarkForBest) {
+TEST_F(TableNotesTest, RowsWithAndWithoutACorrectionDoNotCompeteForBest) {
   suite_.table["reference"] = "static";
   Json ours = Result();
   ours["metrics"][1]["value"] = 0.01;
@@ -75,7 +75,7 @@ TEST_F(TableNotesTest, ReportsCorrectedCalibrations) {
   EXPECT_THAT(Make().notes, ElementsAre(AllOf(HasSubstr("drive_0001"), HasSubstr("0.16 px"))));
 }
 
-TEST_F(TableNotesTest, LevelsOfProcessorsAreNoted) {
+TEST_F(TableNotesTest, CpuLevelsAreNoted) {
   Json fast = Result();
   fast["build"]["cpu_level"] = "avx2";
   suite_.Add(fast);

@@ -14,7 +14,7 @@
 namespace cvo::synth {
 namespace {
 
-// Two blocks, apart, in full view for 300 frames at 10 Hz.
+// Two separate blocks in full view, by default for 300 frames, at 10 Hz.
 struct Stage {
   explicit Stage(double distance_px = 200.0, int frame_count = 300) {
     for (int i = 0; i < frame_count; ++i) {
@@ -129,7 +129,7 @@ TEST(Detect, JitterHasItsSizeAndCorrelation) {
   EXPECT_NEAR(product / variance, std::exp(-0.1 / 0.5), 0.02);
 }
 
-TEST(Detect, BurstsLastAsLongAsTheyShould) {
+TEST(Detect, BurstsHaveTheirRateAndDuration) {
   const Stage stage(200.0, 6000);
   DetectorOptions options = DetectorLevel("oracle");
   options.burst_rate_hz = 0.5;
@@ -160,7 +160,7 @@ TEST(Detect, SmallAndHiddenBodiesAreMissed) {
   EXPECT_NEAR(found[2], 300.0 / (1.0 + std::pow(2.0, 4)), 18.0);
 }
 
-TEST(Detect, TooFewVisiblePixelsAreNeverSeen) {
+TEST(Detect, BodiesOfTooFewPixelsAreNeverDetected) {
   Stage stage;
   for (FrameTruth& frame : stage.frames) frame.bodies[0].visible_px = 63;
   DetectorOptions options = DetectorLevel("oracle");
@@ -168,7 +168,7 @@ TEST(Detect, TooFewVisiblePixelsAreNeverSeen) {
   EXPECT_EQ(stage.Run(options).size(), 300U);
 }
 
-TEST(Detect, OverlappingBoxesBecomeOne) {
+TEST(Detect, OverlappingBoxesAreMerged) {
   DetectorOptions options = DetectorLevel("oracle");
   options.merge_rate = 1.0;
   const std::vector<Detection> merged = Stage(30.0).Run(options);
@@ -178,7 +178,7 @@ TEST(Detect, OverlappingBoxesBecomeOne) {
   EXPECT_EQ(Stage(90.0).Run(options).size(), 600U);
 }
 
-TEST(Detect, FalsePositivesHaveTheirRateAndStay) {
+TEST(Detect, FalsePositivesHaveTheirRateAndPersist) {
   const Stage stage(200.0, 3000);
   DetectorOptions options = DetectorLevel("oracle");
   options.false_positives = 0.5;
@@ -202,12 +202,12 @@ TEST(Detect, FalsePositivesHaveTheirRateAndStay) {
   EXPECT_NEAR(static_cast<double>(stayed) / count, std::exp(-0.1 / 0.4), 0.05);
 }
 
-TEST(FormatDetections, EighteenColumns) {
+TEST(FormatDetections, HasEighteenColumns) {
   EXPECT_EQ(FormatDetections({{3, 1, "Ball", {1.0, 2.25, 30.5, 40.0}, 0.75}}),
             "3 -1 Ball -1 -1 -10 1.00 2.25 30.50 40.00 -1 -1 -1 -1000 -1000 -1000 -10 0.7500\n");
 }
 
-TEST(ReadDetectors, CustomOnlyWhereTheSceneChangesValues) {
+TEST(ReadDetectors, AddsCustomOnlyIfTheSceneChangesValues) {
   EXPECT_EQ(ReadDetectors(Json::object(), "x.json", {}).size(), 3U);
   EXPECT_EQ(ReadDetectors({{"level", "poor"}}, "x.json", {}).size(), 3U);
   const auto detectors =
@@ -230,7 +230,7 @@ TEST(ReadDetectors, WrongSettingsAreReported) {
   EXPECT_THAT(message(Json::object(), {"god"}), testing::HasSubstr("did you mean good"));
 }
 
-TEST(ReadSensor, OverDefaults) {
+TEST(ReadSensor, OverridesDefaults) {
   const SensorOptions options = ReadSensor({{"read_noise", 2}}, "x.json");
   EXPECT_EQ(options.read_noise, 2.0);
   EXPECT_EQ(options.vignetting, SensorOptions().vignetting);

@@ -23,7 +23,8 @@ using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-// Three frames 0.1 s apart: the box is seen, hidden, seen, 4.5 m ahead at f b = 20 px m.
+// Three frames, 0.1 s apart, of a box 4.5 m ahead that is visible, hidden and visible again. Focal
+// length times baseline is 20 px m.
 void WriteOneBox(const std::filesystem::path& folder) {
   const World world = test::OneBoxWorld();
   std::string times, poses, objects = ObjectTableHeader();
@@ -63,7 +64,7 @@ void WriteOneBox(const std::filesystem::path& folder) {
   cv::imwrite((folder / "instance_0" / "000000.png").string(), ids);
 }
 
-TEST(Diversity, OfABodyThatIsHiddenOnce) {
+TEST(Diversity, MeasuresABodyThatIsHiddenOnce) {
   const TempFolder temp;
   WriteOneBox(temp.path());
   Diversity found;
@@ -78,7 +79,7 @@ TEST(Diversity, OfABodyThatIsHiddenOnce) {
   EXPECT_THAT(found.moving_part, ElementsAre(300.0 / 8000, 0.0, 298.0 / 8000));
 }
 
-TEST(Diversity, NamesWhatIsMissing) {
+TEST(Diversity, NamesMissingData) {
   const TempFolder temp;
   Diversity found;
   EXPECT_THAT(ErrorMessage([&] { AddSequence(temp.path(), found); }), HasSubstr("times.txt"));

@@ -45,20 +45,20 @@ TEST(Draws, StayWithinTheirRanges) {
   }
 }
 
-TEST(Draws, SameStreamSameValueOtherStreamOther) {
+TEST(Draws, AreFixedPerStream) {
   const std::string value = R"({"uniform": [0, 1]})";
   EXPECT_EQ(Take(value, "s"), Take(value, "s"));
   EXPECT_NE(Take(value, "s"), Take(value, "t"));
 }
 
-TEST(Draws, KnobsOfASceneAreDrawnOnceThoseOfABodyEachTime) {
+TEST(Draws, DrawSceneKnobsOnceAndBodyKnobsEachTime) {
   const Json scene = Take(R"([{"knob": "count"}, {"knob": "count"}])", "s");
   EXPECT_EQ(scene[0], scene[1]);
   const Json body = Take(R"([{"knob": "speed"}, {"knob": "speed"}])", "s");
   EXPECT_NE(body[0], body[1]);
 }
 
-TEST(Draws, AFixedKnobLeavesTheOthersAsTheyAre) {
+TEST(Draws, AFixedKnobDoesNotChangeOtherDraws) {
   const std::string value = R"([{"knob": "count"}, {"knob": "speed"}, {"uniform": [0, 1]}])";
   const Json free = Take(value, "s");
   const Json fixed = Take(value, "s", {"speed=2.5"});

@@ -35,7 +35,7 @@ int Movers(const Json& scene) {
 
 class Families : public testing::TestWithParam<std::string> {};
 
-// Nothing goes through anything and all is in view, as the scene's own checks say.
+// The checks of the scene itself find no collision, and all bodies in view.
 TEST_P(Families, ScenesPassAllChecks) {
   const Family family = LoadFamily(GetParam());
   for (const std::uint32_t seed : {0u, 1u, 2u}) {
@@ -45,7 +45,7 @@ TEST_P(Families, ScenesPassAllChecks) {
   }
 }
 
-TEST_P(Families, SameSeedSameBytesOtherSeedOther) {
+TEST_P(Families, AreReproduciblePerSeed) {
   const Family family = LoadFamily(GetParam());
   const std::string once = DumpJson(GenerateScene(family, 5, {}));
   EXPECT_EQ(DumpJson(GenerateScene(family, 5, {})), once);
@@ -68,8 +68,9 @@ std::vector<std::string> Names() {
 INSTANTIATE_TEST_SUITE_P(Shipped, Families, testing::ValuesIn(Names()),
                          [](const auto& tested) { return tested.param; });
 
-// On every machine: a change here is a change of every result on families, test split included.
-TEST(GenerateScene, GivesTheseBytes) {
+// The same on every machine. A change here changes every result on families, including those on the
+// test split.
+TEST(GenerateScene, MatchesGoldenHashes) {
   const auto hash = [](const std::string& family) {
     return Sha256Hex(DumpJson(GenerateScene(LoadFamily(family), 0, {}))).substr(0, 16);
   };
@@ -89,7 +90,7 @@ TEST(GenerateScene, KnobsHaveTheirMeaning) {
   EXPECT_THAT(scene["about"].get<std::string>(), HasSubstr("seed 11 (development split)"));
 }
 
-TEST(GenerateScene, ReportsWhereNoPlaceIsFound) {
+TEST(GenerateScene, ReportsBodiesWithoutAPlace) {
   Json family = ShippedJson("room");
   family["layout"]["bodies"][0]["body"] =
       Json::parse(R"({"model": "crate", "size_m": 3.0, "motion": "still"})");
@@ -129,7 +130,7 @@ TEST(SplitOf, SeparatesDevelopmentFromTest) {
   EXPECT_EQ(SplitOf(2000), Split::kNone);
 }
 
-TEST(LoadScene, KnowsAFamilyBySeedAndKnobs) {
+TEST(LoadScene, LoadsAFamilyBySeedAndKnobs) {
   const SceneDescription scene =
       LoadScene("room@17,movers=2", {"knob.rate_hz=10", "sensor.read_noise=0.25"});
   EXPECT_EQ(scene.name(), "room_17");

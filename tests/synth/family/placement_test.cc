@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The camera looks along x; walls 5 m to the left and right.
+// The camera looks along x, between walls 5 m to its left and right.
 class PlacementTest : public testing::Test {
  protected:
   bool TryAdd(const Vector3d& at, double side_m, const Vector3d& velocity = Vector3d::Zero()) {
@@ -30,7 +30,7 @@ TEST_F(PlacementTest, RefusesBodiesNearAnother) {
   EXPECT_TRUE(TryAdd({4, 0, 0}, 0.5));
   EXPECT_FALSE(TryAdd({4, 0.55, 0}, 0.5));
   EXPECT_TRUE(TryAdd({4, 0.65, 0}, 0.5));
-  // Starts apart, passes through.
+  // Starts apart, but passes through the others.
   EXPECT_FALSE(TryAdd({4, -1.5, 0}, 0.5, {0, 1, 0}));
   EXPECT_EQ(placed_.bodies().size(), 2u);
 }
@@ -51,7 +51,7 @@ TEST_F(PlacementTest, RefusesBodiesMostlyOutOfView) {
 TEST_F(PlacementTest, RefusesOccludedAndOccludingBodies) {
   EXPECT_TRUE(TryAdd({4, 0, 0}, 0.6));
   EXPECT_FALSE(TryAdd({6, 0, 0}, 0.3));             // behind it
-  EXPECT_FALSE(TryAdd({2, 0, 0}, 0.6));             // before it
+  EXPECT_FALSE(TryAdd({2, 0, 0}, 0.6));             // in front of it
   EXPECT_TRUE(TryAdd({2, -1, 0}, 0.3, {0, 1, 0}));  // only in passing
 }
 

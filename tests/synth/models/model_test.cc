@@ -77,7 +77,7 @@ bool SameModel(const Model& a, const Model& b) {
   return true;
 }
 
-// By the divergence theorem, with the sides that the normals tell.
+// Signed volume by the divergence theorem, with the outer side of each face as its normals say.
 double Volume(const Mesh& mesh) {
   double volume = 0.0;
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
@@ -110,14 +110,14 @@ TEST(MakeModel, EveryKindIsValidInTwoSizes) {
   }
 }
 
-TEST(MakeModel, SameStreamSameModelAnotherStreamAnother) {
+TEST(MakeModel, ModelsAreFixedPerStream) {
   for (const std::string& kind : OwnKinds()) {
     EXPECT_TRUE(SameModel(Make(kind, 1), Make(kind, 1))) << kind;
     EXPECT_FALSE(SameModel(Make(kind, 1), Make(kind, 2))) << kind;
   }
 }
 
-TEST(MakeModel, ShapesLieWithinItsBox) {
+TEST(MakeModel, CollisionShapesLieWithinTheBox) {
   for (const std::string& kind : OwnKinds()) {
     const Model model = Make(kind, 1);
     ASSERT_FALSE(model.shapes.empty()) << kind;
@@ -166,7 +166,7 @@ TEST(MakeModel, TakesAMaterial) {
   EXPECT_FALSE(SameModel(Make("tower", 1, Vector3d::Zero(), "brick"), Make("tower", 1)));
 }
 
-TEST(MakeModel, BadDescriptions) {
+TEST(MakeModel, RefusesBadDescriptions) {
   EXPECT_THAT(ErrorMessage([] { Make("dragon", 1); }),
               AllOf(HasSubstr("'dragon'"), HasSubstr("ball, block")));
   EXPECT_THAT(ErrorMessage([] {
@@ -189,7 +189,7 @@ constexpr char kPly[] =
     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
     "property float z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n"
     "0 0 0\n2 0 0\n0 1 0\n0 0 0.5\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
-// Four corners and one triangle each for three sides, in a node scaled by two.
+// Four vertices and three triangles, in a node scaled by two.
 constexpr char kGltf[] =
     R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
 "nodes":[{"mesh":0,"scale":[2,2,2]}],
@@ -218,7 +218,7 @@ TEST(MeshFile, ReadsObjPlyAndGltf) {
   }
 }
 
-TEST(MeshFile, BringsItsTexture) {
+TEST(MeshFile, LoadsItsTexture) {
   const test::TempFolder folder;
   const cv::Mat picture(20, 48, CV_8UC3, cv::Scalar(10, 20, 200));  // blue, green, red
   std::vector<unsigned char> png;

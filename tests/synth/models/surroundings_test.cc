@@ -96,7 +96,7 @@ TEST(MakeRoom, ShellNormalsPointIntoTheRoom) {
   EXPECT_GE(walls, 6);
 }
 
-TEST(MakeRoom, SameStreamSameRoomAnotherStreamAnother) {
+TEST(MakeRoom, RoomsAreFixedPerStream) {
   const auto places = [](const Surroundings& room) {
     std::vector<Vector3d> all;
     for (const PlacedModel& placed : room.placed) {
@@ -108,7 +108,7 @@ TEST(MakeRoom, SameStreamSameRoomAnotherStreamAnother) {
   EXPECT_NE(places(Room(1)), places(Room(2)));
 }
 
-TEST(MakeRoom, BadRooms) {
+TEST(MakeRoom, RefusesBadRooms) {
   RoomDescription room;
   room.shelves = 40;
   EXPECT_THAT(ErrorMessage([&] { Room(1, room); }),
@@ -151,7 +151,7 @@ TEST(MakeStreet, NothingStandsOnARoad) {
   }
 }
 
-TEST(MakeStreet, SharesItsTexturesAndCrossesNoPavement) {
+TEST(MakeStreet, SharesTexturesAndKeepsPavementsOffRoads) {
   const Surroundings street = Street(2);
   std::set<const unsigned char*> textures;
   for (const Part& part : street.shell) textures.insert(part.texture.data);
@@ -160,14 +160,14 @@ TEST(MakeStreet, SharesItsTexturesAndCrossesNoPavement) {
   }
   EXPECT_LE(textures.size(), 40u);
   EXPECT_TRUE(street.walls.empty());
-  // Whatever lies on the carriageway of the other road is asphalt, marking or kerb at most.
+  // The carriageway of the other road has nothing but asphalt, markings and kerbs on it.
   for (const Vertex& vertex : street.shell.at(2).mesh.vertices) {
     const Vector2d p = vertex.position.head<2>().cast<double>();
     EXPECT_GT(std::abs(p.x() + 20.0), 3.5 - 1.01) << p.transpose();
   }
 }
 
-TEST(MakeStreet, SameStreamSameStreetAnotherStreamAnother) {
+TEST(MakeStreet, StreetsAreFixedPerStream) {
   const Surroundings a = Street(1);
   const Surroundings b = Street(1);
   ASSERT_EQ(a.placed.size(), b.placed.size());
@@ -178,7 +178,7 @@ TEST(MakeStreet, SameStreamSameStreetAnotherStreamAnother) {
   EXPECT_NE(a.placed[0].world_from_model.Matrix(), other.placed[0].world_from_model.Matrix());
 }
 
-TEST(MakeStreet, BadStreets) {
+TEST(MakeStreet, RefusesBadStreets) {
   EXPECT_THAT(ErrorMessage([] { Street(1, {}); }), HasSubstr("street.roads"));
   StreetDescription street = Crossing();
   street.roads[0].points.resize(1);

@@ -22,7 +22,7 @@ bool SameImage(const cv::Mat& a, const cv::Mat& b) {
   return a.size() == b.size() && a.type() == b.type() && cv::norm(a, b, cv::NORM_INF) == 0.0;
 }
 
-TEST(Textures, ArePowersOfTwoInColour) {
+TEST(Textures, AreInColourWithPowerOfTwoSizes) {
   Rng rng(0, "test");
   for (const std::string& material : MaterialNames()) {
     const Texture texture = MakeTexture(material, rng);
@@ -34,7 +34,7 @@ TEST(Textures, ArePowersOfTwoInColour) {
   }
 }
 
-TEST(Textures, SameStreamSameImageAnotherStreamAnother) {
+TEST(Textures, AreFixedPerStream) {
   for (const std::string& material : MaterialNames()) {
     Rng first(3, "look");
     Rng again(3, "look");
@@ -46,7 +46,7 @@ TEST(Textures, SameStreamSameImageAnotherStreamAnother) {
   }
 }
 
-// The steps across the border are no larger than those inside: nothing is cut there.
+// The grey-level step across the border, where the texture repeats, is no larger than those inside.
 TEST(Textures, AreSeamless) {
   Rng rng(1, "test");
   for (const char* material : {"asphalt", "brick", "concrete", "grass", "leaves", "pavement",
@@ -62,7 +62,7 @@ TEST(Textures, AreSeamless) {
   }
 }
 
-// Corners per 1,000 pixels of the texture as seen with so many pixels per metre.
+// Returns the number of corners per 1,000 pixels of the texture at this resolution.
 double CornerDensity(const Texture& texture, double pixels_per_m) {
   cv::Mat grey;
   cv::cvtColor(texture.image, grey, cv::COLOR_RGB2GRAY);
@@ -86,8 +86,8 @@ double MeanDensity(const std::string& material, double pixels_per_m) {
   return sum;
 }
 
-// What moves has more corners than what it moves before, or it would not get its share of what a
-// front end keeps; the upper walls have none.
+// Moving bodies have more corners than their background, or they would not get their share of the
+// features that a front end keeps. The upper walls have almost none.
 TEST(Textures, HaveCornersAtTwoMetresIndoorsWhereTheyAreNeeded) {
   const auto density = [](const char* material) { return MeanDensity(material, 450.0 / 2.0); };
   for (const char* material : {"ball", "block", "fabric"}) {
@@ -100,8 +100,8 @@ TEST(Textures, HaveCornersAtTwoMetresIndoorsWhereTheyAreNeeded) {
   EXPECT_LE(density("embossed"), 0.5);
 }
 
-// Cars more than what stands along the road, and that more than the road itself: else they would
-// not get their share of what a front end keeps.
+// Cars have more corners than the objects along the road, and these more than the road itself, or
+// they would not get their share of the features that a front end keeps.
 TEST(Textures, HaveCornersAtFifteenMetresOutdoorsWhereTheyAreNeeded) {
   const auto density = [](const char* material) { return MeanDensity(material, 721.0 / 15.0); };
   EXPECT_GE(density("paint"), 20.0);
@@ -116,7 +116,7 @@ TEST(Textures, HaveCornersAtFifteenMetresOutdoorsWhereTheyAreNeeded) {
   }
 }
 
-TEST(Textures, UnknownMaterial) {
+TEST(Textures, RefuseUnknownMaterials) {
   Rng rng(0, "test");
   EXPECT_THAT(ErrorMessage([&] { MakeTexture("cheese", rng); }),
               AllOf(HasSubstr("'cheese'"), HasSubstr("asphalt, ball")));

@@ -37,9 +37,9 @@ TEST(Curve, PassesThroughItsPoints) {
   EXPECT_LT((curve.At(curve.length_m()).position - Bent().back()).norm(), 1e-9);
 }
 
-// Parametrised by arc length: unit tangents, which are the derivative of the position, and
-// curvature, which is theirs. Both stay continuous across pieces.
-TEST(Curve, DerivativesByArcLength) {
+// Curves are parametrised by arc length: the tangent is the derivative of the position, of unit
+// length, and the curvature that of the tangent. Both are continuous across pieces.
+TEST(Curve, HasDerivativesByArcLength) {
   for (const Curve& curve : Curves()) {
     const double h = 1e-5;
     for (double s = 2 * h; s < curve.length_m() - 2 * h; s += 0.0371) {
@@ -52,7 +52,7 @@ TEST(Curve, DerivativesByArcLength) {
   }
 }
 
-TEST(Curve, LengthOfACircleOfManyPoints) {
+TEST(Curve, ApproximatesACircle) {
   std::vector<Vector3d> points;
   for (int i = 0; i < 24; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / 24;
@@ -83,7 +83,7 @@ TEST(Curve, RoundedCornersKeepToTheLegs) {
                                     std::abs(p.y() - 4)}) < 1e-9;
     const bool at_a_corner = (Vector3d(2, 2, 0) - p).cwiseAbs().head<2>().minCoeff() > 1.0 - 1e-9;
     EXPECT_TRUE(on_a_leg || at_a_corner) << p.transpose();
-    EXPECT_LT(curve.At(s).curvature.norm(), 1.4);  // an arc: 1
+    EXPECT_LT(curve.At(s).curvature.norm(), 1.4);  // 1 on a circular arc
   }
 }
 

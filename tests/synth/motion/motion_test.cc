@@ -43,7 +43,7 @@ std::shared_ptr<const Motion> MakeCamera(const std::string& look) {
   return MakeCameraMotion(ParseCamera(ObjectReader(json, "test", "camera")), 4.0, 7);
 }
 
-// Velocities are the derivatives of the transforms, and have derivatives themselves.
+// Expects the velocities to be the derivatives of the pose, and differentiable themselves.
 void ExpectTwiceDifferentiable(const Motion& motion) {
   const double h = 1e-5;
   for (double t = 0.1; t < 3.9; t += 0.0171) {
@@ -83,7 +83,7 @@ TEST(Motion, VelocitiesAreDerivatives) {
       R"("look_along": {"pitch_deg": -10, "pan": {"amplitude_deg": 20, "period_s": 3}})"));
 }
 
-TEST(Motion, StandsOnTheGroundUnlessToldOtherwise) {
+TEST(Motion, StandsOnTheGroundByDefault) {
   const auto ground = Make(R"({"still": {"at": [1, 2], "heading_deg": 90}})", kChair);
   EXPECT_TRUE(ground->At(1).world_from_body.translation().isApprox(Vector3d(1, 2, 0.45)));
   EXPECT_TRUE((ground->At(1).world_from_body.rotation() * Vector3d::UnitX())
@@ -110,7 +110,7 @@ TEST(Motion, StopsAndGoes) {
   EXPECT_GT((chair->At(3.9).world_from_body.translation() - stopped).norm(), 0.1);
 }
 
-// The point of the ball that touches the floor stands still.
+// The point where the ball touches the floor has zero velocity.
 TEST(Rolling, DoesNotSlip) {
   const auto ball = Make(kLoop, kBall);
   for (double t = 0.0; t < 4.0; t += 0.1) {
@@ -121,7 +121,7 @@ TEST(Rolling, DoesNotSlip) {
   }
 }
 
-TEST(Rolling, OneTurnInTwoPiRadii) {
+TEST(Rolling, TurnsOnceInTwoPiRadii) {
   const auto ball = Make(R"({"route": {"points": [[0, 0], [10, 0]], "speed_mps": 1}})", kBall);
   const double turn_s = 2.0 * std::numbers::pi * 0.25;
   EXPECT_LT(RotationAngle(Eigen::Quaterniond(ball->At(turn_s).world_from_body.rotation())), 1e-9);
@@ -129,7 +129,8 @@ TEST(Rolling, OneTurnInTwoPiRadii) {
   EXPECT_LT((rolled - Vector3d(0, 0.4, 0)).norm(), 1e-9);
 }
 
-// Against tiny Euler steps of the angular velocity; forwards, backwards or alone the same.
+// Compares with midpoint integration of the angular velocity in small steps. The pose at a time
+// must not depend on the times evaluated before.
 TEST(Rolling, OrientationIntegratesTheAngularVelocity) {
   const auto ball = Make(kLoop, kBall);
   Eigen::Quaterniond integrated = Eigen::Quaterniond::Identity();
@@ -149,7 +150,7 @@ TEST(Swing, HangsFromItsPivot) {
   const RigidTransform later = block->At(0.7).world_from_body;
   const Vector3d pivot(1, 2, 2.5);
   EXPECT_NEAR((start.translation() - pivot).norm(), 1.2, 1e-12);
-  // The string is the body's own z axis all the time.
+  // The string is always along the z axis of the body.
   EXPECT_LT((later.Inverse() * pivot - Vector3d(0, 0, 1.2)).norm(), 1e-12);
   const Vector3d out = start.translation() - pivot;
   EXPECT_NEAR(std::atan2(out.y(), out.x()), 40.0 * std::numbers::pi / 180.0, 1e-9);

@@ -30,20 +30,20 @@ DrawingTools Tools(const World& world, int& draws) {
           nullptr, nullptr};
 }
 
-TEST(MakeContactSheet, ElevenFramesWithTintedMasksAndAMap) {
+TEST(MakeContactSheet, HasElevenFramesWithTintedMasksAndAMap) {
   const World world = test::OneBoxWorld();
   int draws = 0;
   const cv::Mat sheet = MakeContactSheet(world, 0, world.frames, Tools(world, draws), {});
   EXPECT_EQ(draws, 11);
   ASSERT_EQ(sheet.type(), CV_8UC3);
-  // Cells of 480 x 384 in four columns; red, green, blue 90, 100, 110 are drawn, a quarter of the
-  // body's blue over the mask.
+  // Cells of 480 x 384 px in four columns. The image has the RGB colour (90, 100, 110), blended
+  // with a quarter of the body's blue over the mask.
   EXPECT_EQ(sheet.cols, 4 * 488 + 8);
   EXPECT_EQ(sheet.at<cv::Vec3b>(54 + 300, 8 + 400), cv::Vec3b(110, 100, 90));
   EXPECT_EQ(sheet.at<cv::Vec3b>(54 + 300, 8 + 60), cv::Vec3b(130, 105, 73));
 }
 
-TEST(MakeContactSheet, Stops) {
+TEST(MakeContactSheet, StopsOnRequest) {
   const World world = test::OneBoxWorld();
   int draws = 0;
   WorkHooks hooks;
@@ -60,13 +60,13 @@ TEST(DrawPathMap, DrawsPathsAtTheirPositions) {
   cv::Mat body;
   cv::inRange(map, colours[0], colours[0], body);
   const cv::Rect box = cv::boundingRect(body);
-  // Camera at x = 0 and the body's box up to 5 m: 420 px for 5 m. The path is 2 px wide, its end a
-  // dot of 7 px.
+  // The camera is at x = 0 and the body's box ends at 5 m, which is 420 px away. The path is 2 px
+  // wide and ends in a dot of 7 px.
   EXPECT_NEAR(box.x + box.width / 2.0, 30 + 4.5 * 84, 1.5);
   EXPECT_NEAR(box.height, 0.5 * 84 + 5, 2);
 }
 
-TEST(BodyColours, AllDifferent) {
+TEST(BodyColours, AreAllDifferent) {
   std::set<std::array<double, 3>> different;
   for (const cv::Scalar& colour : BodyColours(30)) {
     different.insert({colour[0], colour[1], colour[2]});

@@ -36,7 +36,7 @@ StereoCamera StreetRig() {
   return rig;
 }
 
-// How far the corners in the images are from their projections, px.
+// Returns the offsets, in pixels, of the corners found in the images from their projections.
 std::vector<cv::Point2d> CornerErrors(const StereoCamera& rig) {
   const CalibrationTarget target = MakeCalibrationTarget(rig);
   Renderer renderer(target.world, 2);
@@ -69,7 +69,7 @@ void ExpectExact(const StereoCamera& rig) {
     sum += error;
     worst = std::max(worst, cv::norm(error));
   }
-  EXPECT_GT(worst, 0.0);  // cornerSubPix gives the guess back where it fails
+  EXPECT_GT(worst, 0.0);  // cornerSubPix returns the initial guess if it fails
   EXPECT_LT(worst, 0.05);
   EXPECT_LT(cv::norm(sum) / static_cast<double>(errors.size()), 0.003);
 }
@@ -84,7 +84,8 @@ TEST(CalibrationTarget, ShiftOfTheRightImageIsDrawn) {
   ExpectExact(rig);
 }
 
-// Column and row at which the right camera, as it really is, sees a point of the left one's frame.
+// Returns the column and row at which the right camera, with its error, sees a point that is given
+// in the frame of the left camera.
 Eigen::Vector2d InRight(const RigError& error, const Eigen::Vector3d& p_in_left) {
   const StereoCamera rig = StreetRig();
   const Eigen::Vector4d clip = ClipFromRight(rig, error) * p_in_left.homogeneous();
@@ -92,7 +93,7 @@ Eigen::Vector2d InRight(const RigError& error, const Eigen::Vector3d& p_in_left)
           (clip[1] / clip[3] + 1.0) * rig.height_px / 2.0 - 0.5};
 }
 
-TEST(RigError, MovesWhatTheRightCameraSees) {
+TEST(RigError, ShiftsProjectionsIntoTheRightCamera) {
   const StereoCamera rig = StreetRig();
   const Eigen::Vector3d p(3.0, -1.0, 20.0);
   const Eigen::Vector3d z_px = rig.Project(p).value();
@@ -102,7 +103,7 @@ TEST(RigError, MovesWhatTheRightCameraSees) {
   EXPECT_LT((shifted - Eigen::Vector2d(0.2, 0.0)).norm(), 1e-9);
   const Eigen::Vector2d longer = InRight({.focal = 0.01}, p) - as_calibrated;
   EXPECT_NEAR(longer.x(), 0.01 * (z_px[2] - rig.cx), 1e-9);
-  // Turned to its right, it sees things further left: by f (1 + x^2) per radian.
+  // When the camera turns to its right, points move to the left by f (1 + x^2) per radian.
   const double x = (z_px[2] - rig.cx) / rig.fx;
   const Eigen::Vector2d turned = InRight({.rotation_deg = {0.0, 0.001, 0.0}}, p) - as_calibrated;
   EXPECT_NEAR(turned.x(), -rig.fx * (1.0 + x * x) * 0.001 * std::acos(-1.0) / 180.0, 1e-5);

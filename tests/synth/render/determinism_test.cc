@@ -34,7 +34,8 @@ std::uint64_t Fingerprint(const Rendering& rendering) {
   return hash;
 }
 
-// In a process of its own: the first renderer of a process decides on its threads.
+// Exits with a hash of a rendering. To be called in a new process, since the first renderer of a
+// process fixes its number of threads.
 void ExitWithHash(int threads) {
   const World world = BallsWorld();
   const std::uint64_t hash = Fingerprint(Renderer(world, threads).Draw(ViewOf(world)));
@@ -67,7 +68,7 @@ TEST(Determinism, RenderersDoNotDisturbEachOther) {
   ExpectSame(alone, balls_renderer.Draw(ViewOf(balls)));
 }
 
-TEST(Determinism, ImagesAloneAreThoseOfTheWholeRendering) {
+TEST(Determinism, ImagesAloneMatchTheFullRendering) {
   const World world = BallsWorld();
   Renderer renderer(world, 2);
   cv::Mat left;
@@ -78,7 +79,7 @@ TEST(Determinism, ImagesAloneAreThoseOfTheWholeRendering) {
   EXPECT_TRUE(SameBytes(right, whole.right));
 }
 
-TEST(DeterminismDeathTest, AnyNumberOfThreads) {
+TEST(DeterminismDeathTest, SameBytesWithAnyNumberOfThreads) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const World world = BallsWorld();
   const int expected = static_cast<int>(Fingerprint(Renderer(world, 2).Draw(ViewOf(world))) % 251);

@@ -9,7 +9,7 @@
 namespace cvo::synth {
 namespace {
 
-// A body of 1 m at 4 m before a camera with 20 x 10 pixels, drawn as its near face.
+// A body of 1 m, 4 m in front of a camera of 20 x 10 pixels, drawn as its near face.
 class EdgeDepth : public testing::Test {
  protected:
   EdgeDepth() {
@@ -38,14 +38,14 @@ class EdgeDepth : public testing::Test {
   Rendering rendering_;
 };
 
-TEST_F(EdgeDepth, LeavesWhatIsWithinTheBoxAsDrawn) {
+TEST_F(EdgeDepth, LeavesDepthWithinTheBox) {
   const cv::Mat drawn = rendering_.depth.clone();
   CorrectEdgeDepth(rig_, bodies_, view_, rendering_);
   EXPECT_EQ(cv::norm(drawn, rendering_.depth, cv::NORM_INF), 0.0);
 }
 
-TEST_F(EdgeDepth, TakesTheNeighboursDepthOutsideOfTheBox) {
-  rendering_.depth.at<float>(3, 9) = 3.1F;   // before the box
+TEST_F(EdgeDepth, TakesDepthOutsideTheBoxFromNeighbours) {
+  rendering_.depth.at<float>(3, 9) = 3.1F;   // in front of the box
   rendering_.depth.at<float>(6, 11) = 5.2F;  // behind it, at a corner of the mask
   CorrectEdgeDepth(rig_, bodies_, view_, rendering_);
   EXPECT_FLOAT_EQ(rendering_.depth.at<float>(3, 9), 3.5F);

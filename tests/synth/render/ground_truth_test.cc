@@ -49,7 +49,8 @@ TEST(Instances, CoverTheProjectionOfABall) {
   const Rendering rendering = DrawWorld(world);
   const StereoCamera& rig = world.rig;
   const Eigen::Vector3d centre_in_left = LookingAlongX().Inverse() * centre;
-  // The ray's distance from the centre decides; a pixel's ray is about 1/fx wide.
+  // A pixel shows the ball if its ray passes the centre within the radius; rays are about 1/fx
+  // wide.
   const double margin = 0.7 * centre_in_left.norm() / rig.fx;
   int inside = 0;
   for (int v = 0; v < rig.height_px; ++v) {
@@ -70,7 +71,7 @@ TEST(Instances, CoverTheProjectionOfABall) {
   EXPECT_GT(inside, 1500);
 }
 
-TEST(AlonePixels, AreThoseSeenWhereNothingHidesThem) {
+TEST(AlonePixels, AreCountedWithoutOccluders) {
   World world = BallsWorld();
   const Rendering both = DrawWorld(world);
   const int front = cv::countNonZero(both.instances == 2);
@@ -86,7 +87,7 @@ TEST(AlonePixels, AreThoseSeenWhereNothingHidesThem) {
   EXPECT_EQ(single.alone_px[1], 0) << "behind the camera";
 }
 
-TEST(Bodies, MoreThanTheStencilHasValues) {
+TEST(Bodies, MayOutnumberTheStencilValues) {
   World world = EmptyWorld();
   const Mesh card = Quad({0, -0.2, -0.2}, {0, 0, 0.4}, {0, 0.4, 0});
   for (int i = 0; i < 300; ++i) AddBody(world, card, {2.0 + 0.01 * i, 0.0, 0.0});

@@ -10,14 +10,14 @@
 namespace cvo::synth {
 namespace {
 
-// Sum of squared differences of a window in the left image and one `disparity` further left in the
-// right image.
+// Returns the sum of squared differences between a window in the left image and the window
+// `disparity` pixels further left in the right image.
 double Difference(const cv::Mat& left, const cv::Mat& right, int disparity) {
   const cv::Rect window(60, 30, 80, 60);
   return cv::norm(left(window), right(window - cv::Point(disparity, 0)), cv::NORM_L2SQR);
 }
 
-TEST(Images, DisparityIsThatOfTheDepth) {
+TEST(Images, DisparityMatchesTheDepth) {
   World world = EmptyWorld();
   const double depth = 2.5;
   AddBackground(world, Quad({depth, -3, -3}, {0, 0, 6}, {0, 6, 0}));
@@ -52,7 +52,7 @@ TEST(Images, FourthChannelIsLuma) {
   EXPECT_GT(bgr[2], bgr[0]) << "red light textures are red";
 }
 
-// A card below the camera, lit straight from above, over a floor.
+// A card above the camera and a floor below it, lit vertically from above.
 class Shadow : public testing::Test {
  protected:
   Shadow() : world_(EmptyWorld()) {
@@ -68,7 +68,7 @@ class Shadow : public testing::Test {
   World world_;
 };
 
-TEST_F(Shadow, FallsWhereTheLightIsHiddenAndOnlyThere) {
+TEST_F(Shadow, FallsExactlyWhereTheLightIsBlocked) {
   const cv::Mat with = Draw(true);
   const cv::Mat without = Draw(false);
   const StereoCamera& rig = world_.rig;
@@ -76,7 +76,7 @@ TEST_F(Shadow, FallsWhereTheLightIsHiddenAndOnlyThere) {
   int dark = 0;
   for (int v = 70; v < rig.height_px; ++v) {
     for (int u = 0; u < rig.width_px; ++u) {
-      const double x = rig.fy / (v - rig.cy);  // of the floor
+      const double x = rig.fy / (v - rig.cy);  // of the point on the floor
       const double y = -(u - rig.cx) / rig.fx * x;
       const double inside = std::min(0.5 - std::abs(x - 3.0), 0.5 - std::abs(y));
       const double pixel = 1.5 * x * x / rig.fy;
@@ -108,7 +108,7 @@ TEST_F(Shadow, NoSurfaceShadowsItself) {
 
 TEST(Mesh, OneSidedIsNotDrawnFromBehind) {
   World world = EmptyWorld();
-  AddBackground(world, Quad({3, -5, -5}, {0, 0, 10}, {0, 10, 0}));  // its normal is towards us
+  AddBackground(world, Quad({3, -5, -5}, {0, 0, 10}, {0, 10, 0}));  // normal towards the camera
   std::reverse(world.meshes[0].indices.begin(), world.meshes[0].indices.end());
   const auto covered = [&] {
     return cv::countNonZero(Renderer(world, 2).Draw(ViewOf(world)).depth);

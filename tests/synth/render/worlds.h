@@ -22,7 +22,7 @@ inline StereoCamera SmallRig() {
   return rig;
 }
 
-// The camera at the origin looks along x, z is up: camera x is -y, camera y is -z.
+// A camera at the origin that looks along world x, with z up: camera x is -y, camera y is -z.
 inline RigidTransform LookingAlongX() {
   Eigen::Matrix3d world_from_camera;
   world_from_camera << 0, 0, 1, -1, 0, 0, 0, -1, 0;
@@ -66,7 +66,7 @@ inline Mesh Quad(const Eigen::Vector3d& corner, const Eigen::Vector3d& u,
   return mesh;
 }
 
-// Finer than a pixel of the small rig from 2 m on.
+// A sphere with facets smaller than a pixel of SmallRig() from 2 m on.
 inline Mesh Ball(double radius_m) {
   constexpr std::uint32_t kSlices = 96;
   constexpr std::uint32_t kStacks = 48;
@@ -93,7 +93,7 @@ inline Mesh Ball(double radius_m) {
   return mesh;
 }
 
-// A world with a noise texture; `AddTo` puts a mesh into it as background or as a new body.
+// A world with a noise texture, to which AddBackground and AddBody add meshes.
 inline World EmptyWorld() {
   World world;
   world.name = "test";

@@ -37,14 +37,15 @@ TEST(Separation, OfBallsAndBoxes) {
               1e-12);
   EXPECT_NEAR(Separation(cube, At({0, 0, 0}), ball, At({0.4, 0, 0})), -0.6, 1e-12);
   EXPECT_NEAR(Separation(cube, At({0, 0, 0}), cube, At({1.25, 0, 0})), 0.25, 1e-12);
-  // Turned by 45 degrees: the corner reaches sqrt(0.5).
+  // Rotated by 45 degrees, the corner reaches sqrt(0.5).
   EXPECT_NEAR(Separation(cube, At({0, 0, 0}), cube, At({1.25, 0, 0}, std::numbers::pi / 4)),
               0.75 - std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(Separation(cube, At({0, 0, 0}), cube, At({1.1, 0, 0}, std::numbers::pi / 4)),
               0.6 - std::sqrt(0.5), 1e-12);
 }
 
-// Two bars crossed over each other at 45 degrees each: only the product of two edges parts them.
+// Two crossed bars, each rotated by 45 degrees about its own axis: only the cross product of two
+// edges is a separating axis.
 TEST(Separation, EdgeAgainstEdge) {
   const CollisionShape bar = BoxShape({1.0, 0.1, 0.1});
   const RigidTransform low(ExpSo3({std::numbers::pi / 4, 0, 0}), Vector3d::Zero());
@@ -78,7 +79,7 @@ std::string Check(const std::vector<Solid>& solids, int threads = 1) {
   return ErrorMessage([&] { CheckCollisions(solids, walls, 4.0, threads, "scene x"); });
 }
 
-TEST(Collisions, TheFirstOneIsNamedWithItsTime) {
+TEST(Collisions, ReportsTheFirstWithItsTime) {
   // Centres 2 m apart closing at 1 m/s: balls of 0.25 m touch at 1.5 s.
   const std::vector<Solid> solids = {Mover("ball_1", Straight(-1, 0, 3, 0, 0.5), BallShape(0.25)),
                                      Mover("ball_2", Straight(1, 0, -3, 0, 0.5), BallShape(0.25)),
@@ -99,13 +100,13 @@ TEST(Collisions, PassingCloseIsAllowed) {
               HasSubstr("ball_1 and ball_2 overlap"));
 }
 
-TEST(Collisions, FastThingsDoNotTunnel) {
+TEST(Collisions, FastBodiesDoNotTunnel) {
   EXPECT_THAT(Check({Mover("dart", Straight(-100, 0, 100, 0, 49), BallShape(0.02)),
                      Mover("pane", R"({"still": {"at": [4, 0]}})", BoxShape({0.02, 0.5, 0.5}))}),
               HasSubstr("dart and pane overlap"));
 }
 
-TEST(Collisions, WithFurnitureWallsFloorAndCeiling) {
+TEST(Collisions, IncludeFurnitureWallsFloorAndCeiling) {
   const Solid shelf{"furniture", {BoxShape({0.3, 0.3, 1.0})}, nullptr, At({0, 0, 1})};
   EXPECT_EQ(Check({shelf, shelf}), "");
   EXPECT_THAT(Check({Mover("ball_1", Straight(-2, 0.4, 3, 0.4, 1), BallShape(0.25)), shelf}),

@@ -33,7 +33,7 @@ std::string MessageFor(const Json& scene) {
   return ErrorMessage([&] { SceneDescription::Parse(scene, "here"); });
 }
 
-// What is wrong with one ball's scene after a change.
+// Returns the error message about the scene with one ball after a change.
 std::string MessageAfter(const std::function<void(Json&)>& change) {
   Json scene = OneBall();
   change(scene);
@@ -115,7 +115,7 @@ TEST(SceneDescription, RefusesInvalidCameras) {
               HasSubstr("rig.baseline_m: found 0"));
 }
 
-TEST(SceneDescription, ExactlyOneOfAChoice) {
+TEST(SceneDescription, RequiresExactlyOneOfAChoice) {
   EXPECT_THAT(MessageAfter([](Json& s) {
                 s["street"] = {{"roads", Json::array()}};
               }),
@@ -129,14 +129,14 @@ TEST(SceneDescription, NamesMustDiffer) {
               HasSubstr("here, objects.1.name: found ball_1 for the second time"));
 }
 
-TEST(SceneDescription, MasksHaveSixteenBits) {
+TEST(SceneDescription, LimitsBodiesToSixteenBits) {
   EXPECT_THAT(MessageAfter([](Json& s) {
                 s["objects"][0]["copies"] = {{"count", 65536}, {"spacing_m", 1}};
               }),
               HasSubstr("here, objects: found 65536 bodies, expected at most 65535"));
 }
 
-TEST(SceneDescription, CopiesMoveOn) {
+TEST(SceneDescription, CopiesAreSpacedApart) {
   Json json = OneBall();
   json["objects"][0]["copies"] = {{"count", 3}, {"spacing_m", 0.5}};
   const std::string route = R"({"route": {"points": [[0, 0], [9, 0]], "speed_mps": 1}})";
@@ -159,7 +159,7 @@ TEST(SceneDescription, MissingMeshIsNamed) {
               HasSubstr("here, objects.0.file: found no file nowhere/dragon.obj"));
 }
 
-TEST(LoadScene, MeshesLieBesideTheSceneFile) {
+TEST(LoadScene, MeshPathsAreRelativeToTheSceneFile) {
   const test::TempFolder folder;
   Json json = OneBall();
   json["objects"][0]["model"] = "mesh";
@@ -178,7 +178,7 @@ TEST(LoadScene, MeshesLieBesideTheSceneFile) {
   EXPECT_NE(RenderKeyText(scene), changed);
 }
 
-TEST(LoadScene, ShippedScenesHaveTheNamesTheySay) {
+TEST(LoadScene, ShippedScenesHaveTheirNames) {
   for (const ShippedScene& shipped : ShippedScenes()) {
     EXPECT_EQ(SceneDescription::Load(shipped.name, {}).name(), shipped.name);
     EXPECT_FALSE(SceneDescription::Load(shipped.name, {}).about().empty());
@@ -204,7 +204,7 @@ TEST(LoadScene, AssignmentsAreCheckedLikeTheFile) {
   EXPECT_EQ(scene.json()["seed"], 18446744073709551615u);
 }
 
-TEST(LoadScene, InvalidAssignments) {
+TEST(LoadScene, RefusesInvalidAssignments) {
   const auto message = [](const std::string& assignment) {
     return ErrorMessage([&] { SceneDescription::Load("tiny", {assignment}); });
   };

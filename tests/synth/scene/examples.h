@@ -9,8 +9,8 @@
 
 namespace cvo::test {
 
-// A scene without objects that can be read, for tests to change: the camera moves along x, looking
-// along its route.
+// A valid scene without objects, for tests to modify. The camera moves along x and looks along its
+// route.
 inline Json EmptyScene() {
   return ParseJson(R"({
     "name": "empty", "rig": {"width_px": 640, "height_px": 480, "focal_px": 450, "baseline_m": 0.12},

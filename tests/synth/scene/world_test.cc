@@ -45,7 +45,7 @@ TEST(BuildWorld, TinyMatchesItsFile) {
   EXPECT_EQ(pictures.size(), world.textures.size());
 }
 
-TEST(BuildWorld, ContrastIsThatOfAllTexturesAboutTheirMean) {
+TEST(BuildWorld, ContrastScalesTexturesAboutTheirMean) {
   const auto deviation = [](const std::string& contrast) {
     const World world =
         BuildWorld(SceneDescription::Load("tiny", {"texture_contrast=" + contrast}), 1);
@@ -75,7 +75,7 @@ TEST(BuildWorld, ShippedScenesAreValid) {
   }
 }
 
-TEST(BuildWorld, TheSameForEveryNumberOfThreads) {
+TEST(BuildWorld, IsTheSameForEveryNumberOfThreads) {
   const SceneDescription scene = SceneDescription::Load("tiny", {});
   const World one = BuildWorld(scene, 1);
   const World four = BuildWorld(scene, 4);
@@ -93,7 +93,7 @@ TEST(BuildWorld, TheSameForEveryNumberOfThreads) {
   }
 }
 
-// Another object leaves those before and behind it as they were.
+// Inserting an object does not change the look of the others.
 TEST(BuildWorld, LooksDoNotDependOnOtherObjects) {
   Json json = EmptyScene();
   json["objects"].push_back(Ball("ball_1", R"({"still": {"at": [0, 0]}})"));
@@ -127,7 +127,7 @@ TEST(BuildWorld, ChecksBodiesWallsAndCamera) {
   EXPECT_THAT(MessageFor(json), HasSubstr("ball_1 never in front of the camera"));
 }
 
-// Once around the room along its walls.
+// The ball moves around the room along its walls.
 TEST(BuildWorld, BodiesMustNotEnterFurniture) {
   Json json = EmptyScene();
   json["room"]["shelves"] = 4;

@@ -30,9 +30,9 @@ SensorOptions AllOff() { return NoiselessSensor({}); }
 
 bool Same(const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv::NORM_INF) == 0.0; }
 
-constexpr double kRounding = 1.0 / 12.0;  // variance that rounding to whole numbers adds
+constexpr double kRounding = 1.0 / 12.0;  // variance due to rounding to integers
 
-TEST(NormalQuantiles, UnitVarianceAndNormalShape) {
+TEST(NormalQuantiles, HaveUnitVarianceAndNormalShape) {
   const std::vector<float>& quantiles = NormalQuantiles();
   ASSERT_EQ(quantiles.size(), 65536U);
   double sum = 0.0, square = 0.0, fourth = 0.0;
@@ -44,7 +44,7 @@ TEST(NormalQuantiles, UnitVarianceAndNormalShape) {
   EXPECT_NEAR(sum, 0.0, 1e-6);
   EXPECT_NEAR(square / 65536.0, 1.0, 1e-5);
   EXPECT_NEAR(fourth / 65536.0, 3.0, 0.01);
-  EXPECT_NEAR(quantiles[55138], 1.0, 1e-3);  // 0.84134 of 65536
+  EXPECT_NEAR(quantiles[55138], 1.0, 1e-3);  // quantile 0.84134 of 65536
 }
 
 TEST(ApplySensor, WithoutEffectsNothingChanges) {
@@ -62,7 +62,8 @@ TEST(ApplySensor, ReadNoiseHasItsVariance) {
   EXPECT_NEAR(moments.variance, 9.0 + kRounding, 0.1);
 }
 
-// Electrons of grey level g: g / 255 of the full well; their variance is their number.
+// Grey level g corresponds to g / 255 of the full well. The variance in electrons equals their
+// number.
 TEST(ApplySensor, ShotNoiseVarianceIsProportionalToSignal) {
   SensorOptions options = AllOff();
   options.full_well = 2000.0;
@@ -73,7 +74,7 @@ TEST(ApplySensor, ShotNoiseVarianceIsProportionalToSignal) {
   }
 }
 
-TEST(ApplySensor, GainExposureAndBlackLevel) {
+TEST(ApplySensor, AppliesGainExposureAndBlackLevel) {
   SensorOptions options = AllOff();
   options.gain = 1.5;
   options.exposure_difference = 0.1;
@@ -103,7 +104,7 @@ TEST(ApplySensor, ClampsAtBlackAndWhite) {
   EXPECT_EQ(low, 0.0);
 }
 
-TEST(ApplySensor, SameSeedCameraAndFrameSameBytesElseOthers) {
+TEST(ApplySensor, NoiseDependsOnSeedCameraAndFrame) {
   const SensorOptions options;
   const cv::Mat clean = Flat(120);
   const cv::Mat image = ApplySensor(clean, options, 0, 0, 3);

@@ -14,7 +14,7 @@ namespace {
 using test::EmptyRendering;
 using test::OneBoxWorld;
 
-// A wall 2 m ahead, fronto-parallel, on a body with id 1; the camera at the origin of the world.
+// A fronto-parallel wall 2 m ahead, part of body 1; the camera is at the world origin.
 struct WallScene {
   WallScene() : rig(OneBoxWorld().rig), rendering(EmptyRendering(OneBoxWorld())) {
     rendering.depth.setTo(2.0);
@@ -48,7 +48,7 @@ TEST(ComputeFlow, TranslatingPlane) {
   EXPECT_TRUE(scene.Valid(10, 20));
 }
 
-TEST(ComputeFlow, MovingCameraMovesEverythingTheOtherWay) {
+TEST(ComputeFlow, CameraMotionCausesOppositeFlow) {
   WallScene scene;
   scene.next.world_from_left = Shift(0.1, 0.0, 0.0);
   EXPECT_EQ(scene.U(40, 50), -5.0);

@@ -17,7 +17,7 @@ namespace {
 using test::EmptyRendering;
 using test::OneBoxWorld;
 
-TEST(ComputeTruth, VisibleBoxHasItsSidesOnTheMasksOuterPixels) {
+TEST(ComputeTruth, VisibleBoxEndsAtTheOuterPixelsOfTheMask) {
   const World world = OneBoxWorld();
   Rendering rendering = EmptyRendering(world);
   rendering.instances(cv::Rect(20, 30, 5, 4)).setTo(1);
@@ -53,13 +53,13 @@ TEST(ComputeTruth, AmodalBoxIsTheProjectionOfTheMesh) {
   EXPECT_NEAR(body.truncation, 0.0, 1e-12);
 }
 
-// 2 m further left: the front face goes from -25.5 to 24.5, the image begins at 0.
+// 2 m further left the front face spans -25.5 px to 24.5 px; the image begins at 0.
 TEST(ComputeTruth, TruncationIsThePartOutsideTheImage) {
   const World world = OneBoxWorld({4.5, 2.0, 0.0});
   const BodyTruth body = ComputeTruth(world, 0, EmptyRendering(world)).bodies.at(0);
   ASSERT_TRUE(body.amodal_box);
   EXPECT_EQ(body.amodal_box->left, 0.0);
-  const double right = 49.5 - 100.0 / 5.0;  // the back face's inner side, at 5 m
+  const double right = 49.5 - 100.0 / 5.0;  // right side of the back face, at 5 m
   EXPECT_NEAR(body.amodal_box->right, right, 1e-9);
   EXPECT_NEAR(body.truncation, 25.5 / (25.5 + right), 1e-9);
 }
@@ -71,9 +71,9 @@ TEST(ComputeTruth, BodyBehindTheCameraHasNoAmodalBox) {
   EXPECT_EQ(body.truncation, 1.0);
 }
 
-// The triangle's corner behind the camera must not be projected; where its sides meet the near
-// plane must.
-TEST(ProjectedBox, CutsTrianglesAtTheNearPlane) {
+// The corner of the triangle behind the camera must not be projected; the intersections of its
+// sides with the near plane must.
+TEST(ProjectedBox, ClipsTrianglesAtTheNearPlane) {
   StereoCamera rig = OneBoxWorld().rig;
   Mesh mesh;
   for (const Eigen::Vector3f& p :
@@ -89,13 +89,13 @@ TEST(ProjectedBox, CutsTrianglesAtTheNearPlane) {
   EXPECT_NEAR(projection.box()->right, 49.5 + 100.0 * (0.2 + 0.8 * 0.65) / 0.05, 1e-3);
 }
 
-TEST(FormatLabels, RowByHand) {
+TEST(FormatLabels, MatchesAHandComputedRow) {
   const World world = OneBoxWorld();
   Rendering rendering = EmptyRendering(world);
   rendering.instances(cv::Rect(40, 30, 10, 10)).setTo(1);
   rendering.alone_px = {200};
-  // The bottom's middle is 4.5 m ahead and 0.75 m below; the body looks along the camera's z, which
-  // is -90 degrees about its y.
+  // The centre of the bottom is 4.5 m ahead and 0.75 m below. The body faces along the camera's z
+  // axis, which is a rotation by -90 degrees about its y axis.
   EXPECT_EQ(FormatLabels(world, ComputeTruth(world, 0, rendering), 7),
             "7 1 Block 0.000000 1 -1.570796 24.500000 20.750000 74.500000 58.250000 1.500000 "
             "2.000000 1.000000 0.000000 0.750000 4.500000 -1.570796\n");
@@ -117,7 +117,7 @@ TEST(FormatLabels, OcclusionFollowsTheVisibleFraction) {
   EXPECT_EQ(occlusion(0), "3");
 }
 
-TEST(FormatLabels, NoRowOutOfView) {
+TEST(FormatLabels, HasNoRowOutOfView) {
   const World world = OneBoxWorld({-4.0, 0.0, 0.0});
   EXPECT_EQ(FormatLabels(world, ComputeTruth(world, 0, EmptyRendering(world)), 0), "");
 }

@@ -24,7 +24,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-// The body's row tells the frame: a block of its mask that moves with its pose.
+// Draws the body as a block whose column follows its pose, and so depends on the frame.
 Rendering Draw(const World& world, const View& view) {
   Rendering rendering = test::EmptyRendering(world);
   const int left = 40 - static_cast<int>(10.0 * view.world_from_body[0].translation().y());
@@ -90,7 +90,7 @@ class WriteDatasetTest : public testing::Test {
   std::vector<std::string> notices_;
 };
 
-TEST_F(WriteDatasetTest, FolderHasEverythingAndAManifestOfIt) {
+TEST_F(WriteDatasetTest, FolderIsCompleteAndListedInItsManifest) {
   const fs::path set = Write("set");
   const std::vector<std::string> files = FilesIn(set);
   EXPECT_EQ(files.size(), 4U * 6U + 6U + 3U + 2U);
@@ -106,7 +106,7 @@ TEST_F(WriteDatasetTest, FolderHasEverythingAndAManifestOfIt) {
   EXPECT_THAT(ReadFile(set / "scene.json"), HasSubstr("\"seed\": 3"));
 }
 
-TEST_F(WriteDatasetTest, TextFiles) {
+TEST_F(WriteDatasetTest, WritesTextFiles) {
   const fs::path set = Write("set");
   EXPECT_THAT(ReadFile(set / "times.txt"), StartsWith("0.000000000\n0.100000000\n"));
   EXPECT_THAT(ReadFile(set / "poses.txt"), StartsWith("1 0 0 0 0 1 0 0 0 0 1 0\n"));
@@ -120,7 +120,7 @@ TEST_F(WriteDatasetTest, TextFiles) {
   EXPECT_THAT(ReadFile(set / "labels.txt"), StartsWith("0 1 Block 0.000000 0 "));
 }
 
-TEST_F(WriteDatasetTest, ImagesAreWhatTheTruthSays) {
+TEST_F(WriteDatasetTest, ImagesAgreeWithTheTruth) {
   const fs::path set = Write("set");
   const auto read = [&](const char* name) {
     return cv::imread((set / name).string(), cv::IMREAD_UNCHANGED);
@@ -134,7 +134,7 @@ TEST_F(WriteDatasetTest, ImagesAreWhatTheTruthSays) {
   EXPECT_NEAR(cv::mean(left(cv::Rect(36, 31, 18, 13)))[0], 199.0, 2.0);
 }
 
-TEST_F(WriteDatasetTest, CalibrationTargetsWithTheirCorners) {
+TEST_F(WriteDatasetTest, WritesCalibrationTargetsWithTheirCorners) {
   source_.open_tools = [](const World& world) {
     const auto targets = [] {
       const cv::Mat image(8, 8, CV_8UC1, cv::Scalar(50));
@@ -173,7 +173,7 @@ TEST_F(WriteDatasetTest, SameBytesForEveryNumberOfThreads) {
   EXPECT_EQ(draws_, 12);
 }
 
-TEST_F(WriteDatasetTest, ImagesWithoutSensorAreTheCleanOnes) {
+TEST_F(WriteDatasetTest, ImagesWithoutSensorEffectsAreClean) {
   source_.sensor = NoiselessSensor({});
   const fs::path set = Write("set");
   EXPECT_TRUE(fs::equivalent(set / "image_1/000000.png", CacheEntry() / "image_1/000000.png"));
@@ -259,13 +259,13 @@ TEST_F(WriteDatasetTest, FramesAreCountedFromZeroAndKeepTheirNoise) {
   EXPECT_THAT(ReadFile(part / "objects.csv"), HasSubstr("\n0,1,box_1,Block,-0.199999999999999"));
 }
 
-TEST_F(WriteDatasetTest, FramesBeyondTheScene) {
+TEST_F(WriteDatasetTest, RefusesFramesBeyondTheScene) {
   request_.frames = {2, 7};
   EXPECT_THAT(ErrorMessage([&] { Write("set"); }),
               HasSubstr("frames: found 2:7, expected a range within 0:6"));
 }
 
-TEST_F(WriteDatasetTest, FlowOnRequestForAllButTheLastFrame) {
+TEST_F(WriteDatasetTest, WritesFlowOnRequestForAllButTheLastFrame) {
   EXPECT_FALSE(fs::exists(Write("set") / "flow_0"));
   request_.flow = true;
   const fs::path set = Write("set");
@@ -276,8 +276,8 @@ TEST_F(WriteDatasetTest, FlowOnRequestForAllButTheLastFrame) {
   EXPECT_EQ(flow.at<cv::Vec3w>(5, 5), cv::Vec3w(1, 32768, 32768));
 }
 
-// Sub-frames at -15, -5, 5 and 15 cm around the body's place: the left rim is covered by two.
-TEST_F(WriteDatasetTest, MotionBlurIsTheMeanOverTheShuttersTime) {
+// The sub-frames have the body at -15, -5, 5 and 15 cm: one in four covers column 39.
+TEST_F(WriteDatasetTest, MotionBlurIsTheMeanOverTheExposure) {
   source_.sensor = NoiselessSensor({});
   source_.sensor.motion_blur = {4, 0.4};
   const fs::path set = Write("set");

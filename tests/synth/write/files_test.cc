@@ -35,7 +35,7 @@ std::vector<std::string> NamesIn(const fs::path& folder) {
   return names;
 }
 
-// A process that has ended.
+// Returns the id of a process that has ended.
 pid_t DeadProcess() {
   const pid_t pid = ::fork();
   if (pid == 0) ::_exit(0);
@@ -43,7 +43,7 @@ pid_t DeadProcess() {
   return pid;
 }
 
-TEST(EncodeDepthTiff, LosslessAndSmall) {
+TEST(EncodeDepthTiff, IsLosslessAndSmall) {
   cv::Mat depth(480, 640, CV_32FC1);
   for (int v = 0; v < depth.rows; ++v) {
     for (int u = 0; u < depth.cols; ++u) {
@@ -93,7 +93,7 @@ TEST(FolderBuild, WithoutCommitNothingRemains) {
   EXPECT_THAT(NamesIn(temp.path()), testing::IsEmpty());
 }
 
-TEST(FolderBuild, ReplacesOrKeeps) {
+TEST(FolderBuild, ReplacesOrKeepsAnExistingFolder) {
   const TempFolder temp;
   const auto commit = [&](const std::string& content, Existing existing) {
     FolderBuild build(temp.path() / "set");

@@ -33,7 +33,7 @@ TEST(WriteScene, TruthAgreesWithWhatIsDrawn) {
   const cv::Mat mask = cv::imread((set / "instance_0/000000.png").string(), cv::IMREAD_UNCHANGED);
   for (const BodyTruth& body : table.frames[0].bodies) {
     ASSERT_TRUE(body.visible_box && body.amodal_box);
-    // A mask ends within a pixel of where the mesh is projected to, where nothing hides its rim.
+    // Where nothing occludes its rim, a mask ends within a pixel of the projected mesh.
     EXPECT_GE(body.visible_box->left, body.amodal_box->left - 0.1);
     EXPECT_LE(body.visible_box->right, body.amodal_box->right + 0.1);
     EXPECT_NEAR(body.visible_box->top, body.amodal_box->top, 1.1);

@@ -9,7 +9,7 @@
 
 namespace cvo::synth::test {
 
-// From a pose at time 0 with constant velocity, without rotation.
+// Translation at constant velocity, without rotation, from a pose at time 0.
 class StraightMotion : public Motion {
  public:
   StraightMotion(const RigidTransform& start, const Eigen::Vector3d& velocity)
@@ -25,7 +25,8 @@ class StraightMotion : public Motion {
   Eigen::Vector3d velocity_;
 };
 
-// The camera at the world's origin looks along world x: its x is -y, its y -z, its z x.
+// A camera at the world origin that looks along world x: its axes x, y and z are world -y, -z and
+// x.
 inline RigidTransform WorldFromForwardCamera() {
   Eigen::Matrix3d R;
   R << 0, 0, 1, -1, 0, 0, 0, -1, 0;
@@ -45,8 +46,8 @@ inline Mesh BoxMesh(const Eigen::Vector3d& size_m) {
   return mesh;
 }
 
-// 100 x 80 pixels, f = 100, 10 Hz, 6 frames; one body, 1 x 2 x 1.5 m, which starts 4.5 m ahead and
-// moves to the left at 1 m/s.
+// 100 x 80 pixels, f = 100 px, 10 Hz, 6 frames; one body of 1 x 2 x 1.5 m, which starts 4.5 m ahead
+// and moves to the left at 1 m/s.
 inline World OneBoxWorld(const Eigen::Vector3d& start = {4.5, 0.0, 0.0}) {
   World world;
   world.name = "one_box";
@@ -64,7 +65,7 @@ inline World OneBoxWorld(const Eigen::Vector3d& start = {4.5, 0.0, 0.0}) {
   return world;
 }
 
-// Grey images with a mask of one pixel row, no depth.
+// Uniform images with an empty instance mask and no depth.
 inline Rendering EmptyRendering(const World& world) {
   const cv::Size size(world.rig.width_px, world.rig.height_px);
   Rendering rendering;

@@ -34,7 +34,8 @@ cv::Mat Textured(int width_px, int height_px) {
   return Render(DrawScene(width_px, height_px, 1), 0);
 }
 
-// Nearest in description among the corners within 2 px of where `u`, `v` is expected; null if none.
+// Returns the corner with the nearest descriptor within 2 px of the expected position (u, v); null
+// if there is none.
 const OrbKeypoint* FindPartner(const OrbKeypoint& corner, const OrbImage& image, double u,
                                double v) {
   const OrbKeypoint* best = nullptr;
@@ -49,7 +50,7 @@ const OrbKeypoint* FindPartner(const OrbKeypoint& corner, const OrbImage& image,
   return best;
 }
 
-TEST(ExtractOrb, FindsAboutTheNumberAskedForSortedByRow) {
+TEST(ExtractOrb, ReturnsTheRequestedNumberSortedByRow) {
   OrbOptions options;
   options.features = 500;
   options.reserve = 0.0;
@@ -64,7 +65,7 @@ TEST(ExtractOrb, FindsAboutTheNumberAskedForSortedByRow) {
   EXPECT_GT(by_octave[3], 0);
 }
 
-TEST(ExtractOrb, AReserveComesOnTopAndLeavesTheOthersAsTheyAre) {
+TEST(ExtractOrb, ReserveIsAddedWithoutChangingTheOthers) {
   OrbOptions options;
   options.features = 200;
   options.reserve = 0.0;
@@ -88,7 +89,7 @@ TEST(ExtractOrb, AReserveComesOnTopAndLeavesTheOthersAsTheyAre) {
                              [&](const auto& a, const auto& b) { return key(a) < key(b); }));
 }
 
-// Corners of the image within the box, and all of its reserve.
+// Number of corners inside the box, and of all reserve corners of the image.
 struct RegionCount {
   int inside = 0;
   int reserve = 0;
@@ -102,7 +103,7 @@ RegionCount CountIn(const cv::Rect2d& box, const OrbImage& image) {
   return count;
 }
 
-TEST(ExtractOrb, TheReserveGoesToRegionsFirst) {
+TEST(ExtractOrb, ReserveGoesToRegions) {
   OrbOptions options;
   options.features = 200;
   options.reserve = 0.5;
@@ -117,7 +118,7 @@ TEST(ExtractOrb, TheReserveGoesToRegionsFirst) {
   EXPECT_GE(favoured.reserve, favoured.inside - evenly.inside);
 }
 
-TEST(ExtractOrb, TheReserveOfARegionIsAsDenseAsOverTheWholeImage) {
+TEST(ExtractOrb, ReserveOfARegionIsAsDenseAsOverTheWholeImage) {
   OrbOptions options;
   options.features = 200;
   options.reserve = 2.0;
@@ -130,14 +131,14 @@ TEST(ExtractOrb, TheReserveOfARegionIsAsDenseAsOverTheWholeImage) {
   EXPECT_NEAR(in_half.reserve, 200, 20);
 }
 
-TEST(ExtractOrb, RegionsHaveCornersNearTheEdgeOfTheImage) {
+TEST(ExtractOrb, RegionsHaveCornersNearTheImageBorder) {
   const cv::Rect2d strip(0.0, 40.0, 14.0, 120.0);
   const cv::Mat image = Textured(320, 240);
   const CornerRegion region{strip, 30};
   EXPECT_EQ(CountIn(strip, ExtractOrb(image, {})).inside, 0);
   const OrbImage orb = ExtractOrb(image, {}, {&region, 1});
   EXPECT_GE(CountIn(strip, orb).inside, 5);
-  // The mirrored pixels are the same in another copy of the image.
+  // The pixels mirrored at the border do not depend on the memory around the image.
   EXPECT_TRUE(Same(orb, ExtractOrb(image.clone(), {}, {&region, 1})));
 }
 
@@ -153,7 +154,7 @@ TEST(ExtractOrb, RegionsHaveWeakCornersBesideStrongOnes) {
   EXPECT_GT(CountIn(box, ExtractOrb(image, {}, {&region, 1})).inside, evenly + 10);
 }
 
-TEST(ExtractOrb, RegionsShareWhatTheReserveHas) {
+TEST(ExtractOrb, RegionsShareTheReserve) {
   OrbOptions options;
   options.features = 200;
   options.reserve = 0.1;
@@ -162,13 +163,13 @@ TEST(ExtractOrb, RegionsShareWhatTheReserveHas) {
   EXPECT_EQ(CountIn({}, ExtractOrb(Textured(320, 240), options, regions)).reserve, 20);
 }
 
-TEST(LeftRegions, AreTheNewestBoxesAndOlderOnesThatWereNotSeenAgain) {
+TEST(LeftRegions, AreTheNewestBoxesAndOlderOnesNotDetectedAgain) {
   OrbOptions orb;
   orb.box_features = 40;
   orb.reserve_frames = 3;
   const std::vector<std::vector<cv::Rect2d>> boxes{
       {{400.0, 100.0, 20.0, 20.0}},                              // too old
-      {{300.0, 100.0, 50.0, 40.0}, {100.0, 100.0, 20.0, 10.0}},  // the first is seen again
+      {{300.0, 100.0, 50.0, 40.0}, {100.0, 100.0, 20.0, 10.0}},  // the first is detected again
       {},
       {{305.0, 102.0, 50.0, 40.0}}};
   const std::vector<CornerRegion> regions = LeftRegions(boxes, orb);
@@ -180,7 +181,7 @@ TEST(LeftRegions, AreTheNewestBoxesAndOlderOnesThatWereNotSeenAgain) {
   EXPECT_TRUE(LeftRegions({}, orb).empty());
 }
 
-TEST(RightRegions, ReachToTheLargestDisparityAtTheSameDensity) {
+TEST(RightRegions, ExtendToTheLargestDisparityAtTheSameDensity) {
   const StereoCamera camera{450.0, 450.0, 319.5, 239.5, 0.12, 640, 480};
   StereoMatchOptions stereo;
   stereo.right_features = 1.5;
@@ -205,15 +206,15 @@ TEST(ExtractOrb, CoversWeakRegions) {
     cells.insert({static_cast<int>(keypoint.u_px) / 40, static_cast<int>(keypoint.v_px) / 40});
     if (keypoint.u_px >= 165.0F) ++in_weak_region;
   }
-  EXPECT_GE(cells.size(), 69u);  // of 12 * 6; the border of 16 px costs no whole cell
+  EXPECT_GE(cells.size(), 69u);  // of 12 * 6; the border of 16 px loses no whole cell
   EXPECT_GT(in_weak_region, static_cast<int>(orb.keypoints.size()) / 3);
 }
 
-TEST(ExtractOrb, AngleFollowsARotation) {
+TEST(ExtractOrb, AngleFollowsRotation) {
   const cv::Mat image = Textured(320, 320);
   const double angle_rad = 0.6;
   const cv::Point2f centre(159.5F, 159.5F);
-  // OpenCV turns counter-clockwise on the screen for positive degrees: v points down here.
+  // OpenCV rotates counter-clockwise on screen for positive angles; here v points down.
   const cv::Mat turn = cv::getRotationMatrix2D(centre, -angle_rad * 180.0 / std::numbers::pi, 1.0);
   cv::Mat rotated;
   cv::warpAffine(image, rotated, turn, image.size(), cv::INTER_CUBIC, cv::BORDER_REFLECT_101);
@@ -237,7 +238,7 @@ TEST(ExtractOrb, AngleFollowsARotation) {
   EXPECT_GT(good_angles, 9 * partners / 10);
 }
 
-TEST(ExtractOrb, OctaveFollowsAScale) {
+TEST(ExtractOrb, OctaveFollowsScale) {
   const cv::Mat image = Textured(320, 320);
   const double scale = 1.44;
   cv::Mat larger;
@@ -257,7 +258,7 @@ TEST(ExtractOrb, OctaveFollowsAScale) {
   EXPECT_GT(most->second, 200);
 }
 
-TEST(ExtractOrb, RunsAgreeAndThreadsToo) {
+TEST(ExtractOrb, IsDeterministicAcrossRunsAndThreads) {
   const cv::Mat image = Textured(320, 240);
   const OrbImage first = ExtractOrb(image, OrbOptions{});
   OrbImage second;
@@ -267,7 +268,7 @@ TEST(ExtractOrb, RunsAgreeAndThreadsToo) {
   thread.join();
   EXPECT_TRUE(Same(first, second));
   EXPECT_TRUE(Same(first, third));
-  cv::Mat part(300, 400, CV_8UC1);  // the same pixels with another stride
+  cv::Mat part(300, 400, CV_8UC1);  // the same pixels with a different stride
   image.copyTo(part(cv::Rect(5, 7, 320, 240)));
   EXPECT_TRUE(Same(first, ExtractOrb(part(cv::Rect(5, 7, 320, 240)), OrbOptions{})));
 }

@@ -31,7 +31,7 @@ struct Car {
   bool old = false;
   std::vector<Wheel> wheels;
   std::map<std::string, double> values;
-  std::optional<double> ate_m;  // null where there is none
+  std::optional<double> ate_m;  // null if absent
 
   bool operator==(const Car&) const = default;
   template <typename Self, typename Archive>
@@ -70,7 +70,7 @@ TEST(JsonRecord, ErrorsNameTheField) {
   EXPECT_EQ(Problem("\"doors\":-2,", ""), "f, field doors: found nothing, expected a value");
   EXPECT_EQ(Problem("-2", "2.5"), "f, field doors: found 2.5, expected an integer");
   EXPECT_EQ(Problem("-2", "3000000000"),
-            "f, field doors: found 3000000000, expected an integer that is not as large");
+            "f, field doors: found 3000000000, expected an integer from -2147483648 to 2147483647");
   EXPECT_EQ(Problem("18446744073709551615", "-1"),
             "f, field seed: found -1, expected an integer from 0");
   EXPECT_EQ(Problem("0.5", "\"0.5\""),
@@ -82,7 +82,7 @@ TEST(JsonRecord, ErrorsNameTheField) {
   EXPECT_EQ(Problem("{\"x\":1.5}", "[]"), "f, values: found a JSON array, expected an object");
 }
 
-// A row of a table, whose columns say what its cells are.
+// A row of a table in which the columns determine the type of the cells.
 struct Cell {
   bool known = false;
   double value = 0.0;

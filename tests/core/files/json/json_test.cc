@@ -40,7 +40,7 @@ TEST(ParseJson, RefusesAnythingButOneValue) {
   }
 }
 
-TEST(ParseJson, RefusesAKeyTwice) {
+TEST(ParseJson, RefusesDuplicateKeys) {
   EXPECT_THAT(ParseProblem(R"({"a": {"b": 1, "c": 2, "b": 3}})"), HasSubstr("key \"b\" twice"));
   EXPECT_EQ(ParseProblem(R"({"a": {"b": 1}, "c": {"b": 3}, "d": [{"b": 1}, {"b": 2}]})"), "");
 }
@@ -90,7 +90,7 @@ TEST(ReadJson, NamesTheFile) {
   }
 }
 
-TEST(DumpJson, NumbersReadBackAsTheSame) {
+TEST(DumpJson, NumbersRoundTripExactly) {
   const std::vector<double> numbers = {0.1,
                                        1.0,
                                        -0.0,
@@ -110,7 +110,7 @@ TEST(DumpJson, NumbersReadBackAsTheSame) {
   EXPECT_EQ(DumpJson(std::uint64_t{18446744073709551615U}), "18446744073709551615\n");
 }
 
-TEST(DumpJson, RefusesWhatIsNotFiniteAndNamesIt) {
+TEST(DumpJson, RefusesNonFiniteNumbersAndNamesThem) {
   const double nan = std::nan("");
   const double infinity = std::numeric_limits<double>::infinity();
   try {
@@ -130,11 +130,11 @@ TEST(DumpJson, RowsTakeOneLineEach) {
   EXPECT_EQ(DumpJson(Json::object()), "{}\n");
 }
 
-TEST(DumpJson, TextThatIsNotUtf8IsStillJson) {
+TEST(DumpJson, InvalidUtf8StillGivesValidJson) {
   EXPECT_NO_THROW(ParseJson(DumpJson({{"name", "\xff\"\n"}}), "text"));
 }
 
-TEST(DumpJsonWithRows, WritesWhatDumpJsonDoes) {
+TEST(DumpJsonWithRows, AgreesWithDumpJson) {
   const Json head = {{"a", 1}, {"b", {{"c", 0.5}}}};
   const std::vector<Json> all = {{{"x", 1}, {"y", {1.0, 2.0}}},
                                  Json::array({"p", "q"}),
@@ -160,7 +160,7 @@ TEST(DumpJsonWithRows, WritesWhatDumpJsonDoes) {
   }
 }
 
-TEST(DumpJsonWithRows, NamesTheRowOfANumberThatIsNotFinite) {
+TEST(DumpJsonWithRows, NamesTheRowOfANonFiniteNumber) {
   int rows = 0;
   const auto next = [&rows](Json& row) {
     row = {{"x", rows == 2 ? std::nan("") : 1.0}};

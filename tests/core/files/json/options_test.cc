@@ -42,7 +42,7 @@ struct Settings {
   }
 };
 
-// The message of the Error; empty where there was none.
+// Returns the message of the Error that `action` throws; empty if it throws none.
 std::string Problem(const std::function<void()>& action) {
   try {
     action();
@@ -63,7 +63,7 @@ std::string MergeProblem(const std::string& json) {
       [&] { MergeOptions(ParseJson(json, "c.json"), "c.json", OptionLeaves(settings)); });
 }
 
-TEST(SetOption, TakesEachType) {
+TEST(SetOption, ParsesEachType) {
   Settings settings;
   const auto leaves = OptionLeaves(settings);
   SetOption("window.spatial=7", leaves);
@@ -76,7 +76,7 @@ TEST(SetOption, TakesEachType) {
   EXPECT_EQ(settings.gain, -3.0);
 }
 
-TEST(SetOption, TakesWholeValuesOnly) {
+TEST(SetOption, RefusesPartiallyParsedValues) {
   for (const char* assignment :
        {"window.spatial=5x", "window.spatial=5.0", "window.spatial=", "window.spatial= 5",
         "window.spatial=99999999999", "window.huber=nan", "window.huber=inf", "window.huber=1,5",
@@ -156,15 +156,15 @@ TEST(ResolveOptions, AssignmentsOverrideTheFile) {
   EXPECT_EQ(ResolveOptions<Settings>("", {}).window.spatial, 5);
 }
 
-TEST(ClosestNames, NearestFirstAtMostThree) {
+TEST(ClosestNames, ReturnsAtMostThreeNearestFirst) {
   const std::vector<std::string> known = {"abcd1", "abcd2", "abcd3", "abcd", "zzzz"};
   EXPECT_THAT(ClosestNames("abcd", known), ElementsAre("abcd", "abcd1", "abcd2"));
   EXPECT_THAT(ClosestNames("qqqq", known), IsEmpty());
   EXPECT_EQ(DidYouMean("qqqq", known), "");
 }
 
-// Most of what is too far is not compared to its end; what is just near enough must be found.
-TEST(ClosestNames, AsFarAsAQuarterOfTheNameAndOne) {
+// The comparison with distant names stops early; names just within the limit must still be found.
+TEST(ClosestNames, AllowsAQuarterOfTheLengthPlusOneEdits) {
   const std::string name = "abcdefghijkl";  // 4 edits
   for (const char* near : {"abcdefgh", "abcdefghijkl1234", "1234efghijkl", "abcdefgh1234",
                            "badcfehgijkl", "x.abcdefghi23", "long_group.abcdefghi23"}) {
@@ -176,8 +176,8 @@ TEST(ClosestNames, AsFarAsAQuarterOfTheNameAndOne) {
   }
 }
 
-// A sequence that is not there was answered with the names of others.
-TEST(ClosestNames, AnotherNumberIsNoMisspelling) {
+// Regression test: for a missing sequence, the names of other sequences were suggested.
+TEST(ClosestNames, DifferentNumbersAreNotMisspellings) {
   const std::vector<std::string> known = {"drive_0001_sync", "drive_0013_sync", "drive_001_syn"};
   EXPECT_THAT(ClosestNames("drive_0047_sync", known), ElementsAre("drive_001_syn"));
   EXPECT_THAT(ClosestNames("drive_013_sync", known),

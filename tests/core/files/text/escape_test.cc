@@ -10,7 +10,7 @@
 namespace cvo {
 namespace {
 
-TEST(Base64, TheVectorsOfRfc4648) {
+TEST(Base64, MatchesTheVectorsOfRfc4648) {
   EXPECT_EQ(Base64(""), "");
   EXPECT_EQ(Base64("f"), "Zg==");
   EXPECT_EQ(Base64("fo"), "Zm8=");
@@ -25,12 +25,12 @@ TEST(Escaped, TextStaysText) {
   EXPECT_EQ(MarkdownEscaped("https://a.b www.c.d 1:2"), "https\\://a.b www\\.c.d 1:2");
 }
 
-TEST(Utf8, ATerminalGetsTextAndLineEnds) {
+TEST(Utf8, PrintableReplacesControlCharacters) {
   EXPECT_EQ(PrintableLines("a\r\nb\x1b\tc\rd\n"), "a\r\nb\xEF\xBF\xBD c d\n");
   EXPECT_EQ(Printable("a\r\nb"), "a  b");
 }
 
-TEST(Utf8, WholeTextsAlone) {
+TEST(Utf8, AcceptsOnlyCompleteValidSequences) {
   EXPECT_TRUE(IsUtf8("plain, \xc3\xa9, \xef\xbf\xbd, \xf0\x9f\x98\x80"));
   for (const char* text : {"\xff", "a\xc3", "\xc0\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80"}) {
     EXPECT_FALSE(IsUtf8(text));

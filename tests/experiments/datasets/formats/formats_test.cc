@@ -23,7 +23,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-TEST(Number, IsTheWholeText) {
+TEST(Number, MustSpanTheWholeText) {
   EXPECT_EQ(ParseDouble("7.215377000000e+02"), 721.5377);
   EXPECT_EQ(ParseDouble("+1"), 1.0);
   EXPECT_EQ(ParseDouble("-.5"), -0.5);
@@ -68,7 +68,7 @@ TEST(Timestamp, CrossesMidnightAndLeapDays) {
             86'400'000'000'000);
 }
 
-TEST(Timestamp, HasOneFormat) {
+TEST(Timestamp, AcceptsOnlyOneFormat) {
   for (const char* text : {"", "2011-09-26 13:02:25", "2011-09-26 13:02:25.96779059",
                            "2011-09-26 13:02:25.9677905920", "2011-09-26T13:02:25.967790592",
                            "2011-13-26 13:02:25.967790592", "2011-02-29 13:02:25.967790592",
@@ -102,7 +102,7 @@ TEST(FrameRange, Parses) {
   EXPECT_EQ(parse(":"), std::pair(0, -1));
 }
 
-TEST(FrameRange, RefusesOtherTexts) {
+TEST(FrameRange, RefusesInvalidRanges) {
   for (const char* text : {"", "5", "a:b", "-1:5", "1:-1", "1:2:3", "1 :2", "3:99999999999"}) {
     EXPECT_THAT(ErrorMessage([&] { ParseFrameRange(text); }),
                 AllOf(HasSubstr("--frames: found \"" + std::string(text) + "\""),
@@ -125,7 +125,7 @@ class Boxes : public testing::Test {
   test::TempFolder folder_;
 };
 
-TEST_F(Boxes, LabelRow) {
+TEST_F(Boxes, ParsesALabelRow) {
   const auto boxes = ReadLabels(
       folder_.Write("boxes.txt",
                     "3 2 Car 1 2 1.91 292.4 176.9 331.8 197.5 1.41 1.48 3.63 -21.4 1.7 51.9 1.5\n"
@@ -153,7 +153,7 @@ TEST_F(Boxes, LabelRow) {
   EXPECT_FALSE(boxes[1].box3d.has_value());
 }
 
-TEST_F(Boxes, DetectionRowsOfEitherLength) {
+TEST_F(Boxes, ParsesDetectionRowsOfEitherLength) {
   const std::string head = "0 1 Car -1.000000 -1 -1 880.5 207.9 1238.6 375.8 -1 -1 -1 ";
   const auto score = [&](const std::string& tail) {
     return ReadDetections(folder_.Write("boxes.txt", head + tail), 10)[0].score;
@@ -194,7 +194,8 @@ TEST_F(Boxes, ShiftIsTheDisparityOfTheOffset) {
   box.right_px = 150.0;
   box.top_px = 20.0;
   box.bottom_px = 40.0;
-  // A point at x in the left camera is at x + 0.06 in the other: 700 * 0.06 / 10 px to the right.
+  // A point at x in the left camera is at x + 0.06 in the other, which is 700 * 0.06 / 10 px
+  // further right.
   const ObjectBox shifted = ShiftBox(box, 0.06, 700.0, 10.0);
   EXPECT_NEAR(shifted.left_px, 95.8, 1e-12);
   EXPECT_NEAR(shifted.right_px, 145.8, 1e-12);
@@ -204,7 +205,7 @@ TEST_F(Boxes, ShiftIsTheDisparityOfTheOffset) {
   EXPECT_THAT(ErrorMessage([&] { ShiftBox(box, 0.06, 700.0, 0.0); }), HasSubstr("depth"));
 }
 
-TEST(Oxts, MetresInEveryDirection) {
+TEST(Oxts, ConvertsDegreesToMetresInEveryDirection) {
   constexpr double kRadius_m = 6378137.0, kDegree = std::numbers::pi / 180.0;
   const OxtsPacket start{49.0, 8.0, 100.0, 0.0, 0.0, 0.0};
   OxtsPacket east = start, north = start, up = start;
@@ -218,7 +219,7 @@ TEST(Oxts, MetresInEveryDirection) {
   EXPECT_NEAR((poses[3].translation() - Eigen::Vector3d(0, 0, 10)).norm(), 0.0, 1e-9);
 }
 
-TEST(Oxts, ScaleIsThatOfTheFirstLatitude) {
+TEST(Oxts, TakesTheScaleFromTheFirstLatitude) {
   constexpr double kRadius_m = 6378137.0, kDegree = std::numbers::pi / 180.0;
   const OxtsPacket start{49.0, 8.0, 100.0, 0.0, 0.0, 0.0};
   OxtsPacket east = start, far_north = start;

@@ -37,14 +37,14 @@ std::string Deflated(const std::string& bytes) {
   return out;
 }
 
-// The header's fields that decide how a file is read.
+// The fields of the header that determine how a file is decoded.
 struct Kind {
   char bits = 8;
   char colour_type = 0;
   char interlace = 0;
 };
 
-// A file whose rows have these filters in turn, and random bytes as what the filters leave.
+// Returns a PNG file whose rows cycle through these filters and hold random filtered bytes.
 std::string RandomPng(cv::Size size, const std::vector<int>& filters, Kind kind = {}) {
   std::mt19937 random(7);
   std::string rows;
@@ -64,7 +64,7 @@ cv::Mat DecodeByOpenCv(const std::string& bytes) {
   return cv::imdecode(std::vector<char>(bytes.begin(), bytes.end()), cv::IMREAD_UNCHANGED);
 }
 
-TEST(DecodeGreyPng, GivesWhatOpenCvDoesForEachFilter) {
+TEST(DecodeGreyPng, MatchesOpenCvForEachFilter) {
   for (const std::vector<int>& filters :
        std::vector<std::vector<int>>{{0}, {1}, {2}, {3}, {4}, {4, 3, 2, 1, 0}}) {
     const std::string bytes = RandomPng({37, 23}, filters);
@@ -76,7 +76,7 @@ TEST(DecodeGreyPng, GivesWhatOpenCvDoesForEachFilter) {
   }
 }
 
-TEST(DecodeGreyPng, LeavesOtherKindsToOpenCv) {
+TEST(DecodeGreyPng, LeavesOtherFormatsToOpenCv) {
   EXPECT_FALSE(DecodeGreyPng(RandomPng({8, 8}, {0})).empty());
   for (const Kind& kind : {Kind{16, 0, 0}, Kind{4, 0, 0}, Kind{8, 2, 0}, Kind{8, 0, 1}}) {
     EXPECT_TRUE(DecodeGreyPng(RandomPng({8, 8}, {0}, kind)).empty());
@@ -87,14 +87,14 @@ TEST(DecodeGreyPng, LeavesOtherKindsToOpenCv) {
   EXPECT_TRUE(DecodeGreyPng(transparent).empty());
 }
 
-TEST(DecodeGreyPng, RefusesPixelsOfAnotherSizeOrAnUnknownFilter) {
+TEST(DecodeGreyPng, RefusesDataOfTheWrongSizeOrAnUnknownFilter) {
   EXPECT_TRUE(DecodeGreyPng(RandomPng({8, 8}, {5})).empty());
   std::string larger = RandomPng({8, 8}, {0});
-  larger[19] = 9;  // the lowest byte of the width
+  larger[19] = 9;  // the least significant byte of the width
   EXPECT_TRUE(DecodeGreyPng(larger).empty());
   std::string huge = RandomPng({8, 8}, {0});
   huge[18] = 0x7f;
-  huge[22] = 0x7f;  // a gigabyte: refused before it is allocated
+  huge[22] = 0x7f;  // about 1 GB: refused before it is allocated
   EXPECT_TRUE(DecodeGreyPng(huge).empty());
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// The ground truth of rendered scenes: what is read, and what is refused.
+// Reading the ground truth of rendered scenes: what is accepted and what is refused.
 #include "experiments/datasets/formats/scene_truth.h"
 
 #include <gmock/gmock.h>
@@ -22,7 +22,8 @@ using testing::HasSubstr;
 
 const cv::Size kSize(kTestWidth_px, kTestHeight_px);
 
-// Position, rotation, velocity, angular velocity, size, pixels, fractions and both boxes.
+// A row of objects.csv. `rest` holds position, rotation, velocity, angular velocity, size, pixel
+// counts, fractions and both boxes.
 std::string Row(int frame, int id, const std::string& rest) {
   return StrCat(frame, ",", id, ",ball_", id, ",Ball,", rest, "\n");
 }
@@ -105,7 +106,7 @@ TEST_F(SceneTruth, RefusesImpossibleValues) {
   EXPECT_THAT(ObjectsError(InView("1,2,4,4", "1,2,4,")), HasSubstr("column visible_bottom"));
 }
 
-TEST_F(SceneTruth, RefusesRowsThatAreNotAllBodiesOfEachFrame) {
+TEST_F(SceneTruth, RefusesMissingOrMisplacedRows) {
   EXPECT_THAT(ObjectsError(Row(0, 1, kInView) + Row(0, 2, kInView) + Row(1, 1, kInView), 2),
               HasSubstr("3 rows"));
   EXPECT_THAT(ObjectsError(Row(0, 1, kInView) + Row(0, 2, kInView), 2),
@@ -131,7 +132,7 @@ TEST_F(SceneTruth, DepthAndInstancesReadBackExactly) {
   EXPECT_EQ(cv::norm(ReadInstances(instance_path, kSize), instances, cv::NORM_INF), 0.0);
 }
 
-TEST_F(SceneTruth, RefusesImagesOfAnotherKindOrSize) {
+TEST_F(SceneTruth, RefusesImagesOfTheWrongTypeOrSize) {
   const fs::path grey = folder_.Write("grey.png", GreyPng());
   EXPECT_THAT(
       ErrorMessage([&] { ReadInstances(grey, kSize); }),
@@ -154,7 +155,7 @@ TEST_F(SceneTruth, RefusesInvalidDepth) {
   }
 }
 
-TEST_F(SceneTruth, FlowIsDecodedAsKittiWritesIt) {
+TEST_F(SceneTruth, DecodesFlowInKittiFormat) {
   cv::Mat coded(kSize, CV_16UC3, cv::Scalar::all(0));
   coded.at<cv::Vec3w>(2, 3) = {1, 32768 - 32, 32768 + 96};
   const fs::path path = folder_.path() / "0.png";
@@ -165,7 +166,7 @@ TEST_F(SceneTruth, FlowIsDecodedAsKittiWritesIt) {
   EXPECT_EQ(flow.flow_px.at<cv::Vec2f>(2, 3), cv::Vec2f(1.5F, -0.5F));
 }
 
-TEST_F(SceneTruth, TargetCorners) {
+TEST_F(SceneTruth, ReadsTargetCorners) {
   const fs::path path = folder_.Write("targets.csv", "frame,corner,x,y,z\n0,0,0.1,0.2,1.5\n");
   const std::vector<TargetCorner> corners = ReadTargetCorners(path);
   ASSERT_EQ(corners.size(), 1U);

@@ -36,9 +36,9 @@ std::string PoseRow(const RigidTransform& pose, bool w_first) {
 
 std::string Digits4(std::size_t frame, const char* ending) { return StrCat("000", frame, ending); }
 
-// Landmarks: points of the static scene, which stay where they are, and of each body.
+// The landmarks of one cluster, which are fixed in its frame. Cluster 0 is the static scene.
 struct Points {
-  std::vector<Eigen::Vector3d> p;  // in the world, or in the body
+  std::vector<Eigen::Vector3d> p;  // in the world (cluster 0) or in the body
   int cluster = 0;
 };
 
@@ -114,7 +114,7 @@ fs::path WriteClusterSlam(const test::TempFolder& root, const WrittenScene& scen
   return root.path() / "SUNCG-1";
 }
 
-TEST(ClusterSlam, ASceneInItsLayoutHasTheSameErrors) {
+TEST(ClusterSlam, GivesTheSameErrorsAsOurOwnLayout) {
   const test::TempFolder own_folder, folder;
   const test::OwnScene own(own_folder.path() / "scene");
   const fs::path written = WriteClusterSlam(folder, own.written());
@@ -123,7 +123,8 @@ TEST(ClusterSlam, ASceneInItsLayoutHasTheSameErrors) {
   EXPECT_EQ(sequence.name, "SUNCG-1");
   EXPECT_THAT(sequence.missing, IsEmpty());
   test::ExpectSameSequence(own.Open(), sequence);
-  // Bodies are told apart by nearness in both: labelled landmarks are too few here.
+  // Without labelled pixels, bodies are matched by nearness in both: there are too few labelled
+  // landmarks here.
   sequence.bodies->pixels.clear();
   for (std::size_t i = 0; i < 2; ++i) {
     sequence.bodies->bodies[i].size_m = own.written().bodies[i].size_m;
@@ -146,8 +147,8 @@ class ClusterSlamFiles : public testing::Test {
   fs::path written_;
 };
 
-// Landmarks decide, and the camera is the same.
-TEST_F(ClusterSlamFiles, TheOrderOfQuaternionsIsFound) {
+// Landmarks determine the order, and the camera poses are the same in either.
+TEST_F(ClusterSlamFiles, DetectsTheQuaternionOrder) {
   const RigidTransform first = *Open().groundtruth_world_from_camera[2];
   const test::TempFolder other;
   WriteClusterSlam(other, scene_, false);
@@ -176,7 +177,7 @@ TEST_F(ClusterSlamFiles, PosesThatContradictLandmarksAreRefused) {
   EXPECT_THAT(Refused(), AllOf(HasSubstr("in either order of quaternions"), HasSubstr("pose")));
 }
 
-TEST_F(ClusterSlamFiles, LandmarksLabelPixelsNearThem) {
+TEST_F(ClusterSlamFiles, LandmarksLabelNearbyPixels) {
   const auto truth = ReadBodyTruth(Open());
   const auto z = scene_.camera.Project(scene_.world_from_left[0].Inverse() *
                                        Eigen::Vector3d(-0.45, -0.25, 2.5));
@@ -187,7 +188,7 @@ TEST_F(ClusterSlamFiles, LandmarksLabelPixelsNearThem) {
   EXPECT_TRUE(truth->objects().bodies[0].frames[0]->visible);
 }
 
-TEST_F(ClusterSlamFiles, BoxesAreThoseOfTheLandmarks) {
+TEST_F(ClusterSlamFiles, BoxesAreDerivedFromLandmarks) {
   const Sequence sequence = OpenSequence({.folder = written_, .detections_file = "labels"});
   ASSERT_EQ(sequence.detections.size(), 6U);
   EXPECT_EQ(sequence.labels[1].track, 2);
@@ -196,7 +197,7 @@ TEST_F(ClusterSlamFiles, BoxesAreThoseOfTheLandmarks) {
   EXPECT_EQ(ReadBodyTruth(sequence)->BodyOfTrack(2), 2);
 }
 
-TEST_F(ClusterSlamFiles, RowsAreRefusedByFileAndRow) {
+TEST_F(ClusterSlamFiles, BadRowsAreRefusedWithFileAndRow) {
   const fs::path mapping = written_ / "landmark_mapping.txt";
   test::RepeatRow(mapping, 5);
   EXPECT_THAT(Refused(), HasSubstr("landmark_mapping.txt:6: found landmark 5 a second time"));
@@ -218,7 +219,7 @@ TEST_F(ClusterSlamFiles, RowsAreRefusedByFileAndRow) {
   EXPECT_THAT(Refused(), AllOf(HasSubstr("pose: found 2 files"), HasSubstr("as many as images")));
 }
 
-TEST_F(ClusterSlamFiles, TheOrderOfCamerasIsChecked) {
+TEST_F(ClusterSlamFiles, ChecksTheCameraOrder) {
   const fs::path matrices = written_ / "instrinsic.txt";
   test::ReplaceIn(matrices, " -4\n", " 4\n");
   EXPECT_THAT(Refused(), AllOf(HasSubstr("instrinsic.txt:5: found 4"),

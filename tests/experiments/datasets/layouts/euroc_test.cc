@@ -42,8 +42,7 @@ std::string SensorText(const Lens& lens, int width_px, int height_px) {
 
 const RigidTransform kBodyFromLeft(ExpSo3({0.3, -1.2, 0.5}), Eigen::Vector3d(-0.02, 0.06, 0.01));
 
-// As EuRoC has it: times of the truth are others than those of the images, and the body is not the
-// camera.
+// As in EuRoC, poses are those of a body frame that is not the camera.
 void WriteEuroc(const test::TempFolder& root, const WrittenScene& scene) {
   const StereoCamera& c = scene.camera;
   std::string list = "#timestamp [ns],filename\r\n";
@@ -80,7 +79,7 @@ void WriteEuroc(const test::TempFolder& root, const WrittenScene& scene) {
   root.Write("mav0/state_groundtruth_estimate0/data.csv", truth);
 }
 
-TEST(Euroc, ASceneInItsLayoutIsTheSameSequence) {
+TEST(Euroc, GivesTheSameSequenceAsOurOwnLayout) {
   const test::TempFolder own_folder, folder;
   const test::OwnScene own(own_folder.path() / "scene");
   WriteEuroc(folder, own.written());
@@ -105,9 +104,9 @@ class EurocFiles : public testing::Test {
   test::TempFolder folder_;
 };
 
-// The published calibration: its rectification is known (rectification_test.cc), and the pose of
-// the left camera turns with it.
-TEST_F(EurocFiles, ImagesThatAreNotRectifiedAre) {
+// Images with lens distortion are rectified (the result is tested in rectification_test.cc), and
+// the poses of the left camera are rotated accordingly.
+TEST_F(EurocFiles, RectifiesDistortedImages) {
   const RigidTransform before =
       *OpenSequence({.folder = folder_.path()}).groundtruth_world_from_camera[2];
   test::ReplaceIn(File("cam0/sensor.yaml"), "coefficients: [0, 0, 0, 0]",
@@ -126,7 +125,7 @@ TEST_F(EurocFiles, ImagesThatAreNotRectifiedAre) {
   EXPECT_GT(cv::norm(image.grey, raw.grey, cv::NORM_L1), 0.0);
 }
 
-TEST_F(EurocFiles, CamerasArePairedByTime) {
+TEST_F(EurocFiles, ImagesArePairedByTime) {
   test::DropRow(File("cam1/data.csv"), 2);
   const Sequence sequence = OpenSequence({.folder = folder_.path() / "mav0"});
   EXPECT_EQ(sequence.images.size(), 2U);
@@ -135,7 +134,7 @@ TEST_F(EurocFiles, CamerasArePairedByTime) {
   EXPECT_EQ(sequence.name, folder_.path().filename());
 }
 
-TEST_F(EurocFiles, FramesOutsideTheTruthHaveNone) {
+TEST_F(EurocFiles, FramesBeyondTheTruthHaveNoPose) {
   test::DropRow(File("state_groundtruth_estimate0/data.csv"), 4);
   const Sequence sequence = OpenSequence({.folder = folder_.path()});
   EXPECT_FALSE(sequence.groundtruth_world_from_camera[2]);
@@ -145,7 +144,7 @@ TEST_F(EurocFiles, FramesOutsideTheTruthHaveNone) {
               ElementsAre(HasSubstr("data.csv: no ground truth")));
 }
 
-TEST_F(EurocFiles, BadRowsAreRefusedByFileAndRow) {
+TEST_F(EurocFiles, BadRowsAreRefusedWithFileAndRow) {
   const fs::path list = File("cam0/data.csv");
   const std::string text = test::ReadFile(list);
   test::RepeatRow(list, 2);
@@ -165,7 +164,7 @@ TEST_F(EurocFiles, BadRowsAreRefusedByFileAndRow) {
               AllOf(HasSubstr("data.csv:2, column 2: found \"x"), HasSubstr("a number")));
 }
 
-TEST_F(EurocFiles, OtherImagesAndCamerasAreRefused) {
+TEST_F(EurocFiles, MismatchedImagesAndCamerasAreRefused) {
   const fs::path image = OpenSequence({.folder = folder_.path()}).images[1].right;
   test::WriteImage(image, cv::Mat(32, 50, CV_8UC1, cv::Scalar(9)));
   EXPECT_THAT(Refused(), AllOf(HasSubstr("50x32 pixels"), HasSubstr("48x32")));

@@ -21,7 +21,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 constexpr std::int64_t kStart_ns = 1'560'510'000'000'000'000;
-constexpr double kClockOffset_s = 0.75;  // Vicon's clock is ahead
+constexpr double kClockOffset_s = 0.75;  // the clock of Vicon is ahead
 
 const RigidTransform kApparatusFromLeft(ExpSo3({-1.2, 0.4, 1.1}), Eigen::Vector3d(0.1, 0.2, -0.05));
 const RigidTransform kViconFromWorld(ExpSo3({1.5, 0.1, 0.7}), Eigen::Vector3d(2.0, -1.0, 1.4));
@@ -50,7 +50,7 @@ std::string ViconRow(std::int64_t time_ns, const std::string& object, const Rigi
          test::MatrixText(pose, ",") + "\n";
 }
 
-// <root>/swinging_4 with its calibrations beside it.
+// Writes <root>/swinging_4, with the calibrations beside it.
 fs::path WriteMultimotion(const test::TempFolder& root, const WrittenScene& scene) {
   const std::string segment = "swinging_4/";
   std::string images = "frame_num,time_sec,time_nsec\n", vicon;
@@ -91,7 +91,7 @@ Json Settings(const WrittenScene& scene) {
   return {{"clock_offset_s", kClockOffset_s}, {"bodies", bodies}};
 }
 
-TEST(OxfordMultimotion, ASceneInItsLayoutHasTheSameErrors) {
+TEST(OxfordMultimotion, GivesTheSameErrorsAsOurOwnLayout) {
   const test::TempFolder own_folder, folder;
   const test::OwnScene own(own_folder.path() / "scene");
   const Sequence sequence = OpenSequence({.folder = WriteMultimotion(folder, own.written()),
@@ -120,7 +120,7 @@ class MultimotionFiles : public testing::Test {
   Json settings_;
 };
 
-TEST_F(MultimotionFiles, BodiesAreThoseOfTheSettingsOrAllButTheApparatus) {
+TEST_F(MultimotionFiles, TakesBodiesFromTheSettingsOrAllButTheApparatus) {
   settings_["bodies"] = {{"box2", {{"name", "bottom left"}}}};
   const Sequence named = Open();
   ASSERT_EQ(named.bodies->bodies.size(), 1U);
@@ -134,8 +134,8 @@ TEST_F(MultimotionFiles, BodiesAreThoseOfTheSettingsOrAllButTheApparatus) {
   EXPECT_THAT(Refused(), HasSubstr("did you mean bodies?"));
 }
 
-// Two rows of Vicon around each image.
-TEST_F(MultimotionFiles, PosesAreInterpolatedAndTheClockMatters) {
+// With this offset, each image lies between two rows of Vicon.
+TEST_F(MultimotionFiles, InterpolatesPosesWithTheClockOffset) {
   settings_["clock_offset_s"] = kClockOffset_s + 0.05;
   const Sequence sequence = Open();
   const RigidTransform half = *sequence.groundtruth_world_from_camera[1];
@@ -146,8 +146,8 @@ TEST_F(MultimotionFiles, PosesAreInterpolatedAndTheClockMatters) {
   EXPECT_EQ(Open().groundtruth, "none");
 }
 
-// In the clock of the images and the axes of the camera, whatever else is in the world.
-TEST_F(MultimotionFiles, TheTrackOfTheCameraIsThatOfVicon) {
+// The track has the clock of the images and the axes of the camera, in an arbitrary world frame.
+TEST_F(MultimotionFiles, CameraTrackMatchesVicon) {
   const Sequence sequence = Open();
   ASSERT_EQ(sequence.truth_track.size(), sequence.timestamps_ns.size());
   const RigidTransform first = sequence.truth_track[0].world_from_camera.Inverse();
@@ -160,7 +160,7 @@ TEST_F(MultimotionFiles, TheTrackOfTheCameraIsThatOfVicon) {
   }
 }
 
-TEST_F(MultimotionFiles, BodiesAreVisibleWhereTheirCentreIsInTheImage) {
+TEST_F(MultimotionFiles, BodiesAreVisibleIfTheirCentreIsInTheImage) {
   const Sequence sequence = Open();
   EXPECT_TRUE(sequence.bodies->bodies[0].frames[0]->visible);
   WrittenScene moved = scene_;
@@ -169,7 +169,7 @@ TEST_F(MultimotionFiles, BodiesAreVisibleWhereTheirCentreIsInTheImage) {
   EXPECT_FALSE(Open().bodies->bodies[0].frames[0]->visible);
 }
 
-TEST_F(MultimotionFiles, RowsOfViconAreRefusedByRow) {
+TEST_F(MultimotionFiles, BadViconRowsAreRefusedWithTheirRow) {
   const fs::path vicon = segment_ / "vicon.csv";
   const std::string text = test::ReadFile(vicon);
   test::RepeatRow(vicon, 3);
@@ -178,7 +178,7 @@ TEST_F(MultimotionFiles, RowsOfViconAreRefusedByRow) {
   EXPECT_THAT(Refused(),
               AllOf(HasSubstr("vicon.csv:10: found"), HasSubstr("columns, expected 26")));
   WriteFileBytes(vicon, text);
-  // Quaternions with w first are not those of the matrices.
+  // Quaternions with w first contradict the matrices.
   const RigidTransform first = kViconFromWorld * scene_.bodies[0].world_from_object[0];
   const Eigen::Quaterniond q(first.rotation());
   test::ReplaceIn(vicon, NumbersText({q.x(), q.y(), q.z(), q.w()}, ","),
@@ -186,7 +186,7 @@ TEST_F(MultimotionFiles, RowsOfViconAreRefusedByRow) {
   EXPECT_THAT(Refused(), AllOf(HasSubstr("vicon.csv:2: found a quaternion"), HasSubstr("x y z w")));
 }
 
-TEST_F(MultimotionFiles, RowsOfImagesAreRefusedByRow) {
+TEST_F(MultimotionFiles, BadImageRowsAreRefusedWithTheirRow) {
   const fs::path list = segment_ / "stereo/stereo.csv";
   const std::string text = test::ReadFile(list);
   test::DropRow(list, 3);
@@ -202,7 +202,7 @@ TEST_F(MultimotionFiles, RowsOfImagesAreRefusedByRow) {
   EXPECT_THAT(Refused(), AllOf(HasSubstr("000001_right.png: found 48x30"), HasSubstr("48x32")));
 }
 
-TEST_F(MultimotionFiles, TheOrderOfCamerasIsChecked) {
+TEST_F(MultimotionFiles, ChecksTheCameraOrder) {
   const fs::path calibration = folder_.path() / "kalibr_2019_06_14.yaml";
   test::ReplaceIn(calibration, "bumblebee/left", "bumblebee/right");
   EXPECT_THAT(Refused(), AllOf(HasSubstr("cam0, rostopic: found \"/bumblebee/right/image_raw\""),
@@ -214,7 +214,7 @@ TEST_F(MultimotionFiles, TheOrderOfCamerasIsChecked) {
   EXPECT_THAT(Refused(), HasSubstr("a chain states each camera by the one before"));
 }
 
-TEST_F(MultimotionFiles, WhatIsMissingIsSaid) {
+TEST_F(MultimotionFiles, ReportsMissingInput) {
   fs::rename(folder_.path() / "vicon_2019_06_14.yaml", folder_.path() / "other.yaml");
   EXPECT_THAT(Refused(), AllOf(HasSubstr("no vicon*.yaml"), HasSubstr("two folders above")));
   settings_["vicon_calibration"] = "other.yaml";

@@ -63,7 +63,7 @@ fs::path WritePrepared(const test::TempFolder& root, const WrittenScene& scene) 
   return root.path() / "omd";
 }
 
-TEST(PreparedMultimotion, ASceneInItsLayoutHasTheSameErrors) {
+TEST(PreparedMultimotion, GivesTheSameErrorsAsOurOwnLayout) {
   const test::TempFolder own_folder, folder;
   const test::OwnScene own(own_folder.path() / "scene");
   Sequence sequence = OpenSequence(
@@ -96,14 +96,14 @@ TEST_F(PreparedFiles, NeedRightImages) {
   EXPECT_THAT(FindSequences(written_), IsEmpty());
 }
 
-TEST_F(PreparedFiles, ObjectsHaveTheNamesOfTheSettings) {
+TEST_F(PreparedFiles, ObjectsAreNamedByTheSettings) {
   settings_ = {{"names", {{"2", "top right"}}}};
   EXPECT_EQ(Open().bodies->bodies[1].name, "top right");
   settings_ = {{"names", {{"5", "tower"}}}};
   EXPECT_THAT(Refused(), AllOf(HasSubstr("object_pose.txt: found no object 5")));
 }
 
-TEST_F(PreparedFiles, RowsAreRefusedByFileAndRow) {
+TEST_F(PreparedFiles, BadRowsAreRefusedWithFileAndRow) {
   test::RepeatRow(written_ / "object_pose.txt", 2);
   EXPECT_THAT(Refused(), HasSubstr("object_pose.txt:3: found frame 0, object 2 a second time"));
   test::DropRow(written_ / "object_pose.txt", 3);
@@ -118,7 +118,7 @@ TEST_F(PreparedFiles, RowsAreRefusedByFileAndRow) {
   EXPECT_THAT(Refused(), AllOf(HasSubstr("times.txt:2"), HasSubstr("after")));
 }
 
-TEST_F(PreparedFiles, CalibrationsOfOtherImagesAreRefused) {
+TEST_F(PreparedFiles, MismatchedCalibrationsAreRefused) {
   test::ReplaceIn(written_ / "oxford.yaml", "Camera.width: 48", "Camera.width: 640");
   EXPECT_THAT(Refused(), AllOf(HasSubstr("Camera.width: found 640"), HasSubstr("48 px")));
   test::ReplaceIn(written_ / "oxford.yaml", "Camera.width: 640", "Camera.width: 48");
@@ -128,7 +128,7 @@ TEST_F(PreparedFiles, CalibrationsOfOtherImagesAreRefused) {
   EXPECT_THAT(Refused(), HasSubstr("2 YAML files"));
 }
 
-TEST_F(PreparedFiles, MissingRowsAreSaid) {
+TEST_F(PreparedFiles, ReportsMissingRows) {
   test::DropRow(written_ / "pose_gt.txt", 2);
   fs::remove_all(written_ / "semantic");
   EXPECT_THAT(Open().missing, ElementsAre(HasSubstr("no masks"), HasSubstr("1 of 3 frames")));

@@ -30,12 +30,13 @@ const RigidTransform kDataFromWorld(ExpSo3({0.1, -2.0, 0.05}), Eigen::Vector3d(5
 
 std::string Digits5(std::size_t frame, const char* ending) { return StrCat("0000", frame, ending); }
 
-// Angles about y, x and z of Ry Rx Rz.
+// Returns the angles about y, x and z, in rad, of the rotation Ry Rx Rz.
 std::vector<double> Angles(const Eigen::Matrix3d& r) {
   return {std::atan2(r(0, 2), r(2, 2)), std::asin(-r(1, 2)), std::atan2(r(1, 0), r(1, 1))};
 }
 
-// Our bodies have z up and their origin in the middle; theirs y down, and at the bottom.
+// Converts from our object frame, with z up and its origin at the centre, to that of the data set,
+// with y down and its origin at the bottom.
 RigidTransform BottomOf(const RigidTransform& world_from_object, const Eigen::Vector3d& size_m) {
   Eigen::Matrix3d turn;
   turn << 1, 0, 0, 0, 0, 1, 0, -1, 0;
@@ -73,7 +74,7 @@ void AddBodies(const WrittenScene& scene, std::size_t k, int camera,
   }
 }
 
-// Three archives side by side, <root>/vkitti_{rgb,textgt,instanceSegmentation}.
+// Writes the three archives side by side: <root>/vkitti_{rgb,textgt,instanceSegmentation}.
 fs::path WriteVirtualKitti(const test::TempFolder& root, const WrittenScene& scene) {
   const fs::path below = "Scene01/clone";
   const StereoCamera& c = scene.camera;
@@ -111,7 +112,7 @@ fs::path WriteVirtualKitti(const test::TempFolder& root, const WrittenScene& sce
   return root.path() / "vkitti_rgb" / below;
 }
 
-TEST(VirtualKitti, ASceneInItsLayoutHasTheSameErrors) {
+TEST(VirtualKitti, GivesTheSameErrorsAsOurOwnLayout) {
   const test::TempFolder own_folder, folder;
   test::OwnScene own(own_folder.path() / "scene");
   const Sequence sequence = OpenSequence({.folder = WriteVirtualKitti(folder, own.written()),
@@ -130,7 +131,7 @@ class VirtualKittiFiles : public testing::Test {
  protected:
   VirtualKittiFiles() {
     WrittenScene scene = test::SmallScene();
-    scene.masks[1] = cv::Scalar(0);  // a body of 399 px is not judged
+    scene.masks[1] = cv::Scalar(0);  // a body of 399 px does not count as visible
     scene.masks[1](cv::Rect(0, 0, 21, 19)) = cv::Scalar(1);
     images_ = WriteVirtualKitti(folder_, scene);
     text_ = folder_.path() / "vkitti_textgt/Scene01/clone";
@@ -145,7 +146,7 @@ class VirtualKittiFiles : public testing::Test {
   fs::path text_;
 };
 
-TEST_F(VirtualKittiFiles, BoxesAreLabelsWithTheirTrack) {
+TEST_F(VirtualKittiFiles, BoxesBecomeLabelsWithTracks) {
   const Sequence sequence = Open();
   ASSERT_EQ(sequence.labels.size(), 6U);
   EXPECT_EQ(sequence.labels[1].track, 1);
@@ -160,7 +161,7 @@ TEST_F(VirtualKittiFiles, BoxesAreLabelsWithTheirTrack) {
   EXPECT_EQ(OpenSequence({.folder = images_, .detections_file = "labels"}).detections.size(), 6U);
 }
 
-TEST_F(VirtualKittiFiles, WhatIsMissingIsSaid) {
+TEST_F(VirtualKittiFiles, ReportsMissingInput) {
   fs::remove_all(folder_.path() / "vkitti_instanceSegmentation");
   EXPECT_THAT(Open().missing, ElementsAre(HasSubstr("no masks")));
   fs::remove(text_ / "pose.txt");
@@ -169,7 +170,7 @@ TEST_F(VirtualKittiFiles, WhatIsMissingIsSaid) {
   EXPECT_THAT(Refused(), HasSubstr("extrinsic.txt"));
 }
 
-TEST_F(VirtualKittiFiles, RowsOfCamerasAreRefusedByRow) {
+TEST_F(VirtualKittiFiles, BadCameraRowsAreRefusedWithTheirRow) {
   test::RepeatRow(text_ / "extrinsic.txt", 3);
   EXPECT_THAT(Refused(), HasSubstr("extrinsic.txt:4: found frame 0, camera 1 a second time"));
   test::DropRow(text_ / "extrinsic.txt", 4);
@@ -179,7 +180,7 @@ TEST_F(VirtualKittiFiles, RowsOfCamerasAreRefusedByRow) {
   EXPECT_THAT(Refused(), AllOf(HasSubstr("intrinsic.txt:4: found 41"), HasSubstr("40, as in")));
 }
 
-TEST_F(VirtualKittiFiles, TheOrderOfCamerasIsChecked) {
+TEST_F(VirtualKittiFiles, ChecksTheCameraOrder) {
   std::string text = test::ReadFile(text_ / "extrinsic.txt");
   const TextFile lines(text_ / "extrinsic.txt");
   std::string swapped = lines.line(0) + "\n";
@@ -193,7 +194,7 @@ TEST_F(VirtualKittiFiles, TheOrderOfCamerasIsChecked) {
                                HasSubstr("to the right of camera 0")));
 }
 
-TEST_F(VirtualKittiFiles, RowsOfBodiesAreRefusedByRow) {
+TEST_F(VirtualKittiFiles, BadBodyRowsAreRefusedWithTheirRow) {
   const fs::path pose = text_ / "pose.txt";
   const std::string text = test::ReadFile(pose);
   test::RepeatRow(pose, 2);
@@ -219,7 +220,7 @@ TEST_F(VirtualKittiFiles, PosesInWorldAndCameraMustAgree) {
   EXPECT_THAT(Refused(), AllOf(HasSubstr("pose.txt:2: found turns"), HasSubstr("Ry Rx Rz")));
 }
 
-TEST_F(VirtualKittiFiles, CutImagesAreNoticed) {
+TEST_F(VirtualKittiFiles, DamagedOrMissingImagesAreRefused) {
   const fs::path image = images_ / "frames/rgb/Camera_1/rgb_00001.jpg";
   test::WriteImage(image, cv::Mat(32, 40, CV_8UC1, cv::Scalar(5)));
   EXPECT_THAT(Refused(), AllOf(HasSubstr("rgb_00001.jpg: found 40x32"), HasSubstr("48x32")));
@@ -229,7 +230,7 @@ TEST_F(VirtualKittiFiles, CutImagesAreNoticed) {
   EXPECT_THAT(Refused(), HasSubstr("rgb_00001.jpg"));
 }
 
-// 4 x 2 pixels: 0 1 2 2 and 2 1 0 1, in a palette of black, red and green.
+// A 4 x 2 px image with the indexes 0 1 2 2 and 2 1 0 1 into a palette of black, red and green.
 TEST(PaletteIndexes, AreReadAsIndexes) {
   constexpr std::string_view kHex =
       "89504e470d0a1a0a0000000d494844520000000400000002080300000048768d5100000009504c5445000000c80a"

@@ -30,7 +30,7 @@ void ExpectSamePose(const RigidTransform& a, const RigidTransform& b, const std:
 void ExpectSameBodies(const ObjectTruth& own, const ObjectTruth& other) {
   ASSERT_EQ(own.bodies.size(), other.bodies.size());
   for (std::size_t i = 0; i < own.bodies.size(); ++i) {
-    std::optional<RigidTransform> turn;  // of the body's frame
+    std::optional<RigidTransform> turn;  // of the object frame
     for (std::size_t k = 0; k < own.frame_count(); ++k) {
       const auto& a = own.bodies[i].frames[k];
       const auto& b = other.bodies[i].frames[k];
@@ -98,7 +98,7 @@ WrittenScene SmallScene() {
 
 OwnScene::OwnScene(const fs::path& folder) : folder_(folder) {
   WriteRayScene(folder);
-  fs::remove(folder / "manifest.json");  // its files may change
+  fs::remove(folder / "manifest.json");  // as its files may be edited
   Read();
 }
 
@@ -136,7 +136,8 @@ void OwnScene::CompressImages() {
       WriteImage(path, cv::imdecode(bytes, cv::IMREAD_UNCHANGED));
     }
   }
-  // The images of `written` stay as they were: to be compressed in the same way.
+  // written_.images stay uncompressed: the writer of the other layout compresses them in the same
+  // way.
 }
 
 std::string NumbersText(const std::vector<double>& numbers, const char* separator) {

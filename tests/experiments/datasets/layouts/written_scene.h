@@ -12,7 +12,7 @@
 
 namespace cvo::test {
 
-// A sequence to be written in the layout of a data set, as numbers and pixels.
+// The content of a sequence, as numbers and pixels, to be written in the layout of a data set.
 struct WrittenScene {
   struct Body {
     std::string name;
@@ -31,20 +31,20 @@ struct WrittenScene {
   std::size_t frames() const { return images.size(); }
 };
 
-// Three frames of noise, 48 x 32 px, with two bodies: for what is wrong in a layout.
+// Returns three frames of noise, 48 x 32 px, with two bodies. For tests of malformed files.
 WrittenScene SmallScene();
 
-// A rendered scene in our own layout, and the same as numbers. `edit` may change the pixels of its
-// files before either is read.
+// A ray-cast scene in our own layout, together with its content as a WrittenScene.
 class OwnScene {
  public:
   explicit OwnScene(const std::filesystem::path& folder);
 
   const WrittenScene& written() const { return written_; }
-  // With its boxes of the detector.
+  // Opens the scene with the boxes of its detector.
   Sequence Open() const;
   std::filesystem::path detections() const { return folder_ / "detections/good.txt"; }
-  // Sends its images through JPEG, as a data set that comes so, and keeps what remains.
+  // Replaces the images of the folder by their decoded JPEG versions, as in a data set with JPEG
+  // images. written() is not changed.
   void CompressImages();
 
  private:
@@ -54,24 +54,26 @@ class OwnScene {
   WrittenScene written_;
 };
 
-// The numbers of a transform: [R t] row by row, or x y z, then the quaternion.
+// Formats a transform as the 16 numbers of its 4 x 4 matrix, row by row.
 std::string MatrixText(const RigidTransform& pose, const char* separator);
 std::string NumbersText(const std::vector<double>& numbers, const char* separator);
 
 void WriteImage(const std::filesystem::path& path, const cv::Mat& image);
 
-// A file with its first `from` replaced, which must be there.
+// Replaces the first occurrence of `from` in a file. Throws Error if there is none.
 void ReplaceIn(const std::filesystem::path& file, const std::string& from, const std::string& to);
-// A file without the row `row` (from 1), or with it a second time after itself.
+// Removes, or duplicates in place, the row `row` of a file, counted from 1.
 void DropRow(const std::filesystem::path& file, std::size_t row);
 void RepeatRow(const std::filesystem::path& file, std::size_t row);
 
-// The same camera, times, pixels and truth of the camera, and bodies at the same places (frames of
-// bodies may differ by one turn each) that are visible in the same frames.
+// Expects the same camera, images, camera poses, and timestamps up to a constant offset, and bodies
+// with the same poses and visibility in every frame. The object frame of a body may differ by a
+// constant rotation.
 void ExpectSameSequence(const Sequence& own, const Sequence& other);
 
-// The same errors of a run of `full`, to 1e-9. `tells_pixels`: the layout tells which body a pixel
-// shows, so that the own scene is scored by it too; `clustering`: and tells it of all pixels.
+// Expects the same errors, to 1e-9, of a run of `full` on each. `tells_pixels`: the layout knows
+// which body a pixel shows; otherwise the own scene is scored without its masks, too. `clustering`:
+// also compares the clustering scores, which need the body of every pixel.
 void ExpectSameErrors(const Sequence& own, const Sequence& other, bool tells_pixels,
                       bool clustering);
 

@@ -25,9 +25,10 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr int kTries = 150;  // of 100 ms: 15 s for Slurm to come up or to be empty
+constexpr int kTries = 150;  // of 100 ms each: 15 s for Slurm to start, or for its queue to empty
 
-// In the folders where Debian has them, which a user's PATH may not name.
+// Searches the folders in which Debian installs Slurm, which may be missing from the user's PATH.
+// Returns "" if the program is not found.
 std::string ProgramPath(const std::string& name) {
   for (const char* folder : {"/usr/sbin/", "/usr/bin/", "/usr/local/sbin/", "/usr/local/bin/"}) {
     if (::access((folder + name).c_str(), X_OK) == 0) return folder + name;
@@ -50,7 +51,8 @@ std::string ShortHostName() {
   return full.substr(0, full.find('.'));
 }
 
-// Free at this moment. Both are held until both are known: they are not the same.
+// Returns two distinct ports that are free at this moment. Both sockets stay open until both ports
+// are known, so that the ports differ.
 std::array<int, 2> FreePorts() {
   std::array<int, 2> sockets{};
   std::array<int, 2> ports{};
@@ -68,7 +70,8 @@ std::array<int, 2> FreePorts() {
   return ports;
 }
 
-// Everything that Slurm starts has the variable from it. False where nothing has it.
+// Kills all processes with this variable in their environment: everything that Slurm starts
+// inherits SLURM_CONF. Returns false if there are none.
 bool KillAllWith(const std::string& variable) {
   bool found = false;
   for (const fs::directory_entry& entry : fs::directory_iterator("/proc")) {
@@ -119,7 +122,8 @@ void Daemon::Await() {
   pid_ = -1;
 }
 
-// The variable is set later, by the cluster: neither this program nor the guard has it.
+// The cluster sets SLURM_CONF only after this fork, so neither this process nor the guard has the
+// variable in its initial environment.
 SlurmGuard::SlurmGuard(const fs::path& config) {
   std::array<int, 2> ends{};
   Require(::pipe2(ends.data(), O_CLOEXEC) == 0, "pipe");
@@ -131,7 +135,8 @@ SlurmGuard::SlurmGuard(const fs::path& config) {
     char byte = 0;
     while (::read(ends[0], &byte, 1) < 0) {
     }
-    // Again, for what was started meanwhile; a zombie has no variables.
+    // Repeat, to catch processes started in the meantime. It terminates because a zombie has no
+    // environment.
     while (KillAllWith("SLURM_CONF=" + config.string())) {
     }
     ::_exit(0);

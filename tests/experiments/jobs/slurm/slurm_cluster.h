@@ -12,7 +12,7 @@
 
 namespace cvo::test {
 
-// A program that ends with this one, however this one ends.
+// A child process that ends with this process, however this one ends.
 class Daemon {
  public:
   Daemon(const std::vector<std::string>& argv, const std::filesystem::path& log);
@@ -20,15 +20,15 @@ class Daemon {
   Daemon(Daemon&& other) noexcept;
   Daemon& operator=(Daemon&&) = delete;
 
-  // Until it ends by itself.
+  // Waits until it exits by itself.
   void Await();
 
  private:
   pid_t pid_ = -1;
 };
 
-// Ends what is left of a Slurm with this configuration, tasks and all, when it is destroyed or this
-// program has ended in any way.
+// Kills every process left over from a Slurm with this configuration, tasks included, when it is
+// destroyed or this process ends in any way.
 class SlurmGuard {
  public:
   explicit SlurmGuard(const std::filesystem::path& config);
@@ -38,26 +38,28 @@ class SlurmGuard {
 
  private:
   pid_t pid_ = -1;
-  int alive_ = -1;  // the guard sees it closed
+  int alive_ = -1;  // write end of a pipe; the guard acts when it is closed
 };
 
-// A real Slurm on this machine, of one node with eight pretended processors, four tasks to an
-// array, and its own folder, ports and key. SLURM_CONF points to it. Ends what runs in it.
+// A real Slurm on this machine: one node with eight simulated processors, at most four tasks per
+// array, and its own folder, ports and key. The constructor sets SLURM_CONF to its configuration.
+// The destructor ends everything that runs in it.
 class SlurmCluster {
  public:
   SlurmCluster();
   ~SlurmCluster();
 
-  // Why there is no cluster; empty: it is up.
+  // Why there is no cluster. Empty if it is up.
   const std::string& missing() const { return missing_; }
   const std::string& node() const { return node_; }
   const std::filesystem::path& folder() const { return folder_.path(); }
 
   void StartController();
-  // Slurm writes its state down first: after a crash it may not know what it had started.
+  // StopController lets Slurm save its state first. After KillController, Slurm may not know which
+  // tasks it had started.
   void StopController();
   void KillController();
-  // The daemon of the node; tasks that it has started go on without it.
+  // The daemon of the node. Tasks that it has started continue without it.
   void StartNode();
   void KillNode();
 
@@ -70,11 +72,11 @@ class SlurmCluster {
   std::string node_;
   std::string missing_;
   std::vector<Daemon> munge_;       // munged
-  std::vector<Daemon> controller_;  // slurmctld; empty: it is down
-  std::vector<Daemon> daemon_;      // slurmd; empty: it is down
+  std::vector<Daemon> controller_;  // slurmctld; empty while it is down
+  std::vector<Daemon> daemon_;      // slurmd; empty while it is down
 };
 
-// What a program printed. Throws Error where it fails.
+// Runs a program and returns its standard output. Throws Error if it fails.
 std::string Printed(const std::vector<std::string>& argv);
 
 }  // namespace cvo::test

@@ -29,7 +29,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-// Output of one Run.
+// What the hooks received during one Run.
 struct EngineOutput {
   std::map<std::string, std::vector<TaskEnd>> ends;  // by the task's name
   std::vector<std::string> notices;
@@ -42,7 +42,8 @@ std::size_t LinesOf(const fs::path& file) {
   return count;
 }
 
-// A program in front of the one of this name, as long as it lives.
+// Puts a script named `name` in front of the program of that name in PATH, for the lifetime of the
+// object.
 class Programs {
  public:
   Programs(const std::string& name, const std::string& script) : path_(std::getenv("PATH")) {
@@ -72,7 +73,7 @@ class SlurmEngineTest : public ::testing::Test {
     if (!cluster_.missing().empty()) GTEST_SKIP() << cluster_.missing();
   }
 
-  // A task of sh. Each start adds a line to the file `name`.started.
+  // Returns a task that runs a shell script. Each start appends a line to the file `name`.started.
   Task Shell(const std::string& name, const std::string& script) const {
     Task task;
     task.name = name;
@@ -96,7 +97,7 @@ class SlurmEngineTest : public ::testing::Test {
     SlurmEngine(options_).Run(tasks, Hooks(tasks, output));
     return output;
   }
-  // Run in a process of its own, which ends with it.
+  // Runs the tasks in a child process that exits when they have ended.
   pid_t StartRunner(const std::vector<Task>& tasks) const {
     const pid_t runner = ::fork();
     if (runner != 0) return runner;
@@ -106,7 +107,7 @@ class SlurmEngineTest : public ::testing::Test {
   bool NothingLeft() const { return !fs::exists(options_.folder) || fs::is_empty(options_.folder); }
 
   TempFolder temp_;
-  // Every byte that a name may have and a shell or Slurm could stumble on.
+  // Contains the special characters that a shell or Slurm could stumble over.
   fs::path folder_ = temp_.path() / "it's 100%a \"folder\" $HOME";
   SlurmOptions options_;
   SlurmCluster cluster_;
@@ -151,7 +152,7 @@ TEST_F(SlurmEngineTest, RunsMoreTasksThanAnArrayHolds) {
 TEST_F(SlurmEngineTest, WaitsForADrainedNodeAndRequeuedTasks) {
   std::vector<Task> tasks = {Shell("long", "[ $(wc -l <\"$1\") -gt 1 ] || sleep 60"),
                              Shell("short", "true")};
-  options_.sbatch_flags = {"--cpus-per-task=8"};  // one after the other
+  options_.sbatch_flags = {"--cpus-per-task=8"};  // so the tasks run one after the other
   EngineOutput output;
   EngineHooks hooks = Hooks(tasks, output);
   bool requeued = false;
@@ -165,7 +166,7 @@ TEST_F(SlurmEngineTest, WaitsForADrainedNodeAndRequeuedTasks) {
     }
     if (requeued && !waits &&
         ::testing::Value(output.notices, Contains(HasSubstr("requeued by")))) {
-      waits = true;  // Slurm would let two minutes pass before it starts a task again
+      waits = true;  // by default, Slurm restarts a requeued task only after two minutes
       Printed({"scontrol", "update", "JobId=" + Job(output) + "_0", "StartTime=now"});
     }
     if (waits && !resumed && ::testing::Value(output.notices, Contains(HasSubstr("DRAINED")))) {
@@ -183,7 +184,7 @@ TEST_F(SlurmEngineTest, WaitsForADrainedNodeAndRequeuedTasks) {
   EXPECT_TRUE(output.ends["short"].front().ok);
 }
 
-TEST_F(SlurmEngineTest, TasksWithoutAnExitCodeFailAlone) {
+TEST_F(SlurmEngineTest, ATaskWithoutAnExitCodeFailsAlone) {
   const std::vector<Task> tasks = {Shell("cancelled", "sleep 60"), Shell("fine", "true"),
                                    Shell("lost", "kill -9 $PPID")};
   EngineOutput output;
@@ -203,7 +204,7 @@ TEST_F(SlurmEngineTest, TasksWithoutAnExitCodeFailAlone) {
   EXPECT_THAT(output.ends["lost"].front().message, StartsWith("failed in Slurm (FAILED)"));
 }
 
-TEST_F(SlurmEngineTest, AKilledRunnerResumesItsTasks) {
+TEST_F(SlurmEngineTest, ResumesTheTasksOfAKilledRunner) {
   const std::string wait = "for i in $(seq 300); do [ -e \"${1%/*}/go\" ] || sleep 0.1; done";
   std::vector<Task> tasks;
   for (int i = 0; i < 6; ++i) tasks.push_back(Shell(StrCat("task", i), i == 2 ? "true" : wait));
@@ -212,8 +213,8 @@ TEST_F(SlurmEngineTest, AKilledRunnerResumesItsTasks) {
   ::kill(runner, SIGKILL);
   ::waitpid(runner, nullptr, 0);
   ASSERT_TRUE(started);
-  tasks[1] = Shell("another", "true");  // the suite was edited: task1 is not asked for any more
-  tasks[4].limit_s = 60.0;              // and task4 is to run in another way
+  tasks[1] = Shell("another", "true");  // as if the suite was edited: task1 is no longer requested
+  tasks[4].limit_s = 60.0;              // and task4 has other settings
   EngineOutput output;
   EngineHooks hooks = Hooks(tasks, output);
   hooks.stop = [&] {
@@ -223,7 +224,7 @@ TEST_F(SlurmEngineTest, AKilledRunnerResumesItsTasks) {
   SlurmEngine engine(options_);
   engine.KeepOnly({"another", "task0", "task2", "task3", "task4", "task5"}, hooks);
   EXPECT_THAT(output.notices, ElementsAre(HasSubstr("cancelled tasks")));
-  // In two parts: what is not asked for yet is left alone.
+  // Run in two parts: tasks not requested yet must be left alone.
   engine.Run(std::span(tasks).first(3), hooks);
   hooks.ended = [&](std::size_t task, const TaskEnd& end) {
     output.ends[tasks[task + 3].name].push_back(end);
@@ -240,7 +241,7 @@ TEST_F(SlurmEngineTest, AKilledRunnerResumesItsTasks) {
   EXPECT_TRUE(NothingLeft());
 }
 
-TEST_F(SlurmEngineTest, StopCancelsAll) {
+TEST_F(SlurmEngineTest, StopCancelsAllTasks) {
   std::vector<Task> tasks;
   for (int i = 0; i < 6; ++i) tasks.push_back(Shell(StrCat("task", i), "sleep 60"));
   EngineOutput output;
@@ -253,7 +254,7 @@ TEST_F(SlurmEngineTest, StopCancelsAll) {
 }
 
 TEST_F(SlurmEngineTest, SurvivesARestartOfTheController) {
-  // Not as patient as the real one, which tries for nine seconds by itself.
+  // A squeue that fails at once, as the real one retries for nine seconds by itself.
   const Programs programs("squeue", R"sh(#!/bin/sh
 if scontrol ping | grep -q DOWN; then
   echo "slurm_load_jobs error: Unable to contact slurm controller (connect failure)" >&2
@@ -284,7 +285,7 @@ exec /usr/bin/squeue "$@"
   EXPECT_THAT(output.notices, Contains(HasSubstr("responds again")));
 }
 
-// In front of the real sbatch: a user who may have two tasks in the queue.
+// Wraps the real sbatch and simulates a user who may have two tasks in the queue.
 constexpr const char* kLimitingSbatch = R"sh(#!/bin/sh
 for word; do case $word in --array=0-*) last=${word#--array=0-} ;; esac; done
 if [ $(($(squeue --noheader --array | wc -l) + last + 1)) -gt 2 ]; then
@@ -296,7 +297,7 @@ exec /usr/bin/sbatch "$@"
 )sh";
 
 TEST_F(SlurmEngineTest, SubmitsNoMoreThanSlurmAccepts) {
-  // Somebody else's, as far as this engine knows.
+  // Tasks that this engine does not know, as if another user had submitted them.
   Printed({"sbatch", "--array=0-1", "--output=/dev/null", "--wrap=sleep 2"});
   const Programs programs("sbatch", kLimitingSbatch);
   options_.full_s = 0.5;
@@ -330,7 +331,7 @@ exit 1
               HasSubstr("Slurm does not respond: scontrol: slurm_load_ctl_conf error"));
 }
 
-TEST(SlurmOptions, FlagsAreOneWordEach) {
+TEST(SlurmOptions, RefusesFlagsOfSeveralWords) {
   SlurmOptions options;
   options.folder = "/shared";
   options.sbatch_flags = {"-p", "short"};

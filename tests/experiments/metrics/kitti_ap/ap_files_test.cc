@@ -28,12 +28,12 @@ class ApFiles : public testing::Test {
   test::TempFolder folder_;
 };
 
-TEST_F(ApFiles, OfTracking) {
+TEST_F(ApFiles, ReadsTrackingFiles) {
   folder_.Write("labels.txt", std::string("2 7 ") + kObject + "\n");
   folder_.Write("rows.txt", std::string("0 1 ") + kObject + " 0.3\n3 1 " + kObject + " 0.4\n");
   const auto frames =
       ReadApFrames(folder_.path() / "labels.txt", folder_.path() / "rows.txt", {1, -1});
-  ASSERT_EQ(frames.size(), 3U);  // 1, 2, 3
+  ASSERT_EQ(frames.size(), 3U);  // frames 1, 2 and 3
   ASSERT_EQ(frames[1].labels.size(), 1U);
   EXPECT_EQ(frames[1].labels[0].truncation, 0.5);
   EXPECT_EQ(frames[1].labels[0].box3d->bottom_in_camera.z(), 30.0);
@@ -41,7 +41,7 @@ TEST_F(ApFiles, OfTracking) {
   EXPECT_EQ(frames[2].detections[0].score, 0.4);
 }
 
-TEST_F(ApFiles, OfObjectFolders) {
+TEST_F(ApFiles, ReadsObjectFolders) {
   folder_.Write("labels/000004.txt", std::string(kObject) + "\n");
   folder_.Write("labels/000009.txt", "");
   folder_.Write("rows/000004.txt", std::string(kObject) + " -2.5\n");
@@ -71,7 +71,7 @@ TEST_F(ApFiles, BadInput) {
   ExpectError("empty", "empty", "no <number>.txt");
 }
 
-TEST_F(ApFiles, OtherFilesOfAFolderAreLeftAlone) {
+TEST_F(ApFiles, OtherFilesOfAFolderAreIgnored) {
   folder_.Write("labels/0.txt", std::string(kObject) + "\n");
   folder_.Write("labels/-1.txt", "no label");
   folder_.Write("labels/1.png", "no label");
@@ -83,7 +83,7 @@ TEST_F(ApFiles, OtherFilesOfAFolderAreLeftAlone) {
   EXPECT_EQ(frames[0].detections.size(), 2U) << "none has a score, which is all of them";
 }
 
-TEST_F(ApFiles, ImagesAreNumberedInTheirOrder) {
+TEST_F(ApFiles, ImagesAreOrderedByNumber) {
   folder_.Write("labels/9.txt", std::string(kObject) + "\n");
   folder_.Write("labels/10.txt", std::string(kObject) + "\n" + kObject + "\n");
   folder_.Write("rows/10.txt", std::string(kObject) + " 1\n");

@@ -7,7 +7,7 @@
 namespace cvo {
 namespace {
 
-// A box 50 px high and `width_px` wide.
+// A fully visible, untruncated box at the top edge of the image.
 ObjectBox Box(const std::string& type, double left_px, double width_px = 50.0,
               double height_px = 50.0) {
   ObjectBox box;
@@ -29,25 +29,25 @@ AveragePrecision Moderate(const std::vector<ApFrame>& frames, const ApProtocol& 
   return EvaluateAp(frames, protocol)[1];
 }
 
-// What a frame with a found car counts for, and one with a missed car.
+// A frame with a detected car, and one with a missed car.
 const ApFrame kFound = {{Box("Car", 0)}, {Scored(Box("Car", 0), 0.9)}};
 const ApFrame kMissed = {{Box("Car", 0)}, {}};
 
-// All cars found, at scores of their own; 41 or more of them fill every slot.
-TEST(AveragePrecision, AllFoundIsOne) {
+// All cars are found, with distinct scores; 41 or more true positives fill every slot.
+TEST(AveragePrecision, IsOneIfAllAreFound) {
   std::vector<ApFrame> frames;
   for (int i = 0; i < 50; ++i) {
     frames.push_back({{Box("Car", 0)}, {Scored(Box("Car", 0), 1.0 - 0.01 * i)}});
   }
   for (const AveragePrecision& level : EvaluateAp(frames, {})) {
-    EXPECT_EQ(level.ap11, 1.0);  // not more, as a sum of rounded parts would be
+    EXPECT_EQ(level.ap11, 1.0);  // not above 1, as a sum of rounded terms would be
     EXPECT_DOUBLE_EQ(level.ap40, 1.0);
     EXPECT_EQ(level.valid_labels, 50);
   }
 }
 
-// The known floor of the 11 points: one detection of the right car is worth 1/11 and nothing at 40.
-TEST(AveragePrecision, OneOfManyFoundFillsTheFirstSlotAlone) {
+// The known artefact of 11-point AP: a single true positive scores 1/11, but 0 with 40 points.
+TEST(AveragePrecision, ASingleTruePositiveFillsOnlyTheFirstSlot) {
   std::vector<ApFrame> frames(100, kMissed);
   frames[3] = kFound;
   const AveragePrecision ap = Moderate(frames);
@@ -55,7 +55,8 @@ TEST(AveragePrecision, OneOfManyFoundFillsTheFirstSlotAlone) {
   EXPECT_DOUBLE_EQ(ap.ap40, 0.0);
 }
 
-// Half of 80 cars, in order of score each second detection false: precision 1/2 up to recall 1/2.
+// Half of 80 cars are found, and every second detection by score is false: the precision is 1/2 up
+// to recall 1/2.
 TEST(AveragePrecision, FalseDetectionsHalveThePrecision) {
   std::vector<ApFrame> frames(80, kMissed);
   for (int i = 0; i < 40; ++i) {
@@ -84,7 +85,8 @@ TEST(AveragePrecision, LabelsBeyondTheLevelAreIgnored) {
   EXPECT_EQ(EvaluateAp(frames, truncated)[1].valid_labels, 3);
 }
 
-// Exactly the least height is valid; a detection's height is cut to whole pixels first.
+// A label of exactly the minimum height is valid; the height of a detection is first truncated to
+// whole pixels.
 TEST(AveragePrecision, HeightLimits) {
   EXPECT_EQ(Moderate({{{Box("Car", 0, 50, 25.0)}, {}}}).valid_labels, 1);
   EXPECT_EQ(Moderate({{{Box("Car", 0, 50, 24.99)}, {}}}).valid_labels, 0);
@@ -115,7 +117,7 @@ TEST(AveragePrecision, NeighboursAndOtherClasses) {
   EXPECT_EQ(Moderate({sitting}, walkers).precision[0], 1.0);
 }
 
-TEST(AveragePrecision, DontCareForgivesWhatLiesInside) {
+TEST(AveragePrecision, DontCareRegionsForgiveDetectionsInside) {
   ApFrame frame = kFound;
   frame.labels.push_back(Box("DontCare", 480, 200));
   frame.detections.push_back(Scored(Box("Car", 500), 0.95));
@@ -124,7 +126,8 @@ TEST(AveragePrecision, DontCareForgivesWhatLiesInside) {
   EXPECT_EQ(Moderate({frame}).precision[0], 0.5);
 }
 
-// In bird's view DontCare regions count by their box in the image, and only if asked for.
+// In bird's-eye view, DontCare regions apply by their image boxes, and only if the protocol asks
+// for it.
 TEST(AveragePrecision, DontCareInBirdsEyeView) {
   const ObjectBox::Box3d near = {1.5, 1.6, 3.9, {0, 0, 10}, 0};
   const ObjectBox::Box3d far = {1.5, 1.6, 3.9, {0, 0, 40}, 0};
@@ -141,8 +144,8 @@ TEST(AveragePrecision, DontCareInBirdsEyeView) {
   EXPECT_EQ(Moderate({frame}, protocol).precision[0], 1.0);
 }
 
-// A true positive's score is that of the best-ranked box on the label; at a threshold the label
-// takes the box of largest overlap, and one that is ignored only where there is no other.
+// The score of a true positive is that of the highest-scoring box on its label. At a threshold, the
+// label takes the box of largest overlap, and an ignored box only if there is no other.
 TEST(AveragePrecision, WhichDetectionALabelTakes) {
   ApFrame frame = {{Box("Car", 0)},
                    {Scored(Box("Car", 5), 0.9), Scored(Box("Car", 0), 0.5),
@@ -151,12 +154,12 @@ TEST(AveragePrecision, WhichDetectionALabelTakes) {
   EXPECT_EQ(ap.precision[0], 1.0);  // at score 0.9: one car, and the truck is ignored
   frame.labels[0] = Box("Car", 0, 50, 26.0);
   frame.detections = {Scored(Box("Truck", 0, 50, 24.5), 1.0), Scored(Box("Car", 0, 50, 26.0), 0.5)};
-  // The small box ranks first, takes the label and leaves no score: no threshold, nothing found.
+  // The small box ranks first and takes the label without leaving a score: there is no threshold,
+  // and nothing is found.
   EXPECT_EQ(Moderate({frame}).precision[0], 0.0);
 }
 
-// Overlap must exceed the limit.
-TEST(AveragePrecision, OverlapAtTheLimitIsNone) {
+TEST(AveragePrecision, OverlapMustExceedTheLimit) {
   ApProtocol protocol;
   protocol.least_overlap = 0.5;
   ApFrame frame = {{Box("Car", 0, 100)}, {Scored(Box("Car", 0, 50), 1.0)}};
@@ -170,7 +173,7 @@ TEST(AveragePrecision, NothingAtAll) {
   EXPECT_EQ(Moderate({{{}, {Scored(Box("Car", 0), 1.0)}}}).ap11, 0.0);
 }
 
-TEST(AveragePrecision, LimitsOfTheLevels) {
+TEST(AveragePrecision, LimitsOfTheDifficultyLevels) {
   const auto valid = [](int occlusion, double truncation, double height_px) {
     ObjectBox label = Box("Car", 0, 50.0, height_px);
     label.occlusion = occlusion;
@@ -195,8 +198,8 @@ TEST(AveragePrecision, LimitsOfTheLevels) {
   EXPECT_EQ(valid(3, 0.0, 40.0), (Levels{0, 0, 0}));
 }
 
-// Two cars side by side, a box on the first and one between them that ranks higher. At the lower
-// threshold each car has a box; a car in another frame sets that threshold.
+// Two overlapping cars, with one box on the first and a higher-scoring one between them. At the
+// lower threshold, which a car in another frame sets, each car has a box.
 TEST(AveragePrecision, ALabelTakesTheBoxOfLargestOverlap) {
   const ApFrame both = {{Box("Car", 0), Box("Car", 10)},
                         {Scored(Box("Car", 5), 0.9), Scored(Box("Car", 0), 0.5)}};
@@ -206,8 +209,8 @@ TEST(AveragePrecision, ALabelTakesTheBoxOfLargestOverlap) {
   EXPECT_DOUBLE_EQ(ap.ap40, 1.0 / 40.0);
 }
 
-// Twenty of forty cars are found, and a false one ranks 16th: up to recall 1/2, each slot has the
-// precision at its own threshold or a later one.
+// Twenty of forty cars are found, and a false positive ranks 16th. Up to recall 1/2, each slot has
+// the highest precision at its own threshold or a later one.
 TEST(AveragePrecision, PrecisionFallsWithRecall) {
   std::vector<ApFrame> frames(40, kMissed);
   for (int i = 0; i < 20; ++i) {
@@ -223,27 +226,27 @@ TEST(AveragePrecision, PrecisionFallsWithRecall) {
   EXPECT_NEAR(ap.ap11, (4.0 + 20.0 / 21.0) / 11.0, 1e-12);
 }
 
-// More true positives than slots: thresholds are those whose recall is nearest to the slot's.
+// With more true positives than slots, thresholds are those whose recall is nearest to the slot's.
 TEST(AveragePrecision, SlotsAreSpreadOverTheRecall) {
   std::vector<ApFrame> frames(200, kMissed);
   for (int i = 0; i < 100; ++i) {
     frames[static_cast<std::size_t>(i)].detections = {Scored(Box("Car", 0), 1.0 - 0.001 * i)};
   }
-  frames[150].detections = {Scored(Box("Car", 500), 0.9505)};  // after the first fifty
+  frames[150].detections = {Scored(Box("Car", 500), 0.9505)};  // ranks after the first 50
   AveragePrecision ap = Moderate(frames);
   EXPECT_DOUBLE_EQ(ap.precision[0], 1.0);
   EXPECT_DOUBLE_EQ(ap.precision[10], 1.0) << "recall 1/4: 50 of 200";
   EXPECT_NEAR(ap.precision[11], 100.0 / 101.0, 1e-12);
   EXPECT_NEAR(ap.precision[20], 100.0 / 101.0, 1e-12);
   EXPECT_DOUBLE_EQ(ap.precision[21], 0.0);
-  frames[150].detections = {Scored(Box("Car", 500), 0.9515)};  // after 49
+  frames[150].detections = {Scored(Box("Car", 500), 0.9515)};  // ranks after the first 49
   ap = Moderate(frames);
   EXPECT_DOUBLE_EQ(ap.precision[9], 1.0);
   EXPECT_NEAR(ap.precision[10], 100.0 / 101.0, 1e-12) << "not one before the 50th";
 }
 
-// A small box is neither found nor false, and a car takes it where it has no other. The threshold
-// is that of the car in the other frame.
+// A small box is neither a true nor a false positive, and a car takes it only if it has no other.
+// The car in the other frame sets the threshold.
 TEST(AveragePrecision, IgnoredBoxesAreTakenLast) {
   const ObjectBox small = Scored(Box("Car", 0, 50, 24.5), 0.95);
   ApFrame frame = {{Box("Car", 0, 50, 26.0)}, {small, Scored(Box("Car", 0, 50, 26.0), 0.92)}};

@@ -7,7 +7,7 @@
 namespace cvo {
 namespace {
 
-// A car of 4 x 2 x 1.5 m at x, in frame 7, the first of two.
+// A car of 4 x 2 x 1.5 m at x, in frame 7, the first of two frames.
 ObjectBox CarAt(double x, double height_px) {
   ObjectBox box;
   box.frame = 7;
@@ -33,7 +33,7 @@ ObjectBox Scored(ObjectBox box, double score) {
   return box;
 }
 
-// A quarter of the union is not enough: at 2.4 m aside a box of 4 m shares 1.6 of 6.4.
+// An IoU of exactly 1/4 is not enough: at an offset of 2.4 m, boxes of 4 m share 1.6 of 6.4 m.
 TEST(BoxMetrics, CountBoxesThatOverlapByMoreThanAQuarter) {
   const Sequence sequence = Labelled({CarAt(0.0, 50.0)});
   const auto metrics = BoxMetrics(sequence, {Scored(CarAt(2.3, 50.0), 0.4)});
@@ -41,7 +41,7 @@ TEST(BoxMetrics, CountBoxesThatOverlapByMoreThanAQuarter) {
   EXPECT_EQ(metrics[0].name, "box_ap_bv_easy");
   EXPECT_EQ(metrics[4].name, "box_ap_3d_moderate");
   for (const Metric& metric : metrics) {
-    EXPECT_DOUBLE_EQ(metric.value, 1.0 / 11.0) << metric.name;  // the floor of eleven points
+    EXPECT_DOUBLE_EQ(metric.value, 1.0 / 11.0) << metric.name;  // the artefact of 11-point AP
     EXPECT_EQ(metric.n, 1);
     EXPECT_EQ(metric.contract.subject, reports::Subject::kCars);
   }
@@ -50,7 +50,7 @@ TEST(BoxMetrics, CountBoxesThatOverlapByMoreThanAQuarter) {
   }
 }
 
-TEST(BoxMetrics, AreAbsentWhereNoLabelIsOfTheirLevel) {
+TEST(BoxMetrics, AreAbsentWithoutLabelsOfTheirLevel) {
   const auto metrics = BoxMetrics(Labelled({CarAt(0.0, 30.0)}), {});  // too small to be easy
   ASSERT_EQ(metrics.size(), 4U);
   EXPECT_EQ(metrics[0].name, "box_ap_bv_moderate");
@@ -60,7 +60,7 @@ TEST(BoxMetrics, AreAbsentWhereNoLabelIsOfTheirLevel) {
   EXPECT_TRUE(BoxMetrics(Labelled({van}), {Scored(CarAt(0.0, 50.0), 1.0)}).empty());
 }
 
-TEST(BoxMetrics, AreOfCarsByTheirLabelsInAllFrames) {
+TEST(BoxMetrics, CountTheCarLabelsOfAllFrames) {
   ObjectBox last = CarAt(0.0, 50.0);
   last.frame = 8;
   const auto metrics =

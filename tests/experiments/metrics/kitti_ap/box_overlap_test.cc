@@ -50,16 +50,16 @@ TEST(BoxOverlap, LengthIsAlongTheHeading) {
   EXPECT_NEAR(IntersectionOverUnion(BoxSpace::kBirdsEye, a, Solid(0, 0, 10, kPi)), 1.0, 1e-12);
 }
 
-// A square in a square turned by 45 degrees: their intersection is a regular octagon.
-TEST(BoxOverlap, OfTurnedSquares) {
+// Two equal squares, one rotated by 45 degrees: their intersection is a regular octagon.
+TEST(BoxOverlap, OfRotatedSquares) {
   const double octagon = 2.0 * (std::sqrt(2.0) - 1.0);
   const ObjectBox a = Solid(1, 0, 5, 0.3, 1.0, 1.0);
   const ObjectBox b = Solid(1, 0, 5, 0.3 + kPi / 4, 1.0, 1.0);
   EXPECT_NEAR(IntersectionOverUnion(BoxSpace::kBirdsEye, a, b), octagon / (2.0 - octagon), 1e-12);
 }
 
-// Boxes reach up from the centre of their bottom; y points down.
-TEST(BoxOverlap, HeightReachesUpFromTheBottom) {
+// A box extends upwards from the centre of its bottom face; y points down.
+TEST(BoxOverlap, HeightExtendsUpwardsFromTheBottom) {
   const ObjectBox a = Solid(0, 0, 10, 0.7);
   EXPECT_NEAR(IntersectionOverUnion(BoxSpace::kVolume, a, Solid(0, -0.75, 10, 0.7)), 1.0 / 3.0,
               1e-12);
@@ -68,13 +68,13 @@ TEST(BoxOverlap, HeightReachesUpFromTheBottom) {
   EXPECT_EQ(IntersectionOverUnion(BoxSpace::kVolume, a, Solid(0, -1.5, 10, 0.7)), 0.0);
 }
 
-TEST(BoxOverlap, WithoutA3dBoxIsNone) {
+TEST(BoxOverlap, WithoutA3dBoxIsZero) {
   EXPECT_EQ(IntersectionOverUnion(BoxSpace::kBirdsEye, ImageBox(0, 0, 9, 9), Solid(0, 0, 5, 0)),
             0.0);
 }
 
-// Against the share of random points that lie in both.
-TEST(BoxOverlap, AsSampled) {
+// Compares with random points: those in both boxes, divided by those in either.
+TEST(BoxOverlap, MatchesSampling) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   const auto inside = [](const ObjectBox& box, double x, double z) {
@@ -104,7 +104,7 @@ TEST(BoxOverlap, AsSampled) {
   }
 }
 
-// Sides that lie on each other cut nothing off.
+// Coinciding sides clip nothing.
 TEST(BoxOverlap, OfABoxWithItselfIsOne) {
   const ObjectBox a = Solid(0, 0, 0, 0.0);
   EXPECT_EQ(IntersectionOverUnion(BoxSpace::kBirdsEye, a, a), 1.0);
@@ -114,14 +114,14 @@ TEST(BoxOverlap, OfABoxWithItselfIsOne) {
   EXPECT_EQ(IntersectionOverUnion(BoxSpace::kBirdsEye, a, Solid(4, 0, 0, 0.0)), 0.0);
 }
 
-TEST(BoxOverlap, OfATurnedBoxInsideIsItsShare) {
+TEST(BoxOverlap, OfARotatedBoxInsideIsTheRatioOfAreas) {
   const ObjectBox large = Solid(1, 0, 2, 0.4, 8.0, 8.0);
   EXPECT_NEAR(IntersectionOverUnion(BoxSpace::kBirdsEye, large, Solid(1.5, 0, 2.5, 1.1)),
               8.0 / 64.0, 1e-12);
 }
 
-// A box whose sides are the wrong way round has no area.
-TEST(BoxOverlap, OfBoxesTheWrongWayRoundIsNone) {
+// A box with swapped sides has no area.
+TEST(BoxOverlap, OfBoxesWithSwappedSidesIsZero) {
   const ObjectBox a = ImageBox(0, 0, 10, 10);
   EXPECT_EQ(ShareInside(ImageBox(8, 2, 4, 6), a), 0.0);
   EXPECT_EQ(ShareInside(ImageBox(8, 6, 4, 2), a), 0.0);

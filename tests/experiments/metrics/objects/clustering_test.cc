@@ -38,7 +38,7 @@ struct World {
   }
 };
 
-TEST(ClusteringMetrics, AreOneForTheTruthUnderAnyIds) {
+TEST(ClusteringMetrics, AreOneForTheTruthWithAnyIds) {
   World world(3);
   for (int k = 0; k < 3; ++k) {
     Observe(world.estimate, k, 0, 0, 20);
@@ -51,7 +51,7 @@ TEST(ClusteringMetrics, AreOneForTheTruthUnderAnyIds) {
   }
 }
 
-TEST(ClusteringMetrics, RefuseWhatIsNoEstimate) {
+TEST(ClusteringMetrics, RefuseDuplicateClusterIds) {
   World world(1);
   world.estimate.clusters[1].id = 1;
   EXPECT_THAT(ErrorMessage([&] { ClusteringMetrics(world.truth, world.estimate, {}); }),
@@ -62,19 +62,20 @@ TEST(ClusteringMetrics, HandComputed) {
   World world(1, 1);
   Observe(world.estimate, 0, 0, 0, 6);
   Observe(world.estimate, 0, 1, 0, 2);   // background in the cluster
-  Observe(world.estimate, 0, 1, 1, 6);   // hits
-  Observe(world.estimate, 0, 0, 1, 1);   // taken for static
+  Observe(world.estimate, 0, 1, 1, 6);   // correct
+  Observe(world.estimate, 0, 0, 1, 1);   // labelled static
   Observe(world.estimate, 0, -1, 1, 1);  // in no cluster
   EXPECT_EQ(world("moving_precision"), 6.0 / 8.0);
   EXPECT_EQ(world("moving_recall"), 6.0 / 8.0);
-  // Static: 6 of 8 + 7 - 6. Body: 6 of 8 + 8 - 6.
+  // IoU of the static scene: 6 / (8 + 7 - 6). IoU of the body: 6 / (8 + 8 - 6).
   EXPECT_DOUBLE_EQ(world("clustering_iou"), 0.5 * (6.0 / 9.0 + 6.0 / 10.0));
-  // Pairs: truth 28 + 28, clusters 21 + 28, both 15 + 1 + 15 + 0, of 120.
+  // Pairs of landmarks in the same group, of 120: 28 + 28 in the truth, 21 + 28 in the clusters,
+  // 15 + 1 + 15 + 0 in both.
   const double chance = 56.0 * 49.0 / 120.0;
   EXPECT_DOUBLE_EQ(world("clustering_ari"), (31.0 - chance) / (0.5 * (56.0 + 49.0) - chance));
 }
 
-TEST(ClusteringMetrics, ACountIsAsManyLandmarks) {
+TEST(ClusteringMetrics, ACountEqualsThatManyLandmarks) {
   World one_by_one(2);
   World counted(2);
   for (const auto& [cluster, body, count] :
@@ -92,11 +93,11 @@ TEST(ClusteringMetrics, ACountIsAsManyLandmarks) {
   }
 }
 
-TEST(ClusteringMetrics, PurityIsOfTheBodyThatMostOfAClusterLiesOn) {
+TEST(ClusteringMetrics, PurityIsTheShareOfTheMajorityBody) {
   World world(2);
   Observe(world.estimate, 0, 1, 1, 6);   // cluster 1 is body 1
-  Observe(world.estimate, 1, 1, 2, 2);   // of another body
-  Observe(world.estimate, 1, 1, 0, 1);   // of the background
+  Observe(world.estimate, 1, 1, 2, 2);   // on another body
+  Observe(world.estimate, 1, 1, 0, 1);   // on the background
   Observe(world.estimate, 1, 1, -1, 5);  // not known
   Observe(world.estimate, 1, 0, 2, 4);   // in no cluster
   for (int i = 0; i < 3; ++i) {
@@ -105,7 +106,7 @@ TEST(ClusteringMetrics, PurityIsOfTheBodyThatMostOfAClusterLiesOn) {
   EXPECT_EQ(world("cluster_purity"), 9.0 / 12.0);
 }
 
-TEST(ClusteringMetrics, AClusterOfBackgroundHasNoBody) {
+TEST(ClusteringMetrics, PurityOfABackgroundClusterIsZero) {
   World world(1, 1);
   Observe(world.estimate, 0, 1, 0, 4);
   EXPECT_EQ(world("cluster_purity"), 0.0);
@@ -139,17 +140,17 @@ TEST(ClusteringMetrics, AStoppedMoverStaysAnObject) {
   EXPECT_EQ(world("moving_recall"), 0.75);
 }
 
-TEST(ClusteringMetrics, ABodyWithoutAClusterHasNoIou) {
+TEST(ClusteringMetrics, ABodyWithoutAClusterHasZeroIou) {
   World world(1);
   Observe(world.estimate, 0, 0, 0, 6);
   Observe(world.estimate, 0, 1, 1, 6);
-  Observe(world.estimate, 0, 1, 2, 3);  // both in one cluster
+  Observe(world.estimate, 0, 1, 2, 3);  // both bodies in one cluster
   EXPECT_DOUBLE_EQ(world("clustering_iou"), (1.0 + 6.0 / 9.0 + 0.0) / 3.0);
   EXPECT_EQ(world("moving_precision"), 1.0);
   EXPECT_LT(world("clustering_ari"), 1.0);
 }
 
-TEST(ClusteringMetrics, MeansAreOverFramesAndSumsOverLandmarks) {
+TEST(ClusteringMetrics, AveragesIouAndAriOverFramesAndRecallOverLandmarks) {
   World world(3, 1);
   Observe(world.estimate, 0, 0, 0, 4);
   Observe(world.estimate, 0, 1, 1, 4);
@@ -177,7 +178,7 @@ TEST(ClusteringMetrics, UndeterminedMetricsAreAbsent) {
 }
 
 TEST(AdjustedRandIndex, HandComputed) {
-  // 3 + 3 pairs and 1 + 6 pairs of 15, 1 + 3 in both.
+  // Of 15 pairs, 3 + 3 are together in the first labelling, 1 + 6 in the second and 1 + 3 in both.
   EXPECT_DOUBLE_EQ(AdjustedRandIndex({0, 0, 0, 1, 1, 1}, {0, 0, 1, 1, 1, 1}),
                    (4.0 - 42.0 / 15.0) / (6.5 - 42.0 / 15.0));
   EXPECT_EQ(AdjustedRandIndex({0, 0, 1, 1}, {5, 5, 3, 3}), 1.0);

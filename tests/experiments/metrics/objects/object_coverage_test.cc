@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Which frames and bodies enter the object metrics, and what is said of the rest.
+// Tests which frames and bodies enter the object metrics, and how the rest are reported.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-TEST(ObjectMetrics, MissingFramesLowerCoverageAndSuccessNotTheAte) {
+TEST(ObjectMetrics, MissingFramesLowerCoverageAndSuccessButNotTheAte) {
   ObjectTruth truth = TruthOf(4);
   AddBody(truth, Line(4));
   ObjectEstimate estimate = PerfectEstimate(truth);
@@ -31,7 +31,7 @@ TEST(ObjectMetrics, MissingFramesLowerCoverageAndSuccessNotTheAte) {
               HasSubstr("1 of 4 visible object-frames without one"));
 }
 
-TEST(ObjectMetrics, RelativeErrorsOfOneFrameSkipGaps) {
+TEST(ObjectMetrics, OneFrameErrorsSkipGaps) {
   ObjectTruth truth = TruthOf(4);
   AddBody(truth, Line(4));
   ObjectEstimate estimate = OffBy(truth, {0.0, 0.0, 0.5, 0.5});
@@ -42,7 +42,7 @@ TEST(ObjectMetrics, RelativeErrorsOfOneFrameSkipGaps) {
   EXPECT_EQ(Count(Evaluate(truth, estimate), "object_motion_t"), -1);
 }
 
-TEST(ObjectMetrics, AnEstimateCountsFromThreeObservedLandmarks) {
+TEST(ObjectMetrics, AnEstimateNeedsThreeObservedLandmarks) {
   ObjectTruth truth = TruthOf(4);
   AddBody(truth, Line(4));
   ObjectEstimate estimate = OffBy(truth, {0.0, 0.0, 0.0, 0.3});
@@ -59,7 +59,7 @@ TEST(ObjectMetrics, AnEstimateCountsFromThreeObservedLandmarks) {
   EXPECT_EQ(Value(Evaluate(truth, estimate), "object_coverage"), 0.75);
 }
 
-TEST(ObjectMetrics, PredictionsAreScoredApartAlsoWhereTheBodyIsHidden) {
+TEST(ObjectMetrics, PredictionsAreScoredSeparatelyEvenIfTheBodyIsHidden) {
   ObjectTruth truth = TruthOf(5);
   AddBody(truth, Line(5));
   truth.bodies[0].frames[2]->visible = false;
@@ -75,7 +75,7 @@ TEST(ObjectMetrics, PredictionsAreScoredApartAlsoWhereTheBodyIsHidden) {
   EXPECT_EQ(Value(metrics, "object_predicted_success_5cm"), 0.5);
 }
 
-TEST(ObjectMetrics, HiddenFramesAreNotJudged) {
+TEST(ObjectMetrics, HiddenFramesAreNotScored) {
   ObjectTruth truth = TruthOf(4);
   AddBody(truth, Line(4));
   truth.bodies[0].frames[3]->visible = false;
@@ -84,7 +84,7 @@ TEST(ObjectMetrics, HiddenFramesAreNotJudged) {
   EXPECT_EQ(Value(metrics, "object_success_5cm"), 1.0);
 }
 
-TEST(ObjectMetrics, FramesWithoutTruthAreNotJudged) {
+TEST(ObjectMetrics, FramesWithoutTruthAreNotScored) {
   ObjectTruth truth = TruthOf(4);
   AddBody(truth, Line(4));
   const ObjectEstimate estimate = OffBy(truth, {0.0, 0.0, 0.0, 9.0});
@@ -95,10 +95,10 @@ TEST(ObjectMetrics, FramesWithoutTruthAreNotJudged) {
   EXPECT_EQ(Count(metrics, "object_coverage"), 3);
 }
 
-TEST(ObjectMetrics, MeansAreOverMoversAndBodiesThatStayPutHaveTheirOwnRow) {
+TEST(ObjectMetrics, StandingBodiesAreScoredSeparatelyFromMovers) {
   ObjectTruth truth = TruthOf(4);
   AddBody(truth, Line(4));
-  AddBody(truth, {At(0, 5), At(0.1, 5), At(0.2, 5), At(0.1, 5)});  // travels 0.2 m, not more
+  AddBody(truth, {At(0, 5), At(0.1, 5), At(0.2, 5), At(0.1, 5)});  // travel 0.2 m: not a mover
   ObjectEstimate estimate = PerfectEstimate(truth);
   for (std::size_t k = 0; k < 4; ++k) {
     RigidTransform& pose = estimate.clusters[1].frames[k].world_from_object;
@@ -114,7 +114,7 @@ TEST(ObjectMetrics, MeansAreOverMoversAndBodiesThatStayPutHaveTheirOwnRow) {
   EXPECT_EQ(contract.travel_m, 0.2);
 }
 
-TEST(ObjectMetrics, BodiesWithoutAClusterAreCountedAndMissAllTheirFrames) {
+TEST(ObjectMetrics, UnmatchedBodiesAreCountedAndMissAllTheirFrames) {
   ObjectTruth truth = TruthOf(4);
   AddBody(truth, Line(4));
   AddBody(truth, Line(4, 3.0));
@@ -140,7 +140,7 @@ TEST(ObjectMetrics, ClustersWithoutABodyAreCounted) {
   ghost.id = 7;
   estimate.clusters.push_back(ghost);
   for (ClusterFrame& frame : ghost.frames) frame.observed_landmarks = 2;
-  ghost.id = 8;  // never counts
+  ghost.id = 8;  // too few landmarks in every frame
   estimate.clusters.push_back(ghost);
   for (int k = 0; k < 4; ++k) Observe(estimate, k, 7, 0);
   const auto metrics = Evaluate(truth, estimate);
@@ -173,7 +173,7 @@ TEST(ObjectMetrics, NoDataGivesNoMetrics) {
   EXPECT_EQ(FindMetric(metrics, "object_ate"), nullptr);
 }
 
-TEST(ObjectMetrics, EachHasItsContract) {
+TEST(ObjectMetrics, HaveACompleteContract) {
   ObjectTruth truth = RandomTruth(2, 8);
   AddBody(truth, std::vector<RigidTransform>(8));
   truth.first_frame = 10;

@@ -17,7 +17,7 @@ using namespace test;  // NOLINT
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// `bodies` bodies and `clusters` clusters, and no landmark yet.
+// A truth with `bodies` bodies and an estimate with `clusters` clusters, still without landmarks.
 struct World {
   ObjectTruth truth;
   ObjectEstimate estimate;
@@ -28,7 +28,7 @@ struct World {
     estimate.landmarks.resize(truth.frame_count());
     for (int i = 1; i <= clusters; ++i) estimate.clusters.push_back({i, "Ball", {}});
   }
-  // The clusters (index) of all bodies (index); -1: none.
+  // Index of the cluster matched to each body, by body index; -1 if there is none.
   std::vector<int> Matched() const {
     std::vector<int> clusters(truth.bodies.size(), -1);
     for (const ObjectMatch& match : MatchObjects(truth, estimate)) {
@@ -60,13 +60,13 @@ TEST(MatchObjects, IsOneToOne) {
   EXPECT_EQ(split.Matched(), (std::vector<int>{1}));
 }
 
-TEST(MatchObjects, SharesAsManyLandmarksAsPossibleNotAsManyPairs) {
+TEST(MatchObjects, MaximisesSharedLandmarksRatherThanPairs) {
   World world(1, 2, 2);
   Observe(world.estimate, 0, 1, 1, 100);
   Observe(world.estimate, 0, 2, 1, 1);
   Observe(world.estimate, 0, 1, 2, 1);
   EXPECT_EQ(world.Matched(), (std::vector<int>{0, -1}));
-  // Body 1 has most in cluster 1, but the total is higher with cluster 2.
+  // Body 1 shares most landmarks with cluster 1, but the total is higher with cluster 2.
   World total(1, 2, 2);
   Observe(total.estimate, 0, 1, 1, 10);
   Observe(total.estimate, 0, 2, 1, 8);
@@ -74,12 +74,12 @@ TEST(MatchObjects, SharesAsManyLandmarksAsPossibleNotAsManyPairs) {
   EXPECT_EQ(total.Matched(), (std::vector<int>{1, 0}));
 }
 
-TEST(MatchObjects, IgnoresTheStaticSceneTheUnknownAndWhatIsNotListed) {
+TEST(MatchObjects, IgnoresStaticUnknownAndUnlistedIds) {
   World world(1, 2, 1);
-  Observe(world.estimate, 0, 0, 1);   // taken for static
+  Observe(world.estimate, 0, 0, 1);   // labelled static
   Observe(world.estimate, 0, -1, 1);  // no cluster
-  Observe(world.estimate, 0, 1, 0);   // is static
-  Observe(world.estimate, 0, 1, -1);  // not known
+  Observe(world.estimate, 0, 1, 0);   // on the static scene
+  Observe(world.estimate, 0, 1, -1);  // unknown truth
   Observe(world.estimate, 0, 9, 1);   // no such cluster
   Observe(world.estimate, 0, 1, 9);   // no such body
   EXPECT_EQ(world.Matched(), (std::vector<int>{-1, -1}));
@@ -94,7 +94,7 @@ TEST(Continuity, AnotherClusterIsASwitch) {
   EXPECT_EQ(world.First().fragments, 0);
 }
 
-TEST(Continuity, ComingBackAfterAVisibleGapIsAFragment) {
+TEST(Continuity, ReappearingAfterAVisibleGapIsAFragment) {
   World world(7, 1, 1);
   for (const int k : {1, 3, 6}) Observe(world.estimate, k, 1, 1);
   Observe(world.estimate, 4, 1, 1, 2);  // too few landmarks
@@ -102,12 +102,12 @@ TEST(Continuity, ComingBackAfterAVisibleGapIsAFragment) {
   EXPECT_EQ(world.First().id_switches, 0);
 }
 
-TEST(Continuity, HiddenFramesAreNoGapButTheIdMustLast) {
+TEST(Continuity, HiddenFramesAreNoGapButTheIdMustPersist) {
   World world(4, 1, 2);
   world.truth.bodies[0].frames[1]->visible = false;
   world.truth.bodies[0].frames[2].reset();
   Observe(world.estimate, 0, 1, 1);
-  Observe(world.estimate, 1, 2, 1);  // hidden: not looked at
+  Observe(world.estimate, 1, 2, 1);  // hidden: ignored
   Observe(world.estimate, 3, 1, 1);
   EXPECT_EQ(world.First().fragments, 0);
   EXPECT_EQ(world.First().id_switches, 0);
@@ -117,7 +117,7 @@ TEST(Continuity, HiddenFramesAreNoGapButTheIdMustLast) {
   EXPECT_EQ(world.First().id_switches, 1);
 }
 
-TEST(Continuity, MostLandmarksDecideAndTiesKeepTheLastOne) {
+TEST(Continuity, MostLandmarksDecideAndTiesKeepThePreviousCluster) {
   World world(3, 1, 2);
   Observe(world.estimate, 0, 2, 1, 4);
   Observe(world.estimate, 0, 1, 1, 3);
@@ -128,8 +128,8 @@ TEST(Continuity, MostLandmarksDecideAndTiesKeepTheLastOne) {
   EXPECT_EQ(world.First().id_switches, 1);
 }
 
-TEST(ObjectTruth, TravelIsTheLargestDistanceNotThePath) {
-  // Back and forth by 0.15 m: a path of metres, a travel of 0.15.
+TEST(ObjectTruth, TravelIsTheLargestDistanceNotThePathLength) {
+  // Back and forth by 0.15 m: the path is metres long, but the travel is 0.15 m.
   ObjectTruth truth = TruthOf(20);
   std::vector<RigidTransform> jitter;
   for (int k = 0; k < 20; ++k) jitter.push_back(At(k % 2 == 0 ? 0.0 : 0.15));
@@ -165,7 +165,7 @@ TEST(ObjectTruth, RefusesInvalidInput) {
               HasSubstr("body 1, frame 1"));
 }
 
-TEST(PointVelocity, IsCentralAndOneSidedWhereTheTruthEnds) {
+TEST(PointVelocity, IsACentralDifferenceAndOneSidedAtTheEnds) {
   ObjectTruth truth = TruthOf(6);
   AddBody(truth, {At(0), At(1), At(4), At(9), At(0), At(7)});
   TruthBody& body = truth.bodies[0];
@@ -188,7 +188,7 @@ TEST(MotionOfPoint, MovesThenHasStopped) {
   EXPECT_EQ(motion(5), PointMotion::kStill);   // 1 cm
   EXPECT_EQ(motion(7), PointMotion::kMoving);  // 3 cm
   EXPECT_EQ(motion(20), PointMotion::kMoving);
-  EXPECT_EQ(motion(21), PointMotion::kMoving);  // from frame 6: 3 cm in 15 frames
+  EXPECT_EQ(motion(21), PointMotion::kMoving);  // 3 cm since frame 6, 15 frames ago
   EXPECT_EQ(motion(23), PointMotion::kStopped);
   EXPECT_EQ(motion(39), PointMotion::kStopped);
 }
@@ -204,7 +204,7 @@ TEST(MotionOfPoint, IsOfThePointNotOfTheOrigin) {
   EXPECT_EQ(MotionOfPoint(truth, body, 1, {0.21, 0, 0}), PointMotion::kStill);
 }
 
-// The truth as a system without landmarks tells it.
+// The truth as the estimate of a system that reports no landmarks.
 ObjectEstimate WithoutLandmarks(const ObjectTruth& truth) {
   ObjectEstimate estimate = PerfectEstimate(truth);
   estimate.match_by = MatchBy::kNearness;
@@ -245,7 +245,7 @@ TEST(MatchByNearness, CameraDriftDoesNotMatter) {
       NearnessInFrame(truth, drifted, 2).isApprox(NearnessInFrame(truth, estimate, 2), 1e-9));
 }
 
-// Body 2 has no estimate in frame 1: its neighbour's is not taken for it.
+// Body 2 has no estimate in frame 1 and must not take that of its neighbour.
 TEST(MatchByNearness, ABodyWithoutAnEstimateDoesNotTakeItsNeighbours) {
   const ObjectTruth truth = TwoLines();
   ObjectEstimate estimate = WithoutLandmarks(truth);
@@ -256,7 +256,7 @@ TEST(MatchByNearness, ABodyWithoutAnEstimateDoesNotTakeItsNeighbours) {
   EXPECT_EQ(continuity[1].fragments, 1);
 }
 
-// So that a table can say what sets the rows of other systems apart.
+// So that a table can state how the rows of other systems differ.
 TEST(MatchByNearness, OnlyTheMatchingDiffersInTheContract) {
   const ObjectTruth truth = TwoLines();
   const std::vector<Metric> own = Evaluate(truth, PerfectEstimate(truth));
@@ -288,8 +288,8 @@ TEST(MatchByNearness, OnlyBodiesWithABoxInTheFrameAreNear) {
   EXPECT_TRUE(NearnessInFrame(truth, estimate, 0).isZero());
 }
 
-// The two change places in the last frame.
-TEST(MatchByNearness, ClustersThatChangePlacesAreSwitches) {
+// The two clusters swap places in the last frame.
+TEST(MatchByNearness, SwappedClustersAreIdSwitches) {
   const ObjectTruth truth = TwoLines();
   ObjectEstimate estimate = WithoutLandmarks(truth);
   EXPECT_DOUBLE_EQ(MatchObjects(truth, estimate).at(1).shared, 3.0);
@@ -311,27 +311,27 @@ TEST(MatchByNearness, NothingToMatch) {
   EXPECT_THAT(MeasureContinuity(empty, WithoutLandmarks(truth)), IsEmpty());
 }
 
-TEST(Continuity, ThreeLandmarksAreEnoughAndOfEqualsTheLowestIdWins) {
+TEST(Continuity, ThreeLandmarksSufficeAndTiesGoToTheLowestId) {
   World world(4, 1, 3);
   Observe(world.estimate, 0, 3, 1, 3);
-  Observe(world.estimate, 1, 3, 1, 3);  // the one before keeps it
+  Observe(world.estimate, 1, 3, 1, 3);  // a tie keeps the previous cluster
   Observe(world.estimate, 1, 1, 1, 3);
-  Observe(world.estimate, 2, 2, 1, 3);  // neither is the one before: the lowest
+  Observe(world.estimate, 2, 2, 1, 3);  // a tie of two new clusters: the lowest id
   Observe(world.estimate, 2, 1, 1, 3);
   Observe(world.estimate, 3, 1, 1, 4);
   EXPECT_EQ(world.First().id_switches, 1);
   EXPECT_EQ(world.First().fragments, 0);
 }
 
-// Before its first cluster a body has no piece that could end.
-TEST(Continuity, AFirstClusterIsNoFragment) {
+// Before its first cluster, a body has no track fragment that could end.
+TEST(Continuity, TheFirstClusterIsNoFragment) {
   World world(3, 1, 1);
   Observe(world.estimate, 2, 1, 1);
   EXPECT_EQ(world.First().fragments, 0);
   EXPECT_EQ(world.First().id_switches, 0);
 }
 
-TEST(Continuity, BodiesDoNotMix) {
+TEST(Continuity, BodiesAreIndependent) {
   World world(2, 2, 2);
   for (int k = 0; k < 2; ++k) {
     Observe(world.estimate, k, 1, 1, 3);
@@ -352,7 +352,7 @@ TEST(FindBody, IdsMayHaveGaps) {
   for (const int id : {0, 2, 3, 5}) EXPECT_EQ(FindBody(truth, id), nullptr) << id;
 }
 
-TEST(FarthestApart, IsOfAnyTwoPositions) {
+TEST(FarthestApart, IsTheLargestDistanceOfAnyTwoPositions) {
   const auto frame = [](double x, double y) { return BodyFrame{At(x, y), true}; };
   EXPECT_EQ(FarthestApart_m({}), 0.0);
   EXPECT_EQ(FarthestApart_m({frame(3, 4)}), 0.0);
@@ -360,7 +360,7 @@ TEST(FarthestApart, IsOfAnyTwoPositions) {
   EXPECT_DOUBLE_EQ(FarthestApart_m({frame(0, 0), std::nullopt, frame(6, 8), frame(1, 1)}), 10.0);
 }
 
-TEST(PointVelocity, HasToBeOfAFrame) {
+TEST(PointVelocity, RefusesUnknownFrames) {
   ObjectTruth truth = TruthOf(2);
   AddBody(truth, Line(2));
   for (const int frame : {-1, 2}) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// The rows made of given scores: limits, counts and what their contracts say.
+// Tests the rows computed from given scores: limits, counts and contracts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 using namespace test;  // NOLINT
 using testing::HasSubstr;
 
-// A mover with errors in the first frames of `visible`.
+// A mover that is visible in `visible` frames, with these errors in the first of them.
 BodyScore Mover(int id, int visible, const std::vector<double>& errors_m) {
   BodyScore body;
   body.id = id;
@@ -60,7 +60,7 @@ TEST(ObjectRows, CountsAreSumsOverBodies) {
   }
 }
 
-TEST(ObjectRows, MeansAreOverTheBodiesThatTell) {
+TEST(ObjectRows, MeansAreOverBodiesWithAValue) {
   std::vector<BodyScore> bodies = {Mover(1, 4, {0.1}), Mover(2, 4, {}), Mover(3, 2, {0.1, 0.3})};
   bodies[0].ate_m = 0.1;
   bodies[2].ate_m = 0.4;
@@ -75,7 +75,7 @@ TEST(ObjectRows, MeansAreOverTheBodiesThatTell) {
   EXPECT_EQ(Value(metrics, "object_max_drift_first25_yaw"), 0.8);
 }
 
-TEST(ObjectRows, PredictionsAreAFractionOfThemselves) {
+TEST(ObjectRows, PredictionSuccessIsAFractionOfThePredictions) {
   BodyScore one = Mover(1, 4, {0.0});
   one.predicted = {{1, 2, 3}, {0.05, 0.15, 9.0}};
   one.predicted_ate_m = 2.0;
@@ -90,7 +90,7 @@ TEST(ObjectRows, PredictionsAreAFractionOfThemselves) {
             "bodies that are estimated in no frame");
 }
 
-TEST(ObjectRows, OfDifferentiatedVelocitiesSaySo) {
+TEST(ObjectRows, ContractsStateDifferentiatedVelocities) {
   ObjectScores scores;
   scores.bodies = {Mover(1, 4, {0.0})};
   scores.bodies[0].motion_in_camera_m = 0.5;
@@ -109,8 +109,9 @@ TEST(ObjectRows, OfDifferentiatedVelocitiesSaySo) {
             reports::Pairing::kVelocitiesOfPositions);
 }
 
-// Which bodies, whose truth, and by how many landmarks; frames where motions depend on them.
-TEST(ObjectRows, ContractsHaveThePartsOfTheirGroup) {
+// Contracts state the bodies, the truth source and the minimum number of landmarks, and the frame
+// span only where motions depend on it.
+TEST(ObjectRows, ContractsHaveTheFieldsOfTheirGroup) {
   ObjectTruth truth = TruthOf(8);
   truth.first_frame = 3;
   truth.contract.camera_truth = reports::TruthSource::kDevkit;
@@ -143,7 +144,7 @@ TEST(ObjectRows, RefuseAnOverflow) {
   EXPECT_THAT(ErrorMessage([&] { RowsOf(bodies); }), HasSubstr("object_ate: found an overflow"));
 }
 
-TEST(ClusteringRows, SayWhenAPointMovesAndWhoseTruthItIs) {
+TEST(ClusteringRows, StateTheMotionLimitsAndTheTruthSource) {
   ObjectTruth truth = TruthOf(1);
   truth.contract.camera_truth = reports::TruthSource::kDevkit;
   ObjectEstimate estimate;

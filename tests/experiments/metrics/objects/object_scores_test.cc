@@ -40,7 +40,8 @@ TEST(ObjectScores, DescribeTheBody) {
   EXPECT_EQ(scores.match_by, MatchBy::kLandmarks);
 }
 
-// Another frame of the cluster: positions are those of the body's origin, predicted ones too.
+// With any object frame of the cluster, estimated and predicted positions are those of the body's
+// origin.
 TEST(ObjectScores, PositionsAreOfTheBodysOrigin) {
   ObjectTruth truth = TruthOf(4);
   AddBody(truth, Line(4));
@@ -56,7 +57,7 @@ TEST(ObjectScores, PositionsAreOfTheBodysOrigin) {
   EXPECT_NEAR(*body.predicted_ate_m, 0.0, 1e-12);
 }
 
-// Of four bodies the first has no cluster and the second is never seen.
+// Of four bodies, the first has no cluster and the second is never visible.
 TEST(ObjectScores, EachBodyHasItsOwnCluster) {
   ObjectTruth truth = TruthOf(3);
   for (int i = 0; i < 4; ++i) AddBody(truth, Line(3, 2.0 * i));
@@ -72,7 +73,7 @@ TEST(ObjectScores, EachBodyHasItsOwnCluster) {
   EXPECT_EQ(scores.unmatched_clusters, 0);
 }
 
-TEST(ObjectScores, AClusterWhosePosesDoNotCountEstimatesNothing) {
+TEST(ObjectScores, APredictedOnlyClusterEstimatesNothing) {
   ObjectTruth truth = TruthOf(3);
   AddBody(truth, Line(3));
   ObjectEstimate estimate = PerfectEstimate(truth);
@@ -84,7 +85,7 @@ TEST(ObjectScores, AClusterWhosePosesDoNotCountEstimatesNothing) {
   EXPECT_EQ(scores.clusters, 0);
 }
 
-TEST(ObjectScores, VelocitiesThatAreNotKnownAreLeftOut) {
+TEST(ObjectScores, UnknownVelocitiesAreLeftOut) {
   ObjectTruth truth = TruthOf(4);
   AddBody(truth, Line(4));
   ObjectEstimate estimate = PerfectEstimate(truth);
@@ -95,7 +96,7 @@ TEST(ObjectScores, VelocitiesThatAreNotKnownAreLeftOut) {
   EXPECT_FALSE(ScoreObjects(truth, estimate).bodies[0].velocity_m_s);
 }
 
-TEST(ObjectScores, OfOneFrameHaveNoMotion) {
+TEST(ObjectScores, HaveNoMotionForOneFrame) {
   ObjectTruth truth = TruthOf(3);
   AddBody(truth, Line(3));
   ObjectEstimate estimate = PerfectEstimate(truth);
@@ -105,7 +106,7 @@ TEST(ObjectScores, OfOneFrameHaveNoMotion) {
   EXPECT_FALSE(body.all_pairs_m || body.one_frame_m || body.motion_m || body.max_drift);
 }
 
-TEST(AlignByCamera, TranslationIsThatOfThePositions) {
+TEST(AlignByCamera, TranslationAlignsThePositions) {
   const OptionalPoses truth = {At(0), At(0, 0, 3), At(5)};
   const OptionalPoses estimate = {At(1, 2), At(1, 4, 3), At(6, 3)};
   const RigidTransform A = AlignByCamera(truth, estimate);
@@ -133,7 +134,7 @@ TEST(CheckEstimate, NamesTheClusterAndTheFrame) {
               HasSubstr("found cluster -1 after cluster 0, expected ids that increase from 1 on"));
 }
 
-TEST(CheckEstimate, IdsCountFromZeroWithoutLandmarks) {
+TEST(CheckEstimate, IdsStartAtZeroWithoutLandmarks) {
   ObjectTruth truth = TruthOf(3);
   AddBody(truth, Line(3));
   ObjectEstimate estimate = PerfectEstimate(truth);

@@ -82,7 +82,7 @@ TEST(ObjectMetrics, MotionErrorEqualsItsDefinition) {
 }
 
 TEST(ObjectMetrics, RotationsHandComputed) {
-  // A body that turns by 0.1 rad and moves 0.5 m too far in its last step.
+  // The estimated body turns by 0.1 rad and moves 0.5 m too far in its last step.
   ObjectTruth truth = TruthOf(3);
   AddBody(truth, Line(3));
   ObjectEstimate estimate = PerfectEstimate(truth);
@@ -97,17 +97,17 @@ TEST(ObjectMetrics, RotationsHandComputed) {
 TEST(ObjectMetrics, HandComputed) {
   ObjectTruth truth = TruthOf(4);
   AddBody(truth, Line(4));
-  // Mean 0.07: errors 0.07, 0.07, 0.03 and 0.11.
+  // The mean offset is 0.07 m, which leaves errors of 0.07, 0.07, 0.03 and 0.11 m.
   const auto metrics = Evaluate(truth, OffBy(truth, {0.0, 0.0, 0.1, 0.18}));
   EXPECT_NEAR(Value(metrics, "object_ate"), std::sqrt((0.0049 * 2 + 0.0009 + 0.0121) / 4.0), 1e-12);
   EXPECT_EQ(Value(metrics, "object_success_5cm"), 0.25);
   EXPECT_EQ(Value(metrics, "object_success_10cm"), 0.75);
   EXPECT_EQ(Value(metrics, "object_success_20cm"), 1.0);
   EXPECT_EQ(Count(metrics, "object_success_5cm"), 4);
-  // Steps off by 0, 0.1 and 0.08.
+  // The steps are off by 0, 0.1 and 0.08 m.
   EXPECT_NEAR(Value(metrics, "object_trpe_1_frame"), std::sqrt((0.01 + 0.0064) / 3.0), 1e-12);
   EXPECT_NEAR(Value(metrics, "object_motion_t"), std::sqrt((0.01 + 0.0064) / 3.0), 1e-12);
-  // Differences 0, 0.1, 0.18, 0.1, 0.18 and 0.08, each in both directions.
+  // The pairs are off by 0, 0.1, 0.18, 0.1, 0.18 and 0.08 m, each in both directions.
   EXPECT_NEAR(Value(metrics, "object_trpe_all_pairs"),
               std::sqrt((2 * 0.01 + 2 * 0.0324 + 0.0064) / 6.0), 1e-12);
   EXPECT_NEAR(Value(metrics, "object_velocity"), 0.0, 1e-12);
@@ -127,18 +127,18 @@ TEST(ObjectMetrics, TheWorldIsAlignedByTheCameraAlone) {
   AddBody(truth, {At(0), Pose({0, 0, 1.5}, {1, 0, 0}), Pose({0, 0, 3.0}, {2, 0, 0})});
   ObjectEstimate estimate = PerfectEstimate(truth);
   for (auto& pose : estimate.world_from_camera) pose = At(0, 0.3) * *pose;
-  // The camera is 0.3 m off, the body is not. As it turns, it sees the offset of the world from
-  // different sides, and its own frame takes up the mean alone.
+  // The camera is 0.3 m off, the body is not. As the body turns, the direction of the offset
+  // changes in its frame, and the alignment of the object frame absorbs only the mean.
   EXPECT_GT(Value(Evaluate(truth, estimate), "object_ate"), 0.2);
   const RigidTransform A = AlignByCamera(truth.world_from_camera, estimate.world_from_camera);
   EXPECT_NEAR((A.translation() - Eigen::Vector3d(0, -0.3, 0)).norm(), 0.0, 1e-12);
 }
 
-TEST(ObjectMetrics, InCameraTheErrorsOfTheCameraAndOfItsTruthDoNotCount) {
+TEST(ObjectMetrics, ErrorsInCameraExcludeThoseOfTheCameraAndItsTruth) {
   ObjectTruth truth = TruthOf(4);
   AddBody(truth, Line(4));
   ObjectEstimate estimate = PerfectEstimate(truth);
-  // The truth drifts sideways, and what the camera saw goes along with it, as labels do.
+  // The true camera drifts, and the bodies that it observed drift with it, as labels do.
   for (int k = 0; k < 4; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const RigidTransform drift = Pose({0.0, 0.01 * k, 0.0}, {0.0, 0.0, 0.5 * k * k});
@@ -151,18 +151,18 @@ TEST(ObjectMetrics, InCameraTheErrorsOfTheCameraAndOfItsTruthDoNotCount) {
   EXPECT_GT(Value(metrics, "object_motion_t"), 0.5);
   EXPECT_NEAR(Value(metrics, "object_ate_in_camera"), 0.0, 1e-12);
   EXPECT_NEAR(Value(metrics, "object_motion_t_in_camera"), 0.0, 1e-12);
-  // An error of the body counts: 0.4 m off in one of four frames, of which the body's frame takes
-  // up a quarter.
+  // An error of the body counts: it is 0.4 m off in one of four frames, and the alignment of the
+  // object frame absorbs a quarter of that.
   estimate.clusters[0].frames[2].world_from_object = At(2.0, 0.4);
   EXPECT_NEAR(Value(Evaluate(truth, estimate), "object_ate_in_camera"), 0.4 * std::sqrt(3.0) / 4.0,
               1e-12);
-  // Frames without a pose of the camera are left out.
+  // Frames without a camera pose are left out.
   estimate.world_from_camera[2].reset();
   EXPECT_NEAR(Value(Evaluate(truth, estimate), "object_ate_in_camera"), 0.0, 1e-12);
 }
 
-TEST(AlignByCamera, RotationIsThatOfTheOrientationsNotOfThePositions) {
-  // A straight path leaves the roll free for positions; orientations determine it.
+TEST(AlignByCamera, RotationComesFromOrientationsNotPositions) {
+  // On a straight path, positions leave the roll free, but orientations determine it.
   const RigidTransform roll = Pose({0, 0, 0.7}, {1, 2, 3});
   OptionalPoses truth, estimate;
   for (int k = 0; k < 5; ++k) {
@@ -199,7 +199,7 @@ TEST(AlignObject, MinimisesTheSquaredErrors) {
 }
 
 TEST(ObjectMetrics, VelocityIsThatOfTheGivenPoint) {
-  // A body that turns in place by 0.2 rad per frame: a point 1 m off its origin moves on a circle.
+  // A body turns in place by 0.2 rad per frame: a point 1 m off its origin moves on a circle.
   ObjectTruth truth = TruthOf(3);
   truth.mover_travel_m = -1.0;
   AddBody(truth, {Pose({0, 0, -0.2}, {0, 0, 0}), At(0), Pose({0, 0, 0.2}, {0, 0, 0})});
@@ -208,7 +208,8 @@ TEST(ObjectMetrics, VelocityIsThatOfTheGivenPoint) {
   for (ClusterFrame& frame : estimate.clusters[0].frames) {
     frame.point_in_object = Eigen::Vector3d::UnitX();
   }
-  // In the middle by 2 sin(0.2) over two frames; before and after it by a chord of 2 sin(0.1).
+  // The point moves by 2 sin(0.2) over the two frames around the middle one, and by a chord of
+  // 2 sin(0.1) over one frame at either end.
   const double middle = std::sin(0.2) / 0.1, side = 2.0 * std::sin(0.1) / 0.1;
   EXPECT_NEAR(Value(Evaluate(truth, estimate), "object_velocity"),
               std::sqrt((middle * middle + 2 * side * side) / 3.0), 1e-9);

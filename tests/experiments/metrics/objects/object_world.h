@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Small truths, and estimates of them, for the tests of the object metrics.
+// Small ground truths and estimates of them for the tests of the object metrics.
 
 #include <cmath>
 #include <string>
@@ -26,7 +26,7 @@ inline Eigen::Vector3d RandomVector(Rng& rng, double scale) {
 
 constexpr std::int64_t kFrame_ns = 100'000'000;
 
-// Frames at 10 Hz with a camera that stands at the origin; no bodies yet.
+// Ground truth of `frames` frames at 10 Hz, with a stationary camera at the origin and no bodies.
 inline ObjectTruth TruthOf(int frames) {
   ObjectTruth truth;
   truth.contract.truth = reports::TruthSource::kScene;
@@ -39,7 +39,7 @@ inline ObjectTruth TruthOf(int frames) {
   return truth;
 }
 
-// A body that is at `poses`, always in view.
+// Adds a body with these poses (world_from_object), visible in every frame.
 inline void AddBody(ObjectTruth& truth, const std::vector<RigidTransform>& poses) {
   TruthBody body;
   body.id = static_cast<int>(truth.bodies.size()) + 1;
@@ -50,7 +50,7 @@ inline void AddBody(ObjectTruth& truth, const std::vector<RigidTransform>& poses
   FinishTruth(truth);
 }
 
-// Along x at 1 m per frame.
+// Poses that move along x at 1 m per frame.
 inline std::vector<RigidTransform> Line(int frames, double y = 0.0) {
   std::vector<RigidTransform> poses;
   for (int k = 0; k < frames; ++k) poses.push_back(At(k, y));
@@ -64,7 +64,7 @@ inline std::vector<RigidTransform> RandomWalk(Rng& rng, int frames) {
   return poses;
 }
 
-// Four observations of a cluster's landmarks on a body in a frame.
+// Adds `count` observations of landmarks of `cluster` that lie on `body`, in one frame.
 inline void Observe(ObjectEstimate& estimate, int frame, int cluster, int body, int count = 4) {
   for (int i = 0; i < count; ++i) {
     estimate.landmarks[static_cast<std::size_t>(frame)].push_back(
@@ -72,7 +72,7 @@ inline void Observe(ObjectEstimate& estimate, int frame, int cluster, int body, 
   }
 }
 
-// The truth itself: cluster k is body k, with the velocity of its origin.
+// The truth as an estimate: cluster k is body k, with the velocity of the body's origin.
 inline ObjectEstimate PerfectEstimate(const ObjectTruth& truth) {
   ObjectEstimate estimate;
   estimate.world_from_camera = truth.world_from_camera;
@@ -96,7 +96,7 @@ inline ObjectEstimate PerfectEstimate(const ObjectTruth& truth) {
   return estimate;
 }
 
-// The same estimate said in another world, and with another frame of each cluster.
+// The same estimate expressed in another world frame, and with another object frame per cluster.
 inline ObjectEstimate Restate(const ObjectEstimate& estimate,
                               const RigidTransform& other_from_world,
                               const std::vector<RigidTransform>& object_from_other) {
@@ -114,7 +114,7 @@ inline ObjectEstimate Restate(const ObjectEstimate& estimate,
   return other;
 }
 
-// Two bodies on random walks before a camera on one.
+// Two bodies and a camera, each on a random walk.
 inline ObjectTruth RandomTruth(std::uint64_t seed, int frames) {
   Rng rng(seed, "bodies");
   ObjectTruth truth = TruthOf(frames);
@@ -139,7 +139,8 @@ inline ObjectEstimate Noisy(const ObjectTruth& truth, std::uint64_t seed) {
   return estimate;
 }
 
-// The estimate is off by (0, d_k, 0): the mean is taken up by the frame of the cluster.
+// A perfect estimate whose first cluster is off by (0, offsets_m[k], 0) in frame k. The alignment
+// of the object frame absorbs the mean offset.
 inline ObjectEstimate OffBy(const ObjectTruth& truth, const std::vector<double>& offsets_m) {
   ObjectEstimate estimate = PerfectEstimate(truth);
   for (std::size_t k = 0; k < offsets_m.size(); ++k) {

@@ -40,7 +40,7 @@ TEST(KittiTrackingRules, HiddenOrTruncatedLabelsDoNotCount) {
   EXPECT_DOUBLE_EQ(frame.similarity(0, 0), 1.0);
 }
 
-TEST(KittiTrackingRules, UnmatchedBoxesThatAreForgiven) {
+TEST(KittiTrackingRules, SomeUnmatchedBoxesAreForgiven) {
   EXPECT_TRUE(Counted({}, {Box("Car", 1, 0, 25.0)}).estimate.empty());
   EXPECT_EQ(Counted({}, {Box("Car", 1, 0, 25.1)}).estimate.size(), 1U);
   EXPECT_TRUE(Counted({Box("Van", 1, 0)}, {Box("Car", 1, 0)}).estimate.empty());
@@ -54,8 +54,8 @@ TEST(KittiTrackingRules, ATrackHasOneBoxPerFrame) {
   EXPECT_THROW(Counted({}, {Box("Car", 1, 0), Box("Car", 1, 100)}), Error);
 }
 
-// A box of half the width shares exactly half of the union.
-TEST(KittiTrackingRules, HalfOfTheUnionIsAMatch) {
+// A box of half the width has an IoU of exactly 1/2.
+TEST(KittiTrackingRules, AnIouOfOneHalfIsAMatch) {
   ObjectBox van = Box("Van", 1, 0);
   van.right_px = 100.0;
   EXPECT_TRUE(Counted({van}, {Box("Car", 1, 0)}).estimate.empty());
@@ -67,7 +67,7 @@ TEST(KittiTrackingRules, HalfOfTheUnionIsAMatch) {
   EXPECT_EQ(Counted({hidden}, {Box("Car", 1, 30)}).estimate.size(), 1U);
 }
 
-// Each reported box is matched to the box it lies on, whatever their order.
+// Each reported box is matched to the labelled box that it lies on, whatever their order.
 TEST(KittiTrackingRules, BoxesAreMatchedOneByOne) {
   const TrackedFrame frame =
       Counted({Box("Van", 1, 0), Box("Car", 2, 100), Box("Car", 3, 200)},
@@ -79,7 +79,7 @@ TEST(KittiTrackingRules, BoxesAreMatchedOneByOne) {
   EXPECT_DOUBLE_EQ(frame.similarity(1, 2), 0.0);
 }
 
-TEST(KittiTrackingRules, TracksBecomeIdentitiesWithoutGaps) {
+TEST(KittiTrackingRules, TracksBecomeConsecutiveIdentities) {
   const TrackedSequence sequence =
       CountedBoxes({{{Box("Car", 7, 0), Box("Car", 3, 100)}, {Box("Car", 50, 0)}},
                     {{Box("Car", 3, 100), Box("Car", 9, 300)}, {Box("Car", 60, 0)}}},
@@ -92,7 +92,7 @@ TEST(KittiTrackingRules, TracksBecomeIdentitiesWithoutGaps) {
   EXPECT_EQ(sequence.estimate_count, 2);
 }
 
-TEST(KittiTrackingRules, APedestrianThatSitsIsANeighbour) {
+TEST(KittiTrackingRules, ASittingPersonIsANeighbourOfPedestrians) {
   const auto counted = [](const std::string& type) {
     return CountedBoxes({{{Box(type, 1, 0)}, {Box("Pedestrian", 1, 0)}}}, "Pedestrian",
                         BoxSpace::kImage)

@@ -37,7 +37,7 @@ TEST(TrackingScores, APerfectTrack) {
   EXPECT_DOUBLE_EQ(EvaluateIdentities(sequence).idf1, 1.0);
 }
 
-// Two halves under two identities: every box is found, and half of its track.
+// Two halves of a track under two identities: every box is found, but with only half of its track.
 TEST(TrackingScores, ABrokenTrack) {
   const TrackedSequence sequence = OneBody({0, 0, 1, 1});
   const HotaScores hota = EvaluateHota(sequence);
@@ -50,7 +50,7 @@ TEST(TrackingScores, ABrokenTrack) {
   EXPECT_DOUBLE_EQ(EvaluateIdentities(sequence).idf1, 0.5);
 }
 
-// Similarity 0.72: a match at the limits 0.05 to 0.70, which are 14 of 19.
+// A similarity of 0.72 is a match at the thresholds 0.05 to 0.70, which are 14 of 19.
 TEST(TrackingScores, LooseBoxes) {
   const HotaScores hota = EvaluateHota(OneBody({0, 0, 0}, 0.72));
   EXPECT_NEAR(hota.hota, 14.0 / 19.0, 1e-12);
@@ -59,7 +59,8 @@ TEST(TrackingScores, LooseBoxes) {
   EXPECT_DOUBLE_EQ(EvaluateClear(OneBody({0}, 0.49)).mota, -1.0);
 }
 
-// A frame without a report ends a piece; one without true and reported boxes does not.
+// A frame without a report is a miss, not a switch. One whose report lies elsewhere ends a fragment
+// of the track.
 TEST(TrackingScores, FragmentsAndMisses) {
   TrackedSequence sequence = OneBody({0, -1, 0, 0});
   ClearScores clear = EvaluateClear(sequence);
@@ -73,7 +74,7 @@ TEST(TrackingScores, FragmentsAndMisses) {
   EXPECT_EQ(clear.false_boxes, 1);
 }
 
-// The pair of the frame before stays, though another is more similar now.
+// The pair of the previous frame is kept although another is more similar now.
 TEST(TrackingScores, PairsAreKept) {
   TrackedSequence sequence = OneBody({0, 0});
   sequence.estimate_count = 2;
@@ -87,13 +88,13 @@ TEST(TrackingScores, PairsAreKept) {
   EXPECT_EQ(clear.false_boxes, 1);
 }
 
-TEST(TrackingScores, NothingAtAll) {
+TEST(TrackingScores, EmptyInputScoresZero) {
   EXPECT_EQ(EvaluateHota({}).hota, 0.0);
   EXPECT_EQ(EvaluateClear({}).mota, 0.0);
   EXPECT_EQ(EvaluateIdentities({}).idf1, 0.0);
 }
 
-// One body is missed in the first frame, and a box too many is reported in the second.
+// One body is missed in the first frame, and a false box is reported in the second.
 TEST(TrackingScores, AMissAndAFalseBox) {
   TrackedSequence sequence;
   sequence.truth_count = 2;
@@ -116,9 +117,10 @@ TEST(TrackingScores, AMissAndAFalseBox) {
   EXPECT_NEAR(identities.idf1, 2.0 / 3.0, 1e-12);
 }
 
-// In the last frame identity 1 is more similar, but identity 0 is the one of the track. Three
-// matches at the limits up to 0.60 (12), two up to 0.80 (4) and none at the last three.
-TEST(TrackingScores, WholeTracksDecideWhoIsMatched) {
+// In the last frame, identity 1 is more similar, but identity 0 is that of the track. There are
+// three matches at the 12 thresholds up to 0.60, two at the 4 up to 0.80 and none at the last
+// three.
+TEST(TrackingScores, WholeTracksDecideTheMatching) {
   TrackedSequence sequence;
   sequence.truth_count = 1;
   sequence.estimate_count = 2;
@@ -132,8 +134,8 @@ TEST(TrackingScores, WholeTracksDecideWhoIsMatched) {
   EXPECT_NEAR(hota.loc_a, (12 * (0.82 + 0.82 + 0.62) / 3.0 + 4 * 0.82 + 3.0) / 19.0, 1e-12);
 }
 
-// Two bodies side by side, whose boxes overlap: what a pair shares is lessened by what its boxes
-// share with others.
+// Two bodies side by side with overlapping boxes: the alignment score of a pair is reduced by the
+// overlap of its boxes with others.
 TEST(TrackingScores, CrowdedTracksStayApart) {
   TrackedSequence sequence;
   sequence.truth_count = 2;
@@ -153,8 +155,8 @@ TEST(TrackingScores, CrowdedTracksStayApart) {
   EXPECT_DOUBLE_EQ(EvaluateIdentities(sequence).idf1, 1.0);
 }
 
-// Where a track is reported twice in turn, the identity of most of its boxes counts.
-TEST(TrackingScores, IdentitiesOfMostBoxes) {
+// If a track is reported under several identities, the one with most of its boxes counts.
+TEST(TrackingScores, TheIdentityOfMostBoxesCounts) {
   const TrackedSequence sequence = OneBody({0, 1, 1, 1, -1});
   const IdentityScores identities = EvaluateIdentities(sequence);
   EXPECT_DOUBLE_EQ(identities.recall, 3.0 / 5.0);
@@ -164,7 +166,7 @@ TEST(TrackingScores, IdentitiesOfMostBoxes) {
   EXPECT_DOUBLE_EQ(EvaluateIdentities(OneBody({0, 0}, 0.49)).idf1, 0.0);
 }
 
-TEST(TrackingScores, OfOneBox) {
+TEST(TrackingScores, ASingleBox) {
   const IdentityScores identities = EvaluateIdentities(OneBody({0}));
   EXPECT_DOUBLE_EQ(identities.recall, 1.0);
   EXPECT_DOUBLE_EQ(identities.precision, 1.0);
@@ -174,7 +176,7 @@ TEST(TrackingScores, OfOneBox) {
   EXPECT_DOUBLE_EQ(hota.ass_a, 1.0);
 }
 
-TEST(TrackingScores, EachSwitchCounts) {
+TEST(TrackingScores, EverySwitchCounts) {
   const ClearScores clear = EvaluateClear(OneBody({0, 1, -1, 0, 0}));
   EXPECT_EQ(clear.switches, 2) << "also across a gap";
   EXPECT_EQ(clear.fragments, 0) << "a frame without any report ends no piece, as in TrackEval";

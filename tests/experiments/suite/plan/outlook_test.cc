@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// A plan of one job per variant, made up: no sequence is needed.
+// A made-up plan with one job per variant, which needs no sequence.
 Plan PlanOf(const std::vector<std::string>& variants) {
   Json json = test::FolderSuite("x");
   json["variants"] = variants;
@@ -96,7 +96,7 @@ TEST(PlanOutlook, EstimatesFromMeasuredTimes) {
                    70 * 3.5 + 10 * kAssumedDrawnFrame_s + 20 * kAssumedNoisyFrame_s);
 }
 
-TEST(PlanOutlook, CountsAJobOnceThatTwoCellsShare) {
+TEST(PlanOutlook, CountsAJobSharedByTwoCellsOnce) {
   BuiltPlan built{PlanOf({"full", "static"}), {}};
   built.plan.jobs[1].job = built.plan.jobs[0].job;
   const auto outlook = PredictStates(built.plan, With(std::nullopt, {}));

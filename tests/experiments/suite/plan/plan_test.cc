@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// From a suite to jobs: inputs found, identities, and what plan.json keeps.
+// Tests the step from a suite to jobs: finding inputs, identities and the contents of plan.json.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ class SuitePlan : public testing::Test {
     request.cache = cache();
     return BuildPlan(suite, request);
   }
-  // In a build without OSMesa.
+  // True in a build without OSMesa.
   static bool CannotRender() {
     return ErrorMessage([] { synth::FindRendererVersion(); }) != "";
   }
@@ -50,7 +50,7 @@ class SuitePlan : public testing::Test {
   test::TempFolder folder_;
 };
 
-TEST_F(SuitePlan, AFoldersJobHasTheIdentityThatARunRecords) {
+TEST_F(SuitePlan, TheJobOfAFolderHasTheIdentityThatARunRecords) {
   test::WriteTinySequence(data() / "here" / "07", kFrames);
   Json json = FolderSuite("07");
   json["seeds"] = {3};
@@ -74,7 +74,7 @@ TEST_F(SuitePlan, AFoldersJobHasTheIdentityThatARunRecords) {
   for (const Metric& metric : outcome->scores.causal) EXPECT_EQ(known.count(metric.name), 1U);
 }
 
-TEST_F(SuitePlan, AnImageThatChangesIsAnotherJob) {
+TEST_F(SuitePlan, AChangedImageGivesAnotherJob) {
   test::WriteTinySequence(data() / "07", kFrames);
   const Suite suite = Parse(FolderSuite("07"));
   const PlannedJob before = Build(suite).plan.jobs.at(0);
@@ -136,14 +136,14 @@ TEST_F(SuitePlan, FindsAFolderByTheEndOfItsPath) {
   EXPECT_EQ(folder.Find("er/06").folder, data() / "deep" / "er" / "06");
   EXPECT_EQ(folder.Find("deep/06").folder, "");
   EXPECT_EQ(folder.Find("6").folder, "");
-  // Labels without images, as of a drive that is there in another layout, are nothing to run on.
+  // Labels without images, such as those of a drive stored in another layout, are not runnable.
   folder_.Write("data/training/image_02/none.txt", "");
   folder_.Write("data/training/calib/0003.txt", "");
   EXPECT_EQ(folder.Find("training/0003").missing,
             StrCat("no images of both cameras of training/0003 below ", data().string()));
 }
 
-TEST_F(SuitePlan, SystemsAreJobsOfTheirFiles) {
+TEST_F(SuitePlan, JobsOfSystemsDependOnTheirFiles) {
   test::WriteTinySequence(data() / "07", kFrames);
   folder_.Write("data/other.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n");
   Json json = FolderSuite("07");
@@ -217,7 +217,7 @@ TEST_F(SuitePlan, RequestsScenesThatAreNotRendered) {
                            "--seed", "1", "--frames", "1:4"));
 }
 
-TEST_F(SuitePlan, ARenderedScenesJobHasTheIdentityOfItsBytes) {
+TEST_F(SuitePlan, TheJobOfARenderedSceneHasTheIdentityOfItsBytes) {
   if (CannotRender()) GTEST_SKIP() << "this build has no OSMesa";
   ASSERT_EQ(::setenv("CLUSTERVO_CACHE", cache().c_str(), 1), 0);
   Json json = SmallSuite();
@@ -240,7 +240,7 @@ TEST_F(SuitePlan, ARenderedScenesJobHasTheIdentityOfItsBytes) {
                                   .variant = FindVariant("full"),
                                   .options = OptionsOf(suite, "full", {}),
                                   .seed = 1}));
-  // A file that is gone or cut: rendered again.
+  // A scene with a missing or truncated file is rendered again.
   EXPECT_EQ(FindSceneDamage(render.output, HashesByReading), std::nullopt);
   fs::resize_file(render.output / "image_0" / "000001.png", 10);
   EXPECT_EQ(FindSceneDamage(render.output, HashesByReading, {0, 1}), std::nullopt);
@@ -249,7 +249,7 @@ TEST_F(SuitePlan, ARenderedScenesJobHasTheIdentityOfItsBytes) {
   EXPECT_EQ(Build(suite).plan.jobs.at(0).missing, kNotRendered);
 }
 
-TEST_F(SuitePlan, AScenesFolderIsItsContent) {
+TEST_F(SuitePlan, TheFolderOfASceneDependsOnItsContent) {
   if (CannotRender()) GTEST_SKIP() << "this build has no OSMesa";
   SceneFolders scenes(cache());
   SuiteSequence tiny = Parse(SmallSuite()).sequences[0];

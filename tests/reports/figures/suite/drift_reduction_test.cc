@@ -13,7 +13,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-// One run of the sequence that MVO published, whose camera and one block have half of its drift.
+// One run of a sequence with published results of MVO. The camera and, in one direction, a block
+// have half of the drift of MVO.
 SuiteData HalfOfMvo(int frames) {
   SuiteData data;
   RunSummary run;
@@ -38,7 +39,7 @@ SuiteData HalfOfMvo(int frames) {
   return data;
 }
 
-TEST(DriftReduction, IsInPercentOfWhatOthersPublished) {
+TEST(DriftReduction, IsInPercentOfPublishedDrift) {
   SuiteDrawing drawing;
   DrawDriftReduction(HalfOfMvo(500), drawing);
   ASSERT_THAT(drawing.figures, SizeIs(3)) << "MVO by two sources, and ClusterVO";
@@ -52,7 +53,7 @@ TEST(DriftReduction, IsInPercentOfWhatOthersPublished) {
   EXPECT_THAT(figure.alt, HasSubstr("full: camera −50 none none none; top left none"));
 }
 
-TEST(DriftReduction, IsDrawnOfTheSameFramesAlone) {
+TEST(DriftReduction, IsDrawnOnlyForTheSameFrames) {
   SuiteDrawing drawing;
   DrawDriftReduction(HalfOfMvo(40), drawing);
   EXPECT_THAT(drawing.figures, IsEmpty());
@@ -60,7 +61,7 @@ TEST(DriftReduction, IsDrawnOfTheSameFramesAlone) {
   EXPECT_THAT(drawing.not_drawn[0], HasSubstr("frames 0:500 alone"));
 }
 
-TEST(DriftReduction, OtherSequencesHaveNone) {
+TEST(DriftReduction, IsNotDrawnForOtherSequences) {
   SuiteData data = HalfOfMvo(500);
   data.runs[0].run->sequence.name = "room";
   SuiteDrawing drawing;

@@ -12,8 +12,8 @@ namespace {
 using test::Json;
 using testing::IsEmpty;
 
-// Of frames 10 to 15 with a temporal track of two: 10 is kept in 12 and 13, 12 in 15. Frame
-// 14 is lost.
+// Frames 10 to 15 with a temporal track of two frames. The spatial track holds frame 10 at frames
+// 12 and 13, and frame 12 at frame 15. Frame 14 is lost.
 SuiteData Managed() {
   SuiteData data = test::DrawnSuite({"full"});
   std::vector<CameraFrame>& frames = data.drawn[0].detail.camera;
@@ -29,7 +29,7 @@ SuiteData Managed() {
   return data;
 }
 
-TEST(FrameTracks, ShowWhenAFrameWasInWhich) {
+TEST(FrameTracks, ShowWhenEachFrameWasInEachTrack) {
   SuiteDrawing drawing;
   DrawFrameTracks(Managed(), drawing);
   const Json plotly = Json::parse(test::FindFigure(drawing, "frame-tracks").plotly);
@@ -42,7 +42,7 @@ TEST(FrameTracks, ShowWhenAFrameWasInWhich) {
   EXPECT_EQ(plotly["data"][0]["y"], Json::parse("[10, 10, 11, 12, 13]")) << "its oldest frame";
 }
 
-TEST(FrameTracks, OfOlderResultsAreNotKnown) {
+TEST(FrameTracks, AreNotDrawnForOlderResults) {
   SuiteDrawing drawing;
   DrawFrameTracks(test::DrawnSuite({"full"}), drawing);
   EXPECT_THAT(drawing.figures, IsEmpty());

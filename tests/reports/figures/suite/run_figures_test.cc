@@ -25,7 +25,8 @@ SuiteDrawing Drawn(DrawFigures draw, const SuiteData& data) {
   return drawing;
 }
 
-// The first trace whose line is dashed so, or whose mark is of that symbol.
+// Returns the first trace whose `part` has this value at `key`, except traces without data. Null if
+// there is none.
 Json TraceLike(const Json& plotly, const char* part, const char* key, const std::string& value) {
   for (const Json& trace : plotly["data"]) {
     if (trace["x"][0].is_null() || !trace.contains(part)) continue;
@@ -164,7 +165,7 @@ TEST(StageTimes, AreBarsWithTheMachineInTheCaption) {
   EXPECT_THAT(figure.alt, HasSubstr("Full: track 2 ms."));
 }
 
-TEST(StageTimes, RunsThatComputeFeaturesCountOnlyWhereThereAreNoOthers) {
+TEST(StageTimes, UseRunsThatComputeFeaturesOnlyAsAFallback) {
   SuiteData data = DrawnSuite({"full", "2d", "2d"});
   data.drawn[1].detail.stages = {{"track", 4.0, 4.0, 5.0}, {"frame", 9.0, 9.0, 9.0}};
   const Figure figure = Drawn(DrawStageTimes, data).figures.at(0);
@@ -174,7 +175,7 @@ TEST(StageTimes, RunsThatComputeFeaturesCountOnlyWhereThereAreNoOthers) {
   EXPECT_THAT(figure.plotly, Not(HasSubstr("whole frame")));
 }
 
-TEST(StageTimes, OfTwoMachinesAreNotMixed) {
+TEST(StageTimes, DoNotMixMachines) {
   SuiteData data = DrawnSuite({"full", "2d", "2d3d"});
   data.drawn[1].detail.host = "there";
   const Figure figure = Drawn(DrawStageTimes, data).figures.at(0);
@@ -184,7 +185,7 @@ TEST(StageTimes, OfTwoMachinesAreNotMixed) {
   EXPECT_THAT(Drawn(DrawStageTimes, data).not_drawn, ElementsAre(HasSubstr("timing.json")));
 }
 
-TEST(RunFigures, KeepHostileNamesText) {
+TEST(RunFigures, EscapeHostileNames) {
   const SuiteData data = DrawnSuite({"<i>v"}, "</script><img src=x onerror=alert(1)>");
   for (const auto& draw : {DrawErrorOverTime, DrawTrajectories, DrawStageTimes}) {
     const Figure figure = Drawn(draw, data).figures.at(0);

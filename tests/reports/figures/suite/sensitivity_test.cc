@@ -64,14 +64,14 @@ TEST(Sensitivity, DrawsIntervalsAsABandAndMarksTheDefault) {
   EXPECT_THAT(figure.caption, AllOf(HasSubstr("95 %, by hand"), HasSubstr("the default, 2")));
 }
 
-TEST(Sensitivity, NamesNoTwoValuesAtOnePlace) {
+TEST(Sensitivity, OmitsOverlappingTickLabels) {
   const SuiteData data = test::SweptSuite("q", {0.01, 0.011, 0.1, 1, 1.2, 10, 100});
   const Json layout = Json::parse(Draw(data).figures.at(0).plotly)["layout"];
   EXPECT_EQ(layout["xaxis"]["tickvals"].size(), 7U);
   EXPECT_EQ(layout["xaxis"]["ticktext"], Json({"0.01", "", "0.1", "1", "", "10", "100"}));
 }
 
-TEST(Sensitivity, HasALogAxisWhereValuesAreSpacedSo) {
+TEST(Sensitivity, HasALogAxisForLogSpacedValues) {
   SuiteData data = test::SweptSuite("q", {0.01, 1, 100});
   data.table.provenance.options = {{"q", "10", {}}};
   const Json layout = Json::parse(Draw(data).figures.at(0).plotly)["layout"];
@@ -107,7 +107,7 @@ TEST(Sensitivity, ReportsMissingCoverage) {
   EXPECT_THAT(Draw(data).figures.at(0).caption, HasSubstr("no coverage for these metrics"));
 }
 
-TEST(Sensitivity, TakesOtherOptionsAtTheirDefaultsWhereOneIsVariedAtATime) {
+TEST(Sensitivity, UsesDefaultsOfOtherOptionsWhenOneIsVariedAtATime) {
   SuiteData data = test::SweptSuite("a", {1, 2});
   data.table.keys = {"a", "b"};
   for (Row& row : data.table.rows) row.keys.emplace_back("default");
@@ -124,7 +124,7 @@ TEST(Sensitivity, TakesOtherOptionsAtTheirDefaultsWhereOneIsVariedAtATime) {
   EXPECT_EQ(test::TracesNamed(second, "full")[0]["x"], Json({7.0, 8.0}));
 }
 
-TEST(Sensitivity, DrawsOneLinePerValueOfTheOthersInAWholeGrid) {
+TEST(Sensitivity, DrawsOneLinePerValueOfOtherOptionsInAFullGrid) {
   SuiteData data = test::SweptSuite("a", {1, 2, 1, 2});
   data.table.keys = {"a", "b"};
   for (std::size_t i = 0; i < 4; ++i) data.table.rows[i].keys.emplace_back(i < 2 ? "7" : "8");
@@ -133,7 +133,7 @@ TEST(Sensitivity, DrawsOneLinePerValueOfTheOthersInAWholeGrid) {
   EXPECT_EQ(test::TracesNamed(plotly, "b 8")[0]["y"], Json({0.3, 0.4}));
 }
 
-TEST(Sensitivity, ReportsWhyThereIsNone) {
+TEST(Sensitivity, ReportsWhyNothingIsDrawn) {
   SuiteData pooled = test::SweptSuite("a", {1, 2});
   pooled.table.keys = {"variant"};
   for (Row& row : pooled.table.rows) row.keys = {"full"};
@@ -153,7 +153,7 @@ TEST(Sensitivity, ReportsWhyThereIsNone) {
   EXPECT_THAT(Draw(many).not_drawn, ElementsAre(HasSubstr("13 curves")));
 }
 
-TEST(Sensitivity, KeepsHostileNamesText) {
+TEST(Sensitivity, EscapesHostileNames) {
   SuiteData data = test::SweptSuite("<img src=x>", {1, 2});
   data.table.columns[0].label = "<b>ATE";
   const Figure figure = Draw(data).figures.at(0);

@@ -30,7 +30,8 @@ SuiteDrawing Draw(const std::filesystem::path& folder) {
   return SuiteFigures(ReadSuiteData(folder, MakeTable(folder, {}, "")));
 }
 
-// One sequence under "full" and "2d", whose bodies are twice as far off and one frame less seen.
+// One sequence under "full" and "2d". Under "2d" the errors of the bodies are twice as large, and
+// each body is estimated in one frame fewer.
 struct TwoVariants : SuiteResults {
   explicit TwoVariants(const std::string& sequence = "room") {
     table["rows"] = {"variant"};
@@ -56,16 +57,16 @@ TEST(ErrorReduction, IsInPercentOfTheReferenceError) {
   EXPECT_FALSE(ErrorReduction(cell, ate)) << "of no error nothing can be reduced";
 }
 
-TEST(ErrorReduction, OfAShareIsThatOfWhatIsMissing) {
+TEST(ErrorReduction, OfAShareIsRelativeToItsComplement) {
   Cell cell = test::CellOf(0.9, 0.8, 1.0);
   const Column share = test::ColumnOf("object_success_10cm", "within 10 cm", "1");
   cell.difference = Difference{"full", 0.9, 0.8, 0.1, {}, {}, {}, {}, {}, {}, true, 7, ""};
-  EXPECT_NEAR(*ErrorReduction(cell, share), 50.0, 1e-9);  // misses: 0.2 to 0.1
+  EXPECT_NEAR(*ErrorReduction(cell, share), 50.0, 1e-9);  // misses: from 0.2 to 0.1
   cell.difference->difference = -0.2;
   EXPECT_NEAR(*ErrorReduction(cell, share), -100.0, 1e-9);
 }
 
-TEST(Waterfall, HasABarFromTheRowAboveToEachRow) {
+TEST(Waterfall, HasABarPerRowStartingAtTheRowAbove) {
   SuiteData data = test::SweptSuite("variant", {1, 2, 3});
   data.table.reference = kRowAbove;
   const auto step = [&](std::size_t row, double low, double high) {
@@ -108,7 +109,7 @@ TEST(ErrorReduction, IsAHeatMapOfSequencesAndMeasures) {
   EXPECT_EQ(map["x"], Json({0, 1, 2, 3}));
   EXPECT_EQ(plotly["layout"]["xaxis"]["ticktext"], Json({"camera<br>ATE", "1 − object<br>coverage",
                                                          "object<br>ATE", "not within<br>10 cm"}));
-  // Coverage 4 of 5 to 3 of 5: what is missing doubles; errors of common frames double.
+  // Coverage falls from 4/5 to 3/5: the uncovered share doubles. Errors in common frames double.
   EXPECT_EQ(map["z"], Json::parse("[[0.0,100.0,100.0,100.0]]"));
   EXPECT_EQ(map["text"][0][2], "<b>+100</b>") << "seven bodies, all alike: distinguishable";
   EXPECT_EQ(map["text"][0][0], "(0)") << "one scene cannot tell";
@@ -121,7 +122,7 @@ TEST(ErrorReduction, IsAHeatMapOfSequencesAndMeasures) {
   EXPECT_THAT(figure.alt, HasSubstr("2d: 3 of 4 cells are distinguishable, at most 100 % more"));
 }
 
-TEST(ErrorReduction, SaysManyTimesAsMuchAsAFactor) {
+TEST(ErrorReduction, ShowsLargeIncreasesAsAFactor) {
   test::SuiteResults suite;
   suite.table["rows"] = {"variant"};
   suite.table["reference"] = "full";
@@ -135,9 +136,9 @@ TEST(ErrorReduction, SaysManyTimesAsMuchAsAFactor) {
   EXPECT_THAT(map["z"][0], testing::Contains(1400.0));
 }
 
-// Plotly takes categories of one name for one column, and what follows would move under the names
-// of others.
-TEST(ErrorReduction, MeasuresOfOneNameAreColumnsOfTheirOwn) {
+// Plotly merges categories of equal names into one column, which would move the columns after it
+// under wrong names.
+TEST(ErrorReduction, MetricsWithEqualLabelsHaveSeparateColumns) {
   const TwoVariants suite;
   SuiteData data = ReadSuiteData(suite.Written(), MakeTable(suite.Written(), {}, ""));
   for (Column& column : data.table.columns) {
@@ -228,9 +229,9 @@ TEST(SuiteFigures, DrawTheFirstSeedAtTheDefaults) {
   EXPECT_EQ(data.drawn[0].seed, 5U);
 }
 
-TEST(SuiteFigures, AreTheSameBytesEachTimeUnderIdsOfTheirOwn) {
+TEST(SuiteFigures, AreReproducibleWithUniqueIds) {
   SuiteData data = test::DrawnSuite({"full", "2d"});
-  data.drawn[1].sequence = "ROOM";  // the same id but for its number
+  data.drawn[1].sequence = "ROOM";  // same id up to an appended number
   const SuiteDrawing first = SuiteFigures(data);
   const SuiteDrawing again = SuiteFigures(data);
   ASSERT_EQ(first.figures.size(), again.figures.size());
@@ -247,7 +248,7 @@ TEST(SuiteFigures, AreTheSameBytesEachTimeUnderIdsOfTheirOwn) {
   EXPECT_TRUE(ids.contains("trajectories-room-2"));
 }
 
-TEST(SuiteFigures, OfTooManySequencesLeaveOutWhatIsPerSequence) {
+TEST(SuiteFigures, OmitPerSequenceFiguresForTooManySequences) {
   SuiteData data = test::DrawnSuite({"full"});
   for (int i = 0; i < 401; ++i) {
     data.runs.push_back({data.plan.runs[0], "not run", "", "", std::nullopt});
@@ -256,7 +257,7 @@ TEST(SuiteFigures, OfTooManySequencesLeaveOutWhatIsPerSequence) {
   EXPECT_THAT(SuiteFigures(data).not_drawn, Contains(HasSubstr("401 rows of the table")));
 }
 
-TEST(SuiteFigures, KeepHostileNamesText) {
+TEST(SuiteFigures, EscapeHostileNames) {
   const TwoVariants suite("<img src=x onerror=alert(1)>");
   const SuiteDrawing drawing = Draw(suite.Written());
   ASSERT_THAT(drawing.figures, Not(IsEmpty()));

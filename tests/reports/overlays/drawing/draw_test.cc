@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Drawings on a flat image, looked at pixel by pixel.
+// Tests drawings on a uniform image pixel by pixel.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -52,7 +52,7 @@ TEST(DrawOverlay, StaticLandmarksAreSmallAndOutliersSmaller) {
     frame.landmarks = {{50.0F, 60.0F, label}};
     return 320 * 240 - CountColor(Draw(frame), kBackground);
   };
-  EXPECT_EQ(touched(kOutlierLabel), 5);  // and what of its edge reaches into the neighbours
+  EXPECT_EQ(touched(kOutlierLabel), 5);  // one pixel, and its smoothed edge in four neighbours
   EXPECT_GT(touched(kStaticLabel), touched(kOutlierLabel));
   EXPECT_GT(touched(4), touched(kStaticLabel));
 }
@@ -68,11 +68,11 @@ TEST(DrawOverlay, ScalesPositionsWithTheImage) {
   EXPECT_EQ(ColorAt(picture, 100, 120), ClusterColor(2));
 }
 
-TEST(DrawOverlay, ABoxHasItsEdgesWhereTheyAreProjected) {
+TEST(DrawOverlay, BoxEdgesAreAtTheirProjections) {
   OverlayFrame frame;
   frame.clusters = {Cube(2)};
   const cv::Mat picture = Draw(frame);
-  // The near side: 0.5 m at 2 m is 50 px from the centre; the far one 0.5 / 3 * 200.
+  // Near face: 0.5 m at 2 m depth is 50 px from the centre. Far face: 0.5 / 3 * 200 px.
   EXPECT_EQ(ColorAt(picture, 110, 120), ClusterColor(2));
   EXPECT_EQ(ColorAt(picture, 210, 120), ClusterColor(2));
   EXPECT_EQ(ColorAt(picture, 160, 170), ClusterColor(2));
@@ -91,7 +91,7 @@ TEST(DrawOverlay, AGhostIsDashedAndTranslucent) {
   int solid = 0;
   int dashed = 0;
   for (int v = 75; v < 165; ++v) {
-    // The edges of dashes are smoothed: what is nearly of the colour counts.
+    // The edges of dashes are smoothed, so pixels of nearly the colour count too.
     const int blue = ClusterColor(2).blue;
     solid += std::abs(ColorAt(tracked, 110, v).blue - blue) < 30 ? 1 : 0;
     dashed += std::abs(ColorAt(ghost, 110, v).blue - blue) < 30 ? 1 : 0;
@@ -99,14 +99,14 @@ TEST(DrawOverlay, AGhostIsDashedAndTranslucent) {
   EXPECT_EQ(solid, 90);
   EXPECT_GT(dashed, 30);
   EXPECT_LT(dashed, 70);
-  // 28 % of its colour over the background.
+  // The cluster's colour over the background, 28 % opaque.
   const Rgb inside = ColorAt(ghost, 160, 120);
   EXPECT_NEAR(inside.green, 0.72 * test::kGrey + 0.28 * ClusterColor(2).green, 1.5);
   EXPECT_NEAR(inside.blue, 0.72 * test::kGrey + 0.28 * ClusterColor(2).blue, 1.5);
   EXPECT_EQ(ColorAt(tracked, 160, 120), kBackground);
 }
 
-TEST(DrawOverlay, WhatIsBehindTheCameraIsNotDrawn) {
+TEST(DrawOverlay, ClustersBehindTheCameraAreNotDrawn) {
   OverlayFrame frame;
   frame.clusters = {Cube(2, 0.0, -4.0)};
   frame.clusters[0].ahead = {0.0, 0.0, -1.0};
@@ -116,7 +116,7 @@ TEST(DrawOverlay, WhatIsBehindTheCameraIsNotDrawn) {
   EXPECT_TRUE(SameImage(Draw(frame), Draw({})));
 }
 
-TEST(DrawOverlay, ABoxAroundTheCameraEndsAtTheNearPlane) {
+TEST(DrawOverlay, BoxAroundTheCameraIsClippedAtTheNearPlane) {
   OverlayFrame frame;
   frame.clusters = {Cube(2, 0.45, -0.5)};
   frame.clusters[0].predicted = true;
@@ -125,7 +125,7 @@ TEST(DrawOverlay, ABoxAroundTheCameraEndsAtTheNearPlane) {
   EXPECT_FALSE(SameImage(picture, Draw({})));
 }
 
-TEST(DrawOverlay, AnArrowPointsWhereTheClusterGoes) {
+TEST(DrawOverlay, ArrowPointsInTheDirectionOfMotion) {
   OverlayFrame frame;
   frame.clusters = {Cube(2, 0.0, 1.5)};  // centre at 2 m
   frame.clusters[0].ahead = {0.8, 0.0, 2.0};
@@ -138,7 +138,7 @@ TEST(DrawOverlay, AnArrowPointsWhereTheClusterGoes) {
   EXPECT_EQ(ColorAt(picture, 260, 120), kBackground);
 }
 
-TEST(DrawOverlay, TheTrailShowsWhereItCameFrom) {
+TEST(DrawOverlay, TrailShowsPastPositions) {
   OverlayFrame frame;
   frame.clusters = {Cube(2, 0.0, 1.5)};
   frame.clusters[0].trail = {{-0.9, 0.0, 2.0}, {-0.3, 0.0, 2.0}};
@@ -147,7 +147,7 @@ TEST(DrawOverlay, TheTrailShowsWhereItCameFrom) {
   EXPECT_EQ(ColorAt(picture, 70, 120), ClusterColor(2));
 }
 
-TEST(DrawOverlay, ADetectionIsAThinWhiteFrame) {
+TEST(DrawOverlay, DetectionIsAThinWhiteRectangle) {
   OverlayFrame frame;
   frame.detections = {{40.2, 50.4, 80.0, 90.0}};
   const cv::Mat picture = Draw(frame);
@@ -156,7 +156,7 @@ TEST(DrawOverlay, ADetectionIsAThinWhiteFrame) {
   EXPECT_EQ(ColorAt(picture, 60, 70), kBackground);
 }
 
-TEST(DrawOverlay, WrongLabelsHaveARingWhereItIsAskedFor) {
+TEST(DrawOverlay, WrongLabelsHaveARingIfRequested) {
   OverlayFrame frame;
   frame.landmarks = {{50.0F, 60.0F, 2, 0, true}, {90.0F, 60.0F, 2, 5, false}};
   OverlayStyle style = PlainStyle();
@@ -168,14 +168,14 @@ TEST(DrawOverlay, WrongLabelsHaveARingWhereItIsAskedFor) {
   EXPECT_EQ(CountColor(Draw(frame), white), 0);
 }
 
-TEST(DrawOverlay, ColorsOfAnotherRunsCluster) {
+TEST(DrawOverlay, ColorIdsReplaceClusterIds) {
   OverlayFrame frame;
   frame.landmarks = {{50.0F, 60.0F, 2}};
   frame.color_ids = {{2, 5}};
   EXPECT_EQ(ColorAt(Draw(frame), 50, 60), ClusterColor(5));
 }
 
-TEST(DrawOverlay, StaysWithinTheImageWhateverItIsGiven) {
+TEST(DrawOverlay, HandlesNonFiniteAndHugeInput) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kHuge = 1e300;
   OverlayFrame frame;
@@ -234,7 +234,7 @@ TEST(StatusWords, CountWhatIsDrawn) {
               testing::IsSupersetOf({"bodies not recorded", "landmarks not recorded"}));
 }
 
-TEST(DrawableText, KeepsWhatTheFontHas) {
+TEST(DrawableText, ReplacesCharactersTheFontLacks) {
   EXPECT_EQ(DrawableText("Car", 16), "Car");
   EXPECT_EQ(DrawableText("a\tb\x7F", 16), "a?b?");
   EXPECT_EQ(DrawableText("Stra\xC3\x9F"
@@ -245,7 +245,7 @@ TEST(DrawableText, KeepsWhatTheFontHas) {
   EXPECT_EQ(DrawableText("", 6), "");
 }
 
-TEST(ClusterColor, IsTheSameForAnIdAndApartForNeighbours) {
+TEST(ClusterColor, IsFixedPerIdAndDistinctBetweenIds) {
   EXPECT_EQ(ClusterColor(5), ClusterColor(5));
   constexpr auto kCount = static_cast<std::int64_t>(kClusterColors);
   for (std::int64_t a = 1; a <= kCount; ++a) {
@@ -264,8 +264,7 @@ TEST(ClusterColor, IsTheSameForAnIdAndApartForNeighbours) {
   EXPECT_EQ(TextColorOn({20, 20, 20}), (Rgb{255, 255, 255}));
 }
 
-// The colours of names at a row of pixels, from their plates' left edges on.
-TEST(DrawNames, StandBesideLandmarksAndNotOverEachOther) {
+TEST(DrawNames, AvoidLandmarksAndEachOther) {
   OverlayFrame frame;
   frame.clusters = {Cube(2)};
   const OverlayStyle style = PlainStyle();
@@ -302,7 +301,7 @@ TEST(Legend, HasEveryMarkOfTheStyleAndOneSizeForAllFrames) {
   EXPECT_GT(LegendBar(style, 100).rows, LegendBar(style, 800).rows) << "in rows";
 }
 
-// At KITTI's size a frame with much in it needs two rows, and no frame has fewer.
+// At the image size of KITTI, a busy frame needs two status rows, so every frame has two.
 TEST(StatusLine, HasRoomForTheLandmarksOfWideImages) {
   const CameraInfo kitti{1242, 375, 720.0, 720.0, 610.0, 170.0};
   const OverlayStyle style = StyleFor(kitti, 1242);
@@ -316,7 +315,7 @@ TEST(StatusLine, HasRoomForTheLandmarksOfWideImages) {
   EXPECT_EQ(picture.rows, 375 + BarHeight(style.text_px, 2) + LegendBar(style, 1242).rows);
 }
 
-TEST(Legend, HasOnlyWhatSomeRunHas) {
+TEST(Legend, OmitsMarksThatNoRunHas) {
   OverlayStyle style = StyleFor({640, 480, 400.0, 400.0, 320.0, 240.0}, 640);
   EXPECT_TRUE(style.inset);
   const cv::Mat whole = LegendBar(style, 2000);
@@ -336,7 +335,7 @@ TEST(ContactSheet, EmptyCellsAreDark) {
   EXPECT_EQ(CountColor(sheet(cv::Rect(14, 14, 10, 10)), {255, 255, 255}), 0);
 }
 
-TEST(BirdsEye, ShowsBodiesWhereTheyAreFromAbove) {
+TEST(BirdsEye, ShowsClustersFromAbove) {
   OverlayFrame frame;
   frame.clusters = {Cube(2, -0.8, 3.0), Cube(5, 0.8, 1.2)};
   cv::Mat map(300, 300, CV_8UC3, cv::Scalar(0));
