@@ -35,7 +35,7 @@ class Result : public testing::Test {
       frame.frame = 4 + i;
       frame.timestamp_ns = 1'000'000'000LL + i;
       frame.report.status = status[i];
-      run_.times_s["decode"].push_back(0.001 * (i + 1));
+      run_.times_s["decode"].push_back(0.001F * static_cast<float>(i + 1));
       frames_.push_back(frame);
     }
     frames_[2].problems = {{"image_00/data/6.png", "found half a file, expected PNG"}};
@@ -113,7 +113,7 @@ TEST_F(Result, ContainsNoTimesHostOrPaths) {
   const std::string before = File();
   EXPECT_THAT(before, Not(HasSubstr("secret")));
   run_.wall_s = 7.0;
-  run_.times_s["decode"][0] = 1.0;
+  run_.times_s["decode"][0] = 1.0F;
   sequence_.folder = "/elsewhere";
   EXPECT_EQ(File(), before);
 }
