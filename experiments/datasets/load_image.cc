@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/datasets/load_image.h"
 
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/files/images/image_codec.h"
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/formats/grey_png.h"
@@ -23,8 +23,7 @@ cv::Mat DecodeGrey(const std::string& bytes, bool is_png) {
     cv::Mat grey = DecodeGreyPng(bytes);
     if (!grey.empty()) return grey;
   }
-  const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
-  const cv::Mat decoded = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
+  const cv::Mat decoded = DecodeImage(bytes, cv::IMREAD_UNCHANGED);
   if (decoded.empty() || decoded.depth() != CV_8U || decoded.channels() == 1) return decoded;
   cv::Mat grey;
   cv::cvtColor(decoded, grey, decoded.channels() == 4 ? cv::COLOR_BGRA2GRAY : cv::COLOR_BGR2GRAY);

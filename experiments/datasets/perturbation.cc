@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
+#include "core/files/images/image_codec.h"
 #include "core/files/json/options_json.h"
 #include "experiments/datasets/sequence.h"
 
@@ -53,9 +53,8 @@ void ShiftDown(int rows, cv::Mat& grey) {
 }
 
 void Compress(int quality, cv::Mat& grey) {
-  std::vector<unsigned char> bytes;
-  cv::imencode(".jpg", grey, bytes, {cv::IMWRITE_JPEG_QUALITY, quality});
-  grey = cv::imdecode(bytes, cv::IMREAD_GRAYSCALE);
+  grey = DecodeImage(EncodeImage(".jpg", grey, {cv::IMWRITE_JPEG_QUALITY, quality}),
+                     cv::IMREAD_GRAYSCALE);
 }
 
 }  // namespace

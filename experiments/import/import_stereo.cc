@@ -5,10 +5,10 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cerrno>
-#include <opencv2/imgcodecs.hpp>
 
 #include "core/base/error.h"
 #include "core/files/disk.h"
+#include "core/files/images/image_codec.h"
 #include "core/files/json/json.h"
 #include "core/files/sha256.h"
 #include "core/files/temporary.h"
@@ -52,10 +52,9 @@ class NewFolder {
     constexpr std::size_t kHeader = 33;  // signature and first chunk of a PNG file
     const cv::Mat grey =
         image.damage.empty() ? image.grey : cv::Mat(image.size, CV_8UC1, cv::Scalar(0));
-    std::vector<unsigned char> png;
-    Require(cv::imencode(".png", grey, png), "import: an image that cannot be encoded");
-    Write(name,
-          {reinterpret_cast<const char*>(png.data()), image.damage.empty() ? png.size() : kHeader});
+    std::string png = EncodeImage(".png", grey);
+    if (!image.damage.empty()) png.resize(kHeader);
+    Write(name, png);
   }
   // The SHA-256 of each written file, by name.
   const Json& files() const { return files_; }

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/files/images/image_codec.h"
+#include "core/files/images/video.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/formats/image_header.h"
@@ -58,7 +58,7 @@ SourceImage ReadImage(const fs::path& file) {
   if (const std::optional<std::string> damage = FindDamage(bytes)) {
     return DamagedImage(file, *damage);
   }
-  const cv::Mat grey = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
+  const cv::Mat grey = DecodeImage(bytes, cv::IMREAD_GRAYSCALE);
   if (!grey.empty()) return {grey, grey.size(), ""};
   if (IsPng(bytes) || IsJpegFile(bytes)) return DamagedImage(file, "damaged pixels");
   ThrowError(file.string(), "no image that can be decoded", "one");
@@ -87,20 +87,20 @@ class ImageFolder final : public ImageSource {
 
 class Video final : public ImageSource {
  public:
-  explicit Video(const fs::path& file) : file_(file), video_(file.string()) {
-    if (!video_.isOpened() || size() == 0) {
+  explicit Video(const fs::path& file) : file_(file), video_(OpenVideo(file.string())) {
+    if (!video_->isOpened() || size() == 0) {
       ThrowError(file.string(), "no video that can be decoded",
                  "a video file or a folder of images");
     }
   }
 
   std::size_t size() const override {
-    return static_cast<std::size_t>(std::max(0.0, video_.get(cv::CAP_PROP_FRAME_COUNT)));
+    return static_cast<std::size_t>(std::max(0.0, video_->get(cv::CAP_PROP_FRAME_COUNT)));
   }
-  double rate_hz() const override { return std::max(0.0, video_.get(cv::CAP_PROP_FPS)); }
+  double rate_hz() const override { return std::max(0.0, video_->get(cv::CAP_PROP_FPS)); }
   SourceImage Next() override {
     cv::Mat image;
-    if (!video_.read(image) || image.empty()) return {};
+    if (!video_->read(image) || image.empty()) return {};
     SourceImage next{{}, image.size(), ""};
     if (image.channels() == 1) {
       next.grey = image.clone();
@@ -112,7 +112,7 @@ class Video final : public ImageSource {
 
  private:
   fs::path file_;
-  cv::VideoCapture video_;
+  std::unique_ptr<cv::VideoCapture> video_;
 };
 
 }  // namespace

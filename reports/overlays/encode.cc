@@ -2,26 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/overlays/encode.h"
 
-#include <opencv2/imgcodecs.hpp>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/files/images/image_codec.h"
 
 namespace cvo::reports {
 namespace {
 
 std::string Encode(const cv::Mat& image, const char* extension, const std::vector<int>& settings) {
-  std::vector<unsigned char> bytes;
-  bool done = false;
   try {
-    done = cv::imencode(extension, image, bytes, settings);
+    return EncodeImage(extension, image, settings);
   } catch (const cv::Exception& error) {
     ThrowError(StrCat("an image to write as ", extension), error.err, "one that OpenCV can write");
   }
-  if (!done) {
-    ThrowError(StrCat("an image to write as ", extension), "an OpenCV without this format", "one");
-  }
-  return {bytes.begin(), bytes.end()};
 }
 
 }  // namespace

@@ -4,10 +4,10 @@
 
 #include <array>
 #include <opencv2/core/utils/logger.hpp>
-#include <opencv2/videoio.hpp>
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/files/images/video.h"
 
 namespace cvo::reports {
 namespace {
@@ -39,25 +39,18 @@ class QuietOpenCv {
 
 }  // namespace
 
-struct VideoFile::Writer {
-  cv::VideoWriter video;
-};
-
 VideoFile::VideoFile(const std::filesystem::path& stem, cv::Size size, double frames_per_second)
-    : writer_(std::make_unique<Writer>()), size_(size.width / 2 * 2, size.height / 2 * 2) {
+    : size_(size.width / 2 * 2, size.height / 2 * 2) {
   const QuietOpenCv quiet;
   for (const Format& format : kFormats) {
     path_ = stem.string() + format.extension;
     format_ = format.name;
-    const auto& c = format.code;
     try {
-      writer_->video.open(path_.string(), format.backend,
-                          cv::VideoWriter::fourcc(c[0], c[1], c[2], c[3]), frames_per_second,
-                          size_);
+      video_ = CreateVideo(path_.string(), format.backend, format.code, frames_per_second, size_);
     } catch (const cv::Exception&) {
       continue;
     }
-    if (writer_->video.isOpened()) return;
+    if (video_->isOpened()) return;
     std::error_code ignored;
     std::filesystem::remove(path_, ignored);
   }
@@ -73,11 +66,11 @@ void VideoFile::Add(const cv::Mat& image) {
     ThrowError(path_.string(), StrCat("a frame of ", image.cols, "x", image.rows, " pixels"),
                StrCat(size_.width, "x", size_.height));
   }
-  writer_->video.write(image(kept));
+  video_->write(image(kept));
 }
 
 void VideoFile::Close() {
-  writer_->video.release();
+  video_->release();
   std::error_code error;
   if (std::filesystem::file_size(path_, error) == 0 || error) {
     ThrowError(path_.string(), "a video of which nothing was written", "room for it");

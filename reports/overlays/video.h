@@ -7,6 +7,10 @@
 #include <opencv2/core/mat.hpp>
 #include <string>
 
+namespace cv {
+class VideoWriter;
+}
+
 namespace cvo::reports {
 
 // A video file in the first of these formats that OpenCV can write on this machine: MP4 (H.264),
@@ -27,8 +31,7 @@ class VideoFile {
   const std::string& format() const { return format_; }  // "MP4 (H.264)"
 
  private:
-  struct Writer;
-  std::unique_ptr<Writer> writer_;
+  std::unique_ptr<cv::VideoWriter> video_;
   std::filesystem::path path_;
   std::string format_;
   cv::Size size_;

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include "core/base/error.h"
+#include "core/files/images/image_codec.h"
 #include "core/files/json/json.h"
 #include "core/files/text_file.h"
 #include "synth/truth/labels.h"
@@ -71,9 +71,8 @@ Folder ReadFolder(const fs::path& path) {
 // mask is missing.
 double ContrastOf(const Folder& folder, int frame, int body) {
   const std::string name = SixDigits(frame) + ".png";
-  const cv::Mat image = cv::imread((folder.path / "image_0" / name).string(), cv::IMREAD_GRAYSCALE);
-  const cv::Mat ids =
-      cv::imread((folder.path / "instance_0" / name).string(), cv::IMREAD_UNCHANGED);
+  const cv::Mat image = ReadImageFile(folder.path / "image_0" / name, cv::IMREAD_GRAYSCALE);
+  const cv::Mat ids = ReadImageFile(folder.path / "instance_0" / name, cv::IMREAD_UNCHANGED);
   if (image.empty() || ids.size() != image.size()) {
     ThrowError((folder.path / "image_0" / name).string(), "no image or no mask", "both");
   }

@@ -8,10 +8,10 @@
 #include <bit>
 #include <cmath>
 #include <map>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
+#include "core/files/images/image_codec.h"
 #include "synth/models/builders.h"
 
 namespace cvo::synth {
@@ -29,8 +29,8 @@ int PowerOfTwo(int side) {
 
 cv::Mat Decode(const aiTexture& texture) {
   if (texture.mHeight == 0) {
-    const cv::Mat bytes(1, static_cast<int>(texture.mWidth), CV_8UC1, texture.pcData);
-    return cv::imdecode(bytes, cv::IMREAD_COLOR);
+    return DecodeImage({reinterpret_cast<const char*>(texture.pcData), texture.mWidth},
+                       cv::IMREAD_COLOR);
   }
   const cv::Mat texels(static_cast<int>(texture.mHeight), static_cast<int>(texture.mWidth), CV_8UC4,
                        texture.pcData);
@@ -54,7 +54,7 @@ cv::Mat ReadDiffuse(const aiScene& scene, const aiMaterial& material, const fs::
   if (embedded != nullptr) {
     image = Decode(*embedded);
   } else if (fs::is_regular_file(path, ignored)) {
-    image = cv::imread(path.string());
+    image = ReadImageFile(path, cv::IMREAD_COLOR);
   }
   if (image.empty()) {
     ThrowError(file.string(), StrCat("texture ", name.C_Str(), " that cannot be read"),

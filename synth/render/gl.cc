@@ -5,13 +5,16 @@
 #include <GL/osmesa.h>
 
 #include "core/base/error.h"
+#include "core/files/images/shared_library.h"
 
 namespace cvo::synth {
 namespace {
 
 template <typename Function>
 void Load(Function& function, const char* name) {
-  function = reinterpret_cast<Function>(OSMesaGetProcAddress(name));
+  static const auto find =
+      FindFunction<decltype(OSMesaGetProcAddress)>(kOsMesa, "OSMesaGetProcAddress");
+  function = reinterpret_cast<Function>(find(name));
   if (function == nullptr) ThrowError("OSMesa", StrCat("no function ", name), "OpenGL 4.5");
 }
 

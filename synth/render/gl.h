@@ -6,6 +6,8 @@
 
 namespace cvo::synth {
 
+inline constexpr const char* kOsMesa = "libOSMesa.so.8";
+
 // The OpenGL 4.5 functions in use, named without their prefix. The pointers are valid in every
 // context.
 struct Gl {

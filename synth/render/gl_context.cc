@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/files/images/shared_library.h"
 
 namespace cvo::synth {
 namespace {
@@ -44,14 +45,21 @@ void CheckRenderer(const std::string& renderer) {
 
 }  // namespace
 
+// The library is loaded with the first context.
 struct GlContext::OsMesa {
+  decltype(OSMesaCreateContextAttribs)* create =
+      FindFunction<decltype(OSMesaCreateContextAttribs)>(kOsMesa, "OSMesaCreateContextAttribs");
+  decltype(OSMesaMakeCurrent)* make_current =
+      FindFunction<decltype(OSMesaMakeCurrent)>(kOsMesa, "OSMesaMakeCurrent");
+  decltype(OSMesaDestroyContext)* destroy =
+      FindFunction<decltype(OSMesaDestroyContext)>(kOsMesa, "OSMesaDestroyContext");
   OSMesaContext context = nullptr;
   std::array<GLubyte, 4 * kUnusedSide_px* kUnusedSide_px> unused = {};
 
   ~OsMesa() {
     if (context == nullptr) return;
-    OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
-    OSMesaDestroyContext(context);
+    make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+    destroy(context);
   }
 };
 
@@ -66,7 +74,7 @@ GlContext::GlContext(int threads) : os_mesa_(std::make_unique<OsMesa>()) {
                                          OSMESA_CONTEXT_MINOR_VERSION,
                                          5,
                                          0};
-  os_mesa_->context = OSMesaCreateContextAttribs(attributes.data(), nullptr);
+  os_mesa_->context = os_mesa_->create(attributes.data(), nullptr);
   if (os_mesa_->context == nullptr) ThrowError("OSMesa", "no context", "an OpenGL 4.5 core one");
   MakeCurrent();
   gl_ = LoadGl();
@@ -76,8 +84,8 @@ GlContext::GlContext(int threads) : os_mesa_(std::make_unique<OsMesa>()) {
 GlContext::~GlContext() = default;
 
 void GlContext::MakeCurrent() {
-  if (!OSMesaMakeCurrent(os_mesa_->context, os_mesa_->unused.data(), GL_UNSIGNED_BYTE,
-                         kUnusedSide_px, kUnusedSide_px)) {
+  if (!os_mesa_->make_current(os_mesa_->context, os_mesa_->unused.data(), GL_UNSIGNED_BYTE,
+                              kUnusedSide_px, kUnusedSide_px)) {
     ThrowError("OSMesa", "a context that cannot be made current", "one that can");
   }
 }

@@ -3,9 +3,9 @@
 #include "synth/write/dataset.h"
 
 #include <algorithm>
-#include <opencv2/imgcodecs.hpp>
 #include <set>
 
+#include "core/files/images/image_codec.h"
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
 #include "synth/detector/detector.h"
@@ -71,7 +71,7 @@ CachedRender Draw(const DatasetSource& source, const RenderRequest& request, con
 }
 
 cv::Mat ReadClean(const fs::path& path) {
-  cv::Mat image = cv::imread(path.string(), cv::IMREAD_UNCHANGED);
+  cv::Mat image = ReadImageFile(path, cv::IMREAD_UNCHANGED);
   if (image.empty() || image.type() != CV_8UC1)
     ThrowError(path.string(), "no grey image", "a clean render");
   return image;

@@ -2,30 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synth/write/image_encoding.h"
 
-#include <opencv2/imgcodecs.hpp>
-#include <vector>
-
 #include "core/base/error.h"
+#include "core/files/images/image_codec.h"
 #include "synth/write/memory_tiff.h"
 
 namespace cvo::synth {
-namespace {
-
-std::string Encode(const cv::Mat& image, const std::vector<int>& parameters) {
-  std::vector<unsigned char> bytes;
-  Require(cv::imencode(".png", image, bytes, parameters), "PNG: OpenCV cannot encode an image");
-  return {bytes.begin(), bytes.end()};
-}
-
-}  // namespace
 
 std::string EncodePng(const cv::Mat& image) {
-  return Encode(image, {cv::IMWRITE_PNG_COMPRESSION, 1, cv::IMWRITE_PNG_STRATEGY,
-                        cv::IMWRITE_PNG_STRATEGY_RLE});
+  return EncodeImage(
+      ".png", image,
+      {cv::IMWRITE_PNG_COMPRESSION, 1, cv::IMWRITE_PNG_STRATEGY, cv::IMWRITE_PNG_STRATEGY_RLE});
 }
 
 std::string EncodeMaskPng(const cv::Mat& image) {
-  return Encode(image, {cv::IMWRITE_PNG_COMPRESSION, 1});
+  return EncodeImage(".png", image, {cv::IMWRITE_PNG_COMPRESSION, 1});
 }
 
 std::string EncodeDepthTiff(const cv::Mat& depth) {

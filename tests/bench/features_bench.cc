@@ -4,12 +4,12 @@
 
 #include <cstdlib>
 #include <opencv2/core/utility.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <string>
 #include <vector>
 
 #include "core/features/descriptor.h"
 #include "core/features/front_end.h"
+#include "core/files/images/image_codec.h"
 #include "tests/core/features/scene.h"
 
 namespace cvo {
@@ -90,8 +90,8 @@ StereoImages RealPair() {
   const std::string drive =
       std::string(folder) + "/kitti_raw/2011_09_26/2011_09_26_drive_0001_sync";
   const std::string file = "/data/0000000050.png";
-  return {cv::imread(drive + "/image_00" + file, cv::IMREAD_GRAYSCALE),
-          cv::imread(drive + "/image_01" + file, cv::IMREAD_GRAYSCALE)};
+  return {ReadImageFile(drive + "/image_00" + file, cv::IMREAD_GRAYSCALE),
+          ReadImageFile(drive + "/image_01" + file, cv::IMREAD_GRAYSCALE)};
 }
 
 }  // namespace

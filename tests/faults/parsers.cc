@@ -4,10 +4,10 @@
 
 #include <chrono>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include "core/base/error.h"
 #include "core/files/csv_file.h"
+#include "core/files/images/image_codec.h"
 #include "core/files/json/options_json.h"
 #include "core/files/text_file.h"
 #include "core/interface/options.h"
@@ -68,9 +68,7 @@ std::string Repeated(const std::string& text, int times) {
 std::string GreyPng() {
   cv::Mat image(6, 9, CV_8UC1);
   cv::randu(image, 0, 256);
-  std::vector<unsigned char> bytes;
-  cv::imencode(".png", image, bytes);
-  return {bytes.begin(), bytes.end()};
+  return EncodeImage(".png", image);
 }
 
 std::string SceneManifest() {

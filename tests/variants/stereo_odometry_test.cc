@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <opencv2/imgcodecs.hpp>
 
+#include "core/files/images/image_codec.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/runner/run_sequence.h"
 #include "tests/experiments/runner/tiny_sequence.h"
@@ -48,8 +48,8 @@ class StereoOdometryTest : public ::testing::Test {
 
   FrameReport Process(StereoOdometry& odometry, int frame) const {
     const StereoPaths& paths = sequence_.images[frame];
-    return odometry.Process(cv::imread(paths.left.string(), cv::IMREAD_GRAYSCALE),
-                            cv::imread(paths.right.string(), cv::IMREAD_GRAYSCALE),
+    return odometry.Process(ReadImageFile(paths.left, cv::IMREAD_GRAYSCALE),
+                            ReadImageFile(paths.right, cv::IMREAD_GRAYSCALE),
                             sequence_.timestamps_ns[frame], boxes_[frame]);
   }
 

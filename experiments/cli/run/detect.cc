@@ -5,9 +5,9 @@
 #include <iostream>
 #include <memory>
 #include <opencv2/core/utility.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include "core/base/error.h"
+#include "core/files/images/image_codec.h"
 #include "core/files/json/json_record.h"
 #include "core/files/sha256.h"
 #include "core/files/text/number.h"
@@ -78,7 +78,7 @@ Outcome DetectAll(const Sequence& sequence, DetectorModel& model, const Detector
   for (std::size_t i = 0; i < sequence.images.size(); ++i) {
     // Throws if the file cannot be read: this must not look like an image without boxes.
     const std::string bytes = ReadFileBytes(sequence.images[i].left);
-    cv::Mat image = cv::imdecode(std::vector<char>(bytes.begin(), bytes.end()), cv::IMREAD_COLOR);
+    cv::Mat image = DecodeImage(bytes, cv::IMREAD_COLOR);
     if (image.empty()) {
       progress.Note(sequence.images[i].left.string() + ": cannot be decoded, no boxes");
       ++outcome.images_skipped;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <iostream>
 #include <memory>
-#include <opencv2/imgcodecs.hpp>
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/files/images/image_codec.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
@@ -149,9 +149,7 @@ int Preview(const SceneFlags& flags) {
         ResolveFrameRange({frames.first, frames.end.value_or(-1)}, world.frames);
     const cv::Mat sheet =
         synth::MakeContactSheet(world, range.begin, range.end, source.open_tools(world), hooks);
-    std::vector<unsigned char> bytes;
-    Require(cv::imencode(".png", sheet, bytes), "synth preview: the sheet cannot be encoded");
-    WriteOutputFile(flags.output, {bytes.begin(), bytes.end()}, {flags.scene});
+    WriteOutputFile(flags.output, EncodeImage(".png", sheet), {flags.scene});
   });
   if (code == 0) std::cout << "written: " << flags.output << '\n';
   return code;

@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <fstream>
 #include <map>
-#include <opencv2/imgcodecs.hpp>
 #include <tuple>
 
 #include "core/base/error.h"
+#include "core/files/images/image_codec.h"
 #include "core/files/text_file.h"
 
 namespace cvo {
@@ -142,9 +142,8 @@ cv::Mat ReadPaletteIndexes(const std::filesystem::path& path, cv::Size size) {
     ThrowError(path.string(), *damage, "a whole PNG image");
   }
   const int type = static_cast<unsigned char>(bytes[kColourType]);
-  const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
   const cv::Mat image =
-      cv::imdecode(buffer, type == kPalette ? cv::IMREAD_COLOR : cv::IMREAD_UNCHANGED);
+      DecodeImage(bytes, type == kPalette ? cv::IMREAD_COLOR : cv::IMREAD_UNCHANGED);
   const int expected = type == kPalette ? CV_8UC3 : CV_8UC1;
   if (image.type() != expected || image.size() != size) {
     ThrowError(path.string(),

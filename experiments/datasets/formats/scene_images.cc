@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 
 #include "core/base/error.h"
+#include "core/files/images/image_codec.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/formats/png.h"
 #include "experiments/datasets/formats/scene_truth.h"
@@ -26,9 +26,7 @@ cv::Mat Decode(const fs::path& path, int type, cv::Size size) {
   }
   cv::Mat image;
   try {
-    const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1,
-                         const_cast<char*>(bytes.data()));
-    image = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
+    image = DecodeImage(bytes, cv::IMREAD_UNCHANGED);
   } catch (const cv::Exception& error) {
     ThrowError(path.string(), StrCat("one that OpenCV refuses (", error.err, ")"), expected);
   }

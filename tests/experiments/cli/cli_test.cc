@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <opencv2/imgcodecs.hpp>
-
+#include "core/files/images/image_codec.h"
 #include "core/files/json/json.h"
+#include "experiments/jobs/child_process.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/runner/tiny_sequence.h"
 #include "tests/support/temp_folder.h"
@@ -20,6 +20,7 @@ using test::RunProgram;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::StartsWith;
 
 MATCHER_P2(FailsWith, exit_code, text, "") {
@@ -48,6 +49,15 @@ class Cli : public testing::Test {
 
   test::TempFolder folder_;
 };
+
+// Half a second of every start, if the program is linked with them.
+TEST(CliStart, LoadsNoLibraryForFilesOfImagesOrOpenGl) {
+  if (!kLimitsMemory) GTEST_SKIP() << "a build with sanitizers is linked with them";
+  const ProcessResult loaded =
+      RunProgram({"--version"}, {.environment = {"LD_TRACE_LOADED_OBJECTS=1"}});
+  EXPECT_THAT(loaded.out, AllOf(HasSubstr("libopencv_core"), Not(HasSubstr("libopencv_imgcodecs")),
+                                Not(HasSubstr("libopencv_videoio")), Not(HasSubstr("libOSMesa"))));
+}
 
 TEST_F(Cli, WrongUsage) {
   for (const std::vector<std::string>& group : {std::vector<std::string>{}, {"synth"}}) {
@@ -251,7 +261,8 @@ TEST_F(Cli, InfoDescribesAFolder) {
       RunProgram({"info", tiny(), "--picture", picture}).out,
       AllOf(HasSubstr("baseline 0.5 m"), HasSubstr("10 Hz, duration 0.2 s"),
             HasSubstr("0 boxes; --detections has poor"), testing::ContainsRegex("row error +0")));
-  EXPECT_EQ(cv::imread(picture).size(), cv::Size(2 * test::kTinyWidth_px, test::kTinyHeight_px));
+  EXPECT_EQ(ReadImageFile(picture, cv::IMREAD_COLOR).size(),
+            cv::Size(2 * test::kTinyWidth_px, test::kTinyHeight_px));
   EXPECT_THAT(RunProgram({"info", tiny(), "--picture", "rows.gif"}), FailsWith(2, ".png"));
 }
 

@@ -188,9 +188,11 @@ TEST_F(CliExperiment, LimitsFailJobsUntilTheyAreRaised) {
   EXPECT_EQ(status["jobs"][0]["message"], "stopped after 0.01 s");
 
   if (kLimitsMemory) {
-    EXPECT_EQ(Run({"--memory-limit", "150"}).exit_code, 1);
-    EXPECT_THAT(Status()["jobs"][0]["message"].get<std::string>(),
-                testing::Not(HasSubstr("stopped after")));
+    for (const char* limit_mb : {"60", "90"}) {
+      EXPECT_EQ(Run({"--memory-limit", limit_mb}).exit_code, 1);
+      EXPECT_THAT(Status()["jobs"][0]["message"].get<std::string>(),
+                  HasSubstr(StrCat("memory limit of ", limit_mb, " MB")));
+    }
   }
   EXPECT_EQ(Run().out, "small: 2 jobs: 2 done\n");
   EXPECT_EQ(Status()["counts"]["failed"], 0);

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 
 #include <memory>
-#include <opencv2/imgcodecs.hpp>
 
+#include "core/files/images/image_codec.h"
 #include "tests/experiments/cli/process.h"
 
 namespace cvo {
@@ -47,7 +47,7 @@ TEST_F(CliExplain, ListsBodiesAndExplainsOneWithOracles) {
               AllOf(HasSubstr("chair_1 (Chair, stands, cluster "), HasSubstr("first estimated"),
                     HasSubstr("; detected"), HasSubstr("landmarks on it: "), HasSubstr("as run: "),
                     HasSubstr("true labels: ")));
-  const cv::Mat picture = cv::imread(Path("chair.png"));
+  const cv::Mat picture = ReadImageFile(Path("chair.png"), cv::IMREAD_COLOR);
   EXPECT_GT(picture.cols, 800);
   EXPECT_GT(picture.rows, 400);
 }

@@ -6,9 +6,9 @@
 
 #include <fstream>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include "core/base/error.h"
+#include "core/files/images/image_codec.h"
 #include "core/files/json/json.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/runner/tiny_sequence.h"
@@ -78,7 +78,7 @@ TEST_F(CliOverlay, DrawsEveryFrameAndASheetReproducibly) {
   fs::remove(folder_.path() / "boxes.txt");
   EXPECT_THAT(Overlay({run().string(), "--sheet"}, "gone").err,
               HasSubstr("the run's detection file was not found"));
-  const cv::Mat picture = cv::imread((out("one") / "000003.png").string());
+  const cv::Mat picture = ReadImageFile(out("one") / "000003.png", cv::IMREAD_COLOR);
   EXPECT_EQ(picture.cols, test::kTinyWidth_px);
   EXPECT_GT(picture.rows, test::kTinyHeight_px);
 }
@@ -90,7 +90,7 @@ TEST_F(CliOverlay, SelectsAndScalesFrames) {
   ASSERT_EQ(run_some.exit_code, 0) << run_some.err;
   EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 2);
   EXPECT_TRUE(fs::exists(out() / "000003.png"));
-  EXPECT_EQ(cv::imread((out() / "000001.png").string()).cols, 2 * test::kTinyWidth_px);
+  EXPECT_EQ(ReadImageFile(out() / "000001.png", cv::IMREAD_COLOR).cols, 2 * test::kTinyWidth_px);
 }
 
 TEST_F(CliOverlay, DrawsRunsSideBySide) {
@@ -99,7 +99,7 @@ TEST_F(CliOverlay, DrawsRunsSideBySide) {
   const ProcessResult both = Overlay({run("2d").string(), run("full").string(), "--frame", "4"});
   ASSERT_EQ(both.exit_code, 0) << both.err;
   EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 1);
-  EXPECT_GT(cv::imread((out() / "000004.png").string()).cols, 2 * test::kTinyWidth_px);
+  EXPECT_GT(ReadImageFile(out() / "000004.png", cv::IMREAD_COLOR).cols, 2 * test::kTinyWidth_px);
 }
 
 TEST_F(CliOverlay, DrawsFourPanelsOfAFrame) {
@@ -107,7 +107,7 @@ TEST_F(CliOverlay, DrawsFourPanelsOfAFrame) {
   const ProcessResult made = Overlay({run().string(), "--frame", "4", "--panels"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
   EXPECT_THAT(made.out, HasSubstr("panels.jpg"));
-  const cv::Mat panels = cv::imread((out() / "panels.jpg").string());
+  const cv::Mat panels = ReadImageFile(out() / "panels.jpg", cv::IMREAD_COLOR);
   EXPECT_GT(panels.cols, 2 * test::kTinyWidth_px);
   EXPECT_GT(panels.rows, 2 * test::kTinyHeight_px);
   // Images are grey, whereas landmarks and boxes have the colours of their bodies.
@@ -154,7 +154,7 @@ TEST_F(CliOverlay, DrawsADarkImageForASkippedFrame) {
   MakeRun();
   const ProcessResult skipped = Overlay({run().string(), "--frame", "3"});
   ASSERT_EQ(skipped.exit_code, 0) << skipped.err;
-  EXPECT_EQ(cv::imread((out() / "000003.png").string()).cols, test::kTinyWidth_px);
+  EXPECT_EQ(ReadImageFile(out() / "000003.png", cv::IMREAD_COLOR).cols, test::kTinyWidth_px);
 }
 
 TEST_F(CliOverlay, RefusesInvalidInput) {

@@ -6,11 +6,11 @@
 
 #include <cstdio>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <string>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/files/images/image_codec.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo {
@@ -23,11 +23,7 @@ inline std::string Digits(int number, int width) {
   return std::string(static_cast<std::size_t>(width) - digits.size(), '0') + digits;
 }
 
-inline std::string EncodePng(const cv::Mat& image) {
-  std::vector<unsigned char> bytes;
-  cv::imencode(".png", image, bytes);
-  return std::string(bytes.begin(), bytes.end());
-}
+inline std::string EncodePng(const cv::Mat& image) { return EncodeImage(".png", image); }
 
 inline std::string GreyPng(int width_px = kTestWidth_px, int height_px = kTestHeight_px) {
   cv::Mat image(height_px, width_px, CV_8UC1);

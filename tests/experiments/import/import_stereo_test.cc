@@ -5,9 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <opencv2/imgcodecs.hpp>
-
 #include "core/base/error.h"
+#include "core/files/images/image_codec.h"
 #include "core/files/json/json.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/load_image.h"
@@ -15,6 +14,7 @@
 #include "experiments/import/image_names.h"
 #include "experiments/import/import_cache.h"
 #include "tests/support/error_message.h"
+#include "tests/support/image_file.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo {
@@ -36,8 +36,9 @@ class ImportStereoTest : public testing::Test {
     for (const fs::path& side : {request_.left, request_.right}) {
       fs::create_directories(side);
       for (std::size_t i = 0; i < names.size(); ++i) {
-        cv::imwrite((side / names[i]).string(),
-                    cv::Mat(size, CV_8UC3, cv::Scalar::all(10.0 * static_cast<double>(i + 1))));
+        test::WriteImageFile(
+            side / names[i],
+            cv::Mat(size, CV_8UC3, cv::Scalar::all(10.0 * static_cast<double>(i + 1))));
       }
     }
   }
@@ -76,7 +77,7 @@ TEST_F(ImportStereoTest, WritesASequenceThatCanBeOpened) {
   EXPECT_EQ(sequence.camera.fx, 50.0);
   EXPECT_NEAR(sequence.camera.baseline_m, 0.1, 1e-12);
   EXPECT_EQ(sequence.camera.right_shift_px, 0.0);
-  const cv::Mat second = cv::imread(sequence.images[1].right.string(), cv::IMREAD_UNCHANGED);
+  const cv::Mat second = ReadImageFile(sequence.images[1].right, cv::IMREAD_UNCHANGED);
   EXPECT_EQ(second.type(), CV_8UC1);
   EXPECT_EQ(second.at<unsigned char>(3, 3), 20);
 }
@@ -88,7 +89,7 @@ TEST_F(ImportStereoTest, NumbersInNamesAreSortedAsNumbers) {
   Import();
   const Sequence sequence = OpenSequence({.folder = out()});
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const cv::Mat image = cv::imread(sequence.images[i].left.string(), cv::IMREAD_UNCHANGED);
+    const cv::Mat image = ReadImageFile(sequence.images[i].left, cv::IMREAD_UNCHANGED);
     EXPECT_EQ(image.at<unsigned char>(3, 3), 10 * (i + 1)) << names[i];
   }
   const Json record = ReadJson(out() / "import.json");
@@ -238,7 +239,7 @@ TEST_F(ImportStereoTest, BadInputLeavesNothing) {
   fs::rename(request_.right / "zero.png", request_.right / "0.png");
   folder_.Write("kitchen/right/1.png", "no image");
   ExpectError("1.png: found no image that can be decoded");
-  cv::imwrite((request_.right / "1.png").string(), cv::Mat(40, 64, CV_8UC1, cv::Scalar(0)));
+  test::WriteImageFile(request_.right / "1.png", cv::Mat(40, 64, CV_8UC1, cv::Scalar(0)));
   ExpectError("image 1: found 64x40 px, expected 64x48 px");
   WriteImages({"0.png", "1.png"});
   request_.times = folder_.Write("times.txt", "1\n1\n");

@@ -5,11 +5,11 @@
 #include <fstream>
 #include <iomanip>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
+#include "tests/support/image_file.h"
 
 namespace cvo::test {
 namespace {
@@ -64,8 +64,8 @@ void WriteTinySequence(const std::filesystem::path& folder, int frames) {
   for (int i = 0; i < frames; ++i) {
     const cv::Rect left(kStep_px * i, 0, kTinyWidth_px, kTinyHeight_px);
     const cv::Rect right = left + cv::Point(kDisparity_px, 0);
-    Require(cv::imwrite((folder / "image_0" / ImageName(i)).string(), wall(left)), "imwrite");
-    Require(cv::imwrite((folder / "image_1" / ImageName(i)).string(), wall(right)), "imwrite");
+    WriteImageFile(folder / "image_0" / ImageName(i), wall(left));
+    WriteImageFile(folder / "image_1" / ImageName(i), wall(right));
     times << 0.1 * i << '\n';
     poses << "1 0 0 " << i * kStep_px * depth_m / kFocal_px << " 0 1 0 0 0 0 1 0\n";
   }

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <opencv2/imgcodecs.hpp>
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
@@ -14,6 +13,7 @@
 #include "core/files/text_file.h"
 #include "experiments/metrics/trajectory.h"
 #include "tests/experiments/scene_check/rays.h"
+#include "tests/support/image_file.h"
 
 namespace cvo::test {
 namespace {
@@ -38,7 +38,7 @@ struct Writer {
 
   void Image(const std::string& name, const cv::Mat& image) const {
     fs::create_directories((folder / name).parent_path());
-    Require(cv::imwrite((folder / name).string(), image), "imwrite");
+    WriteImageFile(folder / name, image);
   }
   void Text(const std::string& name, const std::string& text) const {
     fs::create_directories((folder / name).parent_path());

@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/files/images/image_codec.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/metrics/trajectory.h"
@@ -17,6 +17,7 @@
 #include "experiments/scene_check/checks.h"
 #include "tests/experiments/scene_check/rays.h"
 #include "tests/support/error_message.h"
+#include "tests/support/image_file.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo {
@@ -59,10 +60,10 @@ class SceneCheckTest : public testing::Test {
   }
   // Changes an image in place.
   void Edit(const std::string& name, const std::function<void(cv::Mat&)>& change) const {
-    cv::Mat image = cv::imread((rays() / name).string(), cv::IMREAD_UNCHANGED);
+    cv::Mat image = ReadImageFile(rays() / name, cv::IMREAD_UNCHANGED);
     ASSERT_FALSE(image.empty()) << name;
     change(image);
-    ASSERT_TRUE(cv::imwrite((rays() / name).string(), image));
+    test::WriteImageFile(rays() / name, image);
   }
   void EditAll(const std::string& folder, const std::string& extension,
                const std::function<void(cv::Mat&)>& change) const {

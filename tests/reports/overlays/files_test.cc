@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
-#include <opencv2/imgcodecs.hpp>
 
+#include "core/files/images/image_codec.h"
 #include "reports/overlays/encode.h"
 #include "reports/overlays/sheet.h"
 #include "reports/overlays/video.h"
@@ -55,9 +55,7 @@ TEST(Panels, WideImagesAreStacked) {
 
 TEST(Encode, GivesBackTheImage) {
   const cv::Mat image = Filled(40, 30, {200, 100, 50});
-  const std::string png = PngBytes(image);
-  const std::vector<unsigned char> bytes(png.begin(), png.end());
-  EXPECT_TRUE(test::SameImage(cv::imdecode(bytes, cv::IMREAD_COLOR), image));
+  EXPECT_TRUE(test::SameImage(DecodeImage(PngBytes(image), cv::IMREAD_COLOR), image));
   EXPECT_LT(JpegBytes(image, 20).size(), JpegBytes(image, 95).size() + 1);
   EXPECT_THAT(ErrorMessage([] { PngBytes(cv::Mat()); }), HasSubstr(".png"));
 }

@@ -6,12 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include "core/files/text_file.h"
 #include "synth/truth/labels.h"
 #include "synth/truth/object_table.h"
 #include "tests/support/error_message.h"
+#include "tests/support/image_file.h"
 #include "tests/support/temp_folder.h"
 #include "tests/synth/write/test_scene.h"
 
@@ -60,8 +60,8 @@ void WriteOneBox(const std::filesystem::path& folder) {
   image.rowRange(20, 40).setTo(70);
   cv::Mat ids(80, 100, CV_16UC1, cv::Scalar(0));
   ids(cv::Rect(10, 10, 20, 20)).setTo(1);
-  cv::imwrite((folder / "image_0" / "000000.png").string(), image);
-  cv::imwrite((folder / "instance_0" / "000000.png").string(), ids);
+  cvo::test::WriteImageFile(folder / "image_0" / "000000.png", image);
+  cvo::test::WriteImageFile(folder / "instance_0" / "000000.png", ids);
 }
 
 TEST(Diversity, MeasuresABodyThatIsHiddenOnce) {

@@ -5,8 +5,8 @@
 
 #include <Eigen/Geometry>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 
+#include "core/files/images/image_codec.h"
 #include "synth/models/make_model.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
@@ -221,9 +221,7 @@ TEST(MeshFile, ReadsObjPlyAndGltf) {
 TEST(MeshFile, LoadsItsTexture) {
   const test::TempFolder folder;
   const cv::Mat picture(20, 48, CV_8UC3, cv::Scalar(10, 20, 200));  // blue, green, red
-  std::vector<unsigned char> png;
-  cv::imencode(".png", picture, png);
-  folder.Write("skin.png", {reinterpret_cast<const char*>(png.data()), png.size()});
+  folder.Write("skin.png", EncodeImage(".png", picture));
   folder.Write("a.mtl", "newmtl skin\nmap_Kd skin.png\n");
   const std::string obj =
       "mtllib a.mtl\nusemtl skin\nv 0 0 0\nv 2 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\n"

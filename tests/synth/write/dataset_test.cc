@@ -7,8 +7,8 @@
 
 #include <fstream>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 
+#include "core/files/images/image_codec.h"
 #include "synth/write/render_cache.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
@@ -123,7 +123,7 @@ TEST_F(WriteDatasetTest, WritesTextFiles) {
 TEST_F(WriteDatasetTest, ImagesAgreeWithTheTruth) {
   const fs::path set = Write("set");
   const auto read = [&](const char* name) {
-    return cv::imread((set / name).string(), cv::IMREAD_UNCHANGED);
+    return ReadImageFile(set / name, cv::IMREAD_UNCHANGED);
   };
   const cv::Mat depth = read("depth_0/000005.tiff");
   ASSERT_EQ(depth.type(), CV_32FC1);
@@ -177,7 +177,7 @@ TEST_F(WriteDatasetTest, ImagesWithoutSensorEffectsAreClean) {
   source_.sensor = NoiselessSensor({});
   const fs::path set = Write("set");
   EXPECT_TRUE(fs::equivalent(set / "image_1/000000.png", CacheEntry() / "image_1/000000.png"));
-  const cv::Mat left = cv::imread((set / "image_0/000000.png").string(), cv::IMREAD_UNCHANGED);
+  const cv::Mat left = ReadImageFile(set / "image_0/000000.png", cv::IMREAD_UNCHANGED);
   EXPECT_EQ(left.at<unsigned char>(0, 0), 100);
   EXPECT_EQ(left.at<unsigned char>(35, 45), 200);
 }
@@ -270,7 +270,7 @@ TEST_F(WriteDatasetTest, WritesFlowOnRequestForAllButTheLastFrame) {
   request_.flow = true;
   const fs::path set = Write("set");
   EXPECT_EQ(FilesIn(set / "flow_0").size(), 5U);
-  const cv::Mat flow = cv::imread((set / "flow_0/000000.png").string(), cv::IMREAD_UNCHANGED);
+  const cv::Mat flow = ReadImageFile(set / "flow_0/000000.png", cv::IMREAD_UNCHANGED);
   // 0.1 m to the left at 4 m: -2.5 px.
   EXPECT_EQ(flow.at<cv::Vec3w>(35, 45), cv::Vec3w(1, 32768, 32768 - 160));
   EXPECT_EQ(flow.at<cv::Vec3w>(5, 5), cv::Vec3w(1, 32768, 32768));
@@ -281,7 +281,7 @@ TEST_F(WriteDatasetTest, MotionBlurIsTheMeanOverTheExposure) {
   source_.sensor = NoiselessSensor({});
   source_.sensor.motion_blur = {4, 0.4};
   const fs::path set = Write("set");
-  const cv::Mat left = cv::imread((set / "image_0/000000.png").string(), cv::IMREAD_UNCHANGED);
+  const cv::Mat left = ReadImageFile(set / "image_0/000000.png", cv::IMREAD_UNCHANGED);
   EXPECT_EQ(left.at<unsigned char>(35, 50), 200);
   EXPECT_EQ(left.at<unsigned char>(35, 30), 100);
   EXPECT_EQ(left.at<unsigned char>(35, 39), 125);

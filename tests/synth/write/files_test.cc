@@ -7,10 +7,10 @@
 #include <unistd.h>
 
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include "core/base/rng.h"
 #include "core/files/host_name.h"
+#include "core/files/images/image_codec.h"
 #include "synth/write/folder_build.h"
 #include "synth/write/image_encoding.h"
 #include "synth/write/manifest.h"
@@ -25,9 +25,7 @@ using cvo::test::ReadFile;
 using cvo::test::TempFolder;
 using testing::HasSubstr;
 
-cv::Mat Decode(const std::string& bytes) {
-  return cv::imdecode(std::vector<char>(bytes.begin(), bytes.end()), cv::IMREAD_UNCHANGED);
-}
+cv::Mat Decode(const std::string& bytes) { return DecodeImage(bytes, cv::IMREAD_UNCHANGED); }
 
 std::vector<std::string> NamesIn(const fs::path& folder) {
   std::vector<std::string> names;

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 
+#include "core/files/images/image_codec.h"
 #include "synth/truth/object_table.h"
 #include "synth/write/write_scene.h"
 #include "tests/support/error_message.h"
@@ -29,8 +29,8 @@ TEST(WriteScene, TruthAgreesWithWhatIsDrawn) {
 
   const ObjectTable table = ReadObjectTable(set / "objects.csv", {0.0});
   ASSERT_FALSE(table.frames[0].bodies.empty());
-  const cv::Mat depth = cv::imread((set / "depth_0/000000.tiff").string(), cv::IMREAD_UNCHANGED);
-  const cv::Mat mask = cv::imread((set / "instance_0/000000.png").string(), cv::IMREAD_UNCHANGED);
+  const cv::Mat depth = ReadImageFile(set / "depth_0/000000.tiff", cv::IMREAD_UNCHANGED);
+  const cv::Mat mask = ReadImageFile(set / "instance_0/000000.png", cv::IMREAD_UNCHANGED);
   for (const BodyTruth& body : table.frames[0].bodies) {
     ASSERT_TRUE(body.visible_box && body.amodal_box);
     // Where nothing occludes its rim, a mask ends within a pixel of the projected mesh.

@@ -6,11 +6,11 @@
 #include <libdeflate.h>
 
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "core/files/images/image_codec.h"
 #include "experiments/datasets/formats/png.h"
 
 namespace cvo {
@@ -61,7 +61,7 @@ std::string RandomPng(cv::Size size, const std::vector<int>& filters, Kind kind 
 }
 
 cv::Mat DecodeByOpenCv(const std::string& bytes) {
-  return cv::imdecode(std::vector<char>(bytes.begin(), bytes.end()), cv::IMREAD_UNCHANGED);
+  return DecodeImage(bytes, cv::IMREAD_UNCHANGED);
 }
 
 TEST(DecodeGreyPng, MatchesOpenCvForEachFilter) {

@@ -12,6 +12,7 @@
 #include "experiments/datasets/sequence.h"
 #include "tests/experiments/datasets/folders.h"
 #include "tests/support/error_message.h"
+#include "tests/support/image_file.h"
 
 namespace cvo {
 namespace {
@@ -126,8 +127,8 @@ TEST_F(SceneTruth, DepthAndInstancesReadBackExactly) {
         static_cast<std::uint16_t>(700 * i);
   }
   const fs::path depth_path = folder_.path() / "0.tiff", instance_path = folder_.path() / "0.png";
-  ASSERT_TRUE(cv::imwrite(depth_path.string(), depth));
-  ASSERT_TRUE(cv::imwrite(instance_path.string(), instances));
+  test::WriteImageFile(depth_path, depth);
+  test::WriteImageFile(instance_path, instances);
   EXPECT_EQ(cv::norm(ReadDepth(depth_path, kSize), depth, cv::NORM_INF), 0.0);
   EXPECT_EQ(cv::norm(ReadInstances(instance_path, kSize), instances, cv::NORM_INF), 0.0);
 }
@@ -138,7 +139,7 @@ TEST_F(SceneTruth, RefusesImagesOfTheWrongTypeOrSize) {
       ErrorMessage([&] { ReadInstances(grey, kSize); }),
       AllOf(HasSubstr("grey.png"), HasSubstr("1 x 8 bits, expected 12x8 pixels of 1 x 16")));
   const fs::path large = folder_.path() / "large.png";
-  ASSERT_TRUE(cv::imwrite(large.string(), cv::Mat::zeros(9, 12, CV_16UC1)));
+  test::WriteImageFile(large, cv::Mat::zeros(9, 12, CV_16UC1));
   EXPECT_THAT(ErrorMessage([&] { ReadInstances(large, kSize); }), HasSubstr("found 12x9 pixels"));
   const fs::path broken = folder_.Write("broken.tiff", "II*");
   EXPECT_THAT(ErrorMessage([&] { ReadDepth(broken, kSize); }), HasSubstr("broken.tiff"));
@@ -150,7 +151,7 @@ TEST_F(SceneTruth, RefusesInvalidDepth) {
   for (const float bad :
        {-1.0F, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     depth.at<float>(3, 5) = bad;
-    ASSERT_TRUE(cv::imwrite(path.string(), depth));
+    test::WriteImageFile(path, depth);
     EXPECT_THAT(ErrorMessage([&] { ReadDepth(path, kSize); }), HasSubstr("pixel 5, 3"));
   }
 }
@@ -159,7 +160,7 @@ TEST_F(SceneTruth, DecodesFlowInKittiFormat) {
   cv::Mat coded(kSize, CV_16UC3, cv::Scalar::all(0));
   coded.at<cv::Vec3w>(2, 3) = {1, 32768 - 32, 32768 + 96};
   const fs::path path = folder_.path() / "0.png";
-  ASSERT_TRUE(cv::imwrite(path.string(), coded));
+  test::WriteImageFile(path, coded);
   const TruthFlow flow = ReadFlow(path, kSize);
   EXPECT_EQ(cv::countNonZero(flow.valid), 1);
   EXPECT_EQ(flow.valid.at<unsigned char>(2, 3), 255);

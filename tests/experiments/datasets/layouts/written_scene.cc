@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <opencv2/imgcodecs.hpp>
-
 #include "core/base/error.h"
 #include "core/base/rng.h"
 #include "core/files/text/number.h"
@@ -16,6 +14,7 @@
 #include "experiments/runner/run_sequence.h"
 #include "experiments/runner/score_run.h"
 #include "tests/experiments/scene_check/rays.h"
+#include "tests/support/image_file.h"
 
 namespace cvo::test {
 namespace {
@@ -131,9 +130,8 @@ void OwnScene::Read() {
 void OwnScene::CompressImages() {
   for (const StereoPaths& pair : Open().images) {
     for (const fs::path& path : {pair.left, pair.right}) {
-      std::vector<unsigned char> bytes;
-      cv::imencode(".jpg", cv::imread(path.string(), cv::IMREAD_UNCHANGED), bytes);
-      WriteImage(path, cv::imdecode(bytes, cv::IMREAD_UNCHANGED));
+      const cv::Mat image = ReadImageFile(path, cv::IMREAD_UNCHANGED);
+      WriteImage(path, DecodeImage(EncodeImage(".jpg", image), cv::IMREAD_UNCHANGED));
     }
   }
   // written_.images stay uncompressed: the writer of the other layout compresses them in the same
@@ -159,7 +157,7 @@ std::string MatrixText(const RigidTransform& pose, const char* separator) {
 
 void WriteImage(const fs::path& path, const cv::Mat& image) {
   fs::create_directories(path.parent_path());
-  Require(cv::imwrite(path.string(), image), "imwrite");
+  WriteImageFile(path, image);
 }
 
 void ReplaceIn(const fs::path& file, const std::string& from, const std::string& to) {

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/files/images/image_codec.h"
+
+#include "core/base/error.h"
+#include "core/files/images/shared_library.h"
+#include "core/files/text_file.h"
+
+namespace cvo {
+namespace {
+
+using Decoder = cv::Mat(cv::InputArray, int);
+using Encoder = decltype(cv::imencode);
+
+}  // namespace
+
+cv::Mat DecodeImage(std::string_view bytes, int flags) {
+  static const auto decode =
+      FindFunction<Decoder>(CVO_IMAGE_CODECS, "_ZN2cv8imdecodeERKNS_11_InputArrayEi");
+  if (bytes.empty()) return {};
+  const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
+  return decode(buffer, flags);
+}
+
+cv::Mat ReadImageFile(const std::filesystem::path& path, int flags) {
+  return DecodeImage(ReadFileBytes(path), flags);
+}
+
+std::string EncodeImage(const char* extension, const cv::Mat& image,
+                        const std::vector<int>& settings) {
+  static const auto encode = FindFunction<Encoder>(
+      CVO_IMAGE_CODECS,
+      "_ZN2cv8imencodeERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEERKNS_11_InputArrayE"
+      "RSt6vectorIhSaIhEERKSB_IiSaIiEE");
+  std::vector<unsigned char> bytes;
+  if (!encode(extension, image, bytes, settings)) {
+    ThrowError(StrCat("an image to write as ", extension), "one that OpenCV cannot write",
+               "one that it can");
+  }
+  return {bytes.begin(), bytes.end()};
+}
+
+}  // namespace cvo

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <opencv2/core/mat.hpp>
+#include <opencv2/imgcodecs.hpp>  // the flags
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cvo {
+
+// Image files through OpenCV, whose library for them is loaded at the first call (see FindSymbol).
+// The functions of that library itself are not linked. All may throw cv::Exception.
+
+// `flags` is one of cv::ImreadModes. Returns an empty image if the bytes cannot be decoded.
+cv::Mat DecodeImage(std::string_view bytes, int flags);
+
+// Throws Error if the file cannot be read. Returns an empty image if it cannot be decoded.
+cv::Mat ReadImageFile(const std::filesystem::path& path, int flags);
+
+// `extension` names the format, as in ".png"; `settings` are pairs of cv::ImwriteFlags and values.
+// Throws Error if OpenCV cannot write the image in this format.
+std::string EncodeImage(const char* extension, const cv::Mat& image,
+                        const std::vector<int>& settings = {});
+
+}  // namespace cvo
