@@ -87,20 +87,20 @@ class ImageFolder final : public ImageSource {
 
 class Video final : public ImageSource {
  public:
-  explicit Video(const fs::path& file) : file_(file), video_(OpenVideo(file.string())) {
-    if (!video_->isOpened() || size() == 0) {
+  explicit Video(const fs::path& file) : file_(file), video_(file.string()) {
+    if (!video_.ok() || size() == 0) {
       ThrowError(file.string(), "no video that can be decoded",
                  "a video file or a folder of images");
     }
   }
 
   std::size_t size() const override {
-    return static_cast<std::size_t>(std::max(0.0, video_->get(cv::CAP_PROP_FRAME_COUNT)));
+    return static_cast<std::size_t>(std::max(0.0, video_.Get(cv::CAP_PROP_FRAME_COUNT)));
   }
-  double rate_hz() const override { return std::max(0.0, video_->get(cv::CAP_PROP_FPS)); }
+  double rate_hz() const override { return std::max(0.0, video_.Get(cv::CAP_PROP_FPS)); }
   SourceImage Next() override {
-    cv::Mat image;
-    if (!video_->read(image) || image.empty()) return {};
+    const cv::Mat image = video_.Next();
+    if (image.empty()) return {};
     SourceImage next{{}, image.size(), ""};
     if (image.channels() == 1) {
       next.grey = image.clone();
@@ -112,7 +112,7 @@ class Video final : public ImageSource {
 
  private:
   fs::path file_;
-  std::unique_ptr<cv::VideoCapture> video_;
+  VideoReader video_;
 };
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <system_error>
 
 #include "core/base/error.h"
-#include "core/files/images/video.h"
 
 namespace cvo::reports {
 namespace {
@@ -46,11 +45,12 @@ VideoFile::VideoFile(const std::filesystem::path& stem, cv::Size size, double fr
     path_ = stem.string() + format.extension;
     format_ = format.name;
     try {
-      video_ = CreateVideo(path_.string(), format.backend, format.code, frames_per_second, size_);
+      video_ = std::make_unique<VideoWriter>(path_.string(), format.backend, format.code,
+                                             frames_per_second, size_);
     } catch (const cv::Exception&) {
       continue;
     }
-    if (video_->isOpened()) return;
+    if (video_->ok()) return;
     std::error_code ignored;
     std::filesystem::remove(path_, ignored);
   }
@@ -58,19 +58,17 @@ VideoFile::VideoFile(const std::filesystem::path& stem, cv::Size size, double fr
              "one with H.264, VP9, VP8 or Motion JPEG");
 }
 
-VideoFile::~VideoFile() = default;
-
 void VideoFile::Add(const cv::Mat& image) {
   const cv::Rect kept({}, size_);
   if ((cv::Rect({}, image.size()) & kept) != kept) {
     ThrowError(path_.string(), StrCat("a frame of ", image.cols, "x", image.rows, " pixels"),
                StrCat(size_.width, "x", size_.height));
   }
-  video_->write(image(kept));
+  video_->Add(image(kept));
 }
 
 void VideoFile::Close() {
-  video_->release();
+  video_->Close();
   std::error_code error;
   if (std::filesystem::file_size(path_, error) == 0 || error) {
     ThrowError(path_.string(), "a video of which nothing was written", "room for it");

@@ -7,9 +7,7 @@
 #include <opencv2/core/mat.hpp>
 #include <string>
 
-namespace cv {
-class VideoWriter;
-}
+#include "core/files/images/video.h"
 
 namespace cvo::reports {
 
@@ -20,9 +18,6 @@ class VideoFile {
   // Writes <stem>.mp4, .webm or .avi. Throws Error if no format can be written. An odd width or
   // height loses its last column or row, since H.264 requires even sizes.
   VideoFile(const std::filesystem::path& stem, cv::Size size, double frames_per_second);
-  ~VideoFile();
-  VideoFile(const VideoFile&) = delete;
-  VideoFile& operator=(const VideoFile&) = delete;
 
   void Add(const cv::Mat& image);
   void Close();
@@ -31,7 +26,7 @@ class VideoFile {
   const std::string& format() const { return format_; }  // "MP4 (H.264)"
 
  private:
-  std::unique_ptr<cv::VideoWriter> video_;
+  std::unique_ptr<VideoWriter> video_;
   std::filesystem::path path_;
   std::string format_;
   cv::Size size_;

@@ -65,6 +65,7 @@ std::vector<Part> MakeParts() {
   for (const char* folder : {"core/files/", "core/files/json/"}) {
     parts.push_back({folder, {"core/base/", "core/files/"}, {"opencv2/.*", "Eigen/.*"}});
   }
+  parts.push_back({"core/files/images/", {"core/base/", "core/files/"}, {"Eigen/.*"}});
   for (const Part& part : SynthParts()) parts.push_back(part);
   parts.push_back({"experiments/calibration/", {"core/", "experiments/calibration/"}, {}});
   const std::vector<std::string> readers = {"core/", "experiments/calibration/",

@@ -4,20 +4,38 @@
 
 #include <array>
 #include <memory>
-#include <opencv2/videoio.hpp>
+#include <opencv2/videoio.hpp>  // the constants
 #include <string>
 
 namespace cvo {
 
-// Video files through OpenCV, whose library for them is loaded at the first call (see FindSymbol).
-// isOpened() of what is returned tells whether the file could be opened. Only virtual members of it
-// may be called: all others would have to be linked.
-std::unique_ptr<cv::VideoCapture> OpenVideo(const std::string& file);
+// Video files through OpenCV, whose library for them is loaded at the first use (see FindSymbol).
+// The functions of that library itself are not linked. All may throw cv::Exception.
 
-// `backend` is one of cv::VideoCaptureAPIs, `code` names the compression, as in "avc1". May throw
-// cv::Exception.
-std::unique_ptr<cv::VideoWriter> CreateVideo(const std::string& file, int backend,
-                                             const std::array<char, 4>& code,
-                                             double frames_per_second, cv::Size size);
+class VideoReader {
+ public:
+  explicit VideoReader(const std::string& file);
+  bool ok() const;  // whether the file could be opened
+  // `property` is one of cv::VideoCaptureProperties. Returns 0 for one that is not known.
+  double Get(int property) const;
+  // Returns the next frame in colour; empty after the last one.
+  cv::Mat Next();
+
+ private:
+  std::unique_ptr<cv::VideoCapture> video_;
+};
+
+class VideoWriter {
+ public:
+  // `backend` is one of cv::VideoCaptureAPIs, `code` names the compression, as in "avc1".
+  VideoWriter(const std::string& file, int backend, const std::array<char, 4>& code,
+              double frames_per_second, cv::Size size);
+  bool ok() const;  // whether the file could be opened
+  void Add(const cv::Mat& image);
+  void Close();
+
+ private:
+  std::unique_ptr<cv::VideoWriter> video_;
+};
 
 }  // namespace cvo

@@ -6,7 +6,6 @@
 
 #include "core/files/images/image_codec.h"
 #include "core/files/json/json.h"
-#include "experiments/jobs/child_process.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/runner/tiny_sequence.h"
 #include "tests/support/temp_folder.h"
@@ -52,7 +51,6 @@ class Cli : public testing::Test {
 
 // Half a second of every start, if the program is linked with them.
 TEST(CliStart, LoadsNoLibraryForFilesOfImagesOrOpenGl) {
-  if (!kLimitsMemory) GTEST_SKIP() << "a build with sanitizers is linked with them";
   const ProcessResult loaded =
       RunProgram({"--version"}, {.environment = {"LD_TRACE_LOADED_OBJECTS=1"}});
   EXPECT_THAT(loaded.out, AllOf(HasSubstr("libopencv_core"), Not(HasSubstr("libopencv_imgcodecs")),

@@ -45,24 +45,23 @@ TEST(ImageCodec, BytesThatAreNoImageGiveAnEmptyOne) {
               HasSubstr("/no/such.png"));
 }
 
-TEST(VideoFiles, AVideoHasTheFramesThatWereWritten) {
+TEST(Video, HasTheFramesThatWereWritten) {
   const test::TempFolder folder;
   const std::string file = (folder.path() / "a.avi").string();
-  const auto writer = CreateVideo(file, cv::CAP_OPENCV_MJPEG, {'M', 'J', 'P', 'G'}, 10.0, {48, 32});
-  ASSERT_TRUE(writer->isOpened());
-  for (int i = 0; i < 3; ++i) writer->write(Gradient(CV_8UC3));
-  writer->release();
-  const auto reader = OpenVideo(file);
-  ASSERT_TRUE(reader->isOpened());
-  cv::Mat frame;
-  int frames = 0;
-  while (reader->read(frame)) {
-    EXPECT_EQ(frame.size(), cv::Size(48, 32));
+  VideoWriter writer(file, cv::CAP_OPENCV_MJPEG, {'M', 'J', 'P', 'G'}, 10.0, {48, 32});
+  ASSERT_TRUE(writer.ok());
+  for (int i = 0; i < 3; ++i) writer.Add(Gradient(CV_8UC3));
+  writer.Close();
+  VideoReader reader(file);
+  ASSERT_TRUE(reader.ok());
+  EXPECT_EQ(reader.Get(cv::CAP_PROP_FRAME_COUNT), 3.0);
+  for (int i = 0; i < 3; ++i) {
+    const cv::Mat frame = reader.Next();
+    ASSERT_EQ(frame.size(), cv::Size(48, 32));
     EXPECT_LT(cv::norm(frame, Gradient(CV_8UC3), cv::NORM_L1) / (3 * 48 * 32), 4.0);
-    ++frames;
   }
-  EXPECT_EQ(frames, 3);
-  EXPECT_FALSE(OpenVideo("/no/such.avi")->isOpened());
+  EXPECT_TRUE(reader.Next().empty());
+  EXPECT_FALSE(VideoReader("/no/such.avi").ok());
 }
 
 TEST(SharedLibrary, WhatIsMissingIsNamed) {
