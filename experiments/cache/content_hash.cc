@@ -37,9 +37,9 @@ std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>
 
 std::string ContentHash(const Sequence& sequence,
                         const std::function<ImageHashes(std::size_t frame)>& images) {
-  Json text_files = Json::array();
-  for (const std::filesystem::path& file : sequence.text_files) {
-    text_files.push_back(Sha256Hex(ReadFileBytes(file)));
+  Json other_files = Json::array();
+  for (const std::filesystem::path& file : sequence.other_files) {
+    other_files.push_back(Sha256Hex(ReadFileBytes(file)));
   }
   const Json json = {{"name", sequence.name},
                      {"type", sequence.type},
@@ -49,7 +49,7 @@ std::string ContentHash(const Sequence& sequence,
                      {"total_frames", sequence.total_frames},
                      {"camera", CameraNumbers(sequence.camera)},
                      {"timestamps_ns", sequence.timestamps_ns},
-                     {"text_files", text_files}};
+                     {"other_files", other_files}};
   Json behind = Json::object();
   if (!sequence.layout.empty()) behind["layout"] = sequence.layout;
   const Json perturbation = PerturbationToJson(sequence.perturbation);

@@ -108,7 +108,7 @@ void CheckNewSequence(const fs::path& folder, const std::vector<fs::path>& read)
 
 std::vector<fs::path> FoldersOf(const Sequence& sequence) {
   std::set<fs::path> folders = {sequence.folder};
-  for (const fs::path& file : sequence.text_files) folders.insert(FolderOf(file));
+  for (const fs::path& file : sequence.other_files) folders.insert(FolderOf(file));
   return {folders.begin(), folders.end()};
 }
 

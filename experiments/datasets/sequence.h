@@ -102,9 +102,10 @@ struct Sequence {
   // Set if the data set states poses of bodies itself (neither in labels nor as a rendered scene).
   std::optional<BodyTracks> bodies;
   Json layout = Json::object();  // settings of its layout that were given
-  // Text files, besides the images, that determine what was read (calibration, times, OxTS, labels,
-  // detections), in a fixed order. They are part of the sequence's identity.
-  std::vector<std::filesystem::path> text_files;
+  // The files besides the images that determine what was read (calibration, times, OxTS, labels,
+  // detections, masks), in a fixed order. They are part of the sequence's identity. Masks of a
+  // rendered scene are not among them: its manifest holds their hashes.
+  std::vector<std::filesystem::path> other_files;
   Perturbation perturbation;         // applied to the camera and file choice; to pixels on decoding
   std::vector<std::string> missing;  // what a complete folder would also contain, one line each
 };

@@ -176,7 +176,7 @@ void AddTimes(const fs::path& file, std::vector<std::int64_t> times_ns, Sequence
                StrCat(sequence.images.size(), ", as many as images"));
   }
   sequence.timestamps_ns = std::move(times_ns);
-  sequence.text_files.push_back(file);
+  sequence.other_files.push_back(file);
 }
 
 void AddOxtsTruth(const std::vector<std::optional<RigidTransform>>& imu_poses,
@@ -206,14 +206,14 @@ void AddBoxes(const SequenceRequest& request, Sequence& sequence) {
   }
   if (!request.labels_file.empty()) {
     sequence.labels = ReadLabels(request.labels_file, sequence.total_frames);
-    sequence.text_files.push_back(request.labels_file);
+    sequence.other_files.push_back(request.labels_file);
   }
   if (AreFromLabels(request.detections_file)) {
     UseLabelsAsDetections(request.detections_file, request.min_score, sequence);
   } else if (!request.detections_file.empty()) {
     sequence.detections = ReadDetections(request.detections_file, sequence.total_frames);
     DropLowScores(request.detections_file, request.min_score, sequence);
-    sequence.text_files.push_back(request.detections_file);
+    sequence.other_files.push_back(request.detections_file);
   }
 }
 
@@ -232,7 +232,7 @@ void AddPair(const SequenceRequest& request, const std::string& pair, StereoImag
 void AddRig(const StereoRig& rig, const fs::path& calibration, Sequence& sequence) {
   const cv::Size size(sequence.camera.width_px, sequence.camera.height_px);
   CheckSize(rig, size.width, size.height, calibration.string());
-  sequence.text_files.push_back(calibration);
+  sequence.other_files.push_back(calibration);
   if (IsRectified(rig)) {
     sequence.camera = CameraOf(rig, size.width, size.height);
   } else {
@@ -297,7 +297,7 @@ void AddBoxes(const SequenceRequest& request, const LabelSource& own_labels, con
     sequence.labels = ReadLabels(labels_file, sequence.total_frames);
     MoveLabels(rig.Offset_m(camera) - rig.Offset_m(left_camera), sequence.camera.fx,
                sequence.labels);
-    sequence.text_files.push_back(labels_file);
+    sequence.other_files.push_back(labels_file);
   }
   if (AreFromLabels(request.detections_file)) {
     UseLabelsAsDetections(request.detections_file, request.min_score, sequence);
@@ -306,7 +306,7 @@ void AddBoxes(const SequenceRequest& request, const LabelSource& own_labels, con
     sequence.detections = ReadDetections(request.detections_file, sequence.total_frames);
     DropLowScores(request.detections_file, request.min_score, sequence);
     sequence.detections_offset_m = rig.Offset_m(camera) - rig.Offset_m(left_camera);
-    sequence.text_files.push_back(request.detections_file);
+    sequence.other_files.push_back(request.detections_file);
   }
 }
 

@@ -95,7 +95,7 @@ void ReadCamera(Sequence& sequence) {
     rows.Fail(3, StrCat(rows.Text(3, 3)), "a negative number: the right camera is the second");
   }
   camera.Check();
-  sequence.text_files.push_back(path);
+  sequence.other_files.push_back(path);
 }
 
 using Landmarks = std::map<std::int64_t, Eigen::Vector2d>;  // px, by id
@@ -219,7 +219,7 @@ Observations ReadObservations(const std::map<std::int64_t, int>& cluster_of, std
     const fs::path right_file = sequence.folder / "landmarks/right" / FileOf(frame);
     const Landmarks left = ReadLandmarks(left_file);
     const Landmarks right = ReadLandmarks(right_file);
-    sequence.text_files.insert(sequence.text_files.end(), {left_file, right_file});
+    sequence.other_files.insert(sequence.other_files.end(), {left_file, right_file});
     all.pixels.emplace_back();
     all.counts.emplace_back(clusters + 1, 0);
     for (const auto& [id, at_px] : left) {
@@ -269,13 +269,13 @@ void AddTruth(const Settings& settings, Sequence& sequence) {
     ThrowError((sequence.folder / "pose").string(), StrCat(files.size(), " files"),
                StrCat(sequence.images.size(), ", as many as images"));
   }
-  sequence.text_files.insert(sequence.text_files.end(), files.begin(), files.end());
+  sequence.other_files.insert(sequence.other_files.end(), files.begin(), files.end());
   const std::size_t clusters = ReadPoses({files.front()}, true).front().size() - 1;
   const fs::path mapping = sequence.folder / "landmark_mapping.txt";
   Observations observed;
   observed.counts.assign(files.size(), std::vector<int>(clusters + 1, kMinLandmarks));
   if (fs::exists(mapping)) {
-    sequence.text_files.push_back(mapping);
+    sequence.other_files.push_back(mapping);
     observed = ReadObservations(ReadMapping(mapping, clusters), clusters, sequence);
   } else {
     sequence.missing.push_back(mapping.string() + ": clustering is not judged");

@@ -39,7 +39,7 @@ bool EurocHasImages(const fs::path& folder) {
 std::map<std::int64_t, fs::path> ReadCamera(const fs::path& camera, Sequence& sequence) {
   const fs::path list = camera / "data.csv";
   const DataRows rows(list, 2, "time in ns, file name");
-  sequence.text_files.push_back(list);
+  sequence.other_files.push_back(list);
   std::map<std::int64_t, fs::path> files;
   std::optional<std::int64_t> before_ns;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -84,7 +84,7 @@ void AddTruth(const fs::path& mav, Sequence& sequence) {
     return;
   }
   const Trajectory body = ReadEurocPoses(path);
-  sequence.text_files.push_back(path);
+  sequence.other_files.push_back(path);
   const RigidTransform body_from_left =
       ReadTransform(YamlMap::Read(mav / "cam0/sensor.yaml"), "T_BS");
   AddCameraTruth(body, body_from_left, "it starts later or ends earlier", sequence);
@@ -100,7 +100,7 @@ Sequence ReadEuroc(const SequenceRequest& request) {
   AddPair(request, "grey", CheckedImages(PairImages(mav, sequence)), sequence);
   const fs::path right = mav / "cam1/sensor.yaml";
   AddRig(ReadSensorRig(mav / "cam0/sensor.yaml", right), right, sequence);
-  sequence.text_files.push_back(mav / "cam0/sensor.yaml");
+  sequence.other_files.push_back(mav / "cam0/sensor.yaml");
   AddTruth(mav, sequence);
   AddBoxes(request, sequence);
   return sequence;

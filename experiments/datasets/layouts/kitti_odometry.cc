@@ -35,7 +35,7 @@ void AddTruth(Sequence& sequence) {
     return;
   }
   const std::vector<RigidTransform> poses = ReadKittiPoses(path);
-  sequence.text_files.push_back(path);
+  sequence.other_files.push_back(path);
   const std::size_t frames = sequence.images.size();
   if (poses.size() > frames) {
     ThrowError(StrCat(path.string(), ":", frames + 1), StrCat(poses.size(), " poses"),
@@ -85,14 +85,14 @@ Sequence ReadKittiOdometry(const SequenceRequest& request) {
 
   const CalibrationFile calibration(request.folder / "calib.txt");
   const CameraRig rig(calibration, "P");
-  sequence.text_files.push_back(calibration.path());
+  sequence.other_files.push_back(calibration.path());
   AddImages(pair, rig, sequence);
 
   const fs::path times_file = request.folder / "times.txt";
   AddTimes(times_file, ReadSecondsTimes(times_file), sequence);
   AddTruth(sequence);
   const fs::path bodies = request.folder / "objects.csv";
-  if (fs::exists(bodies)) sequence.text_files.push_back(bodies);
+  if (fs::exists(bodies)) sequence.other_files.push_back(bodies);
   const fs::path labels = request.folder / "labels.txt";
   AddBoxes(WithLevel(request),
            {.file = fs::exists(labels) ? labels : fs::path(), .camera = pair.left}, rig, pair.left,

@@ -52,8 +52,8 @@ RigidTransform ReadCamera0FromImu(const fs::path& date_folder, const Calibration
                                   Sequence& sequence) {
   const fs::path velo_to_cam = date_folder / "calib_velo_to_cam.txt";
   const fs::path imu_to_velo = date_folder / "calib_imu_to_velo.txt";
-  sequence.text_files.push_back(velo_to_cam);
-  sequence.text_files.push_back(imu_to_velo);
+  sequence.other_files.push_back(velo_to_cam);
+  sequence.other_files.push_back(imu_to_velo);
   const RigidTransform rectification(cameras.Rotation("R_rect_00"), Eigen::Vector3d::Zero());
   return rectification * ReadSplitTransform(velo_to_cam) * ReadSplitTransform(imu_to_velo);
 }
@@ -72,7 +72,7 @@ ImuTruth InterpolatedTruth(const std::vector<RigidTransform>& poses, const fs::p
                            Sequence& sequence) {
   const fs::path times_file = oxts_folder / "timestamps.txt";
   const std::vector<std::int64_t> times_ns = ReadDateTimes(times_file);
-  sequence.text_files.push_back(times_file);
+  sequence.other_files.push_back(times_file);
   if (times_ns.size() != poses.size()) {
     ThrowError(times_file.string(), StrCat(times_ns.size(), " times"),
                StrCat(poses.size(), ", as many as packets in ", (oxts_folder / "data").string()));
@@ -109,7 +109,7 @@ void AddTruth(const SequenceRequest& request, const fs::path& date_folder,
   std::vector<OxtsPacket> packets;
   for (const fs::path& path : ListNumberedFiles(oxts_folder / "data", {"", ".txt"})) {
     packets.push_back(ReadOxtsPacket(path));
-    sequence.text_files.push_back(path);
+    sequence.other_files.push_back(path);
   }
   const std::vector<RigidTransform> poses = ImuPoses(packets);
   const ImuTruth truth = interpolated ? InterpolatedTruth(poses, oxts_folder, sequence)
@@ -140,7 +140,7 @@ Sequence ReadKittiRaw(const SequenceRequest& request) {
   const fs::path date_folder = request.folder.parent_path();
   const CalibrationFile cameras(date_folder / "calib_cam_to_cam.txt");
   const CameraRig rig(cameras, "P_rect_0");
-  sequence.text_files.push_back(cameras.path());
+  sequence.other_files.push_back(cameras.path());
   AddImages(pair, rig, sequence);
   CheckRectifiedSize(cameras, pair.left, sequence.camera);
 

@@ -40,7 +40,7 @@ void AddTruth(const fs::path& oxts_file, const CalibrationFile& calibration, Seq
     ThrowError(oxts_file.string(), StrCat(poses.size(), " packets"),
                StrCat(sequence.images.size(), ", as many as images"));
   }
-  sequence.text_files.push_back(oxts_file);
+  sequence.other_files.push_back(oxts_file);
   AddOxtsTruth({poses.begin(), poses.end()}, ReadCamera0FromImu(calibration), sequence);
   sequence.groundtruth = "devkit";
 }
@@ -77,7 +77,7 @@ Sequence ReadKittiTracking(const SequenceRequest& request) {
 
   const CalibrationFile calibration(set_folder / "calib" / (number + ".txt"));
   const CameraRig rig(calibration, "P");
-  sequence.text_files.push_back(calibration.path());
+  sequence.other_files.push_back(calibration.path());
   AddImages(pair, rig, sequence);
   sequence.timestamps_ns = NominalTimes(sequence.images.size());
   sequence.is_rate_assumed = true;

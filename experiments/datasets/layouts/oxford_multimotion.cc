@@ -92,7 +92,7 @@ fs::path FindCalibration(const fs::path& segment, const std::string& name, const
 std::vector<StereoPaths> ReadImages(const fs::path& stereo, Sequence& sequence) {
   const fs::path list = stereo / "stereo.csv";
   const DataRows rows(list, 3, "frame, time in seconds, nanoseconds");
-  sequence.text_files.push_back(list);
+  sequence.other_files.push_back(list);
   std::vector<StereoPaths> pairs;
   std::optional<std::int64_t> last;
   std::optional<std::int64_t> before_ns;
@@ -167,7 +167,7 @@ void AddTruth(const Settings& settings, Sequence& sequence) {
   const RigidTransform apparatus_from_left =
       ReadTransform(YamlMap::Read(calibration), "T_apparatus_left");
   const std::map<std::string, Trajectory> tracks = ReadVicon(path);
-  sequence.text_files.insert(sequence.text_files.end(), {path, calibration});
+  sequence.other_files.insert(sequence.other_files.end(), {path, calibration});
   std::map<std::string, BodySettings> bodies = settings.bodies;
   if (bodies.empty()) {
     for (const auto& [name, track] : tracks) {

@@ -82,7 +82,7 @@ void ReadCamera(const fs::path& path, Sequence& sequence) {
   camera.cy = map.Number("Camera.cy");
   camera.baseline_m = map.Number("Camera.baseline");
   camera.Check();
-  sequence.text_files.push_back(path);
+  sequence.other_files.push_back(path);
 }
 
 std::size_t FrameOf(const DataRows& rows, std::size_t row, std::size_t frames) {
@@ -102,7 +102,7 @@ std::vector<std::optional<RigidTransform>> ReadCameraPoses(Sequence& sequence) {
     if (pose) rows.Fail(i, StrCat("frame ", rows.Text(i, 0), " a second time"), "each once");
     pose = rows.Matrix(i, 1);
   }
-  sequence.text_files.push_back(path);
+  sequence.other_files.push_back(path);
   return poses;
 }
 
@@ -165,7 +165,7 @@ void AddObjects(const Settings& settings, Sequence& sequence) {
     return;
   }
   sequence.bodies = ReadObjects(path, settings, sequence);
-  sequence.text_files.push_back(path);
+  sequence.other_files.push_back(path);
   const fs::path masks = sequence.folder / "semantic";
   if (!IsFolder(masks)) {
     sequence.missing.push_back(masks.string() + ": no masks, so clustering is not judged");
@@ -177,6 +177,7 @@ void AddObjects(const Settings& settings, Sequence& sequence) {
                StrCat(sequence.images.size(), ", as many as images"));
   }
   const cv::Size size(sequence.camera.width_px, sequence.camera.height_px);
+  sequence.other_files.insert(sequence.other_files.end(), files.begin(), files.end());
   sequence.bodies->mask = [files, size](int frame) {
     return ReadMask(files.at(static_cast<std::size_t>(frame)), size);
   };

@@ -112,7 +112,7 @@ void ReadCamera(const fs::path& text, Sequence& sequence) {
   sequence.camera.fy = rows.Number(first, 3);
   sequence.camera.cx = rows.Number(first, 4);
   sequence.camera.cy = rows.Number(first, 5);
-  sequence.text_files.push_back(path);
+  sequence.other_files.push_back(path);
 }
 
 // Reads left_from_world of camera 0, and the baseline from the poses of camera 1.
@@ -139,7 +139,7 @@ std::vector<RigidTransform> ReadPoses(const fs::path& text, Sequence& sequence) 
   }
   sequence.camera.baseline_m = baseline_m;
   sequence.camera.Check();
-  sequence.text_files.push_back(path);
+  sequence.other_files.push_back(path);
   return left_from_world;
 }
 
@@ -220,7 +220,7 @@ Pixels ReadBoxes(const fs::path& text, const std::map<int, std::string>& categor
     }
     sequence.labels.push_back(std::move(box));
   }
-  sequence.text_files.push_back(path);
+  sequence.other_files.push_back(path);
   return pixels;
 }
 
@@ -265,7 +265,7 @@ void ReadBodies(const fs::path& text, const std::vector<RigidTransform>& left_fr
                                    seen != pixels.end() && seen->second >= kMinVisible_px};
   }
   for (auto& [track, body] : bodies) tracks.bodies.push_back(std::move(body));
-  sequence.text_files.insert(sequence.text_files.end(), {path, text / "info.txt"});
+  sequence.other_files.insert(sequence.other_files.end(), {path, text / "info.txt"});
   sequence.bodies = std::move(tracks);
 }
 
@@ -276,11 +276,18 @@ void AddMasks(const fs::path& folder, Sequence& sequence) {
     sequence.missing.push_back(masks.string() + ": no masks, so clustering is not judged");
     return;
   }
-  const cv::Size size(sequence.camera.width_px, sequence.camera.height_px);
-  sequence.bodies->mask = [masks, size](int frame) {
+  const auto file_of = [masks](int frame) {
     std::array<char, 32> name{};
     std::snprintf(name.data(), name.size(), "instancegt_%05d.png", frame);
-    return ReadPaletteIndexes(masks / name.data(), size);
+    return masks / name.data();
+  };
+  for (std::size_t i = 0; i < sequence.images.size(); ++i) {
+    const fs::path file = file_of(static_cast<int>(i));
+    if (fs::exists(file)) sequence.other_files.push_back(file);
+  }
+  const cv::Size size(sequence.camera.width_px, sequence.camera.height_px);
+  sequence.bodies->mask = [file_of, size](int frame) {
+    return ReadPaletteIndexes(file_of(frame), size);
   };
 }
 

@@ -49,7 +49,7 @@ TEST_F(Sequences, OpensARawDrive) {
 TEST_F(Sequences, RawDriveListsEveryTextFileThatWasRead) {
   const Sequence s = OpenSequence({.folder = WriteRawDrive(root_), .groundtruth = "interpolated"});
   std::vector<std::string> names;
-  for (const fs::path& path : s.text_files) {
+  for (const fs::path& path : s.other_files) {
     names.push_back(path.lexically_relative(s.folder).string());
   }
   EXPECT_THAT(names, ElementsAre("../calib_cam_to_cam.txt", "image_00/timestamps.txt",

@@ -209,7 +209,7 @@ TEST_F(SceneSequence, HasItsLabelsItsNameAndNoRectificationError) {
   ASSERT_EQ(sequence.labels.size(), 1U);
   EXPECT_EQ(sequence.labels[0].track, 2);
   EXPECT_EQ(sequence.labels[0].left_px, 1.0);
-  EXPECT_THAT(sequence.text_files, testing::Contains(tiny() / "labels.txt"));
+  EXPECT_THAT(sequence.other_files, testing::Contains(tiny() / "labels.txt"));
   EXPECT_TRUE(sequence.detections.empty());
   EXPECT_THAT(sequence.missing, testing::IsEmpty());
 }
@@ -218,7 +218,7 @@ TEST_F(SceneSequence, OffersItsDetectionsByLevel) {
   const Sequence sequence = OpenSequence({.folder = tiny(), .detections_file = "good"});
   ASSERT_EQ(sequence.detections.size(), 1U);
   EXPECT_EQ(sequence.detections[0].score, 0.9);
-  EXPECT_THAT(sequence.text_files, testing::Contains(tiny() / "detections/good.txt"));
+  EXPECT_THAT(sequence.other_files, testing::Contains(tiny() / "detections/good.txt"));
   EXPECT_THAT(ErrorMessage([&] { OpenSequence({.folder = tiny(), .detections_file = "best"}); }),
               HasSubstr("best: found no such file"));
 }

@@ -128,6 +128,10 @@ TEST_F(PreparedFiles, MismatchedCalibrationsAreRefused) {
   EXPECT_THAT(Refused(), HasSubstr("2 YAML files"));
 }
 
+TEST_F(PreparedFiles, MasksArePartOfItsIdentity) {
+  EXPECT_THAT(Open().other_files, testing::Contains(written_ / "semantic/000001.txt"));
+}
+
 TEST_F(PreparedFiles, ReportsMissingRows) {
   test::DropRow(written_ / "pose_gt.txt", 2);
   fs::remove_all(written_ / "semantic");

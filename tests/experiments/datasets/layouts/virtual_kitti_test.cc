@@ -161,6 +161,12 @@ TEST_F(VirtualKittiFiles, BoxesBecomeLabelsWithTracks) {
   EXPECT_EQ(OpenSequence({.folder = images_, .detections_file = "labels"}).detections.size(), 6U);
 }
 
+TEST_F(VirtualKittiFiles, MasksArePartOfItsIdentity) {
+  const auto name = [](const fs::path& file) { return file.filename().string(); };
+  EXPECT_THAT(Open().other_files,
+              testing::Contains(testing::ResultOf(name, "instancegt_00001.png")));
+}
+
 TEST_F(VirtualKittiFiles, ReportsMissingInput) {
   fs::remove_all(folder_.path() / "vkitti_instanceSegmentation");
   EXPECT_THAT(Open().missing, ElementsAre(HasSubstr("no masks")));
