@@ -32,6 +32,8 @@ VideoReader::VideoReader(const std::string& file)
           "_ZN2cv12VideoCaptureC1ERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEEi", file,
           cv::CAP_ANY)) {}
 
+VideoReader::~VideoReader() = default;
+
 bool VideoReader::ok() const { return video_->isOpened(); }
 
 double VideoReader::Get(int property) const { return video_->get(property); }
@@ -48,6 +50,8 @@ VideoWriter::VideoWriter(const std::string& file, int backend, const std::array<
           "Size_IiEEb",
           file, backend, code[0] | code[1] << 8 | code[2] << 16 | code[3] << 24, frames_per_second,
           size, true)) {}
+
+VideoWriter::~VideoWriter() = default;
 
 bool VideoWriter::ok() const { return video_->isOpened(); }
 

@@ -15,6 +15,7 @@ namespace cvo {
 class VideoReader {
  public:
   explicit VideoReader(const std::string& file);
+  ~VideoReader();
   bool ok() const;  // whether the file could be opened
   // `property` is one of cv::VideoCaptureProperties. Returns 0 for one that is not known.
   double Get(int property) const;
@@ -30,6 +31,7 @@ class VideoWriter {
   // `backend` is one of cv::VideoCaptureAPIs, `code` names the compression, as in "avc1".
   VideoWriter(const std::string& file, int backend, const std::array<char, 4>& code,
               double frames_per_second, cv::Size size);
+  ~VideoWriter();
   bool ok() const;  // whether the file could be opened
   void Add(const cv::Mat& image);
   void Close();
