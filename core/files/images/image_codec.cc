@@ -32,10 +32,14 @@ std::string EncodeImage(const char* extension, const cv::Mat& image,
       CVO_IMAGE_CODECS,
       "_ZN2cv8imencodeERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEERKNS_11_InputArrayE"
       "RSt6vectorIhSaIhEERKSB_IiSaIiEE");
+  const auto fail = [&](const std::string& found) {
+    ThrowError(StrCat("an image to write as ", extension), found, "one that OpenCV can write");
+  };
   std::vector<unsigned char> bytes;
-  if (!encode(extension, image, bytes, settings)) {
-    ThrowError(StrCat("an image to write as ", extension), "one that OpenCV cannot write",
-               "one that it can");
+  try {
+    if (!encode(extension, image, bytes, settings)) fail("one that it cannot write");
+  } catch (const cv::Exception& error) {
+    fail(error.err);
   }
   return {bytes.begin(), bytes.end()};
 }

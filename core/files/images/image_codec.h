@@ -12,12 +12,13 @@
 namespace cvo {
 
 // Image files through OpenCV, whose library for them is loaded at the first call (see FindSymbol).
-// The functions of that library itself are not linked. All may throw cv::Exception.
+// The functions of that library itself are not linked.
 
-// `flags` is one of cv::ImreadModes. Returns an empty image if the bytes cannot be decoded.
+// `flags` is one of cv::ImreadModes. Returns an empty image if the bytes cannot be decoded. May
+// throw cv::Exception.
 cv::Mat DecodeImage(std::string_view bytes, int flags);
 
-// Throws Error if the file cannot be read. Returns an empty image if it cannot be decoded.
+// As above. Throws Error if the file cannot be read.
 cv::Mat ReadImageFile(const std::filesystem::path& path, int flags);
 
 // `extension` names the format, as in ".png"; `settings` are pairs of cv::ImwriteFlags and values.
