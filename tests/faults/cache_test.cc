@@ -17,7 +17,7 @@
 #include "tests/experiments/cli/process.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::cache_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -220,4 +220,4 @@ TEST_F(FolderFaults, AFolderWithOtherFilesIsNotReplaced) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::cache_test

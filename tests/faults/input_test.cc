@@ -5,7 +5,7 @@
 
 #include "tests/faults/fault_folder.h"
 
-namespace cvo {
+namespace cvo::input_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -248,4 +248,4 @@ TEST_F(InputFaults, ImplausibleTruth) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::input_test

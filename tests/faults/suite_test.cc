@@ -5,7 +5,7 @@
 #include "experiments/jobs/child_process.h"
 #include "tests/faults/fault_folder.h"
 
-namespace cvo {
+namespace cvo::suite_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -204,4 +204,4 @@ TEST_F(SuiteFaults, Quadratic) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::suite_test

@@ -11,7 +11,7 @@
 #include "core/base/rng.h"
 #include "tests/support/error_message.h"
 
-namespace cvo {
+namespace cvo::assignment_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -148,4 +148,4 @@ TEST(Assign, RefusesNanAndMinusInfinity) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::assignment_test

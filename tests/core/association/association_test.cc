@@ -11,7 +11,7 @@
 #include "tests/support/centred_camera.h"
 #include "tests/support/random_descriptor.h"
 
-namespace cvo {
+namespace cvo::association_test {
 namespace {
 
 const StereoCamera kCamera = test::CentredCamera(400, 0.5, 640, 240);
@@ -135,4 +135,4 @@ TEST(MatchDescriptors, EmptyInputsGiveNoMatches) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::association_test

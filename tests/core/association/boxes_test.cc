@@ -10,7 +10,7 @@
 #include "core/geometry/stereo_camera.h"
 #include "tests/support/centred_camera.h"
 
-namespace cvo {
+namespace cvo::boxes_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -223,4 +223,4 @@ TEST(IntersectionOverUnion, HandComputed) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::boxes_test

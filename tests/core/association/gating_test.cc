@@ -13,7 +13,7 @@
 #include "tests/support/centred_camera.h"
 #include "tests/support/random_descriptor.h"
 
-namespace cvo {
+namespace cvo::gating_test {
 namespace {
 
 using ::testing::IsEmpty;
@@ -266,4 +266,4 @@ TEST(FixedRadiusAssociation, IgnoresCovariances) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::gating_test

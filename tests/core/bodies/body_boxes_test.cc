@@ -12,7 +12,7 @@
 #include "core/odometry/detection_policies.h"
 #include "tests/core/clusters/small_windows.h"
 
-namespace cvo {
+namespace cvo::body_boxes_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -239,4 +239,4 @@ TEST(BodyScore, FallsWithResidualsAndFewLandmarks) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::body_boxes_test

@@ -9,7 +9,7 @@
 #include "core/base/rng.h"
 #include "core/bodies/body_direction.h"
 
-namespace cvo {
+namespace cvo::body_footprint_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -79,4 +79,4 @@ TEST(BodyFootprint, MissingDepthIsAddedOnTheFarSide) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::body_footprint_test

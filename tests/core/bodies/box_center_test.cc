@@ -11,7 +11,7 @@
 #include "core/estimation/cluster.h"
 #include "core/odometry/detection_policies.h"
 
-namespace cvo {
+namespace cvo::box_center_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -143,4 +143,4 @@ TEST(CenterEstimate, IsTheSamePointInEveryFrame) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::box_center_test

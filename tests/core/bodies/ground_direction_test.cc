@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace cvo {
+namespace cvo::ground_direction_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -49,4 +49,4 @@ TEST(GroundDirection, IsTheCamerasIfNoFloorIsVisible) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::ground_direction_test

@@ -12,7 +12,7 @@
 #include "core/clustering/point_extent.h"
 #include "tests/support/error_message.h"
 
-namespace cvo {
+namespace cvo::extent_test {
 namespace {
 
 using testing::ElementsAre;
@@ -222,4 +222,4 @@ TEST(DepthModes, FindsTheForegroundInNoise) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::extent_test

@@ -10,7 +10,7 @@
 #include "core/clustering/motion_term.h"
 #include "tests/core/clustering/scene.h"
 
-namespace cvo {
+namespace cvo::motion_test {
 namespace {
 
 using test::kSceneCamera;
@@ -199,4 +199,4 @@ TEST(MotionTermLiteral, MatchesThePrintedFormula) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::motion_test

@@ -8,7 +8,7 @@
 #include "core/clustering/motion_term.h"
 #include "tests/core/clustering/scene.h"
 
-namespace cvo {
+namespace cvo::terms_together_test {
 namespace {
 
 using test::kSceneCamera;
@@ -114,4 +114,4 @@ TEST(UnaryTerms, PrintedAffinityTermLosesTheBody) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::terms_together_test

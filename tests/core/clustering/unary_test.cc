@@ -12,7 +12,7 @@
 #include "tests/core/clustering/scene.h"
 #include "tests/support/error_message.h"
 
-namespace cvo {
+namespace cvo::unary_test {
 namespace {
 
 using test::MakeLabel;
@@ -275,4 +275,4 @@ TEST(UnaryOptions, AreCheckedAgainstTheirRanges) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::unary_test

@@ -9,7 +9,7 @@
 #include "core/clusters/cluster_map.h"
 #include "tests/core/clusters/small_windows.h"
 
-namespace cvo {
+namespace cvo::absorption_test {
 namespace {
 
 using ::testing::IsEmpty;
@@ -129,4 +129,4 @@ TEST(AbsorbObservations, FramesWithoutAStateLeaveNoInformation) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::absorption_test

@@ -6,7 +6,7 @@
 
 #include "core/solvers/motion_prior.h"
 
-namespace cvo {
+namespace cvo::cluster_optimization_test {
 namespace {
 
 constexpr std::int64_t kFrames = 5;
@@ -112,4 +112,4 @@ TEST(OptimizeClusters, LeavesHiddenClustersUnchanged) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::cluster_optimization_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/cluster_poses.h"
 
-namespace cvo {
+namespace cvo::identity_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -331,4 +331,4 @@ TEST(IdentityOptions, SizeFactorDecidesTheMatch) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::identity_test

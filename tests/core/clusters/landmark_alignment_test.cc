@@ -10,7 +10,7 @@
 #include "core/clusters/left_only.h"
 #include "tests/support/centred_camera.h"
 
-namespace cvo {
+namespace cvo::landmark_alignment_test {
 namespace {
 
 constexpr double kScaleFactor = 1.2;
@@ -159,4 +159,4 @@ TEST(PlaceLeftOnly, TakesTheDisparityFromTheLandmarkForLeftOnlyFeatures) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::landmark_alignment_test

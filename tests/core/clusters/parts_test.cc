@@ -13,7 +13,7 @@
 #include "core/clusters/cluster_prediction.h"
 #include "tests/core/clusters/small_windows.h"
 
-namespace cvo {
+namespace cvo::parts_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -301,4 +301,4 @@ TEST(ReleaseUnseen, ReleasesTheBoxOfUntrackedClusters) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::parts_test

@@ -9,7 +9,7 @@
 #include "core/clusters/cluster_optimization.h"
 #include "core/solvers/motion_prior.h"
 
-namespace cvo {
+namespace cvo::past_information_test {
 namespace {
 
 constexpr int kPoints = 30;
@@ -131,4 +131,4 @@ TEST(PastInformation, LandmarkCovarianceIsConsistentAfterALongStay) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::past_information_test

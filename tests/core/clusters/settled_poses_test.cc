@@ -7,7 +7,7 @@
 
 #include "tests/support/cluster_poses.h"
 
-namespace cvo {
+namespace cvo::settled_poses_test {
 namespace {
 
 using ::testing::IsEmpty;
@@ -98,4 +98,4 @@ TEST(TakeSettledPoses, ArchivedClustersKeepRecentPosesAndRemovedOnesKeepNone) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::settled_poses_test

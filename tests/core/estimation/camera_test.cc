@@ -7,7 +7,7 @@
 #include "core/base/rng.h"
 #include "core/estimation/camera_ransac.h"
 
-namespace cvo {
+namespace cvo::camera_test {
 namespace {
 
 const StereoCamera kCamera = {.fx = 700,
@@ -230,4 +230,4 @@ TEST(SolveCameraRansac, DoesNotSampleMeasurementsWithoutDisparity) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::camera_test

@@ -6,7 +6,7 @@
 
 #include "core/estimation/cluster.h"
 
-namespace cvo {
+namespace cvo::cluster_state_test {
 namespace {
 
 const Eigen::Vector3d kCenter(1.0, -2.0, 0.5);
@@ -101,4 +101,4 @@ TEST(FindState, ReturnsTheStateOfExactlyThisFrame) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::cluster_state_test

@@ -11,7 +11,7 @@
 #include "tests/support/centred_camera.h"
 #include "tests/support/gradient_check.h"
 
-namespace cvo {
+namespace cvo::cluster_test {
 namespace {
 
 using ceres_costs::ObjectReprojectionCost;
@@ -312,4 +312,4 @@ TEST(SolveCluster, RefusesInconsistentProblems) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::cluster_test

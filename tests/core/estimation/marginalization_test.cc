@@ -12,7 +12,7 @@
 #include "core/solvers/reprojection_cost.h"
 #include "tests/support/centred_camera.h"
 
-namespace cvo {
+namespace cvo::marginalization_test {
 namespace {
 
 const StereoCamera kCamera = test::CentredCamera(500, 0.5, 640, 480);
@@ -201,4 +201,4 @@ TEST(Marginalize, EliminatesOnlyByWellDeterminedDirections) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::marginalization_test

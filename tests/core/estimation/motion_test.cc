@@ -12,7 +12,7 @@
 #include "core/solvers/motion_prior_cost.h"
 #include "tests/support/gradient_check.h"
 
-namespace cvo {
+namespace cvo::motion_test {
 namespace {
 
 using ceres_costs::MotionPriorCost;
@@ -283,4 +283,4 @@ TEST(BridgeMotion, DoesNotDependOnTheUnitOfLength) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::motion_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cvo {
+namespace cvo::point_ransac_test {
 namespace {
 
 const RigidTransform kMotion(ExpSo3({0.3, -0.5, 0.2}), Eigen::Vector3d(2.0, -1.0, 4.0));
@@ -76,4 +76,4 @@ TEST(AlignPointsRansac, AllPointsWithinTheDistanceHaveEqualWeight) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::point_ransac_test

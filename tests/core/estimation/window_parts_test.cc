@@ -10,7 +10,7 @@
 #include "core/estimation/window_problem.h"
 #include "tests/support/centred_camera.h"
 
-namespace cvo {
+namespace cvo::window_parts_test {
 namespace {
 
 const StereoCamera kCamera = test::CentredCamera(500, 0.5, 640, 480);
@@ -143,4 +143,4 @@ TEST(SelectLandmarks, RequiresTwoObservationsAndPrefersTheFirst) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::window_parts_test

@@ -12,7 +12,7 @@
 #include "core/estimation/window_problem.h"
 #include "tests/support/centred_camera.h"
 
-namespace cvo {
+namespace cvo::window_test {
 namespace {
 
 const StereoCamera kCamera = test::CentredCamera(500, 0.5, 640, 480);
@@ -229,4 +229,4 @@ TEST(SelectLandmarks, PrefersLandmarksWithMoreObservations) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::window_test

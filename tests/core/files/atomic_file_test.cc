@@ -16,7 +16,7 @@
 #include "core/files/temporary.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::atomic_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -228,4 +228,4 @@ TEST(OutputFolder, NamesTheObstacle) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::atomic_file_test

@@ -10,7 +10,7 @@
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::csv_file_test {
 namespace {
 
 using testing::ElementsAre;
@@ -70,4 +70,4 @@ TEST_F(CsvFileTest, ErrorsOfNonNumericCellsNameTheColumn) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::csv_file_test

@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::spool_test {
 namespace {
 
 // Returns parts of various sizes, in total more than fit in memory.
@@ -60,4 +60,4 @@ TEST(Spool, RequiresAnExistingFolder) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::spool_test

@@ -10,7 +10,7 @@
 #include "core/files/host_name.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::temporary_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,4 +52,4 @@ TEST(Temporary, FilesOfDeadProcessesAreLeftovers) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::temporary_test

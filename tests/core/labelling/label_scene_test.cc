@@ -8,7 +8,7 @@
 
 #include "tests/core/labelling/labelled_frame.h"
 
-namespace cvo {
+namespace cvo::label_scene_test {
 namespace {
 
 using test::Moving;
@@ -101,4 +101,4 @@ TEST(NameLabels, BoxesFollowTheLabels) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::label_scene_test

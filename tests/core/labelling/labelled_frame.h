@@ -6,14 +6,9 @@
 #include "core/labelling/cluster_labels.h"
 #include "core/labelling/landmark_update.h"
 #include "core/odometry/detection_policies.h"
-#include "tests/support/centred_camera.h"
+#include "tests/core/clusters/small_windows.h"
 
 namespace cvo::test {
-
-inline const StereoCamera kCamera = CentredCamera(450, 0.3, 640, 480);
-inline RigidTransform At(double x, double y, double z) {
-  return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, y, z)};
-}
 
 // A frame observed by a camera at the origin, with features at given points.
 struct Frame {

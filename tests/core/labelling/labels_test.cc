@@ -13,7 +13,7 @@
 #include "core/labelling/landmark_update.h"
 #include "tests/core/labelling/labelled_frame.h"
 
-namespace cvo {
+namespace cvo::labels_test {
 namespace {
 
 using test::At;
@@ -319,4 +319,4 @@ TEST(SceneFeatures, UseReserveFeaturesOnlyInDetections) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::labels_test

@@ -8,7 +8,7 @@
 
 #include "tests/core/labelling/labelled_frame.h"
 
-namespace cvo {
+namespace cvo::new_bodies_test {
 namespace {
 
 // A near body occludes the right half of a far one, of which only the left part is visible.
@@ -79,4 +79,4 @@ TEST(FindNewBodies, NoneIfAClusterClaimsTheBoxOrOwnsThePoints) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::new_bodies_test

@@ -10,7 +10,7 @@
 #include "core/solvers/reprojection_cost.h"
 #include "tests/support/gradient_check.h"
 
-namespace cvo {
+namespace cvo::costs_test {
 namespace {
 
 using ceres_costs::PoseManifold;
@@ -138,4 +138,4 @@ TEST(PriorCost, JacobiansMatchDifferencesAwayFromTheLinearizationPoint) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::costs_test

@@ -13,7 +13,7 @@
 #include "core/solvers/schur_reprojection.h"
 #include "tests/support/gradient_check.h"
 
-namespace cvo {
+namespace cvo::solvers_test {
 namespace {
 
 const StereoCamera kCamera = {.fx = 500,
@@ -370,4 +370,4 @@ TEST(LinearizeReprojections, GradientOfAClusterMatchesDifferences) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::solvers_test

@@ -14,7 +14,7 @@
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::features_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -169,4 +169,4 @@ TEST_F(CacheFeatures, TheKeyCoversAllInputs) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::features_test

@@ -20,7 +20,7 @@
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -212,4 +212,4 @@ TEST(CacheLimit, ReadsSizes) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::folder_test

@@ -17,7 +17,7 @@
 #include "tests/experiments/cache/frames.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::hashes_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -215,4 +215,4 @@ TEST_F(CacheHashes, ManyProcessesShareAnIndex) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::hashes_test

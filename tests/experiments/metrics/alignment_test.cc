@@ -8,7 +8,7 @@
 #include "core/base/rng.h"
 #include "tests/support/error_message.h"
 
-namespace cvo {
+namespace cvo::alignment_test {
 namespace {
 
 const Eigen::Vector3d kUp = Eigen::Vector3d::UnitZ();
@@ -144,4 +144,4 @@ TEST(AlignObject, RefusesEmptyInput) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::alignment_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/error_message.h"
 
-namespace cvo {
+namespace cvo::association_test {
 namespace {
 
 using testing::ElementsAre;
@@ -111,4 +111,4 @@ TEST(Association, RefusesPairsOfOtherTrajectories) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::association_test

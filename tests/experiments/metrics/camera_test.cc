@@ -11,7 +11,7 @@
 #include "experiments/metrics/kitti_drift.h"
 #include "tests/support/error_message.h"
 
-namespace cvo {
+namespace cvo::camera_test {
 namespace {
 
 using testing::HasSubstr;
@@ -316,4 +316,4 @@ TEST(CameraMetrics, DriftReportsWhatItLeftOut) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::camera_test

@@ -11,7 +11,7 @@
 #include "core/base/rng.h"
 #include "tests/support/error_message.h"
 
-namespace cvo {
+namespace cvo::clock_offset_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -216,4 +216,4 @@ TEST(ClockOffset, SearchesWithinTenSeconds) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::clock_offset_test

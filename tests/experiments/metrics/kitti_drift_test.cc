@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 
-namespace cvo {
+namespace cvo::kitti_drift_test {
 namespace {
 
 // A path along z that turns about y by `rad_per_m` per frame, which is per metre at a step of 1 m.
@@ -58,4 +58,4 @@ TEST(KittiDrift, RefusesLengthsThatDiffer) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::kitti_drift_test

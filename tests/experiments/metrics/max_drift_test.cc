@@ -9,7 +9,7 @@
 #include "core/base/rng.h"
 #include "experiments/metrics/camera_metrics.h"
 
-namespace cvo {
+namespace cvo::max_drift_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -212,4 +212,4 @@ TEST(MaxDrift, RegistrationConverges) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::max_drift_test

@@ -11,7 +11,7 @@
 #include "core/base/rng.h"
 #include "tests/support/error_message.h"
 
-namespace cvo {
+namespace cvo::pose_errors_test {
 namespace {
 
 using testing::HasSubstr;
@@ -144,4 +144,4 @@ TEST(FindCommonPoses, NamesTheSideThatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::pose_errors_test

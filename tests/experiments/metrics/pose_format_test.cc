@@ -7,7 +7,7 @@
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::pose_format_test {
 namespace {
 
 using testing::HasSubstr;
@@ -56,4 +56,4 @@ TEST_F(PoseFormat, FindsTheLineOfAPoseByIndex) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::pose_format_test

@@ -11,7 +11,7 @@
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::trajectory_files_test {
 namespace {
 
 using testing::AllOf;
@@ -186,4 +186,4 @@ TEST_F(KittiPoses, RefusesBadRows) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::trajectory_files_test

@@ -19,7 +19,7 @@
 #include "tests/support/temp_folder.h"
 #include "variants/registry.h"
 
-namespace cvo {
+namespace cvo::cache_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -193,4 +193,4 @@ TEST_F(RunnerCache, ImagesChangedAfterHashingAreStoredUnderTheirNewHash) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::cache_test

@@ -16,7 +16,7 @@
 #include "tests/support/cluster_poses.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::clusters_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -282,4 +282,4 @@ TEST(ObjectEstimateOf, FramesBeforeConfirmationHaveOnlyRefinedPoses) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::clusters_test

@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "experiments/runner/frame_detections.h"
 
-namespace cvo {
+namespace cvo::detections_test {
 namespace {
 
 using testing::ElementsAre;
@@ -155,4 +155,4 @@ TEST(DepthInBox, LooksUpFeaturesInTheImageOfTheBox) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::detections_test

@@ -19,7 +19,7 @@
 #include "tests/support/temp_folder.h"
 #include "variants/registry.h"
 
-namespace cvo {
+namespace cvo::growth_test {
 namespace {
 
 double Held_bytes() {
@@ -139,4 +139,4 @@ TEST(RunnerGrowth, ReturnsFreeMemoryBetweenLiveBlocks) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::growth_test

@@ -11,7 +11,7 @@
 #include "experiments/runner/look_ahead.h"
 #include "tests/support/real_data.h"
 
-namespace cvo {
+namespace cvo::kitti_test {
 namespace {
 
 // Both moving cars of drive_0013 are seen from behind: the visible face is half a length nearer
@@ -50,4 +50,4 @@ TEST(KittiDetections, MoveByTheDepthOfTheNearFace) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::kitti_test

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 
-namespace cvo {
+namespace cvo::oracle_test {
 namespace {
 
 using testing::ElementsAre;
@@ -134,4 +134,4 @@ TEST(BodiesOfDetections, AreOneToOneWithAtLeastHalfOverlap) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::oracle_test

@@ -19,7 +19,7 @@
 #include "tests/support/collected.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::runner_test {
 namespace {
 
 using testing::AllOf;
@@ -361,4 +361,4 @@ TEST_F(Runner, TheContentHashDependsOnBytesNotPaths) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::runner_test

@@ -7,7 +7,7 @@
 #include "core/files/json/json.h"
 #include "tests/experiments/runner/system_drive.h"
 
-namespace cvo {
+namespace cvo::score_files_test {
 namespace {
 
 using test::kDriveFrames;
@@ -225,4 +225,4 @@ TEST(IdentifySystem, DependsOnWhatDecidesTheResult) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::score_files_test

@@ -8,7 +8,7 @@
 #include "tests/experiments/runner/system_drive.h"
 #include "tests/support/error_message.h"
 
-namespace cvo {
+namespace cvo::system_files_test {
 namespace {
 
 using test::kDriveFrames;
@@ -142,4 +142,4 @@ TEST_F(BadFiles, FoldersOfObjects) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::system_files_test

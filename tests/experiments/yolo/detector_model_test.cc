@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "tests/experiments/yolo/tiny_network.h"
 
-namespace cvo {
+namespace cvo::detector_model_test {
 namespace {
 
 class DetectorModelTest : public testing::Test {
@@ -81,4 +81,4 @@ TEST(KittiClass, MapsCocoNames) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::detector_model_test

@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "experiments/yolo/letterbox.h"
 
-namespace cvo {
+namespace cvo::network_output_test {
 namespace {
 
 const cv::Size kInput(64, 32);  // 32 + 8 + 2 cells
@@ -106,4 +106,4 @@ TEST(Letterbox, KeepsTheAspectRatioAndMapsBoxesBack) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::network_output_test

@@ -11,7 +11,7 @@
 #include "synth/motion/speed_profile.h"
 #include "tests/support/error_message.h"
 
-namespace cvo::synth {
+namespace cvo::synth::curve_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -128,4 +128,4 @@ TEST(SpeedProfile, SpeedIsTheDerivativeOfTheDistance) {
 }
 
 }  // namespace
-}  // namespace cvo::synth
+}  // namespace cvo::synth::curve_test

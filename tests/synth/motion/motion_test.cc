@@ -12,7 +12,7 @@
 #include "tests/support/error_message.h"
 #include "tests/synth/scene/examples.h"
 
-namespace cvo::synth {
+namespace cvo::synth::motion_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -180,4 +180,4 @@ TEST(Motion, RefusesARouteThatIsTooShort) {
 }
 
 }  // namespace
-}  // namespace cvo::synth
+}  // namespace cvo::synth::motion_test

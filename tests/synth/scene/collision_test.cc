@@ -14,7 +14,7 @@
 #include "tests/support/error_message.h"
 #include "tests/synth/scene/examples.h"
 
-namespace cvo::synth {
+namespace cvo::synth::collision_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -138,4 +138,4 @@ TEST(InView, ABodyBehindTheCameraIsAnError) {
 }
 
 }  // namespace
-}  // namespace cvo::synth
+}  // namespace cvo::synth::collision_test

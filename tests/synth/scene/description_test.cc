@@ -13,7 +13,7 @@
 #include "tests/support/temp_folder.h"
 #include "tests/synth/scene/examples.h"
 
-namespace cvo::synth {
+namespace cvo::synth::description_test {
 namespace {
 
 using test::Ball;
@@ -232,4 +232,4 @@ TEST(RenderKey, DependsOnWhatIsDrawn) {
 }
 
 }  // namespace
-}  // namespace cvo::synth
+}  // namespace cvo::synth::description_test

@@ -11,7 +11,7 @@
 #include "tests/support/error_message.h"
 #include "tests/synth/scene/examples.h"
 
-namespace cvo::synth {
+namespace cvo::synth::world_test {
 namespace {
 
 using test::Ball;
@@ -144,4 +144,4 @@ TEST(BuildWorld, NamesTheSceneWithTooMuchFurniture) {
 }
 
 }  // namespace
-}  // namespace cvo::synth
+}  // namespace cvo::synth::world_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/error_message.h"
 
-namespace cvo {
+namespace cvo::json_record_test {
 namespace {
 
 enum class Colour { kRed, kDarkBlue };
@@ -137,4 +137,4 @@ TEST(JsonRecord, FieldsMayDependOnOthers) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::json_record_test

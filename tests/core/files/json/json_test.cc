@@ -13,7 +13,7 @@
 #include "core/files/json/json_rows.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::json_test {
 namespace {
 
 using testing::HasSubstr;
@@ -175,4 +175,4 @@ TEST(DumpJsonWithRows, NamesTheRowOfANonFiniteNumber) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::json_test

@@ -10,7 +10,7 @@
 #include "core/files/text/closest_names.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::options_test {
 namespace {
 
 using testing::AllOf;
@@ -187,4 +187,4 @@ TEST(ClosestNames, DifferentNumbersAreNotMisspellings) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::options_test

@@ -7,7 +7,7 @@
 #include "core/files/text/number.h"
 #include "core/files/text/utf8.h"
 
-namespace cvo {
+namespace cvo::escape_test {
 namespace {
 
 TEST(Base64, MatchesTheVectorsOfRfc4648) {
@@ -48,4 +48,4 @@ TEST(Number, FixedAndGeneral) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::escape_test

@@ -12,7 +12,7 @@
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::clusterslam_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -237,4 +237,4 @@ TEST_F(ClusterSlamFiles, WithoutPosesThereIsNoTruth) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::clusterslam_test

@@ -12,7 +12,7 @@
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::euroc_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -184,4 +184,4 @@ TEST_F(EurocFiles, MismatchedImagesAndCamerasAreRefused) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::euroc_test

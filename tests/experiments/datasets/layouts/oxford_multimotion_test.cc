@@ -9,7 +9,7 @@
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::oxford_multimotion_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -226,4 +226,4 @@ TEST_F(MultimotionFiles, ReportsMissingInput) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::oxford_multimotion_test

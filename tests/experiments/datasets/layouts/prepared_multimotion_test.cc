@@ -10,7 +10,7 @@
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::prepared_multimotion_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -142,4 +142,4 @@ TEST_F(PreparedFiles, ReportsMissingRows) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::prepared_multimotion_test

@@ -14,7 +14,7 @@
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::virtual_kitti_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -261,4 +261,4 @@ TEST(PaletteIndexes, AreReadAsIndexes) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::virtual_kitti_test

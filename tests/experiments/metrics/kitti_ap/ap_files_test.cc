@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::ap_files_test {
 namespace {
 
 constexpr const char* kObject = "Car 0.5 1 0 10 20 60 80 1.5 1.6 3.9 1 2 30 0.1";
@@ -105,4 +105,4 @@ TEST_F(ApFiles, TrackingFilesEndWithTheLastRowOfEither) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::ap_files_test

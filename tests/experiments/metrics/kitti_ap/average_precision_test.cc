@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cvo {
+namespace cvo::average_precision_test {
 namespace {
 
 // A fully visible, untruncated box at the top edge of the image.
@@ -266,4 +266,4 @@ TEST(AveragePrecision, BoxesWithoutAScoreRankFirst) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::average_precision_test

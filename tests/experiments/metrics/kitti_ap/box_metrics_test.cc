@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cvo {
+namespace cvo::box_metrics_test {
 namespace {
 
 // A car of 4 x 2 x 1.5 m at x, in frame 7, the first of two frames.
@@ -73,4 +73,4 @@ TEST(BoxMetrics, CountTheCarLabelsOfAllFrames) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::box_metrics_test

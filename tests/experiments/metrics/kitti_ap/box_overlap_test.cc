@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace cvo {
+namespace cvo::box_overlap_test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -131,4 +131,4 @@ TEST(BoxOverlap, OfBoxesWithSwappedSidesIsZero) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::box_overlap_test

@@ -11,7 +11,7 @@
 #include "tests/experiments/metrics/objects/object_world.h"
 #include "tests/support/error_message.h"
 
-namespace cvo {
+namespace cvo::clustering_test {
 namespace {
 
 using namespace test;  // NOLINT
@@ -214,4 +214,4 @@ TEST(AdjustedRandIndex, RefusesLengthsThatDiffer) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::clustering_test

@@ -10,7 +10,7 @@
 #include "tests/experiments/metrics/objects/object_world.h"
 #include "tests/support/error_message.h"
 
-namespace cvo {
+namespace cvo::object_coverage_test {
 namespace {
 
 using namespace test;  // NOLINT
@@ -217,4 +217,4 @@ TEST(ObjectMetrics, RefuseInvalidInput) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::object_coverage_test

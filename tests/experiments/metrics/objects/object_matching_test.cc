@@ -10,7 +10,7 @@
 #include "tests/experiments/metrics/objects/object_world.h"
 #include "tests/support/error_message.h"
 
-namespace cvo {
+namespace cvo::object_matching_test {
 namespace {
 
 using namespace test;  // NOLINT
@@ -387,4 +387,4 @@ TEST(MotionOfPoint, LooksBackToTheFirstFrame) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::object_matching_test

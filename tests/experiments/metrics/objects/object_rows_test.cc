@@ -10,7 +10,7 @@
 #include "tests/experiments/metrics/objects/object_world.h"
 #include "tests/support/error_message.h"
 
-namespace cvo {
+namespace cvo::object_rows_test {
 namespace {
 
 using namespace test;  // NOLINT
@@ -163,4 +163,4 @@ TEST(ClusteringRows, StateTheMotionLimitsAndTheTruthSource) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::object_rows_test

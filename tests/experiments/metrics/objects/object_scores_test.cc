@@ -10,7 +10,7 @@
 #include "tests/experiments/metrics/objects/object_world.h"
 #include "tests/support/error_message.h"
 
-namespace cvo {
+namespace cvo::object_scores_test {
 namespace {
 
 using namespace test;  // NOLINT
@@ -147,4 +147,4 @@ TEST(CheckEstimate, IdsStartAtZeroWithoutLandmarks) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::object_scores_test

@@ -6,7 +6,7 @@
 #include "experiments/metrics/objects/object_metrics.h"
 #include "tests/experiments/metrics/objects/object_world.h"
 
-namespace cvo {
+namespace cvo::object_test {
 namespace {
 
 using namespace test;  // NOLINT
@@ -227,4 +227,4 @@ TEST(ObjectMetrics, VelocityErrorIsInMetresPerSecond) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::object_test

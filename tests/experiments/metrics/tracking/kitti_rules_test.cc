@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 
-namespace cvo {
+namespace cvo::kitti_rules_test {
 namespace {
 
 ObjectBox Box(const std::string& type, int track, double left_px, double height_px = 50.0) {
@@ -105,4 +105,4 @@ TEST(KittiTrackingRules, ASittingPersonIsANeighbourOfPedestrians) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::kitti_rules_test

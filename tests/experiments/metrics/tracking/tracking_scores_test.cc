@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace cvo {
+namespace cvo::tracking_scores_test {
 namespace {
 
 // One true body in each frame, reported under the given identity (-1: not reported) with the given
@@ -207,4 +207,4 @@ TEST(TrackingScores, ReportsWithoutAnyTruth) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::tracking_scores_test
