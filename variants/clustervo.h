@@ -58,6 +58,7 @@ struct ClusterVo {
     options.unary.static_energy = 2.0;
     options.clusters.box_half_size = 0.0;
     options.clusters.confirm_detections = 1;
+    options.clusters.undetected_frames = 0;
     options.orb.reserve = 0.0;
     options.tracking.align_patches = false;
     options.noise.disagreement = 0.0;

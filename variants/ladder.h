@@ -28,11 +28,11 @@ using Rungs =
                Rung<AddReacquisition>, Rung<AddLeftImage>, Rung<AddMissedDetections>,
                Rung<AddBoxFoot>, Rung<AddBoxShrink>, Rung<AddCheapStatic>, Rung<AddBoxSize>,
                Rung<AddNearestDepths>, Rung<AddTriangulation>, Rung<AddLongPast>, Rung<AddReserve>,
-               Rung<AddBirthOrigin>, Rung<AddConfirmation>, Rung<AddAlignedPatches>,
-               Rung<AddPatchNoise>, Rung<AddFixedGauge>, Rung<AddSelfCalibration>,
-               Rung<AddOutlierRemoval>, Rung<AddEarlyStop>, Rung<AddStifferPrior>,
-               Rung<AddTurnPrior>, Rung<AddPastInformation>, Rung<AddTraceBack>, Rung<AddIdentity>,
-               Rung<AddAlignment>>;
+               Rung<AddBirthOrigin>, Rung<AddConfirmation>, Rung<AddArchiveUndetected>,
+               Rung<AddAlignedPatches>, Rung<AddPatchNoise>, Rung<AddFixedGauge>,
+               Rung<AddSelfCalibration>, Rung<AddOutlierRemoval>, Rung<AddEarlyStop>,
+               Rung<AddStifferPrior>, Rung<AddTurnPrior>, Rung<AddPastInformation>,
+               Rung<AddTraceBack>, Rung<AddIdentity>, Rung<AddAlignment>>;
 inline constexpr std::size_t kRungs = std::tuple_size_v<Rungs>;
 
 namespace internal {

@@ -208,6 +208,17 @@ struct AddConfirmation : Base {
 };
 
 template <typename Base>
+struct AddArchiveUndetected : Base {
+  static constexpr std::string_view kRung = "archive_undetected";
+  static constexpr std::string_view kAdds =
+      "a cluster that stands still and is no longer detected is archived";
+  static void SetDefaults(Options& options) {
+    Base::SetDefaults(options);
+    options.clusters.undetected_frames = Options().clusters.undetected_frames;
+  }
+};
+
+template <typename Base>
 struct AddFixedGauge : Base {
   static constexpr std::string_view kRung = "fixed_gauge";
   static constexpr std::string_view kAdds = "the oldest frame of the window is held fixed";

@@ -13,6 +13,7 @@ struct ClusterOptions {
   double box_half_size = 0.13;
   int confirm_detections = 2;
   int confirm_frames = 5;
+  int undetected_frames = 15;
   int min_tracked = 4;
   int min_observed = 3;
   int settled_states = 3;
@@ -54,6 +55,11 @@ struct ClusterOptions {
     visit.Field("confirm_frames", self.confirm_frames,
                 {"frames", 1, 1000, "frames after which an unconfirmed cluster is removed",
                  "spans the detectors' usual gaps of one to four frames"});
+    visit.Field("undetected_frames", self.undetected_frames,
+                {"frames", 0, 1000,
+                 "frames without a detection after which a cluster that stands still is archived; "
+                 "0: never",
+                 "METHOD.md 6.4"});
     visit.Field(
         "min_tracked", self.min_tracked,
         {"landmarks", 3, 1000,

@@ -11,6 +11,7 @@
 #include "core/clusters/cluster_pose.h"
 #include "core/clusters/settled_poses.h"
 #include "core/clusters/trace_back.h"
+#include "core/clusters/undetected_clusters.h"
 #include "core/estimation/double_track.h"
 #include "core/interface/odometry.h"
 #include "core/labelling/cluster_birth.h"
@@ -263,6 +264,9 @@ class VisualOdometry final : public Odometry {
 
   // `view` is null for a frame without a tracked camera.
   void EndClusters(const FrameView* view, FrameReport& report) {
+    if (view != nullptr) {
+      ArchiveUndetected(window_, options_.NoiseOfFeatures(), newest_, options_.clusters, clusters_);
+    }
     RetireClusters(newest_, options_.LiveFrames(), options_.clusters, clusters_);
     const ClusterPredictor predict = PredictorOfClusters();
     Variant::Identity::Update({options_.identity, options_.association, options_.clusters,
