@@ -2,23 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/clusters/undetected_clusters.h"
 
-#include <algorithm>
 #include <utility>
 
+#include "core/estimation/camera_solver.h"
+
 namespace cvo {
-namespace {
-
-// Whether a point that stays where it is now would have been observed there before.
-bool AgreesWith(const Observation& seen, const Window& window, const FeatureNoise& noise,
-                const Eigen::Vector3d& p_in_world) {
-  const auto zeta_px =
-      window.camera.Project(window.Find(seen.frame)->world_from_camera.Inverse() * p_in_world);
-  if (!zeta_px) return false;
-  const Eigen::Vector3d error = noise.SqrtInformation(seen) * (seen.z_px - *zeta_px);
-  return error.squaredNorm() <= noise.options.gate;
-}
-
-}  // namespace
 
 bool StandsStill(const Window& window, const FeatureNoise& noise, FrameId newest,
                  const Cluster& cluster) {
@@ -27,9 +15,13 @@ bool StandsStill(const Window& window, const FeatureNoise& noise, FrameId newest
   for (const Landmark& landmark : cluster.landmarks) {
     if (landmark.last_seen != newest || landmark.observations.size() < 2) continue;
     const Observation& earliest = landmark.observations.front();
-    if (earliest.frame < window.temporal.front().id) continue;
-    const Eigen::Vector3d p_in_world = cluster.Latest().world_from_object * landmark.p_in_object;
-    ++(AgreesWith(earliest, window, noise, p_in_world) ? still : moved);
+    const WindowFrame* frame = window.Find(earliest.frame);
+    if (!frame) continue;
+    // A point that has not moved was seen there from where it is now.
+    const PointMeasurement now{cluster.Latest().world_from_object * landmark.p_in_object,
+                               earliest.z_px, noise.SqrtInformation(earliest)};
+    const auto error = WhitenedError(window.camera, now, frame->world_from_camera.Inverse());
+    ++(error && error->squaredNorm() <= noise.options.gate ? still : moved);
   }
   return still > 0 && still >= moved;
 }
