@@ -126,6 +126,19 @@ TEST(CoveredCells, CountCellsOfInliersAndClampToTheImage) {
   EXPECT_EQ(CoveredCells(kCamera, measurements, std::vector<char>{0, 0, 0, 0, 0}), 0);
 }
 
+TEST(CoveredCells, EveryCellCounts) {
+  std::vector<PointMeasurement> measurements;
+  for (int row = 0; row < 12; ++row) {
+    for (int column = 0; column < 12; ++column) {
+      measurements.push_back(
+          {{},
+           {(column + 0.5) * kCamera.width_px / 12.0, (row + 0.5) * kCamera.height_px / 12.0, 0.0},
+           {}});
+    }
+  }
+  EXPECT_EQ(CoveredCells(kCamera, measurements, std::vector<char>(144, 1)), 144);
+}
+
 TEST(SolveCameraRansac, FindsNothingWithoutAgreement) {
   Rng rng(4, "ransac");
   EXPECT_FALSE(
