@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/clusters/undetected_clusters.h"
 
-#include <utility>
-
 #include "core/estimation/camera_solver.h"
 
 namespace cvo {
@@ -29,18 +27,15 @@ bool StandsStill(const Window& window, const FeatureNoise& noise, FrameId newest
 void ArchiveUndetected(const Window& window, const FeatureNoise& noise, FrameId newest,
                        const ClusterOptions& options, ClusterMap& map) {
   if (options.undetected_frames == 0) return;
-  std::vector<Cluster> live;
-  for (Cluster& cluster : map.live) {
+  std::erase_if(map.live, [&](const Cluster& cluster) {
     const bool is_undetected =
         newest.value - cluster.last_detected.value >= options.undetected_frames;
-    if (is_undetected && IsConfirmed(cluster, options) && !cluster.given_body.valid() &&
-        StandsStill(window, noise, newest, cluster)) {
-      map.archived.push_back(cluster);  // a copy, without spare capacity
-    } else {
-      live.push_back(std::move(cluster));
-    }
-  }
-  map.live = std::move(live);
+    const bool is_archived = is_undetected && IsConfirmed(cluster, options) &&
+                             !cluster.given_body.valid() &&
+                             StandsStill(window, noise, newest, cluster);
+    if (is_archived) map.archived.push_back(cluster);
+    return is_archived;
+  });
 }
 
 }  // namespace cvo
