@@ -101,14 +101,15 @@ fuzz: clang build/fuzz/build.ninja ## give every parser RUNS=1000000 spoilt file
 	cmake --build --preset fuzz --target fuzz_target $(jobs)
 	node .ci/fuzz.mjs $(RUNS) $(or $(HOURS),0) $(SEED) $(or $(JOBS),0) $(PARSER)
 
-# An hour or two; the same SEED draws the same disturbances.
+# Three hours; the same SEED draws the same disturbances. PART="2 4": the second quarter of the points.
 POINTS ?= 1000000
+PART ?= 1 1
 KILLS ?= 1000
 SLURM_KILLS ?= 100
 soak: $(release)/build.ninja ## let every call on files fail (POINTS=n: n of them), disturb runs KILLS=1000 times
 	cmake --build --preset release --target fault_points suite_kills $(jobs)
-	cd $(release) && tests/faults/fault_points $(POINTS) drawn
-	cd $(release) && tests/faults/fault_points $(POINTS)
+	cd $(release) && tests/faults/fault_points $(POINTS) $(PART) drawn
+	cd $(release) && tests/faults/fault_points $(POINTS) $(PART)
 	cd $(release) && tests/experiments/suite_kills $(KILLS) $(SEED)
 	cd $(release) && tests/experiments/suite_kills $(SLURM_KILLS) $(SEED) slurm
 

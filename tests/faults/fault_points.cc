@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// fault_points POINTS [drawn]: counts the system calls (core/files/disk.h) that a small suite makes
-// with an empty cache, or, with `drawn`, with a cache of rendered images. Then injects POINTS
-// faults, spread evenly over all calls and the three kinds of fault: the call fails, is cut short,
-// or the process is killed. Afterwards the same command must give the same bytes, and nothing of
-// the fault may be left.
+// fault_points POINTS PART PARTS [drawn]: counts the system calls (core/files/disk.h) that a small
+// suite makes with an empty cache, or, with `drawn`, with a cache of rendered images. Then injects
+// POINTS faults, spread evenly over all calls and the three kinds of fault: the call fails, is cut
+// short, or the process is killed. Afterwards the same command must give the same bytes, and
+// nothing of the fault may be left. Every PARTS-th point is tried, starting with number PART (1 to
+// PARTS), so that several processes or machines can share the work.
 #include <cstdlib>
 #include <iostream>
 #include <map>
@@ -36,11 +37,17 @@ struct Fault {
   std::uint64_t call = 0;
 };
 
+struct Share {
+  std::uint64_t points = 0;
+  std::uint64_t part = 0;
+  std::uint64_t parts = 0;
+};
+
 class FaultTest {
  public:
   FaultTest() { folder_.Write("suite.json", kSuite); }
 
-  void Run(std::uint64_t points, bool drawn) {
+  void Run(const Share& share, bool drawn) {
     Undisturbed();
     if (drawn) KeepDrawing();
     Restore();
@@ -49,12 +56,12 @@ class FaultTest {
     const std::uint64_t faults = calls * std::size(kKinds);
     expected_ = Left();
     std::cout << expected_.size() << " files, " << calls << " calls\n";
-    points = std::min(points, faults);
+    const std::uint64_t points = std::min(share.points, faults);
     std::map<std::string, int> outcomes;
-    for (std::uint64_t i = 0; i < points; ++i) {
+    for (std::uint64_t i = share.part - 1, tried = 1; i < points; i += share.parts, ++tried) {
       const std::uint64_t fault = i * faults / points;
       ++outcomes[Try({kKinds[fault / calls], 1 + fault % calls})];
-      if ((i + 1) % kPointsOfALine == 0) std::cout << i + 1 << " of " << points << std::endl;
+      if (tried % kPointsOfALine == 0) std::cout << i + 1 << " of " << points << std::endl;
     }
     for (const auto& [outcome, count] : outcomes) std::cout << count << " x " << outcome << '\n';
   }
@@ -144,13 +151,16 @@ class FaultTest {
 };
 
 int Main(int argc, char** argv) {
-  const std::uint64_t points = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 0;
-  if (points == 0) {
-    std::cerr << "fault_points POINTS [drawn]\n";
+  const auto number = [&](int i) -> std::uint64_t {
+    return argc > i ? std::strtoull(argv[i], nullptr, 10) : 0;
+  };
+  const Share share{.points = number(1), .part = number(2), .parts = number(3)};
+  if (share.points == 0 || share.part == 0 || share.part > share.parts) {
+    std::cerr << "fault_points POINTS PART PARTS [drawn]\n";
     return 2;
   }
   try {
-    FaultTest().Run(points, argc > 2);
+    FaultTest().Run(share, argc > 4);
     return 0;
   } catch (const std::exception& error) {
     std::cerr << "fault_points: " << error.what() << '\n';

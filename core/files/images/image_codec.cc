@@ -3,6 +3,8 @@
 #include "core/files/images/image_codec.h"
 
 #include "core/base/error.h"
+#include "core/files/images/float_tiff.h"
+#include "core/files/images/png_codec.h"
 #include "core/files/images/shared_library.h"
 #include "core/files/text_file.h"
 
@@ -12,12 +14,25 @@ namespace {
 using Decoder = cv::Mat(cv::InputArray, int);
 using Encoder = decltype(cv::imencode);
 
+// Returns an image of a common kind, without OpenCV's library; empty for other kinds.
+cv::Mat DecodeCommon(std::string_view bytes) {
+  if (bytes.starts_with("\x89PNG")) return DecodePng(bytes);
+  if (!bytes.starts_with("II*") && !bytes.starts_with("MM")) return {};
+  std::optional<FloatImage> image = DecodeFloatTiff(bytes);
+  if (!image) return {};
+  return cv::Mat(image->height_px, image->width_px, CV_32FC1, image->values.data()).clone();
+}
+
 }  // namespace
 
 cv::Mat DecodeImage(std::string_view bytes, int flags) {
+  if (bytes.empty()) return {};
+  if (flags == cv::IMREAD_UNCHANGED || flags == cv::IMREAD_GRAYSCALE) {
+    cv::Mat image = DecodeCommon(bytes);
+    if (!image.empty() && (flags == cv::IMREAD_UNCHANGED || image.type() == CV_8UC1)) return image;
+  }
   static const auto decode =
       FindFunction<Decoder>(CVO_IMAGE_CODECS, "_ZN2cv8imdecodeERKNS_11_InputArrayEi");
-  if (bytes.empty()) return {};
   const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
   return decode(buffer, flags);
 }
@@ -28,6 +43,9 @@ cv::Mat ReadImageFile(const std::filesystem::path& path, int flags) {
 
 std::string EncodeImage(const char* extension, const cv::Mat& image,
                         const std::vector<int>& settings) {
+  if (std::string_view(extension) == ".png") {
+    if (std::string png = EncodePng(image, settings); !png.empty()) return png;
+  }
   static const auto encode = FindFunction<Encoder>(
       CVO_IMAGE_CODECS,
       "_ZN2cv8imencodeERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEERKNS_11_InputArrayE"

@@ -28,7 +28,7 @@ bool IsLackOfMemory(const std::string& message) {
 }  // namespace
 
 void* FindSymbol(const std::string& library, const char* symbol) {
-  void* const loaded = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* const loaded = ::dlopen(library.c_str(), RTLD_LAZY | RTLD_LOCAL);
   if (loaded == nullptr) Fail(library, "a shared library that can be loaded");
   void* const found = ::dlsym(loaded, symbol);
   if (found == nullptr) Fail(library, StrCat("the function ", symbol));

@@ -5,8 +5,11 @@
 
 #include <opencv2/core.hpp>
 #include <string>
+#include <vector>
 
+#include "core/files/images/float_tiff.h"
 #include "core/files/images/image_codec.h"
+#include "core/files/images/png_codec.h"
 #include "core/files/images/shared_library.h"
 #include "core/files/images/video.h"
 #include "tests/support/error_message.h"
@@ -35,6 +38,75 @@ TEST(ImageCodec, LosslessFormatsGiveBackTheImage) {
     const cv::Mat read = ReadImageFile(folder.path() / "a.png", cv::IMREAD_UNCHANGED);
     ASSERT_EQ(read.type(), type);
     EXPECT_EQ(cv::norm(read, image, cv::NORM_INF), 0.0);
+  }
+}
+
+// OpenCV's own functions, which the program does not call for these kinds.
+TEST(ImageCodec, PngFilesHaveTheBytesOfOpenCv) {
+  const std::vector<std::vector<int>> settings = {
+      {},
+      {cv::IMWRITE_PNG_COMPRESSION, 1},
+      {cv::IMWRITE_PNG_COMPRESSION, 6},
+      {cv::IMWRITE_PNG_STRATEGY, cv::IMWRITE_PNG_STRATEGY_HUFFMAN_ONLY},
+      {cv::IMWRITE_PNG_COMPRESSION, 1, cv::IMWRITE_PNG_STRATEGY, cv::IMWRITE_PNG_STRATEGY_RLE}};
+  for (const int type : {CV_8UC1, CV_8UC3, CV_16UC1, CV_16UC3}) {
+    cv::Mat noise = Gradient(type);
+    cv::RNG(1).fill(noise.colRange(10, 30), cv::RNG::UNIFORM, 0, 60000);
+    const cv::Mat part = noise.colRange(1, 40);  // rows with padding
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+      std::vector<unsigned char> expected;
+      ASSERT_TRUE(cv::imencode(".png", part, expected, settings[i]));
+      const std::string found = EncodePng(part, settings[i]);
+      EXPECT_EQ(found, std::string(expected.begin(), expected.end())) << type << ", " << i;
+      const cv::Mat read = DecodePng(found);
+      ASSERT_EQ(read.type(), type);
+      EXPECT_EQ(cv::norm(read, part, cv::NORM_INF), 0.0) << type << ", " << i;
+    }
+  }
+}
+
+TEST(ImageCodec, WhatLibpngDoesNotReadOpenCvDoes) {
+  const cv::Mat transparent = Gradient(CV_8UC4);
+  EXPECT_EQ(EncodePng(transparent, {}), "");
+  const std::string bytes = EncodeImage(".png", transparent);
+  EXPECT_TRUE(DecodePng(bytes).empty());
+  EXPECT_EQ(cv::norm(DecodeImage(bytes, cv::IMREAD_UNCHANGED), transparent, cv::NORM_INF), 0.0);
+  const std::string two_levels =
+      EncodeImage(".png", Gradient(CV_8UC1), {cv::IMWRITE_PNG_BILEVEL, 1});
+  EXPECT_TRUE(DecodePng(two_levels).empty());
+  EXPECT_FALSE(DecodeImage(two_levels, cv::IMREAD_UNCHANGED).empty());
+  const cv::Mat colour = Gradient(CV_8UC3);
+  EXPECT_EQ(DecodeImage(EncodeImage(".png", colour), cv::IMREAD_GRAYSCALE).type(), CV_8UC1);
+}
+
+TEST(ImageCodec, FloatTiff) {
+  const cv::Mat depth = Gradient(CV_32FC1);
+  const std::string bytes = EncodeImage(".tiff", depth);
+  EXPECT_TRUE(DecodeFloatTiff(bytes).has_value());
+  const cv::Mat read = DecodeImage(bytes, cv::IMREAD_UNCHANGED);
+  ASSERT_EQ(read.type(), CV_32FC1);
+  EXPECT_EQ(cv::norm(read, depth, cv::NORM_INF), 0.0);
+  EXPECT_FALSE(DecodeFloatTiff(EncodeImage(".tiff", Gradient(CV_16UC1))).has_value());
+}
+
+// A changed byte may change pixels, but must not crash or read outside of the file.
+TEST(ImageCodec, DamagedFilesAreReadOrRefused) {
+  const std::string png = EncodeImage(".png", Gradient(CV_16UC1));
+  const std::string tiff = EncodeImage(".tiff", Gradient(CV_32FC1));
+  for (std::size_t i = 0; i < png.size(); ++i) {
+    EXPECT_TRUE(DecodePng(png.substr(0, i)).empty());
+    std::string damaged = png;
+    damaged[i] = static_cast<char>(damaged[i] ^ 0x55);
+    DecodePng(damaged);
+  }
+  for (std::size_t i = 0; i < tiff.size(); ++i) {
+    EXPECT_FALSE(DecodeFloatTiff(tiff.substr(0, i)).has_value()) << i;
+    std::string damaged = tiff;
+    damaged[i] = static_cast<char>(damaged[i] ^ 0x55);
+    const auto image = DecodeFloatTiff(damaged);
+    if (image) {
+      EXPECT_EQ(static_cast<int>(image->values.size()), image->width_px * image->height_px);
+    }
   }
 }
 
