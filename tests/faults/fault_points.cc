@@ -23,8 +23,21 @@ namespace {
 namespace fs = std::filesystem;
 using Files = std::map<std::string, std::string>;  // content by path
 
+// Small images and few things: every fault renders it twice.
+constexpr const char* kScene = R"({
+  "name": "dot", "about": "A rolling ball in a bare room: two frames", "seed": 1, "look_seed": 5,
+  "rig": {"width_px": 240, "height_px": 180, "focal_px": 170, "baseline_m": 0.12},
+  "frames": 2, "rate_hz": 30,
+  "room": {"size_m": [4.4, 4.4, 2.5], "shelves": 0, "tables": 0, "crates": 1, "posters": 1},
+  "light": {"shadow_range_m": 5.0},
+  "camera": {"route": {"points": [[-1.2, -0.1], [-1.1, 0.0], [-1.05, 0.2]], "speed_mps": 0.35},
+             "height_m": 1.1, "look_at": {"points": [[1.0, 0.0, 0.5], [1.0, 0.05, 0.5]]}},
+  "objects": [{"name": "ball_1", "model": "ball", "size_m": 0.5,
+               "path": {"route": {"points": [[0.55, -0.9], [0.6, 0.0], [0.5, 0.9]],
+                                  "speed_mps": 0.7}}}]
+})";
 constexpr const char* kSuite = R"({
-  "name": "faults", "sequences": [{"scene": "tiny", "frames": "0:2", "detections": "good"}],
+  "name": "faults", "sequences": [{"scene": "dot.json", "detections": "good"}],
   "variants": ["full", "static"], "seeds": 1, "landmarks": true,
   "table": {"rows": ["variant"], "metrics": ["camera_ate"]}
 })";
@@ -45,7 +58,10 @@ struct Share {
 
 class FaultTest {
  public:
-  FaultTest() { folder_.Write("suite.json", kSuite); }
+  FaultTest() {
+    folder_.Write("dot.json", kScene);
+    folder_.Write("suite.json", kSuite);
+  }
 
   void Run(const Share& share, bool drawn) {
     Undisturbed();
