@@ -94,8 +94,9 @@ FeatureFile::FeatureFile(FileDescriptor file, const std::string& name, const std
 std::string FeatureFile::Read(std::uint64_t offset, std::uint64_t count) const {
   const bool there = count <= size_bytes_ && offset <= size_bytes_ - count;
   std::string bytes(there ? count : 0, '\0');
-  if (!there ||
-      ReadUpTo(file_, bytes.data(), count, offset) != static_cast<std::ptrdiff_t>(count)) {
+  const std::ptrdiff_t read = there ? ReadUpTo(file_, bytes.data(), count, offset) : 0;
+  if (read < 0) ThrowErrno(name_, "read", errno);
+  if (!there || read != static_cast<std::ptrdiff_t>(count)) {
     ThrowError(name_, StrCat(SizeOf(file_, name_), " bytes"),
                StrCat(count, " from the byte ", offset));
   }
