@@ -17,12 +17,13 @@ namespace {
 // their defaults.
 int OptionsAtDefault(const PlannedRun& run, const Table& table) {
   int count = 0;
-  for (const auto& [key, value] : run.keys) {
-    if (!IsOption(key)) continue;
-    const bool known = std::any_of(table.provenance.options.begin(), table.provenance.options.end(),
-                                   [&](const ChangedOption& option) {
-                                     return option.path == key && option.default_value == value;
-                                   });
+  for (const auto& key : run.keys) {
+    if (!IsOption(key.first)) continue;
+    const auto is_default = [&](const ChangedOption& option) {
+      return option.path == key.first && option.default_value == key.second;
+    };
+    const bool known =
+        std::any_of(table.provenance.options.begin(), table.provenance.options.end(), is_default);
     count += known ? 0 : -1;
   }
   return count;
