@@ -68,6 +68,15 @@ void FrontEndRecording::Add(const FrontEndFrame& frame) {
   }
 }
 
+void FrontEndRecording::AddFrames(const FeatureFile& file, std::size_t count) {
+  if (!writer_) return;
+  try {
+    for (std::size_t i = 0; i < count; ++i) writer_->Add(file.Frame(i));
+  } catch (const std::exception& error) {
+    StopRecording(error.what());
+  }
+}
+
 void FrontEndRecording::Finish(const std::string& key) {
   if (!writer_ || key.empty()) return;
   try {

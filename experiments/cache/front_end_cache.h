@@ -41,6 +41,8 @@ class FrontEndRecording {
   FrontEndRecording(std::filesystem::path folder, std::uint64_t limit_bytes, Notice notice);
 
   void Add(const FrontEndFrame& frame);
+  // Adds the first frames of a file that was found damaged after them.
+  void AddFrames(const FeatureFile& file, std::size_t count);
   // Publishes the entry. Without this call, or with an empty key, there is no entry.
   void Finish(const std::string& key);
 

@@ -31,9 +31,14 @@ FrontEndSettings Settings(const FrameInput& input) {
 class RecordedFrames final : public FrameSource {
  public:
   RecordedFrames(const FrameInput& input, TaskPool& pool)
+      : RecordedFrames(input, {}, input.cache->Record(), pool) {}
+  // From the frame after these images on; `recording` has the frames of these.
+  RecordedFrames(const FrameInput& input, std::vector<ImageHashes> images,
+                 FrontEndRecording recording, TaskPool& pool)
       : input_(input),
-        frames_(input.sequence, input.options, pool),
-        recording_(input.cache->Record()) {}
+        frames_(input.sequence, input.options, pool, images.size()),
+        recording_(std::move(recording)),
+        images_(std::move(images)) {}
 
   PreparedFrame Next() override {
     ExtractedFrame extracted = frames_.Extract();
@@ -54,7 +59,8 @@ class RecordedFrames final : public FrameSource {
   std::vector<ImageHashes> images_;
 };
 
-// Reads frames from the cache. If one is damaged, extracts this one and all after it.
+// Reads frames from the cache. If one cannot be read, extracts this one and all after it, and makes
+// the entry again.
 class CachedFrames final : public FrameSource {
  public:
   CachedFrames(const FrameInput& input, std::vector<ImageHashes> images, std::string key,
@@ -70,9 +76,13 @@ class CachedFrames final : public FrameSource {
     if (file_) {
       ExtractedFrame cached;
       if (Load(index, cached)) return Prepare(input_.sequence, index, std::move(cached));
-      rest_.emplace(input_.sequence, input_.options, pool_, index);
+      ExtractFrom(index);
     }
     return rest_->Next();
+  }
+
+  void Finish() override {
+    if (rest_) rest_->Finish();
   }
 
  private:
@@ -84,17 +94,24 @@ class CachedFrames final : public FrameSource {
       return true;
     } catch (const std::exception& damage) {
       input_.cache->Remove(key_, damage.what());
-      file_.reset();
       return false;
     }
   }
 
+  void ExtractFrom(std::size_t index) {
+    FrontEndRecording recording = input_.cache->Record();
+    recording.AddFrames(*file_, index);
+    file_.reset();
+    images_.resize(index);
+    rest_.emplace(input_, std::move(images_), std::move(recording), pool_);
+  }
+
   const FrameInput input_;
-  const std::vector<ImageHashes> images_;
+  std::vector<ImageHashes> images_;
   std::string key_;
   std::optional<FeatureFile> file_;
   TaskPool& pool_;
-  std::optional<LookAhead> rest_;
+  std::optional<RecordedFrames> rest_;
   std::size_t next_ = 0;
 };
 

@@ -6,11 +6,13 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reports/results/body_row.h"
 #include "reports/results/build_info.h"
 #include "reports/results/metric_value.h"
+#include "reports/results/schema_2.h"
 
 namespace cvo::reports {
 
@@ -122,6 +124,11 @@ struct RunSummary {
   BuildInfo build;
   std::vector<MetricValue> metrics;
   std::optional<RunBodies> bodies;  // empty without truth
+  int upgraded_from = 0;            // schema version of the file, if it is not the present one
+
+  static Json Upgraded(Json json, const std::string& where) {
+    return UpgradedFromSchema2(std::move(json), where);
+  }
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -138,6 +145,7 @@ struct RunSummary {
     archive.Added("build", self.build);
     archive.Added("metrics", self.metrics);
     archive.Added("bodies", self.bodies);
+    archive.Optional("upgraded_from", self.upgraded_from);
   }
 };
 

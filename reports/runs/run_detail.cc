@@ -20,6 +20,8 @@ struct FramesOfRun {
 
   std::vector<CameraFrame> frames;
 
+  static Json Upgraded(Json json, const std::string&) { return json; }  // schema 2 has the same
+
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
     archive.Field("frames", self.frames);

@@ -193,6 +193,13 @@ std::vector<std::string> TableNotes(const std::vector<SuiteRun>& runs, const Tab
                    ": images or calibration perturbed: ", run.run->sequence.perturbation->dump()),
             notes);
   }
+  const auto older = std::count_if(runs.begin(), runs.end(), [](const SuiteRun& run) {
+    return run.run && run.run->upgraded_from != 0;
+  });
+  if (older > 0) {
+    notes.push_back(StrCat(older, " of ", runs.size(),
+                           " results are of schema 2: comparable only with each other"));
+  }
   for (const std::string& pooled : PooledKeys(runs, table.keys)) {
     notes.push_back("rows are means over " + pooled);
   }

@@ -10,11 +10,10 @@
 #include <string>
 #include <tiffio.hxx>
 
+#include "core/files/images/image_limits.h"
+
 namespace cvo {
 namespace {
-
-constexpr std::uint32_t kMaxSide_px = 1 << 15;
-constexpr std::size_t kMaxRatio = 1032;  // largest compression ratio of deflate
 
 // libtiff prints its messages unless told otherwise.
 void Silence() {
@@ -54,7 +53,7 @@ std::optional<FloatImage> DecodeFloatTiff(std::string_view bytes) {
   const auto height = Field<std::uint32_t>(file.get(), TIFFTAG_IMAGELENGTH);
   if (width == 0 || height == 0 || width > kMaxSide_px || height > kMaxSide_px) return std::nullopt;
   const std::size_t size = sizeof(float) * width * height;
-  if (size / kMaxRatio > bytes.size()) return std::nullopt;
+  if (!CanHold(bytes.size(), size)) return std::nullopt;
 
   FloatImage image{static_cast<int>(width), static_cast<int>(height), {}};
   image.values.resize(size / sizeof(float));

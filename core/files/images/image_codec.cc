@@ -14,9 +14,10 @@ namespace {
 using Decoder = cv::Mat(cv::InputArray, int);
 using Encoder = decltype(cv::imencode);
 
-// Returns an image of a common kind, without OpenCV's library; empty for other kinds.
-cv::Mat DecodeCommon(std::string_view bytes) {
-  if (bytes.starts_with("\x89PNG")) return DecodePng(bytes);
+// Returns an image of a common kind as it is stored, without OpenCV's library. Empty for other
+// kinds and, if only grey is wanted, for colours.
+cv::Mat DecodeCommon(std::string_view bytes, bool only_grey) {
+  if (bytes.starts_with("\x89PNG")) return DecodePng(bytes, only_grey);
   if (!bytes.starts_with("II*") && !bytes.starts_with("MM")) return {};
   std::optional<FloatImage> image = DecodeFloatTiff(bytes);
   if (!image) return {};
@@ -28,8 +29,9 @@ cv::Mat DecodeCommon(std::string_view bytes) {
 cv::Mat DecodeImage(std::string_view bytes, int flags) {
   if (bytes.empty()) return {};
   if (flags == cv::IMREAD_UNCHANGED || flags == cv::IMREAD_GRAYSCALE) {
-    cv::Mat image = DecodeCommon(bytes);
-    if (!image.empty() && (flags == cv::IMREAD_UNCHANGED || image.type() == CV_8UC1)) return image;
+    const bool only_grey = flags == cv::IMREAD_GRAYSCALE;
+    cv::Mat image = DecodeCommon(bytes, only_grey);
+    if (!image.empty() && (!only_grey || image.type() == CV_8UC1)) return image;
   }
   static const auto decode =
       FindFunction<Decoder>(CVO_IMAGE_CODECS, "_ZN2cv8imdecodeERKNS_11_InputArrayEi");

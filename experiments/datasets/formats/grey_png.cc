@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "core/files/images/image_limits.h"
 #include "experiments/datasets/formats/png.h"
 
 namespace cvo {
@@ -69,8 +70,7 @@ bool Unfilter(int filter, ConstRow filtered, ConstRow above, Row row) {
 // Returns the rows of an image, each preceded by the byte that selects its filter. Refuses a size
 // that so few bytes cannot hold before allocating memory for it.
 std::optional<std::vector<std::uint8_t>> Inflate(const std::string& compressed, std::size_t size) {
-  constexpr std::size_t kMaxRatio = 1032;  // largest compression ratio of deflate
-  if (size / kMaxRatio > compressed.size()) return std::nullopt;
+  if (!CanHold(compressed.size(), size)) return std::nullopt;
   const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)>
       decompressor(libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
   std::vector<std::uint8_t> bytes(size);

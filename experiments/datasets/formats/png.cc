@@ -12,6 +12,7 @@
 
 #include "core/base/error.h"
 #include "core/files/images/image_codec.h"
+#include "core/files/images/image_limits.h"
 #include "core/files/text_file.h"
 
 namespace cvo {
@@ -21,7 +22,6 @@ constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
 // Signature, then length, "IHDR", width, height, bit depth, colour type, ...
 constexpr std::size_t kHeaderBytes = 26;
 constexpr std::size_t kChunkOverhead = 12;  // length, type, CRC
-constexpr std::uint32_t kMaxSide_px = 1 << 15;
 constexpr int kColourTypeGrey = 0;
 constexpr int kColourTypeGreyAlpha = 4;
 

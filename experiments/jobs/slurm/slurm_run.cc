@@ -177,25 +177,38 @@ void SlurmRun::Follow(const SlurmQueue& queue) {
   ReportPendingReasons(queue);
 }
 
+// Whether the queue and the end file have contradicted each other for long enough that neither will
+// change.
+bool SlurmRun::IsSettled(std::size_t task) {
+  const auto since = contradicted_.emplace(task, Clock::now()).first->second;
+  return Clock::now() - since >= std::chrono::duration<double>(options_.latency_s);
+}
+
 // Returns nothing while the task is in the queue or its end file may still arrive.
 std::optional<TaskEnd> SlurmRun::Judge(const Followed& followed, std::size_t number,
                                        const SlurmTask* entry,
                                        const std::map<std::size_t, SlurmEnd>& ends) {
   const std::size_t task = followed.open.at(number);
-  if (entry != nullptr && !IsTaskFinished(entry->state)) {
-    missed_.erase(task);
-    return std::nullopt;
-  }
+  const auto end = ends.find(number);
   std::string state = entry == nullptr ? "" : entry->state;
-  const bool by_itself = state.empty() || state == "COMPLETED" || state == "FAILED";
-  if (by_itself) {
-    if (const auto end = ends.find(number); end != ends.end()) {
-      return EndByCode(tasks_[task], end->second);
-    }
-    const auto since = missed_.emplace(task, Clock::now()).first->second;
-    if (Clock::now() - since < std::chrono::duration<double>(options_.latency_s)) {
+  if (entry != nullptr && !IsTaskFinished(state)) {
+    const bool started = state == "RUNNING" || state == "COMPLETING";
+    if (!started || end == ends.end()) {
+      contradicted_.erase(task);
       return std::nullopt;
     }
+    if (!IsSettled(task)) return std::nullopt;
+    // A controller that crashed may not know that a task has ended, and would reserve its
+    // processors and memory until its time limit.
+    hooks_.notice(StrCat("slurm: job ", followed.job, "_", number,
+                         " has ended, but Slurm reports it as ", state, ": cancelled"));
+    client_.Cancel({StrCat(followed.job, "_", number)});
+    return EndByCode(tasks_[task], end->second);
+  }
+  const bool by_itself = state.empty() || state == "COMPLETED" || state == "FAILED";
+  if (by_itself) {
+    if (end != ends.end()) return EndByCode(tasks_[task], end->second);
+    if (!IsSettled(task)) return std::nullopt;
   }
   if (state.empty() && setup_.accounting) state = client_.AccountedState(followed.job, number);
   if (state == "COMPLETED") return TaskEnd{true, "", 0.0};

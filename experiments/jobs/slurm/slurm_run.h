@@ -51,6 +51,7 @@ class SlurmRun {
   void SubmitArray(std::size_t count);
   void Refused(std::size_t count, const SlurmSubmitted& submitted);
   void Follow(const SlurmQueue& queue);
+  bool IsSettled(std::size_t task);
   std::optional<TaskEnd> Judge(const Followed& followed, std::size_t number, const SlurmTask* entry,
                                const std::map<std::size_t, SlurmEnd>& ends);
   void ReportPendingReasons(const SlurmQueue& queue);
@@ -66,8 +67,9 @@ class SlurmRun {
   SlurmSetup setup_;
   std::vector<Followed> followed_;
   std::deque<std::size_t> waiting_;  // tasks not submitted yet
-  std::map<std::size_t, Clock::time_point>
-      missed_;  // tasks that left the queue without a recorded end: since when
+  // Tasks that left the queue without an end file, or have one and are still running there: since
+  // when.
+  std::map<std::size_t, Clock::time_point> contradicted_;
   Room room_;
   std::string reported_reason_;  // why tasks are pending, as last reported
 };

@@ -136,7 +136,7 @@ TEST_F(RunnerCache, ExtractsAgainOnlyIfTheFeaturesWouldChange) {
   EXPECT_FALSE(hit);
 }
 
-TEST_F(RunnerCache, DamageOnlyCostsTime) {
+TEST_F(RunnerCache, DamageCostsTimeOnce) {
   bool hit = true;
   const std::string plain = Cached(Request(), hit);
   const fs::path entry = features() / NamesIn(features()).at(0);
@@ -150,6 +150,7 @@ TEST_F(RunnerCache, DamageOnlyCostsTime) {
     notices_.clear();
     EXPECT_EQ(Cached(Request("static", 1 + static_cast<int>(i % 3)), hit), plain) << at;
     EXPECT_THAT(notices_, SizeIs(1)) << at;
+    EXPECT_EQ(ReadFileBytes(entry), whole) << "damaged at " << at << ", not made again";
   }
 }
 

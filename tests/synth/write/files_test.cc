@@ -10,6 +10,7 @@
 
 #include "core/base/rng.h"
 #include "core/files/host_name.h"
+#include "core/files/images/float_tiff.h"
 #include "core/files/images/image_codec.h"
 #include "synth/write/folder_build.h"
 #include "synth/write/image_encoding.h"
@@ -54,6 +55,21 @@ TEST(EncodeDepthTiff, IsLosslessAndSmall) {
   EXPECT_EQ(cv::norm(read, depth, cv::NORM_INF), 0.0);
   EXPECT_LT(bytes.size(), depth.total() * sizeof(float) / 4);
   EXPECT_EQ(bytes, EncodeDepthTiff(depth));
+}
+
+// A changed byte may change depths, but must not crash or read outside of the file.
+TEST(EncodeDepthTiff, DamagedFilesAreReadOrRefused) {
+  const std::string whole = EncodeDepthTiff(cv::Mat(32, 48, CV_32FC1, cv::Scalar(1.5)));
+  ASSERT_TRUE(DecodeFloatTiff(whole));
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    EXPECT_FALSE(DecodeFloatTiff(whole.substr(0, i))) << i;
+    std::string damaged = whole;
+    damaged[i] = static_cast<char>(damaged[i] ^ 0x55);
+    const auto image = DecodeFloatTiff(damaged);
+    if (image) {
+      EXPECT_EQ(static_cast<int>(image->values.size()), image->width_px * image->height_px);
+    }
+  }
 }
 
 TEST(EncodePng, MasksAndImagesAreLossless) {

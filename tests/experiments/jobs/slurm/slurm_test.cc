@@ -204,6 +204,28 @@ TEST_F(SlurmEngineTest, ATaskWithoutAnExitCodeFailsAlone) {
   EXPECT_THAT(output.ends["lost"].front().message, StartsWith("failed in Slurm (FAILED)"));
 }
 
+// As after a crash of the controller between the end of a task and the next save of its state.
+TEST_F(SlurmEngineTest, ATaskWhoseEndSlurmMissedIsCancelled) {
+  const std::vector<Task> tasks = {Shell("ended", "sleep 600"), Shell("fine", "sleep 2")};
+  EngineOutput output;
+  EngineHooks hooks = Hooks(tasks, output);
+  hooks.stop = [&] {
+    if (Starts("ended") == 0) return false;
+    for (const fs::directory_entry& array : fs::directory_iterator(options_.folder)) {
+      std::ofstream(array.path() / "end" / "0") << "0 100.0 101.5\n";
+    }
+    return false;
+  };
+  SlurmEngine(options_).Run(tasks, hooks);
+  ASSERT_EQ(output.ends.size(), 2u);
+  EXPECT_TRUE(output.ends["ended"].front().ok);
+  EXPECT_EQ(output.ends["ended"].front().seconds, 1.5);
+  EXPECT_TRUE(output.ends["fine"].front().ok);
+  EXPECT_THAT(output.notices, Contains(HasSubstr("but Slurm reports it as RUNNING: cancelled")));
+  EXPECT_TRUE(WaitUntil([] { return Printed({"squeue", "--noheader"}).empty(); }));
+  EXPECT_TRUE(NothingLeft());
+}
+
 TEST_F(SlurmEngineTest, ResumesTheTasksOfAKilledRunner) {
   const std::string wait = "for i in $(seq 300); do [ -e \"${1%/*}/go\" ] || sleep 0.1; done";
   std::vector<Task> tasks;
