@@ -113,7 +113,9 @@ std::vector<Parser> SuiteParsers() {
 std::vector<Parser> ResultParsers() {
   using namespace reports;
   return {
-      {"result", {Golden("result")}, [](const fs::path& file) { ReadRun(file, AllMetricNames()); }},
+      {"result",
+       {Golden("result"), Golden("result_2")},
+       [](const fs::path& file) { ReadRun(file, AllMetricNames()); }},
       {"timing", {Golden("timing")}, [](const fs::path& file) { ReadRecord<TimingData>(file); }},
       {"truth", {Golden("truth")}, [](const fs::path& file) { ReadRecord<TruthData>(file); }},
       {"table",

@@ -260,6 +260,7 @@ class KillTest {
       }
       const bool disturb = disturbed_ < count;
       WaitUntilAnyEnds(disturb ? rng_.Uniform(0.0, longest_s) : kPatience_s);
+      if (cluster_) cluster_->Repair();
       Runner* const victim = &runners_[rng_.UniformInt(kRunners)];
       if (disturb && victim->process != 0 && !HasEnded(victim->process)) Disturb(*victim);
       bool all_done = true;

@@ -13,6 +13,7 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
+#include <sstream>
 #include <thread>
 #include <utility>
 
@@ -202,6 +203,18 @@ void SlurmCluster::StartNode() {
 }
 
 void SlurmCluster::KillNode() { daemon_.clear(); }
+
+void SlurmCluster::Repair() const {
+  const std::string state = Run({"sinfo", "--noheader", "--format=%T"}).out;
+  if (state.find("drain") != std::string::npos) {
+    Run({"scontrol", "update", "NodeName=" + node_, "State=RESUME"});
+  }
+  std::istringstream tasks(Run({"squeue", "--noheader", "--array", "--format=%F_%K %r"}).out);
+  for (std::string task; std::getline(tasks, task);) {
+    if (task.find("held") == std::string::npos) continue;
+    Run({"scontrol", "release", task.substr(0, task.find(' '))});
+  }
+}
 
 void SlurmCluster::WriteConfig() const {
   for (const char* name : {"munge", "state", "spool"}) {

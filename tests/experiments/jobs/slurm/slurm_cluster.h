@@ -62,6 +62,9 @@ class SlurmCluster {
   // The daemon of the node. Tasks that it has started continue without it.
   void StartNode();
   void KillNode();
+  // What an administrator does after a crash: puts a drained node back into service and releases
+  // held tasks.
+  void Repair() const;
 
  private:
   void WriteConfig() const;
