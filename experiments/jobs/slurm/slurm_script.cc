@@ -16,7 +16,8 @@ constexpr double kBytesPerKib = 1024.0;
 
 // `timeout` runs in its own subshell, so that the memory limit applies to the task alone. A second
 // try may start while the first still runs on a node that Slurm gave up: each writes its own
-// temporary file.
+// temporary file. If the disk is full, the task waits with its end for up to ten minutes: without
+// the file, a crash of Slurm's controller could leave it running there until its time limit.
 constexpr const char* kRunCommand = R"sh(
 rm -f -- "$end/$index" "$log" || exit
 start=$(date +%s.%N)
@@ -27,7 +28,13 @@ start=$(date +%s.%N)
 ) >"$log" 2>&1
 code=$?
 new="$end/.$index.${SLURM_JOB_ID:-0}.${SLURM_RESTART_COUNT:-0}.$$"
-printf '%s %s %s\n' "$code" "$start" "$(date +%s.%N)" >"$new" && mv -f -- "$new" "$end/$index"
+line="$code $start $(date +%s.%N)"
+tries=600
+until printf '%s\n' "$line" >"$new" && mv -f -- "$new" "$end/$index"; do
+  tries=$((tries - 1))
+  [ "$tries" -gt 0 ] && [ -d "$end" ] || break
+  sleep 1
+done
 exit "$code"
 )sh";
 

@@ -204,6 +204,17 @@ TEST_F(SlurmEngineTest, ATaskWithoutAnExitCodeFailsAlone) {
   EXPECT_THAT(output.ends["lost"].front().message, StartsWith("failed in Slurm (FAILED)"));
 }
 
+TEST_F(SlurmEngineTest, ATaskWritesItsEndWhenTheDiskIsNoLongerFull) {
+  const Programs programs("mv", R"sh(#!/bin/sh
+echo x >>"${0%/*}/calls"
+[ $(wc -l <"${0%/*}/calls") -gt 2 ] || exit 1
+exec /bin/mv "$@"
+)sh");
+  const EngineOutput output = RunAll({Shell("fine", "true")});
+  EXPECT_TRUE(output.ends.at("fine").front().ok);
+  EXPECT_EQ(LinesOf(programs.folder() / "calls"), 3u);
+}
+
 // As after a crash of the controller between the end of a task and the next save of its state.
 TEST_F(SlurmEngineTest, ATaskWhoseEndSlurmMissedIsCancelled) {
   const std::vector<Task> tasks = {Shell("ended", "sleep 600"), Shell("fine", "sleep 2")};
