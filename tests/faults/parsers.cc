@@ -7,7 +7,9 @@
 
 #include "core/base/error.h"
 #include "core/files/csv_file.h"
+#include "core/files/images/float_tiff.h"
 #include "core/files/images/image_codec.h"
+#include "core/files/images/png_codec.h"
 #include "core/files/json/options_json.h"
 #include "core/files/text_file.h"
 #include "core/interface/options.h"
@@ -36,6 +38,7 @@
 #include "reports/tables/table_json.h"
 #include "synth/family/family.h"
 #include "synth/scene/description.h"
+#include "synth/write/image_encoding.h"
 #include "synth/write/manifest.h"
 
 namespace cvo::test {
@@ -65,11 +68,12 @@ std::string Repeated(const std::string& text, int times) {
   return all;
 }
 
-std::string GreyPng() {
-  cv::Mat image(6, 9, CV_8UC1);
+cv::Mat RandomImage(int type) {
+  cv::Mat image(6, 9, type);
   cv::randu(image, 0, 256);
-  return EncodeImage(".png", image);
+  return image;
 }
+std::string Png(int type) { return EncodeImage(".png", RandomImage(type)); }
 
 std::string SceneManifest() {
   synth::Manifest manifest;
@@ -221,9 +225,15 @@ std::vector<Parser> SequenceParsers() {
          (void)FindPngDamage(ReadFileBytes(file));
          ReadPngHeader(file);
        }},
-      {"grey.png", {GreyPng()}, [](const fs::path& file) {
-         (void)DecodeGreyPng(ReadFileBytes(file));
-       }}};
+      {"grey.png",
+       {Png(CV_8UC1)},
+       [](const fs::path& file) { (void)DecodeGreyPng(ReadFileBytes(file)); }},
+      {"any.png",
+       {Png(CV_8UC3), Png(CV_16UC1)},
+       [](const fs::path& file) { (void)DecodePng(ReadFileBytes(file)); }},
+      {"depth.tiff",
+       {EncodeImage(".tiff", RandomImage(CV_32FC1)), synth::EncodeDepthTiff(RandomImage(CV_32FC1))},
+       [](const fs::path& file) { (void)DecodeFloatTiff(ReadFileBytes(file)); }}};
 }
 
 }  // namespace
