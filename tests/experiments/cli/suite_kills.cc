@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 // suite_kills KILLS [SEED [slurm]]: runs a suite undisturbed once, and then repeatedly by two
-// concurrent runners, each with its own folder and both with the same cache. At random moments, a
-// runner, a worker or all processes are killed, the disk is full for a while, or all files on it
-// get timestamps from the future, as after a clock was set back. Processes that ended are
-// restarted. Every file of every result, and the tables, must have the same bytes as without
-// disturbance. `slurm`: the jobs run on a Slurm of this program's own, whose controller and node
-// daemon are killed too.
+// concurrent runners with a folder each and one cache. At random moments, a runner, a worker or all
+// processes are killed, the disk is full for a while, or all files on it get timestamps from the
+// future, as after a clock was set back. Processes that ended are restarted. Every file of every
+// result, and the tables, must have the same bytes as without disturbance. `slurm`: the jobs run on
+// a Slurm of this program's own, whose controller and node daemon are killed too.
 #include <fcntl.h>
 #include <sched.h>
 #include <sys/mount.h>
