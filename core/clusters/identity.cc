@@ -76,11 +76,20 @@ const LostCluster* FindPredecessor(const Cluster& found, const std::vector<LostC
   return second - least > options.min_lead ? best : nullptr;
 }
 
-// Angular velocity of the body at its i-th pose, in world, rad/s.
+bool IsEstimated(const ClusterState&) { return true; }
+bool IsEstimated(const ClusterPose& pose) { return pose.status == ClusterStatus::kTracked; }
+
+// Angular velocity of the body at its i-th pose, in world, rad/s. Predicted poses say nothing about
+// it: those after a cluster's first state repeat its rotation.
 template <typename Pose>
 Eigen::Vector3d TurnRate(std::span<const Pose> poses, std::size_t i) {
-  const Pose& before = poses[i > 0 ? i - 1 : i];
-  const Pose& after = poses[i + 1 < poses.size() ? i + 1 : i];
+  const auto is_estimated = [](const Pose& pose) { return IsEstimated(pose); };
+  const auto earlier = poses.first(i);
+  const auto later = poses.subspan(i + 1);
+  const auto last = std::find_if(earlier.rbegin(), earlier.rend(), is_estimated);
+  const auto next = std::find_if(later.begin(), later.end(), is_estimated);
+  const Pose& before = last != earlier.rend() ? *last : poses[i];
+  const Pose& after = next != later.end() ? *next : poses[i];
   if (before.timestamp_ns == after.timestamp_ns) return Eigen::Vector3d::Zero();
   return LogSo3(Eigen::Quaterniond(after.world_from_object.rotation() *
                                    before.world_from_object.rotation().conjugate())) /

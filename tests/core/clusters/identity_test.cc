@@ -200,6 +200,40 @@ TEST(AlignInheritedFrames, AdjustsTheFrameUntilThereAreEnoughBoxes) {
   EXPECT_NEAR(r.FoundX(), 1.0 + 0.9 * 0.5 * 0.4, 1e-6);
 }
 
+TEST(AlignInheritedFrames, PlacingAgainWithoutNewKnowledgeChangesNothing) {
+  // Seen in frames 17 and 20, turning fast; predicted between, with the rotation of frame 17.
+  Return r;
+  r.map.trajectories.erase(ClusterId{2});
+  r.map.live = {r.Make(2, {{17, At(0.8)}, {20, At(1.1, 1.5)}})};
+  r.map.live[0].detections = r.options.confirm_detections;
+  std::vector<ClusterPose>& found = r.map.trajectories.at(ClusterId{2}).poses;
+  for (const std::int64_t frame : {18, 19}) {
+    found.push_back(found.front());
+    found.back().frame = frame;
+    found.back().timestamp_ns = frame * kInterval_ns;
+    found.back().status = ClusterStatus::kPredicted;
+  }
+  const Eigen::Matrix3d nothing = 1e-12 * Eigen::Matrix3d::Identity();
+  r.map.archived[0].box_center.Add(Eigen::Vector3d::Zero(), nothing);
+  r.map.live[0].box_center.Add(Eigen::Vector3d::Zero(), nothing);
+  ASSERT_EQ(r.Found(), 1);
+  const std::vector<ClusterState>& states = r.map.live[0].states;
+  const RigidTransform placed = states.back().world_from_object;
+  std::vector<ClusterPose>& poses = r.map.trajectories.at(ClusterId{1}).poses;
+  poses.push_back(
+      test::PoseInFrame(20, 20 * kInterval_ns, ClusterStatus::kTracked, placed, poses.back()));
+  Rng rng(0, "identity");
+  for (int frame = 0; frame < 20; ++frame) {
+    for (const ClusterState& state : states) {  // as at the end of every frame
+      ClusterPose& pose = *FirstPoseFrom(state.frame.value, r.map.trajectories.at(ClusterId{1}));
+      pose.world_from_object = state.world_from_object;
+      pose.velocity_m_s = state.velocity_m_s;
+    }
+    AlignInheritedFrames(r.Step(), r.map, rng);
+    EXPECT_LT(states.back().world_from_object.Minus(placed).norm(), 1e-9) << frame;
+  }
+}
+
 TEST(InheritIdentities, VelocitiesReferToTheNewOrigin) {
   Return r;
   r.map.live[0].box_center.Add({0.3, 0.0, 0.2}, Eigen::Matrix3d::Identity());
