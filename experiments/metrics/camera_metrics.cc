@@ -74,6 +74,14 @@ void AddRpe(const CommonPoses& poses, const Frames& frames, std::vector<Metric>&
   }
 }
 
+void AddPathError(const CommonPoses& poses, const Frames& frames, std::vector<Metric>& metrics) {
+  const auto lengths = ConsecutiveLengths(poses);
+  if (!lengths || !(lengths->truth_m > 0.0)) return;
+  metrics.push_back(frames.Make(kCameraPathError,
+                                100.0 * std::abs(lengths->estimate_m / lengths->truth_m - 1.0),
+                                lengths->pairs));
+}
+
 void AddDrift(const KittiDrift& drift, const Frames& frames, std::vector<Metric>& metrics) {
   const auto add = [&](MetricId id, double value) {
     metrics.push_back(frames.Make(id, value, drift.segments));
@@ -112,6 +120,7 @@ std::vector<Metric> EvaluateCamera(const OptionalPoses& truth, const OptionalPos
   AddAte(poses, frames, metrics);
   AddRpe(poses, frames, metrics);
   if (const auto drift = ComputeKittiDrift(truth, estimate)) AddDrift(*drift, frames, metrics);
+  AddPathError(poses, frames, metrics);
   AddMaxDrift(poses, frames, metrics);
   for (const Metric& metric : metrics) {
     if (!std::isfinite(metric.value)) ThrowError(metric.name, "an overflow", "a finite number");

@@ -227,4 +227,18 @@ std::optional<RelativeErrors> MotionErrors(const CommonPoses& poses) {
   });
 }
 
+std::optional<ComparedPaths> ConsecutiveLengths(const CommonPoses& poses) {
+  ComparedPaths lengths;
+  const auto step = [](const std::vector<RigidTransform>& path, std::size_t i) {
+    return (path[i + 1].translation() - path[i].translation()).norm();
+  };
+  for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
+    if (poses.frames[i + 1] != poses.frames[i] + 1) continue;
+    lengths.truth_m += step(poses.truth, i);
+    lengths.estimate_m += step(poses.estimate, i);
+    ++lengths.pairs;
+  }
+  return lengths.pairs > 0 ? std::optional(lengths) : std::nullopt;
+}
+
 }  // namespace cvo

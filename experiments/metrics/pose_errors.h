@@ -47,4 +47,12 @@ inline constexpr std::size_t kMaxPairedRotations = 100'000;
 //   E = G_i^-1 (G_j G_i^-1)^-1 (P_j P_i^-1) G_i.
 [[nodiscard]] std::optional<RelativeErrors> MotionErrors(const CommonPoses& poses);
 
+// Lengths of the paths over the pairs (i, i + 1) of consecutive frames; empty if there are none.
+struct ComparedPaths {
+  double truth_m = 0.0;
+  double estimate_m = 0.0;
+  std::int64_t pairs = 0;
+};
+[[nodiscard]] std::optional<ComparedPaths> ConsecutiveLengths(const CommonPoses& poses);
+
 }  // namespace cvo

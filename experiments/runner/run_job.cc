@@ -20,6 +20,7 @@ std::vector<Metric> AllMetrics(const RunScores& scores) {
   all.insert(all.end(), scores.causal.begin(), scores.causal.end());
   all.insert(all.end(), scores.clustering.begin(), scores.clustering.end());
   all.insert(all.end(), scores.boxes.begin(), scores.boxes.end());
+  all.insert(all.end(), scores.calibration.begin(), scores.calibration.end());
   return all;
 }
 

@@ -7,12 +7,15 @@
 #include <string>
 #include <utility>
 
+#include "experiments/datasets/scene_calibration.h"
 #include "experiments/log/cluster_rows.h"
+#include "experiments/metrics/calibration_metrics.h"
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/metrics/kitti_ap/box_metrics.h"
 #include "experiments/metrics/objects/clustering_metrics.h"
 #include "experiments/metrics/objects/object_metrics.h"
 #include "experiments/record/cluster_tables.h"
+#include "experiments/record/result_file.h"
 
 namespace cvo {
 namespace {
@@ -95,11 +98,17 @@ RunScores ScoreRun(const Sequence& sequence, const RunResult& run, const ObjectT
     ForEachTrackBox(sequence, run, [&boxes](const ObjectBox& box) { boxes.push_back(box); });
     scores.boxes = BoxMetrics(sequence, boxes);
   }
+  if (const auto true_field_px = TrueRightField(sequence)) {
+    if (const auto found = LastCalibration(run)) {
+      scores.calibration = EvaluateCalibration(*true_field_px, *found);
+    }
+  }
   const double shift_px = sequence.camera.right_shift_px;
   StatePoses(reports::PoseTime::kRefined, shift_px, scores.refined);
   StatePoses(reports::PoseTime::kCausal, shift_px, scores.causal);
   StatePoses(reports::PoseTime::kCausal, shift_px, scores.clustering);
   StatePoses(reports::PoseTime::kRefined, shift_px, scores.boxes);
+  StatePoses(reports::PoseTime::kCausal, shift_px, scores.calibration);
   NameCausal(scores.causal);
   return scores;
 }

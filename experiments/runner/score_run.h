@@ -19,6 +19,7 @@ struct RunScores {
   std::vector<Metric> causal;          // camera_causal_*, object_causal_*: poses as first estimated
   std::vector<Metric> clustering;      // moving_*, clustering_*: labels as first estimated
   std::vector<Metric> boxes;           // box_ap_*
+  std::vector<Metric> calibration;     // calibration_*: of rendered scenes, after the last frame
   RigidTransform truth_from_estimate;  // between the worlds, from refined poses
   std::vector<BodyScore> refined_bodies;
   std::vector<BodyScore> causal_bodies;

@@ -15,16 +15,25 @@
 // below.
 namespace cvo::reports {
 
-enum class MetricUnit { kOne, kMetres, kRadians, kMetresPerSecond, kPercent, kDegreesPer100m, kMs };
-constexpr std::array<const char*, 7> EnumNames(MetricUnit) {
-  return {"1", "m", "rad", "m/s", "%", "deg/100 m", "ms"};
+enum class MetricUnit {
+  kOne,
+  kMetres,
+  kRadians,
+  kMetresPerSecond,
+  kPercent,
+  kDegreesPer100m,
+  kMs,
+  kPixels
+};
+constexpr std::array<const char*, 8> EnumNames(MetricUnit) {
+  return {"1", "m", "rad", "m/s", "%", "deg/100 m", "ms", "px"};
 }
 
 // What is measured.
-enum class Subject { kCamera, kMovers, kStanding, kClusters, kLandmarks, kCars };
-constexpr std::array<const char*, 6> EnumNames(Subject) {
-  return {"left camera", "bodies that move", "bodies that stay put",
-          "clusters",    "landmarks",        "cars"};
+enum class Subject { kCamera, kMovers, kStanding, kClusters, kLandmarks, kCars, kStereo };
+constexpr std::array<const char*, 7> EnumNames(Subject) {
+  return {"left camera", "bodies that move",  "bodies that stay put", "clusters", "landmarks",
+          "cars",        "stereo calibration"};
 }
 
 enum class PoseTime { kRefined, kCausal, kFile };
@@ -108,9 +117,10 @@ enum class Pairing {
   kFramesWithGroups,
   kBirdsEyeBoxes,
   kVolumeBoxes,
-  kVelocitiesOfPositions
+  kVelocitiesOfPositions,
+  kWholeImage
 };
-constexpr std::array<const char*, 20> EnumNames(Pairing) {
+constexpr std::array<const char*, 21> EnumNames(Pairing) {
   return {
       "all frames with truth",
       "all frames with truth and estimate",
@@ -135,7 +145,8 @@ constexpr std::array<const char*, 20> EnumNames(Pairing) {
       "boxes with an intersection over union above 0.25 in bird's view, by KITTI's object devkit",
       "boxes with an intersection over union above 0.25 in 3D, by KITTI's object devkit",
       "visible object-frames with an estimate, differences of estimated positions against "
-      "differences of true positions of the same point"};
+      "differences of true positions of the same point",
+      "disparity error of the last frame against the rendered one, over the whole image"};
 }
 
 // How clusters are matched to bodies.
@@ -175,9 +186,12 @@ enum class Aggregation {
   kMeanRandIndex,
   kApEasy,
   kApModerate,
-  kApHard
+  kApHard,
+  kLengthRatio,
+  kRmsOfDisparities,
+  kMeanSquareOfClaimed
 };
-constexpr std::array<const char*, 27> EnumNames(Aggregation) {
+constexpr std::array<const char*, 30> EnumNames(Aggregation) {
   return {
       "fraction with an estimate",
       "root mean square of position errors",
@@ -213,7 +227,10 @@ constexpr std::array<const char*, 27> EnumNames(Aggregation) {
       "average precision at 11 recall points, level easy; labels of any truncation are left out",
       "average precision at 11 recall points, level moderate; labels of any truncation are left "
       "out",
-      "average precision at 11 recall points, level hard; labels of any truncation are left out"};
+      "average precision at 11 recall points, level hard; labels of any truncation are left out",
+      "difference of estimated and true length of the path, over the true one",
+      "root mean square of the differences",
+      "squared error of the six coefficients by their claimed covariance, over six"};
 }
 
 // A range of frames of the sequence, including the last one. kFramesOfRun stands for the range of

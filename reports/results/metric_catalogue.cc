@@ -40,6 +40,13 @@ constexpr MetricEntry Landmarks(MetricId id, const char* name, Pairing pairing, 
           false,     label,      meaning};
 }
 
+constexpr MetricEntry Calibration(MetricId id, const char* name, MetricUnit unit,
+                                  Aggregation summary, const char* label, const char* meaning) {
+  return {id,     kCalibration, name,    unit,    {A::kNone, P::kWholeImage, D::kNone, summary},
+          kError, kNothing,     nullptr, nullptr, 0.0,
+          false,  label,        meaning};
+}
+
 constexpr MetricEntry BoxAp(MetricId id, const char* name, Pairing space, Aggregation level,
                             const char* label, const char* meaning) {
   return {id,        kBoxes,   name,    MetricUnit::kOne, {A::kNone, space, D::kNone, level},
@@ -148,6 +155,10 @@ constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
            {A::kNone, P::kKittiStretches, D::kKittiLengths, S::kRotationOverLength}, "r drift",
            "Rotation error of the camera over stretches of 100 to 800 m, per length, as defined by "
            "the KITTI benchmark."),
+    Camera(kCameraPathError, "camera_path_error", MetricUnit::kPercent, kError,
+           {A::kNone, P::kConsecutive, D::kOneFrame, S::kLengthRatio}, "camera path error",
+           "How much longer or shorter the estimated path of the camera is than the true one, in "
+           "percent of its length."),
     Drift(kCameraMaxDrift, 0, "camera_max_drift", "camera max drift"),
     Drift(kCameraMaxDrift, 1, "camera_max_drift_roll", "camera max roll"),
     Drift(kCameraMaxDrift, 2, "camera_max_drift_pitch", "camera max pitch"),
@@ -259,6 +270,14 @@ constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
           "AP 3D, moderate", "Average precision of cars' boxes in 3D, at KITTI's level moderate."),
     BoxAp(kBoxAp3dHard, "box_ap_3d_hard", P::kVolumeBoxes, S::kApHard, "AP 3D, hard",
           "Average precision of cars' boxes in 3D, at KITTI's level hard."),
+    Calibration(kCalibrationError, "calibration_error", MetricUnit::kPixels, S::kRmsOfDisparities,
+                "calibration error",
+                "How far the disparity error that self-calibration found is from that of the "
+                "rendered right camera; root mean square over the image."),
+    Calibration(kCalibrationNees, "calibration_nees", MetricUnit::kOne, S::kMeanSquareOfClaimed,
+                "calibration NEES",
+                "Normalised estimation error squared of self-calibration, per coefficient: about 1 "
+                "if its errors are as large as it claims, more if they are larger."),
 }};
 
 constexpr bool IsGiven(const char* text) { return text != nullptr && *text != '\0'; }
@@ -279,9 +298,12 @@ constexpr bool IsComplete() {
 }
 static_assert(IsComplete());
 
+bool HasOneForm(MetricFamily family) {
+  return family == kLandmarks || family == kBoxes || family == kCalibration;
+}
+
 std::vector<MetricForm> FormsOf(const MetricEntry& entry, bool causal) {
-  const bool has_one =
-      entry.family == kLandmarks || entry.family == kBoxes || MaxDriftIndex(entry.id);
+  const bool has_one = HasOneForm(entry.family) || MaxDriftIndex(entry.id);
   if (has_one && causal) return {};
   std::vector<MetricForm> forms = {{entry.id, BodyGroup::kMovers, causal}};
   if (has_one) return forms;
@@ -380,7 +402,7 @@ std::string CoverageOf(const std::string& name) {
   std::optional<MetricForm> form = FindForm(name);
   if (!form) return "";
   const MetricFamily family = EntryOf(form->id).family;
-  if (family == kLandmarks || family == kBoxes) return "";
+  if (HasOneForm(family)) return "";
   form->id = family == kCamera ? kCameraCoverage : kObjectCoverage;
   if (form->bodies == BodyGroup::kPredicted) form->bodies = BodyGroup::kMovers;
   return MetricName(*form);

@@ -26,6 +26,7 @@ enum class MetricId {
   kCameraTrpe1Frame,
   kCameraTDrift,
   kCameraRDrift,
+  kCameraPathError,
   kCameraMaxDrift,  // first of twelve, see MaxDrifts::Values
   kCameraMaxDriftEnd = kCameraMaxDrift + 11,
   kObjectCoverage,
@@ -59,16 +60,20 @@ enum class MetricId {
   kBoxAp3dEasy,
   kBoxAp3dModerate,
   kBoxAp3dHard,
+  kCalibrationError,
+  kCalibrationNees,
 };
-inline constexpr std::size_t kMetricCount = static_cast<std::size_t>(MetricId::kBoxAp3dHard) + 1;
+inline constexpr std::size_t kMetricCount =
+    static_cast<std::size_t>(MetricId::kCalibrationNees) + 1;
 
 // The subject of a metric, which determines what computes it and which forms it has.
 enum class MetricFamily {
-  kCamera,     // camera_metrics: refined and causal
-  kBodies,     // object_metrics: refined and causal, of movers and of bodies that stay put
-  kClusters,   // object_metrics: refined and causal
-  kLandmarks,  // clustering_metrics: one form
-  kBoxes,      // box_metrics: one form
+  kCamera,       // camera_metrics: refined and causal
+  kBodies,       // object_metrics: refined and causal, of movers and of bodies that stay put
+  kClusters,     // object_metrics: refined and causal
+  kLandmarks,    // clustering_metrics: one form
+  kBoxes,        // box_metrics: one form
+  kCalibration,  // calibration_metrics: one form
 };
 
 // Kind of value. For fractions higher is better, for the others lower.

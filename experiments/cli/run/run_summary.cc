@@ -94,6 +94,7 @@ void PrintScores(const RunScores& scores, bool all, std::ostream& out) {
   }
   for (const Metric& metric : scores.clustering) row(metric, kNone, ReadableNumber(metric.value));
   for (const Metric& metric : scores.boxes) row(metric, ReadableNumber(metric.value), kNone);
+  for (const Metric& metric : scores.calibration) row(metric, kNone, ReadableNumber(metric.value));
   table.Print(out);
   out << "refined: final estimates; causal: estimates at the time of each frame\n";
   if (!all) out << "all metrics: --all, and in result.json\n";

@@ -230,7 +230,7 @@ TEST(CameraMetrics, HaveACompleteContract) {
   OptionalPoses truth, estimate;
   for (int i = 0; i < 150; ++i) truth.push_back(At(0, 0, i)), estimate.push_back(At(0, 0, i));
   const auto metrics = EvaluateCamera(truth, estimate, reports::TruthSource::kDevkit);
-  EXPECT_EQ(metrics.size(), 11u + 12u);
+  EXPECT_EQ(metrics.size(), 12u + 12u);
   for (const Metric& metric : metrics) {
     EXPECT_GT(metric.n, 0) << metric.name;
     const reports::Contract& c = metric.contract;
@@ -292,6 +292,23 @@ TEST(KittiDrift, BridgesFramesWithoutTruth) {
   ASSERT_TRUE(drift.has_value());
   EXPECT_EQ(drift->segments, 1);
   EXPECT_NEAR(drift->translation_percent, 1.02, 1e-9);
+}
+
+TEST(CameraMetrics, PathErrorIsOfTheLengthOverConsecutiveFrames) {
+  OptionalPoses truth = Straight(11, 1.0);
+  OptionalPoses estimate = Straight(11, 0.98);
+  EXPECT_NEAR(Value(EvaluateCamera(truth, estimate), "camera_path_error"), 2.0, 1e-9);
+  // The path is not measured across a gap.
+  estimate[5] = At(100);
+  truth[5].reset();
+  const auto metrics = EvaluateCamera(truth, estimate);
+  EXPECT_NEAR(Value(metrics, "camera_path_error"), 2.0, 1e-9);
+  EXPECT_EQ(FindMetric(metrics, "camera_path_error")->n, 8);
+}
+
+TEST(CameraMetrics, PathErrorNeedsAPath) {
+  const OptionalPoses still = {At(1), At(1), At(1)};
+  EXPECT_EQ(FindMetric(EvaluateCamera(still, still), "camera_path_error"), nullptr);
 }
 
 TEST(CameraMetrics, TwoCommonFramesAreEnough) {
