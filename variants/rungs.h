@@ -251,8 +251,13 @@ template <typename Base>
 struct AddSelfCalibration : Base {
   static constexpr std::string_view kRung = "self_calibration";
   static constexpr std::string_view kAdds =
-      "the calibration's error is estimated with the window, as a field over the image";
+      "the calibration's error is estimated: that of columns with the window, as a field over the "
+      "image, that of rows for each pair of images";
   using Calibration = EstimateRightField;
+  static void SetDefaults(Options& options) {
+    Base::SetDefaults(options);
+    options.stereo.max_row_correction_px = Options().stereo.max_row_correction_px;
+  }
 };
 
 template <typename Base>

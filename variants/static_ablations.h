@@ -57,6 +57,10 @@ struct StaticTrustCalibration : Static {
   static constexpr std::string_view kChanges =
       "static; the calibration is trusted: its error is not estimated";
   using Calibration = TrustCalibration;
+  static void SetDefaults(Options& options) {
+    Static::SetDefaults(options);
+    options.stereo.max_row_correction_px = 0.0;
+  }
 };
 
 }  // namespace cvo

@@ -112,14 +112,16 @@ struct LandmarkReport {
   double second_motion = 0.0;
 };
 
-// Current estimate of the stereo calibration: StereoCamera::right_field_px and its information in
-// 1/px^2, which is zero if it was not estimated.
+// Current estimate of the stereo calibration: StereoCamera::right_field_px and the information of
+// the window on it in 1/px^2, which is zero if it was not estimated.
 struct CalibrationReport {
   Vector6d right_field_px = Vector6d::Zero();
   Matrix6d information = Matrix6d::Zero();
 
   bool IsEstimated() const { return !information.isZero(0.0); }
-  Matrix6d Covariance_px2() const { return information.inverse(); }
+  // Covariance of the estimate, including the error that the disparities of a run have in common
+  // (METHOD.md 7.6).
+  Matrix6d Covariance_px2() const;
 };
 
 // Report of the estimator on one frame.

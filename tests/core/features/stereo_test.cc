@@ -184,7 +184,7 @@ TEST(MatchStereo, OccludedCornersAreNotMatched) {
   EXPECT_LE(wrong, static_cast<int>(features.size()) / 100);
 }
 
-TEST(MatchStereo, CorrectsRowsOfAFaultyRectificationIfAllowed) {
+TEST(MatchStereo, CorrectsRowsOfAFaultyRectificationAsFarAsAllowed) {
   const cv::Mat scene = DrawScene(320, 240, 7);
   const cv::Mat left = Render(scene, 0);
   const cv::Mat level = Render(scene, 15 * kSubpixelSteps);
@@ -192,6 +192,7 @@ TEST(MatchStereo, CorrectsRowsOfAFaultyRectificationIfAllowed) {
   level.rowRange(0, 239).copyTo(right.rowRange(1, 240));
   const auto truth = [](const StereoFeature&) { return 15.0; };
   StereoMatchOptions options;
+  options.max_row_correction_px = 0.0;
   const Errors trusting = Measure(MatchImages(left, right, options), truth);
   options.max_row_correction_px = 2.0;
   const Errors following = Measure(MatchImages(left, right, options), truth);
