@@ -21,10 +21,18 @@ using P = Pairing;
 using D = Delta;
 using S = Aggregation;  // summary
 
+constexpr MetricEntry Entry(MetricId id, MetricFamily family, const char* name, MetricUnit unit,
+                            Relation relation, MetricKind kind, FromBody from_body,
+                            std::optional<double> BodyRow::*error, const char* label,
+                            const char* meaning) {
+  const bool of_predictions = error != nullptr;
+  return {id,    family,  name, unit,           relation, kind,   from_body,
+          error, nullptr, 0.0,  of_predictions, label,    meaning};
+}
+
 constexpr MetricEntry Camera(MetricId id, const char* name, MetricUnit unit, MetricKind kind,
                              Relation relation, const char* label, const char* meaning) {
-  return {id,      kCamera, name, unit,  relation, kind,   kNothing,
-          nullptr, nullptr, 0.0,  false, label,    meaning};
+  return Entry(id, kCamera, name, unit, relation, kind, kNothing, nullptr, label, meaning);
 }
 
 constexpr MetricEntry Ate(MetricId id, const char* name, Aggregation summary, const char* label,
@@ -35,23 +43,20 @@ constexpr MetricEntry Ate(MetricId id, const char* name, Aggregation summary, co
 
 constexpr MetricEntry Landmarks(MetricId id, const char* name, Pairing pairing, Aggregation summary,
                                 const char* label, const char* meaning) {
-  return {id,        kLandmarks, name,    MetricUnit::kOne, {A::kNone, pairing, D::kNone, summary},
-          kFraction, kNothing,   nullptr, nullptr,          0.0,
-          false,     label,      meaning};
-}
-
-constexpr MetricEntry Calibration(MetricId id, const char* name, MetricUnit unit,
-                                  Aggregation summary, const char* label, const char* meaning) {
-  return {id,     kCalibration, name,    unit,    {A::kNone, P::kWholeImage, D::kNone, summary},
-          kError, kNothing,     nullptr, nullptr, 0.0,
-          false,  label,        meaning};
+  return Entry(id, kLandmarks, name, MetricUnit::kOne, {A::kNone, pairing, D::kNone, summary},
+               kFraction, kNothing, nullptr, label, meaning);
 }
 
 constexpr MetricEntry BoxAp(MetricId id, const char* name, Pairing space, Aggregation level,
                             const char* label, const char* meaning) {
-  return {id,        kBoxes,   name,    MetricUnit::kOne, {A::kNone, space, D::kNone, level},
-          kFraction, kNothing, nullptr, nullptr,          0.0,
-          false,     label,    meaning};
+  return Entry(id, kBoxes, name, MetricUnit::kOne, {A::kNone, space, D::kNone, level}, kFraction,
+               kNothing, nullptr, label, meaning);
+}
+
+constexpr MetricEntry Calibration(MetricId id, const char* name, MetricUnit unit,
+                                  Aggregation summary, const char* label, const char* meaning) {
+  return Entry(id, kCalibration, name, unit, {A::kNone, P::kWholeImage, D::kNone, summary}, kError,
+               kNothing, nullptr, label, meaning);
 }
 
 constexpr MetricEntry Mean(MetricId id, const char* name, MetricUnit unit, Alignment alignment,
@@ -78,15 +83,6 @@ constexpr MetricEntry Number(MetricId id, const char* name, Pairing pairing, Agg
           0.0, false,   label, meaning};
 }
 
-constexpr MetricEntry Other(MetricId id, MetricFamily family, const char* name, MetricUnit unit,
-                            Relation relation, MetricKind kind, FromBody from_body,
-                            std::optional<double> BodyRow::*error, const char* label,
-                            const char* meaning) {
-  const bool of_predictions = error != nullptr;
-  return {id,    family,  name, unit,           relation, kind,   from_body,
-          error, nullptr, 0.0,  of_predictions, label,    meaning};
-}
-
 // The entry of one of MaxDrifts::Values.
 constexpr MetricEntry Drift(MetricId first, std::size_t index, const char* name,
                             const char* label) {
@@ -95,11 +91,10 @@ constexpr MetricEntry Drift(MetricId first, std::size_t index, const char* name,
       "Largest error over the run, in position or in an angle, after one constant change of the "
       "estimated frame, over all frames: ClusterVO's protocol.",
       "Largest error over the run, in position or in an angle of the frame where these are "
-      "largest, "
-      "of motions since the first frame: by the tool of Oxford Multimotion.",
+      "largest, of motions since the first frame: by the tool of Oxford Multimotion.",
       "Largest error over the run, in position or in an angle of the frame where these are "
-      "largest, "
-      "of motions since the first frame, registered by the first 25 frames: MVO's protocol."};
+      "largest, of motions since the first frame, registered by the first 25 frames: MVO's "
+      "protocol."};
   const std::size_t contract = index / 4;
   const bool camera = first == kCameraMaxDrift;
   const Aggregation summary = index % 4 == 0  ? S::kMaximumOfTranslations
@@ -107,19 +102,9 @@ constexpr MetricEntry Drift(MetricId first, std::size_t index, const char* name,
                                               : S::kAngleOfLargest;
   const Relation relation = {kAlignments[contract], camera ? P::kFramesWithBoth : P::kEstimated,
                              D::kNone, summary};
-  return {MaxDriftMetric(first, index),
-          camera ? kCamera : kBodies,
-          name,
-          index % 4 == 0 ? MetricUnit::kMetres : MetricUnit::kRadians,
-          relation,
-          kError,
-          camera ? kNothing : kMaxDrift,
-          nullptr,
-          nullptr,
-          0.0,
-          false,
-          label,
-          kMeanings[contract]};
+  return Entry(MaxDriftMetric(first, index), camera ? kCamera : kBodies, name,
+               index % 4 == 0 ? MetricUnit::kMetres : MetricUnit::kRadians, relation, kError,
+               camera ? kNothing : kMaxDrift, nullptr, label, kMeanings[contract]);
 }
 
 constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
@@ -171,7 +156,7 @@ constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
     Drift(kCameraMaxDrift, 9, "camera_max_drift_first25_roll", "camera max roll, 25 frames"),
     Drift(kCameraMaxDrift, 10, "camera_max_drift_first25_pitch", "camera max pitch, 25 frames"),
     Drift(kCameraMaxDrift, 11, "camera_max_drift_first25_yaw", "camera max yaw, 25 frames"),
-    Other(kObjectCoverage, kBodies, "object_coverage", MetricUnit::kOne,
+    Entry(kObjectCoverage, kBodies, "object_coverage", MetricUnit::kOne,
           {A::kNone, P::kVisible, D::kNone, S::kFractionEstimated}, kFraction, kCoverage, nullptr,
           "object coverage",
           "Fraction of the frames in which a visible object has an estimate. Errors must be read "
@@ -185,7 +170,7 @@ constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
     Success(kObjectSuccess20cm, "object_success_20cm", 0.2, "within 20 cm",
             "Fraction of all visible object-frames in which the object is within 20 cm of the "
             "truth. Missed objects count as failures."),
-    Other(kObjectAte, kBodies, "object_ate", MetricUnit::kMetres,
+    Entry(kObjectAte, kBodies, "object_ate", MetricUnit::kMetres,
           {A::kWorldAndBody, P::kEstimated, D::kNone, S::kMeanOverBodies}, kError, kField,
           &BodyRow::ate_m, "object ATE",
           "Absolute trajectory error of moving objects, in the world frame of the camera: objects "
@@ -239,7 +224,7 @@ constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
            "Number of times the estimate of an object is interrupted and resumes."),
     Number(kObjectUnmatched, "object_unmatched", P::kWhole, S::kMissedBodies, kUnmatched, nullptr,
            "missed objects", "Number of true objects without a matching cluster."),
-    Other(kObjectUnmatchedClusters, kClusters, "object_unmatched_clusters", MetricUnit::kOne,
+    Entry(kObjectUnmatchedClusters, kClusters, "object_unmatched_clusters", MetricUnit::kOne,
           {A::kNone, P::kWhole, D::kNone, S::kExtraClusters}, kCount, kNothing, nullptr,
           "extra clusters", "Number of clusters without a matching true object."),
     Landmarks(kMovingPrecision, "moving_precision", P::kObservations, S::kMovingOfReported,
