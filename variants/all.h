@@ -81,6 +81,7 @@ using NamedVariants = std::tuple<Listed<Full, Full, 0>,                     //
                                  Listed<Static, StaticNoSpatialTrack>,      //
                                  Listed<Static, StaticCornersOnly, 0>,      //
                                  Listed<Static, StaticShiftOnly>,           //
+                                 Listed<Static, StaticNoRowEvidence, 0>,    //
                                  Listed<Static, StaticTrustCalibration>>;
 // Every variant in the program, in the order in which they are listed to users: NamedVariants,
 // CeresVariants, then those that the ladder makes.

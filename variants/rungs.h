@@ -252,7 +252,7 @@ struct AddSelfCalibration : Base {
   static constexpr std::string_view kRung = "self_calibration";
   static constexpr std::string_view kAdds =
       "the calibration's error is estimated: that of columns with the window, as a field over the "
-      "image, that of rows for each pair of images";
+      "image, that of rows from each pair of images";
   using Calibration = EstimateRightField;
   static void SetDefaults(Options& options) {
     Base::SetDefaults(options);

@@ -52,6 +52,16 @@ struct StaticShiftOnly : Static {
   using Calibration = EstimateRightShift;
 };
 
+struct StaticNoRowEvidence : Static {
+  static constexpr std::string_view kName = "static_no_row_evidence";
+  static constexpr std::string_view kChanges =
+      "static; the row offsets of the pair say nothing of the calibration error of its columns";
+  static void SetDefaults(Options& options) {
+    Static::SetDefaults(options);
+    options.noise.row_field_px = 1e6;
+  }
+};
+
 struct StaticTrustCalibration : Static {
   static constexpr std::string_view kName = "static_trust_calibration";
   static constexpr std::string_view kChanges =

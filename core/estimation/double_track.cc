@@ -26,13 +26,15 @@ bool PromoteDistant::Promotes(const Window& window, const WindowFrame& frame,
 }
 
 Vector6d EstimateRightField::Deviation(const NoiseOptions& noise) {
-  return Vector6d::Constant(noise.right_field_px);
+  Vector6d deviation = Vector6d::Constant(noise.right_field_px);
+  deviation[0] = noise.right_mean_px;
+  return deviation;
 }
 
 Vector6d EstimateRightShift::Deviation(const NoiseOptions& noise) {
   constexpr double kNone_px = 1e-6;
   Vector6d deviation = Vector6d::Constant(kNone_px);
-  deviation[0] = noise.right_field_px;
+  deviation[0] = noise.right_mean_px;
   return deviation;
 }
 

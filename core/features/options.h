@@ -66,7 +66,7 @@ struct StereoMatchOptions {
   double left_right_tolerance_px = 1.0;  // px of the level
   double row_tolerance_px = 2.0;         // row difference of a pair, px of the level
   double max_row_error_px = 1.5;         // the same after subtracting the fitted row offset
-  double max_row_correction_px = 1.0;    // maximum row shift of the compared patches
+  double max_row_correction_px = 2.0;    // maximum row shift of the compared patches
   double min_depth_baselines = 3.0;      // depth of the nearest point
   double min_disparity_px = 0.1;         // disparity of the farthest point
   int patch_radius_px = 6;               // radius of the aligned patch

@@ -27,7 +27,8 @@ struct StereoFeature {
   bool is_reserve = false;
   // RMS disagreement of the quarters of the patch on the disparity, px of the level.
   float disagreement_px = 0.0F;
-  Descriptor descriptor{};  // of the left patch
+  float row_offset_px = 0.0F;  // v_right - v_left of the two corners
+  Descriptor descriptor{};     // of the left patch
   FeaturePatch patch;
   // Whether z_px is where the reference patch of the landmark was found, instead of the corner.
   bool is_aligned = false;

@@ -10,14 +10,13 @@
 
 #include "core/features/orb/pyramid.h"
 #include "core/features/patch_alignment.h"
-#include "core/features/row_offset.h"
+#include "core/features/row_field.h"
 
 namespace cvo {
 namespace {
 
 constexpr int kNone = -1;
 constexpr double kSurelyGoodSigma_px = 0.02;  // always accepted, even if the median is near zero
-constexpr double kRowSigma_px = 0.4;          // of the row difference of a pair, px of the level
 
 // Table of the corners of one octave by image row. Requires corners sorted by v.
 class RowTable {
@@ -170,14 +169,19 @@ struct Pair {
   const OrbKeypoint* right;
 };
 
-RowOffset FitRowOffset(const std::vector<Pair>& pairs, const cv::Mat& image, double scale_factor) {
-  std::vector<RowOffsetSample> samples;
+double RowDifference(const Pair& pair) { return pair.right->v_px - pair.left->v_px; }
+
+RowField FitRows(const std::vector<Pair>& pairs, const StereoCamera& camera, double scale_factor) {
+  std::vector<RowOffset> samples;
+  samples.reserve(pairs.size());
   for (const Pair& pair : pairs) {
-    const double sigma = kRowSigma_px * std::pow(scale_factor, pair.left->octave);
-    samples.push_back(
-        {pair.left->u_px, pair.left->v_px, pair.right->v_px - pair.left->v_px, sigma});
+    const OrbKeypoint& left = *pair.left;
+    samples.push_back({left.u_px, left.v_px, left.u_px - pair.right->u_px, RowDifference(pair),
+                       RowSigma(std::pow(scale_factor, left.octave))});
   }
-  return {samples, static_cast<double>(image.cols), static_cast<double>(image.rows)};
+  RowField rows;
+  rows.Add(samples, camera);
+  return rows;
 }
 
 StereoFeature FeatureOf(const OrbImage& image, const OrbKeypoint& corner, double u_right,
@@ -196,7 +200,7 @@ StereoFeature FeatureOf(const OrbImage& image, const OrbKeypoint& corner, double
 
 // A left corner that was aligned with its partner in the right image.
 struct AlignedCorner {
-  const OrbKeypoint* left;
+  Pair pair;
   double u_right;
   double sigma;            // of u_right, px of the level
   double disagreement_px;  // px of the level
@@ -218,7 +222,7 @@ std::optional<AlignedCorner> Align(const OrbImage& left, const OrbImage& right, 
   if (!match) return std::nullopt;
   const double u_right = coordinates.FullU(match->u_right);
   if (corner.u_px - u_right < options.min_disparity_px) return std::nullopt;
-  return AlignedCorner{&corner, u_right, match->sigma, match->disagreement};
+  return AlignedCorner{pair, u_right, match->sigma, match->disagreement};
 }
 
 // Drops corners whose disparity is far less certain than the median of all: their patches differ,
@@ -242,9 +246,10 @@ std::vector<StereoFeature> MakeFeatures(const OrbImage& left,
   features.reserve(aligned.size());
   auto next = aligned.begin();
   for (const OrbKeypoint& corner : left.keypoints) {
-    if (next != aligned.end() && next->left == &corner) {
+    if (next != aligned.end() && next->pair.left == &corner) {
       features.push_back(
           FeatureOf(left, corner, next->u_right, static_cast<float>(next->disagreement_px)));
+      features.back().row_offset_px = static_cast<float>(RowDifference(next->pair));
       ++next;
       continue;
     }
@@ -269,11 +274,12 @@ std::vector<StereoFeature> MatchStereo(const OrbImage& left, const OrbImage& rig
     const std::optional<int> j = finder.Find(static_cast<int>(i));
     if (j) pairs.push_back({&left.keypoints[i], &right.keypoints[*j]});
   }
-  const RowOffset row_offset = FitRowOffset(pairs, left.pyramid[0], orb.scale_factor);
+  const RowField rows = FitRows(pairs, camera, orb.scale_factor);
   std::vector<AlignedCorner> aligned;
   for (const Pair& pair : pairs) {
-    const double offset = row_offset.At(pair.left->u_px, pair.left->v_px);
-    const double error = pair.right->v_px - pair.left->v_px - offset;
+    const double offset =
+        rows.At(camera, pair.left->u_px, pair.left->v_px, pair.left->u_px - pair.right->u_px);
+    const double error = RowDifference(pair) - offset;
     const double scale = std::pow(orb.scale_factor, pair.left->octave);
     if (std::abs(error) > options.max_row_error_px * scale) continue;
     const double applied =

@@ -126,10 +126,13 @@ class VisualOdometry final : public Odometry {
     // Bundle adjustment of the static window, with its prior (3.3, static scene and camera pose).
     {
       const ScopedStage stage(times, "optimize");
+      if (!Variant::Calibration::kFixesRightField) {
+        rows_.Add(RowOffsets(input.features, options_.orb.scale_factor), camera_);
+      }
       const WindowReport window =
           OptimizeWindow<typename Variant::Gauge, typename Variant::Calibration,
                          typename Variant::Outliers, typename Variant::Solver>(
-              options_.NoiseOfFeatures(), options_.solver, window_);
+              options_.NoiseOfFeatures(), options_.solver, rows_, window_);
       report.window_landmarks = window.landmarks;
       report.window_iterations = window.iterations;
       report.window_endings = window.endings;
@@ -320,6 +323,7 @@ class VisualOdometry final : public Odometry {
   GroundDirection ground_;
   DoubleTrack<typename Variant::MarginalizationRule, typename Variant::SpatialTrack> double_track_;
 
+  RowField rows_;  // of the rig
   Window window_;
   std::deque<KeptFrame> kept_;  // of T_t, for TraceBack
   ClusterMap clusters_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/estimation/row_evidence.h"
 #include "core/estimation/window.h"
 #include "core/estimation/window_policies.h"
 #include "core/estimation/window_problem.h"
@@ -29,13 +30,16 @@ double ApplySolution(double gate, const WindowProblem& problem, const std::vecto
 template <GaugePolicy Gauge, CalibrationPolicy Calibration, OutlierPolicy Outliers,
           SolverPolicy Solver>
 WindowReport OptimizeWindow(const FeatureNoise& noise, const SolverOptions& options,
-                            Window& window) {
+                            const RowField& rows, Window& window) {
   WindowProblem problem = MakeFrames(window);
   const std::vector<const WindowFrame*> frames = window.Frames();
   for (std::size_t i = 0; i < problem.frames.size(); ++i) {
     problem.is_fixed[i] = frames[i]->is_given || Gauge::Fixes(static_cast<int>(i), problem.prior);
   }
   problem.is_right_field_fixed = Calibration::kFixesRightField;
+  if (!Calibration::kFixesRightField) {
+    AppendRowEvidence(rows, window.camera, noise.options.row_field_px, problem.prior);
+  }
   const std::vector<int> landmarks = SelectLandmarks(window, options.max_points);
   for (const int i : landmarks) {
     AddLandmark(window.landmarks[i], noise, problem);

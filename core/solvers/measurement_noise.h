@@ -18,7 +18,9 @@ struct NoiseOptions {
   double disparity_px = 0.3;
   double least_disparity_px = 0.05;
   double disagreement = 3.0;
-  double right_field_px = 0.03;
+  double right_mean_px = 0.03;
+  double right_field_px = 0.06;
+  double row_field_px = 0.03;
   double huber = 2.796;
   double gate = 7.815;
   double hypothesis_gate = 4.0;
@@ -46,11 +48,22 @@ struct NoiseOptions {
                  "standard deviation of a disparity, as used in energies, per pixel of "
                  "disagreement between the quarters of its patch; 0: noise.disparity_px for all",
                  "METHOD.md 7.2: chosen from 3, 5 and 6 on rooms, streets and KITTI"});
+    visit.Field("right_mean_px", self.right_mean_px,
+                {"px", 1e-6, 10,
+                 "prior standard deviation of the mean over the image of the calibration error of "
+                 "u_right",
+                 "METHOD.md 7.6: chosen from 0.02 ... 0.3 on KITTI, streets and rooms"});
+    visit.Field("right_field_px", self.right_field_px,
+                {"px", 1e-6, 10,
+                 "prior standard deviation of each other coefficient of the calibration error of "
+                 "u_right",
+                 "METHOD.md 7.6: KITTI's are 0.05-1 px"});
     visit.Field(
-        "right_field_px", self.right_field_px,
-        {"px", 1e-6, 10,
-         "prior standard deviation of each coefficient of the calibration-error field of u_right",
-         "METHOD.md 7.6: chosen from 0.02 ... 0.3 on KITTI, streets and rooms"});
+        "row_field_px", self.row_field_px,
+        {"px", 1e-6, 1e6,
+         "standard deviation of each coefficient of the row offset from what the calibration "
+         "error of u_right implies; large: rows are not used",
+         "METHOD.md 7.6: chosen from 0.02 ... 0.5 on KITTI and streets"});
     visit.Field("huber", self.huber,
                 {"standard deviations", 0.1, 1e6,
                  "threshold at which the Huber loss becomes linear: sqrt(7.815)", "METHOD.md 7.2"});

@@ -16,7 +16,7 @@ namespace cvo {
 
 // Must be incremented with any change to the meaning of the bytes. It is part of the file and of
 // its key.
-inline constexpr std::uint32_t kFeatureFileVersion = 2;
+inline constexpr std::uint32_t kFeatureFileVersion = 3;
 
 // Front-end output of all frames of a sequence: a header with version and key, the frames, and an
 // index with the position and SHA-256 of each. Every byte is covered by a checksum.

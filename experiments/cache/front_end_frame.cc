@@ -11,7 +11,7 @@ namespace cvo {
 namespace {
 
 constexpr std::size_t kFeatureBytes = 3 * sizeof(double) + sizeof(std::int32_t) +
-                                      5 * sizeof(float) + sizeof(std::uint8_t) +
+                                      6 * sizeof(float) + sizeof(std::uint8_t) +
                                       sizeof(Descriptor) + sizeof(FeaturePatch::pixels);
 
 void AppendFeature(const StereoFeature& feature, std::string& bytes) {
@@ -20,6 +20,7 @@ void AppendFeature(const StereoFeature& feature, std::string& bytes) {
   AppendNumber(feature.angle_rad, bytes);
   AppendNumber(feature.response, bytes);
   AppendNumber(feature.disagreement_px, bytes);
+  AppendNumber(feature.row_offset_px, bytes);
   AppendNumber(static_cast<std::uint8_t>(feature.is_reserve), bytes);
   for (const std::uint64_t word : feature.descriptor) AppendNumber(word, bytes);
   AppendNumber(feature.patch.corner_u, bytes);
@@ -34,6 +35,7 @@ StereoFeature TakeFeature(ByteReader& reader) {
   feature.angle_rad = reader.Number<float>();
   feature.response = reader.Number<float>();
   feature.disagreement_px = reader.Number<float>();
+  feature.row_offset_px = reader.Number<float>();
   feature.is_reserve = reader.Number<std::uint8_t>() != 0;
   for (std::uint64_t& word : feature.descriptor) word = reader.Number<std::uint64_t>();
   feature.patch.corner_u = reader.Number<float>();

@@ -98,8 +98,8 @@ RunScores ScoreRun(const Sequence& sequence, const RunResult& run, const ObjectT
     ForEachTrackBox(sequence, run, [&boxes](const ObjectBox& box) { boxes.push_back(box); });
     scores.boxes = BoxMetrics(sequence, boxes);
   }
-  if (const auto true_field_px = TrueRightField(sequence)) {
-    if (const auto found = LastCalibration(run)) {
+  if (const auto found = LastCalibration(run)) {
+    if (const auto true_field_px = TrueRightField(sequence)) {
       scores.calibration = EvaluateCalibration(*true_field_px, *found);
     }
   }

@@ -107,10 +107,11 @@ TEST(PromoteDistant, PromotesByRotationDistanceOrOverlap) {
 }
 
 TEST(CalibrationPolicies, EstimateFieldOrShift) {
-  const Vector6d field = EstimateRightField::Deviation({.right_field_px = 0.2});
-  const Vector6d shift = EstimateRightShift::Deviation({.right_field_px = 0.2});
-  EXPECT_EQ(field, Vector6d::Constant(0.2).eval());
-  EXPECT_EQ(shift[0], 0.2);
+  const NoiseOptions noise{.right_mean_px = 0.1, .right_field_px = 0.2};
+  const Vector6d field = EstimateRightField::Deviation(noise);
+  const Vector6d shift = EstimateRightShift::Deviation(noise);
+  EXPECT_EQ(field, (Vector6d() << 0.1, 0.2, 0.2, 0.2, 0.2, 0.2).finished());
+  EXPECT_EQ(shift[0], 0.1);
   for (int k = 1; k < 6; ++k) EXPECT_DOUBLE_EQ(shift[k], 1e-6) << "a millionth of a pixel";
 }
 

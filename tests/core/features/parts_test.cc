@@ -15,7 +15,7 @@
 #include "core/features/orb/corner_score.h"
 #include "core/features/orb/corner_selection.h"
 #include "core/features/orb/pyramid.h"
-#include "core/features/row_offset.h"
+#include "core/features/row_field.h"
 #include "tests/core/features/scene.h"
 
 namespace cvo {
@@ -191,24 +191,70 @@ TEST(BriefPattern, FitsThePatchAndHasNoShortTests) {
   }
 }
 
-TEST(RowOffset, IsRobustToOutliers) {
-  Rng rng(4, "offsets");
-  const auto truth = [](double u, double v) {
-    return 0.4 - 1e-3 * u + 5e-6 * (u - 300) * (v - 100);
-  };
-  std::vector<RowOffsetSample> samples;
-  for (int i = 0; i < 3000; ++i) {
-    const double u = rng.Uniform(0.0, 600.0);
-    const double v = rng.Uniform(0.0, 200.0);
-    const double noise = i % 5 == 0 ? rng.Uniform(-3.0, 3.0) : 0.3 * rng.Normal();
-    samples.push_back({u, v, truth(u, v) + noise, 0.4});
+StereoCamera RowCamera() {
+  StereoCamera camera;
+  camera.fx = camera.fy = 500.0;
+  camera.cx = 300.0;
+  camera.cy = 100.0;
+  camera.baseline_m = 0.5;
+  camera.width_px = 600;
+  camera.height_px = 200;
+  return camera;
+}
+
+// Row offsets with a fifth of outliers, of a rig whose baseline is not level.
+class RowOffsets : public ::testing::Test {
+ protected:
+  static double Truth(double u, double v, double disparity) {
+    return 0.4 - 1e-3 * u + 5e-6 * (u - 300) * (v - 100) + 0.004 * disparity;
   }
-  const RowOffset offset(samples, 600.0, 200.0);
-  for (double u : {0.0, 300.0, 599.0}) {
-    for (double v : {0.0, 199.0}) EXPECT_NEAR(offset.At(u, v), truth(u, v), 0.15);
+  std::vector<RowOffset> Draw(int count) {
+    std::vector<RowOffset> samples;
+    for (int i = 0; i < count; ++i) {
+      const double u = rng_.Uniform(0.0, 600.0);
+      const double v = rng_.Uniform(0.0, 200.0);
+      const double disparity = rng_.Uniform(0.0, 60.0);
+      const double noise = i % 5 == 0 ? rng_.Uniform(-3.0, 3.0) : 0.3 * rng_.Normal();
+      samples.push_back({u, v, disparity, Truth(u, v, disparity) + noise, 0.4});
+    }
+    return samples;
   }
-  EXPECT_EQ(RowOffset().At(10.0, 10.0), 0.0);
-  EXPECT_EQ(RowOffset({}, 600.0, 200.0).At(10.0, 10.0), 0.0);
+  static double WorstError(const RowField& rows) {
+    double worst = 0.0;
+    for (const double u : {0.0, 300.0, 599.0}) {
+      for (const double v : {0.0, 199.0}) {
+        for (const double disparity : {0.0, 50.0}) {
+          const double error = rows.At(RowCamera(), u, v, disparity) - Truth(u, v, disparity);
+          worst = std::max(worst, std::abs(error));
+        }
+      }
+    }
+    return worst;
+  }
+
+  Rng rng_{4, "offsets"};
+};
+
+TEST_F(RowOffsets, FitIsRobustToOutliers) {
+  RowField rows;
+  EXPECT_EQ(rows.At(RowCamera(), 10.0, 10.0, 5.0), 0.0);
+  rows.Add({}, RowCamera());
+  EXPECT_EQ(rows.At(RowCamera(), 10.0, 10.0, 5.0), 0.0);
+  rows.Add(Draw(3000), RowCamera());
+  EXPECT_LT(WorstError(rows), 0.15);
+}
+
+TEST_F(RowOffsets, EveryPairMakesTheFieldMoreCertain) {
+  RowField rows;
+  double deviation_px = 1.0;
+  for (int pair = 0; pair < 30; ++pair) {
+    rows.Add(Draw(300), RowCamera());
+    const double now_px = std::sqrt(rows.Covariance()(0, 0));
+    EXPECT_LT(now_px, deviation_px);
+    deviation_px = now_px;
+  }
+  EXPECT_LT(deviation_px, 0.02);
+  EXPECT_LT(WorstError(rows), 0.06);
 }
 
 // Checks that the defaults pass, and that values beyond either end of a range are refused with an
