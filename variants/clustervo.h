@@ -61,6 +61,7 @@ struct ClusterVo {
     options.clusters.undetected_frames = 0;
     options.orb.reserve = 0.0;
     options.stereo.max_row_correction_px = 0.0;
+    options.extent.part_share = 2.0;
     options.tracking.align_patches = false;
     options.noise.disagreement = 0.0;
     options.solver.iterations = 10;

@@ -155,8 +155,12 @@ template <typename Base>
 struct AddNearestDepths : Base {
   static constexpr std::string_view kRung = "nearest_depths";
   static constexpr std::string_view kAdds =
-      "a new body is the nearest dense range of depths that fills its box";
+      "a new body is the nearest dense range of depths that fills its box, and no part of another";
   using NewBody = NearestDepths;
+  static void SetDefaults(Options& options) {
+    Base::SetDefaults(options);
+    options.extent.part_share = Options().extent.part_share;
+  }
 };
 
 template <typename Base>

@@ -24,4 +24,7 @@ struct ImageBox {
 // Area of the intersection over area of the union, in [0, 1]; 0 if the boxes do not overlap.
 double IntersectionOverUnion(const ImageBox& a, const ImageBox& b);
 
+// Share of the area of `part` that lies inside `whole`, in [0, 1]; 0 if `part` has no area.
+double ShareInside(const ImageBox& part, const ImageBox& whole);
+
 }  // namespace cvo

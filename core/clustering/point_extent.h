@@ -22,6 +22,7 @@ struct ExtentOptions {
   double mode_width = 0.35;
   double mode_min_width = 0.05;
   double mode_max_width = 0.3;
+  double part_share = 0.8;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
@@ -71,6 +72,11 @@ struct ExtentOptions {
     visit.Field("mode_max_width", self.mode_max_width,
                 {"log depth", 0.005, 1.0, "maximum width of the kernel that smooths depths",
                  "boxes that fill the image"});
+    visit.Field("part_share", self.part_share,
+                {"1", 0.0, 2.0,
+                 "minimum share of a box inside that of a cluster of the same class, at its depth, "
+                 "from which it is taken as a part of that body; more than 1: never",
+                 "METHOD.md 6.2"});
   }
 };
 

@@ -104,6 +104,25 @@ void AddGivenBodies(const FrameView& view, const PastFrames& past, LabelScene& s
   }
 }
 
+// Whether the detection shows a part of a body that is whole in the box of a cluster: detectors
+// sometimes report both. `body` is what would be born from it.
+bool IsPartOfCluster(const FrameView& view, double part_share, int detection,
+                     const CrfLabel::Extent& body, const std::vector<ClusterTrack>& tracks,
+                     const LabelScene& scene) {
+  constexpr double kDeepestSides = 2.0;  // depth of a body relative to the sides of its box
+  const Detection& part = view.shown.detections[detection];
+  for (int q = 0; q < scene.clusters; ++q) {
+    if (tracks[q].detection < 0) continue;
+    const Detection& whole = view.shown.detections[tracks[q].detection];
+    if (whole.category != part.category || ShareInside(part.box, whole.box) < part_share) continue;
+    const double depth_m = scene.crf.labels[1 + q].extent->center_in_camera.z();
+    const double side_m =
+        depth_m * std::max(whole.box.Width(), whole.box.Height()) / view.camera.fx;
+    if (std::abs(body.center_in_camera.z() - depth_m) < kDeepestSides * side_m) return true;
+  }
+  return false;
+}
+
 // Returns camera_from_object of the body that owns the point's landmark.
 RigidTransform OwnerInCamera(const FrameView& view, const FramePoint& point,
                              const std::vector<ClusterTrack>& tracks) {
@@ -147,6 +166,7 @@ LabelScene BuildLabelScene(const FrameView& view, const LabelSceneOptions& optio
                     points, scene.crf.nodes);
   for (int m = 0; m < static_cast<int>(bodies.size()); ++m) {
     if (!bodies[m]) continue;
+    if (IsPartOfCluster(view, options.extent.part_share, m, *bodies[m], tracks, scene)) continue;
     CrfLabel label;
     label.kind = LabelKind::kNewBox;
     label.box = view.shown.detections[m].box;

@@ -222,5 +222,15 @@ TEST(IntersectionOverUnion, HandComputed) {
   EXPECT_DOUBLE_EQ(IntersectionOverUnion({5, 5, 5, 5}, {5, 5, 5, 5}), 0.0);
 }
 
+TEST(ShareInside, HandComputed) {
+  const ImageBox box{0, 0, 10, 10};
+  EXPECT_DOUBLE_EQ(ShareInside(box, box), 1.0);
+  EXPECT_DOUBLE_EQ(ShareInside({2, 2, 4, 7}, box), 1.0);
+  EXPECT_DOUBLE_EQ(ShareInside(box, {2, 2, 4, 7}), 0.1);
+  EXPECT_DOUBLE_EQ(ShareInside({5, 5, 15, 15}, box), 0.25);
+  EXPECT_DOUBLE_EQ(ShareInside({20, 20, 30, 30}, box), 0.0);
+  EXPECT_DOUBLE_EQ(ShareInside({5, 5, 5, 5}, box), 0.0);
+}
+
 }  // namespace
 }  // namespace cvo::boxes_test

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "tests/core/labelling/labelled_frame.h"
 
 namespace cvo::label_scene_test {
@@ -66,6 +68,33 @@ TEST(BuildLabelScene, NonPositiveDisparitiesAreFarAway) {
     EXPECT_NEAR(node.p_in_camera.z(), 450.0 * 0.3 / 0.1, 1e-6);
     EXPECT_TRUE(node.covariance_m2.allFinite());
   }
+}
+
+// A body 6 m away fills its box, 1.6 m wide. A second box of the given class lies inside that box
+// and shows points at the given depth.
+int NewBodiesInside(const std::string& category, double depth_m, double part_share) {
+  Moving m;
+  const ImageBox part{350.0, 200.0, 400.0, 260.0};
+  m.frame.detections = {{{290.0, 180.0, 410.0, 300.0}, "Car", 1.0}, {part, category, 1.0}};
+  m.tracks[0].detection = 0;
+  for (int i = 0; i < 36; ++i) {
+    const Eigen::Vector3d ray((part.left_px + 10.0 * (i % 6) - 320.0) / 450.0,
+                              (part.top_px + 12.0 * (i / 6) - 240.0) / 450.0, 1.0);
+    m.Add(depth_m * ray, kNoOwner, -1, kNone);
+  }
+  LabelSceneOptions options;
+  options.extent.part_share = part_share;
+  const LabelScene scene = m.With([&](const FrameView& view) {
+    return BuildLabelScene(view, options, m.window, m.map, m.tracks, m.points, kOurSteps);
+  });
+  return scene.Outlier() - 1 - scene.clusters;
+}
+
+TEST(BuildLabelScene, ABoxInsideThatOfAClusterIsAPartOfIt) {
+  EXPECT_EQ(NewBodiesInside("Car", 7.0, 0.8), 0);
+  EXPECT_EQ(NewBodiesInside("Car", 20.0, 0.8), 1) << "far behind the body";
+  EXPECT_EQ(NewBodiesInside("Pedestrian", 7.0, 0.8), 1) << "of another class";
+  EXPECT_EQ(NewBodiesInside("Car", 7.0, 2.0), 1) << "the rule is off";
 }
 
 TEST(NewBodyPolicies, TakeTheNearestDepthsOrAllOfThem) {
