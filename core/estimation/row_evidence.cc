@@ -33,7 +33,7 @@ std::vector<RowOffset> RowOffsets(const std::vector<StereoFeature>& features, do
   std::vector<RowOffset> offsets;
   offsets.reserve(features.size());
   for (const StereoFeature& feature : features) {
-    if (IsLeftOnly(feature)) continue;
+    if (std::isnan(feature.row_offset_px)) continue;
     offsets.push_back({feature.z_px[0], feature.z_px[1], feature.z_px[0] - feature.z_px[2],
                        feature.row_offset_px, RowSigma(std::pow(scale_factor, feature.octave))});
   }

@@ -10,7 +10,7 @@
 
 namespace cvo {
 
-// Returns the row offsets of all features that have a right column.
+// Returns the row offsets of all features that have one.
 std::vector<RowOffset> RowOffsets(const std::vector<StereoFeature>& features, double scale_factor);
 
 // Appends to the prior what the row offsets of the pair say of its right_field_px (METHOD.md 7.6):

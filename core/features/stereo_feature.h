@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 
 #include "core/features/descriptor.h"
 #include "core/features/feature_patch.h"
@@ -13,6 +14,9 @@ namespace cvo {
 // no information.
 inline constexpr float kNoDisparity_px = 1e3F;
 constexpr bool HasNoDisparity(double disagreement_px) { return disagreement_px >= kNoDisparity_px; }
+
+// Row offset of a feature without a right corner, or whose right corner is not known.
+inline constexpr float kUnknownRowOffset_px = std::numeric_limits<float>::quiet_NaN();
 
 // A corner of the left image that was matched in the right one: z in section 3 of the paper.
 // Unmatched corners are kept in boxes only; their u_right equals u_left until it is known which
@@ -27,8 +31,8 @@ struct StereoFeature {
   bool is_reserve = false;
   // RMS disagreement of the quarters of the patch on the disparity, px of the level.
   float disagreement_px = 0.0F;
-  float row_offset_px = 0.0F;  // v_right - v_left of the two corners
-  Descriptor descriptor{};     // of the left patch
+  float row_offset_px = kUnknownRowOffset_px;  // v_right - v_left of the two corners
+  Descriptor descriptor{};                     // of the left patch
   FeaturePatch patch;
   // Whether z_px is where the reference patch of the landmark was found, instead of the corner.
   bool is_aligned = false;

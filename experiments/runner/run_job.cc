@@ -8,6 +8,7 @@
 #include "core/files/json/options_json.h"
 #include "experiments/cache/content_hash.h"
 #include "experiments/datasets/plausibility.h"
+#include "experiments/datasets/scene_calibration.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/record/job_identity.h"
 #include "experiments/runner/run_files.h"
@@ -83,6 +84,7 @@ std::string IdentifyJob(const RunRequest& request, const std::string& content) {
 std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesystem::path& folder) {
   const BuildIdentity build = ThisBuild();
   const std::unique_ptr<BodyTruthReader> truth = ReadBodyTruth(request.sequence);
+  const std::optional<Vector6d> right_field_px = TrueRightField(request.sequence);
   std::optional<StagedFile> landmarks;
   LandmarkSink sink;
   if (request.landmarks) {
@@ -95,7 +97,7 @@ std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesyste
   const ObjectTruth* bodies = truth ? &truth->objects() : nullptr;
   JobOutcome outcome{std::move(*run), {}, ThisProcess()};
   outcome.warnings = FindImplausible(request.sequence, bodies);
-  outcome.scores = ScoreRun(request.sequence, outcome.run, bodies);
+  outcome.scores = ScoreRun(request.sequence, outcome.run, {bodies, right_field_px});
   const RunRecord record{.sequence = request.sequence,
                          .build = build,
                          .variant = std::string(request.variant.name),

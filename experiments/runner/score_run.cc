@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "experiments/datasets/scene_calibration.h"
 #include "experiments/log/cluster_rows.h"
 #include "experiments/metrics/calibration_metrics.h"
 #include "experiments/metrics/camera_metrics.h"
@@ -87,21 +86,20 @@ void ScoreCausal(const Sequence& sequence, ObjectEstimate causal, const ObjectTr
 
 }  // namespace
 
-RunScores ScoreRun(const Sequence& sequence, const RunResult& run, const ObjectTruth* objects) {
+RunScores ScoreRun(const Sequence& sequence, const RunResult& run, const RunTruth& truth) {
   if (run.status == RunStatus::kFailed) return {};
   RunScores scores;
   // The estimates are made one after the other, as each holds all poses of a run.
-  ScoreRefined(sequence, ObjectEstimateOf(run, PoseTime::kRefined), objects, scores);
-  ScoreCausal(sequence, ObjectEstimateOf(run, PoseTime::kCausal), objects, scores);
+  ScoreRefined(sequence, ObjectEstimateOf(run, PoseTime::kRefined), truth.objects, scores);
+  ScoreCausal(sequence, ObjectEstimateOf(run, PoseTime::kCausal), truth.objects, scores);
   if (TellsBoxes(sequence)) {
     std::vector<ObjectBox> boxes;
     ForEachTrackBox(sequence, run, [&boxes](const ObjectBox& box) { boxes.push_back(box); });
     scores.boxes = BoxMetrics(sequence, boxes);
   }
-  if (const auto found = LastCalibration(run)) {
-    if (const auto true_field_px = TrueRightField(sequence)) {
-      scores.calibration = EvaluateCalibration(*true_field_px, *found);
-    }
+  const std::optional<CalibrationReport> found = LastCalibration(run);
+  if (found && truth.right_field_px) {
+    scores.calibration = EvaluateCalibration(*truth.right_field_px, *found);
   }
   const double shift_px = sequence.camera.right_shift_px;
   StatePoses(reports::PoseTime::kRefined, shift_px, scores.refined);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "experiments/datasets/sequence.h"
@@ -24,9 +25,12 @@ struct RunScores {
   std::vector<BodyScore> refined_bodies;
   std::vector<BodyScore> causal_bodies;
 };
-// `objects` is null if there is no ground truth for the bodies of the sequence.
-RunScores ScoreRun(const Sequence& sequence, const RunResult& run,
-                   const ObjectTruth* objects = nullptr);
+// The ground truth of a sequence besides its camera's.
+struct RunTruth {
+  const ObjectTruth* objects = nullptr;    // null if there is none for its bodies
+  std::optional<Vector6d> right_field_px;  // of the calibration: TrueRightField
+};
+RunScores ScoreRun(const Sequence& sequence, const RunResult& run, const RunTruth& truth = {});
 
 // Returns what a run states about the bodies, with poses as first estimated (causal) or as last
 // estimated (refined). Skipped frames have no camera pose. There is one element per frame of the

@@ -11,6 +11,7 @@
 
 #include "reports/results/body_row.h"
 #include "reports/results/build_info.h"
+#include "reports/results/calibration_state.h"
 #include "reports/results/metric_value.h"
 #include "reports/results/schema_2.h"
 
@@ -123,8 +124,9 @@ struct RunSummary {
   std::optional<Json> detection_counts;
   BuildInfo build;
   std::vector<MetricValue> metrics;
-  std::optional<RunBodies> bodies;  // empty without truth
-  int upgraded_from = 0;            // schema version of the file, if it is not the present one
+  std::optional<RunBodies> bodies;              // empty without truth
+  std::optional<CalibrationState> calibration;  // at the end; empty if it was not estimated
+  int upgraded_from = 0;  // schema version of the file, if it is not the present one
 
   static Json Upgraded(Json json, const std::string& where) {
     return UpgradedFromSchema2(std::move(json), where);
@@ -145,6 +147,7 @@ struct RunSummary {
     archive.Added("build", self.build);
     archive.Added("metrics", self.metrics);
     archive.Added("bodies", self.bodies);
+    archive.Optional("calibration", self.calibration);
     archive.Optional("upgraded_from", self.upgraded_from);
   }
 };

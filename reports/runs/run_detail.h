@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/results/calibration_state.h"
 #include "reports/results/timing.h"
 #include "reports/results/truth.h"
 
@@ -22,7 +23,8 @@ struct CameraFrame {
   int window_frames = 0;  // in the temporal and spatial tracks, including this one
   // Ages of the frames of the spatial track, in frames before this one; oldest first.
   std::vector<int> spatial_ages = {};
-  std::optional<Pose> truth = {};  // from truth.json
+  std::optional<CalibrationState> calibration = {};  // empty: not estimated
+  std::optional<Pose> truth = {};                    // from truth.json
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -32,6 +34,7 @@ struct CameraFrame {
     archive.Field("refined", self.world_from_camera);
     archive.Optional("window_frames", self.window_frames);
     archive.Optional("spatial_ages", self.spatial_ages);
+    archive.Optional("calibration", self.calibration);
   }
 };
 

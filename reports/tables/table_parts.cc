@@ -7,6 +7,7 @@
 
 #include "core/base/lists.h"
 #include "core/files/json/json.h"
+#include "core/files/text/number.h"
 
 namespace cvo::reports {
 namespace {
@@ -162,6 +163,31 @@ bool VariesPerturbation(const Table& table) {
                      [](const std::string& key) { return key.starts_with("perturb."); });
 }
 
+// Whether the run says how far its calibration is from the truth.
+bool ScoresCalibration(const RunSummary& run) {
+  return FindBy(run.metrics, &MetricValue::name, std::string("calibration_error")) != nullptr;
+}
+
+// What self-calibration found on sequences without a true calibration, if rows tell them apart.
+void AddCalibrations(const std::vector<SuiteRun>& runs, const Table& table,
+                     std::vector<std::string>& notes) {
+  if (std::find(table.keys.begin(), table.keys.end(), "sequence") == table.keys.end()) return;
+  std::vector<std::pair<std::string, std::vector<std::string>>> found;  // by sequence
+  for (const SuiteRun& run : runs) {
+    if (!run.run || !run.run->calibration || ScoresCalibration(*run.run)) continue;
+    auto& [sequence, texts] =
+        FindOrAdd(found, &decltype(found)::value_type::first, {KeyOf(run.planned, "sequence"), {}});
+    AddOnce(
+        StrCat(KeyOf(run.planned, "variant"), " ", RoundedTo(run.run->calibration->Mean_px(), 2),
+               " +- ", RoundedTo(run.run->calibration->MeanSigma_px(), 2)),
+        texts);
+  }
+  for (const auto& [sequence, texts] : found) {
+    notes.push_back(StrCat(
+        sequence, ": calibration error found, mean over the image, px: ", Joined(texts, ", ")));
+  }
+}
+
 }  // namespace
 
 std::string CpuLevelNote(const std::set<std::string>& levels) {
@@ -187,6 +213,7 @@ std::vector<std::string> TableNotes(const std::vector<SuiteRun>& runs, const Tab
                    " px; not comparable with rows on the published calibration"),
             notes);
   }
+  AddCalibrations(runs, table, notes);
   for (const SuiteRun& run : runs) {
     if (!run.run || !run.run->sequence.perturbation || VariesPerturbation(table)) continue;
     AddOnce(StrCat(KeyOf(run.planned, "sequence"),

@@ -41,6 +41,7 @@ SuiteDrawing SuiteFigures(const SuiteData& data) {
   DrawErrorOverTime(data, drawing);
   DrawTrajectories(data, drawing);
   DrawFrameTracks(data, drawing);
+  DrawCalibration(data, drawing);
   DrawStageTimes(data, drawing);
   MakeIdsUnique(drawing.figures);
   drawing.not_drawn.insert(drawing.not_drawn.end(), data.not_drawn.begin(), data.not_drawn.end());

@@ -23,6 +23,8 @@ void DrawTrajectories(const SuiteData& data, SuiteDrawing& drawing);
 // Shows which frames were in the spatial and in the temporal track, for the first run that has a
 // spatial track.
 void DrawFrameTracks(const SuiteData& data, SuiteDrawing& drawing);
+// The mean of the estimated calibration error over time, if a run estimates it.
+void DrawCalibration(const SuiteData& data, SuiteDrawing& drawing);
 void DrawStageTimes(const SuiteData& data, SuiteDrawing& drawing);
 
 }  // namespace cvo::reports

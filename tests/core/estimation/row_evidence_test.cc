@@ -120,12 +120,11 @@ INSTANTIATE_TEST_SUITE_P(
                           "slope", {0.0, 0.0, 5e-4}, 0.0, 0.0, Eigen::Vector2d::Zero(), 0.005}),
     [](const auto& camera) { return camera.param.name; });
 
-TEST(RowOffsetsOfFeatures, LeaveOutThoseWithoutARightColumn) {
+TEST(RowOffsetsOfFeatures, LeaveOutThoseThatAreNotKnown) {
   std::vector<StereoFeature> features(2);
   features[0].z_px = {100.0, 50.0, 90.0};
   features[0].octave = 1;
   features[0].row_offset_px = 0.5F;
-  features[1].disagreement_px = kNoDisparity_px;
   const std::vector<RowOffset> offsets = RowOffsets(features, 1.2);
   ASSERT_EQ(offsets.size(), 1u);
   EXPECT_EQ(offsets[0].u_px, 100.0);

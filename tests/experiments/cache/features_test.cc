@@ -56,6 +56,7 @@ TEST_F(CacheFeatures, ReadsBackEveryBit) {
   EXPECT_EQ(loaded.features[1].is_reserve, frames_[2].features[1].is_reserve);
   EXPECT_EQ(loaded.features[1].response, 1e-40F);
   EXPECT_EQ(loaded.features[1].disagreement_px, 0.25F);
+  EXPECT_EQ(loaded.features[1].row_offset_px, -0.75F);
   EXPECT_EQ(loaded.features[1].descriptor, frames_[2].features[1].descriptor);
   const FrontEndFrame skipped = cache.Find(key_, kFrames)->Frame(1);
   EXPECT_THAT(skipped.features, IsEmpty());

@@ -24,6 +24,7 @@ inline std::vector<FrontEndFrame> SomeFrames(int count) {
       feature.angle_rad = 0.1F * static_cast<float>(i);
       feature.response = 1e-40F;  // denormal
       feature.disagreement_px = 0.25F;
+      feature.row_offset_px = -0.75F;
       feature.is_reserve = i % 2 == 1;
       feature.descriptor = {~0ULL, 0x0123456789abcdefULL, static_cast<std::uint64_t>(i), 0};
       feature.patch.corner_u = -0.25F;

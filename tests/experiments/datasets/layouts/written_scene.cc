@@ -47,7 +47,7 @@ RunScores Score(const Sequence& sequence, BodyTruthReader& truth) {
   const VariantInfo& full = FindVariant("full");
   const auto run = RunSequence(
       {.sequence = sequence, .variant = full, .options = full.defaults(), .seed = 1}, &truth);
-  return ScoreRun(sequence, run.value(), &truth.objects());
+  return ScoreRun(sequence, run.value(), {&truth.objects(), {}});
 }
 
 void ExpectSameMetrics(const std::vector<Metric>& own, const std::vector<Metric>& other) {
