@@ -54,6 +54,18 @@ void DrawRun(const DrawnRun& run, const Style& style, bool in_legend, std::size_
   plot.AddTrace(panel, std::move(line));
 }
 
+// In the upper left corner, where few lines pass: estimates start near 0.
+void NamePanel(const std::string& sequence, std::size_t panel, Plot& plot) {
+  plot.AddAnnotation(panel, {{"text", PlotText(sequence)},
+                             {"xref", "paper"},
+                             {"x", 0.005},
+                             {"xanchor", "left"},
+                             {"y", 1},
+                             {"yanchor", "top"},
+                             {"showarrow", false},
+                             {"font", {{"size", 11}}}});
+}
+
 std::string SceneText(const DrawnScene& scene) {
   std::string text = StrCat(Capitalised(scene.sequence), ": ");
   for (const DrawnRun* run : scene.runs) {
@@ -79,12 +91,8 @@ void DrawCalibration(const SuiteData& data, SuiteDrawing& drawing) {
 
   const std::vector<std::string> variants = VariantsOf(data.drawn);
   const Palette palette = PaletteOf(data.plan, variants);
-  std::vector<Panel> panels;
-  for (std::size_t i = 0; i < drawn; ++i) {
-    panels.push_back({AxisOf(""), 110});
-    panels.back().y_axis["title"]["text"] = StrCat(PlotText(scenes[i].sequence), "<br>mean (px)");
-  }
-  Plot plot(AxisOf("frame"), panels, LegendHeight(variants, kWidth_px));
+  Plot plot(AxisOf("frame"), std::vector<Panel>(drawn, {AxisOf("mean (px)"), 110}),
+            LegendHeight(variants, kWidth_px));
   std::vector<std::string> in_legend;
   Figure figure;
   figure.alt = "Lines of the estimated calibration error over frames, one panel per sequence. ";
@@ -95,6 +103,7 @@ void DrawCalibration(const SuiteData& data, SuiteDrawing& drawing) {
       if (is_new) in_legend.push_back(run->variant);
       DrawRun(*run, palette.Of(run->variant), is_new, i, plot);
     }
+    NamePanel(scenes[i].sequence, i, plot);
     figure.alt += SceneText(scenes[i]);
   }
   figure.alt.pop_back();

@@ -30,8 +30,9 @@ SuiteData Calibrated() {
 }
 
 TEST(CalibrationFigure, ShowsTheMeanWithItsDeviation) {
+  const SuiteData data = Calibrated();
   SuiteDrawing drawing;
-  DrawCalibration(Calibrated(), drawing);
+  DrawCalibration(data, drawing);
   const Figure& figure = test::FindFigure(drawing, "calibration");
   const std::vector<Json> traces = test::TracesNamed(Json::parse(figure.plotly), "full");
   ASSERT_THAT(traces, SizeIs(3));
@@ -40,6 +41,7 @@ TEST(CalibrationFigure, ShowsTheMeanWithItsDeviation) {
   EXPECT_EQ(traces[1]["fill"], "tonexty");
   EXPECT_EQ(traces[2]["x"], Json::parse("[11, 12, 13]"));
   EXPECT_EQ(traces[2]["y"], Json::parse("[0.1, 0.2, 0.3]"));
+  EXPECT_THAT(figure.plotly, HasSubstr(data.drawn[0].sequence));
   EXPECT_THAT(figure.alt, HasSubstr("full 0.3 +- 0.04 px in the last frame."));
   EXPECT_THAT(figure.plotly, testing::Not(HasSubstr("clustervo")));
 }
