@@ -62,7 +62,6 @@ void NamePanel(const std::string& sequence, std::size_t panel, Plot& plot) {
                              {"xanchor", "left"},
                              {"y", 1},
                              {"yanchor", "top"},
-                             {"showarrow", false},
                              {"font", {{"size", 11}}}});
 }
 

@@ -17,6 +17,7 @@
 #include "core/features/orb/pyramid.h"
 #include "core/features/row_field.h"
 #include "tests/core/features/scene.h"
+#include "tests/support/centred_camera.h"
 
 namespace cvo {
 namespace {
@@ -191,16 +192,7 @@ TEST(BriefPattern, FitsThePatchAndHasNoShortTests) {
   }
 }
 
-StereoCamera RowCamera() {
-  StereoCamera camera;
-  camera.fx = camera.fy = 500.0;
-  camera.cx = 300.0;
-  camera.cy = 100.0;
-  camera.baseline_m = 0.5;
-  camera.width_px = 600;
-  camera.height_px = 200;
-  return camera;
-}
+const StereoCamera kRowCamera = test::CentredCamera(500.0, 0.5, 600, 200);
 
 // Row offsets with a fifth of outliers, of a rig whose baseline is not level.
 class RowOffsets : public ::testing::Test {
@@ -224,7 +216,7 @@ class RowOffsets : public ::testing::Test {
     for (const double u : {0.0, 300.0, 599.0}) {
       for (const double v : {0.0, 199.0}) {
         for (const double disparity : {0.0, 50.0}) {
-          const double error = rows.At(RowCamera(), u, v, disparity) - Truth(u, v, disparity);
+          const double error = rows.At(kRowCamera, u, v, disparity) - Truth(u, v, disparity);
           worst = std::max(worst, std::abs(error));
         }
       }
@@ -237,10 +229,10 @@ class RowOffsets : public ::testing::Test {
 
 TEST_F(RowOffsets, FitIsRobustToOutliers) {
   RowField rows;
-  EXPECT_EQ(rows.At(RowCamera(), 10.0, 10.0, 5.0), 0.0);
-  rows.Add({}, RowCamera());
-  EXPECT_EQ(rows.At(RowCamera(), 10.0, 10.0, 5.0), 0.0);
-  rows.Add(Draw(3000), RowCamera());
+  EXPECT_EQ(rows.At(kRowCamera, 10.0, 10.0, 5.0), 0.0);
+  rows.Add({}, kRowCamera);
+  EXPECT_EQ(rows.At(kRowCamera, 10.0, 10.0, 5.0), 0.0);
+  rows.Add(Draw(3000), kRowCamera);
   EXPECT_LT(WorstError(rows), 0.15);
 }
 
@@ -248,7 +240,7 @@ TEST_F(RowOffsets, EveryPairMakesTheFieldMoreCertain) {
   RowField rows;
   double deviation_px = 1.0;
   for (int pair = 0; pair < 30; ++pair) {
-    rows.Add(Draw(300), RowCamera());
+    rows.Add(Draw(300), kRowCamera);
     const double now_px = std::sqrt(rows.Covariance()(0, 0));
     EXPECT_LT(now_px, deviation_px);
     deviation_px = now_px;
